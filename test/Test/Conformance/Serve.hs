@@ -3,28 +3,36 @@
 -- | The server: this library through the pipe, and what it says to requests that are none.
 module Test.Conformance.Serve (spec) where
 
-import Data.Aeson (Value (..), decode, encode, object, (.=))
+import Data.Aeson (Object, Value (..), decode, encode, object, (.=))
+import qualified Data.Aeson.KeyMap as KeyMap
+import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.ByteString.Lazy.Char8 as Lazy.Char8
-import Data.Foldable (for_)
+import Data.Foldable (for_, toList)
 import Data.Function (on)
-import Data.List (isPrefixOf, nubBy)
+import Data.List (isPrefixOf, mapAccumL, nubBy)
 import Data.Maybe (listToMaybe)
+import qualified Data.Text as Text
+import Numeric.Natural (Natural)
 import PraTactile.Conformance.Implementation (Implementation (implementationName))
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Killers
 import PraTactile.Conformance.Law (lawId, touchStages)
 import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
 import PraTactile.Conformance.Library (library)
-import PraTactile.Conformance.Question (operationName)
-import PraTactile.Conformance.Serve (serveOnce)
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Serve (replyOnce, serveOnce)
+import PraTactile.Conformance.Wire (questionInput)
 import PraTactile.Conformance.Wire.Line (longestLine)
+import PraTactile.Format.Json (naturalValue)
 import PraTactile.Format.Profile (profileValue)
-import PraTactile.Profile (canonicalProfile)
+import PraTactile.Position (Shape (..))
+import PraTactile.Profile (canonicalProfile, chooseProfile, profileChoice)
 import System.FilePath ((</>))
 import System.IO (IOMode (..), withBinaryFile)
 import Test.CommandLine.Run
 import Test.Conformance.Process.Subjects
+import Test.Hostile.Judgement (withinBounds)
 import Test.Hspec
 import Test.Support (inFolder)
 
@@ -87,6 +95,39 @@ spec = do
                          then "{\"errored\":\"a line of more than 1 MiB\"}\n"
                          else "{\"result\":true}\n"
                      )
+  describe "whatever number stands in a request, the reply is a line, from little memory" $
+    for_ [minBound ..] $ \some -> it (operationName some) $
+      for_ (extremes (exampleOf some)) $ \question -> do
+        reply <- withinBounds (replyTo question)
+        (show question, (<= longestLine) . lineLength <$> reply)
+          `shouldBe` (show question, Right True)
+  it "as many terms are told as a line has room for, and more are refused as too-long" $ do
+    let most = (longestLine - lineLength "{\"result\":[]}" + 1) `div` 2
+        terms count = replyTo (SomeQuestion (Terms 0 (fromIntegral count)))
+        tooLong = "{\"refused\":\"too-long\"}\n"
+    full <- terms most
+    lineLength full `shouldSatisfy` (`elem` [longestLine - 1, longestLine])
+    terms (most + 1) `shouldReturn` tooLong
+    for_ [question size | question <- growing, size <- sizes] $ \question ->
+      withinBounds (replyTo question) `shouldReturn` Right tooLong
+  it "an array in which no place can be found has its cells and its windows all the same" $ do
+    -- x^34 + x^7 + x^6 + x^5 + x^2 + x + 1, and windows of 2 x 17
+    let taps = [fromEnum (i `elem` [0, 1, 2, 5, 6, 7, 34]) | i <- [0 .. 34 :: Int]]
+        choice = profileChoice 2 (map fromIntegral taps) (Shape 3 5726623061)
+    Right large <- pure (chooseProfile choice)
+    let under = KeyMap.singleton "profile" (profileValue large)
+        nowhere = "{\"refused\":\"table-too-large\"}\n"
+    for_
+      [ (SomeQuestion (Cell 0 33), "{\"result\":1}\n"),
+        (SomeQuestion (Locate (replicate 2 (replicate 17 (Just 1)))), nowhere),
+        (SomeQuestion (Nearest Nothing [[Just 1]]), nowhere)
+      ]
+      $ \(question, reply) -> replyOnce library (requestOf under question) `shouldReturn` reply
+  it "a reply repeats a whole number as its sequence, and nothing else" $
+    for_ [(Number 7, "{\"sequence\":7,\"result\":1}\n"), (longText, "{\"result\":1}\n")] $
+      \(number, reply) ->
+        replyOnce library (requestOf (KeyMap.singleton "sequence" number) (exampleOf OfAdd))
+          `shouldReturn` reply
   for_ strange $ \(what, requests, replies) -> it what $ do
     (status, out, err) <- praWith ["serve"] (unlines requests)
     (status, err) `shouldBe` (0, "")
@@ -108,6 +149,9 @@ spec = do
     let ids = map lawId laws ++ map lawId openingLaws ++ map lawId touchLaws
     filter (`notElem` ids) (concatMap (killersOf . impostorName) impostors) `shouldBe` []
   where
+    replyTo = replyOnce library . requestOf mempty
+    growing = [SomeQuestion . Terms 0, SomeQuestion . FirstPrimitive]
+    longText = String (Text.replicate 170000 "<")
     served = ["pra-tactile", "serve"]
     ofTheCode one = not (any (`elem` touchStages) (impostorTouches one))
     stageFor one = if ofTheCode one then "" else "--stage touch --cases 5"
@@ -116,6 +160,46 @@ spec = do
     firstKiller = listToMaybe . killersOf . impostorName
     oneAStage =
       concat [take 1 (filter ((== [stage]) . impostorTouches) impostors) | stage <- touchStages]
+
+-- | Numbers of terms for which no line has room.
+sizes :: [Natural]
+sizes = [3000000, 10 ^ (9 :: Int), 10 ^ (30 :: Int)]
+
+-- | A question, and the same with one of its numbers another.
+extremes :: SomeQuestion -> [SomeQuestion]
+extremes question@(SomeQuestion typed) =
+  question :
+    [ SomeQuestion (Raw (operationOf typed) input)
+      | size <- sizes,
+        input <- others (naturalValue size) (questionInput typed)
+    ]
+  where
+    others size value = case value of
+      Number _ -> [size]
+      Array items -> Array <$> one (others size) items
+      Object fields -> Object <$> one (others size) fields
+      _ -> []
+    one :: Traversable t => (a -> [a]) -> t a -> [t a]
+    one change items =
+      [ snd (mapAccumL (\k old -> (k + 1, if k == i then new else old)) 0 items)
+        | (i, item) <- zip [0 :: Int ..] (toList items),
+          new <- change item
+      ]
+
+-- | A request of one process, with further keys.
+requestOf :: Object -> SomeQuestion -> ByteString
+requestOf keys (SomeQuestion question) =
+  Lazy.toStrict . encode . Object $
+    keys
+      <> KeyMap.fromList
+        [ "profile" .= profileValue canonicalProfile,
+          "operation" .= operationName (operationOf question),
+          "input" .= questionInput question
+        ]
+
+-- | How many bytes a line has without its end.
+lineLength :: Lazy.ByteString -> Int
+lineLength = fromIntegral . Lazy.length . Lazy.Char8.takeWhile (/= '\n')
 
 operation :: String -> String -> String
 operation name input = "\"operation\": \"" ++ name ++ "\", \"input\": " ++ input

@@ -3,6 +3,8 @@
 module Test.Hostile.Judgement
   ( Judged (..),
     judgedBy,
+    judgedIn,
+    withinBounds,
     internals,
     shareOf,
   )
@@ -34,12 +36,16 @@ data Judged
 -- | That the answer comes within two seconds and less than 300 MB of memory, whatever is looked at
 -- of it; that a refusal is one line of our own words; that of what was accepted the laws hold.
 judgedBy :: Judged -> Property
-judgedBy answer = ioProperty $ do
-  outcome <- withinBounds (weight answer)
-  pure $ case (outcome, answer) of
-    (Left problem, _) -> counterexample problem False
-    (Right _, Refused why) -> classify True "refused" (oneLine why)
-    (Right _, Accepted laws said) ->
+judgedBy = judgedIn . pure
+
+-- | The same of an answer that an action gives.
+judgedIn :: IO Judged -> Property
+judgedIn asked = ioProperty $ do
+  outcome <- withinBounds (asked >>= \answer -> answer <$ evaluate (weight answer))
+  pure $ case outcome of
+    Left problem -> counterexample problem False
+    Right (Refused why) -> classify True "refused" (oneLine why)
+    Right (Accepted laws said) ->
       classify True "accepted" $
         conjoin
           ( counterexample said (withoutInternals said) :
@@ -52,13 +58,13 @@ weight answer = case answer of
   Refused why -> length why
   Accepted laws said -> length (filter snd laws) + length said
 
-withinBounds :: Int -> IO (Either String Int)
-withinBounds value = (quickly `catch` \AllocationLimitExceeded -> watched) `catch` failed
+withinBounds :: IO a -> IO (Either String a)
+withinBounds action = (quickly `catch` \AllocationLimitExceeded -> watched) `catch` failed
   where
     quickly = do
       setAllocationCounter most
       enableAllocationLimit
-      ended <$> (timeout 2000000 (evaluate value) `finally` disableAllocationLimit)
+      ended <$> (timeout 2000000 action `finally` disableAllocationLimit)
     -- So much was allocated, but perhaps freed again: go on, and look every now and then at what
     -- lives.
     watched = do
@@ -66,7 +72,7 @@ withinBounds value = (quickly `catch` \AllocationLimitExceeded -> watched) `catc
       greatest <- newIORef before
       watcher <-
         forkIO (forever (alive >>= \now -> modifyIORef' greatest (max now) >> threadDelay 20000))
-      found <- timeout 5000000 (evaluate value) `finally` killThread watcher
+      found <- timeout 5000000 action `finally` killThread watcher
       used <- subtract before <$> readIORef greatest
       pure
         ( if used > most

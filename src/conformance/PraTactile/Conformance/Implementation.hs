@@ -23,6 +23,7 @@ import Control.Monad.Trans.Except (ExceptT, throwE)
 import Numeric.Natural (Natural)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Wire
+import PraTactile.Conformance.Wire.Line (longestLine)
 import PraTactile.Profile (Profile (..))
 
 -- | An answer of an implementation, or its refusal.
@@ -49,13 +50,19 @@ data Implementation = Implementation
 newtype Session = Session (forall a. Question a -> Wire a)
 
 -- | A session that answers so. What is asked by 'Raw' is read before the function sees it: what is
--- no input of its operation is refused as @invalid@.
+-- no input of its operation is refused as @invalid@. What no line of the protocol has room for is
+-- refused as @too-long@ before it is computed.
 answering :: (forall a. Question a -> Wire a) -> Session
-answering answers = Session $ \question -> case question of
-  Raw operation input -> case someQuestion operation input of
-    Nothing -> refuse "invalid"
-    Just (SomeQuestion typed) -> answerValue typed <$> answers typed
-  _ -> answers question
+answering answers = Session asked
+  where
+    asked :: Question a -> Wire a
+    asked question = case question of
+      Raw operation input -> case someQuestion operation input of
+        Nothing -> refuse "invalid"
+        Just (SomeQuestion typed) -> answerValue typed <$> asked typed
+      _
+        | leastBytes question > fromIntegral longestLine -> refuse "too-long"
+        | otherwise -> answers question
 
 -- | What a session says to a question of an operation that it lacks.
 notOffered :: Wire a

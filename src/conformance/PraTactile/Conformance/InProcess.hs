@@ -18,6 +18,7 @@ import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Subject
 import PraTactile.Conformance.Wire
+import PraTactile.Conformance.Wire.Line (longestLine)
 import PraTactile.Profile (Profile)
 
 -- | The session of the profile in force, if one is.
@@ -53,7 +54,8 @@ putInForce implementation force profile' = do
     Right made -> ResponseResult (Bool True) <$ writeIORef force (Just made)
 
 -- | The answer of the session in force, or, to a question about touch, which needs none, that of
--- the implementation, computed to its end.
+-- the implementation, computed to its end; or as far as a line of the protocol goes, if that has no
+-- room for it and it is refused.
 answerIn :: Implementation -> Force -> Question a -> IO Response
 answerIn implementation force question
   | operationOf question `elem` touchOperations = answered (touch implementation)
@@ -66,8 +68,8 @@ answerIn implementation force question
         Left why -> ResponseRefused <$> evaluated why
         Right a -> do
           let value = answerValue question a
-          _ <- evaluate (Lazy.length (encode value))
-          pure (ResponseResult value)
+          fits <- evaluate (Lazy.null (Lazy.drop (fromIntegral longestLine) (encode value)))
+          pure (if fits then ResponseResult value else ResponseRefused "too-long")
     evaluated why = let reason = refusalReason why in evaluate (length reason) >> pure reason
 
 guarded :: IO a -> IO (Either Fault a)

@@ -6,21 +6,19 @@ module PraTactile.Conformance.Library
   )
 where
 
-import Control.Monad (join)
 import Data.Bifunctor (first)
 import Data.Either (isRight)
-import Data.List (genericTake, intercalate)
+import Data.List (intercalate)
 import Data.Proxy (Proxy (..))
+import qualified Data.Vector.Primitive as Vector
 import Numeric.Natural (Natural)
 import PraTactile.Array
   ( ArrayOn (..),
     Position (..),
     PseudorandomArray,
     Surface (..),
-    area,
     arrayFolding,
     arrayPrimitive,
-    arrayShape,
     arrayState,
     cellAt,
     naturalSurface,
@@ -34,10 +32,16 @@ import qualified PraTactile.Field.Structure as Structure
 import PraTactile.Locate hiding (Posterior, locate, probabilities)
 import qualified PraTactile.Locate as Locate
 import PraTactile.Locate.Patch (completeWindows, observedOffsets)
-import PraTactile.Polynomial (checkPrimitive, coefficients, polynomial, primitivePolynomial)
+import PraTactile.Polynomial
+  ( checkPrimitive,
+    coefficients,
+    polynomial,
+    primitiveDegree,
+    primitivePolynomial,
+  )
 import qualified PraTactile.Polynomial as Polynomial
 import PraTactile.Profile
-import PraTactile.Sequence (termAt)
+import PraTactile.Sequence (initialState, sequenceVector, termAt)
 import PraTactile.Window (Mask, maskFrom, maskFromDrawing, maskSize)
 import qualified PraTactile.Window as Window
 import qualified PraTactile.Window.Distance as Distance
@@ -49,23 +53,21 @@ library =
   Implementation
     { implementationName = "pra-tactile",
       offered = [minBound .. maxBound],
-      open = \p -> join (orRefuse "impossible-profile" (withProfile p (session p))),
+      open = \p -> orRefuse "impossible-profile" (withProfile p (session p)),
       touch = libraryTouch
     }
 
 -- | A session with one array. Patches are looked up in the memory table, or, where windows have so
--- many possible contents that there is none, compared with every position; that refuses arrays of
--- very many cells.
-session :: KnownField k => Profile -> PseudorandomArray k -> Mask -> Wire Session
-session p array mask
-  | possible TableDecoder = pure (sessionBy TableDecoder)
-  | area (arrayShape array) <= largestSearchedArray = pure (sessionBy SearchDecoder)
-  | otherwise = refuse "table-too-large"
+-- many possible contents that there is none, compared with every position; arrays of very many
+-- cells have neither, and there only what asks for a place is refused.
+session :: KnownField k => Profile -> PseudorandomArray k -> Mask -> Session
+session p array mask = answering (answers (Prepared p array mask exact locators term))
   where
     locators = locatorsOf p array mask
-    possible name = isRight (decoderFor (locators name) Guaranteed)
+    exact
+      | isRight (decoderFor (locators TableDecoder) Guaranteed) = TableDecoder
+      | otherwise = SearchDecoder
     term = termAt (arrayPrimitive array) (arrayState array)
-    sessionBy exact = answering (answers (Prepared p array mask exact locators term))
 
 -- | What is made once for all questions under a profile: its array and window, the decoder of
 -- complete windows, the locators, and the terms of the sequence.
@@ -96,7 +98,10 @@ answers prepared question = case question of
     h <- orRefuse "invalid" (Polynomial.firstPrimitive n)
     pure (map fromElement (coefficients (primitivePolynomial (h :: Polynomial.Primitive k))))
   Term i -> pure (fromElement (termOf i))
-  Terms from count -> pure (map (fromElement . termOf) (genericTake count [from ..]))
+  Terms from count -> do
+    let h = arrayPrimitive array
+    start <- orRefuse "invalid" (initialState h (map termOf (take (primitiveDegree h) [from ..])))
+    pure (map fromElement (Vector.toList (sequenceVector h start (fromIntegral count))))
   Cell r c -> pure (fromElement (cellAt array (Position r c)))
   Pack codes -> do
     cells <- traverse element codes

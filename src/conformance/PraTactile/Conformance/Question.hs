@@ -88,8 +88,9 @@ newtype Refusal = Refusal {refusalReason :: String}
 
 -- | A question, and the type of its answer. Those of the code are asked under a profile; those of
 -- touch, from 'Register' on, know none. Every operation refuses a code that is not below q, and
--- every other input that is no such thing, as @invalid@. The examples are of the paper's array,
--- whose codes 0, 1, 2, 3 are 0, 1, A and A^2.
+-- every other input that is no such thing, as @invalid@; and what a line of the protocol has no
+-- room for, as @too-long@. The examples are of the paper's array, whose codes 0, 1, 2, 3 are 0, 1,
+-- A and A^2.
 data Question a where
   -- | the sum of two elements: A + A^2 = 1, thus 1 for 2 and 3
   Add :: Code -> Code -> Question Code

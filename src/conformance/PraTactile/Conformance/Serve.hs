@@ -5,15 +5,17 @@
 module PraTactile.Conformance.Serve
   ( serve,
     serveOnce,
+    replyOnce,
   )
 where
 
 import Control.Monad (when)
 import Data.Aeson
+import Data.Aeson.Encoding (encodingToLazyByteString)
 import qualified Data.Aeson.KeyMap as KeyMap
 import Data.ByteString (ByteString)
-import Data.ByteString.Builder (Builder, hPutBuilder)
 import qualified Data.ByteString.Char8 as Bytes
+import qualified Data.ByteString.Lazy as Lazy
 import Data.IORef (writeIORef)
 import Data.List (find)
 import Data.Maybe (fromMaybe)
@@ -23,6 +25,7 @@ import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.InProcess
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Subject (Response (..), responseItem)
+import PraTactile.Conformance.Wire (readWhole)
 import PraTactile.Conformance.Wire.Line (longestLine, readLine)
 import PraTactile.Format.Json.Codec (readValue)
 import PraTactile.Format.Profile (profileCodec)
@@ -45,7 +48,8 @@ data Pending
 
 -- | Reply to each line; what is ready is written when no more waits, or when it has waited for a
 -- fiftieth of a second.
-replying :: (ByteString -> IO (Maybe Series)) -> Handle -> Handle -> Double -> Pending -> IO ()
+replying ::
+  (ByteString -> IO (Maybe Lazy.ByteString)) -> Handle -> Handle -> Double -> Pending -> IO ()
 replying reply input output = go
   where
     go flushed pending = case pending of
@@ -55,21 +59,22 @@ replying reply input output = go
           answer <- reply (Bytes.take i bytes)
           case answer of
             Nothing -> hFlush output
-            Just keys -> do
-              say keys
+            Just said -> do
+              Lazy.hPut output said
               now <- getMonotonicTime
               let due = now - flushed > 0.02
               when due (hFlush output)
               go (if due then now else flushed) (Pending (Bytes.drop (i + 1) bytes))
       Pending bytes | Bytes.length bytes > longestLine -> do
-        say (errored "a line of more than 1 MiB")
+        Lazy.hPut output (line (errored "a line of more than 1 MiB"))
         go flushed (afterLine bytes)
       _ -> do
         hFlush output
         more <- Bytes.hGetSome input 65536
         now <- getMonotonicTime
         case (pending, Bytes.null more) of
-          (Pending rest, True) | not (Bytes.null rest) -> reply rest >>= mapM_ say >> hFlush output
+          (Pending rest, True)
+            | not (Bytes.null rest) -> reply rest >>= mapM_ (Lazy.hPut output) >> hFlush output
           (_, True) -> hFlush output
           (TooLong, _) -> go now (afterLine more)
           (Pending rest, _) -> go now (Pending (rest <> more))
@@ -77,22 +82,21 @@ replying reply input output = go
     afterLine bytes = case Bytes.elemIndex '\n' bytes of
       Just i -> Pending (Bytes.drop (i + 1) bytes)
       Nothing -> TooLong
-    say = hPutBuilder output . line
 
 -- | An object as a line.
-line :: Series -> Builder
-line keys = fromEncoding (pairs keys) <> "\n"
+line :: Series -> Lazy.ByteString
+line keys = encodingToLazyByteString (pairs keys) <> "\n"
 
 -- | The reply to a line; 'Nothing' to @stop@.
-replyTo :: Implementation -> Force -> ByteString -> IO (Maybe Series)
+replyTo :: Implementation -> Force -> ByteString -> IO (Maybe Lazy.ByteString)
 replyTo implementation force bytes = case requestIn bytes of
-  Left problem -> pure (Just (errored problem))
+  Left problem -> pure (Just (line (errored problem)))
   Right keys -> case KeyMap.lookup "command" keys of
-    Just "start" -> pure (Just (started implementation keys))
-    Just "profile" -> Just . responseKeys <$> profiled implementation force keys
-    Just "run" -> Just . (repeated keys <>) <$> ran implementation force keys
+    Just "start" -> pure (Just (line (started implementation keys)))
+    Just "profile" -> Just . line . responseKeys <$> profiled implementation force keys
+    Just "run" -> Just . numbered keys <$> ran implementation force keys
     Just "stop" -> pure Nothing
-    _ -> pure (Just (repeated keys <> errored "a command is start, profile, run or stop"))
+    _ -> pure (Just (numbered keys (errored "a command is start, profile, run or stop")))
 
 requestIn :: ByteString -> Either String Object
 requestIn bytes = case readLine bytes of
@@ -130,22 +134,14 @@ ran implementation force keys = case KeyMap.lookup "operation" keys of
     input = fromMaybe Null (KeyMap.lookup "input" keys)
     page = "docs/conformance.md" :: String
 
--- | Answer one request, which has the profile as well: whether that is possible, where it asks for
--- nothing else.
+-- | Answer one request of a handle on another one, as 'replyOnce' does.
 serveOnce :: Implementation -> Handle -> Handle -> IO ()
 serveOnce implementation input output = do
   mapM_ (`hSetBinaryMode` True) [input, output]
   bytes <- firstLine [] 0
-  answer <- either (pure . errored) once (bytes >>= requestIn)
-  hPutBuilder output (line answer)
+  either (pure . line . errored) (replyOnce implementation) bytes >>= Lazy.hPut output
   hFlush output
   where
-    once keys = do
-      force <- noForce
-      opened <- profiled implementation force keys
-      (repeated keys <>) <$> case opened of
-        ResponseResult _ | KeyMap.member "operation" keys -> ran implementation force keys
-        _ -> pure (responseKeys opened)
     firstLine pieces size = do
       more <- Bytes.hGetSome input 65536
       let whole = Bytes.concat (reverse (more : pieces))
@@ -156,9 +152,29 @@ serveOnce implementation input output = do
             then pure (Left "a line of more than 1 MiB")
             else firstLine (more : pieces) (size + Bytes.length more)
 
--- | The number of a request, as its reply repeats it.
-repeated :: Object -> Series
-repeated keys = maybe mempty ("sequence" .=) (KeyMap.lookup "sequence" keys)
+-- | The reply to one request, which has the profile as well: whether that is possible, where it
+-- asks for nothing else.
+replyOnce :: Implementation -> ByteString -> IO Lazy.ByteString
+replyOnce implementation = either (pure . line . errored) once . requestIn
+  where
+    once keys = do
+      force <- noForce
+      opened <- profiled implementation force keys
+      numbered keys <$> case opened of
+        ResponseResult _ | KeyMap.member "operation" keys -> ran implementation force keys
+        _ -> pure (responseKeys opened)
+
+-- | The reply to a request, as a line that repeats its number. What a line has no room for is
+-- refused.
+numbered :: Object -> Series -> Lazy.ByteString
+numbered request reply
+  | Lazy.length whole <= fromIntegral longestLine + 1 = whole
+  | otherwise = line (repeated <> responseKeys (ResponseRefused "too-long"))
+  where
+    whole = line (repeated <> reply)
+    repeated = case KeyMap.lookup "sequence" request of
+      Just number | Just _ <- readWhole number -> "sequence" .= number
+      _ -> mempty
 
 responseKeys :: Response -> Series
 responseKeys = uncurry (.=) . responseItem

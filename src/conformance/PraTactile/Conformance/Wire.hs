@@ -12,6 +12,7 @@ module PraTactile.Conformance.Wire
 
     -- * Answers
     answerValue,
+    leastBytes,
     readAnswer,
 
     -- * Numbers
@@ -27,6 +28,7 @@ import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Foldable (toList)
 import Data.List (intercalate)
 import qualified Data.Text as Text
+import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..))
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Wire.Read
@@ -149,6 +151,17 @@ answerValue question answer = case question of
   Raw _ _ -> answer
   where
     likely (Position r c, chance) = [naturalValue r, naturalValue c, toJSON chance]
+
+-- | How many bytes any answer to a question takes as JSON, as far as the numbers in the question
+-- tell.
+leastBytes :: Question a -> Natural
+leastBytes question = case question of
+  Terms _ count -> ofDigits count
+  FirstPrimitive n -> ofDigits (n + 1)
+  _ -> 1
+  where
+    -- A digit each, with what stands before or behind it.
+    ofDigits count = 2 * count + 1
 
 locationValue :: Location -> Value
 locationValue place = case place of
