@@ -9,12 +9,12 @@ module FramesChoice
   )
 where
 
-import ExitStatus
 import FormatFile (readCalibration)
 import Options
 import PraTactile.Decode (Stitching (..), nominalStitching, standardStitching)
 import PraTactile.Sensor.Manifest (Axes, axesNamed)
 import PraTactile.Source (Preparation (..))
+import SensorChoice (usableTaxel)
 
 -- | What was said about the frames.
 data FramesChoice = FramesChoice
@@ -59,12 +59,10 @@ calibrationOption =
 
 -- | What is known of the frames; leaves with status 2 where it cannot be.
 preparation :: FramesChoice -> IO Preparation
-preparation choice
-  | not (all (\taxel -> taxel >= 0.05 && taxel <= 50) (chosenTaxel choice)) =
-    unusable "--taxel is a number of millimetres from 0.05 to 50"
-  | otherwise =
-    Preparation (chosenAxes choice) (chosenTaxel choice)
-      <$> traverse readCalibration (calibrationFile choice)
+preparation choice =
+  Preparation (chosenAxes choice)
+    <$> traverse usableTaxel (chosenTaxel choice)
+    <*> traverse readCalibration (calibrationFile choice)
 
 -- | @--no-stitching@, or what the robot and the sensor are like.
 stitchingOptions :: Parser Stitching

@@ -6,6 +6,9 @@ module SensorChoice
     chosenSpacing,
     readSensor,
 
+    -- * The taxels' pitch
+    usableTaxel,
+
     -- * How faces lie
     angleOption,
     angleReader,
@@ -22,6 +25,7 @@ import Options
 import PraTactile.Explore (defaultSpacing)
 import PraTactile.Sensor
 import PraTactile.Sensor.Constants
+import PraTactile.Sensor.Frame (isTaxelPitch, taxelPitches)
 import System.Directory (doesPathExist)
 import Visible
 
@@ -102,17 +106,15 @@ chosenSensor choice
     unusable "--noise is a share of full scale from 0 up"
   | not (inRange 0 180 (rotationSigma choice)) =
     unusable "--rotation-error is a number of degrees from 0 to 180"
-  | not (inRange 0.05 50 (taxelSize choice)) =
-    unusable "--taxel is a number of millimetres from 0.05 to 50"
   | not (all side (concat [[w, h] | Just (w, h) <- [frameSize choice]])) =
     unusable "--frame is from 4x4 to 256x256"
   | any (< 1) (spacing choice) = unusable "--spacing is a number of taxels from 1 up"
   | otherwise = do
     base <- maybe (pure standardSensor) readSensor (sensorNamed choice)
-    let taxelled = maybe id withTaxel (taxelSize choice) base
+    taxel <- traverse usableTaxel (taxelSize choice)
     foldM
       put
-      taxelled
+      (maybe id withTaxel taxel base)
       ( [("position_error", v) | Just v <- [positionSigma choice]]
           ++ [("noise", v) | Just v <- [noiseSd choice]]
           ++ [("rotation_error", v) | Just v <- [rotationSigma choice]]
@@ -145,6 +147,13 @@ readSensor name = case find ((== name) . presetName) [minBound ..] of
               ++ intercalate ", " (map presetName [minBound ..])
               ++ " or the name of a file as 'pra-tactile sensor --json' prints it"
           )
+
+-- | The distance of neighbouring taxels, millimetres, that @--taxel@ gives; leaves with status 2
+-- where no sensor has it.
+usableTaxel :: Double -> IO Double
+usableTaxel taxel
+  | isTaxelPitch taxel = pure taxel
+  | otherwise = unusable (rangeText "--taxel, a number of millimetres," taxelPitches)
 
 -- | @--turn DEGREES@, with its help.
 angleOption :: String -> Parser Double

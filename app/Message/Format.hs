@@ -10,6 +10,7 @@ import qualified Data.Aeson.Key as Key
 import Data.Aeson.Types (JSONPath, JSONPathElement (..))
 import qualified Data.Text as Text
 import Message.Census (censusFileMessage)
+import Numeric (showFFloat)
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Strict (deepest, longestNumber)
 import Visible
@@ -42,11 +43,13 @@ placeText place = case place of
     step (Key key) = '.' : visible (Key.toString key)
     step (Index i) = "[" ++ show i ++ "]"
 
--- | What a constant may be.
+-- | What a number may be that has this name.
 rangeText :: String -> (Double, Double) -> String
 rangeText name (least, most) = name ++ " is from " ++ number least ++ " to " ++ number most
   where
-    number v = if v == fromIntegral (round v :: Int) then show (round v :: Int) else show v
+    number v
+      | v == fromIntegral (round v :: Int) = show (round v :: Int)
+      | otherwise = showFFloat Nothing v ""
 
 misfitMessage :: Misfit -> String
 misfitMessage misfit = case misfit of
@@ -73,10 +76,9 @@ misfitMessage misfit = case misfit of
   NotCalibration ->
     "offset and gain need rows of one length and number, gains above 0, and the dead elements must \
     \be among them"
-  NotPositive what -> what ++ " must be above 0"
   GivenTwice what -> what ++ " is given twice"
   NoFrame -> "it names no frame"
-  ConstantOutOfRange name range -> rangeText name range
+  OutOfRange what range -> rangeText what range
   OtherUnit name unit -> "the unit of " ++ name ++ " is " ++ quoted unit
   NotAngle -> "a number from 0 up to 360 is needed, within 45 of orientation_deg"
   RegionTooLarge limit -> "a region has at most " ++ show limit ++ " taxels a side"

@@ -16,13 +16,14 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import Data.List (intercalate)
 import qualified Data.Text as Text
+import Message.Format (rangeText)
 import PraTactile.Classification.Network (NetworkError (..))
 import PraTactile.Image.Error
 import PraTactile.Image.Pgm (formatName, maxPixels)
-import PraTactile.Registration (Contradiction (..), StitchError (..))
+import PraTactile.Registration (Contradiction (..), StitchError (..), maxFramePixels)
 import PraTactile.Registration.Pair (PairError (..))
 import PraTactile.Sensor.Calibration (CalibrationError (..))
-import PraTactile.Sensor.Frame (ProbeError (..))
+import PraTactile.Sensor.Frame (ProbeError (..), taxelPitches)
 import PraTactile.Sensor.Manifest (ManifestError (..), axesName, manifestHeader)
 import PraTactile.Shape (ShapeError (..))
 import Text.Printf (printf)
@@ -117,6 +118,14 @@ stitchMessage e = case e of
       ++ " degrees, and too small to be turned back"
   FrameNotFinite i ->
     "frame " ++ show (i + 1) ++ " has a value or a pose that is not a finite number"
+  FramePitch i pitch ->
+    rangeText ("the distance of frame " ++ show (i + 1) ++ "'s taxels in millimetres") taxelPitches
+      ++ "; it is said to be "
+      ++ show pitch
+  TooManyFramePixels n ->
+    "the frames have " ++ show n ++ " pixels together, of 1.5875 mm or as given; at most "
+      ++ show maxFramePixels
+      ++ " are put together"
   UnusableRegistration _ ->
     "the registration's settings are unusable: sigma must be positive, noise not negative, the \
     \search radius 0 to 64 taxels"

@@ -58,8 +58,9 @@ spec = do
     Formulas.mostCells `shouldBe` 1000
     Setup.largestSetup `shouldBe` 33554432
   it "of images, composites and files" $ do
-    [Pgm.maxPixels, Stitch.maxCompositePixels, Stitch.maxFrames, Files.largestInput]
-      `shouldBe` [16777216, 4194304, 10000, 268435456]
+    [Pgm.maxPixels, Stitch.maxCompositePixels, Stitch.maxFrames, Stitch.maxFramePixels]
+      `shouldBe` [16777216, 4194304, 10000, 8388608]
+    Files.largestInput `shouldBe` 268435456
     map (Search.usable . uncurry searching) [(1, 64), (16, 4), (1, 64.001), (16, 4.001)]
       `shouldBe` [True, True, False, False]
     Touch.fullScale `shouldBe` 65535

@@ -21,11 +21,12 @@ module PraTactile.Registration
     StitchError (..),
     maxCompositePixels,
     maxFrames,
+    maxFramePixels,
   )
 where
 
-import Control.Monad (when)
-import Data.Foldable (toList)
+import Control.Monad (unless, when)
+import Data.Foldable (toList, traverse_)
 import Data.List (sortOn)
 import Data.List.NonEmpty (NonEmpty (..), nonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
@@ -63,8 +64,8 @@ import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Rest (alignedToRest)
 import PraTactile.Registration.Rotation (certainRotation, rotationPrior)
 import PraTactile.Registration.Search (Registration (..), standardRegistration, usable)
-import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
-import PraTactile.Sensor.Resample (atCanonicalPitch, isCanonical, turnedBack)
+import PraTactile.Sensor.Frame (Frame (..), Pose (..), isTaxelPitch, taxelPitch)
+import PraTactile.Sensor.Resample (atCanonicalPitch, canonicalSize, isCanonical, turnedBack)
 import PraTactile.Symmetry
 
 -- | Why frames cannot be stitched. Frames are named by their zero-based place in the list.
@@ -79,9 +80,12 @@ data StitchError
   | -- | A frame is too small to be turned by its rotation, which is not a multiple of 90 degrees:
     -- which, and its rotation.
     FrameRotation !Int !Double
-  | -- | A frame's pose, its taxels' pitch or one of its values is infinite or not a number, or the
-    -- pitch is not positive.
+  | -- | A frame's pose or one of its values is infinite or not a number.
     FrameNotFinite !Int
+  | -- | The pitch of a frame's taxels is none of 'taxelPitches': which, and its pitch, millimetres.
+    FramePitch !Int !Double
+  | -- | The frames have more than 'maxFramePixels' pixels together: how many.
+    TooManyFramePixels !Int
   | -- | The frames lie so far apart that the composite would have more than 'maxCompositePixels'
     -- pixels; its width and height, taxels.
     AreaTooLarge !Double !Double
@@ -97,6 +101,11 @@ maxCompositePixels = 4194304
 -- | The most frames a composite may be made of.
 maxFrames :: Int
 maxFrames = 10000
+
+-- | The most pixels that frames may have together, each as it is given or at the canonical pitch,
+-- where it has more.
+maxFramePixels :: Int
+maxFramePixels = 8388608
 
 -- | Frames at their corrected places, blended: each pixel of the composite is the mean of what the
 -- frames saw there, with bilinear weights; what stands for a dead element ('frameDead') counts next
@@ -131,17 +140,16 @@ data Assembly = Assembly
 
 -- | Frames registered by the given method, and blended.
 assemble :: StitchMethod -> Registration -> [Frame] -> Either StitchError Assembly
-assemble method settings frames
-  | usable settings = compose method settings frames
-  | otherwise = Left (UnusableRegistration settings)
+assemble method settings frames = do
+  given <- maybe (Left NoFrames) Right (nonEmpty frames)
+  checkFrames given
+  unless (usable settings) (Left (UnusableRegistration settings))
+  compose method settings given
 
--- | Check the frames, place them in taxels, arrange them, and blend.
-compose :: StitchMethod -> Registration -> [Frame] -> Either StitchError Assembly
+-- | Place frames in taxels, arrange them, and blend.
+compose :: StitchMethod -> Registration -> NonEmpty Frame -> Either StitchError Assembly
 compose method settings frames = do
-  when (length frames > maxFrames) (Left (TooManyFrames (length frames)))
-  placed <-
-    maybe (Left NoFrames) Right (nonEmpty frames)
-      >>= (\all'@(one :| _) -> traverse (uncurry (upright one)) (NonEmpty.zip (0 :| [1 ..]) all'))
+  placed <- traverse (uncurry upright) (NonEmpty.zip (0 :| [1 ..]) frames)
   let left = minimum (fmap (fst . placedAt) placed)
       top = minimum (fmap (snd . placedAt) placed)
       inTaxelsFrom (x, y) = (inTaxels (x - left), inTaxels (y - top))
@@ -216,27 +224,45 @@ data Placed = Placed
     placedFelt :: !(Maybe Raster)
   }
 
--- | A frame with its number, which must be of the first one's size, as it is placed.
-upright :: Frame -> Int -> Frame -> Either StitchError Placed
-upright one i given
-  | sizeOf given /= sizeOf one || not (all possible [fst (sizeOf given), snd (sizeOf given)]) =
-    Left (uncurry (FrameSize i) (sizeOf given))
+-- | Refuses frames that cannot be placed, or would take too much memory, before one is resampled.
+checkFrames :: NonEmpty Frame -> Either StitchError ()
+checkFrames frames@(one :| _) = do
+  when (length frames > maxFrames) (Left (TooManyFrames (length frames)))
+  traverse_ (uncurry (checkFrame one)) (NonEmpty.zip (0 :| [1 ..]) frames)
+  when (pixels > maxFramePixels) (Left (TooManyFramePixels pixels))
+  where
+    pixels = sum (fmap largest frames)
+    largest frame = max (area (rasterSize (frameImage frame))) (area (canonicalSize frame))
+    area (w, h) = w * h
+
+-- | Refuses a frame, which has this number, that is not of the first one's size or not of numbers
+-- that a frame has.
+checkFrame :: Frame -> Int -> Frame -> Either StitchError ()
+checkFrame one i given
+  | (w, h) /= rasterSize (frameImage one) || not (possible w && possible h) =
+    Left (FrameSize i w h)
   | not (all finite [x, y, r]) || not (V.all finite (rasterValues (frameImage given))) =
     Left (FrameNotFinite i)
-  | not (finite (frameTaxel given) && frameTaxel given > 0) = Left (FrameNotFinite i)
-  | otherwise =
-    maybe (Left (FrameRotation i r)) Right $ do
-      image <- seen given
-      let place = (x - half (rasterWidth image), y - half (rasterHeight image))
-      Placed place image <$> traverse (seen . felt) (nonEmpty (frameDead given))
+  | not (isTaxelPitch (frameTaxel given)) = Left (FramePitch i (frameTaxel given))
+  | otherwise = Right ()
+  where
+    Pose x y r = framePose given
+    (w, h) = rasterSize (frameImage given)
+    possible side = side >= 4 && side <= 256
+    finite v = not (isNaN v || isInfinite v)
+
+-- | A frame with its number as it is placed.
+upright :: Int -> Frame -> Either StitchError Placed
+upright i given =
+  maybe (Left (FrameRotation i r)) Right $ do
+    image <- seen given
+    let place = (x - half (rasterWidth image), y - half (rasterHeight image))
+    Placed place image <$> traverse (seen . felt) (nonEmpty (frameDead given))
   where
     Pose x y r = framePose given
     seen = uprighted . frameImage . atCanonicalPitch
     uprighted = maybe (turnedBack r) (\symmetry -> Just . onRaster symmetry) (turnedByDegrees r)
     felt dead = given {frameImage = generate wide high (share (Set.fromList (toList dead)))}
     share dead u v = if Set.member (v, u) dead then 0 else 1
-    (wide, high) = sizeOf given
-    sizeOf = rasterSize . frameImage
-    possible side = side >= 4 && side <= 256
+    (wide, high) = rasterSize (frameImage given)
     half side = taxelPitch * fromIntegral (side - 1) / 2
-    finite v = not (isNaN v || isInfinite v)

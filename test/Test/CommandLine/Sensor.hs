@@ -166,7 +166,8 @@ bad = do
       ("evaluate --foreign 1.5", "--foreign"),
       ("evaluate --foreign-arrays 1.5", "--foreign-arrays"),
       ("evaluate --foreign 0.2 --foreign-arrays 0.3", "--foreign-arrays"),
-      ("decode data/worked-example/frames --taxel 0", "--taxel"),
+      ("decode data/worked-example/frames --taxel 0", "from 0.05 to 50"),
+      ("decode data/worked-example/frames --taxel 50.1", "from 0.05 to 50"),
       ("decode data/worked-example/frames --calibration data/shapes.txt", "data/shapes.txt")
     ]
     $ \(arguments, about) -> it arguments (words arguments `complains` about)
@@ -176,6 +177,7 @@ bad = do
         scripted folder "pra probe --object cube --seed 1 --frame 8x8 --taxel 3.175 --output f"
       for_
         [ ("s/\"taxel_mm\":3.175/\"taxel_mm\":0/", "taxel_mm"),
+          ("s/\"taxel_mm\":3.175/\"taxel_mm\":50.1/", "from 0.05 to 50"),
           ("s/\"taxel_mm\":3.175/\"taxel_mm\":NaN/", "JSON"),
           ("s/\"x,y\"/\"x,z\"/", "axes"),
           ("s/\"frame\":.8,8./\"frame\":[8,9]/", "8 x 9"),

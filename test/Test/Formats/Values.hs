@@ -234,7 +234,7 @@ sensors = do
       let (least, most) = constantRange c
           refused value =
             decodeSensor (file Nothing [(constantName c, value)])
-              == Left (Misfit [] (ConstantOutOfRange (constantName c) (constantRange c)))
+              == Left (Misfit [] (OutOfRange (constantName c) (constantRange c)))
       (constantName c, refused (least - 1), isInfinite most || refused (most + most / 100 + 1))
         `shouldBe` (constantName c, True, True)
       (constantName c, constantWhole c, refused (least + 0.25))

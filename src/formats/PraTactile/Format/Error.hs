@@ -76,14 +76,12 @@ data Misfit
     NotQuarterTurn
   | -- | No calibration: rows of one length, gains above 0, dead elements among the others.
     NotCalibration
-  | -- | What this names is not above 0.
-    NotPositive String
   | -- | Something that may be in a list once and is there already; its name.
     GivenTwice String
   | -- | A manifest without frames.
     NoFrame
-  | -- | A constant of a sensor, of this name, that is not a number from the one to the other.
-    ConstantOutOfRange String (Double, Double)
+  | -- | What this names, such as a constant of a sensor, is not a number from the one to the other.
+    OutOfRange String (Double, Double)
   | -- | A constant of a sensor, of this name, in another unit than this, its own.
     OtherUnit String String
   | -- | Degrees that are not from 0 up to 360, or not those of the quarter turn beside them.

@@ -15,7 +15,14 @@ import Data.Maybe (fromMaybe)
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Codec
 import PraTactile.Image.Error (ImageError)
-import PraTactile.Sensor.Frame (Frame, Pose (..), TaxelGrid (..), standardTaxelGrid)
+import PraTactile.Sensor.Frame
+  ( Frame,
+    Pose (..),
+    TaxelGrid (..),
+    isTaxelPitch,
+    standardTaxelGrid,
+    taxelPitches,
+  )
 import PraTactile.Sensor.Manifest
 import PraTactile.Source (frameImages)
 
@@ -24,8 +31,8 @@ encodeManifest :: Manifest -> ByteString
 encodeManifest = writeLine manifestKeys
 
 -- | The manifest in a JSON text as 'encodeManifest' makes it; @frame@ and @axes@ may be left out.
--- Refuses another schema, a pitch that is not positive, a manifest without frames, and what is no
--- file's name.
+-- Refuses another schema, a pitch that is none of 'taxelPitches', a manifest without frames, and
+-- what is no file's name.
 decodeManifest :: ByteString -> Either FormatError Manifest
 decodeManifest = decodeWith manifestKeys
 
@@ -57,7 +64,7 @@ manifestKeys =
            <*> key "frames" some' manifestEntries
        )
   where
-    pitch = such (> 0) (NotPositive "the pitch") real
+    pitch = such isTaxelPitch (OutOfRange "the pitch" taxelPitches) real
     some' = such (not . null) NoFrame (listOf (object entryKeys))
     axes = Codec axesName $ \value -> do
       given <- readValue text value

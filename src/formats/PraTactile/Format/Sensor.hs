@@ -75,6 +75,6 @@ decodeSensor bytes = do
            )
     put sensor (constant, value) =
       either
-        (const (refuse (ConstantOutOfRange (constantName constant) (constantRange constant))))
+        (const (refuse (OutOfRange (constantName constant) (constantRange constant))))
         Right
         (replaced (constantName constant) value sensor)

@@ -11,6 +11,7 @@ where
 import Data.Functor.Const (Const (..))
 import Data.Functor.Identity (Identity (..))
 import Data.List (find)
+import PraTactile.Sensor.Frame (taxelPitches)
 import PraTactile.Sensor.Model (Sensor (..))
 import PraTactile.Sensor.Preset (standardSensor)
 
@@ -56,7 +57,7 @@ traversed at sensor =
   Sensor
     <$> whole "columns" (4, 256) array sensorColumns
     <*> whole "rows" (4, 256) array sensorRows
-    <*> real "taxel_pitch" "mm" (0.05, 50) array sensorTaxel
+    <*> real "taxel_pitch" "mm" taxelPitches array sensorTaxel
     <*> real
       "tab_diameter"
       "mm"

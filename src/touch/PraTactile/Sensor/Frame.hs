@@ -7,6 +7,8 @@ module PraTactile.Sensor.Frame
   ( -- * The sensor's geometry
     taxelPitch,
     sensorSide,
+    taxelPitches,
+    isTaxelPitch,
 
     -- * Frames
     Pose (..),
@@ -31,6 +33,14 @@ where
 
 import PraTactile.Geometry (rotated, sensorSide, taxelPitch)
 import PraTactile.Image (Raster)
+
+-- | The least and the greatest distance of neighbouring taxels that a sensor may have, millimetres.
+taxelPitches :: (Double, Double)
+taxelPitches = (0.05, 50)
+
+-- | Whether a distance lies between them.
+isTaxelPitch :: Double -> Bool
+isTaxelPitch taxel = taxel >= fst taxelPitches && taxel <= snd taxelPitches
 
 -- | Where the sensor is: its centre in millimetres, and its rotation in degrees clockwise, in some
 -- frame of coordinates.

@@ -3,11 +3,13 @@
 module PraTactile.Sensor.Resample
   ( atCanonicalPitch,
     isCanonical,
+    canonicalSize,
     resampled,
     turnedBack,
   )
 where
 
+import Data.Bifunctor (bimap)
 import Data.Maybe (fromMaybe)
 import PraTactile.Geometry (cosineSine)
 import PraTactile.Image (Raster, generate, index, rasterHeight, rasterSize, rasterWidth, sample)
@@ -23,6 +25,12 @@ atCanonicalPitch frame
       { frameImage = resampled (frameTaxel frame / taxelPitch) (frameImage frame),
         frameTaxel = taxelPitch
       }
+
+-- | The width and height of a frame once it is 'atCanonicalPitch'.
+canonicalSize :: Frame -> (Int, Int)
+canonicalSize frame
+  | isCanonical frame = rasterSize (frameImage frame)
+  | otherwise = resampledSize (frameTaxel frame / taxelPitch) (rasterSize (frameImage frame))
 
 -- | Whether a frame's taxels are of the canonical pitch, to rounding.
 isCanonical :: Frame -> Bool
@@ -41,10 +49,7 @@ resampled ratio image
   | otherwise = generate wide high (\x y -> sample image (centre w wide x) (centre h high y))
   where
     (w, h) = rasterSize image
-    (wide, high) = (whole w, whole h)
-    whole n
-      | n == 0 = 0
-      | otherwise = max 1 (floor (fromIntegral n * ratio + 1e-9)) :: Int
+    (wide, high) = resampledSize ratio (w, h)
     -- Where the centre of a new pixel lies among the centres of the old ones.
     centre n new k = start n new k + (1 / ratio - 1) / 2
     -- Where a new pixel begins, in old pixels from the image's edge.
@@ -63,6 +68,14 @@ resampled ratio image
       sum [u * v * at i j | (j, v) <- rows, (i, u) <- columns]
         / max 1e-300 (sum (map snd columns) * sum (map snd rows))
     at i j = fromMaybe 0 (index image i j)
+
+-- | The width and height of what 'resampled' makes of an image of this width and height.
+resampledSize :: Double -> (Int, Int) -> (Int, Int)
+resampledSize ratio = bimap whole whole
+  where
+    whole n
+      | n == 0 = 0
+      | otherwise = max 1 (floor (fromIntegral n * ratio + 1e-9))
 
 -- | The image of a sensor that is turned by that many degrees clockwise, as it would be if the
 -- sensor were not turned: the largest upright part, of the image's proportions and with the same

@@ -366,6 +366,14 @@ refusals = do
     forM_ [(10000, Nothing), (10001, Just (TooManyFrames 10001))] $ \(count, refused) ->
       (count, either Just (const Nothing) (placeOnly (replicate count good)))
         `shouldBe` (count, refused)
+  it "too many pixels, those of the canonical pitch or the frames' own: none is resampled" $ do
+    let large pitch = Frame (Pose 0 0 0) 1 (constant 256 256 0.5) pitch []
+        refusal pitch count =
+          either Just (const Nothing) (placeOnly (replicate count (large pitch)))
+    -- Taxels of 50 mm make 8062 x 8062 pixels of a frame.
+    refusal 50 1 `shouldBe` Just (TooManyFramePixels 64995844)
+    refusal 0.05 129 `shouldBe` Just (TooManyFramePixels (129 * 65536))
+    refusal 0.05 128 `shouldBe` Nothing
   it "settings that make no sense" $
     [ settings
       | settings <-

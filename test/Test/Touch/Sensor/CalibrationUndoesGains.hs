@@ -238,12 +238,14 @@ sizes = do
         frame 4 257,
         (frame 4 4) {frameTaxel = 0},
         (frame 4 4) {frameTaxel = 0 / 0},
+        (frame 4 4) {frameTaxel = 50.001},
         frame 4 256
       ]
       `shouldBe` [ show (FrameSize 0 3 4),
                    show (FrameSize 0 4 257),
-                   show (FrameNotFinite 0),
-                   show (FrameNotFinite 0),
+                   show (FramePitch 0 0),
+                   show (FramePitch 0 (0 / 0)),
+                   show (FramePitch 0 50.001),
                    "put together"
                  ]
   prop "a plan with any sensor covers the region to its edges, and no pose leaves it" $
