@@ -9,7 +9,8 @@ where
 import ArrayChoice
 import Control.Monad (unless, when)
 import Data.Foldable (for_)
-import Data.Maybe (fromMaybe, listToMaybe)
+import Data.List.NonEmpty (nonEmpty)
+import Data.Maybe (fromMaybe, listToMaybe, mapMaybe)
 import Data.Traversable (for)
 import ExitStatus
 import Frames
@@ -242,6 +243,8 @@ decodeWith alphabet profile array options reader from composites = do
           contextNames = map nameInJson from,
           contextMessage = recognitionMessage recognition,
           contextElement = nameOf,
-          contextRobot = maybe id compositePosition (listToMaybe composites)
+          contextRobot = maybe id compositePosition (listToMaybe composites),
+          contextPositionError =
+            fmap maximum (nonEmpty (mapMaybe compositePositionError composites))
         }
     lookedUp file = fromDatabase file (profileText profile) (profileWindow profile)

@@ -79,6 +79,7 @@ someRecognition =
     <*> several somePosition
     <*> someWhereabouts
     <*> maybeOf somePoint
+    <*> maybeOf someReal
     <*> maybeOf someTurns
     <*> maybeOf someReal
     <*> maybeOf someReal

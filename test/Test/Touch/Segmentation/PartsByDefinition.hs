@@ -138,6 +138,7 @@ composed image coverage =
       compositeCoverage = coverage,
       compositeOrigin = (0, 0),
       compositeDisplacements = [],
+      compositePositionError = Nothing,
       compositeCompared = True,
       compositeOthers = [],
       compositeContradiction = Nothing
