@@ -27,9 +27,7 @@ spec = modifyMaxSize (const 60) $ do
       it (kindName kind ++ ": the specimens are accepted") $
         once $
           conjoin
-            [ counterexample
-                (show bytes)
-                (judgedBy answer .&&. counterexample (show answer) (accepted answer))
+            [ counterexample (show bytes) (judgedIn answer .&&. ioProperty (accepted <$> answer))
               | bytes <- kindSpecimens kind,
                 let answer = kindJudged kind bytes
             ]
@@ -46,7 +44,7 @@ spec = modifyMaxSize (const 60) $ do
             \given ->
               let bytes =
                     specimenOf (kindSpecimens kind) given
-               in bytes `seq` judgedBy (kindJudged kind bytes)
+               in bytes `seq` judgedIn (kindJudged kind bytes)
     it "the help names the commands and their options" $ do
       length commandsOfHelp `shouldSatisfy` (>= 22)
       let seen =
@@ -87,7 +85,7 @@ spec = modifyMaxSize (const 60) $ do
                 counterexample (show run) (judgedRun run)
   where
     shownOf kind given = show given ++ "\n" ++ show (specimenOf (kindSpecimens kind) given)
-    accepted answer = case answer of
+    accepted answer = counterexample (show answer) $ case answer of
       Accepted _ _ -> True
       Refused _ -> False
 
@@ -100,7 +98,7 @@ foundSpec = describe "what was found so" $ do
   it "a certificate whose modulus is empty: the order was compared with p^-1" $
     once $
       conjoin
-        [ judgedBy
+        [ judgedIn
             (kindJudged kind (encodeUtf8 (emptied (decodeUtf8 bytes))))
           | kind <- kinds,
             kindName kind == "certificates",
@@ -109,7 +107,7 @@ foundSpec = describe "what was found so" $ do
   it "two patches far apart: the rectangle around them was built, cell by cell, and took 340 MB" $
     once $
       conjoin
-        [ judgedBy (kindJudged kind text)
+        [ judgedIn (kindJudged kind text)
           | kind <- kinds,
             kindName kind `elem` ["patches", "patches in unknown orientation"],
             text <-
@@ -122,7 +120,7 @@ foundSpec = describe "what was found so" $ do
   it "very many patches: those that do not belong took the cube of their number" $
     once $
       conjoin
-        [ judgedBy (kindJudged kind (Bytes.intercalate " ; " (replicate count "0,3: 1 1 / 1 1")))
+        [ judgedIn (kindJudged kind (Bytes.intercalate " ; " (replicate count "0,3: 1 1 / 1 1")))
           | kind <- kinds,
             kindName kind `elem` ["patches", "patches in unknown orientation"],
             count <- [100, 101, 2000, 20000]
@@ -130,7 +128,7 @@ foundSpec = describe "what was found so" $ do
   it "a number of a million digits: aeson and cassava took 40 seconds to read it" $
     once $
       conjoin
-        [ judgedBy (kindJudged kind (Bytes.concat [front, Bytes8.replicate 1000000 '9', rest]))
+        [ judgedIn (kindJudged kind (Bytes.concat [front, Bytes8.replicate 1000000 '9', rest]))
           | (name, front, rest) <-
               [ ("profiles", "[0.", "]"),
                 ("certificates", "{\"windows\":1", "}"),
@@ -143,7 +141,7 @@ foundSpec = describe "what was found so" $ do
   it "ten million brackets: each took memory a hundred times its size" $
     once $
       conjoin
-        [ judgedBy (kindJudged kind (Bytes8.replicate 10000000 '['))
+        [ judgedIn (kindJudged kind (Bytes8.replicate 10000000 '['))
           | kind <- kinds,
             kindName kind `elem` ["profiles", "certificates"]
         ]
@@ -152,20 +150,21 @@ foundSpec = describe "what was found so" $ do
     (ranStatus found, ranOutput found) `shouldBe` (Just 2, "")
     Bytes8.lines (ranError found) `shouldSatisfy` all ("pra-tactile: " `Bytes.isPrefixOf`)
   it "JSON that is not what it should be is told by its place, not in the words of a library" $
-    [ kindJudged kind text
-      | kind <- kinds,
-        kindName kind == "profiles",
-        text <-
-          [ "",
-            "[1]",
-            "{}",
-            "{\"schema\":1}",
-            "{\"schema\":\"pra-tactile/profile/1\",\"q\":4,\"modulus\":[1,-1,1]}",
-            "{",
-            "\xff"
-          ]
-    ]
-      `shouldBe` map
+    sequence
+      [ kindJudged kind text
+        | kind <- kinds,
+          kindName kind == "profiles",
+          text <-
+            [ "",
+              "[1]",
+              "{}",
+              "{\"schema\":1}",
+              "{\"schema\":\"pra-tactile/profile/1\",\"q\":4,\"modulus\":[1,-1,1]}",
+              "{",
+              "\xff"
+            ]
+      ]
+      `shouldReturn` map
         (Refused . ("it is not a profile: " ++))
         [ "it is empty",
           "an object is needed",

@@ -10,7 +10,7 @@ module Test.Hostile.Judgement
   )
 where
 
-import Control.Concurrent (forkIO, killThread, threadDelay)
+import Control.Concurrent (forkIO, killThread, myThreadId, threadDelay)
 import Control.Exception
 import Control.Monad (forever)
 import Data.IORef (modifyIORef', newIORef, readIORef)
@@ -18,9 +18,9 @@ import Data.Int (Int64)
 import Data.List (isInfixOf)
 import GHC.Conc (disableAllocationLimit, enableAllocationLimit, setAllocationCounter)
 import GHC.Stats (gc, gcdetails_live_bytes, getRTSStats)
+import System.CPUTime (getCPUTime)
 import System.Environment (lookupEnv)
 import System.Mem (performMajorGC)
-import System.Timeout (timeout)
 import Test.QuickCheck
 import Text.Read (readMaybe)
 import Visible
@@ -33,8 +33,8 @@ data Judged
     Accepted [(String, Bool)] String
   deriving stock (Eq, Show)
 
--- | That the answer comes within two seconds and less than 300 MB of memory, whatever is looked at
--- of it; that a refusal is one line of our own words; that of what was accepted the laws hold.
+-- | That the answer takes at most two seconds of computing and 300 MB of memory, whatever is looked
+-- at of it; that a refusal is one line of our own words; that of what was accepted the laws hold.
 judgedBy :: Judged -> Property
 judgedBy = judgedIn . pure
 
@@ -58,21 +58,22 @@ weight answer = case answer of
   Refused why -> length why
   Accepted laws said -> length (filter snd laws) + length said
 
+-- | What an action gives, or which bound it passed.
 withinBounds :: IO a -> IO (Either String a)
 withinBounds action = (quickly `catch` \AllocationLimitExceeded -> watched) `catch` failed
   where
     quickly = do
       setAllocationCounter most
       enableAllocationLimit
-      ended <$> (timeout 2000000 action `finally` disableAllocationLimit)
-    -- So much was allocated, but perhaps freed again: go on, and look every now and then at what
-    -- lives.
+      ended <$> (computingFor 2 action `finally` disableAllocationLimit)
+    -- So much was allocated, but perhaps freed again: once more from the start, and look every now
+    -- and then at what lives, which takes time as well.
     watched = do
       before <- alive
       greatest <- newIORef before
       watcher <-
         forkIO (forever (alive >>= \now -> modifyIORef' greatest (max now) >> threadDelay 20000))
-      found <- timeout 5000000 action `finally` killThread watcher
+      found <- computingFor 5 action `finally` killThread watcher
       used <- subtract before <$> readIORef greatest
       pure
         ( if used > most
@@ -86,6 +87,26 @@ withinBounds action = (quickly `catch` \AllocationLimitExceeded -> watched) `cat
     failed problem = case fromException problem of
       Just asynchronous -> throwIO (asynchronous :: SomeAsyncException)
       Nothing -> pure (Left ("an exception: " ++ displayException (problem :: SomeException)))
+
+-- | What an action gives, unless this process computes for more than so many seconds. The time that
+-- others leave it no processor does not count.
+computingFor :: Integer -> IO a -> IO (Maybe a)
+computingFor seconds action = do
+  start <- getCPUTime
+  caller <- myThreadId
+  let watch = do
+        threadDelay 100000
+        now <- getCPUTime
+        if now - start > seconds * 10 ^ (12 :: Int) then throwTo caller ComputedTooLong else watch
+  (Just <$> bracket (forkIO watch) killThread (const action))
+    `catch` \ComputedTooLong -> pure Nothing
+
+data ComputedTooLong = ComputedTooLong
+  deriving stock (Show)
+
+instance Exception ComputedTooLong where
+  toException = asyncExceptionToException
+  fromException = asyncExceptionFromException
 
 oneLine :: String -> Property
 oneLine why =

@@ -101,6 +101,8 @@ lessHostile given = case given of
         [Repeat at count' times | count' <- shrink count]
           ++ [Repeat at count times' | times' <- shrink times]
       Delete at count -> [Delete at count' | count' <- shrink count]
+      Structural at (Lengthened j count) ->
+        [Structural at (Lengthened j count') | count' <- shrink count]
       _ -> []
 
 -- | The bytes of an input that is made of these specimens.
@@ -109,13 +111,13 @@ specimenOf specimens given = case given of
   Garbage bytes -> bytes
   Mutated i mutations -> foldl (flip mutated) (Bytes.concat (take 1 (drop i specimens))) mutations
 
--- | No input that is made here has more bytes.
+-- | No input that is made here has more bytes, but for JSON that was lengthened ('largest').
 longest :: Int
 longest = 65536
 
 -- | The bytes with a mutation.
 mutated :: Mutation -> ByteString -> ByteString
-mutated how bytes = Bytes.take longest $ case how of
+mutated how bytes = Bytes.take bound $ case how of
   Flip i mask -> replaced i 1 (Bytes.map (xor mask) (Bytes.take 1 (after i)))
   Insert i given -> replaced i 0 given
   Delete i count -> replaced i count ""
@@ -141,6 +143,9 @@ mutated how bytes = Bytes.take longest $ case how of
   LineEnds -> Bytes.intercalate "\r\n" (Bytes8.split '\n' bytes)
   Structural i how' -> restructured i how' bytes
   where
+    bound = case how of
+      Structural _ (Lengthened _ _) -> largest
+      _ -> max longest size
     size = Bytes.length bytes
     at i = i `mod` (size + 1)
     before i = Bytes.take (at i) bytes
@@ -207,6 +212,7 @@ hostileNumbers =
     "1e-400",
     "1e1000000000",
     "1e-1000000000",
+    "1e999999999",
     "1E99999999999999999999",
     "0.",
     ".5",

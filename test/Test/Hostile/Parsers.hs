@@ -9,12 +9,16 @@ where
 
 import AnswerText
 import CsvGrid
+import Data.Aeson (Value (..))
+import qualified Data.Aeson.KeyMap as KeyMap
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes8
+import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate)
 import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8')
 import qualified Data.Vector.Primitive as Primitive
+import qualified Data.Vector.Storable as Storable
 import Explain
 import Message
 import PatchText
@@ -22,15 +26,20 @@ import PraTactile.Array
 import PraTactile.Certificate
 import PraTactile.Certificate.Check
 import PraTactile.Classification.Network.File
+import PraTactile.Conformance.Library (library)
+import PraTactile.Conformance.Serve (replyOnce)
+import PraTactile.Conformance.Wire.Line (longestLine, readLine)
 import PraTactile.Explore (Region (..), regionCorner)
 import PraTactile.Field
 import PraTactile.Format
 import PraTactile.Format.Profile (profileText)
 import PraTactile.Grid (gridRows)
+import PraTactile.Image (constant, rasterSize, rasterValues)
 import PraTactile.Image.Pgm
 import PraTactile.Locate hiding (Outcome (..))
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Profile
+import PraTactile.Sensor.Calibration
 import PraTactile.Sensor.Manifest
 import PraTactile.Shape (parseAlphabet, renderAlphabet)
 import PraTactile.Symmetry
@@ -47,25 +56,31 @@ data Kind = Kind
   { kindName :: String,
     kindShare :: Int,
     kindSpecimens :: [ByteString],
-    kindJudged :: ByteString -> Judged
+    kindJudged :: ByteString -> IO Judged
   }
 
 kinds :: [Kind]
 kinds =
-  [ Kind "PGM files" 120 pgms judgedPgm,
-    Kind "manifests" 110 manifests judgedManifest,
-    Kind "patches" 160 patches judgedPatch,
-    Kind "patches in unknown orientation" 40 patches judgedTurned,
-    Kind "certificates" 110 certificates judgedCertificate,
-    Kind "census files" 50 censuses judgedCensus,
-    Kind "shards of a census" 30 (take 1 shards) judgedShard,
-    Kind "profiles" 80 profiles judgedProfile,
-    Kind "truths" 20 truths judgedTruth,
-    Kind "answers to compare" 20 claims judgedClaim,
-    Kind "arrays as CSV" 70 grids judgedGrid,
-    Kind "networks" 20 networks judgedNetwork,
-    Kind "drawings of shapes" 20 drawings judgedDrawing
+  [ kind "PGM files" 100 pgms judgedPgm,
+    kind "manifests" 80 manifests judgedManifest,
+    kind "manifests in JSON" 70 jsonManifests judgedJsonManifest,
+    kind "patches" 120 patches judgedPatch,
+    kind "patches in unknown orientation" 40 patches judgedTurned,
+    kind "certificates" 100 certificates judgedCertificate,
+    kind "census files" 40 censuses judgedCensus,
+    kind "shards of a census" 20 (take 1 shards) judgedShard,
+    kind "profiles" 80 profiles judgedProfile,
+    kind "sensors" 60 sensors judgedSensor,
+    kind "calibrations" 70 calibrations judgedCalibration,
+    Kind "requests of serve" 60 requests judgedRequest,
+    kind "truths" 20 truths judgedTruth,
+    kind "answers to compare" 20 claims judgedClaim,
+    kind "arrays as CSV" 60 grids judgedGrid,
+    kind "networks" 20 networks judgedNetwork,
+    kind "drawings of shapes" 20 drawings judgedDrawing
   ]
+  where
+    kind name share specimens judged = Kind name share specimens (pure . judged)
 
 judgedPgm :: ByteString -> Judged
 judgedPgm bytes = case decodePgm bytes of
@@ -84,6 +99,56 @@ judgedManifest bytes = case parseManifest bytes of
     Accepted
       [("parse . render = Right", parseManifest (renderManifest entries) == Right entries)]
       (show entries)
+
+judgedJsonManifest :: ByteString -> Judged
+judgedJsonManifest bytes = case decodeManifest bytes of
+  Left why -> Refused (formatMessage "it" "a manifest of frames" why)
+  Right manifest ->
+    Accepted
+      [ ("decode . encode = Right", decodeManifest (encodeManifest manifest) == Right manifest),
+        ("all its files can be opened", all (isFileName . entryFile) (manifestEntries manifest))
+      ]
+      (show manifest)
+
+judgedSensor :: ByteString -> Judged
+judgedSensor bytes = case decodeSensor bytes of
+  Left why -> Refused (formatMessage "it" "a sensor" why)
+  Right sensor ->
+    Accepted
+      [("decode . encode = Right", decodeSensor (encodeSensor Nothing sensor) == Right sensor)]
+      (show sensor)
+
+-- | A calibration, and what it makes of a frame of its size.
+judgedCalibration :: ByteString -> Judged
+judgedCalibration bytes = case decodeCalibration bytes of
+  Left why -> Refused (formatMessage "it" "a calibration" why)
+  Right calibration ->
+    let (w, h) = rasterSize (calibrationOffset calibration)
+        felt = correctedImage calibration (constant w h 0.5)
+     in Accepted
+          [ ( "decode . encode = Right",
+              decodeCalibration (encodeCalibration calibration) == Right calibration
+            ),
+            ("readings are from 0 to 1", either (const False) (within01 . rasterValues) felt)
+          ]
+          (show calibration)
+  where
+    within01 = Storable.all (\v -> v >= 0 && v <= 1)
+
+-- | The reply of the library, which is one line of the protocol with one thing in it.
+judgedRequest :: ByteString -> IO Judged
+judgedRequest bytes = do
+  reply <- Lazy.toStrict <$> replyOnce library bytes
+  pure $ case readLine (Bytes8.dropWhileEnd (== '\n') reply) of
+    Right (Object keys)
+      | [(_, came)] <- [kv | kv@(key, _) <- KeyMap.toList keys, key `elem` responses] ->
+        let laws = [("the reply is a line of the protocol", Bytes8.length reply <= longestLine)]
+         in case came of
+              String why | not (KeyMap.member "result" keys) -> Refused (Text.unpack why)
+              _ -> Accepted laws (Bytes8.unpack reply)
+    _ -> Accepted [("the reply is one", False)] (Bytes8.unpack reply)
+  where
+    responses = ["result", "refused", "skipped", "errored"]
 
 -- | A text as the command line has it.
 asText :: ByteString -> (String -> Judged) -> Judged

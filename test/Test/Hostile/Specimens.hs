@@ -4,11 +4,15 @@
 module Test.Hostile.Specimens
   ( pgms,
     manifests,
+    jsonManifests,
     patches,
     certificates,
     censuses,
     shards,
     profiles,
+    sensors,
+    calibrations,
+    requests,
     truths,
     claims,
     grids,
@@ -18,9 +22,11 @@ module Test.Hostile.Specimens
 where
 
 import Codec.Picture (Image (..))
+import Data.Aeson (encode)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Bytes8
+import qualified Data.ByteString.Lazy as Lazy
 import Data.Either (rights)
 import Data.Text.Encoding (encodeUtf8)
 import qualified Data.Vector.Storable as Storable
@@ -31,15 +37,20 @@ import PraTactile.Census (census, censusSize, standardScope)
 import PraTactile.Certificate
 import PraTactile.Classification.Network
 import PraTactile.Classification.Network.File
+import PraTactile.Conformance.Process.Reply (oneShotRequest)
+import PraTactile.Conformance.Question
 import PraTactile.Explore (Region (..))
 import PraTactile.Format
 import PraTactile.Format.Census.Row
+import PraTactile.Image (constant)
 import PraTactile.Image.Pgm
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
+import PraTactile.Sensor.Calibration (Calibration (..))
 import PraTactile.Sensor.Frame (Pose (..))
 import PraTactile.Sensor.Manifest
+import PraTactile.Sensor.Preset (presetSensor)
 import PraTactile.Shape (paperAlphabet, renderAlphabet)
 import PraTactile.Symmetry (turned)
 import PraTactile.Truth
@@ -68,6 +79,19 @@ manifests =
     "\xef\xbb\xbf\&file,x_mm,y_mm,rotation_deg,force_n\r\n\"a, \
     \b.pgm\",0,1e1,90,2\r\n\r\n\"c\"\".pgm\",-1.5,2,3,4\r\n"
   ]
+
+-- | Manifests in JSON, with all keys and without those that may be left out.
+jsonManifests :: [ByteString]
+jsonManifests =
+  [ encodeManifest (listing entries) {manifestTaxel = 0.8, manifestFrame = Just (16, 8)},
+    "{\"schema\":\"pra-tactile/manifest/1\",\"taxel_mm\":1.5875,\"frames\":[{\"file\":\"a.pgm\",\
+    \\"x_mm\":0,\"y_mm\":1e1,\"rotation_deg\":90,\"force_n\":2}]}"
+  ]
+  where
+    entries =
+      [ Entry ("frame_00" ++ show i ++ ".pgm") (Pose (12.7 * fromIntegral i) (-3.25) 0) 1.5
+        | i <- [0 .. 2 :: Int]
+      ]
 
 -- | Patches as text and as JSON, alone and several, of symbols and of probabilities.
 patches :: [ByteString]
@@ -127,6 +151,52 @@ profiles =
   map
     encodeProfile
     (rights [Right canonicalProfile, smallProfile, Right (foldedBy RowMajor canonicalProfile)])
+
+-- | The sensors that are shipped, and one with a single constant.
+sensors :: [ByteString]
+sensors =
+  "{\"schema\":\"pra-tactile/sensor/1\",\"constants\":[{\"name\":\"noise\",\"value\":0.25}]}" :
+    [encodeSensor (Just preset) (presetSensor preset) | preset <- [minBound ..]]
+
+-- | Calibrations of 4 x 3 elements, of which some are dead, and of 16 x 16.
+calibrations :: [ByteString]
+calibrations =
+  [ encodeCalibration (Calibration (constant w h 0.125) (constant w h 1.25) dead)
+    | (w, h, dead) <- [(4, 3, [(0, 0), (2, 3)]), (4, 3, []), (16, 16, [(7, 7), (7, 8), (15, 0)])]
+  ]
+
+-- | Requests with their profile, of every operation, in the form of a process a request.
+requests :: [ByteString]
+requests =
+  [ Lazy.toStrict (encode (oneShotRequest canonicalProfile asked))
+    | asked <- Nothing : [Just (7, question) | question <- questions]
+  ]
+  where
+    questions =
+      [ SomeQuestion (Add 1 2),
+        SomeQuestion (Multiply 2 3),
+        SomeQuestion (Negate 1),
+        SomeQuestion (Inverse 2),
+        SomeQuestion (Power 2 (-3)),
+        SomeQuestion (Logarithm 3),
+        SomeQuestion (Trace 2),
+        SomeQuestion (Primitive [3, 2, 1, 0, 1]),
+        SomeQuestion (FirstPrimitive 4),
+        SomeQuestion (Term 1000),
+        SomeQuestion (Terms 3 9),
+        SomeQuestion (Cell 6 5),
+        SomeQuestion (Pack [3, 2, 3, 1]),
+        SomeQuestion (Unpack 254),
+        SomeQuestion (Locate [[Just 3, Just 2, Nothing], [Just 3, Just 1, Nothing]]),
+        SomeQuestion (Nearest (Just 1) [[Just 3, Just 2, Just 0], [Just 3, Just 1, Just 2]]),
+        SomeQuestion (Posterior [[Certainly 3, Probably [0, 0, 0.9, 0.1]], [Unfelt, Certainly 1]]),
+        SomeQuestion (Prove ["##", ".#"]),
+        SomeQuestion (Distance ["###", "###"]),
+        SomeQuestion (Register (Pair (ramp 0) (ramp 1) (1, 0) 2)),
+        SomeQuestion (Stitch 1 [Placed (ramp 0) (0, 0), Placed (ramp 2) (2, 0)]),
+        SomeQuestion (Segment (ramp 0))
+      ]
+    ramp from = [[1000 * (from + x) * (y + 1) `mod` 65536 | x <- [0 .. 7]] | y <- [0 .. 7]]
 
 -- | The truth of an exploration of the cube's face.
 truths :: [ByteString]

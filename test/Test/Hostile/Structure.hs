@@ -6,6 +6,7 @@ module Test.Hostile.Structure
   ( Change (..),
     change,
     restructured,
+    largest,
   )
 where
 
@@ -14,6 +15,7 @@ import qualified Data.Aeson.Key as Key
 import qualified Data.Aeson.KeyMap as KeyMap
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Char8 as Bytes8
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (toList)
 import Data.List (mapAccumL)
@@ -33,6 +35,9 @@ data Change
     Renamed Int ByteString
   | -- | in this many lists
     Nested Int
+  | -- | with one of its children this often again, under keys of their own; a text or a number with
+    -- all that it is this often
+    Lengthened Int Int
   | -- | its first child alone
     Bare
   | -- | a list without any of its items
@@ -49,11 +54,14 @@ change texts =
       (2, Twisted <$> child <*> child),
       (1, Renamed <$> child <*> elements ["", "q", "at", "Q", "schema", "\\u0000", "a.b[0]"]),
       (1, Nested <$> frequency [(4, choose (1, 3)), (1, choose (50, 5000))]),
+      (2, Lengthened <$> child <*> sizes),
       (1, pure Bare),
       (2, pure Emptied)
     ]
   where
     child = choose (0, 63)
+    -- Long ones now and then: what is not in proportion shows there.
+    sizes = frequency [(30, choose (2, 40)), (6, choose (100, 2000)), (1, choose (20000, 200000))]
     values =
       [ "null",
         "true",
@@ -67,6 +75,10 @@ change texts =
         "-5",
         "2.5"
       ]
+
+-- | No text has more bytes that is lengthened here, but for those that it had.
+largest :: Int
+largest = 1048576
 
 -- | JSON without its meaning.
 data Tree = Leaf ByteString | Items [Tree] | Entries [(ByteString, Tree)]
@@ -131,7 +143,21 @@ changed how tree = case (how, tree) of
   (Emptied, _) -> Items []
   (Nested depth, _) ->
     Leaf (Bytes.replicate depth 0x5B <> rendered tree <> Bytes.replicate depth 0x5D)
+  (Lengthened _ count, Leaf text)
+    | Just inner <- Bytes.stripPrefix "\"" text >>= Bytes.stripSuffix "\"" ->
+      Leaf ("\"" <> Bytes.concat (replicate (often count text) inner) <> "\"")
+    | otherwise -> Leaf (Bytes.concat (replicate (often count text) text))
   (_, Leaf _) -> Leaf "{}"
+  (Lengthened j count, Items items)
+    | item : _ <- rotated j items -> Items (items ++ replicate (often count (rendered item)) item)
+  (Lengthened j count, Entries fields)
+    | (_, item) : _ <- rotated j fields ->
+      Entries
+        ( fields
+            ++ [ ("\"" <> Bytes8.pack (show k) <> "\"", item)
+                 | k <- [1 .. often count (rendered item)]
+               ]
+        )
   (_, Items items) -> maybe tree Items (onList items)
   (Renamed j key, Entries fields) ->
     Entries
@@ -141,6 +167,8 @@ changed how tree = case (how, tree) of
   (Bare, Entries ((_, item) : _)) -> item
   (_, Entries fields) -> maybe tree Entries (onList fields)
   where
+    rotated j items = drop (j `mod` max 1 (length items)) items
+    often count text = min count (largest `div` (Bytes.length text + 1))
     onList items = case (how, length items) of
       (_, 0) -> Nothing
       (Without j, n) -> Just (take (j `mod` n) items ++ drop (j `mod` n + 1) items)
