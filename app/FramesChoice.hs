@@ -69,14 +69,12 @@ stitchingOptions :: Parser Stitching
 stitchingOptions =
   flag' nominalStitching (long "no-stitching" <> help "Take the nominal positions as they are")
     <|> Stitching (stitchingMethod standardStitching)
-      <$> optional
-        ( valued
-            decimalReader
-            "position-error"
-            "SIGMA"
-            "Standard deviation of each frame's position that the robot is known for, taxels \
-            \(default: 1; by the lattice, what the frames show of 0.5 to 4)"
-        )
+      <$> defaulting
+        (stitchingPositionError standardStitching)
+        decimalReader
+        "position-error"
+        "SIGMA"
+        "Standard deviation of each frame's position that the robot is known for, taxels"
       <*> optional
         ( valued
             decimalReader

@@ -9,8 +9,7 @@ where
 import ArrayChoice
 import Control.Monad (unless, when)
 import Data.Foldable (for_)
-import Data.List.NonEmpty (nonEmpty)
-import Data.Maybe (fromMaybe, listToMaybe, mapMaybe)
+import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Traversable (for)
 import ExitStatus
 import Frames
@@ -243,8 +242,6 @@ decodeWith alphabet profile array options reader from composites = do
           contextNames = map nameInJson from,
           contextMessage = recognitionMessage recognition,
           contextElement = nameOf,
-          contextRobot = maybe id compositePosition (listToMaybe composites),
-          contextPositionError =
-            fmap maximum (nonEmpty (mapMaybe compositePositionError composites))
+          contextRobot = maybe id compositePosition (listToMaybe composites)
         }
     lookedUp file = fromDatabase file (profileText profile) (profileWindow profile)

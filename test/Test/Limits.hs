@@ -70,6 +70,6 @@ spec = do
     -- Displacements of that standard deviation, in taxels, and a search of so many of them.
     searching sigma reach =
       Search.standardRegistration
-        { Search.registrationSigma = Just sigma,
+        { Search.registrationSigma = sigma,
           Search.registrationReach = reach
         }

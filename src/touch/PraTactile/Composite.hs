@@ -34,9 +34,6 @@ data Composite = Composite
     -- | How far each frame was moved from its nominal place, x and y in taxels, in the order of the
     -- frames.
     compositeDisplacements :: ![(Double, Double)],
-    -- | The standard deviation of the robot's position error along each axis, taxels, where
-    -- registration told it.
-    compositePositionError :: Maybe Double,
     -- | Whether somebody compared the frames with each other; 'False' where several lie at their
     -- nominal places as the robot has them, or none overlaps another.
     compositeCompared :: !Bool,
@@ -69,7 +66,6 @@ compositeOf image =
       compositeCoverage = constant (rasterWidth image) (rasterHeight image) 1,
       compositeOrigin = (0, 0),
       compositeDisplacements = [],
-      compositePositionError = Nothing,
       compositeCompared = True,
       compositeOthers = [],
       compositeContradiction = Nothing
@@ -111,7 +107,6 @@ blended (left, top) images displacements =
       compositeCoverage = coverage,
       compositeOrigin = origin,
       compositeDisplacements = displacements,
-      compositePositionError = Nothing,
       compositeCompared = True,
       compositeOthers = [],
       compositeContradiction = Nothing

@@ -25,7 +25,6 @@ module PraTactile.Registration
   )
 where
 
-import Control.Applicative ((<|>))
 import Control.Monad (unless, when)
 import Data.Foldable (toList, traverse_)
 import Data.List (sortOn)
@@ -166,14 +165,11 @@ compose method settings frames = do
       moved = NonEmpty.zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image)) nominal
       together shifts =
         (blended (left, top) (NonEmpty.zip (at shifts) (fmap placedFelt placed)) shifts)
-          { compositeCompared = length frames == 1 || compared,
-            compositePositionError = arrangementSigma arrangement
+          { compositeCompared = length frames == 1 || compared
           }
       compared =
         arrangementMethod arrangement /= Nominal && isJust (arrangementResidual arrangement)
       others = [(k, h) | (k, a) <- zip [0 ..] arranged, h <- registeredOthers a]
-      sigma = registrationSigma settings <|> arrangementSigma arrangement
-      found = settings {registrationSigma = sigma}
       with k shift shifts = take k shifts ++ shift : drop (k + 1) shifts
       made = together displacements
       turnOf ((x, y), image) =
@@ -189,7 +185,7 @@ compose method settings frames = do
                 [ (hypothesisProbability h, together (with k (hypothesisShift h) displacements))
                   | (k, h) <- take mostOthers (sortOn (negate . hypothesisProbability . snd) others)
                 ],
-              compositeContradiction = contradiction found (NonEmpty.toList nominal)
+              compositeContradiction = contradiction settings (NonEmpty.toList nominal)
             },
         assemblyMethod = arrangementMethod arrangement,
         assemblyFrames = arranged,

@@ -79,7 +79,6 @@ someRecognition =
     <*> several somePosition
     <*> someWhereabouts
     <*> maybeOf somePoint
-    <*> maybeOf someReal
     <*> maybeOf someTurns
     <*> maybeOf someReal
     <*> maybeOf someReal

@@ -44,8 +44,6 @@ data RecognitionReport = RecognitionReport
     reportPositions :: [Position],
     reportWhereabouts :: WhereaboutsReport,
     reportRobot :: Maybe (Double, Double),
-    -- | standard deviation, taxels
-    reportPositionError :: Maybe Double,
     -- | quarter turns clockwise
     reportOrientation :: Maybe Int,
     -- | degrees clockwise, in [0, 360)
@@ -124,7 +122,6 @@ reportKeys =
            <*> key "positions" (listOf position) reportPositions
            <*> withKeys reportWhereabouts whereaboutsKeys
            <*> key "robot_mm" (nullable (pairOf real)) reportRobot
-           <*> key "position_error_taxels" (nullable real) reportPositionError
            <*> key "orientation_deg" (nullable quarterTurn) reportOrientation
            <*> key "angle_deg" (nullable real) reportAngle
            <*> key "doubt" (nullable real) reportDoubt
@@ -203,9 +200,7 @@ data RecognitionContext = RecognitionContext
     -- | the printed name of the element that a class stands for
     contextElement :: Int -> String,
     -- | the robot's coordinates, in millimetres, of a place on the first composite's grid
-    contextRobot :: (Double, Double) -> (Double, Double),
-    -- | the standard deviation of the robot's position error, taxels, where the frames told it
-    contextPositionError :: Maybe Double
+    contextRobot :: (Double, Double) -> (Double, Double)
   }
 
 -- | What a report says of a recognition.
@@ -221,7 +216,6 @@ recognitionReport context recognition =
       reportPositions = places,
       reportWhereabouts = whereaboutsReport (windowWhereabouts <$> window),
       reportRobot = contextRobot context . windowSeenAt <$> window,
-      reportPositionError = contextPositionError context,
       reportOrientation = quarterTurns <$> orientation,
       reportAngle = recognisedAngle recognition <$> orientation,
       reportDoubt = supportDoubt <$> support,

@@ -108,7 +108,7 @@ sharedBy settings images (k, l, (x, y)) =
         varying = (va + vb) / 2 + flat
         like = max 0 cov / sqrt ((va + flat) * (vb + flat))
     whole t = fromIntegral (round t :: Int) :: Double
-    sigma = sqrt 2 * supposedSigma settings
+    sigma = sqrt 2 * registrationSigma settings
     prior = Prior (0, 0) (sigma * sigma)
     reach = max 1 (min 9 (2 * sigma))
     line = let r = floor reach :: Int in map fromIntegral [negate r .. r]

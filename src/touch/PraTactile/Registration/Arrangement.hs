@@ -24,7 +24,7 @@ import PraTactile.Registration.Lattice.Fit (Fits, bySize, fitsAt)
 import PraTactile.Registration.Lattice.Template (PaperTables, paperTemplates)
 import PraTactile.Registration.Posterior (Hypothesis)
 import PraTactile.Registration.Residual (residual)
-import PraTactile.Registration.Search (Registration (..), supposedSigma)
+import PraTactile.Registration.Search (Registration (..))
 import PraTactile.Registration.Spectrum (spectra)
 
 -- | How frames are registered.
@@ -61,8 +61,6 @@ data Registered = Registered
 data Arrangement = Arrangement
   { arrangementMethod :: !StitchMethod,
     arrangementFrames :: ![Registered],
-    -- | The standard deviation of the robot's position error, taxels, where the method tells it.
-    arrangementSigma :: Maybe Double,
     -- | The standard deviation of one frame from what others saw at the same place, grey values.
     arrangementResidual :: Maybe Double
   }
@@ -75,7 +73,6 @@ arrange method settings frames = case (method, paperTemplates) of
   (Jointly, _) ->
     arranged
       Jointly
-      Nothing
       [ Registered d (Just (sd, sd)) Nothing []
         | (d, sd) <- registerPairwise settings (bySize sizes (uncurry spectra)) frames
       ]
@@ -88,7 +85,7 @@ arrange method settings frames = case (method, paperTemplates) of
   where
     unmoved = map (const ((0, 0), [])) frames
     flat image = V.all (== rasterValues image V.! 0) (rasterValues image)
-    doubtful = supposedSigma settings > 1.25 || registrationNoise settings > 0.25
+    doubtful = registrationSigma settings > 1.25 || registrationNoise settings > 0.25
     sizes = map (rasterSize . snd) frames
     at tables = fitsAt tables (map snd frames)
     -- The frames held against the lattice, if they show it.
@@ -104,23 +101,18 @@ arrange method settings frames = case (method, paperTemplates) of
     jointly fits =
       arranged
         ByLattice
-        sigma
         [ Registered
             (estimateShift l)
             (Just (estimateDeviation l))
             (Just (estimateProbability l))
             (estimateOthers l)
-          | l <- estimates
+          | l <- registerJointly settings fits frames
         ]
-      where
-        (estimates, sigma) = registerJointly settings fits frames
-    plain used ds =
-      arranged used Nothing [Registered d Nothing Nothing instead | (d, instead) <- ds]
-    arranged used sigma frameOf =
+    plain used ds = arranged used [Registered d Nothing Nothing instead | (d, instead) <- ds]
+    arranged used frameOf =
       Arrangement
         used
         (zipWith ($) frameOf (groupsOf places))
-        sigma
         (residual places)
       where
         places = moved frames [registeredShift (a 0) | a <- frameOf]

@@ -11,14 +11,13 @@ module PraTactile.Registration.Joint
 where
 
 import Data.List (sortOn)
-import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (cosineSine, rotated)
 import PraTactile.Image (Raster, rasterSize, rasterValues)
 import PraTactile.Registration.Joint.Displacement (Displacement (..), displacementsOf)
 import PraTactile.Registration.Joint.Estimate
-import PraTactile.Registration.Joint.Grid (Grid (..), gridOf, gridSpacing)
+import PraTactile.Registration.Joint.Grid (gridOf)
 import PraTactile.Registration.Joint.MeanField (meanField)
 import PraTactile.Registration.Joint.Phase (commonPhase)
 import PraTactile.Registration.Lattice.Fit
@@ -33,11 +32,10 @@ phaseFrames :: Int
 phaseFrames = 64
 
 -- | Where each frame is, from the nominal places (taxels) of their upper left pixels, and what they
--- tell at the lattice's angle; and the standard deviation of the robot's position error, taxels,
--- where two frames or more tell it. The displacements have mean 0, since a shift common to all
--- cannot be seen. The order of the frames changes nothing.
-registerJointly :: Registration -> Fits -> [(Taxels, Raster)] -> ([Estimate], Maybe Double)
-registerJointly settings fits frames = (map snd (sortOn fst (zip order centredEstimates)), sigma)
+-- tell at the lattice's angle. The displacements have mean 0, since a shift common to all cannot be
+-- seen. The order of the frames changes nothing.
+registerJointly :: Registration -> Fits -> [(Taxels, Raster)] -> [Estimate]
+registerJointly settings fits frames = map snd (sortOn fst (zip order centredEstimates))
   where
     angle = fitsAngle fits
     (order, ordered) =
@@ -57,12 +55,7 @@ registerJointly settings fits frames = (map snd (sortOn fst (zip order centredEs
     tablesOf image = fitsTables fits (rasterSize image)
     (orientation, phase) = commonPhase grid (spacedOut phaseFrames kept)
     displacements = [displacementsOf grid orientation phase frame | frame <- again]
-    (posteriors, sigmas) = meanField (length (gridSigmas grid)) displacements
-    sigma
-      | length ordered < 2 = Nothing
-      | otherwise =
-        Just (exp (expected (map log (gridSigmas grid))) / gridSpacing)
-    expected = sum . zipWith (*) (Unboxed.toList sigmas)
+    posteriors = meanField displacements
     estimates =
       [ turnedTo angle (estimateAt place (shifts weights))
         | ((place, _, _), weights) <- zip ordered posteriors

@@ -64,7 +64,7 @@ genMixed = do
           let here = if one then at scene (x + i) (y + j) else at other i j
            in (1 - share) * here + if fading then 0 else share * at other i j
       frames share = [(told axes offset p, seen share p other) | (p, other) <- zip places others]
-  pure (standardRegistration {registrationSigma = Just sigma, registrationNoise = noise}, frames)
+  pure (standardRegistration {registrationSigma = sigma, registrationNoise = noise}, frames)
   where
     at image i j = fromMaybe 0 (index image i j)
     told axes (u, v) (x, y) =
@@ -130,5 +130,5 @@ defined settings frames
         rho = max 0 cov / sqrt ((va + 1e-6) * (vb + 1e-6))
     image k = snd (frames !! k)
     nearest t = fromIntegral (round t :: Int) :: Double
-    sigma = supposedSigma settings
+    sigma = registrationSigma settings
     reach = max 1 (min 9 (2 * sqrt 2 * sigma))

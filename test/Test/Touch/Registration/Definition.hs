@@ -15,7 +15,6 @@ module Test.Touch.Registration.Definition
 
     -- * Many frames
     Seen (..),
-    Robot (..),
     commonPhase,
     likely,
     meanField,
@@ -30,7 +29,7 @@ module Test.Touch.Registration.Definition
   )
 where
 
-import Data.List (maximumBy, sortOn, transpose)
+import Data.List (maximumBy, sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..), comparing)
@@ -204,43 +203,30 @@ data Seen = Seen
 nearest :: Double -> (Int, Double)
 nearest x = let n = round (2 * x) in (n, 2 * x - fromIntegral n)
 
--- | The robot's error: the least and the greatest standard deviation that it may have, in taxels,
--- and how many half taxels a displacement may be.
-data Robot = Robot !(Double, Double) !Int
-
--- | So many standard deviations an octave.
-sigmas :: Int -> Robot -> [Double]
-sigmas n (Robot (least, most) _) =
-  takeWhile (<= most * 1.001) [least * 2 ** (fromIntegral k / fromIntegral n) | k <- [0 :: Int ..]]
-
--- | log pi of each displacement by half taxels from the grid point nearest to a place, given sigma.
-priorsOf :: Robot -> (Double, Double) -> Double -> Map.Map (Int, Int) Double
-priorsOf (Robot _ reach) (px, py) sigma = fmap (\l -> l - log total) logs
+-- | log pi of a displacement by half taxels from the grid point nearest to a place, given sigma in
+-- taxels.
+priorOf :: Double -> (Double, Double) -> (Int, Int) -> Double
+priorOf sigma (px, py) (dx, dy) = along px dx + along py dy
   where
-    total = sum (fmap exp logs)
-    logs =
-      Map.fromList
-        [ ((dx, dy), -(squared (off px dx) + squared (off py dy)) / (2 * sigma * sigma))
-          | dy <- [-reach .. reach],
-            dx <- [-reach .. reach]
-        ]
-    off p d = (fromIntegral d - snd (nearest p)) / 2
-    squared t = t * t :: Double
+    along p d = -(((fromIntegral d - snd (nearest p)) / 2) ^ (2 :: Int)) / (2 * sigma * sigma)
+
+-- | The displacements by half taxels up to so many.
+upTo :: Int -> [(Int, Int)]
+upTo reach = [(dx, dy) | dy <- [-reach .. reach], dx <- [-reach .. reach]]
 
 -- | The phase under all frames that they make likeliest, by half taxels from the origin of their
--- places: over one standard deviation an octave.
-commonPhase :: Robot -> [Seen] -> (Int, Int, Int)
-commonPhase robot frames =
-  maximumBy (comparing (\phase -> logMean [sum (map ($ phase) told) | told <- bySigma])) all'
+-- places; none is less likely by one frame than 10^-300.
+commonPhase :: Double -> Int -> [Seen] -> (Int, Int, Int)
+commonPhase sigma reach frames = maximumBy (comparing (\phase -> sum (map ($ phase) told))) all'
   where
     all' = [(o, y, x) | o <- [0, 1], y <- [0 .. 39], x <- [0 .. 31]]
-    bySigma = [map (ofFrame sigma) frames | sigma <- sigmas 1 robot]
-    ofFrame sigma (Seen place phases _) = \phase ->
-      log . (\p -> 1e-12 + (1 - 1e-12) * p) . sum $
+    told = map ofFrame frames
+    ofFrame (Seen place phases _) = \phase ->
+      log . (1e-300 +) . sum $
         [exp (prior + onFrame phases place d phase - top) | (d, prior) <- displacements]
       where
         top = maximum phases
-        displacements = Map.toList (priorsOf robot place sigma)
+        displacements = [(d, priorOf sigma place d) | d <- upTo reach]
 
 onFrame ::
   Map.Map (Int, Int, Int) Double -> (Double, Double) -> (Int, Int) -> (Int, Int, Int) -> Double
@@ -248,19 +234,14 @@ onFrame phases (px, py) (dx, dy) (o, y, x) =
   Map.findWithDefault 0 (phaseOf 2 (o, y - fst (nearest py) - dy, x - fst (nearest px) - dx)) phases
 
 -- | The displacements that are at most e^12 less likely than a frame's best by itself: each with
--- log pi by sigma, six an octave, and, by row and column from the phase's first, the l_k of the
--- cells that the frame sees.
+-- log pi and, by row and column from the phase's first, the l_k of the cells that the frame sees.
 likely ::
-  Robot -> (Int, Int, Int) -> Seen -> [((Int, Int), [Double], Map.Map (Int, Int) [Double])]
-likely robot phase@(o, y0, x0) (Seen place@(px, py) phases classes) =
-  [(d, map (Map.! d) fine, cells d) | d <- displacements, score d >= best - 12]
+  Double -> Int -> (Int, Int, Int) -> Seen -> [((Int, Int), Double, Map.Map (Int, Int) [Double])]
+likely sigma reach phase@(o, y0, x0) (Seen place@(px, py) phases classes) =
+  [(d, priorOf sigma place d, cells d) | d <- upTo reach, score d >= best - 12]
   where
-    displacements = [(dx, dy) | dy <- [-reach .. reach], dx <- [-reach .. reach]]
-    Robot _ reach = robot
-    fine = map (priorsOf robot place) (sigmas 6 robot)
-    coarse = map (priorsOf robot place) (sigmas 1 robot)
-    score d = logMean (map (Map.! d) coarse) + onFrame phases place d phase
-    best = maximum (map score displacements)
+    score d = priorOf sigma place d + onFrame phases place d phase
+    best = maximum (map score (upTo reach))
     cells (dx, dy) =
       Map.fromList
         [ ((i `div` 40, j `div` 32), ls)
@@ -270,33 +251,21 @@ likely robot phase@(o, y0, x0) (Seen place@(px, py) phases classes) =
             i `mod` 40 == 0 && j `mod` 32 == 0
         ]
 
--- | q_f of each frame, over its displacements, and q of sigma.
-meanField :: Ord cell => [[(d, [Double], Map.Map cell [Double])]] -> ([[Double]], [Double])
-meanField frames = (qs', shares (robot (const True) qs'))
+-- | q_f of each frame, over its displacements.
+meanField :: Ord cell => [[(d, Double, Map.Map cell [Double])]] -> [[Double]]
+meanField frames =
+  head
+    [ next
+      | (k, now, next) <- zip3 [1 :: Int ..] rounds (drop 1 rounds),
+        k == 5 || map leader now == map leader next
+    ]
   where
-    qs' =
-      head
-        [ next
-          | (k, now, next) <- zip3 [1 :: Int ..] rounds (drop 1 rounds),
-            k == 5 || map leader now == map leader next
-        ]
-    rounds = iterate sweep [shares (map (given [] (const Nothing)) told) | told <- frames]
+    rounds = iterate sweep [shares (map (given (const Nothing)) told) | told <- frames]
     leader ps = snd (maximumBy (comparing fst) (zip ps (map Down [0 :: Int ..])))
-    given bySigma expected (_, priors, cells) =
-      logMean (if null bySigma then priors else zipWith (+) bySigma priors)
-        + sum [cellGiven (expected c) ls | (c, ls) <- Map.toList cells]
+    given expected (_, prior, cells) =
+      prior + sum [cellGiven (expected c) ls | (c, ls) <- Map.toList cells]
     sweep qs =
-      [ shares (map (given (robot (/= k) qs) (`Map.lookup` others k qs)) told)
-        | (k, told) <- zip [0 :: Int ..] frames
-      ]
-    -- What some frames make of sigma.
-    robot which qs =
-      map sum . transpose $
-        [ map (p *) priors
-          | (k, told, ps) <- zip3 [0 :: Int ..] frames qs,
-            which k,
-            ((_, priors, _), p) <- zip told ps
-        ]
+      [shares (map (given (`Map.lookup` others k qs)) told) | (k, told) <- zip [0 :: Int ..] frames]
     others k qs =
       Map.unionsWith
         (zipWith (+))

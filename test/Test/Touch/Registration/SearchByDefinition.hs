@@ -25,20 +25,14 @@ spec = modifyMaxSuccess (const 100) $ do
 
 settingsSpec :: Spec
 settingsSpec = do
-  it "is an error that nobody told, noise of 0.1, 4.5 standard deviations, five sweeps" $
-    standardRegistration `shouldBe` Registration Nothing 0.1 4.5 5
-  it "an error that nobody told is from half a taxel to a quarter of the pitch, else within twice" $
-    [ (sigmasFor settings, supposedSigma settings)
-      | told <- [Nothing, Just 0.5, Just 3],
-        let settings = standardRegistration {registrationSigma = told}
-    ]
-      `shouldBe` [((0.5, 4), 1), ((0.25, 1), 0.5), ((1.5, 6), 3)]
+  it "is an error of one taxel, noise of 0.1, 4.5 standard deviations, five sweeps" $
+    standardRegistration `shouldBe` Registration 1 0.1 4.5 5
   it "makes sense where the deviation is positive, nothing negative, and the search within 64" $
     [ (sigma, noise, reach)
       | sigma <- [-1, 0, 1e-300, 1, 16, 1 / 0, 0 / 0],
         noise <- [-0.1, 0, 0.1, 7, 1 / 0, 0 / 0],
         reach <- [-0.5, -1e-9, 0, 4, 4.01, 64, 64.01, 0 / 0],
-        usable (Registration (Just sigma) noise reach 5)
+        usable (Registration sigma noise reach 5)
     ]
       `shouldBe` [ (sigma, noise, reach)
                    | sigma <- [1e-300, 1, 16],
@@ -173,7 +167,7 @@ otherSpec = do
               (generate 16 16 (\x y -> relief (4 * k + x) (8 * j + y)))
               taxelPitch
               []
-          settings = standardRegistration {registrationSigma = Just 2, registrationNoise = 0.05}
+          settings = standardRegistration {registrationSigma = 2, registrationNoise = 0.05}
           frames = [frame (k, j) | k <- [0 .. 4 :: Int], j <- [0, 1]]
        in case assemble Incremental settings frames of
             Left e -> counterexample (show e) False

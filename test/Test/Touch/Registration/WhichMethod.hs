@@ -75,7 +75,7 @@ waySpec = do
   it "by the lattice if that is told; automatically, if error or noise is above its limit" $ do
     let method settings = arrangementMethod (arrange Automatic settings (facing places))
         with sigma noise =
-          standardRegistration {registrationSigma = Just sigma, registrationNoise = noise}
+          standardRegistration {registrationSigma = sigma, registrationNoise = noise}
     [method (with sigma noise) | (sigma, noise) <- [(1.25, 0.25), (1.26, 0.1), (1, 0.26)]]
       `shouldBe` [Incremental, ByLattice, ByLattice]
     -- A single frame is not.

@@ -138,7 +138,6 @@ composed image coverage =
       compositeCoverage = coverage,
       compositeOrigin = (0, 0),
       compositeDisplacements = [],
-      compositePositionError = Nothing,
       compositeCompared = True,
       compositeOthers = [],
       compositeContradiction = Nothing

@@ -8,38 +8,28 @@ import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (foldl')
 import qualified Data.Vector.Unboxed as Unboxed
-import PraTactile.Registration.Joint.Displacement (Displacement (..), Logs)
-import PraTactile.Registration.Joint.Grid (logSum)
+import PraTactile.Registration.Joint.Displacement (ClassLogs, Displacement (..))
 import PraTactile.Registration.Model (absence, classPrior, outlier)
 
--- | q of each frame over its displacements, and the probabilities of the standard deviations of the
--- robot's error: begun from each frame alone, all frames anew in each sweep, until none changes its
--- likeliest displacement or five sweeps are done. Of how many standard deviations the displacements
--- tell is given.
-meanField :: Int -> [[Displacement]] -> ([[(Displacement, Double)]], Logs)
-meanField sigmas frames = (weights, Unboxed.map (exp . subtract (logSum logs)) logs)
+-- | q of each frame over its displacements: begun from each frame alone, all frames anew in each
+-- sweep, until none changes its likeliest displacement or five sweeps are done.
+meanField :: [[Displacement]] -> [[(Displacement, Double)]]
+meanField frames = go mostSweeps alone (expectedOf alone)
   where
-    weights = go mostSweeps alone (expectedOf alone)
-    logs = sigmasBy (map priorsOf weights)
     alone =
-      [ normalised
-          [ (d, robotGiven unknown d + sum (map byItself (displacementCells d)))
-            | d <- ds
-          ]
+      [ normalised [(d, displacementPrior d + sum (map byItself (displacementCells d))) | d <- ds]
         | ds <- frames
       ]
-    unknown = Unboxed.replicate sigmas 0
     byItself (_, l) = cellGiven Nothing l
     go n now expectedByAll
       | n <= 1 || map likeliest now == map likeliest new = new
       | otherwise = go (n - 1) new (expectedOf new)
       where
-        new = [sweep ds expectedByAll (expected ds) (others (priorsOf ds)) | ds <- now]
-        others = Unboxed.zipWith (-) (sigmasBy (map priorsOf now))
-    sweep ds expectedByAll own sigmasByOthers =
+        new = [sweep ds expectedByAll (expected ds) | ds <- now]
+    sweep ds expectedByAll own =
       normalised
         [ ( d,
-            robotGiven sigmasByOthers d
+            displacementPrior d
               + sum
                 [ cellGiven (fmap (`less` IntMap.lookup c own) (IntMap.lookup c expectedByAll)) l
                   | (c, l) <- displacementCells d
@@ -52,21 +42,8 @@ meanField sigmas frames = (weights, Unboxed.map (exp . subtract (logSum logs)) l
     likeliest ds = fmap (displacementShift . fst) (foldl' larger Nothing ds)
     larger Nothing d = Just d
     larger (Just a) b = Just (if snd b > snd a then b else a)
-    expectedOf :: [[(Displacement, Double)]] -> IntMap Logs
+    expectedOf :: [[(Displacement, Double)]] -> IntMap ClassLogs
     expectedOf = foldl' (\m -> IntMap.unionWith (Unboxed.zipWith (+)) m . expected) IntMap.empty
-    sigmasBy = foldl' (Unboxed.zipWith (+)) unknown
-    -- log pi that is expected of a frame, by standard deviation.
-    priorsOf :: [(Displacement, Double)] -> Logs
-    priorsOf ds =
-      foldl'
-        (\total (d, p) -> Unboxed.zipWith (\t l -> t + p * l) total (displacementPriors d))
-        unknown
-        ds
-
--- | How probable a displacement is by the robot's error, as a logarithm up to a constant: over its
--- standard deviations, each as likely as it is by what the others say.
-robotGiven :: Logs -> Displacement -> Double
-robotGiven sigmas d = logSum (Unboxed.zipWith (+) sigmas (displacementPriors d))
 
 -- | The most sweeps over all frames.
 mostSweeps :: Int
@@ -74,7 +51,7 @@ mostSweeps = 5
 
 -- | The log likelihoods of the cells' classes that are expected of a frame, over its displacements;
 -- those that are not likely by a fiftieth say nothing.
-expected :: [(Displacement, Double)] -> IntMap Logs
+expected :: [(Displacement, Double)] -> IntMap ClassLogs
 expected ds =
   IntMap.fromListWith
     (Unboxed.zipWith (+))
@@ -82,7 +59,7 @@ expected ds =
 
 -- | How much likelier a cell is than nothing there: by what one frame says of its classes, and
 -- where there is any by what the others say.
-cellGiven :: Maybe Logs -> Logs -> Double
+cellGiven :: Maybe ClassLogs -> ClassLogs -> Double
 cellGiven others mine = logMean (maybe prior known others)
   where
     n = Unboxed.length mine
