@@ -100,40 +100,34 @@ judgedManifest bytes = case parseManifest bytes of
       [("parse . render = Right", parseManifest (renderManifest entries) == Right entries)]
       (show entries)
 
-judgedJsonManifest :: ByteString -> Judged
-judgedJsonManifest bytes = case decodeManifest bytes of
-  Left why -> Refused (formatMessage "it" "a manifest of frames" why)
-  Right manifest ->
-    Accepted
-      [ ("decode . encode = Right", decodeManifest (encodeManifest manifest) == Right manifest),
-        ("all its files can be opened", all (isFileName . entryFile) (manifestEntries manifest))
-      ]
-      (show manifest)
-
-judgedSensor :: ByteString -> Judged
-judgedSensor bytes = case decodeSensor bytes of
-  Left why -> Refused (formatMessage "it" "a sensor" why)
-  Right sensor ->
-    Accepted
-      [("decode . encode = Right", decodeSensor (encodeSensor Nothing sensor) == Right sensor)]
-      (show sensor)
-
--- | A calibration, and what it makes of a frame of its size.
-judgedCalibration :: ByteString -> Judged
-judgedCalibration bytes = case decodeCalibration bytes of
-  Left why -> Refused (formatMessage "it" "a calibration" why)
-  Right calibration ->
-    let (w, h) = rasterSize (calibrationOffset calibration)
-        felt = correctedImage calibration (constant w h 0.5)
-     in Accepted
-          [ ( "decode . encode = Right",
-              decodeCalibration (encodeCalibration calibration) == Right calibration
-            ),
-            ("readings are from 0 to 1", either (const False) (within01 . rasterValues) felt)
-          ]
-          (show calibration)
+judgedJsonManifest, judgedSensor, judgedCalibration :: ByteString -> Judged
+judgedJsonManifest = judgedForm "a manifest of frames" decodeManifest encodeManifest $ \manifest ->
+  [("all its files can be opened", all (isFileName . entryFile) (manifestEntries manifest))]
+judgedSensor = judgedForm "a sensor" decodeSensor (encodeSensor Nothing) (const [])
+judgedCalibration = judgedForm "a calibration" decodeCalibration encodeCalibration $ \calibration ->
+  -- What it makes of a frame of its size.
+  let (w, h) = rasterSize (calibrationOffset calibration)
+      felt = correctedImage calibration (constant w h 0.5)
+   in [("readings are from 0 to 1", either (const False) (within01 . rasterValues) felt)]
   where
     within01 = Storable.all (\v -> v >= 0 && v <= 1)
+
+-- | What is read from a form in JSON, by the name of the form: it is written and read again as the
+-- same, and keeps these laws.
+judgedForm ::
+  (Eq a, Show a) =>
+  String ->
+  (ByteString -> Either FormatError a) ->
+  (a -> ByteString) ->
+  (a -> [(String, Bool)]) ->
+  ByteString ->
+  Judged
+judgedForm what decode encode laws bytes = case decode bytes of
+  Left why -> Refused (formatMessage "it" what why)
+  Right value ->
+    Accepted
+      (("decode . encode = Right", decode (encode value) == Right value) : laws value)
+      (show value)
 
 -- | The reply of the library, which is one line of the protocol with one thing in it.
 judgedRequest :: ByteString -> IO Judged
