@@ -147,6 +147,7 @@ import qualified Test.Touch.Registration.SearchByDefinition
 import qualified Test.Touch.Registration.WhichMethod
 import qualified Test.Touch.Segmentation.BoxesAndAxes
 import qualified Test.Touch.Segmentation.ClustersOfNeighbours
+import qualified Test.Touch.Segmentation.FeltFarApart
 import qualified Test.Touch.Segmentation.ForeignThingsFound
 import qualified Test.Touch.Segmentation.PartsByDefinition
 import qualified Test.Touch.Segmentation.ScenesAtAnyAngle
@@ -248,6 +249,7 @@ specs = do
     describe "Segmentation" Test.Touch.Segmentation.SymbolsWhereDrawn.spec
     describe "Symbols in clusters" Test.Touch.Segmentation.ClustersOfNeighbours.spec
     describe "Segmentation: foreign regions" Test.Touch.Segmentation.ForeignThingsFound.spec
+    describe "Segmentation of what was felt far apart" Test.Touch.Segmentation.FeltFarApart.spec
     describe "What segmentation is made of" Test.Touch.Segmentation.PartsByDefinition.spec
     describe "Segmentation of scenes" Test.Touch.Segmentation.ScenesAtAnyAngle.spec
     describe "The angle of a composite" Test.Touch.Composite.TiltByDefinition.spec

@@ -20,7 +20,14 @@ import Message.Format (rangeText)
 import PraTactile.Classification.Network (NetworkError (..))
 import PraTactile.Image.Error
 import PraTactile.Image.Pgm (formatName, maxPixels)
-import PraTactile.Registration (Contradiction (..), StitchError (..), maxFramePixels)
+import PraTactile.Registration
+  ( Contradiction (..),
+    StitchError (..),
+    TooMuch (..),
+    maxComparisons,
+    maxFramePixels,
+    maxLatticePixels,
+  )
 import PraTactile.Registration.Pair (PairError (..))
 import PraTactile.Sensor.Calibration (CalibrationError (..))
 import PraTactile.Sensor.Frame (ProbeError (..), taxelPitches)
@@ -126,6 +133,15 @@ stitchMessage e = case e of
     "the frames have " ++ show n ++ " pixels together, of 1.5875 mm or as given; at most "
       ++ show maxFramePixels
       ++ " are put together"
+  TooMuchToRegister (ComparedPixels n) ->
+    "so many frames lie so near each other that they would be compared in " ++ show n
+      ++ " pixels; at most "
+      ++ show maxComparisons
+      ++ " are"
+  TooMuchToRegister (LatticePixels n) ->
+    "a frame has " ++ show n ++ " pixels of 1.5875 mm; at most "
+      ++ show maxLatticePixels
+      ++ " are held against the lattice"
   UnusableRegistration _ ->
     "the registration's settings are unusable: sigma must be positive, noise not negative, the \
     \search radius 0 to 64 taxels"

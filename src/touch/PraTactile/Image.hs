@@ -16,12 +16,15 @@ module PraTactile.Image
     raster,
     fromRows,
     generate,
+    generateAt,
     constant,
 
     -- * Looking at it
     toRows,
     index,
     sample,
+    pixelsWhere,
+    valuesAt,
 
     -- * Parts and symmetries
     crop,
@@ -40,36 +43,52 @@ module PraTactile.Image
   )
 where
 
+import qualified Data.IntMap.Strict as IntMap
 import Data.List (sort)
 import Data.Maybe (fromMaybe)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
+import PraTactile.Image.Ascending (placeIn)
 import PraTactile.Image.Error (ImageError (..))
 import PraTactile.Symmetry
 
--- | An image: its width, its height, and its values row by row. There are always width times height
--- of them.
-data Raster = Raster !Int !Int !(Vector Double)
-  deriving stock (Eq, Show)
+-- | An image: its width, its height, and a value for each of its pixels, which are numbered row by
+-- row from 0.
+data Raster
+  = -- | All values. There are always width times height of them.
+    Raster !Int !Int !(Vector Double)
+  | -- | The value of most pixels, and the numbers of the others, ascending, with the value of each:
+    -- a large image in which little was felt takes no more memory than that.
+    Sparse !Int !Int !Double !(Vector Int) !(Vector Double)
+  deriving stock (Show)
+
+-- | Of one size and with the same values.
+instance Eq Raster where
+  a == b = rasterSize a == rasterSize b && rasterValues a == rasterValues b
 
 -- | The number of columns.
 rasterWidth :: Raster -> Int
-rasterWidth (Raster w _ _) = w
+rasterWidth = fst . rasterSize
 {-# INLINE rasterWidth #-}
 
 -- | The number of rows.
 rasterHeight :: Raster -> Int
-rasterHeight (Raster _ h _) = h
+rasterHeight = snd . rasterSize
 {-# INLINE rasterHeight #-}
 
 -- | The number of columns, and of rows.
 rasterSize :: Raster -> (Int, Int)
-rasterSize (Raster w h _) = (w, h)
+rasterSize image = case image of
+  Raster w h _ -> (w, h)
+  Sparse w h _ _ _ -> (w, h)
 {-# INLINE rasterSize #-}
 
 -- | The values, row by row from the top, each row from the left.
 rasterValues :: Raster -> Vector Double
-rasterValues (Raster _ _ v) = v
+rasterValues image = case image of
+  Raster _ _ v -> v
+  Sparse w h most numbers values ->
+    V.update_ (V.replicate (w * h) most) numbers values
 {-# INLINE rasterValues #-}
 
 -- | A raster of the given width and height from its values, row by row. Refuses ('WrongValueCount')
@@ -102,33 +121,76 @@ generate w h f
   | otherwise = Raster w h (V.generate (w * h) (\i -> let (y, x) = i `quotRem` w in f x y))
 {-# INLINE generate #-}
 
+-- | The same where the function is 0 but at some of the pixels, whose numbers are given, ascending:
+-- in memory of these alone where the raster is large.
+generateAt :: Int -> Int -> Vector Int -> (Int -> Int -> Double) -> Raster
+generateAt w h numbers f
+  | w * h <= leastSparse = generate w h f
+  | otherwise =
+    Sparse w h 0 numbers (V.map (\i -> let (y, x) = i `quotRem` w in f x y) numbers)
+
+-- | Of so many pixels or fewer each value is kept.
+leastSparse :: Int
+leastSparse = 1048576
+
 -- | The raster of that width and height with one value throughout.
 constant :: Int -> Int -> Double -> Raster
 constant w h value = generate w h (\_ _ -> value)
 
 -- | The rows, from the top.
 toRows :: Raster -> [[Double]]
-toRows (Raster w h v) = [V.toList (V.slice (y * w) w v) | y <- [0 .. h - 1]]
+toRows image = [V.toList (V.slice (y * w) w v) | y <- [0 .. h - 1]]
+  where
+    (w, h) = rasterSize image
+    v = rasterValues image
 
 -- | The value at column x and row y, if there is such a pixel.
 index :: Raster -> Int -> Int -> Maybe Double
-index (Raster w h v) x y
+index image x y
   | x < 0 || y < 0 || x >= w || y >= h = Nothing
-  | otherwise = v V.!? (y * w + x)
+  | otherwise = case image of
+    Raster _ _ v -> v V.!? (y * w + x)
+    Sparse _ _ most numbers values -> Just (sparseAt most numbers values (y * w + x))
+  where
+    (w, h) = rasterSize image
 {-# INLINE index #-}
+
+-- | The value of the pixel of this number, if most have that value, and these the others.
+sparseAt :: Double -> Vector Int -> Vector Double -> Int -> Double
+sparseAt most numbers values i = maybe most (values V.!) (placeIn numbers i)
+
+-- | The numbers of the pixels whose values are so, ascending. Of a large image in which little was
+-- felt it takes no more time than that if the value of most is not so.
+pixelsWhere :: (Double -> Bool) -> Raster -> Vector Int
+pixelsWhere test image = case image of
+  Sparse _ _ most numbers values
+    | not (test most) -> V.ifilter (\k _ -> test (values V.! k)) numbers
+  _ -> V.findIndices test (rasterValues image)
+
+-- | The values of the pixels of these numbers; 0 where there is no such pixel.
+valuesAt :: Raster -> Vector Int -> Vector Double
+valuesAt image = case image of
+  Raster _ _ v -> V.map (fromMaybe 0 . (v V.!?))
+  Sparse _ _ most numbers values -> V.map (sparseAt most numbers values)
 
 -- | The value at a real place, bilinearly between the four pixel centres around it. Outside the
 -- image the nearest edge pixel's value holds; an empty image is 0 everywhere, and so is a place
 -- that is not a number.
 sample :: Raster -> Double -> Double -> Double
-sample (Raster w h v) x y
+sample image x y
   | w == 0 || h == 0 || isNaN x || isNaN y = 0
-  | otherwise = (1 - fy) * row y0 + fy * row y1
+  | otherwise = case image of
+    -- Note [Bounds]
+    Raster _ _ v -> between (V.unsafeIndex v)
+    Sparse _ _ most numbers values -> between (sparseAt most numbers values)
   where
+    (w, h) = rasterSize image
     (x0, x1, fx) = bracket w x
     (y0, y1, fy) = bracket h y
-    -- Note [Bounds]
-    row r = (1 - fx) * V.unsafeIndex v (r * w + x0) + fx * V.unsafeIndex v (r * w + x1)
+    between at = (1 - fy) * row y0 + fy * row y1
+      where
+        row r = (1 - fx) * at (r * w + x0) + fx * at (r * w + x1)
+    {-# INLINE between #-}
 {-# INLINE sample #-}
 
 -- | The two pixels around a place on an axis of n >= 1 pixels, and the share of the second.
@@ -146,21 +208,34 @@ bracket n t = (i, min (n - 1) (i + 1), t' - fromIntegral i)
 -- | The part whose upper left pixel is at a place, x and y, of that width and height. Refuses
 -- ('OutsideImage') what is not wholly in the image.
 crop :: (Int, Int) -> (Int, Int) -> Raster -> Either ImageError Raster
-crop (x, y) (cw, ch) image@(Raster w h _)
+crop (x, y) (cw, ch) image
   | x < 0 || y < 0 || cw < 0 || ch < 0 || x > w - cw || y > h - ch =
     Left (OutsideImage (x, y, cw, ch) (w, h))
   | otherwise = Right (rearranged cw ch (\i j -> (x + i, y + j)) image)
+  where
+    (w, h) = rasterSize image
 
 -- | The image as it is seen turned or mirrored.
 --
 -- >>> toRows . onRaster (turned 1) <$> fromRows [[1, 2], [3, 4]]
 -- Right [[3.0,1.0],[4.0,2.0]]
 onRaster :: Symmetry -> Raster -> Raster
-onRaster symmetry image@(Raster w h v)
+onRaster symmetry image
   | symmetry == identity = image
-  | symmetry == turned 2 = Raster w h (V.reverse v)
-  | exchangesAxes symmetry = rearranged h w (curry (onPixel (invert symmetry) (h, w))) image
-  | otherwise = rearranged w h (curry (onPixel (invert symmetry) (w, h))) image
+  | otherwise = case image of
+    Raster w h v | symmetry == turned 2 -> Raster w h (V.reverse v)
+    Raster {} -> rearranged wide high (curry (onPixel (invert symmetry) (wide, high))) image
+    Sparse w h most numbers values ->
+      let there i =
+            let (y, x) = i `quotRem` w
+                (x', y') = onPixel symmetry (w, h) (x, y)
+             in y' * wide + x'
+          moved = IntMap.fromList (zip (map there (V.toList numbers)) (V.toList values))
+       in Sparse wide high most (V.fromList (IntMap.keys moved)) (V.fromList (IntMap.elems moved))
+  where
+    (wide, high)
+      | exchangesAxes symmetry = (rasterHeight image, rasterWidth image)
+      | otherwise = rasterSize image
 
 -- | A raster of another size that takes each pixel from the place the function names; 0 where there
 -- is none.
@@ -170,15 +245,22 @@ rearranged w h place image = generate w h (\x y -> fromMaybe 0 (uncurry (index i
 
 -- | The function applied to each value.
 mapRaster :: (Double -> Double) -> Raster -> Raster
-mapRaster f (Raster w h v) = Raster w h (V.map f v)
+mapRaster f image = case image of
+  Raster w h v -> Raster w h (V.map f v)
+  Sparse w h most numbers values -> Sparse w h (f most) numbers (V.map f values)
 {-# INLINE mapRaster #-}
 
 -- | The function applied to the two values at each place. Refuses ('SizesDiffer') rasters of
 -- different size.
 zipRaster :: (Double -> Double -> Double) -> Raster -> Raster -> Either ImageError Raster
-zipRaster f (Raster w h v) (Raster w' h' v')
-  | w /= w' || h /= h' = Left (SizesDiffer (w, h) (w', h'))
-  | otherwise = Right (Raster w h (V.zipWith f v v'))
+zipRaster f a b
+  | rasterSize a /= rasterSize b = Left (SizesDiffer (rasterSize a) (rasterSize b))
+  | otherwise = Right $ case (a, b) of
+    (Sparse _ _ most numbers values, Sparse _ _ most' numbers' values')
+      | numbers == numbers' -> Sparse w h (f most most') numbers (V.zipWith f values values')
+    _ -> Raster w h (V.zipWith f (rasterValues a) (rasterValues b))
+  where
+    (w, h) = rasterSize a
 {-# INLINE zipRaster #-}
 
 -- | The mean of the values, if there are any.
@@ -212,7 +294,9 @@ quantile share = ifAny $ \v ->
    in sample line (share * fromIntegral (V.length v - 1)) 0
 
 ifAny :: (Vector Double -> a) -> Raster -> Maybe a
-ifAny f (Raster _ _ v)
+ifAny f image
   | V.null v = Nothing
   | otherwise = Just (f v)
+  where
+    v = rasterValues image
 {-# INLINE ifAny #-}

@@ -22,10 +22,14 @@ module PraTactile.Registration
     maxCompositePixels,
     maxFrames,
     maxFramePixels,
+    TooMuch (..),
+    maxComparisons,
+    maxLatticePixels,
   )
 where
 
 import Control.Monad (unless, when)
+import Data.Bifunctor (first)
 import Data.Foldable (toList, traverse_)
 import Data.List (sortOn)
 import Data.List.NonEmpty (NonEmpty (..), nonEmpty)
@@ -57,7 +61,10 @@ import PraTactile.Registration.Arrangement
   ( Arrangement (..),
     Registered (..),
     StitchMethod (..),
+    TooMuch (..),
     arrange,
+    maxComparisons,
+    maxLatticePixels,
     withMisfit,
   )
 import PraTactile.Registration.Posterior (Hypothesis (..))
@@ -89,6 +96,8 @@ data StitchError
   | -- | The frames lie so far apart that the composite would have more than 'maxCompositePixels'
     -- pixels; its width and height, taxels.
     AreaTooLarge !Double !Double
+  | -- | To register the frames by the method asked for would take too much.
+    TooMuchToRegister !TooMuch
   | -- | The settings are unusable: a sigma that is not positive, negative noise, or a search radius
     -- that is negative or above 64 taxels.
     UnusableRegistration !Registration
@@ -155,11 +164,11 @@ compose method settings frames = do
       inTaxelsFrom (x, y) = (inTaxels (x - left), inTaxels (y - top))
       nominal = fmap (\p -> (inTaxelsFrom (placedAt p), placedImage p)) placed
   checkArea nominal
-  let arrangement = arrange method supposed (NonEmpty.toList nominal)
-      supposed
+  let supposed
         | not (all isCanonical frames) = withMisfit (map snd (NonEmpty.toList nominal)) settings
         | otherwise = settings
-      arranged = arrangementFrames arrangement
+  arrangement <- first TooMuchToRegister (arrange method supposed (NonEmpty.toList nominal))
+  let arranged = arrangementFrames arrangement
       displacements = map registeredShift arranged
       at shifts = maybe nominal moved (nonEmpty shifts)
       moved = NonEmpty.zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image)) nominal

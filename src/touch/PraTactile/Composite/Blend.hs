@@ -10,11 +10,10 @@ where
 
 import Control.Monad (forM_)
 import Control.Monad.ST (ST)
-import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import Data.Vector.Storable.Mutable (MVector)
 import qualified Data.Vector.Storable.Mutable as M
-import PraTactile.Image (Raster, generate, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Image (Raster, constant, raster, rasterHeight, rasterValues, rasterWidth)
 
 -- | A place or a displacement in the plane of the face, x and y in taxels.
 type Taxels = (Double, Double)
@@ -34,7 +33,8 @@ blend width height images = Blend (part 0) (part area)
     w = max 0 width
     h = max 0 height
     area = w * h
-    part offset = generate w h (\x y -> fromMaybe 0 (canvas V.!? (offset + y * w + x)))
+    -- The canvas holds both.
+    part offset = either (const (constant w h 0)) id (raster w h (V.slice offset area canvas))
     canvas = V.create $ do
       empty <- M.replicate (2 * area) 0
       forM_ images (lay w h empty)

@@ -15,8 +15,10 @@ module PraTactile.Composite.Tilt
 where
 
 import Control.Monad (forM_)
-import Data.List (foldl')
-import Data.Maybe (fromMaybe)
+import qualified Data.IntMap.Strict as IntMap
+import qualified Data.IntSet as IntSet
+import Data.List (foldl', sort)
+import Data.Maybe (fromMaybe, isJust)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Storable.Mutable as M
@@ -94,23 +96,30 @@ sharpness places across down angle = summed c s + summed (negate s) c
 -- values.
 gradients :: Composite -> (Vector Double, Vector Double, Vector Double)
 gradients Composite {compositeImage = image, compositeCoverage = coverage} =
-  ( V.fromList (concat [[fromIntegral x - midX, fromIntegral y - midY] | (x, y, _, _) <- found]),
-    V.fromList [gx | (_, _, gx, _) <- found],
-    V.fromList [gy | (_, _, _, gy) <- found]
+  ( V.generate (2 * V.length inner) $ \k ->
+      let (i, part) = k `quotRem` 2
+          (x, y) = placeOf (inner V.! i)
+       in if part == 0 then fromIntegral x - midX else fromIntegral y - midY,
+    V.map (slope fst) inner,
+    V.map (slope snd) inner
   )
   where
     (width, height) = rasterSize image
     (midX, midY) = (fromIntegral width / 2, fromIntegral height / 2) :: (Double, Double)
-    found =
-      [ (x, y, slope [(i, j, i) | (i, j) <- around], slope [(i, j, j) | (i, j) <- around])
-        | y <- [1 .. height - 2],
-          x <- [1 .. width - 2],
-          and [touched (x + i) (y + j) | (i, j) <- (0, 0) : around],
-          let slope = foldl' (\total (i, j, sign) -> total + weight i j sign * at (x + i) (y + j)) 0
-      ]
+    placeOf p = let (y, x) = p `quotRem` width in (x, y)
+    inner = V.filter (surrounded . placeOf) (pixelsWhere (>= leastCoverage) coverage)
+    surrounded (x, y) =
+      x >= 1 && y >= 1 && x <= width - 2 && y <= height - 2
+        && and [touched (x + i) (y + j) | (i, j) <- around]
+    slope along p =
+      foldl' (\total step -> total + weight along step * value (x, y) step) 0 around
+      where
+        (x, y) = placeOf p
+    value (x, y) (i, j) = at (x + i) (y + j)
     around = [(i, j) | j <- [-1, 0, 1], i <- [-1, 0, 1], (i, j) /= (0, 0)] :: [(Int, Int)]
     -- Pixels beside count less than half as much as those straight ahead (Scharr).
-    weight i j sign = fromIntegral sign * (if i == 0 || j == 0 then 10 else 3) / 32
+    weight along (i, j) =
+      fromIntegral (along (i, j)) * (if i == 0 || j == 0 then 10 else 3) / 32
     at x y = fromMaybe 0 (index image x y)
     touched x y = maybe False (>= leastCoverage) (index coverage x y)
 
@@ -130,17 +139,66 @@ setUpright angle composite = (upright, back)
       ]
     (left, top) = (minimum (map fst corners), minimum (map snd corners))
     size part from = 1 + ceiling ((maximum (map part corners) - from) / taxelPitch - 1e-9)
+    (wide, high) = (size fst left, size snd top)
     back (x, y) =
       compositePixel
         composite
         (movePoint (Motion angle 0 0) (left + taxelPitch * x, top + taxelPitch * y))
-    seen = referenceAt (weighted composite)
-    drawn part =
-      generate (size fst left) (size snd top) $ \x y ->
-        maybe 0 part (uncurry seen (back (fromIntegral x, fromIntegral y)))
+    seen (x, y) = uncurry (referenceAt known) (back (fromIntegral x, fromIntegral y))
+    known = weighted composite
+    drawn part = generateAt wide high felt (\x y -> maybe 0 part (seen (x, y)))
+    felt = V.filter (isJust . seen . placeOf) (V.concat (map pixels (blocksTurned there blocks)))
+    placeOf p = let (y, x) = p `quotRem` wide in (x, y)
+    pixels (y, (from, to))
+      | y < 0 || y >= high = V.empty
+      | otherwise =
+        let first = max 0 from in V.enumFromN (y * wide + first) (min (wide - 1) to - first + 1)
+    blocks = feltBlocks (compositeCoverage composite)
+    there place =
+      let (x, y) = forth (compositePosition composite place)
+       in ((x - left) / taxelPitch, (y - top) / taxelPitch)
     upright =
       composite
         { compositeImage = drawn fst,
           compositeCoverage = drawn snd,
           compositeOrigin = (left, top)
         }
+
+-- | Squares of pixels, the columns and rows of the first and the last, that hold all pixels of a
+-- coverage that were felt.
+feltBlocks :: Raster -> [((Int, Int), (Int, Int))]
+feltBlocks coverage =
+  [ ((side * x, side * y), (side * x + side - 1, side * y + side - 1))
+    | block <- IntSet.toList blocks,
+      let (y, x) = block `quotRem` across
+  ]
+  where
+    side = 16
+    width = max 1 (rasterWidth coverage)
+    across = width `quot` side + 1
+    blocks = V.foldl' (flip IntSet.insert) IntSet.empty (V.map blockOf (pixelsWhere (> 0) coverage))
+    blockOf p = let (y, x) = p `quotRem` width in y `quot` side * across + x `quot` side
+
+-- | The pixels that are less than one from squares of pixels when these are turned: rows from the
+-- top, each with the first and the last column of what lies together there.
+blocksTurned ::
+  ((Double, Double) -> (Double, Double)) -> [((Int, Int), (Int, Int))] -> [(Int, (Int, Int))]
+blocksTurned there blocks =
+  [(y, span') | (y, spans) <- IntMap.toAscList rows, span' <- joined (sort spans)]
+  where
+    rows = IntMap.fromListWith (++) (concatMap box blocks)
+    box ((x0, y0), (x1, y1)) =
+      let corners =
+            [ there (fromIntegral x, fromIntegral y)
+              | x <- [x0 - 1, x1 + 1],
+                y <- [y0 - 1, y1 + 1]
+            ]
+          (xs, ys) = unzip corners
+       in [ (y, [(floor (minimum xs), ceiling (maximum xs))])
+            | y <- [floor (minimum ys) .. ceiling (maximum ys)]
+          ]
+    joined spans = case spans of
+      (from, to) : (from', to') : others
+        | from' <= to + 1 -> joined ((from, max to to') : others)
+      first : others -> first : joined others
+      [] -> []

@@ -4,6 +4,9 @@ module PraTactile.Registration.Arrangement
     Registered (..),
     Arrangement (..),
     arrange,
+    TooMuch (..),
+    maxComparisons,
+    maxLatticePixels,
     withMisfit,
   )
 where
@@ -17,7 +20,7 @@ import PraTactile.Composite.Tilt (tilt)
 import PraTactile.Image (Raster, rasterSize, rasterValues, standardDeviation)
 import PraTactile.Registration.AllPairs (registerPairwise)
 import PraTactile.Registration.Groups (groupsOf)
-import PraTactile.Registration.Incremental (register)
+import PraTactile.Registration.Incremental (comparisons, register)
 import PraTactile.Registration.Joint
 import PraTactile.Registration.Lattice.Angle (latticeAngle)
 import PraTactile.Registration.Lattice.Fit (Fits, bySize, fitsAt)
@@ -65,24 +68,49 @@ data Arrangement = Arrangement
     arrangementResidual :: Maybe Double
   }
 
+-- | The most pixels that frames are compared in for a first look at which of them tell most of
+-- each other: those of each frame, once for each other that may come to overlap it. Thousands of
+-- frames have fewer where they lie half a frame apart.
+maxComparisons :: Int
+maxComparisons = 536870912
+
+-- | The most pixels of a frame that is held against the lattice.
+maxLatticePixels :: Int
+maxLatticePixels = 65536
+
+-- | Why frames are not registered: it would take too much.
+data TooMuch
+  = -- | They would be compared in so many pixels, more than 'maxComparisons'.
+    ComparedPixels !Int
+  | -- | A frame has so many pixels, more than 'maxLatticePixels'.
+    LatticePixels !Int
+  deriving stock (Eq, Show)
+
 -- | Find the displacements, given the nominal places (taxels) of the frames' upper left pixels.
-arrange :: StitchMethod -> Registration -> [(Taxels, Raster)] -> Arrangement
+arrange :: StitchMethod -> Registration -> [(Taxels, Raster)] -> Either TooMuch Arrangement
 arrange method settings frames = case (method, paperTemplates) of
-  (Nominal, _) -> plain Nominal unmoved
-  _ | all (flat . snd) frames -> plain Incremental unmoved
+  (Nominal, _) -> Right (plain Nominal unmoved)
+  _ | all (flat . snd) frames -> Right (plain Incremental unmoved)
   (Jointly, _) ->
-    arranged
-      Jointly
-      [ Registered d (Just (sd, sd)) Nothing []
-        | (d, sd) <- registerPairwise settings (bySize sizes (uncurry spectra)) frames
-      ]
-  (ByLattice, Just tables) -> jointly (fromMaybe (at tables 0) (latticeOf tables))
+    Right $
+      arranged
+        Jointly
+        [ Registered d (Just (sd, sd)) Nothing []
+          | (d, sd) <- registerPairwise settings (bySize sizes (uncurry spectra)) frames
+        ]
+  (ByLattice, Just tables)
+    | largest > maxLatticePixels -> Left (LatticePixels largest)
+    | otherwise -> Right (jointly (fromMaybe (at tables 0) (latticeOf tables)))
   (Automatic, Just tables)
-    | length frames >= 2 && doubtful,
+    | length frames >= 2 && doubtful && largest <= maxLatticePixels,
       Just fits <- latticeOf tables ->
-      jointly fits
-  _ -> plain Incremental (register settings frames)
+      Right (jointly fits)
+  _
+    | compared > maxComparisons -> Left (ComparedPixels compared)
+    | otherwise -> Right (plain Incremental (register settings frames))
   where
+    compared = comparisons settings frames
+    largest = maximum (0 : map ((\(w, h) -> w * h) . rasterSize . snd) frames)
     unmoved = map (const ((0, 0), [])) frames
     flat image = V.all (== rasterValues image V.! 0) (rasterValues image)
     doubtful = registrationSigma settings > 1.25 || registrationNoise settings > 0.25

@@ -7,6 +7,7 @@
 -- against the composite of the others.
 module PraTactile.Registration.Incremental
   ( register,
+    comparisons,
   )
 where
 
@@ -19,6 +20,8 @@ import qualified Data.Map.Strict as Map
 import Data.Ord (Down (..))
 import Data.Set (Set)
 import qualified Data.Set as Set
+import qualified Data.Vector as Boxed
+import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Composite.Blend (Blend (..), Taxels, blend)
 import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterValues, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Overlap (..), Reference, overlapAt, reference, referenceOf)
@@ -52,40 +55,76 @@ register settings images =
     (order, ordered) =
       unzip
         (sortOn (\(_, ((x, y), image)) -> (y, x, rasterValues image)) (zip [0 :: Int ..] images))
-    nodes = linked (sqrt 2 * searchRadius settings) ordered
+    nodes = linked (linkReach settings) ordered
     displacements = sweeps settings nodes (grown settings nodes)
 
--- | A frame, and the other frames that may touch it once they are displaced, each with how telling
--- the nominal overlap is.
+-- | A frame, and the other frames that may touch it once they are displaced.
 data Node = Node
   { nodeKey :: !Int,
     nodePlace :: !Taxels,
     nodeImage :: !Raster,
-    nodeLinks :: [(Double, Node)],
+    -- | All frames, by their keys.
+    nodesByKey :: Boxed.Vector Node,
+    -- | The others by their keys, each with how telling the nominal overlap is. There may be
+    -- millions of them.
+    nodeTies :: Unboxed.Vector (Double, Int),
     -- | How telling all of them are.
     nodeTelling :: Double
   }
 
--- | Each frame tied to its neighbours, which are looked for in the squares around its own, of a
--- grid as wide as two frames can be apart and still come to touch.
+-- | The other frames, each with how telling the nominal overlap is.
+nodeLinks :: Node -> [(Double, Node)]
+nodeLinks node = [(told, nodesByKey node Boxed.! k) | (told, k) <- Unboxed.toList (nodeTies node)]
+
+-- | Each frame tied to its neighbours.
 linked :: Double -> [(Taxels, Raster)] -> [Node]
-linked reach images = nodes
+linked reach images = Boxed.toList nodes
   where
-    nodes = [node key place image | (key, (place, image)) <- zip [0 ..] images]
+    nodes = Boxed.fromList (zipWith node [0 ..] images)
+    near = squaresAround reach images
+    node key (place, image) =
+      let there = referenceOf image
+          ties =
+            Unboxed.fromList
+              [ (telling there place (nodes Boxed.! k), k)
+                | k <- concatMap snd (near place),
+                  k /= key
+              ]
+       in Node key place image nodes ties (Unboxed.sum (Unboxed.map fst ties))
+
+-- | The images around a place, by their numbers: those in the squares around its own, with how many
+-- there are in each, of a grid as wide as two images can be apart and still come to touch.
+squaresAround :: Double -> [(Taxels, Raster)] -> Taxels -> [(Int, [Int])]
+squaresAround reach images = \place ->
+  let (column, row) = squareOf place
+   in [ there
+        | j <- [-1, 0, 1],
+          i <- [-1, 0, 1],
+          Just there <- [Map.lookup (column + i, row + j) squares]
+      ]
+  where
     side =
       2 * reach
         + fromIntegral
           (maximum (1 : [max (rasterWidth image) (rasterHeight image) | (_, image) <- images]))
     squareOf (x, y) = (floor (x / side) :: Integer, floor (y / side) :: Integer)
-    squares = Map.fromListWith (flip (++)) [(squareOf (nodePlace n), [n]) | n <- nodes]
-    node key place image =
-      let links = [(telling (referenceOf image) place n, n) | n <- around place, nodeKey n /= key]
-       in Node key place image links (sum (map fst links))
-    around place =
-      concat
-        [Map.findWithDefault [] (column + i, row + j) squares | j <- [-1, 0, 1], i <- [-1, 0, 1]]
-      where
-        (column, row) = squareOf place
+    squares =
+      Map.fromListWith
+        (\(n, here) (m, others') -> (n + m, here ++ others'))
+        (reverse [(squareOf place, (1, [k])) | (k, (place, _)) <- zip [0 ..] images])
+
+-- | How many pixels 'register' compares at most to have compared each image once with the others
+-- around it.
+comparisons :: Registration -> [(Taxels, Raster)] -> Int
+comparisons settings images =
+  sum [pixels image * sum (map fst (near place)) | (place, image) <- images]
+  where
+    near = squaresAround (linkReach settings) images
+    pixels image = rasterWidth image * rasterHeight image
+
+-- | How much further than side by side two frames may lie and still come to touch, in taxels.
+linkReach :: Registration -> Double
+linkReach settings = sqrt 2 * searchRadius settings
 
 -- | How much the nominal overlap of two frames can tell: its weight times the product of the two
 -- standard deviations in it.
@@ -122,11 +161,14 @@ grown settings nodes = go IntMap.empty (0, 0) (IntMap.map (const 0) byKey) start
              in go (IntMap.insert key displacement placed) (totalX + x, totalY + y) gains' rest'
         _ -> placed
     gain (gains, waiting) (more, node) = case IntMap.lookup key gains of
-      Nothing -> (gains, waiting)
-      Just gained ->
-        ( IntMap.insert key (gained + more) gains,
-          Set.insert (rank (gained + more) node, key) (Set.delete (rank gained node, key) waiting)
-        )
+      Just gained
+        | more > 0 ->
+          ( IntMap.insert key (gained + more) gains,
+            Set.insert
+              (rank (gained + more) node, key)
+              (Set.delete (rank gained node, key) waiting)
+          )
+      _ -> (gains, waiting)
       where
         key = nodeKey node
 

@@ -14,7 +14,7 @@ import Data.List (sortOn)
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (cosineSine, rotated)
-import PraTactile.Image (Raster, rasterSize, rasterValues)
+import PraTactile.Image (Raster, rasterHeight, rasterSize, rasterValues, rasterWidth)
 import PraTactile.Registration.Joint.Displacement (Displacement (..), displacementsOf)
 import PraTactile.Registration.Joint.Estimate
 import PraTactile.Registration.Joint.Grid (gridOf)
@@ -30,6 +30,10 @@ import PraTactile.Registration.Search (Registration (..))
 -- | The most frames that the lattice's phase is found from.
 phaseFrames :: Int
 phaseFrames = 64
+
+-- | The most pixels that frames have on average of which is kept what they tell.
+keptPixels :: Int
+keptPixels = 1024
 
 -- | Where each frame is, from the nominal places (taxels) of their upper left pixels, and what they
 -- tell at the lattice's angle. The displacements have mean 0, since a shift common to all cannot be
@@ -47,14 +51,20 @@ registerJointly settings fits frames = map snd (sortOn fst (zip order centredEst
             ]
         )
     grid = gridOf settings
-    -- What few frames tell is kept; of many it would take too much memory.
-    kept = [(place, fitLikelihood fitted) | (place, _, fitted) <- ordered]
-    again
-      | length ordered <= phaseFrames = kept
-      | otherwise = [(place, likelihood (tablesOf image) image) | (place, image, _) <- ordered]
+    -- What few frames tell is kept; of many, or of large ones, it would take too much memory.
+    kept (place, _, fitted) = (place, fitLikelihood fitted)
+    again (place, image, _) = (place, likelihood (tablesOf image) image)
     tablesOf image = fitsTables fits (rasterSize image)
-    (orientation, phase) = commonPhase grid (spacedOut phaseFrames kept)
-    displacements = [displacementsOf grid orientation phase frame | frame <- again]
+    some = spacedOut phaseFrames ordered
+    small = sum (map pixelsOf some) <= phaseFrames * keptPixels
+    pixelsOf (_, image, _) = rasterWidth image * rasterHeight image
+    (orientation, phase) = commonPhase grid (map (if small then kept else again) some)
+    displacements =
+      map
+        ( displacementsOf grid orientation phase
+            . (if small && length ordered <= phaseFrames then kept else again)
+        )
+        ordered
     posteriors = meanField displacements
     estimates =
       [ turnedTo angle (estimateAt place (shifts weights))

@@ -16,8 +16,8 @@ module PraTactile.Segmentation.Foreign
   )
 where
 
+import qualified Data.IntSet as IntSet
 import Data.Maybe (fromMaybe)
-import qualified Data.Vector.Storable as V
 import PraTactile.Composite (Composite (..))
 import PraTactile.Composite.Level
 import PraTactile.Image
@@ -78,7 +78,9 @@ removed composite pixels regions
         gone = around pixels 0 (concatMap foreignPixels some)
         blank image =
           generate (maskedWidth pixels) (maskedHeight pixels) $ \x y ->
-            if gone V.! (y * maskedWidth pixels + x) then 0 else fromMaybe 0 (index image x y)
+            if IntSet.member (y * maskedWidth pixels + x) gone
+              then 0
+              else fromMaybe 0 (index image x y)
 
 -- | A foreign region.
 data ForeignRegion = ForeignRegion
@@ -100,12 +102,12 @@ foreignIn pixels own symbols =
     kept = around pixels 1 (concat symbols)
     high = map (widened 2) (filter (tooLong pixels) (found (free (>= share 1.5 own))))
     gone = around pixels 0 (concat high)
-    level = filter (not . (gone V.!)) (free (>= share 0.35 own))
+    level = filter (`IntSet.notMember` gone) (free (>= share 0.35 own))
     raised = concatMap (straight pixels) (filter (tooLong pixels) (found level))
     holes = filter ((>= leastHollow) . length) (found (free (<= share (-0.35) own)))
-    free test = filter (not . (kept V.!)) (touchedWhere test pixels)
+    free test = filter (`IntSet.notMember` kept) (touchedWhere test pixels)
     found = components pixels 0
-    widened by region = [p | p <- grown pixels by region, not (kept V.! p)]
+    widened by region = IntSet.toAscList (around pixels by region `IntSet.difference` kept)
 
 -- | Fewer sunken pixels are noise.
 leastHollow :: Int

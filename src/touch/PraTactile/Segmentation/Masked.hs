@@ -3,11 +3,13 @@ module PraTactile.Segmentation.Masked
   ( -- * Masked images
     Masked (..),
     masked,
+    maskedAs,
     smoothed,
 
     -- * Their values
+    isTouched,
+    valueOf,
     valueAt,
-    touchedValues,
     touchedWhere,
     pixelNoise,
 
@@ -15,89 +17,108 @@ module PraTactile.Segmentation.Masked
     placeOf,
     beside,
     around,
-    grown,
+    among,
+    eachOnce,
   )
 where
 
 import Control.Monad (forM_)
+import Data.IntSet (IntSet)
+import qualified Data.IntSet as IntSet
+import Data.List (foldl')
+import Data.Maybe (isJust)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Storable.Mutable as M
 import PraTactile.Composite (Composite (..), leastCoverage)
 import PraTactile.Composite.Level (noiseFrom)
 import PraTactile.Image
+import PraTactile.Image.Ascending (placeIn)
 
--- | An image's pixels, numbered row by row from 0.
+-- | An image's pixels that were touched. All pixels are numbered row by row from 0.
 data Masked = Masked
   { maskedWidth :: !Int,
     maskedHeight :: !Int,
-    -- | whether each was touched
-    maskedTouched :: !(Vector Bool),
-    maskedValues :: !(Vector Double)
+    -- | the numbers of those that were touched, ascending
+    maskedNumbers :: !(Vector Int),
+    -- | which of those one is, by its number
+    maskedPlace :: Int -> Maybe Int,
+    -- | their values, in that order
+    touchedValues :: !(Vector Double)
   }
 
 -- | A composite's pixels; touched are those that got at least 'leastCoverage' of a sensor's weight.
 masked :: Composite -> Masked
 masked Composite {compositeImage = image, compositeCoverage = coverage} =
-  Masked
-    { maskedWidth = rasterWidth image,
-      maskedHeight = rasterHeight image,
-      maskedTouched = V.map (>= leastCoverage) (rasterValues coverage),
-      maskedValues = rasterValues image
-    }
+  maskedAs (rasterSize image) numbers (valuesAt image numbers)
+  where
+    numbers = pixelsWhere (>= leastCoverage) coverage
+
+-- | An image of that width and height of which the pixels of these numbers, ascending, were touched
+-- and have these values.
+maskedAs :: (Int, Int) -> Vector Int -> Vector Double -> Masked
+maskedAs (w, h) numbers = Masked w h numbers (placesOf (w * h) numbers)
+
+-- | At which place each of so many numbers from 0 on stands among ascending ones: by a table of
+-- all, or where that were large, by a search.
+placesOf :: Int -> Vector Int -> Int -> Maybe Int
+placesOf count numbers
+  | count > 4194304 = placeIn numbers
+  | otherwise = \p -> case table V.!? p of
+    Just k | k >= 0 -> Just k
+    _ -> Nothing
+  where
+    table =
+      V.update_ (V.replicate count (-1)) numbers (V.enumFromN 0 (V.length numbers)) :: Vector Int
 
 -- | Each pixel as the mean of the touched ones around it, those beside it with half its weight and
--- those across with a quarter; 0 where none was touched.
+-- those across with a quarter.
 smoothed :: Masked -> Masked
-smoothed pixels = pixels {maskedValues = V.imap (\p _ -> meanAround p) (maskedValues pixels)}
+smoothed pixels = pixels {touchedValues = V.map meanAround (maskedNumbers pixels)}
   where
     meanAround p = if total > 0 then sum (map snd near) / total else 0
       where
         total = sum (map fst near)
         near =
-          [ (weight, weight * (maskedValues pixels V.! p'))
+          [ (weight, weight * value)
             | (i, j) <- [(i, j) | j <- [-1, 0, 1], i <- [-1, 0, 1]],
               Just p' <- [beside pixels p (i, j)],
-              maskedTouched pixels V.! p',
+              Just value <- [valueOf pixels p'],
               let weight = (if i == 0 then 2 else 1) * (if j == 0 then 2 else 1)
           ]
+
+-- | Whether the pixel of this number was touched.
+isTouched :: Masked -> Int -> Bool
+isTouched pixels = isJust . maskedPlace pixels
+
+-- | The value of the pixel of this number, if it was touched.
+valueOf :: Masked -> Int -> Maybe Double
+valueOf pixels p = (touchedValues pixels V.!) <$> maskedPlace pixels p
 
 -- | The value at a column and a row, if that was touched.
 valueAt :: Masked -> (Int, Int) -> Maybe Double
 valueAt pixels (x, y)
-  | inside && maskedTouched pixels V.! p = Just (maskedValues pixels V.! p)
+  | x >= 0 && x < w && y >= 0 && y < maskedHeight pixels = valueOf pixels (y * w + x)
   | otherwise = Nothing
   where
-    inside = x >= 0 && x < w && y >= 0 && y < maskedHeight pixels
     w = maskedWidth pixels
-    p = y * w + x
-
--- | The values of the touched pixels, in order.
-touchedValues :: Masked -> Vector Double
-touchedValues pixels = V.ifilter (\p _ -> maskedTouched pixels V.! p) (maskedValues pixels)
 
 -- | The touched pixels whose values are so, in order.
 touchedWhere :: (Double -> Bool) -> Masked -> [Int]
 touchedWhere test pixels =
-  V.toList (V.elemIndices True (V.zipWith (&&) (maskedTouched pixels) (V.map test values)))
-  where
-    values = maskedValues pixels
+  V.toList (V.ifilter (\k _ -> test (touchedValues pixels V.! k)) (maskedNumbers pixels))
 
 -- | The standard deviation of the noise of pixels that are not smoothed: the larger of what changes
 -- along the rows and along the columns show, for a row may have noise in common, or a column.
 pixelNoise :: Masked -> Double
 pixelNoise pixels = max (noiseFrom (differences 1 0)) (noiseFrom (differences 0 1))
   where
-    (touched, values) = (maskedTouched pixels, maskedValues pixels)
     differences i j =
       V.fromList
-        [ values V.! a - 2 * values V.! p + values V.! b
-          | p <- [0 .. V.length values - 1],
-            touched V.! p,
-            Just a <- [beside pixels p (negate i, negate j)],
-            touched V.! a,
-            Just b <- [beside pixels p (i, j)],
-            touched V.! b
+        [ a - 2 * value + b
+          | (p, value) <- zip (V.toList (maskedNumbers pixels)) (V.toList (touchedValues pixels)),
+            Just a <- [beside pixels p (negate i, negate j) >>= valueOf pixels],
+            Just b <- [beside pixels p (i, j) >>= valueOf pixels]
         ]
 
 -- | The column and the row of a pixel.
@@ -116,15 +137,35 @@ beside pixels p (i, j)
 {-# INLINE beside #-}
 
 -- | The pixels whose distance from some, the larger one of that in columns and that in rows, is at
--- most this. Each once, in order.
-grown :: Masked -> Int -> [Int] -> [Int]
-grown pixels distance = V.toList . V.elemIndices True . around pixels distance
+-- most this.
+around :: Masked -> Int -> [Int] -> IntSet
+around pixels distance some =
+  IntSet.fromList
+    [ p'
+      | p <- some,
+        by <- [(i, j) | j <- [-distance .. distance], i <- [-distance .. distance]],
+        Just p' <- [beside pixels p by]
+    ]
 
--- | Whether each pixel is one of them.
-around :: Masked -> Int -> [Int] -> Vector Bool
-around pixels distance some = V.create $ do
-  marks <- M.replicate (maskedWidth pixels * maskedHeight pixels) False
-  forM_ some $ \p ->
-    forM_ [(i, j) | j <- [-distance .. distance], i <- [-distance .. distance]] $ \by ->
-      mapM_ (\p' -> M.write marks p' True) (beside pixels p by)
-  pure marks
+-- | Whether a pixel is one of some: by a table of all where these are many of them.
+among :: Masked -> [Int] -> Int -> Bool
+among pixels some
+  | areMany pixels some =
+    let table = tableOf pixels some in \p -> p >= 0 && p < V.length table && table V.! p
+  | otherwise = (`IntSet.member` IntSet.fromList some)
+
+-- | Numbers of pixels, each once, ascending: such as are beside some of the pixels.
+eachOnce :: Masked -> [Int] -> [Int] -> [Int]
+eachOnce pixels some numbers
+  | areMany pixels some = V.toList (V.elemIndices True (tableOf pixels numbers))
+  | otherwise = IntSet.toAscList (foldl' (flip IntSet.insert) IntSet.empty numbers)
+
+-- | Are they so many that a table of all pixels takes no more than a few times as much?
+areMany :: Masked -> [Int] -> Bool
+areMany pixels some = 64 * length some >= maskedWidth pixels * maskedHeight pixels
+
+tableOf :: Masked -> [Int] -> Vector Bool
+tableOf pixels numbers = V.create $ do
+  table <- M.replicate (maskedWidth pixels * maskedHeight pixels) False
+  forM_ numbers $ \p -> M.write table p True
+  pure table

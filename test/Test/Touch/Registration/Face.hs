@@ -1,8 +1,11 @@
 -- | A face of symbols, all four of the shipped alphabet on their lattice, and frames of it.
-module Test.Touch.Registration.Face (frameAt) where
+module Test.Touch.Registration.Face (frameAt, arranged) where
 
 import Data.Maybe (fromMaybe)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image
+import PraTactile.Registration.Arrangement
+import PraTactile.Registration.Search (Registration)
 import Test.Touch.Sensor.MeanHeights (embossing)
 
 -- | A frame of this width and height, whose upper left taxel lies there on the face, in taxels.
@@ -16,3 +19,9 @@ face = generate 96 80 $ \x y ->
       (r, v) = y `divMod` 20
       kind = (3 * r + 2 * c + r * c) `mod` 4
    in fromMaybe 0 (index (embossing !! kind) (u - 4) (v - 4))
+
+-- | Few frames, arranged.
+arranged :: StitchMethod -> Registration -> [(Taxels, Raster)] -> Arrangement
+arranged method settings frames =
+  either (error . ("it would take too much: " ++) . show) id $
+    arrange method settings frames

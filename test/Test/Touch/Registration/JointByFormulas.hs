@@ -122,8 +122,8 @@ consensusSpec = do
   it "two frames that go on changing their minds together are stopped after five sweeps" $ do
     -- Each begins at one of two displacements of which the other frame's suits the other one.
     let either' first second =
-          [ Displacement (0, 0) first [(1, Unboxed.fromList [10, 0, 0])],
-            Displacement (4, 0) second [(1, Unboxed.fromList [0, 10, 0])]
+          [ displacementOf (0, 0) first [(1, Unboxed.fromList [10, 0, 0])],
+            displacementOf (4, 0) second [(1, Unboxed.fromList [0, 10, 0])]
           ]
         likeliest = map (displacementShift . fst . maximumBy (comparing snd))
     likeliest (meanField [either' 1 0, either' 0 1]) `shouldBe` [(4, 0), (0, 0)]
@@ -137,7 +137,7 @@ consensusSpec = do
               .&&. property (and (zipWith (\f w -> and (zipWith close (map snd f) w)) found wanted))
   where
     option (d, prior, cells) =
-      Displacement d prior [(c, Unboxed.fromList l) | (c, l) <- Map.toList cells]
+      displacementOf d prior [(c, Unboxed.fromList l) | (c, l) <- Map.toList cells]
     genTold :: Gen [((Int, Int), Double, Map.Map Int [Double])]
     genTold = do
       count <- choose (1, 4)

@@ -23,6 +23,7 @@ import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf, genRasterWithin)
+import Test.Touch.Registration.Face (arranged)
 
 spec :: Spec
 spec = modifyMaxSuccess (const 100) $ do
@@ -268,7 +269,7 @@ othersSpec =
           step = if upright then (0, 8) else (8, 0)
           place (x, y) = (fromIntegral x, fromIntegral y)
           found =
-            arrange Incremental settings [(place at, frame at) | at <- [(0, 0), step]]
+            arranged Incremental settings [(place at, frame at) | at <- [(0, 0), step]]
           moves =
             [ (dx - x, dy - y)
               | told <- arrangementFrames found,

@@ -13,7 +13,7 @@ import PraTactile.Registration.Search (Registration (..), standardRegistration)
 import PraTactile.Registration.Spectrum (spectra)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample, tables)
-import Test.Touch.Registration.Face (frameAt)
+import Test.Touch.Registration.Face (arranged, frameAt)
 
 spec :: Spec
 spec = do
@@ -47,14 +47,15 @@ waySpec = do
         shown (Registered shift deviation probability others _) =
           (shift, deviation, probability, others)
         unmoved = ((0, 0), Nothing, Nothing, [])
-    told (arrange Nominal standardRegistration (facing places))
+    told (arranged Nominal standardRegistration (facing places))
       `shouldBe` (Nominal, map (const unmoved) places)
     for_ [Automatic, ByLattice, Jointly, Incremental] $ \method ->
-      told (arrange method standardRegistration blanks) `shouldBe` (Incremental, [unmoved, unmoved])
+      told (arranged method standardRegistration blanks)
+        `shouldBe` (Incremental, [unmoved, unmoved])
   it "one after the other and jointly, frames have what these registrations tell" $ do
     let frames = facing places
-        one = arrange Incremental standardRegistration frames
-        all' = arrange Jointly standardRegistration frames
+        one = arranged Incremental standardRegistration frames
+        all' = arranged Jointly standardRegistration frames
         bySpectra (w, h) = spectra w h
     [(registeredShift a, registeredOthers a) | a <- arrangementFrames one]
       `shouldBe` register standardRegistration frames
@@ -73,18 +74,34 @@ waySpec = do
       map registeredGroup (arrangementFrames found) `shouldBe` groupsOf moved
       arrangementResidual found `shouldBe` residual moved
   it "by the lattice if that is told; automatically, if error or noise is above its limit" $ do
-    let method settings = arrangementMethod (arrange Automatic settings (facing places))
+    let method settings = arrangementMethod (arranged Automatic settings (facing places))
         with sigma noise =
           standardRegistration {registrationSigma = sigma, registrationNoise = noise}
     [method (with sigma noise) | (sigma, noise) <- [(1.25, 0.25), (1.26, 0.1), (1, 0.26)]]
       `shouldBe` [Incremental, ByLattice, ByLattice]
     -- A single frame is not.
-    arrangementMethod (arrange Automatic (with 2 0.1) (facing [(20, 20)])) `shouldBe` Incremental
+    arrangementMethod (arranged Automatic (with 2 0.1) (facing [(20, 20)])) `shouldBe` Incremental
     -- Nor are frames that show something else, unless that is asked for.
     let noise = [((8 * fromIntegral k, 0), rough k) | k <- [0 .. 2 :: Int]]
         rough k = generate 16 16 (\x y -> wave 0.9 (x + 8 * k) + wave 0.7 y)
         wave by t = sin (by * fromIntegral t)
-    map (\w -> arrangementMethod (arrange w (with 2 0.1) noise)) [Automatic, ByLattice]
+    map (\w -> arrangementMethod (arranged w (with 2 0.1) noise)) [Automatic, ByLattice]
       `shouldBe` [Incremental, ByLattice]
+  it "so many that they would be compared in more pixels than are: only in that way" $ do
+    let slope = generate 16 16 (\x y -> fromIntegral (x * y))
+        many count = replicate count ((0, 0), slope)
+        refused method count =
+          refusal (arrange method standardRegistration (many count))
+    refused Incremental 1448 `shouldBe` Nothing
+    refused Incremental 1449 `shouldBe` Just (ComparedPixels (1449 * 1449 * 256))
+    [refused method 1449 | method <- [Nominal, Jointly, ByLattice]] `shouldBe` replicate 3 Nothing
+    -- Those far from each other are not compared.
+    let apart = [((100 * fromIntegral k, 0), slope) | k <- [1 .. 3000 :: Int]]
+    refusal (arrange Incremental standardRegistration apart) `shouldBe` Nothing
+  it "by the lattice frames of 256 x 256 pixels and no larger ones" $ do
+    let image side = generate side 256 (\x y -> fromIntegral (x + y))
+        refused side = refusal (arrange ByLattice standardRegistration [((0, 0), image side)])
+    map refused [256, 257] `shouldBe` [Nothing, Just (LatticePixels (257 * 256))]
   where
+    refusal = either Just (const Nothing)
     places = [(10, 12), (18, 12), (10, 20), (18, 20)]

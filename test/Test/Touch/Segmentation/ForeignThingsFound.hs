@@ -2,6 +2,7 @@
 -- how high symbols stand, and what is foreign beside them: each against its definition.
 module Test.Touch.Segmentation.ForeignThingsFound (spec) where
 
+import qualified Data.IntSet as IntSet
 import Data.List (nub, sort)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite (Composite (..), compositeOf)
@@ -88,7 +89,7 @@ sizeSpec = do
     forAll (elements [(9, 10), (16, 10), (12, 8), (12, 15)]) $ \(x, y) ->
       let region = regionOf (\(u, v) -> u >= 10 && u <= 15 && v >= 9 && v <= 14)
           hole = y * wide + x
-          holed = field {maskedTouched = V.imap (\p _ -> p /= hole) (maskedTouched field)}
+          holed = showing [(p, 0) | p <- [0 .. wide * high - 1], p /= hole]
        in (unlikeSymbols field region, unlikeSymbols holed region) === (True, False)
   where
     genBar = do
@@ -185,15 +186,17 @@ genComposite = do
 
 -- | Of some pixels those that are none of others.
 without :: Masked -> [Int] -> [Int] -> [Int]
-without scene others = filter (not . (around scene 0 others V.!))
+without scene others = filter (`IntSet.notMember` around scene 0 others)
+
+-- | The pixels of the field no further than that from some.
+near :: Int -> [Int] -> [Int]
+near distance = IntSet.toAscList . around field distance
 
 -- | The field with these values, and nothing else touched.
 showing :: [(Int, Double)] -> Masked
-showing pixels =
-  field
-    { maskedTouched = V.generate (wide * high) (`elem` map fst pixels),
-      maskedValues = V.generate (wide * high) (\p -> sum [v | (p', v) <- pixels, p' == p])
-    }
+showing pixels = maskedAs (wide, high) (V.fromList numbers) (V.fromList values)
+  where
+    (numbers, values) = unzip (sort pixels)
 
 heightSpec :: Spec
 heightSpec = do
@@ -205,7 +208,7 @@ heightSpec = do
   it "of what lies three pixels from a symbol twelve must be touched" $
     [ snd <$> symbolLevels (showing ([(p, 1) | p <- symbol] ++ [(p, 0) | p <- take n ring])) 0
       | let symbol = regionOf (bar (15.5, 14.5) 0 (12, 8)),
-        let ring = without field (grown field 2 symbol) (grown field 3 symbol),
+        let ring = without field (near 2 symbol) (near 3 symbol),
         n <- [11, 12]
     ]
       `shouldSatisfy` \found -> map (fmap length) found == [Nothing, Just 1]
@@ -249,7 +252,7 @@ heightSpec = do
     map height [28, 29] `shouldBe` [Just 0.75, Just 1]
   it "at twice the gain all is twice as high, and the same are symbols" $
     forAllBlind genScene $ \scene -> forAll (elements [0.01, 0.05]) $ \noise ->
-      let doubled = scene {maskedValues = V.map (2 *) (maskedValues scene)}
+      let doubled = scene {touchedValues = V.map (2 *) (touchedValues scene)}
           twice (Levels a b, symbols) = (Levels (2 * a) (2 * b), symbols)
           found = symbolLevels scene noise
        in label (maybe "none" (show . length . snd) found) $
@@ -260,7 +263,7 @@ heightSpec = do
 -- | A field of that level with some regions above it by so much.
 raised :: Double -> [(Region, Double)] -> Masked
 raised level regions =
-  field {maskedValues = V.generate (wide * high) (\p -> level + sum (heights p))}
+  field {touchedValues = V.generate (wide * high) (\p -> level + sum (heights p))}
   where
     heights p = [h | (region, h) <- regions, p `elem` region]
 
@@ -275,7 +278,7 @@ foreignSpec = do
     [ [(cause, height, of' region) | (region, cause, height) <- foreign' [(bar', v)] []]
       | v <- [0.34, 0.35, 1, 1.49, 1.5, 3],
         -- With a rim of one pixel at least and of two at most.
-        let of' region = all (`elem` region) (grown field 1 bar') && all (`elem` rim2) region
+        let of' region = all (`elem` region) (near 1 bar') && all (`elem` rim2) region
     ]
       `shouldBe` [[]]
       ++ replicate 3 [(TooLarge, False, True)]
@@ -335,7 +338,7 @@ removedSpec = do
        in conjoin
             [ counterexample "all of it" $ filter (`notElem` gone) thing === [],
               counterexample "with no more than four pixels around it" $
-                filter (`notElem` grown field 4 thing) gone === [],
+                filter (`notElem` near 4 thing) gone === [],
               counterexample "none of the symbol" $ filter (`elem` gone) symbol === [],
               counterexample "what is taken out counts as flat, the rest stays" $
                 V.toList (rasterValues image)

@@ -3,6 +3,7 @@
 module Test.Touch.Segmentation.PartsByDefinition (spec) where
 
 import Data.Bifunctor (bimap)
+import qualified Data.IntSet as IntSet
 import Data.List (sort)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
@@ -54,9 +55,7 @@ regionSpec = modifyMaxSuccess (const 200) $ do
     property $ \(Marked (w, h, marks)) -> forAll (choose (0, 3)) $ \far ->
       let pixels = [p | (p, True) <- zip [0 ..] marks]
           wanted = [p | p <- [0 .. w * h - 1], any ((<= far) . distance w p) pixels]
-       in grown (plain w h) far pixels === wanted
-            .&&. V.toList (around (plain w h) far pixels)
-            === [p `elem` wanted | p <- [0 .. w * h - 1]]
+       in IntSet.toAscList (around (plain w h) far pixels) === wanted
   it "have the pixels beside them that the field has" $
     property $ \(Marked (w, h, _)) -> forAll ((,) <$> choose (-4, 4) <*> choose (-4, 4)) $
       \(i, j) ->
@@ -100,9 +99,12 @@ regionSpec = modifyMaxSuccess (const 200) $ do
           pixels = smoothed (masked composite)
           places = [(x, y) | y <- [0 .. h - 1], x <- [0 .. w - 1]]
        in (maskedWidth pixels, maskedHeight pixels) === (w, h)
-            .&&. V.toList (maskedTouched pixels) === map (uncurry touched) places
+            .&&. map (isTouched pixels) [0 .. w * h - 1] === map (uncurry touched) places
             .&&. conjoin
-              (zipWith near' (map (uncurry value) places) (V.toList (maskedValues pixels)))
+              [ maybe (property False) (near' (value x y)) (valueAt pixels (x, y))
+                | (x, y) <- places,
+                  touched x y
+              ]
   where
     distance w p p' =
       max (abs (p `mod` w - p' `mod` w)) (abs (p `div` w - p' `div` w))
@@ -118,7 +120,7 @@ connected near = foldr add []
        in (p : concat joined) : filter (not . any (near p)) others
 
 plain :: Int -> Int -> Masked
-plain w h = Masked w h (V.replicate (w * h) True) (V.replicate (w * h) 0)
+plain w h = masked (compositeOf (constant w h 0))
 
 near' :: Double -> Double -> Property
 near' wanted came = counterexample (show (wanted, came)) (abs (wanted - came) < 1e-9)

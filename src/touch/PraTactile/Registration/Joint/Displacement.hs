@@ -2,6 +2,8 @@
 -- then sees.
 module PraTactile.Registration.Joint.Displacement
   ( Displacement (..),
+    displacementOf,
+    displacementCells,
     ClassLogs,
     displacementsOf,
   )
@@ -16,24 +18,39 @@ import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template (Templates (..))
 
--- | A displacement d of a frame, in places from its grid point: log pi, and l_k of each cell that
--- the frame sees there, by the cell's number.
+-- | A displacement d of a frame, in places from its grid point: log pi, and what it says of the
+-- cells that the frame sees there: their numbers, and one after the other l_k of each. There are
+-- millions of these where there are thousands of frames, so that each is kept in a few words.
 data Displacement = Displacement
   { displacementShift :: !(Int, Int),
     displacementPrior :: !Double,
-    displacementCells :: ![(Int, ClassLogs)]
+    displacementNumbers :: !(Unboxed.Vector Int),
+    displacementLogs :: !ClassLogs
   }
 
--- | A number for each class of symbols. There are millions of them where there are thousands of
--- frames, and the garbage collector may move them together.
+-- | A number for each class of symbols.
 type ClassLogs = Unboxed.Vector Double
+
+-- | A displacement with log pi and l_k of each cell, by its number; all of as many classes.
+displacementOf :: (Int, Int) -> Double -> [(Int, ClassLogs)] -> Displacement
+displacementOf shift prior cells =
+  Displacement shift prior (Unboxed.fromList (map fst cells)) (Unboxed.concat (map snd cells))
+
+-- | l_k of each cell that the frame sees, by the cell's number.
+displacementCells :: Displacement -> [(Int, ClassLogs)]
+displacementCells (Displacement _ _ numbers logs) =
+  [ (number, Unboxed.slice (k * classes) classes logs)
+    | (k, number) <- zip [0 ..] (Unboxed.toList numbers)
+  ]
+  where
+    classes = Unboxed.length logs `quot` max 1 (Unboxed.length numbers)
 
 -- | The displacements of a frame that may matter: those not more than 12 below the likeliest, as
 -- natural logarithms, by the frame alone. Given are the lattice's orientation and phase, the place
 -- of the frame's first one, in taxels, and what the frame tells.
 displacementsOf :: Grid -> Int -> (Int, Int) -> (Taxels, Likelihood) -> [Displacement]
 displacementsOf grid orientation (phaseY, phaseX) (place, given) =
-  [ Displacement (dx, dy) prior (cells dx dy)
+  [ displacementOf (dx, dy) prior (cells dx dy)
     | (score, prior, dx, dy) <- scored,
       score >= best - margin
   ]

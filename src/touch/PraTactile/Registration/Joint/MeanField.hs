@@ -8,7 +8,11 @@ import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (foldl')
 import qualified Data.Vector.Unboxed as Unboxed
-import PraTactile.Registration.Joint.Displacement (ClassLogs, Displacement (..))
+import PraTactile.Registration.Joint.Displacement
+  ( ClassLogs,
+    Displacement (..),
+    displacementCells,
+  )
 import PraTactile.Registration.Model (absence, classPrior, outlier)
 
 -- | q of each frame over its displacements: begun from each frame alone, all frames anew in each

@@ -7,7 +7,6 @@ module PraTactile.Segmentation.Foreign.Extent
   )
 where
 
-import qualified Data.Vector.Storable as V
 import PraTactile.Geometry (cosineSine, symbolHeight, symbolWidth)
 import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region
@@ -20,7 +19,7 @@ unlikeSymbols pixels region =
   where
     atEdge =
       or
-        [ maybe True (not . (maskedTouched pixels V.!)) (beside pixels p by)
+        [ maybe True (not . isTouched pixels) (beside pixels p by)
           | p <- region,
             by <- [(-1, 0), (1, 0), (0, -1), (0, 1)]
         ]
@@ -57,19 +56,26 @@ symbolSized pixels region =
 -- | The parts of a region that lie on straight lines inside it, longer than any symbol has: of a
 -- symbol that touches a bar only what lies on lines through both.
 straight :: Masked -> Region -> [Region]
-straight pixels region = components pixels 0 onLines
+straight pixels region = components pixels 0 (eachOnce pixels region onLines)
   where
-    inside = around pixels 0 region
+    inside = among pixels region
     onLines =
-      concat
-        [ map fst line
-          | p <- region,
-            angle <- [0, 11.25 .. 168.75],
-            let line = [(p', inside V.! p') | Just p' <- map (beside pixels p) (steps angle)],
-            length (filter snd line) >= longestLine - 1
-        ]
-    steps :: Double -> [(Int, Int)]
-    steps angle =
+      [ p'
+        | p <- region,
+          steps <- lines',
+          within steps p,
+          Just p' <- map (beside pixels p) steps
+      ]
+    -- All of a line's pixels but for one.
+    within steps p = go (1 :: Int) steps
+      where
+        go _ [] = True
+        go spare (step : others) = case beside pixels p step of
+          Just p' | inside p' -> go spare others
+          _ -> spare > 0 && go (spare - 1) others
+    lines' = map line [0, 11.25 .. 168.75]
+    line :: Double -> [(Int, Int)]
+    line angle =
       [(round (t * c), round (t * s)) | t <- map fromIntegral [0 .. longestLine - 1]]
       where
         (c, s) = cosineSine angle

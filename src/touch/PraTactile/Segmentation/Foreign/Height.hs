@@ -4,7 +4,9 @@ module PraTactile.Segmentation.Foreign.Height
   )
 where
 
+import qualified Data.IntSet as IntSet
 import Data.List (sort, sortOn)
+import Data.Maybe (mapMaybe)
 import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Level
@@ -77,15 +79,12 @@ candidate pixels t region
   | otherwise =
     Just (Candidate region (Levels low high) (abs (t - (low + high) / 2) / (high - low)))
   where
-    near = around pixels 2 region
     ring =
-      [ maskedValues pixels V.! p
-        | p <- grown pixels 3 region,
-          not (near V.! p),
-          maskedTouched pixels V.! p
-      ]
+      mapMaybe
+        (valueOf pixels)
+        (IntSet.toAscList (around pixels 3 region `IntSet.difference` around pixels 2 region))
     low = middle ring
-    high = ranked 0.7 [maskedValues pixels V.! p | p <- region]
+    high = ranked 0.7 (mapMaybe (valueOf pixels) region)
 
 -- | The value of a rank among some, from 0 to 1; 0 for none.
 ranked :: Double -> [Double] -> Double

@@ -1,0 +1,100 @@
+-- | Composites in which little was felt, far apart: they take the memory and the time of what was
+-- felt, not of the rectangle around it, and show what they would show in full.
+module Test.Touch.Segmentation.FeltFarApart (spec) where
+
+import Control.Exception (evaluate)
+import Data.Either (isRight)
+import qualified Data.IntSet as IntSet
+import Data.List (sort)
+import qualified Data.Vector.Storable as V
+import PraTactile.Composite (weighted)
+import PraTactile.Composite.Tilt (setUpright)
+import PraTactile.Image
+import PraTactile.Image.Correlate (referenceAt)
+import PraTactile.Registration
+import PraTactile.Segmentation.Masked
+import PraTactile.Segmentation.Region
+import PraTactile.Segmentation.Turned (segmentTurned)
+import PraTactile.Sensor.Frame
+import PraTactile.Symmetry
+import Test.Hostile.Judgement (withinBounds)
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (generate, sample)
+
+spec :: Spec
+spec = do
+  modifyMaxSuccess (const 5) rasterSpec
+  modifyMaxSuccess (const 4) turnedSpec
+  it "six frames of noise, one of them thirty metres away, take no more than six" $ do
+    composite <- composed [(0, 0), (12.7, 0), (25.4, 0), (0, 12.7), (12.7, 12.7), (3e4, 0)]
+    found <- withinBounds (evaluate (length (show (segmentTurned composite))))
+    found `shouldSatisfy` isRight
+  it "symbols' pixels far apart are connected as those in a small field are" $ do
+    let far = maskedAs (1000000, 1000000) V.empty V.empty
+        here = maskedAs (9, 9) V.empty V.empty
+        marks = [0, 1, 10, 13, 22, 40, 42, 80]
+        -- The same in the middle of the large field, and again far from there.
+        on field (x, y) p = let (u, v) = placeOf here p in (y + v) * maskedWidth field + x + u
+        wanted = map sort (components here 0 marks)
+        places = [(500000, 17), (20, 900000)]
+    map sort (components far 0 (concat [map (on far place) marks | place <- places]))
+      `shouldBe` [sort (map (on far place) region) | place <- places, region <- wanted]
+
+-- | Large images of which few pixels are not 0 obey what all images do.
+rasterSpec :: Spec
+rasterSpec =
+  it "of a large image of which few pixels are kept, all is as if each were" $
+    forAll (IntSet.fromList <$> listOf (choose (0, w * h - 1))) $ \some ->
+      forAll (elements (map turned [0 .. 3] ++ [mirror])) $ \symmetry ->
+        let numbers = V.fromList (IntSet.toAscList some)
+            value x y = fromIntegral (x + 2 * y + 1)
+            few = generateAt w h numbers value
+            full = generate w h (\x y -> if IntSet.member (y * w + x) some then value x y else 0)
+            places = [(x + 0.25, y - 0.5) | x <- [-1, 7, fromIntegral w - 1], y <- [0, 9]]
+         in conjoin
+              [ few === full,
+                onRaster symmetry few === onRaster symmetry full,
+                mapRaster (+ 1) few === mapRaster (+ 1) full,
+                zipRaster (\a b -> a - 2 * b + 1) few few
+                  === zipRaster (\a b -> a - 2 * b + 1) full full,
+                zipRaster (-) few full === Right (constant w h 0),
+                map (uncurry (sample few)) places === map (uncurry (sample full)) places,
+                pixelsWhere (> 0) few === numbers,
+                pixelsWhere (<= 0) few === pixelsWhere (<= 0) full,
+                valuesAt few numbers === valuesAt full numbers,
+                toRows few === toRows full
+              ]
+  where
+    (w, h) = (1500, 800)
+
+-- | What was felt far apart, set upright.
+turnedSpec :: Spec
+turnedSpec = do
+  composite <- runIO (composed [(0, 0), (300, 2000), (2000, 300)])
+  let known = weighted composite
+  it "set upright, each pixel shows what was felt where it lies, and nothing where nothing was" $
+    forAll (choose (-45, 45)) $ \angle ->
+      let (upright, back) = setUpright angle composite
+          image = compositeImage upright
+          felt = V.toList (pixelsWhere (> 0) (compositeCoverage upright))
+          (w, h) = rasterSize image
+          shown (x, y) = (index image x y, index (compositeCoverage upright) x y)
+          wanted (x, y) =
+            maybe
+              (Just 0, Just 0)
+              (\(v, m) -> (Just v, Just m))
+              (uncurry (referenceAt known) (back (fromIntegral x, fromIntegral y)))
+          near = [p + d | p <- felt, d <- [0, 1, -1, w, negate w], p + d >= 0, p + d < w * h]
+          places = [(x, y) | p <- near, let (y, x) = p `quotRem` w]
+       in counterexample (show (w, h)) $
+            length felt > 600 .&&. map shown places === map wanted places
+
+-- | Frames of noise at these places, in millimetres, put together as they are.
+composed :: [(Double, Double)] -> IO Composite
+composed places = either (fail . show) pure (placeOnly (zipWith frame [1 ..] places))
+  where
+    frame k (x, y) = Frame (Pose x y 0) 1 (generate 16 16 (noise k)) taxelPitch []
+    noise :: Int -> Int -> Int -> Double
+    noise k x y = fromIntegral (mixed k x y `mod` 256) / 255
+    mixed k x y = 7919 * x * x + 104729 * y * y + 1299709 * k * x * y
