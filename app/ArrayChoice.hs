@@ -68,7 +68,7 @@ chosenProfile choice = case choice of
   ArrayChoice Nothing Nothing Nothing Nothing Nothing Nothing Nothing (Just file) ->
     readProfile file
   ArrayChoice {choiceFile = Just _} ->
-    unusable
+    misused
       "--profile FILE already chooses the array; leave out --q, --modulus, --polynomial, --shape, \
       \--window, --state and --folding"
   ArrayChoice Nothing Nothing Nothing Nothing Nothing Nothing folding Nothing ->
@@ -85,7 +85,7 @@ chosenProfile choice = case choice of
               }
         )
   _ ->
-    unusable
+    misused
       ( "to choose an array, give --q, --polynomial and --shape together (missing: "
           ++ missing
           ++ ")"
@@ -103,7 +103,7 @@ chosenProfile choice = case choice of
 chosenProfileFor :: Shape -> ArrayChoice -> IO Profile
 chosenProfileFor extent choice = case choice of
   ArrayChoice {choiceWindow = Just _} ->
-    unusable "--mask already says what a window is; leave out --window"
+    misused "--mask already says what a window is; leave out --window"
   ArrayChoice {choiceShape = Just _} -> chosenProfile choice {choiceWindow = Just extent}
   _ -> (\profile -> profile {profileWindow = extent}) <$> chosenProfile choice
 

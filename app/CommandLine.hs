@@ -79,7 +79,7 @@ misunderstood :: String -> ParserFailure ParserHelp -> Either String String
 misunderstood name failure = case execFailure failure name of
   (_, ExitSuccess, _) -> Right (fst (renderFailure failure name))
   (explained, ExitFailure _, _) ->
-    Left (dropWhileEnd (== '.') complaint ++ "; try '" ++ unwords asked ++ " --help'")
+    Left (namingHelp asked (dropWhileEnd (== '.') complaint))
     where
       -- The usage begins with the words of the command.
       asked =

@@ -87,7 +87,7 @@ conformOptions =
 -- | Which laws are tried and how; leaves with status 2 where an option says what cannot be.
 settingsOf :: Suite about -> Options -> IO Settings
 settingsOf suite options = do
-  for_ complaints unusable
+  for_ complaints misused
   known <- maybe (pure []) (fmap patternsIn . readBytesUpTo mebibyte) (knownFailures options)
   named "--run" (runPatterns options)
   named "--skip" (skipPatterns options)
@@ -110,7 +110,7 @@ settingsOf suite options = do
     ids = idsOf tried suite ++ map fst checkTexts
     named name patterns =
       for_ patterns $ \one ->
-        unless (any (matches one) ids) . unusable $
+        unless (any (matches one) ids) . misused $
           name ++ ": "
             ++ if any (matches one) (idsOf others suite)
               then quoted one ++ " is a law of touch; it needs --stage touch"

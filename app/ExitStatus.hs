@@ -5,6 +5,9 @@ module ExitStatus
     leave,
 
     -- * Bad usage and bad input
+    misused,
+    namingHelp,
+    helpNamed,
     unusable,
     orUnusable,
     warn,
@@ -19,6 +22,7 @@ import Control.Exception
 import Control.Monad (void)
 import Data.Char (toLower)
 import GHC.IO.Exception (IOException (..))
+import System.Environment (getProgName)
 import System.Exit (ExitCode (..), exitWith)
 import System.IO (hFlush, hPutStrLn, stderr, stdout)
 import Visible
@@ -39,6 +43,28 @@ leave status = exitWith $ case status of
   Answered -> ExitSuccess
   NotAnswered -> ExitFailure 1
   Unusable -> ExitFailure 2
+
+-- | What is wrong with arguments, each of which could be read.
+newtype Misused = Misused String
+  deriving stock (Show)
+
+instance Exception Misused
+
+-- | Say what is wrong with the arguments of a command, and where to read what is right; leaves with
+-- status 2. 'helpNamed' knows the command.
+misused :: String -> IO a
+misused = throwIO . Misused
+
+-- | A command by its name, in which arguments may be 'misused'.
+helpNamed :: String -> IO a -> IO a
+helpNamed name run =
+  run `catch` \(Misused complaint) -> do
+    program <- getProgName
+    unusable (namingHelp [program, name] complaint)
+
+-- | What is wrong with arguments, with the words of the command whose help says what is right.
+namingHelp :: [String] -> String -> String
+namingHelp asked complaint = complaint ++ "; try '" ++ unwords asked ++ " --help'"
 
 -- | Say on the standard error what is wrong and what to do, and leave with status 2.
 unusable :: String -> IO a

@@ -54,8 +54,9 @@ subcommand ::
 subcommand name does examples options =
   Parser.command
     name
-    (info (options <**> helper) (fullDesc <> progDesc does <> footerDoc (unChunk exampleText)))
+    (info (helpNamed name <$> options <**> helper) said)
   where
+    said = fullDesc <> progDesc does <> footerDoc (unChunk exampleText)
     exampleText = vcatChunks (map stringChunk (heading : map ("  " ++) examples))
     heading = if length examples == 1 then "Example:" else "Examples:"
 

@@ -101,14 +101,14 @@ sensorOptions =
 chosenSensor :: SensorChoice -> IO Sensor
 chosenSensor choice
   | not (inRange 0 999.999999 (positionSigma choice)) =
-    unusable "--position-error is a number of taxels from 0 up"
+    misused "--position-error is a number of taxels from 0 up"
   | not (inRange 0 999.999999 (noiseSd choice)) =
-    unusable "--noise is a share of full scale from 0 up"
+    misused "--noise is a share of full scale from 0 up"
   | not (inRange 0 180 (rotationSigma choice)) =
-    unusable "--rotation-error is a number of degrees from 0 to 180"
+    misused "--rotation-error is a number of degrees from 0 to 180"
   | not (all side (concat [[w, h] | Just (w, h) <- [frameSize choice]])) =
-    unusable "--frame is from 4x4 to 256x256"
-  | any (< 1) (spacing choice) = unusable "--spacing is a number of taxels from 1 up"
+    misused "--frame is from 4x4 to 256x256"
+  | any (< 1) (spacing choice) = misused "--spacing is a number of taxels from 1 up"
   | otherwise = do
     base <- maybe (pure standardSensor) readSensor (sensorNamed choice)
     taxel <- traverse usableTaxel (taxelSize choice)
@@ -126,7 +126,7 @@ chosenSensor choice
   where
     inRange least most = all (\v -> v >= least && v <= most)
     side n = n >= 4 && n <= (256 :: Int)
-    put sensor (name, v) = either (unusable . refusal name) pure (replaced name v sensor)
+    put sensor (name, v) = either (misused . refusal name) pure (replaced name v sensor)
     refusal name = maybe name (rangeText name . constantRange)
 
 -- | The distance of neighbouring presses of a sensor, in its taxels.
@@ -142,7 +142,7 @@ readSensor name = case find ((== name) . presetName) [minBound ..] of
     if there || name == "-"
       then readSensorFile name
       else
-        unusable
+        misused
           ( quoted name ++ " is no sensor: write "
               ++ intercalate ", " (map presetName [minBound ..])
               ++ " or the name of a file as 'pra-tactile sensor --json' prints it"
@@ -153,7 +153,7 @@ readSensor name = case find ((== name) . presetName) [minBound ..] of
 usableTaxel :: Double -> IO Double
 usableTaxel taxel
   | isTaxelPitch taxel = pure taxel
-  | otherwise = unusable (rangeText "--taxel, a number of millimetres," taxelPitches)
+  | otherwise = misused (rangeText "--taxel, a number of millimetres," taxelPitches)
 
 -- | @--turn DEGREES@, with its help.
 angleOption :: String -> Parser Double

@@ -59,8 +59,8 @@ run options = do
   case (listed options, commandGiven options) of
     (True, []) ->
       Answered <$ printAs (form options) (listText settings suite) (listJson settings suite)
-    (True, _) -> unusable "--list runs no command; leave it out"
-    (False, []) -> unusable "name the command to put under the suite, as in: conform -- ./decoder"
+    (True, _) -> misused "--list runs no command; leave it out"
+    (False, []) -> misused "name the command to put under the suite, as in: conform -- ./decoder"
     (False, program : arguments) -> do
       for_ (junit options) orUnwritable
       report <- endingInOrder (conformed options settings suite (Command program arguments))
@@ -119,7 +119,7 @@ replayed :: Settings -> Suite Known -> Token -> Subject -> IO Report
 replayed settings suite token subject = do
   outcome <- replay settings suite token subject
   case outcome of
-    Nothing -> unusable ("--replay: there is no law " ++ visible (tokenLaw token))
+    Nothing -> misused ("--replay: there is no law " ++ visible (tokenLaw token))
     Just (Left why) -> unusable (formatMessage "the token's case" "a case of its law" why)
     Just (Right report) -> pure report
 

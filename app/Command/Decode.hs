@@ -155,9 +155,9 @@ toleranceComplaint tolerated
 
 run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options
-  | Just complaint <- toleranceComplaint (tolerance options) = unusable complaint
+  | Just complaint <- toleranceComplaint (tolerance options) = misused complaint
   | picture options == Just standardOutput && form options == AsJson =
-    unusable "--picture - and --json both take the standard output; name a file for the picture"
+    misused "--picture - and --json both take the standard output; name a file for the picture"
   | otherwise = do
     for_ (picture options) orNotSvg
     profile <- chosenProfile choice
@@ -166,7 +166,7 @@ run choice options
     let several = not (null (drop 1 found))
     when
       (several && picture options /= Nothing)
-      (unusable "--picture draws one composite; give one source")
+      (misused "--picture draws one composite; give one source")
     known <- preparation (frames options)
     composites <- loadSources known (stitching options) found
     case sharing options of
@@ -174,7 +174,7 @@ run choice options
       EachItsOwn -> do
         unless
           (null (places options))
-          (unusable "--at is for whole images that are decoded --together")
+          (misused "--at is for whole images that are decoded --together")
         fmap (maximum . (Answered :)) . for (zip (map sourcePath found) composites) $
           \(path, composite) -> do
             when (several && form options == AsText) (putStrLn (visibleName path ++ ":"))
@@ -197,7 +197,7 @@ placed :: [(Double, Double)] -> [(SourcePath, Composite)] -> IO [Composite]
 placed given found
   | wholeImages == length given = pure (go given found)
   | otherwise =
-    unusable
+    misused
       ( show wholeImages
           ++ " whole images are decoded together, and --at is given "
           ++ show (length given)

@@ -100,12 +100,12 @@ allForeign options = foreignPresses options <|> foreignArrayPresses options
 
 run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options
-  | presses options < 1 = unusable "--presses is a number from 1 up"
-  | Just complaint <- toleranceComplaint (tolerance options) = unusable complaint
+  | presses options < 1 = misused "--presses is a number from 1 up"
+  | Just complaint <- toleranceComplaint (tolerance options) = misused complaint
   | not (all (\share -> share >= 0 && share <= 1) (foreignPresses options)) =
-    unusable "--foreign is a share from 0 to 1"
+    misused "--foreign is a share from 0 to 1"
   | not (all (>= 0) arrays && all (<= fromMaybe 1 (foreignPresses options)) arrays) =
-    unusable "--foreign-arrays is a share from 0 to that of --foreign"
+    misused "--foreign-arrays is a share from 0 to that of --foreign"
   | otherwise = do
     simulated <- chosenSensor (sensor options)
     profile <- chosenProfile choice

@@ -132,17 +132,17 @@ turningOption =
 
 run :: ArrayChoice -> Maybe Surface -> Options -> IO ExitStatus
 run choice surface options
-  | not (doubt options >= 0 && doubt options < 1) = unusable "--doubt is a probability below 1"
+  | not (doubt options >= 0 && doubt options < 1) = misused "--doubt is a probability below 1"
   | any (\p -> not (p >= 0 && p < 1)) (foreignThings options) =
-    unusable "--foreign is a probability below 1"
+    misused "--foreign is a probability below 1"
   | Just _ <-
       decoder options,
     UpTo _ <- radius options =
-    unusable
+    misused
       "--road finds positions at which all cells agree; leave it out to correct errors with \
       \--radius"
   | Just words'@(_ : _ : _) <- source options =
-    unusable
+    misused
       ("a patch is one argument; write it between quotation marks: '" ++ unwords words' ++ "'")
   | otherwise = do
     profile <- chosenProfile choice

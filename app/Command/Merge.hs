@@ -49,7 +49,7 @@ run files damage output form = do
   for_ output $ \file -> do
     inputs <- filterM (sameFile file) files
     for_ (take 1 inputs) $ \input ->
-      unusable
+      misused
         ( "the output "
             ++ file
             ++ " is the shard "

@@ -64,13 +64,13 @@ run choice options = do
   profile <- chosenProfile choice
   layout <- placementFor profile
   case (at options, write options) of
-    (Just _, Just _) -> unusable "--at asks and --write writes; give one of them"
+    (Just _, Just _) -> misused "--at asks and --write writes; give one of them"
     (Just position, Nothing) -> lookUp profile layout options position
     (Nothing, Just "-") ->
-      unusable "a database cannot be written to the standard output; name a file"
+      misused "a database cannot be written to the standard output; name a file"
     (Nothing, Just _)
       | Just _ <- database options ->
-        unusable "--write makes a database and --database asks one; give one of them"
+        misused "--write makes a database and --database asks one; give one of them"
     (Nothing, Just file) -> do
       create file (profileText profile) layout >>= orUnusable storeMessage
       sayWrittenAs (form options) file "" "objects-written/1" mempty

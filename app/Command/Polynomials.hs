@@ -74,7 +74,7 @@ largestDegree = 10000
 run :: FieldChoice -> Natural -> PolynomialKind -> Wanted -> AnswerForm -> IO ExitStatus
 run choice n kind what form
   | n < 1 || n > largestDegree =
-    unusable ("the degree is " ++ show n ++ "; it must be 1 to " ++ show largestDegree)
+    misused ("the degree is " ++ show n ++ "; it must be 1 to " ++ show largestDegree)
   | otherwise = withChosenField choice $ \k -> case search k n kind what of
     Left why -> refused why
     Right found ->

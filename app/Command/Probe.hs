@@ -153,7 +153,7 @@ turnsOption =
 run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options
   | any (not . (< 1e6) . abs) [fst (origin options), snd (origin options)] =
-    unusable "--origin is a place in millimetres"
+    misused "--origin is a place in millimetres"
   | otherwise = do
     simulated <- chosenSensor (sensor options)
     let how =
@@ -178,9 +178,9 @@ run choice options
 -- | Write so many calibration frames.
 calibrating :: Options -> Sensor -> Int -> (Int -> [Frame]) -> IO ExitStatus
 calibrating options simulated count frames
-  | count < 1 || count > 10000 = unusable "--dark and --flat are numbers of frames from 1 to 10000"
+  | count < 1 || count > 10000 = misused "--dark and --flat are numbers of frames from 1 to 10000"
   | truthFile options /= Nothing || announced options == Announced =
-    unusable "calibration frames have no true place; leave out --truth and --tell"
+    misused "calibration frames have no true place; leave out --truth and --tell"
   | otherwise = Answered <$ writeFrames options simulated (frames count)
 
 -- | Press a face of the object; write the frames, and the truth as far as that is asked for.

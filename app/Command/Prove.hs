@@ -90,8 +90,8 @@ ofFile file choice drawn on = do
     (Just mask, Nothing) -> pure mask
     (Nothing, Just shape) -> orUnusable windowMessage (rectangle shape)
     (Nothing, Nothing) ->
-      unusable "say what a window of the file is: --window ROWSxCOLUMNS or --mask DRAWING"
-    (Just _, Just _) -> unusable "--mask already says what a window is; leave out --window"
+      misused "say what a window of the file is: --window ROWSxCOLUMNS or --mask DRAWING"
+    (Just _, Just _) -> misused "--mask already says what a window is; leave out --window"
   grid <- readGrid q file
   found <- orUnusable proofMessage (proveGrid (fromMaybe Torus on) grid mask)
   pure (Result (OfFile (nameInJson file) grid) mask found Nothing)

@@ -98,9 +98,9 @@ optionsParser =
 
 run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options
-  | trials options < 1 = unusable "--trials is a number from 1 up"
+  | trials options < 1 = misused "--trials is a number from 1 up"
   | any (\s -> not (s >= 0 && s < 100)) (erasures options) =
-    unusable "--erasures is a share from 0 to below 100 per cent"
+    misused "--erasures is a share from 0 to below 100 per cent"
   | otherwise = do
     for_ (plot options) orNotSvg
     profile <- chosenProfile choice
@@ -169,7 +169,7 @@ lineAs how l = case how of
 -- | All lines, size by size.
 settingsOf :: KnownField k => Options -> Locator k -> IO [Setting k]
 settingsOf options theLocator = do
-  unless (all (\p -> p >= 0 && p < chance) (errors options)) (unusable tooWrong)
+  unless (all (\p -> p >= 0 && p < chance) (errors options)) (misused tooWrong)
   concat <$> for (sizes options) withSize
   where
     withSize size = do

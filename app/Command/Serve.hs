@@ -50,7 +50,7 @@ command =
 run :: Options -> IO ExitStatus
 run options
   | listed options = Answered <$ printAs (form options) text json
-  | form options == AsJson = unusable "--json is for --impostors; replies are JSON anyway"
+  | form options == AsJson = misused "--json is for --impostors; replies are JSON anyway"
   | otherwise = Answered <$ answer (maybe library impostorMade (impostor options)) stdin stdout
   where
     answer = if once options then serveOnce else serve

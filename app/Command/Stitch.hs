@@ -75,10 +75,10 @@ run ::
 run stitching choice asked folder output report form = do
   when
     (output == Nothing && report == Nothing && form == AsText)
-    (unusable "there is nothing to do: give --output FILE, --report FILE.svg, or --json")
+    (misused "there is nothing to do: give --output FILE, --report FILE.svg, or --json")
   when
     (report == Just standardOutput && form == AsJson)
-    (unusable "--report - and --json both take the standard output; name a file for the picture")
+    (misused "--report - and --json both take the standard output; name a file for the picture")
   for_ report orNotSvg
   encoder <- traverse encoderFor output
   known <- preparation choice
@@ -116,4 +116,4 @@ encoderFor :: FilePath -> IO (Raster -> Either ImageError Lazy.ByteString)
 encoderFor output = case map toLower (takeExtension output) of
   ".pgm" -> pure (fmap (Lazy.fromStrict . encodePgm Binary) . pgmFromIntensity 255)
   ".png" -> pure (Right . rasterPng)
-  _ -> unusable ("cannot tell the form of " ++ output ++ "; end its name in .pgm or .png")
+  _ -> misused ("cannot tell the form of " ++ output ++ "; end its name in .pgm or .png")

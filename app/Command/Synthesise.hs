@@ -43,7 +43,7 @@ run q modulusGiven form = do
   let modulus = fromMaybe usual modulusGiven
   when
     (length (take (length usual + 1) modulus) /= length usual)
-    (unusable ("the modulus of GF(" ++ show q ++ ") has degree " ++ show (length usual - 1)))
+    (misused ("the modulus of GF(" ++ show q ++ ") has degree " ++ show (length usual - 1)))
   found <-
     orUnusable id =<< orUnusable fieldMessage (withField p modulus (\k -> search k q symbols))
   printAs form (foundText found) (encodeSynthesis found)

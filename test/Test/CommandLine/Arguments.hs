@@ -46,6 +46,33 @@ argumentsSpec = describe "arguments" $ do
           _ -> others `shouldSatisfy` (`elem` [[], ["--", "--nothing", "x", "y"]])
     for_ (words "decode check stitch compare") $ \name ->
       pra [name] >>= (`refuses` ("--help'" :: String))
+  it "so is what is wrong with several together, or with a value that could be read" $
+    for_
+      [ "evaluate --presses 0",
+        "rates --trials 0",
+        "locate --doubt 2 3",
+        "locate 3 2 / 3 1",
+        "table --q 3",
+        "prove array.csv",
+        "polynomials --q 2 --degree 0",
+        "synthesise --q 2 --modulus 1,1,1",
+        "probe --object cube --seed 1 --noise=-1 --output out",
+        "probe --dark 0 --seed 1 --output out",
+        "stitch frames",
+        "stitch frames --output out.jpg",
+        "decode a.pgm --picture - --json",
+        "decode a.pgm --picture out.png",
+        "objects --at 1,1 --write out",
+        "merge README.md --output README.md",
+        "conform",
+        "conform --list -- true",
+        "conform --run no-such-law -- true",
+        "serve --json"
+      ]
+      $ \line -> do
+        outcome@(_, _, err) <- praWith (words line) "0 1"
+        outcome `refuses` ("; try 'pra-tactile " ++ takeWhile (/= ' ') line ++ " --help'")
+        (line, "--help'\n" `isSuffixOf` err) `shouldBe` (line, True)
   it "an empty one names no file or folder, whatever it would be for" $ do
     for_ commandsOfHelp $ \(Command name options arguments) -> do
       let paths =
