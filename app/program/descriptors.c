@@ -23,12 +23,11 @@ __attribute__((constructor)) static void reopen_closed_descriptors(void)
 
 __attribute__((constructor)) static void keep_ignored_signals(void)
 {
-    const int asked[3] = { SIGINT, SIGTERM, SIGHUP };
     sigemptyset(&ignored);
-    for (int i = 0; i < 3; i++) {
+    for (int number = 1; number < NSIG; number++) {
         struct sigaction found;
-        if (sigaction(asked[i], NULL, &found) == 0 && found.sa_handler == SIG_IGN)
-            sigaddset(&ignored, asked[i]);
+        if (sigaction(number, NULL, &found) == 0 && found.sa_handler == SIG_IGN)
+            sigaddset(&ignored, number);
     }
 }
 
