@@ -30,6 +30,7 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
 import Data.Word (Word16)
+import PraTactile.FileName (isFileName)
 import PraTactile.Image (Raster, rasterSize)
 import PraTactile.Image.Error (ImageError)
 import PraTactile.Image.Pgm (PgmFormat (..), decodePgm, encodePgm, pgmFromIntensity, pgmIntensity)
@@ -51,7 +52,7 @@ data Folder = Folder
 -- | Why a source holds no frames.
 data SourceError
   = -- | The manifest names this file, which is not one of its folder: the path is absolute, has a
-    -- @..@ in it, or is no file's name at all ('isFileName').
+    -- @..@ in it, or is no file's name at all: empty, or with a NUL in it.
     ImageElsewhere FilePath
   | -- | The manifest names this file, and it is not among the folder's images.
     ImageAbsent FilePath

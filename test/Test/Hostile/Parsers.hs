@@ -31,6 +31,7 @@ import PraTactile.Conformance.Serve (replyOnce)
 import PraTactile.Conformance.Wire.Line (longestLine, readLine)
 import PraTactile.Explore (Region (..), regionCorner)
 import PraTactile.Field
+import PraTactile.FileName (isFileName)
 import PraTactile.Format
 import PraTactile.Format.Profile (profileText)
 import PraTactile.Grid (gridRows)

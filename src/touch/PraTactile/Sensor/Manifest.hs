@@ -7,7 +7,6 @@ module PraTactile.Sensor.Manifest
     Manifest (..),
     listing,
     Entry (..),
-    isFileName,
     manifestName,
     jsonManifestName,
 
@@ -51,6 +50,7 @@ import Data.Text (Text)
 import qualified Data.Text as T
 import Data.Text.Encoding (decodeUtf8')
 import qualified Data.Vector as V
+import PraTactile.FileName (isFileName)
 import PraTactile.Sensor.Frame (Pose (..), taxelPitch)
 
 -- | One line: the frame's PGM file, relative to the manifest's folder; the pose and the force of
@@ -127,11 +127,6 @@ alongAxes (Axes swapped a b) (Pose first second r)
   where
     u = if a then negate first else first
     v = if b then negate second else second
-
--- | Whether a text can be a file's name: it is not empty, and has no NUL, at which the system would
--- end it.
-isFileName :: FilePath -> Bool
-isFileName name = not (null name) && '\0' `notElem` name
 
 -- | Why a manifest is refused. Lines count from 1, the header's.
 data ManifestError

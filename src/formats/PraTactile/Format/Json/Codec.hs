@@ -64,10 +64,10 @@ import qualified Data.Set as Set
 import qualified Data.Text as Text
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.FileName (isFileName)
 import PraTactile.Format.Error
 import PraTactile.Format.Json
 import PraTactile.Format.Json.Strict
-import PraTactile.Sensor.Manifest (isFileName)
 
 -- | From a JSON value to what it stands for.
 type FromValue a = Value -> Either FormatError a
