@@ -109,7 +109,7 @@ spec = do
     let under = [("one", possible), ("two", other)]
         failure = either Just (const Nothing)
     failure (standardSuite (under ++ [("three", impossible), ("four", impossible)]))
-      `shouldBe` Just ("three", Refusal "impossible-profile")
+      `shouldBe` Just ("three", NoArray)
     suite <- either (fail . noSuiteText) pure (standardSuite under)
     suiteProfiles suite `shouldBe` under
     map (fmap knownProfile . suiteAbout suite) [possible, other, third, impossible]

@@ -5,6 +5,8 @@
 -- this library; it is the second road to every answer.
 module PraTactile.Conformance.Definition
   ( Known,
+    Unknown (..),
+    unknownText,
     known,
     knownProfile,
     expected,

@@ -17,7 +17,7 @@ import PraTactile.Profile (Profile)
 
 -- | All laws under these profiles, by their names. 'Left' with the name of one of which the
 -- definition knows nothing, and why that is ('known').
-standardSuite :: [(String, Profile)] -> Either (String, Refusal) (Suite Known)
+standardSuite :: [(String, Profile)] -> Either (String, Unknown) (Suite Known)
 standardSuite profiles = suite <$> traverse possible profiles
   where
     possible (name, profile) =
@@ -37,13 +37,8 @@ standardSuite profiles = suite <$> traverse possible profiles
         }
 
 -- | Why there is no suite about such a profile.
-noSuiteText :: (String, Refusal) -> String
-noSuiteText (name, Refusal reason) =
-  name ++ ": " ++ case reason of
-    "too-large" ->
-      "this profile's array has more than 2^20 cells; the definition, which answers are held \
-      \against, is too slow for it"
-    _ -> "this profile describes no array"
+noSuiteText :: (String, Unknown) -> String
+noSuiteText (name, why) = name ++ ": " ++ unknownText why
 
 -- | What the definition answers, as a reply of the protocol.
 answered :: Known -> SomeQuestion -> Reply

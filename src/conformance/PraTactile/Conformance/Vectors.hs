@@ -101,7 +101,7 @@ data Prepared = Prepared Known Session
 -- | Prepare them. 'Left' is the reason why the profile is refused.
 prepare :: Profile -> IO (Either String Prepared)
 prepare profile = case known profile of
-  Left refusal -> pure (Left (refusalReason refusal))
+  Left why -> pure (Left (unknownText why))
   Right k -> do
     opened <- runExceptT (open library profile)
     pure (either (Left . refusalReason) (Right . Prepared k) opened)

@@ -152,13 +152,13 @@ spec = do
             `shouldBe` (asked, c, d, (c, d) == (count, dimension))
   it "windows and masks have 1 to 4096 cells, arrays at most 2^20" $ do
     Just paper <- pure (lookup "paper" defaultProfiles)
-    let why' answer = either (Just . refusalReason) (const Nothing) answer
+    let why' answer = either Just (const Nothing) answer
         sized shape = why' (known paper {profileWindow = shape})
     map sized [Shape 64 64, Shape 4096 1, Shape 1 1] `shouldBe` [Nothing, Nothing, Nothing]
     map sized [Shape 4097 1, Shape 64 65, Shape 0 5, Shape 5 0]
-      `shouldBe` replicate 4 (Just "impossible-profile")
+      `shouldBe` replicate 4 (Just NoArray)
     Right about <- pure (known paper)
-    let asked mask = why' (expected about (Prove mask))
+    let asked mask = refusalReason <$> why' (expected about (Prove mask))
     asked [replicate 4096 '#'] `shouldBe` Nothing
     asked [replicate 4097 '#'] `shouldBe` Just "invalid"
     asked (replicate 64 (replicate 64 '#')) `shouldBe` Nothing
@@ -175,8 +175,8 @@ spec = do
               profileShape = Shape 1 (2 ^ n - 1),
               profileWindow = Shape 1 (fromIntegral n)
             }
-        why n = either refusalReason (const "") (known (long n))
-    map why [20, 21, 22] `shouldBe` ["impossible-profile", "too-large", "too-large"]
+    map (why' . known . long) [20, 21, 22]
+      `shouldBe` [Just NoArray, Just TooManyCells, Just TooManyCells]
   where
     -- What one term is decides only if its coefficient is not 0; of two others in a period the
     -- differences may be as often as before, and it may be the same one a step further; a distance

@@ -2,6 +2,8 @@
 module PraTactile.Conformance.Definition.Array
   ( -- * What is known under a profile
     Known (..),
+    Unknown (..),
+    unknownText,
     known,
     withTerms,
     recurrence,
@@ -26,7 +28,6 @@ import Numeric.Natural (Natural)
 import PraTactile.Array (Folding (..), Shape (..), Surface (..))
 import PraTactile.Conformance.Definition.Field
 import PraTactile.Conformance.Definition.Polynomial
-import PraTactile.Conformance.Question (Refusal (..))
 import PraTactile.Profile (Profile (..), Reading (..))
 
 -- | All that follows from a profile; each part is made when first used.
@@ -45,9 +46,24 @@ data Known = Known
     positions :: [(Int, Int)]
   }
 
--- | What is known under a profile. Refuses as @impossible-profile@ what describes no array, and as
--- @too-large@ arrays of more than 2^20 cells, which the definition is too slow for.
-known :: Profile -> Either Refusal Known
+-- | Why nothing is known under a profile.
+data Unknown
+  = -- | It describes no array.
+    NoArray
+  | -- | Its array has more than 2^20 cells, which the definition is too slow for.
+    TooManyCells
+  deriving stock (Eq, Show)
+
+-- | The same in words.
+unknownText :: Unknown -> String
+unknownText why = case why of
+  NoArray -> "this profile describes no array"
+  TooManyCells ->
+    "this profile's array has more than 2^20 cells; the definition, which answers are held \
+    \against, is too slow for it"
+
+-- | What is known under a profile.
+known :: Profile -> Either Unknown Known
 known profile = do
   f <- maybe impossible Right (field (toInteger q) (map toInteger (profileModulus profile)))
   need (all (< q) (profilePolynomial profile ++ profileState profile))
@@ -55,7 +71,7 @@ known profile = do
       state = profileState profile
       n = degreeOf stated
   need (n >= 1 && n1 * n2 == q ^ n - 1)
-  if n1 * n2 > 2 ^ (20 :: Int) then Left (Refusal "too-large") else Right ()
+  if n1 * n2 > 2 ^ (20 :: Int) then Left TooManyCells else Right ()
   need (isPrimitive f stated && length state == n && any (/= 0) state)
   need (profileFolding profile == RowMajor || gcd n1 n2 == 1)
   need (windowCells >= 1 && windowCells <= 4096)
@@ -67,7 +83,7 @@ known profile = do
     q = profileOrder profile
     Shape n1 n2 = profileShape profile
     windowCells = rows (profileWindow profile) * columns (profileWindow profile)
-    impossible = Left (Refusal "impossible-profile")
+    impossible = Left NoArray
     below side size = [0 .. side size - 1]
     need holds = if holds then Right () else impossible
 

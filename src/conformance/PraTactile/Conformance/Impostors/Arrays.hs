@@ -14,7 +14,7 @@ import Control.Monad.Trans.Except (except)
 import qualified Data.Vector.Unboxed as Vector
 import Numeric.Natural (Natural)
 import PraTactile.Array (Folding (..), Shape (..), Surface (..), area, naturalSurface)
-import PraTactile.Conformance.Definition (expected, known)
+import PraTactile.Conformance.Definition (expected)
 import PraTactile.Conformance.Definition.Array (Known (..), recurrence, sequenceOf, withTerms)
 import PraTactile.Conformance.Definition.Field (negation)
 import PraTactile.Conformance.Implementation
@@ -137,7 +137,7 @@ proofImpostors =
       $ \k right question -> case question of
         Prove _ -> do
           let p = knownProfile k
-          own <- except (known p {profileSurface = naturalSurface (profileFolding p)})
+          own <- knownUnder p {profileSurface = naturalSurface (profileFolding p)}
           except (expected own question)
         _ -> right question,
     answeringOtherwise "fills-the-mask" "takes the rectangle around a mask for the mask" $

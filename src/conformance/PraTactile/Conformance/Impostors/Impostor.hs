@@ -7,6 +7,7 @@ module PraTactile.Conformance.Impostors.Impostor
   ( Impostor (..),
     RightAnswers,
     definition,
+    knownUnder,
 
     -- * Edits
     answeringOtherwise,
@@ -18,7 +19,7 @@ module PraTactile.Conformance.Impostors.Impostor
   )
 where
 
-import Control.Monad.Trans.Except (except)
+import Control.Monad.Trans.Except (except, withExceptT)
 import Data.Aeson (Value)
 import PraTactile.Conformance.Definition
 import PraTactile.Conformance.Implementation
@@ -43,7 +44,15 @@ type RightAnswers = forall a. Question a -> Wire a
 
 -- | The definition as an implementation. Touch, which has none, is this library's.
 definition :: Implementation
-definition = library {open = fmap (\k -> answering (defined k)) . except . known}
+definition = library {open = fmap (\k -> answering (defined k)) . knownUnder}
+
+-- | What is known under a profile, or its refusal.
+knownUnder :: Profile -> Wire Known
+knownUnder = withExceptT (Refusal . reason) . except . known
+  where
+    reason why = case why of
+      NoArray -> "impossible-profile"
+      TooManyCells -> "table-too-large"
 
 defined :: Known -> Question a -> Wire a
 defined k = except . expected k
@@ -89,4 +98,4 @@ under name mistake edit = knowing name mistake other
     other k = either (const k) id (known (edit (knownProfile k)))
 
 edited :: String -> String -> (Known -> Session) -> Impostor
-edited name mistake made = Impostor name mistake [] definition {open = fmap made . except . known}
+edited name mistake made = Impostor name mistake [] definition {open = fmap made . knownUnder}
