@@ -174,6 +174,13 @@ extremes question@(SomeQuestion typed) =
         input <- others (naturalValue size) (questionInput typed)
     ]
   where
+    -- The profile of an array over GF(2), given which coefficients are 1.
+    binary :: [Int] -> Shape -> Shape -> IO Object
+    binary taps shape window = do
+      let coefficients = [if i `elem` taps then 1 else 0 | i <- [0 .. maximum taps]]
+          choice = (profileChoice 2 coefficients shape) {chosenWindow = Just window}
+      Right made <- pure (chooseProfile choice)
+      pure (KeyMap.singleton "profile" (profileValue made))
     others size value = case value of
       Number _ -> [size]
       Array items -> Array <$> one (others size) items
@@ -235,3 +242,7 @@ strange =
     stop = "{\"command\": \"stop\"}"
     unknown = "{\"command\": \"wait\"}"
     err = "{\"errored\":"
+    ),
+    ( "a reply of more than a mebibyte is refused, whatever it is, and the next one sent",
+      ["{\"command\": \"run\", \"sequence\": 5, " ++ long ++ "}", start],
+      ["{\"sequence\":5,\"refused\":\"too-long\"}", "{\"prot"]

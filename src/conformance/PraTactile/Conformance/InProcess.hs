@@ -12,13 +12,12 @@ where
 import Control.Exception
 import Control.Monad.Trans.Except (runExceptT)
 import Data.Aeson (Value (Bool), encode)
-import qualified Data.ByteString.Lazy as Lazy
 import Data.IORef
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Subject
 import PraTactile.Conformance.Wire
-import PraTactile.Conformance.Wire.Line (longestLine)
+import PraTactile.Conformance.Wire.Line (lineHolds)
 import PraTactile.Profile (Profile)
 
 -- | The session of the profile in force, if one is.
@@ -38,7 +37,10 @@ inProcess implementation = do
         subjectProfile = guarded . putInForce implementation force,
         subjectAsk =
           upToFault
-            . map (\(SomeQuestion asked) -> guarded (answerIn implementation force asked)),
+            . map
+              ( \(SomeQuestion asked) ->
+                  guarded (answerIn implementation force asked >>= computed)
+              ),
         subjectBatch = 64,
         subjectUnknown = [],
         subjectChecks = []
@@ -54,23 +56,23 @@ putInForce implementation force profile' = do
     Right made -> ResponseResult (Bool True) <$ writeIORef force (Just made)
 
 -- | The answer of the session in force, or, to a question about touch, which needs none, that of
--- the implementation, computed to its end; or as far as a line of the protocol goes, if that has no
--- room for it and it is refused.
+-- the implementation.
 answerIn :: Implementation -> Force -> Question a -> IO Response
 answerIn implementation force question
   | operationOf question `elem` touchOperations = answered (touch implementation)
   | otherwise = readIORef force >>= maybe none answered
   where
     none = pure (ResponseErrored "no profile is in force")
-    answered session = do
-      got <- runExceptT (answerTo session question)
-      case got of
-        Left why -> ResponseRefused <$> evaluated why
-        Right a -> do
-          let value = answerValue question a
-          fits <- evaluate (Lazy.null (Lazy.drop (fromIntegral longestLine) (encode value)))
-          pure (if fits then ResponseResult value else ResponseRefused "too-long")
-    evaluated why = let reason = refusalReason why in evaluate (length reason) >> pure reason
+    answered session =
+      either (ResponseRefused . refusalReason) (ResponseResult . answerValue question)
+        <$> runExceptT (answerTo session question)
+
+-- | A response that is computed to its end; or as far as a line of the protocol goes, if that has
+-- no room for it and it is refused.
+computed :: Response -> IO Response
+computed response = do
+  fits <- evaluate (lineHolds (encode (snd (responseItem response))))
+  pure (if fits then response else ResponseRefused "too-long")
 
 guarded :: IO a -> IO (Either Fault a)
 guarded action = (Right <$> action) `catches` [Handler asynchronous, Handler (pure . Left . crash)]

@@ -26,7 +26,7 @@ import PraTactile.Conformance.InProcess
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Subject (Response (..), responseItem)
 import PraTactile.Conformance.Wire (readWhole)
-import PraTactile.Conformance.Wire.Line (longestLine, readLine)
+import PraTactile.Conformance.Wire.Line (lineHolds, longestLine, readLine)
 import PraTactile.Format.Json.Codec (readValue)
 import PraTactile.Format.Profile (profileCodec)
 import System.IO
@@ -85,7 +85,10 @@ replying reply input output = go
 
 -- | An object as a line.
 line :: Series -> Lazy.ByteString
-line keys = encodingToLazyByteString (pairs keys) <> "\n"
+line keys = object' keys <> "\n"
+
+object' :: Series -> Lazy.ByteString
+object' = encodingToLazyByteString . pairs
 
 -- | The reply to a line; 'Nothing' to @stop@.
 replyTo :: Implementation -> Force -> ByteString -> IO (Maybe Lazy.ByteString)
@@ -168,10 +171,10 @@ replyOnce implementation = either (pure . line . errored) once . requestIn
 -- refused.
 numbered :: Object -> Series -> Lazy.ByteString
 numbered request reply
-  | Lazy.length whole <= fromIntegral longestLine + 1 = whole
+  | lineHolds whole = whole <> "\n"
   | otherwise = line (repeated <> responseKeys (ResponseRefused "too-long"))
   where
-    whole = line (repeated <> reply)
+    whole = object' (repeated <> reply)
     repeated = case KeyMap.lookup "sequence" request of
       Just number | Just _ <- readWhole number -> "sequence" .= number
       _ -> mempty

@@ -6,12 +6,14 @@ module PraTactile.Conformance.Wire.Line
   ( readLine,
     mostDigits,
     longestLine,
+    lineHolds,
   )
 where
 
 import Data.Aeson (Value)
 import Data.ByteString.Char8 (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
+import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isDigit)
 import PraTactile.Format.Error (JsonError)
 import PraTactile.Format.Json.Strict (closing, readJsonWith)
@@ -29,6 +31,10 @@ mostDigits = 4096
 -- | How many bytes a line may have: 1 MiB.
 longestLine :: Int
 longestLine = 1024 * 1024
+
+-- | Whether a line has room for a text, which is made no further than that.
+lineHolds :: Lazy.ByteString -> Bool
+lineHolds = Lazy.null . Lazy.drop (fromIntegral longestLine)
 
 -- | The text with another 0 behind the fraction of each number whose exponent makes it whole by as
 -- many places as its fraction has: 20e-1 is not 2.
