@@ -8,11 +8,13 @@ import qualified Data.Aeson.KeyMap as KeyMap
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.ByteString.Lazy.Char8 as Lazy.Char8
+import Data.Char (isDigit)
 import Data.Foldable (for_, toList)
 import Data.Function (on)
 import Data.List (isPrefixOf, mapAccumL, nubBy)
 import Data.Maybe (listToMaybe)
 import qualified Data.Text as Text
+import Data.Traversable (for)
 import Numeric.Natural (Natural)
 import PraTactile.Conformance.Implementation (Implementation (implementationName))
 import PraTactile.Conformance.Impostors
@@ -27,7 +29,7 @@ import PraTactile.Conformance.Wire.Line (longestLine)
 import PraTactile.Format.Json (naturalValue)
 import PraTactile.Format.Profile (profileValue)
 import PraTactile.Position (Shape (..))
-import PraTactile.Profile (canonicalProfile, chooseProfile, profileChoice)
+import PraTactile.Profile (ProfileChoice (..), canonicalProfile, chooseProfile, profileChoice)
 import System.FilePath ((</>))
 import System.IO (IOMode (..), withBinaryFile)
 import Test.CommandLine.Run
@@ -112,17 +114,24 @@ spec = do
       withinBounds (replyTo question) `shouldReturn` Right tooLong
   it "an array in which no place can be found has its cells and its windows all the same" $ do
     -- x^34 + x^7 + x^6 + x^5 + x^2 + x + 1, and windows of 2 x 17
-    let taps = [fromEnum (i `elem` [0, 1, 2, 5, 6, 7, 34]) | i <- [0 .. 34 :: Int]]
-        choice = profileChoice 2 (map fromIntegral taps) (Shape 3 5726623061)
-    Right large <- pure (chooseProfile choice)
-    let under = KeyMap.singleton "profile" (profileValue large)
-        nowhere = "{\"refused\":\"table-too-large\"}\n"
+    under <- binary [0, 1, 2, 5, 6, 7, 34] (Shape 3 5726623061) (Shape 2 17)
+    let nowhere = "{\"refused\":\"table-too-large\"}\n"
     for_
       [ (SomeQuestion (Cell 0 33), "{\"result\":1}\n"),
         (SomeQuestion (Locate (replicate 2 (replicate 17 (Just 1)))), nowhere),
         (SomeQuestion (Nearest Nothing [[Just 1]]), nowhere)
       ]
       $ \(question, reply) -> replyOnce library (requestOf under question) `shouldReturn` reply
+  it "of an array of 2^20 cells all probabilities are too long; those that are not 0 are told" $ do
+    -- x^20 + x^3 + 1
+    under <- binary [0, 3, 20] (Shape 1023 1025) (Shape 10 2)
+    let asked = replyOnce library . requestOf under . SomeQuestion
+        seen = read . filter isDigit . Lazy.Char8.unpack :: Lazy.ByteString -> Natural
+    withinBounds (asked (Posterior [[Unfelt]]))
+      `shouldReturn` Right "{\"refused\":\"too-long\"}\n"
+    cells <- for [7 .. 16] $ \r -> for [5, 6] (fmap seen . asked . Cell r)
+    withinBounds (asked (Posterior (map (map Certainly) cells)))
+      `shouldReturn` Right "{\"result\":[[7,5,1]]}\n"
   it "a reply repeats a whole number as its sequence, and nothing else" $
     for_ [(Number 7, "{\"sequence\":7,\"result\":1}\n"), (longText, "{\"result\":1}\n")] $
       \(number, reply) ->
@@ -151,6 +160,13 @@ spec = do
   where
     replyTo = replyOnce library . requestOf mempty
     growing = [SomeQuestion . Terms 0, SomeQuestion . FirstPrimitive]
+    -- The profile of an array over GF(2), given which coefficients are 1.
+    binary :: [Int] -> Shape -> Shape -> IO Object
+    binary taps shape window = do
+      let coefficients = [if i `elem` taps then 1 else 0 | i <- [0 .. maximum taps]]
+          choice = (profileChoice 2 coefficients shape) {chosenWindow = Just window}
+      Right made <- pure (chooseProfile choice)
+      pure (KeyMap.singleton "profile" (profileValue made))
     longText = String (Text.replicate 170000 "<")
     served = ["pra-tactile", "serve"]
     ofTheCode one = not (any (`elem` touchStages) (impostorTouches one))
@@ -174,13 +190,6 @@ extremes question@(SomeQuestion typed) =
         input <- others (naturalValue size) (questionInput typed)
     ]
   where
-    -- The profile of an array over GF(2), given which coefficients are 1.
-    binary :: [Int] -> Shape -> Shape -> IO Object
-    binary taps shape window = do
-      let coefficients = [if i `elem` taps then 1 else 0 | i <- [0 .. maximum taps]]
-          choice = (profileChoice 2 coefficients shape) {chosenWindow = Just window}
-      Right made <- pure (chooseProfile choice)
-      pure (KeyMap.singleton "profile" (profileValue made))
     others size value = case value of
       Number _ -> [size]
       Array items -> Array <$> one (others size) items
@@ -235,14 +244,15 @@ strange =
     ( "a line of more than a mebibyte is errored, and the next one answered",
       [replicate 1100000 ' ' ++ start, start],
       [err, "{\"prot"]
+    ),
+    ( "a reply of more than a mebibyte is refused, whatever it is, and the next one sent",
+      ["{\"command\": \"run\", \"sequence\": 5, " ++ long ++ "}", start],
+      ["{\"sequence\":5,\"refused\":\"too-long\"}", "{\"prot"]
     )
   ]
   where
     start = "{\"command\": \"start\", \"protocol\": 1}"
     stop = "{\"command\": \"stop\"}"
     unknown = "{\"command\": \"wait\"}"
+    long = "\"operation\": \"" ++ replicate 1048520 'x' ++ "\""
     err = "{\"errored\":"
-    ),
-    ( "a reply of more than a mebibyte is refused, whatever it is, and the next one sent",
-      ["{\"command\": \"run\", \"sequence\": 5, " ++ long ++ "}", start],
-      ["{\"sequence\":5,\"refused\":\"too-long\"}", "{\"prot"]

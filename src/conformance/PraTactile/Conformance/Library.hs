@@ -26,6 +26,7 @@ import PraTactile.Array
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Library.Touch
 import PraTactile.Conformance.Question hiding (Symbol (..))
+import PraTactile.Conformance.Wire.Line (longestLine)
 import PraTactile.Field (GF, KnownField, fieldOrder, fromCode, toCode)
 import qualified PraTactile.Field as Field
 import qualified PraTactile.Field.Structure as Structure
@@ -188,7 +189,8 @@ locatorsOf p array mask = \name -> case name of
     made name = Locate.locator (Just name) (profilePacking p) on mask
     on = ArrayOn (profileSurface p) array
 
--- | The probabilities of positions.
+-- | The probabilities of positions, without those that are 0. Refuses at once what no line has room
+-- for.
 posteriorBy ::
   KnownField k => Locator k -> [[Maybe [Double]]] -> Wire [(Position, Double)]
 posteriorBy made rows = do
@@ -196,9 +198,14 @@ posteriorBy made rows = do
   observed <- orRefuse "invalid" (patch beliefs)
   answer <-
     orRefuse "table-too-large" (Locate.locate made (onePatch (Probabilities <$> observed)))
-  case maybe [] posteriorRanking (answerPosterior answer) of
-    [] -> refuse (reasonName Contradiction)
-    ranking -> pure (map (first candidatePosition) ranking)
+  let possible = takeWhile ((> 0) . snd) (maybe [] posteriorRanking (answerPosterior answer))
+  case drop (longestLine `div` shortest) possible of
+    _ : _ -> refuse "too-long"
+    [] | null possible -> refuse (reasonName Contradiction)
+    [] -> pure (map (first candidatePosition) possible)
+  where
+    -- As [0,0,1], and a comma.
+    shortest = 8
 
 locationOf :: Outcome Candidate -> Wire Location
 locationOf outcome = case outcome of

@@ -16,8 +16,7 @@ module PraTactile.Locate.Decoder.Posterior
   )
 where
 
-import Data.List (sortOn)
-import Data.Ord (Down (..))
+import Data.List (sortBy)
 import qualified Data.Vector.Primitive as Primitive
 import PraTactile.Grid
 import PraTactile.Locate.Answer
@@ -79,10 +78,11 @@ ranked placeAt logs
         posteriorMany = Nothing,
         posteriorEqualDoubt = less / (fromIntegral (length equal) + less),
         posteriorMargin = if count == 1 then Nothing else Just (best - next),
+        -- By their indices: there may be a million places.
         posteriorRanking =
-          sortOn
-            (Down . snd)
-            (zipWith (\i x -> (placeAt i, x / (1 + others))) [0 ..] (Primitive.toList relative)),
+          [ (placeAt i, (relative Primitive.! i) / (1 + others))
+            | i <- sortBy likeliestFirst [0 .. count - 1]
+          ],
         posteriorUnlisted = Nothing,
         posteriorWords = 0
       }
@@ -95,6 +95,7 @@ ranked placeAt logs
     others = Primitive.sum (Primitive.imap (\i x -> if i == bestIndex then 0 else x) relative)
     less = Primitive.sum (Primitive.zipWith (\x y -> if x == best then 0 else y) logs relative)
     equal = [i | (i, x) <- zip [0 ..] (Primitive.toList logs), x == best]
+    likeliestFirst i j = compare (relative Primitive.! j) (relative Primitive.! i)
     next = Primitive.maximum (Primitive.imap (\i x -> if i == bestIndex then -1 / 0 else x) logs)
 
 -- | @decide tolerated found@: the likeliest place, if the probability that it is another one is at
