@@ -132,6 +132,20 @@ spec = do
     cells <- for [7 .. 16] $ \r -> for [5, 6] (fmap seen . asked . Cell r)
     withinBounds (asked (Posterior (map (map Certainly) cells)))
       `shouldReturn` Right "{\"result\":[[7,5,1]]}\n"
+  it "what is not known of a polynomial is refused as not-factored, not denied" $ do
+    let unknown = "{\"refused\":\"not-factored\"}\n"
+        high lead = 1 : replicate 599 0 ++ [lead]
+    -- Over GF(4) to degree 512 factors are looked for.
+    for_
+      [ (FirstPrimitive 513, unknown),
+        (FirstPrimitive 2000, unknown),
+        (FirstPrimitive 0, "{\"refused\":\"invalid\"}\n")
+      ]
+      $ \(question, reply) -> replyTo (SomeQuestion question) `shouldReturn` reply
+    for_ [(high 1, unknown), (high 2, "{\"result\":false}\n")] $ \(codes, reply) ->
+      replyTo (SomeQuestion (Primitive codes)) `shouldReturn` reply
+    under <- binary [0, 1, 1030] (Shape 1 (2 ^ (1030 :: Int) - 1)) (Shape 1 1030)
+    replyOnce library (requestOf under (SomeQuestion (Term 0))) `shouldReturn` unknown
   it "a reply repeats a whole number as its sequence, and nothing else" $
     for_ [(Number 7, "{\"sequence\":7,\"result\":1}\n"), (longText, "{\"result\":1}\n")] $
       \(number, reply) ->

@@ -39,7 +39,8 @@ data Implementation = Implementation
     -- | What it can do. The laws that need anything else are skipped.
     offered :: [Operation],
     -- | Refuses a profile that names no array as @impossible-profile@: a polynomial that is not
-    -- primitive, say, or sides of a diagonal fold that have a common divisor.
+    -- primitive, say, or sides of a diagonal fold that have a common divisor. Where it is not known
+    -- whether it names one, it may be refused as @not-factored@; no law asks for one of that size.
     open :: Profile -> Wire Session,
     -- | What it says to questions about touch, which know no profile; if it has none of these
     -- stages, @answering (const notOffered)@.

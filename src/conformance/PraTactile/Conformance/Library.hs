@@ -34,7 +34,8 @@ import PraTactile.Locate hiding (Posterior, locate, probabilities)
 import qualified PraTactile.Locate as Locate
 import PraTactile.Locate.Patch (completeWindows, observedOffsets)
 import PraTactile.Polynomial
-  ( checkPrimitive,
+  ( PolynomialError (OrderNotFactored),
+    checkPrimitive,
     coefficients,
     polynomial,
     primitiveDegree,
@@ -54,9 +55,19 @@ library =
   Implementation
     { implementationName = "pra-tactile",
       offered = [minBound .. maxBound],
-      open = \p -> orRefuse "impossible-profile" (withProfile p (session p)),
+      open = \p -> either (refuse . unopened) pure (withProfile p (session p)),
       touch = libraryTouch
     }
+
+-- | Why a profile is not opened: it is no array's, or that is not known.
+unopened :: ProfileError -> String
+unopened why = case why of
+  ProfilePolynomial (OrderNotFactored _) -> notFactored
+  _ -> "impossible-profile"
+
+-- | The reason where it is not known whether a polynomial is primitive.
+notFactored :: String
+notFactored = "not-factored"
 
 -- | A session with one array. Patches are looked up in the memory table, or, where windows have so
 -- many possible contents that there is none, compared with every position; arrays of very many
@@ -93,11 +104,16 @@ answers prepared question = case question of
   Logarithm a ->
     element a >>= maybe (refuse "out-of-range") (pure . fromIntegral) . Field.logarithm
   Trace a -> fromElement . Structure.trace Structure.primeSubfield <$> element a
-  Primitive codes ->
-    either (const False) (const True) . checkPrimitive . polynomial <$> traverse element codes
-  FirstPrimitive n -> do
-    h <- orRefuse "invalid" (Polynomial.firstPrimitive n)
-    pure (map fromElement (coefficients (primitivePolynomial (h :: Polynomial.Primitive k))))
+  Primitive codes -> do
+    h <- polynomial <$> traverse element codes
+    case checkPrimitive h of
+      Left (OrderNotFactored _) -> refuse notFactored
+      checked -> pure (isRight checked)
+  FirstPrimitive n -> case Polynomial.firstPrimitive n of
+    Left (OrderNotFactored _) -> refuse notFactored
+    found -> do
+      h <- orRefuse "invalid" found
+      pure (map fromElement (coefficients (primitivePolynomial (h :: Polynomial.Primitive k))))
   Term i -> pure (fromElement (termOf i))
   Terms from count -> do
     let h = arrayPrimitive array

@@ -109,10 +109,11 @@ data Question a where
   -- | the trace to the prime field, a + a^p + a^(p^2) + ...: A + A^2 = 1, thus 1 for 2
   Trace :: Code -> Question Code
   -- | whether a polynomial over the field, constant term first, is primitive: true for
-  -- @3,2,1,0,1@; false for what is not monic, has degree 0 or constant term 0
+  -- @3,2,1,0,1@; false for what is not monic, has degree 0 or constant term 0. It may be refused as
+  -- @not-factored@ where q^n - 1 is so large that its factors are not found; no law asks that
   Primitive :: [Code] -> Question Bool
   -- | the first primitive polynomial of a degree, coefficients being compared from the highest
-  -- degree down: @3,2,1,0,1@ for 4; refuses degree 0 as @invalid@
+  -- degree down: @3,2,1,0,1@ for 4; refuses degree 0 as @invalid@, and as 'Primitive' does
   FirstPrimitive :: Natural -> Question [Code]
   -- | the term s(i) of the sequence, for any i: 1 for 3, and for 258
   Term :: Natural -> Question Code
