@@ -24,6 +24,7 @@ import PraTactile.Registration.Incremental (comparisons, register)
 import PraTactile.Registration.Joint
 import PraTactile.Registration.Lattice.Angle (latticeAngle)
 import PraTactile.Registration.Lattice.Fit (Fits, bySize, fitsAt)
+import PraTactile.Registration.Lattice.Glimpse
 import PraTactile.Registration.Lattice.Template (PaperTables, paperTemplates)
 import PraTactile.Registration.Posterior (Hypothesis)
 import PraTactile.Registration.Residual (residual)
@@ -122,9 +123,9 @@ arrange method settings frames = case (method, paperTemplates) of
       size <- listToMaybe sizes
       latticeAngle
         (at tables)
-        (uncurry spectra size)
+        (uncurry spectra (glimpseSize size))
         (tilt (map compositeOf (spacedOut tiltFrames (map snd frames))))
-        (map snd frames)
+        (map (glimpse . snd) frames)
     jointly :: Fits -> Arrangement
     jointly fits =
       arranged

@@ -1,6 +1,7 @@
 -- | By which method frames are registered, and what is told of them then.
 module Test.Touch.Registration.WhichMethod (spec) where
 
+import Control.Exception (evaluate)
 import Data.Foldable (for_)
 import PraTactile.Composite.Noise
 import PraTactile.Image
@@ -8,9 +9,11 @@ import PraTactile.Registration.AllPairs (registerPairwise)
 import PraTactile.Registration.Arrangement
 import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Incremental (register)
+import PraTactile.Registration.Lattice.Glimpse
 import PraTactile.Registration.Residual (residual)
 import PraTactile.Registration.Search (Registration (..), standardRegistration)
 import PraTactile.Registration.Spectrum (spectra)
+import Test.Hostile.Judgement (withinBounds)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample, tables)
 import Test.Touch.Registration.Face (arranged, frameAt)
@@ -98,6 +101,19 @@ waySpec = do
     -- Those far from each other are not compared.
     let apart = [((100 * fromIntegral k, 0), slope) | k <- [1 .. 3000 :: Int]]
     refusal (arrange Incremental standardRegistration apart) `shouldBe` Nothing
+  it "the lattice's angle is told from a part of a large frame, the one that shows most" $ do
+    let strong x y = fromIntegral ((7 * x + 3 * y) `mod` 5) - 2
+        image = generate 200 100 $ \x y -> strong x y * (if x >= 136 && y >= 36 then 1 else 0.1)
+    (Right (glimpse image) == crop (136, 36) (64, 64) image) `shouldBe` True
+    for_ [(64, 64), (16, 256), (256, 4)] $ \(w, h) ->
+      let small = generate w h strong in (glimpse small == small) `shouldBe` True
+  it "two large frames that show no lattice are known for such in little memory" $ do
+    let settings = standardRegistration {registrationSigma = 2}
+        rough k = generate 200 200 (\x y -> grey (x + 200 * (y + 200 * k)))
+        grey n = fromIntegral ((n * 1103515245 + 12345) `div` 65536 `mod` 256 :: Int) / 255
+        frames = [((fromIntegral k * 20, 0), rough k) | k <- [0, 1]]
+    found <- withinBounds (evaluate (arrangementMethod (arranged Automatic settings frames)))
+    found `shouldBe` Right Incremental
   it "by the lattice frames of 256 x 256 pixels and no larger ones" $ do
     let image side = generate side 256 (\x y -> fromIntegral (x + y))
         refused side = refusal (arrange ByLattice standardRegistration [((0, 0), image side)])

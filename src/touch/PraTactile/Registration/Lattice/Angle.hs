@@ -17,8 +17,8 @@ import PraTactile.Registration.Spectrum
 -- them, given what they tell at any angle, and perhaps the angle, up to quarter turns, at which
 -- symbols seem to lie: near that angle or upright, if the frames are likelier to show that than any
 -- other relief, else wherever they make it likeliest. To a degree, by a few of the frames that have
--- the first one's size, which the spectra must be for; of large frames by fewer. 'Nothing' where
--- they are likelier to show something else.
+-- the first one's size, which the spectra must be for. 'Nothing' where they are likelier to show
+-- something else.
 latticeAngle :: (Double -> Fits) -> Spectra -> Maybe Double -> [Raster] -> Maybe Fits
 latticeAngle at processes hint images
   | shown upright && all (\a -> finely (at a) < finely upright) [-3, 3] = Just upright
@@ -51,15 +51,12 @@ latticeAngle at processes hint images
             here = finely (step k)
             after = finely (step (k + 1))
     -- By so many frames, those that show most.
-    coarsely count fits = summed fitCoarse (take (fewer count) telling) fits
-    finely fits = summed fitLikely (take (fewer 8) telling) fits
+    coarsely count fits = summed fitCoarse (take count telling) fits
+    finely fits = summed fitLikely (take 8 telling) fits
     folded angle = angle - 180 * fromIntegral (floor ((angle + 90) / 180) :: Int)
     shown fits = summed fitLikely few fits > blind
     summed told some fits = sum [told (fitsFrames fits !! k) | (k, _) <- some]
-    few = spacedOut (fewer 12) usable
-    -- Of frames of more than so many pixels, only as many as have as many together.
-    fewer count = max 1 (min count (count * enoughPixels `div` max 1 pixels))
-    pixels = sum [w * h | (w, h) <- take 1 (map rasterSize images)]
+    few = spacedOut 12 usable
     telling = sortOn (Down . standardDeviation . snd) usable
     usable =
       [(k, i) | one : _ <- [images], (k, i) <- zip [0 ..] images, rasterSize i == rasterSize one]
@@ -67,10 +64,6 @@ latticeAngle at processes hint images
       sum (concat [processLogs (processOf processes misfit [coefficients i]) | (_, i) <- few])
     coefficients = coefficientsOf processes
     maximumOn score = maximumBy (comparing score)
-
--- | The most pixels of a frame, on average, that the angle is told from.
-enoughPixels :: Int
-enoughPixels = 4096
 
 -- | The least share of noise that relief of any kind is supposed to have where frames are asked
 -- whether they show the lattice: symbols are not felt quite as they are drawn, and a frame without

@@ -25,6 +25,7 @@ import PraTactile.Image
     rasterWidth,
   )
 import PraTactile.Registration.Lattice.Blur (areaSums)
+import PraTactile.Registration.Lattice.Glimpse
 import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Template
@@ -140,11 +141,19 @@ data Fits = Fits
     fitsFrames :: [Fit]
   }
 
--- | Frames of any sizes at an angle, degrees clockwise.
+-- | Frames of any sizes at an angle, degrees clockwise. What tells the angle, 'fitCoarse' and
+-- 'fitLikely', is of the 'glimpse' of each.
 fitsAt :: PaperTables -> [Raster] -> Double -> Fits
-fitsAt tables images angle = Fits angle at [fitOf (at (rasterSize image)) image | image <- images]
+fitsAt tables images angle = Fits angle at (map fit images)
   where
-    at = bySize (map rasterSize images) (tables angle)
+    at = bySize (sizes ++ map glimpseSize sizes) (tables angle)
+    sizes = map rasterSize images
+    fit image
+      | glimpseSize (rasterSize image) == rasterSize image = whole
+      | otherwise = (fitted (glimpse image)) {fitLikelihood = fitLikelihood whole}
+      where
+        whole = fitted image
+    fitted image = fitOf (at (rasterSize image)) image
 
 -- | Tables by size, each of these sizes' made once.
 bySize :: [(Int, Int)] -> ((Int, Int) -> tables) -> (Int, Int) -> tables
