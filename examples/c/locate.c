@@ -213,7 +213,8 @@ outcome nearest(array *a, const patch *p, bool guaranteed, uint64_t radius, plac
         return TOO_FEW_CELLS;
     if (guaranteed) {
         uint32_t distance = mask_distance(a, p);
-        radius = distance == 0 ? 0 : (distance - 1) / 2;
+        bool promised = a->beyond == SHEET || a->beyond == array_own_surface(a);
+        radius = distance == 0 || !promised ? 0 : (distance - 1) / 2;
     }
     if (within(a, p, radius, found))
         return ANSWERED;

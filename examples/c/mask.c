@@ -3,7 +3,7 @@
 
 #include "locate.h"
 
-static uint16_t order[2][MAX_CELLS]; /* positions, sorted and being sorted */
+static uint32_t order[2][MAX_CELLS]; /* positions, sorted and being sorted */
 
 static position position_of(uint32_t k, extent e)
 {
@@ -11,7 +11,7 @@ static position position_of(uint32_t k, extent e)
 }
 
 /* Sort the positions by one cell's content, keeping the order of those that have the same. */
-static void sort_by(const array *a, const felt *cell, extent e, const uint16_t *from, uint16_t *to)
+static void sort_by(const array *a, const felt *cell, extent e, const uint32_t *from, uint32_t *to)
 {
     uint32_t start[257] = {0}, count = e.rows * e.columns;
     for (uint32_t k = 0; k < count; k++)
@@ -38,7 +38,7 @@ uint32_t mask_contents(array *a, const patch *mask)
     uint32_t count = e.rows * e.columns, contents = 1, now = 0;
     array_cells(a);
     for (uint32_t k = 0; k < count; k++)
-        order[0][k] = (uint16_t)k;
+        order[0][k] = k;
     for (uint32_t k = 0; k < mask->count; k++, now = 1 - now)
         sort_by(a, &mask->cell[k], e, order[now], order[1 - now]);
     for (uint32_t k = 1; k < count; k++)

@@ -36,6 +36,9 @@ func NewArray(p Profile) (*Array, error) {
 	if err != nil {
 		return nil, err
 	}
+	for len(p.polynomial) > 0 && p.polynomial[len(p.polynomial)-1] == 0 {
+		p.polynomial = p.polynomial[:len(p.polynomial)-1]
+	}
 	n := len(p.polynomial) - 1
 	if !areCodes(p.polynomial, p.q) || !areCodes(p.state, p.q) || !anyNonzero(p.state) ||
 		n < 1 || len(p.state) != n || p.polynomial[n] != 1 || !isPeriod(p.q, n, p.n1, p.n2) {

@@ -41,7 +41,10 @@ func (a *Array) nearest(patch []Felt, radius int) ([]Offset, error) {
 		return nil, refusal("too-few-cells")
 	}
 	if radius < 0 {
-		radius = (a.distance(offsetsOf(patch)) - 1) / 2 // of 0 this is 0
+		radius = 0
+		if a.surface == sheet || a.surface == a.ownSurface() {
+			radius = (a.distance(offsetsOf(patch)) - 1) / 2 // of 0 this is 0
+		}
 	}
 	if found := a.within(patch, radius); len(found) > 0 {
 		return found, nil

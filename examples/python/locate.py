@@ -6,7 +6,7 @@ left cell, felt or not. Raises Refused with the reason where there is no answer.
 
 from math import exp, fsum, inf, log
 
-from folding import differences
+from folding import FOLDINGS, differences
 
 
 class Refused(Exception):
@@ -34,7 +34,8 @@ def nearest(array, patch, radius):
     if not patch:
         raise Refused("too-few-cells")
     if radius is None:
-        radius = max(0, array.distance(list(patch)) - 1) // 2
+        promised = array.surface in ("sheet", FOLDINGS[array.folding])
+        radius = max(0, array.distance(list(patch)) - 1) // 2 if promised else 0
     found = within(array, patch, radius)
     if found:
         return found

@@ -16,12 +16,9 @@ import PraTactile.Array
   ( ArrayOn (..),
     Position (..),
     PseudorandomArray,
-    Surface (..),
-    arrayFolding,
     arrayPrimitive,
     arrayState,
     cellAt,
-    naturalSurface,
   )
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Library.Touch
@@ -32,7 +29,7 @@ import qualified PraTactile.Field as Field
 import qualified PraTactile.Field.Structure as Structure
 import PraTactile.Locate hiding (Posterior, locate, probabilities)
 import qualified PraTactile.Locate as Locate
-import PraTactile.Locate.Patch (completeWindows, observedOffsets)
+import PraTactile.Locate.Patch (completeWindows)
 import PraTactile.Polynomial
   ( PolynomialError (OrderNotFactored),
     checkPrimitive,
@@ -44,7 +41,7 @@ import PraTactile.Polynomial
 import qualified PraTactile.Polynomial as Polynomial
 import PraTactile.Profile
 import PraTactile.Sequence (initialState, sequenceVector, termAt)
-import PraTactile.Window (Mask, maskFrom, maskFromDrawing, maskSize)
+import PraTactile.Window (Mask, maskFromDrawing, maskSize)
 import qualified PraTactile.Window as Window
 import qualified PraTactile.Window.Distance as Distance
 import qualified PraTactile.Window.Proof as Proof
@@ -137,8 +134,7 @@ answers prepared question = case question of
       else locatedBy exact Guaranteed observed
   Nearest stated rows -> do
     observed <- observedIn rows
-    radius <- maybe (guaranteedFor p array (observedOffsets observed)) (pure . UpTo) stated
-    locatedBy NearestDecoder radius observed
+    locatedBy NearestDecoder (maybe Guaranteed UpTo stated) observed
   Posterior chances ->
     traverse (traverse (probabilities (profileOrder p))) chances
       >>= posteriorBy (locators PosteriorDecoder)
@@ -176,18 +172,6 @@ proofOf on mask = case Proof.prove on mask of
   Right (verdict, _) -> do
     windows <- maybe (refuse "too-many-windows") pure (Proof.distinctWindows verdict)
     pure (Proof (Proof.proved verdict) (Proof.rank verdict) windows)
-
--- | The radius that the distance of these cells on the folding's own surface guarantees. The
--- library promises none on a surface that is neither that nor the sheet cut from it; there it is
--- computed here.
-guaranteedFor :: KnownField k => Profile -> PseudorandomArray k -> [Position] -> Wire Radius
-guaranteedFor p array offsets
-  | profileSurface p `elem` [naturalSurface (arrayFolding array), Sheet] = pure Guaranteed
-  | otherwise = case maskFrom offsets of
-    Left _ -> pure Guaranteed
-    Right mask ->
-      UpTo . guaranteedRadius . Distance.distance
-        <$> orRefuse "too-many-windows" (Distance.minimumDistance array mask)
 
 -- | The locators of the decoders that sessions use, each made once.
 locatorsOf ::

@@ -139,7 +139,8 @@ data Question a where
   -- | the position, or the several equally near, that differ from a patch in the fewest cells, if
   -- these are within a radius: the one that is stated, or else the largest e with 2 e < d, d being
   -- the least number in which two contents of the observed cells differ on the array's own surface
-  -- (0 where two are the same); whether or not a window is complete. Refuses a patch of which
+  -- (0 where two are the same, and on a surface that is neither that nor the sheet, where nothing
+  -- is known of it); whether or not a window is complete. Refuses a patch of which
   -- nothing was observed as @too-few-cells@. Where nothing is within the radius: if that is 0 and a
   -- window is complete, as 'Locate' does; if it is 0 and none is, @zero-window@ where all observed
   -- cells are 0, else @contradiction@; otherwise @zero-window@ if at most as many observed cells as

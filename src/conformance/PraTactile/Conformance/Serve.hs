@@ -117,11 +117,20 @@ started implementation keys
       <> "in_flight" .= (64 :: Int)
   | otherwise = errored "only protocol 1 is spoken here"
 
--- | Put the profile of a request in force. What is no profile is refused as an input would be.
+-- | Put the profile of a request in force. What is no profile is refused as an input would be; its
+-- integers are read as those of an input are.
 profiled :: Implementation -> Force -> Object -> IO Response
-profiled implementation force keys = case readValue profileCodec <$> KeyMap.lookup "profile" keys of
+profiled implementation force keys = case readValue profileCodec . integersAsText <$> KeyMap.lookup "profile" keys of
   Just (Right asked) -> putInForce implementation force asked
   _ -> ResponseRefused "invalid" <$ writeIORef force Nothing
+
+-- | The value with each number as a decimal string if it is an integer, and as null otherwise.
+integersAsText :: Value -> Value
+integersAsText value = case value of
+  Number _ -> maybe Null (String . Text.pack . show) (readWhole value)
+  Array items -> Array (integersAsText <$> items)
+  Object fields -> Object (integersAsText <$> fields)
+  _ -> value
 
 -- | The answer to a run, under the profile in force.
 ran :: Implementation -> Force -> Object -> IO Series

@@ -14,7 +14,7 @@ import Data.Ratio (denominator, numerator, (%))
 import qualified Data.Set as Set
 import qualified Data.Vector as Vector
 import Numeric.Natural (Natural)
-import PraTactile.Array (Position (..))
+import PraTactile.Array (Position (..), Surface (..))
 import PraTactile.Conformance.Definition.Array
 import PraTactile.Conformance.Definition.Field (fieldOrder)
 import PraTactile.Conformance.Definition.Windows
@@ -128,7 +128,11 @@ nearestOf k stated cells
     compared = differences k cells
     least = minimum (map snd compared)
     weight = fromIntegral (length (filter ((/= 0) . snd) cells))
-    radius = fromMaybe (guaranteedRadius (distance k (map fst cells))) stated
+    radius = fromMaybe (guaranteedRadius promised) stated
+    -- How windows differ is known on the folding's own surface, and on the sheet cut from it.
+    promised
+      | profileSurface (knownProfile k) `elem` [ownSurface k, Sheet] = distance k (map fst cells)
+      | otherwise = 0
 
 -- | The largest e with 2 e < d; 0 for 0.
 guaranteedRadius :: Natural -> Natural
