@@ -101,6 +101,9 @@ outcome profile_read(array *a, json profile)
     if (!read_stated(&s, profile))
         return INVALID;
     a->has_terms = a->has_cells = false;
+    if (s.h_terms <= MAX_DEGREE + 1)
+        while (s.h_terms > 0 && s.h[s.h_terms - 1] == 0)
+            s.h_terms--;
     if (!field_make(&a->f, s.q, s.modulus, s.modulus_terms) || s.h_terms < 2 ||
         s.state_terms != s.h_terms - 1)
         return IMPOSSIBLE;

@@ -23,12 +23,14 @@ class Array:
         self.most_significant_first = profile["packing"] == "most-significant-first"
         self.size = self.n1 * self.n2
         polynomial = profile["polynomial"]
+        while polynomial and polynomial[-1] == 0:
+            polynomial = polynomial[:-1]
         self.n = n = len(polynomial) - 1
         if any(c >= q for c in polynomial + self.state):
             raise Impossible("a coefficient or a term of the state is no element")
         if self.size != q**n - 1:
             raise Impossible("the cells are not as many as the terms of a period")
-        if polynomial[-1] != 1 or not self.field.is_primitive(polynomial):
+        if n < 1 or polynomial[-1] != 1 or not self.field.is_primitive(polynomial):
             raise Impossible("the polynomial is not primitive")
         if len(self.state) != n or not any(self.state):
             raise Impossible("the state is not n terms, or all zeros")

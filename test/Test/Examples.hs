@@ -28,6 +28,7 @@ spec = do
         heldAll
           (words "--one-shot --profile examples/adapter/paper.json --cases 3 --skip *-as-defined")
           [decoder, "--one-shot"]
+    it "passes all test vectors" (withDecoder (\decoder -> passesVectors [decoder]))
   describe "in Python" $ do
     it "is certified" $
       withPython $ \python -> certified ["--cases", "8"] [python, "examples/python/subject.py"]
@@ -37,10 +38,17 @@ spec = do
           (words "--one-shot --profile examples/adapter/paper.json --run array/cell-at-the-edges")
           [python, "-S", "examples/python/subject.py", "--one-shot"]
     it "passes all test vectors" $
-      withPython $ \python -> do
-        (status, out, err) <- readProcessWithExitCode python ["test/data/run_vectors.py"] ""
-        (status, err, length (lines out)) `shouldBe` (ExitSuccess, "", 1)
-        (read out :: Int) `shouldSatisfy` (> 10000)
+      withPython (\python -> passesVectors [python, "-S", "examples/python/subject.py"])
+  describe "in JavaScript" $ do
+    it "is certified" $
+      withNode (\node -> certified ["--cases", "8"] [node, "examples/javascript/subject.mjs"])
+    it "is right in one-shot mode" $
+      withNode $ \node ->
+        heldAll
+          (words "--one-shot --profile examples/adapter/paper.json --run array/cell-at-the-edges")
+          [node, "examples/javascript/subject.mjs", "--one-shot"]
+    it "passes all test vectors" $
+      withNode (\node -> passesVectors [node, "examples/javascript/subject.mjs"])
   it "in Go: is certified under the paper's profile" $ do
     compiler <- findExecutable "go"
     case compiler of
@@ -97,6 +105,14 @@ heldAll options subject = do
     `shouldBe` (0, "", [Just (Number 0), Just (Number 0)])
   key ["held"] out `shouldSatisfy` (/= Just (Number 0))
 
+-- | It answers all test vectors as they say.
+passesVectors :: [String] -> Expectation
+passesVectors subject = withPython $ \python -> do
+  (status, out, err) <- readProcessWithExitCode python ("test/data/run_vectors.py" : subject) ""
+  (status, err, take 1 (drop 1 (lines out))) `shouldBe` (ExitSuccess, "", [])
+  out `shouldSatisfy` all (`elem` "0123456789\n")
+  (read out :: Int) `shouldSatisfy` (> 10000)
+
 -- | With the decoder in C, built in a folder of its own.
 withDecoder :: (FilePath -> Expectation) -> Expectation
 withDecoder test = do
@@ -120,3 +136,6 @@ withDecoder test = do
 withPython :: (FilePath -> Expectation) -> Expectation
 withPython test =
   findExecutable "python3" >>= maybe (pendingWith "python3 is not installed here") test
+
+withNode :: (FilePath -> Expectation) -> Expectation
+withNode test = findExecutable "node" >>= maybe (pendingWith "there is no Node here") test

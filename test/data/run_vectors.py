@@ -1,23 +1,10 @@
-"""Put the test vectors in data/vectors to the decoder in examples/python. Prints how many tests there
-are, and those that it does not pass."""
+"""Put the test vectors in data/vectors to a decoder, all in one session: run_vectors.py COMMAND ARGS...
+Prints those that it does not pass, and how many there are."""
 
 import json
+import subprocess
 import sys
 from pathlib import Path
-
-sys.dont_write_bytecode = True
-sys.path.insert(0, "examples/python")
-
-from locate import Refused
-from operations import OPERATIONS
-from reading import array_of
-
-
-def outcome(array, operation, given):
-    try:
-        return "result", OPERATIONS[operation](array, given)
-    except Refused as refusal:
-        return "refused", str(refusal)
 
 
 def same(operation, wanted, came):
@@ -27,15 +14,28 @@ def same(operation, wanted, came):
     return wanted == came
 
 
-count = 0
-for file in sorted(Path("data/vectors").glob("*/*.json")):
+requests, wanted = [], []
+
+
+def ask(request, outcome):
+    requests.append(json.dumps(request) + "\n")
+    wanted.append((request, outcome))
+
+
+ask({"command": "start", "protocol": 1}, None)
+for file in sorted(Path("data/vectors").glob("*/*.json"), key=lambda file: file.name):
     vectors = json.loads(file.read_text())
-    array, operation = array_of(vectors["profile"]), vectors["operation"]
+    ask({"command": "profile", "profile": vectors["profile"]}, ("result", True))
     for group in vectors["groups"]:
         for test in group["tests"]:
-            wanted = test["outcome"], test.get("result", test.get("reason"))
-            came = outcome(array, operation, test["input"])
-            count += 1
-            if not same(operation, wanted, came):
-                print(file, test["id"], test["input"], "yours:", came, "the vector:", wanted)
-print(count)
+            run = {"command": "run", "sequence": len(requests), "operation": vectors["operation"], "input": test["input"]}
+            outcome = ("result", test["result"]) if test["outcome"] == "result" else ("refused", test["reason"])
+            ask(run, outcome)
+requests.append(json.dumps({"command": "stop"}) + "\n")
+replies = subprocess.run(sys.argv[1:], input="".join(requests), capture_output=True, text=True).stdout.splitlines()
+for (request, outcome), line in zip(wanted[1:], replies[1:]):
+    reply = json.loads(line)
+    kind = next(kind for kind in ("result", "refused", "skipped", "errored") if kind in reply)
+    if not same(request.get("operation"), outcome, (kind, reply[kind])):
+        print(request, "yours:", reply, "the vector:", outcome)
+print(len(replies) - 1 if len(replies) == len(wanted) else "replies are missing")
