@@ -9,11 +9,12 @@ module PraTactile.Conformance.Report.Words
   )
 where
 
-import Data.Aeson (Value, encode)
+import Data.Aeson (Value, encode, toJSON)
 import qualified Data.Aeson as Json
 import qualified Data.Aeson.Key as Key
 import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString.Lazy as Lazy
+import Data.Foldable (toList)
 import Data.List (intercalate, nub)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
@@ -111,8 +112,8 @@ counterItems :: (String -> String) -> Maybe String -> Counterexample -> [(String
 counterItems again likely counter =
   concat
     [ zip ("asked" : repeat "then") (map requestText (counterRequests counter)),
-      [("yours", either faultText responseText (counterGot counter))],
-      [(side, responseText response) | Just response <- [counterExpected counter]],
+      [("yours", yours)],
+      [(side, theirs) | Just _ <- [counterExpected counter]],
       [("by", counterRoad counter) | side == "expected", counterRoad counter /= ""],
       [("why", counterReason counter)],
       [("made smaller", counted (counterShrinks counter) "time") | counterShrinks counter > 0],
@@ -120,6 +121,9 @@ counterItems again likely counter =
       [("again", again token) | Just token <- [counterToken counter]]
     ]
   where
+    (yours, theirs) = case (counterGot counter, counterExpected counter) of
+      (Right got, Just wanted) -> apartText got wanted
+      (got, wanted) -> (either faultText responseText got, maybe "" responseText wanted)
     side = if counterRoad counter == "the definition" then "the definition" else "expected"
 
 -- | A request without what every request has.
@@ -142,6 +146,26 @@ responseText response = case response of
   ResponseRefused why -> "refused: " ++ why
   ResponseSkipped why -> "skipped: " ++ why
   ResponseErrored why -> "errored: " ++ why
+
+-- | Two responses side by side: long lists from the first item on in which they differ, with its
+-- index.
+apartText :: Response -> Response -> (String, String)
+apartText got wanted = case (got, wanted) of
+  (ResponseResult one, ResponseResult other)
+    | Just (these, those) <- (,) <$> itemsOf one <*> itemsOf other,
+      any ((> 200) . length . whole) [one, other] ->
+      let same = length (takeWhile id (zipWith (==) these those))
+          from items =
+            "from item " ++ show same ++ " on: " ++ valueText (toJSON (drop same items))
+       in (from these, from those)
+  _ -> (responseText got, responseText wanted)
+  where
+    itemsOf value = case value of
+      Json.Array items -> Just (toList items)
+      Json.Object fields
+        | Just (Json.Array items) <- KeyMap.lookup (Key.fromString "positions") fields ->
+          Just (toList items)
+      _ -> Nothing
 
 faultText :: Fault -> String
 faultText fault = faultName (faultKind fault) ++ ": " ++ faultDetail fault
