@@ -110,7 +110,7 @@ passesVectors :: [String] -> Expectation
 passesVectors subject = withPython $ \python -> do
   (status, out, err) <- readProcessWithExitCode python ("test/data/run_vectors.py" : subject) ""
   (status, err, take 1 (drop 1 (lines out))) `shouldBe` (ExitSuccess, "", [])
-  out `shouldSatisfy` all (`elem` "0123456789\n")
+  filter (`notElem` ['0' .. '9']) (concat (lines out)) `shouldBe` ""
   (read out :: Int) `shouldSatisfy` (> 10000)
 
 -- | With the decoder in C, built in a folder of its own.
