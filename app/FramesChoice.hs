@@ -69,12 +69,14 @@ stitchingOptions :: Parser Stitching
 stitchingOptions =
   flag' nominalStitching (long "no-stitching" <> help "Take the nominal positions as they are")
     <|> Stitching (stitchingMethod standardStitching)
-      <$> defaulting
-        (stitchingPositionError standardStitching)
-        decimalReader
-        "position-error"
-        "SIGMA"
-        "Standard deviation of each frame's position that the robot is known for, taxels"
+      <$> optional
+        ( valued
+            decimalReader
+            "position-error"
+            "SIGMA"
+            "Standard deviation of each frame's position that the robot is known for, taxels \
+            \(default: 1; by the lattice, what the frames show of 0.5 to 4)"
+        )
       <*> optional
         ( valued
             decimalReader

@@ -138,6 +138,7 @@ import qualified Test.Touch.Registration.GrownAndSwept
 import qualified Test.Touch.Registration.HypothesesAndNoise
 import qualified Test.Touch.Registration.JointByFormulas
 import qualified Test.Touch.Registration.LatticeAtAnyAngle
+import qualified Test.Touch.Registration.OtherLayouts
 import qualified Test.Touch.Registration.PairsByFormulas
 import qualified Test.Touch.Registration.PairsInParts
 import qualified Test.Touch.Registration.PairsRefused
@@ -240,6 +241,7 @@ specs = do
       Test.Touch.Registration.AngleByDefinition.spec
     describe "Registration one frame after the other" Test.Touch.Registration.GrownAndSwept.spec
     describe "What joint registration is made of" Test.Touch.Registration.JointByFormulas.spec
+    describe "Layouts other than the robot tells" Test.Touch.Registration.OtherLayouts.spec
     describe "The methods of registering frames" Test.Touch.Registration.WhichMethod.spec
     describe "Whether frames contradict each other" Test.Touch.Registration.Contradictions.spec
     describe "Registration of pairs by its formulas" Test.Touch.Registration.PairsByFormulas.spec

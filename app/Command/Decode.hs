@@ -9,7 +9,8 @@ where
 import ArrayChoice
 import Control.Monad (unless, when)
 import Data.Foldable (for_)
-import Data.Maybe (fromMaybe, listToMaybe)
+import Data.List.NonEmpty (nonEmpty)
+import Data.Maybe (fromMaybe, listToMaybe, mapMaybe)
 import Data.Traversable (for)
 import ExitStatus
 import Frames
@@ -132,6 +133,21 @@ toleranceOptions foreignThings =
       "Let up to N recognised symbols contradict the answer (default: as many as the recognised \
       \ones guarantee to be corrected)"
     <*> foreignThings
+    <*> optional
+      ( valued
+          decimalReader
+          "axes-doubt"
+          "P"
+          "The probability beforehand that the robot's axes are others (default: 0.01, or 0.0025 \
+          \where manifest or --axes state them)"
+      )
+    <*> defaulting
+      (slipPrior standardTolerance)
+      decimalReader
+      "slip"
+      "P"
+      "The probability beforehand that frames of a folder slipped by a whole cell beyond a line, \
+      \and that another folder did"
 
 -- | @--foreign@: the prior of it.
 foreignOption :: Parser Double
@@ -149,6 +165,8 @@ toleranceComplaint :: Tolerance -> Maybe String
 toleranceComplaint tolerated
   | not (isShare (toleratedDoubt tolerated)) = Just "--doubt is a probability below 1"
   | not (isShare (foreignPrior tolerated)) = Just "--foreign is a probability below 1"
+  | not (all isShare (axesPrior tolerated)) = Just "--axes-doubt is a probability below 1"
+  | not (isShare (slipPrior tolerated)) = Just "--slip is a probability below 1"
   | otherwise = Nothing
   where
     isShare p = p >= 0 && p < 1
@@ -242,6 +260,8 @@ decodeWith alphabet profile array options reader from composites = do
           contextNames = map nameInJson from,
           contextMessage = recognitionMessage recognition,
           contextElement = nameOf,
-          contextRobot = maybe id compositePosition (listToMaybe composites)
+          contextRobot = maybe id compositePosition (listToMaybe composites),
+          contextPositionError =
+            fmap maximum (nonEmpty (mapMaybe compositePositionError composites))
         }
     lookedUp file = fromDatabase file (profileText profile) (profileWindow profile)

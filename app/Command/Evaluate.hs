@@ -36,6 +36,7 @@ data Options = Options
     turns :: Turns,
     foreignPresses :: Maybe Double,
     foreignArrayPresses :: Maybe Double,
+    untold :: Bool,
     tolerance :: Tolerance,
     network :: Maybe FilePath,
     form :: AnswerForm
@@ -51,7 +52,8 @@ command =
       "pra-tactile evaluate --presses 12 --seed 1 --noise 0.3 --doubt 0.0001",
       "pra-tactile evaluate --presses 12 --seed 1 --sensor real",
       "pra-tactile evaluate --presses 12 --seed 1 --foreign 0.5",
-      "pra-tactile evaluate --presses 12 --seed 1 --foreign-arrays 0.5"
+      "pra-tactile evaluate --presses 12 --seed 1 --foreign-arrays 0.5",
+      "pra-tactile evaluate --presses 12 --seed 1 --position-error 2 --any-angle --untold"
     ]
     (run <$> arrayChoice <*> options)
   where
@@ -78,6 +80,8 @@ command =
               "Of all presses, the share of those on arrays by other polynomials, a part of \
               \--foreign (default: 0)"
           )
+        <*> switch
+          (long "untold" <> help "Do not tell the decoder the position error; it finds what it is")
         <*> toleranceOptions (pure (foreignPrior standardTolerance))
         <*> networkOption
         <*> jsonSwitch "Print the counts as JSON"
@@ -122,6 +126,7 @@ run choice options
                   },
               experimentForeign = allForeign options,
               experimentForeignArrays = fromMaybe 0 arrays,
+              experimentTold = not (untold options),
               experimentTolerance = tolerance options
             }
         made array mask = do
@@ -180,7 +185,8 @@ report profile options simulated stitched unstitched =
             conditionRotationError = rotationSigma (sensor options),
             conditionTurns = turns options,
             conditionForeign = allForeign options,
-            conditionForeignArrays = foreignArrayPresses options
+            conditionForeignArrays = foreignArrayPresses options,
+            conditionUntold = untold options
           },
       evaluationStitched = stitched,
       evaluationUnstitched = unstitched
@@ -209,6 +215,7 @@ headingText options simulated =
         | Just share <- [allForeign options]
       ]
         ++ [printf "on other arrays %g" share | Just share <- [foreignArrayPresses options]]
+        ++ ["position error untold" | untold options]
 
 tallyText :: String -> Tally -> String
 tallyText name counted =

@@ -49,9 +49,8 @@ command =
               "METHOD"
               "lattice (by the lattice of symbols), joint (by all pairs that overlap, \
               \whatever they show), incremental (by the paper's correlation), \
-              \nominal (not at all), or auto: incremental, and by the lattice where \
-              \--position-error is above 1.25 or the noise above 0.25 and the frames show symbols, \
-              \at whatever angle (default)"
+              \nominal (not at all), or auto: by the lattice where the frames show symbols, at \
+              \whatever angle, else incremental (default)"
               mempty
           )
         <*> pathArgument (metavar "FOLDER" <> action "directory")

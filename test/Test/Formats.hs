@@ -105,7 +105,8 @@ roundTrips = do
               contextNames = ["frames"],
               contextMessage = "found",
               contextElement = show,
-              contextRobot = const (1.5, -2.5)
+              contextRobot = const (1.5, -2.5),
+              contextPositionError = Just 0.75
             }
         report = recognitionReport source recognition
     decodeRecognition (encodeRecognition report) `shouldBe` Right report

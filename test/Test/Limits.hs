@@ -71,6 +71,6 @@ spec = do
     -- Displacements of that standard deviation, in taxels, and a search of so many of them.
     searching sigma reach =
       Search.standardRegistration
-        { Search.registrationSigma = sigma,
+        { Search.registrationSigma = Just sigma,
           Search.registrationReach = reach
         }

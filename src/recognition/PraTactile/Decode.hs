@@ -36,7 +36,7 @@ import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement (Placement, PlacementError)
 import PraTactile.Profile
 import PraTactile.Recognise
-import PraTactile.Registration (Composite, StitchError)
+import PraTactile.Registration (Composite (..), StitchError)
 import PraTactile.Registration.Stitching
 import PraTactile.Sensor.Calibration (withoutStuck)
 import PraTactile.Sensor.Frame (Frame)
@@ -113,8 +113,10 @@ sourceComposite :: Preparation -> Stitching -> Source -> Either DecodeError Comp
 sourceComposite known stitching source = case source of
   FrameFolder folder ->
     first FolderRefused (preparedFrames known folder)
-      >>= first FramesRefused . stitchedBy stitching
+      >>= fmap (stated folder) . first FramesRefused . stitchedBy stitching
   WholeImage bytes -> first FileRefused (imageComposite bytes)
+  where
+    stated folder composite = composite {compositeAxesStated = axesStated known folder}
 
 -- | What sources of one face show together. Refuses what 'sourceComposite' refuses.
 decodeSources :: Decoding -> SomeRecogniser -> [Source] -> Either DecodeError Recognition

@@ -80,6 +80,8 @@ data Experiment = Experiment
     -- | of all presses, the share of those on arrays by other polynomials, a part of
     -- 'experimentForeign'; the other foreign arrangements are by chance
     experimentForeignArrays :: Double,
+    -- | whether decoders are told the robot's position error
+    experimentTold :: Bool,
     -- | decoders are told 'experimentForeign' in place of its prior of foreign things
     experimentTolerance :: Tolerance
   }
@@ -94,6 +96,7 @@ standardExperiment sensor =
       experimentExploration = exploration sensor (AmongTurns halfTurns) standardRegionSize,
       experimentForeign = Nothing,
       experimentForeignArrays = 0,
+      experimentTold = True,
       experimentTolerance = standardTolerance
     }
 
@@ -128,7 +131,7 @@ evaluated experiment alphabet array reader = do
     (Left (uncurry RegionOffFaces (explorationSize how)))
   pure (map decoded (take presses (catMaybes (trials how faces seed))))
   where
-    Experiment presses seed said share shareOfArrays tolerance = experiment
+    Experiment presses seed said share shareOfArrays told tolerance = experiment
     layout = recogniserPlacement reader
     sensor = explorationSensor said
     how = said {explorationForeign = others <$> share}
@@ -141,7 +144,9 @@ evaluated experiment alphabet array reader = do
           foreignFaces = map faceClasses (byOtherPolynomials array)
         }
     decoded t = runTrial weighing reader (registrationFor known (trialFrames t)) t
-    known = assumedStitching sensor
+    known
+      | told = assumedStitching sensor
+      | otherwise = (assumedStitching sensor) {stitchingPositionError = Nothing}
     weighing = tolerance {foreignPrior = fromMaybe (foreignPrior tolerance) share}
 
 -- | The arrays of the same shape by the other primitive polynomials of the degree, the first 1024.
@@ -161,7 +166,7 @@ assumedStitching :: Sensor -> Stitching
 assumedStitching sensor =
   Stitching
     { stitchingMethod = Automatic,
-      stitchingPositionError = sensorPositionError sensor,
+      stitchingPositionError = Just (sensorPositionError sensor),
       stitchingNoise = Just assumed
     }
   where

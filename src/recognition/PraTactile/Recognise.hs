@@ -42,13 +42,13 @@ module PraTactile.Recognise
   )
 where
 
-import Data.List (inits, tails)
 import Data.Maybe (isJust, isNothing, mapMaybe)
 import PraTactile.Classification.Network (NetworkError)
 import PraTactile.Classification.Part (Pixels (..))
 import PraTactile.Composite.Tilt (leastTilt, setUpright, tilt)
 import PraTactile.Field (KnownField)
 import PraTactile.Locate (ForeignDoubts (..), Reason (..), doubtOfForeign)
+import PraTactile.Recognise.Elsewhere
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation
@@ -56,7 +56,7 @@ import PraTactile.Recognise.Parts
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
 import PraTactile.Recognise.Recognition
-import PraTactile.Registration (Composite (..))
+import PraTactile.Registration (Composite (..), Fault (..))
 import PraTactile.Segmentation (Cleaned (..), Segmentation (..), cleaned)
 import PraTactile.Symmetry
 
@@ -82,19 +82,20 @@ recogniseWith tolerance reader composites = do
   case (mapMaybe compositeContradiction composites, recognisedAnswer shown) of
     (contradiction : _, _) ->
       pure shown {recognisedAnswer = Left (FramesContradict contradiction)}
-    ([], Right (Found found)) -> do
-      otherwise' <- traverse (traverse (recogniseAsPut tolerance reader)) (putOtherwise composites)
-      pure
-        (doubting tolerance (sum [p | (p, r) <- otherwise', elsewhere found r]) shown)
+    ([], Right (Found _)) -> do
+      others <- traverse beside (putOtherwise tolerance (recognisedTilt shown) composites)
+      pure (doubting tolerance (doubtsElsewhere shown others) shown)
     _ -> pure shown
+  where
+    -- What has next to no probability counts in full, whatever it shows.
+    beside other
+      | elsewhereFault other /= OneFrame && elsewhereOdds other < leastOdds = pure (other, Nothing)
+      | otherwise =
+        (,) other . Just <$> recogniseAsPut tolerance reader (elsewhereComposites other)
 
--- | The composites with one of them put together otherwise, and how probable that is.
-putOtherwise :: [Composite] -> [(Double, [Composite])]
-putOtherwise composites =
-  [ (p, before ++ other : after)
-    | (before, composite : after) <- zip (inits composites) (tails composites),
-      (p, other) <- compositeOthers composite
-  ]
+-- | The least odds of a hypothesis that is looked at.
+leastOdds :: Double
+leastOdds = 1e-4
 
 -- | 'recogniseWith' of composites as their frames were put together. Where the symbols are not
 -- nearly upright by their 'tilt', they are read both as they are and from the composites set

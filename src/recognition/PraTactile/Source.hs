@@ -11,6 +11,7 @@ module PraTactile.Source
     Preparation (..),
     asStated,
     preparedFrames,
+    axesStated,
 
     -- * Whole images
     imageComposite,
@@ -23,11 +24,12 @@ module PraTactile.Source
   )
 where
 
+import Control.Applicative ((<|>))
 import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, isJust)
 import qualified Data.Set as Set
 import Data.Word (Word16)
 import PraTactile.FileName (isFileName)
@@ -85,7 +87,7 @@ folderFrames (Folder manifest images) = traverse frame (manifestEntries manifest
       case manifestFrame manifest of
         Just said | said /= size -> Left (ImageSize (entryFile entry) size said)
         _ -> Right ()
-      let pose = alongAxes (manifestAxes manifest) (entryPose entry)
+      let pose = alongAxes (fromMaybe straight (manifestAxes manifest)) (entryPose entry)
       pure (Frame pose (entryForce entry) felt (manifestTaxel manifest) [])
     image name
       | not (inside name) = Left (ImageElsewhere name)
@@ -118,10 +120,14 @@ preparedFrames known folder = do
     manifest = folderManifest folder
     stated =
       manifest
-        { manifestAxes = fromMaybe (manifestAxes manifest) (preparedAxes known),
+        { manifestAxes = preparedAxes known <|> manifestAxes manifest,
           manifestTaxel = fromMaybe (manifestTaxel manifest) (preparedTaxel known)
         }
     calibrated = maybe Right corrected (preparedCalibration known)
+
+-- | Whether somebody said what the coordinates of a folder's manifest are.
+axesStated :: Preparation -> Folder -> Bool
+axesStated known folder = isJust (preparedAxes known <|> manifestAxes (folderManifest folder))
 
 -- | The entries of these frames in a manifest, and their images as binary PGM files of this maximum
 -- value, by their names. Refuses what has no such image ('pgmFromIntensity').

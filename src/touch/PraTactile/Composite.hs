@@ -2,6 +2,8 @@
 -- takes.
 module PraTactile.Composite
   ( Composite (..),
+    Otherwise (..),
+    Fault (..),
     Contradiction (..),
     leastCoverage,
     compositeOf,
@@ -34,15 +36,44 @@ data Composite = Composite
     -- | How far each frame was moved from its nominal place, x and y in taxels, in the order of the
     -- frames.
     compositeDisplacements :: ![(Double, Double)],
+    -- | The standard deviation of the robot's position error along each axis, taxels, where
+    -- registration told it.
+    compositePositionError :: Maybe Double,
     -- | Whether somebody compared the frames with each other; 'False' where several lie at their
     -- nominal places as the robot has them, or none overlaps another.
     compositeCompared :: !Bool,
-    -- | What the frames would show if they were put together otherwise, and how probable that is:
-    -- each of these has one frame elsewhere, the most probable first.
-    compositeOthers :: [(Double, Composite)],
+    -- | Whether somebody said what the robot's axes are.
+    compositeAxesStated :: !Bool,
+    -- | What the frames would show if they were put together otherwise: with one frame elsewhere,
+    -- the most probable first, or all where they would be if what the robot told is wrong.
+    compositeOthers :: [Otherwise],
     -- | Whether the frames contradict each other where they should overlap.
     compositeContradiction :: Maybe Contradiction
   }
+  deriving stock (Eq, Show)
+
+-- | Frames put together otherwise.
+data Otherwise = Otherwise
+  { otherwiseFault :: !Fault,
+    -- | The share that it has of the probability of such faults; of 'OneFrame' its probability.
+    otherwiseShare :: !Double,
+    -- | How many times as likely as the composite as it is the frames make it, by their overlaps
+    -- and the lattice that they show.
+    otherwiseLikelier :: !Double,
+    otherwiseComposite :: Composite
+  }
+  deriving stock (Eq, Show)
+
+-- | Why frames would lie otherwise.
+data Fault
+  = -- | one of them is elsewhere
+    OneFrame
+  | -- | their positions are along these axes, where they are told to be straight
+    OtherAxes !Axes
+  | -- | they are so many times as far from each other across and down as was told
+    OtherScale !Double !Double
+  | -- | beyond a line all of them lie a whole cell further along the face
+    Slip
   deriving stock (Eq, Show)
 
 -- | The least sensor weight with which a pixel counts as touched.
@@ -66,7 +97,9 @@ compositeOf image =
       compositeCoverage = constant (rasterWidth image) (rasterHeight image) 1,
       compositeOrigin = (0, 0),
       compositeDisplacements = [],
+      compositePositionError = Nothing,
       compositeCompared = True,
+      compositeAxesStated = False,
       compositeOthers = [],
       compositeContradiction = Nothing
     }
@@ -107,7 +140,9 @@ blended (left, top) images displacements =
       compositeCoverage = coverage,
       compositeOrigin = origin,
       compositeDisplacements = displacements,
+      compositePositionError = Nothing,
       compositeCompared = True,
+      compositeAxesStated = False,
       compositeOthers = [],
       compositeContradiction = Nothing
     }

@@ -4,6 +4,8 @@
 module PraTactile.Registration
   ( -- * Composites
     Composite (..),
+    Otherwise (..),
+    Fault (..),
     Contradiction (..),
     compositeOf,
     compositePosition,
@@ -28,6 +30,7 @@ module PraTactile.Registration
   )
 where
 
+import Control.Applicative ((<|>))
 import Control.Monad (unless, when)
 import Data.Bifunctor (first)
 import Data.Foldable (toList, traverse_)
@@ -40,6 +43,8 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite
   ( Composite (..),
     Contradiction (..),
+    Fault (..),
+    Otherwise (..),
     blended,
     compositeOf,
     compositePixel,
@@ -67,6 +72,7 @@ import PraTactile.Registration.Arrangement
     maxLatticePixels,
     withMisfit,
   )
+import PraTactile.Registration.Layout (layoutsLeft)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Rest (alignedToRest)
 import PraTactile.Registration.Rotation (certainRotation, rotationPrior)
@@ -171,14 +177,47 @@ compose method settings frames = do
   let arranged = arrangementFrames arrangement
       displacements = map registeredShift arranged
       at shifts = maybe nominal moved (nonEmpty shifts)
-      moved = NonEmpty.zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image)) nominal
+      moved = NonEmpty.zipWith movedBy nominal
+      movedBy (place, image) shift = (place `plus` shift, image)
+      plus (x, y) (dx, dy) = (x + dx, y + dy)
+      minus (x, y) (dx, dy) = (x - dx, y - dy)
       together shifts =
         (blended (left, top) (NonEmpty.zip (at shifts) (fmap placedFelt placed)) shifts)
-          { compositeCompared = length frames == 1 || compared
+          { compositeCompared = length frames == 1 || compared,
+            compositePositionError = arrangementSigma arrangement
           }
       compared =
         arrangementMethod arrangement /= Nominal && isJust (arrangementResidual arrangement)
       others = [(k, h) | (k, a) <- zip [0 ..] arranged, h <- registeredOthers a]
+      oneElsewhere =
+        [ Otherwise
+            OneFrame
+            (hypothesisProbability h)
+            1
+            (together (with k (hypothesisShift h) displacements))
+          | (k, h) <- take mostOthers (sortOn (negate . hypothesisProbability . snd) others)
+        ]
+      -- In the robot's own coordinates, which its axes and its scale are of.
+      robot = (inTaxels left, inTaxels top)
+      allElsewhere =
+        [ otherwise'
+          | Just from <- [arrangementFrom arrangement],
+            otherwise' <-
+              layoutsLeft
+                found
+                (arrangementAngle arrangement)
+                [(place `plus` robot, image) | (place, image) <- toList nominal]
+                (putFrom from . map (`minus` robot))
+        ]
+      putFrom from places = do
+        there <- nonEmpty (zip places images)
+        _ <- either (const Nothing) Just (checkArea there)
+        let (likelier, shifts) = from places
+            laid = maybe there (NonEmpty.zipWith movedBy there) (nonEmpty shifts)
+        pure (likelier, blended (left, top) (NonEmpty.zip laid (fmap placedFelt placed)) shifts)
+      images = toList (fmap snd nominal)
+      sigma = registrationSigma settings <|> arrangementSigma arrangement
+      found = settings {registrationSigma = sigma}
       with k shift shifts = take k shifts ++ shift : drop (k + 1) shifts
       made = together displacements
       turnOf ((x, y), image) =
@@ -190,11 +229,8 @@ compose method settings frames = do
     Assembly
       { assemblyComposite =
           made
-            { compositeOthers =
-                [ (hypothesisProbability h, together (with k (hypothesisShift h) displacements))
-                  | (k, h) <- take mostOthers (sortOn (negate . hypothesisProbability . snd) others)
-                ],
-              compositeContradiction = contradiction settings (NonEmpty.toList nominal)
+            { compositeOthers = oneElsewhere ++ allElsewhere,
+              compositeContradiction = contradiction found (NonEmpty.toList nominal)
             },
         assemblyMethod = arrangementMethod arrangement,
         assemblyFrames = arranged,

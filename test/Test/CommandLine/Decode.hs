@@ -187,7 +187,7 @@ spec = do
             "--size",
             "56x72",
             "--seed",
-            "4",
+            "7",
             "--output",
             folder </> "frames"
           ]

@@ -33,8 +33,8 @@ spec = do
 
 memorySpec :: Spec
 memorySpec =
-  it "200 presses are evaluated in 24 MB" $ do
-    (status, out, err) <- praUnder "-A1m -M24m" (words "evaluate --presses 200 --seed 1") ""
+  it "200 presses are evaluated in 80 MB" $ do
+    (status, out, err) <- praUnder "-A1m -M80m" (words "evaluate --presses 200 --seed 1") ""
     (status, length (lines out), err) `shouldBe` (0, 3, "")
 
 countSpec :: Spec

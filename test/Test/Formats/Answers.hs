@@ -79,10 +79,11 @@ someRecognition =
     <*> several somePosition
     <*> someWhereabouts
     <*> maybeOf somePoint
+    <*> maybeOf someReal
     <*> maybeOf someTurns
     <*> maybeOf someReal
     <*> maybeOf someReal
-    <*> maybeOf (Doubts <$> someReal <*> someReal <*> someForeign)
+    <*> maybeOf (Doubts <$> someReal <*> someReal <*> someReal <*> someReal <*> someForeign)
     <*> maybeOf someChance
     <*> maybeOf someChecks
     <*> maybeOf someInt

@@ -16,11 +16,19 @@ import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Recognition (preferred)
-import PraTactile.Registration (Composite (..), Contradiction (..), compositeOf, compositePosition)
+import PraTactile.Registration
+  ( Composite (..),
+    Contradiction (..),
+    Fault (..),
+    Otherwise (..),
+    compositeOf,
+    compositePosition,
+  )
 import PraTactile.Relief
 import PraTactile.Segmentation (SymbolImage (..), onComposite)
 import PraTactile.Sensor (HeightMap (..))
 import PraTactile.Sensor.Frame (Motion (..), movePoint, taxelPitch)
+import PraTactile.Sensor.Manifest (axesNamed, straight)
 import PraTactile.Shape
 import PraTactile.Symmetry
 import Test.Code.Locate.OtherPolynomials
@@ -268,11 +276,40 @@ foreignSpec array reader alphabetOfAll = do
           told others =
             fmap doubtOfStitching (among others >>= fmap supportDoubts . recognisedSupport)
           blank = compositeOf (constant 60 60 0)
+          oneFrame p = Otherwise OneFrame p 1
       told [] `shouldBe` Just 0
-      told [(0.004, there)] `shouldBe` Just 0.004
-      told [(0.004, here), (0.3, blank)] `shouldBe` Just 0
-      map (fmap isFound . among) [[], [(0.004, there)], [(0.2, there)]]
+      told [oneFrame 0.004 there] `shouldBe` Just 0.004
+      told [oneFrame 0.004 here, oneFrame 0.3 blank] `shouldBe` Just 0
+      map (fmap isFound . among) [[], [oneFrame 0.004 there], [oneFrame 0.2 there]]
         `shouldBe` [Just True, Just True, Just False]
+  it "other axes weigh as their odds are beforehand, where the array has them as likely" $ do
+    let here = compositeOf (drawing (ours 3 4 (Position 6 5)))
+        there = compositeOf (drawing (ours 3 4 (Position 2 9)))
+        blank = compositeOf (constant 60 60 0)
+        told stated composite =
+          axesDoubt
+            [ here
+                { compositeDisplacements = [(0, 0), (0, 0)],
+                  compositeAxesStated = stated,
+                  compositeOthers = [Otherwise (OtherAxes acrossNegated) 0.4 1 composite]
+                }
+            ]
+    told False there `shouldSatisfy` near' 1e-9 (0.004 / 1.004)
+    told True there `shouldSatisfy` near' 1e-9 (0.001 / 1.001)
+    told False here `shouldBe` Just 0
+    -- It would show the array's symbols, and shows none: 4^(12 - 4) random contents to one.
+    told False blank `shouldSatisfy` maybe False (\p -> p > 0 && p < 0.004 * 1e-2)
+  it "a strip may have slipped by a cell, unless the array tells that it has not" $ do
+    let strip classes x = (compositeOf (drawing classes)) {compositeOrigin = (x * 25.4, 0)}
+        between a b = map (take (b - a) . drop a) (ours 5 4 (Position 6 5))
+        slip composites = do
+          found <- either (const Nothing) Just (recogniseWith standardTolerance reader composites)
+          doubtOfSlip . supportDoubts <$> recognisedSupport found
+    -- Two columns never check each other. A cell nearer they would be one.
+    slip [strip (between 0 1) 0, strip (between 1 2) 1]
+      `shouldSatisfy` maybe False (\p -> p > 0.001 && p < 0.002)
+    slip [strip (between 0 2) 0, strip (between 2 4) 2] `shouldSatisfy` maybe False (< 1e-5)
+    slip [strip (between 0 4) 0] `shouldBe` Just 0
   it "frames that contradict each other are refused, whatever they show" $ do
     let here = compositeOf (drawing (ours 3 4 (Position 6 5)))
         told =
@@ -300,6 +337,11 @@ foreignSpec array reader alphabetOfAll = do
       [ [toCode (cellAt from (Position (r + i) (c + j))) | j <- naturalsBelow w]
         | i <- naturalsBelow h
       ]
+    axesDoubt composites = do
+      found <- either (const Nothing) Just (recogniseWith standardTolerance reader composites)
+      doubtOfAxes . supportDoubts <$> recognisedSupport found
+    acrossNegated = fromMaybe straight (lookup "-x,y" axesNamed)
+    near' tolerance expected = maybe False (near tolerance expected)
     everywhere = [Position r c | r <- [0 .. 14], c <- [0 .. 16]]
     near tolerance expected told = abs (told - expected) < tolerance
     seen tolerance classes =

@@ -140,22 +140,23 @@ preparedSpec = do
     forAll ((,) <$> few genFrame <*> choose (0.02, 3)) $ \(frames, sigma) -> do
       let told error' noise =
             registrationFor
-              standardStitching {stitchingPositionError = error', stitchingNoise = Just noise}
+              standardStitching {stitchingPositionError = Just error', stitchingNoise = Just noise}
               frames
           with error' noise =
             standardRegistration {registrationSigma = error', registrationNoise = noise}
+          shown = frameNoise (map frameImage frames)
       conjoin
-        [ told sigma 0.3 === with sigma 0.3,
-          told 0 0 === with 0.01 0,
-          told (-1) 0 === with (-1) 0,
-          registrationFor standardStitching frames === with 1 (frameNoise (map frameImage frames)),
+        [ told sigma 0.3 === with (Just sigma) 0.3,
+          told 0 0 === with (Just 0.01) 0,
+          told (-1) 0 === with (Just (-1)) 0,
+          registrationFor standardStitching frames === with Nothing shown,
           registrationFor nominalStitching frames === standardRegistration
         ]
   where
     -- Too few for elements to be known as stuck.
     few gen = choose (1, 5) >>= (`vectorOf` gen)
     alongTheirs axes folder =
-      folder {folderManifest = (folderManifest folder) {manifestAxes = axes}}
+      folder {folderManifest = (folderManifest folder) {manifestAxes = Just axes}}
 
 diskSpec :: Spec
 diskSpec = do

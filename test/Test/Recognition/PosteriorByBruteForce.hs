@@ -38,7 +38,7 @@ spec = onRecognisers $ \array readers ->
             (cellOf surface array)
             (if whole then Just (map (cellOf surface) (byOtherPolynomials array)) else Nothing)
             (\limits -> locateGrid reader limits dissenters (FaceGrid (seenCells seen) [] strays))
-            (Tolerance tolerated radius share)
+            (Tolerance tolerated radius share Nothing 0)
             seen
 
 -- | What was read.

@@ -3,6 +3,7 @@
 module Test.Recognition.TiltAndWords (spec) where
 
 import Data.Foldable (for_)
+import Data.List (nub)
 import qualified Data.Map.Strict as Map
 import PraTactile.Array (Position (..))
 import PraTactile.Image (constant)
@@ -12,6 +13,7 @@ import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Recognition
 import PraTactile.Recognise.Summary
+import PraTactile.Registration (Fault (..))
 import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Symmetry
 import Test.Hspec
@@ -142,39 +144,53 @@ recognitionSpec = do
           recognition = Recognition [] [] Nothing tilt' (Left NoSymbols)
       recognisedAngle recognition (turned quarters)
         `shouldBe` head' [a | a <- [whole, whole + 360, whole - 360], a >= 0, a < 360]
-  prop "show something else just where no window of theirs is one of what was found" $
+  prop "show something else where no window is one found, else where most are others" $
     forAll ((,) <$> genFinding <*> genFinding) $ \(found, other) ->
-      let at f = map windowPosition (foundWindow f : foundWindows f)
-          differs =
-            foundOrientation found /= foundOrientation other
-              || not (any (`elem` at found) (at other))
-       in elsewhere found (Recognition [] [] Nothing 0 (Right (Found other))) === differs
-            .&&. [elsewhere found (Recognition [] [] Nothing 0 answer) | answer <- [several, none]]
-            === [False, False]
-  prop "are refused where another stitching leaves more doubt than is tolerated, and not if less" $
+      let at f = nub (map windowPosition (foundWindow f : foundWindows f))
+          turnedElse = foundOrientation found /= foundOrientation other
+          none' = not (any (`elem` at found) (at other))
+          common = length (filter (`elem` at found) (at other))
+          most = 2 * common < min (length (at found)) (length (at other))
+          showing answer = Recognition [] [] Nothing 0 answer
+          against fault = differs fault (showing (Right (Found found))) . showing
+       in [against fault (Right (Found other)) | fault <- [OneFrame, Slip]]
+            === [turnedElse || none', turnedElse || most]
+            .&&. [against fault answer | fault <- [OneFrame, Slip], answer <- [several, none]]
+            === [False, False, True, True]
+  prop "are refused where frames elsewhere leave more doubt than is tolerated, and not if less" $
     forAll (vectorOf 3 (choose (0, 0.2))) $ \doubts ->
-      forAll (elements [0, 0.05, 0.3]) $ \stitching ->
+      forAll (vectorOf 3 (elements [0, 0.05, 0.2])) $ \elsewhere ->
         let (position, origin) = (sum (take 1 doubts), sum (drop 2 doubts))
+            (stitching, axes, slip) = case elsewhere of
+              [a, b, c] -> (a, b, c)
+              _ -> (0, 0, 0)
             alien part = ForeignDoubts (origin / 4 * part) (3 * origin / 4 * part) True
-            support = Support (Doubts position 0 (alien 1)) 4 [3] [1] 3 1 Nothing Nothing
-            weighed =
-              support
-                { supportDoubts =
-                    Doubts (position * (1 - stitching)) stitching (alien (1 - stitching))
-                }
+            support = Support (Doubts position 0 0 0 (alien 1)) 4 [3] [1] 3 1 Nothing Nothing
+            weighed = doubtsOf <$> recognisedSupport (asked 1 given)
+            doubtsOf one =
+              let Doubts p st ax sl o = supportDoubts one
+               in [p, st, ax, sl, doubtOfRandom o, doubtOfOtherArrays o]
+            -- What is not elsewhere by the robot is where its frames were put, or one is not.
+            robot = 1 - axes - slip
+            put = robot * (1 - stitching)
+            wanted =
+              [position * put, robot * stitching, axes, slip]
+                ++ [part * origin / 4 * put | part <- [1, 3]]
             given = Recognition [] [] (Just support) 0 several
-            asked tolerated = doubting (standardTolerance {toleratedDoubt = tolerated}) stitching
-            refused = Left (NotLocated BelowThreshold)
-            doubt = supportDoubt weighed
-         in if stitching == 0
+            asked tolerated =
+              doubting (standardTolerance {toleratedDoubt = tolerated}) (stitching, axes, slip)
+            close a b = abs (a - b) < 1e-12
+            doubt = maybe 0 supportDoubt (recognisedSupport (asked 1 given))
+         in if sum elsewhere == 0
               then asked 0 given === given
               else
-                [asked (doubt * share) given | share <- [1, 0.999]]
-                  === [ given {recognisedSupport = Just weighed, recognisedAnswer = answer}
-                        | answer <- [several, refused]
-                      ]
+                counterexample
+                  (show (weighed, wanted))
+                  (maybe False (and . zipWith close wanted) weighed)
+                  .&&. [recognisedAnswer (asked (doubt * share) given) | share <- [1, 0.999]]
+                  === [several, Left (NotLocated BelowThreshold)]
                   .&&. recognisedAnswer (asked 1 given {recognisedSupport = Nothing})
-                  === refused
+                  === Left (NotLocated BelowThreshold)
   it "leave as much certainty as their symbols' doubts, which are 1e-300 at least" $ do
     let doubtful p =
           (symbolOf 0 (0, 0) (identity, 0))

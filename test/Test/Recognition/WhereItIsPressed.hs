@@ -168,7 +168,7 @@ experimentSpec = do
     known idealSensor {sensorNoise = 0.125, sensorNoiseSlope = 0.25, sensorGainSpread = 1}
       `shouldBe` Just 0.625
     stitchingPositionError (assumedStitching standardSensor {sensorPositionError = 1.5})
-      `shouldBe` 1.5
+      `shouldBe` Just 1.5
   where
     withParts check = do
       alphabet <- right paperAlphabet

@@ -120,9 +120,11 @@ started implementation keys
 -- | Put the profile of a request in force. What is no profile is refused as an input would be; its
 -- integers are read as those of an input are.
 profiled :: Implementation -> Force -> Object -> IO Response
-profiled implementation force keys = case readValue profileCodec . integersAsText <$> KeyMap.lookup "profile" keys of
+profiled implementation force keys = case readProfile <$> KeyMap.lookup "profile" keys of
   Just (Right asked) -> putInForce implementation force asked
   _ -> ResponseRefused "invalid" <$ writeIORef force Nothing
+  where
+    readProfile = readValue profileCodec . integersAsText
 
 -- | The value with each number as a decimal string if it is an integer, and as null otherwise.
 integersAsText :: Value -> Value

@@ -11,7 +11,6 @@ where
 
 import Data.ByteString (ByteString)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe)
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Codec
 import PraTactile.Image.Error (ImageError)
@@ -51,7 +50,8 @@ folderFiles grid bits frames = do
     listed entries =
       (listing entries)
         { manifestTaxel = taxelGridPitch grid,
-          manifestFrame = Just (taxelGridColumns grid, taxelGridRows grid)
+          manifestFrame = Just (taxelGridColumns grid, taxelGridRows grid),
+          manifestAxes = Just straight
         }
 
 manifestKeys :: Keys Manifest Manifest
@@ -60,7 +60,7 @@ manifestKeys =
     *> ( Manifest
            <$> key "taxel_mm" pitch manifestTaxel
            <*> optionalKey "frame" (pairOf int) manifestFrame
-           <*> (fromMaybe straight <$> optionalKey "axes" axes (Just . manifestAxes))
+           <*> optionalKey "axes" axes manifestAxes
            <*> key "frames" some' manifestEntries
        )
   where

@@ -188,7 +188,9 @@ data EvaluationConditions = EvaluationConditions
     -- | the share of foreign presses
     conditionForeign :: Maybe Double,
     -- | of all presses, the share of those on other arrays
-    conditionForeignArrays :: Maybe Double
+    conditionForeignArrays :: Maybe Double,
+    -- | whether decoders had to find the position error
+    conditionUntold :: Bool
   }
 
 -- | The counts on one line, without its end.
@@ -206,6 +208,7 @@ encodeEvaluation report =
       <> foldMap ("turn_deg" .=) (case conditionTurns chosen of TurnedBy t -> Just t; _ -> Nothing)
       <> foldMap ("foreign" .=) (conditionForeign chosen)
       <> foldMap ("foreign_arrays" .=) (conditionForeignArrays chosen)
+      <> foldMap ("untold" .=) (if conditionUntold chosen then Just True else Nothing)
       <> "stitching" .= tallyValue (evaluationStitched report)
       <> "no_stitching" .= tallyValue (evaluationUnstitched report)
   where

@@ -44,6 +44,8 @@ data RecognitionReport = RecognitionReport
     reportPositions :: [Position],
     reportWhereabouts :: WhereaboutsReport,
     reportRobot :: Maybe (Double, Double),
+    -- | standard deviation, taxels
+    reportPositionError :: Maybe Double,
     -- | quarter turns clockwise
     reportOrientation :: Maybe Int,
     -- | degrees clockwise, in [0, 360)
@@ -122,6 +124,7 @@ reportKeys =
            <*> key "positions" (listOf position) reportPositions
            <*> withKeys reportWhereabouts whereaboutsKeys
            <*> key "robot_mm" (nullable (pairOf real)) reportRobot
+           <*> key "position_error_taxels" (nullable real) reportPositionError
            <*> key "orientation_deg" (nullable quarterTurn) reportOrientation
            <*> key "angle_deg" (nullable real) reportAngle
            <*> key "doubt" (nullable real) reportDoubt
@@ -143,6 +146,8 @@ doubtsKeys =
   Doubts
     <$> key "position" real doubtOfPosition
     <*> key "stitching" real doubtOfStitching
+    <*> key "axes" real doubtOfAxes
+    <*> key "slip" real doubtOfSlip
     <*> withKeys doubtsOfOrigin foreignKeys
 
 symbol :: Keys more more -> Codec (SymbolReport more)
@@ -200,7 +205,9 @@ data RecognitionContext = RecognitionContext
     -- | the printed name of the element that a class stands for
     contextElement :: Int -> String,
     -- | the robot's coordinates, in millimetres, of a place on the first composite's grid
-    contextRobot :: (Double, Double) -> (Double, Double)
+    contextRobot :: (Double, Double) -> (Double, Double),
+    -- | the standard deviation of the robot's position error, taxels, where the frames told it
+    contextPositionError :: Maybe Double
   }
 
 -- | What a report says of a recognition.
@@ -216,6 +223,7 @@ recognitionReport context recognition =
       reportPositions = places,
       reportWhereabouts = whereaboutsReport (windowWhereabouts <$> window),
       reportRobot = contextRobot context . windowSeenAt <$> window,
+      reportPositionError = contextPositionError context,
       reportOrientation = quarterTurns <$> orientation,
       reportAngle = recognisedAngle recognition <$> orientation,
       reportDoubt = supportDoubt <$> support,

@@ -94,6 +94,7 @@ encodeAssembly files made =
       <> "groups" .= groupsOf (map registeredGroup (assemblyFrames made))
       <> "size" .= rasterSize image
       <> "origin_mm" .= compositeOrigin (assemblyComposite made)
+      <> "position_error_taxels" .= compositePositionError (assemblyComposite made)
       <> "residual" .= assemblyResidual made
   where
     image = compositeImage (assemblyComposite made)

@@ -50,15 +50,22 @@ data Tolerance = Tolerance
     toleratedErrors :: Radius,
     -- | the probability beforehand that what was touched is nothing of the array's: symbols of the
     -- same shapes, each as likely as any other in every cell; below 1
-    foreignPrior :: Double
+    foreignPrior :: Double,
+    -- | the probability beforehand that the robot's axes are others than those supposed; where it
+    -- is not given, a hundredth, and a quarter of that where somebody stated them
+    axesPrior :: Maybe Double,
+    -- | the probability beforehand that frames slipped by a whole cell: some of those of one folder
+    -- beyond a line, and again each folder but the first
+    slipPrior :: Double
   }
   deriving stock (Eq, Show)
 
 -- | A hundredth, and as many wrong symbols as the certain ones' minimum distance lets be corrected
--- for certain; of 200 things that are touched, one is foreign. So a window of four symbols beyond
--- doubt, which nearly every arrangement of four symbols is, is still an answer.
+-- for certain; of 200 things that are touched, one is foreign, and of 500 presses one has slipped.
+-- So a window of four symbols beyond doubt, which nearly every arrangement of four symbols is, is
+-- still an answer.
 standardTolerance :: Tolerance
-standardTolerance = Tolerance 0.01 Guaranteed 0.005
+standardTolerance = Tolerance 0.01 Guaranteed 0.005 Nothing 0.002
 
 -- | What would make a position wrong, each with its probability; they exclude each other.
 data Doubts = Doubts
@@ -66,6 +73,10 @@ data Doubts = Doubts
     doubtOfPosition :: Double,
     -- | the frames lie otherwise than they were put together, and then show something else
     doubtOfStitching :: Double,
+    -- | the robot's axes, or their scale, are others, and then the frames show something else
+    doubtOfAxes :: Double,
+    -- | frames slipped by a whole cell along the face, and likewise
+    doubtOfSlip :: Double,
     -- | it is nothing of the array's
     doubtsOfOrigin :: ForeignDoubts
   }
@@ -96,7 +107,11 @@ data Support = Support
 -- | The probability that the position is wrong.
 supportDoubt :: Support -> Double
 supportDoubt support =
-  doubtOfPosition doubts + doubtOfStitching doubts + doubtOfForeign (doubtsOfOrigin doubts)
+  doubtOfPosition doubts
+    + doubtOfStitching doubts
+    + doubtOfAxes doubts
+    + doubtOfSlip doubts
+    + doubtOfForeign (doubtsOfOrigin doubts)
   where
     doubts = supportDoubts support
 
@@ -183,7 +198,7 @@ supportFrom reader witnesses seen answer = do
   let (agreeing, wrong) = standing reader witnesses (candidatePosition candidate)
   pure
     Support
-      { supportDoubts = Doubts (fromMaybe 0 elsewhere') 0 alien,
+      { supportDoubts = Doubts (fromMaybe 0 elsewhere') 0 0 0 alien,
         supportAgreeing = length agreeing,
         supportWrong = map readNumber wrong,
         supportInconsistent = mostlyIn wrong agreeing,

@@ -11,7 +11,7 @@ module PraTactile.Recognise.Recognition
 
     -- * The answer
     Identification (..),
-    elsewhere,
+    differs,
     doubting,
 
     -- * Refusals
@@ -28,7 +28,7 @@ import PraTactile.Locate (Reason (..), foreignBut, reasonName, reasons)
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
-import PraTactile.Registration (Contradiction (..))
+import PraTactile.Registration (Contradiction (..), Fault (..))
 import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Symmetry
 
@@ -183,21 +183,28 @@ recognisedAngle recognition orientation
   where
     angle = degreesClockwise orientation + recognisedTilt recognition
 
--- | Whether something else is recognised than what was found: no window of it.
-elsewhere :: Finding -> Recognition -> Bool
-elsewhere found recognition = case recognisedAnswer recognition of
-  Right (Found other) ->
-    foundOrientation other /= foundOrientation found
-      || null (Set.intersection (positions other) (positions found))
-  _ -> False
+-- | Whether the second shows something else than the first found: another orientation, or fewer
+-- than half of the windows that either has; of frames one of which was moved, none of them. What
+-- shows nothing is something else, but where one frame was moved.
+differs :: Fault -> Recognition -> Recognition -> Bool
+differs fault shown other = case (recognisedAnswer shown, recognisedAnswer other) of
+  (Right (Found this), Right (Found that)) ->
+    foundOrientation this /= foundOrientation that || apart (windows this) (windows that)
+  _ -> fault /= OneFrame
   where
-    positions f = Set.fromList (map windowPosition (foundWindow f : foundWindows f))
+    apart these those
+      | fault == OneFrame = common == 0
+      | otherwise = 2 * common < min (Set.size these) (Set.size those)
+      where
+        common = Set.size (Set.intersection these those)
+    windows found = Set.fromList (map windowPosition (foundWindow found : foundWindows found))
 
--- | The recognition where its frames lie otherwise with this probability, and then show something
--- else: beyond the doubt that is tolerated, it is refused.
-doubting :: Tolerance -> Double -> Recognition -> Recognition
-doubting _ 0 recognition = recognition
-doubting tolerance stitched recognition =
+-- | The recognition where its frames lie otherwise, and then show something else, with these
+-- probabilities: one of them, all along other axes, or some by a slip. Beyond the doubt that is
+-- tolerated, it is refused.
+doubting :: Tolerance -> (Double, Double, Double) -> Recognition -> Recognition
+doubting _ (0, 0, 0) recognition = recognition
+doubting tolerance (stitched, axes, slip) recognition =
   recognition
     { recognisedSupport = weighed <$> recognisedSupport recognition,
       recognisedAnswer =
@@ -207,9 +214,17 @@ doubting tolerance stitched recognition =
     }
   where
     tooDoubtful support = supportDoubt support > toleratedDoubt tolerance
+    -- Frames that lie where they were told may be put together wrongly.
+    laid = 1 - axes - slip
+    put = laid * (1 - stitched)
     weighed support =
-      let Doubts position _ foreign' = supportDoubts support
-       in support
-            { supportDoubts =
-                Doubts (position * (1 - stitched)) stitched (foreignBut stitched foreign')
-            }
+      support
+        { supportDoubts =
+            (supportDoubts support)
+              { doubtOfPosition = put * doubtOfPosition (supportDoubts support),
+                doubtOfStitching = laid * stitched,
+                doubtOfAxes = axes,
+                doubtOfSlip = slip,
+                doubtsOfOrigin = foreignBut (1 - put) (doubtsOfOrigin (supportDoubts support))
+              }
+        }

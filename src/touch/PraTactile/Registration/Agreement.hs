@@ -2,10 +2,11 @@
 -- claimed by their positions, makes of their images.
 module PraTactile.Registration.Agreement
   ( contradiction,
+    evidenceAt,
   )
 where
 
-import Data.List (foldl', maximumBy)
+import Data.List (foldl', maximumBy, partition)
 import qualified Data.Map.Strict as Map
 import Data.Ord (comparing)
 import qualified Data.Set as Set
@@ -33,20 +34,64 @@ contradiction settings frames
     Just AgreeingNowhere
   | otherwise = Nothing
   where
-    given = agreement noise (sharing straight)
-    (best, axes) =
-      maximumBy
-        (comparing (agreed . fst))
-        [(agreement noise (sharing a), a) | (_, a) <- axesNamed, a /= straight]
-    noise = max (registrationNoise settings) (frameNoise (map snd frames))
-    -- What pairs tell, each once: many axes have pairs in common.
-    sharing a = [Map.findWithDefault nothing pair sharedByPair | pair <- pairsAlong a]
-    sharedByPair =
-      Map.fromSet (sharedBy settings images) (Set.fromList (concatMap (pairsAlong . snd) axesNamed))
-    images = Boxed.fromList (map snd frames)
-    nothing = Shared 0 0 0
-    pairsAlong a = telling (map (along a) frames)
+    (given, others) = case map (agreement noise) shared of
+      told : rest -> (told, rest)
+      [] -> (Agreement 0 0, [])
+    shared = sharings settings images (map pairsAlong ordered)
+    images = map snd frames
+    noise = max (registrationNoise settings) (frameNoise images)
+    (best, axes) = maximumBy (comparing (agreed . fst)) (zip others (drop 1 ordered))
+    ordered = straight : filter (/= straight) (map snd axesNamed)
+    pairsAlong a = telling mostPairs (overlapping (map (along a) frames))
     along a ((x, y), image) = let Pose x' y' _ = alongAxes a (Pose x y 0) in ((x', y'), image)
+
+-- | How much likelier, as a natural logarithm, the images' overlaps make each of some lists of
+-- places than the frames' own: by the pairs that lie otherwise to each other.
+evidenceAt :: Registration -> [(Taxels, Raster)] -> [[Taxels]] -> [Double]
+evidenceAt settings frames others = zipWith evidence (every even told) (every odd told)
+  where
+    told = map (sum . map (tie settings noise)) (sharings settings images (concatMap pairs others))
+    noise = max (registrationNoise settings) (frameNoise images)
+    every which xs = [x | (k, x) <- zip [0 :: Int ..] xs, which k]
+    pairs places =
+      [ telling mostOfLayout (filter (moved places) here),
+        telling mostOfLayout (filter (moved given) (overlapping (zip places images)))
+      ]
+    here = overlapping frames
+    (given, images) = unzip frames
+    moved places = unlike (Boxed.fromList places)
+    unlike places (Neighbours k l (x, y) _) =
+      let ((x1, y1), (x2, y2)) = (places Boxed.! k, places Boxed.! l)
+       in abs (x2 - x1 - x) > 1 || abs (y2 - y1 - y) > 1
+    -- Overlaps that show one relief tie their frames to each other. Frames that would overlap may
+    -- be alike by chance, since symbols resemble each other, but may not be unlike.
+    evidence a b
+      | a > 0 = negate a
+      | otherwise = min 0 (b - a)
+
+-- | How much likelier, as a natural logarithm, what two frames share is if they show one relief
+-- there, and are as alike as noise of that standard deviation lets them be, than if each shows its
+-- own; less what it costs to look for the likeliest displacement.
+tie :: Registration -> Double -> Shared -> Double
+tie settings noise (Shared n total unlike)
+  | total <= 0 = 0
+  | likelier > 0 = max 0 (likelier - cost)
+  | otherwise = min 0 (likelier + cost)
+  where
+    likelier =
+      independent * n
+        * (negate (log (1 - p * p)) / 2 - p * (p - min p like) / (1 - p * p))
+    p = expectedAlike noise n total
+    like = sqrt (max 0 (1 - unlike / total))
+    cost = max 0 (log (4 * pi * supposedSigma settings * supposedSigma settings))
+
+-- | What the pairs of some lists of pairs share, as pairs from 'telling'.
+sharings :: Registration -> [Raster] -> [[(Int, Int, Taxels)]] -> [[Shared]]
+sharings settings images lists = map (map (sharedByPair Map.!)) lists
+  where
+    -- What pairs share, each once: many axes have pairs in common.
+    sharedByPair =
+      Map.fromSet (sharedBy settings (Boxed.fromList images)) (Set.fromList (concat lists))
 
 -- | How much likelier, as a natural logarithm, other axes must be, beside a twelfth of what they
 -- tell at all, which pixels that resemble their neighbours make uncertain.
@@ -86,7 +131,12 @@ agreement noise pairs
   where
     Shared count total unlike = foldl' added (Shared 0 0 0) pairs
     added (Shared n t u) (Shared n' t' u') = Shared (n + n') (t + t') (u + u')
-    expected = max 0 (min alike (1 - (noise * noise + flat) * count / total))
+    expected = expectedAlike noise count total
+
+-- | The correlation that frames of noise of that standard deviation are expected to have in so many
+-- pixels, which vary so much in all, where they show one relief.
+expectedAlike :: Double -> Double -> Double -> Double
+expectedAlike noise count total = max 0 (min alike (1 - (noise * noise + flat) * count / total))
 
 -- | How many pixels of two frames overlap, how much they vary in all, and how much of that the
 -- other does not share.
@@ -108,7 +158,7 @@ sharedBy settings images (k, l, (x, y)) =
         varying = (va + vb) / 2 + flat
         like = max 0 cov / sqrt ((va + flat) * (vb + flat))
     whole t = fromIntegral (round t :: Int) :: Double
-    sigma = sqrt 2 * registrationSigma settings
+    sigma = sqrt 2 * supposedSigma settings
     prior = Prior (0, 0) (sigma * sigma)
     reach = max 1 (min 9 (2 * sigma))
     line = let r = floor reach :: Int in map fromIntegral [negate r .. r]
@@ -118,23 +168,35 @@ sharedBy settings images (k, l, (x, y)) =
 flat :: Double
 flat = 1e-6
 
--- | The most pairs that are looked at.
-mostPairs :: Int
-mostPairs = 24
+-- | The most pairs that are looked at, of those side by side and of those one below the other: for
+-- axes, and for each of many layouts.
+mostPairs, mostOfLayout :: Int
+mostPairs = 16
+mostOfLayout = 8
 
 -- | The correlation that overlapping frames are expected to have at most.
 alike :: Double
 alike = 0.85
 
--- | Pairs of images that overlap at their places: of those around at most @mostCentres@ images the
--- ones that overlap most, at most @mostPairs@ of them, evenly; by their numbers, with where the
--- second's upper left pixel lies in the first.
-telling :: [(Taxels, Raster)] -> [(Int, Int, Taxels)]
-telling placed =
-  spacedOut mostPairs [(k, l, step) | Neighbours k l step share <- found, share >= 0.75 * largest]
+-- | Pairs of images that overlap at their places, around at most @mostCentres@ of them.
+overlapping :: [(Taxels, Raster)] -> [Neighbours]
+overlapping = neighboursAround mostCentres
+
+-- | Of those that lie side by side and of those that lie one below the other, each for itself, the
+-- pairs that overlap by an eighth of a frame and by nearly half of the most, at most so many of
+-- them, evenly; by their numbers, with where the second's upper left pixel lies in the first.
+-- However large the one's overlaps are, they tell nothing of how the others lie.
+telling :: Int -> [Neighbours] -> [(Int, Int, Taxels)]
+telling most found = concatMap largest [beside, below]
   where
-    found = neighboursAround mostCentres placed
-    largest = maximum (0 : map neighboursShare found)
+    (beside, below) = partition ((\(x, y) -> abs x > abs y) . neighboursStep) found
+    largest pairs =
+      spacedOut
+        most
+        [ (k, l, step)
+          | Neighbours k l step share <- pairs,
+            share >= max 0.125 (0.45 * maximum (map neighboursShare pairs))
+        ]
 
 -- | The most images around which pairs are looked for.
 mostCentres :: Int

@@ -22,7 +22,7 @@ import PraTactile.Registration.Neighbours (Neighbours (..), neighbours)
 import PraTactile.Registration.Pair.Blind (blindPosterior)
 import PraTactile.Registration.Pair.Straight (alongStraight)
 import PraTactile.Registration.Posterior
-import PraTactile.Registration.Search (Registration (..))
+import PraTactile.Registration.Search (Registration, supposedSigma)
 import PraTactile.Registration.Spectrum
 
 -- | What the pair of two frames, by their numbers, says: by how much the second's displacement
@@ -43,7 +43,7 @@ registerPairwise settings tables frames = map snd (sortOn fst (zip order (map le
         (sortOn (\(_, ((x, y), image)) -> (y, x, rasterValues image)) (zip [0 :: Int ..] frames))
     links = concatMap (linkOf settings tables (Boxed.fromList (map snd ordered))) pairs
     pairs = [pair | pair <- neighbours ordered, neighboursShare pair >= leastShare]
-    placed = IntMap.elems (solved (registrationSigma settings) (length ordered) links)
+    placed = IntMap.elems (solved (supposedSigma settings) (length ordered) links)
     n = fromIntegral (max 1 (length placed))
     mean part = sum (map (part . fst) placed) / n
     less ((x, y), sd) = ((eighth (x - mean fst), eighth (y - mean snd)), sd)
@@ -64,7 +64,7 @@ linkOf settings tables images (Neighbours k l step@(x, y) _)
     known = tables (rasterSize a)
     process = processOf known 0 (map (coefficientsOf known) [a, b])
     -- The prior of a pair is normal, of half the search as standard deviation.
-    search = min 12 (2 * sqrt 2 * registrationSigma settings)
+    search = min 12 (2 * sqrt 2 * supposedSigma settings)
     found = alongStraight step search (a, b) (blindPosterior known process step search (a, b))
     relative g = let (u, v) = hypothesisShift g in g {hypothesisShift = (u - x, v - y)}
 

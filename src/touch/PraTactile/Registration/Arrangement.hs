@@ -23,7 +23,7 @@ import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Incremental (comparisons, register)
 import PraTactile.Registration.Joint
 import PraTactile.Registration.Lattice.Angle (latticeAngle)
-import PraTactile.Registration.Lattice.Fit (Fits, bySize, fitsAt)
+import PraTactile.Registration.Lattice.Fit (Fits (..), bySize, fitsAt)
 import PraTactile.Registration.Lattice.Glimpse
 import PraTactile.Registration.Lattice.Template (PaperTables, paperTemplates)
 import PraTactile.Registration.Posterior (Hypothesis)
@@ -33,8 +33,7 @@ import PraTactile.Registration.Spectrum (spectra)
 
 -- | How frames are registered.
 data StitchMethod
-  = -- | incrementally; where the robot is known for an error above 1.25 taxels, or the sensor for
-    -- noise above a quarter of full scale, by the lattice if the frames show it
+  = -- | by the lattice if the frames show it, else incrementally
     Automatic
   | -- | by the lattice of cells
     ByLattice
@@ -65,8 +64,16 @@ data Registered = Registered
 data Arrangement = Arrangement
   { arrangementMethod :: !StitchMethod,
     arrangementFrames :: ![Registered],
+    -- | The standard deviation of the robot's position error, taxels, where the method tells it.
+    arrangementSigma :: Maybe Double,
     -- | The standard deviation of one frame from what others saw at the same place, grey values.
-    arrangementResidual :: Maybe Double
+    arrangementResidual :: Maybe Double,
+    -- | The angle of the lattice, in degrees clockwise, where the method tells it.
+    arrangementAngle :: Maybe Double,
+    -- | The displacements from other nominal places, registered by the same method, and how much
+    -- likelier, as a natural logarithm, these make the lattice than the given ones; 'Nothing' where
+    -- nothing is registered.
+    arrangementFrom :: Maybe ([Taxels] -> (Double, [Taxels]))
   }
 
 -- | The most pixels that frames are compared in for a first look at which of them tell most of
@@ -88,61 +95,72 @@ data TooMuch
   deriving stock (Eq, Show)
 
 -- | Find the displacements, given the nominal places (taxels) of the frames' upper left pixels.
+-- Frames that show nothing, or of which there is one, stay where they are.
 arrange :: StitchMethod -> Registration -> [(Taxels, Raster)] -> Either TooMuch Arrangement
-arrange method settings frames = case (method, paperTemplates) of
-  (Nominal, _) -> Right (plain Nominal unmoved)
-  _ | all (flat . snd) frames -> Right (plain Incremental unmoved)
-  (Jointly, _) ->
-    Right $
-      arranged
-        Jointly
-        [ Registered d (Just (sd, sd)) Nothing []
-          | (d, sd) <- registerPairwise settings (bySize sizes (uncurry spectra)) frames
-        ]
-  (ByLattice, Just tables)
-    | largest > maxLatticePixels -> Left (LatticePixels largest)
-    | otherwise -> Right (jointly (fromMaybe (at tables 0) (latticeOf tables)))
-  (Automatic, Just tables)
-    | length frames >= 2 && doubtful && largest <= maxLatticePixels,
-      Just fits <- latticeOf tables ->
-      Right (jointly fits)
-  _
-    | compared > maxComparisons -> Left (ComparedPixels compared)
-    | otherwise -> Right (plain Incremental (register settings frames))
+arrange method settings frames
+  | method == Nominal || length frames < 2 || all (flat . snd) frames =
+    Right (arranged unregistered (map (const stays) frames))
+  | otherwise = case method of
+    ByLattice | largest > maxLatticePixels -> Left (LatticePixels largest)
+    ByLattice
+      | Just tables <- paperTemplates -> Right (byLattice (fromMaybe (fits tables 0) lattice))
+    Jointly -> Right (blindly Jointly fitted (registerPairwise settings spectra'))
+    Automatic | largest <= maxLatticePixels, Just fits' <- lattice -> Right (byLattice fits')
+    _ | compared > maxComparisons -> Left (ComparedPixels compared)
+    _ -> Right (blindly Incremental correlated (register settings))
   where
+    unregistered = if method == Automatic then Incremental else method
     compared = comparisons settings frames
     largest = maximum (0 : map ((\(w, h) -> w * h) . rasterSize . snd) frames)
-    unmoved = map (const ((0, 0), [])) frames
     flat image = V.all (== rasterValues image V.! 0) (rasterValues image)
-    doubtful = registrationSigma settings > 1.25 || registrationNoise settings > 0.25
-    sizes = map (rasterSize . snd) frames
-    at tables = fitsAt tables (map snd frames)
-    -- The frames held against the lattice, if they show it.
-    latticeOf :: PaperTables -> Maybe Fits
-    latticeOf tables = do
+    images = map snd frames
+    sizes = map rasterSize images
+    spectra' = bySize sizes (uncurry spectra)
+    fits :: PaperTables -> Double -> Fits
+    fits tables = fitsAt tables images
+    -- What the frames tell of the lattice, if they show it.
+    lattice = do
+      tables <- paperTemplates
       size <- listToMaybe sizes
       latticeAngle
-        (at tables)
+        (fits tables)
         (uncurry spectra (glimpseSize size))
-        (tilt (map compositeOf (spacedOut tiltFrames (map snd frames))))
-        (map (glimpse . snd) frames)
-    jointly :: Fits -> Arrangement
-    jointly fits =
-      arranged
-        ByLattice
-        [ Registered
+        (tilt (map compositeOf (spacedOut tiltFrames images)))
+        (map glimpse images)
+    stays = Registered (0, 0) Nothing Nothing []
+    correlated (d, instead) = Registered d Nothing Nothing instead
+    fitted (d, sd) = Registered d (Just (sd, sd)) Nothing []
+    blindly used told way =
+      (arranged used (map told (way frames)))
+        { arrangementFrom = Just (\places -> (0, map (shift . told) (way (zip places images))))
+        }
+      where
+        shift one = registeredShift (one 0)
+    byLattice fits' =
+      (arranged ByLattice (map estimated (jointFrames found)))
+        { arrangementSigma = jointSigma found,
+          arrangementAngle = Just (fitsAngle fits'),
+          arrangementFrom = Just (\places -> from (registered (zip places images)))
+        }
+      where
+        registered = registerJointly settings fits'
+        found = registered frames
+        from there = (jointLog there - jointLog found, map estimateShift (jointFrames there))
+        estimated l =
+          Registered
             (estimateShift l)
             (Just (estimateDeviation l))
             (Just (estimateProbability l))
             (estimateOthers l)
-          | l <- registerJointly settings fits frames
-        ]
-    plain used ds = arranged used [Registered d Nothing Nothing instead | (d, instead) <- ds]
     arranged used frameOf =
       Arrangement
-        used
-        (zipWith ($) frameOf (groupsOf places))
-        (residual places)
+        { arrangementMethod = used,
+          arrangementFrames = zipWith ($) frameOf (groupsOf places),
+          arrangementSigma = Nothing,
+          arrangementResidual = residual places,
+          arrangementAngle = Nothing,
+          arrangementFrom = Nothing
+        }
       where
         places = moved frames [registeredShift (a 0) | a <- frameOf]
 

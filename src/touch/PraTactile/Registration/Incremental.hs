@@ -34,6 +34,7 @@ import PraTactile.Registration.Search
     mostProbable,
     probabilities,
     searchRadius,
+    supposedSigma,
   )
 
 -- | The displacement of each image, x and y in taxels, given the nominal places (taxels) of the
@@ -153,7 +154,7 @@ grown settings nodes = go IntMap.empty (0, 0) (IntMap.map (const 0) byKey) start
           | Just node <- IntMap.lookup key byKey ->
             let (mean, count) = centre (IntMap.size placed) total -- Note [The prior while growing]
                 unsure = sqrt (1 + 1 / max 1 count)
-                variance = (unsure * registrationSigma settings) ^ (2 :: Int)
+                variance = (unsure * supposedSigma settings) ^ (2 :: Int)
                 window = Window mean (unsure * searchRadius settings)
                 displacement@(x, y) =
                   located settings placed node (Prior mean variance) window (whole mean)
@@ -213,7 +214,7 @@ sweeps settings nodes first =
         old = IntMap.findWithDefault (0, 0) key ds
         new =
           uncurry
-            (located settings ds node (Prior (0, 0) (registrationSigma settings ^ (2 :: Int))))
+            (located settings ds node (Prior (0, 0) (supposedSigma settings ^ (2 :: Int))))
             (looking old)
     centred ds =
       let ((mx, my), _) = centre (IntMap.size ds) (sum (fst <$> ds), sum (snd <$> ds))
@@ -257,7 +258,7 @@ others settings displacements node = case seenByOthers displacements node reach 
   Nothing -> []
   where
     start = IntMap.findWithDefault (0, 0) (nodeKey node) displacements
-    prior = Prior (0, 0) (registrationSigma settings ^ (2 :: Int))
+    prior = Prior (0, 0) (supposedSigma settings ^ (2 :: Int))
     reach = max 2 (ceiling (2 / 3 * searchRadius settings))
     far (x, y) (x', y') = max (abs (x - x')) (abs (y - y')) >= 2
     apart found = case found of

@@ -6,6 +6,7 @@
 -- them, and of each frame only the displacements that may matter are kept.
 module PraTactile.Registration.Joint
   ( Estimate (..),
+    Joint (..),
     registerJointly,
   )
 where
@@ -17,7 +18,7 @@ import PraTactile.Geometry (cosineSine, rotated)
 import PraTactile.Image (Raster, rasterHeight, rasterSize, rasterValues, rasterWidth)
 import PraTactile.Registration.Joint.Displacement (Displacement (..), displacementsOf)
 import PraTactile.Registration.Joint.Estimate
-import PraTactile.Registration.Joint.Grid (gridOf)
+import PraTactile.Registration.Joint.Grid (Grid (..), gridOf, gridSpacing)
 import PraTactile.Registration.Joint.MeanField (meanField)
 import PraTactile.Registration.Joint.Phase (commonPhase)
 import PraTactile.Registration.Lattice.Fit
@@ -35,11 +36,23 @@ phaseFrames = 64
 keptPixels :: Int
 keptPixels = 1024
 
--- | Where each frame is, from the nominal places (taxels) of their upper left pixels, and what they
--- tell at the lattice's angle. The displacements have mean 0, since a shift common to all cannot be
--- seen. The order of the frames changes nothing.
-registerJointly :: Registration -> Fits -> [(Taxels, Raster)] -> [Estimate]
-registerJointly settings fits frames = map snd (sortOn fst (zip order centredEstimates))
+-- | Frames on one lattice, each part found when it is first looked at.
+data Joint = Joint
+  { -- | Where each frame is, in their order. The displacements have mean 0, since a shift common to
+    -- all cannot be seen.
+    jointFrames :: [Estimate],
+    -- | The standard deviation of the robot's position error, taxels, where two frames or more tell
+    -- it.
+    jointSigma :: Maybe Double,
+    -- | log P of the lattice's likeliest phase, up to what does not depend on the places.
+    jointLog :: Double
+  }
+
+-- | Frames registered from the nominal places (taxels) of their upper left pixels, and what they
+-- tell at the lattice's angle. The order of the frames changes nothing.
+registerJointly :: Registration -> Fits -> [(Taxels, Raster)] -> Joint
+registerJointly settings fits frames =
+  Joint (map snd (sortOn fst (zip order centredEstimates))) sigma phaseLog
   where
     angle = fitsAngle fits
     (order, ordered) =
@@ -58,14 +71,17 @@ registerJointly settings fits frames = map snd (sortOn fst (zip order centredEst
     some = spacedOut phaseFrames ordered
     small = sum (map pixelsOf some) <= phaseFrames * keptPixels
     pixelsOf (_, image, _) = rasterWidth image * rasterHeight image
-    (orientation, phase) = commonPhase grid (map (if small then kept else again) some)
+    (phaseLog, (orientation, phase)) = commonPhase grid (map (if small then kept else again) some)
     displacements =
       map
         ( displacementsOf grid orientation phase
             . (if small && length ordered <= phaseFrames then kept else again)
         )
         ordered
-    posteriors = meanField displacements
+    (posteriors, sigmas) = meanField grid displacements
+    sigma
+      | length ordered < 2 = Nothing
+      | otherwise = Just (exp (sum (zipWith (*) sigmas (map log (gridSigmas grid)))) / gridSpacing)
     estimates =
       [ turnedTo angle (estimateAt place (shifts weights))
         | ((place, _, _), weights) <- zip ordered posteriors

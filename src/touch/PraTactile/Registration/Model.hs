@@ -61,40 +61,51 @@
 --
 -- The angle alpha is maximised too, over the sum of log p(z) of a few frames: at whole taxels over
 -- the circle, then by two degrees, and by a parabola's vertex
--- ("PraTactile.Registration.Lattice.Angle"). There is a lattice at all if that sum is above that of
--- the likeliest other relief: the normal process below.
+-- ("PraTactile.Registration.Lattice.Angle"). There is a lattice at all if its posterior is 0.99,
+-- against the likeliest other relief, which is the normal process below: if that sum, less log N of
+-- each frame (the gain and the offset, by Schwarz's criterion), is above the process's by log 99.
 --
 -- = Many frames
 --
 -- Frame f lies at its nominal place n_f and the displacement d_f, which is the robot's error:
--- normal, of deviation sigma along each axis, on a grid of half taxels:
+-- normal, of one standard deviation sigma along each axis, on a grid of half taxels, up to
+-- registrationReach times the greatest sigma. The logarithm of sigma is uniform, over six sigma an
+-- octave: from half a taxel to four, a quarter of the pitch; or from half to twice what the robot
+-- is known for, but to four at most where it is known for less: beyond, a frame may as well lie a
+-- cell further. A place within the grid's cell has a variance of its own; in half taxels
 --
--- > log pi(d) = - |d|^2 / (2 sigma^2)
+-- > log pi_sigma(d) = - |d|^2 / (2 v) - log (2 pi v),    v = sigma^2 + 1/12
 --
--- The phase of the lattice under all frames is maximised, each frame's displacement summed:
+-- The phase of the lattice under all frames is maximised, each frame's displacement summed, and one
+-- sigma an octave; where delta is below, and L* a frame's greatest L:
 --
--- > log P(lambda) = sum over f of log (sum over d of pi(d) exp L_f(lambda - n_f - d))
+-- > P(lambda) ~ sum over sigma of product over f of
+-- >    (delta + (1 - delta) * sum over d of pi_sigma(d) exp (L_f(lambda - n_f - d) - L*_f))
 --
--- Then the displacements' posterior is, with the classes of the cells c summed,
+-- Then the posterior of the displacements and of sigma is, with the classes of the cells c summed,
 --
--- > P(d_1 .. d_F) ~ product of pi(d_f) * product over c of
+-- > P(d_1 .. d_F, sigma) ~ product of pi_sigma(d_f) * product over c of
 -- >                 (epsilon + sum over k of P(k) exp (sum over f of l_fck(d_f)))
 --
 -- where l_fck(d) is l_k at the place of c on the frame f that lies at n_f + d. The posterior is
--- approximated by a product of q_f (a mean field): the other frames enter by their expected log
--- likelihoods, the frame's own sum over the classes is exact. Begun from each frame alone, all
--- frames anew in each sweep, until no frame's likeliest displacement changes or five are done:
+-- approximated by a product of q_f and q (a mean field): the other frames enter by their expected
+-- log likelihoods, the frame's own sums over the classes and over sigma are exact. Begun from each
+-- frame alone, all frames anew in each sweep, until no frame's likeliest displacement changes or
+-- five are done:
 --
 -- > m_c(k)  ~ P(k) exp (sum over g /= f, d of q_g(d) l_gck(d))        what the others make of c
 -- > m'_c    = (1 - delta) m_c + delta P                               one of them may be astray
--- > q_f(d)  ~ pi(d) * product over the cells c that f sees of
+-- > s_f(sigma) ~ exp (sum over g /= f, d of q_g(d) log pi_sigma(d))   likewise of sigma
+-- > q_f(d)  ~ (sum over sigma of s_f(sigma) pi_sigma(d)) * product over the cells c that f sees of
 -- >           (m'_c(empty) + sum over k of m'_c(k) exp l_fck(d))
 --
--- A displacement of q_g(d) <= 0.02 tells the others nothing, and one that is e^12 below a frame's
--- best by itself is not looked at. What is given of a frame is the mean of q_f over the 3 x 3 grid
--- points that hold most of it, within 'tolerance' of it; how much they hold; the deviations; and at
--- most two hypotheses two taxels or more from there and from each other. The mean of all
--- displacements is 0, for a shift of all cannot be seen.
+-- A displacement of q_g(d) <= 0.02 tells the others nothing of the cells, and one that is e^12
+-- below a frame's best by itself, one sigma an octave, is not looked at. The position error that
+-- is given is the exponential of the mean of log sigma over q, which is s_f by all frames. What is
+-- given of a frame is the mean of q_f over the 3 x 3 grid points that hold most of it, within
+-- 'tolerance' of it; how much they hold; the deviations; and at most two hypotheses two taxels or
+-- more from there and from each other. The mean of all displacements is 0, for a shift of all
+-- cannot be seen.
 --
 -- = Two frames
 --
@@ -150,7 +161,7 @@
 -- > T                 Templates     <z, T>, sum T, sum T^2   Moments, summed up: Y, S, Q
 -- > l_k, l, L         classLogs, cellLogs, phaseLogs     log p(z)  logDensity
 -- > epsilon, P(k)     absence, classPrior                  beta      blurDeviation
--- > log P(lambda)     phasePosterior                         log pi    normalLog
+-- > log P(lambda)     phasePosterior                         log pi    priorAlong
 -- > d, with l_fck     Displacement                           delta     outlier
 -- > q_f               meanField                              e^30      negligible
 module PraTactile.Registration.Model
@@ -170,6 +181,7 @@ module PraTactile.Registration.Model
 
     -- * Displacements
     normalLog,
+    sigmasPerOctave,
     outlier,
     tolerance,
     eighth,
@@ -236,6 +248,10 @@ cellLog count at
 -- | What is so much less likely, as a natural logarithm, does not count.
 negligible :: Double
 negligible = 30
+
+-- | How finely standard deviations of the robot's error are told apart.
+sigmasPerOctave :: Int
+sigmasPerOctave = 6
 
 -- | The logarithm of a normal density up to a constant, given its variance and the square of the
 -- distance from its mean: log pi, of the square of a displacement or of its part along an axis.

@@ -4,6 +4,8 @@ module PraTactile.Registration.Search
   ( -- * Settings
     Registration (..),
     standardRegistration,
+    supposedSigma,
+    sigmasFor,
     searchRadius,
     usable,
 
@@ -22,6 +24,7 @@ module PraTactile.Registration.Search
 where
 
 import Data.List (foldl')
+import Data.Maybe (fromMaybe)
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image (Raster)
 import PraTactile.Image.Correlate (Overlap (..), Reference, overlapAt)
@@ -29,8 +32,9 @@ import PraTactile.Registration.Model (normalLog)
 
 -- | What registration supposes of the robot and the sensor, and how far it goes.
 data Registration = Registration
-  { -- | The standard deviation of the robot's position error along each axis, in taxels.
-    registrationSigma :: !Double,
+  { -- | The standard deviation of the robot's position error along each axis, in taxels, that the
+    -- robot is known for; 'Nothing' where nobody has told.
+    registrationSigma :: !(Maybe Double),
     -- | The standard deviation of the sensor's noise, as a share of full scale.
     registrationNoise :: !Double,
     -- | How far from where it is expected a frame is looked for, in standard deviations of the
@@ -41,22 +45,36 @@ data Registration = Registration
   }
   deriving stock (Eq, Show)
 
--- | Position errors of one taxel, noise of 0.1, a reach of four and a half standard deviations, at
--- most five sweeps.
+-- | Position errors that nobody has told, noise of 0.1, a reach of four and a half standard
+-- deviations, at most five sweeps.
 standardRegistration :: Registration
-standardRegistration = Registration 1 0.1 4.5 5
+standardRegistration = Registration Nothing 0.1 4.5 5
+
+-- | The standard deviation of the position error, in taxels, where one has to be supposed: the one
+-- told, else one taxel.
+supposedSigma :: Registration -> Double
+supposedSigma = fromMaybe 1 . registrationSigma
+
+-- | The least and the greatest standard deviation, in taxels, that the position error may have:
+-- from half a taxel to four, a quarter of the pitch; or from half to twice the one told, but no
+-- further than to four, where less was told.
+sigmasFor :: Registration -> (Double, Double)
+sigmasFor = maybe (0.5, 4) around . registrationSigma
+  where
+    around sigma = (sigma / 2, max sigma (min 4 (2 * sigma)))
 
 -- | How far from where it is expected a frame is looked for, in taxels.
 searchRadius :: Registration -> Double
-searchRadius settings = registrationReach settings * registrationSigma settings
+searchRadius settings = registrationReach settings * supposedSigma settings
 
 -- | Whether the settings make sense: a positive sigma, noise of at least 0, and a search radius of
 -- at most 64 taxels.
 usable :: Registration -> Bool
 usable settings =
-  sigma > 0 && noise >= 0 && not (isInfinite noise) && reach >= 0 && sigma * reach <= 64
+  sigma > 0 && noise >= 0 && not (isInfinite noise) && reach >= 0 && searchRadius settings <= 64
   where
-    Registration sigma noise reach _ = settings
+    Registration _ noise reach _ = settings
+    sigma = supposedSigma settings
 
 -- | A normal distribution of displacements: its mean, and its variance along each axis in square
 -- taxels.

@@ -16,17 +16,18 @@ import PraTactile.Sensor.Frame (Frame)
 data Stitching = Stitching
   { -- | how frames are registered
     stitchingMethod :: StitchMethod,
-    -- | the standard deviation of each frame's position on both axes, in taxels
-    stitchingPositionError :: Double,
+    -- | the standard deviation of each frame's position on both axes, in taxels; 'Nothing' where it
+    -- is not known
+    stitchingPositionError :: Maybe Double,
     -- | the standard deviation of the sensor's noise, as a share of full scale; 'Nothing' where it
     -- is not known, and taken as the frames show it
     stitchingNoise :: Maybe Double
   }
   deriving stock (Eq, Show)
 
--- | Position errors of one taxel, whatever noise the frames show.
+-- | Position errors that nobody has told, and whatever noise the frames show.
 standardStitching :: Stitching
-standardStitching = Stitching Automatic 1 Nothing
+standardStitching = Stitching Automatic Nothing Nothing
 
 -- | No correction: every frame lies where its pose has it.
 nominalStitching :: Stitching
@@ -42,9 +43,8 @@ registrationFor known frames = case stitchingNoise known of
   Just noise -> settings {registrationNoise = noise}
   Nothing -> withNoiseOf frames settings
   where
-    sigma = stitchingPositionError known
-    settings =
-      standardRegistration {registrationSigma = if sigma >= 0 then max 0.01 sigma else sigma}
+    settings = standardRegistration {registrationSigma = fmap least (stitchingPositionError known)}
+    least sigma = if sigma >= 0 then max 0.01 sigma else sigma
 
 -- | Frames put together so, and how. Refuses what 'assemble' refuses.
 assembledBy :: Stitching -> [Frame] -> Either StitchError Assembly

@@ -63,19 +63,19 @@ data Entry = Entry
   deriving stock (Eq, Show)
 
 -- | A manifest: the distance of neighbouring taxels in millimetres, the frames' width and height if
--- it says them, what its two coordinates are, and a line a frame.
+-- it says them, what its two coordinates are, if it says that, and a line a frame.
 data Manifest = Manifest
   { manifestTaxel :: !Double,
     manifestFrame :: !(Maybe (Int, Int)),
-    manifestAxes :: !Axes,
+    manifestAxes :: !(Maybe Axes),
     manifestEntries :: ![Entry]
   }
   deriving stock (Eq, Show)
 
 -- | What a manifest of these entries says that says nothing else: taxels of 'taxelPitch', frames of
--- any size, straight axes.
+-- any size, which are 'straight' then.
 listing :: [Entry] -> Manifest
-listing = Manifest taxelPitch Nothing straight
+listing = Manifest taxelPitch Nothing Nothing
 
 -- | The name of the manifest in a folder of frames.
 manifestName :: FilePath

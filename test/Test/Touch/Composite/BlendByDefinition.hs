@@ -115,7 +115,8 @@ growing =
           -- Faint, so that prior and likelihood both count.
           forAll ((,) <$> choose (0.05, 0.4) <*> choose (4, 9)) $ \(contrast, overlap) ->
             let faint = mapRaster (* contrast) texture
-                settings = standardRegistration {registrationSigma = sigma, registrationSweeps = 0}
+                settings =
+                  standardRegistration {registrationSigma = Just sigma, registrationSweeps = 0}
                 at x = Pose (taxelPitch * fromIntegral (x :: Int)) 0 0
                 apart = 16 - overlap
                 frames =
@@ -138,7 +139,7 @@ growing =
         (Window (0, 0) (sqrt spread * registrationReach settings * sigma))
         (0, 0)
       where
-        sigma = registrationSigma settings
+        sigma = supposedSigma settings
         spread = 1 + 1 / fromIntegral k
     -- The mean of k frames, each pixel with the weight k / (1 + k), and nothing around it.
     agreed :: Int -> Raster -> Reference

@@ -29,7 +29,9 @@ genComposite sides = do
         compositeCoverage = generate w h (\x y -> covered !! (y * w + x)),
         compositeOrigin = origin,
         compositeDisplacements = [(0, 0)],
+        compositePositionError = Nothing,
         compositeCompared = True,
+        compositeAxesStated = False,
         compositeOthers = [],
         compositeContradiction = Nothing
       }

@@ -3,6 +3,7 @@
 module Test.Touch.Registration.ByDefinition (spec) where
 
 import Control.Monad (forM)
+import Data.Foldable (toList)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
@@ -181,10 +182,13 @@ jointSpec =
   it "frames lie together where their common phase, displacements and mean field have them" $
     forAll (elements [0, 0, 20]) $ \angle ->
       forAllBlind genFrames $ \frames ->
-        let settings = standardRegistration {registrationSigma = 0.7, registrationReach = 2}
-            found = registerJointly settings (fitsAt tablesOf (map snd frames) angle) frames
-         in conjoin (zipWith alike found (together 0.7 3 angle frames))
+        let settings = standardRegistration {registrationSigma = Just 0.4, registrationReach = 2}
+            fits = fitsAt tablesOf (map snd frames) angle
+            Joint found sigma _ = registerJointly settings fits frames
+            (wanted, sigma') = together (Robot (0.2, 0.8) 4) angle frames
+         in conjoin (zipWith alike found wanted)
               .&&. length found === length frames
+              .&&. near 1e-3 "sigma" (toList sigma) [sigma' | length frames > 1]
   where
     genFrames = do
       count <- choose (1, 3)
@@ -205,21 +209,24 @@ jointSpec =
     other (Hypothesis s p) (Hypothesis s' p') = nearPlace 1e-9 s s' && abs (p - p') < 1e-3
     nearPlace to (x, y) (x', y') = abs (x - x') < to && abs (y - y') < to
 
--- | By definition, where frames lie that are displaced by errors of that standard deviation, in
--- taxels, up to so many half taxels, on a lattice at an angle.
-together :: Double -> Int -> Double -> [((Double, Double), Raster)] -> [Estimate]
-together sigma reach angle frames = map centred located
+-- | By definition, where frames lie that a robot displaces, on a lattice at an angle, and the
+-- standard deviation of its error.
+together :: Robot -> Double -> [((Double, Double), Raster)] -> ([Estimate], Double)
+together robot angle frames =
+  (map centred located, exp (sum (zipWith (*) qs (map log bySigma))) / 2)
   where
+    bySigma = sigmas 6 robot
     seen =
       [ Seen (about (negate angle) place) (phaseLogsOf 2 classes) classes
         | (place, image) <- frames,
           let (_, classes) = fitted angle image
       ]
-    phase = commonPhase sigma reach seen
-    options = map (likely sigma reach phase) seen
+    phase = commonPhase robot seen
+    options = map (likely robot phase) seen
+    (fields, qs) = meanField bySigma options
     located =
       [ turn (estimate (seenPlace one) (zip [d | (d, _, _) <- told] ps))
-        | (one, told, ps) <- zip3 seen options (meanField options)
+        | (one, told, ps) <- zip3 seen options fields
       ]
     about degrees (x, y) =
       let (c, s) = (cos (degrees * pi / 180), sin (degrees * pi / 180))

@@ -64,7 +64,7 @@ genMixed = do
           let here = if one then at scene (x + i) (y + j) else at other i j
            in (1 - share) * here + if fading then 0 else share * at other i j
       frames share = [(told axes offset p, seen share p other) | (p, other) <- zip places others]
-  pure (standardRegistration {registrationSigma = sigma, registrationNoise = noise}, frames)
+  pure (standardRegistration {registrationSigma = Just sigma, registrationNoise = noise}, frames)
   where
     at image i j = fromMaybe 0 (index image i j)
     told axes (u, v) (x, y) =
@@ -78,9 +78,10 @@ genRelief side = do
   let third t = fromIntegral t / 3
   pure (generate side side (\x y -> maybe 0 fst (referenceAt coarse (third x) (third y))))
 
--- | The definition: pairs that overlap by three quarters of what the most do, 24 of them, around 64
--- frames; of each the displacement of the whole taxels within two standard deviations of the
--- robot's that is most probable; over all, how much less each varies from the other than by itself.
+-- | The definition: of pairs side by side and of those one below the other, 16 each of those that
+-- overlap by an eighth of a frame and 45 % of what the most do, around 64 frames; of each the
+-- displacement of the whole taxels within two standard deviations of the robot's that is most
+-- probable; over all, how much less each varies from the other than by itself.
 defined :: Registration -> [(Taxels, Raster)] -> Maybe Contradiction
 defined settings frames
   | toldBest > toldGiven + 100 + toldGiven / 12,
@@ -96,7 +97,12 @@ defined settings frames
     along a = telling (map shared (chosen (neighboursAround 64 (map (moved a) frames))))
     moved a ((x, y), shown) = let Pose x' y' _ = alongAxes a (Pose x y 0) in ((x', y'), shown)
     chosen found =
-      evenly 24 (filter ((>= 0.75 * maximum (map neighboursShare found)) . neighboursShare) found)
+      concat
+        [ evenly 16 [n | n <- some, neighboursShare n >= max 0.125 (0.45 * most)]
+          | some <- [filter beside found, filter (not . beside) found],
+            let most = maximum (map neighboursShare some)
+        ]
+    beside found = let (x, y) = neighboursStep found in abs x > abs y
     evenly :: Int -> [a] -> [a]
     evenly most xs =
       let places = [(k * most) `div` length xs | k <- [0 .. length xs - 1]]
@@ -130,5 +136,5 @@ defined settings frames
         rho = max 0 cov / sqrt ((va + 1e-6) * (vb + 1e-6))
     image k = snd (frames !! k)
     nearest t = fromIntegral (round t :: Int) :: Double
-    sigma = registrationSigma settings
+    sigma = supposedSigma settings
     reach = max 1 (min 9 (2 * sqrt 2 * sigma))

@@ -15,8 +15,10 @@ module Test.Touch.Registration.Definition
 
     -- * Many frames
     Seen (..),
+    Robot (..),
     commonPhase,
     likely,
+    sigmas,
     meanField,
     estimate,
 
@@ -203,30 +205,49 @@ data Seen = Seen
 nearest :: Double -> (Int, Double)
 nearest x = let n = round (2 * x) in (n, 2 * x - fromIntegral n)
 
--- | log pi of a displacement by half taxels from the grid point nearest to a place, given sigma in
--- taxels.
-priorOf :: Double -> (Double, Double) -> (Int, Int) -> Double
-priorOf sigma (px, py) (dx, dy) = along px dx + along py dy
-  where
-    along p d = -(((fromIntegral d - snd (nearest p)) / 2) ^ (2 :: Int)) / (2 * sigma * sigma)
+-- | The robot's error: the least and the greatest standard deviation that it may have, in taxels,
+-- and how many half taxels a displacement may be.
+data Robot = Robot !(Double, Double) !Int
 
--- | The displacements by half taxels up to so many.
-upTo :: Int -> [(Int, Int)]
-upTo reach = [(dx, dy) | dy <- [-reach .. reach], dx <- [-reach .. reach]]
+-- | So many standard deviations an octave, in half taxels.
+sigmas :: Int -> Robot -> [Double]
+sigmas n (Robot (least, most) _) =
+  takeWhile
+    (<= 2 * most * 1.001)
+    [2 * least * 2 ** (fromIntegral k / fromIntegral n) | k <- [0 :: Int ..]]
+
+-- | The squares of displacements, by half taxels from the grid point nearest to a place.
+squaresAt :: Robot -> (Double, Double) -> Map.Map (Int, Int) Double
+squaresAt (Robot _ reach) (px, py) =
+  Map.fromList
+    [ ((dx, dy), squared (off px dx) + squared (off py dy))
+      | dy <- [-reach .. reach],
+        dx <- [-reach .. reach]
+    ]
+  where
+    off p d = fromIntegral d - snd (nearest p)
+    squared t = t * t :: Double
+
+-- | log pi, given sigma, from the square of a displacement: half taxels.
+logPi :: Double -> Double -> Double
+logPi sigma square = -square / (2 * v) - log (2 * pi * v)
+  where
+    v = sigma * sigma + 1 / 12
 
 -- | The phase under all frames that they make likeliest, by half taxels from the origin of their
--- places; none is less likely by one frame than 10^-300.
-commonPhase :: Double -> Int -> [Seen] -> (Int, Int, Int)
-commonPhase sigma reach frames = maximumBy (comparing (\phase -> sum (map ($ phase) told))) all'
+-- places: over one standard deviation an octave.
+commonPhase :: Robot -> [Seen] -> (Int, Int, Int)
+commonPhase robot frames =
+  maximumBy (comparing (\phase -> logMean [sum (map ($ phase) told) | told <- bySigma])) all'
   where
     all' = [(o, y, x) | o <- [0, 1], y <- [0 .. 39], x <- [0 .. 31]]
-    told = map ofFrame frames
-    ofFrame (Seen place phases _) = \phase ->
-      log . (1e-300 +) . sum $
+    bySigma = [map (ofFrame sigma) frames | sigma <- sigmas 1 robot]
+    ofFrame sigma (Seen place phases _) = \phase ->
+      log . (\p -> 1e-12 + (1 - 1e-12) * p) . sum $
         [exp (prior + onFrame phases place d phase - top) | (d, prior) <- displacements]
       where
         top = maximum phases
-        displacements = [(d, priorOf sigma place d) | d <- upTo reach]
+        displacements = Map.toList (fmap (logPi sigma) (squaresAt robot place))
 
 onFrame ::
   Map.Map (Int, Int, Int) Double -> (Double, Double) -> (Int, Int) -> (Int, Int, Int) -> Double
@@ -234,14 +255,19 @@ onFrame phases (px, py) (dx, dy) (o, y, x) =
   Map.findWithDefault 0 (phaseOf 2 (o, y - fst (nearest py) - dy, x - fst (nearest px) - dx)) phases
 
 -- | The displacements that are at most e^12 less likely than a frame's best by itself: each with
--- log pi and, by row and column from the phase's first, the l_k of the cells that the frame sees.
+-- its square, and, by row and column from the phase's first, the l_k of the cells that the frame
+-- sees.
 likely ::
-  Double -> Int -> (Int, Int, Int) -> Seen -> [((Int, Int), Double, Map.Map (Int, Int) [Double])]
-likely sigma reach phase@(o, y0, x0) (Seen place@(px, py) phases classes) =
-  [(d, priorOf sigma place d, cells d) | d <- upTo reach, score d >= best - 12]
+  Robot -> (Int, Int, Int) -> Seen -> [((Int, Int), Double, Map.Map (Int, Int) [Double])]
+likely robot phase@(o, y0, x0) (Seen place@(px, py) phases classes) =
+  [(d, squares Map.! d, cells d) | d <- displacements, score d >= best - 12]
   where
-    score d = priorOf sigma place d + onFrame phases place d phase
-    best = maximum (map score (upTo reach))
+    displacements = [(dx, dy) | dy <- [-reach .. reach], dx <- [-reach .. reach]]
+    Robot _ reach = robot
+    squares = squaresAt robot place
+    score d =
+      logMean [logPi s (squares Map.! d) | s <- sigmas 1 robot] + onFrame phases place d phase
+    best = maximum (map score displacements)
     cells (dx, dy) =
       Map.fromList
         [ ((i `div` 40, j `div` 32), ls)
@@ -251,21 +277,37 @@ likely sigma reach phase@(o, y0, x0) (Seen place@(px, py) phases classes) =
             i `mod` 40 == 0 && j `mod` 32 == 0
         ]
 
--- | q_f of each frame, over its displacements.
-meanField :: Ord cell => [[(d, Double, Map.Map cell [Double])]] -> [[Double]]
-meanField frames =
-  head
-    [ next
-      | (k, now, next) <- zip3 [1 :: Int ..] rounds (drop 1 rounds),
-        k == 5 || map leader now == map leader next
-    ]
+-- | q_f of each frame, over its displacements, and q of these sigma.
+meanField ::
+  Ord cell => [Double] -> [[(d, Double, Map.Map cell [Double])]] -> ([[Double]], [Double])
+meanField bySigma frames = (qs', shares (robot (const True) qs'))
   where
-    rounds = iterate sweep [shares (map (given (const Nothing)) told) | told <- frames]
+    qs' =
+      head
+        [ next
+          | (k, now, next) <- zip3 [1 :: Int ..] rounds (drop 1 rounds),
+            k == 5 || map leader now == map leader next
+        ]
+    rounds = iterate sweep (map (shares . map alone) frames)
+    alone = given (map (const 0) bySigma) (const Nothing)
     leader ps = snd (maximumBy (comparing fst) (zip ps (map Down [0 :: Int ..])))
-    given expected (_, prior, cells) =
-      prior + sum [cellGiven (expected c) ls | (c, ls) <- Map.toList cells]
+    given others' expected (_, square, cells) =
+      logMean (zipWith (\l sigma -> l + logPi sigma square) others' bySigma)
+        + sum [cellGiven (expected c) ls | (c, ls) <- Map.toList cells]
     sweep qs =
-      [shares (map (given (`Map.lookup` others k qs)) told) | (k, told) <- zip [0 :: Int ..] frames]
+      [ shares (map (given (robot (/= k) qs) (`Map.lookup` others k qs)) told)
+        | (k, told) <- zip [0 :: Int ..] frames
+      ]
+    -- What some frames make of sigma.
+    robot which qs =
+      [ sum
+          [ p * logPi sigma square
+            | (k, told, ps) <- zip3 [0 :: Int ..] frames qs,
+              which k,
+              ((_, square, _), p) <- zip told ps
+          ]
+        | sigma <- bySigma
+      ]
     others k qs =
       Map.unionsWith
         (zipWith (+))

@@ -145,10 +145,14 @@ genFrames = do
 -- | Settings with so many sweeps.
 genSettings :: [Int] -> Gen Registration
 genSettings sweeps =
-  Registration <$> elements [0.5, 1, 2] <*> elements [0, 0.1] <*> pure 2 <*> elements sweeps
+  Registration
+    <$> elements [Nothing, Just 0.5, Just 2]
+    <*> elements [0, 0.1]
+    <*> pure 2
+    <*> elements sweeps
 
 variance :: Registration -> Double
-variance settings = registrationSigma settings * registrationSigma settings
+variance settings = supposedSigma settings * supposedSigma settings
 
 -- | The frames by rows.
 byRows :: [(Taxels, Raster)] -> [Int]

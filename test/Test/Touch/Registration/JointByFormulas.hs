@@ -21,11 +21,11 @@ import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Lattice.Places (placesGrid)
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Posterior (Hypothesis (..))
-import PraTactile.Registration.Search (Registration (..), standardRegistration)
+import PraTactile.Registration.Search (Registration (..), standardRegistration, supposedSigma)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (classes, scale, tables, total)
-import Test.Touch.Registration.Definition (Seen (..), estimate, likely)
+import Test.Touch.Registration.Definition (Robot (..), Seen (..), estimate, likely)
 import qualified Test.Touch.Registration.Definition as Definition
 
 spec :: Spec
@@ -56,26 +56,32 @@ seenAt place phases classes =
       ([], _) -> []
       (some, rest) -> some : inFours rest
 
+-- | The robot that settings suppose, which know its error.
+robotOf :: Registration -> Robot
+robotOf settings = Robot (sigma / 2, 2 * sigma) (gridReach (gridOf settings))
+  where
+    sigma = supposedSigma settings
+
 genPlace :: Gen (Double, Double)
 genPlace = (,) <$> choose (-40, 40) <*> choose (-40, 40)
 
 gridSpec :: Spec
 gridSpec =
   it "the displacements reach as far as the search, by half taxels: from 2 to 64 of them" $
-    [ gridReach (gridOf standardRegistration {registrationSigma = s, registrationReach = r})
+    [ gridReach (gridOf standardRegistration {registrationSigma = Just s, registrationReach = r})
       | (s, r) <- [(1, 4.5), (0.1, 1), (0.5, 2.2), (2, 4.5), (7, 4.5), (7.2, 4.5), (1, 0)]
     ]
-      `shouldBe` [9, 2, 3, 18, 63, 64, 2]
+      `shouldBe` [18, 2, 5, 36, 63, 64, 2]
 
 phaseSpec :: Spec
 phaseSpec =
   it "the lattice lies where all frames, each where its prior lets it be, have it likeliest" $
     forAllBlind (choose (2, 3) >>= (`vectorOf` ((,) <$> genPlace <*> genPhases))) $ \frames ->
       forAll (choose (0.2, 0.5)) $ \sigma ->
-        let settings = standardRegistration {registrationSigma = sigma, registrationReach = 3}
-            reach = gridReach (gridOf settings)
-            (o, y, x) = Definition.commonPhase sigma reach [seenAt p v V.empty | (p, v) <- frames]
-         in commonPhase (gridOf settings) [(p, blank {phaseLogs = v}) | (p, v) <- frames]
+        let settings = standardRegistration {registrationSigma = Just sigma, registrationReach = 3}
+            robot = robotOf settings
+            (o, y, x) = Definition.commonPhase robot [seenAt p v V.empty | (p, v) <- frames]
+         in snd (commonPhase (gridOf settings) [(p, blank {phaseLogs = v}) | (p, v) <- frames])
               === (o, (y, x))
   where
     genPhases = do
@@ -88,19 +94,19 @@ optionSpec =
     forAllBlind genSeen $ \(phases, classes, place, sigma) ->
       forAll (elements [0, 1]) $ \o ->
         forAll ((,) <$> choose (0, 39) <*> choose (0, 31)) $ \(y, x) ->
-          let settings = standardRegistration {registrationSigma = sigma, registrationReach = 3}
-              reach = gridReach (gridOf settings)
+          let robot = standardRegistration {registrationSigma = Just sigma, registrationReach = 3}
               told = blank {phaseLogs = phases, classLogs = classes}
-              wanted = likely sigma reach (o, y, x) (seenAt place phases classes)
-              found = displacementsOf (gridOf settings) o (y, x) (place, told)
+              wanted = likely (robotOf robot) (o, y, x) (seenAt place phases classes)
+              found = displacementsOf (gridOf robot) o (y, x) (place, told)
            in (map displacementShift found === [d | (d, _, _) <- wanted])
                 .&&. conjoin
-                  [ property (abs (displacementPrior option - prior) < 1e-9)
+                  [ property (close (displacementSquare option) square)
                       .&&. [(cell c, Unboxed.toList ls) | (c, ls) <- displacementCells option]
                       === Map.toList cells
-                    | (option, (_, prior, cells)) <- zip found wanted
+                    | (option, (_, square, cells)) <- zip found wanted
                   ]
   where
+    close a b = abs (a - b) < 1e-9 * max 1 (abs b)
     -- A cell's row and column from its one number.
     cell k = let (i, j) = (k + 524288) `divMod` 1048576 in (i, j - 524288)
     -- Numbers of which some are exactly 12 below the best, or any.
@@ -121,30 +127,35 @@ consensusSpec :: Spec
 consensusSpec = do
   it "two frames that go on changing their minds together are stopped after five sweeps" $ do
     -- Each begins at one of two displacements of which the other frame's suits the other one.
-    let either' first second =
-          [ displacementOf (0, 0) first [(1, Unboxed.fromList [10, 0, 0])],
-            displacementOf (4, 0) second [(1, Unboxed.fromList [0, 10, 0])]
+    let robot = Grid 5 [1]
+        -- The square that makes a displacement so much likelier than none, by a deviation of 1.
+        square l = -2 * (1 + 1 / 12) * l
+        either' first second =
+          [ displacementOf (0, 0) (square first) [(1, Unboxed.fromList [10, 0, 0])],
+            displacementOf (4, 0) (square second) [(1, Unboxed.fromList [0, 10, 0])]
           ]
         likeliest = map (displacementShift . fst . maximumBy (comparing snd))
-    likeliest (meanField [either' 1 0, either' 0 1]) `shouldBe` [(4, 0), (0, 0)]
+    likeliest (fst (meanField robot [either' 1 0, either' 0 1])) `shouldBe` [(4, 0), (0, 0)]
   it "frames weigh their displacements by what all others say, until none changes its mind" $
     forAll (choose (1, 4) >>= (`vectorOf` genTold)) $ \frames ->
-      let found = meanField (map (map option) frames)
-          wanted = Definition.meanField frames
+      let (found, bySigma) = meanField (Grid 5 sigmas) (map (map option) frames)
+          (wanted, bySigma') = Definition.meanField sigmas frames
           close a b = abs (a - b) < 1e-9
        in counterexample (show (map (map snd) found, wanted)) $
             map (map (displacementShift . fst)) found === map (map (\(d, _, _) -> d)) frames
               .&&. property (and (zipWith (\f w -> and (zipWith close (map snd f) w)) found wanted))
+              .&&. property (and (zipWith close bySigma bySigma'))
   where
-    option (d, prior, cells) =
-      displacementOf d prior [(c, Unboxed.fromList l) | (c, l) <- Map.toList cells]
+    sigmas = [1, 1.3, 2, 5, 8]
+    option (d, square, cells) =
+      displacementOf d square [(c, Unboxed.fromList l) | (c, l) <- Map.toList cells]
     genTold :: Gen [((Int, Int), Double, Map.Map Int [Double])]
     genTold = do
       count <- choose (1, 4)
       strength <- elements [1, 5, 60, 900]
       places <- take count <$> shuffle [(x, y) | x <- [-5 .. 5], y <- [-5, 0, 5]]
       forM places $ \place ->
-        (,,) place <$> choose (-6, 0)
+        (,,) place <$> choose (0, 60)
           <*> (sublistOf [1, 2, 3] >>= fmap Map.fromList . mapM (toldOf strength))
     toldOf strength c = (,) c <$> vectorOf 3 (symmetric strength)
     symmetric strength = choose (negate strength, strength)

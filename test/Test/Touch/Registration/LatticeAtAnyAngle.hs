@@ -192,7 +192,7 @@ registered alphabet = do
   modifyMaxSuccess (const 20) $
     prop "one of another scene, however clear all are, stays where it can be, and so do the rest" $
       \seed -> forAll (choose (0, 15)) $ \k ->
-        let settings = standardRegistration {registrationSigma = 1.5, registrationNoise = 0}
+        let settings = standardRegistration {registrationSigma = Just 1.5, registrationNoise = 0}
             frames = scanned (scene alphabet seed 0) (errorsOf 1 seed)
             other = scanned (scene alphabet (seed + 1) 0) (errorsOf 1 seed)
             mixed = take k frames ++ [other !! k] ++ drop (k + 1) frames
@@ -212,7 +212,7 @@ registered alphabet = do
                 (scanned (scene alphabet seed angle) (take 16 (errorsOf 2 seed)))
               | (seed, angle) <- scenes
             ]
-          settings = standardRegistration {registrationSigma = 2}
+          settings = standardRegistration {registrationSigma = Just 2}
       [assemblyMethod made | Right made <- told] `shouldBe` (ByLattice <$ scenes)
       let frames =
             [ (registeredProbability f >= Just 0.99, max (abs (x - x0)) (abs (y - y0)))
@@ -228,7 +228,7 @@ registered alphabet = do
   it "turned with their places by quarter turns have displacements so turned" $
     for_ [1 .. 3] $ \seed -> do
       let errors = take 16 (errorsOf 2 (100 + seed))
-          settings = standardRegistration {registrationSigma = 2}
+          settings = standardRegistration {registrationSigma = Just 2}
           frames = scanned (scene alphabet seed 25) errors
           moved = fmap (compositeDisplacements . assemblyComposite) . assemble ByLattice settings
           quarter (x, y) = (negate y, x)
@@ -305,7 +305,8 @@ contradicting alphabet = do
     scan seed = scanned (scene alphabet seed (fromIntegral (17 * seed))) (errorsOf 0.8 seed)
     contradictionOf =
       either (const (Just AgreeingNowhere)) compositeContradiction
-        . (\frames -> stitch (withNoiseOf frames standardRegistration) frames)
+        . (\frames -> stitch (withNoiseOf frames known) frames)
+    known = standardRegistration {registrationSigma = Just 1}
     -- The pose of which the axes make this one.
     unalong axes pose =
       head
@@ -348,7 +349,7 @@ jointly alphabet = do
             length told == length expected && and (zipWith close (sort told) expected)
   where
     away errors frames =
-      case assemble Jointly standardRegistration {registrationSigma = 1.5} frames of
+      case assemble Jointly standardRegistration {registrationSigma = Just 1.5} frames of
         Right made ->
           -- By the median, since a stray frame is nowhere right.
           let ds = zipWith minus (compositeDisplacements (assemblyComposite made)) errors

@@ -261,7 +261,7 @@ othersSpec :: Spec
 othersSpec =
   it "where relief repeats along one axis, other places along it are told, two taxels off or more" $
     forAll (genRasterOf 40 4) $ \stripes -> forAll (elements [False, True]) $ \upright ->
-      let settings = standardRegistration {registrationSigma = 2, registrationNoise = 0.05}
+      let settings = standardRegistration {registrationSigma = Just 2, registrationNoise = 0.05}
           -- Any relief along one axis, and every four taxels the same along the other.
           relief along across = fromMaybe 0 (index stripes along (across `mod` 4))
           seen x y = if upright then relief (x + 4) y else relief (y + 4) x

@@ -377,8 +377,8 @@ refusals = do
   it "settings that make no sense" $
     [ settings
       | settings <-
-          [ standardRegistration {registrationSigma = 0},
-            standardRegistration {registrationSigma = 0 / 0},
+          [ standardRegistration {registrationSigma = Just 0},
+            standardRegistration {registrationSigma = Just (0 / 0)},
             standardRegistration {registrationNoise = -1},
             standardRegistration {registrationReach = 1e9},
             standardRegistration {registrationReach = 0 / 0}

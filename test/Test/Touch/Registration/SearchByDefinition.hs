@@ -6,7 +6,7 @@ import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import PraTactile.Image
 import PraTactile.Image.Correlate
-import PraTactile.Registration (Assembly (..), Composite (..), assemble)
+import PraTactile.Registration (Assembly (..), Composite (..), Fault (..), Otherwise (..), assemble)
 import PraTactile.Registration.Arrangement (Registered (..), StitchMethod (..))
 import PraTactile.Registration.Pair.Alike (agreements)
 import PraTactile.Registration.Posterior (Hypothesis (..))
@@ -25,14 +25,20 @@ spec = modifyMaxSuccess (const 100) $ do
 
 settingsSpec :: Spec
 settingsSpec = do
-  it "is an error of one taxel, noise of 0.1, 4.5 standard deviations, five sweeps" $
-    standardRegistration `shouldBe` Registration 1 0.1 4.5 5
+  it "is an error that nobody told, noise of 0.1, 4.5 standard deviations, five sweeps" $
+    standardRegistration `shouldBe` Registration Nothing 0.1 4.5 5
+  it "an error that nobody told is from half a taxel to a quarter pitch, else twice at most" $
+    [ (sigmasFor settings, supposedSigma settings)
+      | told <- [Nothing, Just 0.5, Just 3, Just 5],
+        let settings = standardRegistration {registrationSigma = told}
+    ]
+      `shouldBe` [((0.5, 4), 1), ((0.25, 1), 0.5), ((1.5, 4), 3), ((2.5, 5), 5)]
   it "makes sense where the deviation is positive, nothing negative, and the search within 64" $
     [ (sigma, noise, reach)
       | sigma <- [-1, 0, 1e-300, 1, 16, 1 / 0, 0 / 0],
         noise <- [-0.1, 0, 0.1, 7, 1 / 0, 0 / 0],
         reach <- [-0.5, -1e-9, 0, 4, 4.01, 64, 64.01, 0 / 0],
-        usable (Registration sigma noise reach 5)
+        usable (Registration (Just sigma) noise reach 5)
     ]
       `shouldBe` [ (sigma, noise, reach)
                    | sigma <- [1e-300, 1, 16],
@@ -167,13 +173,17 @@ otherSpec = do
               (generate 16 16 (\x y -> relief (4 * k + x) (8 * j + y)))
               taxelPitch
               []
-          settings = standardRegistration {registrationSigma = 2, registrationNoise = 0.05}
+          settings = standardRegistration {registrationSigma = Just 2, registrationNoise = 0.05}
           frames = [frame (k, j) | k <- [0 .. 4 :: Int], j <- [0, 1]]
        in case assemble Incremental settings frames of
             Left e -> counterexample (show e) False
             Right made ->
               let others = concatMap registeredOthers (assemblyFrames made)
                   probable = sortOn Down (map hypothesisProbability others)
-                  told = map fst (compositeOthers (assemblyComposite made))
+                  told =
+                    [ otherwiseShare other
+                      | other <- compositeOthers (assemblyComposite made),
+                        otherwiseFault other == OneFrame
+                    ]
                in counterexample (show probable) $
                     length probable > 4 .&&. told === take 4 probable

@@ -52,9 +52,9 @@ waySpec = do
         unmoved = ((0, 0), Nothing, Nothing, [])
     told (arranged Nominal standardRegistration (facing places))
       `shouldBe` (Nominal, map (const unmoved) places)
-    for_ [Automatic, ByLattice, Jointly, Incremental] $ \method ->
-      told (arranged method standardRegistration blanks)
-        `shouldBe` (Incremental, [unmoved, unmoved])
+    for_ [(Automatic, Incremental), (ByLattice, ByLattice), (Jointly, Jointly)] $
+      \(method, used) ->
+        told (arranged method standardRegistration blanks) `shouldBe` (used, [unmoved, unmoved])
   it "one after the other and jointly, frames have what these registrations tell" $ do
     let frames = facing places
         one = arranged Incremental standardRegistration frames
@@ -76,15 +76,14 @@ waySpec = do
             ]
       map registeredGroup (arrangementFrames found) `shouldBe` groupsOf moved
       arrangementResidual found `shouldBe` residual moved
-  it "by the lattice if that is told; automatically, if error or noise is above its limit" $ do
+  it "automatically by the lattice where frames show it, whatever is told of error and noise" $ do
     let method settings = arrangementMethod (arranged Automatic settings (facing places))
         with sigma noise =
-          standardRegistration {registrationSigma = sigma, registrationNoise = noise}
-    [method (with sigma noise) | (sigma, noise) <- [(1.25, 0.25), (1.26, 0.1), (1, 0.26)]]
-      `shouldBe` [Incremental, ByLattice, ByLattice]
-    -- A single frame is not.
+          standardRegistration {registrationSigma = Just sigma, registrationNoise = noise}
+    map method (standardRegistration : [with sigma noise | sigma <- [0.5, 3], noise <- [0, 0.4]])
+      `shouldBe` replicate 5 ByLattice
+    -- A single frame is registered to nothing, nor are frames that show something else to it.
     arrangementMethod (arranged Automatic (with 2 0.1) (facing [(20, 20)])) `shouldBe` Incremental
-    -- Nor are frames that show something else, unless that is asked for.
     let noise = [((8 * fromIntegral k, 0), rough k) | k <- [0 .. 2 :: Int]]
         rough k = generate 16 16 (\x y -> wave 0.9 (x + 8 * k) + wave 0.7 y)
         wave by t = sin (by * fromIntegral t)
@@ -108,7 +107,7 @@ waySpec = do
     for_ [(64, 64), (16, 256), (256, 4)] $ \(w, h) ->
       let small = generate w h strong in (glimpse small == small) `shouldBe` True
   it "two large frames that show no lattice are known for such in little memory" $ do
-    let settings = standardRegistration {registrationSigma = 2}
+    let settings = standardRegistration {registrationSigma = Just 2}
         rough k = generate 200 200 (\x y -> grey (x + 200 * (y + 200 * k)))
         grey n = fromIntegral ((n * 1103515245 + 12345) `div` 65536 `mod` 256 :: Int) / 255
         frames = [((fromIntegral k * 20, 0), rough k) | k <- [0, 1]]
@@ -116,7 +115,8 @@ waySpec = do
     found `shouldBe` Right Incremental
   it "by the lattice frames of 256 x 256 pixels and no larger ones" $ do
     let image side = generate side 256 (\x y -> fromIntegral (x + y))
-        refused side = refusal (arrange ByLattice standardRegistration [((0, 0), image side)])
+        refused side =
+          refusal (arrange ByLattice standardRegistration (replicate 2 ((0, 0), image side)))
     map refused [256, 257] `shouldBe` [Nothing, Just (LatticePixels (257 * 256))]
   where
     refusal = either Just (const Nothing)

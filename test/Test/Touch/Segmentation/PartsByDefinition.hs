@@ -140,7 +140,9 @@ composed image coverage =
       compositeCoverage = coverage,
       compositeOrigin = (0, 0),
       compositeDisplacements = [],
+      compositePositionError = Nothing,
       compositeCompared = True,
+      compositeAxesStated = False,
       compositeOthers = [],
       compositeContradiction = Nothing
     }

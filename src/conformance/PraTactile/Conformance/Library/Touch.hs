@@ -95,7 +95,7 @@ stitched search frames = do
   where
     settings =
       Stitch.standardRegistration
-        { Stitch.registrationSigma = max 0.5 (fromIntegral search / 2),
+        { Stitch.registrationSigma = Just (max 0.5 (fromIntegral search / 2)),
           Stitch.registrationNoise = 0.0005
         }
     frame (Placed rows (x, y)) = do

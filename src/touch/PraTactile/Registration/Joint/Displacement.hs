@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | The displacements that a frame may have on a lattice, and what it says of the cells that it
 -- then sees.
 module PraTactile.Registration.Joint.Displacement
@@ -17,13 +19,15 @@ import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template (Templates (..))
+import PraTactile.Registration.Loops (dotWithin, tabulate)
 
--- | A displacement d of a frame, in places from its grid point: log pi, and what it says of the
--- cells that the frame sees there: their numbers, and one after the other l_k of each. There are
--- millions of these where there are thousands of frames, so that each is kept in a few words.
+-- | A displacement d of a frame, in places from its grid point: |d|^2 in square places, and what it
+-- says of the cells that the frame sees there: their numbers, and one after the other l_k of each.
+-- There are millions of these where there are thousands of frames, so that each is kept in a few
+-- words.
 data Displacement = Displacement
   { displacementShift :: !(Int, Int),
-    displacementPrior :: !Double,
+    displacementSquare :: !Double,
     displacementNumbers :: !(Unboxed.Vector Int),
     displacementLogs :: !ClassLogs
   }
@@ -31,10 +35,10 @@ data Displacement = Displacement
 -- | A number for each class of symbols.
 type ClassLogs = Unboxed.Vector Double
 
--- | A displacement with log pi and l_k of each cell, by its number; all of as many classes.
+-- | A displacement with |d|^2 and l_k of each cell, by its number; all of as many classes.
 displacementOf :: (Int, Int) -> Double -> [(Int, ClassLogs)] -> Displacement
-displacementOf shift prior cells =
-  Displacement shift prior (Unboxed.fromList (map fst cells)) (Unboxed.concat (map snd cells))
+displacementOf shift square cells =
+  Displacement shift square (Unboxed.fromList (map fst cells)) (Unboxed.concat (map snd cells))
 
 -- | l_k of each cell that the frame sees, by the cell's number.
 displacementCells :: Displacement -> [(Int, ClassLogs)]
@@ -50,9 +54,10 @@ displacementCells (Displacement _ _ numbers logs) =
 -- of the frame's first one, in taxels, and what the frame tells.
 displacementsOf :: Grid -> Int -> (Int, Int) -> (Taxels, Likelihood) -> [Displacement]
 displacementsOf grid orientation (phaseY, phaseX) (place, given) =
-  [ displacementOf (dx, dy) prior (cells dx dy)
-    | (score, prior, dx, dy) <- scored,
-      score >= best - margin
+  [ displacementOf (dx, dy) (squared dx rx + squared dy ry) (cells dx dy)
+    | k <- V.toList (V.findIndices (>= V.maximum scores - margin) scores),
+      let (j, i) = k `quotRem` side,
+      let (dx, dy) = (i - reach, j - reach)
   ]
   where
     tables = likelihoodTables given
@@ -62,19 +67,22 @@ displacementsOf grid orientation (phaseY, phaseX) (place, given) =
     count = symbolsClasses (templateSymbols tables)
     ((nx, ny), (rx, ry)) = onGrid place
     reach = gridReach grid
-    scored =
-      [ (prior + alone dx dy, prior, dx, dy)
-        | dy <- [negate reach .. reach],
-          dx <- [negate reach .. reach],
-          let prior = priorAlong grid rx dx + priorAlong grid ry dy
-      ]
-    alone dx dy =
-      V.unsafeIndex
-        (phaseLogs given)
-        ( (orientation * down + (phaseY - ny - dy) `mod` down) * across
-            + (phaseX - nx - dx) `mod` across
-        )
-    best = maximum [s | (s, _, _, _) <- scored]
+    side = 2 * reach + 1
+    squared d rest = let t = fromIntegral d - rest in t * t
+    -- By row and column of displacements; pi is the mean over one sigma an octave.
+    scores = tabulate side side $ \j ->
+      let !row = (orientation * down + (phaseY - ny - j + reach) `mod` down) * across
+       in \i ->
+            log (dotWithin octaves (priorsAcross, i * octaves) (priorsDown, j * octaves))
+              + V.unsafeIndex (phaseLogs given) (row + (phaseX - nx - i + reach) `mod` across)
+    octaves = length (gridOctaves grid)
+    (priorsAcross, priorsDown) = (priorsAlong rx, priorsAlong ry)
+    priorsAlong rest =
+      V.fromList
+        [ priorAlong sigma (fromIntegral d - rest)
+          | d <- [negate reach .. reach],
+            sigma <- gridOctaves grid
+        ]
     margin = 12
     cells dx dy =
       [ ( cellNumber ((y + ny + dy - phaseY) `div` down) ((x + nx + dx - phaseX) `div` across),

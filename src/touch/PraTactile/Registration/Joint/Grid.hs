@@ -1,31 +1,53 @@
--- | The displacements that a frame may have from its nominal place.
+-- | The displacements that a frame may have from its nominal place, and how probable the robot's
+-- error makes each.
 module PraTactile.Registration.Joint.Grid
   ( Grid (..),
     gridOf,
     gridSpacing,
+    gridOctaves,
     onGrid,
+
+    -- * The robot's error
     priorAlong,
+    Squares (..),
+    sigmaLogs,
+    sigmaShares,
+    displacementLog,
+    logSum,
   )
 where
 
 import PraTactile.Composite.Blend (Taxels)
-import PraTactile.Registration.Model (normalLog, placesPerTaxel)
-import PraTactile.Registration.Search (Registration (..), searchRadius)
+import PraTactile.Registration.Model (normalLog, placesPerTaxel, sigmasPerOctave)
+import PraTactile.Registration.Search (Registration (..), sigmasFor)
 
 -- | The displacements that are considered.
 data Grid = Grid
   { -- | How far, in places.
     gridReach :: !Int,
-    -- | The robot's standard deviation, in places.
-    gridSigma :: !Double
+    -- | sigma, the standard deviations that the robot's error may have, one as probable as another:
+    -- in places, ascending, 'sigmasPerOctave' to each doubling.
+    gridSigmas :: ![Double]
   }
 
 -- | The displacements that the robot's accuracy leaves.
 gridOf :: Registration -> Grid
 gridOf settings =
   Grid
-    (max 2 (min 64 (ceiling (gridSpacing * searchRadius settings))))
-    (gridSpacing * registrationSigma settings)
+    (max 2 (min 64 (ceiling (gridSpacing * registrationReach settings * most - 1e-9))))
+    [ gridSpacing * least * 2 ** (fromIntegral k / fromIntegral sigmasPerOctave)
+      | k <- [0 .. round (fromIntegral sigmasPerOctave * logBase 2 (most / least)) :: Int]
+    ]
+  where
+    (least, most) = sigmasFor settings
+
+-- | One standard deviation to an octave, in places.
+gridOctaves :: Grid -> [Double]
+gridOctaves = every . gridSigmas
+  where
+    every sigmas = case sigmas of
+      sigma : rest -> sigma : every (drop (sigmasPerOctave - 1) rest)
+      [] -> []
 
 -- | Places to the taxel.
 gridSpacing :: Double
@@ -38,8 +60,46 @@ onGrid (x, y) = ((round x', round y'), (x' - whole x', y' - whole y'))
     (x', y') = (x * gridSpacing, y * gridSpacing)
     whole t = fromIntegral (round t :: Int)
 
--- | The logarithm of the prior along one axis, for a displacement in places from the grid point.
-priorAlong :: Grid -> Double -> Int -> Double
-priorAlong grid rest d = normalLog (gridSigma grid * gridSigma grid) (t * t)
+-- | The variance of a displacement along one axis, in square places: that of the robot's error, and
+-- that of a place within the grid's cell around it.
+displacementVariance :: Double -> Double
+displacementVariance sigma = sigma * sigma + 1 / 12
+
+-- | pi_sigma along one axis, of a displacement in places.
+priorAlong :: Double -> Double -> Double
+priorAlong sigma t = exp (normalLog v (t * t)) / sqrt (2 * pi * v)
   where
-    t = fromIntegral d - rest
+    v = displacementVariance sigma
+
+-- | What displacements tell of sigma: how many there are, and the sum of their squares, as it is
+-- expected of each, in square places.
+data Squares = Squares !Double !Double
+
+instance Semigroup Squares where
+  Squares n s <> Squares n' s' = Squares (n + n') (s + s')
+
+instance Monoid Squares where
+  mempty = Squares 0 0
+
+-- | The logarithms of how likely these make each of 'gridSigmas', up to a constant.
+sigmaLogs :: Grid -> Squares -> [Double]
+sigmaLogs grid (Squares n s) =
+  [normalLog v s - n * log v | v <- map displacementVariance (gridSigmas grid)]
+
+-- | How probable each of 'gridSigmas' is.
+sigmaShares :: Grid -> Squares -> [Double]
+sigmaShares grid told = map (exp . subtract total) logs
+  where
+    logs = sigmaLogs grid told
+    total = logSum logs
+
+-- | The logarithm, up to a constant, of a displacement's prior by what others tell of sigma, from
+-- its square in square places.
+displacementLog :: Grid -> Squares -> Double -> Double
+displacementLog grid others square = logSum (sigmaLogs grid (others <> Squares 1 square))
+
+-- | The logarithm of the sum of what these are the logarithms of, of which there must be some.
+logSum :: [Double] -> Double
+logSum logs = top + log (sum [exp (l - top) | l <- logs])
+  where
+    top = maximum logs

@@ -13,27 +13,34 @@ import PraTactile.Registration.Joint.Displacement
     Displacement (..),
     displacementCells,
   )
+import PraTactile.Registration.Joint.Grid
 import PraTactile.Registration.Model (absence, classPrior, outlier)
 
--- | q of each frame over its displacements: begun from each frame alone, all frames anew in each
--- sweep, until none changes its likeliest displacement or five sweeps are done.
-meanField :: [[Displacement]] -> [[(Displacement, Double)]]
-meanField frames = go mostSweeps alone (expectedOf alone)
+-- | q of each frame over its displacements, and that of the grid's sigmas: begun from each frame
+-- alone, all frames anew in each sweep, until none changes its likeliest displacement or five
+-- sweeps are done.
+meanField :: Grid -> [[Displacement]] -> ([[(Displacement, Double)]], [Double])
+meanField grid frames = (found, sigmaShares grid (foldMap squaresOf found))
   where
+    found = go mostSweeps alone (expectedOf alone)
     alone =
-      [ normalised [(d, displacementPrior d + sum (map byItself (displacementCells d))) | d <- ds]
+      [ normalised
+          [ (d, robotLog mempty d + sum (map byItself (displacementCells d)))
+            | d <- ds
+          ]
         | ds <- frames
       ]
+    robotLog others = displacementLog grid others . displacementSquare
     byItself (_, l) = cellGiven Nothing l
     go n now expectedByAll
       | n <= 1 || map likeliest now == map likeliest new = new
       | otherwise = go (n - 1) new (expectedOf new)
       where
-        new = [sweep ds expectedByAll (expected ds) | ds <- now]
-    sweep ds expectedByAll own =
+        new = zipWith (sweep expectedByAll) (allButOne (map squaresOf now)) now
+    sweep expectedByAll others ds =
       normalised
         [ ( d,
-            displacementPrior d
+            robotLog others d
               + sum
                 [ cellGiven (fmap (`less` IntMap.lookup c own) (IntMap.lookup c expectedByAll)) l
                   | (c, l) <- displacementCells d
@@ -41,6 +48,8 @@ meanField frames = go mostSweeps alone (expectedOf alone)
           )
           | (d, _) <- ds
         ]
+      where
+        own = expected ds
     less total (Just mine) = Unboxed.zipWith (-) total mine
     less total Nothing = total
     likeliest ds = fmap (displacementShift . fst) (foldl' larger Nothing ds)
@@ -48,6 +57,14 @@ meanField frames = go mostSweeps alone (expectedOf alone)
     larger (Just a) b = Just (if snd b > snd a then b else a)
     expectedOf :: [[(Displacement, Double)]] -> IntMap ClassLogs
     expectedOf = foldl' (\m -> IntMap.unionWith (Unboxed.zipWith (+)) m . expected) IntMap.empty
+
+-- | What a frame's displacements tell of sigma.
+squaresOf :: [(Displacement, Double)] -> Squares
+squaresOf ds = Squares 1 (sum [p * displacementSquare d | (d, p) <- ds])
+
+-- | For each, what all others are together.
+allButOne :: Monoid m => [m] -> [m]
+allButOne ms = zipWith (<>) (scanl (<>) mempty ms) (drop 1 (scanr (<>) mempty ms))
 
 -- | The most sweeps over all frames.
 mostSweeps :: Int

@@ -14,32 +14,38 @@ import PraTactile.Registration.Joint.Grid
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Lattice.Places (phaseCount)
 import PraTactile.Registration.Loops (dotWithin, tabulate)
-import PraTactile.Registration.Model (placesPerTaxel)
+import PraTactile.Registration.Model (outlier, placesPerTaxel)
 
--- | The orientation and the phase, row and column, of the lattice on the composite that the frames
--- make likeliest.
-commonPhase :: Grid -> [(Taxels, Likelihood)] -> (Int, (Int, Int))
-commonPhase grid frames = (o, (y, x))
+-- | log P(lambda) of the lattice on the composite that the frames make likeliest, up to a constant,
+-- and its orientation and phase, row and column.
+commonPhase :: Grid -> [(Taxels, Likelihood)] -> (Double, (Int, (Int, Int)))
+commonPhase grid frames = (logs V.! best, (o, (y, x)))
   where
     (across, down) = phaseCount placesPerTaxel
-    best = V.maxIndex (phasePosterior grid frames)
+    logs = phasePosterior grid frames
+    best = V.maxIndex logs
     (row, x) = best `quotRem` across
     (o, y) = row `quotRem` down
 
 -- | log P(lambda) up to a constant, by orientation, row and column: each frame anywhere that the
--- prior lets it be.
+-- robot's error lets it be, for one error to each octave.
 phasePosterior :: Grid -> [(Taxels, Likelihood)] -> Vector Double
 phasePosterior grid frames =
-  foldl' (V.zipWith (+)) (V.replicate (2 * across * down) 0) (map ofFrame frames)
+  V.generate (2 * across * down) (\i -> logSum (map (V.! i) bySigma))
   where
     (across, down) = phaseCount placesPerTaxel
-    ofFrame (place, given) = V.map (\m -> log (m + 1e-300)) (shifted (blurred masses))
+    bySigma = map phasesGiven (gridOctaves grid)
+    -- What so many frames tell has one logarithm: none of them tells less than delta.
+    phasesGiven sigma = logsOfProducts 20 (map (ofFrame sigma) told)
+    told = [(onGrid place, massesOf (phaseLogs given)) | (place, given) <- frames]
+    -- What is too small for delta is nothing: numbers near the smallest are slow.
+    massesOf phases =
+      let !top = V.maximum phases
+          mass l = if l - top < -700 then 0 else exp (l - top)
+       in V.map mass phases
+    ofFrame sigma (((nx, ny), (rx, ry)), masses) =
+      V.map (\m -> outlier + (1 - outlier) * m) (shifted (blurred masses))
       where
-        phases = phaseLogs given
-        top = V.maximum phases
-        -- What is too small for the floor above is nothing: numbers near the smallest are slow.
-        masses = V.map (\l -> if l - top < -700 then 0 else exp (l - top)) phases
-        ((nx, ny), (rx, ry)) = onGrid place
         -- At the phase on the composite, what the frame says of its own.
         shifted v = tabulate across (2 * down) $ \r ->
           let (orient, py) = r `quotRem` down
@@ -55,10 +61,21 @@ phasePosterior grid frames =
                 V.accum
                   (+)
                   (V.replicate period 0)
-                  [ (negate d `mod` period, exp (priorAlong grid rest d))
+                  [ (negate d `mod` period, priorAlong sigma (fromIntegral d - rest))
                     | d <- [negate (gridReach grid) .. gridReach grid]
                   ]
            in once <> once
+
+-- | The sum of the logarithms of vectors of numbers, of which so many, multiplied, are not too
+-- small for a number.
+logsOfProducts :: Int -> [Vector Double] -> Vector Double
+logsOfProducts count vectors = case splitAt count vectors of
+  (first : more, rest)
+    | null rest -> logs
+    | otherwise -> V.zipWith (+) logs (logsOfProducts count rest)
+    where
+      logs = V.map log (foldl' (V.zipWith (*)) first more)
+  ([], _) -> V.empty
 
 -- | So many rows of numbers, each a ring of that length, blurred by a kernel that is given twice
 -- around; the rows become columns.

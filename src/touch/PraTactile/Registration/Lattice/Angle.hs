@@ -15,7 +15,7 @@ import PraTactile.Registration.Spectrum
 
 -- | What frames tell at the angle in [-90, 90), in degrees clockwise, at which a lattice lies under
 -- them, given what they tell at any angle, and perhaps the angle, up to quarter turns, at which
--- symbols seem to lie: near that angle or upright, if the frames are likelier to show that than any
+-- symbols seem to lie: near that angle or upright, if the frames show that rather than any
 -- other relief, else wherever they make it likeliest. To a degree, by a few of the frames that have
 -- the first one's size, which the spectra must be for. 'Nothing' where they are likelier to show
 -- something else.
@@ -54,7 +54,10 @@ latticeAngle at processes hint images
     coarsely count fits = summed fitCoarse (take count telling) fits
     finely fits = summed fitLikely (take 8 telling) fits
     folded angle = angle - 180 * fromIntegral (floor ((angle + 90) / 180) :: Int)
-    shown fits = summed fitLikely few fits > blind
+    shown fits = summed fitLikely few fits - sum (map (found . snd) few) > blind + sure
+    -- The gain and the offset of a frame, which other relief does not have, are found from it: by
+    -- Schwarz's criterion they cost half the logarithm of its pixels each.
+    found image = let (w, h) = rasterSize image in log (fromIntegral (w * h))
     summed told some fits = sum [told (fitsFrames fits !! k) | (k, _) <- some]
     few = spacedOut 12 usable
     telling = sortOn (Down . standardDeviation . snd) usable
@@ -64,6 +67,11 @@ latticeAngle at processes hint images
       sum (concat [processLogs (processOf processes misfit [coefficients i]) | (_, i) <- few])
     coefficients = coefficientsOf processes
     maximumOn score = maximumBy (comparing score)
+
+-- | How much likelier, as a natural logarithm, the lattice must be than other relief, where either
+-- is as probable beforehand: for a posterior of 0.99.
+sure :: Double
+sure = log 99
 
 -- | The least share of noise that relief of any kind is supposed to have where frames are asked
 -- whether they show the lattice: symbols are not felt quite as they are drawn, and a frame without

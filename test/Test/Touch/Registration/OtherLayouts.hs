@@ -1,0 +1,67 @@
+-- | What frames say of layouts other than the one that the robot tells: those that are left of all.
+module Test.Touch.Registration.OtherLayouts (spec) where
+
+import Data.Foldable (for_)
+import Data.List (nub)
+import PraTactile.Image (mapRaster)
+import PraTactile.Registration
+import PraTactile.Registration.Layout
+import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
+import PraTactile.Sensor.Manifest (axesName, axesNamed, straight)
+import Test.Hspec
+import Test.Hspec.QuickCheck (prop)
+import Test.QuickCheck
+import Test.Touch.Registration.Face (frameAt)
+
+spec :: Spec
+spec = do
+  prop "are the seven other axes, four other scales, and slips, which share their probability" $
+    forAll (choose (1, 5)) $ \columns -> forAll (choose (1, 5)) $ \rows ->
+      let places = [(x * 12, y * 9) | y <- upTo rows, x <- upTo columns]
+          all' = layouts 0 places
+          shareOf which = sum [layoutShare l | l <- all', which (layoutFault l)]
+          -- A share of all that is no slip, and of slips as far as there are lines.
+          slips = if columns + rows > 2 then 1 else 0
+          alike a b = abs (a - b) < 1e-9 :: Bool
+       in zipWith alike (map shareOf [isAxes, isScale, (== Slip)]) [1, 1, slips]
+            === [True, True, True]
+            .&&. length (filter (isAxes . layoutFault) all')
+            === 7
+            .&&. length (filter ((== Slip) . layoutFault) all')
+            === 4 * (columns + rows - 2)
+  it "slips move what is beyond a line by a cell of the lattice, at its angle" $
+    nub [layoutPlaces l | l <- layouts 90 [(0, 0), (16, 0)], layoutFault l == Slip]
+      `shouldSatisfy` all
+        ( \moved ->
+            any
+              (closeTo moved)
+              [[(0, 0), (16 + dx, dy)] | (dx, dy) <- [(0, 16), (0, -16), (-20, 0), (20, 0)]]
+        )
+  it "are refuted by overlaps that show relief, but for some slips, whatever gain and offset" $ do
+    let places = [(x, y) | y <- [20, 28 .. 52], x <- [20, 28 .. 44]]
+        faults (gain, offset) = map otherwiseFault (left gain offset places)
+    nub (faults (1, 0)) `shouldSatisfy` all (== Slip)
+    for_ [(0.1, 0.45), (0.02, 0.3)] $ \read' -> faults read' `shouldBe` faults (1, 0)
+  it "stay, where frames side by side do not overlap and lie on the same lattice" $ do
+    -- Beginning with a cell, whole cells in every frame across, half of its overlap down.
+    let faults = map otherwiseFault (left 1 0 [(x, y) | y <- [20, 30 .. 60], x <- [16, 32, 48]])
+    [axesName a | OtherAxes a <- faults] `shouldBe` ["-x,y"]
+    [() | Slip <- faults] `shouldNotBe` []
+  it "are none of a single frame, nor where frames are not registered" $ do
+    map otherwiseFault (left 1 0 [(20, 20)]) `shouldBe` []
+    map otherwiseFault (othersOf Nominal 1 0 [(16, 20), (32, 20), (48, 20)]) `shouldBe` []
+  where
+    upTo n = map fromIntegral [0 .. n - 1 :: Int]
+    isAxes fault = fault `elem` [OtherAxes a | (_, a) <- axesNamed, a /= straight]
+    isScale fault = fault `elem` [OtherScale x y | x <- [0.5, 1, 2], y <- [0.5, 1, 2]]
+    closeTo as bs = and (zipWith (\(a, b) (c, d) -> abs (a - c) + abs (b - d) < 1e-9) as bs)
+    left = othersOf Automatic
+    othersOf method gain offset places =
+      either (error . show) (filter beside . compositeOthers . assemblyComposite) $
+        let frames = map (frame gain offset) places
+         in assemble method (withNoiseOf frames standardRegistration) frames
+    beside = (/= OneFrame) . otherwiseFault
+    frame :: Double -> Double -> (Double, Double) -> Frame
+    frame gain offset (x, y) =
+      Frame (Pose (x * taxelPitch) (y * taxelPitch) 0) 1 (felt gain offset (x, y)) taxelPitch []
+    felt gain offset place = mapRaster (\v -> offset + gain * v) (frameAt (16, 16) place)
