@@ -211,9 +211,10 @@ compose method settings frames = do
         ]
       putFrom from places = do
         there <- nonEmpty (zip places images)
-        _ <- either (const Nothing) Just (checkArea there)
-        let (likelier, shifts) = from places
+        let corner = (minimum (map fst places), minimum (map snd places))
+            (likelier, shifts) = from places
             laid = maybe there (NonEmpty.zipWith movedBy there) (nonEmpty shifts)
+        either (const Nothing) Just (checkArea (fmap (first (`minus` corner)) there))
         pure (likelier, blended (left, top) (NonEmpty.zip laid (fmap placedFelt placed)) shifts)
       images = toList (fmap snd nominal)
       sigma = registrationSigma settings <|> arrangementSigma arrangement

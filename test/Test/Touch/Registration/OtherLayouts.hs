@@ -44,24 +44,35 @@ spec = do
     for_ [(0.1, 0.45), (0.02, 0.3)] $ \read' -> faults read' `shouldBe` faults (1, 0)
   it "stay, where frames side by side do not overlap and lie on the same lattice" $ do
     -- Beginning with a cell, whole cells in every frame across, half of its overlap down.
-    let faults = map otherwiseFault (left 1 0 [(x, y) | y <- [20, 30 .. 60], x <- [16, 32, 48]])
+    let places = [(x, y) | y <- [20, 30 .. 60], x <- [16, 32, 48]]
+        faultsFrom origin = map otherwiseFault (leftFrom origin places)
+        faults = faultsFrom (0, 0)
     [axesName a | OtherAxes a <- faults] `shouldBe` ["-x,y"]
     [() | Slip <- faults] `shouldNotBe` []
+    [() | OtherScale _ _ <- faults] `shouldNotBe` []
+    -- Wherever the robot counts from.
+    for_ [(65536, 0), (-4096, 65536)] $ \origin -> faultsFrom origin `shouldBe` faults
   it "are none of a single frame, nor where frames are not registered" $ do
     map otherwiseFault (left 1 0 [(20, 20)]) `shouldBe` []
-    map otherwiseFault (othersOf Nominal 1 0 [(16, 20), (32, 20), (48, 20)]) `shouldBe` []
+    map otherwiseFault (othersOf Nominal (0, 0) 1 0 [(16, 20), (32, 20), (48, 20)]) `shouldBe` []
   where
     upTo n = map fromIntegral [0 .. n - 1 :: Int]
     isAxes fault = fault `elem` [OtherAxes a | (_, a) <- axesNamed, a /= straight]
     isScale fault = fault `elem` [OtherScale x y | x <- [0.5, 1, 2], y <- [0.5, 1, 2]]
     closeTo as bs = and (zipWith (\(a, b) (c, d) -> abs (a - c) + abs (b - d) < 1e-9) as bs)
-    left = othersOf Automatic
-    othersOf method gain offset places =
+    left = othersOf Automatic (0, 0)
+    leftFrom origin = othersOf Automatic origin 1 0
+    othersOf method origin gain offset places =
       either (error . show) (filter beside . compositeOthers . assemblyComposite) $
-        let frames = map (frame gain offset) places
+        let frames = map (frame origin gain offset) places
          in assemble method (withNoiseOf frames standardRegistration) frames
     beside = (/= OneFrame) . otherwiseFault
-    frame :: Double -> Double -> (Double, Double) -> Frame
-    frame gain offset (x, y) =
-      Frame (Pose (x * taxelPitch) (y * taxelPitch) 0) 1 (felt gain offset (x, y)) taxelPitch []
+    frame :: (Double, Double) -> Double -> Double -> (Double, Double) -> Frame
+    frame (left', top) gain offset (x, y) =
+      Frame
+        (Pose ((left' + x) * taxelPitch) ((top + y) * taxelPitch) 0)
+        1
+        (felt gain offset (x, y))
+        taxelPitch
+        []
     felt gain offset place = mapRaster (\v -> offset + gain * v) (frameAt (16, 16) place)
