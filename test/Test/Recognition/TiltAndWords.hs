@@ -150,7 +150,7 @@ recognitionSpec = do
           turnedElse = foundOrientation found /= foundOrientation other
           none' = not (any (`elem` at found) (at other))
           common = length (filter (`elem` at found) (at other))
-          most = 2 * common < min (length (at found)) (length (at other))
+          most = 4 * common < 3 * min (length (at found)) (length (at other))
           showing answer = Recognition [] [] Nothing 0 answer
           against fault = differs fault (showing (Right (Found found))) . showing
        in [against fault (Right (Found other)) | fault <- [OneFrame, Slip]]

@@ -184,8 +184,8 @@ recognisedAngle recognition orientation
     angle = degreesClockwise orientation + recognisedTilt recognition
 
 -- | Whether the second shows something else than the first found: another orientation, or fewer
--- than half of the windows that either has; of frames one of which was moved, none of them. What
--- shows nothing is something else, but where one frame was moved.
+-- than three quarters of the windows that either has; of frames one of which was moved, none of
+-- them. What shows nothing is something else, but where one frame was moved.
 differs :: Fault -> Recognition -> Recognition -> Bool
 differs fault shown other = case (recognisedAnswer shown, recognisedAnswer other) of
   (Right (Found this), Right (Found that)) ->
@@ -194,7 +194,7 @@ differs fault shown other = case (recognisedAnswer shown, recognisedAnswer other
   where
     apart these those
       | fault == OneFrame = common == 0
-      | otherwise = 2 * common < min (Set.size these) (Set.size those)
+      | otherwise = 4 * common < 3 * min (Set.size these) (Set.size those)
       where
         common = Set.size (Set.intersection these those)
     windows found = Set.fromList (map windowPosition (foundWindow found : foundWindows found))
