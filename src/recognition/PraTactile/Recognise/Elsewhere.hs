@@ -10,14 +10,13 @@ where
 
 import Data.List (find, inits, tails)
 import Data.Maybe (fromMaybe)
-import PraTactile.Geometry (columnPitch, rotated, rowPitch, taxelPitch)
+import PraTactile.Geometry (taxelPitch)
 import PraTactile.Image (rasterSize)
 import PraTactile.Locate (doubtOfForeign)
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Recognition
 import PraTactile.Registration (Composite (..), Fault (..), Otherwise (..))
-import PraTactile.Sensor.Frame (Pose (..))
-import PraTactile.Sensor.Manifest (alongAxes)
+import PraTactile.Registration.Layout (cellsAround, faultAt)
 
 -- | Composites put together otherwise.
 data Elsewhere = Elsewhere
@@ -49,7 +48,7 @@ putOtherwise tolerance angle composites =
   ]
     ++ [ Elsewhere Slip (slipPrior tolerance / 4) (before ++ moved cell composite : after)
          | (before@(_ : _), composite, after) <- each,
-           cell <- [(columnPitch, 0), (-columnPitch, 0), (0, rowPitch), (0, -rowPitch)]
+           cell <- cellsAround angle
        ]
     ++ [ elsewhereBy other {otherwiseLikelier = product likelier} there
          | other <- ofAll,
@@ -70,8 +69,7 @@ putOtherwise tolerance angle composites =
         map (filter (not . ofOne) . compositeOthers) composites
     moved (i, j) composite =
       let (x, y) = compositeOrigin composite
-          (dx, dy) = rotated angle (taxelPitch * i, taxelPitch * j)
-       in composite {compositeOrigin = (x + dx, y + dy)}
+       in composite {compositeOrigin = (x + taxelPitch * i, y + taxelPitch * j)}
     under fault composite
       | length (compositeDisplacements composite) < 2 = Just (1, displaced fault composite)
       | otherwise =
@@ -86,11 +84,7 @@ displaced fault composite = composite {compositeOrigin = (x' - halfWidth, y' - h
     (w, h) = rasterSize (compositeImage composite)
     (halfWidth, halfHeight) = (half w, half h)
     half side = taxelPitch * fromIntegral (side - 1) / 2
-    (x, y) = (left + halfWidth, top + halfHeight)
-    (x', y') = case fault of
-      OtherAxes axes -> let Pose u v _ = alongAxes axes (Pose x y 0) in (u, v)
-      OtherScale across down -> (across * x, down * y)
-      _ -> (x, y)
+    (x', y') = faultAt fault (left + halfWidth, top + halfHeight)
 
 -- | What hypotheses with what they show leave of an answer: how probable it is that one frame lies
 -- elsewhere, that axes or scale are others, and that frames slipped, and they show something else.

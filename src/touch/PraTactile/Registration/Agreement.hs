@@ -48,14 +48,14 @@ contradiction settings frames
 -- | How much likelier, as a natural logarithm, the images' overlaps make each of some lists of
 -- places than the frames' own: by the pairs that lie otherwise to each other.
 evidenceAt :: Registration -> [(Taxels, Raster)] -> [[Taxels]] -> [Double]
-evidenceAt settings frames others = zipWith evidence (every even told) (every odd told)
+evidenceAt settings frames others = zipWith evidence (told asGiven) (told asOthers)
   where
-    told = map (sum . map (tie settings noise)) (sharings settings images (concatMap pairs others))
+    told = map (sum . map (tie settings noise)) . sharings settings images
     noise = max (registrationNoise settings) (frameNoise images)
-    every which xs = [x | (k, x) <- zip [0 :: Int ..] xs, which k]
-    pairs places =
-      [ telling mostOfLayout (filter (moved places) here),
-        telling mostOfLayout (filter (moved given) (overlapping (zip places images)))
+    asGiven = [telling mostOfLayout (filter (moved places) here) | places <- others]
+    asOthers =
+      [ telling mostOfLayout (filter (moved given) (overlapping (zip places images)))
+        | places <- others
       ]
     here = overlapping frames
     (given, images) = unzip frames
@@ -191,12 +191,9 @@ telling most found = concatMap largest [beside, below]
   where
     (beside, below) = partition ((\(x, y) -> abs x > abs y) . neighboursStep) found
     largest pairs =
-      spacedOut
-        most
-        [ (k, l, step)
-          | Neighbours k l step share <- pairs,
-            share >= max 0.125 (0.45 * maximum (map neighboursShare pairs))
-        ]
+      spacedOut most [(k, l, step) | Neighbours k l step share <- pairs, share >= least]
+      where
+        least = max 0.125 (0.45 * maximum (map neighboursShare pairs))
 
 -- | The most images around which pairs are looked for.
 mostCentres :: Int

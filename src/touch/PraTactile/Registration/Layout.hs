@@ -4,6 +4,10 @@ module PraTactile.Registration.Layout
   ( Layout (..),
     layouts,
     layoutsLeft,
+
+    -- * What faults do to places
+    faultAt,
+    cellsAround,
   )
 where
 
@@ -32,24 +36,21 @@ data Layout = Layout
 -- degrees clockwise.
 layouts :: Double -> [Taxels] -> [Layout]
 layouts angle places =
-  [ Layout (OtherAxes axes) (axesShare axes) (map (along axes) places)
+  [ ofAll (OtherAxes axes) (axesShare axes)
     | (_, axes) <- axesNamed,
       axes /= straight
   ]
-    ++ [ Layout (OtherScale across down) 0.25 [(across * x, down * y) | (x, y) <- places]
+    ++ [ ofAll (OtherScale across down) 0.25
          | (across, down) <- [(0.5, 1), (2, 1), (1, 0.5), (1, 2)]
        ]
     ++ [ Layout Slip (1 / fromIntegral (4 * length slips)) (map (slipped beyond cell) places)
          | beyond <- slips,
-           cell <- [(columnPitch, 0), (-columnPitch, 0), (0, rowPitch), (0, -rowPitch)]
+           cell <- cellsAround angle
        ]
   where
-    along axes (x, y) = let Pose x' y' _ = alongAxes axes (Pose x y 0) in (x', y')
+    ofAll fault share = Layout fault share (map (faultAt fault) places)
     slips = map (\t -> (> t) . fst) (lines' fst) ++ map (\t -> (> t) . snd) (lines' snd)
-    slipped beyond (i, j) (x, y)
-      | beyond (x, y) =
-        let (dx, dy) = rotated angle (i, j) in (x + dx, y + dy)
-      | otherwise = (x, y)
+    slipped beyond (dx, dy) (x, y) = if beyond (x, y) then (x + dx, y + dy) else (x, y)
     -- Between neighbouring rows or columns of frames.
     lines' part =
       take mostLines . map snd . sortOn (Down . fst) $
@@ -58,6 +59,19 @@ layouts angle places =
             (a, b) <- zip ts (drop 1 ts),
             b - a > leastGap
         ]
+
+-- | Where a fault that all places share has one of them, in the robot's coordinates.
+faultAt :: Fault -> (Double, Double) -> (Double, Double)
+faultAt fault (x, y) = case fault of
+  OtherAxes axes -> let Pose x' y' _ = alongAxes axes (Pose x y 0) in (x', y')
+  OtherScale across down -> (across * x, down * y)
+  _ -> (x, y)
+
+-- | By how much a slip by a cell moves, taxels: along either axis of a lattice at that angle, in
+-- degrees clockwise, either way.
+cellsAround :: Double -> [Taxels]
+cellsAround angle =
+  map (rotated angle) [(columnPitch, 0), (-columnPitch, 0), (0, rowPitch), (0, -rowPitch)]
 
 -- | Of other axes: two fifths each for x or y negated, the rest for the five others.
 axesShare :: Axes -> Double
