@@ -201,12 +201,12 @@ targets =
       "evaluate-100"
       asShipped
       [Recorded],
-    Target "evaluate-all-cores" "the same on all cores" "evaluate-100" ["-N", "-A16m"] [Recorded]
+    Target "evaluate-all-cores" "the same on all cores" "evaluate-100" ["-N", "-A2m"] [Recorded]
   ]
   where
     one = ["-N1"]
     -- The nursery that the command line has.
-    asShipped = ["-N1", "-A16m"]
+    asShipped = ["-N1", "-A2m"]
     numpyTable = Script "numpy" "table.py" . words
     numpyNearest kind = Script "numpy" "nearest.py" [kind]
     galoisProducts q = Script "galois" "products.py" [show (q :: Int)]

@@ -38,22 +38,34 @@ phasePosterior grid frames =
     -- What so many frames tell has one logarithm: none of them tells less than delta.
     phasesGiven sigma = logsOfProducts 20 (map (ofFrame sigma) told)
     told = [(onGrid place, massesOf (phaseLogs given)) | (place, given) <- frames]
-    -- What is too small for delta is nothing: numbers near the smallest are slow.
+    -- What is too small for delta is nothing.
     massesOf phases =
       let !top = V.maximum phases
-          mass l = if l - top < -700 then 0 else exp (l - top)
-       in V.map mass phases
-    ofFrame sigma (((nx, ny), (rx, ry)), masses) =
-      V.map (\m -> outlier + (1 - outlier) * m) (shifted (blurred masses))
+          !masses = V.map (\l -> if l - top < -60 then 0 else exp (l - top)) phases
+          rowsOf o =
+            [ start
+              | y <- [0 .. down - 1],
+                let start = (o * down + y) * across,
+                V.any (> 0) (V.slice start across masses)
+            ]
+       in (masses, map (V.fromList . rowsOf) [0, 1])
+    -- At each phase on the composite, what the frame says of its own, over the displacements with
+    -- their prior: rows of phases in which it shows something are blurred across, and then down.
+    ofFrame sigma (((nx, ny), (rx, ry)), (masses, shown)) =
+      V.map (\m -> outlier + (1 - outlier) * m) (V.concat (map blurred shown))
       where
-        -- At the phase on the composite, what the frame says of its own.
-        shifted v = tabulate across (2 * down) $ \r ->
-          let (orient, py) = r `quotRem` down
-              !start = ((py - ny) `mod` down) * across * 2 + orient
-           in \px -> V.unsafeIndex v (start + 2 * ((px - nx) `mod` across))
-        -- Over the displacements, with their prior; by row, column and orientation.
-        blurred =
-          ringed (2 * across) down (kernel down ry) . ringed (2 * down) across (kernel across rx)
+        blurred :: Vector Int -> Vector Double
+        blurred rows = tabulate across down (\y x -> dotWithin n (blurredAcross, x * n) (downs, y * n))
+          where
+            n = V.length rows
+            blurredAcross = tabulate n across $ \px ->
+              let !x = (px - nx) `mod` across
+               in \i -> dotWithin across (masses, rows V.! i) (kernelAcross, across - x)
+            downs = tabulate n down $ \py ->
+              let !y = (py - ny) `mod` down
+               in \i -> kernelDown V.! (down - y + (rows V.! i `quot` across) `mod` down)
+        kernelAcross = kernel across rx
+        kernelDown = kernel down ry
         -- The prior of the displacements from one phase to another, by their difference, twice
         -- around.
         kernel period rest =
@@ -76,9 +88,3 @@ logsOfProducts count vectors = case splitAt count vectors of
     where
       logs = V.map log (foldl' (V.zipWith (*)) first more)
   ([], _) -> V.empty
-
--- | So many rows of numbers, each a ring of that length, blurred by a kernel that is given twice
--- around; the rows become columns.
-ringed :: Int -> Int -> Vector Double -> Vector Double -> Vector Double
-ringed rows period kernel v =
-  tabulate rows period $ \x y -> dotWithin period (v, y * period) (kernel, period - x)
