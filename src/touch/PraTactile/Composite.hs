@@ -14,10 +14,11 @@ module PraTactile.Composite
   )
 where
 
+import Control.Monad (void)
 import Data.List.NonEmpty (NonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
-import Data.Maybe (isNothing)
 import PraTactile.Composite.Blend (Blend (..), Taxels, blend)
+import PraTactile.Composite.Noise (readingStep)
 import PraTactile.Image (Raster, constant, mapRaster, rasterHeight, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Reference, reference, referenceOf)
 import PraTactile.Sensor.Frame (taxelPitch)
@@ -42,6 +43,8 @@ data Composite = Composite
     -- | Whether somebody compared the frames with each other; 'False' where several lie at their
     -- nominal places as the robot has them, or none overlaps another.
     compositeCompared :: !Bool,
+    -- | The step of what the frames read ('readingStep'): less is no contrast.
+    compositeStep :: Double,
     -- | Whether somebody said what the robot's axes are.
     compositeAxesStated :: !Bool,
     -- | What the frames would show if they were put together otherwise: with one frame elsewhere,
@@ -99,6 +102,7 @@ compositeOf image =
       compositeDisplacements = [],
       compositePositionError = Nothing,
       compositeCompared = True,
+      compositeStep = readingStep [image],
       compositeAxesStated = False,
       compositeOthers = [],
       compositeContradiction = Nothing
@@ -130,10 +134,14 @@ weighted composite =
 
 -- | Images at their places, in taxels from an origin in millimetres, as a composite, with the
 -- displacements given, as if these were compared, and no other way to put them together. Its grid
--- is the origin's, moved by whole taxels so that it holds all the images. With an image may stand
--- the share of each pixel that was felt, 0 to 1: the rest of it counts @interpolated@ in the mean,
--- and @known@ in the coverage.
-blended :: (Double, Double) -> NonEmpty ((Taxels, Raster), Maybe Raster) -> [Taxels] -> Composite
+-- is the origin's, moved by whole taxels so that it holds all the images. With an image stands what
+-- it counts in the mean, and perhaps the share of each pixel that was felt, 0 to 1: the rest of it
+-- counts @interpolated@ in the mean, and @known@ in the coverage.
+blended ::
+  (Double, Double) ->
+  NonEmpty ((Taxels, Raster), (Double, Maybe Raster)) ->
+  [Taxels] ->
+  Composite
 blended (left, top) images displacements =
   Composite
     { compositeImage = means,
@@ -142,6 +150,7 @@ blended (left, top) images displacements =
       compositeDisplacements = displacements,
       compositePositionError = Nothing,
       compositeCompared = True,
+      compositeStep = readingStep (map (snd . fst) (NonEmpty.toList images)),
       compositeAxesStated = False,
       compositeOthers = [],
       compositeContradiction = Nothing
@@ -159,13 +168,14 @@ blended (left, top) images displacements =
     onGrid ((x, y), im) = ((x - fromIntegral x0, y - fromIntegral y0), im)
     Blend allSums allWeights = laid fst
     (sums, weights, coverage)
-      | all (isNothing . snd) images = (allSums, allWeights, allWeights)
-      | otherwise = (total (times interpolated), total (worth interpolated), total (worth known))
-    total value = blendSums (laid (\((place, im), felt) -> (place, value im felt)))
+      | all ((== (1, Nothing)) . fmap void . snd) images = (allSums, allWeights, allWeights)
+      | otherwise = (total times, total inMean, total (\felt _ -> worth known felt))
+    total value = blendSums (laid (\((place, im), (count, felt)) -> (place, value felt count im)))
     -- What each pixel of an image counts, if it counts that where it was not felt at all.
-    worth least im felt =
+    worth least felt im =
       maybe (mapRaster (const 1) im) (mapRaster (\share -> share + least * (1 - share))) felt
-    times least im felt = orElse im (zipRaster (*) (worth least im felt) im)
+    inMean felt count im = mapRaster (count *) (worth interpolated felt im)
+    times felt count im = orElse im (zipRaster (*) (inMean felt count im) im)
     means = orElse sums (zipRaster (\s w -> if w < leastWeight then 0 else s / w) sums weights)
     -- They are of one size.
     orElse other = either (const other) id

@@ -37,8 +37,10 @@ import Data.Foldable (toList, traverse_)
 import Data.List (sortOn)
 import Data.List.NonEmpty (NonEmpty (..), nonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
-import Data.Maybe (isJust)
+import Data.Maybe (fromMaybe, isJust)
 import qualified Data.Set as Set
+import Data.Tuple (swap)
+import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite
   ( Composite (..),
@@ -164,10 +166,11 @@ assemble method settings frames = do
 -- | Place frames in taxels, arrange them, and blend.
 compose :: StitchMethod -> Registration -> NonEmpty Frame -> Either StitchError Assembly
 compose method settings frames = do
-  placed <- traverse (uncurry upright) (NonEmpty.zip (0 :| [1 ..]) frames)
-  let left = minimum (fmap (fst . placedAt) placed)
-      top = minimum (fmap (snd . placedAt) placed)
+  given <- traverse (uncurry upright) (NonEmpty.zip (0 :| [1 ..]) frames)
+  let left = minimum (fmap (fst . placedAt) given)
+      top = minimum (fmap (snd . placedAt) given)
       inTaxelsFrom (x, y) = (inTaxels (x - left), inTaxels (y - top))
+      (placed, ofEach) = witnesses (\p -> (swap (inTaxelsFrom (placedAt p)), shown p)) given
       nominal = fmap (\p -> (inTaxelsFrom (placedAt p), placedImage p)) placed
   checkArea nominal
   let supposed
@@ -176,14 +179,19 @@ compose method settings frames = do
   arrangement <- first TooMuchToRegister (arrange method supposed (NonEmpty.toList nominal))
   let arranged = arrangementFrames arrangement
       displacements = map registeredShift arranged
-      at shifts = maybe nominal moved (nonEmpty shifts)
-      moved = NonEmpty.zipWith movedBy nominal
+      levels = arrangementLevelling arrangement
+      levelled = maybe nominal (NonEmpty.zipWith onLevel nominal) (nonEmpty levels)
+      onLevel (place, image) (level, _) = (place, level image)
+      counts = fromMaybe (fmap (const 1) placed) (nonEmpty (map snd levels))
+      counted = NonEmpty.zip counts (fmap placedFelt placed)
+      at shifts = maybe levelled moved (nonEmpty shifts)
+      moved = NonEmpty.zipWith movedBy levelled
       movedBy (place, image) shift = (place `plus` shift, image)
       plus (x, y) (dx, dy) = (x + dx, y + dy)
       minus (x, y) (dx, dy) = (x - dx, y - dy)
       together shifts =
-        (blended (left, top) (NonEmpty.zip (at shifts) (fmap placedFelt placed)) shifts)
-          { compositeCompared = length frames == 1 || compared,
+        (blended (left, top) (NonEmpty.zip (at shifts) counted) (ofEach shifts))
+          { compositeCompared = length placed == 1 || compared,
             compositePositionError = arrangementSigma arrangement
           }
       compared =
@@ -210,13 +218,12 @@ compose method settings frames = do
                 (putFrom from . map (`minus` robot))
         ]
       putFrom from places = do
-        there <- nonEmpty (zip places images)
+        there <- nonEmpty (zip places (map snd (toList levelled)))
         let corner = (minimum (map fst places), minimum (map snd places))
             (likelier, shifts) = from places
             laid = maybe there (NonEmpty.zipWith movedBy there) (nonEmpty shifts)
         either (const Nothing) Just (checkArea (fmap (first (`minus` corner)) there))
-        pure (likelier, blended (left, top) (NonEmpty.zip laid (fmap placedFelt placed)) shifts)
-      images = toList (fmap snd nominal)
+        pure (likelier, blended (left, top) (NonEmpty.zip laid counted) (ofEach shifts))
       sigma = registrationSigma settings <|> arrangementSigma arrangement
       found = settings {registrationSigma = sigma}
       with k shift shifts = take k shifts ++ shift : drop (k + 1) shifts
@@ -234,10 +241,20 @@ compose method settings frames = do
               compositeContradiction = contradiction found (NonEmpty.toList nominal)
             },
         assemblyMethod = arrangementMethod arrangement,
-        assemblyFrames = arranged,
+        assemblyFrames = ofEach arranged,
         assemblyResidual = arrangementResidual arrangement,
-        assemblyTurns = map turnOf (NonEmpty.toList (at displacements))
+        assemblyTurns = ofEach (map turnOf (NonEmpty.toList (at displacements)))
       }
+
+-- | What was seen, row by row from the top, each once: the order in which frames come tells nothing,
+-- and one that comes again is no second witness. With it, of what is known of each of these, what
+-- is known of all that were given, in their order.
+witnesses :: Ord k => (a -> k) -> NonEmpty a -> (NonEmpty a, [b] -> [b])
+witnesses key given = (fmap (snd . NonEmpty.head) groups, ofEach)
+  where
+    groups = NonEmpty.groupAllWith1 (key . snd) (NonEmpty.zip (0 :| [1 :: Int ..]) given)
+    ofEach told =
+      map snd (sortOn fst [(k, b) | (same, b) <- zip (toList groups) told, (k, _) <- toList same])
 
 -- | The most other ways to put frames together that are told.
 mostOthers :: Int
@@ -269,6 +286,10 @@ data Placed = Placed
     -- | The share of each pixel that living elements felt, where some are dead.
     placedFelt :: !(Maybe Raster)
   }
+
+-- | All that a frame shows.
+shown :: Placed -> (Vector Double, Maybe (Vector Double))
+shown frame = (rasterValues (placedImage frame), rasterValues <$> placedFelt frame)
 
 -- | Refuses frames that cannot be placed, or would take too much memory, before one is resampled.
 checkFrames :: NonEmpty Frame -> Either StitchError ()

@@ -3,6 +3,7 @@
 module PraTactile.Composite.Level
   ( Levels (..),
     levels,
+    leastContrast,
     noiseFrom,
     medianSize,
     smoothing,
@@ -30,16 +31,13 @@ threshold (Levels low high) = (low + high) / 2
 contrast :: Levels -> Double
 contrast (Levels low high) = high - low
 
--- | The levels of a set of intensities, given the standard deviation of their noise. The
--- intensities are split in two by Otsu's threshold (IEEE Trans. Syst. Man Cybern. 9, 1979), which
+-- | The levels of a set of intensities, given the least contrast that is one. The intensities are split in two by Otsu's threshold (IEEE Trans. Syst. Man Cybern. 9, 1979), which
 -- makes the variance between the two parts largest; the levels are the parts' medians.
 --
--- 'Nothing' when that shows no embossing: less than four times the noise between the two, which is
--- more than the parts differ by into which noise alone is split (1.35 standard deviations of normal
--- noise), or less than two steps of an 8-bit image.
+-- 'Nothing' when that shows no embossing: less than that between the two.
 levels :: Double -> Vector Double -> Maybe Levels
-levels noise intensities
-  | V.null intensities || high <= low || contrast found < max (2 / 255) (4 * noise) = Nothing
+levels least intensities
+  | V.null intensities || high <= low || contrast found < least = Nothing
   | otherwise = Just found
   where
     low = V.minimum intensities
@@ -51,6 +49,12 @@ levels noise intensities
         (valueAt (median (V.take split counts)))
         (valueAt (fromIntegral split + median (V.drop split counts)))
     valueAt bin = low + (high - low) * bin / fromIntegral bins
+
+-- | The least contrast of embossing, given the step and the standard deviation of the noise of what
+-- is read: two steps, and four times the noise, which is more than the parts differ by into which
+-- noise alone is split (1.35 standard deviations of normal noise).
+leastContrast :: Double -> Double -> Double
+leastContrast step noise = max (2 * step) (4 * noise)
 
 -- | The standard deviation of the noise of an image, given the second differences @a - 2 b + c@ of
 -- neighbours a, b, c in it, in which relief has little part: their median size is 0.6745 sqrt 6

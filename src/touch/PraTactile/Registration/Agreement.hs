@@ -7,7 +7,7 @@ module PraTactile.Registration.Agreement
 where
 
 import Data.List (foldl', maximumBy, partition)
-import qualified Data.Map.Strict as Map
+import qualified Data.Map.Lazy as Map
 import Data.Ord (comparing)
 import qualified Data.Set as Set
 import qualified Data.Vector as Boxed
@@ -89,7 +89,7 @@ tie settings noise (Shared n total unlike)
 sharings :: Registration -> [Raster] -> [[(Int, Int, Taxels)]] -> [[Shared]]
 sharings settings images lists = map (map (sharedByPair Map.!)) lists
   where
-    -- What pairs share, each once: many axes have pairs in common.
+    -- What pairs share, each once, as many axes have pairs in common, and when it is looked at.
     sharedByPair =
       Map.fromSet (sharedBy settings (Boxed.fromList images)) (Set.fromList (concat lists))
 
@@ -185,15 +185,22 @@ overlapping = neighboursAround mostCentres
 -- | Of those that lie side by side and of those that lie one below the other, each for itself, the
 -- pairs that overlap by an eighth of a frame and by nearly half of the most, at most so many of
 -- them, evenly; by their numbers, with where the second's upper left pixel lies in the first.
--- However large the one's overlaps are, they tell nothing of how the others lie.
+-- However large the one's overlaps are, they tell nothing of how the others lie; and pairs of frames
+-- that hardly moved tell nothing of how any lie.
 telling :: Int -> [Neighbours] -> [(Int, Int, Taxels)]
 telling most found = concatMap largest [beside, below]
   where
-    (beside, below) = partition ((\(x, y) -> abs x > abs y) . neighboursStep) found
+    (beside, below) =
+      partition ((\(x, y) -> abs x > abs y) . neighboursStep) (filter (apart . neighboursStep) found)
+    apart (x, y) = max (abs x) (abs y) >= leastStep
     largest pairs =
       spacedOut most [(k, l, step) | Neighbours k l step share <- pairs, share >= least]
       where
         least = max 0.125 (0.45 * maximum (map neighboursShare pairs))
+
+-- | How far apart two frames lie at least that tell how they lie, taxels.
+leastStep :: Double
+leastStep = 2
 
 -- | The most images around which pairs are looked for.
 mostCentres :: Int

@@ -13,10 +13,10 @@ where
 
 import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
-import Data.List (foldl', sortOn)
+import Data.List (foldl')
 import qualified Data.Vector as Boxed
 import PraTactile.Composite.Blend (Taxels)
-import PraTactile.Image (Raster, rasterSize, rasterValues)
+import PraTactile.Image (Raster, rasterSize)
 import PraTactile.Registration.Model (eighth)
 import PraTactile.Registration.Neighbours (Neighbours (..), neighbours)
 import PraTactile.Registration.Pair.Blind (blindPosterior)
@@ -32,18 +32,14 @@ data Link = Link !Int !Int ![Hypothesis]
 
 -- | The displacement of each image, x and y in taxels, given the tables by the images' width and
 -- height and the nominal places (taxels) of their upper left pixels; and the standard deviation of
--- each along either axis. The mean of the displacements is 0. The order of the images changes
--- nothing.
+-- each along either axis. The mean of the displacements is 0.
 registerPairwise ::
   Registration -> ((Int, Int) -> Spectra) -> [(Taxels, Raster)] -> [(Taxels, Double)]
-registerPairwise settings tables frames = map snd (sortOn fst (zip order (map less placed)))
+registerPairwise settings tables frames = map less placed
   where
-    (order, ordered) =
-      unzip
-        (sortOn (\(_, ((x, y), image)) -> (y, x, rasterValues image)) (zip [0 :: Int ..] frames))
-    links = concatMap (linkOf settings tables (Boxed.fromList (map snd ordered))) pairs
-    pairs = [pair | pair <- neighbours ordered, neighboursShare pair >= leastShare]
-    placed = IntMap.elems (solved (supposedSigma settings) (length ordered) links)
+    links = concatMap (linkOf settings tables (Boxed.fromList (map snd frames))) pairs
+    pairs = [pair | pair <- neighbours frames, neighboursShare pair >= leastShare]
+    placed = IntMap.elems (solved (supposedSigma settings) (length frames) links)
     n = fromIntegral (max 1 (length placed))
     mean part = sum (map (part . fst) placed) / n
     less ((x, y), sd) = ((eighth (x - mean fst), eighth (y - mean snd)), sd)

@@ -26,6 +26,7 @@ import PraTactile.Registration.Lattice.Angle (latticeAngle)
 import PraTactile.Registration.Lattice.Fit (Fits (..), bySize, fitsAt)
 import PraTactile.Registration.Lattice.Glimpse
 import PraTactile.Registration.Lattice.Template (PaperTables, paperTemplates)
+import PraTactile.Registration.Levelling (levelling)
 import PraTactile.Registration.Posterior (Hypothesis)
 import PraTactile.Registration.Residual (residual)
 import PraTactile.Registration.Search (Registration (..))
@@ -64,6 +65,8 @@ data Registered = Registered
 data Arrangement = Arrangement
   { arrangementMethod :: !StitchMethod,
     arrangementFrames :: ![Registered],
+    -- | What brings each frame to the scale of all, and what it then counts.
+    arrangementLevelling :: [(Raster -> Raster, Double)],
     -- | The standard deviation of the robot's position error, taxels, where the method tells it.
     arrangementSigma :: Maybe Double,
     -- | The standard deviation of one frame from what others saw at the same place, grey values.
@@ -99,7 +102,7 @@ data TooMuch
 arrange :: StitchMethod -> Registration -> [(Taxels, Raster)] -> Either TooMuch Arrangement
 arrange method settings frames
   | method == Nominal || length frames < 2 || all (flat . snd) frames =
-    Right (arranged unregistered (map (const stays) frames))
+    Right (arranged unregistered asRead (map (const stays) frames))
   | otherwise = case method of
     ByLattice | largest > maxLatticePixels -> Left (LatticePixels largest)
     ByLattice
@@ -131,13 +134,13 @@ arrange method settings frames
     correlated (d, instead) = Registered d Nothing Nothing instead
     fitted (d, sd) = Registered d (Just (sd, sd)) Nothing []
     blindly used told way =
-      (arranged used (map told (way frames)))
+      (arranged used asRead (map told (way frames)))
         { arrangementFrom = Just (\places -> (0, map (shift . told) (way (zip places images))))
         }
       where
         shift one = registeredShift (one 0)
     byLattice fits' =
-      (arranged ByLattice (map estimated (jointFrames found)))
+      (arranged ByLattice (levelling (zip images (jointThetas found))) (map estimated (jointFrames found)))
         { arrangementSigma = jointSigma found,
           arrangementAngle = Just (fitsAngle fits'),
           arrangementFrom = Just (\places -> from (registered (zip places images)))
@@ -152,17 +155,22 @@ arrange method settings frames
             (Just (estimateDeviation l))
             (Just (estimateProbability l))
             (estimateOthers l)
-    arranged used frameOf =
+    asRead = map (const (id, 1)) frames
+    arranged used levels frameOf =
       Arrangement
         { arrangementMethod = used,
           arrangementFrames = zipWith ($) frameOf (groupsOf places),
+          arrangementLevelling = levels,
           arrangementSigma = Nothing,
           arrangementResidual = residual places,
           arrangementAngle = Nothing,
           arrangementFrom = Nothing
         }
       where
-        places = moved frames [registeredShift (a 0) | a <- frameOf]
+        places =
+          moved
+            [(place, level image) | ((place, image), (level, _)) <- zip frames levels]
+            [registeredShift (a 0) | a <- frameOf]
 
 -- | The most frames that the angle at which symbols seem to lie is told from, before it is told by
 -- the lattice: more would take memory for nothing.

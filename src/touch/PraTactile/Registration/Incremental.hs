@@ -23,7 +23,7 @@ import qualified Data.Set as Set
 import qualified Data.Vector as Boxed
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Composite.Blend (Blend (..), Taxels, blend)
-import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterValues, rasterWidth, zipRaster)
+import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Overlap (..), Reference, overlapAt, reference, referenceOf)
 import PraTactile.Registration.Model (eighth)
 import PraTactile.Registration.Posterior (Hypothesis (..))
@@ -39,24 +39,12 @@ import PraTactile.Registration.Search
 
 -- | The displacement of each image, x and y in taxels, given the nominal places (taxels) of the
 -- images' upper left pixels, and other displacements that it may have instead. The mean of the
--- first is zero, to a sixteenth of a taxel, since a shift common to all frames cannot be seen. An
--- image's displacement does not depend on the order of the images.
+-- first is zero, to a sixteenth of a taxel, since a shift common to all frames cannot be seen.
 register :: Registration -> [(Taxels, Raster)] -> [(Taxels, [Hypothesis])]
 register settings images =
-  map
-    snd
-    ( sortOn
-        fst
-        ( zip
-            order
-            (zip (IntMap.elems displacements) (map (others settings displacements) nodes))
-        )
-    )
+  zip (IntMap.elems displacements) (map (others settings displacements) nodes)
   where
-    (order, ordered) =
-      unzip
-        (sortOn (\(_, ((x, y), image)) -> (y, x, rasterValues image)) (zip [0 :: Int ..] images))
-    nodes = linked (linkReach settings) ordered
+    nodes = linked (linkReach settings) images
     displacements = sweeps settings nodes (grown settings nodes)
 
 -- | A frame, and the other frames that may touch it once they are displaced.

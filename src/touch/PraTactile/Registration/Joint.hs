@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | Many frames registered to one lattice of cells: where the lattice lies is found from all of
 -- them, each frame's displacement from the lattice and from the symbols that the other frames saw
 -- in the cells that it sees. The array is not known here.
@@ -11,20 +13,20 @@ module PraTactile.Registration.Joint
   )
 where
 
-import Data.List (sortOn)
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (cosineSine, rotated)
-import PraTactile.Image (Raster, rasterHeight, rasterSize, rasterValues, rasterWidth)
+import PraTactile.Image (Raster, rasterHeight, rasterSize, rasterWidth)
 import PraTactile.Registration.Joint.Displacement (Displacement (..), displacementsOf)
 import PraTactile.Registration.Joint.Estimate
 import PraTactile.Registration.Joint.Grid (Grid (..), gridOf, gridSpacing)
 import PraTactile.Registration.Joint.MeanField (meanField)
 import PraTactile.Registration.Joint.Phase (commonPhase)
 import PraTactile.Registration.Lattice.Fit
+import PraTactile.Registration.Lattice.Likelihood (likelihoodTheta)
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Template
-import PraTactile.Registration.Model (eighth)
+import PraTactile.Registration.Model (Theta, eighth)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search (Registration (..))
 
@@ -41,6 +43,8 @@ data Joint = Joint
   { -- | Where each frame is, in their order. The displacements have mean 0, since a shift common to
     -- all cannot be seen.
     jointFrames :: [Estimate],
+    -- | How each reads relief.
+    jointThetas :: [Theta],
     -- | The standard deviation of the robot's position error, taxels, where two frames or more tell
     -- it.
     jointSigma :: Maybe Double,
@@ -49,42 +53,35 @@ data Joint = Joint
   }
 
 -- | Frames registered from the nominal places (taxels) of their upper left pixels, and what they
--- tell at the lattice's angle. The order of the frames changes nothing.
+-- tell at the lattice's angle.
 registerJointly :: Registration -> Fits -> [(Taxels, Raster)] -> Joint
-registerJointly settings fits frames =
-  Joint (map snd (sortOn fst (zip order centredEstimates))) sigma phaseLog
+registerJointly settings fits frames = Joint centredEstimates thetas sigma phaseLog
   where
     angle = fitsAngle fits
-    (order, ordered) =
-      unzip
-        ( sortOn
-            (\(_, ((x, y), image, _)) -> (y, x, rasterValues image))
-            [ (k, (firstPlace (tablesOf image) (rotated (negate angle) place), image, fitted))
-              | (k, (place, image), fitted) <- zip3 [0 :: Int ..] frames (fitsFrames fits)
-            ]
-        )
+    onLattice =
+      [ (firstPlace (tablesOf image) (rotated (negate angle) place), image, fitted)
+        | ((place, image), fitted) <- zip frames (fitsFrames fits)
+      ]
     grid = gridOf settings
     -- What few frames tell is kept; of many, or of large ones, it would take too much memory.
     kept (place, _, fitted) = (place, fitLikelihood fitted)
     again (place, image, _) = (place, likelihood (tablesOf image) image)
     tablesOf image = fitsTables fits (rasterSize image)
-    some = spacedOut phaseFrames ordered
+    some = spacedOut phaseFrames onLattice
     small = sum (map pixelsOf some) <= phaseFrames * keptPixels
     pixelsOf (_, image, _) = rasterWidth image * rasterHeight image
     (phaseLog, (orientation, phase)) = commonPhase grid (map (if small then kept else again) some)
-    displacements =
-      map
-        ( displacementsOf grid orientation phase
-            . (if small && length ordered <= phaseFrames then kept else again)
-        )
-        ordered
+    (thetas, displacements) =
+      unzip (map (told . (if small && length onLattice <= phaseFrames then kept else again)) onLattice)
+    told seen@(_, given) =
+      let !theta = likelihoodTheta given in (theta, displacementsOf grid orientation phase seen)
     (posteriors, sigmas) = meanField grid displacements
     sigma
-      | length ordered < 2 = Nothing
+      | length onLattice < 2 = Nothing
       | otherwise = Just (exp (sum (zipWith (*) sigmas (map log (gridSigmas grid)))) / gridSpacing)
     estimates =
       [ turnedTo angle (estimateAt place (shifts weights))
-        | ((place, _, _), weights) <- zip ordered posteriors
+        | ((place, _, _), weights) <- zip onLattice posteriors
       ]
     shifts weights = [(displacementShift o, p) | (o, p) <- weights]
     n = fromIntegral (max 1 (length estimates))

@@ -49,7 +49,10 @@ neighboursAround most placed =
     squares =
       Map.map (spacedOut 16) $
         Map.fromListWith (flip (++)) [(square place, [f]) | f@(_, (place, _)) <- numbered]
-    square (x, y) = (floor (x / side) :: Int, floor (y / side) :: Int)
+    -- Counted from the frames, so that it does not matter where the robot counts from.
+    square (x, y) = (floor ((x - left) / side) :: Int, floor ((y - top) / side) :: Int)
+    left = minimum (map (fst . fst) placed)
+    top = minimum (map (snd . fst) placed)
     side =
       fromIntegral (maximum (1 : [max (rasterWidth i) (rasterHeight i) | (_, i) <- placed])) ::
         Double

@@ -42,17 +42,17 @@ data Cleaned = Cleaned
 -- what is longer than any symbol, and what is sunk beside it. Most composites are as they were:
 -- where all that is embossed is like symbols, or nothing is, and nothing is sunk.
 cleaned :: Composite -> Cleaned
-cleaned composite = case levels noise (touchedValues pixels) of
+cleaned composite = case levels least (touchedValues pixels) of
   Just found
     | any (unlikeSymbols pixels) (parts (>= share 0.5 found))
         || any ((>= leastHollow) . length) (parts (<= share (-0.35) found)),
-      Just (own, symbols) <- symbolLevels pixels noise ->
+      Just (own, symbols) <- symbolLevels pixels least ->
       removed composite pixels (foreignIn pixels own symbols)
   _ -> Cleaned composite Nothing []
   where
     touched = masked composite
     pixels = smoothed touched
-    noise = smoothing * pixelNoise touched
+    least = leastContrast (compositeStep composite) (smoothing * pixelNoise touched)
     parts test = components pixels 0 (touchedWhere test pixels)
 
 -- | A share of the way from the background's level to the embossing's.

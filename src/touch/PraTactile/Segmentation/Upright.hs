@@ -9,8 +9,8 @@ import Control.Applicative ((<|>))
 import Data.Either (isRight, partitionEithers)
 import Data.List (sortOn)
 import Data.Maybe (mapMaybe)
-import PraTactile.Composite (Composite, weighted)
-import PraTactile.Composite.Level (Levels (..), contrast, levels, smoothing, threshold)
+import PraTactile.Composite (Composite (..), weighted)
+import PraTactile.Composite.Level (Levels (..), contrast, leastContrast, levels, smoothing, threshold)
 import PraTactile.Geometry (symbolHeight, symbolWidth)
 import PraTactile.Image (generate)
 import PraTactile.Image.Correlate (Reference, referenceAt)
@@ -35,7 +35,8 @@ segment composite = case levelled noise touched of
     touched = masked composite
     noise = pixelNoise touched
     smooth = smoothed touched
-    levelled noiseThere = levels noiseThere . touchedValues
+    levelled noiseThere =
+      levels (leastContrast (compositeStep composite) noiseThere) . touchedValues
     cut pixels found =
       Segmentation symbols rejects (levelBackground found) (contrast found)
       where

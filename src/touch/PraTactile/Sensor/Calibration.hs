@@ -97,10 +97,11 @@ corrected calibration = \frame ->
     dead frame = Set.toAscList (Set.union (Set.fromList (frameDead frame)) gone)
     gone = Set.fromList (calibrationDead calibration)
 
--- | Frames in which elements that are stuck were not felt ('correctedImage'): those that read more
--- than half of full scale in every frame, though the sensor moved by 8 elements at least between
--- some two of six frames or more. Nothing is changed where that says nothing: of fewer frames, of
--- frames of several sizes, and where more than a quarter of all elements would be stuck.
+-- | Frames in which elements that are stuck were not felt ('correctedImage'): those that read high
+-- in every frame, though the sensor moved by 8 elements at least between some two of six frames or
+-- more. High is above the middle between what most elements read at least and at most. Nothing is
+-- changed where that says nothing: of fewer frames, of frames of several sizes, and where more than
+-- a quarter of all elements would be stuck.
 withoutStuck :: [Frame] -> [Frame]
 withoutStuck frames = case frames of
   one : others
@@ -112,9 +113,11 @@ withoutStuck frames = case frames of
       [either (const frame) id (unstuck frame) | frame <- frames]
     where
       size@(w, h) = rasterSize (frameImage one)
-      least = foldl' lower (rasterValues (frameImage one)) others
-      lower v frame = V.zipWith min v (rasterValues (frameImage frame))
-      stuck = [k `divMod` w | (k, v) <- zip [0 ..] (V.toList least), v > 0.5]
+      least = V.toList (over min)
+      over among = foldl' (V.zipWith among) (values one) (map values others)
+      values = rasterValues . frameImage
+      high = (median least + median (V.toList (over max))) / 2
+      stuck = [k `divMod` w | (k, v) <- zip [0 ..] least, v > high]
       without = Calibration (generate w h (\_ _ -> 0)) (generate w h (\_ _ -> 1)) stuck
       unstuck = corrected without
       moved = extent poseX >= 8 * frameTaxel one || extent poseY >= 8 * frameTaxel one

@@ -184,7 +184,7 @@ jointSpec =
       forAllBlind genFrames $ \frames ->
         let settings = standardRegistration {registrationSigma = Just 0.4, registrationReach = 2}
             fits = fitsAt tablesOf (map snd frames) angle
-            Joint found sigma _ = registerJointly settings fits frames
+            Joint found _ sigma _ = registerJointly settings fits frames
             (wanted, sigma') = together (Robot (0.2, 0.8) 4) angle frames
          in conjoin (zipWith alike found wanted)
               .&&. length found === length frames

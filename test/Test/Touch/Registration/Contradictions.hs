@@ -79,7 +79,8 @@ genRelief side = do
   pure (generate side side (\x y -> maybe 0 fst (referenceAt coarse (third x) (third y))))
 
 -- | The definition: of pairs side by side and of those one below the other, 16 each of those that
--- overlap by an eighth of a frame and 45 % of what the most do, around 64 frames; of each the
+-- lie two taxels apart and overlap by an eighth of a frame and 45 % of what the most do, around 64
+-- frames; of each the
 -- displacement of the whole taxels within two standard deviations of the robot's that is most
 -- probable; over all, how much less each varies from the other than by itself.
 defined :: Registration -> [(Taxels, Raster)] -> Maybe Contradiction
@@ -94,7 +95,7 @@ defined settings frames
     ((toldBest, couldBest), axes) =
       maximumBy (comparing (fst . fst)) [(along a, a) | (_, a) <- axesNamed, a /= straight]
     along :: Axes -> (Double, Double)
-    along a = telling (map shared (chosen (neighboursAround 64 (map (moved a) frames))))
+    along a = telling (map shared (chosen (filter apart (neighboursAround 64 (map (moved a) frames)))))
     moved a ((x, y), shown) = let Pose x' y' _ = alongAxes a (Pose x y 0) in ((x', y'), shown)
     chosen found =
       concat
@@ -102,6 +103,7 @@ defined settings frames
           | some <- [filter beside found, filter (not . beside) found],
             let most = maximum (map neighboursShare some)
         ]
+    apart found = let (x, y) = neighboursStep found in max (abs x) (abs y) >= 2
     beside found = let (x, y) = neighboursStep found in abs x > abs y
     evenly :: Int -> [a] -> [a]
     evenly most xs =

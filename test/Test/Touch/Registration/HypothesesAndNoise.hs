@@ -8,6 +8,7 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Noise
 import PraTactile.Image
 import PraTactile.Registration.Lattice.Places (Places (..), placesAt)
+import PraTactile.Registration.Levelling (randomEffects)
 import PraTactile.Registration.Neighbours
 import PraTactile.Registration.Posterior
 import Test.Hspec
@@ -20,6 +21,7 @@ spec = do
   describe "Which frames overlap" neighbourSpec
   describe "The noise of frames" noiseSpec
   describe "The places of symbols" placesSpec
+  describe "Numbers with errors" effectsSpec
 
 near :: Double -> Double -> Property
 near wanted came = counterexample (show (wanted, came)) (abs (wanted - came) < 1e-9)
@@ -204,19 +206,39 @@ noiseSpec = do
             else
               counterexample (show (lower, found, upper)) $
                 found >= lower - bin && found <= upper + bin
-  it "is by at most 256 of the frames, evenly taken" $
-    forAll (choose (1, 4)) $ \every ->
+  it "is by at most 256 of the frames, evenly taken of different ones, whatever their order" $
+    forAll (choose (1, 4 :: Int)) $ \every ->
       -- Of 256 times as many, one in so many has noise.
-      let noisy = generate 2 2 (\x y -> if (x, y) == (0, 0) then 0.5 else 0)
-          flat = constant 2 2 0
-          images = concat (replicate 256 (noisy : replicate (every - 1) flat))
-       in near (0.5 / 1.349) (frameNoise images * 512 / 511.5)
+      let image k = generate 2 2 $ \x y ->
+            fromIntegral k / 2048 + (if (x, y) == (1, 1) && k `mod` every == 0 then 0.5 else 0)
+          images = map image [0 .. 256 * every - 1]
+       in forAllBlind (shuffle (images ++ take 3 images)) $ \shuffled ->
+            near (0.5 / 1.349) (frameNoise shuffled * 512 / 511.5)
   where
     genImage = do
       w <- choose (1, 7)
       h <- choose (1, 7)
       values <- vectorOf (w * h) (choose (0, 1))
       pure (generate w h (\x y -> values !! (y * w + x)))
+
+-- | Where all errors are alike, by the variance s^2 of the numbers: tau^2 is s^2 - e^2 or 0.
+effectsSpec :: Spec
+effectsSpec =
+  it "numbers come nearer to their mean by what their errors explain of how they differ" $
+    forAll (choose (2, 9) >>= \n -> vectorOf n (choose (-2, 2))) $ \xs ->
+      forAll (choose (0.01, 4)) $ \e ->
+        forAll (choose (0, length xs)) $ \k ->
+          let n = fromIntegral (length xs)
+              middle = sum xs / n
+              variance = sum [(x - middle) * (x - middle) | x <- xs] / (n - 1)
+              left = max 0 (1 - e / variance)
+              -- One that tells nothing changes nothing, and is as the others are.
+              (those, these) = splitAt k [(x, e) | x <- xs]
+              (found, each) = randomEffects (those ++ [(100, 1 / 0)] ++ these)
+              wanted = [middle + left * (x - middle) | x <- xs]
+           in classify (left > 0) "differ" $
+                near middle found
+                  .&&. conjoin (zipWith near (take k wanted ++ [middle] ++ drop k wanted) each)
 
 placesSpec :: Spec
 placesSpec = do

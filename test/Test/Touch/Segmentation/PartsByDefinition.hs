@@ -224,7 +224,7 @@ levelSpec = do
           medians = maybe False (\l -> any (`close` l) candidates) found
        in counterexample (show (candidates, found)) medians
   it "are none where all is alike, or nothing, or too little for the noise or for 8 bits" $ do
-    let two noise high = levels noise (V.fromList (replicate 10 0 ++ replicate 30 high))
+    let two noise high = levels (leastContrast (1 / 255) noise) (V.fromList (replicate 10 0 ++ replicate 30 high))
         -- Half a bin from the ends.
         apart high = high * 511 / 512
     levels 0 V.empty `shouldBe` Nothing

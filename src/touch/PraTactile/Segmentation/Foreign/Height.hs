@@ -22,13 +22,14 @@ data Candidate = Candidate
     candidateMisfit :: !Double
   }
 
--- | The levels of what may be symbols, and the pixels of these; 'Nothing' where nothing may be one.
+-- | The levels of what may be symbols, given the least contrast that these have, and the pixels of
+-- them; 'Nothing' where nothing may be one.
 symbolLevels :: Masked -> Double -> Maybe (Levels, [Region])
-symbolLevels pixels noise
+symbolLevels pixels least
   | null found = Nothing
   | otherwise = Just (Levels low (low + usual), map candidatePixels alike)
   where
-    found = distinct (candidates pixels noise)
+    found = distinct (candidates pixels least)
     usual = middle (map (contrast . candidateLevels) found)
     alike =
       [ c
@@ -50,7 +51,7 @@ distinct = go Set.empty . sortOn candidateMisfit
 -- | The regions of a symbol's size above each of a ladder of thresholds that lie nearly at half
 -- their own height.
 candidates :: Masked -> Double -> [Candidate]
-candidates pixels noise
+candidates pixels least
   | V.null seen = []
   | otherwise =
     [ c
@@ -61,7 +62,7 @@ candidates pixels noise
         region <- components pixels gap over,
         symbolSized pixels region,
         Just c <- [candidate pixels t region],
-        contrast (candidateLevels c) >= max (2 / 255) (4 * noise),
+        contrast (candidateLevels c) >= least,
         candidateMisfit c < 0.2
     ]
   where
