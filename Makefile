@@ -8,9 +8,8 @@ MATCH =
 # What random cases are drawn from, as in: make test SEED=7
 SEED =
 export PREFIX DESTDIR SEED
-.PHONY: all help setup build demo test lint format fuzz mutants prove bench evaluate figures docs house shapes network check-network \
-        check-newer-ghc \
-        install uninstall clean
+.PHONY: all help setup build demo test lint format fuzz defects mutants prove bench evaluate figures docs house shapes network \
+        check-network check-newer-ghc install uninstall clean
 # cabal holds one build at a time in dist-newstyle.
 .NOTPARALLEL:
 
@@ -57,6 +56,10 @@ figures: build ## run the commands that README and docs show, and put there what
 fuzz: setup ## a million hostile inputs through the parsers, ten thousand through the program
 	@tools/build.sh test:spec
 	@PRA_TACTILE_HOSTILE=1000000 tools/test.sh --match "/Hostile inputs/"
+
+defects: setup ## ten thousand random solids of each defect, against what defects mean (the suite has a hundredth)
+	@tools/build.sh test:spec
+	@PRA_TACTILE_DEFECTS=10000 tools/test.sh --match "Solids by definition"
 
 prove: setup ## prove every array to 2^20 cells by both roads; to 2^16 with every primitive polynomial (four minutes)
 	@tools/build.sh test:spec

@@ -32,6 +32,7 @@ import qualified Command.Sensor
 import qualified Command.Sequence
 import qualified Command.Serve
 import qualified Command.Shapes
+import qualified Command.Solid
 import qualified Command.Stitch
 import qualified Command.Synthesise
 import qualified Command.Table
@@ -157,7 +158,11 @@ commands =
     <|> subparser
       ( commandGroup "Objects and symbols:" <> hidden
           <> mconcat
-            [Command.Objects.command, Command.Shapes.command, Command.Train.command]
+            [ Command.Solid.command,
+              Command.Objects.command,
+              Command.Shapes.command,
+              Command.Train.command
+            ]
       )
     <|> subparser
       ( commandGroup "Other implementations:" <> hidden

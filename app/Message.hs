@@ -7,6 +7,7 @@ module Message
     module Message.Format,
     module Message.Locate,
     module Message.Objects,
+    module Message.Solid,
     module Message.Touch,
   )
 where
@@ -18,4 +19,5 @@ import Message.Files
 import Message.Format
 import Message.Locate
 import Message.Objects
+import Message.Solid
 import Message.Touch

@@ -115,6 +115,10 @@ import qualified Test.Recognition.WindowsByDefinition
 import qualified Test.Schemas
 import qualified Test.Simulation.RatesBesideExact
 import qualified Test.Simulation.RatesOfAnswers
+import qualified Test.Solid.CellsOfFaces
+import qualified Test.Solid.FilesOfSolids
+import qualified Test.Solid.MergedAndSettled
+import qualified Test.Solid.ReportByDefinition
 import qualified Test.Store.RowsAndGuards
 import qualified Test.Store.Target
 import qualified Test.Tools
@@ -264,6 +268,10 @@ specs = do
     describe "Training images and parts" Test.Touch.Classification.SpecimensOfEachKind.spec
   describe "Objects" $ do
     describe "Winged edges" Test.Recognition.Object.SolidsAreClosed.spec
+    describe "Solids by definition" Test.Solid.ReportByDefinition.spec
+    describe "Cells of faces" Test.Solid.CellsOfFaces.spec
+    describe "Merged and settled" Test.Solid.MergedAndSettled.spec
+    describe "Files of solids" Test.Solid.FilesOfSolids.spec
     describe "Placement" Test.Recognition.Object.FacesOnTheArray.spec
   describe "Store" Test.Store.RowsAndGuards.spec
   describe "Store" Test.Store.Target.spec

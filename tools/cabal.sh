@@ -18,8 +18,9 @@ suitable_tools() {
     && at_least "$(cabal --numeric-version)" 3.4
 }
 
-libraries="aeson base64-bytestring cassava criterion cryptohash-sha256 file-embed hmatrix hspec JuicyPixels optparse-applicative parallel persistent
-           persistent-sqlite QuickCheck random reflection svg-builder temporary vector"
+libraries="aeson attoparsec base64-bytestring cassava criterion cryptohash-sha256 file-embed hmatrix hspec
+           integer-logarithms JuicyPixels optparse-applicative parallel persistent persistent-sqlite QuickCheck
+           random reflection svg-builder temporary vector vector-algorithms"
 
 # Are all these libraries in GHC's own package database?
 beside_ghc() {

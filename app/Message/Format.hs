@@ -72,6 +72,11 @@ misfitMessage misfit = case misfit of
   OtherSchema given wanted -> "its schema is " ++ quoted given ++ ", not " ++ quoted wanted
   UnknownEvidence name ->
     "the evidence's road is " ++ quoted name ++ ", not rank or enumeration"
+  NotExact ->
+    "an exact number is needed, such as \"127/4\" or \"31.75\", below 10^300 and of at most 400 \
+    \decimal places"
+  NotPoint -> "a point is a list of three exact numbers"
+  NotVertexName -> "a vertex is named by a text without spaces"
   NotQuarterTurn -> "one of 0, 90, 180 and 270 is needed"
   NotCalibration ->
     "offset and gain need rows of one length and number, gains above 0, and the dead elements must \

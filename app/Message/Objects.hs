@@ -1,6 +1,7 @@
 -- | The errors of objects, placement, relief and store in words.
 module Message.Objects
-  ( placementMessage,
+  ( objectMessage,
+    placementMessage,
     reliefMessage,
     experimentMessage,
     pressMessage,
@@ -26,42 +27,43 @@ import PraTactile.Pressing (PressError (..))
 import PraTactile.Recognise (RecogniserError (..), Refusal (..))
 import PraTactile.Relief (ReliefError (..))
 import PraTactile.Store (Damage (..), Failure (..), Occupant (..), StoreError (..))
+import Visible (visible)
 
-objectMessage :: ObjectError -> String
-objectMessage e = case e of
+-- | What is wrong with an object, where, and by how much.
+objectMessage :: Defect -> String
+objectMessage (Defect kind faces vertices measure) = case kind of
   NoFaces -> "the object has no faces"
-  RepeatedVertex v -> "two vertices are named " ++ vertexText v
-  CoincidentVertices v w ->
-    "the vertices " ++ vertexText v ++ " and " ++ vertexText w ++ " are the same point"
-  TooFewVertices f -> "the face " ++ faceText f ++ " has fewer than three vertices"
-  UnknownVertex f v -> "the face " ++ faceText f ++ " names the unknown vertex " ++ vertexText v
-  VertexTwiceOnFace f v -> "the face " ++ faceText f ++ " visits " ++ vertexText v ++ " twice"
-  RepeatedFace f g ->
-    "the faces " ++ faceText f ++ " and " ++ faceText g ++ " have the same vertices"
-  UnusedVertex v -> "the vertex " ++ vertexText v ++ " is on no face"
-  EdgeWithoutTwoFaces v w fs ->
-    "at the edge "
-      ++ vertexText v
-      ++ " "
-      ++ vertexText w
-      ++ " meet "
-      ++ show (length fs)
-      ++ " faces, not two"
-  FacesDisagree v w f g ->
-    "the faces "
-      ++ faceText f
-      ++ " and "
-      ++ faceText g
-      ++ " both walk from "
-      ++ vertexText v
-      ++ " to "
-      ++ vertexText w
-  PinchedVertex v -> "the faces at " ++ vertexText v ++ " are more than one ring"
-  NotConnected f g -> "no walk over edges leads from " ++ faceText f ++ " to " ++ faceText g
-  EulerFails v n f -> "V - E + F is not 2: " ++ show v ++ " - " ++ show n ++ " + " ++ show f
-  NoArea f -> "the vertices of " ++ faceText f ++ " lie on a line"
-  NotPlanar f -> "the face " ++ faceText f ++ " is not flat"
-  NotOutward -> "the faces are named clockwise seen from outside"
+  RepeatedName -> "several vertices are named " ++ names
+  CoincidentVertices -> "the vertices " ++ names ++ " are the same point"
+  UnusedVertex -> "the vertex " ++ names ++ " is on no face"
+  UnknownVertex -> face ++ " names the unknown vertex " ++ names
+  TooFewVertices -> face ++ " has fewer than three vertices"
+  VertexTwiceOnFace -> face ++ " visits " ++ names ++ " twice"
+  RepeatedFace -> theFaces ++ " have the same vertices"
+  NoArea -> face ++ " has no area"
+  NotPlanar -> face ++ " is not flat: a vertex is " ++ measured ++ " mm off its plane"
+  FaceCrossesItself -> face ++ " crosses itself: its sides " ++ pairs ++ " meet"
+  EdgeWithoutTwoFaces ->
+    "at the edge " ++ names ++ " meet " ++ show (length faces) ++ " faces, not two"
+  VertexOnEdge -> case map vertexText vertices of
+    vertex : ends -> "the vertex " ++ vertex ++ " lies on the edge " ++ unwords ends
+    [] -> "a vertex lies on an edge"
+  FacesDisagree -> theFaces ++ " both walk from " ++ intercalate " to " (map vertexText vertices)
+  PinchedVertex -> "the faces at " ++ names ++ " are more than one ring"
+  InsideOut -> "the piece of " ++ face ++ " is inside out"
+  FacesIntersect
+    | measure == Just 0 -> theFaces ++ " have a point in common that is no vertex of both"
+    | otherwise -> theFaces ++ " cut each other, over " ++ measured ++ " mm"
+  where
+    names = list (map vertexText vertices)
+    face = "the face " ++ list (map faceText faces)
+    theFaces = "the faces " ++ list (map faceText faces)
+    measured = maybe "0" show measure
+    list = intercalate " and " . map (visible . shortened)
+    shortened text = if null (drop 200 text) then text else take 200 text ++ " ..."
+    pairs = case map vertexText vertices of
+      [a, b, c, d] -> a ++ " " ++ b ++ " and " ++ c ++ " " ++ d
+      others -> unwords others
 
 placementMessage :: PlacementError -> String
 placementMessage e = case e of

@@ -65,6 +65,7 @@ dot house =
       Code -> "#dbe9f6"
       Touch -> "#fbe6d4"
       Simulation -> "#f6dfdc"
+      Solid -> "#e8ecd8"
       Recognition -> "#e3f1dd"
       Formats -> "#dff0ee"
       Files -> "#f3e3ea"

@@ -20,6 +20,7 @@ data Wing
   | Code
   | Touch
   | Simulation
+  | Solid
   | Recognition
   | Formats
   | Files
@@ -35,6 +36,7 @@ wingName wing = case wing of
   Code -> "code"
   Touch -> "touch"
   Simulation -> "simulation"
+  Solid -> "solid"
   Recognition -> "recognition"
   Formats -> "formats"
   Files -> "files"

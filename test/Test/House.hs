@@ -18,6 +18,7 @@ spec = describe "the house" $
       [ Code,
         Touch,
         Simulation,
+        Solid,
         Recognition,
         Files,
         Store,
@@ -170,16 +171,17 @@ known wing = case wing of
   Code -> [Common, Code]
   Touch -> [Common, Touch]
   Simulation -> [Common, Code, Simulation]
-  Recognition -> [Common, Code, Touch, Recognition]
+  Solid -> [Solid]
+  Recognition -> [Common, Code, Touch, Solid, Recognition]
   Formats -> Simulation : known Recognition ++ [Formats]
   Files -> known Formats ++ [Files]
-  Store -> [Common, Code, Recognition, Store]
+  Store -> [Common, Code, Solid, Recognition, Store]
   Conformance -> known Formats ++ [Conformance]
   App -> [minBound ..]
 
 -- | The wings without input and output.
 pureWings :: [Wing]
-pureWings = [Common, Code, Touch, Simulation, Recognition, Formats]
+pureWings = [Common, Code, Touch, Simulation, Solid, Recognition, Formats]
 
 -- | What reads, writes, runs, changes or throws; tools/pure.hlint.yaml has the reasons.
 world :: [String]
@@ -220,12 +222,15 @@ allowances =
             \JuicyPixels random svg-builder text vector"
           ),
           (Simulation, "pra-tactile:common pra-tactile:code-internal containers random vector"),
+          (Solid, "containers integer-logarithms vector vector-algorithms"),
           ( Recognition,
             "pra-tactile:common pra-tactile:code-internal pra-tactile:touch-internal \
-            \bytestring containers filepath random vector"
+            \pra-tactile:solid bytestring containers filepath random vector"
           ),
           ( Formats,
-            recognising ++ "pra-tactile:simulation aeson bytestring containers scientific text"
+            recognising
+              ++ "pra-tactile:simulation aeson attoparsec binary bytestring containers \
+                 \integer-logarithms scientific text vector"
           ),
           (Files, recognising ++ "pra-tactile:formats bytestring containers directory filepath"),
           ( Store,
@@ -244,7 +249,7 @@ allowances =
   where
     recognising =
       "pra-tactile:common pra-tactile:code-internal pra-tactile:touch-internal \
-      \pra-tactile:recognition-internal "
+      \pra-tactile:solid pra-tactile:recognition-internal "
 
 -- | The libraries for others whose modules are those of private ones, of which they show some.
 faces :: [String]

@@ -70,6 +70,9 @@ samples = inFolder $ \folder -> do
   top <- getCurrentDirectory
   createDirectoryLink (top </> "data") (folder </> "data")
   createDirectoryLink (top </> "examples") (folder </> "examples")
+  copyFile
+    (top </> "test" </> "data" </> "solids" </> "annulus.stl")
+    (folder </> "annulus.stl")
   concat
     <$> forM
       commands
@@ -191,7 +194,15 @@ touching =
       "pra probe --flat 2 --sensor hard --frame 8x6 --seed 1 --output flat > log; "
         ++ "pra calibrate --dark dark --flat flat --output k.json > log; cat k.json"
     ),
-    ("objects", "pra objects --json; pra objects --json --at 6,5; pra objects --json --at 14,16")
+    ("objects", "pra objects --json; pra objects --json --at 6,5; pra objects --json --at 14,16"),
+    ("object", "pra solid prism:5,70,1/3 --output p.json > log; cat p.json"),
+    ("solid", "pra solid cube frame:9x9x3 --json; pra solid p.json --json --symbols 1/8"),
+    ("solid", "pra solid annulus.stl --json --merge-coplanar --tolerance 0.01"),
+    ("solid", "sed 's/V4/V9/' p.json > q.json; pra solid q.json --json; true"),
+    ( "solid",
+      "printf 'v 0 0 0\\nv 9 0 0\\nv 0 9 0\\nv 9 9 1\\nf 1 2 4 3\\nf 1 4 2\\n' > r.obj; "
+        ++ "pra solid r.obj --json; true"
+    )
   ]
   where
     worked = "data/worked-example/frames"

@@ -62,11 +62,16 @@ contradictions =
     ),
     ( "an object with a vertex moved",
       "UPDATE vertex SET z_um = z_um + 1 WHERE name = 'C1'",
-      InconsistentRows (NotSolid "cube" (NotPlanar (readFaceName "C1 C2 C3 C4")))
+      -- The face's normal is along (d, -d, 254) with d = 0.001 mm, and C1 is 63.5 d / |n| off.
+      InconsistentRows
+        ( NotSolid
+            "cube"
+            (Defect NotPlanar [readFaceName "C1 C2 C3 C4"] [] (Just 2.49999999996125e-4))
+        )
     ),
     ( "an object with a vertex too many",
       "INSERT INTO vertex (object, name, x_um, y_um, z_um) VALUES (1, 'C9', 1, 2, 3)",
-      InconsistentRows (NotSolid "cube" (UnusedVertex "C9"))
+      InconsistentRows (NotSolid "cube" (Defect UnusedVertex [] ["C9"] Nothing))
     )
   ]
 

@@ -72,6 +72,13 @@ data Misfit
     OtherSchema String String
   | -- | Evidence of no known kind.
     UnknownEvidence String
+  | -- | No exact number: a text such as @127/4@ or @31.75@, or a JSON number, of at most 1000
+    -- characters.
+    NotExact
+  | -- | No point: a list of three exact numbers.
+    NotPoint
+  | -- | No name of a vertex: a text without spaces.
+    NotVertexName
   | -- | Degrees other than 0, 90, 180 and 270.
     NotQuarterTurn
   | -- | No calibration: rows of one length, gains above 0, dead elements among the others.

@@ -108,7 +108,7 @@ data Table
 -- | Why rows are no placement.
 data RelationError
   = -- | the object's vertices and corners make no solid
-    NotSolid ObjectName ObjectError
+    NotSolid ObjectName Defect
   | -- | the layings make no placement
     NotPlaced PlacementError
   | -- | the rows of this table are not those that the others imply

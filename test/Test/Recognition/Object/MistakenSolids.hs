@@ -3,10 +3,8 @@
 -- | Descriptions of solids, and mistakes in them.
 module Test.Recognition.Object.MistakenSolids
   ( mutations,
-    cubeDescription,
     tetrahedron,
     together,
-    handle,
     reversing,
     turn,
   )
@@ -15,14 +13,6 @@ where
 import Data.List (nub)
 import PraTactile.Object.Solid
 import PraTactile.Object.WingedEdge
-
-cubeDescription :: Description
-cubeDescription =
-  box
-    "cube"
-    'C'
-    (Point 127 127 127)
-    ["2 6 7 3", "3 7 8 4", "4 8 5 1", "1 2 3 4", "1 5 6 2", "6 5 8 7"]
 
 tetrahedron :: [VertexName] -> Point -> Description
 tetrahedron names (Point x y z) =
@@ -38,24 +28,6 @@ together a b =
     (nub (describedVertices a ++ describedVertices b))
     (describedFaces a ++ describedFaces b)
 
--- Nine quadrilaterals on a torus of 3 x 3 vertices, nowhere flat: its only topological fault is its
--- handle.
-handle :: Description
-handle =
-  Description
-    "handle"
-    [ (named i j, Point (fromIntegral i) (fromIntegral j) (fromIntegral (i * j)))
-      | i <- [0 .. 2],
-        j <- [0 .. 2]
-    ]
-    [ FaceName [named i j, named (i + 1) j, named (i + 1) (j + 1), named i (j + 1)]
-      | i <- [0 .. 2],
-        j <- [0 .. 2]
-    ]
-  where
-    named :: Int -> Int -> VertexName
-    named i j = VertexName (show (i `mod` 3) ++ show (j `mod` 3))
-
 reversing :: [Int] -> Description -> Description
 reversing which it_ = it_ {describedFaces = zipWith reversed [0 ..] (describedFaces it_)}
   where
@@ -64,60 +36,109 @@ reversing which it_ = it_ {describedFaces = zipWith reversed [0 ..] (describedFa
 turn :: Int -> FaceName -> FaceName
 turn by (FaceName walk) = FaceName (take (length walk) (drop (by `mod` length walk) (cycle walk)))
 
-mutations :: [(String, Description, ObjectError)]
+-- | Each kind's least example, with the defect that is told of it.
+mutations :: [(String, Description, Defect)]
 mutations =
-  [ ("no faces", cubeDescription {describedFaces = []}, NoFaces),
-    ("a vertex's name used twice", withVertex ("C1", Point 1 2 3), RepeatedVertex "C1"),
-    ("two vertices at one point", withVertex ("C9", Point 0 127 127), CoincidentVertices "C1" "C9"),
-    ("a face of two vertices", withFace "C1 C2", TooFewVertices (readFaceName "C1 C2")),
+  [ ("no faces", cubeDescription {describedFaces = []}, Defect NoFaces [] [] Nothing),
+    ( "a vertex's name used twice",
+      withVertex ("C1", Point 1 2 3),
+      Defect RepeatedName [] ["C1"] Nothing
+    ),
+    ( "two vertices at one point",
+      withVertex ("C9", Point 0 127 127),
+      Defect CoincidentVertices [] ["C1", "C9"] Nothing
+    ),
+    ("a vertex on no face", withVertex ("C9", Point 1 2 3), Defect UnusedVertex [] ["C9"] Nothing),
     ( "a face with a vertex there is not",
       withFace "C1 C2 C9",
-      UnknownVertex (readFaceName "C1 C2 C9") "C9"
+      Defect UnknownVertex [readFaceName "C1 C2 C9"] ["C9"] Nothing
+    ),
+    ( "a face of two vertices",
+      withFace "C1 C2",
+      Defect TooFewVertices [readFaceName "C1 C2"] [] Nothing
     ),
     ( "a face that visits a vertex twice",
       withFace "C1 C2 C3 C2",
-      VertexTwiceOnFace (readFaceName "C1 C2 C3 C2") "C2"
+      Defect VertexTwiceOnFace [readFaceName "C1 C2 C3 C2"] ["C2"] Nothing
     ),
     ( "a face given twice",
       withFace "C3 C4 C1 C2",
-      RepeatedFace (readFaceName "C1 C2 C3 C4") (readFaceName "C3 C4 C1 C2")
+      Defect RepeatedFace (map readFaceName ["C1 C2 C3 C4", "C3 C4 C1 C2"]) [] Nothing
     ),
-    ("a vertex on no face", withVertex ("C9", Point 1 2 3), UnusedVertex "C9"),
+    ( "a face whose vertices lie on a line",
+      flattened,
+      Defect NoArea [FaceName ["A", "C", "B"]] [] Nothing
+    ),
+    ( "a face that is not flat: its normal is along (1, -1, 254), its mean at (63.5, 63.5, 127.25)",
+      moved "C1" (Point 0 127 128),
+      Defect NotPlanar [readFaceName "C1 C2 C3 C4"] [] (Just (63.5 / sqrt 64518))
+    ),
+    ( "a face that crosses itself, at (4/3, 4/3)",
+      Description
+        "bow"
+        [("A", Point 0 0 0), ("B", Point 4 4 0), ("C", Point 4 0 0), ("D", Point 0 2 0)]
+        [readFaceName "A B C D"],
+      Defect FaceCrossesItself [readFaceName "A B C D"] ["A", "B", "C", "D"] Nothing
+    ),
     ( "a face missing",
       cubeDescription {describedFaces = drop 1 (describedFaces cubeDescription)},
-      EdgeWithoutTwoFaces "C2" "C3" [readFaceName "C1 C2 C3 C4"]
+      Defect EdgeWithoutTwoFaces [readFaceName "C1 C2 C3 C4"] ["C2", "C3"] Nothing
     ),
     ( "three faces at an edge",
       withFace "C1 C2 C7 C8",
-      EdgeWithoutTwoFaces "C1" "C2" (map readFaceName ["C1 C2 C3 C4", "C1 C5 C6 C2", "C1 C2 C7 C8"])
+      Defect
+        EdgeWithoutTwoFaces
+        (map readFaceName ["C1 C2 C3 C4", "C1 C5 C6 C2", "C1 C2 C7 C8"])
+        ["C1", "C2"]
+        Nothing
+    ),
+    ( "a vertex of one face on a side of another",
+      (withVertex ("C9", Point 50 0 127))
+        { describedFaces = readFaceName "C2 C6 C7 C3 C9" : drop 1 (describedFaces cubeDescription)
+        },
+      Defect VertexOnEdge [] ["C9", "C2", "C3"] Nothing
     ),
     ( "a face clockwise seen from outside",
       reversing [3] cubeDescription,
-      FacesDisagree "C1" "C4" (readFaceName "C4 C8 C5 C1") (readFaceName "C4 C3 C2 C1")
+      Defect FacesDisagree (map readFaceName ["C4 C8 C5 C1", "C4 C3 C2 C1"]) ["C4", "C1"] Nothing
     ),
     ( "two solids that share a vertex",
       tetrahedron ["A", "B", "C", "D"] (Point 0 0 0)
         `together` tetrahedron ["E", "F", "G", "A"] (Point 0 0 (-1)),
-      PinchedVertex "A"
+      Defect PinchedVertex [] ["A"] Nothing
     ),
-    ( "two solids apart",
-      tetrahedron ["A", "B", "C", "D"] (Point 0 0 0)
-        `together` tetrahedron ["E", "F", "G", "H"] (Point 5 5 5),
-      NotConnected (FaceName ["A", "C", "B"]) (FaceName ["E", "G", "F"])
+    ( "all faces clockwise",
+      reversing [0 .. 5] cubeDescription,
+      Defect InsideOut [readFaceName "C3 C7 C6 C2"] [] Nothing
     ),
-    ("a handle", handle, EulerFails 9 18 9),
-    ( "a face whose vertices lie on a line",
-      flattened,
-      NoArea (FaceName ["A", "C", "B"])
+    ( "a solid within another, outward as that one is",
+      cubeDescription `together` tetrahedron ["A", "B", "C", "D"] (Point 60 60 60),
+      Defect InsideOut [FaceName ["A", "C", "B"]] [] Nothing
     ),
-    ( "a face that is not flat",
-      moved "C1" (Point 0 127 128),
-      NotPlanar (readFaceName "C1 C2 C3 C4")
+    ( "a solid that stands on another with one vertex, which is none of it",
+      cubeDescription
+        `together` (tetrahedron ["A", "B", "C", "D"] (Point 60 60 127))
+          { describedVertices =
+              [ ("A", Point 60 60 127),
+                ("B", Point 61 60 128),
+                ("C", Point 60 61 128),
+                ("D", Point 60 60 128)
+              ]
+          },
+      Defect FacesIntersect [readFaceName "C1 C2 C3 C4", FaceName ["A", "C", "B"]] [] (Just 0)
     ),
-    ("all faces clockwise", reversing [0 .. 5] cubeDescription, NotOutward),
-    ("all vertices in one plane, so that nothing is enclosed", inOnePlane, NotOutward)
+    ( "a needle of 3 by 4 mm through a face: its face at the front cuts it over 3 mm",
+      cubeDescription `together` needle,
+      Defect FacesIntersect (map readFaceName ["C1 C2 C3 C4", "N2 N6 N7 N3"]) [] (Just 3)
+    )
   ]
   where
+    needle =
+      let it_ = box "needle" 'N' (Point 3 4 100) boxFaces
+       in it_
+            { describedVertices =
+                [(v, Point (x + 60) (y + 60) (z + 100)) | (v, Point x y z) <- describedVertices it_]
+            }
     withVertex new =
       cubeDescription {describedVertices = describedVertices cubeDescription ++ [new]}
     withFace new =
@@ -128,11 +149,6 @@ mutations =
             [ (vertex, if vertex == which then to else at)
               | (vertex, at) <- describedVertices cubeDescription
             ]
-        }
-    inOnePlane =
-      (tetrahedron ["A", "B", "C", "D"] (Point 0 0 0))
-        { describedVertices =
-            [("A", Point 0 0 1), ("B", Point 3 0 1), ("C", Point 0 3 1), ("D", Point 1 1 1)]
         }
     flattened =
       (tetrahedron ["A", "B", "C", "D"] (Point 0 0 0))

@@ -2,9 +2,13 @@
 
 module Test.Recognition.Object.SolidsAreClosed (spec) where
 
+import Data.Either (isLeft)
 import Data.Foldable (for_)
 import Data.List (nub, sort)
 import PraTactile.Object.Description (cyclicPairs, rotations)
+import PraTactile.Object.Named (Named (..), namedDescription)
+import PraTactile.Object.Solid
+import PraTactile.Object.Validity
 import PraTactile.Object.WingedEdge
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
@@ -70,8 +74,24 @@ spec = describe "winged-edge models" $ do
   describe "a description is refused for" $
     for_ mutations $ \(sentence, broken, fault) ->
       it sentence $ do
-        solid broken `shouldBe` Left fault
-        validate broken `shouldSatisfy` elem fault
+        solid broken `shouldSatisfy` isLeft
+        reportDefects (examineDescription broken) `shouldSatisfy` elem fault
+
+  describe "what is no defect" $ do
+    it "several pieces, a piece within a cavity, and a handle" $
+      for_
+        [ tetrahedron ["A", "B", "C", "D"] (Point 0 0 0)
+            `together` tetrahedron ["E", "F", "G", "H"] (Point 5 5 5),
+          cubeDescription
+            `together` reversing [0 .. 3] (tetrahedron ["A", "B", "C", "D"] (Point 60 60 60)),
+          namedDescription (Frame 9 9 3)
+        ]
+        $ \sound -> reportDefects (examineDescription sound) `shouldBe` []
+    it "a frame has V - E + F = 16 - 32 + 16 = 0: one handle" $
+      [ (componentVertices piece, componentEdges piece, componentFaces piece, componentGenus piece)
+        | piece <- reportComponents (examineDescription (namedDescription (Frame 9 9 3)))
+      ]
+        `shouldBe` [(16, 32, 16, Just 1)]
 
   describe "validity" $ do
     it "any one face reversed is refused" $
@@ -90,14 +110,14 @@ spec = describe "winged-edge models" $ do
                     { describedFaces = turned,
                       describedVertices = map (fmap moved) (describedVertices cubeDescription)
                     }
-             in validate other === []
+             in reportDefects (examineDescription other) === []
 
 -- What holds for every winged edge of every solid.
 lawsOf :: ((Solid -> Expectation) -> Expectation) -> Spec
 lawsOf given = do
   it "is a solid, and rebuilding it from its description gives it again" $
     given $ \it_ -> do
-      validate (description it_) `shouldBe` []
+      reportDefects (examineDescription (description it_)) `shouldBe` []
       solid (description it_) `shouldBe` Right it_
   it "V - E + F = 8 - 12 + 6 = 2" $
     given $ \it_ ->
@@ -199,6 +219,5 @@ expectedEdges letter =
     (top, bottom, near, far, left, right_) =
       ("1 2 3 4", "6 5 8 7", "2 6 7 3", "4 8 5 1", "1 5 6 2", "3 7 8 4")
 
-isDisagreement :: ObjectError -> Bool
-isDisagreement FacesDisagree {} = True
-isDisagreement _ = False
+isDisagreement :: Defect -> Bool
+isDisagreement = (== FacesDisagree) . defectKind

@@ -26,9 +26,8 @@ where
 
 import Control.Monad (unless)
 import Data.Foldable (find)
-import Data.Ratio (denominator, numerator, (%))
 import PraTactile.Array (Position (..), Shape (..))
-import PraTactile.Object.Validity (dot, minus)
+import PraTactile.Object.Vector (exactRoot)
 import PraTactile.Object.WingedEdge
 
 -- | The distances in millimetres from one symbol to the next, along a row and along a column.
@@ -96,7 +95,7 @@ data Placement = Placement
 -- | Why faces cannot be laid so, or cannot be looked up.
 data PlacementError
   = -- | an object is no solid
-    BrokenObject ObjectError
+    BrokenObject Defect
   | -- | the array has no cells
     EmptyArray Shape
   | -- | a distance between symbols is zero or negative
@@ -189,15 +188,12 @@ rectangle [upperLeft, lowerLeft, lowerRight, upperRight]
     size side = exactRoot (dot side side)
 rectangle _ = Nothing
 
--- A fraction in lowest terms is a square iff its numerator and its denominator are.
-exactRoot :: Rational -> Maybe Rational
-exactRoot square = (%) <$> whole (numerator square) <*> whole (denominator square)
-  where
-    whole n = find ((== n) . (^ (2 :: Int))) [integerRoot n]
-    integerRoot n = if n <= 0 then 0 else newton n n
-    newton n guess =
-      let better = (guess + n `div` guess) `div` 2
-       in if better >= guess then guess else newton n better
+-- | The difference of two points, and the scalar product.
+minus :: Point -> Point -> Point
+minus (Point a b c) (Point d e f) = Point (a - d) (b - e) (c - f)
+
+dot :: Point -> Point -> Rational
+dot (Point a b c) (Point d e f) = a * d + b * e + c * f
 
 pairs :: [a] -> [(a, a)]
 pairs [] = []

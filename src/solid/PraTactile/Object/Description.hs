@@ -2,7 +2,7 @@
 
 -- | What one writes down to define a polyhedron: named vertices in millimetres, and faces named by
 -- their vertices (section II.B of the paper, figure 6). Nothing is checked here;
--- "PraTactile.Object.Validity" says what is broken.
+-- "PraTactile.Object.Validity" says what is wrong.
 module PraTactile.Object.Description
   ( -- * Names
     ObjectName (..),
@@ -22,12 +22,10 @@ module PraTactile.Object.Description
     -- * Walking round a face
     rotations,
     cyclicPairs,
-    Side (..),
-    sides,
   )
 where
 
-import Data.List (inits, sort, tails, zip4)
+import Data.List (inits, sort, tails)
 import Data.String (IsString)
 
 -- | The name of an object, such as @cube@.
@@ -100,24 +98,3 @@ rotations walk = take (length walk) (zipWith (++) (tails walk) (inits walk))
 -- [('a','b'),('b','c'),('c','a')]
 cyclicPairs :: [a] -> [(a, a)]
 cyclicPairs walk = zip walk (drop 1 walk ++ take 1 walk)
-
--- | One step of the walk round a face: the side from 'sideStart' to 'sideEnd', with the face on its
--- left seen from outside, and the vertices just before and just after it on that face.
-data Side = Side
-  { sideFace :: FaceName,
-    sideBefore :: VertexName,
-    sideStart :: VertexName,
-    sideEnd :: VertexName,
-    sideAfter :: VertexName
-  }
-  deriving stock (Eq, Show)
-
--- | The sides of a face in the order of the walk.
-sides :: FaceName -> [Side]
-sides face@(FaceName walk) =
-  [ Side face before start end after
-    | (before, start, end, after) <- zip4 (from (length walk - 1)) walk (from 1) (from 2)
-  ]
-  where
-    from skipped = drop skipped (cycle' walk)
-    cycle' list = if null list then [] else cycle list

@@ -5,10 +5,13 @@
 -- numbering is the canonical profile's.
 module PraTactile.Object.Solid
   ( cube,
+    cubeDescription,
     parallelepiped,
+    parallelepipedDescription,
 
     -- * Boxes
     box,
+    boxFaces,
   )
 where
 
@@ -24,27 +27,35 @@ import PraTactile.Object.WingedEdge
 -- >    | C5 -------- | C8
 -- >    | /           | /
 -- >   C6 ---------- C7
-cube :: Either ObjectError Solid
-cube =
-  solid
-    ( box
-        "cube"
-        'C'
-        (Point 127 127 127)
-        ["2 6 7 3", "3 7 8 4", "4 8 5 1", "1 2 3 4", "1 5 6 2", "6 5 8 7"]
-    )
+cube :: Either Defect Solid
+cube = solid cubeDescription
+
+-- | What 'cube' is made of.
+cubeDescription :: Description
+cubeDescription =
+  box
+    "cube"
+    'C'
+    (Point 127 127 127)
+    boxFaces
 
 -- | The parallelepiped P1 ... P8, numbered as the cube is: 177.8 mm along P2 P3, 101.6 mm along P1
 -- P2, 95.25 mm tall. It is always 'Right'.
-parallelepiped :: Either ObjectError Solid
-parallelepiped =
-  solid
-    ( box
-        "parallelepiped"
-        'P'
-        (Point 177.8 101.6 95.25)
-        ["1 2 3 4", "6 5 8 7", "2 6 7 3", "4 8 5 1", "3 7 8 4", "1 5 6 2"]
-    )
+parallelepiped :: Either Defect Solid
+parallelepiped = solid parallelepipedDescription
+
+-- | What 'parallelepiped' is made of.
+parallelepipedDescription :: Description
+parallelepipedDescription =
+  box
+    "parallelepiped"
+    'P'
+    (Point 177.8 101.6 95.25)
+    ["1 2 3 4", "6 5 8 7", "2 6 7 3", "4 8 5 1", "3 7 8 4", "1 5 6 2"]
+
+-- | The faces of a box, in the cube's order.
+boxFaces :: [String]
+boxFaces = ["2 6 7 3", "3 7 8 4", "4 8 5 1", "1 2 3 4", "1 5 6 2", "6 5 8 7"]
 
 -- | A box: its name, the letter its vertices begin with, its extents in millimetres, and its faces
 -- by the numbers of their vertices, from the upper left one, counter-clockwise seen from outside.

@@ -1,0 +1,44 @@
+-- | What is wrong with files and names of polyhedra, in words.
+module Message.Solid
+  ( solidFileMessage,
+    solidNameMessage,
+  )
+where
+
+import Message.Format (formatMessage)
+import PraTactile.Format.Solid
+import Visible
+
+-- | Of a file, in a format.
+solidFileMessage :: FilePath -> SolidFormat -> SolidFileError -> String
+solidFileMessage file format e = case e of
+  ObjectRefused why -> formatMessage (visibleName file) "an object" why
+  SolidFileError place fault ->
+    visibleName file
+      ++ ", "
+      ++ placeText place
+      ++ ": "
+      ++ faultText fault
+  where
+    placeText (AtLine n) = "line " ++ show n
+    placeText (AtByte n) = "byte " ++ show n
+    faultText fault = case fault of
+      Needed what -> what ++ " needed here, in a file of the format " ++ formatName format
+      Ends what -> "the file ends before " ++ what
+      NotNumber -> "this is not a number"
+      NotFinite -> "a coordinate is no finite number"
+      TooLargeOrFine -> "a number is beyond 10^300, or has more than 400 decimal places"
+      NoSuchVertex i count ->
+        "a face names the vertex " ++ show i ++ ", and there are " ++ show count
+      LengthDiffers wanted found ->
+        "as many triangles as this says take "
+          ++ show wanted
+          ++ " bytes; the file has "
+          ++ show found
+      NoCommonDenominator -> "the coordinates have no common denominator below 2^20000"
+
+-- | Of a name that is to have another form.
+solidNameMessage :: String -> String -> String
+solidNameMessage given form =
+  quoted given ++ " is no solid: write " ++ form
+    ++ ", with lengths in millimetres above 0, such as 31.75 or 127/4"

@@ -1,0 +1,70 @@
+-- | What files of polyhedra say, whatever their format, and what can be written of it.
+module PraTactile.Format.Solid.Contents
+  ( Contents (..),
+    Passed (..),
+    contents,
+    soup,
+    Written (..),
+    asDecimals,
+  )
+where
+
+import Data.Maybe (fromMaybe)
+import Data.Ratio (denominator, numerator, (%))
+import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
+import PraTactile.Format.Solid.Number
+import PraTactile.Object.Description (ObjectName)
+import PraTactile.Object.Mesh
+import PraTactile.Object.Vector
+
+-- | A polyhedron, and what of the file is none of it.
+data Contents = Contents
+  { contentsMesh :: Mesh,
+    contentsPassed :: [Passed]
+  }
+  deriving stock (Eq, Show)
+
+-- | What a file has beside and is passed over, each named once.
+newtype Passed = Passed String
+  deriving stock (Eq, Ord, Show)
+
+-- | A polyhedron without names, of these vertices and these walks among them.
+contents ::
+  ObjectName -> Base -> [Passed] -> V.Vector (Number, Number, Number) -> V.Vector Walk -> Contents
+contents name base passed points walks =
+  Contents (mesh name (unnamed (V.length points)) over exact walks) passed
+  where
+    (over, exact) = overCommon base points
+
+-- | The same of triangles, three points each; equal points are one vertex.
+soup :: ObjectName -> Base -> [Passed] -> V.Vector (Number, Number, Number) -> Contents
+soup name base passed points =
+  Contents (mesh name (unnamed (U.length kept)) over vertices walks) passed
+  where
+    (over, exact) = overCommon base points
+    firsts = firstAlike exact
+    kept = U.ifilter (\i first -> i == first) firsts
+    vertices = V.map (exact V.!) (V.convert kept)
+    numbers =
+      U.replicate (U.length firsts) 0 U.// zip (U.toList kept) [0 :: Int ..]
+    walks =
+      V.generate
+        (U.length firsts `div` 3)
+        (\f -> U.map (\i -> numbers U.! (firsts U.! i)) (U.enumFromN (3 * f) 3))
+
+-- | What is written, and how many coordinates had to be rounded, since the format cannot have them.
+data Written a = Written {writtenBytes :: a, writtenRounded :: Int}
+
+-- | The coordinates of all vertices as decimal numbers; where one is none, the nearest machine
+-- number's.
+asDecimals :: Mesh -> Written (V.Vector [String])
+asDecimals it = Written (V.map (map fst) texts) (V.sum (V.map (length . filter snd) texts))
+  where
+    texts = V.map (\(V3 x y z) -> map text [x, y, z]) (meshPoints it)
+    text n = case decimalText (n % meshDenominator it) of
+      Just exact -> (exact, False)
+      Nothing -> (nearest (n % meshDenominator it), True)
+    nearest value =
+      fromMaybe (show (numerator value `div` denominator value)) $
+        decimalText (toRational (fromRational value :: Double))

@@ -1,0 +1,85 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Polyhedra as JSON of our own, @pra-tactile/object/1@: with names, and with exact numbers.
+module PraTactile.Format.Solid.Json
+  ( readObject,
+    writeObject,
+    exactNumber,
+  )
+where
+
+import Control.Monad (foldM, (>=>))
+import Data.Aeson (Value (String))
+import qualified Data.Aeson as Aeson
+import Data.Bifunctor (first)
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Char8 as Char8
+import Data.Char (isSpace)
+import Data.Ratio (denominator)
+import qualified Data.Text.Encoding as Text
+import Math.NumberTheory.Logarithms (integerLog2)
+import PraTactile.Format.Error
+import PraTactile.Format.Json.Codec hiding (writeObject)
+import PraTactile.Format.Solid.Contents
+import PraTactile.Format.Solid.Error
+import PraTactile.Format.Solid.Number
+import PraTactile.Object.Description
+import PraTactile.Object.Mesh
+
+-- | The polyhedron that the JSON describes. Nothing but its form is checked.
+readObject :: ByteString -> Either SolidFileError Contents
+readObject bytes = do
+  described <- first ObjectRefused (decodeWith keys bytes)
+  case foldM
+    common
+    1
+    [denominator c | (_, Point x y z) <- describedVertices described, c <- [x, y, z]] of
+    Just _ -> Right (Contents (fromDescription described) [])
+    Nothing -> Left (SolidFileError (AtLine 1) NoCommonDenominator)
+  where
+    -- With many more digits, coordinates of a file of some megabytes would fill the memory.
+    common over under =
+      let both = lcm over under in if integerLog2 both > 20000 then Nothing else Just both
+
+-- | Polyhedra as JSON, on one line, without its end.
+writeObject :: Mesh -> ByteString
+writeObject = writeLine keys . toDescription
+
+keys :: Keys Description Description
+keys =
+  (\() name vertices faces -> Description (ObjectName name) vertices (map FaceName faces))
+    <$> schemaKey "pra-tactile/object/1"
+    <*> key "name" text (objectText . describedName)
+    <*> key "vertices" (listOf (object vertexKeys)) describedVertices
+    <*> key "faces" (listOf (listOf vertexName)) (map faceVertices . describedFaces)
+
+vertexKeys :: Keys (VertexName, Point) (VertexName, Point)
+vertexKeys = (,) <$> key "name" vertexName fst <*> key "at" point snd
+
+-- | A name without spaces, for a face is named by the names of its vertices with spaces between.
+vertexName :: Codec VertexName
+vertexName =
+  Codec
+    vertexText
+    ( fmap VertexName
+        . readValue
+          (such (\name -> not (null name || any isSpace name)) NotVertexName text)
+    )
+
+point :: Codec Point
+point =
+  Codec
+    (\(Point x y z) -> map exactText [x, y, z])
+    ( readValue (listOf exactNumber) >=> \given -> case given of
+        [x, y, z] -> Right (Point x y z)
+        _ -> refuse NotPoint
+    )
+
+-- | A number that is what it says: a text such as @127/4@ or @31.75@, or a JSON number.
+exactNumber :: Codec Rational
+exactNumber = Codec exactText $ \value -> case value of
+  String given -> exactly (Text.encodeUtf8 given)
+  Aeson.Number given -> exactly (Char8.pack (show given))
+  _ -> refuse NotExact
+  where
+    exactly = either (const (refuse NotExact)) Right . fraction

@@ -1,0 +1,82 @@
+-- | The names of solids that are known without a file, such as @box:100x60x40@.
+module PraTactile.Format.Solid.Name
+  ( SolidName (..),
+    readName,
+    nameForms,
+  )
+where
+
+import qualified Data.ByteString.Char8 as Char8
+import Data.List (find)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import qualified Data.Text.Encoding as Text
+import PraTactile.Format.Solid.Number
+import PraTactile.Object.Named
+
+-- | What a text is as the name of a solid.
+data SolidName
+  = Known Named
+  | -- | it begins as a name does, but should have this form
+    Malformed String
+  | -- | a regular solid of this name, which has no rational vertices
+    Irrational String
+  | -- | it is no name
+    NoName
+  deriving stock (Eq, Show)
+
+-- | How each name is written.
+nameForms :: [String]
+nameForms =
+  [ "cube",
+    "parallelepiped",
+    "box:WxDxH",
+    "pyramid:WxDxH",
+    "prism:N,R,H",
+    "tetrahedron:A",
+    "octahedron:A",
+    "pyritohedron:A",
+    "l:WxDxH",
+    "frame:WxDxH",
+    "sheet"
+  ]
+
+-- | The solid of a name. Lengths are exact numbers of millimetres, such as @127/4@ or @31.75@; the
+-- first argument is the width and the depth of the sheet.
+readName :: (Rational, Rational) -> String -> SolidName
+readName (wide, deep) text
+  | name `elem` ["dodecahedron", "icosahedron"] = Irrational name
+  | Just form <- find ((== name) . takeWhile (/= ':')) nameForms =
+    maybe (Malformed form) Known (given >>= such)
+  | otherwise = NoName
+  where
+    (name, rest) = break (== ':') text
+    given = case (name, rest) of
+      ("cube", "") -> Just Cube
+      ("parallelepiped", "") -> Just Parallelepiped
+      ("sheet", "") -> Just (Sheet wide deep)
+      ("box", _) -> three Box
+      ("pyramid", _) -> three Pyramid
+      ("l", _) -> three LShape
+      ("frame", _) -> three Frame
+      ("tetrahedron", _) -> one Tetrahedron
+      ("octahedron", _) -> one Octahedron
+      ("pyritohedron", _) -> one Pyritohedron
+      ("prism", _) -> case parts ',' of
+        [n, r, h]
+          | Right count <- whole (Text.encodeUtf8 n) ->
+            Prism count <$> number r <*> number h
+        _ -> Nothing
+      _ -> Nothing
+    such solid = if positive solid then Just solid else Nothing
+    parts separator = case rest of
+      ':' : values -> Text.split (== separator) (Text.pack values)
+      _ -> []
+    three make = case parts 'x' of
+      [w, d, h] -> make <$> number w <*> number d <*> number h
+      _ -> Nothing
+    one make = case parts 'x' of
+      [a] -> make <$> number a
+      _ -> Nothing
+    number :: Text -> Maybe Rational
+    number = either (const Nothing) Just . fraction . Char8.pack . Text.unpack

@@ -1,0 +1,75 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The object files of Wavefront: @v X Y Z@ is a vertex, @f A B C ..@ a face by vertices counted
+-- from 1, or back from the last one by negative numbers.
+module PraTactile.Format.Solid.Obj
+  ( readObj,
+    writeObj,
+  )
+where
+
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Char8 as Char8
+import qualified Data.Set as Set
+import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
+import PraTactile.Format.Solid.Contents
+import PraTactile.Format.Solid.Error
+import PraTactile.Format.Solid.Number
+import PraTactile.Format.Solid.Text
+import PraTactile.Object.Description (ObjectName)
+import PraTactile.Object.Mesh
+
+-- | What was read so far: vertices and faces, the last ones first, each face with its line.
+data Found = Found !Int [(Number, Number, Number)] [(Line, Walk)] !(Set.Set Passed)
+
+-- | The polyhedron of an OBJ file: all its groups together. What else there is is passed over.
+readObj :: ObjectName -> ByteString -> Either SolidFileError Contents
+readObj name bytes = go (Found 0 [] [] Set.empty) (joined (linesOf bytes))
+  where
+    go (Found count points faces passed) [] = do
+      mapM_ (known count) faces
+      Right
+        ( contents
+            name
+            Decimal
+            (Set.toList passed)
+            (V.fromListN count (reverse points))
+            (V.fromList (reverse (map snd faces)))
+        )
+    go (Found count points faces passed) (line : others) = case lineWords line of
+      "v" : rest -> do
+        point <- atLine line (numbers rest)
+        let more = [Passed "what follows the coordinates of vertices" | not (null (drop 3 rest))]
+        point `seq` go (Found (count + 1) (point : points) faces (adding more passed)) others
+      "f" : rest -> do
+        walk <- atLine line (U.fromList <$> traverse (index count) rest)
+        let more = [Passed "texture coordinates and normals of faces" | any (Char8.elem '/') rest]
+        walk
+          `seq` go
+            (Found count points ((line {lineWords = []}, walk) : faces) (adding more passed))
+            others
+      word : _ ->
+        go (Found count points faces (adding [Passed ("lines of " ++ shown word)] passed)) others
+      [] -> go (Found count points faces passed) others
+    adding more passed = foldr Set.insert passed more
+    shown = map printable . Char8.unpack . Char8.take 20
+    printable c = if c > ' ' && c <= '~' then c else '?'
+    -- Negative numbers count back from the vertices that there are so far.
+    index count word = do
+      i <- whole (Char8.takeWhile (/= '/') word)
+      let place = if i > 0 then i - 1 else count + i
+      if i == 0 || place < 0 then Left (NoSuchVertex (toInteger i) count) else Right place
+    known count (line, walk) = case U.find (>= count) walk of
+      Just i -> atLine line (Left (NoSuchVertex (toInteger i + 1) count))
+      Nothing -> Right ()
+
+-- | A polyhedron as an OBJ file.
+writeObj :: Mesh -> Written Builder.Builder
+writeObj it = texts {writtenBytes = vertices <> faces}
+  where
+    texts = asDecimals it
+    vertices = foldMap (row . ("v" :)) (writtenBytes texts)
+    faces = foldMap (\walk -> row ("f" : map (show . (+ 1)) (U.toList walk))) (meshWalks it)
+    row = (<> "\n") . Builder.string7 . unwords

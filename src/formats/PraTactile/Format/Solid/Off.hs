@@ -1,0 +1,91 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The Object File Format of Geomview, as text: after the word @OFF@ the numbers of vertices,
+-- faces and edges, then a line a vertex and a line a face, which begins with its number of
+-- vertices.
+module PraTactile.Format.Solid.Off
+  ( readOff,
+    writeOff,
+  )
+where
+
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Char8 as Char8
+import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
+import PraTactile.Format.Solid.Contents
+import PraTactile.Format.Solid.Error
+import PraTactile.Format.Solid.Number
+import PraTactile.Format.Solid.Text
+import PraTactile.Object.Description (ObjectName)
+import PraTactile.Object.Mesh
+
+-- | The polyhedron of an OFF file. Colours, normals and texture coordinates are passed over.
+readOff :: ObjectName -> ByteString -> Either SolidFileError Contents
+readOff name bytes = do
+  (counts, after) <- header (linesOf bytes)
+  (vertexTotal, faceTotal) <-
+    atLine
+      counts
+      ( case lineWords counts of
+          v : f : _ -> (,) <$> natural v <*> natural f
+          _ -> Left (Needed "the numbers of vertices, faces and edges")
+      )
+  (points, further) <- taking "vertices" vertexTotal (numbers . lineWords) after
+  (walks, _) <- taking "faces" faceTotal (walkOf (length points)) further
+  let beside =
+        [Passed "what follows the coordinates of vertices" | long vertexTotal 3 after]
+          ++ [Passed "colours of faces" | any coloured (take faceTotal further)]
+  Right (contents name Decimal beside (V.fromList points) (V.fromList walks))
+  where
+    end = SolidFileError (AtLine (length (Char8.split '\n' bytes)))
+    header given = case given of
+      line@(Line at (word : rest)) : others
+        | word `elem` ["OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCOFF", "STNOFF", "STCNOFF"] ->
+          if null rest
+            then case others of
+              next : after -> Right (next, after)
+              [] -> Left (end (Ends "the numbers of vertices and faces"))
+            else Right (Line at rest, others)
+        | otherwise -> Left (SolidFileError (AtLine (lineNumber line)) (Needed "the word OFF"))
+      _ -> Left (end (Ends "the word OFF"))
+    natural word = do
+      n <- whole word
+      if n < 0 then Left NotNumber else Right n
+    -- So many lines, each read by itself.
+    taking what count one given = go (0 :: Int) [] given
+      where
+        go n found left
+          | n == count = Right (reverse found, left)
+          | otherwise = case left of
+            line : others -> do
+              value <- atLine line (one line)
+              value `seq` go (n + 1) (value : found) others
+            [] -> Left (end (Ends (show (count - n) ++ " of its " ++ show count ++ " " ++ what)))
+    walkOf vertices line = case lineWords line of
+      [] -> Left (Needed "a face")
+      size : rest -> do
+        k <- natural size
+        let own = take k rest
+        if length own < k
+          then Left (Needed (show k ++ " vertices"))
+          else U.fromList <$> traverse (index vertices) own
+    index vertices word = do
+      i <- whole word
+      if i < 0 || i >= vertices then Left (NoSuchVertex (toInteger i) vertices) else Right i
+    long count size = any ((> size) . length . lineWords) . take count
+    coloured line = case lineWords line of
+      size : rest | Right k <- whole size -> not (null (drop k rest))
+      _ -> False
+
+-- | A polyhedron as an OFF file.
+writeOff :: Mesh -> Written Builder.Builder
+writeOff it = texts {writtenBytes = header <> vertices <> faces}
+  where
+    texts = asDecimals it
+    header =
+      "OFF\n" <> row (map show [V.length (meshPoints it), V.length (meshWalks it), 0])
+    vertices = foldMap row (writtenBytes texts)
+    faces = foldMap (\walk -> row (map show (U.length walk : U.toList walk))) (meshWalks it)
+    row = (<> "\n") . Builder.string7 . unwords

@@ -1,0 +1,92 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The JSON of what there is to say of a polyhedron.
+module PraTactile.Format.Solid.Report
+  ( Moved (..),
+    encodeReport,
+    mostOfAKind,
+  )
+where
+
+import Data.Aeson (Value, object, toJSON, (.=))
+import Data.ByteString (ByteString)
+import qualified Data.Map.Strict as Map
+import Data.String (fromString)
+import qualified Data.Vector.Unboxed as U
+import PraTactile.Format.Json
+import PraTactile.Format.Solid.Contents
+import PraTactile.Format.Solid.Number
+import PraTactile.Object.Cells
+import PraTactile.Object.Defect
+import PraTactile.Object.Description
+import PraTactile.Object.Mesh
+import PraTactile.Object.Validity
+
+-- | How many vertices were moved to make faces flat, and how far at most, in millimetres.
+data Moved = Moved {movedVertices :: Int, movedMost :: Double}
+  deriving stock (Eq, Show)
+
+-- | No more defects of a kind are listed; all are counted.
+mostOfAKind :: Int
+mostOfAKind = 1000
+
+-- | A polyhedron's report, on one line, without its end: what a file had beside, how many vertices
+-- were moved, its grids and what was found.
+encodeReport :: Mesh -> [Passed] -> Moved -> [Grid] -> Report -> ByteString
+encodeReport it passed moved grids report =
+  encodeSchema "solid/1" $
+    "name" .= objectText (meshName it)
+      <> "valid" .= reportValid report
+      <> "vertices" .= reportVertices report
+      <> "edges" .= reportEdges report
+      <> "faces" .= reportFaces report
+      <> "passed_over" .= [what | Passed what <- passed]
+      <> "moved" .= object ["vertices" .= movedVertices moved, "most_mm" .= movedMost moved]
+      <> "components" .= map componentValue (reportComponents report)
+      <> "carrying" .= map gridValue grids
+      <> "counts"
+        .= object
+          [ fromString (kindName kind) .= Map.findWithDefault 0 kind counts
+            | kind <- [minBound .. maxBound]
+          ]
+      <> "defects" .= map defectValue (concatMap (take mostOfAKind) (byKind (reportDefects report)))
+      <> "not_examined"
+        .= [ object ["kind" .= kindName kind, "because" .= map kindName causes]
+             | Unexamined kind causes <- reportNotExamined report
+           ]
+  where
+    counts = Map.fromListWith (+) [(defectKind defect, 1 :: Int) | defect <- reportDefects report]
+    gridValue grid =
+      object
+        [ "face" .= map (vertexText . vertexAt it) (U.toList (gridWalk grid)),
+          "size_mm" .= [fst (gridSize grid), snd (gridSize grid)],
+          "cells" .= fmap integerValue (gridCount grid)
+        ]
+
+byKind :: [Defect] -> [[Defect]]
+byKind defects = case defects of
+  first : _ ->
+    let (same, others) = span ((== defectKind first) . defectKind) defects in same : byKind others
+  [] -> []
+
+defectValue :: Defect -> Value
+defectValue (Defect kind faces vertices measure) =
+  object
+    [ "kind" .= kindName kind,
+      "faces" .= map (map vertexText . faceVertices) faces,
+      "vertices" .= map vertexText vertices,
+      "measure_mm" .= measure
+    ]
+
+componentValue :: Component -> Value
+componentValue it =
+  object
+    [ "vertices" .= componentVertices it,
+      "edges" .= componentEdges it,
+      "faces" .= componentFaces it,
+      "euler" .= componentEuler it,
+      "genus" .= componentGenus it,
+      "volume_mm3" .= fmap exactText (componentVolume it),
+      "convex" .= componentConvex it,
+      "inside" .= toJSON (componentInside it)
+    ]

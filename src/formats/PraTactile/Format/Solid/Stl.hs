@@ -1,0 +1,213 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The stereolithography files of 3D Systems (1988), of both kinds: triangles with their normals,
+-- as text, or 50 bytes each after 80 bytes that mean nothing and a count. A file is binary where
+-- that count fits its length: the word @solid@ at its beginning tells nothing, for some programs
+-- begin binary files with it.
+module PraTactile.Format.Solid.Stl
+  ( readStl,
+    writeStlText,
+    writeStlBinary,
+  )
+where
+
+import Control.Monad (replicateM)
+import Data.Binary.Get
+import Data.ByteString (ByteString)
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Char8 as Char8
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Char (toLower)
+import Data.Ratio ((%))
+import qualified Data.Vector as V
+import GHC.Float (float2Double)
+import PraTactile.Format.Solid.Contents
+import PraTactile.Format.Solid.Error
+import PraTactile.Format.Solid.Number
+import PraTactile.Format.Solid.Text
+import PraTactile.Object.Description (ObjectName, objectText)
+import PraTactile.Object.Mesh
+import PraTactile.Object.Triangles
+import PraTactile.Object.Vector
+
+-- | The polyhedron of an STL file of either kind. Normals and what is attached are passed over.
+readStl :: ObjectName -> ByteString -> Either SolidFileError Contents
+readStl name bytes
+  | Just count <- counted,
+    binarySize count == toInteger (Bytes.length bytes) =
+    binary name count bytes
+  | "solid"
+      `Bytes.isPrefixOf` Char8.map
+        toLower
+        (Char8.take 5 (Char8.dropWhile (<= ' ') (Bytes.take 1000 bytes))) =
+    text name bytes
+  | Just count <- counted =
+    Left (SolidFileError (AtByte 80) (LengthDiffers (binarySize count) (Bytes.length bytes)))
+  | otherwise =
+    Left
+      ( SolidFileError
+          (AtByte (Bytes.length bytes))
+          (Ends "84 bytes of a binary file")
+      )
+  where
+    counted =
+      either
+        (const Nothing)
+        (\(_, _, n) -> Just n)
+        (runGetOrFail count' (Lazy.fromStrict bytes))
+    count' = skip 80 *> getWord32le
+    binarySize count = 84 + 50 * toInteger count
+
+binary :: Integral n => ObjectName -> n -> ByteString -> Either SolidFileError Contents
+binary name count bytes = do
+  corners <- V.fromList . concat <$> traverse triangle [0 .. fromIntegral count - 1]
+  let attached =
+        or
+          [ Bytes.index bytes (at f + 48 + k) /= 0
+            | f <-
+                [0 .. fromIntegral count - 1],
+              k <- [0, 1]
+          ]
+  Right
+    ( soup
+        name
+        Binary
+        ([Passed "attributes of triangles" | attached] ++ [Passed "normals" | count > 0])
+        corners
+    )
+  where
+    at :: Int -> Int
+    at f = 84 + 50 * f
+    triangle f =
+      case runGetOrFail
+        (replicateM 9 getFloatle)
+        (Lazy.fromStrict (Bytes.take 36 (Bytes.drop (at f + 12) bytes))) of
+        Right (_, _, values) -> triples <$> traverse (number f) (zip [0 ..] values)
+        Left _ -> Left (SolidFileError (AtByte (at f)) (Ends "a triangle"))
+    number f (k, value) =
+      either (Left . SolidFileError (AtByte (at f + 12 + 4 * k))) Right (machine value)
+    triples values = case values of
+      a : b : c : others -> (a, b, c) : triples others
+      _ -> []
+
+text :: ObjectName -> ByteString -> Either SolidFileError Contents
+text name bytes =
+  outside
+    []
+    (concatMap wordsOf (zipWith Line [1 ..] (map Char8.words (Char8.split '\n' bytes))))
+  where
+    end = Left . SolidFileError (AtLine (length (Char8.split '\n' bytes)))
+    -- What follows solid and endsolid on their lines is a name.
+    wordsOf (Line at given) = map ((,) at) $ case given of
+      word : _ | lower word `elem` ["solid", "endsolid"] -> [word]
+      _ -> given
+    lower = Char8.map toLower
+    outside found given = case given of
+      [] ->
+        Right
+          ( soup
+              name
+              Decimal
+              [Passed "normals" | not (null found)]
+              (V.fromList (reverse found))
+          )
+      (_, word) : others | lower word `elem` ["solid", "endsolid"] -> outside found others
+      (at, word) : others
+        | lower word == "facet" -> facet found at others
+        | otherwise -> fault at (Needed "facet or endsolid")
+    fault at why = Left (SolidFileError (AtLine at) why)
+    facet found at given = do
+      others <- keywords ["normal"] given >>= dropNumbers at >>= keywords ["outer", "loop"]
+      (a, others') <- vertex others
+      (b, others'') <- vertex others'
+      (c, others''') <- vertex others''
+      rest <- keywords ["endloop", "endfacet"] others'''
+      a `seq` b `seq` c `seq` outside (c : b : a : found) rest
+    keywords wanted given = case (wanted, given) of
+      ([], _) -> Right given
+      (word : more, (at, there) : others)
+        | lower there == word -> keywords more others
+        | otherwise -> fault at (Needed (Char8.unpack word))
+      (word : _, []) -> end (Ends (Char8.unpack word))
+    -- A normal need not be a number: some programs write nan for that of a sliver.
+    dropNumbers at given = case splitAt 3 given of
+      ([_, _, _], others) -> Right others
+      _ -> fault at (Needed "a normal of three numbers")
+    vertex given = do
+      others <- keywords ["vertex"] given
+      case others of
+        (at, x) : (_, y) : (_, z) : rest ->
+          either
+            (fault at)
+            (\point -> Right (point, rest))
+            ((,,) <$> decimal x <*> decimal y <*> decimal z)
+        _ -> end (Ends "three coordinates")
+
+-- | A triangle's corners in millimetres.
+trianglesOf :: Mesh -> [[V3]]
+trianglesOf it =
+  [ [meshPoints it V.! i, meshPoints it V.! j, meshPoints it V.! k]
+    | walk <- V.toList (meshWalks it),
+      (i, j, k) <- triangles it walk
+  ]
+
+-- | The nearest single-precision number, and whether it is another.
+nearest :: Mesh -> Integer -> (Float, Bool)
+nearest it n = (near, toRational near /= exact)
+  where
+    exact = n % meshDenominator it
+    near = fromRational exact
+
+roundedIn :: Mesh -> Int
+roundedIn it =
+  V.sum
+    ( V.map
+        (\(V3 x y z) -> length (filter (snd . nearest it) [x, y, z]))
+        (meshPoints it)
+    )
+
+-- | A polyhedron as a binary STL file: its coordinates are the nearest single-precision numbers.
+writeStlBinary :: Mesh -> Written Builder.Builder
+writeStlBinary it = Written (header <> foldMap triangle all') (roundedIn it)
+  where
+    all' = trianglesOf it
+    header =
+      Builder.byteString (Bytes.take 80 (Char8.pack (take 80 ascii) <> Bytes.replicate 80 32))
+        <> Builder.word32LE (fromIntegral (length all'))
+    ascii =
+      "binary STL of "
+        ++ map (\c -> if c >= ' ' && c <= '~' then c else '?') (take 60 (objectText (meshName it)))
+    triangle corners =
+      foldMap Builder.floatLE (normalOf corners)
+        <> foldMap (\(V3 x y z) -> foldMap (Builder.floatLE . fst . nearest it) [x, y, z]) corners
+        <> Builder.word16LE 0
+
+-- | A polyhedron as a text STL file: its coordinates are decimal numbers, exact where one can be.
+writeStlText :: Mesh -> Written Builder.Builder
+writeStlText it = texts {writtenBytes = row ["solid"] <> foldMap triangle faces <> row ["endsolid"]}
+  where
+    texts = asDecimals it
+    faces = concatMap (triangles it) (V.toList (meshWalks it))
+    triangle (i, j, k) =
+      row
+        ( "facet normal" :
+          map
+            (show . float2Double)
+            (normalOf [meshPoints it V.! i, meshPoints it V.! j, meshPoints it V.! k])
+        )
+        <> row ["outer loop"]
+        <> foldMap (\v -> row ("vertex" : writtenBytes texts V.! v)) [i, j, k]
+        <> row ["endloop"]
+        <> row ["endfacet"]
+    row = (<> "\n") . Builder.string7 . unwords
+
+-- | The unit normal of a triangle; zeros where it has no area.
+normalOf :: [V3] -> [Float]
+normalOf corners = case corners of
+  [a, b, c]
+    | n /= zero -> map part [x, y, z]
+    where
+      n@(V3 x y z) = cross (b `minus` a) (c `minus` a)
+      part u = fromRational (toRational (signum u) * toRational (squareRoot (u * u % dot n n)))
+  _ -> [0, 0, 0]

@@ -1,0 +1,50 @@
+-- | The lines and words of text formats.
+module PraTactile.Format.Solid.Text
+  ( Line (..),
+    linesOf,
+    atLine,
+    numbers,
+    joined,
+  )
+where
+
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Char8 as Char8
+import Data.Maybe (fromMaybe)
+import PraTactile.Format.Solid.Error
+import PraTactile.Format.Solid.Number
+
+-- | A line by its number, counted from 1, and its words.
+data Line = Line {lineNumber :: !Int, lineWords :: [ByteString]}
+  deriving stock (Eq, Show)
+
+-- | The lines that have words, without what follows a @#@.
+linesOf :: ByteString -> [Line]
+linesOf = filter (not . null . lineWords) . zipWith Line [1 ..] . map wordsOf . Char8.split '\n'
+  where
+    wordsOf = Char8.words . Char8.takeWhile (/= '#')
+
+-- | Something is wrong in a line.
+atLine :: Line -> Either Fault a -> Either SolidFileError a
+atLine line = either (Left . SolidFileError (AtLine (lineNumber line))) Right
+
+-- | The first three words as numbers.
+numbers :: [ByteString] -> Either Fault (Number, Number, Number)
+numbers given = case given of
+  a : b : c : _ -> (,,) <$> decimal a <*> decimal b <*> decimal c
+  _ -> Left (Needed "three coordinates")
+
+-- | Lines that end in a backslash with the ones after them; the number is that of the first.
+joined :: [Line] -> [Line]
+joined given = case given of
+  line : next : others
+    | Just start <- continued line ->
+      joined (Line (lineNumber line) (start ++ lineWords next) : others)
+  line : others -> line {lineWords = fromMaybe (lineWords line) (continued line)} : joined others
+  [] -> []
+  where
+    continued line = case reverse (lineWords line) of
+      final : before
+        | Just (start, '\\') <- Char8.unsnoc final ->
+          Just (reverse before ++ [start | not (Char8.null start)])
+      _ -> Nothing

@@ -1,0 +1,127 @@
+-- | Which of many boxes meet a given one, without asking each: a tree of boxes whose leaves are
+-- sorted along a curve that keeps neighbours together (Morton 1966), so that it is made by one
+-- sort. A box of it holds what lies in it for certain, and more: corners are rounded down, which
+-- keeps their order.
+module PraTactile.Object.Boxes
+  ( Box (..),
+    Rounding,
+    roundingOf,
+    boxOf,
+    around,
+    meets,
+    Boxes,
+    boxes,
+    meeting,
+  )
+where
+
+import Control.Monad (forM_)
+import Control.Monad.ST (ST)
+import Data.Bits (countLeadingZeros, shiftL, shiftR, (.&.), (.|.))
+import Data.List (foldl')
+import qualified Data.Vector as V
+import qualified Data.Vector.Algorithms.Intro as Intro
+import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as M
+import Math.NumberTheory.Logarithms (integerLog2)
+import PraTactile.Object.Vector
+
+-- | The least and the greatest coordinates, rounded.
+data Box = Box !Int !Int !Int !Int !Int !Int
+  deriving stock (Eq, Show)
+
+-- | How many binary digits are dropped, so that every coordinate fits a machine integer.
+newtype Rounding = Rounding Int
+
+-- | The rounding that is enough for these points.
+roundingOf :: V.Vector V3 -> Rounding
+roundingOf points = Rounding (max 0 (integerLog2 (max 1 most) - 60))
+  where
+    most = V.foldl' (\m (V3 a b c) -> max (abs a) (max (abs b) (max (abs c) m))) 1 points
+
+-- | The box round a point.
+boxOf :: Rounding -> V3 -> Box
+boxOf (Rounding digits) (V3 a b c) = Box x y z x y z
+  where
+    x = down a
+    y = down b
+    z = down c
+    down n = fromInteger (if digits == 0 then n else n `shiftR` digits)
+
+-- | The box round two boxes.
+around :: Box -> Box -> Box
+around (Box a b c d e f) (Box a' b' c' d' e' f') =
+  Box (min a a') (min b b') (min c c') (max d d') (max e e') (max f f')
+
+-- | Whether two boxes have a point in common.
+meets :: Box -> Box -> Bool
+meets (Box a b c d e f) (Box a' b' c' d' e' f') =
+  a <= d' && a' <= d && b <= e' && b' <= e && c <= f' && c' <= f
+
+-- | Boxes that can be asked. The node @k@ has the boxes of the nodes @2 k@ and @2 k + 1@.
+data Boxes = Boxes
+  { -- | the number of leaves, a power of 2; they are the nodes from this one on
+    leaves :: !Int,
+    -- | the boxes in the order of the leaves
+    items :: !(U.Vector Int),
+    -- | six numbers a node
+    bounds :: !(U.Vector Int)
+  }
+
+-- | O(n log n).
+boxes :: V.Vector Box -> Boxes
+boxes given = Boxes width sorted (U.create filled)
+  where
+    count = V.length given
+    width = 1 `shiftL` (64 - countLeadingZeros (max 1 count - 1))
+    sorted = U.map snd (U.modify Intro.sort (U.generate count (\i -> (curve (given V.! i), i))))
+    whole = foldl' around nothing (V.toList given)
+    curve box = interleaved (middle box)
+    middle (Box a b c d e f) = (place 0 a d, place 1 b e, place 2 c f)
+    place :: Int -> Int -> Int -> Int
+    place axis low high =
+      let Box x y z x' y' z' = whole
+          (from, to) = [(x, x'), (y, y'), (z, z')] !! axis
+          size = max 1 ((to - from) `shiftR` 21 + 1)
+       in ((low - from) `quot` 2 + (high - from) `quot` 2) `quot` size
+    filled :: ST s (M.MVector s Int)
+    filled = do
+      store <- M.new (6 * 2 * width)
+      forM_ [0 .. width - 1] $ \k ->
+        write store (width + k) (if k < count then given V.! (sorted U.! k) else nothing)
+      forM_ [width - 1, width - 2 .. 1] $ \k ->
+        (around <$> fetch store (2 * k) <*> fetch store (2 * k + 1)) >>= write store k
+      pure store
+    write store k (Box a b c d e f) =
+      forM_ (zip [6 * k ..] [a, b, c, d, e, f]) (uncurry (M.write store))
+    fetch store k =
+      Box <$> at 0 <*> at 1 <*> at 2 <*> at 3 <*> at 4 <*> at 5
+      where
+        at i = M.read store (6 * k + i)
+
+-- The box that meets none and changes none.
+nothing :: Box
+nothing = Box maxBound maxBound maxBound minBound minBound minBound
+
+interleaved :: (Int, Int, Int) -> Int
+interleaved (x, y, z) = spread x .|. (spread y `shiftL` 1) .|. (spread z `shiftL` 2)
+  where
+    spread n = foldl' step (n .&. 0x1fffff) [(32, a), (16, b), (8, c), (4, d), (2, e)]
+    step n (by, mask) = (n .|. (n `shiftL` by)) .&. mask
+    a = 0x1f00000000ffff
+    b = 0x1f0000ff0000ff
+    c = 0x100f00f00f00f00f
+    d = 0x10c30c30c30c30c3
+    e = 0x1249249249249249
+
+-- | The boxes that meet this one, by their places in what 'boxes' was given. O(log n) and what is
+-- found, where boxes are compact.
+meeting :: Boxes -> Box -> [Int]
+meeting tree (Box a b c d e f) = visit 1 []
+  where
+    visit k rest
+      | a > at 3 || at 0 > d || b > at 4 || at 1 > e || c > at 5 || at 2 > f = rest
+      | k >= leaves tree = U.unsafeIndex (items tree) (k - leaves tree) : rest
+      | otherwise = visit (2 * k) (visit (2 * k + 1) rest)
+      where
+        at i = U.unsafeIndex (bounds tree) (6 * k + i)

@@ -1,0 +1,289 @@
+-- | What two faces have in common beside what both of them name, exactly.
+--
+-- Two faces A and B, simple polygons in their planes n_A . x = d_A and n_B . x = d_B, may share
+-- the vertices and the sides that both name: the set S. Wanted is what A and B have in common
+-- without S, and how far apart two of its points are at most.
+--
+-- Where the planes meet in a line, along u = n_A x n_B, a point of it is told by t = u . x, and
+-- each face cuts the line where the sign of s = n . x - d of the other's plane changes along its
+-- walk. Between two such places that follow each other, all points are of the face or none is: by
+-- the parity of the sides that cross the line moved a little to the one side or the other. So A, B
+-- and S are finite lists of points and open intervals, and what is left is one.
+--
+-- Where they are one plane, every extreme point of what is left is a vertex of one face that is in
+-- the other, or a point where two sides cross; a vertex that both name is one if the faces have
+-- more in common right at it than sides of both.
+module PraTactile.Object.Intersection
+  ( Plate,
+    plate,
+    plateNormal,
+    plateFlat,
+    overlap,
+  )
+where
+
+import qualified Data.IntMap.Strict as IntMap
+import Data.List (nub, sort)
+import Data.Maybe (isJust, mapMaybe)
+import Data.Ratio ((%))
+import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
+import PraTactile.Object.Polygon
+import PraTactile.Object.Vector
+
+-- | A flat face.
+data Plate = Plate
+  { plateWalk :: !(U.Vector Int),
+    plateCorners :: !(V.Vector V3),
+    -- | at right angles to it, as long as twice its area
+    plateNormal :: !V3,
+    plateOffset :: !Integer,
+    -- | where in the walk a vertex is, for walks that are long
+    platePlaces :: IntMap.IntMap Int
+  }
+
+-- | The face that visits these vertices, which are at these points, with its normal.
+plate :: U.Vector Int -> V.Vector V3 -> V3 -> Plate
+plate walk points normal =
+  Plate walk points normal (V.foldr (\p _ -> dot normal p) 0 points) places
+  where
+    places = IntMap.fromList (zip (U.toList walk) [0 ..])
+
+-- | The face in its plane, as 'flat' sees it.
+plateFlat :: Plate -> V.Vector V2
+plateFlat it = V.map (flat (plateNormal it)) (plateCorners it)
+
+corners :: Plate -> Int
+corners = V.length . plateCorners
+
+placeOf :: Plate -> Int -> Maybe Int
+placeOf it vertex
+  | corners it <= 8 = U.elemIndex vertex (plateWalk it)
+  | otherwise = IntMap.lookup vertex (platePlaces it)
+
+-- | Whether a face has a side between the vertices, in either direction.
+hasSide :: Plate -> Int -> Int -> Bool
+hasSide it v w = maybe False beside (placeOf it v)
+  where
+    beside i = at (i + 1) == w || at (i + corners it - 1) == w
+    at i = plateWalk it U.! (i `mod` corners it)
+
+-- | How far apart two points at most are that both faces have and may not: the square of that;
+-- nothing where there is no such point.
+overlap :: Plate -> Plate -> Maybe Rational
+overlap a b
+  | corners a > corners b = overlap b a
+  | touchesOnly a b heightsA || touchesOnly b a heightsB = Nothing
+  | u == zero = inOnePlane a b
+  | apartAtVertex u (a, heightsA) (b, heightsB) = Nothing
+  | otherwise = onLine u (a, heightsA) (b, heightsB)
+  where
+    heightsA = heights b a
+    heightsB = heights a b
+    u = cross (plateNormal a) (plateNormal b)
+
+-- | How far the corners of the second face are over the plane of the first, in multiples that do
+-- not matter. What both name is on both.
+heights :: Plate -> Plate -> V.Vector Integer
+heights under it = V.imap height (plateCorners it)
+  where
+    height i p
+      | isJust (placeOf under (plateWalk it U.! i)) = 0
+      | otherwise = dot (plateNormal under) p - plateOffset under
+
+-- | Whether a face is on one side of the other's plane and touches it, if at all, in one vertex or
+-- one side that both name.
+touchesOnly :: Plate -> Plate -> V.Vector Integer -> Bool
+touchesOnly it other above = (V.all (>= 0) above || V.all (<= 0) above) && named
+  where
+    named = case [plateWalk it U.! i | i <- V.toList (V.findIndices (== 0) above)] of
+      [] -> True
+      [v] -> isJust (placeOf other v)
+      [v, w] -> hasSide it v w && hasSide other v w
+      _ -> False
+
+-- | Two triangles with a vertex that both name, which leave it in opposite directions where their
+-- planes meet, have that vertex alone in common.
+apartAtVertex :: V3 -> (Plate, V.Vector Integer) -> (Plate, V.Vector Integer) -> Bool
+apartAtVertex u (a, heightsA) (b, heightsB) =
+  case [(i, j) | i <- [0 .. corners a - 1], Just j <- [placeOf b (plateWalk a U.! i)]] of
+    [(i, j)]
+      | corners a == 3,
+        corners b == 3 ->
+        direction a heightsA i * direction b heightsB j < 0
+    _ -> False
+  where
+    direction it above i
+      | signum p * signum q < 0 = signum (abs q * along next + abs p * along next')
+      | otherwise = 0
+      where
+        next = (i + 1) `mod` 3
+        next' = (i + 2) `mod` 3
+        p = above V.! next
+        q = above V.! next'
+        along k = dot u ((plateCorners it V.! k) `minus` (plateCorners it V.! i))
+
+-- | What is left on the line in which the planes meet.
+onLine :: V3 -> (Plate, V.Vector Integer) -> (Plate, V.Vector Integer) -> Maybe Rational
+onLine u (a, heightsA) (b, heightsB)
+  | null left = Nothing
+  | otherwise = Just ((maximum left - minimum left) ^ (2 :: Int) / fromInteger (dot u u))
+  where
+    cutA = cut u a heightsA
+    cutB = cut u b heightsB
+    places = distinct (cutPlaces cutA ++ cutPlaces cutB)
+    left =
+      [t | t <- places, held t cutA, held t cutB, not (mayBe t)]
+        ++ concat
+          [ [s, t]
+            | (s, t) <- zip places (drop 1 places),
+              let middle = (s + t) / 2,
+              cutWithin cutA middle,
+              cutWithin cutB middle,
+              not (mayBe middle)
+          ]
+    held t it = t `elem` cutPlaces it || cutWithin it t
+    mayBe t = t `elem` points || any (\(s, e) -> s <= t && t <= e) segments
+    points = [param v | (i, v) <- onIt, isJust (placeOf b (plateWalk a U.! i))]
+    onIt = [(i, plateCorners a V.! i) | i <- V.toList (V.findIndices (== 0) heightsA)]
+    segments =
+      [ (min s t, max s t)
+        | (i, v) <- onIt,
+          let j = following heightsA i,
+          heightsA V.! j == 0,
+          hasSide b (plateWalk a U.! i) (plateWalk a U.! j),
+          let s = param v
+              t = param (plateCorners a V.! j)
+      ]
+    param v = fromInteger (dot u v)
+
+-- | How a face cuts a line of its plane: where something changes, ascending, and whether a place
+-- between those is of the face.
+data Cut = Cut {cutPlaces :: [Rational], cutWithin :: Rational -> Bool}
+
+cut :: V3 -> Plate -> V.Vector Integer -> Cut
+cut u it above = Cut (distinct (touching ++ mapMaybe strictly sides)) within
+  where
+    count = corners it
+    sides =
+      [ (above V.! i, dot u (plateCorners it V.! i), above V.! j, dot u (plateCorners it V.! j))
+        | i <- [0 .. count - 1],
+          let j = following above i
+      ]
+    touching = [fromInteger t | (0, t, _, _) <- sides]
+    strictly (s, t, s', t')
+      | signum s * signum s' < 0 = Just ((t' * s - t * s') % (s - s'))
+      | otherwise = Nothing
+    passing rule =
+      [ if s == 0 then fromInteger t else if s' == 0 then fromInteger t' else place
+        | (s, t, s', t') <- sides,
+          rule s /= rule s',
+          let place = (t' * s - t * s') % (s - s')
+      ]
+    below = passing (>= 0)
+    over = passing (> 0)
+    within t = odd (length (filter (< t) below)) || odd (length (filter (< t) over))
+
+distinct :: [Rational] -> [Rational]
+distinct = unrepeated . sort
+  where
+    unrepeated (x : y : more)
+      | x == y = unrepeated (y : more)
+      | otherwise = x : unrepeated (y : more)
+    unrepeated few = few
+
+-- | What is left in the plane of both.
+inOnePlane :: Plate -> Plate -> Maybe Rational
+inOnePlane a b
+  | lined a flatA b flatB || lined b flatB a flatA || null left = Nothing
+  | otherwise = Just (maximum [squared p q | p <- left, q <- left])
+  where
+    normal = plateNormal a
+    flatA = V.map (flat normal) (plateCorners a)
+    flatB = V.map (flat normal) (plateCorners b)
+    left =
+      nub
+        ( cornersLeft normal a flatA b flatB
+            ++ cornersLeft normal b flatB a flatA
+            ++ crossings
+        )
+    crossings =
+      [ p
+        | (i, j) <- sidesOf a,
+          (k, l) <- sidesOf b,
+          Just p <- [crossPoint (at a i) (at a j) (at b k) (at b l)]
+      ]
+    at it i = plateCorners it V.! i
+    crossPoint p q r s
+      | signum m * signum n < 0 && signum (turn r' s' p') * signum (turn r' s' q') < 0 =
+        Just (mixed r s m n)
+      | otherwise = Nothing
+      where
+        (p', q', r', s') = (flat normal p, flat normal q, flat normal r, flat normal s)
+        m = turn p' q' r'
+        n = turn p' q' s'
+    mixed (V3 x y z) (V3 x' y' z') m n = (mix x x', mix y y', mix z z')
+      where
+        mix c c' = (c' * m - c * n) % (m - n)
+    squared (x, y, z) (x', y', z') =
+      (x - x') ^ (2 :: Int) + (y - y') ^ (2 :: Int) + (z - z') ^ (2 :: Int)
+
+sidesOf :: Plate -> [(Int, Int)]
+sidesOf it = [(i, following (plateCorners it) i) | i <- [0 .. corners it - 1]]
+
+-- | Whether a side of the first face has the whole of it on one side and the other face on the
+-- other, so that at most a vertex or a side that both name is common.
+lined :: Plate -> V.Vector V2 -> Plate -> V.Vector V2 -> Bool
+lined a flatA b flatB = any separates (take 8 (sidesOf a))
+  where
+    separates (i, j) =
+      let turns = V.map (turn (flatA V.! i) (flatA V.! j))
+          own = turns flatA
+          foreign' = turns flatB
+       in ( (V.all (>= 0) own && V.all (<= 0) foreign')
+              || (V.all (<= 0) own && V.all (>= 0) foreign')
+          )
+            && case [plateWalk b U.! k | k <- V.toList (V.findIndices (== 0) foreign')] of
+              [] -> True
+              [v] -> isJust (placeOf a v)
+              [v, w] -> hasSide a v w && hasSide b v w
+              _ -> False
+
+-- | The corners of the first face that are extreme points of what is left, as far as this can be
+-- said corner by corner.
+cornersLeft ::
+  V3 -> Plate -> V.Vector V2 -> Plate -> V.Vector V2 -> [(Rational, Rational, Rational)]
+cornersLeft seenAlong a flatA b flatB =
+  [ (fromInteger x, fromInteger y, fromInteger z)
+    | i <- [0 .. corners a - 1],
+      let V3 x y z = plateCorners a V.! i,
+      maybe (standing flatB (flatA V.! i) /= Outside) (moreAt i) (placeOf b (plateWalk a U.! i))
+  ]
+  where
+    -- At a vertex of both, each face is an angle; they share a direction that no side of both has.
+    moreAt i j =
+      any (strictly angleB) [fst angleA, snd angleA]
+        || any (strictly angleA) [fst angleB, snd angleB]
+        || sameWay (fst angleA) (fst angleB)
+        || sameWay (snd angleA) (snd angleB)
+        || alongOnly (fst angleA) (snd angleB)
+        || alongOnly (snd angleA) (fst angleB)
+      where
+        o = flatA V.! i
+        angleA = angle a flatA i
+        angleB = angle b flatB j
+        -- From the first of these neighbours counter-clockwise to the second.
+        angle it seen k
+          | dot (plateNormal it) seenAlong > 0 = (next, previous)
+          | otherwise = (previous, next)
+          where
+            next = neighbour (following seen k)
+            previous = neighbour (if k == 0 then V.length seen - 1 else k - 1)
+            neighbour m = (plateWalk it U.! m, seen V.! m)
+        way (_, p) (_, q) = turn o p q
+        strictly (from, to) d
+          | way from to > 0 = way from d > 0 && way d to > 0
+          | way from to == 0 = way from d > 0
+          | otherwise = not (way to d >= 0 && way d from >= 0)
+        sameWay (_, p) (_, q) = turn o p q == 0 && inner o p q > 0
+        alongOnly p q = sameWay p q && fst p /= fst q

@@ -1,0 +1,204 @@
+-- | Faces that lie in one plane and share sides, made one face: what an exporter cut into triangles
+-- is whole again.
+--
+-- Faces that hang together by sides, in one plane and with one outer side, are a region. A region
+-- whose rim is one walk that visits no vertex twice becomes one face. One with a hole has no such
+-- rim: there each face, in the file's order, takes in what lies across its sides, one by one, as
+-- long as a simple polygon comes of it. A vertex that is then on two faces alone, and straight
+-- between its neighbours, goes, and so does one that is on no face any more. The walk round what
+-- was made begins at the first of its vertices.
+module PraTactile.Object.Merge
+  ( mergeCoplanar,
+    mergeRegions,
+    regionsOfPlanes,
+  )
+where
+
+import qualified Data.IntMap.Strict as IntMap
+import qualified Data.IntSet as IntSet
+import Data.List (foldl', sortOn)
+import Data.Maybe (mapMaybe)
+import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
+import PraTactile.Object.Mesh
+import PraTactile.Object.Surface
+import PraTactile.Object.Validity (doubleArea)
+import PraTactile.Object.Vector
+
+-- | The polyhedron with faces of one plane put together. Faces that are not flat, or not well
+-- formed, stay as they are.
+mergeCoplanar :: Mesh -> Mesh
+mergeCoplanar it = mergeRegions (regionsOfPlanes it) it
+
+-- | For each face what it may be put together with: that which has the same number.
+regionsOfPlanes :: Mesh -> U.Vector Int
+regionsOfPlanes it =
+  U.imap
+    (\f first -> if V.null (planes V.! f) then f else first)
+    (firstAlike keyed)
+  where
+    keyed = V.imap (\f key -> if V.null key then Left f else Right (V.toList key)) planes
+    planes = V.map (plane . cornersOf it) walks
+    walks =
+      V.map
+        (\walk -> if U.all (< V.length (meshPoints it)) walk then walk else U.empty)
+        (meshWalks it)
+    plane corners
+      | n == zero || V.any ((/= dot n (firstOf corners)) . dot n) corners = V.empty
+      | otherwise =
+        V.fromList
+          [a `quot` g, b `quot` g, c `quot` g, dot n (firstOf corners) `quot` g]
+      where
+        n@(V3 a b c) = doubleArea corners
+        g = gcd a (gcd b c)
+
+-- | Faces with the same number put together, where they share sides.
+mergeRegions :: U.Vector Int -> Mesh -> Mesh
+mergeRegions may it
+  | V.any (U.any (>= V.length (meshPoints it))) (meshWalks it) = it
+  | otherwise = withoutUnused (straightened merged)
+  where
+    sides = surface (meshWalks it)
+    across s = case mateOf sides s of
+      Just t
+        | sideStart sides s /= sideStart sides t,
+          may U.! sideFace sides s == may U.! sideFace sides t ->
+          Just t
+      _ -> Nothing
+    regions =
+      classes
+        (V.length (meshWalks it))
+        [ (sideFace sides s, sideFace sides t)
+          | s <- [0 .. sideCount sides - 1],
+            Just t <- [across s]
+        ]
+    members =
+      IntMap.fromListWith
+        (++)
+        [ (regions U.! f, [f])
+          | f <-
+              [V.length (meshWalks it) - 1, V.length (meshWalks it) - 2 .. 0]
+        ]
+    merged =
+      sortOn fst (concatMap region (IntMap.elems members))
+    region [f] = [(f, (False, meshWalks it V.! f))]
+    region faces = case rimOf (IntSet.fromList faces) of
+      Just walk | f : _ <- faces -> [(f, (True, walk))]
+      _ -> growing faces
+    -- The rim of some faces, where it is one walk that visits no vertex twice.
+    rimOf faces = case rim of
+      first : _
+        | IntMap.size next == length rim,
+          let walk = takeWalk (sideStart sides first),
+          length walk == length rim ->
+          Just (fromFirst (U.fromList walk))
+      _ -> Nothing
+      where
+        rim =
+          [ s
+            | f <- IntSet.toList faces,
+              s <- sidesOfFace sides f,
+              maybe True ((`IntSet.notMember` faces) . sideFace sides) (across s)
+          ]
+        next = IntMap.fromList [(sideStart sides s, sideEnd sides s) | s <- rim]
+        takeWalk start = start : takeWhile (/= start) (follow start)
+        follow v = case IntMap.lookup v next of
+          Just w -> w : follow w
+          Nothing -> []
+    growing faces = case faces of
+      [] -> []
+      f : others ->
+        let (own, walk) = grown (IntSet.fromList others) f
+         in (f, (IntSet.size own > 1, if IntSet.size own > 1 then walk else meshWalks it V.! f)) :
+            growing (filter (`IntSet.notMember` own) others)
+    -- The faces across sides are tried in the order in which those sides came, and those that could
+    -- not be taken in once more as long as others can.
+    grown free f =
+      passing (IntSet.singleton f) (IntMap.fromList (cyclicSides (meshWalks it V.! f))) (near f)
+      where
+        near g = [sideFace sides t | s <- sidesOfFace sides g, Just t <- [across s]]
+        passing own rim waiting =
+          case foldl' trying (own, rim, [], []) waiting of
+            (own', rim', left, new)
+              | IntSet.size own' > IntSet.size own ->
+                passing own' rim' (reverse left ++ reverse new)
+              | otherwise -> (own', fromFirst (U.fromList (followed rim')))
+        trying (own, rim, left, new) g
+          | IntSet.member g own || IntSet.notMember g free = (own, rim, left, new)
+          | otherwise = case joined rim (meshWalks it V.! g) of
+            Just rim' -> (IntSet.insert g own, rim', left, reverse (near g) ++ new)
+            Nothing -> (own, rim, g : left, new)
+    -- The rim of a polygon and a face, where that is one walk that visits no vertex twice: the
+    -- sides that both have follow each other, and no other vertex is on both.
+    joined rim walk
+      | null shared || length shared >= length own || length shared >= IntMap.size rim = Nothing
+      | IntSet.size ends /= length shared + 1 = Nothing
+      | any (`IntMap.member` rim) alone = Nothing
+      | otherwise =
+        Just
+          ( foldl'
+              (\now (a, b) -> IntMap.insert a b now)
+              without
+              [side | side <- own, side `notElem` shared]
+          )
+      where
+        own = cyclicSides walk
+        shared = [(a, b) | (a, b) <- own, IntMap.lookup b rim == Just a]
+        alone = filter (`IntSet.notMember` ends) (U.toList walk)
+        ends = IntSet.fromList (concat [[a, b] | (a, b) <- shared])
+        without = foldl' (\now (_, b) -> IntMap.delete b now) rim shared
+    cyclicSides walk = zip (U.toList walk) (drop 1 (U.toList walk) ++ take 1 (U.toList walk))
+    followed rim = case IntMap.lookupMin rim of
+      Just (start, _) -> start : takeWhile (/= start) (drop 1 (from start))
+      Nothing -> []
+      where
+        from v = v : maybe [] from (IntMap.lookup v rim)
+    straightened faces = map (without . snd) faces
+      where
+        without (made, walk)
+          | U.length kept == U.length walk = if made then fromFirst walk else walk
+          | U.length kept < 3 = walk
+          | otherwise = fromFirst kept
+          where
+            kept = U.filter (`IntSet.notMember` gone) walk
+        gone =
+          IntSet.fromList
+            [ v
+              | (v, [(a, b), (c, d)]) <- IntMap.toList beside,
+                a == d,
+                b == c,
+                straight (meshPoints it V.! a) (meshPoints it V.! v) (meshPoints it V.! b)
+            ]
+        beside =
+          foldl'
+            (\found (v, ends) -> IntMap.insertWith (++) v [ends] found)
+            IntMap.empty
+            [ (walk U.! i, (walk U.! ((i + n - 1) `mod` n), walk U.! ((i + 1) `mod` n)))
+              | (_, (_, walk)) <- faces,
+                let n = U.length walk,
+                i <- [0 .. n - 1]
+            ]
+    straight a v b =
+      cross (a `minus` v) (b `minus` v) == zero && dot (a `minus` v) (b `minus` v) < 0
+    withoutUnused walks =
+      withShape
+        (V.fromList (map (vertexAt it) kept))
+        (meshDenominator it)
+        (V.fromList (map (meshPoints it V.!) kept))
+        (V.fromList (map (U.map (\v -> IntMap.findWithDefault v v places)) walks))
+        it
+      where
+        before = usedBy (V.toList (meshWalks it))
+        after = usedBy walks
+        usedBy = IntSet.fromList . concatMap U.toList
+        kept =
+          mapMaybe
+            (\v -> if IntSet.member v before && IntSet.notMember v after then Nothing else Just v)
+            [0 .. V.length (meshPoints it) - 1]
+        places = IntMap.fromList (zip kept [0 ..])
+
+-- | The same cycle from its least element.
+fromFirst :: Walk -> Walk
+fromFirst walk = U.drop k walk U.++ U.take k walk
+  where
+    k = U.minIndex walk

@@ -1,0 +1,176 @@
+-- | Polyhedra as all that computes has them: vertices and faces by index, coordinates as integers
+-- over one common denominator. Names and fractions stand at the rim: 'fromDescription' and
+-- 'toDescription'. Nothing is checked here.
+module PraTactile.Object.Mesh
+  ( -- * Polyhedra by index
+    Mesh,
+    Walk,
+    mesh,
+    unnamed,
+    meshName,
+    meshDenominator,
+    meshPoints,
+    meshWalks,
+    meshNames,
+    meshRepeated,
+    cornersOf,
+    firstOf,
+    withShape,
+    scaledBy,
+    named,
+
+    -- * The rim
+    fromDescription,
+    toDescription,
+    vertexAt,
+    faceAt,
+    pointAt,
+
+    -- * Equal things
+    firstAlike,
+  )
+where
+
+import Data.List (foldl')
+import qualified Data.Map.Strict as Map
+import Data.Ratio (denominator, numerator, (%))
+import qualified Data.Set as Set
+import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
+import PraTactile.Object.Description
+import PraTactile.Object.Vector
+
+-- | The vertices of a face by their indices, counter-clockwise seen from outside.
+type Walk = U.Vector Int
+
+-- | A polyhedron by index.
+data Mesh = Mesh
+  { -- | the object's name
+    meshName :: ObjectName,
+    -- | what coordinates are divided by to be millimetres: positive, and no divisor of it divides
+    -- all coordinates
+    meshDenominator :: !Integer,
+    -- | the vertices' coordinates, times the denominator
+    meshPoints :: !(V.Vector V3),
+    -- | the walk round each face; an index beyond the vertices is a name that no vertex has
+    meshWalks :: !(V.Vector Walk),
+    -- | the vertices' names in their order, and then those that no vertex has
+    meshNames :: V.Vector VertexName,
+    -- | the vertices that have a name which an earlier one has, each with the first of that name
+    meshRepeated :: Map.Map Int Int
+  }
+  deriving stock (Eq, Show)
+
+-- | A polyhedron with these names of its vertices, each once, at these integers over the
+-- denominator, which is not 0, and these walks among them.
+mesh ::
+  ObjectName -> V.Vector VertexName -> Integer -> V.Vector V3 -> V.Vector Walk -> Mesh
+mesh name names over points walks = Mesh name lowest reduced walks names Map.empty
+  where
+    (lowest, reduced) = lowestTerms over points
+
+-- | Divided by what divides the denominator and all coordinates.
+lowestTerms :: Integer -> V.Vector V3 -> (Integer, V.Vector V3)
+lowestTerms over points
+  | common == 1 = (over, points)
+  | otherwise = (over `quot` common, V.map divided points)
+  where
+    common = signum over * V.foldl' shared (abs over) points
+    shared 1 _ = 1
+    shared g (V3 a b c) = gcd c (gcd b (gcd a g))
+    divided (V3 a b c) = V3 (a `quot` common) (b `quot` common) (c `quot` common)
+
+-- | Names for so many vertices that have none: V1, V2, ...
+unnamed :: Int -> V.Vector VertexName
+unnamed count = V.generate count (\i -> VertexName ('V' : show (i + 1)))
+
+-- | The points of a walk, all of whose vertices there are.
+cornersOf :: Mesh -> Walk -> V.Vector V3
+cornersOf it walk = V.map (meshPoints it V.!) (V.convert walk)
+
+-- | The first point of a walk, from which others are measured; the origin of one without vertices.
+firstOf :: V.Vector V3 -> V3
+firstOf = V.foldr const zero
+
+-- | The same object with other vertices, which have names already, and other walks among them.
+withShape :: V.Vector VertexName -> Integer -> V.Vector V3 -> V.Vector Walk -> Mesh -> Mesh
+withShape names over points walks old = mesh (meshName old) names over points walks
+
+-- | All coordinates times a positive number.
+scaledBy :: Rational -> Mesh -> Mesh
+scaledBy k old = old {meshDenominator = lowest, meshPoints = reduced}
+  where
+    (lowest, reduced) =
+      lowestTerms
+        (meshDenominator old * denominator k)
+        (V.map (scaled (numerator k)) (meshPoints old))
+
+-- | The same polyhedron under another name.
+named :: ObjectName -> Mesh -> Mesh
+named name old = old {meshName = name}
+
+-- | A description by index. A name that several vertices have means the first of them.
+fromDescription :: Description -> Mesh
+fromDescription described =
+  Mesh
+    { meshName = describedName described,
+      meshDenominator = over,
+      meshPoints = V.fromList (map (whole . snd) (describedVertices described)),
+      meshWalks =
+        V.fromList [U.fromList (map index walk) | FaceName walk <- describedFaces described],
+      meshNames = V.fromList (own ++ alien),
+      meshRepeated =
+        Map.fromList [(i, j) | (i, name) <- zip [0 ..] own, let j = index name, i /= j]
+    }
+  where
+    own = map fst (describedVertices described)
+    places = Map.fromListWith (\_ first -> first) (zip own [0 :: Int ..])
+    alien =
+      Set.toList
+        ( Set.fromList
+            [ name
+              | FaceName walk <- describedFaces described,
+                name <- walk,
+                Map.notMember name places
+            ]
+        )
+    beyond = Map.fromList (zip alien [length own ..])
+    index name = Map.findWithDefault (Map.findWithDefault 0 name beyond) name places
+    over =
+      foldl'
+        (\common (_, Point x y z) -> foldl' lcm common (map denominator [x, y, z]))
+        1
+        (describedVertices described)
+    whole (Point x y z) = V3 (times x) (times y) (times z)
+    times x = numerator x * (over `quot` denominator x)
+
+-- | What one writes down to have this polyhedron; the inverse of 'fromDescription'.
+toDescription :: Mesh -> Description
+toDescription it =
+  Description
+    { describedName = meshName it,
+      describedVertices =
+        [(vertexAt it i, pointAt it i) | i <- [0 .. V.length (meshPoints it) - 1]],
+      describedFaces = [faceAt it f | f <- [0 .. V.length (meshWalks it) - 1]]
+    }
+
+-- | The name of a vertex.
+vertexAt :: Mesh -> Int -> VertexName
+vertexAt it i = meshNames it V.! i
+
+-- | The name of a face: the walk round it.
+faceAt :: Mesh -> Int -> FaceName
+faceAt it f = FaceName (map (vertexAt it) (U.toList (meshWalks it V.! f)))
+
+-- | The place of a vertex in millimetres.
+pointAt :: Mesh -> Int -> Point
+pointAt it i = Point (part x) (part y) (part z)
+  where
+    V3 x y z = meshPoints it V.! i
+    part n = n % meshDenominator it
+
+-- | For each item the first one that equals it. O(n log n).
+firstAlike :: Ord a => V.Vector a -> U.Vector Int
+firstAlike items = U.generate (V.length items) (\i -> Map.findWithDefault i (items V.! i) firsts)
+  where
+    firsts = V.ifoldl' (\seen i item -> Map.insertWith (\_ old -> old) item i seen) Map.empty items

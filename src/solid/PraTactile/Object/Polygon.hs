@@ -1,0 +1,109 @@
+-- | Polygons in a plane, exactly: whether one crosses itself, what it holds.
+module PraTactile.Object.Polygon
+  ( -- * Points of a plane
+    V2 (..),
+    flat,
+    turn,
+    inner,
+    between,
+
+    -- * Sides
+    crossing,
+    firstCrossing,
+
+    -- * What a polygon holds
+    Standing (..),
+    standing,
+    following,
+  )
+where
+
+import Data.Foldable (toList)
+import Data.List (find)
+import Data.Maybe (listToMaybe)
+import qualified Data.Vector as V
+import PraTactile.Object.Boxes
+import PraTactile.Object.Vector
+
+-- | A point of a plane.
+data V2 = V2 !Integer !Integer
+  deriving stock (Eq, Ord, Show)
+
+-- | Points of a plane with this normal, seen along an axis against which it is not flat: lines stay
+-- lines, and what is counter-clockwise about the normal stays so.
+flat :: V3 -> V3 -> V2
+flat (V3 nx ny nz)
+  | abs nz >= abs nx && abs nz >= abs ny = \(V3 x y _) -> if nz > 0 then V2 x y else V2 y x
+  | abs nx >= abs ny = \(V3 _ y z) -> if nx > 0 then V2 y z else V2 z y
+  | otherwise = \(V3 x _ z) -> if ny > 0 then V2 z x else V2 x z
+
+-- | Positive where one turns left at the second point on the way to the third: twice the area.
+turn :: V2 -> V2 -> V2 -> Integer
+turn (V2 ax ay) (V2 bx by) (V2 cx cy) = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+
+-- | The scalar product of the ways from the first point to the others.
+inner :: V2 -> V2 -> V2 -> Integer
+inner (V2 ox oy) (V2 ax ay) (V2 bx by) = (ax - ox) * (bx - ox) + (ay - oy) * (by - oy)
+
+-- | Whether the third point is on the segment of the others, ends included.
+between :: V2 -> V2 -> V2 -> Bool
+between a b p = turn a b p == 0 && inner p a b <= 0
+
+-- | Whether two segments have a point in common.
+crossing :: (V2, V2) -> (V2, V2) -> Bool
+crossing (a, b) (c, d) =
+  (opposite (turn a b c) (turn a b d) && opposite (turn c d a) (turn c d b))
+    || between a b c
+    || between a b d
+    || between c d a
+    || between c d b
+  where
+    opposite m n = signum m * signum n < 0
+
+-- | The place after this one, going round.
+following :: V.Vector a -> Int -> Int
+following walk i = if i + 1 == V.length walk then 0 else i + 1
+
+-- | The first two sides of a closed walk, each by the place where it begins, that share more than
+-- a vertex at which one follows the other. O(n log n) where few boxes round sides meet.
+firstCrossing :: V.Vector V2 -> Maybe (Int, Int)
+firstCrossing walk
+  | count <= 3 = Nothing
+  | count <= 12 = search (\i -> [i + 1 .. count - 1])
+  | otherwise = search near
+  where
+    count = V.length walk
+    side i = (walk V.! i, walk V.! following walk i)
+    search others =
+      listToMaybe
+        [(i, j) | i <- [0 .. count - 1], Just j <- [least [j | j <- others i, share i j]]]
+    least found = if null found then Nothing else Just (minimum found)
+    share i j
+      | following walk i == j = back (walk V.! i) (walk V.! j) (snd (side j))
+      | following walk j == i = back (walk V.! j) (walk V.! i) (snd (side i))
+      | otherwise = crossing (side i) (side j)
+    back a b c = turn a b c == 0 && inner b a c > 0
+    near i = filter (> i) (meeting tree (boxed V.! i))
+    tree = boxes boxed
+    boxed = V.generate count (\i -> let (a, b) = side i in around (box a) (box b))
+    box = boxOf rounding . raised
+    rounding = roundingOf (V.map raised walk)
+    raised (V2 x y) = V3 x y 0
+
+-- | Where a point is.
+data Standing = Outside | OnRim | Inside
+  deriving stock (Eq, Show)
+
+-- | Where a point is, of a polygon that does not cross itself.
+standing :: V.Vector V2 -> V2 -> Standing
+standing walk p@(V2 _ y)
+  | Just _ <- find (\(a, b) -> between a b p) sides = OnRim
+  | odd (length (filter passes sides)) = Inside
+  | otherwise = Outside
+  where
+    sides = zip (toList walk) (toList (V.drop 1 walk) ++ toList (V.take 1 walk))
+    -- A ray to the right meets the side; one end of a side belongs to it.
+    passes (a@(V2 _ ay), b@(V2 _ by))
+      | (ay > y) == (by > y) = False
+      | by > ay = turn a b p > 0
+      | otherwise = turn a b p < 0

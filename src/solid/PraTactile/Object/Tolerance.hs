@@ -1,0 +1,236 @@
+-- | What rounding did to a polyhedron, undone where it can be: vertices that lie close together are
+-- one, and faces are flat again, exactly.
+--
+-- A face of more than three corners gets the plane n . x = n . m of its area vector n and the mean
+-- m of its corners, which are rational. A vertex v that is on up to three such planes goes to the
+-- nearest point that is common to them, v - sum l_i n_i, where the l_i solve
+-- sum_j (n_i . n_j) l_j = n_i . (v - m_i), planes that follow from others left out; if there is
+-- such a point, and it is near enough. Triangles are flat however they are moved.
+module PraTactile.Object.Tolerance
+  ( settled,
+    Settled (..),
+    sufficient,
+  )
+where
+
+import qualified Data.IntMap.Strict as IntMap
+import qualified Data.IntSet as IntSet
+import Data.List (foldl', sortOn)
+import Data.Maybe (fromMaybe)
+import Data.Ord (Down (..))
+import Data.Ratio (denominator, numerator, (%))
+import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
+import Math.NumberTheory.Logarithms (integerLog2)
+import PraTactile.Object.Boxes
+import PraTactile.Object.Mesh
+import PraTactile.Object.Surface
+import PraTactile.Object.Validity (doubleArea)
+import PraTactile.Object.Vector
+
+-- | What came of it.
+data Settled = Settled
+  { settledMesh :: Mesh,
+    -- | how many vertices were moved, those put together with another place among them
+    settledMoved :: Int,
+    -- | how far at most, in millimetres
+    settledMost :: Double
+  }
+
+-- | Vertices no further apart than so many millimetres are put together, each at the first of them
+-- in the file's order, and others are moved no further so that faces are flat. If asked for, faces
+-- that share sides and lie as near to the plane of the largest of them count as one face, for an
+-- exporter cut it into triangles. Faces with fewer than three vertices left are left out. Where the
+-- new points have no common denominator that one can compute with, vertices stay where they are.
+settled :: Rational -> Bool -> Mesh -> Settled
+settled mm together it
+  | V.any (U.any (>= V.length (meshPoints it))) (meshWalks it) = Settled it 0 0
+  | otherwise = Settled flat (length moves) (maximum (0 : moves))
+  where
+    (joint, weldedBy) = welded mm it
+    (flat, flattenedBy) = flattened (Just mm) together joint
+    moves = weldedBy ++ flattenedBy
+
+-- | A tolerance, in millimetres, with which faces that are not flat will be: three digits of what
+-- has to be moved, rounded up. Nothing, where none will do.
+sufficient :: Mesh -> Maybe Double
+sufficient it
+  | V.any (U.any (>= V.length (meshPoints it))) (meshWalks it) = Nothing
+  | any bent (V.toList (meshWalks flat)) || null moves = Nothing
+  | otherwise = Just (up (maximum moves))
+  where
+    (flat, moves) = flattened Nothing False it
+    bent walk = V.any (/= 0) (V.map (\p -> dot n (p `minus` firstOf corners)) corners)
+      where
+        corners = cornersOf flat walk
+        n = doubleArea corners
+    up far =
+      let digit = 10 ^^ (floor (logBase 10 far) - 2 :: Int)
+       in fromInteger (ceiling (far / digit * (1 + 1e-12))) * digit
+
+-- | Vertices that are near each other put together, with how far each was moved.
+welded :: Rational -> Mesh -> (Mesh, [Double])
+welded mm it =
+  ( withShape
+      (V.map (meshNames it V.!) (V.convert kept))
+      (meshDenominator it)
+      (V.map (points V.!) (V.convert kept))
+      ( V.filter
+          ((>= 3) . U.length)
+          (V.map (unrepeated . U.map (\i -> places U.! (firsts U.! i))) (meshWalks it))
+      )
+      it,
+    [ far
+      | i <- [0 .. count - 1],
+        let j = firsts U.! i,
+        i /= j,
+        let far = distance it (points V.! i) (points V.! j),
+        far > 0
+    ]
+  )
+  where
+    points = meshPoints it
+    count = V.length points
+    rounding = roundingOf points
+    -- In the units of coordinates, and in those of boxes.
+    reach = mm * fromInteger (meshDenominator it)
+    square = reach * reach
+    tree = boxes (V.map (boxOf rounding) points)
+    firsts =
+      classes
+        count
+        [ (i, j)
+          | i <- [0 .. count - 1],
+            j <- meeting tree (grown (points V.! i)),
+            i < j,
+            let d = (points V.! i) `minus` (points V.! j),
+            fromInteger (dot d d) <= square
+        ]
+    grown p = boxOf rounding (p `minus` wide) `around` boxOf rounding (p `plus` wide)
+    wide = let r = ceiling reach in V3 r r r
+    kept = U.ifilter (==) firsts
+    places = U.replicate count 0 U.// zip (U.toList kept) [0 ..]
+    unrepeated walk =
+      U.ifilter (\i v -> v /= walk U.! ((i + 1) `mod` U.length walk)) walk
+
+distance :: Mesh -> V3 -> V3 -> Double
+distance it p q = squareRoot (dot d d % meshDenominator it ^ (2 :: Int))
+  where
+    d = p `minus` q
+
+-- | A plane: the normal, and what the normal makes of its points.
+data Plane = Plane V3 Rational
+
+-- | Vertices moved so that faces are flat, no further than so many millimetres, with how far each
+-- was.
+flattened :: Maybe Rational -> Bool -> Mesh -> (Mesh, [Double])
+flattened most together it
+  | IntMap.null moves || toInteger (integerLog2 over) * toInteger count > mostBits = (it, [])
+  | otherwise =
+    ( withShape (meshNames it) (meshDenominator it * over) moved (meshWalks it) it,
+      [ squareRoot (norm d / fromInteger (meshDenominator it) ^ (2 :: Int))
+        | (i, p) <- IntMap.toList moves,
+          let d = p `less` exact (points V.! i)
+      ]
+    )
+  where
+    points = meshPoints it
+    count = V.length points
+    groups =
+      if together
+        then nearlyFlat (fromMaybe 0 most) it
+        else U.enumFromN 0 (V.length (meshWalks it))
+    members =
+      IntMap.fromListWith (++) [(g, [meshWalks it V.! f]) | (f, g) <- U.toList (U.indexed groups)]
+    planes =
+      [ (corners, Plane n (fromInteger (dot n total) / fromIntegral (length corners)))
+        | walks <- IntMap.elems members,
+          let corners = IntSet.toList (IntSet.fromList (concatMap U.toList walks)),
+          length corners > 3,
+          let n = foldl' plus zero (map (doubleArea . cornersOf it) walks)
+              total = foldl' plus zero (map (points V.!) corners),
+          n /= zero
+      ]
+    planesAt = IntMap.fromListWith (++) [(v, [plane]) | (corners, plane) <- planes, v <- corners]
+    moves = IntMap.mapMaybeWithKey move planesAt
+    move v given
+      | length given > 3 = Nothing
+      | otherwise = case common (exact (points V.! v)) given of
+        Just p
+          | let d = norm (p `less` exact (points V.! v)),
+            d > 0,
+            maybe True (\mm -> d <= (mm * fromInteger (meshDenominator it)) ^ (2 :: Int)) most ->
+            Just p
+        _ -> Nothing
+    over = foldl' lcm 1 [denominator c | (x, y, z) <- IntMap.elems moves, c <- [x, y, z]]
+    moved = V.imap (\i p -> maybe (scaled over p) whole (IntMap.lookup i moves)) points
+    whole (x, y, z) = V3 (times x) (times y) (times z)
+    times c = numerator c * (over `quot` denominator c)
+
+-- | No more binary digits are made, of all coordinates together.
+mostBits :: Integer
+mostBits = 2 ^ (28 :: Int)
+
+type Q3 = (Rational, Rational, Rational)
+
+exact :: V3 -> Q3
+exact (V3 x y z) = (fromInteger x, fromInteger y, fromInteger z)
+
+less :: Q3 -> Q3 -> Q3
+less (a, b, c) (d, e, f) = (a - d, b - e, c - f)
+
+norm :: Q3 -> Rational
+norm (a, b, c) = a * a + b * b + c * c
+
+-- | The point common to the planes that is nearest to a point.
+common :: Q3 -> [Plane] -> Maybe Q3
+common p = go p []
+  where
+    -- Each plane is met by a step along what its normal has at right angles to those before
+    -- (Gram and Schmidt), which leaves the point on them.
+    go q _ [] = Just q
+    go q before (Plane n d : others)
+      | norm along > 0 =
+        go (q `plusTimes` (missing / inner along normal, along)) (along : before) others
+      | missing == 0 = go q before others
+      | otherwise = Nothing
+      where
+        normal = exact n
+        along = foldl' (\u v -> u `plusTimes` (negate (inner normal v / norm v), v)) normal before
+        missing = d - inner normal q
+    inner (a, b, c) (a', b', c') = a * a' + b * b' + c * c'
+    plusTimes (a, b, c) (k, (x, y, z)) = (a + k * x, b + k * y, c + k * z)
+
+-- | For each face a number that it has in common with those that belong to the same plane, nearly:
+-- from the largest face on, faces across sides join that have all their corners within so many
+-- millimetres of its plane, and look to the same side.
+nearlyFlat :: Rational -> Mesh -> U.Vector Int
+nearlyFlat mm it = U.generate (V.length walks) (\f -> IntMap.findWithDefault f f chosen)
+  where
+    walks = meshWalks it
+    sides = surface walks
+    points = meshPoints it
+    areas = V.map (doubleArea . cornersOf it) walks
+    chosen =
+      foldl'
+        seeded
+        IntMap.empty
+        (sortOn (\f -> Down (dot (areas V.! f) (areas V.! f))) [0 .. V.length walks - 1])
+    seeded taken f
+      | IntMap.member f taken || areas V.! f == zero = taken
+      | otherwise = spread f taken [f]
+    spread _ taken [] = taken
+    spread seed taken (f : waiting)
+      | IntMap.member f taken || not (fits seed f) = spread seed taken waiting
+      | otherwise =
+        spread
+          seed
+          (IntMap.insert f seed taken)
+          ([sideFace sides t | s <- sidesOfFace sides f, Just t <- [mateOf sides s]] ++ waiting)
+    fits seed f =
+      dot n (areas V.! f) > 0 && U.all near (walks V.! f)
+      where
+        n = areas V.! seed
+        o = points V.! (walks V.! seed U.! 0)
+        reach = (mm * fromInteger (meshDenominator it)) ^ (2 :: Int) * fromInteger (dot n n)
+        near v = fromInteger (dot n ((points V.! v) `minus` o)) ^ (2 :: Int) <= reach

@@ -1,0 +1,88 @@
+-- | Exact vectors in space, of integers, and the few roots that are told as machine numbers.
+module PraTactile.Object.Vector
+  ( V3 (..),
+    plus,
+    minus,
+    scaled,
+    cross,
+    dot,
+    zero,
+    squareRoot,
+    exactRoot,
+    floorRoot,
+  )
+where
+
+import Data.Ratio (denominator, numerator, (%))
+import Math.NumberTheory.Logarithms (integerLog2)
+
+-- | A point or a vector, in whole units.
+data V3 = V3 !Integer !Integer !Integer
+  deriving stock (Eq, Ord, Show)
+
+-- | The sum of two vectors.
+plus :: V3 -> V3 -> V3
+plus (V3 a b c) (V3 d e f) = V3 (a + d) (b + e) (c + f)
+
+-- | The difference of two vectors.
+minus :: V3 -> V3 -> V3
+minus (V3 a b c) (V3 d e f) = V3 (a - d) (b - e) (c - f)
+
+-- | A vector times a number.
+scaled :: Integer -> V3 -> V3
+scaled k (V3 a b c) = V3 (k * a) (k * b) (k * c)
+
+-- | The vector product.
+cross :: V3 -> V3 -> V3
+cross (V3 a b c) (V3 d e f) = V3 (b * f - c * e) (c * d - a * f) (a * e - b * d)
+
+-- | The scalar product.
+dot :: V3 -> V3 -> Integer
+dot (V3 a b c) (V3 d e f) = a * d + b * e + c * f
+
+-- | The vector without a length.
+zero :: V3
+zero = V3 0 0 0
+
+-- | The root of a number that is not negative, to a machine number's precision, whatever its size.
+--
+-- >>> squareRoot (10 ^ 600)
+-- 1.0e300
+squareRoot :: Rational -> Double
+squareRoot square
+  | square <= 0 = 0
+  | even shift = fromInteger (floorRoot (scaledBy shift)) * half shift
+  | otherwise = fromInteger (floorRoot (scaledBy (shift + 1))) * half (shift + 1)
+  where
+    -- A power of 4 makes of it an integer of some 120 bits, whose root has 60.
+    shift = 120 - (integerLog2 (numerator square) - integerLog2 (denominator square))
+    scaledBy :: Int -> Rational
+    scaledBy n = square * (if n >= 0 then 2 ^ n else 1 / 2 ^ negate n)
+    half n = fromRational (if n >= 0 then 1 / 2 ^ (n `div` 2) else 2 ^ (negate n `div` 2))
+
+-- | The root of a fraction, where it is a fraction.
+--
+-- >>> (exactRoot (9 % 4), exactRoot 2)
+-- (Just (3 % 2),Nothing)
+exactRoot :: Rational -> Maybe Rational
+exactRoot square
+  | square < 0 = Nothing
+  | root * root == square = Just root
+  | otherwise = Nothing
+  where
+    -- A fraction in lowest terms is a square iff its numerator and its denominator are.
+    root = integerRoot (numerator square) % integerRoot (denominator square)
+
+-- | The largest whole number that is no more than the root; 0 of what is not positive.
+floorRoot :: Rational -> Integer
+floorRoot square = integerRoot (floor square)
+
+integerRoot :: Integer -> Integer
+integerRoot n
+  | n <= 0 = 0
+  | otherwise = newton (2 ^ (integerLog2 n `div` 2 + 1))
+  where
+    -- From above it falls to the root.
+    newton guess =
+      let better = (guess + n `div` guess) `div` 2
+       in if better >= guess then guess else newton better

@@ -1,0 +1,234 @@
+-- | Winged-edge models of polyhedra: each edge has two vertices, two faces, and on each face the
+-- edge before and the edge after it (section II.B of the paper; Ballard and Brown, Computer Vision,
+-- ch. 9).
+module PraTactile.Object.WingedEdge
+  ( -- * Describing a polyhedron
+    module PraTactile.Object.Description,
+    module PraTactile.Object.Defect,
+    examineDescription,
+
+    -- * Solids
+    Solid,
+    solid,
+    solidOf,
+    solidMesh,
+    description,
+    solidName,
+    solidVertices,
+    solidFaces,
+    solidEdges,
+
+    -- * Edges and wings
+    Edge (..),
+    EdgeName (..),
+    edgeName,
+    Wings (..),
+
+    -- * Queries
+    edgesOf,
+    facesAt,
+    neighbours,
+    cornerPoints,
+    outwardNormal,
+  )
+where
+
+import Data.List (sortOn)
+import qualified Data.Map.Strict as Map
+import Data.Ratio ((%))
+import qualified Data.Vector as V
+import PraTactile.Object.Defect
+import PraTactile.Object.Description
+  ( Description (..),
+    FaceName (..),
+    ObjectName (..),
+    Point (..),
+    VertexName (..),
+    faceText,
+    readFaceName,
+    sameFace,
+    sameVertices,
+  )
+import PraTactile.Object.Mesh
+import PraTactile.Object.Surface
+import PraTactile.Object.Validity
+import PraTactile.Object.Vector
+
+-- | A polyhedron of which nothing is wrong, with its edges derived.
+data Solid = Solid
+  { -- | the solid by index
+    solidMesh :: Mesh,
+    solidSurface :: Surface,
+    faceIndices :: Map.Map FaceName Int,
+    vertexIndices :: Map.Map VertexName Int,
+    -- | the sides that begin at a vertex
+    sidesFrom :: V.Vector [Int]
+  }
+
+instance Eq Solid where
+  a == b = solidMesh a == solidMesh b
+
+instance Show Solid where
+  showsPrec depth whole =
+    showParen (depth > 10) (showString "Solid " . showsPrec 11 (description whole))
+
+-- | An edge is named by its two vertices, from its start to its end.
+data EdgeName = EdgeName VertexName VertexName
+  deriving stock (Eq, Ord, Show)
+
+-- | An edge: its two vertices, and the two faces it separates. Seen from outside, 'edgeLeft' is on
+-- the left of who walks from 'edgeStart' to 'edgeEnd', and 'edgeRight' on the right.
+data Edge = Edge
+  { edgeStart :: VertexName,
+    edgeEnd :: VertexName,
+    edgeLeft :: FaceName,
+    edgeRight :: FaceName,
+    edgeWings :: Wings
+  }
+  deriving stock (Eq, Show)
+
+-- | The edges before and after an edge in the counter-clockwise walks round its two faces.
+data Wings = Wings
+  { leftPrevious :: EdgeName,
+    leftNext :: EdgeName,
+    rightPrevious :: EdgeName,
+    rightNext :: EdgeName
+  }
+  deriving stock (Eq, Show)
+
+-- | The name of an edge.
+edgeName :: Edge -> EdgeName
+edgeName edge = EdgeName (edgeStart edge) (edgeEnd edge)
+
+-- | What there is to say of a description.
+examineDescription :: Description -> Report
+examineDescription = examine . fromDescription
+
+-- | The solid of this description; refuses with the first defect of 'examineDescription'.
+solid :: Description -> Either Defect Solid
+solid = solidOf . fromDescription
+
+-- | The solid that a polyhedron is; refuses with the first defect of 'examine'.
+solidOf :: Mesh -> Either Defect Solid
+solidOf it = case reportDefects (examine it) of
+  defect : _ -> Left defect
+  [] ->
+    Right
+      Solid
+        { solidMesh = it,
+          solidSurface = sides,
+          faceIndices = Map.fromList [(faceAt it f, f) | f <- [0 .. V.length walks - 1]],
+          vertexIndices = Map.fromList [(vertexAt it v, v) | v <- [0 .. vertices - 1]],
+          sidesFrom =
+            V.accum
+              (flip (:))
+              (V.replicate vertices [])
+              [(sideStart sides s, s) | s <- [sideCount sides - 1, sideCount sides - 2 .. 0]]
+        }
+  where
+    walks = meshWalks it
+    vertices = V.length (meshPoints it)
+    sides = surface walks
+
+-- | The description of the solid.
+description :: Solid -> Description
+description = toDescription . solidMesh
+
+-- | The object's name.
+solidName :: Solid -> ObjectName
+solidName = meshName . solidMesh
+
+-- | The vertices with their places in millimetres, in the order described.
+solidVertices :: Solid -> [(VertexName, Point)]
+solidVertices = describedVertices . description
+
+-- | The faces, in the order described.
+solidFaces :: Solid -> [FaceName]
+solidFaces = describedFaces . description
+
+-- | The edges, each once, in the order in which the walks round the faces meet them; each runs in
+-- the direction in which the first of them does.
+solidEdges :: Solid -> [Edge]
+solidEdges whole =
+  [ edgeAlong whole s t
+    | s <- [0 .. sideCount (solidSurface whole) - 1],
+      Just t <- [mateOf (solidSurface whole) s],
+      s < t
+  ]
+
+-- | The edge whose sides these are, the first one first.
+edgeAlong :: Solid -> Int -> Int -> Edge
+edgeAlong whole left right =
+  Edge
+    { edgeStart = vertex (sideStart sides left),
+      edgeEnd = vertex (sideEnd sides left),
+      edgeLeft = face left,
+      edgeRight = face right,
+      edgeWings =
+        Wings
+          { leftPrevious = wing (previousSide sides left),
+            leftNext = wing (nextSide sides left),
+            rightPrevious = wing (previousSide sides right),
+            rightNext = wing (nextSide sides right)
+          }
+    }
+  where
+    sides = solidSurface whole
+    vertex = vertexAt (solidMesh whole)
+    face = faceAt (solidMesh whole) . sideFace sides
+    wing side = EdgeName (vertex (sideStart sides first)) (vertex (sideEnd sides first))
+      where
+        first = maybe side (min side) (mateOf sides side)
+
+sidesOf :: Solid -> FaceName -> [Int]
+sidesOf whole face =
+  maybe [] (sidesOfFace (solidSurface whole)) (Map.lookup face (faceIndices whole))
+
+-- | The edges of a face in the order of its walk; none if the solid has no such face.
+edgesOf :: Solid -> FaceName -> [Edge]
+edgesOf whole face =
+  [ edgeAlong whole (min s t) (max s t)
+    | s <- sidesOf whole face,
+      Just t <- [mateOf (solidSurface whole) s]
+  ]
+
+-- | The faces at a vertex, counter-clockwise seen from outside; none if the solid has no such
+-- vertex.
+facesAt :: Solid -> VertexName -> [FaceName]
+facesAt whole vertex =
+  [ faceAt (solidMesh whole) (sideFace sides s)
+    | leaving <- maybe [] (\v -> [sidesFrom whole V.! v]) (Map.lookup vertex (vertexIndices whole)),
+      first <- take 1 (sortOn (vertexAt (solidMesh whole) . sideEnd sides) leaving),
+      s <- take (length leaving) (turning first)
+  ]
+  where
+    sides = solidSurface whole
+    turning s = s : maybe [] turning (mateOf sides (previousSide sides s))
+
+-- | The faces across the edges of a face, in the order of its walk; none if the solid has no such
+-- face.
+neighbours :: Solid -> FaceName -> [FaceName]
+neighbours whole face =
+  [ faceAt (solidMesh whole) (sideFace (solidSurface whole) t)
+    | s <- sidesOf whole face,
+      Just t <- [mateOf (solidSurface whole) s]
+  ]
+
+-- | The places of a face's vertices in the order of its name, in millimetres; none if the solid has
+-- no such face.
+cornerPoints :: Solid -> FaceName -> [Point]
+cornerPoints whole =
+  map (pointAt (solidMesh whole) . sideStart (solidSurface whole))
+    . sidesOf whole
+
+-- | A vector at right angles to a face that points out of the solid, as long as twice the face's
+-- area in square millimetres; zero if the solid has no such face.
+outwardNormal :: Solid -> FaceName -> Point
+outwardNormal whole face = Point (part a) (part b) (part c)
+  where
+    V3 a b c =
+      maybe
+        zero
+        (doubleArea . cornersOf (solidMesh whole) . (meshWalks (solidMesh whole) V.!))
+        (Map.lookup face (faceIndices whole))
+    part n = n % meshDenominator (solidMesh whole) ^ (2 :: Int)

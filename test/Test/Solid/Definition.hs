@@ -1,0 +1,432 @@
+-- | What is wrong with a polyhedron, from the words of each defect alone: lists, names and
+-- fractions, everything compared with everything. It shares no code with the library. Faces are cut
+-- into triangles, and what two faces have in common is what the triangles of the one leave of
+-- those of the other.
+module Test.Solid.Definition
+  ( Found (..),
+    Piece (..),
+    Whole (..),
+    define,
+    alike,
+  )
+where
+
+import Data.List (elemIndex, maximumBy, nub, sort, tails, (\\))
+import Data.Maybe (mapMaybe)
+import Data.Ord (comparing)
+import PraTactile.Object.Defect (Kind (..))
+import PraTactile.Object.Description
+
+-- | A defect: what, where, and the square of the measure.
+data Found = Found Kind [FaceName] [VertexName] (Maybe Rational)
+  deriving stock (Eq, Show)
+
+-- | V, E, F; and, where it has a meaning: genus, volume, whether convex, inside how many.
+data Piece = Piece Int Int Int (Maybe Int) (Maybe Rational) (Maybe Bool) (Maybe Int)
+  deriving stock (Eq, Show)
+
+data Whole = Whole {wholeFound :: [Found], wholePieces :: [Piece], wholeNot :: [(Kind, [Kind])]}
+  deriving stock (Eq, Show)
+
+-- | The same up to the rounding of a measure.
+alike :: Maybe Rational -> Maybe Double -> Bool
+alike Nothing Nothing = True
+alike (Just square) (Just told) = abs (told - root) <= 1e-9 * root
+  where
+    root = sqrt (fromRational square)
+alike _ _ = False
+
+type P = (Rational, Rational, Rational)
+
+(.-), (.+), (.*) :: P -> P -> P
+(a, b, c) .- (d, e, f) = (a - d, b - e, c - f)
+(a, b, c) .+ (d, e, f) = (a + d, b + e, c + f)
+(a, b, c) .* (d, e, f) = (b * f - c * e, c * d - a * f, a * e - b * d)
+
+times :: Rational -> P -> P
+times k (a, b, c) = (k * a, k * b, k * c)
+
+(<.>) :: P -> P -> Rational
+(a, b, c) <.> (d, e, f) = a * d + b * e + c * f
+
+null3 :: P -> Bool
+null3 = (== (0, 0, 0))
+
+define :: Description -> Whole
+define it = Whole found pieces unexamined
+  where
+    Description _ vertices faces = it
+    order v = elemIndex v (map fst vertices)
+    inOrder = map snd . sort . map (\v -> (order v, v))
+    at v = case lookup v vertices of
+      Just (Point x y z) -> (x, y, z)
+      Nothing -> (0, 0, 0)
+    indexed = zip [0 :: Int ..] faces
+    names = map fst vertices
+    repeated = nub [v | v : others <- tails names, v `elem` others]
+    wellFormed (FaceName walk) =
+      length walk >= 3 && nub walk == walk
+        && all (`elem` names) walk
+        && not (any (`elem` repeated) walk)
+    formed = filter (wellFormed . snd) indexed
+    malformed = length formed < length faces
+    sidesOf (FaceName walk) = zip walk (drop 1 walk ++ take 1 walk)
+    pointsOf (FaceName walk) = map at walk
+
+    area face =
+      foldr
+        ((.+) . uncurry (.*))
+        (0, 0, 0)
+        (zip ps (drop 1 ps ++ take 1 ps))
+      where
+        ps = pointsOf face
+    flatness face = [abs (n <.> (p .- m)) | p <- pointsOf face]
+      where
+        n = area face
+        m = mean (pointsOf face)
+    mean ps = times (1 / fromIntegral (length ps)) (foldr (.+) (0, 0, 0) ps)
+    withArea = filter (not . null3 . area . snd) formed
+    planar = filter (\(_, face) -> all (== 0) (flatness face)) withArea
+    crossings face =
+      [ [a, b, c, d]
+        | (i, (a, b)) : others <- tails (zip [0 :: Int ..] (sidesOf face)),
+          (j, (c, d)) <- others,
+          meetTooMuch (length (sidesOf face)) i j (at a, at b) (at c, at d)
+      ]
+    simple = filter (null . crossings . snd) planar
+
+    edges = nub [inOrder [a, b] | (_, face) <- formed, (a, b) <- sidesOf face]
+    facesAlong ends =
+      [(face, s) | (_, face) <- formed, s@(a, b) <- sidesOf face, inOrder [a, b] == ends]
+    used = [v | v <- names, any (\(_, FaceName walk) -> v `elem` walk) formed]
+
+    plain =
+      [Found NoFaces [] [] Nothing | null faces]
+        ++ [Found RepeatedName [] [v] Nothing | v <- repeated]
+        ++ [ Found CoincidentVertices [] same Nothing
+             | p <- nub (map snd vertices),
+               let same = [v | (v, q) <- vertices, p == q],
+               length same > 1
+           ]
+        ++ [ Found UnusedVertex [] [v] Nothing
+             | v <-
+                 names,
+               not (any (\(FaceName walk) -> v `elem` walk) faces)
+           ]
+        ++ [ Found UnknownVertex [face] [v] Nothing
+             | face@(FaceName walk) <-
+                 faces,
+               v <- nub walk,
+               v `notElem` names
+           ]
+        ++ [Found TooFewVertices [face] [] Nothing | face@(FaceName walk) <- faces, length walk < 3]
+        ++ [ Found VertexTwiceOnFace [face] [v] Nothing
+             | face@(FaceName walk) <-
+                 faces,
+               v <- nub (walk \\ nub walk)
+           ]
+        ++ [ Found RepeatedFace same [] Nothing
+             | set <- nub [sort walk | FaceName walk <- faces],
+               let same = [face | face@(FaceName walk) <- faces, sort walk == set],
+               length same > 1
+           ]
+        ++ [Found NoArea [face] [] Nothing | (_, face) <- formed, null3 (area face)]
+        ++ [ Found
+               NotPlanar
+               [face]
+               []
+               (Just (maximum (flatness face) ^ (2 :: Int) / (area face <.> area face)))
+             | (_, face) <- withArea,
+               any (/= 0) (flatness face)
+           ]
+        ++ [ Found FaceCrossesItself [face] ends Nothing
+             | (_, face) <-
+                 planar,
+               ends <- take 1 (crossings face)
+           ]
+        ++ [ Found EdgeWithoutTwoFaces (map fst there) ends Nothing
+             | not malformed,
+               ends <- edges,
+               let there = facesAlong ends,
+               length there /= 2
+           ]
+        ++ [ Found VertexOnEdge [] (v : ends) Nothing
+             | v <- used,
+               ends@[a, b] <- edges,
+               strictlyBetween (at a) (at b) (at v)
+           ]
+        ++ [ Found FacesDisagree [f, g] [a, b] Nothing
+             | not malformed,
+               ends <- edges,
+               [(f, (a, b)), (g, (c, d))] <- [facesAlong ends],
+               (a, b) == (c, d)
+           ]
+        ++ [ Found PinchedVertex [] [v] Nothing
+             | not malformed,
+               v <- used,
+               and [length (facesAlong ends) == 2 | ends <- edges, v `elem` ends],
+               length
+                 ( together
+                     (\f g -> any (\e -> v `elem` e) (common f g))
+                     [p | p@(_, FaceName walk) <- formed, v `elem` walk]
+                 )
+                 > 1
+           ]
+        ++ [ Found FacesIntersect [f, g] [] (Just (maximum [norm (p .- q) | p <- left, q <- left]))
+             | (_, f) : others <- tails simple,
+               (_, g) <- others,
+               let left = shared f g,
+               not (null left)
+           ]
+    common (_, f) (_, g) =
+      [ inOrder [a, b] | (a, b) <- sidesOf f, inOrder [a, b]
+                                                `elem` [inOrder [c, d] | (c, d) <- sidesOf g]
+      ]
+
+    kinds = nub [kind | Found kind _ _ _ <- plain]
+    -- Of these kinds, those that there are; a name that several have does no harm where no face has
+    -- it.
+    blamed wanted =
+      [ kind
+        | kind <- [minBound ..],
+          kind `elem` wanted,
+          kind `elem` kinds,
+          kind /= RepeatedName || any (\(FaceName walk) -> any (`elem` repeated) walk) faces
+      ]
+    formless = [RepeatedName, UnknownVertex, TooFewVertices, VertexTwiceOnFace]
+    all' =
+      formless
+        ++ [NoArea, NotPlanar, FaceCrossesItself, EdgeWithoutTwoFaces, VertexOnEdge]
+        ++ [FacesDisagree, PinchedVertex, FacesIntersect]
+    found = plain ++ [Found InsideOut [face] [] Nothing | null (blamed all'), face <- wrongWay]
+    unexamined =
+      [ (kind, causes)
+        | (kind, reasons) <-
+            [ (NoArea, formless),
+              (NotPlanar, formless ++ [NoArea]),
+              (FaceCrossesItself, formless ++ [NoArea, NotPlanar]),
+              (EdgeWithoutTwoFaces, formless),
+              (VertexOnEdge, formless),
+              (FacesDisagree, formless ++ [EdgeWithoutTwoFaces]),
+              (PinchedVertex, formless ++ [EdgeWithoutTwoFaces]),
+              (InsideOut, all'),
+              (FacesIntersect, formless ++ [NoArea, NotPlanar, FaceCrossesItself])
+            ],
+          let causes = blamed reasons,
+          not (null causes)
+      ]
+    groups = together (\f g -> not (null (common f g))) formed
+    wrongWay =
+      [ face
+        | group@((_, face) : _) <- groups,
+          let inwards = volume group < 0,
+          odd (insideOf group) /= inwards || volume group == 0
+      ]
+    volume group =
+      sum
+        [ p <.> (q .* r) / 6
+          | (_, face) <-
+              group,
+            (p, q, r) <- triangulate (area face) (pointsOf face)
+        ]
+    looseVolume group =
+      sum
+        [ p <.> (q .* r) / 6 | (_, face) <- group, let ps =
+                                                         pointsOf face, (q, r) <-
+                                                                          zip
+                                                                            (drop 1 ps)
+                                                                            (drop 2 ps), p <-
+                                                                                           take 1 ps
+        ]
+    insideOf group =
+      length
+        [ ()
+          | other <- groups,
+            map fst other /= map fst group,
+            (_, face) <- take 1 group,
+            p <- take 1 (pointsOf face),
+            inside p [t | (_, f) <- other, t <- triangulate (area f) (pointsOf f)]
+        ]
+    pieces =
+      [ Piece
+          v
+          e
+          f
+          (told [EdgeWithoutTwoFaces, FacesDisagree, PinchedVertex] ((2 - v + e - f) `div` 2))
+          (told [EdgeWithoutTwoFaces, FacesDisagree, NotPlanar] (looseVolume group))
+          (told (all' \\ formless) (convex group))
+          (told (all' \\ formless) (insideOf group))
+        | group <- groups,
+          let v = length (nub (concat [walk | (_, FaceName walk) <- group]))
+              e = length (nub [inOrder [a, b] | (_, face) <- group, (a, b) <- sidesOf face])
+              f = length group
+      ]
+    told reasons value = if null (blamed (formless ++ reasons)) then Just value else Nothing
+    convex group =
+      and
+        [ sides `elem` [[], [GT], [LT]]
+          | (_, face) <- group,
+            p : _ <- [pointsOf face],
+            let sides =
+                  nub
+                    ( filter
+                        (/= EQ)
+                        [ compare (area face <.> (q .- p)) 0
+                          | (_, other) <-
+                              group,
+                            q <- pointsOf other
+                        ]
+                    )
+        ]
+
+    -- What two faces share and may not, as the points furthest from each other may be.
+    shared f g =
+      nub
+        ( concat
+            [ leftOf (clipped (area f) s (area g) t)
+              | s <-
+                  triangulate (area f) (pointsOf f),
+                t <- triangulate (area g) (pointsOf g)
+            ]
+        )
+      where
+        points = [at v | v <- walkOf f, v `elem` walkOf g]
+        segments = [(at a, at b) | (a, b) <- sidesOf f, any (`elem` sidesOf g) [(a, b), (b, a)]]
+        allowed p = p `elem` points || any (\(a, b) -> within a b p) segments
+        leftOf corners = case nub corners of
+          [] -> []
+          [p] -> [p | not (allowed p)]
+          ps
+            | any (\r -> not (null3 ((q .- p) .* (r .- p)))) ps -> ps
+            | otherwise ->
+              let marks =
+                    sortAlong
+                      p
+                      q
+                      ( nub
+                          ( filter
+                              (within p q)
+                              (p : q : points ++ concat [[a, b] | (a, b) <- segments])
+                          )
+                      )
+               in [m | m <- marks, not (allowed m)]
+                    ++ concat
+                      [ [m, n]
+                        | (m, n) <-
+                            zip marks (drop 1 marks),
+                          not (allowed (times (1 / 2) (m .+ n)))
+                      ]
+            where
+              (p, q) = maximumBy (comparing (\(x, y) -> norm (x .- y))) [(x, y) | x <- ps, y <- ps]
+    walkOf (FaceName walk) = walk
+    sortAlong p q = map snd . sort . map (\m -> ((m .- p) <.> (q .- p), m))
+
+norm :: P -> Rational
+norm p = p <.> p
+
+-- | Whether sides i and j of n share more than a vertex at which one follows the other.
+meetTooMuch :: Int -> Int -> Int -> (P, P) -> (P, P) -> Bool
+meetTooMuch n i j (a, b) (c, d)
+  | j == i + 1 = doubled a b d
+  | i == 0 && j == n - 1 = doubled b a c
+  | otherwise = touching (a, b) (c, d)
+  where
+    -- From q one goes to p and to r: in the same direction?
+    doubled p q r = null3 ((p .- q) .* (r .- q)) && (p .- q) <.> (r .- q) > 0
+
+touching :: (P, P) -> (P, P) -> Bool
+touching (a, b) (c, d)
+  | within a b c || within a b d || within c d a || within c d b = True
+  | det == 0 = False
+  | otherwise = s >= 0 && s <= 1 && t >= 0 && t <= 1 && (a .+ times s u) == (c .+ times t v)
+  where
+    -- The nearest points of the two lines.
+    (u, v, w) = (b .- a, d .- c, a .- c)
+    det = (u <.> u) * (v <.> v) - (u <.> v) ^ (2 :: Int)
+    s = ((u <.> v) * (v <.> w) - (v <.> v) * (u <.> w)) / det
+    t = ((u <.> u) * (v <.> w) - (u <.> v) * (u <.> w)) / det
+
+within :: P -> P -> P -> Bool
+within a b p = null3 ((a .- p) .* (b .- p)) && (a .- p) <.> (b .- p) <= 0
+
+strictlyBetween :: P -> P -> P -> Bool
+strictlyBetween a b p = within a b p && p /= a && p /= b
+
+-- | A simple polygon about the normal, cut along diagonals.
+triangulate :: P -> [P] -> [(P, P, P)]
+triangulate n polygon = case polygon of
+  [a, b, c] -> [(a, b, c)]
+  _ ->
+    take (length polygon - 2) $
+      concat
+        ( take
+            1
+            [ (a, b, c) : triangulate n (a : c : others)
+              | (a : b : c : others) <-
+                  take (length polygon) (iterate (\ps -> drop 1 ps ++ take 1 ps) polygon),
+                n <.> ((b .- a) .* (c .- b)) > 0,
+                not
+                  ( any
+                      ( \p ->
+                          and
+                            [ n <.> ((y .- x) .* (p .- x)) >= 0
+                              | (x, y) <-
+                                  [(a, b), (b, c), (c, a)]
+                            ]
+                      )
+                      others
+                  )
+            ]
+        )
+
+-- | What the plane and the sides of the second triangle leave of the first.
+clipped :: P -> (P, P, P) -> P -> (P, P, P) -> [P]
+clipped _ (a, b, c) n (p, q, r) =
+  foldr
+    halved
+    [a, b, c]
+    ((p, n) : (p, times (-1) n) : [(x, n .* (y .- x)) | (x, y) <- [(p, q), (q, r), (r, p)]])
+  where
+    halved (o, m) polygon =
+      concat
+        [ [x | over x >= 0]
+            ++ [x .+ times (over x / (over x - over y)) (y .- x) | over x * over y < 0]
+          | (x, y) <- zip polygon (drop 1 polygon ++ take 1 polygon),
+            let over z = m <.> (z .- o)
+        ]
+
+-- | Whether a ray leaves a closed surface an odd number of times: the first of some rays that meets
+-- no side of a triangle.
+inside :: P -> [(P, P, P)] -> Bool
+inside p ts = case mapMaybe
+  counted
+  [(1, k / 97, k / 1009 + k * k / 5003) | k <- map fromInteger [1 .. 50]] of
+  n : _ -> odd n
+  [] -> False
+  where
+    counted :: P -> Maybe Int
+    counted d = sum <$> traverse (hit d) ts
+    hit d (a, b, c)
+      | det == 0 = Just 0
+      | elem 0 [u, v, 1 - u - v] && t > 0 = Nothing
+      | u > 0 && v > 0 && u + v < 1 && t > 0 = Just 1
+      | otherwise = Just 0
+      where
+        (e, f) = (b .- a, c .- a)
+        det = e <.> (d .* f)
+        u = ((p .- a) <.> (d .* f)) / det
+        v = (d <.> ((p .- a) .* e)) / det
+        t = (f <.> ((p .- a) .* e)) / det
+
+-- | Classes of what hangs together.
+together :: (a -> a -> Bool) -> [a] -> [[a]]
+together near = go []
+  where
+    go done [] = reverse done
+    go done (x : xs) = let (own, others) = grow [x] xs in go (own : done) others
+    grow own others = case [y | y <- others, any (near y) own] of
+      [] -> (own, others)
+      _ ->
+        grow
+          (own ++ [y | y <- others, any (near y) own])
+          [y | y <- others, not (any (near y) own)]

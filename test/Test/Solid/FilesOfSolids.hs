@@ -1,0 +1,228 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Files of polyhedra: what is written is read again as it was, what others wrote is what it is
+-- known to be, and what is no such file is refused with its place.
+module Test.Solid.FilesOfSolids (spec) where
+
+import Control.Monad (forM_)
+import Data.ByteString (ByteString)
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Char8 as Char8
+import qualified Data.ByteString.Lazy as Lazy
+import qualified Data.Vector as V
+import PraTactile.Format.Solid
+import PraTactile.Object.Description
+import PraTactile.Object.Merge
+import PraTactile.Object.Mesh
+import PraTactile.Object.Named
+import PraTactile.Object.Validity
+import System.FilePath ((</>))
+import Test.Hspec
+import Test.Hspec.QuickCheck (prop)
+import Test.QuickCheck
+import Test.Solid.Drawn
+
+spec :: Spec
+spec = do
+  describe "what is written is read again" $ do
+    prop "as JSON, with its names, whatever it is" $
+      forAllBlind solids $ \drawn ->
+        back Json (fromDescription drawn) === Right (fromDescription drawn)
+    forM_ [Off, Obj, PlyText] $ \format ->
+      prop ("as " ++ formatName format ++ ", exactly, where coordinates are decimal numbers") $
+        forAllBlind (moved decimal <$> solids) $ \drawn ->
+          back format (fromDescription drawn) === Right (nameless (fromDescription drawn))
+    prop "as ply, exactly, where coordinates are machine numbers" $
+      forAllBlind (moved dyadic <$> solids) $ \drawn ->
+        back Ply (fromDescription drawn) === Right (nameless (fromDescription drawn))
+    forM_ [Stl, StlText] $ \format ->
+      it ("as " ++ formatName format ++ ", whose triangles make the faces again") $
+        forM_ [Cube, Box 3 4 5, Pyramid 3 4 5, Octahedron 3, LShape 4 2 4] $ \solid ->
+          fmap (shapeOf . mergeCoplanar) (back format (fromDescription (namedDescription solid)))
+            `shouldBe` Right (shapeOf (fromDescription (namedDescription solid)))
+    it "in single precision what is rounded is counted: 101.6 mm is 101.5999984741211" $ do
+      let it_ = fromDescription (namedDescription (Box 101.6 2 2))
+          written = writeSolid Stl it_
+      writtenRounded written `shouldBe` 4
+      fmap
+        (maximum . map (\(_, Point x _ _) -> x) . describedVertices . toDescription)
+        (back Stl it_)
+        `shouldBe` Right 101.59999847412109375
+  describe "what trimesh wrote" $ do
+    forM_ ["cube-binary.stl", "cube-ascii.stl", "cube.off", "cube.obj", "cube.ply"] $ \file ->
+      it ("of a cube of 127 mm is six squares: " ++ file) $ do
+        it_ <- theirs file
+        let merged = examine (mergeCoplanar it_)
+        (reportVertices merged, reportEdges merged, reportFaces merged) `shouldBe` (8, 12, 6)
+        map componentVolume (reportComponents merged) `shouldBe` [Just 2048383]
+        reportDefects merged `shouldBe` []
+    it "of a ring is a solid of genus 1, of 192 triangles" $ do
+      it_ <- theirs "annulus.stl"
+      let report = examine it_
+      (reportFaces report, map componentGenus (reportComponents report)) `shouldBe` (192, [Just 1])
+      reportDefects report `shouldBe` []
+  describe "indices, ends and numbers" $ do
+    it "OBJ: negative and slashed indices, and lines that go on after a backslash" $
+      facesOf
+        Obj
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n\
+        \f -4/1/1 -2//3 \\\n -3\nf 1 2 4 # and so on\n"
+        `shouldBe` Right [["V1", "V3", "V2"], ["V1", "V2", "V4"]]
+    it "OFF: comments, colours, and counts on the first line" $
+      facesOf Off "OFF 3 1 0 # of three\n\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n"
+        `shouldBe` Right [["V1", "V2", "V3"]]
+    it "STL: a binary file that begins with the word solid is binary" $ do
+      it_ <- theirs "cube-binary.stl"
+      bytes <- Bytes.readFile (folder </> "cube-binary.stl")
+      fmap contentsMesh (readSolid Stl (ObjectName "cube-binary") ("solid" <> Bytes.drop 5 bytes))
+        `shouldBe` Right it_
+    it "PLY: other elements and properties are passed over, in either order of bytes" $ do
+      let header order =
+            "ply\nformat " <> order <> " 1.0\ncomment x\nelement vertex 3\nproperty float x\n"
+              <> "property uchar red\nproperty float y\nproperty float z\nelement thing 1\n"
+              <> "property list uchar short w\nelement face 1\n"
+              <> "property list uchar int vertex_index\nend_header\n"
+          body short float int =
+            Builder.toLazyByteString $
+              foldMap
+                (\(x, y, z) -> float x <> Builder.word8 7 <> float y <> float z)
+                [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
+                <> Builder.word8 2
+                <> short 1
+                <> short 2
+                <> Builder.word8 3
+                <> foldMap int [0, 1, 2]
+          little = Lazy.toStrict (body Builder.int16LE Builder.floatLE Builder.int32LE)
+          big = Lazy.toStrict (body Builder.int16BE Builder.floatBE Builder.int32BE)
+      facesOf Ply (header "binary_little_endian" <> little) `shouldBe` Right [["V1", "V2", "V3"]]
+      facesOf Ply (header "binary_big_endian" <> big) `shouldBe` Right [["V1", "V2", "V3"]]
+      fmap contentsPassed (readSolid Ply (ObjectName "x") (header "binary_big_endian" <> big))
+        `shouldBe` Right [Passed "vertex.red", Passed "thing.w"]
+    it "JSON: names, and fractions that are what they say" $
+      fmap
+        (describedVertices . toDescription . contentsMesh)
+        ( readSolid
+            Json
+            (ObjectName "x")
+            "{\"schema\":\"pra-tactile/object/1\",\"name\":\"a\",\"vertices\":[{\"name\":\"A\",\
+            \\"at\":[\"127/4\",\"31.75\",\"0\"]}],\"faces\":[]}"
+        )
+        `shouldBe` Right [(VertexName "A", Point (127 / 4) (127 / 4) 0)]
+  describe "what is no such file is refused where it ceases to be one" $
+    forM_ refusals $ \(what, format, bytes, fault) ->
+      it (formatName format ++ ": " ++ what) $
+        fmap contentsMesh (readSolid format (ObjectName "x") bytes) `shouldBe` Left fault
+
+refusals :: [(String, SolidFormat, ByteString, SolidFileError)]
+refusals =
+  [ ( "a count of 10^9",
+      Off,
+      "OFF\n1000000000 1 0\n0 0 0\n",
+      at 4 (Ends "999999999 of its 1000000000 vertices")
+    ),
+    ("an index beyond the end", Off, "OFF\n1 1 0\n0 0 0\n3 0 0 1\n", at 4 (NoSuchVertex 1 1)),
+    ("an index beyond the end", Obj, "v 0 0 0\nf 1 1 2\n", at 2 (NoSuchVertex 2 1)),
+    ("an index before the beginning", Obj, "v 0 0 0\nf 1 1 -2\n", at 2 (NoSuchVertex (-2) 1)),
+    ("the index 0", Obj, "v 0 0 0\nf 0 1 1\n", at 2 (NoSuchVertex 0 1)),
+    ("NaN", Obj, "v 0 nan 0\n", at 1 NotFinite),
+    ("1e999999999", Obj, "v 0 0 1e999999999\n", at 1 TooLargeOrFine),
+    ("1e-999999999", Obj, "v 0 0 1e-999999999\n", at 1 TooLargeOrFine),
+    ( "a number of a megabyte",
+      Obj,
+      "v 0 0 "
+        <> Char8.replicate 1000000 '9'
+        <> "\n",
+      at 1 TooLargeOrFine
+    ),
+    ("no number", Off, "OFF\n1 0 0\n0 0 x\n", at 3 NotNumber),
+    ("a triangle too few", Stl, binary 2 1, SolidFileError (AtByte 80) (LengthDiffers 184 134)),
+    ( "a count of 4 * 10^9",
+      Stl,
+      binary maxBound 0,
+      SolidFileError (AtByte 80) (LengthDiffers 214748364834 84)
+    ),
+    ( "less than a header",
+      Stl,
+      "abc",
+      SolidFileError (AtByte 3) (Ends "84 bytes of a binary file")
+    ),
+    ( "a NaN in a triangle",
+      Stl,
+      Bytes.take 100 (binary 1 1) <> Bytes.pack [0, 0, 192, 127] <> Bytes.drop 104 (binary 1 1),
+      SolidFileError (AtByte 100) NotFinite
+    ),
+    ( "text that ends early",
+      Stl,
+      "solid x\nfacet normal 0 0 1\nouter loop\n",
+      at 4 (Ends "vertex")
+    ),
+    ( "a list that is longer than the file",
+      Ply,
+      "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\nproperty float y\n\
+      \property float z\nelement face 1\nproperty list uint int vertex_indices\nend_header\n\
+      \\255\255\255\127",
+      SolidFileError (AtByte 168) (Ends "1 of 1 rows of face")
+    )
+  ]
+  where
+    at n = SolidFileError (AtLine n)
+    binary :: Word -> Int -> ByteString
+    binary count there =
+      Bytes.replicate 80 32
+        <> Lazy.toStrict (Builder.toLazyByteString (Builder.word32LE (fromIntegral count)))
+        <> Bytes.replicate (50 * there) 0
+
+folder :: FilePath
+folder = "test" </> "data" </> "solids"
+
+theirs :: FilePath -> IO Mesh
+theirs file = do
+  bytes <- Bytes.readFile (folder </> file)
+  case formatOfFile file of
+    Just format
+      | Right found <- readSolid format (ObjectName (takeWhile (/= '.') file)) bytes ->
+        pure (contentsMesh found)
+    _ -> fail file
+
+back :: SolidFormat -> Mesh -> Either SolidFileError Mesh
+back format it_ =
+  contentsMesh
+    <$> readSolid
+      format
+      (meshName it_)
+      (Lazy.toStrict (Builder.toLazyByteString (writtenBytes (writeSolid format it_))))
+
+facesOf :: SolidFormat -> ByteString -> Either SolidFileError [[String]]
+facesOf format bytes =
+  map (map vertexText . faceVertices) . describedFaces . toDescription . contentsMesh
+    <$> readSolid format (ObjectName "x") bytes
+
+-- | With the names that vertices without a name are given.
+nameless :: Mesh -> Mesh
+nameless it_ =
+  withShape
+    (unnamed (V.length (meshPoints it_)))
+    (meshDenominator it_)
+    (meshPoints it_)
+    (meshWalks it_)
+    it_
+
+-- | What does not depend on the order of vertices and faces.
+shapeOf :: Mesh -> (Int, Int, Int, [Maybe Rational])
+shapeOf it_ =
+  ( reportVertices report,
+    reportEdges report,
+    reportFaces report,
+    map componentVolume (reportComponents report)
+  )
+  where
+    report = examine it_
+
+decimal, dyadic :: Point -> Point
+decimal (Point x y z) = Point (near x) (near y) (near z)
+  where
+    near v = fromInteger (round (v * 1000)) / 1000
+dyadic (Point x y z) = Point (near x) (near y) (near z)
+  where
+    near v = fromInteger (round (v * 1024)) / 1024
