@@ -277,6 +277,14 @@ pieceText piece =
     ++ " = "
     ++ show (componentEuler piece)
     ++ maybe "" (\genus -> ", genus " ++ show genus) (componentGenus piece)
-    ++ maybe "" (\volume -> ", " ++ exactText volume ++ " mm^3") (componentVolume piece)
+    ++ maybe "" (\volume -> ", " ++ volumeText volume ++ " mm^3") (componentVolume piece)
     ++ maybe "" (\convex -> if convex then ", convex" else ", not convex") (componentConvex piece)
     ++ maybe "" (\n -> if n == 0 then "" else ", inside " ++ show n) (componentInside piece)
+
+-- | A fraction of few digits exactly, another as the nearest machine number.
+volumeText :: Rational -> String
+volumeText volume
+  | null (drop 20 exact) = exact
+  | otherwise = "about " ++ show (fromRational volume :: Double)
+  where
+    exact = exactText volume

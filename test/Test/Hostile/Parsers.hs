@@ -12,6 +12,7 @@ import CsvGrid
 import Data.Aeson (Value (..))
 import qualified Data.Aeson.KeyMap as KeyMap
 import Data.ByteString (ByteString)
+import Data.ByteString.Builder (toLazyByteString)
 import qualified Data.ByteString.Char8 as Bytes8
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate)
@@ -34,11 +35,15 @@ import PraTactile.Field
 import PraTactile.FileName (isFileName)
 import PraTactile.Format
 import PraTactile.Format.Profile (profileText)
+import PraTactile.Format.Solid hiding (Written)
+import qualified PraTactile.Format.Solid as Solid
 import PraTactile.Grid (gridRows)
 import PraTactile.Image (constant, rasterSize, rasterValues)
 import PraTactile.Image.Pgm
 import PraTactile.Locate hiding (Outcome (..))
 import PraTactile.Object.Canonical (canonicalPitch)
+import PraTactile.Object.Description (ObjectName (..))
+import PraTactile.Object.Validity (examine, reportDefects)
 import PraTactile.Profile
 import PraTactile.Sensor.Calibration
 import PraTactile.Sensor.Manifest
@@ -78,7 +83,8 @@ kinds =
     kind "answers to compare" 20 claims judgedClaim,
     kind "arrays as CSV" 60 grids judgedGrid,
     kind "networks" 20 networks judgedNetwork,
-    kind "drawings of shapes" 20 drawings judgedDrawing
+    kind "drawings of shapes" 20 drawings judgedDrawing,
+    kind "files of solids" 100 solidFiles judgedSolid
   ]
   where
     kind name share specimens judged = Kind name share specimens (pure . judged)
@@ -322,6 +328,26 @@ judgedNetwork bytes = asText bytes $ \text -> case parseNetwork (Text.pack text)
     Accepted
       [("parse . render = Right", parseNetwork (renderNetwork found) == Right found)]
       (Text.unpack (renderNetwork found))
+
+-- | By what it begins with it is of a format.
+judgedSolid :: ByteString -> Judged
+judgedSolid bytes = case readSolid format (ObjectName "it") bytes of
+  Left why -> Refused (solidFileMessage "it" format why)
+  Right (Contents found _) ->
+    Accepted
+      [ ( "read . write = Right, as JSON",
+          fmap contentsMesh (readSolid Json (ObjectName "it") (written Json found)) == Right found
+        )
+      ]
+      (concatMap objectMessage (reportDefects (examine found)) ++ show (examine found))
+  where
+    format
+      | "ply" `Bytes8.isPrefixOf` bytes = Ply
+      | "OFF" `Bytes8.isPrefixOf` bytes = Off
+      | "{" `Bytes8.isPrefixOf` bytes = Json
+      | "v" `Bytes8.isPrefixOf` bytes = Obj
+      | otherwise = Stl
+    written form = Lazy.toStrict . toLazyByteString . Solid.writtenBytes . writeSolid form
 
 judgedDrawing :: ByteString -> Judged
 judgedDrawing bytes = asText bytes $ \text -> case parseAlphabet (Text.pack text) of

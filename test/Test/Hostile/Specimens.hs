@@ -18,6 +18,7 @@ module Test.Hostile.Specimens
     grids,
     networks,
     drawings,
+    solidFiles,
   )
 where
 
@@ -25,6 +26,7 @@ import Codec.Picture (Image (..))
 import Data.Aeson (encode)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
+import Data.ByteString.Builder (toLazyByteString)
 import qualified Data.ByteString.Char8 as Bytes8
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Either (rights)
@@ -42,8 +44,11 @@ import PraTactile.Conformance.Question
 import PraTactile.Explore (Region (..))
 import PraTactile.Format
 import PraTactile.Format.Census.Row
+import PraTactile.Format.Solid (Written (..), writeSolid)
 import PraTactile.Image (constant)
 import PraTactile.Image.Pgm
+import PraTactile.Object.Mesh (fromDescription)
+import PraTactile.Object.Named (Named (Frame, Tetrahedron), namedDescription)
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
@@ -231,6 +236,14 @@ networks =
   [encodeUtf8 (renderNetwork found) | Right found <- [network (weights 1 97) (weights 2 2)]]
   where
     weights units n = reshape n (Storable.generate (units * n) (\i -> fromIntegral i * 0.25 - 3))
+
+-- | Small solids in each format, one of them with a handle.
+solidFiles :: [ByteString]
+solidFiles =
+  [ Lazy.toStrict (toLazyByteString (writtenBytes (writeSolid format (fromDescription drawn))))
+    | format <- [minBound ..],
+      drawn <- map namedDescription [Tetrahedron 1, Frame 9 9 (1 / 3)]
+  ]
 
 -- | The shipped shapes.
 drawings :: [ByteString]

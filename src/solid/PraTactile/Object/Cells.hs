@@ -9,7 +9,7 @@
 -- so that the numerators are integers and the roots alone need not be rational. The grid has as
 -- many whole columns and rows as the box round all corners has room for, and is centred on it. A
 -- cell, as an open rectangle, meets no side and has its middle in the polygon: then it lies in it,
--- its rim included. All that asks for signs of r + s sqrt a + t sqrt b with rational r, s and t,
+-- its rim included. All that asks for signs of r + s sqrt a + t sqrt b with whole r, s and t,
 -- which squaring twice decides.
 module PraTactile.Object.Cells
   ( Grid (..),
@@ -21,6 +21,7 @@ where
 
 import Data.List (sortOn)
 import Data.Ord (Down (..))
+import Data.Ratio (denominator, numerator, (%))
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Mesh
@@ -46,15 +47,22 @@ data Grid = Grid
 -- | The grid of a flat face with an area, with cells of so many millimetres to the right and down,
 -- both positive. O(cells * corners), or O(corners) for a rectangle.
 gridOf :: Mesh -> (Rational, Rational) -> Walk -> Grid
-gridOf it (right, down) walk =
-  Grid
-    { gridWalk = walk,
-      gridSize = (squareRoot (wide * wide / a), squareRoot (high * high / b)),
-      gridColumns = columns,
-      gridRows = rows,
-      gridCount = count,
-      gridCells = cells
-    }
+gridOf = gridWithin mostTests
+
+-- | The same where no more than so many sides are asked whether they meet a cell. From a vertex at
+-- the place of the one before it there is no frame, and no cell.
+gridWithin :: Integer -> Mesh -> (Rational, Rational) -> Walk -> Grid
+gridWithin most it (right, down) walk
+  | a == 0 = Grid walk (0, 0) 0 0 (Just 0) []
+  | otherwise =
+    Grid
+      { gridWalk = walk,
+        gridSize = (squareRoot (square wide % a), squareRoot (square high % b)),
+        gridColumns = columns,
+        gridRows = rows,
+        gridCount = count,
+        gridCells = cells
+      }
   where
     points = cornersOf it walk
     origin = firstOf points
@@ -62,51 +70,56 @@ gridOf it (right, down) walk =
     normal = doubleArea points
     into = cross along normal
     -- In millimetres, the roots are of these.
-    over = fromInteger (meshDenominator it)
-    a = fromInteger (dot along along) * over * over
-    b = a * fromInteger (dot normal normal)
+    a = dot along along * square (meshDenominator it)
+    b = a * dot normal normal
     corners = V.map corner points
-    corner p =
-      ( fromInteger (dot along (p `minus` origin)),
-        fromInteger (dot into (p `minus` origin))
-      )
+    corner p = (dot along (p `minus` origin), dot into (p `minus` origin))
     (left, wide) = range (V.map fst corners)
     (top, high) = range (V.map snd corners)
     range values = (V.minimum values, V.maximum values - V.minimum values)
-    columns = floorRoot (wide * wide / (a * right * right))
-    rows = floorRoot (high * high / (b * down * down))
-    sides = zip (V.toList corners) (V.toList (V.drop 1 corners V.++ V.take 1 corners))
+    columns = floorRoot (fromInteger (square wide) / (fromInteger a * right * right))
+    rows = floorRoot (fromInteger (square high) / (fromInteger b * down * down))
+    square n = n * n
     rectangle =
       V.length corners == 4
         && V.all (\(x, y) -> x `elem` [left, left + wide] && y `elem` [top, top + high]) corners
     count
       | rectangle = Just (columns * rows)
-      | columns * rows * toInteger (V.length corners) > mostTests = Nothing
+      | columns * rows * toInteger (V.length corners) > most = Nothing
       | otherwise = Just (toInteger (length cells))
     cells =
       [ (r, c)
         | r <- [0 .. rows - 1],
+          let near = filter (meetsRow r) sides,
           c <- [0 .. columns - 1],
-          rectangle || onFace r c
+          rectangle || onFace near r c
       ]
-    -- The line between columns j - 1 and j is at middleX + across j sqrt a.
-    middleX = left + wide / 2
-    middleY = top + high / 2
-    across j = (j - fromInteger columns / 2) * right
-    downTo i = (i - fromInteger rows / 2) * down
-    onFace r c = not (any meetsCell sides) && odd (length (filter passesMiddle sides))
+    -- Everything times twice the denominators of a cell's width and height is whole.
+    timesX x = 2 * denominator right * x
+    timesY y = 2 * denominator down * y
+    sides = zip scaledUp (drop 1 scaledUp ++ take 1 scaledUp)
+    scaledUp = [(timesX x, timesY y) | (x, y) <- V.toList corners]
+    middleX = timesX left + denominator right * wide
+    middleY = timesY top + denominator down * high
+    -- The line between columns j - 1 and j is at middleX + across (2 j) sqrt a, the middle of
+    -- column j at middleX + across (2 j + 1) sqrt a.
+    across k = (k - columns) * numerator right
+    downTo k = (k - rows) * numerator down
+    meetsRow r (p, q) =
+      not (both (\(_, y) -> below y north <= 0) || both (\(_, y) -> below y south >= 0))
       where
-        (west, east) = (across (fromInteger c), across (fromInteger c + 1))
-        (north, south) = (downTo (fromInteger r), downTo (fromInteger r + 1))
-        (middleAcross, middleDown) =
-          (across (fromInteger c + 1 / 2), downTo (fromInteger r + 1 / 2))
-        -- A side misses the open rectangle iff one of these lines separates them.
+        (north, south) = (downTo (2 * r), downTo (2 * r + 2))
+        both holds = holds p && holds q
+    onFace near r c = not (any meetsCell near) && odd (length (filter passesMiddle near))
+      where
+        (west, east) = (across (2 * c), across (2 * c + 2))
+        (north, south) = (downTo (2 * r), downTo (2 * r + 2))
+        (middleAcross, middleDown) = (across (2 * c + 1), downTo (2 * r + 1))
+        -- A side that meets the row misses the rectangle iff one of these lines separates them.
         meetsCell (p, q) =
           not
             ( both (\(x, _) -> beside x west <= 0)
                 || both (\(x, _) -> beside x east >= 0)
-                || both (\(_, y) -> below y north <= 0)
-                || both (\(_, y) -> below y south >= 0)
                 || all (>= 0) turns
                 || all (<= 0) turns
             )
@@ -127,12 +140,13 @@ gridOf it (right, down) walk =
         (negate (qy - py) * x)
         ((qx - px) * y)
 
--- | Of what more than so many tests would be needed for, cells are not counted.
+-- | Where more tests than this would be needed for a face, its cells are not counted: about a
+-- second of them.
 mostTests :: Integer
-mostTests = 4000000
+mostTests = 100000
 
 -- | The sign of r + s sqrt a + t sqrt b, where a and b are not negative.
-signOf :: Rational -> Rational -> Rational -> Rational -> Rational -> Rational
+signOf :: Integer -> Integer -> Integer -> Integer -> Integer -> Integer
 signOf a b r s t
   | first * signum t >= 0 = signum (first + signum t)
   | otherwise = first * sign2 a (r * r + s * s * a - t * t * b) (2 * r * s)
@@ -140,26 +154,27 @@ signOf a b r s t
     first = sign2 a r s
 
 -- | The sign of r + s sqrt a.
-sign2 :: Rational -> Rational -> Rational -> Rational
+sign2 :: Integer -> Integer -> Integer -> Integer
 sign2 a r s
   | a == 0 || s == 0 = signum r
   | signum r * signum s >= 0 = signum (signum r + signum s)
   | otherwise = signum r * signum (r * r - s * s * a)
 
 -- | The grid with the most cells of those that a face has from each of its vertices; of equal ones
--- the first in its walk. Of a face with more than 'triedFirst' vertices, those are tried that begin
--- the longest upper sides.
+-- the first in its walk. Of a face with many vertices, so many are tried that they have
+-- 'triedFirst' corners together: its first one, and those that begin the longest upper sides.
 bestGrid :: Mesh -> (Rational, Rational) -> Walk -> Grid
 bestGrid it (right, down) walk
   | diagonal < max right down ^ (2 :: Int) * fromInteger (meshDenominator it) ^ (2 :: Int) =
     (gridOf it (right, down) walk) {gridCount = Just 0, gridCells = []}
-  | otherwise = better (map (gridOf it (right, down) . from) tried)
+  | otherwise = better (map (gridWithin share it (right, down) . from) tried)
   where
     size = U.length walk
+    share = mostTests `div` toInteger (length tried)
     from k = U.drop k walk U.++ U.take k walk
     tried
-      | size <= triedFirst = [0 .. size - 1]
-      | otherwise = 0 : take (triedFirst - 1) (sortOn (Down . upper) [1 .. size - 1])
+      | size * size <= triedFirst = [0 .. size - 1]
+      | otherwise = 0 : take (triedFirst `div` size - 1) (sortOn (Down . upper) [1 .. size - 1])
     upper k = let side = point k `minus` point ((k + size - 1) `mod` size) in dot side side
     point k = meshPoints it V.! (walk U.! k)
     better grids = case grids of
@@ -176,6 +191,6 @@ bestGrid it (right, down) walk
               (extent (\(V3 _ _ w) -> w))
        in fromInteger (x * x + y * y + z * z)
 
--- | How many first vertices of a face are tried.
+-- | How many corners the frames together have that are tried of a face.
 triedFirst :: Int
-triedFirst = 256
+triedFirst = 65536

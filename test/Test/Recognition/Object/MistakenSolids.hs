@@ -100,7 +100,7 @@ mutations =
     ),
     ( "a face clockwise seen from outside",
       reversing [3] cubeDescription,
-      Defect FacesDisagree (map readFaceName ["C4 C8 C5 C1", "C4 C3 C2 C1"]) ["C4", "C1"] Nothing
+      Defect FacesDisagree (map readFaceName ["C4 C8 C5 C1", "C4 C3 C2 C1"]) ["C1", "C4"] Nothing
     ),
     ( "two solids that share a vertex",
       tetrahedron ["A", "B", "C", "D"] (Point 0 0 0)

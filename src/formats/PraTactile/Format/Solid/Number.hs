@@ -70,7 +70,7 @@ machine value
 
 -- | A whole number, of at most 18 digits.
 whole :: ByteString -> Either Fault Int
-whole text = case Char8.readInt (Char8.dropWhile (== '+') text) of
+whole text = case Char8.readInt (Char8.take 19 (Char8.dropWhile (== '+') text)) of
   Just (n, rest) | Char8.null rest, Char8.length text <= 18 -> Right n
   _ -> Left NotNumber
 
