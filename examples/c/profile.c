@@ -47,7 +47,9 @@ static bool read_stated(stated *s, json profile)
     static const char *const packings[] = {"least-significant-first", "most-significant-first",
                                            NULL};
     static const char *const readings[] = {"characteristic", "reciprocal", NULL};
-    return read_natural(json_member(profile, "q"), &s->q) &&
+    json schema = json_member(profile, "schema");
+    return schema != NULL && json_equals(schema, "pra-tactile/profile/1") &&
+           read_natural(json_member(profile, "q"), &s->q) &&
            read_numbers(json_member(profile, "modulus"), s->modulus, 9, &s->modulus_terms) &&
            read_numbers(json_member(profile, "polynomial"), s->h, MAX_DEGREE + 1, &s->h_terms) &&
            read_numbers(json_member(profile, "state"), s->state, MAX_DEGREE, &s->state_terms) &&

@@ -171,6 +171,7 @@ func profile(given any) Profile {
 		}
 		panic(invalid)
 	}
+	among("schema", "pra-tactile/profile/1")
 	p := Profile{
 		q:          number(take(given, "q")),
 		modulus:    numbers("modulus"),

@@ -90,6 +90,7 @@ def among(*names):
 
 
 PROFILE = {
+    "schema": among("pra-tactile/profile/1"),
     "q": natural,
     "modulus": lambda value: many(value, natural),
     "polynomial": lambda value: many(value, natural),

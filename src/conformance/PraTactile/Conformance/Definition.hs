@@ -11,6 +11,7 @@ module PraTactile.Conformance.Definition
     knownProfile,
     expected,
     agrees,
+    inFormOf,
   )
 where
 
@@ -94,13 +95,26 @@ sameChances k wanted got =
     inside (Position r c) = r < rows shape && c < columns shape
     shape = profileShape (knownProfile k)
 
+-- | The expected answer as it is shown beside another one: positions by their number where that is
+-- what came.
+inFormOf :: Known -> Question a -> a -> a -> a
+inFormOf k question got wanted = case question of
+  Locate patch -> counted k patch got wanted
+  Nearest _ patch -> counted k patch got wanted
+  _ -> wanted
+
 -- | In place of a list of positions their number may stand, with the dimension of the coset that
--- they are: the degree less the rank of the observed cells.
+-- they are.
 sameLocation :: Known -> Patch -> Location -> Location -> Bool
-sameLocation k patch wanted got = case (wanted, got) of
-  (OneOf several, Coset count dimension) ->
-    count == fromIntegral (length several) && Just dimension == (less <$> rank)
-  _ -> wanted == got
+sameLocation k patch wanted got = counted k patch got wanted == got
+
+-- | The positions by their number, and by the degree less the rank of the observed cells, if the
+-- other answer tells these and the rank is known.
+counted :: Known -> Patch -> Location -> Location -> Location
+counted k patch got wanted = case (wanted, got) of
+  (OneOf several, Coset _ _) ->
+    maybe wanted (Coset (fromIntegral (length several)) . less) rank
+  _ -> wanted
   where
     degree = fromIntegral (length (profilePolynomial (knownProfile k))) - 1
     less r = degree - min degree r

@@ -11,6 +11,7 @@ module PraTactile.Conformance.Direct
 where
 
 import Control.Monad.Trans.Except (runExceptT)
+import Data.IORef
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Law
@@ -25,10 +26,18 @@ data Respondent
 sessionRespondent :: Session -> Respondent
 sessionRespondent asked = Respondent (const (runExceptT notOffered)) (runExceptT . answerTo asked)
 
--- | An implementation is asked for nothing but to put profiles in force.
-openingRespondent :: Implementation -> Respondent
-openingRespondent implementation =
-  Respondent (\p -> (() <$) <$> runExceptT (open implementation p)) (const (runExceptT notOffered))
+-- | An implementation puts profiles in force, and answers under the one that is.
+openingRespondent :: Implementation -> IO Respondent
+openingRespondent implementation = do
+  force <- newIORef Nothing
+  let opens p = do
+        opened <- runExceptT (open implementation p)
+        writeIORef force (either (const Nothing) Just opened)
+        pure (() <$ opened)
+      answers :: Question b -> IO (Either Refusal b)
+      answers question =
+        readIORef force >>= runExceptT . maybe notOffered (`answerTo` question)
+  pure (Respondent opens answers)
 
 -- | What comes of a trial.
 verdictBy :: Respondent -> Ask a -> IO a

@@ -1,6 +1,8 @@
 -- | The profiles under which an implementation is tried unless others are named: characteristic 2,
--- 3 and 5, prime and extension fields, other moduli, states and readings, both foldings, all
--- surfaces and both packings; windows that repeat, and windows whose numbers no double holds.
+-- 3, 5, 7 and 211, prime and extension fields up to GF(256), other moduli, states and readings,
+-- both foldings, all surfaces and both packings, any two of these together; degrees from 1 to 9, an
+-- array of more than 2^16 cells; windows that repeat, as large as the array and larger, and windows
+-- whose numbers no double holds.
 module PraTactile.Conformance.Profiles
   ( defaultProfiles,
     profileNamed,
@@ -8,15 +10,45 @@ module PraTactile.Conformance.Profiles
   )
 where
 
-import Data.List (find)
+import Data.List (find, foldl')
 import Numeric.Natural (Natural)
 import PraTactile.Array (Folding (..), Shape (..), Surface (..))
 import PraTactile.Profile
 import PraTactile.Window (Packing (..))
 
--- | The default profiles, each with a name that stays.
+-- | The default profiles, each with a name that stays; after the paper's, always one that differs
+-- in most keys from all before it, so that what depends on any of them is found early.
 defaultProfiles :: [(String, Profile)]
-defaultProfiles = papers ++ fields ++ windows
+defaultProfiles = case papers ++ fields ++ windows ++ combined of
+  first : others -> first : go [first] others
+  [] -> []
+  where
+    go _ [] = []
+    go before (one : more) =
+      let next = foldl' (\a b -> if apart before b > apart before a then b else a) one more
+       in next : go (next : before) (filter ((/= fst next) . fst) (one : more))
+    apart before (_, p) = (minimum counts, sum counts)
+      where
+        counts = [differing p other | (_, other) <- before]
+
+-- | In how many keys two profiles differ.
+differing :: Profile -> Profile -> Int
+differing a b =
+  length . filter id $
+    [ on profileOrder,
+      on profileModulus,
+      on profilePolynomial,
+      on profileReading,
+      on profileState,
+      on profileFolding,
+      on profileShape,
+      on profileWindow,
+      on profileSurface,
+      on profilePacking
+    ]
+  where
+    on :: Eq a => (Profile -> a) -> Bool
+    on key = key a /= key b
 
 -- | The name of a profile among the default ones.
 profileNamed :: Profile -> Maybe String
@@ -71,6 +103,79 @@ windows =
     ( "gf4-15x17-window-1x2-sheet",
       canonicalProfile {profileWindow = Shape 1 2, profileSurface = Sheet}
     )
+  ]
+
+-- | What the others do not have together.
+combined :: [(String, Profile)]
+combined =
+  [ ( "gf7-3x16-row-major",
+      (over 7 [4, 1] [5, 2, 1] (Shape 3 16) (Shape 1 3))
+        { profileReading = Reciprocal,
+          profileState = [3, 5],
+          profileFolding = RowMajor,
+          profilePacking = LeastSignificantFirst
+        }
+    ),
+    ( "gf16-17x15-row-major-sheet",
+      (over 16 [1, 1, 1, 1, 1] [6, 11, 1] (Shape 17 15) (Shape 3 1))
+        { profileReading = Reciprocal,
+          profileState = [9, 4],
+          profileFolding = RowMajor,
+          profileSurface = Sheet
+        }
+    ),
+    ( "gf25-48x13-row-major-twisted",
+      (over 25 [2, 0, 1] [18, 14, 1] (Shape 48 13) (Shape 2 1))
+        { profileState = [7, 20],
+          profileFolding = RowMajor,
+          profileSurface = TwistedTorus,
+          profilePacking = LeastSignificantFirst
+        }
+    ),
+    ( "gf49-16x3-sheet",
+      (over 49 [1, 0, 1] [12, 1] (Shape 16 3) (Shape 1 2))
+        { profileReading = Reciprocal,
+          profileState = [13],
+          profileSurface = Sheet,
+          profilePacking = LeastSignificantFirst
+        }
+    ),
+    ( "gf5-3x8-window-3x8-sheet",
+      (over 5 [3, 1] [3, 3, 1] (Shape 3 8) (Shape 3 8))
+        { profileState = [2, 0],
+          profileSurface = Sheet
+        }
+    ),
+    ( "gf2-7x73-row-major-torus",
+      (over 2 [1, 1] [1, 0, 0, 1, 0, 1, 1, 0, 0, 1] (Shape 7 73) (Shape 3 3))
+        { profileReading = Reciprocal,
+          profileFolding = RowMajor,
+          profilePacking = LeastSignificantFirst
+        }
+    ),
+    ( "gf3-5x16-window-6x17-twisted",
+      (over 3 [1, 1] [2, 1, 1, 2, 1] (Shape 5 16) (Shape 6 17))
+        { profileReading = Reciprocal,
+          profileState = [0, 1, 2, 0],
+          profileSurface = TwistedTorus,
+          profilePacking = LeastSignificantFirst
+        }
+    ),
+    ("gf7-304x387", over 7 [4, 1] [5, 5, 5, 3, 5, 6, 1] (Shape 304 387) (Shape 2 3)),
+    ( "gf211-14x15-window-9x8-twisted",
+      (over 211 [209, 1] [47, 1] (Shape 14 15) (Shape 9 8))
+        { profileReading = Reciprocal,
+          profileState = [100],
+          profileFolding = RowMajor,
+          profileSurface = TwistedTorus
+        }
+    ),
+    ( "gf243-2x121",
+      (over 243 [1, 2, 0, 0, 0, 1] [135, 1] (Shape 2 121) (Shape 1 1))
+        { profilePacking = LeastSignificantFirst
+        }
+    ),
+    ("gf256-15x17", over 256 [1, 0, 1, 1, 1, 0, 0, 0, 1] [2, 1] (Shape 15 17) (Shape 1 1))
   ]
 
 -- | A field by q and its modulus, a polynomial, a shape and a window, with the conventions of the

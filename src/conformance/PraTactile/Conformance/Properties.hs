@@ -68,7 +68,10 @@ lawsReported stages profiles implementation = case standardSuite profiles of
 -- each with its id and the profile's name.
 lawProperties :: Implementation -> [(String, Property)]
 lawProperties implementation =
-  [(lawId law, openingProperty (map snd defaultProfiles) law implementation) | law <- openingLaws]
+  [ (lawId law, openingProperty (map snd defaultProfiles) law implementation)
+    | law <- openingLaws,
+      all (`elem` offered implementation) (lawNeeds law)
+  ]
     ++ [ (lawId law ++ ", " ++ name, underProfile about p law)
          | (name, p) <- defaultProfiles,
            Right about <- [known p],
@@ -97,7 +100,8 @@ lawProperty law about opened = casesProperty (sessionRespondent opened) (lawCase
 -- | A law of opening as a property of an implementation, about these profiles.
 openingProperty :: [Profile] -> Law [Profile] -> Implementation -> Property
 openingProperty profiles law implementation =
-  casesProperty (openingRespondent implementation) (lawCases law profiles)
+  idempotentIOProperty $
+    (`casesProperty` lawCases law profiles) <$> openingRespondent implementation
 
 casesProperty :: Respondent -> Cases -> Property
 casesProperty answers (Cases form domain trial) = case domain of

@@ -43,12 +43,13 @@ runSuite settings suite tell subjects = do
         when (stop && lawReportOutcome classified `elem` [Failed, Errored]) $
           writeIORef stopped True
         classified <$ tell classified
+  -- How it is spoken to comes first: it is quickly seen, and all else rests on it.
+  checked <- for checks $ \check ->
+    checkWithin budget stopped check >>= finished (settingFailFast settings)
   tried <-
     inParallel subjects work $ \worker one ->
       tryWithin budget stopped (tryWork (planOf settings) suite worker one) one
         >>= finished (settingFailFast settings)
-  checked <- for checks $ \check ->
-    checkWithin budget stopped check >>= finished False
   end <- getMonotonicTime
   pure
     Report

@@ -38,7 +38,7 @@ data Subject = Subject
     subjectBatch :: Int,
     -- | What it says that it offers and nobody here knows.
     subjectUnknown :: [String],
-    -- | What must hold of how it is spoken to, tried after all else.
+    -- | What must hold of how it is spoken to, tried before all else.
     subjectChecks :: [Check]
   }
 

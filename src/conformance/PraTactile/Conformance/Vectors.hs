@@ -81,19 +81,9 @@ data Digest = Digest
   }
   deriving stock (Eq, Show)
 
--- | The profiles of which vectors are shipped: the default ones, and GF(256) with all 255 units as
--- the sequence.
+-- | The profiles of which vectors are shipped: the default ones.
 vectorProfiles :: [(String, Profile)]
-vectorProfiles = defaultProfiles ++ [("gf256-15x17", bytes)]
-  where
-    bytes =
-      canonicalProfile
-        { profileOrder = 256,
-          profileModulus = [1, 0, 1, 1, 1, 0, 0, 0, 1],
-          profilePolynomial = [2, 1],
-          profileState = [1],
-          profileWindow = Shape 1 1
-        }
+vectorProfiles = defaultProfiles
 
 -- | Both roads to the answers under a profile.
 data Prepared = Prepared Known Session

@@ -103,7 +103,7 @@ drawings =
   [ ( "sequence/term-of-any-index",
       [ Label 20 "about the end of a period" (\p one _ -> near (periodOf p) 20 (indexOf one)),
         Label 5 "beyond 2^64" (\_ one _ -> indexOf one > 2 ^ (64 :: Int)),
-        Label 2 "about 2^53" (\_ one _ -> near (2 ^ (53 :: Int)) 300 (indexOf one))
+        Label 0.5 "about 2^53" (\_ one _ -> near (2 ^ (53 :: Int)) 300 (indexOf one))
       ]
     ),
     ( "array/cell-far-beyond-the-edges",
@@ -152,7 +152,7 @@ drawings =
       ]
     found = Label 5 "one position" (\_ one came -> positionsOf one came == 1)
     several = Label 3 "several positions" (\_ one came -> positionsOf one came > 1)
-    felt = [Label 100 "every cell felt" (\_ one _ -> Nothing `notElem` concat (patchOf one))]
+    felt = [Label 80 "every cell felt" (\_ one _ -> Nothing `notElem` concat (patchOf one))]
     unfelt = Label 20 "a cell not felt" (\_ one _ -> Nothing `elem` concat (patchOf one))
     refused percent name = Label percent name (\_ _ came -> reasonIs name came)
     reasonIs :: String -> Either Refusal a -> Bool

@@ -77,7 +77,7 @@ spec = do
           \(SomeQuestion question) -> case question of
             Prove mask -> length mask > 1
             _ -> False,
-          ["mask" .= ("#/." :: String)]
+          ["mask" .= ("./#" :: String)]
         )
       ]
 

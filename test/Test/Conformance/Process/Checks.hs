@@ -35,7 +35,7 @@ spec = do
                 ++ (" ;; *stop*) " ++ ending ++ " ;; esac; done; ")
                 ++ ending
         came <- session (shell script) $ \subject ->
-          forM (subjectChecks subject) $ \one -> (,) (checkId one) <$> checkTry one
+          forM (drop 3 (subjectChecks subject)) $ \one -> (,) (checkId one) <$> checkTry one
         let judged request = maybe CheckHeld (CheckErred [request]) fault
         (ending, came)
           `shouldBe` ( ending,
@@ -82,7 +82,8 @@ spec = do
       ]
       $ \(script, wanted) -> do
         came <- session (shell script) $ \subject ->
-          forM (take 1 (subjectChecks subject)) $ \one -> (,) (checkId one) <$> checkTry one
+          forM (take 1 (drop 3 (subjectChecks subject))) $ \one ->
+            (,) (checkId one) <$> checkTry one
         came `shouldBe` Right [("protocol/none-in-force-after-a-refusal", wanted)]
   it "an operation that there is not is skipped by a process a request; all else is told" $ do
     let request =
@@ -113,7 +114,9 @@ spec = do
         texts those = [(checkId one, checkSentence one) | one <- those]
     Right inSession <- session (shell answering) (pure . subjectChecks)
     ids inSession
-      `shouldBe` ["protocol/none-in-force-after-a-refusal", "protocol/ends-with-its-input"]
+      `shouldBe` ["protocol/refuses-what-is-no-profile", "protocol/takes-profiles-in-either-form"]
+        ++ ["protocol/answers-before-it-stops"]
+        ++ ["protocol/none-in-force-after-a-refusal", "protocol/ends-with-its-input"]
         ++ ["protocol/ends-when-stopped"]
     Right alone <-
       withProcess OneShot (Limits 20 60) (shell once') $ \subject -> do

@@ -118,15 +118,21 @@ nearest k stated patch = do
 
 nearestOf :: Known -> Maybe Natural -> [Observed Int] -> Either Refusal Location
 nearestOf k stated cells
-  | not (null compared) && fromIntegral least <= radius =
-    Right (locationOf [place | (place, e) <- compared, e == least])
+  | Just (least, places) <- fewest,
+    fromIntegral least <= radius =
+    Right (locationOf (reverse places))
   | radius == 0 && not (null (completeWindows k cells)) = byWindows k cells
   | radius == 0 = refused (if weight == 0 then "zero-window" else "contradiction")
   | weight <= radius = refused "zero-window"
   | otherwise = refused "beyond-radius"
   where
-    compared = differences k cells
-    least = minimum (map snd compared)
+    -- The least number of differences, with its positions, the last first.
+    fewest = foldl' better Nothing (differences k cells)
+    better Nothing (place, e) = Just (e, [place])
+    better (Just (e, places)) (place, e') = Just $ case compare e' e of
+      LT -> (e', [place])
+      EQ -> (e, place : places)
+      GT -> (e, places)
     weight = fromIntegral (length (filter ((/= 0) . snd) cells))
     radius = fromMaybe (guaranteedRadius promised) stated
     -- How windows differ is known on the folding's own surface, and on the sheet cut from it.

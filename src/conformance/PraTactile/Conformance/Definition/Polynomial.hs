@@ -3,6 +3,8 @@
 module PraTactile.Conformance.Definition.Polynomial
   ( isPrimitive,
     firstPrimitive,
+    primitiveAndShort,
+    primeDivisors,
     degreeOf,
   )
 where
@@ -26,20 +28,25 @@ isPrimitive f stated = n >= 1 && last h == 1 && take 1 h /= [0] && orderIsFull
     full = toInteger (fieldOrder f) ^ n - 1 :: Integer
     unit = 1 : replicate (n - 1) 0
     orderIsFull
-      | full <= 2 ^ (16 :: Int) = fromInteger full == stepsTo unit
-      | otherwise = xTo full == unit && all ((/= unit) . xTo . div full) (primeDivisors full)
+      | full <= 2 ^ (12 :: Int) = fromInteger full == stepsTo unit
+      | otherwise =
+        powerOfX f h full == unit
+          && all ((/= unit) . powerOfX f h . div full) (primeDivisors full)
     -- After how many steps the powers of x come back to 1.
     stepsTo one = 1 + length (takeWhile (/= one) (drop 1 (take bound (iterate (timesX f h) one))))
     bound = fromInteger full + 1
-    -- For the larger ones: an order divides q^n - 1 if that power is 1, and is smaller exactly if
-    -- one of the powers q^n - 1 divided by a prime is.
-    xTo :: Integer -> [Int]
-    xTo e
-      | e == 0 = unit
-      | even e = half
-      | otherwise = timesX f h half
-      where
-        half = let root = xTo (e `div` 2) in timesModulo f h root root
+
+-- For the larger ones: an order divides q^n - 1 if that power is 1, and is smaller exactly if
+-- one of the powers q^n - 1 divided by a prime is.
+
+-- | A power of x modulo h.
+powerOfX :: Field -> [Int] -> Integer -> [Int]
+powerOfX f h e
+  | e == 0 = take (length h - 1) (1 : repeat 0)
+  | even e = half
+  | otherwise = timesX f h half
+  where
+    half = let root = powerOfX f h (e `div` 2) in timesModulo f h root root
 
 -- | x times a residue modulo h, a monic polynomial of degree n; residues have n coefficients.
 timesX :: Field -> [Int] -> [Int] -> [Int]
@@ -52,6 +59,35 @@ timesModulo f h a = foldr step (map (const 0) a)
   where
     step digit rest = zipWith (add f) (map (multiply f digit) a) (timesX f h rest)
 
+-- | The first primitive polynomial of a degree, and for each prime r of q^n - 1 the one of which
+-- the r-th power of its root is a root, so that the order of this is (q^n - 1) / r: it tells the
+-- n-th power of that by those before. Where these powers are of a smaller field, there is none of
+-- this degree.
+primitiveAndShort :: Field -> Int -> [[Int]]
+primitiveAndShort f n =
+  h : [short | r <- primeDivisors full, Just short <- [minimalOf (powersOfX r)]]
+  where
+    h = firstPrimitive f n
+    full = toInteger (fieldOrder f) ^ n - 1
+    unit = 1 : replicate (n - 1) 0
+    powersOfX r = take (n + 1) (iterate (timesModulo f h (powerOfX f h r)) unit)
+    -- Each power beside the coefficients that tell it by those before; eliminated one by one.
+    minimalOf powers = go [] (zip powers (unitVectors (n + 1)))
+    go _ [] = Nothing
+    go done ((vector, parts) : later) = case foldr reduce (vector, parts) done of
+      (rest, told)
+        | all (== 0) rest -> if null later then Just (monic told) else Nothing
+        | otherwise -> go ((rest, told) : done) later
+    reduce (pivot, parts) (vector, told) =
+      let i = length (takeWhile (== 0) pivot)
+          factor = negation f (multiply f (vector !! i) (inverseOf (pivot !! i)))
+          plus = zipWith (\a b -> add f a (multiply f factor b))
+       in (plus vector pivot, plus told parts)
+    monic told = map (multiply f (inverseOf (last told))) told
+    inverseOf a = sum (inverse f a)
+    unitVectors size = [[if i == j then 1 else 0 | i <- [1 .. size]] | j <- [1 .. size]]
+
+-- | The primes that divide a number, ascending.
 primeDivisors :: Integer -> [Integer]
 primeDivisors = go 2
   where

@@ -10,6 +10,8 @@ where
 
 import Data.Aeson (Value (..), object, (.=))
 import qualified Data.Aeson.KeyMap as KeyMap
+import Data.Char (isDigit)
+import qualified Data.Text as Text
 import qualified Data.Vector as Vector
 import Numeric.Natural (Natural)
 import PraTactile.Array (Folding (..), Shape (..))
@@ -101,12 +103,23 @@ readingImpostors =
       "takes true for 1, objects for 0, and cuts fractions off"
       (inFields number),
     reading "forgets-signs" "takes a negative number for its magnitude" (inFields unsigned),
+    reading
+      "takes-small-integers-as-numbers-only"
+      "takes decimal strings of less than 17 digits for nothing"
+      shortStrings,
     reading "takes-missing-keys-for-zero" "takes a key that is missing for 0, or for nothing" filled
   ]
 
 inFields :: (Value -> Value) -> Value -> Value
 inFields change value = case value of
   Object fields -> Object (KeyMap.map change fields)
+  other -> other
+
+shortStrings :: Value -> Value
+shortStrings value = case value of
+  Object fields -> Object (KeyMap.map shortStrings fields)
+  Array items -> Array (Vector.map shortStrings items)
+  String text | Text.all isDigit text && Text.length text < 17 -> Bool False
   other -> other
 
 number, unsigned :: Value -> Value

@@ -70,7 +70,7 @@ findsAt seed profiles impostor kill
 
 findsOpening :: Int -> [Profile] -> Law [Profile] -> Impostor -> IO (Maybe Int)
 findsOpening seed profiles law impostor =
-  finds usualCases seed law profiles (openingRespondent (impostorMade impostor))
+  openingRespondent (impostorMade impostor) >>= finds usualCases seed law profiles
 
 findsUnder :: Int -> Profile -> Known -> Law Known -> Impostor -> IO (Maybe Int)
 findsUnder seed p about law impostor =

@@ -7,13 +7,14 @@ module PraTactile.Conformance.Laws.Chances
 where
 
 import Control.Monad (replicateM)
-import Data.Aeson (toJSON)
+import Data.Aeson (Value (Null), toJSON)
 import Data.List (sort)
 import Numeric.Natural (Natural)
-import PraTactile.Array (Shape (..), naturalsBelow)
+import PraTactile.Array (Position (..), Shape (..), Surface (..), area, naturalsBelow)
 import PraTactile.Conformance.Definition (Known, knownProfile)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Draw
+import PraTactile.Conformance.Laws.Forms
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Locate
 import PraTactile.Conformance.Laws.Malformed
@@ -24,7 +25,20 @@ import Test.QuickCheck
 
 -- | The laws of the probabilities of positions.
 chanceLaws :: [Law Known]
-chanceLaws = systematicLaws ++ drawnLaws ++ [invalidLaw]
+chanceLaws =
+  map ofFew $
+    systematicLaws ++ drawnLaws
+      ++ formLaws OnChances [OfPosterior]
+      ++ [invalidLaw]
+  where
+    -- A line has no room for the probabilities of very many positions.
+    ofFew one =
+      one
+        { lawCases = \known ->
+            if isVast (knownProfile known)
+              then Cases questionForm (Every []) (asDefined known)
+              else lawCases one known
+        }
 
 bayes :: String -> String -> (Known -> Domain SomeQuestion) -> Law Known
 bayes what sentence =
@@ -70,9 +84,55 @@ systematicLaws =
       \known ->
         Every
           [ asked [[Probably (map (* factor) (uneven (knownProfile known)))], [Unfelt]]
-            | factor <- [1.0005, 0.9995, 1.0009, 0.9991]
-          ]
+            | factor <- [1.0005, 0.9995, 1.0009, 0.9991, 1.00099, 0.99901]
+          ],
+    bayes "unlikely-cells" "what is unlikely is not impossible, however small the product is" $
+      \known -> Every (asked <$> ofVast 2 (knownProfile known) (unlikely known)),
+    bayes "many-cells" "a product of a thousand probabilities" $ \known ->
+      Every (asked <$> manyCells known)
   ]
+
+-- | A window beyond doubt, and beside it the other cells of a larger patch, each of which is most
+-- probably another symbol than the one that is there.
+unlikely :: Known -> [Chances]
+unlikely known =
+  [ [ [ if i < h && j < w then Certainly code else Probably (scarcely share code)
+        | (j, code) <- zip [0 ..] line
+      ]
+      | (i, line) <- zip [0 ..] (seenAt known (Shape high wide) place)
+    ]
+    | share <- [0.3, 1e-7, 1e-60],
+      Shape high wide <- [Shape (h + 1) w, Shape h (w + 1), Shape (h + 3) (w + 3)],
+      place <- take 2 (places p (Shape high wide)),
+      area (Shape high wide) <= 128,
+      area (profileShape p) <= 1024
+  ]
+  where
+    p = knownProfile known
+    Shape h w = profileWindow p
+    scarcely share code =
+      [ if c == code then share else if c == (code + 1) `mod` profileOrder p then 1 - share else 0
+        | c <- elementsOf p
+      ]
+
+-- | A thousand cells of a small array, each of which is most probably the symbol that is there, but
+-- with less than half of all probability where there are more than two.
+manyCells :: Known -> [Chances]
+manyCells known =
+  [ map (map (Probably . likely)) (seenAt known (Shape (side n1) (side n2)) (Position 0 0))
+    | area (profileShape p) <= 128,
+      profileOrder p <= 9
+  ]
+  where
+    p = knownProfile known
+    Shape n1 n2 = profileShape p
+    side n = if profileSurface p == Sheet then min 32 n else 32
+    others = profileOrder p - 1
+    share = fromIntegral (32 `div` others) :: Double
+    likely code =
+      [ (if c == code then 64 - share * fromIntegral others else share) / 64
+        | c <- elementsOf p
+      ]
 
 sure :: Profile -> Code -> [Double]
 sure p code = [if c == code then 1 else 0 | c <- elementsOf p]
@@ -106,14 +166,23 @@ drawnLaws =
         smaller
   ]
 
--- | In each cell, probabilities in 64ths, which doubles have exactly.
+-- | In each cell, probabilities in 64ths, which doubles have exactly; of a few cells now and then
+-- others, some of them tiny.
 genChances :: Profile -> Gen Chances
 genChances p = do
-  Shape h w <- elements (shapesAround p)
-  replicateM
-    (fromIntegral h)
-    (replicateM (fromIntegral w) (frequency [(1, pure Unfelt), (4, chances)]))
+  shape <- elements (shapesAround p)
+  cell <-
+    if area shape <= 6 && area (profileShape p) <= 1024
+      then frequency [(2, pure chances), (1, pure uneven')]
+      else pure chances
+  of' shape (frequency [(1, pure Unfelt), (4, cell)])
   where
+    of' (Shape h w) = replicateM (fromIntegral h) . replicateM (fromIntegral w)
+    uneven' = do
+      weights <- vectorOf (fromIntegral (profileOrder p)) weight
+      let whole = sum weights
+      pure (Probably (if whole > 0 then map (/ whole) weights else sure p 0))
+    weight = frequency [(1, pure 0), (3, choose (0, 1)), (1, (10 **) <$> choose (-12, -3))]
     chances = do
       cuts <- vectorOf (fromIntegral (profileOrder p) - 1) (chooseInteger (0, 64))
       let ends = sort cuts
@@ -136,10 +205,12 @@ invalidLaw =
   invalid OnChances "posterior-refuses-what-is-invalid" OfPosterior $ \known ->
     let p = knownProfile known
         q = fromIntegral (profileOrder p) :: Int
+        certainly = map toJSON (drop 1 (sure p 0))
         uniform n = replicate n (1 / fromIntegral n :: Double)
         lists =
-          [uniform (q + 1), replicate q 0, 2 : -1 : replicate (q - 2) 0, map (* 1.002) (uneven p)]
-            ++ [map (* 0.998) (uneven p), map (* 2) (uneven p), []]
+          [uniform (q + 1), replicate q 0, []]
+            ++ [1 + less : -less : replicate (q - 2) 0 | less <- [1, 0.25, 0.0005, 1e-9]]
+            ++ [map (* factor) (uneven p) | factor <- [1.0011, 0.9989, 1.002, 0.998, 0.5, 2]]
             ++ [uniform (q - 1) | q > 1]
      in [asked [[Probably chances]] | chances <- lists]
           ++ [asked [[Unfelt, Probably chances], [Certainly 0, Unfelt]] | chances <- lists]
@@ -148,5 +219,7 @@ invalidLaw =
                    naturalsBelow 3 >>= \i ->
                      [profileOrder p + i :: Natural]
              ]
-          ++ [rawWith (Posterior [[Unfelt]]) "patch" (toJSON [[[toJSON True, toJSON (0 :: Int)]]])]
+          ++ [ rawWith (Posterior [[Unfelt]]) "patch" (toJSON [[wrong : certainly]])
+               | wrong <- [toJSON True, toJSON ("1" :: String), Null, toJSON [1 :: Int]]
+             ]
           ++ illFormedPatches (Posterior [[Certainly 1, Unfelt], [Certainly 0, Certainly 1]]) known

@@ -14,6 +14,7 @@ import PraTactile.Array (Position (..), Surface (..), area, naturalSurface)
 import PraTactile.Conformance.Definition (Known, expected, knownProfile)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Draw
+import PraTactile.Conformance.Laws.Forms
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Locate
 import PraTactile.Conformance.Laws.Malformed
@@ -25,7 +26,10 @@ import Test.QuickCheck hiding (listOf)
 
 -- | The laws of the nearest position.
 damageLaws :: [Law Known]
-damageLaws = correctionLaws ++ systematicLaws ++ drawnLaws ++ [invalidLaw]
+damageLaws =
+  correctionLaws ++ systematicLaws ++ drawnLaws
+    ++ formLaws OnDamage [OfNearest]
+    ++ [invalidLaw]
 
 source :: String
 source =
@@ -168,10 +172,10 @@ systematicLaws =
   [ comparing "small-patches" (asCompared ++ ", to the guaranteed radius") $ \known ->
       Every (asked Nothing <$> smallPatches 300 (knownProfile known)),
     comparing "small-patches-within-a-radius" (asCompared ++ ", to radii of 0, 1 and 2") $ \known ->
-      Every [asked (Just e) rows | rows <- smallPatches 130 (knownProfile known), e <- [0, 1, 2]],
+      Every [asked (Just e) rows | rows <- smallPatches 100 (knownProfile known), e <- [0, 1, 2]],
     comparing "zeros" "zeros, and with them as few other cells as are corrected: zero-window" $
       \known ->
-        Every
+        Every . ofVast 5 (knownProfile known) $
           [ asked radius rows
             | zeros <- zeroPatches (knownProfile known),
               radius <- [Nothing, Just 0, Just 1],
@@ -187,7 +191,14 @@ systematicLaws =
     comparing
       "across-the-edges"
       "across the edges a patch is compared where the surface goes on, and nothing is where it ends"
-      (\known -> Every [asked radius rows | rows <- acrossEdges known, radius <- [Nothing, Just 1]])
+      ( \known ->
+          Every
+            ( ofVast
+                10
+                (knownProfile known)
+                [asked radius rows | rows <- acrossEdges known, radius <- [Nothing, Just 1]]
+            )
+      )
   ]
 
 -- | With a 1 in the first cell.

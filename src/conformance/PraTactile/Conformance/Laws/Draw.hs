@@ -7,14 +7,18 @@ module PraTactile.Conformance.Laws.Draw
     characteristicOf,
     elementsOf,
     upTo,
-    bigNatural,
+    anyNatural,
     bigNaturals,
+    noCodes,
+    isVast,
+    ofVast,
 
     -- * Patches
     surfaceCell,
     seenAt,
     places,
     shapesAround,
+    rowsOf,
     smallPatches,
     Damage (..),
     damaged,
@@ -60,17 +64,42 @@ elementsOf = naturalsBelow . profileOrder
 upTo :: Natural -> Gen Natural
 upTo n = fromInteger <$> chooseInteger (0, toInteger n)
 
--- | Of any size: as many digits as drawn, up to 30.
-bigNatural :: Gen Natural
-bigNatural = do
-  digits <- choose (1, 30 :: Int)
-  upTo (10 ^ digits)
+-- | Numbers that have no room in some width: of bytes and machine words, of what a double has
+-- exactly, of two and four words, and of a hundred digits.
+widths :: [Natural]
+widths =
+  map (2 ^) [8, 15, 16, 31, 32, 53, 63, 64, 127, 128, 256 :: Int] ++ map (10 ^) [30, 110 :: Int]
 
--- | Numbers at which machine words and floating point end.
+-- | Numbers on both sides of every width: what is cut to it is another one, and often a small one.
 bigNaturals :: [Natural]
-bigNaturals =
-  [2 ^ (31 :: Int), 2 ^ (32 :: Int), 2 ^ (53 :: Int) - 1, 2 ^ (53 :: Int), 2 ^ (53 :: Int) + 1]
-    ++ [2 ^ (63 :: Int), 2 ^ (64 :: Int) - 1, 2 ^ (64 :: Int), 10 ^ (30 :: Int)]
+bigNaturals = widths >>= \width -> [width - 1, width, width + 1]
+
+-- | Numbers that are no codes: the next ones, and what would be a code if it were cut to a width.
+noCodes :: Profile -> [Natural]
+noCodes p = q : q + 1 : filter (> q + 1) bigNaturals
+  where
+    q = profileOrder p
+
+-- | Of any size: small, about a width, or of as many digits as drawn, up to 130.
+anyNatural :: Gen Natural
+anyNatural =
+  oneof
+    [ upTo 1000,
+      (\width by -> width - min 100 (width `div` 2) + by) <$> elements widths <*> upTo 300,
+      choose (1, 130 :: Int) >>= upTo . (10 ^)
+    ]
+
+-- | Whether an array has so many cells that it is asked about at few of them.
+isVast :: Profile -> Bool
+isVast p = area (profileShape p) > 8192
+
+-- | All of these, or a few of them, in the same order, where the array is vast.
+ofVast :: Int -> Profile -> [a] -> [a]
+ofVast few p cases
+  | isVast p = [a | (i, a) <- zip [0 ..] cases, i `mod` step == 0]
+  | otherwise = cases
+  where
+    step = max 1 (length cases `div` few)
 
 -- | The cell at a place that may lie beyond the edges, where the profile's surface continues; a
 -- sheet as the torus.
@@ -118,11 +147,14 @@ shapesAround p =
 -- small ones first.
 smallPatches :: Natural -> Profile -> [Patch]
 smallPatches most p =
-  [ rowsOf w cells
-    | Shape h w <- sortOn area [Shape h w | h <- [1 .. 4], w <- [1 .. 4]],
-      (profileOrder p + 1) ^ (h * w) <= most,
-      cells <- replicateM (fromIntegral (h * w)) (Nothing : map Just (elementsOf p))
-  ]
+  ofVast
+    2
+    p
+    [ rowsOf w cells
+      | Shape h w <- sortOn area [Shape h w | h <- [1 .. 4], w <- [1 .. 4]],
+        (profileOrder p + 1) ^ (h * w) <= most,
+        cells <- replicateM (fromIntegral (h * w)) (Nothing : map Just (elementsOf p))
+    ]
 
 rowsOf :: Natural -> [a] -> [[a]]
 rowsOf wide cells = case splitAt (fromIntegral wide) cells of
@@ -134,7 +166,10 @@ data Damage = Damage Int Int
 
 -- | What is left of cells that were seen.
 damaged :: Profile -> Damage -> [[Code]] -> Gen Patch
-damaged p (Damage erased wrong) = traverse (traverse fate)
+damaged p damage = traverse (traverse (suffered p damage))
+
+suffered :: Profile -> Damage -> Code -> Gen (Maybe Code)
+suffered p (Damage erased wrong) = fate
   where
     q = profileOrder p
     fate code = do
@@ -146,14 +181,40 @@ damaged p (Damage erased wrong) = traverse (traverse fate)
           then Nothing
           else Just (if b <= wrong then (code + 1 + by) `mod` q else code)
 
--- | A patch of a shape around the window, seen somewhere on the profile's surface, and damaged.
+-- | A patch seen somewhere on the profile's surface, and damaged: mostly of a shape around the
+-- window, and now and then a wide one.
 genDamaged :: Known -> Damage -> Gen Patch
-genDamaged known damage = do
-  shape <- elements (shapesAround p)
-  place <- genPlace p shape
-  damaged p damage (seenAt known shape place)
+genDamaged known damage = frequency [(9, around), (1, wide)]
   where
     p = knownProfile known
+    around = do
+      shape <- elements (shapesAround p)
+      place <- genPlace p shape
+      damaged p damage (seenAt known shape place)
+    wide = genWide known >>= traverse (traverse (maybe (pure Nothing) (suffered p damage)))
+
+-- | Of up to 30 rows and 40 columns a window somewhere, mostly whole, and a few cells far from it;
+-- it may be larger than the array, but on the sheet hardly.
+genWide :: Known -> Gen Patch
+genWide known = do
+  Shape high wide <- Shape <$> side 30 n1 h <*> side 40 n2 w
+  place <- genPlace p (Shape high wide)
+  (i, j) <- (,) <$> upTo (high - h) <*> upTo (wide - w)
+  far <- vectorOf 5 ((,) <$> upTo (high - 1) <*> upTo (wide - 1))
+  let felt = far ++ [(i + a, j + b) | a <- naturalsBelow h, b <- naturalsBelow w]
+      corner = (high - 1, wide - 1)
+  pure
+    [ [ if (r, c) `elem` (corner : felt) then Just (at place r c) else Nothing
+        | c <- naturalsBelow wide
+      ]
+      | r <- naturalsBelow high
+    ]
+  where
+    p = knownProfile known
+    Shape n1 n2 = profileShape p
+    Shape h w = profileWindow p
+    side most n k = (+ k) <$> upTo (if profileSurface p == Sheet then n - min n k else most)
+    at (Position r c) i j = surfaceCell known (Position (r + i) (c + j))
 
 -- | One of the places of a shape.
 genPlace :: Profile -> Shape -> Gen Position

@@ -10,6 +10,7 @@ module PraTactile.Conformance.Laws.Judge
     asDefined,
     judge,
     questionForm,
+    rawForm,
 
     -- * Laws of several questions
     Trial,
@@ -32,7 +33,7 @@ import Data.Aeson (Value, toJSON)
 import Data.List (find)
 import Data.Maybe (fromMaybe)
 import PraTactile.Conformance.Ask
-import PraTactile.Conformance.Definition (Known, agrees, expected, knownProfile)
+import PraTactile.Conformance.Definition (Known, agrees, expected, inFormOf, knownProfile)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Why (why)
 import PraTactile.Conformance.Question
@@ -83,10 +84,12 @@ law stage what = Law (stageName stage ++ "/" ++ what) stage
 
 -- | Ask, and judge by the definition.
 asDefined :: Known -> SomeQuestion -> Ask Verdict
-asDefined known (SomeQuestion question) =
-  judge question wanted (either (const (const False)) (agrees known question) wanted) road reason
-    <$> ask question
+asDefined known (SomeQuestion question) = judged <$> ask question
   where
+    judged got =
+      let shown = either (const wanted) (\a -> inFormOf known question a <$> wanted) got
+          fits = either (const (const False)) (agrees known question) wanted
+       in judge question shown fits road reason got
     wanted = expected known question
     road = "the definition"
     reason = why (knownProfile known) question wanted
@@ -115,10 +118,13 @@ reply question = either (RefusedFor . refusalReason) (Result . answerValue quest
 
 -- | A question as the pair of its operation and its input.
 questionForm :: Codec SomeQuestion
-questionForm = Codec written $ \value -> do
+questionForm = formOf some
+
+formOf :: (Operation -> Value -> SomeQuestion) -> Codec SomeQuestion
+formOf made = Codec written $ \value -> do
   (name, input) <- readValue pair value
   case find ((== name) . operationName) [minBound ..] of
-    Just operation -> Right (some operation input)
+    Just operation -> Right (made operation input)
     Nothing -> refuse (NotAmong (map operationName [minBound ..]) name)
   where
     written (SomeQuestion question) =
@@ -129,6 +135,10 @@ questionForm = Codec written $ \value -> do
       Right _ -> refuse NotPair
       Left misfit -> Left misfit
     raws = listOf (Codec id Right)
+
+-- | The same, and what is read is kept as it was written.
+rawForm :: Codec SomeQuestion
+rawForm = formOf (\operation -> SomeQuestion . Raw operation)
 
 -- | The question of an operation with this input, typed where the input is well formed.
 some :: Operation -> Value -> SomeQuestion

@@ -12,10 +12,12 @@ module PraTactile.Conformance.Laws.Locate
 where
 
 import Data.Aeson (Value (..), toJSON)
+import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..), naturalsBelow)
 import PraTactile.Conformance.Definition (Known, knownProfile)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Draw
+import PraTactile.Conformance.Laws.Forms
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
 import PraTactile.Conformance.Laws.Smaller
@@ -26,7 +28,10 @@ import Test.QuickCheck
 
 -- | The laws of locating by the table.
 locateLaws :: [Law Known]
-locateLaws = systematicLaws ++ drawnLaws ++ [inverseOfLooking, invalidLaw]
+locateLaws =
+  systematicLaws ++ drawnLaws ++ [inverseOfLooking]
+    ++ formLaws OnLocate [OfLocate]
+    ++ [invalidLaw]
 
 ofTable :: String -> String -> (Known -> Domain SomeQuestion) -> Law Known
 ofTable what sentence = defined OnLocate what OfLocate sentence table
@@ -43,12 +48,12 @@ systematicLaws =
       let p = knownProfile known
        in Every
             [ asked (map (map Just) (seenAt known (profileWindow p) place))
-              | place <- places p (profileWindow p)
+              | place <- ofVast 40 p (places p (profileWindow p))
             ],
     ofTable "small-patches" "all patches of a few cells, felt or not" $ \known ->
       Every (asked <$> smallPatches 700 (knownProfile known)),
     ofTable "zeros" "zeros of all shapes: zero-window, unless a window of zeros occurs" $ \known ->
-      Every (asked <$> zeroPatches (knownProfile known)),
+      Every (asked <$> ofVast 9 (knownProfile known) (zeroPatches (knownProfile known))),
     ofTable "nothing-observed" "a patch of which nothing was observed is refused: too-few-cells" $
       \known -> Every (asked <$> unobserved (knownProfile known)),
     ofTable "across-the-edges" acrossSentence $ \known -> Every (asked <$> acrossEdges known)
@@ -101,14 +106,27 @@ unobserved :: Profile -> [Patch]
 unobserved p = map (constant Nothing) (shapesAround p)
 
 -- | Windows, and patches a row and a column larger, at and beyond the edges, as the profile's
--- surface goes on there; a sheet as the torus. And such with what lies beyond the edges not felt.
+-- surface goes on there; a sheet as the torus. And such with what lies beyond the edges not felt,
+-- or else what lies before them, so that the upper left cell, or its row or column alone, is beyond
+-- the upper and left edges. And two cells that are further apart than the sheet is long.
 acrossEdges :: Known -> [Patch]
 acrossEdges known =
-  [ map (map Just) (seenAt known shape place)
-    | shape <- shapes,
-      place <- edges shape
-  ]
-    ++ [cut shape place | shape <- shapes, place <- edges shape]
+  ofVast 30 p $
+    [ kept (\r c -> r `elem` [0, n1] && c `elem` [0, n2]) shape (Position 0 0)
+      | shape <- [Shape (n1 + 1) 1, Shape 1 (n2 + 1)]
+    ]
+      ++ [ map (map Just) (seenAt known shape place)
+           | shape <- shapes,
+             place <- edges shape
+         ]
+      ++ [kept (\r c -> r < n1 && c < n2) shape place | shape <- shapes, place <- edges shape]
+      ++ [ kept (\r c -> (r >= n1) == beyondRows && (c >= n2) == beyondColumns) shape place
+           | shape@(Shape h' w') <- shapes,
+             h' > h || w' > w,
+             place@(Position r0 c0) <- take 6 (edges shape),
+             let beyondRows = r0 + h' > n1,
+             let beyondColumns = c0 + w' > n2
+         ]
   where
     p = knownProfile known
     Shape n1 n2 = profileShape p
@@ -123,8 +141,9 @@ acrossEdges known =
         ]
     corner = [Position (n1 - 1) (n2 - 1), Position 0 (n2 - 1), Position (n1 - 1) 0]
     sides = concat [[Position i (n2 - 1), Position (n1 - 1) i] | i <- [1 .. 9], i < n1, i < n2]
-    cut shape (Position r c) =
-      [ [if r + i < n1 && c + j < n2 then Just code else Nothing | (j, code) <- zip [0 ..] line]
+    kept :: (Natural -> Natural -> Bool) -> Shape -> Position -> Patch
+    kept felt shape (Position r c) =
+      [ [if felt (r + i) (c + j) then Just code else Nothing | (j, code) <- zip [0 ..] line]
         | (i, line) <- zip [0 ..] (seenAt known shape (Position r c))
       ]
 

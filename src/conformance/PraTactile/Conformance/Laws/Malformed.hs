@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Inputs that are none, made systematically of one that is: a key missing, and in the place of
--- each value, at any depth, one of a wrong type.
+-- each value, at any depth, one of a wrong type, or a number that is written as none may be.
 module PraTactile.Conformance.Laws.Malformed
   ( malformed,
     rawWith,
@@ -44,7 +44,11 @@ wrong value = case value of
 -- | Values of other types, instead of this one or in it.
 instead :: Value -> [Value]
 instead value = case value of
-  Number _ -> [Bool True, Number (scientific 10 (-1)), Number (scientific 15 (-1)), object []]
+  Number _ ->
+    [Bool True, object [], Number (scientific 10 (-1)), Number (scientific 15 (-1))]
+      -- Written as 1.0e7.
+      ++ [Number (scientific (10 ^ (8 :: Int)) (-1))]
+      ++ map String ["", "+1", " 1", "1.0", "1e0", "0x1", "one"]
   String _ -> [Bool True, Number 1, object []]
   Array items -> [Bool True, Number 1, object []] ++ map Array (inOne items)
   _ -> [Bool True, object []]

@@ -5,26 +5,84 @@ module PraTactile.Conformance.Laws.Opening
 where
 
 import Data.Aeson (Value (Bool))
-import PraTactile.Array (Folding (..), Shape (..), area)
+import PraTactile.Array (Folding (..), Position (..), Shape (..), area)
 import PraTactile.Conformance.Ask
+import PraTactile.Conformance.Definition (Known, known, knownProfile)
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Laws.Draw (characteristicOf, degreeOf, periodOf)
+import PraTactile.Conformance.Laws.Draw (characteristicOf, degreeOf, isVast, periodOf, seenAt)
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Question
+import PraTactile.Format.Json.Codec (listOf)
 import PraTactile.Format.Profile (profileCodec, profileValue)
 import PraTactile.Profile (Profile (..), canonicalProfile)
 
 -- | About the profiles of the suite: each of them, and each with a change that makes it impossible.
 openingLaws :: [Law [Profile]]
 openingLaws =
-  law
-    OnProfile
-    "possible-ones-are-opened"
-    []
-    "a profile that names an array is put in force"
-    "the protocol: a possible profile is not refused"
-    (\profiles -> Cases profileCodec (Every profiles) (opened True "the profile names an array")) :
-  map impossibleLaw impossibles
+  [ law
+      OnProfile
+      "possible-ones-are-opened"
+      []
+      "a profile that names an array is put in force"
+      "the protocol: a possible profile is not refused"
+      (\profiles -> Cases profileCodec (Every profiles) (opened True "the profile names an array")),
+    law
+      OnProfile
+      "polynomial-may-end-in-zeros"
+      []
+      "coefficients of 0 at the end of a profile's polynomial count for nothing"
+      "the protocol, polynomials"
+      ( \profiles ->
+          Cases
+            profileCodec
+            (Every [p {profilePolynomial = profilePolynomial p ++ [0, 0]} | p <- take 3 profiles])
+            (opened True "the profile names an array")
+      ),
+    law
+      OnProfile
+      "profiles-return"
+      [OfTerm, OfCell, OfPack, OfDistance, OfLocate]
+      "what is answered is of the profile in force, whichever ones were before it"
+      "the protocol: a profile may come at any time"
+      ( \profiles ->
+          let small = filter (not . isVast) profiles
+           in Cases
+                (listOf profileCodec)
+                (Every [[a, b, a] | (a, b) <- take 6 (zip small (drop 1 small))])
+                (inTurns [])
+      )
+  ]
+    ++ map impossibleLaw impossibles
+
+-- | Put these in force one after the other, and ask a few questions under each; what was put in
+-- force before is told with what is wrong.
+inTurns :: [Exchange] -> [Profile] -> Ask Verdict
+inTurns before profiles = case profiles of
+  [] -> pure Holds
+  p : others -> do
+    got <- opening p
+    let now = before ++ [Exchange Nothing (profileValue p) (Result (Bool True))]
+    case (got, known p) of
+      (Right (), Right about) -> do
+        verdicts <- traverse (asDefined about) (fewOf about)
+        case [violation | Violated violation <- verdicts] of
+          violation : _ ->
+            pure (Violated violation {violationAsked = now ++ violationAsked violation})
+          [] -> inTurns now others
+      _ -> opened True "the profile names an array" p
+
+-- | A question of each operation that depends on another part of the profile.
+fewOf :: Known -> [SomeQuestion]
+fewOf about =
+  [ SomeQuestion (Term (degreeOf p)),
+    SomeQuestion (Cell n1 (n2 - 1)),
+    SomeQuestion (Pack (take (fromIntegral (area (profileWindow p))) (cycle [1, 0, 0]))),
+    SomeQuestion (Distance ["##", "##"]),
+    SomeQuestion (Locate (map (map Just) (seenAt about (profileWindow p) (Position 0 0))))
+  ]
+  where
+    p = knownProfile about
+    Shape n1 n2 = profileShape p
 
 -- | What makes a profile impossible, and some that are so.
 data Impossible = Impossible String String (Profile -> [Profile])

@@ -8,10 +8,14 @@ where
 
 import Control.Monad (replicateM)
 import Data.Aeson (Value (..), toJSON)
+import Numeric.Natural (Natural)
 import PraTactile.Conformance.Ask (Ask)
 import PraTactile.Conformance.Definition (Known, expected, knownProfile)
+import PraTactile.Conformance.Definition.Array (knownField)
+import PraTactile.Conformance.Definition.Polynomial (primeDivisors, primitiveAndShort)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Draw
+import PraTactile.Conformance.Laws.Forms
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
 import PraTactile.Conformance.Laws.Smaller
@@ -22,14 +26,42 @@ import Test.QuickCheck hiding (listOf)
 
 -- | The laws of polynomials over GF(q).
 polynomialLaws :: [Law Known]
-polynomialLaws = definitionLaws ++ relationLaws ++ invalidLaws
+polynomialLaws =
+  definitionLaws ++ relationLaws
+    ++ formLaws OnPolynomial [OfPrimitive, OfFirstPrimitive]
+    ++ invalidLaws
 
 definitionLaws :: [Law Known]
 definitionLaws =
   [ defined OnPolynomial "primitive-as-defined" OfPrimitive primitiveSentence source $ \known ->
       Every (SomeQuestion . Primitive <$> smallPolynomials (knownProfile known)),
     defined OnPolynomial "primitive-of-drawn-ones" OfPrimitive primitiveSentence source $ \known ->
-      Some (SomeQuestion . Primitive <$> drawn (knownProfile known)) smaller,
+      let degrees = [(9, drawn), (1, drawnUpTo (2 ^ (40 :: Int)))]
+          draws = frequency [(often, draw (knownProfile known)) | (often, draw) <- degrees]
+       in Some (SomeQuestion . Primitive <$> draws) smaller,
+    defined
+      OnPolynomial
+      "primitive-of-high-degrees"
+      OfPrimitive
+      ( "a polynomial is primitive only if the order of its root is q^n - 1 itself, and not that "
+          ++ "divided by one of its primes, a large one perhaps"
+      )
+      source
+      $ \known -> Every (SomeQuestion . Primitive <$> highDegrees known),
+    defined
+      OnPolynomial
+      "primitive-of-what-ends-in-zeros"
+      OfPrimitive
+      "coefficients of 0 at a polynomial's end count for nothing; none of degree 0 is primitive"
+      source
+      ( \known ->
+          let p = knownProfile known
+           in Every
+                [ SomeQuestion (Primitive (codes ++ replicate zeros 0))
+                  | codes <- [[], [1], profilePolynomial p] ++ linear p,
+                    zeros <- [0, 1, 3]
+                ]
+      ),
     defined
       OnPolynomial
       "first-primitive-as-defined"
@@ -39,7 +71,7 @@ definitionLaws =
       "the profile's order of polynomials"
       ( \known ->
           let q = profileOrder (knownProfile known)
-           in Every [SomeQuestion (FirstPrimitive n) | n <- [1 .. 8], q ^ n <= 5000]
+           in Every [SomeQuestion (FirstPrimitive n) | n <- [1 .. 14], q ^ n <= 2 ^ (17 :: Int)]
       )
   ]
 
@@ -49,6 +81,10 @@ primitiveSentence =
 
 source :: String
 source = "Lidl and Niederreiter, Finite Fields, theorem 3.16"
+
+-- | Of degree 1.
+linear :: Profile -> [[Code]]
+linear p = [[a, 1] | a <- take 8 (elementsOf p)]
 
 -- | All polynomials of the degrees of which there are at most 700, monic or not.
 smallPolynomials :: Profile -> [[Code]]
@@ -62,10 +98,27 @@ smallPolynomials p =
   where
     q = profileOrder p
 
+-- | Of the least degrees for which q^n - 1 has a prime above 100, and, of small fields, above
+-- 2^16: a primitive polynomial, and those of which the root's order is too small by one of these
+-- primes.
+highDegrees :: Known -> [[Code]]
+highDegrees known =
+  [ map fromIntegral h
+    | bound <- 100 : [2 ^ (16 :: Int) | q <= 9],
+      n <- take 1 [n | n <- [2 .. 20], any (> bound) (primeDivisors (q ^ n - 1))],
+      h <- primitiveAndShort (knownField known) n
+  ]
+  where
+    q = toInteger (profileOrder (knownProfile known))
+
 -- | Monic, of a degree for which q^n is at most 5000.
 drawn :: Profile -> Gen [Code]
-drawn p = do
-  n <- elements [n | n <- [1 .. 12 :: Int], q ^ n <= 5000]
+drawn = drawnUpTo 5000
+
+-- | Monic, of a degree for which q^n is at most so much.
+drawnUpTo :: Natural -> Profile -> Gen [Code]
+drawnUpTo most p = do
+  n <- elements [n | n <- [1 .. 40 :: Int], q ^ n <= most]
   lower <- vectorOf n (upTo (q - 1))
   pure (lower ++ [1])
   where
@@ -138,13 +191,12 @@ alike known codes = case inverted of
 invalidLaws :: [Law Known]
 invalidLaws =
   [ invalid OnPolynomial "primitive-refuses-what-is-invalid" OfPrimitive $ \known ->
-      let q = profileOrder (knownProfile known)
-       in [ SomeQuestion (Primitive codes)
-            | a <- q : q + 1 : bigNaturals,
-              codes <- [[a, 1], [1, a], [1, 0, a, 1]]
-          ]
-            ++ [rawWith (Primitive [1, 1]) "polynomial" (toJSON [-1, 1 :: Int])]
-            ++ malformed (Primitive [1, 1]),
+      [ SomeQuestion (Primitive codes)
+        | a <- noCodes (knownProfile known),
+          codes <- [[a, 1], [1, a], [1, 0, a, 1]]
+      ]
+        ++ [rawWith (Primitive [1, 1]) "polynomial" (toJSON [-1, 1 :: Int])]
+        ++ malformed (Primitive [1, 1]),
     invalid OnPolynomial "first-primitive-refuses-what-is-invalid" OfFirstPrimitive $ \_ ->
       SomeQuestion (FirstPrimitive 0) :
       rawWith (FirstPrimitive 1) "degree" (Number (-1)) :

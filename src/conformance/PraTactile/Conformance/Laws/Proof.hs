@@ -18,6 +18,7 @@ import PraTactile.Conformance.Laws.Malformed
 import PraTactile.Conformance.Laws.Smaller
 import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile (..))
+import Test.QuickCheck (Gen, frequency, listOf1)
 
 -- | The laws of proofs and distances.
 proofLaws :: [Law Known]
@@ -41,13 +42,20 @@ proofLaws =
 ofMasks :: String -> Operation -> (MaskRows -> SomeQuestion) -> String -> [Law Known]
 ofMasks name operation asked sentence =
   [ defined OnProof (name ++ "-small-masks") operation sentence source $ \known ->
-      Every (map asked (filter (affordable (knownProfile known)) smallMasks)),
+      let p = knownProfile known
+       in Every (map asked (ofVast 2 p (filter (affordable p) smallMasks))),
     defined OnProof (name ++ "-special-masks") operation (sentence ++ special) source $ \known ->
-      Every (map asked (specialMasks (knownProfile known))),
+      Every (map asked (ofVast 6 (knownProfile known) (specialMasks (knownProfile known)))),
     defined OnProof (name ++ "-drawn-masks") operation sentence source $ \known ->
       let Shape n1 n2 = profileShape (knownProfile known)
-          sizes = if area (profileShape (knownProfile known)) > 1024 then 2 else 5
-       in Some (asked <$> genMask (min n1 sizes) (min n2 sizes)) smaller
+          within high wide = asked <$> genMask (min n1 high) (min n2 wide)
+          large = area (profileShape (knownProfile known)) > 1024
+       in Some
+            ( if large
+                then within 2 2
+                else frequency [(14, within 5 5), (1, within 20 20), (1, asked <$> farMask n1 n2)]
+            )
+            smaller
   ]
   where
     special =
@@ -83,6 +91,13 @@ specialMasks p =
     drawn :: Natural -> Natural -> [(Natural, Natural)] -> MaskRows
     drawn h w cells =
       [[if (i, j) `elem` cells then '#' else '.' | j <- [0 .. w - 1]] | i <- [0 .. h - 1]]
+
+-- | A few cells that lie far apart, perhaps beyond the edges.
+farMask :: Natural -> Natural -> Gen MaskRows
+farMask n1 n2 = do
+  (h, w) <- (,) <$> upTo (n1 + 2) <*> upTo (n2 + 2)
+  cells <- listOf1 ((,) <$> upTo h <*> upTo w)
+  pure [[if (r, c) `elem` take 8 cells then '#' else '.' | c <- [0 .. w]] | r <- [0 .. h]]
 
 relationLaws :: [Law Known]
 relationLaws =

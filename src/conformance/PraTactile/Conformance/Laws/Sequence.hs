@@ -17,6 +17,7 @@ import PraTactile.Array (Shape (..), naturalsBelow)
 import PraTactile.Conformance.Definition (Known, expected, knownProfile)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Draw
+import PraTactile.Conformance.Laws.Forms
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
 import PraTactile.Conformance.Laws.Smaller
@@ -27,7 +28,10 @@ import Test.QuickCheck hiding (listOf)
 
 -- | The laws of the sequence.
 sequenceLaws :: [Law Known]
-sequenceLaws = definitionLaws ++ recurrenceLaws ++ countingLaws ++ shiftLaws ++ invalidLaws
+sequenceLaws =
+  definitionLaws ++ recurrenceLaws ++ countingLaws ++ shiftLaws
+    ++ formLaws OnSequence [OfTerm, OfTerms]
+    ++ invalidLaws
 
 definitionLaws :: [Law Known]
 definitionLaws =
@@ -62,7 +66,7 @@ definitionLaws =
       recurrence
       ( \known ->
           Some
-            (fmap SomeQuestion (Terms <$> anyIndex (knownProfile known) <*> upTo 40))
+            (fmap SomeQuestion (Terms <$> anyIndex (knownProfile known) <*> anyLength))
             smaller
       )
   ]
@@ -72,13 +76,16 @@ recurrence =
   "MacWilliams and Sloane (1976), section II; the profile's polynomial, reading and \
   \state"
 
--- | Around the end of a period, around machine words, and anywhere.
+-- | Mostly short.
+anyLength :: Gen Natural
+anyLength = frequency [(19, upTo 40), (1, upTo 4000)]
+
+-- | Around the end of a period, and any.
 anyIndex :: Profile -> Gen Natural
 anyIndex p =
   oneof
     [ (+) (periodOf p - min (periodOf p) 20) <$> upTo 40,
-      (+) <$> elements bigNaturals <*> upTo 300,
-      bigNatural
+      anyNatural
     ]
 
 recurrenceLaws :: [Law Known]

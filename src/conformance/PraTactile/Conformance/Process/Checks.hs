@@ -9,10 +9,13 @@ module PraTactile.Conformance.Process.Checks
   )
 where
 
-import Data.Aeson (Value, object, (.=))
+import Data.Aeson (Value (..), object, (.=))
+import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString as Bytes
 import Data.Foldable (traverse_)
+import Data.Scientific (scientific)
 import GHC.Clock (getMonotonicTime)
+import PraTactile.Conformance.Laws.Forms (otherForms)
 import PraTactile.Conformance.Process.Await
 import PraTactile.Conformance.Process.Child
 import PraTactile.Conformance.Process.Lines
@@ -28,13 +31,19 @@ import System.Exit (ExitCode (..))
 -- | The ids of all checks, and what each demands.
 checkTexts :: [(String, String)]
 checkTexts =
-  [ (noneInForceId, "after a refused profile none is in force, and a run is errored"),
+  [ (noProfileId, "what is no profile is refused: invalid"),
+    (formsId, "the integers of a profile are JSON numbers or decimal strings"),
+    (answersFirstId, "what was asked before stop, in one write with it, is answered"),
+    (noneInForceId, "after a refused profile none is in force, and a run is errored"),
     (inputEndsId, "at the end of its input it ends within 5 seconds and writes nothing more"),
     (stoppedId, "after stop it ends within 5 seconds and writes nothing more"),
     (unknownId, "an operation that is not known is skipped")
   ]
 
-noneInForceId, inputEndsId, stoppedId, unknownId :: String
+noProfileId, formsId, answersFirstId, noneInForceId, inputEndsId, stoppedId, unknownId :: String
+noProfileId = "protocol/refuses-what-is-no-profile"
+formsId = "protocol/takes-profiles-in-either-form"
+answersFirstId = "protocol/answers-before-it-stops"
 noneInForceId = "protocol/none-in-force-after-a-refusal"
 inputEndsId = "protocol/ends-with-its-input"
 stoppedId = "protocol/ends-when-stopped"
@@ -46,7 +55,10 @@ check name = Check name (concat (lookup name checkTexts))
 -- | Those of a process that answers many requests, which is stopped by the last one.
 sessionChecks :: Limits -> Session -> [Check]
 sessionChecks limits session =
-  [ check noneInForceId (noneInForce limits session),
+  [ check noProfileId (profilesOf limits session "invalid" noProfiles),
+    check formsId (profilesOf limits session "" (otherForms (profileValue canonicalProfile))),
+    check answersFirstId (answersFirst limits session),
+    check noneInForceId (noneInForce limits session),
     check inputEndsId (judged [startRequest] <$> withStarted session (endsBy closeInput)),
     check stoppedId (judged [stopRequest] <$> stopped)
   ]
@@ -76,6 +88,56 @@ endsBy ask child = do
       ExitFailure n | n < 0 -> fault Crashed (exitText code)
       _ -> pure (Right ())
     fault kind detail = Left <$> withErrors child (Fault kind detail)
+
+-- | Put these in force, one after the other; each is refused so, or taken where no reason is given.
+profilesOf :: Limits -> Session -> String -> [Value] -> IO Checked
+profilesOf limits session reason profiles = do
+  got <- withStarted session (\child -> Right <$> upToFault (map (asked child) profiles))
+  pure $ case got of
+    Left why -> CheckErred [startRequest] why
+    Right replies -> foldr worse CheckHeld (zip profiles replies)
+  where
+    wanted = if null reason then ResponseResult (Bool True) else ResponseRefused reason
+    asked child profile = do
+      send child (requestLine (profileRequestOf profile))
+      line <- awaitLine child (limitReply limits)
+      pure (line >>= fmap replyResponse . readReply)
+    worse (profile, reply) others = case reply of
+      Left why -> CheckErred [profileRequestOf profile] why
+      Right response
+        | response == wanted -> others
+        | otherwise -> CheckFailed [profileRequestOf profile] wanted response
+
+-- | The paper's profile with a key missing, with a value of another type, with an unknown word, and
+-- as another schema.
+noProfiles :: [Value]
+noProfiles =
+  Null :
+  Array mempty :
+    [ Object (maybe (KeyMap.delete name) (KeyMap.insert name) wrong fields)
+      | Object fields <- [profileValue canonicalProfile],
+        name <- KeyMap.keys fields,
+        wrong <- Nothing : map Just wrongs
+    ]
+  where
+    wrongs =
+      [Bool True, Null, String "another", Number (scientific 40 (-1)), Number (-1), object []]
+        ++ [Array (pure (String "x")), Array (pure (Number (scientific 10 (-1))))]
+
+-- | Many questions and @stop@ in one write, with replies for which a pipe has no room: a program
+-- that ends at once loses what it has not handed on.
+answersFirst :: Limits -> Session -> IO Checked
+answersFirst limits session = case startedQuestions session of
+  [] -> pure CheckHeld
+  question : _ -> do
+    let long = SomeQuestion (Terms 0 100000)
+        offered = startedOperations (sessionStarted session)
+        last' = if operationName OfTerms `elem` offered then long else question
+        runs = zipWith runRequest [1 ..] (replicate 2000 question ++ [last', last'])
+    got <- withStarted session $ \child -> do
+      send child (foldMap requestLine (profileRequest canonicalProfile : runs ++ [stopRequest]))
+      sequence <$> upToFault (replicate (1 + length runs) (awaitLine child (limitReply limits)))
+    pure (either (CheckErred (drop 2001 runs ++ [stopRequest])) (const CheckHeld) got)
 
 -- | A possible profile, an impossible one, and a question.
 noneInForce :: Limits -> Session -> IO Checked

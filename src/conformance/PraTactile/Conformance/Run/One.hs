@@ -22,7 +22,9 @@ where
 import Data.Aeson (Value (Bool))
 import Data.IORef
 import Data.List (nub)
+import PraTactile.Array (area)
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Laws.Draw (isVast)
 import PraTactile.Conformance.Process.Reply (profileRequest, profileRequestOf, runRequest)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report
@@ -32,7 +34,7 @@ import PraTactile.Conformance.Run.Trials
 import PraTactile.Conformance.Run.Work
 import PraTactile.Conformance.Subject
 import PraTactile.Format.Error (FormatError)
-import PraTactile.Profile (Profile)
+import PraTactile.Profile (Profile (..))
 
 -- | A subject, and the profile that was put in force last, with what came instead of that.
 data Worker = Worker Subject (IORef (Maybe (Profile, Maybe Counterexample)))
@@ -56,9 +58,21 @@ tryToken planFor suite worker@(Worker subject _) work case' =
     Left why -> pure (Left why)
     Right tried -> Right <$> inForce worker work (tried >>= reportOf suite work)
 
--- | Trials that put profiles in force have the subject for themselves.
+-- | Trials that put profiles in force have the subject for themselves. Of what compares positions
+-- fewer cases are drawn where an array has very many of them, and fewer go on at once the more
+-- there are: each may be answered by a list of all.
 narrowed :: Work -> Plan -> Plan
-narrowed work plan = maybe plan {planWindow = 1} (const plan) (workProfile work)
+narrowed work plan = case workProfile work of
+  Nothing -> plan {planWindow = 1}
+  Just (_, profile)
+    | workStage work < OnProof -> plan
+    | otherwise ->
+      plan
+        { planCases = if isVast profile then min 4 (planCases plan) else planCases plan,
+          planWindow = max 4 (min (planWindow plan) (50000 `div` cells))
+        }
+    where
+      cells = fromIntegral (max 1 (area (profileShape profile)))
 
 -- | Do it with the profile of the work in force; where that is refused, say so.
 inForce :: Worker -> Work -> IO LawReport -> IO LawReport

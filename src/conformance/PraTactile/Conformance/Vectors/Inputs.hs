@@ -18,6 +18,7 @@ import Data.List (sort)
 import Data.Scientific (scientific)
 import PraTactile.Array (Shape (..), area, naturalsBelow)
 import PraTactile.Conformance.Definition
+import PraTactile.Conformance.Laws.Draw (isVast)
 import PraTactile.Conformance.Profiles (apartMask)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Vectors.Draw
@@ -42,17 +43,21 @@ data Kind
     Drawn
   deriving stock (Eq, Show)
 
--- | What is asked of an operation under a profile, given the seed.
+-- | What is asked of an operation under a profile, given the seed. Where an array has very many
+-- positions, what compares or lists all of them is asked for nothing but refusals.
 groupsOf :: Int -> Known -> Operation -> [Group]
-groupsOf seed k operation =
-  filter (not . null . groupQuestions) $
-    concat
-      [ [Group source WholeDomain whole | Just (source, whole) <- [wholeDomain k operation]],
-        [Group "Every content of a window." Chosen (everyWindow k) | operation == OfLocate],
-        [Group "Drawn from the seed." Drawn (drawn seed (someOf k operation))],
-        [Group "Edges of the domain, and beyond." Chosen (edges k operation)],
-        [Group "Inputs of the wrong form, or nearly so." Chosen (malformed k operation)]
-      ]
+groupsOf seed k operation
+  | isVast (knownProfile k) && operation > OfLocate = [refusals]
+  | otherwise = filter (not . null . groupQuestions) (answered ++ [refusals])
+  where
+    refusals = Group "Inputs of the wrong form, or nearly so." Chosen (malformed k operation)
+    answered =
+      concat
+        [ [Group source WholeDomain whole | Just (source, whole) <- [wholeDomain k operation]],
+          [Group "Every content of a window." Chosen (everyWindow k) | operation == OfLocate],
+          [Group "Drawn from the seed." Drawn (drawn seed (someOf k operation))],
+          [Group "Edges of the domain, and beyond." Chosen (edges k operation)]
+        ]
 
 -- | All inputs that an operation has in a profile's field or array, if they are few: at most 1024,
 -- or of a field of up to 16 elements. Exponents, indices and positions have no end; of the
