@@ -46,6 +46,7 @@ import GHC.IO.Encoding (mkTextEncoding, setFileSystemEncoding)
 import Options.Applicative
 import Options.Applicative.Help (renderHelp)
 import Paths_pra_tactile (version)
+import PraTactile.Conformance.Version (suiteVersion)
 import System.Environment (getArgs, getProgName)
 import System.Exit (ExitCode (..))
 import System.IO (hSetEncoding, stderr, stdout)
@@ -117,7 +118,9 @@ commandLine =
 
 versionOption :: Parser (a -> a)
 versionOption =
-  infoOption ("pra-tactile " ++ showVersion version) (long "version" <> help "Show the version")
+  infoOption
+    ("pra-tactile " ++ showVersion version ++ ", suite " ++ suiteVersion)
+    (long "version" <> help "Show the version")
 
 commands :: Parser (IO ExitStatus)
 commands =

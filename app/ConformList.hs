@@ -11,21 +11,39 @@ import Data.List (nub)
 import Data.String (fromString)
 import Json
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Process (checkTexts)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Run
+import PraTactile.Conformance.Run.Pattern
+import PraTactile.Conformance.Version
 
 -- | A law: what is said of it, and under how many profiles, of how many, it exhausts its domain.
-data Listed = Listed Work Int Int
+data Listed = Listed
+  { listedId :: String,
+    listedStage :: Stage,
+    listedNeeds :: [Operation],
+    listedSentence :: String,
+    listedSource :: String,
+    listedFull :: Int,
+    listedProfiles :: Int
+  }
 
--- | The laws that were chosen, each once.
+-- | What was chosen, each once: how a process is spoken to, and the laws.
 listOfLaws :: Settings -> Suite about -> [Listed]
 listOfLaws settings suite =
-  [ Listed first (length (filter exhaustive own)) (length own)
-    | name <- nub (map workId work),
-      own@(first : _) <- [filter ((== name) . workId) work]
+  [ Listed name OnProtocol [] sentence "the protocol" 1 1
+    | OnProtocol `elem` stagesTried settings,
+      (name, sentence) <- checkTexts,
+      null (settingRun settings) || any (`matches` name) (settingRun settings)
   ]
+    ++ [ listed first (length (filter exhaustive own)) (length own)
+         | name <- nub (map workId work),
+           own@(first : _) <- [filter ((== name) . workId) work]
+       ]
   where
     work = workOf settings [minBound ..] suite
+    listed one =
+      Listed (workId one) (workStage one) (workNeeds one) (workSentence one) (workSource one)
     exhaustive one = case workCases one of
       Cases _ (Every _) _ -> True
       Cases _ (Some _ _) _ -> False
@@ -34,9 +52,11 @@ listOfLaws settings suite =
 listText :: Settings -> Suite about -> String
 listText settings suite = concatMap shown (listOfLaws settings suite)
   where
-    shown (Listed work full all') =
-      workId work ++ asks work ++ domain full all' ++ "\n    " ++ workSentence work ++ "\n"
-    asks work = case workNeeds work of
+    shown one =
+      listedId one ++ asks one ++ domain (listedFull one) (listedProfiles one) ++ "\n    "
+        ++ listedSentence one
+        ++ "\n"
+    asks one = case listedNeeds one of
       [] -> ""
       needs -> ": " ++ unwords (map operationName needs)
     domain full all'
@@ -47,15 +67,17 @@ listText settings suite = concatMap shown (listOfLaws settings suite)
 -- | The same as JSON.
 listJson :: Settings -> Suite about -> ByteString
 listJson settings suite =
-  encodeSchema "conform-laws/1" (fromString "laws" .= map one (listOfLaws settings suite))
+  encodeSchema "conform-laws/1" $
+    fromString "suite" .= suiteVersion
+      <> fromString "laws" .= map one (listOfLaws settings suite)
   where
-    one (Listed work full all') =
+    one law =
       object
-        [ fromString "law" .= workId work,
-          fromString "stage" .= stageName (workStage work),
-          fromString "needs" .= map operationName (workNeeds work),
-          fromString "sentence" .= workSentence work,
-          fromString "source" .= workSource work,
-          fromString "exhaustive" .= full,
-          fromString "profiles" .= all'
+        [ fromString "law" .= listedId law,
+          fromString "stage" .= stageName (listedStage law),
+          fromString "needs" .= map operationName (listedNeeds law),
+          fromString "sentence" .= listedSentence law,
+          fromString "source" .= listedSource law,
+          fromString "exhaustive" .= listedFull law,
+          fromString "profiles" .= listedProfiles law
         ]

@@ -22,6 +22,7 @@ import PraTactile.Conformance.Process (Mode (..), checkTexts)
 import PraTactile.Conformance.Run
 import PraTactile.Conformance.Run.Pattern
 import PraTactile.Conformance.Run.Token
+import PraTactile.Conformance.Version
 import Visible
 
 -- | As they are given.
@@ -70,6 +71,7 @@ conformOptions =
     <*> jsonSwitch "Print the report as JSON"
     <*> optionalFile "junit" "FILE" "Write the report as JUnit's XML as well"
     <*> many (strArgument (metavar "COMMAND ARGS..." <> action "command"))
+    <**> infoOption ("suite " ++ suiteVersion) (long "version" <> help "Show the suite's version")
   where
     stagesNamed =
       [(name, [stage]) | (name, stage) <- allNamed stageName] ++ [("touch", touchStages)]

@@ -76,10 +76,12 @@ import qualified Test.Conformance.Properties
 import qualified Test.Conformance.Report
 import qualified Test.Conformance.Run.Choice
 import qualified Test.Conformance.Run.Counterexamples
+import qualified Test.Conformance.Run.Fresh
 import qualified Test.Conformance.Run.Search
 import qualified Test.Conformance.Run.Whole
 import qualified Test.Conformance.Serve
 import qualified Test.Conformance.Vectors
+import qualified Test.Conformance.Versions
 import qualified Test.Conformance.Wire.Forms
 import qualified Test.Conformance.Wire.Lines
 import qualified Test.Documents
@@ -316,6 +318,8 @@ specs = do
   describe "Conformance: test vectors" Test.Conformance.Vectors.spec
   describe "Conformance: the runner" Test.Conformance.Run.Search.spec
   describe "Conformance: what the runner tries" Test.Conformance.Run.Choice.spec
+  describe "Conformance: what depends on earlier requests" Test.Conformance.Run.Fresh.spec
+  describe "Conformance: the version of the suite" Test.Conformance.Versions.spec
   describe "Conformance: what the runner reports" Test.Conformance.Run.Counterexamples.spec
   describe "Conformance: whole runs" Test.Conformance.Run.Whole.spec
   describe "Conformance: what processes write" Test.Conformance.Process.Output.spec

@@ -82,7 +82,7 @@ page() { # NAME-OF-PAGE  ONE-LINE-DESCRIPTION-OR-NOTHING
 }
 
 date=$(date -r "$program" +%Y-%m-%d)
-version=$("$program" --version | sed 's/.* //')
+version=$("$program" --version | sed 's/^pra-tactile \([^,]*\).*/\1/')
 help=$("$program" --help)
 exit_status=$(printf '%s\n' "$help" | sed -n '/^Exit status: /,/^$/p' | tr '\n' ' ' | sed -e 's/^Exit status: //' -e 's/ *$//')
 # The entries of every list but the options, by name.

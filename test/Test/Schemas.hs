@@ -212,6 +212,7 @@ touching =
 conforming :: [(String, String)]
 conforming =
   [ ("conform-laws", "pra conform --list --json"),
+    ("suite", "tr -d '\\n' < data/suite.json"),
     ("impostors", "pra serve --impostors --json"),
     ("conform", conform ("--run window/pack" ++ paper) "pra-tactile serve"),
     ("conform", conform ("--one-shot --run array/cell-at-the-edges" ++ paper) adapter),

@@ -12,7 +12,7 @@ import Data.Foldable (for_)
 import Data.List (sort, tails)
 import Data.Maybe (mapMaybe)
 import Numeric.Natural (Natural)
-import PraTactile.Array (Position (Position), Shape (..), Surface (..), naturalsBelow)
+import PraTactile.Array (Position (Position), Shape (..), Surface (..), area, naturalsBelow)
 import PraTactile.Conformance.Definition
 import PraTactile.Conformance.Implementation (Implementation (..), Session, answerTo)
 import PraTactile.Conformance.Library (library)
@@ -174,14 +174,22 @@ askedUnder k =
   concat
     [ fieldQuestions profile,
       polynomialQuestions profile,
-      arrayQuestions profile,
-      windowQuestions k,
+      few (arrayQuestions profile),
+      few (windowQuestions k),
       illFormed profile,
       concatMap drawnQuestions [1 .. draws]
     ]
   where
     profile = knownProfile k
-    draws = if profileShape profile == Shape 63 65 then 20 else 150
+    cells = area (profileShape profile)
+    draws
+      | cells > 8192 = 2
+      | cells > 1024 = 20
+      | otherwise = 150
+    -- Where there are very many cells, some of them.
+    few questions
+      | cells > 8192 = [one | (i, one) <- zip [0 :: Int ..] questions, i `mod` 997 == 0]
+      | otherwise = questions
     drawnQuestions seed = unGen (drawn k) (mkQCGen seed) 30
 
 -- | All elements, and codes that are none.

@@ -6,7 +6,7 @@ module Test.Conformance.Report (spec) where
 
 import Data.Aeson (Value, decodeStrict, object, toJSON, (.=))
 import Data.Foldable (for_)
-import Data.List (isPrefixOf, isSuffixOf)
+import Data.List (isInfixOf, isPrefixOf, isSuffixOf)
 import PraTactile.Conformance.Law (Stage (..))
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report
@@ -14,6 +14,7 @@ import PraTactile.Conformance.Report.Json
 import PraTactile.Conformance.Report.Junit
 import PraTactile.Conformance.Report.Words
 import PraTactile.Conformance.Subject
+import PraTactile.Conformance.Version
 import Test.Hspec
 
 spec :: Spec
@@ -75,6 +76,7 @@ spec = do
           "  why             reason",
           "",
           "not offered: negate; their laws were skipped",
+          "1 law skipped: note <&\"",
           "offered, but not known here: x y",
           "held, but must fail: field/*",
           "offered, but no law of it held: term",
@@ -82,6 +84,15 @@ spec = do
           "not certified: 2 held, 2 failed, 1 skipped, 2 errored, 1 known to fail; \
           \19 cases in 2.3 seconds"
         ]
+  it "in words: what a failure depends on that a fresh process does not show" $
+    for_ [(0, "this alone"), (1, "this without the first one"), (3, "one of the first 3")] $
+      \(count, said) -> do
+        let earlier one = one {counterEarlier = Just count}
+            one = failed "field/c" Nothing
+            text =
+              failureText id one {lawReportCounterexample = earlier <$> lawReportCounterexample one}
+        [line | line <- lines text, "  depends on" `isPrefixOf` line, said `isInfixOf` line]
+          `shouldSatisfy` ((== 1) . length)
   it "in words: of ten failures all, of more the names, of more than five of these the first" $
     for_ [0, 1, 9, 10, 11, 12, 15, 16] $ \count -> do
       let names = ["field/" ++ show i | i <- [1 .. count :: Int]]
@@ -248,6 +259,7 @@ json :: Value
 json =
   object
     [ "schema" .= text "pra-tactile/conform/1",
+      "suite" .= suiteVersion,
       "subject" .= text "subject",
       "seed" .= five,
       "certified" .= False,
@@ -304,6 +316,7 @@ json =
           "road" .= text "the definition",
           "reason" .= text "reason",
           "shrinks" .= (five - 4),
+          "earlier" .= (Nothing :: Maybe Int),
           "token" .= text "token"
         ]
     broken =
@@ -314,5 +327,6 @@ json =
           "road" .= text "a theorem",
           "reason" .= text "reason",
           "shrinks" .= (five - 5),
+          "earlier" .= (Nothing :: Maybe Int),
           "token" .= (Nothing :: Maybe String)
         ]

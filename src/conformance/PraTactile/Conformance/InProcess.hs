@@ -41,6 +41,7 @@ inProcess implementation = do
               ( \(SomeQuestion asked) ->
                   guarded (answerIn implementation force asked >>= computed)
               ),
+        subjectFresh = Nothing,
         subjectBatch = 64,
         subjectUnknown = [],
         subjectChecks = []

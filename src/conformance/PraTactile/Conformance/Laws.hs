@@ -6,11 +6,12 @@ module PraTactile.Conformance.Laws
   )
 where
 
-import PraTactile.Conformance.Definition (Known)
+import PraTactile.Conformance.Definition (Known, knownProfile)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Array
 import PraTactile.Conformance.Laws.Chances
 import PraTactile.Conformance.Laws.Damage
+import PraTactile.Conformance.Laws.Draw (isVast)
 import PraTactile.Conformance.Laws.Field
 import PraTactile.Conformance.Laws.Locate
 import PraTactile.Conformance.Laws.Opening
@@ -30,11 +31,16 @@ laws =
       sequenceLaws,
       arrayLaws,
       windowLaws,
-      proofLaws,
-      locateLaws,
-      damageLaws,
-      chanceLaws
+      map notDrawnOfVast (proofLaws ++ locateLaws ++ damageLaws ++ chanceLaws)
     ]
+
+-- | Of what compares positions no cases are drawn where an array has very many of them.
+notDrawnOfVast :: Law Known -> Law Known
+notDrawnOfVast one = one {lawCases = \about -> few about (lawCases one about)}
+  where
+    few about cases@(Cases form domain trial) = case domain of
+      Some _ _ | isVast (knownProfile about) -> Cases form (Every []) trial
+      _ -> cases
 
 -- | The laws of the stages of touch, which know no profile, in the order of the stages.
 touchLaws :: [Law ()]

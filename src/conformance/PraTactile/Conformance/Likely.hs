@@ -16,6 +16,7 @@ import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Run.Case (fewestAlike)
+import PraTactile.Conformance.Wire
 import PraTactile.Profile (Profile (..))
 
 -- | The name of the impostor that gives every one of these answers under the profile, or without
@@ -24,7 +25,7 @@ import PraTactile.Profile (Profile (..))
 -- takes long.
 likely :: Maybe Profile -> [[Exchange]] -> IO (Maybe String)
 likely p failures
-  | maybe False ((> 300) . area . profileShape) p || length asked < fewestAlike = pure Nothing
+  | maybe False ((> 300) . area . profileShape) p || different < fewestAlike = pure Nothing
   | otherwise = do
     alike <- filterM (errsAlike p (concat asked)) impostors
     pure $ case alike of
@@ -32,6 +33,11 @@ likely p failures
       _ -> Nothing
   where
     asked = filter (not . null) (map (filter (isJust . exchangeOperation)) (nub failures))
+    -- A question in another form is the same question.
+    different = length (nub (map (map plain) asked))
+    plain one = case exchangeOperation one >>= (`someQuestion` exchangeInput one) of
+      Just (SomeQuestion question) -> one {exchangeInput = questionInput question}
+      Nothing -> one
 
 -- | Whether it answers all of them so.
 errsAlike :: Maybe Profile -> [Exchange] -> Impostor -> IO Bool

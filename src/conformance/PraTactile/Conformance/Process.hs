@@ -45,6 +45,7 @@ inSession limits session =
       subjectOffers = [known | known <- [minBound ..], operationName known `elem` said],
       subjectProfile = putProfile session,
       subjectAsk = askAll session,
+      subjectFresh = Just (anew session),
       subjectBatch = max 64 (min 1024 (8 * startedInFlight started)),
       subjectUnknown = filter (`notElem` map operationName [minBound ..]) said,
       subjectChecks = sessionChecks limits session
@@ -66,6 +67,7 @@ inOneShot limits command offers = do
         subjectAsk = \questions -> do
           profile <- readIORef force
           upToFault [oneShot limits command profile (Just one) | one <- zip [1 ..] questions],
+        subjectFresh = Nothing,
         subjectBatch = 32,
         subjectUnknown = [],
         subjectChecks = oneShotChecks limits command

@@ -1,6 +1,7 @@
 -- | The profiles under which an implementation is tried unless others are named: characteristic 2,
 -- 3, 5, 7 and 211, prime and extension fields up to GF(256), other moduli, states and readings,
--- both foldings, all surfaces and both packings, any two of these together; degrees from 1 to 9, an
+-- both foldings, all surfaces and both packings, any two of these together; sides that are not
+-- coprime; degrees from 1 to 9, an
 -- array of more than 2^16 cells; windows that repeat, as large as the array and larger, and windows
 -- whose numbers no double holds.
 module PraTactile.Conformance.Profiles
@@ -108,8 +109,8 @@ windows =
 -- | What the others do not have together.
 combined :: [(String, Profile)]
 combined =
-  [ ( "gf7-3x16-row-major",
-      (over 7 [4, 1] [5, 2, 1] (Shape 3 16) (Shape 1 3))
+  [ ( "gf7-4x12-row-major",
+      (over 7 [4, 1] [5, 2, 1] (Shape 4 12) (Shape 1 3))
         { profileReading = Reciprocal,
           profileState = [3, 5],
           profileFolding = RowMajor,

@@ -45,23 +45,23 @@ data Report = Report
   }
   deriving stock (Show)
 
--- | Of a law under a profile.
+-- | Of a law under a profile. What it was made from, the cases among it, need not be kept.
 data LawReport = LawReport
-  { lawReportId :: String,
-    lawReportStage :: Stage,
-    lawReportNeeds :: [Operation],
-    lawReportSentence :: String,
-    lawReportSource :: String,
+  { lawReportId :: !String,
+    lawReportStage :: !Stage,
+    lawReportNeeds :: ![Operation],
+    lawReportSentence :: !String,
+    lawReportSource :: !String,
     -- | The profile's name; 'Nothing' for a law of profiles or of the protocol.
-    lawReportProfile :: Maybe String,
-    lawReportOutcome :: Outcome,
-    lawReportCases :: Int,
-    lawReportExhaustive :: Bool,
-    lawReportCounterexample :: Maybe Counterexample,
+    lawReportProfile :: !(Maybe String),
+    lawReportOutcome :: !Outcome,
+    lawReportCases :: !Int,
+    lawReportExhaustive :: !Bool,
+    lawReportCounterexample :: !(Maybe Counterexample),
     -- | The shipped impostor that errs exactly alike.
-    lawReportLikely :: Maybe String,
+    lawReportLikely :: !(Maybe String),
     -- | Why it was skipped.
-    lawReportNote :: Maybe String
+    lawReportNote :: !(Maybe String)
   }
   deriving stock (Show)
 
@@ -149,7 +149,11 @@ data Counterexample = Counterexample
     counterGot :: Either Fault Response,
     counterReason :: String,
     counterShrinks :: Int,
-    -- | 'Nothing' where there is nothing to replay: a check of the protocol.
+    -- | How many of the requests were made before the case itself, where a process that was asked
+    -- nothing else answers it rightly; 0 where those that it depends on were not found.
+    counterEarlier :: Maybe Int,
+    -- | 'Nothing' where there is nothing to replay: a check of the protocol, and what depends on
+    -- earlier requests.
     counterToken :: Maybe String
   }
   deriving stock (Show)
@@ -166,5 +170,6 @@ counterexample requests wanted road got reason =
       counterGot = got,
       counterReason = reason,
       counterShrinks = 0,
+      counterEarlier = Nothing,
       counterToken = Nothing
     }

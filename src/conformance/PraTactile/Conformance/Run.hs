@@ -39,7 +39,7 @@ runSuite settings suite tell subjects = do
       checks = concatMap (checksChosen settings) (take 1 subjects)
   stopped <- newIORef False
   let finished stop one = do
-        let classified = classify settings one
+        classified <- evaluate (classify settings one)
         when (stop && lawReportOutcome classified `elem` [Failed, Errored]) $
           writeIORef stopped True
         classified <$ tell classified
@@ -103,7 +103,8 @@ planOf settings subject =
   Plan
     { planSeed = settingSeed settings,
       planCases = settingCases settings,
-      planWindow = subjectBatch subject
+      planWindow = subjectBatch subject,
+      planBrief = False
     }
 
 -- | When all must be done, and whether the first failure ends it.

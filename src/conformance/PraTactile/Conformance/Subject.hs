@@ -31,9 +31,13 @@ data Subject = Subject
     subjectOffers :: [Operation],
     -- | Put a profile in force; what came, or what went wrong.
     subjectProfile :: Profile -> IO (Either Fault Response),
-    -- | Ask these questions, in this order; the replies in the same order, up to the first fault.
+    -- | Ask these questions, in this order; the replies in the same order, up to the first fault,
+    -- or to where they are enough for once, because they are long.
     -- After a fault the subject is started again, with the same profile, before it is asked on.
     subjectAsk :: [SomeQuestion] -> IO [Either Fault Response],
+    -- | Forget all that was asked, as only a process that is started anew does; 'Nothing' where
+    -- none is, or each request has one of its own. No profile is in force afterwards.
+    subjectFresh :: Maybe (IO ()),
     -- | How many questions are best asked at once.
     subjectBatch :: Int,
     -- | What it says that it offers and nobody here knows.

@@ -103,7 +103,11 @@ drawings =
   [ ( "sequence/term-of-any-index",
       [ Label 20 "about the end of a period" (\p one _ -> near (periodOf p) 20 (indexOf one)),
         Label 5 "beyond 2^64" (\_ one _ -> indexOf one > 2 ^ (64 :: Int)),
-        Label 0.5 "about 2^53" (\_ one _ -> near (2 ^ (53 :: Int)) 300 (indexOf one))
+        -- One of thirteen, each of which a third of half of all are about.
+        Label 0.5 "about 2^53" (\_ one _ -> near (2 ^ (53 :: Int)) 300 (indexOf one)),
+        Label 8 "about the end of a word" $ \_ one _ ->
+          let words' = [15, 16, 31, 32, 53, 63, 64, 127, 128, 256] :: [Int]
+           in or [near (2 ^ bits) 300 (indexOf one) | bits <- words']
       ]
     ),
     ( "array/cell-far-beyond-the-edges",
@@ -152,7 +156,11 @@ drawings =
       ]
     found = Label 5 "one position" (\_ one came -> positionsOf one came == 1)
     several = Label 3 "several positions" (\_ one came -> positionsOf one came > 1)
-    felt = [Label 80 "every cell felt" (\_ one _ -> Nothing `notElem` concat (patchOf one))]
+    -- A tenth are wide, and of these not every cell is felt.
+    felt =
+      [ Label 80 "every cell felt" (\_ one _ -> Nothing `notElem` concat (patchOf one)),
+        Label 3 "more than ten columns" (\_ one _ -> any ((> 10) . length) (patchOf one))
+      ]
     unfelt = Label 20 "a cell not felt" (\_ one _ -> Nothing `elem` concat (patchOf one))
     refused percent name = Label percent name (\_ _ came -> reasonIs name came)
     reasonIs :: String -> Either Refusal a -> Bool

@@ -85,6 +85,27 @@ spec = do
           forM (take 1 (drop 3 (subjectChecks subject))) $ \one ->
             (,) (checkId one) <$> checkTry one
         came `shouldBe` Right [("protocol/none-in-force-after-a-refusal", wanted)]
+  it "what is no profile is refused, and one that is is taken in either form" $
+    forM_ [("{\"result\":true}", [False, True]), ("{\"refused\":\"invalid\"}", [True, False])] $
+      \(reply, wanted) -> do
+        let script =
+              ("read -r line; " ++ started "")
+                ++ ("; while read -r line; do echo '" ++ reply ++ "'; done")
+        came <- session (shell script) $ \subject ->
+          forM (take 2 (subjectChecks subject)) (fmap (== CheckHeld) . checkTry)
+        (reply, came) `shouldBe` (reply, Right wanted)
+  it "what was asked before stop is answered, by whoever does not end first" $
+    forM_ [("2002", True), ("2001", False), ("0", False)] $ \(count, wanted) -> do
+      let script =
+            unlines
+              [ "read -r line; " ++ started "\"add\"",
+                "read -r line; echo '{\"result\":true}'",
+                "i=1; while [ $i -le " ++ count ++ " ]; do",
+                "  echo \"{\\\"sequence\\\":$i,\\\"result\\\":0}\"; i=$((i+1)); done"
+              ]
+      came <- session (shell script) $ \subject ->
+        forM (take 1 (drop 2 (subjectChecks subject))) (fmap (== CheckHeld) . checkTry)
+      (count, came) `shouldBe` (count, Right [wanted])
   it "an operation that there is not is skipped by a process a request; all else is told" $ do
     let request =
           object

@@ -165,7 +165,9 @@ choiceSpec = describe "laws that fail" $ do
     lookup "field/addition-as-defined" (outcomes out) `shouldBe` Just "known-failure"
   it "end the run at once, if that is asked for" $ do
     (_, out, _) <- adder ["--json", "--fail-fast"] ["errs"]
-    map snd (outcomes out) `shouldBe` ["errored", "skipped", "skipped", "skipped"]
+    map snd (outcomes out) `shouldBe` ["errored", "held", "held", "held"]
+    (_, out', _) <- adder ["--json", "--fail-fast"] ["stays"]
+    map snd (outcomes out') `shouldBe` ["skipped", "held", "errored", "skipped"]
   it "are written for build servers as XML" $
     inFolder $ \folder -> do
       let file = folder </> "report.xml"

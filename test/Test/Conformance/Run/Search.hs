@@ -158,7 +158,7 @@ tried :: Int -> Cases -> IO Tried
 tried window cases = do
   subject <- inProcess steps
   _ <- subjectProfile subject canonicalProfile
-  tryLaw (Plan 1 50 window) subject "some" cases
+  tryLaw (Plan 1 50 window False) subject "some" cases
 
 steps :: Implementation
 steps =

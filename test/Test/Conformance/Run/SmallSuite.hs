@@ -108,6 +108,7 @@ answering reply =
       subjectOffers = codeAndTouch,
       subjectProfile = \_ -> pure (Right (ResponseResult (Bool True))),
       subjectAsk = upToFault . map (pure . reply),
+      subjectFresh = Nothing,
       subjectBatch = 4,
       subjectUnknown = ["unknown"],
       subjectChecks = []

@@ -91,9 +91,9 @@ runSpec = do
           ++ if failFast
             then
               [ (name, Skipped, note)
-                | name <-
-                    words "sequence/terms field/sums sequence/terms segment/none protocol/a"
+                | name <- words "sequence/terms field/sums sequence/terms segment/none"
               ]
+                ++ [("protocol/a", Held, Nothing)]
             else
               [ ("sequence/terms", Skipped, Just "no case under this profile"),
                 ("field/sums", Failed, Nothing),
@@ -232,7 +232,7 @@ caseSpec = do
     forM_ [minBound ..] $ \kind -> do
       let numbers = Cases natural (Some (pure 9) (\n -> [n - 1 | n > 0])) (judge' . Term)
           judge' question = Holds <$ ask question
-      came <- tryLaw (Plan 1 3 2) (answering (const (Left (Fault kind "")))) "law" numbers
+      came <- tryLaw (Plan 1 3 2 False) (answering (const (Left (Fault kind "")))) "law" numbers
       let slow = kind `elem` [TimedOut, HalfLine, EndlessOutput]
       (kind, (\f -> (failureCase f, failureShrinks f)) <$> triedFailure came)
         `shouldBe` (kind, Just (if slow then (toJSON (9 :: Int), 0) else (toJSON (0 :: Int), 9)))
@@ -241,10 +241,10 @@ caseSpec = do
       came <- search (answering allZero) count (map violated [1 .. fromIntegral count])
       (count, length (searchWrong came), searchCases came, fst <$> searchTrouble came)
         `shouldBe` (count, min 256 count, 1, Just 0)
-    forM_ [(100, 160), (195, 255), (196, 256), (197, 256), (300, 256)] $ \(count, kept) -> do
+    forM_ [(100, 148), (207, 255), (208, 256), (209, 256), (300, 256)] $ \(count, kept) -> do
       let smaller n = if n > 0 then replicate 20 (n - 1) else []
           twenty = Cases natural (Some (pure 3) smaller) violated
-      came <- tryLaw (Plan 1 count 400) (answering allZero) "law" twenty
+      came <- tryLaw (Plan 1 count 400 False) (answering allZero) "law" twenty
       (count, length . failureWrong <$> triedFailure came) `shouldBe` (count, Just kept)
   it "one at a time is asked to its end and judged before the next, and none after one that fails" $
     forM_ [1, 3, 6] $ \bad -> do
@@ -262,9 +262,10 @@ caseSpec = do
     -- Sizes are 0, 10, 20 to 100, then 9, 19, 29 and on.
     let says n = if n `mod` 10 == 0 then Inapplicable else Holds
         cases gen = Cases natural (Some gen (const [])) (pure . says)
-    later <- tryLaw (Plan 1 10 4) (answering allZero) "law" (cases (sized (pure . fromIntegral)))
+    later <-
+      tryLaw (Plan 1 10 4 False) (answering allZero) "law" (cases (sized (pure . fromIntegral)))
     (triedCases later, triedExhaustive later) `shouldBe` (10, False)
-    never <- tryLaw (Plan 1 10 4) (answering allZero) "law" (cases (pure 20))
+    never <- tryLaw (Plan 1 10 4 False) (answering allZero) "law" (cases (pure 20))
     triedCases never `shouldBe` 0
   it "as many are asked at once as a subject takes, and of those that open profiles one" $
     forM_ [(5, [5, 5, 2]), (12, [12]), (64, [12]), (1, replicate 12 1)] $ \(batch, lengths) -> do
@@ -285,11 +286,11 @@ caseSpec = do
       run alone {suiteTouch = [twelve OnSegment]} `shouldReturn` replicate 12 1
   it "are drawn in sizes that grow to 100, ten times as many as are needed, by seed and name" $ do
     forM_ [1, 2, 7, 100, 101] $ \count ->
-      asksOf (Plan 1 count 1) "law" (sized (pure . fromIntegral))
+      asksOf (Plan 1 count 1 False) "law" (sized (pure . fromIntegral))
         `shouldBe` ( count,
                      [fromIntegral (i * 100 `div` count `mod` 101) | i <- [0 .. 10 * count - 1]]
                    )
-    let draws seed name = snd (asksOf (Plan seed 5 1) name large)
+    let draws seed name = snd (asksOf (Plan seed 5 1 False) name large)
         large = fromInteger <$> chooseInteger (0, 10 ^ (9 :: Int))
         of' = [draws seed name | seed <- [1, 2], name <- ["law", "lay", "other"]]
     length (nub of') `shouldBe` 6

@@ -5,6 +5,7 @@ module PraTactile.Conformance.Definition.Array
     Unknown (..),
     unknownText,
     known,
+    positions,
     withTerms,
     recurrence,
 
@@ -41,10 +42,14 @@ data Known = Known
     -- | A period of the sequence.
     knownTerms :: Vector Int,
     -- | The cells, row by row.
-    knownCells :: Vector Int,
-    -- | All positions, row by row.
-    positions :: [(Int, Int)]
+    knownCells :: Vector Int
   }
+
+-- | All positions, row by row; made anew each time, so that nobody keeps a list of so many.
+positions :: Known -> [(Int, Int)]
+positions k = [(r, c) | r <- [0 .. n1 - 1], c <- [0 .. n2 - 1]]
+  where
+    (n1, n2) = knownSize k
 
 -- | Why nothing is known under a profile.
 data Unknown
@@ -76,15 +81,13 @@ known profile = do
   need (profileFolding profile == RowMajor || gcd n1 n2 == 1)
   need (windowCells >= 1 && windowCells <= 4096)
   let size = (fromIntegral n1, fromIntegral n2)
-      bare = Known profile f size Vector.empty Vector.empty
-      array = bare [(r, c) | r <- below fst size, c <- below snd size]
+      array = Known profile f size Vector.empty Vector.empty
   pure (withTerms (uncurry (sequenceOf f) (recurrence array)) array)
   where
     q = profileOrder profile
     Shape n1 n2 = profileShape profile
     windowCells = rows (profileWindow profile) * columns (profileWindow profile)
     impossible = Left NoArray
-    below side size = [0 .. side size - 1]
     need holds = if holds then Right () else impossible
 
 -- | The same with this sequence, of which a period is folded.

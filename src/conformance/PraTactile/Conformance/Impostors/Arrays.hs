@@ -15,7 +15,7 @@ import qualified Data.Vector.Unboxed as Vector
 import Numeric.Natural (Natural)
 import PraTactile.Array (Folding (..), Shape (..), Surface (..), area, naturalSurface)
 import PraTactile.Conformance.Definition (expected)
-import PraTactile.Conformance.Definition.Array (Known (..), recurrence, sequenceOf, withTerms)
+import PraTactile.Conformance.Definition.Array
 import PraTactile.Conformance.Definition.Field (negation)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Impostors.Impostor

@@ -19,6 +19,7 @@ import PraTactile.Conformance.Laws.Draw
 import PraTactile.Conformance.Laws.Forms
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Laws.Order
 import PraTactile.Conformance.Laws.Smaller
 import PraTactile.Conformance.Question
 import PraTactile.Format.Json.Codec (listOf, natural)
@@ -102,7 +103,8 @@ folded known i = do
 
 -- | The laws of packing.
 windowLaws :: [Law Known]
-windowLaws = packingLaws ++ formLaws OnWindow [OfPack, OfUnpack]
+windowLaws =
+  packingLaws ++ [orderLaw OnWindow [OfPack, OfUnpack]] ++ formLaws OnWindow [OfPack, OfUnpack]
 
 packingLaws :: [Law Known]
 packingLaws =

@@ -18,6 +18,7 @@ import PraTactile.Conformance.Laws.Forms
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Locate
 import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Laws.Order
 import PraTactile.Conformance.Laws.Smaller
 import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile (..))
@@ -28,6 +29,7 @@ chanceLaws :: [Law Known]
 chanceLaws =
   map ofFew $
     systematicLaws ++ drawnLaws
+      ++ [orderLaw OnChances [OfLocate, OfPosterior]]
       ++ formLaws OnChances [OfPosterior]
       ++ [invalidLaw]
   where

@@ -18,6 +18,7 @@ import PraTactile.Conformance.Laws.Forms
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Locate
 import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Laws.Order
 import PraTactile.Conformance.Laws.Smaller
 import PraTactile.Conformance.Question
 import PraTactile.Format.Json.Codec (Codec, key, listOf, natural, nullable, object, position)
@@ -28,6 +29,7 @@ import Test.QuickCheck hiding (listOf)
 damageLaws :: [Law Known]
 damageLaws =
   correctionLaws ++ systematicLaws ++ drawnLaws
+    ++ [orderLaw OnDamage [OfLocate, OfNearest]]
     ++ formLaws OnDamage [OfNearest]
     ++ [invalidLaw]
 

@@ -16,6 +16,7 @@ import PraTactile.Conformance.Laws.Draw
 import PraTactile.Conformance.Laws.Forms
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Laws.Order
 import PraTactile.Conformance.Laws.Smaller
 import PraTactile.Conformance.Question
 import PraTactile.Format.Json.Codec (listOf, natural)
@@ -26,6 +27,7 @@ import Test.QuickCheck (vectorOf)
 fieldLaws :: [Law Known]
 fieldLaws =
   operationLaws ++ powerLaws ++ additionAxioms ++ multiplicationAxioms ++ otherLaws
+    ++ [orderLaw OnField [OfAdd, OfMultiply, OfNegate, OfInverse, OfPower, OfLogarithm, OfTrace]]
     ++ formLaws OnField [OfAdd, OfMultiply, OfNegate, OfInverse, OfPower, OfLogarithm, OfTrace]
     ++ invalidLaws
 

@@ -5,6 +5,7 @@
 module PraTactile.Conformance.Laws.Forms
   ( formLaws,
     otherForms,
+    typical,
   )
 where
 
@@ -94,11 +95,14 @@ typical known operation = case operation of
   OfLocate -> SomeQuestion . Locate <$> patches
   OfNearest -> [SomeQuestion (Nearest radius patch) | patch <- patches, radius <- [Nothing, Just 1]]
   OfPosterior -> SomeQuestion . Posterior . map (map (maybe Unfelt Certainly)) <$> patches
+  OfProve -> SomeQuestion . Prove <$> masks
+  OfDistance -> SomeQuestion . Distance <$> masks
   _ -> []
   where
     p = knownProfile known
     q = profileOrder p
     sizes = [7, 2 ^ (53 :: Int) + 1, 10 ^ (19 :: Int) + 7, 10 ^ (40 :: Int) + 3] :: [Natural]
+    masks = [["#"], ["##"], ["#", "#"], ["#.#", "..#"]]
     naturalCells shape = [1 .. area shape]
     Shape h w = profileWindow p
     patches =

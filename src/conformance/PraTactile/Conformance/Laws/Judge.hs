@@ -8,6 +8,7 @@ module PraTactile.Conformance.Laws.Judge
     defined,
     invalid,
     asDefined,
+    inOrder,
     judge,
     questionForm,
     rawForm,
@@ -84,15 +85,29 @@ law stage what = Law (stageName stage ++ "/" ++ what) stage
 
 -- | Ask, and judge by the definition.
 asDefined :: Known -> SomeQuestion -> Ask Verdict
-asDefined known (SomeQuestion question) = judged <$> ask question
+asDefined known (SomeQuestion question) = judgedAsDefined known question <$> ask question
+
+judgedAsDefined :: Known -> Question a -> Either Refusal a -> Verdict
+judgedAsDefined known question got = judge question shown fits road reason got
   where
-    judged got =
-      let shown = either (const wanted) (\a -> inFormOf known question a <$> wanted) got
-          fits = either (const (const False)) (agrees known question) wanted
-       in judge question shown fits road reason got
+    shown = either (const wanted) (\a -> inFormOf known question a <$> wanted) got
+    fits = either (const (const False)) (agrees known question) wanted
     wanted = expected known question
     road = "the definition"
     reason = why (knownProfile known) question wanted
+
+-- | Ask these one after the other, and judge each by the definition.
+inOrder :: Known -> [SomeQuestion] -> Ask Verdict
+inOrder known = go []
+  where
+    go before questions = case questions of
+      [] -> pure Holds
+      SomeQuestion question : others -> do
+        got <- ask question
+        case judgedAsDefined known question got of
+          Violated violation ->
+            pure (Violated violation {violationAsked = reverse (exchanged question got : before)})
+          _ -> go (exchanged question got : before) others
 
 -- | Whether what came is a refusal that was wanted, or an answer that fits; given how it is known
 -- what is wanted, and why it is.

@@ -20,6 +20,7 @@ import PraTactile.Conformance.Laws.Draw
 import PraTactile.Conformance.Laws.Forms
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Laws.Order
 import PraTactile.Conformance.Laws.Smaller
 import PraTactile.Conformance.Question
 import PraTactile.Format.Json.Codec (position)
@@ -30,6 +31,7 @@ import Test.QuickCheck
 locateLaws :: [Law Known]
 locateLaws =
   systematicLaws ++ drawnLaws ++ [inverseOfLooking]
+    ++ [orderLaw OnLocate [OfLocate]]
     ++ formLaws OnLocate [OfLocate]
     ++ [invalidLaw]
 

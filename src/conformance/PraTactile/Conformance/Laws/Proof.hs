@@ -15,6 +15,7 @@ import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Draw
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Laws.Order
 import PraTactile.Conformance.Laws.Smaller
 import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile (..))
@@ -27,6 +28,7 @@ proofLaws =
     [ ofMasks "prove" OfProve (SomeQuestion . Prove) proves,
       ofMasks "distance" OfDistance (SomeQuestion . Distance) differs,
       relationLaws,
+      [orderLaw OnProof [OfProve, OfDistance]],
       invalidLaws
     ]
   where

@@ -52,7 +52,7 @@ unknownId = "protocol/unknown-operation-is-skipped"
 check :: String -> IO Checked -> Check
 check name = Check name (concat (lookup name checkTexts))
 
--- | Those of a process that answers many requests, which is stopped by the last one.
+-- | Those of a process that answers many requests, each made of a process of its own.
 sessionChecks :: Limits -> Session -> [Check]
 sessionChecks limits session =
   [ check noProfileId (profilesOf limits session "invalid" noProfiles),
@@ -60,10 +60,9 @@ sessionChecks limits session =
     check answersFirstId (answersFirst limits session),
     check noneInForceId (noneInForce limits session),
     check inputEndsId (judged [startRequest] <$> withStarted session (endsBy closeInput)),
-    check stoppedId (judged [stopRequest] <$> stopped)
+    check stoppedId (judged [stopRequest] <$> withStarted session (endsBy stop))
   ]
   where
-    stopped = current session >>= either (pure . Left) (endsBy stop)
     stop child = send child (requestLine stopRequest)
     judged requests = either (CheckErred requests) (const CheckHeld)
 
@@ -108,8 +107,8 @@ profilesOf limits session reason profiles = do
         | response == wanted -> others
         | otherwise -> CheckFailed [profileRequestOf profile] wanted response
 
--- | The paper's profile with a key missing, with a value of another type, with an unknown word, and
--- as another schema.
+-- | The paper's profile with a key missing, with a value of another type, with an unknown word, as
+-- another schema, and with one or three numbers where two stand.
 noProfiles :: [Value]
 noProfiles =
   Null :
@@ -117,12 +116,17 @@ noProfiles =
     [ Object (maybe (KeyMap.delete name) (KeyMap.insert name) wrong fields)
       | Object fields <- [profileValue canonicalProfile],
         name <- KeyMap.keys fields,
-        wrong <- Nothing : map Just wrongs
+        wrong <- Nothing : map Just (wrongs ++ lengths name)
     ]
   where
     wrongs =
       [Bool True, Null, String "another", Number (scientific 40 (-1)), Number (-1), object []]
         ++ [Array (pure (String "x")), Array (pure (Number (scientific 10 (-1))))]
+    lengths name =
+      [ Array (mconcat (replicate count (pure (Number 1))))
+        | name `elem` ["shape", "window"],
+          count <- [1, 3]
+      ]
 
 -- | Many questions and @stop@ in one write, with replies for which a pipe has no room: a program
 -- that ends at once loses what it has not handed on.

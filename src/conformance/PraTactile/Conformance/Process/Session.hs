@@ -8,15 +8,16 @@ module PraTactile.Conformance.Process.Session
     sessionStarted,
     putProfile,
     askAll,
+    anew,
 
     -- * For the laws of the protocol
     withStarted,
-    current,
   )
 where
 
 import Control.Exception
 import Data.ByteString (ByteString)
+import qualified Data.ByteString as Bytes
 import Data.IORef
 import Data.Maybe (fromMaybe)
 import PraTactile.Conformance.Process.Await
@@ -24,6 +25,7 @@ import PraTactile.Conformance.Process.Child
 import PraTactile.Conformance.Process.Reply
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Subject
+import PraTactile.Conformance.Wire.Line (longestLine)
 import PraTactile.Profile (Profile)
 
 -- | How long is waited.
@@ -82,6 +84,10 @@ letGo held = mask_ $ do
   child <- readIORef held
   mapM_ end child
   writeIORef held Nothing
+
+-- | End the process; the next request goes to another one, in which no profile is in force.
+anew :: Session -> IO ()
+anew session = letGo (sessionChild session) >> writeIORef (sessionProfile session) Nothing
 
 -- | A process of its own that was started, for an action.
 withStarted :: Session -> (Child -> IO (Either Fault a)) -> IO (Either Fault a)
@@ -156,29 +162,37 @@ askAll session questions = do
       mapM_ (const (letGo (sessionChild session))) fault
       pure (got, fault)
 
--- | Ask, with so many requests at most that wait for their replies.
+-- | Ask, with so many requests at most that wait for their replies, and with fewer of them where
+-- replies are long; after a mebibyte of replies the rest is left to be asked another time. So what
+-- comes at once has an end, whatever the process answers.
 exchange :: Session -> Child -> Int -> [SomeQuestion] -> IO ([Response], Maybe Fault)
 exchange session child window questions = do
   first <- readIORef (sessionNext session)
   let count = length questions
       requests = zipWith (\i -> requestLine . runRequest i) [first ..] questions
   writeIORef (sessionNext session) (first + count)
-  go first first requests []
+  go first first requests [] 0 (longestLine `div` 4)
   where
-    -- The number of the next reply, that of the next request, and the requests from it on.
-    go next unsent requests got
+    -- The number of the next reply, that of the next request, the requests from it on, the replies,
+    -- how long they are together, and how long a reply has been of late.
+    go next unsent requests got whole long
       | next == unsent && null requests = pure (reverse got, Nothing)
-      | not (null requests) && unsent - next <= window `div` 2 = do
-        let (now, later) = splitAt (window - (unsent - next)) requests
+      | next == unsent && whole > longestLine = pure (reverse got, Nothing)
+      | not (null requests) && whole <= longestLine && unsent - next <= open `div` 2 = do
+        let (now, later) = splitAt (open - (unsent - next)) requests
         send child (mconcat now)
-        go next (unsent + length now) later got
+        go next (unsent + length now) later got whole long
       | otherwise = do
         line <- awaitLine child (limitReply (sessionLimits session))
+        let size = either (const 0) Bytes.length line
         case line >>= answerTo next of
-          Right one -> go (next + 1) unsent requests (one : got)
+          Right one ->
+            go (next + 1) unsent requests (one : got) (whole + size) (max size (3 * long `div` 4))
           Left fault -> do
             why <- flooded child (unsent - next) fault
             pure (reverse got, Just why)
+      where
+        open = max 1 (min window (longestLine `div` max 1 long))
 
 -- | A line as the reply to the request of this number.
 answerTo :: Int -> ByteString -> Either Fault Response

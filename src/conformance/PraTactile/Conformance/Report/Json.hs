@@ -12,13 +12,15 @@ import PraTactile.Conformance.Law
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Subject
+import PraTactile.Conformance.Version
 import PraTactile.Format.Json (encodeSchema)
 
 -- | The report on one line, without its end.
 encodeReport :: Report -> ByteString
 encodeReport report =
   encodeSchema "conform/1" $
-    "subject" .= reportSubject report
+    "suite" .= suiteVersion
+      <> "subject" .= reportSubject report
       <> "seed" .= reportSeed report
       <> "certified" .= certified report
       <> "held" .= countOf Held report
@@ -63,6 +65,7 @@ counterexampleValue counter =
       "road" .= counterRoad counter,
       "reason" .= counterReason counter,
       "shrinks" .= counterShrinks counter,
+      "earlier" .= counterEarlier counter,
       "token" .= counterToken counter
     ]
 

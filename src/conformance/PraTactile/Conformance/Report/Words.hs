@@ -116,6 +116,7 @@ counterItems again likely counter =
       [(side, theirs) | Just _ <- [counterExpected counter]],
       [("by", counterRoad counter) | side == "expected", counterRoad counter /= ""],
       [("why", counterReason counter)],
+      [("depends on", dependsOn count) | Just count <- [counterEarlier counter]],
       [("made smaller", counted (counterShrinks counter) "time") | counterShrinks counter > 0],
       [("likely", "exactly as the impostor " ++ name ++ " does") | Just name <- [likely]],
       [("again", again token) | Just token <- [counterToken counter]]
@@ -125,6 +126,15 @@ counterItems again likely counter =
       (Right got, Just wanted) -> apartText got wanted
       (got, wanted) -> (either faultText responseText got, maybe "" responseText wanted)
     side = if counterRoad counter == "the definition" then "the definition" else "expected"
+
+-- | What a failure depends on that a fresh process does not show.
+dependsOn :: Int -> String
+dependsOn count = "earlier requests: a fresh process that is asked " ++ rest
+  where
+    rest
+      | count == 0 = "this alone answers it rightly, and which ones these are was not found"
+      | count == 1 = "this without the first one answers it rightly"
+      | otherwise = "this without one of the first " ++ show count ++ " answers it rightly"
 
 -- | A request without what every request has.
 requestText :: Value -> String
@@ -191,6 +201,9 @@ notes report =
     [ [ "not offered: " ++ unwords (map operationName missing) ++ "; their laws were skipped"
         | missing@(_ : _) <- [filter (`notElem` reportOffers report) (reportAsks report)]
       ],
+      [ counted (length (filter (== why) others)) "law" ++ " skipped: " ++ why
+        | why <- nub others
+      ],
       [ "offered, but not known here: " ++ unwords unknown
         | unknown@(_ : _) <- [reportUnknown report]
       ],
@@ -200,6 +213,14 @@ notes report =
           none@(_ : _) <- [uncovered report]
       ]
     ]
+  where
+    others =
+      [ why
+        | one <- reportLaws report,
+          lawReportOutcome one == Skipped,
+          all (`elem` reportOffers report) (lawReportNeeds one),
+          Just why <- [lawReportNote one]
+      ]
 
 -- | What it comes to.
 summaryLine :: Report -> String

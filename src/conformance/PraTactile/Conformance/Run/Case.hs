@@ -31,7 +31,9 @@ data Plan = Plan
     -- | How many cases are drawn of a law that does not exhaust its domain.
     planCases :: Int,
     -- | How many trials go on at once.
-    planWindow :: Int
+    planWindow :: Int,
+    -- | Whether a failing case is left as it is, and no others like it are looked for.
+    planBrief :: Bool
   }
 
 -- | What came of a law.
@@ -79,6 +81,7 @@ tryLaw plan subject name (Cases form domain trial) = case domain of
     -- A cause can be told by several cases only: more are tried, if a law is violated, until there
     -- are three, or another sixty have been tried.
     further why wrong = case why of
+      _ | planBrief plan -> const (pure wrong)
       Wrong _ -> goOn (60 :: Int) wrong
       Broke {} -> const (pure wrong)
     goOn left wrong later
@@ -88,7 +91,7 @@ tryLaw plan subject name (Cases form domain trial) = case domain of
         case searchTrouble searched of
           Just (i, Wrong _) ->
             let others = nub (searchWrong searched) \\ wrong
-             in goOn (left - i - 1) (take mostWrong (others ++ wrong)) (drop (i + 1) later)
+             in goOn (left - i - 1) (fewOf id (others ++ wrong)) (drop (i + 1) later)
           _ -> pure wrong
     -- Draws of which the law says nothing are made good by others, up to ten for each case.
     drawing count draws
@@ -104,12 +107,13 @@ tryLaw plan subject name (Cases form domain trial) = case domain of
       where
         (now, later) = splitAt (planCases plan - count) draws
     shrunk smaller steps a (why, wrong)
-      | timedOut why = pure (failed a)
+      | planBrief plan || timedOut why = pure (failed a)
       | otherwise = do
-        searched <- search' (map trial candidates)
+        -- A few at once: of what is smaller the first ones are mostly in trouble too.
+        searched <- search subject (min 8 (planWindow plan)) (map trial candidates)
         case searchTrouble searched of
           Just (i, why') ->
-            let wrong' = take mostWrong (wrong ++ searchWrong searched)
+            let wrong' = fewOf id (wrong ++ searchWrong searched)
              in shrunk smaller (steps + 1) (candidates !! i) (why', wrong')
           Nothing -> pure (failed a)
       where

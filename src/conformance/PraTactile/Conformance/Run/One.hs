@@ -22,45 +22,107 @@ where
 import Data.Aeson (Value (Bool))
 import Data.IORef
 import Data.List (nub)
+import Data.Maybe (isJust)
 import PraTactile.Array (area)
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Laws.Draw (isVast)
 import PraTactile.Conformance.Process.Reply (profileRequest, profileRequestOf, runRequest)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Run.Case
+import PraTactile.Conformance.Run.Fresh
 import PraTactile.Conformance.Run.Token
-import PraTactile.Conformance.Run.Trials
+import PraTactile.Conformance.Run.Trials (Trouble (..), itemsOf)
 import PraTactile.Conformance.Run.Work
 import PraTactile.Conformance.Subject
 import PraTactile.Format.Error (FormatError)
 import PraTactile.Profile (Profile (..))
 
--- | A subject, and the profile that was put in force last, with what came instead of that.
-data Worker = Worker Subject (IORef (Maybe (Profile, Maybe Counterexample)))
+-- | A subject at work.
+data Worker = Worker
+  { workerSubject :: Subject,
+    -- | What it was asked.
+    workerPast :: IO [Asked],
+    -- | The profile that was put in force last, with what came instead of that.
+    workerForce :: IORef (Maybe (Profile, Maybe Counterexample)),
+    -- | The laws that failed, each once.
+    workerFailed :: IORef [String],
+    -- | How many items there is still room for in the cases that are kept.
+    workerRoom :: IORef Int
+  }
 
 -- | Of a subject with no profile in force.
 newWorker :: Subject -> IO Worker
-newWorker subject = Worker subject <$> newIORef Nothing
+newWorker subject = do
+  (noting, past) <- remembering subject
+  Worker noting past <$> newIORef Nothing <*> newIORef [] <*> newIORef 500000
 
--- | Try all cases of a law.
+-- | Try all cases of a law. Of one that failed under another profile the first case that fails is
+-- enough: why it does is told there.
 tryWork :: (Subject -> Plan) -> Suite about -> Worker -> Work -> IO LawReport
-tryWork planFor suite worker@(Worker subject _) work =
-  inForce worker work $
-    tryLaw (narrowed work (planFor subject)) subject (workId work) (workCases work)
-      >>= reportOf suite work
+tryWork planFor suite worker work =
+  inForce worker work $ do
+    before <- readIORef (workerFailed worker)
+    let known' = workId work `elem` before
+        plan = (narrowed work (planFor subject)) {planBrief = known'}
+        atLength = not known' && length before < mostAgain
+    tried <- tryLaw plan subject (workId work) (workCases work)
+    keptBy worker =<< case triedFailure tried of
+      Just failure | not known' -> do
+        writeIORef (workerFailed worker) (workId work : before)
+        depends <- if atLength then dependenceOf plan worker work failure else pure OnItself
+        reportOf suite work depends tried
+      _ -> reportOf suite {suiteLikely = \_ _ -> pure Nothing} work OnItself tried
+  where
+    subject = workerSubject worker
+
+-- | The report without its case if that is long and there is no room for it beside the others.
+keptBy :: Worker -> LawReport -> IO LawReport
+keptBy worker report = do
+  room <- readIORef (workerRoom worker)
+  let left = room - items
+  if left >= 0 || items < 2000
+    then report <$ writeIORef (workerRoom worker) left
+    else pure report {lawReportCounterexample = Nothing, lawReportNote = Just tooLong}
+  where
+    tooLong = "the case is too long to be kept beside those before it"
+    items = maybe 0 caseItems (lawReportCounterexample report)
+    -- All of it, so that nothing else is kept for its sake.
+    caseItems one =
+      length (counterReason one) + maybe 0 length (counterToken one)
+        + sum (map itemsOf (counterRequests one))
+        + sum [itemsOf (snd (responseItem got)) | Right got <- [counterGot one]]
+        + maybe 0 (itemsOf . snd . responseItem) (counterExpected one)
+
+-- | What a failure depends on: tried for as long as a reader may be kept waiting.
+dependenceOf :: Plan -> Worker -> Work -> Failure -> IO Dependence
+dependenceOf plan worker work failure =
+  case tryCase plan subject (workCases work) (failureCase failure) of
+    Left _ -> pure OnItself
+    Right again -> do
+      asked <- workerPast worker
+      depends <- dependence 10 subject profile asked (isJust . triedFailure <$> again)
+      depends <$ writeIORef (workerForce worker) Nothing
+  where
+    subject = workerSubject worker
+    profile = snd <$> workProfile work
+
+-- | Of how many laws a failure is tried again: as many as are told of at length.
+mostAgain :: Int
+mostAgain = 10
 
 -- | Try one case of a law.
 tryToken ::
   (Subject -> Plan) -> Suite about -> Worker -> Work -> Value -> IO (Either FormatError LawReport)
-tryToken planFor suite worker@(Worker subject _) work case' =
+tryToken planFor suite worker work case' =
   case tryCase (narrowed work (planFor subject)) subject (workCases work) case' of
     Left why -> pure (Left why)
-    Right tried -> Right <$> inForce worker work (tried >>= reportOf suite work)
+    Right tried -> Right <$> inForce worker work (tried >>= reportOf suite work OnItself)
+  where
+    subject = workerSubject worker
 
--- | Trials that put profiles in force have the subject for themselves. Of what compares positions
--- fewer cases are drawn where an array has very many of them, and fewer go on at once the more
--- there are: each may be answered by a list of all.
+-- | Trials that put profiles in force have the subject for themselves. Where an array has many
+-- positions, fewer cases are drawn of what compares them, and fewer go on at once: each may be
+-- answered by a list of all.
 narrowed :: Work -> Plan -> Plan
 narrowed work plan = case workProfile work of
   Nothing -> plan {planWindow = 1}
@@ -68,7 +130,7 @@ narrowed work plan = case workProfile work of
     | workStage work < OnProof -> plan
     | otherwise ->
       plan
-        { planCases = if isVast profile then min 4 (planCases plan) else planCases plan,
+        { planCases = if cells > 1024 then max 1 (planCases plan `div` 5) else planCases plan,
           planWindow = max 4 (min (planWindow plan) (50000 `div` cells))
         }
     where
@@ -76,7 +138,7 @@ narrowed work plan = case workProfile work of
 
 -- | Do it with the profile of the work in force; where that is refused, say so.
 inForce :: Worker -> Work -> IO LawReport -> IO LawReport
-inForce (Worker subject held) work act = case workProfile work of
+inForce worker work act = case workProfile work of
   Nothing -> writeIORef held Nothing >> act
   Just (_, profile) -> do
     before <- readIORef held
@@ -89,6 +151,9 @@ inForce (Worker subject held) work act = case workProfile work of
       Nothing -> act
       Just shown ->
         pure (blank work) {lawReportOutcome = Errored, lawReportCounterexample = Just shown}
+  where
+    subject = workerSubject worker
+    held = workerForce worker
 
 -- | What came, unless the profile is in force.
 notInForce :: Profile -> Either Fault Response -> Maybe Counterexample
@@ -105,14 +170,14 @@ notInForce profile got = case got of
       )
 
 -- | What came of the cases.
-reportOf :: Suite about -> Work -> Tried -> IO LawReport
-reportOf suite work tried = case triedFailure tried of
+reportOf :: Suite about -> Work -> Dependence -> Tried -> IO LawReport
+reportOf suite work depends tried = case triedFailure tried of
   Just failure -> do
     cause <- likely failure (snd <$> workProfile work)
     pure
       counted
         { lawReportOutcome = outcomeOf (failureTrouble failure),
-          lawReportCounterexample = Just (counterexampleOf work failure),
+          lawReportCounterexample = Just (counterexampleOf work depends failure),
           lawReportLikely = cause
         }
   Nothing
@@ -141,15 +206,25 @@ outcomeOf trouble = case trouble of
   Broke _ _ (Left fault) | faultKind fault == WrongType -> Failed
   Broke {} -> Errored
 
-counterexampleOf :: Work -> Failure -> Counterexample
-counterexampleOf work failure =
-  made
+counterexampleOf :: Work -> Dependence -> Failure -> Counterexample
+counterexampleOf work depends failure =
+  alone
     { counterShrinks = failureShrinks failure,
+      counterEarlier = earlier,
+      counterRequests =
+        zipWith requestOf [1 - length before' ..] before' ++ counterRequests alone,
       counterToken =
-        Just (writeToken (Token (workId work) (snd <$> workProfile work) (failureCase failure)))
+        case earlier of
+          Nothing -> Just token
+          Just _ -> Nothing
     }
   where
-    made = case failureTrouble failure of
+    token = writeToken (Token (workId work) (snd <$> workProfile work) (failureCase failure))
+    (earlier, before') = case depends of
+      OnItself -> (Nothing, [])
+      OnEarlier some -> (Just (length some), some)
+      OnUnknown -> (Just 0, [])
+    alone = case failureTrouble failure of
       Wrong violation ->
         counterexample
           (requestsOf (violationAsked violation))

@@ -6,7 +6,8 @@
 module PraTactile.Conformance.Run.Trials
   ( search,
     Search (..),
-    mostWrong,
+    fewOf,
+    itemsOf,
     Trouble (..),
     Asked (..),
   )
@@ -58,6 +59,25 @@ mostWrong = 256
 -- | A trial that goes on: what was asked in it, the last first, and what it asks next.
 data Active = Active Int [Exchange] (Ask Verdict)
 
+-- | As many of them as are kept: no more than 'mostWrong', and together of no more than 20 000
+-- values, because one with a long answer needs no others beside it to be told apart.
+fewOf :: (a -> [Exchange]) -> [a] -> [a]
+fewOf askedIn some =
+  map fst . takeWhile ((<= 20000) . snd) . take mostWrong $ zip some (scanl1 (+) (map size some))
+  where
+    size = sum . map inOne . askedIn
+    inOne one = itemsOf (exchangeInput one) + replyItems (exchangeReply one)
+    replyItems reply = case reply of
+      Result value -> itemsOf value
+      RefusedFor _ -> 1
+
+-- | How many values a value has in it.
+itemsOf :: Value -> Int
+itemsOf value = case value of
+  Array items -> 1 + sum (fmap itemsOf items)
+  Object fields -> 1 + sum (fmap itemsOf fields)
+  _ -> 1
+
 data State = State
   { judged :: IntSet.IntSet,
     trouble :: Maybe (Int, Trouble),
@@ -87,12 +107,17 @@ search subject window trials =
       where
         state = refilled window before
 
--- | Have these judged by another thread.
+-- | Have these judged by another thread, to the first one that is violated: those after it are
+-- hardly needed any more.
 judgedBeside :: [Either (Int, Trouble) Active] -> IO ()
-judgedBeside fates = void (forkIO (mapM_ judge fates `catch` ignored))
+judgedBeside fates = void (forkIO (judge fates `catch` ignored))
   where
-    judge fate = case fate of
-      Right (Active _ _ (Done verdict)) -> void (evaluate verdict)
+    judge some = case some of
+      Right (Active _ _ (Done verdict)) : others ->
+        evaluate verdict >>= \came -> case came of
+          Violated _ -> pure ()
+          _ -> judge others
+      Right _ : others -> judge others
       _ -> pure ()
     -- Whoever uses the verdict meets it again.
     ignored :: SomeException -> IO ()
@@ -130,7 +155,7 @@ settle fate state = case fate of
     Holds -> counted i state
     Violated violation ->
       (counted i (blamed i (Wrong violation)))
-        { violations = take mostWrong ((i, violationAsked violation) : violations state)
+        { violations = fewOf snd ((i, violationAsked violation) : violations state)
         }
   Right going -> state {active = going : active state}
   where

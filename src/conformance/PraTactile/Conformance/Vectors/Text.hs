@@ -25,6 +25,7 @@ import PraTactile.Conformance.Question
 import PraTactile.Conformance.Vectors
 import PraTactile.Conformance.Vectors.Canonical
 import PraTactile.Conformance.Vectors.Flag
+import PraTactile.Conformance.Version
 import PraTactile.Conformance.Wire (readWhole)
 import PraTactile.Format.Error (FormatError)
 import qualified PraTactile.Format.Json.Codec as Codec
@@ -36,6 +37,7 @@ vectorsText :: Vectors -> Lazy.ByteString
 vectorsText vectors =
   Builder.toLazyByteString . mconcat $
     [ "{\"schema\":\"pra-tactile/vectors/1\",\n",
+      member "suite" (toJSON suiteVersion) <> ",\n",
       member "operation" (toJSON (operationName (vectorsOperation vectors))) <> ",\n",
       member "profile" (profileValue (vectorsProfile vectors)) <> ",\n",
       member "notes" (notesOf vectors) <> ",\n"

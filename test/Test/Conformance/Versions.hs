@@ -1,0 +1,85 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The version of the suite, and the file that says which laws it has.
+module Test.Conformance.Versions (spec) where
+
+import Data.Aeson
+import qualified Data.ByteString.Lazy as Lazy
+import Data.List (nub, (\\))
+import PraTactile.Conformance
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Process (checkTexts)
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Version
+import Test.CommandLine.Run
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  it "data/suite.json has every law as the code has it, and no other" $ do
+    (_, _, written) <- suiteFile
+    let stated = map fst written
+    (stated \\ inCode, inCode \\ stated) `shouldBe` ([], [])
+  it "it is of the version that reports tell, and no law is of a later one" $ do
+    (schema, version, written) <- suiteFile
+    (schema, version) `shouldBe` ("pra-tactile/suite/1", suiteVersion)
+    filter ((> numbers suiteVersion) . numbers) (map snd written) `shouldBe` []
+    map (length . numbers) (version : map snd written) `shouldSatisfy` all (== 3)
+  it "no id stands there twice" $ do
+    (_, _, written) <- suiteFile
+    let ids = [name | (Listed name _ _ _ _, _) <- written]
+    ids \\ nub ids `shouldBe` []
+  it "the program tells it, and conform by itself" $ do
+    pra ["conform", "--version"] `shouldReturn` (0, "suite " ++ suiteVersion ++ "\n", "")
+    (status, out, err) <- pra ["--version"]
+    (status, drop 2 (words out), err) `shouldBe` (0, ["suite", suiteVersion], "")
+
+-- | An id, a stage, what is needed, a sentence and a source.
+data Listed = Listed String String [String] String String
+  deriving stock (Eq, Show)
+
+inCode :: [Listed]
+inCode =
+  [Listed name "protocol" [] sentence "the protocol" | (name, sentence) <- checkTexts]
+    ++ map listed openingLaws
+    ++ map listed laws
+    ++ map listed touchLaws
+  where
+    listed :: Law a -> Listed
+    listed law =
+      Listed
+        (lawId law)
+        (stageName (lawStage law))
+        (map operationName (lawNeeds law))
+        (lawSentence law)
+        (lawSource law)
+
+-- | The schema, the version, and the laws, each with the version since which there is it.
+suiteFile :: IO (String, String, [(Listed, String)])
+suiteFile = do
+  bytes <- Lazy.readFile "data/suite.json"
+  either fail pure (eitherDecode bytes >>= parsed)
+  where
+    parsed value = case fromJSON value of
+      Success (Suite schema version written) -> Right (schema, version, written)
+      Error why -> Left why
+
+data Suite = Suite String String [(Listed, String)]
+
+instance FromJSON Suite where
+  parseJSON = withObject "suite" $ \keys -> do
+    written <- keys .: "laws"
+    Suite <$> keys .: "schema" <*> keys .: "suite" <*> traverse law written
+    where
+      law = withObject "law" $ \keys ->
+        (,)
+          <$> ( Listed <$> keys .: "id" <*> keys .: "stage" <*> keys .: "needs"
+                  <*> keys .: "sentence"
+                  <*> keys .: "source"
+              )
+          <*> keys .: "since"
+
+numbers :: String -> [Int]
+numbers text = case break (== '.') text of
+  (one, _ : more) -> read one : numbers more
+  (one, []) -> [read one]
