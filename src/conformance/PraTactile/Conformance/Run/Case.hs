@@ -82,6 +82,9 @@ tryLaw plan subject name (Cases form domain trial) = case domain of
     -- are three, or another sixty have been tried.
     further why wrong = case why of
       _ | planBrief plan -> const (pure wrong)
+      -- Long answers are few that are kept, and each takes its time.
+      Wrong violation
+        | length (fewOf id (replicate 8 (violationAsked violation))) < 8 -> const (pure wrong)
       Wrong _ -> goOn (60 :: Int) wrong
       Broke {} -> const (pure wrong)
     goOn left wrong later

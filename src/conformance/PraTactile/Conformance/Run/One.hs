@@ -54,7 +54,7 @@ data Worker = Worker
 newWorker :: Subject -> IO Worker
 newWorker subject = do
   (noting, past) <- remembering subject
-  Worker noting past <$> newIORef Nothing <*> newIORef [] <*> newIORef 500000
+  Worker noting past <$> newIORef Nothing <*> newIORef [] <*> newIORef 100000
 
 -- | Try all cases of a law. Of one that failed under another profile the first case that fails is
 -- enough: why it does is told there.
