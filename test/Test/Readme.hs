@@ -88,6 +88,7 @@ spec = beforeAll (library <$> readText "README.md") $ do
                             "(lib:recognition-internal)",
                             "(lib)",
                             "(lib:simulation)",
+                            "(lib:solid)",
                             "(lib:formats)",
                             "(lib:files)"
                           ]

@@ -246,11 +246,11 @@ compose method settings frames = do
         assemblyTurns = ofEach (map turnOf (NonEmpty.toList (at displacements)))
       }
 
--- | What was seen, row by row from the top, each once: the order in which frames come tells nothing,
--- and one that comes again is no second witness. With it, of what is known of each of these, what
--- is known of all that were given, in their order.
+-- | What was seen, row by row from the top, each once: the order of frames tells nothing, and one
+-- that comes again is no second witness. With it, of what is known of each of these, what is known
+-- of all that were given, in their order.
 witnesses :: Ord k => (a -> k) -> NonEmpty a -> (NonEmpty a, [b] -> [b])
-witnesses key given = (fmap (snd . NonEmpty.head) groups, ofEach)
+witnesses key given = (fmap (\((_, one) :| _) -> one) groups, ofEach)
   where
     groups = NonEmpty.groupAllWith1 (key . snd) (NonEmpty.zip (0 :| [1 :: Int ..]) given)
     ofEach told =

@@ -206,7 +206,7 @@ names = do
       $ \(frames, expected) ->
         reasonsOf
           ( Assembly
-              (Composite (constant 1 1 0) (constant 1 1 0) (0, 0) [] Nothing False 0 False [] Nothing)
+              (compositeOf (constant 1 1 0))
               Jointly
               [Registered (0, 0) Nothing p [] group | (group, p) <- frames]
               Nothing

@@ -94,6 +94,9 @@ define it = Whole found pieces unexamined
           meetTooMuch (length (sidesOf face)) i j (at a, at b) (at c, at d)
       ]
     simple = filter (null . crossings . snd) planar
+    -- The first of each that have the same vertices.
+    once = [i | (i, face) <- indexed, not (any (sameCorners face) (take i faces))]
+    sameCorners (FaceName walk) (FaceName other) = sort walk == sort other
 
     edges = nub [inOrder [a, b] | (_, face) <- formed, (a, b) <- sidesOf face]
     facesAlong ends =
@@ -173,7 +176,7 @@ define it = Whole found pieces unexamined
                  > 1
            ]
         ++ [ Found FacesIntersect [f, g] [] (Just (maximum [norm (p .- q) | p <- left, q <- left]))
-             | (_, f) : others <- tails simple,
+             | (_, f) : others <- tails (filter ((`elem` once) . fst) simple),
                (_, g) <- others,
                let left = shared f g,
                not (null left)
@@ -210,7 +213,7 @@ define it = Whole found pieces unexamined
               (FacesDisagree, formless ++ [EdgeWithoutTwoFaces]),
               (PinchedVertex, formless ++ [EdgeWithoutTwoFaces]),
               (InsideOut, all'),
-              (FacesIntersect, formless ++ [NoArea, NotPlanar, FaceCrossesItself])
+              (FacesIntersect, formless ++ [RepeatedFace, NoArea, NotPlanar, FaceCrossesItself])
             ],
           let causes = blamed reasons,
           not (null causes)

@@ -121,7 +121,9 @@ examine it =
     unflat = Set.fromList (map fst areas ++ map fst bent)
     good = Set.toList (Set.fromList flatFaces Set.\\ Set.fromList (map fst crossed))
     onEdges = verticesOnEdges subject
-    meetings = intersections subject good
+    -- However often a face comes, it is compared with the others once.
+    meetings = intersections subject (filter (`Set.notMember` again) good)
+    again = Set.fromList (concatMap (drop 1) (facesAlike it))
     sound = null (present (concat [reasons | (InsideOut, reasons) <- rest]))
     (components, wrongWay) = pieces subject $ \asked -> null (present (meaning asked))
     found =
@@ -163,7 +165,7 @@ examine it =
         (FacesDisagree, formless ++ [EdgeWithoutTwoFaces]),
         (PinchedVertex, formless ++ [EdgeWithoutTwoFaces]),
         (InsideOut, everything),
-        (FacesIntersect, formless ++ [NoArea, NotPlanar, FaceCrossesItself])
+        (FacesIntersect, formless ++ [RepeatedFace, NoArea, NotPlanar, FaceCrossesItself])
       ]
 
 subjectOf :: Mesh -> Subject
@@ -253,9 +255,11 @@ twice it =
       i <- if U.length walk == 2 then [walk U.! 0 | walk U.! 0 == walk U.! 1] else repeats walk
   ]
 repeatedFaces it =
-  [ Defect RepeatedFace (map (faceAt it) alike) [] Nothing
-    | alike <- alikeGroups (V.map (U.modify Intro.sort) (meshWalks it))
-  ]
+  [Defect RepeatedFace (map (faceAt it) alike) [] Nothing | alike <- facesAlike it]
+
+-- | The faces that have the same vertices, those that are more than one.
+facesAlike :: Mesh -> [[Int]]
+facesAlike = alikeGroups . V.map (U.modify Intro.sort) . meshWalks
 
 -- | The places of equal things, those that are more than one; by the first of each.
 alikeGroups :: Ord a => V.Vector a -> [[Int]]

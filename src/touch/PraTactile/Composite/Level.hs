@@ -31,8 +31,9 @@ threshold (Levels low high) = (low + high) / 2
 contrast :: Levels -> Double
 contrast (Levels low high) = high - low
 
--- | The levels of a set of intensities, given the least contrast that is one. The intensities are split in two by Otsu's threshold (IEEE Trans. Syst. Man Cybern. 9, 1979), which
--- makes the variance between the two parts largest; the levels are the parts' medians.
+-- | The levels of a set of intensities, given the least contrast that is one. The intensities are
+-- split in two by Otsu's threshold (IEEE Trans. Syst. Man Cybern. 9, 1979), which makes the
+-- variance between the two parts largest; the levels are the parts' medians.
 --
 -- 'Nothing' when that shows no embossing: less than that between the two.
 levels :: Double -> Vector Double -> Maybe Levels

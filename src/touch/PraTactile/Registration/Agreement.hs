@@ -185,13 +185,13 @@ overlapping = neighboursAround mostCentres
 -- | Of those that lie side by side and of those that lie one below the other, each for itself, the
 -- pairs that overlap by an eighth of a frame and by nearly half of the most, at most so many of
 -- them, evenly; by their numbers, with where the second's upper left pixel lies in the first.
--- However large the one's overlaps are, they tell nothing of how the others lie; and pairs of frames
--- that hardly moved tell nothing of how any lie.
+-- However large the one's overlaps are, they tell nothing of how the others lie; and pairs of
+-- frames that hardly moved tell nothing of how any lie.
 telling :: Int -> [Neighbours] -> [(Int, Int, Taxels)]
 telling most found = concatMap largest [beside, below]
   where
-    (beside, below) =
-      partition ((\(x, y) -> abs x > abs y) . neighboursStep) (filter (apart . neighboursStep) found)
+    (beside, below) = partition (across . neighboursStep) (filter (apart . neighboursStep) found)
+    across (x, y) = abs x > abs y
     apart (x, y) = max (abs x) (abs y) >= leastStep
     largest pairs =
       spacedOut most [(k, l, step) | Neighbours k l step share <- pairs, share >= least]

@@ -140,12 +140,13 @@ arrange method settings frames
       where
         shift one = registeredShift (one 0)
     byLattice fits' =
-      (arranged ByLattice (levelling (zip images (jointThetas found))) (map estimated (jointFrames found)))
+      (arranged ByLattice levels (map estimated (jointFrames found)))
         { arrangementSigma = jointSigma found,
           arrangementAngle = Just (fitsAngle fits'),
           arrangementFrom = Just (\places -> from (registered (zip places images)))
         }
       where
+        levels = levelling (zip images (jointThetas found))
         registered = registerJointly settings fits'
         found = registered frames
         from there = (jointLog there - jointLog found, map estimateShift (jointFrames there))

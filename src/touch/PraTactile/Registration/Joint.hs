@@ -72,7 +72,8 @@ registerJointly settings fits frames = Joint centredEstimates thetas sigma phase
     pixelsOf (_, image, _) = rasterWidth image * rasterHeight image
     (phaseLog, (orientation, phase)) = commonPhase grid (map (if small then kept else again) some)
     (thetas, displacements) =
-      unzip (map (told . (if small && length onLattice <= phaseFrames then kept else again)) onLattice)
+      unzip (map (told . (if few then kept else again)) onLattice)
+    few = small && length onLattice <= phaseFrames
     told seen@(_, given) =
       let !theta = likelihoodTheta given in (theta, displacementsOf grid orientation phase seen)
     (posteriors, sigmas) = meanField grid displacements

@@ -9,10 +9,10 @@
 -- > variance of o / g': e^2 = s^2 v / (0.4 N g'^2) + 0.05^2,    g' the mean gain
 --
 -- 0.4 of the taxels being independent ('independent'), 0.3 what the force of a press, worn symbols
--- and elements of their own make of a gain, which is better left as it is, and 0.05 what relief that
--- is not quite as it is drawn makes of an offset (assumptions). Gains and offsets are each taken for draws from a normal
--- distribution of variance tau^2 (random effects; DerSimonian and Laird, Controlled Clinical Trials
--- 7, 1986):
+-- and elements of their own make of a gain, which is better left as it is, and 0.05 what relief
+-- that is not quite as it is drawn makes of an offset (assumptions). Gains and offsets are each
+-- taken for draws from a normal distribution of variance tau^2 (random effects; DerSimonian and
+-- Laird, Controlled Clinical Trials 7, 1986):
 --
 -- > w = 1 / e^2,   mean = sum w x / sum w,   Q = sum w (x - mean)^2
 -- > tau^2 = max 0 (Q - (n - 1)) / (sum w - sum w^2 / sum w)
@@ -47,7 +47,9 @@ levelling frames
       randomEffects [(offset r / unit, offsetError r / (unit * unit) + unlikeOffset) | r <- told]
     offsets = map (* unit) shares
     alike xs = and (zipWith (==) xs (drop 1 xs))
-    onto g o = (mapRaster (\v -> usual * unit + unit / g * (v - o)), max 0.01 ((g / unit) * (g / unit)))
+    onto g o = (mapRaster (\v -> usual * unit + (v - o) / share), max 0.01 (share * share))
+      where
+        share = g / unit
 
 -- | How a frame reads relief, grey values.
 data Reading = Reading

@@ -10,7 +10,7 @@ import Data.Either (isRight, partitionEithers)
 import Data.List (sortOn)
 import Data.Maybe (mapMaybe)
 import PraTactile.Composite (Composite (..), weighted)
-import PraTactile.Composite.Level (Levels (..), contrast, leastContrast, levels, smoothing, threshold)
+import PraTactile.Composite.Level
 import PraTactile.Geometry (symbolHeight, symbolWidth)
 import PraTactile.Image (generate)
 import PraTactile.Image.Correlate (Reference, referenceAt)

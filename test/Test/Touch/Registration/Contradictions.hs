@@ -95,7 +95,8 @@ defined settings frames
     ((toldBest, couldBest), axes) =
       maximumBy (comparing (fst . fst)) [(along a, a) | (_, a) <- axesNamed, a /= straight]
     along :: Axes -> (Double, Double)
-    along a = telling (map shared (chosen (filter apart (neighboursAround 64 (map (moved a) frames)))))
+    along a =
+      telling (map shared (chosen (filter far (neighboursAround 64 (map (moved a) frames)))))
     moved a ((x, y), shown) = let Pose x' y' _ = alongAxes a (Pose x y 0) in ((x', y'), shown)
     chosen found =
       concat
@@ -103,7 +104,7 @@ defined settings frames
           | some <- [filter beside found, filter (not . beside) found],
             let most = maximum (map neighboursShare some)
         ]
-    apart found = let (x, y) = neighboursStep found in max (abs x) (abs y) >= 2
+    far found = let (x, y) = neighboursStep found in max (abs x) (abs y) >= 2
     beside found = let (x, y) = neighboursStep found in abs x > abs y
     evenly :: Int -> [a] -> [a]
     evenly most xs =

@@ -134,18 +134,7 @@ genComposite range = do
   pure (composed image coverage)
 
 composed :: Raster -> Raster -> Composite
-composed image coverage =
-  Composite
-    { compositeImage = image,
-      compositeCoverage = coverage,
-      compositeOrigin = (0, 0),
-      compositeDisplacements = [],
-      compositePositionError = Nothing,
-      compositeCompared = True,
-      compositeAxesStated = False,
-      compositeOthers = [],
-      compositeContradiction = Nothing
-    }
+composed image coverage = (compositeOf image) {compositeCoverage = coverage}
 
 sizeOf :: Composite -> (Int, Int)
 sizeOf composite =
@@ -224,7 +213,10 @@ levelSpec = do
           medians = maybe False (\l -> any (`close` l) candidates) found
        in counterexample (show (candidates, found)) medians
   it "are none where all is alike, or nothing, or too little for the noise or for 8 bits" $ do
-    let two noise high = levels (leastContrast (1 / 255) noise) (V.fromList (replicate 10 0 ++ replicate 30 high))
+    let two noise high =
+          levels
+            (leastContrast (1 / 255) noise)
+            (V.fromList (replicate 10 0 ++ replicate 30 high))
         -- Half a bin from the ends.
         apart high = high * 511 / 512
     levels 0 V.empty `shouldBe` Nothing

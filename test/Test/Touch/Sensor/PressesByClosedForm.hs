@@ -279,7 +279,7 @@ calibrationSpec = do
        in case correctedImage (plain dead) image of
             Right found -> closeTo found (generate 5 4 wanted)
             Left e -> counterexample (show e) False
-  it "elements are stuck that are above the middle in six frames or more, 8 elements apart or more" $
+  it "elements are stuck that are above the middle in six frames or more, 8 elements apart" $
     forAll ((,) <$> choose (5, 7) <*> elements [7.9, 8, 8.1]) $ \(count, far) ->
       forAll ((,) <$> choose (0, 6) <*> elements [0.5, 0.501]) $ \(stuck, level) ->
         forAll arbitrary $ \upwards ->

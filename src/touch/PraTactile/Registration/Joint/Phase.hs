@@ -55,7 +55,8 @@ phasePosterior grid frames =
       V.map (\m -> outlier + (1 - outlier) * m) (V.concat (map blurred shown))
       where
         blurred :: Vector Int -> Vector Double
-        blurred rows = tabulate across down (\y x -> dotWithin n (blurredAcross, x * n) (downs, y * n))
+        blurred rows =
+          tabulate across down (\y x -> dotWithin n (blurredAcross, x * n) (downs, y * n))
           where
             n = V.length rows
             blurredAcross = tabulate n across $ \px ->
