@@ -24,8 +24,8 @@ import Data.Ord (Down (..))
 import Data.Ratio (denominator, numerator, (%))
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
+import PraTactile.Object.Description (cyclicPairs)
 import PraTactile.Object.Mesh
-import PraTactile.Object.Validity (doubleArea)
 import PraTactile.Object.Vector
 
 -- | The grid of a face.
@@ -97,8 +97,7 @@ gridWithin most it (right, down) walk
     -- Everything times twice the denominators of a cell's width and height is whole.
     timesX x = 2 * denominator right * x
     timesY y = 2 * denominator down * y
-    sides = zip scaledUp (drop 1 scaledUp ++ take 1 scaledUp)
-    scaledUp = [(timesX x, timesY y) | (x, y) <- V.toList corners]
+    sides = cyclicPairs [(timesX x, timesY y) | (x, y) <- V.toList corners]
     middleX = timesX left + denominator right * wide
     middleY = timesY top + denominator down * high
     -- The line between columns j - 1 and j is at middleX + across (2 j) sqrt a, the middle of

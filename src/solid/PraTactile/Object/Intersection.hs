@@ -23,9 +23,10 @@ module PraTactile.Object.Intersection
 where
 
 import qualified Data.IntMap.Strict as IntMap
-import Data.List (nub, sort)
+import Data.List (nub)
 import Data.Maybe (isJust, mapMaybe)
 import Data.Ratio ((%))
+import qualified Data.Set as Set
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Polygon
@@ -185,12 +186,7 @@ cut u it above = Cut (distinct (touching ++ mapMaybe strictly sides)) within
     within t = odd (length (filter (< t) below)) || odd (length (filter (< t) over))
 
 distinct :: [Rational] -> [Rational]
-distinct = unrepeated . sort
-  where
-    unrepeated (x : y : more)
-      | x == y = unrepeated (y : more)
-      | otherwise = x : unrepeated (y : more)
-    unrepeated few = few
+distinct = Set.toAscList . Set.fromList
 
 -- | What is left in the plane of both.
 inOnePlane :: Plate -> Plate -> Maybe Rational

@@ -20,9 +20,9 @@ import Data.List (foldl', sortOn)
 import Data.Maybe (mapMaybe)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
+import PraTactile.Object.Description (cyclicPairs)
 import PraTactile.Object.Mesh
 import PraTactile.Object.Surface
-import PraTactile.Object.Validity (doubleArea)
 import PraTactile.Object.Vector
 
 -- | The polyhedron with faces of one plane put together. Faces that are not flat, or not well
@@ -38,13 +38,10 @@ regionsOfPlanes it =
     (firstAlike keyed)
   where
     keyed = V.imap (\f key -> if V.null key then Left f else Right (V.toList key)) planes
-    planes = V.map (plane . cornersOf it) walks
-    walks =
-      V.map
-        (\walk -> if U.all (< V.length (meshPoints it)) walk then walk else U.empty)
-        (meshWalks it)
+    planes = V.map planeOf (meshWalks it)
+    planeOf walk = if ofVertices it walk then plane (cornersOf it walk) else V.empty
     plane corners
-      | n == zero || V.any ((/= dot n (firstOf corners)) . dot n) corners = V.empty
+      | n == zero || not (flatAlong n corners) = V.empty
       | otherwise =
         V.fromList
           [a `quot` g, b `quot` g, c `quot` g, dot n (firstOf corners) `quot` g]
@@ -55,7 +52,7 @@ regionsOfPlanes it =
 -- | Faces with the same number put together, where they share sides.
 mergeRegions :: U.Vector Int -> Mesh -> Mesh
 mergeRegions may it
-  | V.any (U.any (>= V.length (meshPoints it))) (meshWalks it) = it
+  | not (V.all (ofVertices it) (meshWalks it)) = it
   | otherwise = withoutUnused (straightened merged)
   where
     sides = surface (meshWalks it)
@@ -147,7 +144,7 @@ mergeRegions may it
         alone = filter (`IntSet.notMember` ends) (U.toList walk)
         ends = IntSet.fromList (concat [[a, b] | (a, b) <- shared])
         without = foldl' (\now (_, b) -> IntMap.delete b now) rim shared
-    cyclicSides walk = zip (U.toList walk) (drop 1 (U.toList walk) ++ take 1 (U.toList walk))
+    cyclicSides = cyclicPairs . U.toList
     followed rim = case IntMap.lookupMin rim of
       Just (start, _) -> start : takeWhile (/= start) (drop 1 (from start))
       Nothing -> []

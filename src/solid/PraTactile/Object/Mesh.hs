@@ -13,8 +13,11 @@ module PraTactile.Object.Mesh
     meshWalks,
     meshNames,
     meshRepeated,
+    ofVertices,
     cornersOf,
     firstOf,
+    doubleArea,
+    flatAlong,
     withShape,
     scaledBy,
     named,
@@ -84,6 +87,10 @@ lowestTerms over points
 unnamed :: Int -> V.Vector VertexName
 unnamed count = V.generate count (\i -> VertexName ('V' : show (i + 1)))
 
+-- | Whether there are all vertices of a walk.
+ofVertices :: Mesh -> Walk -> Bool
+ofVertices it = U.all (< V.length (meshPoints it))
+
 -- | The points of a walk, all of whose vertices there are.
 cornersOf :: Mesh -> Walk -> V.Vector V3
 cornersOf it walk = V.map (meshPoints it V.!) (V.convert walk)
@@ -91,6 +98,19 @@ cornersOf it walk = V.map (meshPoints it V.!) (V.convert walk)
 -- | The first point of a walk, from which others are measured; the origin of one without vertices.
 firstOf :: V.Vector V3 -> V3
 firstOf = V.foldr const zero
+
+-- | The vector area of a polygon, doubled: it points to the side from which the polygon is
+-- counter-clockwise (Newell's formula).
+doubleArea :: V.Vector V3 -> V3
+doubleArea corners
+  | V.length corners < 3 = zero
+  | otherwise = V.foldl' plus zero (V.zipWith cross arms (V.drop 1 arms))
+  where
+    arms = V.map (`minus` firstOf corners) (V.drop 1 corners)
+
+-- | Whether all points lie in one plane with this normal.
+flatAlong :: V3 -> V.Vector V3 -> Bool
+flatAlong n corners = V.all ((== dot n (firstOf corners)) . dot n) corners
 
 -- | The same object with other vertices, which have names already, and other walks among them.
 withShape :: V.Vector VertexName -> Integer -> V.Vector V3 -> V.Vector Walk -> Mesh -> Mesh

@@ -23,6 +23,7 @@ import Data.List (find)
 import Data.Maybe (listToMaybe)
 import qualified Data.Vector as V
 import PraTactile.Object.Boxes
+import PraTactile.Object.Description (cyclicPairs)
 import PraTactile.Object.Vector
 
 -- | A point of a plane.
@@ -101,7 +102,7 @@ standing walk p@(V2 _ y)
   | odd (length (filter passes sides)) = Inside
   | otherwise = Outside
   where
-    sides = zip (toList walk) (toList (V.drop 1 walk) ++ toList (V.take 1 walk))
+    sides = cyclicPairs (toList walk)
     -- A ray to the right meets the side; one end of a side belongs to it.
     passes (a@(V2 _ ay), b@(V2 _ by))
       | (ay > y) == (by > y) = False

@@ -25,7 +25,6 @@ import Math.NumberTheory.Logarithms (integerLog2)
 import PraTactile.Object.Boxes
 import PraTactile.Object.Mesh
 import PraTactile.Object.Surface
-import PraTactile.Object.Validity (doubleArea)
 import PraTactile.Object.Vector
 
 -- | What came of it.
@@ -44,7 +43,7 @@ data Settled = Settled
 -- new points have no common denominator that one can compute with, vertices stay where they are.
 settled :: Rational -> Bool -> Mesh -> Settled
 settled mm together it
-  | V.any (U.any (>= V.length (meshPoints it))) (meshWalks it) = Settled it 0 0
+  | not (V.all (ofVertices it) (meshWalks it)) = Settled it 0 0
   | otherwise = Settled flat (length moves) (maximum (0 : moves))
   where
     (joint, weldedBy) = welded mm it
@@ -55,15 +54,12 @@ settled mm together it
 -- has to be moved, rounded up. Nothing, where none will do.
 sufficient :: Mesh -> Maybe Double
 sufficient it
-  | V.any (U.any (>= V.length (meshPoints it))) (meshWalks it) = Nothing
+  | not (V.all (ofVertices it) (meshWalks it)) = Nothing
   | any bent (V.toList (meshWalks flat)) || null moves = Nothing
   | otherwise = Just (up (maximum moves))
   where
     (flat, moves) = flattened Nothing False it
-    bent walk = V.any (/= 0) (V.map (\p -> dot n (p `minus` firstOf corners)) corners)
-      where
-        corners = cornersOf flat walk
-        n = doubleArea corners
+    bent walk = let corners = cornersOf flat walk in not (flatAlong (doubleArea corners) corners)
     up far =
       let digit = 10 ^^ (floor (logBase 10 far) - 2 :: Int)
        in fromInteger (ceiling (far / digit * (1 + 1e-12))) * digit

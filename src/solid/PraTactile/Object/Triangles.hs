@@ -10,7 +10,6 @@ import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Description (rotations)
 import PraTactile.Object.Mesh
 import PraTactile.Object.Polygon
-import PraTactile.Object.Validity (doubleArea)
 
 -- | The face as triangles, by vertices, each counter-clockwise as the face is. A face that crosses
 -- itself, or has no area, is cut from its first vertex. O(n) for a convex face, O(n^3) at worst.

@@ -3,19 +3,13 @@
 -- else. All that is wrong is told at once. The conditions are those of a winged-edge model
 -- (section II.B of the paper; Ballard and Brown, Computer Vision, ch. 9); all arithmetic is exact.
 --
--- With V, E and F vertices, edges and faces, a piece has the Euler number V - E + F = 2 - 2 g,
--- where g, its genus, counts its handles. With the double area vector of a face,
--- n = sum v_i x v_(i+1) (Newell), its plane is n . x = n . v, and six times the enclosed volume
--- is the sum of n . v over all faces (the cones from the origin; the divergence theorem): positive
--- where the faces are outward. An edge is convex if the direction from it into the face at its
--- right does not point to the outer side of the face at its left; a surface that does not cut
--- itself is convex if all its edges are.
+-- With the double area vector of a face, n = sum v_i x v_(i+1) (Newell), its plane is
+-- n . x = n . v. Its pieces are those of "PraTactile.Object.Pieces".
 module PraTactile.Object.Validity
   ( Report (..),
     Component (..),
     reportValid,
     examine,
-    doubleArea,
   )
 where
 
@@ -31,7 +25,9 @@ import PraTactile.Object.Boxes
 import PraTactile.Object.Defect
 import PraTactile.Object.Intersection
 import PraTactile.Object.Mesh
+import PraTactile.Object.Pieces
 import PraTactile.Object.Polygon
+import PraTactile.Object.Subject
 import PraTactile.Object.Surface
 import PraTactile.Object.Vector
 
@@ -49,37 +45,9 @@ data Report = Report
   }
   deriving stock (Eq, Show)
 
--- | Well-formed faces that hang together by edges. What is 'Nothing' has no meaning because of a
--- defect.
-data Component = Component
-  { componentVertices :: Int,
-    componentEdges :: Int,
-    componentFaces :: Int,
-    componentEuler :: Int,
-    -- | the number of its handles
-    componentGenus :: Maybe Int,
-    -- | cubic millimetres, negative where it is inward
-    componentVolume :: Maybe Rational,
-    -- | whether what it bounds is convex
-    componentConvex :: Maybe Bool,
-    -- | how many others it is inside of
-    componentInside :: Maybe Int
-  }
-  deriving stock (Eq, Show)
-
 -- | Whether nothing is wrong.
 reportValid :: Report -> Bool
 reportValid = null . reportDefects
-
--- | What is worked out of a polyhedron, once for all that is asked of it. Faces are those well
--- formed; all others have an empty walk.
-data Subject = Subject
-  { whole :: Mesh,
-    formed :: V.Vector Walk,
-    sides :: Surface,
-    normals :: V.Vector V3,
-    rounding :: Rounding
-  }
 
 -- | Examine a polyhedron. O(n log n), but for what 'Boxes' cannot tell apart.
 examine :: Mesh -> Report
@@ -109,7 +77,7 @@ examine it =
         (UnknownVertex, unknown it),
         (TooFewVertices, tooFew it),
         (VertexTwiceOnFace, twice it),
-        (RepeatedFace, repeatedFaces it)
+        (RepeatedFace, [Defect RepeatedFace (map (faceAt it) same) [] Nothing | same <- alike])
       ]
     areas = noAreas subject
     bent = notPlanar subject
@@ -123,8 +91,9 @@ examine it =
     onEdges = verticesOnEdges subject
     -- However often a face comes, it is compared with the others once.
     meetings = intersections subject (filter (`Set.notMember` again) good)
-    again = Set.fromList (concatMap (drop 1) (facesAlike it))
-    sound = null (present (concat [reasons | (InsideOut, reasons) <- rest]))
+    again = Set.fromList (concatMap (drop 1) alike)
+    alike = facesAlike it
+    sound = null (present everything)
     (components, wrongWay) = pieces subject $ \asked -> null (present (meaning asked))
     found =
       plain
@@ -141,9 +110,7 @@ examine it =
     some = not . null
     -- Of these kinds, those that there are.
     present kinds =
-      [ kind | (kind, defects) <- found, kind
-                                           `elem` kinds, kind /= InsideOut, blames kind defects
-      ]
+      [kind | (kind, defects) <- found, kind `elem` kinds, blames kind defects]
     -- A name that several have does no harm where no face has it.
     blames RepeatedName _ = V.any (usesAny (repeatedFirsts it)) (meshWalks it)
     blames _ defects = some defects
@@ -168,56 +135,9 @@ examine it =
         (FacesIntersect, formless ++ [RepeatedFace, NoArea, NotPlanar, FaceCrossesItself])
       ]
 
-subjectOf :: Mesh -> Subject
-subjectOf it =
-  Subject
-    { whole = it,
-      formed = walks,
-      sides = surface walks,
-      normals = V.map (doubleArea . cornersOf it) walks,
-      rounding = roundingOf (meshPoints it)
-    }
-  where
-    walks = V.map (\walk -> if wellFormed walk then walk else U.empty) (meshWalks it)
-    wellFormed walk =
-      U.length walk >= 3
-        && U.all (< V.length (meshPoints it)) walk
-        && null (repeats walk)
-        && not (usesAny (repeatedFirsts it) walk)
-
--- | The vector area of a polygon, doubled: it points to the side from which the polygon is
--- counter-clockwise (Newell's formula).
-doubleArea :: V.Vector V3 -> V3
-doubleArea corners
-  | V.length corners < 3 = zero
-  | otherwise = V.foldl' plus zero (V.zipWith cross arms (V.drop 1 arms))
-  where
-    arms = V.map (`minus` firstOf corners) (V.drop 1 corners)
-
-facesWhere :: (Walk -> Bool) -> Subject -> [Int]
-facesWhere holds subject = V.toList (V.findIndices holds (formed subject))
-
--- | What a walk visits more than once, each once, ascending.
-repeats :: Walk -> [Int]
-repeats walk
-  | U.length walk == 3, a /= b, b /= c, a /= c = []
-  | otherwise = go (sort (U.toList walk))
-  where
-    (a, b, c) = (walk U.! 0, walk U.! 1, walk U.! 2)
-    go (x : y : more)
-      | x == y = x : go (dropWhile (== x) more)
-      | otherwise = go (y : more)
-    go _ = []
-
-repeatedFirsts :: Mesh -> Set.Set Int
-repeatedFirsts = Set.fromList . Map.elems . meshRepeated
-
-usesAny :: Set.Set Int -> Walk -> Bool
-usesAny some walk = not (Set.null some) && U.any (`Set.member` some) walk
-
 -- Names and walks.
 
-repeatedNames, coincident, unused, unknown, tooFew, twice, repeatedFaces :: Mesh -> [Defect]
+repeatedNames, coincident, unused, unknown, tooFew, twice :: Mesh -> [Defect]
 repeatedNames it =
   [Defect RepeatedName [] [vertexAt it i] Nothing | i <- Set.toList (repeatedFirsts it)]
 coincident it =
@@ -239,7 +159,7 @@ unused it =
 unknown it =
   [ Defect UnknownVertex [faceAt it f] [vertexAt it i] Nothing
     | (f, walk) <- V.toList (V.indexed (meshWalks it)),
-      U.any (>= V.length (meshPoints it)) walk,
+      not (ofVertices it walk),
       i <- Set.toList (Set.fromList (U.toList walk)),
       i >= V.length (meshPoints it)
   ]
@@ -254,8 +174,6 @@ twice it =
       U.length walk > 1,
       i <- if U.length walk == 2 then [walk U.! 0 | walk U.! 0 == walk U.! 1] else repeats walk
   ]
-repeatedFaces it =
-  [Defect RepeatedFace (map (faceAt it) alike) [] Nothing | alike <- facesAlike it]
 
 -- | The faces that have the same vertices, those that are more than one.
 facesAlike :: Mesh -> [[Int]]
@@ -296,7 +214,7 @@ notPlanar subject =
       let n = normals subject V.! f
           corners = cornersOf (whole subject) (formed subject V.! f),
       n /= zero,
-      V.any (/= dot n (firstOf corners)) (V.map (dot n) corners)
+      not (flatAlong n corners)
   ]
   where
     -- With k corners of the sum s, k n . v - n . s is k |n| times the distance of v.
@@ -404,11 +322,6 @@ boxOfSide subject s = box (sideStart (sides subject) s) `around` box (sideEnd (s
   where
     box v = boxOf (rounding subject) (meshPoints (whole subject) V.! v)
 
-boxOfFace :: Subject -> Int -> Box
-boxOfFace subject f = V.foldl1' around (V.map (boxOf (rounding subject)) corners)
-  where
-    corners = cornersOf (whole subject) (formed subject V.! f)
-
 -- | What faces have in common that do not cross themselves.
 intersections :: Subject -> [Int] -> [Defect]
 intersections subject good =
@@ -429,129 +342,3 @@ plateOf :: Subject -> Int -> Plate
 plateOf subject f = plate walk (cornersOf (whole subject) walk) (normals subject V.! f)
   where
     walk = formed subject V.! f
-
--- Pieces.
-
--- | What is asked of a piece.
-data Asked = Genus | Volume | Whereabouts
-
--- | The pieces, and those that are inside out.
-pieces :: Subject -> (Asked -> Bool) -> ([Component], [Defect])
-pieces subject told =
-  ( [ Component
-        { componentVertices = v,
-          componentEdges = e,
-          componentFaces = length faces,
-          componentEuler = v - e + length faces,
-          componentGenus =
-            if told Genus then Just ((2 - (v - e + length faces)) `div` 2) else Nothing,
-          componentVolume = if told Volume then Just (sixfold % sixfoldUnit) else Nothing,
-          componentConvex =
-            if told Whereabouts then Just (Set.notMember key notConvex) else Nothing,
-          componentInside =
-            if told Whereabouts then Just (Map.findWithDefault 0 key insides) else Nothing
-        }
-      | (key, faces) <- Map.toList members,
-        let v = Map.findWithDefault 0 key vertices
-            e = Map.findWithDefault 0 key edges
-            sixfold = Map.findWithDefault 0 key volumes
-    ],
-    [ Defect InsideOut [faceAt it key] [] Nothing
-      | key <- Map.keys members,
-        let outward = even (Map.findWithDefault 0 key insides),
-        (Map.findWithDefault 0 key volumes > 0) /= outward
-    ]
-  )
-  where
-    it = whole subject
-    points = meshPoints it
-    sixfoldUnit = 6 * meshDenominator it ^ (3 :: Int)
-    formedFaces = facesWhere (not . U.null) subject
-    belongs =
-      classes
-        (V.length (formed subject))
-        [ (sideFace (sides subject) s, sideFace (sides subject) t)
-          | e <- [0 .. edgeCount (sides subject) - 1],
-            s : others <- [edgeSides (sides subject) e],
-            t <- others
-        ]
-    pieceOf f = belongs U.! f
-    members = Map.fromListWith (++) [(pieceOf f, [f]) | f <- reverse formedFaces]
-    count pairs = Map.fromListWith (+) [(piece, 1 :: Int) | piece <- pairs]
-    vertices =
-      count
-        ( map
-            fst
-            ( Set.toList
-                ( Set.fromList
-                    [(pieceOf f, v) | f <- formedFaces, v <- U.toList (formed subject V.! f)]
-                )
-            )
-        )
-    edges =
-      count
-        [ pieceOf (sideFace (sides subject) s)
-          | e <- [0 .. edgeCount (sides subject) - 1],
-            s <- take 1 (edgeSides (sides subject) e)
-        ]
-    volumes =
-      Map.fromListWith
-        (+)
-        [ (pieceOf f, dot (normals subject V.! f) (points V.! (formed subject V.! f U.! 0)))
-          | f <- formedFaces
-        ]
-    -- Seen from what the surface bounds.
-    notConvex =
-      Set.fromList
-        [ piece
-          | e <- [0 .. edgeCount (sides subject) - 1],
-            [s, t] <- [edgeSides (sides subject) e],
-            let piece = pieceOf (sideFace (sides subject) s)
-                left = normals subject V.! sideFace (sides subject) s
-                right = normals subject V.! sideFace (sides subject) t
-                back =
-                  (points V.! sideStart (sides subject) s)
-                    `minus` (points V.! sideEnd (sides subject) s),
-            dot left (cross right back) * signum (Map.findWithDefault 0 piece volumes) > 0
-        ]
-    insides
-      | Map.size members < 2 = Map.empty
-      | otherwise =
-        Map.fromList
-          [ ( key,
-              length
-                [ ()
-                  | (other, crossed) <- Map.toList (count (passed (formed subject V.! key U.! 0))),
-                    other /= key,
-                    odd crossed
-                ]
-            )
-            | key <- Map.keys members
-          ]
-    -- The pieces of the faces through which a ray along x leaves a vertex, moved by far less than
-    -- anything along y, and by far less than that along z.
-    passed v =
-      [ pieceOf f
-        | i <- meeting tree (onward (boxOf (rounding subject) (points V.! v))),
-          let f = indexed V.! i,
-          leaves' f (points V.! v)
-      ]
-    indexed = V.fromList formedFaces
-    tree = boxes (V.map (boxOfFace subject) indexed)
-    onward (Box a b c _ e f) = Box a b c maxBound e f
-    leaves' f (V3 px py pz)
-      | nx == 0 = False
-      | otherwise = odd (length (filter id (V.toList (V.zipWith cuts corners after)))) && ahead
-      where
-        V3 nx ny nz = normals subject V.! f
-        corners = cornersOf it (formed subject V.! f)
-        after = V.drop 1 corners V.++ V.take 1 corners
-        -- The face's plane is met at x = p + over / nx.
-        over = dot (V3 nx ny nz) (firstOf corners) - (nx * px + ny * py + nz * pz)
-        ahead = signum over * signum nx > 0
-        -- Beyond the point along y.
-        cuts (V3 _ y z) (V3 _ y' z')
-          | (z > pz) == (z' > pz) = False
-          | otherwise =
-            let side = (y - py) * (z' - z) + (pz - z) * (y' - y)
-             in signum side * signum (z' - z) > 0

@@ -1,0 +1,80 @@
+-- | What is worked out of a polyhedron, once for all that is asked of it.
+module PraTactile.Object.Subject
+  ( Subject (..),
+    subjectOf,
+    facesWhere,
+    boxOfFace,
+
+    -- * Walks
+    repeats,
+    repeatedFirsts,
+    usesAny,
+  )
+where
+
+import Data.List (sort)
+import qualified Data.Map.Strict as Map
+import qualified Data.Set as Set
+import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
+import PraTactile.Object.Boxes
+import PraTactile.Object.Mesh
+import PraTactile.Object.Surface
+import PraTactile.Object.Vector
+
+-- | A polyhedron with its sides. Faces are those well formed; all others have an empty walk.
+data Subject = Subject
+  { whole :: Mesh,
+    formed :: V.Vector Walk,
+    sides :: Surface,
+    normals :: V.Vector V3,
+    rounding :: Rounding
+  }
+
+-- | Of a polyhedron. O(n log n).
+subjectOf :: Mesh -> Subject
+subjectOf it =
+  Subject
+    { whole = it,
+      formed = walks,
+      sides = surface walks,
+      normals = V.map (doubleArea . cornersOf it) walks,
+      rounding = roundingOf (meshPoints it)
+    }
+  where
+    walks = V.map (\walk -> if wellFormed walk then walk else U.empty) (meshWalks it)
+    wellFormed walk =
+      U.length walk >= 3
+        && ofVertices it walk
+        && null (repeats walk)
+        && not (usesAny (repeatedFirsts it) walk)
+
+-- | The well-formed faces whose walks are so.
+facesWhere :: (Walk -> Bool) -> Subject -> [Int]
+facesWhere holds subject = V.toList (V.findIndices holds (formed subject))
+
+-- | What a walk visits more than once, each once, ascending.
+repeats :: Walk -> [Int]
+repeats walk
+  | U.length walk == 3, a /= b, b /= c, a /= c = []
+  | otherwise = go (sort (U.toList walk))
+  where
+    (a, b, c) = (walk U.! 0, walk U.! 1, walk U.! 2)
+    go (x : y : more)
+      | x == y = x : go (dropWhile (== x) more)
+      | otherwise = go (y : more)
+    go _ = []
+
+-- | The vertices whose names later ones have as well.
+repeatedFirsts :: Mesh -> Set.Set Int
+repeatedFirsts = Set.fromList . Map.elems . meshRepeated
+
+-- | Whether a walk has one of these.
+usesAny :: Set.Set Int -> Walk -> Bool
+usesAny some walk = not (Set.null some) && U.any (`Set.member` some) walk
+
+-- | The box round a face.
+boxOfFace :: Subject -> Int -> Box
+boxOfFace subject f = V.foldl1' around (V.map (boxOf (rounding subject)) corners)
+  where
+    corners = cornersOf (whole subject) (formed subject V.! f)
