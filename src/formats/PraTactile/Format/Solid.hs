@@ -26,13 +26,12 @@ where
 
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Builder as Builder
-import qualified Data.ByteString.Char8 as Char8
-import Data.Char (isAscii, toLower)
+import Data.Char (toLower)
 import Data.List (find, isSuffixOf)
 import PraTactile.Format.Solid.Contents
 import PraTactile.Format.Solid.Error
 import PraTactile.Format.Solid.Json (readObject, writeObject)
-import PraTactile.Format.Solid.Number (exactText, fraction)
+import PraTactile.Format.Solid.Number (exactNumber, exactText)
 import PraTactile.Format.Solid.Obj
 import PraTactile.Format.Solid.Off
 import PraTactile.Format.Solid.Ply
@@ -91,12 +90,3 @@ writeSolid format it = case format of
   Ply -> writePlyBinary it
   PlyText -> writePlyText it
   Json -> Written (Builder.byteString (writeObject it) <> Builder.char7 '\n') 0
-
--- | An exact number as 'exactText' writes it, or any fraction or decimal number.
---
--- >>> map exactNumber ["127/4", "1e-2", "x"]
--- [Just (127 % 4),Just (1 % 100),Nothing]
-exactNumber :: String -> Maybe Rational
-exactNumber text
-  | all isAscii text = either (const Nothing) Just (fraction (Char8.pack text))
-  | otherwise = Nothing

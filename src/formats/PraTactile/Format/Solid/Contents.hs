@@ -6,6 +6,7 @@ module PraTactile.Format.Solid.Contents
     soup,
     Written (..),
     asDecimals,
+    asMachine,
   )
 where
 
@@ -59,12 +60,21 @@ data Written a = Written {writtenBytes :: a, writtenRounded :: Int}
 -- | The coordinates of all vertices as decimal numbers; where one is none, the nearest machine
 -- number's.
 asDecimals :: Mesh -> Written (V.Vector [String])
-asDecimals it = Written (V.map (map fst) texts) (V.sum (V.map (length . filter snd) texts))
+asDecimals = coordinates $ \value -> case decimalText value of
+  Just exact -> (exact, False)
+  Nothing -> (nearest value, True)
   where
-    texts = V.map (\(V3 x y z) -> map text [x, y, z]) (meshPoints it)
-    text n = case decimalText (n % meshDenominator it) of
-      Just exact -> (exact, False)
-      Nothing -> (nearest (n % meshDenominator it), True)
     nearest value =
       fromMaybe (show (numerator value `div` denominator value)) $
         decimalText (toRational (fromRational value :: Double))
+
+-- | The same as the nearest machine numbers.
+asMachine :: RealFloat a => Mesh -> Written (V.Vector [a])
+asMachine = coordinates $ \value ->
+  let near = fromRational value in (near, toRational near /= value)
+
+-- | The coordinates of all vertices as a format has them, each with whether it is another number.
+coordinates :: (Rational -> (a, Bool)) -> Mesh -> Written (V.Vector [a])
+coordinates had it = Written (V.map (map fst) made) (V.sum (V.map (length . filter snd) made))
+  where
+    made = V.map (\(V3 x y z) -> map (had . (% meshDenominator it)) [x, y, z]) (meshPoints it)

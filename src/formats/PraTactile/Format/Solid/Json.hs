@@ -4,7 +4,6 @@
 module PraTactile.Format.Solid.Json
   ( readObject,
     writeObject,
-    exactNumber,
   )
 where
 
@@ -13,10 +12,9 @@ import Data.Aeson (Value (String))
 import qualified Data.Aeson as Aeson
 import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
-import qualified Data.ByteString.Char8 as Char8
 import Data.Char (isSpace)
 import Data.Ratio (denominator)
-import qualified Data.Text.Encoding as Text
+import qualified Data.Text as Text
 import Math.NumberTheory.Logarithms (integerLog2)
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Codec hiding (writeObject)
@@ -70,16 +68,16 @@ point :: Codec Point
 point =
   Codec
     (\(Point x y z) -> map exactText [x, y, z])
-    ( readValue (listOf exactNumber) >=> \given -> case given of
+    ( readValue (listOf coordinate) >=> \given -> case given of
         [x, y, z] -> Right (Point x y z)
         _ -> refuse NotPoint
     )
 
 -- | A number that is what it says: a text such as @127/4@ or @31.75@, or a JSON number.
-exactNumber :: Codec Rational
-exactNumber = Codec exactText $ \value -> case value of
-  String given -> exactly (Text.encodeUtf8 given)
-  Aeson.Number given -> exactly (Char8.pack (show given))
+coordinate :: Codec Rational
+coordinate = Codec exactText $ \value -> case value of
+  String given -> exactly (Text.unpack given)
+  Aeson.Number given -> exactly (show given)
   _ -> refuse NotExact
   where
-    exactly = either (const (refuse NotExact)) Right . fraction
+    exactly = maybe (refuse NotExact) Right . exactNumber

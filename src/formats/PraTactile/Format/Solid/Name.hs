@@ -6,9 +6,7 @@ module PraTactile.Format.Solid.Name
   )
 where
 
-import qualified Data.ByteString.Char8 as Char8
 import Data.List (find)
-import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import PraTactile.Format.Solid.Number
@@ -78,5 +76,4 @@ readName (wide, deep) text
     one make = case parts 'x' of
       [a] -> make <$> number a
       _ -> Nothing
-    number :: Text -> Maybe Rational
-    number = either (const Nothing) Just . fraction . Char8.pack . Text.unpack
+    number = exactNumber . Text.unpack

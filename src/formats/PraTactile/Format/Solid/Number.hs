@@ -7,6 +7,7 @@ module PraTactile.Format.Solid.Number
     machine,
     whole,
     fraction,
+    exactNumber,
     Base (..),
     overCommon,
 
@@ -20,7 +21,7 @@ import Control.Applicative ((<|>))
 import qualified Data.Attoparsec.ByteString.Char8 as Parse
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Char8
-import Data.Char (toLower)
+import Data.Char (isAscii, toLower)
 import Data.Ratio (denominator, numerator, (%))
 import Data.Scientific (base10Exponent, coefficient, normalize)
 import qualified Data.Scientific as Scientific
@@ -90,6 +91,15 @@ fraction text = case Char8.split '/' text of
       | otherwise =
         either (const (Left NotNumber)) Right (Parse.parseOnly signed digits)
     signed = (Parse.signed Parse.decimal <|> Parse.decimal) <* Parse.endOfInput
+
+-- | An exact number as 'exactText' writes it, or any fraction or decimal number.
+--
+-- >>> map exactNumber ["127/4", "1e-2", "x"]
+-- [Just (127 % 4),Just (1 % 100),Nothing]
+exactNumber :: String -> Maybe Rational
+exactNumber text
+  | all isAscii text = either (const Nothing) Just (fraction (Char8.pack text))
+  | otherwise = Nothing
 
 -- | Points as integers over their common denominator.
 overCommon :: Base -> V.Vector (Number, Number, Number) -> (Integer, V.Vector V3)

@@ -70,6 +70,5 @@ writeObj :: Mesh -> Written Builder.Builder
 writeObj it = texts {writtenBytes = vertices <> faces}
   where
     texts = asDecimals it
-    vertices = foldMap (row . ("v" :)) (writtenBytes texts)
-    faces = foldMap (\walk -> row ("f" : map (show . (+ 1)) (U.toList walk))) (meshWalks it)
-    row = (<> "\n") . Builder.string7 . unwords
+    vertices = foldMap (textLine . ("v" :)) (writtenBytes texts)
+    faces = foldMap (\walk -> textLine ("f" : map (show . (+ 1)) (U.toList walk))) (meshWalks it)

@@ -85,7 +85,6 @@ writeOff it = texts {writtenBytes = header <> vertices <> faces}
   where
     texts = asDecimals it
     header =
-      "OFF\n" <> row (map show [V.length (meshPoints it), V.length (meshWalks it), 0])
-    vertices = foldMap row (writtenBytes texts)
-    faces = foldMap (\walk -> row (map show (U.length walk : U.toList walk))) (meshWalks it)
-    row = (<> "\n") . Builder.string7 . unwords
+      "OFF\n" <> textLine (map show [V.length (meshPoints it), V.length (meshWalks it), 0])
+    vertices = foldMap textLine (writtenBytes texts)
+    faces = foldMap (\walk -> textLine (map show (U.length walk : U.toList walk))) (meshWalks it)

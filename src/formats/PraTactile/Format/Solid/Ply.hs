@@ -17,7 +17,6 @@ import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (find)
-import Data.Ratio ((%))
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Format.Solid.Contents
@@ -26,7 +25,6 @@ import PraTactile.Format.Solid.Number
 import PraTactile.Format.Solid.Text
 import PraTactile.Object.Description (ObjectName)
 import PraTactile.Object.Mesh
-import PraTactile.Object.Vector
 
 -- | How values are written.
 data Coding = AsText | LittleEndian | BigEndian
@@ -68,16 +66,12 @@ readPly name bytes = do
       ["x", "y", "z"]
   list <- there "the list vertex_indices of faces" (place ["vertex_indices", "vertex_index"] face)
   let wanted = [("vertex", axes), ("face", [list])]
-  found <- (if coding == AsText then textRows bytes else binaryRows coding) wanted elements body
+  found <- (if coding == AsText then textRows else binaryRows coding) wanted elements body
   points <- V.fromList <$> traverse (point . snd) (concat (lookup "vertex" found))
   walks <- traverse (walkOf (V.length points)) (concat (lookup "face" found))
   let base = if coding == AsText then Decimal else Binary
       beside =
-        [ Passed
-            ( Char8.unpack (Bytes.take 40 (elementName e))
-                ++ "."
-                ++ Char8.unpack (Bytes.take 40 (propertyName p))
-            )
+        [ Passed (shortName (elementName e) ++ "." ++ shortName (propertyName p))
           | e <- elements,
             (i, p) <- zip [0 ..] (elementProperties e),
             maybe True (i `notElem`) (lookup (elementName e) wanted)
@@ -177,12 +171,11 @@ header bytes = case lineOf 1 0 of
 type Rows = [(ByteString, [(Place, Row)])]
 
 textRows ::
-  ByteString ->
   [(ByteString, [Int])] ->
   [Element] ->
   (Int, ByteString) ->
   Either SolidFileError Rows
-textRows _ wanted elements (before, body) =
+textRows wanted elements (before, body) =
   go
     elements
     ( filter
@@ -206,16 +199,7 @@ textRows _ wanted elements (before, body) =
               ((AtLine (lineNumber line), kept) : found)
               left
         taking n _ [] =
-          Left
-            ( SolidFileError
-                (AtLine (before + Char8.count '\n' body))
-                ( Ends
-                    ( show n ++ " of " ++ show count
-                        ++ " rows of "
-                        ++ Char8.unpack (Bytes.take 40 (elementName e))
-                    )
-                )
-            )
+          Left (SolidFileError (AtLine (before + Char8.count '\n' body)) (missing n e))
     row [] _ = Right []
     row (p : others) given = case propertyLength p of
       Nothing -> do
@@ -239,8 +223,18 @@ textRows _ wanted elements (before, body) =
       values <- traverse decimal own
       Right (values, drop n given)
 
-keep :: [(ByteString, [Int])] -> Element -> Row -> Row
+-- | Of the values of an element's properties those that are wanted.
+keep :: [(ByteString, [Int])] -> Element -> [a] -> [a]
 keep wanted e values = maybe [] (map (values !!)) (lookup (elementName e) wanted)
+
+-- | So many rows of an element are still to come.
+missing :: Int -> Element -> Fault
+missing n e =
+  Ends (show n ++ " of " ++ show (elementCount e) ++ " rows of " ++ shortName (elementName e))
+
+-- | A name of the file's as it is told.
+shortName :: ByteString -> String
+shortName = Char8.unpack . Bytes.take 40
 
 binaryRows ::
   Coding ->
@@ -263,21 +257,12 @@ binaryRows coding wanted elements (before, body) = go elements 0
             (traverse property (elementProperties e))
             (Lazy.fromStrict (Bytes.drop from body)) of
             Left _ ->
-              Left
-                ( SolidFileError
-                    at
-                    ( Ends
-                        ( show n ++ " of " ++ show count
-                            ++ " rows of "
-                            ++ Char8.unpack (Bytes.take 40 (elementName e))
-                        )
-                    )
-                )
+              Left (SolidFileError at (missing n e))
             Right (_, used, values) -> do
               kept <-
                 traverse
                   (traverse (either (Left . SolidFileError at) Right))
-                  (maybe [] (map (values !!)) (lookup (elementName e) wanted))
+                  (keep wanted e values)
               length (concat kept)
                 `seq` taking
                   (n - 1)
@@ -336,26 +321,18 @@ writePlyText :: Mesh -> Written Builder.Builder
 writePlyText it = texts {writtenBytes = headerOf "ascii" "double" it <> vertices <> faces}
   where
     texts = asDecimals it
-    vertices = foldMap row (writtenBytes texts)
-    faces = foldMap (\walk -> row (map show (U.length walk : U.toList walk))) (meshWalks it)
-    row = (<> "\n") . Builder.string7 . unwords
+    vertices = foldMap textLine (writtenBytes texts)
+    faces = foldMap (\walk -> textLine (map show (U.length walk : U.toList walk))) (meshWalks it)
 
 -- | A polyhedron as a little-endian PLY file: its coordinates are the nearest double-precision
 -- numbers.
 writePlyBinary :: Mesh -> Written Builder.Builder
 writePlyBinary it =
-  Written
-    ( headerOf "binary_little_endian" "double" it
-        <> foldMap vertex (meshPoints it)
-        <> foldMap face (meshWalks it)
-    )
-    (V.sum (V.map (\(V3 x y z) -> length (filter (snd . nearest) [x, y, z])) (meshPoints it)))
+  numbers' {writtenBytes = headerOf "binary_little_endian" "double" it <> vertices <> faces}
   where
-    vertex (V3 x y z) = foldMap (Builder.doubleLE . fst . nearest) [x, y, z]
+    numbers' = asMachine it
+    vertices = foldMap (foldMap Builder.doubleLE) (writtenBytes numbers')
+    faces = foldMap face (meshWalks it)
     face walk =
       Builder.word32LE (fromIntegral (U.length walk))
         <> foldMap (Builder.int32LE . fromIntegral) (U.toList walk)
-    nearest n =
-      let exact = n % meshDenominator it
-          near = fromRational exact :: Double
-       in (near, toRational near /= exact)

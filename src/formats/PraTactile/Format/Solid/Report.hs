@@ -10,6 +10,8 @@ where
 
 import Data.Aeson (Value, object, toJSON, (.=))
 import Data.ByteString (ByteString)
+import Data.Function (on)
+import Data.List (groupBy)
 import qualified Data.Map.Strict as Map
 import Data.String (fromString)
 import qualified Data.Vector.Unboxed as U
@@ -49,12 +51,13 @@ encodeReport it passed moved grids report =
           [ fromString (kindName kind) .= Map.findWithDefault 0 kind counts
             | kind <- [minBound .. maxBound]
           ]
-      <> "defects" .= map defectValue (concatMap (take mostOfAKind) (byKind (reportDefects report)))
+      <> "defects" .= map defectValue (concatMap (take mostOfAKind) byKind)
       <> "not_examined"
         .= [ object ["kind" .= kindName kind, "because" .= map kindName causes]
              | Unexamined kind causes <- reportNotExamined report
            ]
   where
+    byKind = groupBy ((==) `on` defectKind) (reportDefects report)
     counts = Map.fromListWith (+) [(defectKind defect, 1 :: Int) | defect <- reportDefects report]
     gridValue grid =
       object
@@ -62,12 +65,6 @@ encodeReport it passed moved grids report =
           "size_mm" .= [fst (gridSize grid), snd (gridSize grid)],
           "cells" .= fmap integerValue (gridCount grid)
         ]
-
-byKind :: [Defect] -> [[Defect]]
-byKind defects = case defects of
-  first : _ ->
-    let (same, others) = span ((== defectKind first) . defectKind) defects in same : byKind others
-  [] -> []
 
 defectValue :: Defect -> Value
 defectValue (Defect kind faces vertices measure) =

@@ -144,67 +144,44 @@ text name bytes =
             ((,,) <$> decimal x <*> decimal y <*> decimal z)
         _ -> end (Ends "three coordinates")
 
--- | A triangle's corners in millimetres.
-trianglesOf :: Mesh -> [[V3]]
-trianglesOf it =
-  [ [meshPoints it V.! i, meshPoints it V.! j, meshPoints it V.! k]
-    | walk <- V.toList (meshWalks it),
-      (i, j, k) <- triangles it walk
-  ]
-
--- | The nearest single-precision number, and whether it is another.
-nearest :: Mesh -> Integer -> (Float, Bool)
-nearest it n = (near, toRational near /= exact)
-  where
-    exact = n % meshDenominator it
-    near = fromRational exact
-
-roundedIn :: Mesh -> Int
-roundedIn it =
-  V.sum
-    ( V.map
-        (\(V3 x y z) -> length (filter (snd . nearest it) [x, y, z]))
-        (meshPoints it)
-    )
+-- | The triangles of all faces, by vertices.
+allTriangles :: Mesh -> [[Int]]
+allTriangles it = [[i, j, k] | walk <- V.toList (meshWalks it), (i, j, k) <- triangles it walk]
 
 -- | A polyhedron as a binary STL file: its coordinates are the nearest single-precision numbers.
 writeStlBinary :: Mesh -> Written Builder.Builder
-writeStlBinary it = Written (header <> foldMap triangle all') (roundedIn it)
+writeStlBinary it = numbers' {writtenBytes = header <> foldMap triangle faces}
   where
-    all' = trianglesOf it
+    numbers' = asMachine it
+    faces = allTriangles it
     header =
       Builder.byteString (Bytes.take 80 (Char8.pack (take 80 ascii) <> Bytes.replicate 80 32))
-        <> Builder.word32LE (fromIntegral (length all'))
+        <> Builder.word32LE (fromIntegral (length faces))
     ascii =
       "binary STL of "
         ++ map (\c -> if c >= ' ' && c <= '~' then c else '?') (take 60 (objectText (meshName it)))
     triangle corners =
-      foldMap Builder.floatLE (normalOf corners)
-        <> foldMap (\(V3 x y z) -> foldMap (Builder.floatLE . fst . nearest it) [x, y, z]) corners
+      foldMap Builder.floatLE (normalOf it corners)
+        <> foldMap (foldMap Builder.floatLE . (writtenBytes numbers' V.!)) corners
         <> Builder.word16LE 0
 
 -- | A polyhedron as a text STL file: its coordinates are decimal numbers, exact where one can be.
 writeStlText :: Mesh -> Written Builder.Builder
-writeStlText it = texts {writtenBytes = row ["solid"] <> foldMap triangle faces <> row ["endsolid"]}
+writeStlText it =
+  texts {writtenBytes = textLine ["solid"] <> facets <> textLine ["endsolid"]}
   where
+    facets = foldMap triangle (allTriangles it)
     texts = asDecimals it
-    faces = concatMap (triangles it) (V.toList (meshWalks it))
-    triangle (i, j, k) =
-      row
-        ( "facet normal" :
-          map
-            (show . float2Double)
-            (normalOf [meshPoints it V.! i, meshPoints it V.! j, meshPoints it V.! k])
-        )
-        <> row ["outer loop"]
-        <> foldMap (\v -> row ("vertex" : writtenBytes texts V.! v)) [i, j, k]
-        <> row ["endloop"]
-        <> row ["endfacet"]
-    row = (<> "\n") . Builder.string7 . unwords
+    triangle corners =
+      textLine ("facet normal" : map (show . float2Double) (normalOf it corners))
+        <> textLine ["outer loop"]
+        <> foldMap (\v -> textLine ("vertex" : writtenBytes texts V.! v)) corners
+        <> textLine ["endloop"]
+        <> textLine ["endfacet"]
 
 -- | The unit normal of a triangle; zeros where it has no area.
-normalOf :: [V3] -> [Float]
-normalOf corners = case corners of
+normalOf :: Mesh -> [Int] -> [Float]
+normalOf it corners = case map (meshPoints it V.!) corners of
   [a, b, c]
     | n /= zero -> map part [x, y, z]
     where

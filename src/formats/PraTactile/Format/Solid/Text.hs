@@ -1,3 +1,5 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- | The lines and words of text formats.
 module PraTactile.Format.Solid.Text
   ( Line (..),
@@ -5,10 +7,12 @@ module PraTactile.Format.Solid.Text
     atLine,
     numbers,
     joined,
+    textLine,
   )
 where
 
 import Data.ByteString (ByteString)
+import Data.ByteString.Builder (Builder, string7)
 import qualified Data.ByteString.Char8 as Char8
 import Data.Maybe (fromMaybe)
 import PraTactile.Format.Solid.Error
@@ -48,3 +52,7 @@ joined given = case given of
         | Just (start, '\\') <- Char8.unsnoc final ->
           Just (reverse before ++ [start | not (Char8.null start)])
       _ -> Nothing
+
+-- | A line of words, to be written.
+textLine :: [String] -> Builder
+textLine = (<> "\n") . string7 . unwords
