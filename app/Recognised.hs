@@ -11,6 +11,7 @@ module Recognised
   )
 where
 
+import Counted
 import Data.Bifunctor (first)
 import Data.List (intercalate)
 import ExitStatus
@@ -104,8 +105,6 @@ supportText support =
     ++ (if supportRadius support == 0 then "none" else "up to " ++ show (supportRadius support))
     ++ " may); doubt "
     ++ doubtText (supportDoubt support)
-  where
-    counted n one' several = show n ++ " " ++ (if n == 1 then one' else several)
 
 -- | The recognition with its windows looked up in a database that was made for the profile.
 fromDatabase :: FilePath -> String -> Shape -> Recognition -> IO Recognition

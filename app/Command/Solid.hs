@@ -6,6 +6,7 @@ module Command.Solid
 where
 
 import Control.Monad (when)
+import Counted
 import qualified Data.ByteString.Builder as Builder
 import Data.List (intercalate, nub)
 import qualified Data.Vector as V
@@ -167,12 +168,9 @@ examined options target subject = do
         (encodeReport it passed moved grids report)
   pure (if reportValid report then Answered else NotAnswered)
   where
-    Pitch right down = canonicalPitch
-    between = (symbolScale options * right, symbolScale options * down)
+    between = symbolPitch options
     carries it walk =
-      U.length walk >= 3
-        && U.all (< V.length (meshPoints it)) walk
-        && doubleArea (cornersOf it walk) /= zero
+      U.length walk >= 3 && ofVertices it walk && doubleArea (cornersOf it walk) /= zero
 
 -- | What a name or a file says.
 polyhedron :: Options -> String -> IO Contents
@@ -197,13 +195,17 @@ polyhedron options subject = case readName (sheetSize options) subject of
     objectNameOf "-" = "standard-input"
     objectNameOf file = dropExtension (takeFileName file)
 
+-- | From one symbol to the next, to the right and down, millimetres.
+symbolPitch :: Options -> (Rational, Rational)
+symbolPitch options = (symbolScale options * right, symbolScale options * down)
+  where
+    Pitch right down = canonicalPitch
+
 -- | Room for all symbols of the paper's array.
 sheetSize :: Options -> (Rational, Rational)
-sheetSize options =
-  ( fromIntegral (columns shape) * pitchRight canonicalPitch * symbolScale options,
-    fromIntegral (rows shape) * pitchDown canonicalPitch * symbolScale options
-  )
+sheetSize options = (fromIntegral (columns shape) * right, fromIntegral (rows shape) * down)
   where
+    (right, down) = symbolPitch options
     shape = profileShape canonicalProfile
 
 reportText :: Mesh -> [Passed] -> Moved -> [Grid] -> Report -> [String]
@@ -263,9 +265,6 @@ reportText it passed moved grids report =
         ++ " x "
         ++ show (snd (gridSize grid))
         ++ " mm"
-
-counted :: (Eq n, Num n, Show n) => n -> String -> String -> String
-counted n single several = show n ++ " " ++ (if n == 1 then single else several)
 
 pieceText :: Component -> String
 pieceText piece =

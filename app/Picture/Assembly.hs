@@ -9,6 +9,7 @@ module Picture.Assembly
   )
 where
 
+import Counted
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (nub, sort)
 import Data.Text (Text)
@@ -66,7 +67,7 @@ assemblySvg name files made =
   svgFile 16 (name ++ ": " ++ titleOf made) (assemblyDrawing name files made)
 
 titleOf :: Assembly -> String
-titleOf made = counted (length (assemblyFrames made)) "frame" ++ " put together " ++ how
+titleOf made = counted (length (assemblyFrames made)) "frame" "frames" ++ " put together " ++ how
   where
     how = case assemblyMethod made of
       Nominal -> "as the robot had them"
@@ -263,7 +264,3 @@ remarks made frames = residual : correction : groups ++ doubtful
         "fits several places nearly alike"
           ++ maybe "" (printf " (probability %.2f)") (registeredProbability (shownFrame f))
       other -> "is to be doubted: " ++ other
-
-counted :: Int -> String -> String
-counted 1 thing = "1 " ++ thing
-counted n thing = show n ++ " " ++ thing ++ "s"

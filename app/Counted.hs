@@ -1,0 +1,12 @@
+-- | How many there are of something, in words.
+module Counted
+  ( counted,
+  )
+where
+
+-- | A number, and what it is of: one, or several.
+--
+-- >>> (counted 1 "edge" "edges", counted 0 "edge" "edges")
+-- ("1 edge","0 edges")
+counted :: (Eq n, Num n, Show n) => n -> String -> String -> String
+counted n single several = show n ++ " " ++ (if n == 1 then single else several)
