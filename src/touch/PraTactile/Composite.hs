@@ -14,9 +14,9 @@ module PraTactile.Composite
   )
 where
 
-import Control.Monad (void)
 import Data.List.NonEmpty (NonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
+import Data.Maybe (isNothing)
 import PraTactile.Composite.Blend (Blend (..), Taxels, blend)
 import PraTactile.Composite.Noise (readingStep)
 import PraTactile.Image (Raster, constant, mapRaster, rasterHeight, rasterWidth, zipRaster)
@@ -168,7 +168,8 @@ blended (left, top) images displacements =
     onGrid ((x, y), im) = ((x - fromIntegral x0, y - fromIntegral y0), im)
     Blend allSums allWeights = laid fst
     (sums, weights, coverage)
-      | all ((== (1, Nothing)) . fmap void . snd) images = (allSums, allWeights, allWeights)
+      | all (\(_, (count, felt)) -> count == 1 && isNothing felt) images =
+        (allSums, allWeights, allWeights)
       | otherwise = (total times, total inMean, total (\felt _ -> worth known felt))
     total value = blendSums (laid (\((place, im), (count, felt)) -> (place, value felt count im)))
     -- What each pixel of an image counts, if it counts that where it was not felt at all.

@@ -27,8 +27,10 @@ module PraTactile.Registration.Levelling
   )
 where
 
+import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
-import PraTactile.Image (Raster, mapRaster, rasterValues)
+import PraTactile.Image (Raster, mapRaster, rasterValues, standardDeviation)
+import qualified PraTactile.Image as Image (mean)
 import PraTactile.Registration.Model (Theta (..), negligible)
 import PraTactile.Registration.Search (independent)
 
@@ -67,10 +69,9 @@ reading image (Theta a b v) = Reading (s * a) (m + s * b) ofGain (s * s * v / (i
     ofGain
       | n / 2 * log (1 / v) < negligible = 1 / 0
       | otherwise = v / (independent * n * (1 - v)) + unlikeGain
-    values = rasterValues image
-    n = fromIntegral (V.length values)
-    m = V.sum values / n
-    s = sqrt (V.sum (V.map (\x -> (x - m) * (x - m)) values) / n)
+    n = fromIntegral (V.length (rasterValues image))
+    m = fromMaybe 0 (Image.mean image)
+    s = fromMaybe 0 (standardDeviation image)
 
 -- | The variances of the logarithms of gains, and of offsets as shares of the gain, that presses of
 -- one sensor may have.
