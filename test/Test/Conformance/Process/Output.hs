@@ -82,17 +82,16 @@ sessionSpec = do
       ]
       $ \(line, kind) ->
         forM_ ((,) <$> [1, 3] <*> [1001, 1002 :: Int]) $ \(flight, more) -> do
-          let say = "echo '" ++ line ++ "'; seq " ++ show more ++ "; exit"
+          let say = floodOf line more
           came <- session (adding flight (onceAsked 1 say)) (`asked` map adds [0, 1])
           ((line, flight, more), map (either faultKind (const TooSlow)) . drop 1 <$> came)
             `shouldBe` ((line, flight, more), Right [if more < 1002 then kind else EndlessOutput])
   it "so they are at the start, and in the place of a profile's reply" $
     forM_ [(1001, NotJson), (1002, EndlessOutput)] $ \(more, kind) -> do
-      let flood = "echo x; seq " ++ show (more :: Int) ++ "; exit"
-      start <- session (shell flood) (const (pure ()))
+      start <- session (shell (floodOf "x" more)) (const (pure ()))
       either faultKind (const TooSlow) start `shouldBe` kind
       put <-
-        session (instead 1 ("*'\"profile\"'*) " ++ flood ++ " ;;") "") $ \subject ->
+        session (instead 1 ("*'\"profile\"'*) " ++ floodOf "x" more ++ " ;;") "") $ \subject ->
           subjectProfile subject canonicalProfile
       fmap (either faultKind (const TooSlow)) put `shouldBe` Right kind
   it "as many are sent at once as it takes, each of which is asked alone if it ends then" $
@@ -330,6 +329,10 @@ session = withProcess InSession (Limits 20 60)
 
 shell :: String -> Command
 shell script = Command "sh" ["-c", script]
+
+-- | A line and so many more, written at once, so that a busy machine cannot part them.
+floodOf :: String -> Int -> String
+floodOf line more = "echo '" ++ line ++ concat (replicate more "\nx") ++ "'; exit"
 
 -- | Under a profile.
 asked :: Subject -> [SomeQuestion] -> IO [Either Fault Response]
