@@ -37,7 +37,7 @@ import System.Directory (doesPathExist, findExecutable)
 import System.Exit (ExitCode)
 import System.IO
 import System.IO.Error (ioeGetErrorString)
-import System.Posix.IO (closeFd, fdReadBuf, handleToFd)
+import System.Posix.IO (FdOption (..), closeFd, fdReadBuf, handleToFd, setFdOption)
 import System.Posix.Signals (sigKILL, signalProcess, signalProcessGroup)
 import System.Posix.Types (CPid, Fd)
 import System.Process
@@ -96,6 +96,7 @@ begun (Command program arguments) = do
       mapM_ (`hSetBinaryMode` True) [input, complaints]
       hSetBuffering input NoBuffering
       out <- handleToFd output
+      setFdOption out NonBlockingRead True
       group <- maybe (throwIO (userError "it ended at once")) pure =<< getPid process
       writer <- forkIOWithUnmask (\unmasked -> unmasked (write queue broken input))
       reader <- forkIOWithUnmask $ \unmasked ->
@@ -202,34 +203,35 @@ data Received
     Late
 
 -- | Wait for more of the standard output, until a time on the monotonic clock, seconds. Where the
--- process has ended, what it left in the pipe is all, even if a child of its own holds the pipe.
+-- process has ended, what it left in the pipe is all, even if a child of its own holds the pipe;
+-- and that is there, however long a busy machine takes to say so.
 receive :: Child -> Double -> IO Received
 receive child deadline = do
   now <- getMonotonicTime
   let slice = min 0.05 (deadline - now)
   if slice <= 0
-    then maybe Late got <$> readWithin 0.0005
+    then maybe Late got <$> readNow
     else do
-      more <- readWithin slice
+      -- Only the waiting is given up, never a read that has begun: nothing that came is lost.
+      _ <- timeout (max 1 (ceiling (slice * 1e6))) (threadWaitRead (childOutput child))
+      more <- readNow
       case more of
         Just bytes -> pure (got bytes)
         Nothing -> do
           ended <- exitCode child
-          maybe (receive child deadline) (const (maybe OutputEnds got <$> readWithin 0.02)) ended
+          maybe (receive child deadline) (const (maybe OutputEnds got <$> readNow)) ended
   where
-    -- Only the waiting is given up, never a read that has begun: nothing that came is lost.
-    readWithin :: Double -> IO (Maybe ByteString)
-    readWithin seconds = do
-      ready <- timeout (max 1 (ceiling (seconds * 1e6))) (threadWaitRead (childOutput child))
-      traverse (const (readSome (childOutput child))) ready
+    readNow = readSome (childOutput child)
     got bytes = if Bytes.null bytes then OutputEnds else Received bytes
 
--- | What is there to be read; nothing at the end.
-readSome :: Fd -> IO ByteString
-readSome fd =
-  createAndTrim size (\buffer -> fromIntegral <$> fdReadBuf fd buffer (fromIntegral size))
+-- | What is there to be read of a pipe that is not waited for, if anything is; empty at its end.
+readSome :: Fd -> IO (Maybe ByteString)
+readSome fd = either nothing Just <$> try bytes
   where
+    bytes = createAndTrim size (\buffer -> fromIntegral <$> fdReadBuf fd buffer (fromIntegral size))
     size = 32768
+    nothing :: IOException -> Maybe ByteString
+    nothing _ = Nothing
 
 -- | How it ended, if it has.
 exitCode :: Child -> IO (Maybe ExitCode)
