@@ -25,6 +25,7 @@ import qualified Test.Code.Locate.ChanceByEnumeration
 import qualified Test.Code.Locate.EveryContent
 import qualified Test.Code.Locate.EveryDecoderAsDefined
 import qualified Test.Code.Locate.EveryPatternOfErrors
+import qualified Test.Code.Locate.FarBelowDoubles
 import qualified Test.Code.Locate.ForeignMixture
 import qualified Test.Code.Locate.ForeignPatches
 import qualified Test.Code.Locate.InBulkAsOneByOne
@@ -121,6 +122,7 @@ import qualified Test.Solid.CellsOfFaces
 import qualified Test.Solid.FilesOfSolids
 import qualified Test.Solid.MergedAndSettled
 import qualified Test.Solid.ReportByDefinition
+import qualified Test.Store.DrawnPlacements
 import qualified Test.Store.RowsAndGuards
 import qualified Test.Store.Target
 import qualified Test.Tools
@@ -213,6 +215,7 @@ specs = do
     describe "Chance" Test.Code.Locate.ChanceByEnumeration.spec
     describe "Locating: which decoder" Test.Code.Locate.WhichDecoder.spec
     describe "Locating from probabilities" Test.Code.Locate.ProbabilitiesByBayes.spec
+    describe "Probabilities far below rounding" Test.Code.Locate.FarBelowDoubles.spec
     describe "Unknown orientation" Test.Code.Locate.UnknownOrientation.spec
     describe "Every decoder is the definition" Test.Code.Locate.EveryDecoderAsDefined.spec
     describe "Parity checks among cells" Test.Code.Locate.ParityChecks.spec
@@ -276,6 +279,7 @@ specs = do
     describe "Files of solids" Test.Solid.FilesOfSolids.spec
     describe "Placement" Test.Recognition.Object.FacesOnTheArray.spec
   describe "Store" Test.Store.RowsAndGuards.spec
+  describe "Store" Test.Store.DrawnPlacements.spec
   describe "Store" Test.Store.Target.spec
   describe "Symmetry" Test.Common.SymmetryGroup.spec
   describe "Rates" Test.Simulation.RatesBesideExact.spec

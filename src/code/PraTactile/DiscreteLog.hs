@@ -9,6 +9,7 @@ module PraTactile.DiscreteLog
     -- * Many logarithms to one base
     Logarithms,
     prepareLogarithms,
+    prepareLogarithmsWith,
     logarithmFrom,
 
     -- * Limits
@@ -66,7 +67,13 @@ data Part k = Part
 -- q^n - 1 is too large ('LogarithmInfeasible'). O(1) itself: the first logarithm makes min (sqrt r)
 -- 'mostBabySteps' products of O(n^2) for each prime r that divides q^n - 1, and they are kept.
 prepareLogarithms :: KnownField k => Primitive k -> Either LogarithmError (Logarithms k)
-prepareLogarithms h
+prepareLogarithms = prepareLogarithmsWith mostBabySteps
+
+-- | The same with a table of at most so many baby steps for each prime, at least one: of a smaller
+-- table each logarithm takes longer, a giant step for each m of r.
+prepareLogarithmsWith ::
+  KnownField k => Natural -> Primitive k -> Either LogarithmError (Logarithms k)
+prepareLogarithmsWith most h
   | largest > largestFeasiblePrime = Left (LogarithmInfeasible largest largestFeasiblePrime)
   | otherwise = Right (Logarithms h (map part (periodFactors h)))
   where
@@ -74,14 +81,14 @@ prepareLogarithms h
     part (r, e) =
       Part r e m (Map.fromList (zip babies [0 .. m - 1])) (powerOfRoot h (period h - m * cofactor))
       where
-        m = min mostBabySteps (squareRoot (r - 1) + 1)
+        m = min (max 1 most) (squareRoot (r - 1) + 1)
         cofactor = period h `div` r
         gamma = powerOfRoot h cofactor
         babies = iterate (multiplyModulo h gamma) (powerOfRoot h 0)
 
 -- | The exponent 0 <= t < q^n - 1 with alpha^t equal to the residue. Refuses zero.
 -- O(k n^2 (s + n log q)) for k prime factors of q^n - 1, the largest of which, r, takes s = max
--- (sqrt r) (r / 'mostBabySteps') steps.
+-- (sqrt r) (r / m) steps, m being how many baby steps are kept at most.
 logarithmFrom :: KnownField k => Logarithms k -> Residue k -> Either LogarithmError Natural
 logarithmFrom (Logarithms h parts) a
   | a == residue h 0 = Left LogarithmOfZero

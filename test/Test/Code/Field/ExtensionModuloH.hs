@@ -2,6 +2,7 @@
 module Test.Code.Field.ExtensionModuloH (spec) where
 
 import Control.Monad (forM_)
+import Data.List (foldl')
 import Data.Proxy (Proxy (..))
 import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
@@ -14,6 +15,7 @@ import Test.Code.Generators
 import Test.Hspec
 import Test.Paper
 import Test.QuickCheck hiding (elements)
+import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
@@ -81,6 +83,9 @@ spec = do
           ]
           )
           `shouldBe` (q, n, [])
+    it "by exponents of up to 300 bits they are products of squares of squares, one a digit 1" $
+      forM_ [s | s@(q, n, _) <- samples, q == 2 || n <= 7] $ \(_, n, SomeField k) ->
+        firstOver k n >>= wideExponents
     it "the inverse of every element but zero, which has none, for q^n up to 4096" $
       forM_
         [s | s@(q, n, _) <- samples, fromIntegral q ^ n <= (4096 :: Natural)]
@@ -191,6 +196,19 @@ logarithmSpec = do
     largeLogarithms (Proxy :: Proxy GF9) 13
     largeLogarithms (Proxy :: Proxy GF5) 17
     largeLogarithms (Proxy :: Proxy GF16) 15
+  it "whatever the number of baby steps that are kept, fewer than a prime's root or more" $
+    forM_ [(2, 8), (3, 4), (4, 4), (7, 3)] $ \(q, n) -> forM_ (lookup q everyField) $
+      \(SomeField k) -> do
+        h <- firstOver k n
+        forM_ [0, 1, 2, 3, 4, 5, 16, 17, 1000] $ \most -> do
+          logarithms <- right (prepareLogarithmsWith most h)
+          let wrong = [t | t <- below (period h), failsAt logarithms h t]
+          (q, n, most, wrong) `shouldBe` (q, n, most, [])
+  it "where the largest prime lies between 2^36 and 2^40, by a small table" $ do
+    -- (3^41 - 1) and (5^23 - 1) have such a prime r; modulo it these logarithms are small, so that
+    -- their giant steps are few, but more than there are baby steps.
+    farBeyond gf3 41 86950696619
+    farBeyond (Proxy :: Proxy GF5) 23 332207361361
   it "zero has none" $ do
     h <- paperPrimitive
     discreteLogarithm h (residue h 0) `shouldBe` Left LogarithmOfZero
@@ -204,6 +222,26 @@ logarithmSpec = do
   where
     takeWhile' count = map snd . takeWhile ((< count) . fst) . zip [0 ..]
 
+farBeyond :: forall k. KnownField k => Proxy k -> Natural -> Natural -> Expectation
+farBeyond k n r = do
+  h <- firstOver k n
+  maximum (map fst (periodFactors h)) `shouldBe` r
+  forM_ [2 ^ (6 :: Int), 2 ^ (10 :: Int)] $ \most -> do
+    logarithms <- right (prepareLogarithmsWith most h)
+    let cofactor = period h `div` r
+        some = [0, 1, most - 1, most, most + 1, most * most + 3, 17 * most * most `div` 2]
+        failing =
+          [ t
+            | (i, small) <- zip [0 ..] some,
+              let t = small + r * ((cofactor * i `div` 7 + i * i) `mod` cofactor),
+              failsAt logarithms h t
+          ]
+    failing `shouldBe` []
+
+-- | Whether what is told as the logarithm of alpha^t is another number, or none.
+failsAt :: KnownField k => Logarithms k -> Primitive k -> Natural -> Bool
+failsAt logarithms h t = logarithmFrom logarithms (powerOfRoot h t) /= Right t
+
 largeLogarithms :: forall k. KnownField k => Proxy k -> Natural -> Expectation
 largeLogarithms k n = do
   h <- firstOver k n
@@ -212,9 +250,34 @@ largeLogarithms k n = do
         [ t
           | i <- [0 .. 10],
             let t = (period h * i `div` 7 + i * i) `mod` period h,
-            logarithmFrom logarithms (powerOfRoot h t) /= Right t
+            failsAt logarithms h t
         ]
   failing `shouldBe` []
+
+-- | Powers of x and of a random polynomial modulo h, for exponents about every width of whole words
+-- and some of 128 to 300 bits: the product of those squares of squares that the binary digits name.
+wideExponents :: forall k. KnownField k => Primitive k -> Expectation
+wideExponents h =
+  holds 2 $
+    forAll (vectorOf (primitiveDegree h) genElement) $ \a ->
+      forAll (vectorOf 6 (oneof [QuickCheck.elements about, between])) $
+        agree (squares variable) (polynomial a) (squares (polynomial a))
+  where
+    agree :: [Polynomial k] -> Polynomial k -> [Polynomial k] -> [Natural] -> Property
+    agree ofX a ofA exponents =
+      conjoin
+        [ powerOfRoot h e === residue h (byDigits ofX e)
+            .&&. powerOfResidue h (residue h a) e === residue h (byDigits ofA e)
+          | e <- exponents
+        ]
+    squares a = iterate (\b -> times b b) (remainder h a)
+    byDigits powers e = foldl' times (remainder h 1) [b | (b, d) <- zip powers (digits e), odd d]
+    digits e = takeWhile (> 0) (iterate (`div` 2) e)
+    times a b = remainder h (a * b)
+    about = [2 ^ width + d - 1 | width <- [63, 64, 127, 128, 192, 256 :: Int], d <- [0, 1, 2]]
+    between = do
+      width <- choose (127, 299 :: Int)
+      fromInteger . (2 ^ width +) <$> choose (0, 2 ^ width - 1)
 
 -- | Fields and degrees, some about a machine word.
 samples :: [(Int, Natural, SomeField)]

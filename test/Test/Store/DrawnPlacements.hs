@@ -1,0 +1,75 @@
+-- | The store's two look-ups on placements of every kind: small arrays, faces as wide and as high
+-- as the array, windows that go round it.
+module Test.Store.DrawnPlacements (spec) where
+
+import Data.Bifunctor (first)
+import Data.Foldable (for_)
+import Numeric.Natural (Natural)
+import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Object.Placement
+import PraTactile.Object.WingedEdge
+import PraTactile.Store
+import System.FilePath ((</>))
+import Test.Hspec
+import Test.QuickCheck
+import Test.Recognition.Object.Support
+
+spec :: Spec
+spec =
+  it "drawn placements are asked as they are without the store, faces as large as the array too" $
+    theCube $ \cube -> inFolder $ \folder -> do
+      drawn <- generate (vectorOf 60 (genPlacement cube))
+      -- Of what is drawn there is enough of each kind.
+      let spans side place =
+            [() | laid <- laidFaces place, side (laidGrid laid) == side (placementShape place)]
+      for_ [rows, columns] $ \side ->
+        length (filter (not . null . spans side) drawn) `shouldSatisfy` (> 10)
+      for_ (zip [0 :: Int ..] drawn) $ \(i, place) -> do
+        let path = folder </> (show i ++ ".sqlite")
+        create path "a profile" place `shouldReturn` Right ()
+        windows <- generate (vectorOf 40 (genWindow (placementShape place)))
+        cells <- generate (vectorOf 10 (genCell (placementShape place)))
+        asked <- withStore path Nothing $ \store -> do
+          for_ windows $ \(window, at) -> do
+            found <- storedWhereabouts store window at
+            (place, window, at, found)
+              `shouldBe` (place, window, at, Right (whereabouts place window at))
+          for_ (map laidFace (laidFaces place)) $ \face -> for_ cells $ \cell ->
+            storedPosition store face cell
+              `shouldReturn` first NotInStore (arrayPosition place face cell)
+        asked `shouldBe` Right ()
+
+-- | Faces of a solid on an array of at most 6 x 6 cells, about half of them as wide or as high.
+genPlacement :: Solid -> Gen Placement
+genPlacement solid_ = do
+  shape <- Shape <$> upTo 1 6 <*> upTo 1 6
+  between <- Pitch <$> elements pitches <*> elements pitches
+  faces <- shuffle (solidFaces solid_)
+  layings <- traverse (genLaying shape) (take 4 faces)
+  let placed = placement shape between [solid_]
+      -- Those that leave the others before them room.
+      add kept laying = if fits (kept ++ [laying]) then kept ++ [laying] else kept
+      fits = either (const False) (const True) . placed
+  either (error . show) pure (placed (foldl add [] layings))
+  where
+    pitches = [127 / 8, 21, 17 / 2]
+    genLaying shape face = do
+      (r, high) <- genSide (rows shape)
+      (c, wide) <- genSide (columns shape)
+      pure (Laying (Face (solidName solid_) face) (Position r c) (Shape high wide))
+    genSide size = do
+      begin <- frequency [(1, pure 0), (1, upTo 0 (size - 1))]
+      (,) begin <$> frequency [(1, pure (size - begin)), (2, upTo 1 (size - begin))]
+
+-- | A window, as large as the array or a little larger too, and where.
+genWindow :: Shape -> Gen (Shape, Position)
+genWindow shape@(Shape high wide) =
+  (,)
+    <$> frequency [(1, pure shape), (6, Shape <$> upTo 0 (high + 1) <*> upTo 0 (wide + 1))]
+    <*> genCell (Shape (2 * high) (2 * wide))
+
+genCell :: Shape -> Gen Position
+genCell (Shape high wide) = Position <$> upTo 0 high <*> upTo 0 wide
+
+upTo :: Natural -> Natural -> Gen Natural
+upTo low high = fromInteger <$> choose (toInteger low, toInteger high)
