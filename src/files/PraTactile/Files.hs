@@ -3,6 +3,7 @@
 module PraTactile.Files
   ( -- * Folders of frames
     readFolder,
+    readFolderUpTo,
     hasManifest,
 
     -- * Images
@@ -76,15 +77,19 @@ largestInput = 256 * 1024 * 1024
 -- that it names. Names that lead out of the folder are not read:
 -- 'PraTactile.Source.folderFrames' refuses such a folder and says why.
 readFolder :: FilePath -> IO (Either FilesError Folder)
-readFolder = readListed (const True)
+readFolder = readFolderUpTo largestInput
+
+-- | The same where the images may be so many bytes together.
+readFolderUpTo :: Int -> FilePath -> IO (Either FilesError Folder)
+readFolderUpTo limit = readListed limit (const True)
 
 -- | The same of those frames alone whose files' names are wanted.
-readListed :: (FilePath -> Bool) -> FilePath -> IO (Either FilesError Folder)
-readListed wanted folder =
+readListed :: Int -> (FilePath -> Bool) -> FilePath -> IO (Either FilesError Folder)
+readListed limit wanted folder =
   readManifest folder `andThen` \manifest -> do
     let chosen =
           manifest {manifestEntries = filter (wanted . entryFile) (manifestEntries manifest)}
-    fmap (Folder chosen) <$> readImages folder (imagesNamed chosen)
+    fmap (Folder chosen) <$> readImages limit folder (imagesNamed chosen)
 
 -- | Whether a folder has a manifest of either form.
 hasManifest :: FilePath -> IO Bool
@@ -109,9 +114,9 @@ readManifest folder = do
     csv = folder </> manifestName
     parsed parser file = (>>= parser) <$> readUpTo largestInput file
 
--- | These images of a folder, by their names.
-readImages :: FilePath -> [FilePath] -> IO (Either FilesError (Map FilePath ByteString))
-readImages folder = fmap (fmap Map.fromList) . images largestInput
+-- | These images of a folder, by their names, if they are no more than so many bytes together.
+readImages :: Int -> FilePath -> [FilePath] -> IO (Either FilesError (Map FilePath ByteString))
+readImages limit folder = fmap (fmap Map.fromList) . images limit
   where
     images _ [] = pure (Right [])
     images room (name : names) = do
@@ -119,7 +124,7 @@ readImages folder = fmap (fmap Map.fromList) . images largestInput
       case read' of
         Right bytes -> fmap ((name, bytes) :) <$> images (room - Bytes.length bytes) names
         Left (TooLarge file _) ->
-          pure (Left (TooLarge (if room < largestInput then folder else file) largestInput))
+          pure (Left (TooLarge (if room < limit then folder else file) limit))
         Left other -> pure (Left other)
 
 -- | An image's bytes.
@@ -184,7 +189,7 @@ sourceAt path = do
 readSource :: SourcePath -> IO (Either FilesError Source)
 readSource source = case source of
   FolderPath folder -> fmap FrameFolder <$> readFolder folder
-  FramePaths folder names -> fmap FrameFolder <$> readListed (`elem` names) folder
+  FramePaths folder names -> fmap FrameFolder <$> readListed largestInput (`elem` names) folder
   ImagePath file -> fmap WholeImage <$> readImage file
 
 -- | A file's bytes, if there are not more than so many; of a pipe or a device as well. @-@ is the

@@ -2,7 +2,7 @@
 module Test.Recognition.FromBytesToAnswers (spec) where
 
 import Control.Exception (IOException, try)
-import Control.Monad (filterM, forM_)
+import Control.Monad (filterM, forM_, zipWithM_)
 import Data.Bifunctor (first)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Bytes8
@@ -249,6 +249,30 @@ diskSpec = do
         Bytes.writeFile file bytes
         readUpTo limit file
           `shouldReturn` if size <= limit then Right bytes else Left (TooLarge file limit)
+  it "a folder is read if its images together are no longer than the limit" $
+    inFolder $ \folder -> do
+      let inside name = folder </> name
+          ofSize size name =
+            withBinaryFile (inside name) WriteMode (`hSetFileSize` toInteger (size :: Int))
+      Bytes.writeFile (inside "manifest.csv") (manifest ["a.pgm", "b.pgm", "c.pgm", "b.pgm"])
+      forM_ [[a, b, c] | a <- [0 .. 4], b <- [0 .. 4], c <- [0, 3]] $ \sizes -> do
+        zipWithM_ ofSize sizes ["a.pgm", "b.pgm", "c.pgm"]
+        forM_ [0 .. 8] $ \limit -> do
+          found <- problem (readFolderUpTo limit folder)
+          (sizes, limit, found)
+            `shouldBe` ( sizes,
+                         limit,
+                         case [i | i <- [1 .. 3], sum (take i sizes) > limit] of
+                           [] -> Nothing
+                           -- Where those before it are empty it is too long by itself.
+                           i : _
+                             | sum (take (i - 1) sizes) == 0 ->
+                               Just (TooLarge (inside ["abc" !! (i - 1)] ++ ".pgm") limit)
+                           _ -> Just (TooLarge folder limit)
+                       )
+      -- As it is without being told: each of two below the limit.
+      ofSize 1 "a.pgm" >> ofSize largestInput "b.pgm" >> ofSize 0 "c.pgm"
+      problem (readFolder folder) `shouldReturn` Just (TooLarge folder largestInput)
   it "a file that may not be read is not permitted, whoever asks" $
     inFolder $ \folder -> do
       let own = folder </> "own"

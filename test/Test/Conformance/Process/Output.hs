@@ -4,7 +4,8 @@
 -- they end, and which question is at fault where several wait for their replies.
 module Test.Conformance.Process.Output (spec) where
 
-import Control.Exception (bracket)
+import Control.Concurrent (threadDelay)
+import Control.Exception (IOException, bracket, try)
 import Control.Monad (forM_, replicateM, replicateM_)
 import Data.Aeson (Value (..), toJSON)
 import qualified Data.ByteString.Char8 as Bytes
@@ -180,6 +181,11 @@ oneShotSpec = do
       let fixed = shell ("cat > /dev/null; " ++ sayFixed number)
       one <- oneShot (Limits 20 60) fixed canonicalProfile (Just (1, adds 1))
       either faultKind (const TooSlow) one `shouldBe` kind
+  it "has its time from the request on, for the reply and for its end together" $
+    forM_ [(20, "result"), (2, faultName DoesNotStop)] $ \(patience, came) -> do
+      let slow = shell ("cat > /dev/null; sleep 1.2; " ++ sayFixed 1 ++ "; exec sleep 1.2")
+      one <- oneShot (Limits patience 60) slow canonicalProfile (Just (1, adds 1))
+      either (faultName . faultKind) (const "result") one `shouldBe` came
   where
     sayFixed number = "echo '{\"sequence\":" ++ show (number :: Int) ++ ",\"result\":0}'"
 
@@ -190,6 +196,18 @@ outputSpec = do
     before' <- descriptors
     replicateM_ 9 (bracket (begin (Command "cat" [])) (mapM_ end) (const (pure ())))
     descriptors `shouldReturn` before'
+  it "of a process group all are ended, whether its leader goes on or has ended" $
+    forM_ ["wait", "exit"] $ \then' -> do
+      started <- child ("sleep 600 & echo $!; " ++ then') $ \running -> do
+        line <- getMonotonicTime >>= nextLine running . (+ 20)
+        (status, named) <- case line of
+          Line bytes | then' == "exit" -> (\code -> (code, bytes)) <$> waitExit running 1e9
+          Line bytes -> pure (Nothing, bytes)
+          _ -> fail "no line"
+        pure (status, Bytes.unpack named)
+      ends <- endsWithin 20 (snd started)
+      (then', fst started, ends)
+        `shouldBe` (then', if then' == "exit" then Just ExitSuccess else Nothing, True)
   it "is read line by line, up to a mebibyte each" $
     forM_ [(0, 3), (1, 1), (32767, 2), (32768, 2), (longestLine - 1, 1), (longestLine, 1)] $
       \(size, count) -> do
@@ -341,6 +359,20 @@ asked subject questions = subjectProfile subject (profileOf 1) >> subjectAsk sub
 -- | One that is put in force, and one, of 0, that is refused.
 profileOf :: Int -> Profile
 profileOf i = if i == 0 then canonicalProfile {profileOrder = 6} else canonicalProfile
+
+-- | Whether a process of this number ends, or is only to be waited for, within so many seconds.
+endsWithin :: Double -> String -> IO Bool
+endsWithin seconds number = getMonotonicTime >>= go . (+ seconds)
+  where
+    go deadline = do
+      said' <- try (Bytes.readFile ("/proc/" ++ number ++ "/stat"))
+      now <- getMonotonicTime
+      case said' :: Either IOException Bytes.ByteString of
+        Right stat | not (ended stat), now < deadline -> threadDelay 10000 >> go deadline
+        Right stat -> pure (ended stat)
+        Left _ -> pure True
+    -- The state follows the name, which stands in parentheses.
+    ended stat = Bytes.take 1 (Bytes.drop 2 (snd (Bytes.breakEnd (== ')') stat))) `elem` ["Z", "X"]
 
 -- | A process that is a shell script.
 child :: String -> (Child -> IO a) -> IO a

@@ -5,7 +5,7 @@
 -- counterexamples are the first or the smallest, and tokens say all.
 module Test.Conformance.Run.Search (spec) where
 
-import Control.Monad (forM, replicateM)
+import Control.Monad (forM, forM_, replicateM)
 import Data.Aeson (Value (..), encode, toJSON)
 import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString.Lazy.Char8 as Lazy
@@ -21,11 +21,12 @@ import PraTactile.Conformance.Run.Case
 import PraTactile.Conformance.Run.Pattern
 import PraTactile.Conformance.Run.Token
 import PraTactile.Conformance.Subject
-import PraTactile.Format.Json.Codec (Codec, natural, pairOf)
+import PraTactile.Format.Json.Codec (Codec, natural, pairOf, readValue)
 import PraTactile.Format.Profile (profileValue)
 import PraTactile.Profile
 import Test.Hspec
 import Test.QuickCheck (Gen, chooseInteger)
+import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
@@ -36,6 +37,15 @@ spec = do
     found <- forM [1, 2, 7, 64] $ \window -> tried window drawnPair
     map (fmap failureCase . triedFailure) found
       `shouldBe` replicate 4 (Just (toJSON [3, 7 :: Natural]))
+  it "in steps of one, too, of which there are many more than fifty" $ do
+    let slowly (a, b) = [(a - 1, b) | a > 0] ++ [(a, b - 1) | b > 0]
+    found <- forM [1, 7, 64] $ \window ->
+      tried window (Cases pair (Some (QuickCheck.elements [(60, 61), (40, 99)]) slowly) judged)
+    map summary found `shouldSatisfy` all (maybe False ((> 50) . snd) . fst)
+    forM_ found $ \one -> do
+      Just case' <- pure (failureCase <$> triedFailure one)
+      Right least <- pure (readValue pair case')
+      (least, filter failing (slowly least)) `shouldSatisfy` \(a, less) -> failing a && null less
   it "cases of which the law says nothing do not count" $ do
     found <- tried 7 (everyPairOf (const (pure Inapplicable)))
     summary found `shouldBe` (Nothing, 0)
@@ -132,6 +142,10 @@ judged (a, b) = do
     if (first, second) == (Right [1], Right [1]) && a < b
       then Violated (Violation [] (Result (toJSON ())) "" "")
       else Holds
+
+-- | The same said of the implementation's sequence.
+failing :: (Natural, Natural) -> Bool
+failing (a, b) = a < b && all (\i -> i == 3 || i >= 7) [a, b]
 
 halfMeant :: (Natural, Natural) -> Ask Verdict
 halfMeant (a, b) = pure (if even (a + b) then Holds else Inapplicable)

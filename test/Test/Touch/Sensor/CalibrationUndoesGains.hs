@@ -183,6 +183,16 @@ pitches = do
           whole k = max 1 (floor (fromIntegral (k :: Int) * ratio + 1e-9))
        in rasterSize image === (whole n, whole (n + 1))
             .&&. counterexample (show image) (V.all (\u -> abs (u - v) < 1e-9) (rasterValues image))
+  prop "with rows and columns exchanged it is resampled to the same, exchanged" $
+    forAll ((,,) <$> oneof [choose (0.05, 1), choose (1, 4)] <*> choose (1, 9) <*> choose (1, 30)) $
+      \(ratio, w, h) ->
+        let image = generate w h (\x y -> fromIntegral ((7 * x + 13 * y * y) `mod` 11))
+            exchanged one =
+              generate (rasterHeight one) (rasterWidth one) (\x y -> at one y x)
+            (one, other) = (exchanged (resampled ratio image), resampled ratio (exchanged image))
+            apart = V.zipWith (\u v -> abs (u - v)) (rasterValues one) (rasterValues other)
+         in rasterSize one === rasterSize other
+              .&&. counterexample (show (one, other)) (V.all (< 1e-9) apart)
   prop "a ramp stays one about the same centre, exactly or by areas to 0.15" $
     forAll (choose (0.3, 3)) $ \ratio ->
       let image = resampled ratio (generate 40 40 (\i _ -> fromIntegral i - 19.5))
