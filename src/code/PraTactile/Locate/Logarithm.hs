@@ -16,7 +16,8 @@ import Numeric.Natural (Natural)
 -- True
 naturalLogarithm :: Natural -> Double
 naturalLogarithm n
-  | n < 2 ^ (512 :: Int) = log (fromIntegral n)
+  | n < 2 ^ (1023 :: Int) = log (fromIntegral n)
+  -- At least 511 binary digits are left of it, more than are told apart.
   | otherwise = 512 * log 2 + naturalLogarithm (n `shiftR` 512)
 
 -- | The logarithm of the sum of the numbers of which these are the logarithms. O(n).

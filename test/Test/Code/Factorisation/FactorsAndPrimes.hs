@@ -5,6 +5,7 @@ import Control.Monad (forM_)
 import Data.List (tails)
 import Numeric.Natural (Natural)
 import PraTactile.Factorisation
+import PraTactile.Factorisation.Divisor (squareRoot)
 import PraTactile.Factorisation.Prime (pocklington)
 import Test.Hspec
 import Test.QuickCheck
@@ -33,6 +34,12 @@ spec = do
           pocklington n
       ]
         `shouldBe` []
+  describe "squareRoot" $
+    it "is the largest number whose square is no larger, about squares of any size" $
+      forAll (choose (0, 600 :: Int)) $ \width ->
+        forAll (fromInteger . (2 ^ width +) <$> choose (0, 2 ^ width - 1)) $ \r ->
+          map squareRoot [r * r - 1, r * r, r * r + 2 * r, r * r + 2 * r + 1]
+            === [r - 1, r, r, r + 1]
   describe "factorise" $ do
     it "agrees with trial division up to 5000" $
       [n | n <- [1 .. 5000], factorise n /= Right (factorsByTrial n)] `shouldBe` []

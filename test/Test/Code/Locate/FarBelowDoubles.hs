@@ -1,5 +1,5 @@
--- | Probabilities far below a Double's rounding, and products far below the least Double: what is
--- said of them is right relatively, by exact fractions.
+-- | Probabilities far below a Double's rounding, products far below the least Double, numbers far
+-- above the largest: what is said of them is right relatively, by exact fractions.
 module Test.Code.Locate.FarBelowDoubles (spec) where
 
 import qualified Data.Vector.Primitive as Primitive
@@ -10,6 +10,7 @@ import PraTactile.Locate
 import PraTactile.Locate.Decoder.List (listPatch)
 import PraTactile.Locate.Decoder.Posterior
 import PraTactile.Locate.Definition
+import PraTactile.Locate.Logarithm (naturalLogarithm)
 import PraTactile.Symmetry
 import Test.Code.Generators
 import Test.Hspec
@@ -33,6 +34,12 @@ spec = do
         whenRight (traverse (either belief oriented) given) $ \looks ->
           forAll (shuffle looks) $ \others ->
             conjoin (map (isProduct looks . combined) [looks, others])
+  it "the logarithm of m 2^k is that of m and k times that of 2, however large that is" $
+    forAll (choose (1, 2 ^ (53 :: Int) - 1 :: Integer)) $ \m ->
+      forAll (oneof [choose (0, 3000), choose (450, 520), choose (960, 1030)]) $ \k ->
+        let wanted = log (fromInteger m) + fromIntegral k * log 2
+            got = naturalLogarithm (fromInteger m * 2 ^ (k :: Int))
+         in counterexample (show (got, wanted)) (abs (got - wanted) <= 1e-13 * max 1 wanted)
 
 -- | What this finds of a window of the paper's array, of which nearly all is known, given the most
 -- words of a list and the exponent of the tolerated doubt.
