@@ -9,7 +9,6 @@ import Data.List (nub, (\\))
 import PraTactile.Conformance
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Process (checkTexts)
-import PraTactile.Conformance.Question
 import PraTactile.Conformance.Version
 import Test.CommandLine.Run
 import Test.Hspec

@@ -38,18 +38,24 @@ runSuite settings suite tell subjects = do
       work = workOf settings offers suite
       checks = concatMap (checksChosen settings) (take 1 subjects)
   stopped <- newIORef False
-  let finished stop one = do
+  let judged one = do
         classified <- evaluate (classify settings one)
-        when (stop && lawReportOutcome classified `elem` [Failed, Errored]) $
+        when (settingFailFast settings && lawReportOutcome classified `elem` [Failed, Errored]) $
           writeIORef stopped True
-        classified <$ tell classified
+        pure classified
+      told one = one <$ tell one
+      tryAll plan ended =
+        inParallel subjects work $ \worker one ->
+          tryWithin budget stopped (tryWork plan suite worker one) one >>= judged >>= ended
   -- How it is spoken to comes first: it is quickly seen, and all else rests on it.
   checked <- for checks $ \check ->
-    checkWithin budget stopped check >>= finished (settingFailFast settings)
-  tried <-
-    inParallel subjects work $ \worker one ->
-      tryWithin budget stopped (tryWork (planOf settings) suite worker one) one
-        >>= finished (settingFailFast settings)
+    checkWithin budget stopped check >>= judged >>= told
+  -- Where the first failure ends it, a few cases of everything come first: what only one of the
+  -- last profiles shows is then told as soon as what all of them show.
+  glanced <-
+    if settingFailFast settings then tryAll (glancing . planOf settings) pure else pure []
+  over <- readIORef stopped
+  tried <- if over then traverse told glanced else tryAll (planOf settings) told
   end <- getMonotonicTime
   pure
     Report
@@ -104,8 +110,13 @@ planOf settings subject =
     { planSeed = settingSeed settings,
       planCases = settingCases settings,
       planWindow = subjectBatch subject,
-      planBrief = False
+      planBrief = False,
+      planGlance = False
     }
+
+-- | A tenth of the cases.
+glancing :: Plan -> Plan
+glancing plan = plan {planCases = max 1 (planCases plan `div` 10), planGlance = True}
 
 -- | When all must be done, and whether the first failure ends it.
 data Budget = Budget Double Bool

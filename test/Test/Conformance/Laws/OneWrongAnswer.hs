@@ -209,7 +209,7 @@ spec = do
 trialsUnder :: Known -> Law Known -> ([Ask Verdict], Int)
 trialsUnder about law = trialsOf plan (lawId law) (lawCases law about)
   where
-    plan = Plan {planSeed = 1, planCases = 40, planWindow = 1, planBrief = False}
+    plan = Plan 1 40 1 False False
 
 -- | What polynomial was asked about.
 polynomialOf :: Exchange -> Maybe [Natural]

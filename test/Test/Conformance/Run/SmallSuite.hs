@@ -5,6 +5,7 @@ module Test.Conformance.Run.SmallSuite
   ( -- * The suite
     suite,
     made,
+    sums,
     one,
     two,
     other,

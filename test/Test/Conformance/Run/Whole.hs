@@ -23,6 +23,8 @@ import PraTactile.Conformance.Run.Token
 import PraTactile.Conformance.Run.Trials
 import PraTactile.Conformance.Subject
 import PraTactile.Format.Json.Codec (natural)
+import PraTactile.Grid (Surface (..))
+import PraTactile.Profile (Profile (..))
 import Test.Conformance.Run.SmallSuite
 import Test.Hspec
 import Test.QuickCheck (chooseInteger, sized)
@@ -101,6 +103,67 @@ runSpec = do
                 ("segment/none", Held, Nothing),
                 ("protocol/a", Held, Nothing)
               ]
+  it "tells the first failure soon, if it ends there: a few cases of everything come first" $
+    -- Of a whole domain and of drawn cases; under the last of five profiles alone, at its end.
+    forM_ [Every [0 .. 999], Some (fromInteger <$> chooseInteger (0, 999)) (const [])] $
+      \domain -> forM_ [False, True] $ \failFast -> do
+        asked <- newIORef (0 :: Int)
+        inForce <- newIORef Nothing
+        let subject =
+              (answering allZero)
+                { subjectProfile = \p -> do
+                    writeIORef inForce (Just p)
+                    pure (Right (ResponseResult (Bool True))),
+                  subjectAsk = \questions -> do
+                    modifyIORef' asked (+ length questions)
+                    p <- readIORef inForce
+                    let wrong q = p == Just lastOne && beyond 850 q
+                    pure [result (if wrong q then 1 else 0) | q <- questions]
+                }
+        report <-
+          runSuite
+            everything {settingFailFast = failFast, settingRun = ["field/sums"], settingCases = 100}
+            (underFive domain)
+            (const (pure ()))
+            [subject]
+        map lawReportOutcome (reportLaws report) `shouldBe` replicate 4 Held ++ [Failed]
+        count <- readIORef asked
+        (failFast, count) `shouldSatisfy` \_ -> if failFast then count < 200 else count > 500
+  it "asks one case at first of a law that failed under a profile before" $ do
+    asked <- newIORef []
+    let base = answering (const (result 9))
+        subject =
+          base
+            { subjectProfile = \p -> modifyIORef asked (0 :) >> subjectProfile base p,
+              subjectAsk = \questions -> do
+                let more counts = (sum (take 1 counts) + length questions) : drop 1 counts
+                modifyIORef asked more
+                subjectAsk base questions
+            }
+    _ <-
+      runSuite
+        everything {settingRun = ["field/sums"]}
+        (underFive (Every [0 .. 99]))
+        (const (pure ()))
+        [subject]
+    -- Each has two sums.
+    counts <- readIORef asked
+    take 4 counts `shouldBe` [2, 2, 2, 2 :: Int]
+  it "tries a law that failed under three profiles by long answers under no others" $
+    forM_ [(1000, replicate 5 Failed), (3000, replicate 3 Failed ++ replicate 2 Skipped)] $
+      \(size, outcomes) -> do
+        let long = Right (ResponseResult (toJSON (replicate size (0 :: Int))))
+        report <-
+          runSuite
+            everything {settingRun = ["field/sums"]}
+            (underFive (Every [0, 2]))
+            (const (pure ()))
+            [answering (const long)]
+        (size, map lawReportOutcome (reportLaws report)) `shouldBe` (size, outcomes)
+        mapMaybe lawReportNote (reportLaws report)
+          `shouldBe` [ "not tried: it failed under three profiles before, by long answers"
+                       | Skipped <- outcomes
+                     ]
   it "ends at no failure that there is not: what comes last is tried" $ do
     let subject = (answering allZero) {subjectChecks = [checked "protocol/a" CheckHeld]}
     report <-
@@ -141,8 +204,8 @@ runSpec = do
     let failing = answering (const (result 9))
         run settings subject = do
           report <- runSuite settings suite (const (pure ())) [subject]
-          let sums = filter ((== "field/sums") . lawReportId) (reportLaws report)
-          pure (nub (map lawReportOutcome sums), reportUnexpected report)
+          let own = filter ((== "field/sums") . lawReportId) (reportLaws report)
+          pure (nub (map lawReportOutcome own), reportUnexpected report)
         known' = everything {settingKnown = ["field/*"]}
         skipped' = everything {settingSkip = ["sums", "opens"], settingSkipMustFail = True}
     run everything failing `shouldReturn` ([Failed], [])
@@ -226,25 +289,50 @@ runSpec = do
     run wrong (Token "field/sums" (Just one) (String "x")) `shouldReturn` Just Nothing
     run wrong (Token "field/none" (Just one) Null) `shouldReturn` Nothing
 
+-- | The first law of the suite on such cases, under five profiles.
+underFive :: Domain Natural -> Suite Profile
+underFive domain =
+  suite
+    { suiteProfiles =
+        [("one", one), ("two", two), ("other", other), ("sheet", sheet), ("last", lastOne)],
+      suiteLaws =
+        [made ("field/sums", OnField, [OfAdd]) (Cases natural domain sums)],
+      suiteOpenings = [],
+      suiteTouch = []
+    }
+  where
+    sheet = one {profileSurface = Sheet}
+
+lastOne :: Profile
+lastOne = one {profileSurface = TwistedTorus}
+
+-- | Whether it is a sum with a number beyond that.
+beyond :: Natural -> SomeQuestion -> Bool
+beyond least (SomeQuestion question) = case question of
+  Add _ n -> n > least
+  _ -> False
+
 caseSpec :: Spec
 caseSpec = do
   it "are made smaller, unless each would take as long again" $
     forM_ [minBound ..] $ \kind -> do
       let numbers = Cases natural (Some (pure 9) (\n -> [n - 1 | n > 0])) (judge' . Term)
           judge' question = Holds <$ ask question
-      came <- tryLaw (Plan 1 3 2 False) (answering (const (Left (Fault kind "")))) "law" numbers
+          subject = answering (const (Left (Fault kind "")))
+      came <- tryLaw (Plan 1 3 2 False False) subject "law" numbers
       let slow = kind `elem` [TimedOut, HalfLine, EndlessOutput]
       (kind, (\f -> (failureCase f, failureShrinks f)) <$> triedFailure came)
         `shouldBe` (kind, Just (if slow then (toJSON (9 :: Int), 0) else (toJSON (0 :: Int), 9)))
   it "of those that violate a law 256 are kept, of one search and of several" $ do
     forM_ [1, 255, 256, 257, 300] $ \count -> do
-      came <- search (answering allZero) count (map violated [1 .. fromIntegral count])
+      let some = map violated [1 .. fromIntegral count]
+      came <- search (answering allZero) (Window count count) some
       (count, length (searchWrong came), searchCases came, fst <$> searchTrouble came)
         `shouldBe` (count, min 256 count, 1, Just 0)
     forM_ [(100, 148), (207, 255), (208, 256), (209, 256), (300, 256)] $ \(count, kept) -> do
       let smaller n = if n > 0 then replicate 20 (n - 1) else []
           twenty = Cases natural (Some (pure 3) smaller) violated
-      came <- tryLaw (Plan 1 count 400 False) (answering allZero) "law" twenty
+      came <- tryLaw (Plan 1 count 400 False False) (answering allZero) "law" twenty
       (count, length . failureWrong <$> triedFailure came) `shouldBe` (count, Just kept)
   it "one at a time is asked to its end and judged before the next, and none after one that fails" $
     forM_ [1, 3, 6] $ \bad -> do
@@ -256,16 +344,20 @@ caseSpec = do
           twice n =
             ask (Term n)
               >> if n == bad then violated (10 + n) else Holds <$ ask (Term (10 + n))
-      _ <- search subject 1 (map twice [1 .. 6])
+      _ <- search subject (Window 1 1) (map twice [1 .. 6])
       (reverse <$> readIORef numbers) `shouldReturn` concat [[n, 10 + n] | n <- [1 .. bad]]
   it "are as many as are wanted, though the law says nothing of all that are drawn first" $ do
     -- Sizes are 0, 10, 20 to 100, then 9, 19, 29 and on.
     let says n = if n `mod` 10 == 0 then Inapplicable else Holds
         cases gen = Cases natural (Some gen (const [])) (pure . says)
     later <-
-      tryLaw (Plan 1 10 4 False) (answering allZero) "law" (cases (sized (pure . fromIntegral)))
+      tryLaw
+        (Plan 1 10 4 False False)
+        (answering allZero)
+        "law"
+        (cases (sized (pure . fromIntegral)))
     (triedCases later, triedExhaustive later) `shouldBe` (10, False)
-    never <- tryLaw (Plan 1 10 4 False) (answering allZero) "law" (cases (pure 20))
+    never <- tryLaw (Plan 1 10 4 False False) (answering allZero) "law" (cases (pure 20))
     triedCases never `shouldBe` 0
   it "as many are asked at once as a subject takes, and of those that open profiles one" $
     forM_ [(5, [5, 5, 2]), (12, [12]), (64, [12]), (1, replicate 12 1)] $ \(batch, lengths) -> do
@@ -286,11 +378,11 @@ caseSpec = do
       run alone {suiteTouch = [twelve OnSegment]} `shouldReturn` replicate 12 1
   it "are drawn in sizes that grow to 100, ten times as many as are needed, by seed and name" $ do
     forM_ [1, 2, 7, 100, 101] $ \count ->
-      asksOf (Plan 1 count 1 False) "law" (sized (pure . fromIntegral))
+      asksOf (Plan 1 count 1 False False) "law" (sized (pure . fromIntegral))
         `shouldBe` ( count,
                      [fromIntegral (i * 100 `div` count `mod` 101) | i <- [0 .. 10 * count - 1]]
                    )
-    let draws seed name = snd (asksOf (Plan seed 5 1 False) name large)
+    let draws seed name = snd (asksOf (Plan seed 5 1 False False) name large)
         large = fromInteger <$> chooseInteger (0, 10 ^ (9 :: Int))
         of' = [draws seed name | seed <- [1, 2], name <- ["law", "lay", "other"]]
     length (nub of') `shouldBe` 6

@@ -82,7 +82,7 @@ finds :: Int -> Int -> Law about -> about -> Respondent -> IO (Maybe Int)
 finds most' seed law about answers = fmap fst <$> firstViolated answers most trials
   where
     (trials, most) = trialsOf plan (lawId law) (lawCases law about)
-    plan = Plan {planSeed = seed, planCases = most', planWindow = 1, planBrief = True}
+    plan = Plan seed most' 1 True False
 
 -- | As a run of the suite draws them.
 usualCases :: Int

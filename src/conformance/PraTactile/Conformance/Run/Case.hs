@@ -33,7 +33,9 @@ data Plan = Plan
     -- | How many trials go on at once.
     planWindow :: Int,
     -- | Whether a failing case is left as it is, and no others like it are looked for.
-    planBrief :: Bool
+    planBrief :: Bool,
+    -- | Whether of a whole domain no more than that many cases are tried either, from all over it.
+    planGlance :: Bool
   }
 
 -- | What came of a law.
@@ -62,19 +64,23 @@ fewestAlike = 3
 -- | Try the cases of a law, drawn ones from the plan's seed and the law's own name.
 tryLaw :: Plan -> Subject -> String -> Cases -> IO Tried
 tryLaw plan subject name (Cases form domain trial) = case domain of
-  Every every -> do
+  Every whole -> do
+    let every = if planGlance plan then spread (planCases plan) whole else whole
     searched <- search' (map trial every)
     let failure (i, why) =
           Failure why (writeValue form (every !! i)) 0
             <$> further why (searchWrong searched) (drop (i + 1) every)
-    Tried (searchCases searched) True <$> traverse failure (searchTrouble searched)
+    Tried (searchCases searched) (not (planGlance plan))
+      <$> traverse failure (searchTrouble searched)
   Some gen smaller -> do
     let draws = drawn plan name gen
     (cases, searched) <- drawing 0 draws
     failure <- traverse (uncurry (shrunk smaller 0)) searched
     Tried cases False <$> traverse (furtherDrawn draws) failure
   where
-    search' = search subject (planWindow plan)
+    -- Where a failing case is left as it is, the first one is judged before others are asked.
+    search' = search subject (Window (if planBrief plan then 1 else most) most)
+    most = planWindow plan
     furtherDrawn draws failure = do
       wrong <- further (failureTrouble failure) (failureWrong failure) (reverse draws)
       pure failure {failureWrong = wrong}
@@ -113,7 +119,7 @@ tryLaw plan subject name (Cases form domain trial) = case domain of
       | planBrief plan || timedOut why = pure (failed a)
       | otherwise = do
         -- A few at once: of what is smaller the first ones are mostly in trouble too.
-        searched <- search subject (min 8 (planWindow plan)) (map trial candidates)
+        searched <- search subject (atOnce (min 8 (planWindow plan))) (map trial candidates)
         case searchTrouble searched of
           Just (i, why') ->
             let wrong' = fewOf id (wrong ++ searchWrong searched)
@@ -136,6 +142,22 @@ timedOut trouble = case trouble of
   Broke _ _ (Left fault) -> faultKind fault `elem` [TimedOut, HalfLine, EndlessOutput]
   _ -> False
 
+-- | So many from the first on.
+atOnce :: Int -> Window
+atOnce window = Window window window
+
+-- | So many of them at most, evenly from the first to the last.
+spread :: Int -> [a] -> [a]
+spread most every
+  | count <= most = every
+  | otherwise = go 0 every
+  where
+    count = length every
+    go _ [] = []
+    go i (one : others)
+      | i * most `mod` count < most = one : go (i + 1) others
+      | otherwise = go (i + 1) others
+
 -- | Ten times as many as are needed, growing.
 drawn :: Plan -> String -> Gen a -> [a]
 drawn plan name gen = unGen (traverse sized [0 .. 10 * planCases plan - 1]) source 0
@@ -149,7 +171,7 @@ tryCase :: Plan -> Subject -> Cases -> Value -> Either FormatError (IO Tried)
 tryCase plan subject (Cases form domain trial) value = tried <$> readValue form value
   where
     tried a = do
-      searched <- search subject (planWindow plan) [trial a]
+      searched <- search subject (atOnce (planWindow plan)) [trial a]
       let failure (_, why) = Failure why value 0 (searchWrong searched)
       pure (Tried (searchCases searched) (exhausts domain) (failure <$> searchTrouble searched))
     exhausts (Every _) = True

@@ -17,8 +17,7 @@ import Data.Foldable (toList)
 import Data.IORef
 import Data.Sequence (Seq, (|>))
 import qualified Data.Sequence as Seq
-import GHC.Clock (getMonotonicTime)
-import PraTactile.Conformance.Run.Trials (Asked (..))
+import PraTactile.Conformance.Run.Trials (Asked (..), itemsOf)
 import PraTactile.Conformance.Subject
 import PraTactile.Profile (Profile)
 
@@ -29,16 +28,24 @@ data Past = Past
     pastEnded :: !Bool
   }
 
+-- | How many values a reply has that is called long: each such takes its time.
+longReply :: Int
+longReply = 2000
+
 -- | How many requests are remembered.
 mostRemembered :: Int
 mostRemembered = 1000
 
--- | The same subject, and how to ask what it was asked.
-remembering :: Subject -> IO (Subject, IO [Asked])
+-- | The same subject, how to ask what it was asked, and how many of its replies were long.
+remembering :: Subject -> IO (Subject, IO [Asked], IO Int)
 remembering subject = do
   held <- newIORef (Past Seq.empty False)
-  let noted asked got =
-        got <$ modifyIORef' held (\past -> Past (added past asked) (any faulty got))
+  long <- newIORef 0
+  let noted asked got = do
+        modifyIORef' held (\past -> Past (added past asked) (any faulty got))
+        modifyIORef' long (+ length [() | Right (ResponseResult value) <- got, isLong value])
+        pure got
+      isLong value = itemsOf value > longReply
       added past asked =
         kept (foldl (|>) (if pastEnded past then Seq.empty else pastAsked past) asked)
       kept asked = Seq.drop (Seq.length asked - mostRemembered) asked
@@ -52,7 +59,8 @@ remembering subject = do
             subjectAsk subject questions >>= noted (map AskedQuestion questions),
           subjectFresh = (>> writeIORef held (Past Seq.empty False)) <$> subjectFresh subject
         },
-      toList . pastAsked <$> readIORef held
+      toList . pastAsked <$> readIORef held,
+      readIORef long
     )
 
 -- | What a failure depends on.
@@ -66,15 +74,19 @@ data Dependence
   deriving stock (Show)
 
 -- | What it depends on, given the profile that it is about, what was asked before, and whether the
--- failure comes again now; tried for at most so many seconds.
-dependence :: Double -> Subject -> Maybe Profile -> [Asked] -> IO Bool -> IO Dependence
-dependence seconds subject about before again = case subjectFresh subject of
+-- failure comes again now. So many requests may be asked for that, which become fewer; a fresh
+-- process counts as 'startCosts' of them.
+dependence :: IORef Int -> Subject -> Maybe Profile -> [Asked] -> IO Bool -> IO Dependence
+dependence left subject about before again = case subjectFresh subject of
   Nothing -> pure OnItself
   Just fresh -> do
-    end <- (+ seconds) <$> getMonotonicTime
-    let inTime act = getMonotonicTime >>= \now -> if now > end then pure False else act
+    let within :: Int -> IO Bool -> IO Bool
+        within cost act = do
+          modifyIORef' left (subtract cost)
+          enough <- (>= 0) <$> readIORef left
+          if enough then act else pure False
         comesAfter :: [Asked] -> IO Bool
-        comesAfter some = inTime $ do
+        comesAfter some = within (startCosts + length some) $ do
           fresh
           let there = inForceAfter some
           mapM_ put (if null there then about else Nothing)
@@ -85,7 +97,7 @@ dependence seconds subject about before again = case subjectFresh subject of
         oneByOne some = do
           fresh
           mapM_ put about
-          firstThat (\one -> inTime (repeated one >> again)) some
+          firstThat (\one -> within 2 (repeated one >> again)) some
         sameProfile = [one | one@(AskedQuestion _) <- drop (lastProfile before) before]
     alone <- comesAfter []
     if alone
@@ -108,6 +120,10 @@ dependence seconds subject about before again = case subjectFresh subject of
       AskedProfile profile -> Just profile
       AskedQuestion _ -> Nothing
     lastProfile some = sum (take 1 [i | (i, AskedProfile _) <- reverse (zip [0 ..] some)])
+
+-- | How many requests a fresh process costs: it takes about as long to start.
+startCosts :: Int
+startCosts = 50
 
 -- | The last one, the last two, the last four, and so on.
 endings :: [a] -> [[a]]

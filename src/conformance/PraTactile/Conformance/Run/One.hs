@@ -22,6 +22,8 @@ where
 import Data.Aeson (Value (Bool))
 import Data.IORef
 import Data.List (nub)
+import Data.Map.Strict (Map)
+import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
 import PraTactile.Array (area)
 import PraTactile.Conformance.Law
@@ -42,38 +44,59 @@ data Worker = Worker
   { workerSubject :: Subject,
     -- | What it was asked.
     workerPast :: IO [Asked],
+    -- | How many of its replies were long.
+    workerLong :: IO Int,
     -- | The profile that was put in force last, with what came instead of that.
     workerForce :: IORef (Maybe (Profile, Maybe Counterexample)),
-    -- | The laws that failed, each once.
-    workerFailed :: IORef [String],
+    -- | The laws that failed, and under how many profiles by long answers.
+    workerFailed :: IORef (Map String Int),
     -- | How many items there is still room for in the cases that are kept.
-    workerRoom :: IORef Int
+    workerRoom :: IORef Int,
+    -- | How many requests may still be asked to find what failures depend on.
+    workerAgain :: IORef Int
   }
 
 -- | Of a subject with no profile in force.
 newWorker :: Subject -> IO Worker
 newWorker subject = do
-  (noting, past) <- remembering subject
-  Worker noting past <$> newIORef Nothing <*> newIORef [] <*> newIORef 100000
+  (noting, past, long) <- remembering subject
+  Worker noting past long <$> newIORef Nothing
+    <*> newIORef Map.empty
+    <*> newIORef 100000
+    <*> newIORef 20000
 
 -- | Try all cases of a law. Of one that failed under another profile the first case that fails is
--- enough: why it does is told there.
+-- enough: why it does is told there. After three profiles under which it failed by long answers it
+-- is not tried under others.
 tryWork :: (Subject -> Plan) -> Suite about -> Worker -> Work -> IO LawReport
-tryWork planFor suite worker work =
-  inForce worker work $ do
-    before <- readIORef (workerFailed worker)
-    let known' = workId work `elem` before
-        plan = (narrowed work (planFor subject)) {planBrief = known'}
-        atLength = not known' && length before < mostAgain
-    tried <- tryLaw plan subject (workId work) (workCases work)
-    keptBy worker =<< case triedFailure tried of
-      Just failure | not known' -> do
-        writeIORef (workerFailed worker) (workId work : before)
-        depends <- if atLength then dependenceOf plan worker work failure else pure OnItself
-        reportOf suite work depends tried
-      _ -> reportOf suite {suiteLikely = \_ _ -> pure Nothing} work OnItself tried
+tryWork planFor suite worker work = do
+  before <- readIORef (workerFailed worker)
+  case Map.lookup (workId work) before of
+    Just long | long >= mostLong -> pure (skipped work failedAtLength)
+    known' -> inForce worker work $ do
+      longBefore <- workerLong worker
+      let brief = isJust known'
+          plan = (narrowed work (planFor subject)) {planBrief = brief}
+          atLength = not brief && Map.size before < mostAgain
+      tried <- tryLaw plan subject (workId work) (workCases work)
+      longAfter <- workerLong worker
+      let isLong = if longAfter > longBefore then 1 else 0
+      keptBy worker =<< case triedFailure tried of
+        Just failure -> do
+          writeIORef (workerFailed worker) (Map.insertWith (+) (workId work) isLong before)
+          depends <- if atLength then dependenceOf plan worker work failure else pure OnItself
+          reportOf (if brief then withoutCause else suite) work depends tried
+        Nothing -> reportOf suite work OnItself tried
   where
     subject = workerSubject worker
+    withoutCause = suite {suiteLikely = \_ _ -> pure Nothing}
+
+-- | Under how many profiles a law fails by long answers before it is not tried under others.
+mostLong :: Int
+mostLong = 3
+
+failedAtLength :: String
+failedAtLength = "not tried: it failed under three profiles before, by long answers"
 
 -- | The report without its case if that is long and there is no room for it beside the others.
 keptBy :: Worker -> LawReport -> IO LawReport
@@ -90,17 +113,18 @@ keptBy worker report = do
     caseItems one =
       length (counterReason one) + maybe 0 length (counterToken one)
         + sum (map itemsOf (counterRequests one))
-        + sum [itemsOf (snd (responseItem got)) | Right got <- [counterGot one]]
+        + either (length . faultDetail) (itemsOf . snd . responseItem) (counterGot one)
         + maybe 0 (itemsOf . snd . responseItem) (counterExpected one)
 
--- | What a failure depends on: tried for as long as a reader may be kept waiting.
+-- | What a failure depends on.
 dependenceOf :: Plan -> Worker -> Work -> Failure -> IO Dependence
 dependenceOf plan worker work failure =
   case tryCase plan subject (workCases work) (failureCase failure) of
     Left _ -> pure OnItself
     Right again -> do
       asked <- workerPast worker
-      depends <- dependence 10 subject profile asked (isJust . triedFailure <$> again)
+      let comesAgain = isJust . triedFailure <$> again
+      depends <- dependence (workerAgain worker) subject profile asked comesAgain
       depends <$ writeIORef (workerForce worker) Nothing
   where
     subject = workerSubject worker

@@ -6,6 +6,7 @@
 module PraTactile.Conformance.Run.Trials
   ( search,
     Search (..),
+    Window (..),
     fewOf,
     itemsOf,
     Trouble (..),
@@ -86,26 +87,36 @@ data State = State
     waiting :: [Active]
   }
 
--- | Try these, at most so many at once, to the first one in order that is in trouble.
-search :: Subject -> Int -> [Ask Verdict] -> IO Search
-search subject window trials =
-  go (State IntSet.empty Nothing [] [] (zipWith (`Active` []) [0 ..] trials)) []
+-- | How many trials go on at once: so many at first, and at most; twice as many each time that
+-- they go on, but where it is one, only once that is judged.
+data Window = Window
+  { windowFirst :: Int,
+    windowMost :: Int
+  }
+
+-- | Try these, so many at once, to the first one in order that is in trouble.
+search :: Subject -> Window -> [Ask Verdict] -> IO Search
+search subject (Window first most) trials =
+  go first (State IntSet.empty Nothing [] [] (zipWith (`Active` []) [0 ..] trials)) []
   where
     -- What came last is judged while the next questions are asked, but for trials that have the
     -- subject for themselves.
-    go before judging
+    go window before judging
       | null (active state) && null judging = pure (found state)
       | null (active state) || window == 1 && not (null judging) =
-        go (foldr settle before judging) []
+        let settled = foldr settle before judging
+         in go (if IntSet.null (judged settled) then window else doubled) settled []
       | otherwise = do
         replies <- asked subject (active state)
         let fates = zipWith fed (active state) replies
             -- Those after a fault are not needed any more; others wait for their turn.
             rest = drop (length replies) (active state)
         judgedBeside fates
-        go (foldr settle state {active = rest} judging) fates
+        -- A first one is judged before others are asked.
+        go (if window == 1 then 1 else doubled) (foldr settle state {active = rest} judging) fates
       where
         state = refilled window before
+        doubled = min most (2 * window)
 
 -- | Have these judged by another thread, to the first one that is violated: those after it are
 -- hardly needed any more.
