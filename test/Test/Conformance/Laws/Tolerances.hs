@@ -67,8 +67,8 @@ variants trial question wanted = case question of
       Segment _ -> Right answer
       _ -> Left (Refusal "not-offered")
 
--- | Half a taxel along each axis that is fixed; any displacement along the others. Another reason,
--- or other axes with that of @one-axis@, never pass.
+-- | Half a taxel along each axis that is fixed; any displacement along the others. Another reason
+-- never passes, nor do other axes where it is registered or refused for @one-axis@.
 aroundRegistered :: Registered -> ([Registered], [Registered])
 aroundRegistered wanted = (map at (concatMap (off 0.49) fixed ++ concatMap (off 9) loose), wrong)
   where
@@ -77,8 +77,9 @@ aroundRegistered wanted = (map at (concatMap (off 0.49) fixed ++ concatMap (off 
       map at (concatMap (off 0.51) fixed)
         ++ [wanted {registeredReason = r} | r <- reasons, r /= registeredReason wanted]
         ++ [ wanted {registeredFixed = axes}
-             | registeredReason wanted == Just "one-axis",
-               axes <- [(True, True), (False, False), (not (fst told), not (snd told))]
+             | registeredReason wanted `elem` [Nothing, Just "one-axis"],
+               axes <- [(x, y) | x <- [False, True], y <- [False, True]],
+               axes /= told
            ]
     reasons = Nothing : map Just ["blank", "one-axis", "ambiguous", "no-overlap"]
     told = registeredFixed wanted

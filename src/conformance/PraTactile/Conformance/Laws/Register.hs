@@ -117,7 +117,10 @@ placed what sentence reason change =
     Cases pressForm (Some genPress smallerPress) $ \press ->
       let (shift@(x, y), pair) = change (pressChange press) (pressed press)
           wanted = Registered Nothing (fromInteger x, fromInteger y) (True, True)
-          fits got = registeredReason got == Nothing && near 0.5 shift (registeredBest got)
+          fits got =
+            registeredReason got == Nothing
+              && registeredFixed got == (True, True)
+              && near 0.5 shift (registeredBest got)
        in if telling pair shift then asking pair wanted fits reason else pure Inapplicable
 
 -- | Where all of this is from.
