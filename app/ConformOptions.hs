@@ -46,6 +46,7 @@ data Options = Options
     listed :: Bool,
     form :: AnswerForm,
     junit :: Maybe FilePath,
+    badge :: Maybe FilePath,
     -- | The program and its arguments.
     commandGiven :: [String]
   }
@@ -64,12 +65,18 @@ conformOptions =
     <*> defaulting 100 intReader "cases" "N" "Cases of each law that does not try all there are"
     <*> defaulting 5 decimalReader "timeout" "SECONDS" "How long each reply may take"
     <*> defaulting 300 decimalReader "limit" "SECONDS" "How long all of it may take"
-    <*> switch (long "fail-fast" <> help "End at the first law that fails or errs")
+    <*> switch
+      ( long "fail-fast"
+          <> help
+            "End at the first law that fails or errs; a few cases of each are tried first under \
+            \all profiles"
+      )
     <*> defaulting 1 intReader "parallel" "N" "Processes of COMMAND at once"
     <*> optional (valued tokenReader "replay" "TOKEN" "Try again the case of a token in a report")
     <*> switch (long "list" <> help "Print the laws, and run nothing")
     <*> jsonSwitch "Print the report as JSON"
     <*> optionalFile "junit" "FILE" "Write the report as JUnit's XML as well"
+    <*> optionalFile "badge" "FILE" "Write what a badge says of it, as badge services read it"
     <*> many (strArgument (metavar "COMMAND ARGS..." <> action "command"))
     <**> infoOption ("suite " ++ suiteVersion) (long "version" <> help "Show the suite's version")
   where

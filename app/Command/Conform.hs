@@ -24,6 +24,7 @@ import PraTactile.Conformance.Definition (Known)
 import PraTactile.Conformance.Process
 import PraTactile.Conformance.Profiles (defaultProfiles)
 import PraTactile.Conformance.Report
+import PraTactile.Conformance.Report.Badge
 import PraTactile.Conformance.Report.Json
 import PraTactile.Conformance.Report.Junit
 import PraTactile.Conformance.Report.Words
@@ -63,6 +64,7 @@ run options = do
     (False, []) -> misused "name the command to put under the suite, as in: conform -- ./decoder"
     (False, program : arguments) -> do
       for_ (junit options) orUnwritable
+      for_ (badge options) orUnwritable
       report <- endingInOrder (conformed options settings suite (Command program arguments))
       told options report
 
@@ -129,6 +131,8 @@ told options report = do
   printAs (form options) (concatMap shown (lines (reportText again report))) (encodeReport report)
   for_ (junit options) $ \file ->
     writeWhole file (utf8 (junitText (failureText again) report))
+  for_ (badge options) $ \file ->
+    writeWhole file (Lazy.snoc (Lazy.fromStrict (encodeBadge report)) 10)
   pure (if certified report || reportPartial report && sound report then Answered else NotAnswered)
   where
     again token =

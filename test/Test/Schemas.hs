@@ -218,6 +218,10 @@ conforming =
     ("conform", conform ("--one-shot --run array/cell-at-the-edges" ++ paper) adapter),
     ("conform", conform "--stage touch --run displacement --cases 2" "pra-tactile serve"),
     ("conform-laws", "pra conform --list --stage touch --json"),
+    ( "badge",
+      "pra conform --badge badge.json --run window/pack" ++ paper ++ " -- pra-tactile serve > log"
+        ++ "; cat badge.json"
+    ),
     ("conform", started ++ conform ("--stage window" ++ paper) ended)
   ]
   where

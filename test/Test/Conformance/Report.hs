@@ -10,6 +10,7 @@ import Data.List (isInfixOf, isPrefixOf, isSuffixOf)
 import PraTactile.Conformance.Law (Stage (..))
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report
+import PraTactile.Conformance.Report.Badge
 import PraTactile.Conformance.Report.Json
 import PraTactile.Conformance.Report.Junit
 import PraTactile.Conformance.Report.Words
@@ -111,6 +112,30 @@ spec = do
                    ]
   it "as JSON: every count, and every law" $
     decodeStrict (encodeReport whole) `shouldBe` Just json
+  it "as a badge: certified, what was chosen held, or how many laws are wrong, each once" $
+    [ decodeStrict (encodeBadge right' {reportLaws = some, reportPartial = partial})
+      | (some, partial) <-
+          [ (reportLaws right', False),
+            (take 1 (reportLaws right'), True),
+            (take 1 (reportLaws right'), False),
+            (failed "field/c" (Just "p") : reportLaws right', True),
+            (errored "field/d" : [failed "field/c" (Just p) | p <- ["p", "q"]], False)
+          ]
+    ]
+      `shouldBe` [ Just . object $
+                     [ "schemaVersion" .= (1 :: Int),
+                       "label" .= ("conformance" :: String),
+                       "message" .= (message :: String),
+                       "color" .= (color :: String)
+                     ]
+                   | (message, color) <-
+                       [ ("certified, suite " ++ suiteVersion, "brightgreen"),
+                         ("chosen laws held, suite " ++ suiteVersion, "blue"),
+                         ("not certified", "red"),
+                         ("1 law wrong", "red"),
+                         ("2 laws wrong", "red")
+                       ]
+                 ]
   it "in XML a character is itself, its name, or a question mark if XML has none of it" $ do
     let every =
           concat
