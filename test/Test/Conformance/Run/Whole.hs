@@ -164,6 +164,26 @@ runSpec = do
           `shouldBe` [ "not tried: it failed under three profiles before, by long answers"
                        | Skipped <- outcomes
                      ]
+  it "asks no more than two at once after a law failed by long answers" $
+    forM_ [(1000, 4), (3000, 2)] $ \(size, most) -> do
+      asked <- newIORef []
+      let base = answering (const (Right (ResponseResult (toJSON (replicate size (0 :: Int))))))
+          subject =
+            base
+              { subjectAsk = \questions -> do
+                  modifyIORef asked (([() | q <- questions, beyond 49 q] :) :: [[()]] -> [[()]])
+                  subjectAsk base questions
+              }
+          laws = [law "field/a" [0 .. 49], law "field/b" [50 .. 99]]
+          law name numbers = made (name, OnField, [OfAdd]) (Cases natural (Every numbers) sums)
+      _ <-
+        runSuite
+          everything
+          suite {suiteProfiles = [("one", one)], suiteLaws = laws, suiteOpenings = []}
+          (const (pure ()))
+          [subject]
+      ofSecond <- readIORef asked
+      (size, maximum (map length ofSecond)) `shouldBe` (size, most)
   it "ends at no failure that there is not: what comes last is tried" $ do
     let subject = (answering allZero) {subjectChecks = [checked "protocol/a" CheckHeld]}
     report <-

@@ -76,7 +76,9 @@ tryWork planFor suite worker work = do
     known' -> inForce worker work $ do
       longBefore <- workerLong worker
       let brief = isJust known'
-          plan = (narrowed work (planFor subject)) {planBrief = brief}
+          usual = (narrowed work (planFor subject)) {planBrief = brief}
+          -- Of answers that are long and wrong few are asked for that nobody looks at.
+          plan = if sum before > 0 then usual {planWindow = min 2 (planWindow usual)} else usual
           atLength = not brief && Map.size before < mostAgain
       tried <- tryLaw plan subject (workId work) (workCases work)
       longAfter <- workerLong worker
