@@ -222,7 +222,7 @@ allowances =
             \JuicyPixels random svg-builder text vector"
           ),
           (Simulation, "pra-tactile:common pra-tactile:code-internal containers random vector"),
-          (Solid, "containers integer-logarithms vector vector-algorithms"),
+          (Solid, "containers integer-logarithms random vector vector-algorithms"),
           ( Recognition,
             "pra-tactile:common pra-tactile:code-internal pra-tactile:touch-internal \
             \pra-tactile:solid bytestring containers filepath random vector"

@@ -1,0 +1,114 @@
+-- | Better and better orders of pieces for bottom-left fill, by hill climbing. Those by size are
+-- tried first, and the best of them is then changed, a stretch of it at a time, as long as that is
+-- no worse.
+module PraTactile.Object.Packing.Climb
+  ( Climb,
+    climbBest,
+    climbSteps,
+    climbMoves,
+    climbStart,
+    climbMove,
+  )
+where
+
+import Data.List (minimumBy, nub, sortOn)
+import Data.Ord (Down (..), comparing)
+import qualified Data.Vector.Unboxed as U
+import PraTactile.Object.Packing.Filling
+import PraTactile.Object.Packing.Kinds
+import PraTactile.Object.Packing.Mask
+import PraTactile.Object.Packing.Occupancy
+import System.Random (StdGen, genWord64, mkStdGen)
+
+-- | The best filling so far, and how it was come by.
+data Climb = Climb
+  { climbBest :: !Filling,
+    climbOrder :: !(U.Vector Int),
+    climbChoice :: !Choice,
+    climbRandom :: !StdGen,
+    -- | the runs looked at in all fillings so far
+    climbSteps :: !Int,
+    -- | how many changes of the order were tried
+    climbMoves :: !Int
+  }
+
+-- | The best of those that lay pieces by size, the largest first. Pieces are laid as figures of few
+-- cells only if some find no place otherwise.
+climbStart :: Int -> Still -> Kinds -> Climb
+climbStart seed sheet kinds = if fillingOver (climbBest wide) == 0 then wide else narrow
+  where
+    wide = best (map (begun MostCells) orders)
+    narrow = best (wide : map (begun FewestCells) orders)
+    begun choice order =
+      let filling = filled sheet kinds choice order
+       in Climb filling order choice (mkStdGen seed) (fillingSteps filling) 0
+    best climbs =
+      (minimumBy (comparing (worth . climbBest)) climbs) {climbSteps = sum (map climbSteps climbs)}
+    orders =
+      nub
+        [ by (\k -> [cells k]),
+          by (\k -> [least k, cells k]),
+          by (\k -> [most k, cells k]),
+          by (\k -> [least k, most k, cells k])
+        ]
+    by size =
+      U.concat
+        [ U.replicate (kindsCount kinds U.! k) k
+          | k <- sortOn (Down . size) [0 .. U.length (kindsCount kinds) - 1]
+        ]
+    cells = fewestCells kinds
+    least = minimum . map figureRows . figuresOf kinds
+    most = maximum . map figureRows . figuresOf kinds
+
+-- | Tries one change of the order, which is kept if what comes of it is no worse. A stretch of
+-- pieces is turned round or put elsewhere, or one that found no place comes earlier.
+climbMove :: Still -> Kinds -> Climb -> Climb
+climbMove sheet kinds climb
+  | worth found <= worth (climbBest climb) = next {climbBest = found, climbOrder = order}
+  | otherwise = next
+  where
+    found = filled sheet kinds (climbChoice climb) order
+    next =
+      climb
+        { climbRandom = random',
+          climbSteps = climbSteps climb + fillingSteps found,
+          climbMoves = climbMoves climb + 1
+        }
+    before = climbOrder climb
+    n = U.length before
+    without = fillingWithout (climbBest climb)
+    (draws, random') = drawn 4 (climbRandom climb)
+    order = case draws of
+      which : x : y : z : _
+        | which `mod` 4 < 2,
+          not (null without) ->
+          let from = without !! (x `mod` length without)
+           in moved from 1 (y `mod` (from + 1))
+        | even which -> turned (x `mod` n) (stretch y (n - x `mod` n))
+        | otherwise ->
+          let from = x `mod` n
+              l = stretch y (n - from)
+           in moved from l (z `mod` (n - l + 1))
+      _ -> before
+    stretch y left = 1 + y `mod` min left longest
+    turned from l = let (front, part, rest) = parts from l in U.concat [front, U.reverse part, rest]
+    moved from l to =
+      let (front, part, rest) = parts from l
+          (front', rest') = U.splitAt to (front U.++ rest)
+       in U.concat [front', part, rest']
+    parts from l =
+      let (front, back) = U.splitAt from before
+          (part, rest) = U.splitAt l back
+       in (front, part, rest)
+
+-- | The most pieces of a stretch. Longer ones are seldom kept.
+longest :: Int
+longest = 60
+
+-- | So many natural numbers below 2^62.
+drawn :: Int -> StdGen -> ([Int], StdGen)
+drawn 0 g = ([], g)
+drawn k g = (fromIntegral (word `div` 4) : rest, g'')
+  where
+    (word, g') = genWord64 g
+    (rest, g'') = drawn (k - 1) g'

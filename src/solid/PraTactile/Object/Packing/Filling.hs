@@ -1,0 +1,89 @@
+-- | Bottom-left fill (Baker, Coffman and Rivest, SIAM J. Comput. 9, 1980; with holes filled,
+-- Chazelle, IEEE Trans. Comput. 32, 1983), row 0 being the bottom: one piece after the other is
+-- laid at the first place where one of its figures fits, row by row. Cells are only ever taken, so
+-- that this place moves only forwards, and each figure goes over the sheet once.
+module PraTactile.Object.Packing.Filling
+  ( Filling (..),
+    worth,
+    Choice (..),
+    filled,
+  )
+where
+
+import Control.Monad (forM)
+import Control.Monad.ST (runST)
+import Data.Maybe (fromMaybe)
+import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as M
+import PraTactile.Object.Packing.Kinds
+import PraTactile.Object.Packing.Mask
+import PraTactile.Object.Packing.Occupancy
+
+-- | What came of laying pieces in an order.
+data Filling = Filling
+  { -- | the cells, at least, of the pieces that found no place
+    fillingOver :: !Int,
+    -- | the number of rows up to the last one in which a piece lies
+    fillingRows :: !Int,
+    -- | how many cells of the last two of them are taken
+    fillingLast :: !Int,
+    fillingLying :: [Lying],
+    -- | where in the order those stand that found no place
+    fillingWithout :: [Int],
+    -- | the runs that were looked at
+    fillingSteps :: !Int
+  }
+
+-- | What fillings are compared by, less being better.
+worth :: Filling -> (Int, Int, Int)
+worth it = (fillingOver it, fillingRows it, fillingLast it)
+
+-- | Which of its figures a piece is laid as, of those whose first place is the same.
+data Choice
+  = MostCells
+  | FewestCells
+  deriving stock (Eq, Show)
+
+-- | The filling that lays pieces of these kinds in this order. O(figures * cells of the sheet) at
+-- most, where figures have few runs.
+filled :: Still -> Kinds -> Choice -> U.Vector Int -> Filling
+filled sheet kinds choice order = runST $ do
+  it <- thaw sheet
+  -- Before these places, row by row, a figure fits nowhere.
+  fromRow <- M.replicate (V.length (kindsFigures kinds)) 0
+  fromColumn <- M.replicate (V.length (kindsFigures kinds)) 0
+  let go at over rows steps lying without
+        | at == U.length order = do
+          end <- freeze it
+          let used = sum [columnsOf end - freeInRow end r | r <- [max 0 (rows - 2) .. rows - 1]]
+          pure (Filling over rows used lying (reverse without) steps)
+        | otherwise = do
+          let k = order U.! at
+          tried <- forM (kindsAlternatives kinds V.! k) $ \f -> do
+            from <- (,) <$> M.read fromRow f <*> M.read fromColumn f
+            (place, n) <- firstFit it (kindsFigures kinds V.! f) from
+            let (r, c) = fromMaybe (rowsOf sheet, 0) place
+            M.write fromRow f r
+            M.write fromColumn f c
+            pure ([(p, preference f) | Just p <- [place]], n)
+          let steps' = steps + 1 + sum (map snd tried)
+          case concatMap fst tried of
+            [] -> go (at + 1) (over + fewestCells kinds k) rows steps' lying (at : without)
+            places -> do
+              let (p, preferred) = minimum places
+                  f = abs preferred
+                  figure = kindsFigures kinds V.! f
+              lie it figure p
+              go
+                (at + 1)
+                over
+                (max rows (fst p + figureRows figure))
+                steps'
+                (Lying k f p : lying)
+                without
+      -- Figures are numbered by their cells.
+      preference f = case choice of
+        MostCells -> negate f
+        FewestCells -> f
+  go 0 0 0 (0 :: Int) [] []

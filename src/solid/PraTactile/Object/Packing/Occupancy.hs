@@ -1,0 +1,156 @@
+-- | Which cells of a sheet are taken, a bit each, and the first place where a figure fits.
+--
+-- Of a run (i, j, l) of a figure laid at (r, c), let x be the last taken one of the columns c + j
+-- to c + j + l - 1 of row r + i, and y > x the next column of that row that is free. Then the
+-- figure fits at no (r, c') with c <= c' < y - j: x lies in the run still, or the run begins on a
+-- taken cell. So a search along a row leaps from c to y - j, and costs a step for each run it looks
+-- at.
+module PraTactile.Object.Packing.Occupancy
+  ( Occupancy,
+    Still,
+    Changing,
+    rowsOf,
+    columnsOf,
+
+    -- * Laying
+    vacant,
+    thaw,
+    freeze,
+    lie,
+
+    -- * Asking
+    fitsAt,
+    firstFit,
+    freeInRow,
+  )
+where
+
+import Control.Monad (forM_)
+import Control.Monad.ST (ST)
+import Data.Bits
+import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as M
+import Data.Word (Word64)
+import PraTactile.Object.Packing.Mask
+
+-- | The cells of a sheet.
+data Occupancy cells = Occupancy
+  { rowsOf :: !Int,
+    columnsOf :: !Int,
+    -- | words a row; what follows a row's last cell is taken, one bit at least
+    stride :: !Int,
+    taken :: !cells
+  }
+
+-- | A sheet to which nothing is added.
+type Still = Occupancy (U.Vector Word64)
+
+-- | A sheet to which figures are added.
+type Changing s = Occupancy (M.STVector s Word64)
+
+-- | A sheet of so many rows and columns, neither negative, on which nothing lies.
+vacant :: Int -> Int -> Still
+vacant rows columns = Occupancy rows columns words' (U.concat (replicate rows row))
+  where
+    words' = columns `div` 64 + 1
+    row = U.replicate (words' - 1) 0 `U.snoc` complement (below (columns .&. 63))
+
+-- | A copy to which figures are added.
+thaw :: Still -> ST s (Changing s)
+thaw it = (\cells -> it {taken = cells}) <$> U.thaw (taken it)
+
+-- | What it is now.
+freeze :: Changing s -> ST s Still
+freeze it = (\cells -> it {taken = cells}) <$> U.freeze (taken it)
+
+-- | Takes the cells of a figure, which fits at this row and column.
+lie :: Changing s -> Figure -> (Int, Int) -> ST s ()
+lie it figure (r, c) = U.forM_ (figureRuns figure) $ \(i, j, l) -> do
+  let from = c + j
+      to = c + j + l - 1
+      row = (r + i) * stride it
+  forM_ [from `shiftR` 6 .. to `shiftR` 6] $ \k ->
+    M.modify (taken it) (.|. between (from - 64 * k) (to - 64 * k)) (row + k)
+
+-- | Whether a figure fits at a row and column: on the sheet, and on free cells.
+fitsAt :: Changing s -> Figure -> (Int, Int) -> ST s Bool
+fitsAt it figure (r, c)
+  | r < 0 || c < 0 || r > lastRow it figure || c > lastColumn it figure = pure False
+  | otherwise = (== c) . fst <$> leap it figure r c
+
+-- | The greatest row and column at which a figure does not reach beyond the sheet.
+lastRow, lastColumn :: Occupancy cells -> Figure -> Int
+lastRow it figure = rowsOf it - figureRows figure
+lastColumn it figure = columnsOf it - figureColumns figure
+
+-- | The first row and column, from the given ones on and row by row, at which a figure with a cell
+-- fits, and how many steps were taken to find it, or that there is none.
+firstFit :: forall s. Changing s -> Figure -> (Int, Int) -> ST s (Maybe (Int, Int), Int)
+firstFit it figure (row, column) = go 0 row column
+  where
+    go :: Int -> Int -> Int -> ST s (Maybe (Int, Int), Int)
+    go steps r c
+      | r > lastRow it figure = pure (Nothing, steps)
+      | c > lastColumn it figure = go (steps + 1) (r + 1) 0
+      | otherwise = do
+        (c', n) <- leap it figure r c
+        if c' == c then pure (Just (r, c), steps + n) else go (steps + n) r c'
+
+-- | The column itself if the figure fits there, else a later one before which it fits nowhere in
+-- this row; and how many runs were looked at.
+leap :: Changing s -> Figure -> Int -> Int -> ST s (Int, Int)
+leap it figure r c = go 0
+  where
+    runs = figureRuns figure
+    go k
+      | k == U.length runs = pure (c, k)
+      | otherwise = do
+        let (i, j, l) = U.unsafeIndex runs k
+            row = (r + i) * stride it
+        x <- lastTaken it row (c + j) (c + j + l - 1)
+        if x < 0
+          then go (k + 1)
+          else do
+            y <- nextFree it row (x + 1)
+            pure (y - j, k + 1)
+{-# INLINE leap #-}
+
+-- | The last taken column from one to another, both among them; -1 if none is. A row is told by
+-- its first word.
+lastTaken :: Changing s -> Int -> Int -> Int -> ST s Int
+lastTaken it row from to = go (to `shiftR` 6)
+  where
+    go k
+      | k < from `shiftR` 6 = pure (-1)
+      | otherwise = do
+        word <- M.unsafeRead (taken it) (row + k)
+        let found = word .&. between (from - 64 * k) (to - 64 * k)
+        if found == 0 then go (k - 1) else pure (64 * k + 63 - countLeadingZeros found)
+
+-- | The first free column from one on; one beyond the sheet if there is none.
+nextFree :: Changing s -> Int -> Int -> ST s Int
+nextFree it row from = go (from `shiftR` 6)
+  where
+    go k
+      | k >= stride it = pure (64 * stride it)
+      | otherwise = do
+        word <- M.unsafeRead (taken it) (row + k)
+        let free = complement word .&. complement (below (from - 64 * k))
+        if free == 0 then go (k + 1) else pure (64 * k + countTrailingZeros free)
+
+-- | How many cells of a row are free.
+freeInRow :: Still -> Int -> Int
+freeInRow it r = U.foldl' count 0 (U.slice (r * stride it) (stride it) (taken it))
+  where
+    count n word = n + popCount (complement word)
+
+-- | The bits of a word from one to another, both among them; it may have none of them.
+between :: Int -> Int -> Word64
+between from to = below (to + 1) .&. complement (below from)
+
+-- | The bits of a word below one.
+below :: Int -> Word64
+below k
+  | k <= 0 = 0
+  | k >= 64 = maxBound
+  | otherwise = bit k - 1
