@@ -32,22 +32,27 @@ data Climb = Climb
     climbMoves :: !Int
   }
 
--- | The best of those that lay pieces by size, the largest first. Pieces are laid as figures of few
--- cells only if some find no place otherwise.
-climbStart :: Int -> Still -> Kinds -> Climb
-climbStart seed sheet kinds = if fillingOver (climbBest wide) == 0 then wide else narrow
+-- | The best of those that lay pieces by size, the largest first; after so many steps, no more are
+-- tried. Pieces are laid as figures of few cells only if some find no place otherwise.
+climbStart :: Int -> Int -> Still -> Kinds -> Climb
+climbStart enough seed sheet kinds
+  | fillingOver (climbBest wide) == 0 || climbSteps wide > enough = wide
+  | otherwise = better wide (begun FewestCells)
   where
-    wide = best (map (begun MostCells) orders)
-    narrow = best (wide : map (begun FewestCells) orders)
-    begun choice order =
+    wide = begun MostCells
+    begun choice = foldl next (start choice (by (\k -> [cells k]))) (map (start choice) orders)
+    start choice order =
       let filling = filled sheet kinds choice order
        in Climb filling order choice (mkStdGen seed) (fillingSteps filling) 0
-    best climbs =
-      (minimumBy (comparing (worth . climbBest)) climbs) {climbSteps = sum (map climbSteps climbs)}
+    next best other = if climbSteps best > enough then best else better best other
+    better one other =
+      (minimumBy (comparing (worth . climbBest)) [one, other])
+        { climbSteps = climbSteps one + climbSteps other
+        }
+    -- With the one by cells alone.
     orders =
       nub
-        [ by (\k -> [cells k]),
-          by (\k -> [least k, cells k]),
+        [ by (\k -> [least k, cells k]),
           by (\k -> [most k, cells k]),
           by (\k -> [least k, most k, cells k])
         ]

@@ -46,22 +46,24 @@ data Choice
   deriving stock (Eq, Show)
 
 -- | The filling that lays pieces of these kinds in this order. O(figures * cells of the sheet) at
--- most, where figures have few runs.
+-- most, where figures have few runs; whenever that has taken 'patience' more steps, the rows in
+-- which pieces lie by then are closed.
 filled :: Still -> Kinds -> Choice -> U.Vector Int -> Filling
 filled sheet kinds choice order = runST $ do
   it <- thaw sheet
   -- Before these places, row by row, a figure fits nowhere.
   fromRow <- M.replicate (V.length (kindsFigures kinds)) 0
   fromColumn <- M.replicate (V.length (kindsFigures kinds)) 0
-  let go at over rows steps lying without
+  let go at over rows steps (closed, next) lying without
         | at == U.length order = do
           end <- freeze it
           let used = sum [columnsOf end - freeInRow end r | r <- [max 0 (rows - 2) .. rows - 1]]
           pure (Filling over rows used lying (reverse without) steps)
+        | steps > next = go at over rows steps (rows, steps + patience) lying without
         | otherwise = do
           let k = order U.! at
           tried <- forM (kindsAlternatives kinds V.! k) $ \f -> do
-            from <- (,) <$> M.read fromRow f <*> M.read fromColumn f
+            from <- max (closed, 0) <$> ((,) <$> M.read fromRow f <*> M.read fromColumn f)
             (place, n) <- firstFit it (kindsFigures kinds V.! f) from
             let (r, c) = fromMaybe (rowsOf sheet, 0) place
             M.write fromRow f r
@@ -69,7 +71,9 @@ filled sheet kinds choice order = runST $ do
             pure ([(p, preference f) | Just p <- [place]], n)
           let steps' = steps + 1 + sum (map snd tried)
           case concatMap fst tried of
-            [] -> go (at + 1) (over + fewestCells kinds k) rows steps' lying (at : without)
+            [] -> do
+              let over' = over + fewestCells kinds k
+              go (at + 1) over' rows steps' (closed, next) lying (at : without)
             places -> do
               let (p, preferred) = minimum places
                   f = abs preferred
@@ -80,10 +84,16 @@ filled sheet kinds choice order = runST $ do
                 over
                 (max rows (fst p + figureRows figure))
                 steps'
+                (closed, next)
                 (Lying k f p : lying)
                 without
       -- Figures are numbered by their cells.
       preference f = case choice of
         MostCells -> negate f
         FewestCells -> f
-  go 0 0 0 (0 :: Int) [] []
+  go 0 0 0 0 (0, patience) [] []
+
+-- | After how many steps rows are closed: less than a second of them. Only hundreds of
+-- figures take as many.
+patience :: Int
+patience = 4000000

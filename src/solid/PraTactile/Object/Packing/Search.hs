@@ -27,7 +27,7 @@ search seed still kinds
     Unknown | complete last' -> lying last'
     answer -> answer
   where
-    compact = climbTo fewMoves fewSteps fewest (climbStart seed still kinds)
+    compact = climbTo fewMoves fewSteps fewest (climbStart fewSteps seed still kinds)
     last' = climbTo manyMoves manySteps complete compact
     climbTo moves steps reached =
       until
@@ -50,7 +50,7 @@ fewSteps = 8000000
 -- | How many where no packing was found by then, nor a proof that there is none.
 manyMoves, manySteps :: Int
 manyMoves = 20000
-manySteps = 60000000
+manySteps = 30000000
 
 -- | How many cells, of the sheet and of options, the exact search may look at.
 exactBudget :: Int
