@@ -11,6 +11,7 @@ where
 import Bench.Clock
 import Bench.Input
 import Bench.Locating (locating)
+import Bench.Packing (packing)
 import Control.Exception (evaluate)
 import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
 import qualified Data.ByteString as Bytes
@@ -69,6 +70,7 @@ ours =
     ("evaluate-100", evaluate100)
   ]
     ++ locating
+    ++ packing
 
 products :: forall k. KnownField k => Proxy k -> IO (IO Measurement)
 products k = do

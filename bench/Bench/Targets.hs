@@ -201,12 +201,37 @@ targets =
       "evaluate-100"
       asShipped
       [Recorded],
-    Target "evaluate-all-cores" "the same on all cores" "evaluate-100" ["-N", "-A2m"] [Recorded]
+    Target "evaluate-all-cores" "the same on all cores" "evaluate-100" ["-N", "-A2m"] [Recorded],
+    Target
+      "packing-paper"
+      "packing: the paper's two objects, as walked, 15 x 17"
+      "packing-paper"
+      asShipped
+      [WithinSeconds 0.2],
+    Target
+      "packing-boxes"
+      "packing: the 1200 faces of 200 boxes, two ways each, 255 x 257"
+      "packing-boxes"
+      asShipped
+      [WithinSeconds 5],
+    Target
+      "packing-walked"
+      "the same, one way each"
+      "packing-walked"
+      asShipped
+      [TimesAsFast 1 (rectpack "MaxRectsBl"), TimesAsFast 0 (rectpack "SkylineBlWm")],
+    Target
+      "packing-cubes"
+      "packing: 10 000 cubes, 2047 x 2049"
+      "packing-cubes"
+      asShipped
+      [WithinSeconds 5, WithinMebibytes 512]
   ]
   where
     one = ["-N1"]
     -- The nursery that the command line has.
     asShipped = ["-N1", "-A2m"]
     numpyTable = Script "numpy" "table.py" . words
+    rectpack algorithm = Script ("rectpack " ++ algorithm) "packing.py" [algorithm]
     numpyNearest kind = Script "numpy" "nearest.py" [kind]
     galoisProducts q = Script "galois" "products.py" [show (q :: Int)]
