@@ -3,6 +3,8 @@
 module ArrayChoice
   ( ArrayChoice,
     arrayChoice,
+    nothingChosen,
+    unsaid,
     chosenProfile,
     chosenSequence,
     chosenProfileFor,
@@ -31,8 +33,13 @@ data ArrayChoice = ArrayChoice
   }
   deriving stock (Eq, Show)
 
-nothingChosen :: ArrayChoice
-nothingChosen = ArrayChoice Nothing Nothing Nothing Nothing Nothing Nothing Nothing Nothing
+-- | Nothing is said about the array.
+unsaid :: ArrayChoice
+unsaid = ArrayChoice Nothing Nothing Nothing Nothing Nothing Nothing Nothing Nothing
+
+-- | Whether nothing is said about the array.
+nothingChosen :: ArrayChoice -> Bool
+nothingChosen = (== unsaid)
 
 -- | The options, all of them optional.
 arrayChoice :: Parser ArrayChoice
@@ -111,7 +118,7 @@ chosenProfileFor extent choice = case choice of
 -- else.
 choiceBesideFile :: ArrayChoice -> Either String (Maybe Natural, Maybe Shape)
 choiceBesideFile choice
-  | choice {choiceOrder = Nothing, choiceWindow = Nothing} == nothingChosen =
+  | choice {choiceOrder = Nothing, choiceWindow = Nothing} == unsaid =
     Right (choiceOrder choice, choiceWindow choice)
   | otherwise =
     Left "FILE already holds the array; beside it only --q and --window (or --mask) say more"

@@ -21,6 +21,7 @@ import qualified Command.Field
 import qualified Command.Locate
 import qualified Command.Merge
 import qualified Command.Objects
+import qualified Command.Place
 import qualified Command.Polynomials
 import qualified Command.Probe
 import qualified Command.Profile
@@ -163,6 +164,7 @@ commands =
           <> mconcat
             [ Command.Solid.command,
               Command.Objects.command,
+              Command.Place.command,
               Command.Shapes.command,
               Command.Train.command
             ]

@@ -3,6 +3,7 @@
 module FormatFile
   ( readProfile,
     readCertificate,
+    readPlacement,
     readTruth,
     readClaim,
     readSensorFile,
@@ -13,8 +14,10 @@ where
 import Data.ByteString (ByteString)
 import ExitStatus
 import Files (readBytes, readBytesUpTo)
-import Message (formatMessage, profileMessage)
+import Message (formatMessage, placementFileMessage, profileMessage)
 import PraTactile.Format
+import PraTactile.Format.Placement (decodePlacement)
+import PraTactile.Object.Placement (Placement)
 import PraTactile.Profile
 import PraTactile.Sensor (Sensor)
 import PraTactile.Sensor.Calibration (Calibration)
@@ -38,6 +41,14 @@ readCertificate :: FilePath -> IO CertificateFile
 readCertificate = readAs (readBytesUpTo (4 * mebibyte)) decodeCertificate wanted
   where
     wanted = "a certificate as 'pra-tactile certificate' writes it"
+
+-- | The placement in a file and the profile of its array, which must be one.
+readPlacement :: FilePath -> IO (Profile, Placement)
+readPlacement file = do
+  bytes <- readBytesUpTo (256 * mebibyte) file
+  (profile, layout) <- orUnusable (placementFileMessage file) (decodePlacement bytes)
+  orUnusable (\e -> file ++ ": " ++ profileMessage e) (withProfile profile (\_ _ -> ()))
+  pure (profile, layout)
 
 -- | The truth in a file.
 readTruth :: FilePath -> IO Truth

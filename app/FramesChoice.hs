@@ -63,6 +63,7 @@ preparation choice =
   Preparation (chosenAxes choice)
     <$> traverse usableTaxel (chosenTaxel choice)
     <*> traverse readCalibration (calibrationFile choice)
+    <*> pure 1
 
 -- | @--no-stitching@, or what the robot and the sensor are like.
 stitchingOptions :: Parser Stitching

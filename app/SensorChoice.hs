@@ -4,6 +4,7 @@ module SensorChoice
     sensorOptions,
     chosenSensor,
     chosenSpacing,
+    feltBySymbols,
     readSensor,
 
     -- * The taxels' pitch
@@ -132,6 +133,13 @@ chosenSensor choice
 -- | The distance of neighbouring presses of a sensor, in its taxels.
 chosenSpacing :: SensorChoice -> Sensor -> Int
 chosenSpacing choice sensor = fromMaybe (defaultSpacing sensor) (spacing choice)
+
+-- | The sensor as symbols so many times as large as the paper's feel it: that of the same kind
+-- whose elements are as many times closer.
+feltBySymbols :: Rational -> Sensor -> Sensor
+feltBySymbols scale sensor
+  | scale == 1 = sensor
+  | otherwise = withTaxel (sensorTaxel sensor / fromRational scale) sensor
 
 -- | The sensor of a preset's name, or else in a file.
 readSensor :: String -> IO Sensor

@@ -108,6 +108,7 @@ import qualified Test.Recognition.FromBytesToAnswers
 import qualified Test.Recognition.FromImageToFace
 import qualified Test.Recognition.GridsAndRefusals
 import qualified Test.Recognition.Object.FacesOnTheArray
+import qualified Test.Recognition.Object.PlacementsOfAnyFaces
 import qualified Test.Recognition.Object.SolidsAreClosed
 import qualified Test.Recognition.PosteriorByBruteForce
 import qualified Test.Recognition.SupportByConstruction
@@ -280,6 +281,7 @@ specs = do
     describe "Packing" Test.Solid.PackedByDefinition.spec
     describe "Files of solids" Test.Solid.FilesOfSolids.spec
     describe "Placement" Test.Recognition.Object.FacesOnTheArray.spec
+    describe "Placement of any faces" Test.Recognition.Object.PlacementsOfAnyFaces.spec
   describe "Store" Test.Store.RowsAndGuards.spec
   describe "Store" Test.Store.DrawnPlacements.spec
   describe "Store" Test.Store.Target.spec

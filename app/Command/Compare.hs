@@ -8,9 +8,9 @@ import ExitStatus
 import FormatFile
 import Message
 import Options
+import PlacementChoice
 import PraTactile.Explore
 import PraTactile.Format (encodeComparison)
-import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Recognise (leastTilt)
@@ -30,22 +30,34 @@ command =
       "pra-tactile compare answer.json truth.json"
     ]
     ( run
-        <$> pathArgument (metavar "ANSWER" <> help "A file with one answer of 'decode --json'")
+        <$> placementChoice "The same from a database that 'objects --write' made"
+        <*> pathArgument (metavar "ANSWER" <> help "A file with one answer of 'decode --json'")
         <*> pathArgument (metavar "TRUTH" <> help "The file that 'probe --truth' wrote")
         <*> jsonSwitch "Print the comparison as JSON"
     )
 
-run :: FilePath -> FilePath -> AnswerForm -> IO ExitStatus
-run answerFile truthFile form = do
-  claim <- readClaim answerFile
-  truth <- readTruth truthFile
-  pitch <- placementPitch <$> orUnusable placementMessage canonicalPlacement
-  let verdict = maybe (Left Nothing) (either (Left . Just) Right . compared pitch truth) claim
+run :: PlacementChoice -> FilePath -> FilePath -> AnswerForm -> IO ExitStatus
+run choice answerFile truthFile form = do
+  told <- readClaim answerFile
+  known <- readTruth truthFile
+  (scale, layout) <- shownPlacement choice >>= feltPlacement . snd
+  let larger = fromRational scale
+      claim = scaledClaim (1 / larger) <$> told
+      truth = scaledTruth (1 / larger) known
+      pitch = placementPitch layout
+      verdict = maybe (Left Nothing) (either (Left . Just) Right . compared pitch truth) claim
   printAs
     form
-    (unlines (comparison truth claim ++ [verdictText verdict]))
-    (encodeComparison truth claim verdict)
+    (unlines (comparison larger truth claim ++ [verdictText (farther larger verdict)]))
+    (encodeComparison larger truth claim verdict)
   pure (either (const NotAnswered) (const Answered) verdict)
+
+-- | With its distances so many times as long.
+farther :: Double -> Either (Maybe Difference) Double -> Either (Maybe Difference) Double
+farther k verdict = case verdict of
+  Right far -> Right (k * far)
+  Left (Just (Elsewhere far)) -> Left (Just (Elsewhere (k * far)))
+  other -> other
 
 verdictText :: Either (Maybe Difference) Double -> String
 verdictText verdict = case verdict of
@@ -56,27 +68,29 @@ verdictText verdict = case verdict of
   Left (Just (Elsewhere far)) -> printf "they differ: by %.2f mm" far
 
 -- | The truth and the answer, in the same terms.
-comparison :: Truth -> Maybe Claim -> [String]
-comparison truth claim =
+comparison :: Double -> Truth -> Maybe Claim -> [String]
+comparison larger truth claim =
   ( "truth     "
       ++ faceWords (truthFace truth)
       ++ ", "
       ++ turnWords (regionSymmetry region) (Just (regionTurn region))
   ) :
   ( "          the region's upper left corner: "
-      ++ spotWords (truthFace truth) (regionCorner region)
+      ++ spotWords (truthFace truth) (inMillimetres (regionCorner region))
   ) :
   concat
     [ ( "          what the composite shows as the window's centre: "
-          ++ spotWords (truthFace truth) (truePlace truth (claimSeenAt said))
+          ++ spotWords (truthFace truth) (inMillimetres (truePlace truth (claimSeenAt said)))
       ) :
       [ "answer    " ++ faceWords (claimFace said) ++ ", "
           ++ turnWords (claimSymmetry said) (claimAngle said),
-        "          the window's centre: " ++ spotWords (claimFace said) (claimPlace said)
+        "          the window's centre: "
+          ++ spotWords (claimFace said) (inMillimetres (claimPlace said))
       ]
       | Just said <- [claim]
     ]
   where
+    inMillimetres (x, y) = (larger * x, larger * y)
     region = truthRegion truth
     faceWords face = objectText (faceObject face) ++ ", face " ++ faceText (faceName face)
 

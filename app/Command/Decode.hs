@@ -19,17 +19,20 @@ import Message
 import Options
 import Output (writeWhole)
 import Picture (pageSvg, recognitionPage)
+import PlacementChoice
 import PraTactile.Array (ArrayOn (..), PseudorandomArray, Surface)
 import PraTactile.Decode (Stitching)
 import PraTactile.Field (KnownField)
 import PraTactile.Files (SourcePath (..), sourcePath, sourcePaths)
 import PraTactile.Format (RecognitionContext (..), encodeRecognition, recognitionReport)
 import PraTactile.Format.Profile (profileText)
+import PraTactile.Object.Placement (Placement, placementPitch)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Registration (Composite (..), compositePosition)
-import PraTactile.Relief (faceClasses)
+import PraTactile.Relief (faceClasses, symbolScale)
 import PraTactile.Shape (Alphabet)
+import PraTactile.Source (Preparation (..))
 import Recognised
 import Setup
 import SvgFile
@@ -40,7 +43,7 @@ data Options = Options
     stitching :: Stitching,
     frames :: FramesChoice,
     network :: Maybe FilePath,
-    database :: Maybe FilePath,
+    objects :: PlacementChoice,
     picture :: Maybe FilePath,
     tolerance :: Tolerance,
     sharing :: Sharing,
@@ -78,11 +81,8 @@ optionsParser =
     <*> stitchingOptions
     <*> framesOptions
     <*> networkOption
-    <*> optionalFile
-      "database"
-      "FILE"
-      "Look the position up in a database that 'objects --write' made (default: the mapping in \
-      \memory)"
+    <*> placementChoice
+      "The same from a database that 'objects --write' made, in which the position is looked up"
     <*> optionalFile
       "picture"
       "FILE.svg"
@@ -178,17 +178,21 @@ run choice options
     misused "--picture - and --json both take the standard output; name a file for the picture"
   | otherwise = do
     for_ (picture options) orNotSvg
-    profile <- chosenProfile choice
-    decoder <- decoderOn profile options
+    (profile, layout) <- chosenPlacement choice (objects options)
+    (scale, _) <- feltPlacement layout
+    let larger = fromRational scale
+    decoder <- decoderOn profile layout options
     found <- sourcePaths (paths options) >>= orUnusable filesMessage
     let several = not (null (drop 1 found))
     when
       (several && picture options /= Nothing)
       (misused "--picture draws one composite; give one source")
-    known <- preparation (frames options)
+    known <- (\stated -> stated {preparedScale = larger}) <$> preparation (frames options)
     composites <- loadSources known (stitching options) found
     case sharing options of
-      OneFace -> placed (places options) (zip found composites) >>= decoder (map sourcePath found)
+      OneFace ->
+        placed [(x / larger, y / larger) | (x, y) <- places options] (zip found composites)
+          >>= decoder (map sourcePath found)
       EachItsOwn -> do
         unless
           (null (places options))
@@ -199,9 +203,8 @@ run choice options
             decoder [path] [composite]
 
 -- | How composites of one face, given their names, are decoded and the answer is printed.
-decoderOn :: Profile -> Options -> IO ([FilePath] -> [Composite] -> IO ExitStatus)
-decoderOn profile options = do
-  layout <- placementFor profile
+decoderOn :: Profile -> Placement -> Options -> IO ([FilePath] -> [Composite] -> IO ExitStatus)
+decoderOn profile layout options = do
   alphabet <- shippedAlphabet
   net <- chosenNetwork (network options)
   let on = fromMaybe (profileSurface profile) (surface options)
@@ -242,7 +245,7 @@ decodeWith ::
 decodeWith alphabet profile array options reader from composites = do
   recognition <-
     orUnusable networkMessage (recogniseWith (tolerance options) reader composites)
-      >>= maybe pure lookedUp (database options)
+      >>= maybe pure lookedUp (ofDatabase (objects options))
   for_ ((,) <$> picture options <*> listToMaybe composites) $ \(file, composite) ->
     writeWhole file (pageSvg (page composite recognition))
   unless (picture options == Just standardOutput) $
@@ -260,8 +263,10 @@ decodeWith alphabet profile array options reader from composites = do
           contextNames = map nameInJson from,
           contextMessage = recognitionMessage recognition,
           contextElement = nameOf,
-          contextRobot = maybe id compositePosition (listToMaybe composites),
+          contextRobot = both (larger *) . maybe id compositePosition (listToMaybe composites),
           contextPositionError =
             fmap maximum (nonEmpty (mapMaybe compositePositionError composites))
         }
+    larger = maybe 1 fromRational (symbolScale (placementPitch (recogniserPlacement reader)))
+    both f (x, y) = (f x, f y)
     lookedUp file = fromDatabase file (profileText profile) (profileWindow profile)

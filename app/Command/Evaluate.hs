@@ -14,6 +14,7 @@ import Data.Maybe (fromMaybe)
 import ExitStatus
 import Message
 import Options
+import PlacementChoice
 import PraTactile.Array (ArrayOn (..))
 import PraTactile.Evaluate
 import PraTactile.Explore
@@ -39,6 +40,7 @@ data Options = Options
     untold :: Bool,
     tolerance :: Tolerance,
     network :: Maybe FilePath,
+    objects :: PlacementChoice,
     form :: AnswerForm
   }
 
@@ -84,6 +86,7 @@ command =
           (long "untold" <> help "Do not tell the decoder the position error; it finds what it is")
         <*> toleranceOptions (pure (foreignPrior standardTolerance))
         <*> networkOption
+        <*> placementChoice "The same from a database that 'objects --write' made"
         <*> jsonSwitch "Print the counts as JSON"
 
 -- | How the faces lie.
@@ -111,9 +114,10 @@ run choice options
   | not (all (>= 0) arrays && all (<= fromMaybe 1 (foreignPresses options)) arrays) =
     misused "--foreign-arrays is a share from 0 to that of --foreign"
   | otherwise = do
-    simulated <- chosenSensor (sensor options)
-    profile <- chosenProfile choice
-    layout <- placementFor profile
+    real <- chosenSensor (sensor options)
+    (profile, laid) <- chosenPlacement choice (objects options)
+    (scale, layout) <- feltPlacement laid
+    let simulated = feltBySymbols scale real
     alphabet <- shippedAlphabet
     net <- chosenNetwork (network options)
     let experiment =

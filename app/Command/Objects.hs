@@ -7,11 +7,11 @@ where
 
 import ArrayChoice
 import Control.Monad (unless)
-import Data.List (intercalate)
 import ExitStatus
 import Json
 import Message
 import Options
+import PlacementChoice
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Format (encodeObjects, encodeWhereabouts)
 import PraTactile.Format.Profile (profileText)
@@ -20,11 +20,10 @@ import PraTactile.Object.WingedEdge
 import PraTactile.Profile
 import PraTactile.Store
 import Recognised (whereText)
-import Setup
 
 data Options = Options
   { at :: Maybe Position,
-    database :: Maybe FilePath,
+    source :: PlacementChoice,
     write :: Maybe FilePath,
     form :: AnswerForm
   }
@@ -51,7 +50,7 @@ command =
               "ROW,COLUMN"
               "Tell what lies at the window whose upper left cell is here, counted from 0"
           )
-        <*> optionalFile "database" "FILE" "Ask this database instead of the mapping in memory"
+        <*> placementChoice "Ask this database instead of a mapping in memory"
         <*> optionalFile
           "write"
           "FILE"
@@ -61,22 +60,19 @@ command =
 
 run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options = do
-  profile <- chosenProfile choice
-  layout <- placementFor profile
+  case (at options, write options, ofDatabase (source options)) of
+    (Just _, Just _, _) -> misused "--at asks and --write writes; give one of them"
+    (_, Just "-", _) -> misused "a database cannot be written to the standard output; name a file"
+    (_, Just _, Just _) ->
+      misused "--write makes a database and --database asks one; give one of them"
+    _ -> pure ()
+  (profile, layout) <- chosenPlacement choice (source options)
   case (at options, write options) of
-    (Just _, Just _) -> misused "--at asks and --write writes; give one of them"
-    (Just position, Nothing) -> lookUp profile layout options position
-    (Nothing, Just "-") ->
-      misused "a database cannot be written to the standard output; name a file"
-    (Nothing, Just _)
-      | Just _ <- database options ->
-        misused "--write makes a database and --database asks one; give one of them"
-    (Nothing, Just file) -> do
+    (Just position, _) -> lookUp profile layout options position
+    (_, Just file) -> do
       create file (profileText profile) layout >>= orUnusable storeMessage
       sayWrittenAs (form options) file "" "objects-written/1" mempty
-    (Nothing, Nothing) -> do
-      listed <- maybe (pure layout) (inDatabase profile (pure . storedPlacement)) (database options)
-      printAs (form options) (unlines (listText listed)) (encodeObjects profile listed)
+    _ -> printAs (form options) (unlines (listText layout)) (encodeObjects profile layout)
   pure Answered
 
 -- | What a database that was made for the profile says.
@@ -99,7 +95,7 @@ lookUp profile layout options position = do
             ++ " cells are counted from 0"
         )
     )
-  place <- case database options of
+  place <- case ofDatabase (source options) of
     Nothing -> pure (whereabouts layout window position)
     Just file ->
       inDatabase profile (\store -> storedWhereabouts store window position) file
@@ -126,8 +122,4 @@ listText layout = concatMap solidLines (placementSolids layout)
         ++ ", column "
         ++ show (column (laidAt laid))
     millimetres laid =
-      intercalate
-        " x "
-        [ show (fromRational side :: Double)
-          | side <- [spotRight (laidExtent laid), spotDown (laidExtent laid)]
-        ]
+      let (wide, high) = spotMillimetres (laidExtent laid) in show wide ++ " x " ++ show high

@@ -14,6 +14,7 @@ import ExitStatus
 import Message
 import Options
 import Output (orUnwritable, writeFolder, writeWhole)
+import PlacementChoice
 import PraTactile.Explore
 import PraTactile.Format (encodeTruth, folderFiles)
 import PraTactile.Object.Placement
@@ -22,9 +23,9 @@ import PraTactile.Pressing
 import PraTactile.Profile
 import PraTactile.Recognise.Summary (orientationText)
 import PraTactile.Sensor
-import PraTactile.Sensor.Frame (Frame)
+import PraTactile.Sensor.Frame (Frame, scaledFrame)
 import PraTactile.Symmetry
-import PraTactile.Truth (Truth (..))
+import PraTactile.Truth (Truth (..), scaledTruth)
 import SensorChoice
 import Setup
 import Text.Printf (printf)
@@ -43,6 +44,7 @@ data Options = Options
     origin :: (Double, Double),
     announced :: Announced,
     truthFile :: Maybe FilePath,
+    objects :: PlacementChoice,
     output :: FilePath
   }
 
@@ -110,6 +112,7 @@ optionsParser =
       )
     <*> flag Unannounced Announced (long "tell" <> help "Print the true place")
     <*> optionalFile "truth" "FILE" "Write the true place as JSON, for 'compare'"
+    <*> placementChoice "The same from a database that 'objects --write' made"
     <*> folderOption "output" "A folder that is new or empty"
   where
     place = pairReader ',' "12.7,40"
@@ -122,7 +125,7 @@ workOption =
       ( long "object"
           <> metavar "NAME"
           <> completeWith ["cube", "parallelepiped"]
-          <> help "The object: cube or parallelepiped"
+          <> help "The object: cube or parallelepiped, or one of the placement's"
       )
     <|> Dark
       <$> frameCount
@@ -187,15 +190,24 @@ calibrating options simulated count frames
 pressing :: ArrayChoice -> Options -> Pressing -> ObjectName -> IO ExitStatus
 pressing choice options how object = do
   for_ (truthFile options) orUnwritable
-  profile <- chosenProfile choice
-  layout <- placementFor profile
+  (profile, laid) <- chosenPlacement choice (objects options)
+  (scale, layout) <- feltPlacement laid
   alphabet <- shippedAlphabet
-  (frames, truth) <-
+  let larger = fromRational scale
+      smaller (x, y) = (x / larger, y / larger)
+      felt =
+        how
+          { pressingSensor = feltBySymbols scale (pressingSensor how),
+            pressingAt = smaller <$> pressingAt how,
+            pressingOrigin = smaller (pressingOrigin how)
+          }
+  (frames, found) <-
     orUnusable (pressMessage (at options))
       =<< orUnusable
         profileMessage
-        (withProfile profile (\array _ -> pressed how alphabet array layout object))
-  writeFrames options (pressingSensor how) frames
+        (withProfile profile (\array _ -> pressed felt alphabet array layout object))
+  writeFrames options (pressingSensor how) (map (scaledFrame larger) frames)
+  let truth = scaledTruth larger found
   for_ (truthFile options) $ \file ->
     writeWhole file (Lazy.fromStrict (encodeTruth truth <> "\n"))
   when (announced options == Announced) (putStrLn (truthText truth))

@@ -12,13 +12,11 @@ import Data.List (intercalate, nub)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import ExitStatus
-import Files (readBytes)
 import Message.Objects (objectMessage)
-import Message.Solid
 import Numeric (showFFloat)
 import Options
 import Output
-import PraTactile.Array (Shape (..))
+import Polyhedra
 import PraTactile.Format.Solid
 import PraTactile.Format.Solid.Name
 import PraTactile.Format.Solid.Report
@@ -28,13 +26,11 @@ import PraTactile.Object.Defect
 import PraTactile.Object.Description
 import PraTactile.Object.Merge
 import PraTactile.Object.Mesh
-import PraTactile.Object.Named (namedDescription)
 import PraTactile.Object.Placement (Pitch (..))
 import PraTactile.Object.Tolerance
 import PraTactile.Object.Validity
 import PraTactile.Object.Vector (zero)
 import PraTactile.Profile (canonicalProfile, profileShape)
-import System.FilePath (dropExtension, takeFileName)
 import Visible
 
 data Options = Options
@@ -85,68 +81,35 @@ command =
                   ( long "merge-coplanar"
                       <> help "Put faces together that share sides and lie in one plane"
                   )
-                <*> option
-                  (positiveReader "a factor")
-                  ( long "symbols" <> metavar "S" <> value 1
-                      <> help
-                        "Size of the symbols: S times 25.4 x 31.75 mm from one to the next \
-                        \(default 1)"
-                  )
+                <*> symbolsOption
                 <*> optionalFile
                   "output"
                   "FILE"
                   "Write the polyhedron to a file, in the format of its end or of --format"
-                <*> optional
-                  ( choosing
-                      "format"
-                      (allNamed formatName)
-                      "format"
-                      "FORMAT"
-                      "Format of files whose ends do not tell it"
-                      mempty
-                  )
+                <*> formatOption
                 <*> jsonSwitch "Print as JSON"
             )
     )
-
--- | An exact number above 0.
-positiveReader :: String -> ReadM Rational
-positiveReader what = eitherReader $ \text -> case exactNumber text of
-  Just n | n > 0 -> Right n
-  _ -> Left (quoted text ++ " is not " ++ what ++ " above 0, such as 25.4 or 127/5")
 
 run :: Options -> IO ExitStatus
 run options = do
   when (maybe False (const (length (subjects options) > 1)) (output options)) $
     misused "--output takes one solid; name one"
-  target <- traverse (outputFormat options) (output options)
+  target <- traverse (outputFormat (format options)) (output options)
   mapM_ orUnwritable (output options)
   statuses <- mapM (examined options target) (subjects options)
   pure (maximum statuses)
 
-outputFormat :: Options -> FilePath -> IO SolidFormat
-outputFormat options file = case (formatOfFile file, format options) of
-  (Just Stl, Just StlText) -> pure StlText
-  (Just Ply, Just PlyText) -> pure PlyText
-  (Just told, _) -> pure told
-  (Nothing, Just given) -> pure given
-  (Nothing, Nothing) -> misused (endless file)
-
-endless :: FilePath -> String
-endless file =
-  "the end of " ++ visibleName file ++ " tells no format; give --format "
-    ++ intercalate "|" (map formatName [minBound .. maxBound])
-
 examined :: Options -> Maybe SolidFormat -> String -> IO ExitStatus
 examined options target subject = do
-  Contents read' passed <- polyhedron options subject
+  Contents read' passed <- polyhedron sheet (symbolPitch options) (format options) subject
   let scaled = scaledBy (scale options) read'
       Settled flat count most =
         maybe (Settled scaled 0 0) (\mm -> settled mm (merging options) scaled) (tolerance options)
       moved = Moved count most
       it = if merging options then mergeCoplanar flat else flat
       report = examine it
-      grids = [bestGrid it between walk | walk <- V.toList (meshWalks it), carries it walk]
+      grids = [bestGrid it (right, down) walk | walk <- V.toList (meshWalks it), carries it walk]
   case (target, output options) of
     (Just to, Just file) -> do
       let Written bytes rounded = writeSolid to it
@@ -168,45 +131,16 @@ examined options target subject = do
         (encodeReport it passed moved grids report)
   pure (if reportValid report then Answered else NotAnswered)
   where
-    between = symbolPitch options
+    Pitch right down = symbolPitch options
+    sheet = profileShape canonicalProfile
     carries it walk =
       U.length walk >= 3 && ofVertices it walk && doubleArea (cornersOf it walk) /= zero
 
--- | What a name or a file says.
-polyhedron :: Options -> String -> IO Contents
-polyhedron options subject = case readName (sheetSize options) subject of
-  Known named' -> pure (Contents (fromDescription (namedDescription named')) [])
-  Malformed wanted -> unusable (solidNameMessage subject wanted)
-  Irrational name ->
-    unusable
-      ( "a regular " ++ name
-          ++ " has no rational vertices, since no rational rotation has order 5; the pyritohedron \
-             \has, which is a dodecahedron: pyritohedron:A"
-      )
-  NoName -> do
-    told <- case formatOfFile subject of
-      Just told -> pure told
-      Nothing -> maybe (misused (endless subject)) pure (format options)
-    bytes <- readBytes subject
-    orUnusable
-      (solidFileMessage subject told)
-      (readSolid told (ObjectName (objectNameOf subject)) bytes)
-  where
-    objectNameOf "-" = "standard-input"
-    objectNameOf file = dropExtension (takeFileName file)
-
--- | From one symbol to the next, to the right and down, millimetres.
-symbolPitch :: Options -> (Rational, Rational)
-symbolPitch options = (symbolScale options * right, symbolScale options * down)
+-- | From one symbol to the next.
+symbolPitch :: Options -> Pitch
+symbolPitch options = Pitch (symbolScale options * right) (symbolScale options * down)
   where
     Pitch right down = canonicalPitch
-
--- | Room for all symbols of the paper's array.
-sheetSize :: Options -> (Rational, Rational)
-sheetSize options = (fromIntegral (columns shape) * right, fromIntegral (rows shape) * down)
-  where
-    (right, down) = symbolPitch options
-    shape = profileShape canonicalProfile
 
 reportText :: Mesh -> [Passed] -> Moved -> [Grid] -> Report -> [String]
 reportText it passed moved grids report =

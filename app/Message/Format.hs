@@ -76,6 +76,7 @@ misfitMessage misfit = case misfit of
     "an exact number is needed, such as \"127/4\" or \"31.75\", below 10^300 and of at most 400 \
     \decimal places"
   NotPoint -> "a point is a list of three exact numbers"
+  NotDrawnCells -> "cells are drawn by texts of one length, of # and ."
   NotVertexName -> "a vertex is named by a text without spaces"
   NotQuarterTurn -> "one of 0, 90, 180 and 270 is needed"
   NotCalibration ->

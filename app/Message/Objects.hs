@@ -2,6 +2,7 @@
 module Message.Objects
   ( objectMessage,
     placementMessage,
+    placementFileMessage,
     reliefMessage,
     experimentMessage,
     pressMessage,
@@ -11,14 +12,17 @@ module Message.Objects
   )
 where
 
+import Counted
 import Data.List (intercalate)
 import Drawing (hundredths)
 import Json (shapeText)
+import Message.Format (formatMessage)
 import Message.Locate (locateMessage, reasonMessage)
 import Message.Touch (contradictionMessage, probeMessage, shapeMessage)
 import PraTactile.Array (Position (..))
 import PraTactile.Evaluate (ExperimentError (..))
-import PraTactile.Geometry (symbolHeight, symbolWidth, taxelPitch)
+import PraTactile.Format.Placement (PlacementFileError (..))
+import PraTactile.Format.Solid (exactText)
 import PraTactile.Locate (Reason (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.Relation (RelationError (..), Table (..))
@@ -75,18 +79,30 @@ placementMessage e = case e of
     "there is no object " ++ show (objectText object) ++ "; 'pra-tactile objects' lists them"
   UnknownFace face -> "there is no face " ++ faceOf face ++ "; 'pra-tactile objects' lists them"
   WrongVertexOrder face named -> "the face " ++ faceOf face ++ " is named " ++ faceText named
-  NotRectangular face -> "the face " ++ faceOf face ++ " is not a rectangle"
   FaceLaidTwice face -> "the face " ++ faceOf face ++ " is laid twice"
   FaceNotLaid face -> "the face " ++ faceOf face ++ " has no place on the array"
   EmptyGrid face _ -> "the face " ++ faceOf face ++ " has no cells"
-  GridLargerThanFace face _ _ ->
-    "the symbols of the face " ++ faceOf face ++ " need more room than it has"
+  CellsOffFace face cells ->
+    counted (length cells) "cell" "cells" ++ " of the face " ++ faceOf face
+      ++ " would not lie wholly on it, the first in row "
+      ++ concat [show r ++ ", column " ++ show c | Position r c <- take 1 cells]
+      ++ " of its block"
   OutsideArray face _ _ -> "the face " ++ faceOf face ++ " reaches beyond the array"
   FacesOverlap f g _ -> "the faces " ++ faceOf f ++ " and " ++ faceOf g ++ " claim the same cells"
   CellOffFace face (Position r c) ->
     "the face " ++ faceOf face ++ " has no cell at row " ++ show r ++ ", column " ++ show c
   where
     faceOf (Face object named) = faceText named ++ " of the " ++ objectText object
+
+-- | Why a file of this name holds no placement.
+placementFileMessage :: FilePath -> PlacementFileError -> String
+placementFileMessage file e = case e of
+  PlacementMisfit why -> formatMessage file "a placement as 'pra-tactile place' writes it" why
+  ObjectTooFine object ->
+    file ++ ": the coordinates of the " ++ objectText object
+      ++ " have no common denominator of reasonable size"
+  ObjectBroken object why -> file ++ ": the " ++ objectText object ++ ": " ++ objectMessage why
+  PlacementRefused why -> file ++ ": " ++ placementMessage why
 
 experimentMessage :: ExperimentError -> String
 experimentMessage e = case e of
@@ -122,15 +138,9 @@ pressMessage asked e = case e of
 reliefMessage :: ReliefError -> String
 reliefMessage e = case e of
   NoShape why -> shapeMessage why
-  OffTaxelGrid length' ->
-    show (fromRational length' :: Double) ++ " mm is no whole number of taxels of "
-      ++ show (taxelPitch :: Double)
-      ++ " mm"
-  CellTooSmall across down ->
-    "a cell of " ++ show across ++ " x " ++ show down ++ " taxels holds no symbol of "
-      ++ show symbolWidth
-      ++ " x "
-      ++ show symbolHeight
+  PitchNotFelt (Pitch right down) ->
+    "symbols " ++ exactText right ++ " x " ++ exactText down
+      ++ " mm from one to the next cannot be felt: that is not 25.4 x 31.75 mm times one factor"
 
 storeMessage :: StoreError -> String
 storeMessage e = case e of
@@ -163,6 +173,10 @@ storeMessage e = case e of
     "a row of the table " ++ tableName table ++ " cannot be read; write the database again"
   InconsistentRows why -> "the database contradicts itself: " ++ relationMessage why
   ChangedRows -> "the database was changed after it was written; write it again"
+  LayingNotStorable (Face object named) ->
+    "the face " ++ faceText named ++ " of the " ++ objectText object
+      ++ " cannot be stored: its sides are irrational, its symbols are not centred on it, or it is \
+         \begun at another vertex than in its object"
   NotStorable length' -> show (fromRational length' :: Double) ++ " mm cannot be stored"
   TooLarge n -> show n ++ " is too large for the database"
   NotInStore why -> placementMessage why

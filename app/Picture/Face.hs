@@ -11,12 +11,13 @@ where
 import Drawing
 import Picture.Style
 import PraTactile.Array (Position (..))
+import PraTactile.Geometry (columnPitch)
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Recognise
 import PraTactile.Registration (Composite (..))
-import PraTactile.Sensor.Frame (Motion (..), movePoint, taxelPitch)
+import PraTactile.Sensor.Frame (Motion (..), movePoint)
 import PraTactile.Shape (Alphabet)
 import PraTactile.Symmetry
 
@@ -47,7 +48,7 @@ facePanel view = panel title note body (unitOf view)
     face = Extent 0 0 (unitOf view * across) (unitOf view * down)
     shownAt = units view
     centre = shownAt (spotMillimetres (placeCentre (viewPlace view)))
-    shown = shownAt . onFace (viewTilt view) (viewFinding view) (viewPlace view)
+    shown = shownAt . onFace view
     body =
       Mark "face" (Rectangle (outlined ink 2) {fillColour = "#f6f7f9"} face) :
       symbolMarks view
@@ -56,7 +57,7 @@ facePanel view = panel title note body (unitOf view)
       Mark "window" (Rectangle (outlined answering 4) (around (shownAt (windowSize view)) centre)) :
       placeMarks centre
         ++ distanceMarks view
-        ++ concatMap (vertexMark view) (faceSpots (viewFace view))
+        ++ concatMap (vertexMark view) (laidCorners (viewFace view))
 
 -- | Width and height, millimetres.
 faceExtent :: FaceView -> (Double, Double)
@@ -77,7 +78,7 @@ units view (right, below) = (unitOf view * right, unitOf view * below)
 outline :: FaceView -> [(Double, Double)]
 outline view =
   map
-    (onFace (viewTilt view) (viewFinding view) (viewPlace view))
+    (onFace view)
     [(-0.5, -0.5), (wide - 0.5, -0.5), (wide - 0.5, high - 0.5), (-0.5, high - 0.5)]
   where
     wide = fromIntegral (rasterWidth (compositeImage (viewComposite view)))
@@ -89,12 +90,17 @@ symbolMarks view =
   concat
     [ shapeMark "embossed" (filled pale 1) (viewAlphabet view) taxel identity c (centre i j)
       | (i, line) <- zip [0 ..] (viewClasses view),
-        (j, c) <- zip [0 ..] line
+        (j, c) <- zip [0 ..] line,
+        hasCell (laidBlock (viewFace view)) (Position i j)
     ]
   where
-    taxel = unitOf view * taxelPitch
+    taxel = unitOf view * taxelOf view
     centre i j =
       units view (spotMillimetres (cellCentre (viewLayout view) (viewFace view) (Position i j)))
+
+-- | A taxel of the symbols, millimetres on the face.
+taxelOf :: FaceView -> Double
+taxelOf view = fromRational (pitchRight (placementPitch (viewLayout view)) / columnPitch)
 
 -- | Width and height of the cells of the answer's window, millimetres.
 windowSize :: FaceView -> (Double, Double)
@@ -137,9 +143,10 @@ onPaper text =
 -- | Where a pixel of the composite is on the face, in millimetres right of and below its upper left
 -- vertex: the window's centre lies where the array has it, and the composite round it, turned as it
 -- was.
-onFace :: Double -> Finding -> Place -> (Double, Double) -> (Double, Double)
-onFace tilt found place (u, v) = (x + taxelPitch * right, y + taxelPitch * below)
+onFace :: FaceView -> (Double, Double) -> (Double, Double)
+onFace view (u, v) = (x + taxelOf view * right, y + taxelOf view * below)
   where
+    (tilt, found, place) = (viewTilt view, viewFinding view, viewPlace view)
     (x, y) = spotMillimetres (placeCentre place)
     (u0, v0) = windowSeenAt (foundWindow found)
     (right, below) = onOffset (invert (foundOrientation found)) level

@@ -69,6 +69,9 @@ module PraTactile.Format
     EvaluationConditions (..),
     encodeObjects,
     encodeWhereabouts,
+    encodePlacement,
+    decodePlacement,
+    PlacementFileError (..),
 
     -- * Fields, polynomials and sequences
     encodeField,
@@ -100,6 +103,7 @@ import PraTactile.Format.Certificate
 import PraTactile.Format.Error
 import PraTactile.Format.Manifest
 import PraTactile.Format.Object
+import PraTactile.Format.Placement
 import PraTactile.Format.Profile
 import PraTactile.Format.Proof
 import PraTactile.Format.Rates

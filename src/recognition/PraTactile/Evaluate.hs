@@ -62,7 +62,7 @@ import PraTactile.Registration
   )
 import PraTactile.Registration.Stitching
 import PraTactile.Relief
-import PraTactile.Sensor (HeightMap, Sensor (..), drawSpecimen, sensorTaxelGrid)
+import PraTactile.Sensor (Sensor (..), drawSpecimen, sensorTaxelGrid)
 import PraTactile.Sensor.Frame (Frame, ProbeError, planScanOf)
 import PraTactile.Sequence (canonicalState)
 import PraTactile.Shape (Alphabet, shapes)
@@ -204,7 +204,7 @@ data Foreign = Foreign
     -- | of how many classes the symbols are
     foreignClasses :: Int,
     -- | the relief of a face with these classes, if there is one
-    foreignRelief :: LaidFace -> [[Int]] -> Maybe HeightMap,
+    foreignRelief :: LaidFace -> [[Int]] -> Maybe Relief,
     -- | the share of presses on other arrays
     foreignArrays :: Double,
     -- | of each of these, all alike likely, the classes on a face
@@ -217,13 +217,13 @@ exploration sensor turns size = Exploration sensor (defaultSpacing sensor) turns
 
 -- | Explore a region at a random place on a face; @Nothing@ if it does not fit. Of a foreign trial
 -- the face is that whose size and symbols' number it has.
-trial :: Exploration -> (LaidFace, HeightMap) -> StdGen -> Maybe Trial
-trial how (face, heights) generator = do
+trial :: Exploration -> (LaidFace, Relief) -> StdGen -> Maybe Trial
+trial how (face, surface) generator = do
   (region, generator1) <-
     drawnRegion (explorationTurns how) (explorationSize how) face generator
   (foreign', pressed, generator2) <- case explorationForeign how of
-    Nothing -> Just (False, heights, generator1)
-    Just others -> ground others (face, heights) generator1
+    Nothing -> Just (False, surface, generator1)
+    Just others -> ground others (face, surface) generator1
   let (specimen, generator3) = drawSpecimen (explorationSensor how) generator2
   (frames, _) <-
     either (const Nothing) Just $
@@ -231,19 +231,19 @@ trial how (face, heights) generator = do
         (explorationSensor how)
         (explorationSpacing how)
         specimen
-        pressed
-        region
+        (reliefHeights pressed)
+        (onRelief pressed region)
         generator3
   pure (Trial face region frames foreign')
 
 -- | What is pressed: the face, or by chance a foreign one, whose symbols are independent and
 -- uniform or those of another array.
-ground :: Foreign -> (LaidFace, HeightMap) -> StdGen -> Maybe (Bool, HeightMap, StdGen)
-ground others (face, heights) generator
+ground :: Foreign -> (LaidFace, Relief) -> StdGen -> Maybe (Bool, Relief, StdGen)
+ground others (face, surface) generator
   | share < foreignShare others = foreign' classes
   | share < foreignShare others + foreignArrays others =
     listToMaybe (drop among (foreignFaces others)) >>= foreign' . ($ face)
-  | otherwise = Just (False, heights, generator1)
+  | otherwise = Just (False, surface, generator1)
   where
     (share, generator1) = uniform generator
     (own, generator2) = split generator1
@@ -259,7 +259,7 @@ ground others (face, heights) generator
 
 -- | Trials on the faces in turn, each with a generator of its own split from the seed, so that any
 -- one can be run alone.
-trials :: Exploration -> [(LaidFace, HeightMap)] -> Int -> [Maybe Trial]
+trials :: Exploration -> [(LaidFace, Relief)] -> Int -> [Maybe Trial]
 trials how faces seed =
   zipWith (trial how) (cycle faces) (unfoldr (Just . split) (mkStdGen seed))
 

@@ -19,15 +19,31 @@ module PraTactile.Explore
     exploreWith,
     frameSpacing,
     defaultSpacing,
+
+    -- * Polygons
+    insidePolygon,
   )
 where
 
+import Control.Applicative ((<|>))
 import Data.Bifunctor (first)
+import Data.List (find, sortOn)
+import Data.Maybe (listToMaybe)
+import Data.Ord (Down (..))
 import PraTactile.Geometry (cosineSine)
-import PraTactile.Object.Placement (LaidFace (..), Spot (..))
+import PraTactile.Object.Description (cyclicPairs)
+import PraTactile.Object.Placement (LaidFace (..), spotMillimetres)
 import PraTactile.Random (uniform)
 import PraTactile.Sensor
-import PraTactile.Sensor.Frame (Frame, Motion (..), ProbeError, movePoint, planScanOf, taxelPitch)
+import PraTactile.Sensor.Frame
+  ( Frame,
+    Motion (..),
+    ProbeError,
+    inverse,
+    movePoint,
+    planScanOf,
+    taxelPitch,
+  )
 import PraTactile.Symmetry
 import System.Random (RandomGen)
 
@@ -114,22 +130,87 @@ randomRegion :: RandomGen g => [Symmetry] -> (Int, Int) -> LaidFace -> g -> Mayb
 randomRegion = drawnRegion . AmongTurns
 
 -- | A region of this size (width and height in taxels, as the robot sees it) at a uniform,
--- real-valued place on a face that may lie so; @Nothing@ if the face, so turned, is smaller than
--- the region. A region that lies askew may reach over the face's edge with its corners, though not
--- further than the face needs to hold it: along a side where the smallest upright rectangle around
--- it is longer than the face's, it lies in the middle.
+-- real-valued place on a face that may lie so; @Nothing@ if the box round the face, so turned, is
+-- smaller than the region. A region that lies askew may reach over the face's edge with its
+-- corners, though not further than the face needs to hold it: along a side where the smallest
+-- upright rectangle around it is longer than the face's, it lies in the middle. On a face that is
+-- no rectangle it is the first of 'mostDrawn' such regions of its box that lies wholly on it, or
+-- that one with the most of its corners and middle on it.
 drawnRegion :: RandomGen g => Turns -> (Int, Int) -> LaidFace -> g -> Maybe (Region, g)
-drawnRegion turns (width, height) face generator
+drawnRegion turns size face generator
+  | fillsBox face = inBox turns size face generator
+  | otherwise = chosen (take mostDrawn (drawn generator))
+  where
+    drawn g = maybe [] (\found -> found : drawn (snd found)) (inBox turns size face g)
+    chosen found =
+      find (whollyOn face . fst) found
+        <|> listToMaybe (sortOn (Down . shareOn face . fst) found)
+
+-- | How many regions are drawn at most for one that lies on a face.
+mostDrawn :: Int
+mostDrawn = 200
+
+-- | Whether a face is the box round it.
+fillsBox :: LaidFace -> Bool
+fillsBox face = length spots == 4 && all atCorner spots
+  where
+    spots = map snd (laidCorners face)
+    atCorner spot =
+      let (x, y) = spotMillimetres spot in x `elem` ends fst && y `elem` ends snd
+    ends side = let along = map (side . spotMillimetres) spots in [minimum along, maximum along]
+
+-- | Whether a region lies on a face with all of it.
+whollyOn :: LaidFace -> Region -> Bool
+whollyOn face region = shareOn face region == 5 && not (any meets (cyclicPairs corners))
+  where
+    -- As the robot sees it, the region is upright.
+    corners =
+      [ movePoint (inverse (regionMotion region)) (spotMillimetres spot)
+        | (_, spot) <- laidCorners face
+      ]
+    (wide, high) = (side (regionWidth region), side (regionHeight region))
+    side n = taxelPitch * fromIntegral n
+    -- Whether a side has a point within the region: that of its part from s to t of the whole.
+    meets ((x1, y1), (x2, y2)) = from + 1e-9 < to
+      where
+        (from, to) = clipped (y1, y2 - y1) high (clipped (x1, x2 - x1) wide (0, 1))
+    clipped (at, step) end (s, t)
+      | step == 0 = if at > 0 && at < end then (s, t) else (1, 0)
+      | otherwise =
+        let (a, b) = (negate at / step, (end - at) / step) in (max s (min a b), min t (max a b))
+
+-- | How many of a region's corners and its middle lie on a face.
+shareOn :: LaidFace -> Region -> Int
+shareOn face region =
+  length (filter (insidePolygon corners . movePoint (regionMotion region)) points)
+  where
+    corners = map (spotMillimetres . snd) (laidCorners face)
+    points = (wide / 2, high / 2) : [(x, y) | x <- [0, wide], y <- [0, high]]
+    (wide, high) = (side (regionWidth region), side (regionHeight region))
+    side n = taxelPitch * fromIntegral n
+
+-- | Whether a point lies in a polygon: an odd number of sides lie to the right of it.
+insidePolygon :: [(Double, Double)] -> (Double, Double) -> Bool
+insidePolygon corners (x, y) = odd (length (filter right (cyclicPairs corners)))
+  where
+    right ((x1, y1), (x2, y2)) =
+      (y1 > y) /= (y2 > y) && x < x1 + (y - y1) * (x2 - x1) / (y2 - y1)
+
+-- | A region at a uniform place in the box round a face.
+inBox :: RandomGen g => Turns -> (Int, Int) -> LaidFace -> g -> Maybe (Region, g)
+inBox turns (width, height) face generator
   | roomRight < 0 || roomDown < 0 = Nothing
   | otherwise =
     Just
       ( region
-          { regionRight = offset u roomRight (overhang wide high),
-            regionDown = offset v roomDown (overhang high wide)
+          { regionRight = boxRight + offset u roomRight (overhang wide high),
+            regionDown = boxDown + offset v roomDown (overhang high wide)
           },
         generator4
       )
   where
+    (boxRight, boxDown) =
+      let (x, y) = spotMillimetres (laidBox face) in (x / taxelPitch, y / taxelPitch)
     region =
       Region
         { regionRight = 0,
@@ -140,9 +221,10 @@ drawnRegion turns (width, height) face generator
           regionAngle = angle
         }
     (wide, high) = regionExtent region
-    roomRight = room (spotRight (laidExtent face)) wide
-    roomDown = room (spotDown (laidExtent face)) high
-    room millimetres size = fromRational millimetres / taxelPitch - fromIntegral size :: Double
+    roomRight = room (fst extent) wide
+    roomDown = room (snd extent) high
+    extent = spotMillimetres (laidExtent face)
+    room millimetres size = millimetres / taxelPitch - fromIntegral size :: Double
     -- What the rectangle around it has more than the region itself, on either side.
     overhang along across
       | angle == 0 = 0

@@ -94,11 +94,17 @@ pressed how alphabet array layout object = do
   _ <- first ObjectRefused (findObject layout object)
   (face, generator) <-
     chosenFace [one | one <- laidFaces layout, faceObject (laidFace one) == object]
-  heights <- first NoRelief (relief array layout alphabet face)
+  surface <- first NoRelief (relief array layout alphabet face)
   (region, generator') <- chosenRegion how face generator
   (frames, _) <-
     first NotCovered $
-      exploreWith sensor (pressingSpacing how) (specimen how) heights region generator'
+      exploreWith
+        sensor
+        (pressingSpacing how)
+        (specimen how)
+        (reliefHeights surface)
+        (onRelief surface region)
+        generator'
   pure (map moved frames, Truth (laidFace face) region (pressingOrigin how))
   where
     sensor = pressingSensor how
@@ -129,10 +135,11 @@ chosenRegion how face generator = case drawn of
     placed = maybe id atPlace (pressingAt how)
     atPlace (x, y) region = region {regionRight = x / taxelPitch, regionDown = y / taxelPitch}
     onFace region =
-      fits (regionRight region) (fst (regionExtent region)) (spotRight (laidExtent face))
-        && fits (regionDown region) (snd (regionExtent region)) (spotDown (laidExtent face))
+      fits (regionRight region) (fst (regionExtent region)) wide
+        && fits (regionDown region) (snd (regionExtent region)) high
+    (wide, high) = spotMillimetres (laidExtent face)
     fits offset side extent =
-      offset >= 0 && taxelPitch * (offset + fromIntegral side) <= fromRational extent + 1e-9
+      offset >= 0 && taxelPitch * (offset + fromIntegral side) <= extent + 1e-9
     size = (if lying then swap else id) (pressingSize how)
     lying = case pressingTurns how of
       AmongTurns [symmetry] -> exchangesAxes symmetry

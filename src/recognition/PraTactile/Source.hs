@@ -38,7 +38,7 @@ import PraTactile.Image.Error (ImageError)
 import PraTactile.Image.Pgm (PgmFormat (..), decodePgm, encodePgm, pgmFromIntensity, pgmIntensity)
 import PraTactile.Registration (Composite, compositeOf)
 import PraTactile.Sensor.Calibration (Calibration, CalibrationError, corrected, withoutStuck)
-import PraTactile.Sensor.Frame (Frame (..))
+import PraTactile.Sensor.Frame (Frame (..), scaledFrame)
 import PraTactile.Sensor.Manifest
 import System.FilePath (isAbsolute, splitDirectories)
 import Text.Printf (printf)
@@ -102,20 +102,22 @@ data Preparation = Preparation
     -- | the distance of neighbouring taxels in millimetres, likewise
     preparedTaxel :: Maybe Double,
     -- | what the frames are corrected by
-    preparedCalibration :: Maybe Calibration
+    preparedCalibration :: Maybe Calibration,
+    -- | by what all its lengths are divided: how much larger than the paper's the symbols are
+    preparedScale :: Double
   }
   deriving stock (Eq, Show)
 
--- | Frames as their manifest has them, not corrected.
+-- | Frames as their manifest has them, not corrected, of symbols of the paper's size.
 asStated :: Preparation
-asStated = Preparation Nothing Nothing Nothing
+asStated = Preparation Nothing Nothing Nothing 1
 
 -- | The frames of a folder as they are put together: prepared, and elements that are stuck not felt
 -- ('withoutStuck'). Refuses what 'folderFrames' refuses, and a calibration that does not fit them.
 preparedFrames :: Preparation -> Folder -> Either SourceError [Frame]
 preparedFrames known folder = do
   frames <- folderFrames folder {folderManifest = stated}
-  withoutStuck <$> first CalibrationRefused (traverse calibrated frames)
+  withoutStuck . map nominal <$> first CalibrationRefused (traverse calibrated frames)
   where
     manifest = folderManifest folder
     stated =
@@ -124,6 +126,7 @@ preparedFrames known folder = do
           manifestTaxel = fromMaybe (manifestTaxel manifest) (preparedTaxel known)
         }
     calibrated = maybe Right corrected (preparedCalibration known)
+    nominal = scaledFrame (1 / preparedScale known)
 
 -- | Whether somebody said what the coordinates of a folder's manifest are.
 axesStated :: Preparation -> Folder -> Bool

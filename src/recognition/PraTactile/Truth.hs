@@ -5,6 +5,8 @@ module PraTactile.Truth
   ( Truth (..),
     truePlace,
     Claim (..),
+    scaledTruth,
+    scaledClaim,
     Difference (..),
     compared,
   )
@@ -44,6 +46,25 @@ data Claim = Claim
     claimAngle :: Maybe Double
   }
   deriving stock (Eq, Show)
+
+-- | A truth with all its lengths in millimetres times a number; its region has as many taxels.
+scaledTruth :: Double -> Truth -> Truth
+scaledTruth k truth =
+  truth
+    { truthRegion =
+        region {regionRight = k * regionRight region, regionDown = k * regionDown region},
+      truthOrigin = (k * x, k * y)
+    }
+  where
+    region = truthRegion truth
+    (x, y) = truthOrigin truth
+
+-- | A claim with all its lengths times a number.
+scaledClaim :: Double -> Claim -> Claim
+scaledClaim k claim =
+  claim {claimPlace = times (claimPlace claim), claimSeenAt = times (claimSeenAt claim)}
+  where
+    times (x, y) = (k * x, k * y)
 
 -- | How an answer is wrong.
 data Difference

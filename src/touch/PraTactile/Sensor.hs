@@ -36,7 +36,6 @@ module PraTactile.Sensor
 where
 
 import Data.List (unfoldr)
-import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Geometry (cosineSine, symbolThickness)
 import PraTactile.Image
@@ -86,7 +85,8 @@ reading sensor
 
 -- | The mean height under each element's square aperture, as a share of full scale, clipped to
 -- 0..1: exact for multiples of 90 degrees, where the aperture's overlap with each cell is a product
--- of lengths; for other angles the mean over 8 x 8 points of each aperture.
+-- of lengths; for other angles the mean over 8 x 8 points of each aperture. Where there is nothing
+-- to touch, the height is 0.
 meanHeights :: Sensor -> HeightMap -> Pose -> Raster
 meanHeights sensor (HeightMap cell heights) (Pose x y r)
   | cell <= 0 || full <= 0 = constant columns rows 0
@@ -122,7 +122,9 @@ meanHeights sensor (HeightMap cell heights) (Pose x y r)
               let v = taxel * (fromIntegral (j :: Int) - half rows + subsample b)
           ]
     subsample a = (fromIntegral a + 0.5) / fromIntegral supersampling
-    heightAt i j = fromMaybe 0 (index heights i j)
+    heightAt i j = case index heights i j of
+      Just h | not (isNaN h) -> h
+      _ -> 0
 
 supersampling :: Int
 supersampling = 8

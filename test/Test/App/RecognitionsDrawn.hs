@@ -22,6 +22,7 @@ import PraTactile.Geometry (symbolThickness)
 import PraTactile.Image
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
+import PraTactile.Object.Surd
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.Summary (shownTilt)
@@ -168,7 +169,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
                           onItsFace =
                             within
                               (only "face" (pageFace page))
-                              (fromRational (spotRight (laidExtent face)))
+                              (nearestDouble (spotRight (laidExtent face)))
                           sideways = exchangesAxes (foundOrientation found)
                           (x, y) = windowSeenAt (foundWindow found)
                           -- The frame lies as the face does.
@@ -213,7 +214,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
                   leftTop
                     ( within
                         (only "face" (pageFace page))
-                        (fromRational (spotRight (laidExtent face)))
+                        (nearestDouble (spotRight (laidExtent face)))
                         (Extent x y x y)
                     )
                 (w, h) =
@@ -240,10 +241,10 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
     for_
       [ (face, heights)
         | face <- laidFaces layout,
-          Right heights <- [relief array layout alphabet face]
+          Right (Relief heights _) <- [relief array layout alphabet face]
       ]
       $ \(face, heights) -> do
-        let margin side = round (side (laidMargin face) / taxelPitch) :: Int
+        let margin side = round (nearestDouble (side (laidMargin face)) / taxelPitch) :: Int
             image =
               generate
                 32

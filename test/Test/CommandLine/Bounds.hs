@@ -5,9 +5,11 @@ module Test.CommandLine.Bounds (spec) where
 import Control.Monad (forM_)
 import Data.List (intercalate, isInfixOf)
 import PraTactile.Factorisation
+import System.FilePath ((</>))
 import System.Timeout (timeout)
 import Test.CommandLine.Run
 import Test.Hspec
+import Test.Support (inFolder)
 
 spec :: Spec
 spec = do
@@ -96,10 +98,11 @@ spec = do
     atOnce
       (complains (words "table --q 2 --polynomial 1,1,0,0,1 --shape 3x5 --window 3x40") "entries")
   it "objects --at: a position outside the array, from memory and from a database" $
-    forM_ ["99,1", "15,0", "0,17", intercalate "," (replicate 2 (replicate 40 '9'))] $ \at ->
-      forM_
-        [[], ["--json"], ["--database", "none.sqlite"], ["--database", "none.sqlite", "--json"]]
-        $ \options ->
+    inFolder $ \folder -> do
+      let file = folder </> "mapping.sqlite"
+      _ <- pra ["objects", "--write", file]
+      forM_ ["99,1", "15,0", "0,17", intercalate "," (replicate 2 (replicate 40 '9'))] $ \at ->
+        forM_ [[], ["--json"], ["--database", file], ["--database", file, "--json"]] $ \options ->
           complains (["objects", "--at", at] ++ options) "no cell at row"
   it "objects --at: the last cell is a position" $
     prints

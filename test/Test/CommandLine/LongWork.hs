@@ -12,6 +12,7 @@ import PraTactile.Explore
 import PraTactile.Image (constant)
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement (laidFaces)
+import PraTactile.Relief (Relief (..))
 import PraTactile.Sensor (HeightMap (..), standardSensor)
 import PraTactile.Shape (paperAlphabet)
 import PraTactile.Shape.Design
@@ -70,7 +71,7 @@ countSpec = do
             let faces = laidFaces layout
                 flat = HeightMap 1 (constant 0 0 0)
                 possible = exploration standardSensor (AmongTurns turns) size
-                made = take 24 (trials possible [(face, flat) | face <- faces] 5)
+                made = take 24 (trials possible [(face, Relief flat (0, 0)) | face <- faces] 5)
             (turns, size, take 24 (fitting (AmongTurns turns) size faces 5))
               `shouldBe` (turns, size, map isJust made)
   where

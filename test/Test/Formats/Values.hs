@@ -174,7 +174,7 @@ names = do
     let face = Face "cube" (readFaceName "C1 C2 C3 C4")
         truth = Truth face (Region 10 20 28 36 identity 0) (1.5, -2.5)
         claim = Claim face identity (1, 2) (3, 4) Nothing
-        encoded answer verdict = decodeStrict (encodeComparison truth answer verdict)
+        encoded answer verdict = decodeStrict (encodeComparison 1 truth answer verdict)
         expected agree difference answer far =
           Just
             ( Aeson.object

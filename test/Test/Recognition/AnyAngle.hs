@@ -189,7 +189,7 @@ angleSpec array reader alphabetOfAll =
         forAll (choose (0, 360)) $ \angle ->
           forAll ((,) <$> choose (0, 1) <*> choose (0, 1)) $ \shares ->
             let motion = motionOf face angle shares
-                recognition = recognise reader (compositeOf (felt heights motion))
+                recognition = recognise reader (compositeOf (felt (reliefHeights heights) motion))
              in counterexample (either show (show . recognisedAnswer) recognition) $
                   either (const False) (isTrue face motion angle) recognition
   where
@@ -204,13 +204,12 @@ angleSpec array reader alphabetOfAll =
     -- the face where the shares say, far enough from its sides that a window is seen whole.
     motionOf face angle (u, v) = Motion (negate angle) (atX - midX) (atY - midY)
       where
-        (fw, fh) = both fromRational (spotRight (laidExtent face), spotDown (laidExtent face))
+        (fw, fh) = spotMillimetres (laidExtent face)
         room side = max 0 (side - 62 * taxelPitch)
         atX = fw / 2 + (u - 0.5) * room fw
         atY = fh / 2 + (v - 0.5) * room fh
         (midX, midY) = movePoint (Motion (negate angle) 0 0) (middle wide, middle high)
     middle side = taxelPitch * (fromIntegral side - 1) / 2
-    both f (a, b) = (f a, f b)
     -- The mean height under each pixel, from 4 x 4 points.
     felt (HeightMap pitch values) motion =
       generate wide high $ \i j ->

@@ -22,6 +22,7 @@ import PraTactile.Image
 import PraTactile.Locate (Radius (..), Reason (..))
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
+import PraTactile.Object.Surd
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Registration
@@ -543,7 +544,7 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
       | otherwise = Nothing
       where
         face = trialFace t
-        fj = (x - fromRational (spotRight (laidMargin face))) / (16 * taxelPitch)
-        fi = (y - fromRational (spotDown (laidMargin face))) / (20 * taxelPitch)
+        fj = (x - nearestDouble (spotRight (laidMargin face))) / (16 * taxelPitch)
+        fi = (y - nearestDouble (spotDown (laidMargin face))) / (20 * taxelPitch)
         (i, j) = (floor fi, floor fj) :: (Integer, Integer)
         centre n = fromIntegral n + 0.5 :: Double

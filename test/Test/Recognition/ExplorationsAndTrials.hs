@@ -15,7 +15,7 @@ import PraTactile.Field (KnownField)
 import PraTactile.Image
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
-import PraTactile.Object.WingedEdge (FaceName (..), ObjectName (..))
+import PraTactile.Object.WingedEdge (FaceName (..), ObjectName (..), VertexName (..))
 import PraTactile.Profile
 import PraTactile.Random (uniform)
 import PraTactile.Recognise
@@ -59,9 +59,17 @@ faceOf (wide, high) grid =
   LaidFace
     { laidFace = Face (ObjectName "thing") (FaceName []),
       laidAt = Position 0 0,
-      laidGrid = grid,
-      laidExtent = Spot (taxels wide) (taxels high),
-      laidMargin = Spot 0 0
+      laidAnchor = Centred,
+      laidBlock = wholeBlock grid,
+      laidCorners =
+        zip
+          (map VertexName ["1", "2", "3", "4"])
+          [ spotAt x y
+            | (x, y) <- [(0, 0), (0, taxels high), (taxels wide, taxels high), (taxels wide, 0)]
+          ],
+      laidBox = spotAt 0 0,
+      laidExtent = spotAt (taxels wide) (taxels high),
+      laidMargin = spotAt 0 0
     }
   where
     taxels n = fromIntegral n * 127 / 80
@@ -211,7 +219,7 @@ trialSpec = do
           wanted = do
             (region, g) <- drawnRegion (AmongTurns rotations) (20, 18) face (mkStdGen seed)
             let (specimen, g') = drawSpecimen noisy g
-            let explored = exploreWith noisy 5 specimen scene region g'
+            let explored = exploreWith noisy 5 specimen (reliefHeights scene) region g'
             (frames, _) <- either (const Nothing) Just explored
             pure (face, region, frames, False)
           told t = (trialFace t, trialRegion t, trialFrames t, trialForeign t)
@@ -247,14 +255,15 @@ trialSpec = do
               }
             (faceOf (40, 44) (Shape 2 2), scene)
             (mkStdGen 1)
-        plateau = HeightMap taxelPitch (constant 40 44 (sensorFullScale idealSensor / 2))
+        plateau = onMap (HeightMap taxelPitch (constant 40 44 (sensorFullScale idealSensor / 2)))
     fmap (map (flatAt 0.5 . frameImage) . trialFrames) (pressed (Just plateau))
       `shouldBe` Just [True]
     isJust (pressed Nothing) `shouldBe` False
   where
     noisy = standardSensor {sensorGainSpread = 0.2}
     flatAt level image = V.all (\v -> abs (v - level) < 1e-9) (rasterValues image)
-    scene = HeightMap taxelPitch (constant 60 60 1)
+    scene = onMap (HeightMap taxelPitch (constant 60 60 1))
+    onMap heights = Relief heights (0, 0)
     -- Of 600, within five standard errors.
     nearly share found = abs (found - share) < 5 * sqrt (share * (1 - share) / 600 :: Double)
     -- A share of arrangements by chance; those that are not so cannot be pressed.
@@ -304,7 +313,7 @@ countSpec =
           NoAnswer <$> elements ["a", "b", "c"]
         ]
 
-resultSpec :: KnownField k => Recogniser k -> [(LaidFace, HeightMap)] -> Spec
+resultSpec :: KnownField k => Recogniser k -> [(LaidFace, Relief)] -> Spec
 resultSpec reader faces = do
   modifyMaxSuccess (const 2)
     . it "an answer is right if face, orientation and place are the true ones, and wrong if not"
@@ -357,7 +366,7 @@ resultSpec reader faces = do
     asked [] `shouldBe` both "not-stitched"
     asked [flat] `shouldBe` both "no-symbols"
   where
-    head' = foldr const (faceOf (1, 1) (Shape 1 1), HeightMap 1 (constant 1 1 0))
+    head' = foldr const (faceOf (1, 1) (Shape 1 1), Relief (HeightMap 1 (constant 1 1 0)) (0, 0))
     doubtIn :: Either StitchError Composite -> Maybe Double
     doubtIn together = do
       composite <- either (const Nothing) Just together

@@ -15,7 +15,7 @@ import PraTactile.Pressing
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Registration.Stitching
-import PraTactile.Relief (relief)
+import PraTactile.Relief (relief, reliefHeights)
 import PraTactile.Sensor
 import PraTactile.Sensor.Frame
 import PraTactile.Shape (paperAlphabet)
@@ -117,7 +117,7 @@ feltAt truth = do
         move
           (regionMotion (truthRegion truth))
           pose {poseX = poseX pose - x, poseY = poseY pose - y}
-  pure (forwardImage idealSensor heights . onFace)
+  pure (forwardImage idealSensor (reliefHeights heights) . onFace)
 
 shown :: Show e => Either e a -> Either String a
 shown = either (Left . show) Right

@@ -56,7 +56,7 @@ genPlacement solid_ = do
     genLaying shape face = do
       (r, high) <- genSide (rows shape)
       (c, wide) <- genSide (columns shape)
-      pure (Laying (Face (solidName solid_) face) (Position r c) (Shape high wide))
+      pure (laidWhole (Face (solidName solid_) face) (Position r c) (Shape high wide))
     genSide size = do
       begin <- frequency [(1, pure 0), (1, upTo 0 (size - 1))]
       (,) begin <$> frequency [(1, pure (size - begin)), (2, upTo 1 (size - begin))]

@@ -15,7 +15,7 @@ import qualified Database.Sqlite as Sqlite
 import Message.Objects (storeMessage)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Canonical
-import PraTactile.Object.Placement
+import PraTactile.Object.Placement hiding (blockCells)
 import PraTactile.Object.Relation
 import PraTactile.Object.WingedEdge
 import PraTactile.Store

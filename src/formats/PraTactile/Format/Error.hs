@@ -77,6 +77,8 @@ data Misfit
     NotExact
   | -- | No point: a list of three exact numbers.
     NotPoint
+  | -- | No drawing of cells: texts of one length, of @#@ and @.@.
+    NotDrawnCells
   | -- | No name of a vertex: a text without spaces.
     NotVertexName
   | -- | Degrees other than 0, 90, 180 and 270.

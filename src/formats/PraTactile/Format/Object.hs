@@ -148,6 +148,6 @@ solidValue layout body =
         [ "face" .= map vertexText (faceVertices (faceName (laidFace laid))),
           "position" .= positionValue (laidAt laid),
           "shape" .= shapeText (laidGrid laid),
-          "size_mm" .= map double [spotRight (laidExtent laid), spotDown (laidExtent laid)]
+          "size_mm" .= let (wide, high) = spotMillimetres (laidExtent laid) in [wide, high]
         ]
     double = fromRational :: Rational -> Double

@@ -94,16 +94,17 @@ claimKeys =
     claim face = Claim face . turned
 
 -- | A truth beside a claim, where there is one, and how many millimetres they are apart, or in what
--- they differ, on one line, without its end.
-encodeComparison :: Truth -> Maybe Claim -> Either (Maybe Difference) Double -> ByteString
-encodeComparison truth claim verdict =
+-- they differ, on one line, without its end; all lengths so many times as long.
+encodeComparison :: Double -> Truth -> Maybe Claim -> Either (Maybe Difference) Double -> ByteString
+encodeComparison scale truth claim verdict =
   encodeSchema "compare/1" $
     "agree" .= isRight verdict
       <> "difference" .= either (Just . maybe "no-place" differenceName) (const Nothing) verdict
-      <> "answer_mm" .= fmap claimPlace claim
-      <> "truth_mm" .= fmap (truePlace truth . claimSeenAt) claim
-      <> "distance_mm" .= distance
+      <> "answer_mm" .= fmap (told . claimPlace) claim
+      <> "truth_mm" .= fmap (told . truePlace truth . claimSeenAt) claim
+      <> "distance_mm" .= fmap (scale *) distance
   where
+    told (x, y) = (scale * x, scale * y)
     distance = case verdict of
       Right far -> Just far
       Left (Just (Elsewhere far)) -> Just far

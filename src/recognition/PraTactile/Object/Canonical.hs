@@ -40,7 +40,7 @@ canonicalPlacement = do
 -- | The faces with the cells that they take.
 canonicalLayings :: [Laying]
 canonicalLayings =
-  [ Laying (Face object (readFaceName face)) at grid
+  [ laidWhole (Face object (readFaceName face)) at grid
     | (object, face, at, grid) <-
         [ ("cube", "C2 C6 C7 C3", Position 0 0, Shape 4 5),
           ("cube", "C3 C7 C8 C4", Position 0 5, Shape 4 5),

@@ -22,10 +22,11 @@ module PraTactile.Object.Placement
   )
 where
 
-import Data.Foldable (find)
+import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Placement.Laying
+import PraTactile.Object.Surd (ahead, beyond, squareOf)
 import PraTactile.Object.WingedEdge
 
 -- | Where a window of the array is.
@@ -60,30 +61,55 @@ corner place = case placeCorners place of
 -- | Where the window of the given shape (rows and columns of cells) with its upper left cell at the
 -- given position is. The array is a torus: the window goes on at the first row after the last, and
 -- likewise with columns; so does the position. A window without cells is on no object. Takes time
--- in proportion to the number of laid faces, whatever the shapes.
+-- in proportion to the window's cells at most, and to the logarithm of the number of laid faces.
 whereabouts :: Placement -> Shape -> Position -> Whereabouts
 whereabouts place window at
   | rows window == 0 || columns window == 0 = OnNoObject
-  | otherwise = case (whole, touched) of
-    ((laid, cell) : _, _) -> OnFace (placeOn place laid window cell)
-    ([], _ : _ : _) -> Straddles (map laidFace touched)
-    _ -> OnNoObject
+  | otherwise = case Map.elems touched of
+    [laid]
+      | Just cell <- cellOf laid, wholly laid cell -> OnFace (placeOn place laid window cell)
+      | otherwise -> OnNoObject
+    [] -> OnNoObject
+    several -> Straddles (map laidFace several)
   where
-    shape = placementShape place
-    whole = [(laid, cell) | laid <- laidFaces place, Just cell <- [cellIn laid]]
-    touched = filter touches (laidFaces place)
-    cellIn laid = Position <$> inside row rows laid <*> inside column columns laid
-    inside from size laid =
-      let offset = ahead (size shape) (from (laidAt laid)) (from at)
-       in if offset + size window <= size (laidGrid laid) then Just offset else Nothing
-    touches laid = meets row rows laid && meets column columns laid
-    meets from size laid =
-      let offset = ahead (size shape) (from at) (from (laidAt laid))
-       in offset < size window || offset + size (laidGrid laid) > size shape
+    Shape high wide = placementShape place
+    touched =
+      Map.fromList
+        [ (runNumber run, runFace run)
+          | r <- roundFrom high (row at) (rows window),
+            part <- partsFrom wide (column at) (columns window),
+            run <- runsBetween place r part
+        ]
+    -- Of the window's upper left cell, the cell of the block; faces lie on the sheet, and so does a
+    -- window all of whose cells one has.
+    cellOf laid
+      | r < row corner' || c < column corner' = Nothing
+      | otherwise = Just (Position (r - row corner') (c - column corner'))
+      where
+        corner' = laidAt laid
+        (r, c) = (row at `mod` high, column at `mod` wide)
+    wholly laid (Position i j) =
+      and
+        [ hasCell (laidBlock laid) (Position (i + di) (j + dj))
+          | di <- below (rows window),
+            dj <- below (columns window)
+        ]
+    below n = takeWhile (< n) [0 ..]
 
--- How far one comes to @to@ going on from @from@ round a circle of the given size.
-ahead :: Natural -> Natural -> Natural -> Natural
-ahead size from to = fromInteger ((toInteger to - toInteger from) `mod` toInteger size)
+-- | So many numbers from one on, round a circle of this size, each once.
+roundFrom :: Natural -> Natural -> Natural -> [Natural]
+roundFrom size from count =
+  concat [takeWhile (< end) [begin ..] | (begin, end) <- partsFrom size from count]
+
+-- | The same as parts of the circle cut at 0: from the first number to before the second.
+partsFrom :: Natural -> Natural -> Natural -> [(Natural, Natural)]
+partsFrom size from count
+  | count >= size = [(0, size)]
+  | end <= size = [(begin, end)]
+  | otherwise = [(begin, size), (0, end - size)]
+  where
+    begin = from `mod` size
+    end = begin + count
 
 placeOn :: Placement -> LaidFace -> Shape -> Position -> Place
 placeOn place laid window cell =
@@ -91,29 +117,27 @@ placeOn place laid window cell =
     { placeFace = laidFace laid,
       placeCell = cell,
       placeCentre = centre,
-      placeCorners =
-        [vertex | (vertex, spot) <- spots, distance spot == minimum (map (distance . snd) spots)]
+      placeCorners = [vertex | (vertex, far) <- distances, far == minimum (map snd distances)]
     }
   where
     centre = windowCentre place laid window cell
-    spots = faceSpots laid
+    distances = [(vertex, distance spot) | (vertex, spot) <- laidCorners laid]
     distance (Spot right down) =
-      (right - spotRight centre) ^ (2 :: Int) + (down - spotDown centre) ^ (2 :: Int)
+      squareOf (beyond right (spotRight centre)) (beyond down (spotDown centre))
 
 -- | Where on the array a cell of a face's block lies, the cell given by its row and column within
 -- the block; the inverse of 'whereabouts' for windows of one cell. Refuses a face that is not laid
--- and a cell outside its block.
+-- and a cell that it does not have.
 arrayPosition :: Placement -> Face -> Position -> Either PlacementError Position
 arrayPosition place face cell = do
   laid <- findFace place (faceObject face) (faceName face)
-  if row cell < rows (laidGrid laid) && column cell < columns (laidGrid laid)
+  if hasCell (laidBlock laid) cell
     then Right (Position (row (laidAt laid) + row cell) (column (laidAt laid) + column cell))
     else Left (CellOffFace (laidFace laid) cell)
 
 -- | The object of this name; refuses one that the placement has not got.
 findObject :: Placement -> ObjectName -> Either PlacementError Solid
-findObject place named =
-  maybe (Left (UnknownObject named)) Right (find ((== named) . solidName) (placementSolids place))
+findObject place named = maybe (Left (UnknownObject named)) Right (placementObject place named)
 
 -- | The laid face that a walk round its vertices names, wherever the walk starts; refuses objects
 -- and faces that there are not, faces named in another order than counter-clockwise seen from
@@ -121,13 +145,13 @@ findObject place named =
 findFace :: Placement -> ObjectName -> FaceName -> Either PlacementError LaidFace
 findFace place named walk = do
   object <- findObject place named
-  known <- case ( find (sameFace walk) (solidFaces object),
-                  find (sameVertices walk) (solidFaces object)
-                ) of
-    (Just face, _) -> Right (Face named face)
-    (Nothing, Just face) -> Left (WrongVertexOrder (Face named walk) face)
-    (Nothing, Nothing) -> Left (UnknownFace (Face named walk))
-  maybe (Left (FaceNotLaid known)) Right (find ((== known) . laidFace) (laidFaces place))
+  case (placementLaid place asked, walkNamed object walk, sameCorners object walk) of
+    (Just laid, _, _) -> Right laid
+    (Nothing, Just _, Just known) -> Left (FaceNotLaid (Face named known))
+    (Nothing, Nothing, Just known) -> Left (WrongVertexOrder asked known)
+    _ -> Left (UnknownFace asked)
+  where
+    asked = Face named walk
 
 -- | The centre of a window on a laid face, the window given by its shape and by its upper left cell
 -- within the face's block.
@@ -137,10 +161,10 @@ windowCentre place laid window cell =
     (middle spotRight pitchRight column columns)
     (middle spotDown pitchDown row rows)
   where
-    middle margin between from size =
-      margin (laidMargin laid)
-        + between (placementPitch place)
-          * (fromIntegral (from cell) + fromIntegral (size window) / 2)
+    middle margin along from size =
+      ahead
+        (along (placementPitch place) * (fromIntegral (from cell) + fromIntegral (size window) / 2))
+        (margin (laidMargin laid))
 
 -- | The centre of a symbol on a laid face, the symbol given by its row and column within the face's
 -- block.

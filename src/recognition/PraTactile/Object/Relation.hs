@@ -23,8 +23,10 @@ where
 import Control.Monad (unless)
 import Data.Bifunctor (first)
 import Data.List (sort, sortOn)
+import qualified Data.Map.Strict as Map
+import qualified Data.Set as Set
 import Numeric.Natural (Natural)
-import PraTactile.Array (Position (..), Shape (..), shapeCells)
+import PraTactile.Array (Position (..), Shape (..), area)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 
@@ -74,12 +76,14 @@ data EdgeRow = EdgeRow
   }
   deriving stock (Eq, Ord, Show)
 
--- | A face on the array: its upper left cell, the rows and columns of its block of cells, and its
--- width and height; key: face.
+-- | A face on the array, from the vertex at which its frame begins: where its block's upper left
+-- cell lies, the rows and columns of the block, where that begins on the face, and the width and
+-- height of the box round the face; key: face.
 data LayingRow = LayingRow
   { layingFace :: Face,
     layingAt :: (Natural, Natural),
     layingGrid :: (Natural, Natural),
+    layingAnchor :: Anchor,
     layingExtent :: Spot
   }
   deriving stock (Eq, Ord, Show)
@@ -138,7 +142,12 @@ relation place =
             edge <- solidEdges object
         ],
       layingRows =
-        [ LayingRow (laidFace laid) (row at, column at) (rows grid, columns grid) (laidExtent laid)
+        [ LayingRow
+            (laidFace laid)
+            (row at, column at)
+            (rows grid, columns grid)
+            (laidAnchor laid)
+            (laidExtent laid)
           | laid <- laidFaces place,
             let at = laidAt laid; grid = laidGrid laid
         ],
@@ -151,7 +160,7 @@ relation place =
 cellsOf :: LaidFace -> [CellRow]
 cellsOf laid =
   [ CellRow (row (laidAt laid) + r, column (laidAt laid) + c) (laidFace laid) (r, c)
-    | Position r c <- shapeCells (laidGrid laid)
+    | Position r c <- blockCells (laidBlock laid)
   ]
 
 -- | The placement that the rows describe. Objects, vertices, faces and layings keep their order,
@@ -194,4 +203,20 @@ placementOf given = do
             cornerVertex
             (sortOn cornerNumber (filter ((== face) . cornerFace) (cornerRows given)))
         )
-    laying r = Laying (layingFace r) (uncurry Position (layingAt r)) (uncurry Shape (layingGrid r))
+    laying r =
+      Laying
+        { layFace = layingFace r,
+          layAt = uncurry Position (layingAt r),
+          layAnchor = layingAnchor r,
+          layBlock =
+            blockOf
+              (uncurry Shape (layingGrid r))
+              (Map.findWithDefault [] (layingFace r) taken)
+        }
+    taken =
+      Map.fromListWith
+        (++)
+        [(cellFace r, [uncurry Position (cellOnFace r)]) | r <- cellRows given]
+    blockOf shape cells
+      | toInteger (length cells) == toInteger (area shape) = wholeBlock shape
+      | otherwise = Block shape (Just (Set.fromList cells))

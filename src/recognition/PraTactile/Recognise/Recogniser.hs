@@ -21,6 +21,7 @@ import PraTactile.Locate
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement (Pitch, Placement, placementPitch, placementShape)
 import PraTactile.Recognise.Reading (Reader (..))
+import PraTactile.Relief (symbolScale)
 import PraTactile.Shape (Alphabet, alphabetSize)
 import PraTactile.Window (Mask, Packing (..), maskExtent)
 
@@ -54,7 +55,8 @@ data RecogniserError
 
 -- | A recogniser for rectangular windows on an array and its surface. Refuses arrays of more than
 -- 'largestSearchedArray' cells, classes that are not one an element, and a placement on an array of
--- another shape or with symbols at another pitch than 'canonicalPitch', at which they are read.
+-- another shape or with symbols at other distances than the paper's times a factor, at which they
+-- are read.
 recogniser ::
   KnownField k =>
   ArrayOn k ->
@@ -67,7 +69,7 @@ recogniser on@(ArrayOn _ array) window layout alphabetOfAll network
   | any (/= q) [given, shaped] = Left (ClassesDiffer given shaped q)
   | placementShape layout /= arrayShape array =
     Left (ArraysDiffer (placementShape layout) (arrayShape array))
-  | placementPitch layout /= canonicalPitch =
+  | Nothing <- symbolScale (placementPitch layout) =
     Left (PitchesDiffer (placementPitch layout) canonicalPitch)
   | cells > largestSearchedArray =
     Left (RecogniserArray (TooManyPlaces cells largestSearchedArray))

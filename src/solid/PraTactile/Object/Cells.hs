@@ -1,18 +1,19 @@
--- | The cells of symbols that lie wholly on a face, whatever simple polygon it is, decided exactly.
+-- | The cells of symbols that lie wholly on a face, whatever simple polygon it is, decided exactly
+-- in the face's frame ("PraTactile.Object.Frame").
 --
--- A face with the walk v_0 .. v_m and the outward normal n (twice its area long) is measured from
--- v_0: x along e = v_m - v_0, from the walk's first vertex to its last, and y along f = e x n, into
--- the face. With a = e . e and b = a (n . n), a corner v has
---
--- > x = e . (v - v_0) / sqrt a        y = f . (v - v_0) / sqrt b,
---
--- so that the numerators are integers and the roots alone need not be rational. The grid has as
--- many whole columns and rows as the box round all corners has room for, and is centred on it. A
--- cell, as an open rectangle, meets no side and has its middle in the polygon: then it lies in it,
--- its rim included. All that asks for signs of r + s sqrt a + t sqrt b with whole r, s and t,
--- which squaring twice decides.
+-- A block of cells is centred on the box round the face's corners, or begins at a margin. A cell,
+-- as an open rectangle, meets no side and has its middle in the polygon: then it lies in it, its
+-- rim included. All that asks for signs of r + s sqrt a + t sqrt b with whole r, s and t.
 module PraTactile.Object.Cells
-  ( Grid (..),
+  ( -- * Cells of a block
+    Anchor (..),
+    cellsOn,
+    cellsAmong,
+    allOn,
+    blockCorner,
+
+    -- * Grids
+    Grid (..),
     gridOf,
     bestGrid,
     triedFirst,
@@ -20,90 +21,128 @@ module PraTactile.Object.Cells
 where
 
 import Data.List (sortOn)
+import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import Data.Ratio (denominator, numerator, (%))
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Description (cyclicPairs)
+import PraTactile.Object.Frame
 import PraTactile.Object.Mesh
+import PraTactile.Object.Surd
 import PraTactile.Object.Vector
 
--- | The grid of a face.
-data Grid = Grid
-  { -- | the face, from the vertex at which its frame begins
-    gridWalk :: Walk,
-    -- | the size of the box round it, to the right and down, in millimetres
-    gridSize :: (Double, Double),
-    -- | the columns and rows for which the box has room
-    gridColumns :: Integer,
-    gridRows :: Integer,
-    -- | how many cells lie on the face; 'Nothing' where that would take too long to say
-    gridCount :: Maybe Integer,
-    -- | those cells, by row and column, row by row
-    gridCells :: [(Integer, Integer)]
-  }
-  deriving stock (Eq, Show)
+-- | Where a block of cells begins.
+data Anchor
+  = -- | it has its middle where the box round all corners has it
+    Centred
+  | -- | it is that part of a block of so many rows and columns, which has its middle there, that
+    -- begins at this row and column of it
+    CentredPart !(Integer, Integer) !(Integer, Integer)
+  | -- | so many millimetres right of and below the walk's first vertex
+    Margin !Rational !Rational
+  deriving stock (Eq, Ord, Show)
 
--- | The grid of a flat face with an area, with cells of so many millimetres to the right and down,
--- both positive. O(cells * corners), or O(corners) for a rectangle.
-gridOf :: Mesh -> (Rational, Rational) -> Walk -> Grid
-gridOf = gridWithin mostTests
-
--- | The same where no more than so many sides are asked whether they meet a cell. From a vertex at
--- the place of the one before it there is no frame, and no cell.
-gridWithin :: Integer -> Mesh -> (Rational, Rational) -> Walk -> Grid
-gridWithin most it (right, down) walk
-  | a == 0 = Grid walk (0, 0) 0 0 (Just 0) []
-  | otherwise =
-    Grid
-      { gridWalk = walk,
-        gridSize = (squareRoot (square wide % a), squareRoot (square high % b)),
-        gridColumns = columns,
-        gridRows = rows,
-        gridCount = count,
-        gridCells = cells
-      }
+-- | The upper left corner of a block of so many rows and columns, in millimetres right of and below
+-- the walk's first vertex; cells are so many millimetres wide and high.
+blockCorner :: Frame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> (Surd, Surd)
+blockCorner frame (right, down) anchor size = case anchor of
+  Margin x y -> (fraction x, fraction y)
+  Centred -> centred size (0, 0)
+  CentredPart whole from -> centred whole from
   where
-    points = cornersOf it walk
-    origin = firstOf points
-    along = V.foldl (\_ p -> p) origin points `minus` origin
-    normal = doubleArea points
-    into = cross along normal
-    -- In millimetres, the roots are of these.
-    a = dot along along * square (meshDenominator it)
-    b = a * dot normal normal
-    corners = V.map corner points
-    corner p = (dot along (p `minus` origin), dot into (p `minus` origin))
-    (left, wide) = range (V.map fst corners)
-    (top, high) = range (V.map snd corners)
-    range values = (V.minimum values, V.maximum values - V.minimum values)
-    columns = floorRoot (fromInteger (square wide) / (fromInteger a * right * right))
-    rows = floorRoot (fromInteger (square high) / (fromInteger b * down * down))
-    square n = n * n
-    rectangle =
-      V.length corners == 4
-        && V.all (\(x, y) -> x `elem` [left, left + wide] && y `elem` [top, top + high]) corners
-    count
-      | rectangle = Just (columns * rows)
-      | columns * rows * toInteger (V.length corners) > most = Nothing
-      | otherwise = Just (toInteger (length cells))
-    cells =
-      [ (r, c)
-        | r <- [0 .. rows - 1],
-          let near = filter (meetsRow r) sides,
-          c <- [0 .. columns - 1],
-          rectangle || onFace near r c
-      ]
-    -- Everything times twice the denominators of a cell's width and height is whole.
-    timesX x = 2 * denominator right * x
-    timesY y = 2 * denominator down * y
-    sides = cyclicPairs [(timesX x, timesY y) | (x, y) <- V.toList corners]
-    middleX = timesX left + denominator right * wide
-    middleY = timesY top + denominator down * high
-    -- The line between columns j - 1 and j is at middleX + across (2 j) sqrt a, the middle of
-    -- column j at middleX + across (2 j + 1) sqrt a.
-    across k = (k - columns) * numerator right
-    downTo k = (k - rows) * numerator down
+    centred (rows, columns) (r, c) =
+      ( centre frameAcross spanAcross (fromInteger (2 * c - columns) * right),
+        centre frameDown spanDown (fromInteger (2 * r - rows) * down)
+      )
+    centre root part twice =
+      ahead
+        (twice / 2)
+        (surd 0 ((2 * spanFrom (part frame) + spanLength (part frame)) % (2 * root frame)) a)
+      where
+        a = fromInteger (root frame)
+
+-- | The lines between the cells along one axis, and through their middles: the k-th is at @linesAt
+-- + (linesFirst + k linesStep) sqrt a@, times 'linesTimes'; even ones lie between cells.
+data Lines = Lines
+  { linesTimes :: !Integer,
+    linesAt :: !Integer,
+    linesFirst :: !Integer,
+    linesStep :: !Integer
+  }
+
+-- | The lines of cells of this size: so many half cells after the middle of the span, or from a
+-- margin.
+linesOf :: Span -> Rational -> Either Integer Rational -> Lines
+linesOf (Span from size) width begin = case begin of
+  Left halves ->
+    Lines
+      { linesTimes = 2 * denominator width,
+        linesAt = denominator width * (2 * from + size),
+        linesFirst = halves * numerator width,
+        linesStep = numerator width
+      }
+  Right m ->
+    Lines
+      { linesTimes = 2 * denominator width * denominator m,
+        linesAt = 0,
+        linesFirst = 2 * denominator width * numerator m,
+        linesStep = numerator width * denominator m
+      }
+
+-- | The lines of a block of so many rows and columns.
+linesBetween ::
+  Frame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> (Lines, Lines)
+linesBetween frame (right, down) anchor (rows, columns) =
+  (linesOf (spanAcross frame) right across, linesOf (spanDown frame) down below)
+  where
+    (across, below) = case anchor of
+      Centred -> (Left (negate columns), Left (negate rows))
+      CentredPart (high, wide) (r, c) -> (Left (2 * c - wide), Left (2 * r - high))
+      Margin x y -> (Right x, Right y)
+
+-- | Whether the face is a rectangle on which all cells of such a block lie. O(1).
+allOn :: Frame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> Bool
+allOn frame cell anchor (rows, columns) =
+  isRectangle frame
+    && within (frameAcross frame) (spanAcross frame) xs columns
+    && within (frameDown frame) (spanDown frame) ys rows
+  where
+    (xs, ys) = linesBetween frame cell anchor (rows, columns)
+    within root (Span from size) lines' count =
+      line root lines' 0 from >= 0 && line root lines' (2 * count) (from + size) <= 0
+    line root it k n =
+      signOf root 0 (linesAt it - linesTimes it * n) (linesFirst it + k * linesStep it) 0
+
+-- | Which cells of a block of so many rows and columns lie on the face, by row and column, row by
+-- row. O(cells * corners).
+cellsOn :: Frame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> [(Integer, Integer)]
+cellsOn frame cell anchor size@(rows, columns) =
+  cellsAmong frame cell anchor size [(r, [0 .. columns - 1]) | r <- [0 .. rows - 1]]
+
+-- | Which of these cells of the block do, told by rows and their columns.
+cellsAmong ::
+  Frame ->
+  (Rational, Rational) ->
+  Anchor ->
+  (Integer, Integer) ->
+  [(Integer, [Integer])] ->
+  [(Integer, Integer)]
+cellsAmong frame cell anchor (rows, columns) among =
+  [ (r, c)
+    | (r, candidates) <- among,
+      let near = filter (meetsRow r) sides,
+      c <- candidates,
+      onFace near r c
+  ]
+  where
+    (a, b) = (frameAcross frame, frameDown frame)
+    (xs, ys) = linesBetween frame cell anchor (rows, columns)
+    sides =
+      cyclicPairs
+        [(linesTimes xs * x, linesTimes ys * y) | (x, y) <- V.toList (frameNumerators frame)]
+    across k = linesFirst xs + k * linesStep xs
+    downTo k = linesFirst ys + k * linesStep ys
     meetsRow r (p, q) =
       not (both (\(_, y) -> below y north <= 0) || both (\(_, y) -> below y south >= 0))
       where
@@ -129,35 +168,87 @@ gridWithin most it (right, down) walk
           | (below (snd p) middleDown > 0) == (below (snd q) middleDown > 0) = False
           | below (snd q) middleDown > 0 = turned p q middleAcross middleDown > 0
           | otherwise = turned p q middleAcross middleDown < 0
-    beside x at = signOf a 0 (x - middleX) (negate at) 0
-    below y at = signOf 0 b (y - middleY) 0 (negate at)
+    beside x at = signOf a 0 (x - linesAt xs) (negate at) 0
+    below y at = signOf 0 b (y - linesAt ys) 0 (negate at)
     turned (px, py) (qx, qy) x y =
       signOf
         a
         b
-        ((qx - px) * (middleY - py) - (qy - py) * (middleX - px))
+        ((qx - px) * (linesAt ys - py) - (qy - py) * (linesAt xs - px))
         (negate (qy - py) * x)
         ((qx - px) * y)
+
+-- | The grid of a face: as many whole columns and rows as the box round all corners has room for,
+-- centred on it.
+data Grid = Grid
+  { -- | the face, from the vertex at which its frame begins
+    gridWalk :: Walk,
+    -- | the size of the box round it, to the right and down, in millimetres
+    gridSize :: (Double, Double),
+    -- | the columns and rows for which the box has room
+    gridColumns :: Integer,
+    gridRows :: Integer,
+    -- | how many cells lie on the face; 'Nothing' where that would take too long to say
+    gridCount :: Maybe Integer,
+    -- | a number of cells that there are at least: the count, where there is one, or else the area
+    -- less what sides can cut, a cell for each line that a side crosses and three at its ends
+    gridAtLeast :: Integer,
+    -- | those cells, by row and column, row by row
+    gridCells :: [(Integer, Integer)]
+  }
+  deriving stock (Eq, Show)
+
+-- | The grid of a flat face with an area, with cells of so many millimetres to the right and down,
+-- both positive. O(cells * corners), or O(corners) for a rectangle.
+gridOf :: Mesh -> (Rational, Rational) -> Walk -> Grid
+gridOf = gridWithin mostTests
+
+-- | The same where no more than so many sides are asked whether they meet a cell. From a vertex at
+-- the place of the one before it there is no frame, and no cell.
+gridWithin :: Integer -> Mesh -> (Rational, Rational) -> Walk -> Grid
+gridWithin most it cell@(right, down) walk =
+  maybe (Grid walk (0, 0) 0 0 (Just 0) 0 []) grid (frameOf it walk)
+  where
+    grid frame =
+      Grid
+        { gridWalk = walk,
+          gridSize = (nearestDouble wide, nearestDouble high),
+          gridColumns = columns,
+          gridRows = rows,
+          gridCount = count,
+          gridAtLeast = fromMaybe atLeast count,
+          gridCells = cells
+        }
+      where
+        (_, (wide, high)) = frameExtent frame
+        columns = room frameAcross spanAcross right
+        rows = room frameDown spanDown down
+        room root part size =
+          floorRoot
+            ( fromInteger (spanLength (part frame) ^ (2 :: Int))
+                / (fromInteger (root frame) * size * size)
+            )
+        count
+          | isRectangle frame = Just (columns * rows)
+          | columns * rows * toInteger (U.length walk) > most = Nothing
+          | otherwise = Just (toInteger (length cells))
+        -- In cells; the rounding of its terms is far below a thousandth.
+        atLeast = max 0 (floor (0.999 * abs (sum (map swept sides)) / 2 - sum (map cut sides)))
+        sides =
+          cyclicPairs
+            [ (nearestDouble x / fromRational right, nearestDouble y / fromRational down)
+              | (x, y) <- frameCorners frame
+            ]
+        swept ((x1, y1), (x2, y2)) = x1 * y2 - x2 * y1
+        cut ((x1, y1), (x2, y2)) = abs (x2 - x1) + abs (y2 - y1) + 3 :: Double
+        cells
+          | isRectangle frame = [(r, c) | r <- [0 .. rows - 1], c <- [0 .. columns - 1]]
+          | otherwise = cellsOn frame cell Centred (rows, columns)
 
 -- | Where more tests than this would be needed for a face, its cells are not counted: about a
 -- second of them.
 mostTests :: Integer
 mostTests = 100000
-
--- | The sign of r + s sqrt a + t sqrt b, where a and b are not negative.
-signOf :: Integer -> Integer -> Integer -> Integer -> Integer -> Integer
-signOf a b r s t
-  | first * signum t >= 0 = signum (first + signum t)
-  | otherwise = first * sign2 a (r * r + s * s * a - t * t * b) (2 * r * s)
-  where
-    first = sign2 a r s
-
--- | The sign of r + s sqrt a.
-sign2 :: Integer -> Integer -> Integer -> Integer
-sign2 a r s
-  | a == 0 || s == 0 = signum r
-  | signum r * signum s >= 0 = signum (signum r + signum s)
-  | otherwise = signum r * signum (r * r - s * s * a)
 
 -- | The grid with the most cells of those that a face has from each of its vertices; of equal ones
 -- the first in its walk. Of a face with many vertices, so many are tried that they have

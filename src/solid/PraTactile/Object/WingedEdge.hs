@@ -12,6 +12,7 @@ module PraTactile.Object.WingedEdge
     solid,
     solidOf,
     solidMesh,
+    scaledSolid,
     description,
     solidName,
     solidVertices,
@@ -28,15 +29,19 @@ module PraTactile.Object.WingedEdge
     edgesOf,
     facesAt,
     neighbours,
+    walkNamed,
+    sameCorners,
     cornerPoints,
     outwardNormal,
   )
 where
 
-import Data.List (sortOn)
+import Data.List (sort, sortOn)
 import qualified Data.Map.Strict as Map
+import Data.Maybe (listToMaybe)
 import Data.Ratio ((%))
 import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Defect
 import PraTactile.Object.Description
   ( Description (..),
@@ -134,6 +139,10 @@ solidOf it = case reportDefects (examine it) of
 description :: Solid -> Description
 description = toDescription . solidMesh
 
+-- | The solid with all lengths times a positive number.
+scaledSolid :: Rational -> Solid -> Solid
+scaledSolid k whole = whole {solidMesh = scaledBy k (solidMesh whole)}
+
 -- | The object's name.
 solidName :: Solid -> ObjectName
 solidName = meshName . solidMesh
@@ -213,6 +222,36 @@ neighbours whole face =
     | s <- sidesOf whole face,
       Just t <- [mateOf (solidSurface whole) s]
   ]
+
+-- | The walk that a face's name is, whichever of the face's vertices it begins with; none if the
+-- solid has no such face.
+walkNamed :: Solid -> FaceName -> Maybe Walk
+walkNamed whole name =
+  listToMaybe [U.fromList walk | (_, walk) <- sidesAndWalks whole name, Just walk == asked]
+  where
+    asked = traverse (`Map.lookup` vertexIndices whole) (faceVertices name)
+
+-- | The face with these vertices, in whatever order, by its own name.
+sameCorners :: Solid -> FaceName -> Maybe FaceName
+sameCorners whole name =
+  listToMaybe
+    [ faceAt (solidMesh whole) (sideFace (solidSurface whole) s)
+      | (s, walk) <- sidesAndWalks whole name,
+        fmap sort (traverse (`Map.lookup` vertexIndices whole) (faceVertices name))
+          == Just (sort walk)
+    ]
+
+-- | The sides that begin at the name's first vertex, and the walks that begin with them.
+sidesAndWalks :: Solid -> FaceName -> [(Int, [Int])]
+sidesAndWalks whole name =
+  [ (s, map (sideStart sides) (walk s))
+    | first : _ <- [faceVertices name],
+      Just v <- [Map.lookup first (vertexIndices whole)],
+      s <- sidesFrom whole V.! v
+  ]
+  where
+    sides = solidSurface whole
+    walk s = s : takeWhile (/= s) (drop 1 (iterate (nextSide sides) s))
 
 -- | The places of a face's vertices in the order of its name, in millimetres; none if the solid has
 -- no such face.

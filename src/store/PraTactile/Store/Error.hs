@@ -7,7 +7,7 @@ module PraTactile.Store.Error
   )
 where
 
-import PraTactile.Object.Placement (PlacementError)
+import PraTactile.Object.Placement (Face, PlacementError)
 import PraTactile.Object.Relation (RelationError, Table)
 
 -- | Why a store cannot be written, opened or asked.
@@ -43,6 +43,9 @@ data StoreError
     ChangedRows
   | -- | a length in millimetres is no whole number of micrometres, or beyond a kilometre
     NotStorable Rational
+  | -- | the face has irrational sides, its symbols are not centred on it, or it is begun at another
+    -- vertex than in its object
+    LayingNotStorable Face
   | -- | a number beyond the database's 64 bits
     TooLarge Integer
   | -- | the store has no such object, face or cell; what the placement itself would answer

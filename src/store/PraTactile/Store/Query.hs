@@ -34,6 +34,7 @@ import PraTactile.Object.Placement
     Whereabouts (..),
   )
 import PraTactile.Object.Relation (Table (..))
+import PraTactile.Object.Surd (fraction)
 import PraTactile.Object.WingedEdge
 import PraTactile.Store.Error (StoreError (..))
 
@@ -117,7 +118,7 @@ selectPlace window laying r c = do
         Place
           { placeFace = face,
             placeCell = Position (fromIntegral r) (fromIntegral c),
-            placeCentre = Spot (doubled right) (doubled down),
+            placeCentre = Spot (fraction (doubled right)) (fraction (doubled down)),
             placeCorners = [VertexName (Text.unpack vertex) | (Single vertex, _, _) <- nearest]
           }
   where

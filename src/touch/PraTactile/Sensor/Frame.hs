@@ -13,6 +13,7 @@ module PraTactile.Sensor.Frame
     -- * Frames
     Pose (..),
     Frame (..),
+    scaledFrame,
 
     -- * Rigid motions
     Motion (..),
@@ -63,6 +64,16 @@ data Frame = Frame
     frameDead :: ![(Int, Int)]
   }
   deriving stock (Eq, Show)
+
+-- | The frame with all its lengths times a number.
+scaledFrame :: Double -> Frame -> Frame
+scaledFrame k frame =
+  frame
+    { framePose = (framePose frame) {poseX = k * poseX pose, poseY = k * poseY pose},
+      frameTaxel = k * frameTaxel frame
+    }
+  where
+    pose = framePose frame
 
 -- | A rigid motion of the plane: a turn about the origin (degrees clockwise), then a shift
 -- (millimetres). As a change of coordinates it carries what is said in one frame of coordinates,

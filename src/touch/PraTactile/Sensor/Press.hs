@@ -28,7 +28,8 @@ import PraTactile.Sensor.Frame (Motion (..), Pose (..), TaxelGrid (..), movePoin
 
 -- | The relief of a face, constant on square cells: the cell's side in millimetres, and the heights
 -- in millimetres above the plane that the probe rests on. The upper left corner of cell (0, 0) is
--- the origin of the face's coordinates. Off the map there is nothing to touch, height 0.
+-- the origin of the face's coordinates. Off the map, and where the height is no number, there is
+-- nothing to touch.
 data HeightMap = HeightMap
   { heightPitch :: !Double,
     heightValues :: !Raster
@@ -65,8 +66,9 @@ footing (TaxelGrid columns rows taxel) diameter (HeightMap cell heights) (Pose x
     motion = Motion r x y
     place n k = taxel * (fromIntegral (k :: Int) - (fromIntegral n - 1) / 2)
     at (px, py)
-      | cell > 0 = index heights (floor (px / cell)) (floor (py / cell))
+      | cell > 0 = touchable =<< index heights (floor (px / cell)) (floor (py / cell))
       | otherwise = Nothing
+    touchable h = if isNaN h then Nothing else Just h
 
 -- | The points, from the tab's centre in millimetres, at which a tab is evaluated: of a grid of 4 x
 -- 4 over its diameter those within its circle, twelve; all of them of a square, where the diameter

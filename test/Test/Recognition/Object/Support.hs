@@ -23,7 +23,7 @@ import Data.Ratio ((%))
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Canonical (canonicalPlacement)
-import PraTactile.Object.Placement
+import PraTactile.Object.Placement hiding (Block (..), blockCells)
 import PraTactile.Object.Solid (cube, parallelepiped)
 import PraTactile.Object.WingedEdge
 import Test.Hspec
@@ -127,5 +127,5 @@ expectedWhereabouts (Shape high wide) (Position r c) = case traverse cellOwner o
        in Place
             (blockFace block)
             local
-            (Spot (x % 2000) (y % 2000))
+            (spotAt (x % 2000) (y % 2000))
             [vertex | (vertex, at) <- vertices, away at == nearest]

@@ -4,6 +4,11 @@
 module PraTactile.Format.Solid.Json
   ( readObject,
     writeObject,
+
+    -- * As part of other texts
+    describedCodec,
+    tooFine,
+    exact,
   )
 where
 
@@ -13,6 +18,7 @@ import qualified Data.Aeson as Aeson
 import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import Data.Char (isSpace)
+import Data.Maybe (isNothing)
 import Data.Ratio (denominator)
 import qualified Data.Text as Text
 import Math.NumberTheory.Logarithms (integerLog2)
@@ -28,14 +34,21 @@ import PraTactile.Object.Mesh
 readObject :: ByteString -> Either SolidFileError Contents
 readObject bytes = do
   described <- first ObjectRefused (decodeWith keys bytes)
-  case foldM
-    common
-    1
-    [denominator c | (_, Point x y z) <- describedVertices described, c <- [x, y, z]] of
-    Just _ -> Right (Contents (fromDescription described) [])
-    Nothing -> Left (SolidFileError (AtLine 1) NoCommonDenominator)
+  if tooFine described
+    then Left (SolidFileError (AtLine 1) NoCommonDenominator)
+    else Right (Contents (fromDescription described) [])
+
+-- | Whether the coordinates' common denominator has more than 20 000 bits: with many more,
+-- coordinates of a file of some megabytes would fill the memory.
+tooFine :: Description -> Bool
+tooFine described =
+  isNothing
+    ( foldM
+        common
+        1
+        [denominator c | (_, Point x y z) <- describedVertices described, c <- [x, y, z]]
+    )
   where
-    -- With many more digits, coordinates of a file of some megabytes would fill the memory.
     common over under =
       let both = lcm over under in if integerLog2 both > 20000 then Nothing else Just both
 
@@ -50,6 +63,10 @@ keys =
     <*> key "name" text (objectText . describedName)
     <*> key "vertices" (listOf (object vertexKeys)) describedVertices
     <*> key "faces" (listOf (listOf vertexName)) (map faceVertices . describedFaces)
+
+-- | A polyhedron as part of another format.
+describedCodec :: Codec Description
+describedCodec = object keys
 
 vertexKeys :: Keys (VertexName, Point) (VertexName, Point)
 vertexKeys = (,) <$> key "name" vertexName fst <*> key "at" point snd
@@ -67,15 +84,15 @@ vertexName =
 point :: Codec Point
 point =
   Codec
-    (\(Point x y z) -> map exactText [x, y, z])
-    ( readValue (listOf coordinate) >=> \given -> case given of
+    (\(Point x y z) -> map (writeValue exact) [x, y, z])
+    ( readValue (listOf exact) >=> \given -> case given of
         [x, y, z] -> Right (Point x y z)
         _ -> refuse NotPoint
     )
 
 -- | A number that is what it says: a text such as @127/4@ or @31.75@, or a JSON number.
-coordinate :: Codec Rational
-coordinate = Codec exactText $ \value -> case value of
+exact :: Codec Rational
+exact = Codec exactText $ \value -> case value of
   String given -> exactly (Text.unpack given)
   Aeson.Number given -> exactly (show given)
   _ -> refuse NotExact

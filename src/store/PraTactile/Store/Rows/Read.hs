@@ -16,8 +16,9 @@ import qualified Data.Text as Text
 import Database.Persist.Sql
 import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (..))
-import PraTactile.Object.Placement (Face (..), Pitch (..), Spot (..))
+import PraTactile.Object.Placement (Anchor (..), Face (..), Pitch (..), Spot (..))
 import PraTactile.Object.Relation
+import PraTactile.Object.Surd (fraction)
 import PraTactile.Object.WingedEdge
 import PraTactile.Store.Error
 import PraTactile.Store.Rows
@@ -135,7 +136,8 @@ layingOf named (StoredLaying face r c high wide width height) =
     <$> faceNamed named LayingTable face
     <*> pair LayingTable r c
     <*> pair LayingTable high wide
-    <*> pure (Spot (fromMicrometres width) (fromMicrometres height))
+    <*> pure Centred
+    <*> pure (Spot (fraction (fromMicrometres width)) (fraction (fromMicrometres height)))
 
 cellOf :: Names -> StoredCell -> Either StoreError CellRow
 cellOf named (StoredCell r c on i j) =

@@ -6,6 +6,7 @@ module PraTactile.Store.Rows.Write
   )
 where
 
+import Data.Bifunctor (first)
 import Data.Int (Int64)
 import qualified Data.Map.Strict as Map
 import Data.Ratio (denominator, numerator)
@@ -13,8 +14,9 @@ import qualified Data.Text as Text
 import Database.Persist.Sql
 import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (..))
-import PraTactile.Object.Placement (Face (..), Pitch (..), Spot (..))
+import PraTactile.Object.Placement (Anchor (..), Face (..), Pitch (..), Spot (..))
 import PraTactile.Object.Relation
+import PraTactile.Object.Surd (asFraction)
 import PraTactile.Object.WingedEdge
 import PraTactile.Store.Error
 import PraTactile.Store.Rows
@@ -101,15 +103,19 @@ storedEdge keys (EdgeRow object (start, end) (left, right)) =
     <*> faceKey keys (Face object right)
 
 storedLaying :: Keys -> LayingRow -> Either StoreError StoredLaying
-storedLaying keys (LayingRow on (r, c) (high, wide) (Spot width height)) =
+storedLaying keys (LayingRow on (r, c) (high, wide) anchor (Spot width height)) =
   StoredLaying
-    <$> faceKey keys on
+    <$> (if anchor == Centred then notFrom on (faceKey keys on) else Left (LayingNotStorable on))
     <*> whole r
     <*> whole c
     <*> whole high
     <*> whole wide
-    <*> micrometres width
-    <*> micrometres height
+    <*> side width
+    <*> side height
+  where
+    side = maybe (Left (LayingNotStorable on)) micrometres . asFraction
+    -- A face that is begun at another vertex than in its object is none of the object's rows.
+    notFrom face = first (const (LayingNotStorable face))
 
 storedCell :: Keys -> CellRow -> Either StoreError StoredCell
 storedCell keys (CellRow (r, c) on (i, j)) =

@@ -1,0 +1,302 @@
+-- | @pra-tactile place@: where the faces of any objects are laid on an array, or that they cannot
+-- be.
+module Command.Place
+  ( command,
+  )
+where
+
+import ArrayChoice
+import Control.Monad (unless, when)
+import Counted
+import qualified Data.ByteString.Char8 as Bytes
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Char (isSpace)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
+import qualified Data.Text as Text
+import Data.Text.Encoding (decodeUtf8')
+import Data.Traversable (for)
+import ExitStatus
+import Files (readBytes)
+import FormatFile (readPlacement)
+import Json (shapeText)
+import Message
+import Options
+import Output
+import Polyhedra
+import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), area)
+import PraTactile.Field (KnownField)
+import PraTactile.Format.Place
+import PraTactile.Format.Placement (encodePlacement)
+import PraTactile.Format.Solid (Contents (..), SolidFormat)
+import PraTactile.Object.Canonical (canonicalPitch)
+import PraTactile.Object.Mesh (named)
+import PraTactile.Object.Packing (Reason (..))
+import PraTactile.Object.Placement
+import PraTactile.Object.Placement.Search
+import PraTactile.Object.Placement.Windows
+import PraTactile.Object.WingedEdge
+import PraTactile.Profile
+import PraTactile.Window (maskFrom)
+import PraTactile.Window.Distance
+import PraTactile.Window.Proof (windowRank)
+import Visible
+
+data Options = Options
+  { subjects :: [String],
+    listed :: Maybe FilePath,
+    onto :: Maybe FilePath,
+    faces :: [(ObjectName, FaceName)],
+    symbols :: Maybe Rational,
+    begun :: Begun,
+    seed :: Int,
+    format :: Maybe SolidFormat,
+    output :: Maybe FilePath,
+    form :: AnswerForm
+  }
+
+command :: Mod CommandFields (IO ExitStatus)
+command =
+  subcommand
+    "place"
+    "Lay the faces of objects on the array, no two on one cell, by a search; or say that it cannot \
+    \be done, with the reason. What lies already stays where it is. Status 1 unless all are laid."
+    [ "pra-tactile place cube parallelepiped --output placement.json",
+      "pra-tactile place box:60x60x60 --symbols 1/2 --json",
+      "pra-tactile place lid=box:120x80x20 --face 'lid:V1 V2 V3 V4' --upright"
+    ]
+    ( run
+        <$> arrayChoice
+        <*> ( Options
+                <$> many
+                  ( argument
+                      pathReader
+                      ( metavar "OBJECT..." <> action "file"
+                          <> help
+                            "Files or names of polyhedra, as 'solid' takes them; NAME= before one \
+                            \names the object"
+                      )
+                  )
+                <*> optionalFile
+                  "objects"
+                  "FILE"
+                  "More objects, one a line; - is the standard input"
+                <*> optionalFile
+                  "onto"
+                  "PLACEMENT"
+                  "A file that 'place' wrote: what lies there stays, and the objects are added"
+                <*> many
+                  ( valued
+                      faceReader
+                      "face"
+                      "OBJECT:VERTICES"
+                      "Lay this face of the object, and of it only those named so (default: all \
+                      \faces that have room for a symbol)"
+                  )
+                <*> optional symbolsOption
+                <*> flag
+                  AnyVertex
+                  AsNamed
+                  ( long "upright"
+                      <> help
+                        "Begin each face's frame at the first vertex of its name (default: at \
+                        \whichever suits)"
+                  )
+                <*> seedOption (value 1 <> showDefault)
+                <*> formatOption
+                <*> optionalFile "output" "FILE" "Write the placement to a file"
+                <*> jsonSwitch "Print the report as JSON"
+            )
+    )
+
+-- | @OBJECT:VERTICES@, the vertices parted by spaces or commas.
+faceReader :: ReadM (ObjectName, FaceName)
+faceReader = eitherReader $ \text -> case break (== ':') text of
+  (object@(_ : _), ':' : walk@(_ : _)) ->
+    Right (ObjectName object, readFaceName [if c == ',' then ' ' else c | c <- walk])
+  _ -> Left (quoted text ++ " is no face, such as 'cube:C1 C2 C3 C4'")
+
+run :: ArrayChoice -> Options -> IO ExitStatus
+run choice options = do
+  mapM_ orUnwritable (output options)
+  (profile, between, before) <- ground choice options
+  names <- (subjects options ++) <$> maybe (pure []) objectLines (listed options)
+  when (null names && null (faces options)) (misused "name an object; 'solid' lists what there is")
+  new <- for names $ \subject ->
+    object profile between (format options) subject
+      >>= orUnusable (\why -> visibleName subject ++ ": " ++ objectMessage why)
+  let known = maybe [] placementSolids before ++ new
+      lying = maybe [] laidFaces before
+      shape = profileShape profile
+  -- Names that are there twice, and faces that there are not, are refused before the search.
+  _ <- orUnusable placementMessage (placement shape between known (map layingOf lying))
+  wishes <- wanted between options known new
+  let found = layingsOf (seed options) shape between lying known wishes
+      needed = sum (map laidCells lying) + cellsNeeded between known wishes
+      report outcome reason layings windows =
+        PlaceReport
+          { placeOutcome = outcome,
+            placeReason = reason,
+            placeCells = area shape,
+            placeNeeded = fromInteger needed,
+            placeProfile = profile,
+            placeLayings = layings,
+            placeWindows = windows,
+            placePress = leastPress (profileWindow profile)
+          }
+  case found of
+    NoWay why ->
+      NotAnswered <$ told options (report IsImpossible (Just why) [] Nothing) (whyNot wishes why)
+    NoneFound ->
+      NotAnswered
+        <$ told
+          options
+          (report IsNotFound Nothing [] Nothing)
+          "no placement was found, and it is not proved that there is none; try another --seed"
+    LaidSo layings -> do
+      let all' = map layingOf lying ++ layings
+      place <- orUnusable placementMessage (placement shape between known all')
+      proofs <-
+        orUnusable
+          profileMessage
+          (withProfile profile (\array _ -> proved array (map layBlock all')))
+      mapM_ (written profile place) (output options)
+      told
+        options
+        (report IsPlaced Nothing (zip all' proofs) (windowCounts place (profileWindow profile)))
+        ( counted (length (laidFaces place)) "face" "faces" ++ " on "
+            ++ show (sum (map laidCells (laidFaces place)))
+            ++ " of "
+            ++ show (area shape)
+            ++ " cells"
+        )
+      pure Answered
+  where
+    laidCells = toInteger . length . blockCells . laidBlock
+    written profile place file =
+      writeWhole file (Lazy.fromStrict (encodePlacement profile place <> Bytes.pack "\n"))
+
+-- | The array and the distances of symbols, and what lies there already.
+ground :: ArrayChoice -> Options -> IO (Profile, Pitch, Maybe Placement)
+ground choice options = case onto options of
+  Nothing -> do
+    profile <- chosenProfile choice
+    orUnusable profileMessage (withProfile profile (\_ _ -> ()))
+    pure (profile, sized (fromMaybe 1 (symbols options)), Nothing)
+  Just file -> do
+    (profile, before) <- readPlacement file
+    unless (nothingChosen choice) $ do
+      other <- chosenProfile choice
+      unless (other == profile) . unusable $
+        "the array options describe another array than that of " ++ visibleName file
+    unless (all ((== placementPitch before) . sized) (symbols options)) . unusable $
+      "--symbols says another size than that of the symbols of " ++ visibleName file
+    pure (profile, placementPitch before, Just before)
+  where
+    sized k = let Pitch right down = canonicalPitch in Pitch (k * right) (k * down)
+
+-- | The objects that a file lists, one a line.
+objectLines :: FilePath -> IO [String]
+objectLines file = do
+  bytes <- readBytes file
+  text <- orUnusable (const (visibleName file ++ " is no text in UTF-8")) (decodeUtf8' bytes)
+  pure [line | line <- map Text.unpack (Text.lines text), not (all isSpace line)]
+
+-- | The solid that @[NAME=]SOLID|FILE@ is.
+object :: Profile -> Pitch -> Maybe SolidFormat -> String -> IO (Either Defect Solid)
+object profile between said subject = do
+  Contents it _ <- polyhedron (profileShape profile) between said source
+  pure (solidOf (maybe id (named . ObjectName) name it))
+  where
+    (name, source) = case break (== '=') subject of
+      (given@(_ : _), '=' : rest) | '/' `notElem` given -> (Just given, rest)
+      _ -> (Nothing, subject)
+
+-- | The faces to be laid: those named of objects that some are named of, and all of the new ones.
+wanted :: Pitch -> Options -> [Solid] -> [Solid] -> IO [Wanted]
+wanted between options known new = do
+  said <- for (faces options) $ \(owner, walk) -> do
+    body <-
+      maybe (unusable (placementMessage (UnknownObject owner))) pure (Map.lookup owner byName)
+    let face = Face owner walk
+    when (walkNamed body walk == Nothing) . unusable . placementMessage $
+      maybe (UnknownFace face) (WrongVertexOrder face) (sameCorners body walk)
+    pure (Wanted face (begun options))
+  let others = [body | body <- new, solidName body `notElem` map fst (faces options)]
+  pure (said ++ facesOf between (begun options) others)
+  where
+    byName = Map.fromList [(solidName body, body) | body <- known]
+
+-- | What is proved of the contents of blocks, once for each that is another.
+proved :: KnownField k => PseudorandomArray k -> [Block] -> [MaskProof]
+proved array blocks = map (\given -> Map.findWithDefault unknown (cells given) proofs) blocks
+  where
+    cells = blockCells
+    unknown = MaskProof Nothing Nothing
+    proofs = Map.mapWithKey (\one () -> proof one) (Map.fromList [(cells b, ()) | b <- blocks])
+    proof one = case maskFrom one of
+      Left _ -> unknown
+      Right mask ->
+        MaskProof
+          (Just (windowRank array mask))
+          ( either
+              (const Nothing)
+              (\(Distance d failing) -> Just (d, failing))
+              (minimumDistanceWithin (2 ^ (20 :: Int)) array mask)
+          )
+
+-- | Why there is no placement, in words.
+whyNot :: [Wanted] -> Reason -> String
+whyNot wishes reason = case reason of
+  TakenOutside _ -> "what lies already reaches beyond the array"
+  TakenOverlaps _ -> "what lies already overlaps"
+  PieceTooLarge i -> faceOf i ++ " is larger than the array"
+  TooFewCells needed free ->
+    "the faces need " ++ counted needed "cell" "cells" ++ ", and " ++ show free ++ " are free"
+  NoRoom i -> faceOf i ++ " fits nowhere beside what lies already"
+  Exhausted -> "every way was tried, and none has room for all faces"
+  where
+    faceOf i =
+      concat
+        [ "the face " ++ faceText walk ++ " of the " ++ objectText owner
+          | Wanted (Face owner walk) _ <- take 1 (drop i wishes)
+        ]
+
+-- | Print the report, unless the standard output is the file's.
+told :: Options -> PlaceReport -> String -> IO ()
+told options report sentence =
+  unless (placeOutcome report == IsPlaced && output options == Just "-") $
+    printAs (form options) (unlines (reportText report sentence)) (encodePlace report)
+
+reportText :: PlaceReport -> String -> [String]
+reportText report sentence =
+  (outcomeName (placeOutcome report) ++ ": " ++ sentence) :
+  map layingText (take 40 layings)
+    ++ ["  ... and " ++ show more ++ " more" | let more = length (drop 40 layings), more > 0]
+    ++ [ "  windows of " ++ shapeText (profileWindow (placeProfile report)) ++ ": "
+           ++ show (countOnFaces counts)
+           ++ " on a face, "
+           ++ show (countStraddling counts)
+           ++ " on several, "
+           ++ show (countOnNone counts)
+           ++ " on none or on one in part"
+         | Just counts <- [placeWindows report]
+       ]
+    ++ [ "  press " ++ show wide ++ "x" ++ show high
+           ++ " taxels at least, so that a whole window lies in it"
+         | placeOutcome report == IsPlaced,
+           let (wide, high) = placePress report
+       ]
+  where
+    layings = placeLayings report
+    layingText (laying, MaskProof rank apart) =
+      let Face owner walk = layFace laying
+          Position r c = layAt laying
+       in "  " ++ visible (objectText owner) ++ ", " ++ visible (faceText walk) ++ ": "
+            ++ shapeText (blockShape (layBlock laying))
+            ++ " symbols from row "
+            ++ show r
+            ++ ", column "
+            ++ show c
+            ++ concat ["; rank " ++ show n | Just n <- [rank]]
+            ++ concat [", distance " ++ show d | Just (d, _) <- [apart]]

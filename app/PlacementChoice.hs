@@ -1,0 +1,101 @@
+-- | Choosing the objects, alike in every command that touches them or looks them up: @--placement
+-- FILE@, @--database FILE@, or nothing, which is the shipped placement.
+module PlacementChoice
+  ( PlacementChoice,
+    placementChoice,
+    ofDatabase,
+    chosenPlacement,
+    shownPlacement,
+    feltPlacement,
+  )
+where
+
+import ArrayChoice
+import Control.Monad (unless)
+import qualified Data.ByteString.Char8 as Bytes
+import ExitStatus
+import FormatFile (readPlacement)
+import Json (shapeText)
+import Message
+import Options
+import PraTactile.Format (decodeProfile)
+import PraTactile.Object.Canonical (canonicalPlacement)
+import PraTactile.Object.Placement
+import PraTactile.Profile
+import PraTactile.Relief (ReliefError (..), symbolScale)
+import PraTactile.Store
+import Visible (visibleName)
+
+-- | Where the objects and their faces' places are stated.
+data PlacementChoice
+  = Shipped
+  | InFile FilePath
+  | InDatabase FilePath
+
+-- | @--placement FILE@ or @--database FILE@, given the help of the latter.
+placementChoice :: String -> Parser PlacementChoice
+placementChoice ofDatabase' =
+  InFile
+    <$> fileOption
+      "placement"
+      "FILE"
+      "The objects and the places of their faces, as 'place' writes them, with their array \
+      \(default: the cube and the parallelepiped on the paper's array)"
+    <|> InDatabase
+    <$> fileOption "database" "FILE" ofDatabase'
+    <|> pure Shipped
+
+-- | The database, if one is chosen.
+ofDatabase :: PlacementChoice -> Maybe FilePath
+ofDatabase choice = case choice of
+  InDatabase file -> Just file
+  _ -> Nothing
+
+-- | The placement chosen, and the profile of its array. Leaves with status 2 where there is none,
+-- or where the array options describe another array.
+chosenPlacement :: ArrayChoice -> PlacementChoice -> IO (Profile, Placement)
+chosenPlacement array choice = case choice of
+  Shipped -> do
+    profile <- chosenProfile array
+    layout <- orUnusable placementMessage canonicalPlacement
+    if placementShape layout == profileShape profile
+      then pure (profile, layout)
+      else
+        unusable
+          ( "the objects are laid on an array of "
+              ++ shapeText (placementShape layout)
+              ++ "; the chosen one is "
+              ++ shapeText (profileShape profile)
+          )
+  InFile file -> readPlacement file >>= agreed file
+  InDatabase file -> do
+    (text, layout) <-
+      withStore file Nothing (\store -> pure (storedProfile store, storedPlacement store))
+        >>= orUnusable storeMessage
+    profile <-
+      orUnusable
+        (formatMessage file "a database as 'pra-tactile objects --write' makes it")
+        (decodeProfile (Bytes.pack text))
+    agreed file (profile, layout)
+  where
+    agreed file (profile, layout) = do
+      unless (nothingChosen array) $ do
+        other <- chosenProfile array
+        unless (other == profile) . unusable $
+          "the array options describe another array than that of " ++ visibleName file
+            ++ "; leave them out"
+      pure (profile, layout)
+
+-- | The same where nothing is said about the array.
+shownPlacement :: PlacementChoice -> IO (Profile, Placement)
+shownPlacement = chosenPlacement unsaid
+
+-- | How much larger than the paper's the symbols of a placement are, and the placement with all its
+-- lengths divided by that. Leaves with status 2 where they cannot be felt.
+feltPlacement :: Placement -> IO (Rational, Placement)
+feltPlacement layout = case symbolScale pitch of
+  Nothing -> unusable (reliefMessage (PitchNotFelt pitch))
+  Just 1 -> pure (1, layout)
+  Just scale -> pure (scale, scaledPlacement (1 / scale) layout)
+  where
+    pitch = placementPitch layout

@@ -1,0 +1,96 @@
+-- | Polyhedra as the command line names them: a file, or a name such as @box:100x60x40@.
+module Polyhedra
+  ( polyhedron,
+    formatOption,
+    outputFormat,
+    positiveReader,
+    symbolsOption,
+    sheetSize,
+  )
+where
+
+import Data.List (intercalate)
+import ExitStatus
+import Files (readBytes)
+import Message.Solid
+import Options
+import PraTactile.Array (Shape (..))
+import PraTactile.Format.Solid
+import PraTactile.Format.Solid.Name
+import PraTactile.Object.Description
+import PraTactile.Object.Mesh
+import PraTactile.Object.Named (namedDescription)
+import PraTactile.Object.Placement (Pitch (..))
+import System.FilePath (dropExtension, takeFileName)
+import Visible
+
+-- | What a name or a file says; a file is of the format that its end tells, or else of this one.
+-- The sheet has room for an array of this shape.
+polyhedron :: Shape -> Pitch -> Maybe SolidFormat -> String -> IO Contents
+polyhedron shape between given subject = case readName (sheetSize shape between) subject of
+  Known known -> pure (Contents (fromDescription (namedDescription known)) [])
+  Malformed wanted -> unusable (solidNameMessage subject wanted)
+  Irrational name ->
+    unusable
+      ( "a regular " ++ name
+          ++ " has no rational vertices, since no rational rotation has order 5; the pyritohedron \
+             \has, which is a dodecahedron: pyritohedron:A"
+      )
+  NoName -> do
+    told <- case formatOfFile subject of
+      Just told -> pure told
+      Nothing -> maybe (misused (endless subject)) pure given
+    bytes <- readBytes subject
+    orUnusable
+      (solidFileMessage subject told)
+      (readSolid told (ObjectName (objectNameOf subject)) bytes)
+  where
+    objectNameOf "-" = "standard-input"
+    objectNameOf file = dropExtension (takeFileName file)
+
+-- | @--format@.
+formatOption :: Parser (Maybe SolidFormat)
+formatOption =
+  optional
+    ( choosing
+        "format"
+        [(formatName one, one) | one <- [minBound .. maxBound]]
+        "format"
+        "FORMAT"
+        "Format of files whose ends do not tell it"
+        mempty
+    )
+
+-- | The format in which a file is written, given what @--format@ says.
+outputFormat :: Maybe SolidFormat -> FilePath -> IO SolidFormat
+outputFormat said file = case (formatOfFile file, said) of
+  (Just Stl, Just StlText) -> pure StlText
+  (Just Ply, Just PlyText) -> pure PlyText
+  (Just told, _) -> pure told
+  (Nothing, Just given) -> pure given
+  (Nothing, Nothing) -> misused (endless file)
+
+endless :: FilePath -> String
+endless file =
+  "the end of " ++ visibleName file ++ " tells no format; give --format "
+    ++ intercalate "|" (map formatName [minBound .. maxBound])
+
+-- | An exact number above 0.
+positiveReader :: String -> ReadM Rational
+positiveReader what = eitherReader $ \text -> case exactNumber text of
+  Just n | n > 0 -> Right n
+  _ -> Left (quoted text ++ " is not " ++ what ++ " above 0, such as 25.4 or 127/5")
+
+-- | @--symbols@.
+symbolsOption :: Parser Rational
+symbolsOption =
+  option
+    (positiveReader "a factor")
+    ( long "symbols" <> metavar "S" <> value 1
+        <> help "Size of the symbols: S times 25.4 x 31.75 mm from one to the next (default 1)"
+    )
+
+-- | Room for all symbols of an array.
+sheetSize :: Shape -> Pitch -> (Rational, Rational)
+sheetSize shape (Pitch right down) =
+  (fromIntegral (columns shape) * right, fromIntegral (rows shape) * down)

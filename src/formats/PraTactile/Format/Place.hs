@@ -1,0 +1,95 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The JSON of what @place@ answers.
+module PraTactile.Format.Place
+  ( PlaceReport (..),
+    Outcome (..),
+    MaskProof (..),
+    outcomeName,
+    reasonName,
+    encodePlace,
+  )
+where
+
+import Data.Aeson (Value (..), (.=))
+import qualified Data.Aeson as Aeson
+import Data.ByteString (ByteString)
+import Numeric.Natural (Natural)
+import PraTactile.Array (Position)
+import PraTactile.Format.Json
+import PraTactile.Format.Json.Codec (writeObject)
+import PraTactile.Format.Placement (drawing, drawingKeys)
+import PraTactile.Format.Profile
+import PraTactile.Object.Packing (Reason (..))
+import PraTactile.Object.Placement (Laying)
+import PraTactile.Object.Placement.Windows
+import PraTactile.Profile
+
+-- | What came of a search for a placement.
+data PlaceReport = PlaceReport
+  { placeOutcome :: Outcome,
+    -- | why there is none, where that is proved
+    placeReason :: Maybe Reason,
+    -- | the cells of the array
+    placeCells :: Natural,
+    -- | those that faces take, at least
+    placeNeeded :: Natural,
+    placeProfile :: Profile,
+    -- | with what is proved of their cells
+    placeLayings :: [(Laying, MaskProof)],
+    placeWindows :: Maybe WindowCounts,
+    placePress :: (Integer, Integer)
+  }
+
+-- | Whether there is a placement.
+data Outcome = IsPlaced | IsImpossible | IsNotFound
+  deriving stock (Eq, Show, Enum, Bounded)
+
+-- | Of the contents of a face's cells: the rank, and the distance with cells whose loss it does not
+-- bear; 'Nothing' where they were not calculated.
+data MaskProof = MaskProof
+  { maskRank :: Maybe Natural,
+    maskDistance :: Maybe (Natural, [Position])
+  }
+  deriving stock (Eq, Show)
+
+outcomeName :: Outcome -> String
+outcomeName outcome = case outcome of
+  IsPlaced -> "placed"
+  IsImpossible -> "impossible"
+  IsNotFound -> "not-found"
+
+-- | The stable name of a proof that there is no placement.
+reasonName :: Reason -> String
+reasonName reason = case reason of
+  TakenOutside _ -> "laid-outside"
+  TakenOverlaps _ -> "laid-overlaps"
+  PieceTooLarge _ -> "face-too-large"
+  TooFewCells _ _ -> "too-few-cells"
+  NoRoom _ -> "no-room"
+  Exhausted -> "exhausted"
+
+-- | The report on one line, without its end.
+encodePlace :: PlaceReport -> ByteString
+encodePlace report =
+  encodeSchema "place/1" $
+    "outcome" .= outcomeName (placeOutcome report)
+      <> "reason" .= fmap reasonName (placeReason report)
+      <> "cells" .= naturalValue (placeCells report)
+      <> "cells_needed" .= naturalValue (placeNeeded report)
+      <> "profile" .= profileValue (placeProfile report)
+      <> "layings" .= map layingValue (placeLayings report)
+      <> "windows" .= fmap windowsValue (placeWindows report)
+      <> "press_taxels" .= placePress report
+  where
+    windowsValue (WindowCounts onFaces straddling onNone) =
+      Aeson.object
+        ["on_faces" .= onFaces, "straddling" .= straddling, "on_none" .= onNone]
+    layingValue (laying, MaskProof rank apart) =
+      Object
+        ( writeObject drawingKeys (drawing laying)
+            <> "rank" .=? fmap naturalValue rank
+            <> "distance" .=? fmap (naturalValue . fst) apart
+            <> "failing_erasure" .=? fmap (map positionListValue . snd) apart
+        )
+    name .=? part = name Aeson..= part

@@ -1,0 +1,173 @@
+-- | Where faces are laid, by search: a face takes all cells of its grid, and it may be begun at any
+-- of its vertices, for another first vertex is another frame and so another grid.
+--
+-- The faces wanted are pieces whose alternatives are their grids' cells, and what lies already is
+-- taken: "PraTactile.Object.Packing" has the mathematics.
+module PraTactile.Object.Placement.Search
+  ( Wanted (..),
+    Begun (..),
+    facesOf,
+    Found (..),
+    layingsOf,
+    cellsNeeded,
+  )
+where
+
+import qualified Data.Map.Strict as Map
+import Data.Maybe (mapMaybe)
+import qualified Data.Set as Set
+import qualified Data.Vector.Unboxed as U
+import PraTactile.Array (Position (..), Shape (..), area)
+import PraTactile.Object.Cells
+import PraTactile.Object.Description (rotations)
+import PraTactile.Object.Mesh (vertexAt)
+import PraTactile.Object.Packing hiding (laidAt)
+import PraTactile.Object.Placement
+import PraTactile.Object.WingedEdge
+
+-- | A face that is to be laid.
+data Wanted = Wanted
+  { wantedFace :: Face,
+    wantedBegun :: Begun
+  }
+  deriving stock (Eq, Show)
+
+-- | At which vertex its frame may begin.
+data Begun
+  = -- | at the first of its name
+    AsNamed
+  | -- | at any
+    AnyVertex
+  deriving stock (Eq, Show)
+
+-- | What a search came to.
+data Found
+  = -- | all faces, in the order of the wishes
+    LaidSo [Laying]
+  | -- | there is no way; pieces are the wishes, what is taken are the layings that there are
+    NoWay Reason
+  | -- | none was found, and that there is none was not proved
+    NoneFound
+  deriving stock (Eq, Show)
+
+-- | All faces of solids that have a cell, by a grid of this pitch, when begun so.
+facesOf :: Pitch -> Begun -> [Solid] -> [Wanted]
+facesOf between begun objects =
+  [ wanted
+    | object <- objects,
+      face <- solidFaces object,
+      let wanted = Wanted (Face (solidName object) face) begun,
+      not (null (grids between object wanted))
+  ]
+
+-- | How many cells wishes take at least, whichever of their frames they have.
+cellsNeeded :: Pitch -> [Solid] -> [Wanted] -> Integer
+cellsNeeded between objects wishes = sum (leastCells between objects wishes)
+
+-- | The same of each wish.
+leastCells :: Pitch -> [Solid] -> [Wanted] -> [Integer]
+leastCells between objects = map (least . map gridAtLeast . gridsIn between objects)
+  where
+    least found = if null found then 0 else minimum found
+
+-- | Lay all the faces wanted on an array of this shape, none on a cell of those that lie already,
+-- by a search that this seed begins; if that can be found, each by a frame with as many cells as
+-- any of its frames has. Each is a face of one of the solids.
+layingsOf :: Int -> Shape -> Pitch -> [LaidFace] -> [Solid] -> [Wanted] -> Found
+layingsOf seed shape@(Shape high wide) between lying objects wishes
+  | i : _ <- [i | (i, least) <- zip [0 ..] leasts, least > toInteger (area shape)] =
+    NoWay (PieceTooLarge i)
+  | needed > free = NoWay (TooFewCells (fromInteger needed) (fromInteger free))
+  | LaidSo layings <- layingsFrom (map mostCells pieces) = LaidSo layings
+  | otherwise = layingsFrom pieces
+  where
+    -- So that millions of cells on few need not be listed.
+    leasts = leastCells between objects wishes
+    needed = sum leasts
+    free = toInteger (area shape) - sum (map (toInteger . length . blockCells . laidBlock) lying)
+    layingsFrom alternatives = case packed seed sheet (map (map fst) alternatives) of
+      Packed places -> LaidSo (concat (zipWith3 laying wishes alternatives places))
+      Impossible why -> NoWay why
+      NotFound -> NoneFound
+    mostCells alternatives =
+      let most = maximum (map (length . maskCells . fst) alternatives)
+       in [one | one <- alternatives, length (maskCells (fst one)) == most]
+    sheet =
+      Sheet
+        { sheetRows = fromIntegral high,
+          sheetColumns = fromIntegral wide,
+          sheetTaken = mapMaybe taken lying
+        }
+    taken laid = do
+      mask <- maskOf (size (laidGrid laid)) [cell at | at <- blockCells (laidBlock laid)]
+      pure (mask, cell (laidAt laid))
+    size (Shape r c) = (fromIntegral r, fromIntegral c)
+    cell (Position r c) = (fromIntegral r, fromIntegral c)
+    pieces = map (distinctMasks . mapMaybe masked . gridsIn between objects) wishes
+    masked grid = do
+      mask <-
+        maskOf
+          (fromInteger (gridRows grid), fromInteger (gridColumns grid))
+          [(fromInteger r, fromInteger c) | (r, c) <- gridCells grid]
+      pure (mask, grid)
+    laying wish alternatives (Laid which at) =
+      [ layingAt (faceObject (wantedFace wish)) grid at
+        | (_, grid) <- take 1 (drop which alternatives)
+      ]
+    layingAt named grid (r, c) =
+      Laying
+        { layFace = Face named (walkName named grid),
+          layAt = Position (fromIntegral (max 0 r)) (fromIntegral (max 0 c)),
+          layAnchor =
+            if (above, before) == (0, 0)
+              then Centred
+              else CentredPart (gridRows grid, gridColumns grid) (above, before),
+          layBlock = blockOf (gridRows grid - above, gridColumns grid - before) cells
+        }
+      where
+        (above, before) = (toInteger (max 0 (negate r)), toInteger (max 0 (negate c)))
+        cells = [(i - above, j - before) | (i, j) <- gridCells grid]
+    walkName named grid =
+      maybe
+        (FaceName [])
+        (\object -> FaceName (map (vertexAt (solidMesh object)) (U.toList (gridWalk grid))))
+        (Map.lookup named byName)
+    byName = Map.fromList [(solidName object, object) | object <- objects]
+
+-- | The cells of a block, whole where it has them all.
+blockOf :: (Integer, Integer) -> [(Integer, Integer)] -> Block
+blockOf (high, wide) cells
+  | toInteger (length cells) == high * wide = wholeBlock shape
+  | otherwise =
+    Block shape . Just . Set.fromList $
+      [Position (fromInteger i) (fromInteger j) | (i, j) <- cells]
+  where
+    shape = Shape (fromInteger high) (fromInteger wide)
+
+-- | Of equal masks the first.
+distinctMasks :: [(Mask, grid)] -> [(Mask, grid)]
+distinctMasks = go Set.empty
+  where
+    go _ [] = []
+    go seen (one@(mask, _) : others)
+      | mask `Set.member` seen = go seen others
+      | otherwise = one : go (Set.insert mask seen) others
+
+-- | The grids that a wish may have, those with cells.
+gridsIn :: Pitch -> [Solid] -> Wanted -> [Grid]
+gridsIn between objects wish =
+  concat [grids between object wish | object <- objects, solidName object == named]
+  where
+    named = faceObject (wantedFace wish)
+
+grids :: Pitch -> Solid -> Wanted -> [Grid]
+grids (Pitch right down) object (Wanted face begun) =
+  [ grid
+    | Just walk <- map (walkNamed object) names,
+      let grid = gridOf (solidMesh object) (right, down) walk,
+      not (null (take 1 (gridCells grid)))
+  ]
+  where
+    names = case begun of
+      AsNamed -> [faceName face]
+      AnyVertex -> map FaceName (rotations (faceVertices (faceName face)))

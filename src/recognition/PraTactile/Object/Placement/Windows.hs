@@ -1,0 +1,86 @@
+-- | What the windows of an array lie on, counted.
+module PraTactile.Object.Placement.Windows
+  ( WindowCounts (..),
+    windowCounts,
+    mostCounted,
+    leastPress,
+  )
+where
+
+import Control.Monad (forM_)
+import Control.Monad.ST (runST)
+import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as Mutable
+import PraTactile.Array (Position (..), Shape (..), area)
+import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth)
+import PraTactile.Object.Placement
+
+-- | How many windows of the torus lie so; they add up to the array's cells.
+data WindowCounts = WindowCounts
+  { -- | on one face
+    countOnFaces :: !Int,
+    -- | on several in part
+    countStraddling :: !Int,
+    -- | on none, or on one in part
+    countOnNone :: !Int
+  }
+  deriving stock (Eq, Show)
+
+-- | What 'whereabouts' says of all windows of this shape, counted; 'Nothing' of arrays of more than
+-- 'mostCounted' cells. O(cells of the array * cells of the window).
+windowCounts :: Placement -> Shape -> Maybe WindowCounts
+windowCounts place window@(Shape tall broad)
+  | area shape > mostCounted || area window > area shape = Nothing
+  | otherwise = Just (U.foldl' count (WindowCounts 0 0 0) (U.generate (high * wide) on))
+  where
+    shape@(Shape rows' columns') = placementShape place
+    (high, wide) = (fromIntegral rows', fromIntegral columns') :: (Int, Int)
+    (h, w) = (fromIntegral tall, fromIntegral broad) :: (Int, Int)
+    none = -1 :: Int
+    -- The face that has each cell.
+    faces = runST $ do
+      cells <- Mutable.replicate (high * wide) none
+      forM_ (zip [0 ..] (laidFaces place)) $ \(i, laid) ->
+        forM_ (arrayCells laid) $ \(Position r c) ->
+          Mutable.write cells (fromIntegral r * wide + fromIntegral c) i
+      U.unsafeFreeze cells
+    count (WindowCounts a b c) kind = case kind :: Int of
+      0 -> WindowCounts (a + 1) b c
+      1 -> WindowCounts a (b + 1) c
+      _ -> WindowCounts a b (c + 1)
+    on at = go 0 0 (-2)
+      where
+        (r, c) = at `quotRem` wide
+        wraps = r + h > high || c + w > wide
+        -- The face so far: -2 before any cell, none where some cell is on none.
+        go i j seen
+          | i == h = verdict seen False
+          | j == w = go (i + 1) 0 seen
+          | seen == -2 = go i (j + 1) here
+          | here == seen = go i (j + 1) seen
+          | seen == none || here == none = partly i (j + 1) (max seen here)
+          | otherwise = 1
+          where
+            here = faces U.! (((r + i) `rem` high) * wide + (c + j) `rem` wide)
+        verdict seen part = if seen == none || part || wraps then 2 else 0
+        -- Some cells are on none, others on this face.
+        partly i j face
+          | i == h = 2
+          | j == w = partly (i + 1) 0 face
+          | here == none || here == face = partly i (j + 1) face
+          | otherwise = 1
+          where
+            here = faces U.! (((r + i) `rem` high) * wide + (c + j) `rem` wide)
+
+-- | The most cells of an array whose windows are counted.
+mostCounted :: Num n => n
+mostCounted = 2 ^ (26 :: Int)
+
+-- | The width and height, in taxels of the symbols, of the least region that has a whole window of
+-- this shape wherever it is pressed upright on a large face: a cell more than the window each way,
+-- but for what lies between symbols.
+leastPress :: Shape -> (Integer, Integer)
+leastPress (Shape tall broad) =
+  ( columnPitch * toInteger broad + toInteger symbolWidth,
+    rowPitch * toInteger tall + toInteger symbolHeight
+  )

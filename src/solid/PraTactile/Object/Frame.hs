@@ -1,0 +1,99 @@
+-- | The frame of a face. A face with the walk v_0 .. v_m and the outward normal n (twice its area
+-- long) is measured from v_0: x along e = v_m - v_0, from the walk's first vertex to its last, and
+-- y along f = e x n, into the face. With a = e . e and b = a (n . n), a corner v has
+--
+-- > x = e . (v - v_0) / sqrt a        y = f . (v - v_0) / sqrt b,
+--
+-- so that the numerators are integers and the roots alone need not be rational.
+module PraTactile.Object.Frame
+  ( Frame (..),
+    frameOf,
+    Span (..),
+    spanAcross,
+    spanDown,
+    frameCorners,
+    frameExtent,
+    isRectangle,
+  )
+where
+
+import Data.Ratio ((%))
+import qualified Data.Vector as V
+import PraTactile.Object.Mesh
+import PraTactile.Object.Surd
+import PraTactile.Object.Vector
+
+-- | The corners' numerators, and the numbers of which they are divided by the roots: lengths are in
+-- millimetres then.
+data Frame = Frame
+  { -- | a, times the square of the denominator of the polyhedron's coordinates
+    frameAcross :: !Integer,
+    -- | b, likewise
+    frameDown :: !Integer,
+    -- | the numerators of x and y, in the order of the walk
+    frameNumerators :: !(V.Vector (Integer, Integer))
+  }
+  deriving stock (Eq, Show)
+
+-- | The frame of a face, whose walk is of vertices that there are; none where the first vertex is
+-- at the place of the last, or where there is no area.
+frameOf :: Mesh -> Walk -> Maybe Frame
+frameOf it walk
+  | a == 0 || normal == zero = Nothing
+  | otherwise = Just (Frame a (a * dot normal normal) (V.map numerators points))
+  where
+    points = cornersOf it walk
+    origin = firstOf points
+    along = V.foldl (\_ p -> p) origin points `minus` origin
+    normal = doubleArea points
+    into = cross along normal
+    a = dot along along * meshDenominator it * meshDenominator it
+    numerators p = (dot along (p `minus` origin), dot into (p `minus` origin))
+
+-- | How far numerators go: the least, and how much more the greatest is.
+data Span = Span
+  { spanFrom :: !Integer,
+    spanLength :: !Integer
+  }
+  deriving stock (Eq, Show)
+
+-- | From the leftmost corner to the rightmost.
+spanAcross :: Frame -> Span
+spanAcross = spanOf . V.map fst . frameNumerators
+
+-- | From the uppermost corner to the lowest.
+spanDown :: Frame -> Span
+spanDown = spanOf . V.map snd . frameNumerators
+
+spanOf :: V.Vector Integer -> Span
+spanOf values = Span (V.minimum values) (V.maximum values - V.minimum values)
+
+-- | Where the corners are, millimetres right of and below the first one.
+frameCorners :: Frame -> [(Surd, Surd)]
+frameCorners frame =
+  [(over (frameAcross frame) x, over (frameDown frame) y) | (x, y) <- V.toList numerators]
+  where
+    numerators = frameNumerators frame
+
+-- | Where the upper left corner of the box round all corners is, millimetres right of and below the
+-- first of them, and its width and height.
+frameExtent :: Frame -> ((Surd, Surd), (Surd, Surd))
+frameExtent frame = (both spanFrom, both spanLength)
+  where
+    both part =
+      ( over (frameAcross frame) (part (spanAcross frame)),
+        over (frameDown frame) (part (spanDown frame))
+      )
+
+-- | The numerator, divided by the root.
+over :: Integer -> Integer -> Surd
+over a n = surd 0 (n % a) (fromInteger a)
+
+-- | Whether the face is the box itself.
+isRectangle :: Frame -> Bool
+isRectangle frame =
+  V.length corners == 4 && V.all (\(x, y) -> x `elem` ends across && y `elem` ends down) corners
+  where
+    corners = frameNumerators frame
+    (across, down) = (spanAcross frame, spanDown frame)
+    ends (Span from size) = [from, from + size]
