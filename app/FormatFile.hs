@@ -16,7 +16,6 @@ import ExitStatus
 import Files (readBytes, readBytesUpTo)
 import Message (formatMessage, placementFileMessage, profileMessage)
 import PraTactile.Format
-import PraTactile.Format.Placement (decodePlacement)
 import PraTactile.Object.Placement (Placement)
 import PraTactile.Profile
 import PraTactile.Sensor (Sensor)

@@ -6,7 +6,6 @@ where
 
 import ExitStatus
 import FormatFile
-import Message
 import Options
 import PlacementChoice
 import PraTactile.Explore

@@ -24,7 +24,7 @@ import Message
 import Options
 import Output
 import Polyhedra
-import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), area)
+import PraTactile.Array (Position (..), PseudorandomArray, area)
 import PraTactile.Field (KnownField)
 import PraTactile.Format.Place
 import PraTactile.Format.Placement (encodePlacement)
@@ -112,8 +112,8 @@ command =
 -- | @OBJECT:VERTICES@, the vertices parted by spaces or commas.
 faceReader :: ReadM (ObjectName, FaceName)
 faceReader = eitherReader $ \text -> case break (== ':') text of
-  (object@(_ : _), ':' : walk@(_ : _)) ->
-    Right (ObjectName object, readFaceName [if c == ',' then ' ' else c | c <- walk])
+  (owner@(_ : _), ':' : walk@(_ : _)) ->
+    Right (ObjectName owner, readFaceName [if c == ',' then ' ' else c | c <- walk])
   _ -> Left (quoted text ++ " is no face, such as 'cube:C1 C2 C3 C4'")
 
 run :: ArrayChoice -> Options -> IO ExitStatus

@@ -19,11 +19,10 @@ import Control.Monad (when)
 import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import Data.List (genericDrop, genericLength, nub)
-import qualified Data.Set as Set
 import Data.Traversable (for)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Format.Error
-import PraTactile.Format.Json.Codec
+import PraTactile.Format.Json.Codec hiding (shape)
 import PraTactile.Format.Object (faceKeys)
 import PraTactile.Format.Profile (profileCodec)
 import PraTactile.Format.Solid.Json (describedCodec, exact, tooFine)
@@ -145,7 +144,7 @@ drawing (Laying face (Position r c) anchor given) =
 undrawn :: Drawing -> Either PlacementError Laying
 undrawn (Drawing face r c margin lines')
   | beyond = Left (OutsideArray face at shape)
-  | otherwise = Right (Laying face at anchor (Block shape listed))
+  | otherwise = Right (Laying face at anchor (blockOf shape cells))
   where
     (above, before) = (max 0 (negate r), max 0 (negate c))
     at = Position (fromInteger (max 0 r)) (fromInteger (max 0 c))
@@ -153,11 +152,7 @@ undrawn (Drawing face r c margin lines')
     shape = Shape (genericLength kept) (genericLength (concat (take 1 kept)))
     taken = length . filter (== '#') . concat
     beyond = taken kept /= taken lines'
-    listed
-      | all (all (== '#')) kept = Nothing
-      | otherwise =
-        (Just . Set.fromDistinctAscList)
-          [Position i j | (i, line) <- zip [0 ..] kept, (j, '#') <- zip [0 ..] line]
+    cells = [Position i j | (i, line) <- zip [0 ..] kept, (j, '#') <- zip [0 ..] line]
     anchor = case margin of
       Just (x, y) -> Margin x y
       Nothing

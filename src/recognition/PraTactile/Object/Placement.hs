@@ -24,7 +24,7 @@ where
 
 import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
-import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Array (Position (..), Shape (..), naturalsBelow)
 import PraTactile.Object.Placement.Laying
 import PraTactile.Object.Surd (ahead, beyond, squareOf)
 import PraTactile.Object.WingedEdge
@@ -91,10 +91,9 @@ whereabouts place window at
     wholly laid (Position i j) =
       and
         [ hasCell (laidBlock laid) (Position (i + di) (j + dj))
-          | di <- below (rows window),
-            dj <- below (columns window)
+          | di <- naturalsBelow (rows window),
+            dj <- naturalsBelow (columns window)
         ]
-    below n = takeWhile (< n) [0 ..]
 
 -- | So many numbers from one on, round a circle of this size, each once.
 roundFrom :: Natural -> Natural -> Natural -> [Natural]

@@ -24,9 +24,8 @@ import Control.Monad (unless)
 import Data.Bifunctor (first)
 import Data.List (sort, sortOn)
 import qualified Data.Map.Strict as Map
-import qualified Data.Set as Set
 import Numeric.Natural (Natural)
-import PraTactile.Array (Position (..), Shape (..), area)
+import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 
@@ -217,6 +216,3 @@ placementOf given = do
       Map.fromListWith
         (++)
         [(cellFace r, [uncurry Position (cellOnFace r)]) | r <- cellRows given]
-    blockOf shape cells
-      | toInteger (length cells) == toInteger (area shape) = wholeBlock shape
-      | otherwise = Block shape (Just (Set.fromList cells))

@@ -7,6 +7,7 @@ module PraTactile.Object.Placement.Laying
     Face (..),
     Block (..),
     wholeBlock,
+    blockOf,
     blockCells,
     hasCell,
     Laying (..),
@@ -41,12 +42,13 @@ module PraTactile.Object.Placement.Laying
 where
 
 import Control.Monad (unless, when)
-import Data.List (sortOn)
+import Data.Foldable (toList)
+import Data.List (genericLength, sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isNothing)
 import qualified Data.Set as Set
 import Numeric.Natural (Natural)
-import PraTactile.Array (Position (..), Shape (..), shapeCells)
+import PraTactile.Array (Position (..), Shape (..), area, naturalsBelow, shapeCells)
 import PraTactile.Object.Cells (Anchor (..), allOn, blockCorner, cellsAmong)
 import PraTactile.Object.Description (rotations)
 import PraTactile.Object.Frame
@@ -78,6 +80,12 @@ data Block = Block
 -- | All cells of a block of this shape.
 wholeBlock :: Shape -> Block
 wholeBlock shape = Block shape Nothing
+
+-- | These cells of a block of this shape.
+blockOf :: Shape -> [Position] -> Block
+blockOf shape cells
+  | genericLength cells == area shape = wholeBlock shape
+  | otherwise = Block shape (Just (Set.fromList cells))
 
 -- | The cells, row by row.
 blockCells :: Block -> [Position]
@@ -230,7 +238,7 @@ placement shape between objects layings = do
   none (map RepeatedObject (repeated id (map solidName objects)))
   laid <- traverse (lay shape between byName) layings
   none (map FaceLaidTwice (repeated fromLeastVertex (map laidFace laid)))
-  let runs = sortOn (\run -> (runRow run, runFrom run)) (concat (zipWith runsOf [0 ..] laid))
+  let runs = sortOn (\run -> (runRow run, runFrom run)) (runsOfAll laid)
       claiming r c = [run | run <- runs, runRow run == r, runFrom run <= c, c < runTo run]
   none
     [ FacesOverlap (laidFace a) (laidFace b) (sharedCells a b)
@@ -255,9 +263,7 @@ assembled shape between objects laid =
       laidFaces = laid,
       placementByName = Map.fromList [(solidName object, object) | object <- objects],
       placementByWalk = Map.fromList [(fromLeastVertex (laidFace face), face) | face <- laid],
-      placementRuns =
-        Map.fromList
-          [((runRow run, runFrom run), run) | run <- concat (zipWith runsOf [0 ..] laid)]
+      placementRuns = Map.fromList [((runRow run, runFrom run), run) | run <- runsOfAll laid]
     }
 
 -- | The same placement with all lengths times a positive number.
@@ -308,25 +314,27 @@ runsBetween :: Placement -> Natural -> (Natural, Natural) -> [Run]
 runsBetween place r (from, to) =
   [ run
     | from < to,
-      run <- before ++ Map.elems (fst (Map.split (r, to) later)),
+      run <- map snd (toList (Map.lookupLE (r, from) runs)) ++ Map.elems within,
       runRow run == r,
       runTo run > from
   ]
   where
-    (earlier, at, after) = Map.splitLookup (r, from) (placementRuns place)
-    before = maybe (map snd (take 1 (maybe [] pure (Map.lookupMax earlier)))) pure at
-    later = after
+    runs = placementRuns place
+    within = fst (Map.split (r, to) (snd (Map.split (r, from) runs)))
+
+-- | The runs of all laid faces.
+runsOfAll :: [LaidFace] -> [Run]
+runsOfAll = concat . zipWith runsOf [0 ..]
 
 -- | The runs of the n-th laid face.
 runsOf :: Int -> LaidFace -> [Run]
 runsOf number laid = case blockListed (laidBlock laid) of
-  Nothing -> [run i 0 (columns shape) | i <- below (rows shape)]
+  Nothing -> [run i 0 (columns shape) | i <- naturalsBelow (rows shape)]
   Just listed -> joined (Set.toAscList listed)
   where
     shape = blockShape (laidBlock laid)
     Position r c = laidAt laid
     run i from to = Run (r + i) (c + from) (c + to) number laid
-    below n = takeWhile (< n) [0 ..]
     joined cells = case cells of
       [] -> []
       Position i j : others ->

@@ -13,9 +13,9 @@ module PraTactile.Object.Placement.Search
   )
 where
 
+import Data.Containers.ListUtils (nubOrdOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (mapMaybe)
-import qualified Data.Set as Set
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Array (Position (..), Shape (..), area)
 import PraTactile.Object.Cells
@@ -62,13 +62,11 @@ facesOf between begun objects =
 
 -- | How many cells wishes take at least, whichever of their frames they have.
 cellsNeeded :: Pitch -> [Solid] -> [Wanted] -> Integer
-cellsNeeded between objects wishes = sum (leastCells between objects wishes)
+cellsNeeded between objects = sum . map leastCells . gridsOf between objects
 
--- | The same of each wish.
-leastCells :: Pitch -> [Solid] -> [Wanted] -> [Integer]
-leastCells between objects = map (least . map gridAtLeast . gridsIn between objects)
-  where
-    least found = if null found then 0 else minimum found
+-- | How many cells the smallest of some grids has at least.
+leastCells :: [Grid] -> Integer
+leastCells found = if null found then 0 else minimum (map gridAtLeast found)
 
 -- | Lay all the faces wanted on an array of this shape, none on a cell of those that lie already,
 -- by a search that this seed begins; if that can be found, each by a frame with as many cells as
@@ -82,7 +80,8 @@ layingsOf seed shape@(Shape high wide) between lying objects wishes
   | otherwise = layingsFrom pieces
   where
     -- So that millions of cells on few need not be listed.
-    leasts = leastCells between objects wishes
+    leasts = map leastCells possible
+    possible = gridsOf between objects wishes
     needed = sum leasts
     free = toInteger (area shape) - sum (map (toInteger . length . blockCells . laidBlock) lying)
     layingsFrom alternatives = case packed seed sheet (map (map fst) alternatives) of
@@ -103,7 +102,8 @@ layingsOf seed shape@(Shape high wide) between lying objects wishes
       pure (mask, cell (laidAt laid))
     size (Shape r c) = (fromIntegral r, fromIntegral c)
     cell (Position r c) = (fromIntegral r, fromIntegral c)
-    pieces = map (distinctMasks . mapMaybe masked . gridsIn between objects) wishes
+    -- Of equal masks the first.
+    pieces = map (nubOrdOn fst . mapMaybe masked) possible
     masked grid = do
       mask <-
         maskOf
@@ -122,11 +122,20 @@ layingsOf seed shape@(Shape high wide) between lying objects wishes
             if (above, before) == (0, 0)
               then Centred
               else CentredPart (gridRows grid, gridColumns grid) (above, before),
-          layBlock = blockOf (gridRows grid - above, gridColumns grid - before) cells
+          layBlock =
+            blockOf
+              ( Shape
+                  (fromInteger (gridRows grid - above))
+                  (fromInteger (gridColumns grid - before))
+              )
+              cells
         }
       where
         (above, before) = (toInteger (max 0 (negate r)), toInteger (max 0 (negate c)))
-        cells = [(i - above, j - before) | (i, j) <- gridCells grid]
+        cells =
+          [ Position (fromInteger (i - above)) (fromInteger (j - before))
+            | (i, j) <- gridCells grid
+          ]
     walkName named grid =
       maybe
         (FaceName [])
@@ -134,31 +143,13 @@ layingsOf seed shape@(Shape high wide) between lying objects wishes
         (Map.lookup named byName)
     byName = Map.fromList [(solidName object, object) | object <- objects]
 
--- | The cells of a block, whole where it has them all.
-blockOf :: (Integer, Integer) -> [(Integer, Integer)] -> Block
-blockOf (high, wide) cells
-  | toInteger (length cells) == high * wide = wholeBlock shape
-  | otherwise =
-    Block shape . Just . Set.fromList $
-      [Position (fromInteger i) (fromInteger j) | (i, j) <- cells]
+-- | The grids that wishes may have, those with cells.
+gridsOf :: Pitch -> [Solid] -> [Wanted] -> [[Grid]]
+gridsOf between objects =
+  map (\wish -> maybe [] (\object -> grids between object wish) (objectOf wish))
   where
-    shape = Shape (fromInteger high) (fromInteger wide)
-
--- | Of equal masks the first.
-distinctMasks :: [(Mask, grid)] -> [(Mask, grid)]
-distinctMasks = go Set.empty
-  where
-    go _ [] = []
-    go seen (one@(mask, _) : others)
-      | mask `Set.member` seen = go seen others
-      | otherwise = one : go (Set.insert mask seen) others
-
--- | The grids that a wish may have, those with cells.
-gridsIn :: Pitch -> [Solid] -> Wanted -> [Grid]
-gridsIn between objects wish =
-  concat [grids between object wish | object <- objects, solidName object == named]
-  where
-    named = faceObject (wantedFace wish)
+    objectOf wish = Map.lookup (faceObject (wantedFace wish)) byName
+    byName = Map.fromList [(solidName object, object) | object <- objects]
 
 grids :: Pitch -> Solid -> Wanted -> [Grid]
 grids (Pitch right down) object (Wanted face begun) =

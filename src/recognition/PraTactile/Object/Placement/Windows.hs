@@ -48,26 +48,16 @@ windowCounts place window@(Shape tall broad)
       0 -> WindowCounts (a + 1) b c
       1 -> WindowCounts a (b + 1) c
       _ -> WindowCounts a b (c + 1)
-    on at = go 0 0 (-2)
+    on at = go 0 0 none False
       where
         (r, c) = at `quotRem` wide
         wraps = r + h > high || c + w > wide
-        -- The face so far: -2 before any cell, none where some cell is on none.
-        go i j seen
-          | i == h = verdict seen False
-          | j == w = go (i + 1) 0 seen
-          | seen == -2 = go i (j + 1) here
-          | here == seen = go i (j + 1) seen
-          | seen == none || here == none = partly i (j + 1) (max seen here)
-          | otherwise = 1
-          where
-            here = faces U.! (((r + i) `rem` high) * wide + (c + j) `rem` wide)
-        verdict seen part = if seen == none || part || wraps then 2 else 0
-        -- Some cells are on none, others on this face.
-        partly i j face
-          | i == h = 2
-          | j == w = partly (i + 1) 0 face
-          | here == none || here == face = partly i (j + 1) face
+        -- The one face so far, if there is any, and whether some cell is on none.
+        go i j face partly
+          | i == h = if partly || wraps then 2 else 0
+          | j == w = go (i + 1) 0 face partly
+          | here == none = go i (j + 1) face True
+          | face == none || here == face = go i (j + 1) here partly
           | otherwise = 1
           where
             here = faces U.! (((r + i) `rem` high) * wide + (c + j) `rem` wide)
