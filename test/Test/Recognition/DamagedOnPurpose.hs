@@ -330,7 +330,7 @@ damageSpec alphabetOfAll layout net array mask = do
     cells h w (Position r c) =
       [[Just (codeAt (Position (r + i) (c + j)), id) | j <- upTo w] | i <- upTo h]
     upTo n = takeWhile (< n) [0 ..]
-    blockOf h w (Position r c) =
+    blockFrom h w (Position r c) =
       [ Position ((r + i) `mod` 15) ((c + j) `mod` 17)
         | i <- upTo (h :: Natural),
           j <- upTo (w :: Natural)
