@@ -215,7 +215,7 @@ damageSpec alphabetOfAll layout net array mask = do
               recognisedAnswer
                 <$> recognisedWith standardTolerance [compositeOf (cropped (l, t, r, b) whole)]
             (cut, fmap (map symbolCell . positionsOf) (rightOf answer))
-              `shouldBe` (cut, Just (sort (blockOf 2 2 place)))
+              `shouldBe` (cut, Just (sort (blockFrom 2 2 place)))
     it "they are not counted among the symbols known, and a flat place is none" $ do
       recognition <-
         recognisedWith
