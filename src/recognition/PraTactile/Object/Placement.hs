@@ -10,6 +10,10 @@ module PraTactile.Object.Placement
     Place (..),
     corner,
     whereabouts,
+    Mapping (..),
+    inCommon,
+    more,
+    whereaboutsIn,
 
     -- * From the objects to the array
     arrayPosition,
@@ -22,9 +26,10 @@ module PraTactile.Object.Placement
   )
 where
 
+import Data.Functor.Identity (Identity (..))
 import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
-import PraTactile.Array (Position (..), Shape (..), naturalsBelow)
+import PraTactile.Array (Position (..), Shape (..), area)
 import PraTactile.Object.Placement.Laying
 import PraTactile.Object.Surd (ahead, beyond, squareOf)
 import PraTactile.Object.WingedEdge
@@ -63,44 +68,71 @@ corner place = case placeCorners place of
 -- likewise with columns; so does the position. A window without cells is on no object. Takes time
 -- in proportion to the window's cells at most, and to the logarithm of the number of laid faces.
 whereabouts :: Placement -> Shape -> Position -> Whereabouts
-whereabouts place window at
-  | rows window == 0 || columns window == 0 = OnNoObject
-  | otherwise = case Map.elems touched of
-    [laid]
-      | Just cell <- cellOf laid, wholly laid cell -> OnFace (placeOn place laid window cell)
-      | otherwise -> OnNoObject
-    [] -> OnNoObject
-    several -> Straddles (map laidFace several)
+whereabouts place window = runIdentity . whereaboutsIn (mappingOf place) window
+
+-- | The mapping of faces to the array as look-ups ask it, from memory or from a database.
+data Mapping m = Mapping
+  { -- | the rows and columns of the array
+    mappingShape :: Shape,
+    -- | the distances between symbols
+    mappingPitch :: Pitch,
+    -- | of a rectangle of cells, the rows and the columns each from the first to before the last,
+    -- the faces that have some, each by its place in the order of layings: how many, and its seat
+    mappingCells :: (Natural, Natural) -> (Natural, Natural) -> m (Map.Map Int (Natural, m Seat))
+  }
+
+-- | A placement as one.
+mappingOf :: Placement -> Mapping Identity
+mappingOf place =
+  Mapping
+    { mappingShape = placementShape place,
+      mappingPitch = placementPitch place,
+      mappingCells = \(top, bottom) across ->
+        Identity $
+          Map.fromListWith
+            more
+            [ (runNumber run, (inCommon across (runFrom run, runTo run), seat))
+              | r <- takeWhile (< bottom) [top ..],
+                run <- runsBetween place r across,
+                let seat = Identity (seatOf (runFace run))
+            ]
+    }
+
+-- | More cells of the same face.
+more :: (Natural, seat) -> (Natural, seat) -> (Natural, seat)
+more (cells, seat) (others, _) = (cells + others, seat)
+
+-- | How many numbers two ranges have in common, each from its first number to before its last; they
+-- have some.
+inCommon :: (Natural, Natural) -> (Natural, Natural) -> Natural
+inCommon (from, to) (from', to') = min to to' - max from from'
+
+-- | The same of any mapping. A face lies on the sheet without going round, so that a window is all
+-- on it where it does not go round either and all its cells are the face's.
+whereaboutsIn :: Monad m => Mapping m -> Shape -> Position -> m Whereabouts
+whereaboutsIn mapping window at
+  | rows window == 0 || columns window == 0 = pure OnNoObject
+  | otherwise = do
+    touched <-
+      Map.unionsWith more
+        <$> sequence
+          [ mappingCells mapping down across
+            | down <- partsFrom high (row at) (rows window),
+              across <- partsFrom wide (column at) (columns window)
+          ]
+    case Map.toAscList touched of
+      [] -> pure OnNoObject
+      [(_, (cells, seat))]
+        | cells == area window && r + rows window <= high && c + columns window <= wide ->
+          OnFace . placeOn (mappingPitch mapping) window (Position r c) <$> seat
+        | otherwise -> pure OnNoObject
+      several -> Straddles <$> traverse (fmap seatFace . snd . snd) several
   where
-    Shape high wide = placementShape place
-    touched =
-      Map.fromList
-        [ (runNumber run, runFace run)
-          | r <- roundFrom high (row at) (rows window),
-            part <- partsFrom wide (column at) (columns window),
-            run <- runsBetween place r part
-        ]
-    -- Of the window's upper left cell, the cell of the block; faces lie on the sheet, and so does a
-    -- window all of whose cells one has.
-    cellOf laid
-      | r < row corner' || c < column corner' = Nothing
-      | otherwise = Just (Position (r - row corner') (c - column corner'))
-      where
-        corner' = laidAt laid
-        (r, c) = (row at `mod` high, column at `mod` wide)
-    wholly laid (Position i j) =
-      and
-        [ hasCell (laidBlock laid) (Position (i + di) (j + dj))
-          | di <- naturalsBelow (rows window),
-            dj <- naturalsBelow (columns window)
-        ]
+    Shape high wide = mappingShape mapping
+    (r, c) = (row at `mod` high, column at `mod` wide)
 
--- | So many numbers from one on, round a circle of this size, each once.
-roundFrom :: Natural -> Natural -> Natural -> [Natural]
-roundFrom size from count =
-  concat [takeWhile (< end) [begin ..] | (begin, end) <- partsFrom size from count]
-
--- | The same as parts of the circle cut at 0: from the first number to before the second.
+-- | So many numbers from one on, round a circle of this size, each once, as parts of the circle cut
+-- at 0: from the first number to before the second.
 partsFrom :: Natural -> Natural -> Natural -> [(Natural, Natural)]
 partsFrom size from count
   | count >= size = [(0, size)]
@@ -110,17 +142,19 @@ partsFrom size from count
     begin = from `mod` size
     end = begin + count
 
-placeOn :: Placement -> LaidFace -> Shape -> Position -> Place
-placeOn place laid window cell =
+-- | The place of a window that lies on a face, by its upper left cell on the array.
+placeOn :: Pitch -> Shape -> Position -> Seat -> Place
+placeOn between window (Position r c) seat =
   Place
-    { placeFace = laidFace laid,
+    { placeFace = seatFace seat,
       placeCell = cell,
       placeCentre = centre,
       placeCorners = [vertex | (vertex, far) <- distances, far == minimum (map snd distances)]
     }
   where
-    centre = windowCentre place laid window cell
-    distances = [(vertex, distance spot) | (vertex, spot) <- laidCorners laid]
+    cell = Position (r - row (seatAt seat)) (c - column (seatAt seat))
+    centre = centreBy between (seatMargin seat) window cell
+    distances = [(vertex, distance spot) | (vertex, spot) <- seatCorners seat]
     distance (Spot right down) =
       squareOf (beyond right (spotRight centre)) (beyond down (spotDown centre))
 
@@ -155,15 +189,18 @@ findFace place named walk = do
 -- | The centre of a window on a laid face, the window given by its shape and by its upper left cell
 -- within the face's block.
 windowCentre :: Placement -> LaidFace -> Shape -> Position -> Spot
-windowCentre place laid window cell =
+windowCentre place = centreBy (placementPitch place) . laidMargin
+
+centreBy :: Pitch -> Spot -> Shape -> Position -> Spot
+centreBy between margin window cell =
   Spot
     (middle spotRight pitchRight column columns)
     (middle spotDown pitchDown row rows)
   where
-    middle margin along from size =
+    middle side along from size =
       ahead
-        (along (placementPitch place) * (fromIntegral (from cell) + fromIntegral (size window) / 2))
-        (margin (laidMargin laid))
+        (along between * (fromIntegral (from cell) + fromIntegral (size window) / 2))
+        (side margin)
 
 -- | The centre of a symbol on a laid face, the symbol given by its row and column within the face's
 -- block.

@@ -8,6 +8,7 @@
 module PraTactile.Object.Frame
   ( Frame (..),
     frameOf,
+    frameOfPoints,
     Span (..),
     spanAcross,
     spanDown,
@@ -19,6 +20,7 @@ where
 
 import Data.Ratio ((%))
 import qualified Data.Vector as V
+import PraTactile.Object.Description (Point)
 import PraTactile.Object.Mesh
 import PraTactile.Object.Surd
 import PraTactile.Object.Vector
@@ -38,16 +40,23 @@ data Frame = Frame
 -- | The frame of a face, whose walk is of vertices that there are; none where the first vertex is
 -- at the place of the last, or where there is no area.
 frameOf :: Mesh -> Walk -> Maybe Frame
-frameOf it walk
+frameOf it walk = frameOver (lowestTerms (meshDenominator it) (cornersOf it walk))
+
+-- | The frame of a face by the places of its corners alone, in the order of its walk.
+frameOfPoints :: [Point] -> Maybe Frame
+frameOfPoints = frameOver . overOne
+
+-- | In lowest terms, so that roots are the same whatever else the object has.
+frameOver :: (Integer, V.Vector V3) -> Maybe Frame
+frameOver (over, points)
   | a == 0 || normal == zero = Nothing
   | otherwise = Just (Frame a (a * dot normal normal) (V.map numerators points))
   where
-    points = cornersOf it walk
     origin = firstOf points
     along = V.foldl (\_ p -> p) origin points `minus` origin
     normal = doubleArea points
     into = cross along normal
-    a = dot along along * meshDenominator it * meshDenominator it
+    a = dot along along * over * over
     numerators p = (dot along (p `minus` origin), dot into (p `minus` origin))
 
 -- | How far numerators go: the least, and how much more the greatest is.

@@ -28,6 +28,8 @@ module PraTactile.Object.Mesh
     vertexAt,
     faceAt,
     pointAt,
+    overOne,
+    lowestTerms,
 
     -- * Equal things
     firstAlike,
@@ -72,7 +74,7 @@ mesh name names over points walks = Mesh name lowest reduced walks names Map.emp
   where
     (lowest, reduced) = lowestTerms over points
 
--- | Divided by what divides the denominator and all coordinates.
+-- | A denominator and coordinates over it, divided by what divides them all.
 lowestTerms :: Integer -> V.Vector V3 -> (Integer, V.Vector V3)
 lowestTerms over points
   | common == 1 = (over, points)
@@ -135,7 +137,7 @@ fromDescription described =
   Mesh
     { meshName = describedName described,
       meshDenominator = over,
-      meshPoints = V.fromList (map (whole . snd) (describedVertices described)),
+      meshPoints = points,
       meshWalks =
         V.fromList [U.fromList (map index walk) | FaceName walk <- describedFaces described],
       meshNames = V.fromList (own ++ alien),
@@ -156,11 +158,17 @@ fromDescription described =
         )
     beyond = Map.fromList (zip alien [length own ..])
     index name = Map.findWithDefault (Map.findWithDefault 0 name beyond) name places
+    (over, points) = overOne (map snd (describedVertices described))
+
+-- | Places over their least common denominator.
+overOne :: [Point] -> (Integer, V.Vector V3)
+overOne places = (over, V.fromList (map whole places))
+  where
     over =
       foldl'
-        (\common (_, Point x y z) -> foldl' lcm common (map denominator [x, y, z]))
+        (\common (Point x y z) -> foldl' lcm common (map denominator [x, y, z]))
         1
-        (describedVertices described)
+        places
     whole (Point x y z) = V3 (times x) (times y) (times z)
     times x = numerator x * (over `quot` denominator x)
 

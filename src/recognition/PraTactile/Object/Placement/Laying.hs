@@ -30,9 +30,15 @@ module PraTactile.Object.Placement.Laying
     laidFaces,
     arrayCells,
 
+    -- * What a look-up needs
+    Seat (..),
+    seatOf,
+    seatBy,
+
     -- * Runs of cells
     Run (..),
     runsBetween,
+    runsByRow,
 
     -- * Spots on a face
     Spot (..),
@@ -44,6 +50,7 @@ where
 import Control.Monad (unless, when)
 import Data.Foldable (toList)
 import Data.List (genericLength, sortOn)
+import Data.List.NonEmpty (NonEmpty (..), groupWith)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isNothing)
 import qualified Data.Set as Set
@@ -146,6 +153,37 @@ data LaidFace = LaidFace
     laidMargin :: Spot
   }
   deriving stock (Eq, Show)
+
+-- | Of a laid face all that a look-up needs, whichever cells it has.
+data Seat = Seat
+  { seatFace :: Face,
+    -- | where the block's upper left cell lies
+    seatAt :: Position,
+    -- | the vertices with their spots, in the order of the face's name
+    seatCorners :: [(VertexName, Spot)],
+    -- | the block's upper left corner
+    seatMargin :: Spot
+  }
+  deriving stock (Eq, Show)
+
+-- | A laid face's seat.
+seatOf :: LaidFace -> Seat
+seatOf laid = Seat (laidFace laid) (laidAt laid) (laidCorners laid) (laidMargin laid)
+
+-- | The seat of a face by the places of its corners, in the order of its name, and by where its
+-- block lies, how, and of which shape; none where the corners make no face.
+seatBy :: Pitch -> Face -> [Point] -> Position -> Anchor -> Shape -> Maybe Seat
+seatBy between face corners at anchor grid =
+  (\frame -> seatIn frame between face at anchor grid) <$> frameOfPoints corners
+
+seatIn :: Frame -> Pitch -> Face -> Position -> Anchor -> Shape -> Seat
+seatIn frame between face at anchor grid =
+  Seat
+    { seatFace = face,
+      seatAt = at,
+      seatCorners = zip (faceVertices (faceName face)) (map (uncurry Spot) (frameCorners frame)),
+      seatMargin = uncurry Spot (blockCorner frame (cellOf between) anchor (sizes grid))
+    }
 
 -- | The rows and columns of a laid face's block.
 laidGrid :: LaidFace -> Shape
@@ -322,6 +360,13 @@ runsBetween place r (from, to) =
     runs = placementRuns place
     within = fst (Map.split (r, to) (snd (Map.split (r, from) runs)))
 
+-- | All rows of the array in which a face has cells, each with its runs from left to right.
+runsByRow :: Placement -> [(Natural, [Run])]
+runsByRow place =
+  [ (runRow one, one : others)
+    | one :| others <- groupWith runRow (Map.elems (placementRuns place))
+  ]
+
 -- | The runs of all laid faces.
 runsOfAll :: [LaidFace] -> [Run]
 runsOfAll = concat . zipWith runsOf [0 ..]
@@ -365,17 +410,17 @@ lay shape between objects (Laying face at anchor block) = do
   unless (null off) (Left (CellsOffFace face off))
   unless (all onSheet outermost) (Left (OutsideArray face at grid))
   let (box, extent) = frameExtent frame
+      seat = seatIn frame between face at anchor grid
   pure
     LaidFace
       { laidFace = face,
         laidAt = at,
         laidAnchor = anchor,
         laidBlock = block,
-        laidCorners =
-          zip (faceVertices (faceName face)) (map (uncurry Spot) (frameCorners frame)),
+        laidCorners = seatCorners seat,
         laidBox = uncurry Spot box,
         laidExtent = uncurry Spot extent,
-        laidMargin = uncurry Spot (blockCorner frame (cellOf between) anchor (sizes grid))
+        laidMargin = seatMargin seat
       }
   where
     named = faceObject face
