@@ -3,6 +3,7 @@
 module Lines
   ( Line (..),
     forLines,
+    lineText,
     largestLine,
   )
 where
@@ -25,6 +26,14 @@ data Line
 -- | How many bytes a line may have: 1 MiB.
 largestLine :: Int
 largestLine = 1024 * 1024
+
+-- | What a line says, or why that cannot be read.
+lineText :: Line -> Either String Text
+lineText given = case given of
+  Line text -> Right text
+  NotUtf8 -> Left "the line is not UTF-8 text"
+  TooLong size ->
+    Left ("the line has " ++ show size ++ " bytes; at most " ++ show largestLine ++ " are read")
 
 -- | Go through the lines of the standard input as they come. What follows the last end of line is a
 -- line if it is not empty.

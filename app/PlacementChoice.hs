@@ -5,6 +5,8 @@ module PlacementChoice
     placementChoice,
     ofDatabase,
     chosenPlacement,
+    withDatabase,
+    profileIn,
     shownPlacement,
     feltPlacement,
   )
@@ -67,24 +69,38 @@ chosenPlacement array choice = case choice of
               ++ "; the chosen one is "
               ++ shapeText (profileShape profile)
           )
-  InFile file -> readPlacement file >>= agreed file
-  InDatabase file -> do
-    (text, layout) <-
-      withStore file Nothing (\store -> pure (storedProfile store, storedPlacement store))
-        >>= orUnusable storeMessage
-    profile <-
-      orUnusable
-        (formatMessage file "a database as 'pra-tactile objects --write' makes it")
-        (decodeProfile (Bytes.pack text))
-    agreed file (profile, layout)
+  InFile file -> do
+    (profile, layout) <- readPlacement file
+    agreeing array file profile
+    pure (profile, layout)
+  InDatabase file -> withDatabase array file $ \profile store ->
+    (,) profile <$> (storedPlacement store >>= orUnusable storeMessage)
+
+-- | An open database and the profile of its array. Leaves with status 2 where it is none, or where
+-- the array options describe another array.
+withDatabase :: ArrayChoice -> FilePath -> (Profile -> Store -> IO a) -> IO a
+withDatabase array file action =
+  withStore file Nothing asked >>= orUnusable storeMessage
   where
-    agreed file (profile, layout) = do
-      unless (nothingChosen array) $ do
-        other <- chosenProfile array
-        unless (other == profile) . unusable $
-          "the array options describe another array than that of " ++ visibleName file
-            ++ "; leave them out"
-      pure (profile, layout)
+    asked store = do
+      profile <- profileIn file (storedProfile store)
+      agreeing array file profile
+      action profile store
+
+-- | The profile that a database has as a text.
+profileIn :: FilePath -> String -> IO Profile
+profileIn file text =
+  orUnusable
+    (formatMessage file "a database as 'pra-tactile objects --write' makes it")
+    (decodeProfile (Bytes.pack text))
+
+-- | Leaves with status 2 where the array options describe another array than the file's.
+agreeing :: ArrayChoice -> FilePath -> Profile -> IO ()
+agreeing array file profile = unless (nothingChosen array) $ do
+  other <- chosenProfile array
+  unless (other == profile) . unusable $
+    "the array options describe another array than that of " ++ visibleName file
+      ++ "; leave them out"
 
 -- | The same where nothing is said about the array.
 shownPlacement :: PlacementChoice -> IO (Profile, Placement)

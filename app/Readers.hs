@@ -12,6 +12,7 @@ module Readers
     pairReader,
     shapeReader,
     positionReader,
+    readPosition,
 
     -- * Paths
     pathReader,
@@ -103,7 +104,11 @@ shapeReader = eitherReader $ \text -> case splitOn 'x' text of
 
 -- | Two numbers parted by a comma: row, then column.
 positionReader :: ReadM Position
-positionReader = eitherReader $ \text -> case splitOn ',' text of
+positionReader = eitherReader readPosition
+
+-- | The same of a text.
+readPosition :: String -> Either String Position
+readPosition text = case splitOn ',' text of
   r :| [c] -> Position <$> readDecimal (trim r) <*> readDecimal (trim c)
   _ -> Left (quoted text ++ " is not a position; write ROW,COLUMN, as in 6,5")
 

@@ -1,4 +1,4 @@
--- | A recognition in words, and its windows looked up in the database.
+-- | A recognition in words.
 module Recognised
   ( recognitionText,
     recognitionStatus,
@@ -7,7 +7,6 @@ module Recognised
     orientationText,
     windowText,
     whereText,
-    fromDatabase,
   )
 where
 
@@ -16,12 +15,11 @@ import Data.Bifunctor (first)
 import Data.List (intercalate)
 import ExitStatus
 import Message
-import PraTactile.Array (Position (..), Shape)
+import PraTactile.Array (Position (..))
 import PraTactile.Field (GF, KnownField, fromCode, showElement)
 import PraTactile.Object.Placement
 import PraTactile.Recognise
 import PraTactile.Recognise.Summary
-import PraTactile.Store
 import Visible
 
 -- | The printed name of the element that a class stands for, in the recogniser's field.
@@ -105,27 +103,3 @@ supportText support =
     ++ (if supportRadius support == 0 then "none" else "up to " ++ show (supportRadius support))
     ++ " may); doubt "
     ++ doubtText (supportDoubt support)
-
--- | The recognition with its windows looked up in a database that was made for the profile.
-fromDatabase :: FilePath -> String -> Shape -> Recognition -> IO Recognition
-fromDatabase file profile window recognition = case recognisedAnswer recognition of
-  Right (Found found) -> do
-    (first', all') <-
-      withStore
-        file
-        (Just profile)
-        ( \store ->
-            (,)
-              <$> lookUp store (foundWindow found)
-              <*> traverse (lookUp store) (foundWindows found)
-        )
-        >>= orUnusable storeMessage
-    pure
-      recognition
-        { recognisedAnswer = Right (Found found {foundWindow = first', foundWindows = all'})
-        }
-  _ -> pure recognition
-  where
-    lookUp store found = do
-      place <- storedWhereabouts store window (windowPosition found) >>= orUnusable storeMessage
-      pure found {windowWhereabouts = place}

@@ -124,6 +124,7 @@ import qualified Test.Solid.FilesOfSolids
 import qualified Test.Solid.MergedAndSettled
 import qualified Test.Solid.PackedByDefinition
 import qualified Test.Solid.ReportByDefinition
+import qualified Test.Store.Changes
 import qualified Test.Store.DrawnPlacements
 import qualified Test.Store.RowsAndGuards
 import qualified Test.Store.Target
@@ -284,6 +285,7 @@ specs = do
     describe "Placement of any faces" Test.Recognition.Object.PlacementsOfAnyFaces.spec
   describe "Store" Test.Store.RowsAndGuards.spec
   describe "Store" Test.Store.DrawnPlacements.spec
+  describe "Store" Test.Store.Changes.spec
   describe "Store" Test.Store.Target.spec
   describe "Symmetry" Test.Common.SymmetryGroup.spec
   describe "Rates" Test.Simulation.RatesBesideExact.spec

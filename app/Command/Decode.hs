@@ -245,7 +245,6 @@ decodeWith ::
 decodeWith alphabet profile array options reader from composites = do
   recognition <-
     orUnusable networkMessage (recogniseWith (tolerance options) reader composites)
-      >>= maybe pure lookedUp (ofDatabase (objects options))
   for_ ((,) <$> picture options <*> listToMaybe composites) $ \(file, composite) ->
     writeWhole file (pageSvg (page composite recognition))
   unless (picture options == Just standardOutput) $
@@ -269,4 +268,3 @@ decodeWith alphabet profile array options reader from composites = do
         }
     larger = maybe 1 fromRational (symbolScale (placementPitch (recogniserPlacement reader)))
     both f (x, y) = (f x, f y)
-    lookedUp file = fromDatabase file (profileText profile) (profileWindow profile)

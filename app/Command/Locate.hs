@@ -230,15 +230,10 @@ batch :: Profile -> (Text -> Either String Response) -> IO ExitStatus
 batch profile respond = forLines answerLine Answered
   where
     answerLine worst given = do
-      let answer = textOf given >>= respond
+      let answer = lineText given >>= respond
       Bytes.putStrLn (encodeAnswer (either (invalidReport profile) responseReport answer))
       hFlush stdout
       pure (max worst (either (const Unusable) statusOf answer))
-    textOf given = case given of
-      Line text -> Right text
-      NotUtf8 -> Left "the line is not UTF-8 text"
-      TooLong size ->
-        Left ("the line has " ++ show size ++ " bytes; at most " ++ show largestLine ++ " are read")
 
 statusOf :: Response -> ExitStatus
 statusOf response = case answerOutcome (responseAnswer response) of

@@ -1,30 +1,41 @@
 -- | @pra-tactile objects@: the objects and where their faces lie on the array; the database of that
--- mapping.
+-- mapping, which is asked, changed and checked.
 module Command.Objects
   ( command,
   )
 where
 
 import ArrayChoice
-import Control.Monad (unless)
+import Control.Monad (unless, when)
+import qualified Data.ByteString.Char8 as Bytes
+import Data.Maybe (isJust, isNothing)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import DatabaseChange
 import ExitStatus
 import Json
+import Lines
 import Message
 import Options
 import PlacementChoice
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Format (encodeObjects, encodeWhereabouts)
+import PraTactile.Format.Object (encodeNoWhereabouts)
 import PraTactile.Format.Profile (profileText)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
 import PraTactile.Store
 import Recognised (whereText)
+import System.IO (hFlush, stdout)
 
 data Options = Options
   { at :: Maybe Position,
+    batched :: Bool,
     source :: PlacementChoice,
     write :: Maybe FilePath,
+    task :: Maybe Task,
+    operands :: [String],
     form :: AnswerForm
   }
 
@@ -33,11 +44,13 @@ command =
   subcommand
     "objects"
     "List the objects and the place of their faces on the array, look a window's position up, or \
-    \write the mapping to an SQLite file."
+    \write the mapping to an SQLite file, add to it and take from it."
     [ "pra-tactile objects",
       "pra-tactile objects --at 6,5",
       "pra-tactile objects --write mapping.sqlite && pra-tactile objects --database \
-      \mapping.sqlite --at 6,5"
+      \mapping.sqlite --at 6,5",
+      "pra-tactile objects --write more.sqlite && pra-tactile objects --database more.sqlite --add \
+      \lid=box:30x30x40"
     ]
     (run <$> arrayChoice <*> options)
   where
@@ -50,59 +63,115 @@ command =
               "ROW,COLUMN"
               "Tell what lies at the window whose upper left cell is here, counted from 0"
           )
-        <*> placementChoice "Ask this database instead of a mapping in memory"
+        <*> switch
+          ( long "batch"
+              <> help
+                "Read such positions from the standard input, one a line; answer each with \
+                \a line of JSON"
+          )
+        <*> placementChoice "Ask this database instead of a mapping in memory, or change it"
         <*> optionalFile
           "write"
           "FILE"
           "Write the mapping to an SQLite file: a new one, or one that this command made, \
           \which is replaced"
+        <*> optional taskOption
+        <*> many
+          ( argument
+              pathReader
+              ( metavar "OBJECT..." <> action "file"
+                  <> help
+                    "What --add and --replace take: files or names of polyhedra, as 'solid' takes \
+                    \them, NAME= before one names the object; what --remove takes: names of objects"
+              )
+          )
         <*> jsonSwitch "Print as JSON"
 
 run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options = do
-  case (at options, write options, ofDatabase (source options)) of
-    (Just _, Just _, _) -> misused "--at asks and --write writes; give one of them"
-    (_, Just "-", _) -> misused "a database cannot be written to the standard output; name a file"
-    (_, Just _, Just _) ->
-      misused "--write makes a database and --database asks one; give one of them"
-    _ -> pure ()
-  (profile, layout) <- chosenPlacement choice (source options)
-  case (at options, write options) of
-    (Just position, _) -> lookUp profile layout options position
-    (_, Just file) -> do
-      create file (profileText profile) layout >>= orUnusable storeMessage
-      sayWrittenAs (form options) file "" "objects-written/1" mempty
-    _ -> printAs (form options) (unlines (listText layout)) (encodeObjects profile layout)
+  when (length asked > 1) $
+    misused ("give one of " ++ enumerated asked)
+  unless (null (operands options) || maybe False takesOperands (task options)) $
+    misused "objects are named for --add, --replace and --remove"
+  case (task options, ofDatabase (source options)) of
+    (Just what, Just file) ->
+      withDatabase choice file (\profile store -> pure (profile, storedPitch store))
+        >>= changed file what (operands options) (form options)
+    (Just what, Nothing) -> misused (taskName what ++ " is for a --database")
+    (Nothing, database) -> case (at options, write options) of
+      (_, Just "-") ->
+        misused "a database cannot be written to the standard output; name a file"
+      (_, Just _)
+        | isJust database ->
+          misused "--write makes a database and --database asks one; give one of them"
+      (_, Just file) -> do
+        (profile, layout) <- chosenPlacement choice (source options)
+        create file (profileText profile) layout >>= orUnusable storeMessage
+        Answered <$ sayWrittenAs (form options) file "" "objects-written/1" mempty
+      (Just position, _) -> asking choice (source options) (lookUp options position)
+      _
+        | batched options -> asking choice (source options) batch
+        | otherwise -> do
+          (profile, layout) <- chosenPlacement choice (source options)
+          printAs (form options) (unlines (listText layout)) (encodeObjects profile layout)
+          pure Answered
+  where
+    asked =
+      ["--at" | isJust (at options)]
+        ++ ["--batch" | batched options]
+        ++ ["--write" | isJust (write options)]
+        ++ [taskName what | Just what <- [task options]]
+    enumerated names = unwords (map (++ ",") (init names)) ++ " " ++ last names
+
+-- | Go on with the profile and what tells where a window is, in memory or by the database alone.
+asking ::
+  ArrayChoice -> PlacementChoice -> (Profile -> (Position -> IO Whereabouts) -> IO a) -> IO a
+asking choice from action = case ofDatabase from of
+  Just file -> withDatabase choice file $ \profile store ->
+    action profile $ \position ->
+      storedWhereabouts store (profileWindow profile) position >>= orUnusable storeMessage
+  Nothing -> do
+    (profile, layout) <- chosenPlacement choice from
+    action profile (pure . whereabouts layout (profileWindow profile))
+
+-- | What lies at a position.
+lookUp :: Options -> Position -> Profile -> (Position -> IO Whereabouts) -> IO ExitStatus
+lookUp options position profile whereIs = do
+  mapM_ unusable (offArray profile position)
+  place <- whereIs position
+  printAs (form options) (whereText place ++ "\n") (encodeWhereabouts profile position place)
   pure Answered
 
--- | What a database that was made for the profile says.
-inDatabase :: Profile -> (Store -> IO a) -> FilePath -> IO a
-inDatabase profile ask file =
-  withStore file (Just (profileText profile)) ask >>= orUnusable storeMessage
-
--- | What lies at a position, from memory or from the database.
-lookUp :: Profile -> Placement -> Options -> Position -> IO ()
-lookUp profile layout options position = do
-  unless
-    (row position < high && column position < wide)
-    ( unusable
-        ( "the array has no cell at row "
-            ++ show (row position)
-            ++ ", column "
-            ++ show (column position)
-            ++ ": its "
-            ++ shapeText (profileShape profile)
-            ++ " cells are counted from 0"
-        )
-    )
-  place <- case ofDatabase (source options) of
-    Nothing -> pure (whereabouts layout window position)
-    Just file ->
-      inDatabase profile (\store -> storedWhereabouts store window position) file
-        >>= orUnusable storeMessage
-  printAs (form options) (whereText place ++ "\n") (encodeWhereabouts profile position place)
+-- | One line after another, each answered at once; the worst status of all.
+batch :: Profile -> (Position -> IO Whereabouts) -> IO ExitStatus
+batch profile whereIs = forLines answerLine Answered
   where
-    window = profileWindow profile
+    answerLine worst given = case lineText given >>= positionIn of
+      Left why -> Unusable <$ answered (encodeNoWhereabouts profile why)
+      Right position -> do
+        place <- whereIs position
+        worst <$ answered (encodeWhereabouts profile position place)
+    answered bytes = Bytes.putStrLn bytes >> hFlush stdout
+    positionIn :: Text -> Either String Position
+    positionIn text = do
+      position <- readPosition (Text.unpack text)
+      maybe (Right position) Left (offArray profile position)
+
+-- | That the array has no such cell.
+offArray :: Profile -> Position -> Maybe String
+offArray profile position
+  | row position < high && column position < wide = Nothing
+  | otherwise =
+    Just
+      ( "the array has no cell at row "
+          ++ show (row position)
+          ++ ", column "
+          ++ show (column position)
+          ++ ": its "
+          ++ shapeText (profileShape profile)
+          ++ " cells are counted from 0"
+      )
+  where
     Shape high wide = profileShape profile
 
 listText :: Placement -> [String]

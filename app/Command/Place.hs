@@ -21,6 +21,7 @@ import Files (readBytes)
 import FormatFile (readPlacement)
 import Json (shapeText)
 import Message
+import NamedSolid
 import Options
 import Output
 import Polyhedra
@@ -28,10 +29,8 @@ import PraTactile.Array (Position (..), PseudorandomArray, area)
 import PraTactile.Field (KnownField)
 import PraTactile.Format.Place
 import PraTactile.Format.Placement (encodePlacement)
-import PraTactile.Format.Solid (Contents (..), SolidFormat)
+import PraTactile.Format.Solid (SolidFormat)
 import PraTactile.Object.Canonical (canonicalPitch)
-import PraTactile.Object.Mesh (named)
-import PraTactile.Object.Packing (Reason (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.Placement.Search
 import PraTactile.Object.Placement.Windows
@@ -122,9 +121,7 @@ run choice options = do
   (profile, between, before) <- ground choice options
   names <- (subjects options ++) <$> maybe (pure []) objectLines (listed options)
   when (null names && null (faces options)) (misused "name an object; 'solid' lists what there is")
-  new <- for names $ \subject ->
-    object profile between (format options) subject
-      >>= orUnusable (\why -> visibleName subject ++ ": " ++ objectMessage why)
+  new <- for names (namedSolid profile between (format options))
   let known = maybe [] placementSolids before ++ new
       lying = maybe [] laidFaces before
       shape = profileShape profile
@@ -152,7 +149,7 @@ run choice options = do
         <$ told
           options
           (report IsNotFound Nothing [] Nothing)
-          "no placement was found, and it is not proved that there is none; try another --seed"
+          (noneFound ++ "; try another --seed")
     LaidSo layings -> do
       let all' = map layingOf lying ++ layings
       place <- orUnusable placementMessage (placement shape between known all')
@@ -202,16 +199,6 @@ objectLines file = do
   text <- orUnusable (const (visibleName file ++ " is no text in UTF-8")) (decodeUtf8' bytes)
   pure [line | line <- map Text.unpack (Text.lines text), not (all isSpace line)]
 
--- | The solid that @[NAME=]SOLID|FILE@ is.
-object :: Profile -> Pitch -> Maybe SolidFormat -> String -> IO (Either Defect Solid)
-object profile between said subject = do
-  Contents it _ <- polyhedron (profileShape profile) between said source
-  pure (solidOf (maybe id (named . ObjectName) name it))
-  where
-    (name, source) = case break (== '=') subject of
-      (given@(_ : _), '=' : rest) | '/' `notElem` given -> (Just given, rest)
-      _ -> (Nothing, subject)
-
 -- | The faces to be laid: those named of objects that some are named of, and all of the new ones.
 wanted :: Pitch -> Options -> [Solid] -> [Solid] -> IO [Wanted]
 wanted between options known new = do
@@ -244,23 +231,6 @@ proved array blocks = map (\given -> Map.findWithDefault unknown (cells given) p
               (\(Distance d failing) -> Just (d, failing))
               (minimumDistanceWithin (2 ^ (20 :: Int)) array mask)
           )
-
--- | Why there is no placement, in words.
-whyNot :: [Wanted] -> Reason -> String
-whyNot wishes reason = case reason of
-  TakenOutside _ -> "what lies already reaches beyond the array"
-  TakenOverlaps _ -> "what lies already overlaps"
-  PieceTooLarge i -> faceOf i ++ " is larger than the array"
-  TooFewCells needed free ->
-    "the faces need " ++ counted needed "cell" "cells" ++ ", and " ++ show free ++ " are free"
-  NoRoom i -> faceOf i ++ " fits nowhere beside what lies already"
-  Exhausted -> "every way was tried, and none has room for all faces"
-  where
-    faceOf i =
-      concat
-        [ "the face " ++ faceText walk ++ " of the " ++ objectText owner
-          | Wanted (Face owner walk) _ <- take 1 (drop i wishes)
-        ]
 
 -- | Print the report, unless the standard output is the file's.
 told :: Options -> PlaceReport -> String -> IO ()

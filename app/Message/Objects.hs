@@ -25,12 +25,17 @@ import PraTactile.Format.Placement (PlacementFileError (..))
 import PraTactile.Format.Solid (exactText)
 import PraTactile.Locate (Reason (..))
 import PraTactile.Object.Placement
-import PraTactile.Object.Relation (RelationError (..), Table (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Pressing (PressError (..))
 import PraTactile.Recognise (RecogniserError (..), Refusal (..))
 import PraTactile.Relief (ReliefError (..))
-import PraTactile.Store (Damage (..), Failure (..), Occupant (..), StoreError (..))
+import PraTactile.Store
+  ( Damage (..),
+    Failure (..),
+    Occupant (..),
+    StoreError (..),
+    tableName,
+  )
 import Visible (visible)
 
 -- | What is wrong with an object, where, and by how much.
@@ -169,19 +174,21 @@ storeMessage e = case e of
       ++ "; write it again"
   ForeignProfile _ _ ->
     "the database was made for another profile; choose the array it was made for, or write it again"
-  UnreadableRow table ->
-    "a row of the table " ++ tableName table ++ " cannot be read; write the database again"
-  InconsistentRows why -> "the database contradicts itself: " ++ relationMessage why
-  ChangedRows -> "the database was changed after it was written; write it again"
-  LayingNotStorable (Face object named) ->
-    "the face " ++ faceText named ++ " of the " ++ objectText object
-      ++ " cannot be stored: its sides are irrational, its symbols are not centred on it, or it is \
-         \begun at another vertex than in its object"
-  NotStorable length' -> show (fromRational length' :: Double) ++ " mm cannot be stored"
+  UnreadableRow table -> "the database is damaged: the table " ++ tableName table ++ broken
+  ChangedRow table ->
+    "the database is damaged: a row of the table " ++ tableName table
+      ++ " is not as it was written"
+  RowsDisagree table ->
+    "the database contradicts itself: the rows of the table " ++ tableName table
+      ++ " are not those that the others imply"
+  NotSolid object why ->
+    "the database contradicts itself: " ++ objectText object ++ ": " ++ objectMessage why
+  NotPlaced why -> "the database contradicts itself: " ++ placementMessage why
   TooLarge n -> show n ++ " is too large for the database"
   NotInStore why -> placementMessage why
   DatabaseFailed why -> "the database cannot be used: " ++ failureMessage why
   where
+    broken = " lacks a row, or has one that refers to nothing"
     elsewhere = "name a new file, or a database that 'pra-tactile objects --write' made"
 
 failureMessage :: Failure -> String
@@ -192,25 +199,6 @@ failureMessage why = case why of
   NoFolder -> "its folder does not exist or cannot be used"
   NameNotText -> "its name is not valid text"
   SystemRefuses -> "the system refuses"
-
--- | As the database has it.
-tableName :: Table -> String
-tableName table = case table of
-  MetadataTable -> "metadata"
-  ObjectTable -> "object"
-  VertexTable -> "vertex"
-  FaceTable -> "face"
-  CornerTable -> "corner"
-  EdgeTable -> "edge"
-  LayingTable -> "laying"
-  CellTable -> "cell"
-
-relationMessage :: RelationError -> String
-relationMessage e = case e of
-  NotSolid object why -> objectText object ++ ": " ++ objectMessage why
-  NotPlaced why -> placementMessage why
-  RowsDisagree table ->
-    "the rows of the table " ++ tableName table ++ " are not those that the others imply"
 
 recogniserMessage :: RecogniserError -> String
 recogniserMessage e = case e of

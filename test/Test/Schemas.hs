@@ -198,6 +198,13 @@ touching =
         ++ "pra calibrate --dark dark --flat flat --output k.json > log; cat k.json"
     ),
     ("objects", "pra objects --json; pra objects --json --at 6,5; pra objects --json --at 14,16"),
+    ("objects", "printf '6,5\\n15,0\\nx\\n' | pra objects --batch || true"),
+    ("objects-written", "pra objects --write o.sqlite --json"),
+    ( "objects-database",
+      "pra objects --write o.sqlite > o.txt; pra objects --database o.sqlite --check --json; \
+      \pra objects --database o.sqlite --replace cube=box:90x90x90 --json; \
+      \pra objects --database o.sqlite --add box:300x300x300 --json"
+    ),
     ("object", "pra solid prism:5,70,1/3 --output p.json > log; cat p.json"),
     ("solid", "pra solid cube frame:9x9x3 --json; pra solid p.json --json --symbols 1/8"),
     ("solid", "pra solid annulus.stl --json --merge-coplanar --tolerance 0.01"),

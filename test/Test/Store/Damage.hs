@@ -1,93 +1,73 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Databases that contradict themselves, and how they are made.
+-- | Stores that contradict themselves, and how they are made.
 module Test.Store.Damage (contradictions, duplicates) where
 
 import Data.Text (Text)
 import qualified Data.Text as Text
-import PraTactile.Array (Position (..))
-import PraTactile.Object.Placement
-import PraTactile.Object.Relation
+import PraTactile.Object.Placement hiding (blockCells)
 import PraTactile.Object.WingedEdge
 import PraTactile.Store
 import Test.Recognition.Object.Support
 
--- What may not be written into a store, and the answer.
-contradictions :: [(String, Text, StoreError)]
+-- | What may not be written into a store, though its rows are sealed, and the answer.
+contradictions :: [([Text], StoreError)]
 contradictions =
-  [ ("no metadata", "DELETE FROM metadata", UnreadableRow MetadataTable),
-    ( "a cell moved on its face",
-      "UPDATE cell SET local_column = 99 WHERE id = 7",
-      InconsistentRows (RowsDisagree CellTable)
+  [ (["DELETE FROM metadata"], UnreadableRow MetadataTable),
+    ( ["UPDATE run SET to_column = to_column - 1 WHERE band = 0 AND from_column = 0"],
+      RowsDisagree RunTable
     ),
-    ( "a cell missing",
-      "DELETE FROM cell WHERE id = 228",
-      -- A face may have fewer cells than there is room for; but it had this one.
-      ChangedRows
+    ( ["DELETE FROM run WHERE band = (SELECT MAX(from_row) FROM band) AND laying IS NULL"],
+      RowsDisagree RunTable
     ),
-    ("a cell of no face", "UPDATE cell SET laying = 99 WHERE id = 7", UnreadableRow CellTable),
-    ( "a cell in a negative row",
-      "UPDATE cell SET array_row = -1 WHERE id = 7",
-      UnreadableRow CellTable
+    (["UPDATE run SET laying = 99 WHERE band = 0 AND from_column = 0"], UnreadableRow RunTable),
+    (["UPDATE band SET from_row = -1 WHERE from_row = 0"], UnreadableRow BandTable),
+    (["UPDATE laying SET at_row = 1 WHERE number = 1"], RowsDisagree RunTable),
+    ( ["UPDATE run SET laying = NULL WHERE laying = 2", "DELETE FROM laying WHERE number = 2"],
+      RowsDisagree FaceTable
     ),
-    ( "a face laid over another",
-      "UPDATE laying SET at_row = 1, at_column = 5 WHERE id = 1",
-      InconsistentRows
-        ( NotPlaced
-            ( FacesOverlap
-                (blockFace (blocks !! 0))
-                (blockFace (blocks !! 1))
-                [Position r c | r <- [1 .. 3], c <- [5 .. 9]]
-            )
-        )
+    (["UPDATE laying SET begins_at = 9 WHERE number = 7"], RowsDisagree LayingTable),
+    (["UPDATE face SET name = 'lid' WHERE object = 1 AND number = 3"], RowsDisagree FaceTable),
+    ( ["UPDATE edge SET left_face = right_face WHERE object = 1 AND number = 2"],
+      RowsDisagree EdgeTable
     ),
-    ( "a face wider than its vertices are apart",
-      "UPDATE laying SET width_um = 127001 WHERE id = 2",
-      InconsistentRows (RowsDisagree LayingTable)
+    (["DELETE FROM edge WHERE object = 2 AND number = 11"], RowsDisagree EdgeTable),
+    ( ["UPDATE corner SET vertex = 99 WHERE object = 1 AND face = 0 AND number = 0"],
+      UnreadableRow CornerTable
     ),
-    ( "a face by another name",
-      "UPDATE face SET name = 'lid' WHERE id = 4",
-      InconsistentRows (RowsDisagree FaceTable)
-    ),
-    ( "an edge between other faces",
-      "UPDATE edge SET left_face = right_face WHERE id = 3",
-      InconsistentRows (RowsDisagree EdgeTable)
-    ),
-    ( "an edge missing",
-      "DELETE FROM edge WHERE id = 24",
-      InconsistentRows (RowsDisagree EdgeTable)
-    ),
-    ( "an edge to no vertex",
-      "UPDATE edge SET end_vertex = 99 WHERE id = 3",
-      UnreadableRow EdgeTable
-    ),
-    ( "an object with a vertex moved",
-      "UPDATE vertex SET z_um = z_um + 1 WHERE name = 'C1'",
+    (["UPDATE object SET next_name = NULL WHERE number = 1"], RowsDisagree ObjectTable),
+    (["UPDATE object SET name = 'box' WHERE number = 1"], RowsDisagree MetadataTable),
+    ( ["UPDATE vertex SET z = '127001/1000' WHERE object = 1 AND name = 'C1'"],
       -- The face's normal is along (d, -d, 254) with d = 0.001 mm, and C1 is 63.5 d / |n| off.
-      InconsistentRows
-        ( NotSolid
-            "cube"
-            (Defect NotPlanar [readFaceName "C1 C2 C3 C4"] [] (Just 2.49999999996125e-4))
-        )
+      NotSolid
+        "cube"
+        (Defect NotPlanar [readFaceName "C1 C2 C3 C4"] [] (Just 2.49999999996125e-4))
     ),
-    ( "an object with a vertex too many",
-      "INSERT INTO vertex (object, name, x_um, y_um, z_um) VALUES (1, 'C9', 1, 2, 3)",
-      InconsistentRows (NotSolid "cube" (Defect UnusedVertex [] ["C9"] Nothing))
+    ( ["INSERT INTO vertex VALUES (1, 8, 'C9', '1', '2', '3', 0)"],
+      NotSolid "cube" (Defect UnusedVertex [] ["C9"] Nothing)
+    ),
+    ( ["UPDATE laying SET grid_rows = 40, drawn_rows = 40 WHERE number = 1"],
+      NotPlaced (CellsOffFace (blockFace (blocks !! 0)) (map snd (blockCells (blocks !! 0))))
     )
   ]
 
+-- | The columns of each table.
 duplicates :: [(Text, [Text])]
 duplicates =
   [ ( "metadata",
-      Text.words "schema_version profile array_rows array_columns pitch_right_um pitch_down_um"
+      Text.words
+        "schema_version profile array_rows array_columns pitch_right pitch_down first_name seal"
     ),
-    ("object", ["name"]),
-    ("vertex", Text.words "object name x_um y_um z_um"),
-    ("face", ["object", "name"]),
-    ("corner", ["face", "number", "vertex"]),
-    ("edge", Text.words "object start_vertex end_vertex left_face right_face"),
+    ("object", Text.words "number name next_name vertices faces edges seal"),
+    ("vertex", Text.words "object number name x y z seal"),
+    ("face", Text.words "object number name corners laid seal"),
+    ("corner", Text.words "object face number vertex seal"),
+    ("edge", Text.words "object number start_vertex end_vertex left_face right_face seal"),
     ( "laying",
-      Text.words "face at_row at_column grid_rows grid_columns width_um height_um"
+      Text.words
+        "number object face begins_at at_row at_column grid_rows grid_columns drawn_rows \
+        \drawn_columns drawn_from_row drawn_from_column margin_right margin_down seal"
     ),
-    ("cell", Text.words "array_row array_column laying local_row local_column")
+    ("band", Text.words "from_row to_row seal"),
+    ("run", Text.words "band from_column to_column laying seal")
   ]

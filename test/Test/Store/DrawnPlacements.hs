@@ -5,7 +5,8 @@ module Test.Store.DrawnPlacements (spec) where
 import Data.Bifunctor (first)
 import Data.Foldable (for_)
 import Numeric.Natural (Natural)
-import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Array (Position (..), Shape (..), shapeCells)
+import PraTactile.Object.Description (rotations)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Store
@@ -56,7 +57,17 @@ genPlacement solid_ = do
     genLaying shape face = do
       (r, high) <- genSide (rows shape)
       (c, wide) <- genSide (columns shape)
-      pure (laidWhole (Face (solidName solid_) face) (Position r c) (Shape high wide))
+      turned <- elements (rotations (faceVertices face))
+      anchor <- frequency [(3, pure Centred), (1, pure (Margin (1 / 3) (1 / 7)))]
+      let whole = shapeCells (Shape high wide)
+      cells <- frequency [(2, pure whole), (1, sublistOf whole)]
+      pure
+        ( Laying
+            (Face (solidName solid_) (FaceName turned))
+            (Position r c)
+            anchor
+            (blockOf (Shape high wide) cells)
+        )
     genSide size = do
       begin <- frequency [(1, pure 0), (1, upTo 0 (size - 1))]
       (,) begin <$> frequency [(1, pure (size - begin)), (2, upTo 1 (size - begin))]

@@ -16,7 +16,6 @@ import Message.Objects (storeMessage)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Canonical
 import PraTactile.Object.Placement hiding (blockCells)
-import PraTactile.Object.Relation
 import PraTactile.Object.WingedEdge
 import PraTactile.Store
 import PraTactile.Store.Guard (Objection (..), guarded)
@@ -54,7 +53,7 @@ import Test.Hspec
 import Test.QuickCheck
 import Test.Recognition.Object.Support
 import Test.Store.Damage
-import Test.Store.Digest
+import Test.Store.Seals
 
 spec :: Spec
 spec = describe "store" $ do
@@ -96,7 +95,7 @@ spec = describe "store" $ do
     objectionTo (pure ()) `shouldReturn` Nothing
     objectionTo (throwIO (ErrorCall "")) `shouldReturn` Just (Left ForeignValue)
     objectionTo (throwIO UserInterrupt) `shouldThrow` (== UserInterrupt)
-  describe "is the relation" $ do
+  describe "answers as the placement" $ do
     it "all 255 windows of 2 x 2, and those of other shapes, are where the placement says" $
       withCanonical $ \place path ->
         asked path $ \store ->
@@ -155,14 +154,25 @@ spec = describe "store" $ do
                   `shouldReturn` Right (whereabouts place canonicalWindow at)
     it "the placement and the profile come back" $
       withCanonical $ \place path ->
-        asked path $ \store ->
-          (storedPlacement store, storedProfile store) `shouldBe` (place, profileText)
-    it "the digest is that of every cell of every table, as another program finds it" $
+        asked path $ \store -> do
+          storedPlacement store `shouldReturn` Right place
+          storedProfile store `shouldBe` profileText
+    it "the seal of every row is the one that another program finds" $
       inDirectory $ \directory -> thePlacement $ \place -> do
-        create (directory </> "a.sqlite") "a \"quoted\" profile" place `shouldReturn` Right ()
-        digestInPython (directory </> "a.sqlite")
-    it "placementOf . relation = id" $
-      thePlacement $ \place -> placementOf (relation place) `shouldBe` Right place
+        create (directory </> "a.sqlite") "a \"quoted\" profile, \955" place `shouldReturn` Right ()
+        sealsInPython (directory </> "a.sqlite")
+    it "a store of version 2, which an earlier release wrote, is asked as the placement" $
+      inDirectory $ \directory -> thePlacement $ \place -> do
+        let path = directory </> "old.sqlite"
+        script <- Text.pack <$> readFile "test/data/store-version-2.sql"
+        executeAll path script
+        asked path $ \store -> do
+          storedPlacement store `shouldReturn` Right place
+          for_ everyPosition $ \at ->
+            storedWhereabouts store canonicalWindow at
+              `shouldReturn` Right (whereabouts place canonicalWindow at)
+        execute path "UPDATE vertex SET z_um = z_um + 1 WHERE id = 16"
+        opening path `shouldReturn` Left (ChangedRow MetadataTable)
 
   describe "is one file, replaced whole or not at all" $ do
     it "nothing else is left beside it, made twice" $
@@ -171,26 +181,22 @@ spec = describe "store" $ do
         create (directory </> "a.sqlite") "two" place `shouldReturn` Right ()
         asked (directory </> "a.sqlite") $ \store -> storedProfile store `shouldBe` "two"
         listDirectory directory `shouldReturn` ["a.sqlite"]
-    it "what cannot be stored leaves the file as it was" $
-      withCanonical $ \place path -> theCube $ \solid_ ->
-        right (placement (Shape 15 17) (Pitch (1 / 3) 1) [solid_] []) >>= \odd_ -> do
-          create path profileText odd_ `shouldReturn` Left (NotStorable (1 / 3))
-          asked path $ \store -> storedPlacement store `shouldBe` place
-    it "numbers are stored up to 64 bits, lengths up to a kilometre, and both refused beyond" $
-      inDirectory $ \directory -> do
-        let stored shape pitch = do
-              place <- either (fail . show) pure (placement shape pitch [] [])
-              made <- create (directory </> "a.sqlite") profileText place
+    it "numbers are stored up to 64 bits; what cannot be leaves the file as it was" $
+      withCanonical $ \place path -> do
+        let stored high = do
+              tall <- either (fail . show) pure (placement (Shape high 17) canonicalPitch [] [])
+              made <- create path profileText tall
               pure (either Just (const Nothing) made)
-            high n = stored (Shape n 17) canonicalPitch
-            apart right_ = stored (Shape 15 17) (Pitch right_ 1)
             most = 2 ^ (63 :: Int) - 1
-        mapM high [15, most] `shouldReturn` [Nothing, Nothing]
-        mapM high [most + 1, 10 * most]
+        mapM stored [most + 1, 10 * most]
           `shouldReturn` [Just (TooLarge (toInteger n)) | n <- [most + 1, 10 * most]]
-        mapM apart [1000000, 1 / 1000] `shouldReturn` [Nothing, Nothing]
-        mapM apart [1000000.001, 1 / 2000]
-          `shouldReturn` map (Just . NotStorable) [1000000.001, 1 / 2000]
+        asked path $ \store -> storedPlacement store `shouldReturn` Right place
+        mapM stored [15, most] `shouldReturn` [Nothing, Nothing]
+        asked path $ \store -> do
+          storedWhereabouts store canonicalWindow (Position (most - 1) 3)
+            `shouldReturn` Right OnNoObject
+          storedPosition store (blockFace (blocks !! 0)) (Position 0 0)
+            `shouldReturn` Left (NotInStore (UnknownObject "cube"))
     it "a directory, or a folder that is not there, is refused" $
       inDirectory $ \directory -> thePlacement $ \place -> do
         create directory profileText place `shouldReturn` Left (IsDirectory directory)
@@ -206,7 +212,7 @@ spec = describe "store" $ do
       inDirectory $ \directory -> thePlacement $ \place -> do
         create (directory </> "file:x?mode=memory") profileText place `shouldReturn` Right ()
         asked (directory </> "file:x?mode=memory") $ \store ->
-          storedPlacement store `shouldBe` place
+          storedPlacement store `shouldReturn` Right place
 
   describe "refuses, with a reason and no exception," $ do
     it "a file that is not there, and does not make it" $
@@ -232,15 +238,15 @@ spec = describe "store" $ do
         for_ lengths $ \kept -> do
           cut <- copied path (path ++ ".cut")
           withBinaryFile cut ReadWriteMode (`hSetFileSize` kept)
-          opening cut
+          checking cut
             >>= ( `shouldSatisfy`
                     ( if kept < 16
                         then (== Left (NotADatabase cut))
                         else isDamaged cut
                     )
                 )
-    it "bytes overwritten at random, or answers" $
-      withCanonical $ \_ path -> do
+    it "bytes overwritten at random, or answers as if they were not" $
+      withCanonical $ \place path -> do
         size <- getFileSize path
         damages <- generate (vectorOf 60 ((,) <$> choose (16, size - 1) <*> arbitrary))
         for_ damages $ \(at, byte) -> do
@@ -249,9 +255,10 @@ spec = describe "store" $ do
             hSeek handle AbsoluteSeek at
             hPutChar handle (toEnum (byte `mod` 256))
           outcome <- withStore broken Nothing $ \store ->
-            for_ [Position 6 5, Position 0 4, Position 14 16] $ \asked_ ->
-              storedWhereabouts store canonicalWindow asked_ >>= evaluate . length . show
-          void (evaluate (length (show outcome)))
+            for_ [Position 6 5, Position 0 4, Position 14 16] $ \at -> do
+              answer <- storedWhereabouts store canonicalWindow at
+              for_ answer (`shouldBe` whereabouts place canonicalWindow at)
+              either plain (const (pure ())) answer
           either plain (const (pure ())) outcome
     it "a database of something else" $
       inDirectory $ \directory -> do
@@ -260,16 +267,11 @@ spec = describe "store" $ do
         opening path `shouldReturn` Left (NotAStore path)
     it "tables of another version" $
       tampered "UPDATE metadata SET schema_version = 7" $ \_ outcome ->
-        outcome `shouldBe` Left (WrongSchemaVersion 7 schemaVersion)
+        outcome `shouldBe` Left (WrongSchemaVersion 7 3)
     it "a store of another profile" $
       withCanonical $ \_ path ->
         withStore path (Just "another") (const (pure ()))
           `shouldReturn` Left (ForeignProfile profileText "another")
-    for_ contradictions $ \(sentence, statement, expected) ->
-      it sentence $ tampered statement $ \_ outcome -> outcome `shouldBe` Left expected
-    it "words where numbers should be" $
-      tampered "UPDATE cell SET local_row = 'two' WHERE id = 7" $ \path outcome ->
-        outcome `shouldSatisfy` isDamaged path
     it "a table that is missing" $
       tampered "DROP TABLE edge" $ \path outcome -> outcome `shouldBe` Left (TablesDiffer path)
     it "a column that there is besides" $
@@ -278,29 +280,26 @@ spec = describe "store" $ do
     it "a column that is missing" $
       tampered "ALTER TABLE edge RENAME COLUMN left_face TO left_side" $ \path outcome ->
         outcome `shouldBe` Left (TablesDiffer path)
-    it "an object, a vertex or a face by another name, with the rows that refer to it" $ do
-      tampered "UPDATE object SET name = 'box' WHERE name = 'cube'" $ \_ outcome ->
-        outcome `shouldBe` Left ChangedRows
-      tampered "UPDATE metadata SET profile = profile || ' '" $ \_ outcome ->
-        outcome `shouldBe` Left ChangedRows
-      tampered "UPDATE metadata SET contents = 'f' || substr(contents, 2)" $ \_ outcome ->
-        outcome `shouldSatisfy` (`elem` [Left ChangedRows, Right ()])
-    it "any cell of any table changed, in number, word or type, without a foreign word" $
-      withCanonical $ \_ path -> do
+
+  describe "answers as it did or refuses, and a check tells," $ do
+    it "any cell of any table changed, in number, word or type" $
+      withCanonical $ \place path -> do
         changes <- concat <$> traverse (changesOf path) tableNames
-        length changes `shouldSatisfy` (> 600)
-        for_ changes $ \change -> do
+        length changes `shouldSatisfy` (> 700)
+        for_ changes (toldOf place path)
+    it "any row of any table gone" $
+      withCanonical $ \place path ->
+        for_ tableNames $ \table -> do
+          some <- someRows path table
+          for_ some $ \at ->
+            toldOf place path (Text.unwords ["DELETE FROM", table, "WHERE rowid =", at])
+    it "rows that are sealed, and say something else" $
+      withCanonical $ \_ path ->
+        for_ contradictions $ \(statements, expected) -> do
           changed <- copied path (path ++ ".changed")
-          applied <- try (execute changed change)
-          outcome <- opening changed
-          case applied of
-            -- What a key or a column does not take is not there.
-            Left fault ->
-              Sqlite.seError fault
-                `shouldSatisfy` (`elem` [Sqlite.ErrorConstraint, Sqlite.ErrorMismatch])
-            Right () -> do
-              (change, outcome) `shouldSatisfy` (/= Right ()) . snd
-              either plain (const (pure ())) outcome
+          for_ statements (execute changed)
+          sealAgain changed
+          (,) statements <$> checking changed `shouldReturn` (statements, Left expected)
 
   describe "has keys" $
     for_ duplicates $ \(table, columns_) ->
@@ -312,48 +311,95 @@ spec = describe "store" $ do
           outcome <- try (execute path (Text.unwords doubling))
           first Sqlite.seError outcome `shouldBe` Left Sqlite.ErrorConstraint
 
+-- What a change to a file comes to: where the database takes it, the check refuses, and every
+-- look-up refuses or answers as before.
+toldOf :: Placement -> FilePath -> Text -> Expectation
+toldOf place path change_ = do
+  changed <- copied path (path ++ ".changed")
+  applied <- try (execute changed change_)
+  case applied of
+    -- What a key or a column does not take is not there.
+    Left fault ->
+      Sqlite.seError fault
+        `shouldSatisfy` (`elem` [Sqlite.ErrorConstraint, Sqlite.ErrorMismatch])
+    Right () -> do
+      check <- checking changed
+      (change_, check) `shouldSatisfy` (/= Right ()) . snd
+      either plain (const (pure ())) check
+      opened <- withStore changed Nothing $ \store -> do
+        for_ [(0, 0), (6, 5), (13, 5), (3, 9), (10, 11), (14, 16)] $ \(r, c) -> do
+          let at = Position r c
+          answer <- storedWhereabouts store canonicalWindow at
+          for_ answer $ \it_ ->
+            (change_, it_) `shouldBe` (change_, whereabouts place canonicalWindow at)
+        for_ [blocks !! i | i <- [0, 11]] $ \block -> do
+          answer <- storedPosition store (blockFace block) (Position 1 2)
+          case answer of
+            Left (NotInStore why) -> expectationFailure (show (change_, why))
+            Left _ -> pure ()
+            Right at ->
+              Right at `shouldBe` arrayPosition place (blockFace block) (Position 1 2)
+      either plain (const (pure ())) opened
+
 -- One cell at a time of the first row, one in the middle and the last, keys included, each with
 -- another value of its type and with values of other types.
 changesOf :: FilePath -> Text -> IO [Text]
 changesOf path table = do
-  columns_ <- asking (Text.unwords ["SELECT name FROM pragma_table_info('" <> table <> "')"])
-  counted <- asking ("SELECT COUNT(*) FROM " <> table)
-  let count = sum (map (read . Text.unpack) counted) :: Int
-      which = nub [1, (count + 1) `div` 2, count]
+  columns_ <- asking path (Text.unwords ["SELECT name FROM pragma_table_info('" <> table <> "')"])
+  some <- someRows path table
   pure
-    [ Text.unwords
-        ["UPDATE", table, "SET", column_, "=", to column_, "WHERE rowid =", Text.pack (show at)]
+    [ Text.unwords ["UPDATE", table, "SET", column_, "=", to column_, "WHERE rowid =", at]
       | column_ <- columns_,
-        at <- which,
+        at <- some,
         to <- values
     ]
   where
     values =
-      [ \c ->
-          "CASE typeof(" <> c <> ") WHEN 'text' THEN " <> c <> " || 'x' ELSE " <> c <> " + 1 END",
-        \c -> "CASE typeof(" <> c <> ") WHEN 'text' THEN '' ELSE -1 - " <> c <> " END",
+      [ \c -> byType c (c <> " || 'x'") "'x'" (c <> " + 1"),
+        \c -> byType c "''" "0" ("-1 - " <> c),
         const "'word'",
         const "x'ff00'",
         const "CAST(x'ff' AS TEXT)",
         const "1.5",
         const "9223372036854775807"
       ]
-    asking question = bracket (Sqlite.open (Text.pack path)) Sqlite.close $ \connection ->
-      bracket (Sqlite.prepare connection question) Sqlite.finalize $ \statement ->
-        let rows_ =
-              Sqlite.step statement >>= \more -> case more of
-                Sqlite.Row -> do
-                  values_ <- Sqlite.columns statement
-                  (map shown (take 1 values_) ++) <$> rows_
-                Sqlite.Done -> pure []
-         in rows_
-    shown value = case value of
+    byType c ofText ofNull ofNumber =
+      Text.unwords
+        [ "CASE typeof(" <> c <> ") WHEN 'text' THEN",
+          ofText,
+          "WHEN 'null' THEN",
+          ofNull,
+          "ELSE",
+          ofNumber,
+          "END"
+        ]
+
+-- The first row of a table, one in the middle and the last.
+someRows :: FilePath -> Text -> IO [Text]
+someRows path table = do
+  all' <- asking path ("SELECT rowid FROM " <> table)
+  let count = length all'
+  pure (nub [all' !! i | i <- [0, count `div` 2, count - 1], i < count])
+
+-- The first column of what a question finds.
+asking :: FilePath -> Text -> IO [Text]
+asking path question = bracket (Sqlite.open (Text.pack path)) Sqlite.close $ \connection ->
+  bracket (Sqlite.prepare connection question) Sqlite.finalize $ \statement ->
+    let rows_ =
+          Sqlite.step statement >>= \more -> case more of
+            Sqlite.Row -> do
+              values_ <- Sqlite.columns statement
+              (map said (take 1 values_) ++) <$> rows_
+            Sqlite.Done -> pure []
+     in rows_
+  where
+    said value = case value of
       PersistText text -> text
       PersistInt64 n -> Text.pack (show n)
       other -> Text.pack (show other)
 
 tableNames :: [Text]
-tableNames = Text.words "metadata object vertex face corner edge laying cell"
+tableNames = Text.words "metadata object vertex face corner edge laying band run"
 
 -- What is said is said in this program's own words.
 plain :: StoreError -> Expectation
@@ -387,6 +433,10 @@ isDamaged _ _ = False
 opening :: FilePath -> IO (Either StoreError ())
 opening path = withStore path Nothing (const (pure ()))
 
+-- All of it is read.
+checking :: FilePath -> IO (Either StoreError ())
+checking path = (>>= void) <$> withStore path Nothing storedPlacement
+
 asked :: FilePath -> (Store -> Expectation) -> Expectation
 asked path action = withStore path Nothing action >>= either (expectationFailure . show) pure
 
@@ -404,6 +454,16 @@ tampered statement test =
 execute :: FilePath -> Text -> IO ()
 execute path statement = bracket (Sqlite.open (Text.pack path)) Sqlite.close $ \connection ->
   bracket (Sqlite.prepare connection statement) Sqlite.finalize (void . Sqlite.stepConn connection)
+
+-- Every statement of a script, a line each.
+executeAll :: FilePath -> Text -> IO ()
+executeAll path script = for_ (statementsIn (Text.lines script)) (execute path)
+  where
+    statementsIn lines_ = case break (";" `Text.isSuffixOf`) lines_ of
+      (_, []) -> []
+      (before, end : after) ->
+        Text.unlines (filter (not . isComment) (before ++ [end])) : statementsIn after
+    isComment = ("--" `Text.isPrefixOf`)
 
 copied :: FilePath -> FilePath -> IO FilePath
 copied from to = copyFile from to >> pure to

@@ -8,6 +8,7 @@ module PraTactile.Format.Object
     whereaboutsReport,
     whereaboutsKeys,
     encodeWhereabouts,
+    encodeNoWhereabouts,
 
     -- * All objects
     encodeObjects,
@@ -110,6 +111,15 @@ encodeWhereabouts profile at place =
     "profile" .= profileValue profile
       <> "position" .= positionValue at
       <> series whereaboutsKeys (whereaboutsReport (Just place))
+
+-- | Why a line of a batch is not answered, on one line, without its end.
+encodeNoWhereabouts :: Profile -> String -> ByteString
+encodeNoWhereabouts profile why =
+  encodeSchema schema $
+    "profile" .= profileValue profile
+      <> "outcome" .= ("invalid" :: String)
+      <> "reason" .= ("bad-input" :: String)
+      <> "message" .= why
 
 schema :: String
 schema = "objects/1"

@@ -4,11 +4,13 @@ module PraTactile.Store.Error
     Damage (..),
     Failure (..),
     Occupant (..),
+    Table (..),
+    tableName,
   )
 where
 
-import PraTactile.Object.Placement (Face, PlacementError)
-import PraTactile.Object.Relation (RelationError, Table)
+import PraTactile.Object.Placement (PlacementError)
+import PraTactile.Object.WingedEdge (Defect, ObjectName)
 
 -- | Why a store cannot be written, opened or asked.
 data StoreError
@@ -34,18 +36,17 @@ data StoreError
     WrongSchemaVersion Int Int
   | -- | the store was made for another profile: found, then expected
     ForeignProfile String String
-  | -- | a row of this table refers to a row that is not there, or has a negative number where there
-    -- can be none
+  | -- | a row of this table is missing, refers to a row that is not there, or has a negative number
+    -- where there can be none
     UnreadableRow Table
-  | -- | the rows can be read, but they contradict each other
-    InconsistentRows RelationError
-  | -- | the rows agree with each other, but they are not those that were written
-    ChangedRows
-  | -- | a length in millimetres is no whole number of micrometres, or beyond a kilometre
-    NotStorable Rational
-  | -- | the face has irrational sides, its symbols are not centred on it, or it is begun at another
-    -- vertex than in its object
-    LayingNotStorable Face
+  | -- | a row of this table is not as it was written
+    ChangedRow Table
+  | -- | the rows of this table are not those that the others imply
+    RowsDisagree Table
+  | -- | the object's vertices and corners make no solid
+    NotSolid ObjectName Defect
+  | -- | the layings make no placement
+    NotPlaced PlacementError
   | -- | a number beyond the database's 64 bits
     TooLarge Integer
   | -- | the store has no such object, face or cell; what the placement itself would answer
@@ -87,3 +88,29 @@ data Occupant
   | -- | a file of something else
     NoStore
   deriving stock (Eq, Show)
+
+-- | The tables, by the names that the database gives them.
+data Table
+  = MetadataTable
+  | ObjectTable
+  | VertexTable
+  | FaceTable
+  | CornerTable
+  | EdgeTable
+  | LayingTable
+  | BandTable
+  | RunTable
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | As the database has it.
+tableName :: Table -> String
+tableName table = case table of
+  MetadataTable -> "metadata"
+  ObjectTable -> "object"
+  VertexTable -> "vertex"
+  FaceTable -> "face"
+  CornerTable -> "corner"
+  EdgeTable -> "edge"
+  LayingTable -> "laying"
+  BandTable -> "band"
+  RunTable -> "run"

@@ -1,9 +1,9 @@
-{-# LANGUAGE OverloadedStrings #-}
+{-# LANGUAGE TypeFamilies #-}
 
--- | Both look-ups by the database alone (\"searching the relational database that stores the object
--- geometry/PRA mapping\", section II.B of the paper). The SQL is standard but for @%@, the
--- remainder, which SQLite and PostgreSQL both have. 'PraTactile.Object.Placement.whereabouts' and
--- 'PraTactile.Object.Placement.arrayPosition' say what the answers must be.
+-- | Both look-ups by the database (\"searching the relational database that stores the object
+-- geometry/PRA mapping\", section II.B of the paper): it searches its indexes for the few rows that
+-- an answer rests on, each is held against its seal, and
+-- 'PraTactile.Object.Placement.whereaboutsIn' makes the answer of them.
 module PraTactile.Store.Query
   ( Query,
 
@@ -12,214 +12,231 @@ module PraTactile.Store.Query
 
     -- * From the objects to the array
     selectPosition,
+
+    -- * The array
+    selectSheet,
   )
 where
 
+import Control.Monad (unless)
 import Control.Monad.IO.Class (MonadIO)
+import Control.Monad.Trans.Class (lift)
+import Control.Monad.Trans.Except (ExceptT, except, throwE)
 import Control.Monad.Trans.Reader (ReaderT)
-import Data.Foldable (find)
 import Data.Int (Int64)
-import Data.List (nub)
+import Data.List (sortOn)
 import qualified Data.Map.Strict as Map
-import Data.Ratio ((%))
-import Data.Text (Text)
+import Data.Maybe (listToMaybe)
 import qualified Data.Text as Text
-import Database.Persist.Sql (PersistValue (..), Single (..), SqlBackend, rawSql)
+import Data.Traversable (for)
+import Database.Persist.Sql
+import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Placement
-  ( Face (..),
-    Place (..),
-    PlacementError (..),
-    Spot (..),
-    Whereabouts (..),
-  )
-import PraTactile.Object.Relation (Table (..))
-import PraTactile.Object.Surd (fraction)
 import PraTactile.Object.WingedEdge
-import PraTactile.Store.Error (StoreError (..))
+import PraTactile.Store.Error
+import PraTactile.Store.Rows.Read
+import PraTactile.Store.Schema
 
 -- | What asks a database.
-type Query m = ReaderT SqlBackend m
+type Query m = ExceptT StoreError (ReaderT SqlBackend m)
 
--- | Where the window of the given shape at the given position is; the array's shape comes first.
-selectWhereabouts ::
+-- | Where the window of the given shape at the given position is; the array's shape and pitch come
+-- first.
+selectWhereabouts :: MonadIO m => Shape -> Pitch -> Shape -> Position -> Query m Whereabouts
+selectWhereabouts shape between = whereaboutsIn (Mapping shape between (selectCells between))
+
+-- | The cells of a rectangle of the array that laid faces have, by the numbers of their layings.
+selectCells ::
   MonadIO m =>
-  Shape ->
-  Shape ->
-  Position ->
-  Query m (Either StoreError Whereabouts)
-selectWhereabouts array window at
-  | rows window == 0 || columns window == 0 = pure (Right OnNoObject)
-  | otherwise = do
-    found <-
-      rawSql
-        piecesSql
-        [ number (row at `mod` rows array),
-          number (rows array),
-          number (rows array),
-          number (column at `mod` columns array),
-          number (columns array),
-          number (columns array),
-          number (min (rows window) (rows array)),
-          number (min (columns window) (columns array))
-        ]
-    let whole =
-          [ (laying, r, c)
-            | ( Single laying,
-                Single r,
-                Single c,
-                Single cells
-                ) <-
-                found,
-              isWhole cells
-          ]
-        touched = nub [laying | (Single laying, _, _, _) <- found]
-    case (whole, touched) of
-      ((laying, r, c) : _, _) -> fmap OnFace <$> selectPlace window laying r c
-      ([], _ : _ : _) -> Right . Straddles <$> traverse selectFace touched
-      _ -> pure (Right OnNoObject)
+  Pitch ->
+  (Natural, Natural) ->
+  (Natural, Natural) ->
+  Query m (Map.Map Int (Natural, Query m Seat))
+selectCells between down across = do
+  found <- bandsOver down
+  counts <- for found $ \band -> do
+    high <- common BandTable down (storedBandFromRow band, storedBandToRow band)
+    covering <- runsOver (storedBandFromRow band) across
+    for [(run, n) | run <- covering, Just n <- [storedRunLaying run]] $ \(run, laying) -> do
+      wide <- common RunTable across (storedRunFromColumn run, storedRunToColumn run)
+      pure (fromIntegral laying, (high * wide, selectSeat between laying))
+  pure (Map.fromListWith more (concat counts))
   where
-    isWhole :: Int64 -> Bool
-    isWhole cells = toInteger cells == toInteger (rows window) * toInteger (columns window)
+    common table range (from, to) = do
+      from' <- except (natural table from)
+      to' <- except (natural table to)
+      pure (inCommon range (from', to'))
 
--- The window's cells, each by how far down and across it is from the window's upper left cell,
--- round the torus. Cells of one face that are side by side there as they are in the window have
--- that upper left cell in common; a group of all the window's cells is the window whole.
--- Parameters: row, rows, rows; column, columns, columns; rows and columns of the window.
-piecesSql :: Text
-piecesSql =
-  "SELECT laying, local_row - down AS base_row, local_column - across AS base_column, COUNT(*) \
-  \FROM (SELECT laying, local_row, local_column, \
-  \             (array_row - ? + ?) % ? AS down, (array_column - ? + ?) % ? AS across \
-  \      FROM cell) AS ahead \
-  \WHERE down < ? AND across < ? \
-  \GROUP BY laying, local_row - down, local_column - across \
-  \ORDER BY laying, base_row, base_column"
+-- | The bands that have rows of a range.
+bandsOver :: MonadIO m => (Natural, Natural) -> Query m [StoredBand]
+bandsOver range@(from, to) = do
+  below <-
+    selected BandTable [StoredBandFromRow <. fromIntegral to] [Desc StoredBandFromRow, most from to]
+  covering BandTable storedBandFromRow storedBandToRow range below
 
-selectPlace :: MonadIO m => Shape -> Int64 -> Int64 -> Int64 -> Query m (Either StoreError Place)
-selectPlace window laying r c = do
-  face <- selectFace laying
-  nearest <-
-    rawSql
-      nearestSql
-      [ PersistInt64 c,
-        number
-          ( columns
-              window
-          ),
-        PersistInt64 r,
-        number (rows window),
-        PersistInt64 laying
-      ]
-  pure $ case nearest of
-    [] -> Left (UnreadableRow CornerTable)
-    (_, Single right, Single down) : _ ->
-      Right
-        Place
-          { placeFace = face,
-            placeCell = Position (fromIntegral r) (fromIntegral c),
-            placeCentre = Spot (fraction (doubled right)) (fraction (doubled down)),
-            placeCorners = [VertexName (Text.unpack vertex) | (Single vertex, _, _) <- nearest]
-          }
+-- | The runs of a band that have columns of a range.
+runsOver :: MonadIO m => Int64 -> (Natural, Natural) -> Query m [StoredRun]
+runsOver band range@(from, to) = do
+  before <-
+    selected
+      RunTable
+      [StoredRunBand ==. band, StoredRunFromColumn <. fromIntegral to]
+      [Desc StoredRunFromColumn, most from to]
+  covering RunTable storedRunFromColumn storedRunToColumn range before
+
+-- Of the parts of a partition that begin before the end of a range, no more than the range is long
+-- have some of it.
+most :: Natural -> Natural -> SelectOpt row
+most from to = LimitTo (fromIntegral (min (to - from) (fromIntegral (maxBound :: Int))))
+
+-- | Those of some parts of a partition, the last one first, that have something of a range; refuses
+-- parts between which there is a gap, or that do not cover it.
+covering ::
+  Monad m =>
+  Table ->
+  (row -> Int64) ->
+  (row -> Int64) ->
+  (Natural, Natural) ->
+  [row] ->
+  Query m [row]
+covering table begin end (from, to) = go (fromIntegral to) (>=)
   where
-    doubled :: Int64 -> Rational
-    doubled micrometres = toInteger micrometres % 2000
+    go at reaches parts = case parts of
+      part : others
+        | end part `reaches` at && begin part < at ->
+          if begin part <= fromIntegral from
+            then pure [part]
+            else (part :) <$> go (begin part) (==) others
+      _ -> throwE (UnreadableRow table)
 
--- The corners nearest to a window's centre, in the order of the face's name, with the centre; all
--- in doubled micrometres from the face's upper left corner, for the centre may lie between two
--- micrometres. Corner 0 is the face's upper left, 1 its lower left, 2 its lower right, 3 its upper
--- right. Parameters: the window's first column on the face, its columns; its first row, its rows;
--- the laying.
-nearestSql :: Text
-nearestSql =
-  "WITH centre AS ( \
-  \  SELECT laying.face AS face, 2 * laying.width_um AS wide, 2 * laying.height_um AS high, \
-  \    laying.width_um + (2 * ? + ? - laying.grid_columns) * metadata.pitch_right_um AS x, \
-  \    laying.height_um + (2 * ? + ? - laying.grid_rows) * metadata.pitch_down_um AS y \
-  \  FROM laying CROSS JOIN metadata WHERE laying.id = ?), \
-  \placed AS ( \
-  \  SELECT corner.number AS number, corner.vertex AS vertex, centre.x AS x, centre.y AS y, \
-  \    (CASE WHEN corner.number IN (2, 3) THEN centre.wide ELSE 0 END) - centre.x AS dx, \
-  \    (CASE WHEN corner.number IN (1, 2) THEN centre.high ELSE 0 END) - centre.y AS dy \
-  \  FROM corner JOIN centre ON corner.face = centre.face) \
-  \SELECT vertex.name, placed.x, placed.y FROM placed JOIN vertex ON vertex.id = placed.vertex \
-  \WHERE placed.dx * placed.dx + placed.dy * placed.dy = (SELECT MIN(dx * dx + dy * dy) FROM \
-  \placed) \
-  \ORDER BY placed.number"
-
-selectFace :: MonadIO m => Int64 -> Query m Face
-selectFace laying = do
-  named <-
-    rawSql
-      "SELECT object.name, vertex.name FROM laying \
-      \JOIN face ON face.id = laying.face JOIN object ON object.id = face.object \
-      \JOIN corner ON corner.face = face.id JOIN vertex ON vertex.id = corner.vertex \
-      \WHERE laying.id = ? ORDER BY corner.number"
-      [PersistInt64 laying]
-  pure
-    ( Face
-        ( ObjectName
-            ( concat
-                ( take
-                    1
-                    [Text.unpack object | (Single object, Single (_ :: Text)) <- named]
-                )
-            )
-        )
-        (FaceName [VertexName (Text.unpack vertex) | (_, Single vertex) <- named])
-    )
+-- | Where a laid face's symbols lie on it.
+selectSeat :: MonadIO m => Pitch -> Int64 -> Query m Seat
+selectSeat between number = do
+  laying <- one LayingTable =<< selected LayingTable [StoredLayingNumber ==. number] []
+  let object = storedLayingObject laying
+  face <-
+    one FaceTable
+      =<< selected
+        FaceTable
+        [StoredFaceObject ==. object, StoredFaceNumber ==. storedLayingFace laying]
+        []
+  owner <- one ObjectTable =<< selected ObjectTable [StoredObjectNumber ==. object] []
+  corners <-
+    selected
+      CornerTable
+      [StoredCornerObject ==. object, StoredCornerFace ==. storedLayingFace laying]
+      []
+  complete CornerTable (storedFaceCorners face) corners
+  let numbers = map storedCornerVertex (sortOn storedCornerNumber corners)
+  vertices <-
+    selected VertexTable [StoredVertexObject ==. object, StoredVertexNumber <-. numbers] []
+  let byNumber = Map.fromList [(storedVertexNumber vertex, vertex) | vertex <- vertices]
+  around <- for numbers $ \n -> one VertexTable (foldMap pure (Map.lookup n byNumber))
+  let walk = begunIn laying around
+  at <- except (atIn laying)
+  grid <- except (gridIn laying)
+  let named = Face (objectIn owner) (FaceName (map vertexIn walk))
+  maybe
+    (throwE (UnreadableRow VertexTable))
+    pure
+    (seatBy between named (map pointIn walk) at (anchorIn laying) grid)
 
 -- | Where on the array a cell of a face's block lies, the cell given by its row and column within
--- the block; refuses as 'PraTactile.Object.Placement.arrayPosition' does.
-selectPosition :: MonadIO m => Face -> Position -> Query m (Either StoreError Position)
-selectPosition (Face object walk) local = do
-  named <- rawSql "SELECT id FROM object WHERE name = ?" [text object]
-  corners <-
-    rawSql
-      "SELECT face.id, vertex.name FROM object JOIN face ON face.object = object.id \
-      \JOIN corner ON corner.face = face.id JOIN vertex ON vertex.id = corner.vertex \
-      \WHERE object.name = ? ORDER BY face.id, corner.number"
-      [text object]
-  let walks =
-        Map.toList
-          ( Map.fromListWith
-              (flip (++))
-              [(face, [VertexName (Text.unpack vertex)]) | (Single face, Single vertex) <- corners]
-          )
-      known = [(face, FaceName vertices) | (face, vertices) <- walks]
-  case ( named :: [Single Int64],
-         find (sameFace walk . snd) known,
-         find
-           (sameVertices walk . snd)
-           known
+-- the block; refuses as 'PraTactile.Object.Placement.arrayPosition' does. The array's shape comes
+-- first.
+selectPosition :: MonadIO m => Shape -> Face -> Position -> Query m Position
+selectPosition shape (Face named walk) local = do
+  owner <- selectObject named
+  let object = storedObjectNumber owner
+  faces <- selected FaceTable [StoredFaceObject ==. object] []
+  complete FaceTable (storedObjectFaces owner) faces
+  vertices <- selected VertexTable [StoredVertexObject ==. object] []
+  complete VertexTable (storedObjectVertices owner) vertices
+  corners <- selected CornerTable [StoredCornerObject ==. object] []
+  let names = Map.fromList [(storedVertexNumber it, vertexIn it) | it <- vertices]
+      byFace = Map.fromListWith (++) [(storedCornerFace it, [it]) | it <- corners]
+  known <- for (sortOn storedFaceNumber faces) $ \face -> do
+    let own = Map.findWithDefault [] (storedFaceNumber face) byFace
+    complete CornerTable (storedFaceCorners face) own
+    walked <- for (sortOn storedCornerNumber own) $ \corner ->
+      one CornerTable (foldMap pure (Map.lookup (storedCornerVertex corner) names))
+    pure (face, FaceName walked)
+  case ( [it | it@(_, name) <- known, sameFace walk name],
+         [name | (_, name) <- known, sameVertices walk name]
        ) of
-    ([], _, _) -> pure (refuse (UnknownObject object))
-    (_, Just (face, name), _) -> selectCell face (Face object name) local
-    (_, Nothing, Just (_, name)) -> pure (refuse (WrongVertexOrder (Face object walk) name))
-    (_, Nothing, Nothing) -> pure (refuse (UnknownFace (Face object walk)))
+    ((face, name) : _, _)
+      | storedFaceLaid face == 1 -> do
+        laying <-
+          one LayingTable
+            =<< selected
+              LayingTable
+              [StoredLayingObject ==. object, StoredLayingFace ==. storedFaceNumber face]
+              []
+        let begun = Face named (FaceName (begunIn laying (faceVertices name)))
+        selectCell shape laying begun local
+      | otherwise -> refuse (FaceNotLaid (Face named name))
+    ([], name : _) -> refuse (WrongVertexOrder (Face named walk) name)
+    ([], []) -> refuse (UnknownFace (Face named walk))
+
+selectCell :: MonadIO m => Shape -> StoredLaying -> Face -> Position -> Query m Position
+selectCell (Shape high wide) laying face local = do
+  at <- except (atIn laying)
+  let there@(Position r c) = Position (row at + row local) (column at + column local)
+      off = refuse (CellOffFace face local)
+  if r >= high || c >= wide
+    then off
+    else do
+      band <- one BandTable =<< bandsOver (r, r + 1)
+      run <- one RunTable =<< runsOver (storedBandFromRow band) (c, c + 1)
+      if storedRunLaying run == Just (storedLayingNumber laying) then pure there else off
+
+-- | The object of a name. Names are parted: that there is none of a name says the one before it.
+selectObject :: MonadIO m => ObjectName -> Query m StoredObject
+selectObject named = do
+  sheet <- selectSheet
+  upTo <- selected ObjectTable [StoredObjectName <=. text] [Desc StoredObjectName, LimitTo 1]
+  let found = listToMaybe upTo
+      next = maybe (metadataFirstName sheet) storedObjectNextName found
+  case found of
+    Just object | storedObjectName object == text -> pure object
+    _ | all (> text) next -> refuse (UnknownObject named)
+    _ -> throwE (UnreadableRow ObjectTable)
   where
-    text = PersistText . Text.pack . objectText
+    text = Text.pack (objectText named)
 
-selectCell :: MonadIO m => Int64 -> Face -> Position -> Query m (Either StoreError Position)
-selectCell key face local = do
-  laid <- rawSql "SELECT id FROM laying WHERE face = ?" [PersistInt64 key]
-  cells <-
-    if max (row local) (column local) > fromIntegral (maxBound :: Int64)
-      then pure []
-      else
-        rawSql
-          "SELECT cell.array_row, cell.array_column \
-          \FROM cell JOIN laying ON laying.id = cell.laying \
-          \WHERE laying.face = ? AND cell.local_row = ? AND cell.local_column = ?"
-          [PersistInt64 key, number (row local), number (column local)]
-  pure $ case (laid :: [Single Int64], cells) of
-    ([], _) -> refuse (FaceNotLaid face)
-    (_, (Single r, Single c) : _) ->
-      Right (Position (fromIntegral (r :: Int64)) (fromIntegral (c :: Int64)))
-    (_, []) -> refuse (CellOffFace face local)
+-- | The array's row.
+selectSheet :: MonadIO m => Query m Metadata
+selectSheet =
+  one MetadataTable =<< selected MetadataTable [MetadataSchemaVersion ==. schemaVersion] []
 
-refuse :: PlacementError -> Either StoreError a
-refuse = Left . NotInStore
+objectIn :: StoredObject -> ObjectName
+objectIn = ObjectName . Text.unpack . storedObjectName
 
-number :: Integral n => n -> PersistValue
-number = PersistInt64 . fromIntegral
+vertexIn :: StoredVertex -> VertexName
+vertexIn = VertexName . Text.unpack . storedVertexName
+
+-- | All rows that a table has of such, each as it was written.
+selected ::
+  (MonadIO m, PersistEntity row, PersistEntityBackend row ~ SqlBackend) =>
+  Table ->
+  [Filter row] ->
+  [SelectOpt row] ->
+  Query m [row]
+selected table filters how = do
+  found <- lift (selectList filters how)
+  except (traverse (intact table . entityVal) found)
+
+-- | The only one; refuses where there is none.
+one :: Monad m => Table -> [row] -> Query m row
+one table found = case found of
+  [only] -> pure only
+  _ -> throwE (UnreadableRow table)
+
+-- | Refuses where there are not so many.
+complete :: Monad m => Table -> Int64 -> [row] -> Query m ()
+complete table count found =
+  unless (toInteger count == toInteger (length found)) (throwE (UnreadableRow table))
+
+refuse :: Monad m => PlacementError -> Query m a
+refuse = throwE . NotInStore

@@ -1,60 +1,142 @@
+{-# LANGUAGE ExistentialQuantification #-}
 {-# LANGUAGE FlexibleContexts #-}
+{-# LANGUAGE TypeFamilies #-}
 
--- | The rows of the database, written and read by every back end that persistent has.
--- "PraTactile.Store.Rows.Write" makes them of the pure rows of a placement
--- ("PraTactile.Object.Relation"), "PraTactile.Store.Rows.Read" turns them back.
+-- | The rows of the database, written, read and changed by every back end that persistent has.
+-- "PraTactile.Store.Rows.Write" makes them of a placement, "PraTactile.Store.Rows.Read" turns them
+-- back.
 module PraTactile.Store.Rows
   ( Rows (..),
     insertRows,
     selectRows,
-    faceLabel,
+    changeRows,
+    Part (..),
+    parts,
+    partName,
+    partColumns,
+    disagreement,
   )
 where
 
 import Control.Monad.IO.Class (MonadIO)
 import Control.Monad.Trans.Reader (ReaderT)
-import qualified Data.Text as Text
+import Data.List (sortOn)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe, listToMaybe)
+import Data.Text (Text)
 import Database.Persist.Sql
-import PraTactile.Object.WingedEdge (FaceName, faceText)
+import PraTactile.Store.Error (Table (..), tableName)
 import PraTactile.Store.Schema
 
--- | The rows of every table with their keys, as the database holds them.
+-- | The rows of every table.
 data Rows = Rows
-  { metadataRows :: [Entity Metadata],
-    objects :: [Entity StoredObject],
-    vertices :: [Entity StoredVertex],
-    faces :: [Entity StoredFace],
-    corners :: [Entity StoredCorner],
-    edges :: [Entity StoredEdge],
-    layings :: [Entity StoredLaying],
-    cells :: [Entity StoredCell]
+  { metadataRows :: [Metadata],
+    objects :: [StoredObject],
+    vertices :: [StoredVertex],
+    faces :: [StoredFace],
+    corners :: [StoredCorner],
+    edges :: [StoredEdge],
+    layings :: [StoredLaying],
+    runBands :: [StoredBand],
+    runs :: [StoredRun]
   }
+
+instance Semigroup Rows where
+  Rows a b c d e f g h i <> Rows a' b' c' d' e' f' g' h' i' =
+    Rows
+      (a <> a')
+      (b <> b')
+      (c <> c')
+      (d <> d')
+      (e <> e')
+      (f <> f')
+      (g <> g')
+      (h <> h')
+      (i <> i')
+
+instance Monoid Rows where
+  mempty = Rows [] [] [] [] [] [] [] [] []
+
+-- | The rows of one table.
+data Part
+  = forall row.
+    (PersistEntity row, PersistEntityBackend row ~ SqlBackend, Eq row) =>
+    Part Table (Rows -> [row])
+
+-- | All tables, each before those that refer to it.
+parts :: [Part]
+parts =
+  [ Part MetadataTable metadataRows,
+    Part ObjectTable objects,
+    Part VertexTable vertices,
+    Part FaceTable faces,
+    Part CornerTable corners,
+    Part EdgeTable edges,
+    Part LayingTable layings,
+    Part BandTable runBands,
+    Part RunTable runs
+  ]
+
+-- | A table's name in the database.
+partName :: Part -> String
+partName (Part table _) = tableName table
+
+-- | A table's columns in their order, and of which of the database's types their values are, where
+-- they are not null.
+partColumns :: Part -> [(Text, String)]
+partColumns (Part _ part) =
+  [ (unFieldNameDB (fieldDB column), if fieldSqlType column == SqlString then "text" else "integer")
+    | column <- getEntityFieldsDatabase (entityDef (listToMaybe (part mempty)))
+  ]
 
 -- | Put all rows into empty tables.
 insertRows :: MonadIO m => Rows -> ReaderT SqlBackend m ()
-insertRows given = do
-  insertEntityMany (metadataRows given)
-  insertEntityMany (objects given)
-  insertEntityMany (vertices given)
-  insertEntityMany (faces given)
-  insertEntityMany (corners given)
-  insertEntityMany (edges given)
-  insertEntityMany (layings given)
-  insertEntityMany (cells given)
+insertRows given = mapM_ insertPart parts
+  where
+    insertPart :: MonadIO m => Part -> ReaderT SqlBackend m ()
+    insertPart (Part _ part) = insertMany_ (part given)
 
 -- | All rows, in the order of their keys.
 selectRows :: MonadIO m => ReaderT SqlBackend m Rows
 selectRows =
-  Rows
-    <$> selectList [] [Asc MetadataId]
-    <*> selectList [] [Asc StoredObjectId]
-    <*> selectList [] [Asc StoredVertexId]
-    <*> selectList [] [Asc StoredFaceId]
-    <*> selectList [] [Asc StoredCornerId]
-    <*> selectList [] [Asc StoredEdgeId]
-    <*> selectList [] [Asc StoredLayingId]
-    <*> selectList [] [Asc StoredCellId]
+  Rows <$> whole <*> whole <*> whole <*> whole <*> whole <*> whole <*> whole <*> whole <*> whole
+  where
+    whole ::
+      (PersistEntity row, PersistEntityBackend row ~ SqlBackend, MonadIO m) =>
+      ReaderT SqlBackend m [row]
+    whole = map entityVal . sortOn entityKey <$> selectList [] []
 
--- | The name of a face as its row has it.
-faceLabel :: FaceName -> Text.Text
-faceLabel = Text.pack . faceText
+-- | Make the tables that hold the first rows hold the second ones. Rows that differ are replaced
+-- where others refer to them; else they go first and come again, for they may refer to rows that go
+-- and to rows that come.
+changeRows :: MonadIO m => Rows -> Rows -> ReaderT SqlBackend m ()
+changeRows old new = mapM_ deletePart (reverse parts) >> mapM_ writePart parts
+  where
+    deletePart :: MonadIO m => Part -> ReaderT SqlBackend m ()
+    deletePart (Part table part) = mapM_ delete (Map.keys (gone <> replaced))
+      where
+        gone = Map.difference (keyed (part old)) (keyed (part new))
+        replaced = if isReferredTo table then Map.empty else differing part
+    writePart :: MonadIO m => Part -> ReaderT SqlBackend m ()
+    writePart (Part table part)
+      | isReferredTo table = mapM_ (uncurry replace) (Map.toList (differing part)) >> come Map.empty
+      | otherwise = come (differing part)
+      where
+        come again =
+          insertMany_ (Map.elems (Map.difference (keyed (part new)) (keyed (part old)) <> again))
+    differing :: (PersistEntity row, Eq row) => (Rows -> [row]) -> Map.Map (Key row) row
+    differing part =
+      Map.mapMaybe id (Map.intersectionWith other (keyed (part old)) (keyed (part new)))
+    other before after = if before == after then Nothing else Just after
+    isReferredTo = (`notElem` [MetadataTable, CornerTable, EdgeTable, RunTable])
+
+-- | The first table of which the rows are not the same.
+disagreement :: Rows -> Rows -> Maybe Table
+disagreement one other =
+  listToMaybe [table | Part table part <- parts, keyed (part one) /= keyed (part other)]
+
+-- Every table's key is made of its columns.
+keyed :: PersistEntity row => [row] -> Map.Map (Key row) row
+keyed given = Map.fromList [(key row, row) | row <- given]
+  where
+    key = fromMaybe (error "a table whose key is none of its columns") keyFromRecordM

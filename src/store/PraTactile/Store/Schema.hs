@@ -1,3 +1,5 @@
+{-# LANGUAGE DeriveGeneric #-}
+{-# LANGUAGE FlexibleContexts #-}
 {-# LANGUAGE FlexibleInstances #-}
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE GeneralizedNewtypeDeriving #-}
@@ -12,12 +14,15 @@
 {-# OPTIONS_GHC -Wno-name-shadowing #-}
 
 -- | The tables of the database. Whatever can be a key is one, and whatever refers to a row is a
--- foreign key. Lengths are whole micrometres, so that equal distances are equal in every back end.
--- "PraTactile.Store.Rows" fills the tables and reads them.
+-- foreign key. Lengths are exact ("PraTactile.Store.Exact"), in millimetres.
+--
+-- What could be missing without a trace is not stored as rows that are there or not, but as a
+-- partition without a gap: bands part the array's rows, runs the columns of a band, and the objects
+-- the names, each with the next name; of what belongs to an object or a face the number is told. So
+-- a look-up knows whether it has read all that it rests on. Each row has a seal
+-- ("PraTactile.Store.Seal") that tells whether it is as it was written.
 module PraTactile.Store.Schema
   ( schemaVersion,
-    tableColumns,
-    textColumns,
     migrateAll,
 
     -- * Tables
@@ -28,17 +33,10 @@ module PraTactile.Store.Schema
     StoredCorner (..),
     StoredEdge (..),
     StoredLaying (..),
-    StoredCell (..),
+    StoredBand (..),
+    StoredRun (..),
 
     -- * Keys and columns
-    MetadataId,
-    StoredObjectId,
-    StoredVertexId,
-    StoredFaceId,
-    StoredCornerId,
-    StoredEdgeId,
-    StoredLayingId,
-    StoredCellId,
     Key (..),
     EntityField (..),
     Unique (..),
@@ -49,95 +47,128 @@ import Data.Int (Int64)
 import Data.Text (Text)
 import Database.Persist.Sql (EntityField, Key, Unique)
 import Database.Persist.TH (mkMigrate, mkPersist, persistLowerCase, share, sqlSettings)
+import PraTactile.Store.Exact (Exact)
 
 -- | The version of these tables; it changes whenever they do.
-schemaVersion :: Int
-schemaVersion = 2
-
--- | The tables, which every version has, each with its columns in their order: what the
--- declarations below become in SQL.
-tableColumns :: [(Text, [Text])]
-tableColumns =
-  [ ( "metadata",
-      [ "id",
-        "schema_version",
-        "profile",
-        "array_rows",
-        "array_columns",
-        "pitch_right_um",
-        "pitch_down_um",
-        "contents"
-      ]
-    ),
-    ("object", ["id", "name"]),
-    ("vertex", ["id", "object", "name", "x_um", "y_um", "z_um"]),
-    ("face", ["id", "object", "name"]),
-    ("corner", ["id", "face", "number", "vertex"]),
-    ("edge", ["id", "object", "start_vertex", "end_vertex", "left_face", "right_face"]),
-    ( "laying",
-      ["id", "face", "at_row", "at_column", "grid_rows", "grid_columns", "width_um", "height_um"]
-    ),
-    ("cell", ["id", "array_row", "array_column", "laying", "local_row", "local_column"])
-  ]
-
--- | The columns, of whatever table, whose values are text; those of all others are integers.
-textColumns :: [Text]
-textColumns = ["name", "profile", "contents"]
+schemaVersion :: Int64
+schemaVersion = 3
 
 share
   [mkPersist sqlSettings, mkMigrate "migrateAll"]
   [persistLowerCase|
+-- One row: the array, and the first of the objects' names.
 Metadata sql=metadata
-  schemaVersion Int
+  schemaVersion Int64
   profile Text
   arrayRows Int64
   arrayColumns Int64
-  pitchRightUm Int64
-  pitchDownUm Int64
-  contents Text
-  UniqueSchema schemaVersion
+  pitchRight Exact
+  pitchDown Exact
+  firstName Text Maybe
+  seal Int64
+  Primary schemaVersion
+  deriving Eq
+-- The next name is that of the object whose name comes next, in the order of their characters.
 StoredObject sql=object
-  name Text
-  UniqueObject name
-StoredVertex sql=vertex
-  object StoredObjectId
-  name Text
-  xUm Int64
-  yUm Int64
-  zUm Int64
-  UniqueVertex object name
-StoredFace sql=face
-  object StoredObjectId
-  name Text
-  UniqueFace object name
-StoredCorner sql=corner
-  face StoredFaceId
   number Int64
-  vertex StoredVertexId
-  UniqueCorner face number
-  UniqueCornerVertex face vertex
+  name Text
+  nextName Text Maybe
+  vertices Int64
+  faces Int64
+  edges Int64
+  seal Int64
+  Primary number
+  UniqueObject name
+  deriving Eq
+StoredVertex sql=vertex
+  object Int64
+  number Int64
+  name Text
+  x Exact
+  y Exact
+  z Exact
+  seal Int64
+  Primary object number
+  UniqueVertex object name
+  Foreign StoredObject fk_vertex_object object
+  deriving Eq
+-- The name of a face is that of its corners in their order, for those who read tables; it is laid
+-- (1) or not (0).
+StoredFace sql=face
+  object Int64
+  number Int64
+  name Text
+  corners Int64
+  laid Int64
+  seal Int64
+  Primary object number
+  Foreign StoredObject fk_face_object object
+  deriving Eq
+StoredCorner sql=corner
+  object Int64
+  face Int64
+  number Int64
+  vertex Int64
+  seal Int64
+  Primary object face number
+  UniqueCornerVertex object face vertex
+  Foreign StoredFace fk_corner_face object face
+  Foreign StoredVertex fk_corner_vertex object vertex
+  deriving Eq
 StoredEdge sql=edge
-  object StoredObjectId
-  startVertex StoredVertexId
-  endVertex StoredVertexId
-  leftFace StoredFaceId
-  rightFace StoredFaceId
-  UniqueEdge startVertex endVertex
+  object Int64
+  number Int64
+  startVertex Int64
+  endVertex Int64
+  leftFace Int64
+  rightFace Int64
+  seal Int64
+  Primary object number
+  UniqueEdge object startVertex endVertex
+  Foreign StoredVertex fk_edge_start object startVertex
+  Foreign StoredVertex fk_edge_end object endVertex
+  Foreign StoredFace fk_edge_left object leftFace
+  Foreign StoredFace fk_edge_right object rightFace
+  deriving Eq
+-- A face's frame begins at its corner of that number. The block that is drawn has so many rows and
+-- columns; the array's sheet takes it from that row and column of it on. Without a margin the drawn
+-- block is centred.
 StoredLaying sql=laying
-  face StoredFaceId
+  number Int64
+  object Int64
+  face Int64
+  beginsAt Int64
   atRow Int64
   atColumn Int64
   gridRows Int64
   gridColumns Int64
-  widthUm Int64
-  heightUm Int64
-  UniqueLaying face
-StoredCell sql=cell
-  arrayRow Int64
-  arrayColumn Int64
-  laying StoredLayingId
-  localRow Int64
-  localColumn Int64
-  UniqueCell arrayRow arrayColumn
-  UniqueLocalCell laying localRow localColumn
+  drawnRows Int64
+  drawnColumns Int64
+  drawnFromRow Int64
+  drawnFromColumn Int64
+  marginRight Exact Maybe
+  marginDown Exact Maybe
+  seal Int64
+  Primary number
+  UniqueLaying object face
+  Foreign StoredFace fk_laying_face object face
+  deriving Eq
+-- The rows of the array from the first to before the last, in which runs are the same.
+StoredBand sql=band
+  fromRow Int64
+  toRow Int64
+  seal Int64
+  Primary fromRow
+  deriving Eq
+-- The columns from the first to before the last, in a band, that a laid face has, or none.
+StoredRun sql=run
+  band Int64
+  fromColumn Int64
+  toColumn Int64
+  laying Int64 Maybe
+  seal Int64
+  Primary band fromColumn
+  Foreign StoredBand fk_run_band band
+  Foreign StoredLaying fk_run_laying laying
+  deriving Eq
 |]

@@ -3,6 +3,7 @@
 module PraTactile.Store.Target
   ( target,
     isRegular,
+    identityOf,
     beginsAsDatabase,
 
     -- * Beside it
@@ -24,12 +25,15 @@ import System.IO (IOMode (..), hGetChar, hIsEOF, withBinaryFile)
 import System.IO.Error (isDoesNotExistError)
 import System.Posix.Files
   ( FileStatus,
+    deviceID,
+    fileID,
     getFileStatus,
     getSymbolicLinkStatus,
     isDirectory,
     isRegularFile,
     isSymbolicLink,
   )
+import System.Posix.Types (DeviceID, FileID)
 
 -- | The file to write for a path: the path itself if nothing is there, or if a file is there that
 -- the action knows as a store; what a link leads to if that is such a file. Refuses all else.
@@ -54,6 +58,13 @@ isRegular path = either nothing isRegularFile <$> try (getFileStatus path)
   where
     nothing :: IOException -> Bool
     nothing = const False
+
+-- | What tells a file from every other, if there is one under this path.
+identityOf :: FilePath -> IO (Maybe (DeviceID, FileID))
+identityOf path = either nothing (\it -> Just (deviceID it, fileID it)) <$> try (getFileStatus path)
+  where
+    nothing :: IOException -> Maybe a
+    nothing = const Nothing
 
 -- | What there is under a path; 'Nothing' if there is nothing.
 status :: FilePath -> IO FileStatus -> ExceptT StoreError IO (Maybe FileStatus)

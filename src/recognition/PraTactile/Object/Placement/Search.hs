@@ -10,9 +10,15 @@ module PraTactile.Object.Placement.Search
     Found (..),
     layingsOf,
     cellsNeeded,
+
+    -- * Changing a placement
+    NotChanged (..),
+    adding,
+    removing,
   )
 where
 
+import Data.Bifunctor (first)
 import Data.Containers.ListUtils (nubOrdOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (mapMaybe)
@@ -59,6 +65,42 @@ facesOf between begun objects =
       let wanted = Wanted (Face (solidName object) face) begun,
       not (null (grids between object wanted))
   ]
+
+-- | Why a placement cannot be changed so.
+data NotChanged
+  = -- | an object of this name is there already, or is not there
+    NotChanged PlacementError
+  | -- | these faces are not laid: there is no way, or none was found
+    NotLaid [Wanted] (Maybe Reason)
+  deriving stock (Eq, Show)
+
+-- | The placement with these objects too, all faces of which that have a cell are laid beside what
+-- lies already.
+adding :: Int -> [Solid] -> Placement -> Either NotChanged Placement
+adding seed new place = do
+  _ <- laid lying
+  case layingsOf seed shape between (laidFaces place) known wishes of
+    LaidSo layings -> laid (lying ++ layings)
+    NoWay why -> Left (NotLaid wishes (Just why))
+    NoneFound -> Left (NotLaid wishes Nothing)
+  where
+    shape = placementShape place
+    between = placementPitch place
+    known = placementSolids place ++ new
+    lying = map layingOf (laidFaces place)
+    wishes = facesOf between AnyVertex new
+    laid = first NotChanged . placement shape between known
+
+-- | The placement without the objects of these names.
+removing :: [ObjectName] -> Placement -> Either NotChanged Placement
+removing names place = do
+  mapM_ (first NotChanged . findObject place) names
+  first NotChanged $
+    placement
+      (placementShape place)
+      (placementPitch place)
+      (filter ((`notElem` names) . solidName) (placementSolids place))
+      [layingOf laid | laid <- laidFaces place, faceObject (laidFace laid) `notElem` names]
 
 -- | How many cells wishes take at least, whichever of their frames they have.
 cellsNeeded :: Pitch -> [Solid] -> [Wanted] -> Integer

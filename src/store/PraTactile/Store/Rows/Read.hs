@@ -1,156 +1,178 @@
-{-# LANGUAGE FlexibleContexts #-}
+{-# LANGUAGE TypeFamilies #-}
 
--- | From the rows of the database back to the pure rows of a placement.
+-- | From the rows of the database back to a placement, and from those that a look-up rests on to
+-- what they say.
 module PraTactile.Store.Rows.Read
-  ( fromRows,
+  ( -- * All rows
+    fromRows,
+
+    -- * Single rows
+    intact,
+    natural,
+    shapeIn,
+    pitchIn,
+    pointIn,
+    begunIn,
+    atIn,
+    gridIn,
+    anchorIn,
   )
 where
 
-import Control.Monad (unless)
-import Data.Foldable (traverse_)
+import Data.Bifunctor (first)
 import Data.Int (Int64)
-import Data.Map.Strict (Map)
+import Data.List (genericDrop, genericTake, sortOn)
 import qualified Data.Map.Strict as Map
-import Data.Ratio ((%))
 import qualified Data.Text as Text
-import Database.Persist.Sql
+import Data.Traversable (for)
+import Database.Persist.Sql (PersistEntity)
 import Numeric.Natural (Natural)
-import PraTactile.Array (Shape (..))
-import PraTactile.Object.Placement (Anchor (..), Face (..), Pitch (..), Spot (..))
-import PraTactile.Object.Relation
-import PraTactile.Object.Surd (fraction)
+import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Object.Placement
+import PraTactile.Object.Placement.Bands
 import PraTactile.Object.WingedEdge
 import PraTactile.Store.Error
+import PraTactile.Store.Exact
 import PraTactile.Store.Rows
+import PraTactile.Store.Rows.Write
 import PraTactile.Store.Schema
+import PraTactile.Store.Seal
 
--- | The relation that rows hold, and its profile; refuses rows that cannot be read. Whether the
--- relation makes sense is for 'placementOf' to say.
-fromRows :: Rows -> Either StoreError (String, Relation)
-fromRows stored = do
-  sheet <- case metadataRows stored of
-    [Entity _ only] -> Right only
+-- | The placement that the rows of all tables hold, with the text of its profile and the numbers of
+-- what is in it. Refuses rows that are not as they were written, that make no solids or no
+-- placement, or that are not exactly those of the placement that they make.
+fromRows :: Rows -> Either StoreError (String, Numbers, Placement)
+fromRows given = do
+  mapM_ sealsHold parts
+  sheet <- case metadataRows given of
+    [only] -> Right only
     _ -> Left (UnreadableRow MetadataTable)
-  traverse_ (labelled named) (faces stored)
-  given <-
-    Relation
-      <$> sheetOf sheet
-      <*> pure (map (objectOf . entityVal) (objects stored))
-      <*> rowsOf vertices vertexOf
-      <*> traverse (faceNamed named FaceTable . entityKey) (faces stored)
-      <*> rowsOf corners cornerOf
-      <*> rowsOf edges edgeOf
-      <*> rowsOf layings layingOf
-      <*> rowsOf cells cellOf
-  pure (Text.unpack (metadataProfile sheet), given)
+  shape <- shapeIn sheet
+  described <- descriptionsIn given stored
+  solids <- for described $ \it -> first (NotSolid (describedName it)) (solid it)
+  let owners = Map.fromList (zip (map storedObjectNumber stored) described)
+  places <- for laid $ \it -> (,) <$> atIn it <*> gridIn it
+  parted <- bandsIn (Map.fromList (zip (map storedLayingNumber laid) [0 ..])) given
+  let blocks = blocksIn parted (Map.fromList (zip [0 ..] places))
+  wishes <- for (zip3 [0 ..] laid places) $ \(i, it, (at, _)) -> do
+    owner <- find LayingTable owners (storedLayingObject it)
+    walk <- find LayingTable (numberedFrom0 (describedFaces owner)) (storedLayingFace it)
+    block <- find LayingTable blocks i >>= maybe (Left (RowsDisagree RunTable)) Right
+    let face = Face (describedName owner) (FaceName (begunIn it (faceVertices walk)))
+    pure (Laying face at (anchorIn it) block)
+  place <- first NotPlaced (placement shape (pitchIn sheet) solids wishes)
+  let profile = Text.unpack (metadataProfile sheet)
+      numbers =
+        Numbers
+          { objectNumbers =
+              Map.fromList (zip (map describedName described) (map storedObjectNumber stored)),
+            layingNumbers =
+              Map.fromList (zip (map layFace wishes) (map storedLayingNumber laid))
+          }
+  implied <- toRows profile numbers place
+  maybe (pure (profile, numbers, place)) (Left . RowsDisagree) (disagreement given implied)
   where
-    named = namesOf stored
-    rowsOf part convert = traverse (convert named . entityVal) (part stored)
+    sealsHold :: Part -> Either StoreError ()
+    sealsHold (Part table part) = mapM_ (intact table) (part given)
+    stored = sortOn storedObjectNumber (objects given)
+    laid = sortOn storedLayingNumber (layings given)
 
--- | What keys stand for, each asked for a table, which is named where a row of it has a key that
--- stands for nothing.
-data Names = Names
-  { objectNamed :: Table -> StoredObjectId -> Either StoreError ObjectName,
-    vertexNamed :: Table -> StoredVertexId -> Either StoreError VertexName,
-    faceNamed :: Table -> StoredFaceId -> Either StoreError Face,
-    layingNamed :: Table -> StoredLayingId -> Either StoreError StoredFaceId
-  }
-
-namesOf :: Rows -> Names
-namesOf stored =
-  Names
-    { objectNamed = \table -> find table objectNames,
-      vertexNamed = \table -> find table vertexNames,
-      faceNamed = \table key ->
-        Face
-          <$> (find table owners key >>= find table objectNames)
-          <*> (FaceName <$> (find table walks key >>= traverse (find table vertexNames))),
-      layingNamed = \table -> find table layingFaces
-    }
+-- | What each of these objects is.
+descriptionsIn :: Rows -> [StoredObject] -> Either StoreError [Description]
+descriptionsIn given stored = for stored $ \it -> do
+  let own = storedObjectNumber it
+      named =
+        [ (VertexName (Text.unpack (storedVertexName vertex)), pointIn vertex)
+          | vertex <- sortOn storedVertexNumber (of' own vertexRows)
+        ]
+      names = numberedFrom0 (map fst named)
+  walks <- for (sortOn storedFaceNumber (of' own faceRows)) $ \face ->
+    for (sortOn storedCornerNumber (of' (own, storedFaceNumber face) cornerRows)) $ \corner ->
+      find CornerTable names (storedCornerVertex corner)
+  pure (Description (ObjectName (Text.unpack (storedObjectName it))) named (map FaceName walks))
   where
-    objectNames = byKey objectOf (objects stored)
-    vertexNames = byKey (VertexName . Text.unpack . storedVertexName) (vertices stored)
-    owners = byKey storedFaceObject (faces stored)
-    layingFaces = byKey storedLayingFace (layings stored)
-    -- The vertices of each face, by their numbers.
-    walks =
-      Map.elems
-        <$> Map.fromListWith
-          Map.union
-          [ (storedCornerFace it, Map.singleton (storedCornerNumber it) (storedCornerVertex it))
-            | Entity _ it <- corners stored
-          ]
-    byKey :: Ord (Key row) => (row -> a) -> [Entity row] -> Map (Key row) a
-    byKey content entities = Map.fromList [(key, content it) | Entity key it <- entities]
+    vertexRows = grouped storedVertexObject (vertices given)
+    faceRows = grouped storedFaceObject (faces given)
+    cornerRows = grouped (\row -> (storedCornerObject row, storedCornerFace row)) (corners given)
+    of' :: Ord k => k -> Map.Map k [row] -> [row]
+    of' = Map.findWithDefault []
+    grouped :: Ord k => (row -> k) -> [row] -> Map.Map k [row]
+    grouped key rows' = Map.fromListWith (++) [(key row, [row]) | row <- rows']
 
-find :: Ord key => Table -> Map key row -> key -> Either StoreError row
+-- | The bands, given the places of layings in the placement's order by their numbers.
+bandsIn :: Map.Map Int64 Int -> Rows -> Either StoreError [Band]
+bandsIn places given = for (runBands given) $ \it ->
+  Band
+    <$> natural BandTable (storedBandFromRow it)
+    <*> natural BandTable (storedBandToRow it)
+    <*> traverse stretch (Map.findWithDefault [] (storedBandFromRow it) ofBand)
+  where
+    ofBand = Map.fromListWith (flip (++)) [(storedRunBand run, [run]) | run <- runs given]
+    stretch run =
+      Stretch
+        <$> natural RunTable (storedRunFromColumn run)
+        <*> natural RunTable (storedRunToColumn run)
+        <*> traverse (find RunTable places) (storedRunLaying run)
+
+find :: Ord key => Table -> Map.Map key it -> key -> Either StoreError it
 find table known key = maybe (Left (UnreadableRow table)) Right (Map.lookup key known)
 
--- | A face's row must have the name that its corners give it.
-labelled :: Names -> Entity StoredFace -> Either StoreError ()
-labelled named (Entity key it) = do
-  face <- faceNamed named FaceTable key
-  unless
-    (faceLabel (faceName face) == storedFaceName it)
-    (Left (InconsistentRows (RowsDisagree FaceTable)))
+numberedFrom0 :: [it] -> Map.Map Int64 it
+numberedFrom0 = Map.fromDistinctAscList . zip [0 ..]
 
-sheetOf :: Metadata -> Either StoreError SheetRow
-sheetOf sheet = flip SheetRow pitch . uncurry Shape <$> shape
-  where
-    shape = pair MetadataTable (metadataArrayRows sheet) (metadataArrayColumns sheet)
-    pitch =
-      Pitch
-        (fromMicrometres (metadataPitchRightUm sheet))
-        (fromMicrometres (metadataPitchDownUm sheet))
+-- | A row that is as it was written; refuses any other.
+intact :: PersistEntity row => Table -> row -> Either StoreError row
+intact table row = if isSealed row then Right row else Left (ChangedRow table)
 
-objectOf :: StoredObject -> ObjectName
-objectOf = ObjectName . Text.unpack . storedObjectName
-
-vertexOf :: Names -> StoredVertex -> Either StoreError VertexRow
-vertexOf named (StoredVertex object name x y z) =
-  VertexRow
-    <$> objectNamed named VertexTable object
-    <*> pure (VertexName (Text.unpack name))
-    <*> pure (Point (fromMicrometres x) (fromMicrometres y) (fromMicrometres z))
-
-cornerOf :: Names -> StoredCorner -> Either StoreError CornerRow
-cornerOf named (StoredCorner face number at) =
-  CornerRow
-    <$> faceNamed named CornerTable face
-    <*> natural CornerTable number
-    <*> vertexNamed named CornerTable at
-
-edgeOf :: Names -> StoredEdge -> Either StoreError EdgeRow
-edgeOf named (StoredEdge object start end left right) =
-  EdgeRow
-    <$> objectNamed named EdgeTable object
-    <*> ((,) <$> vertex start <*> vertex end)
-    <*> ((,) <$> face left <*> face right)
-  where
-    vertex = vertexNamed named EdgeTable
-    face = fmap faceName . faceNamed named EdgeTable
-
-layingOf :: Names -> StoredLaying -> Either StoreError LayingRow
-layingOf named (StoredLaying face r c high wide width height) =
-  LayingRow
-    <$> faceNamed named LayingTable face
-    <*> pair LayingTable r c
-    <*> pair LayingTable high wide
-    <*> pure Centred
-    <*> pure (Spot (fraction (fromMicrometres width)) (fraction (fromMicrometres height)))
-
-cellOf :: Names -> StoredCell -> Either StoreError CellRow
-cellOf named (StoredCell r c on i j) =
-  CellRow
-    <$> pair CellTable r c
-    <*> (layingNamed named CellTable on >>= faceNamed named CellTable)
-    <*> pair CellTable i j
-
-pair :: Table -> Int64 -> Int64 -> Either StoreError (Natural, Natural)
-pair table a b = (,) <$> natural table a <*> natural table b
-
+-- | A number that cannot be negative.
 natural :: Table -> Int64 -> Either StoreError Natural
 natural table n = if n < 0 then Left (UnreadableRow table) else Right (fromIntegral n)
 
-fromMicrometres :: Int64 -> Rational
-fromMicrometres length_ = toInteger length_ % 1000
+-- | The rows and columns of the array.
+shapeIn :: Metadata -> Either StoreError Shape
+shapeIn sheet =
+  Shape
+    <$> natural MetadataTable (metadataArrayRows sheet)
+    <*> natural MetadataTable (metadataArrayColumns sheet)
+
+-- | The distances between symbols.
+pitchIn :: Metadata -> Pitch
+pitchIn sheet = Pitch (exactly (metadataPitchRight sheet)) (exactly (metadataPitchDown sheet))
+
+-- | Where a vertex is.
+pointIn :: StoredVertex -> Point
+pointIn it =
+  Point (exactly (storedVertexX it)) (exactly (storedVertexY it)) (exactly (storedVertexZ it))
+
+-- | The walk round a face, or whatever else goes round it, from where the laid face's frame begins.
+begunIn :: StoredLaying -> [corner] -> [corner]
+begunIn it walk = genericDrop begun walk ++ genericTake begun walk
+  where
+    begun = storedLayingBeginsAt it
+
+-- | Where a laid face's block lies.
+atIn :: StoredLaying -> Either StoreError Position
+atIn it =
+  Position
+    <$> natural LayingTable (storedLayingAtRow it)
+    <*> natural LayingTable (storedLayingAtColumn it)
+
+-- | The rows and columns of its block.
+gridIn :: StoredLaying -> Either StoreError Shape
+gridIn it =
+  Shape
+    <$> natural LayingTable (storedLayingGridRows it)
+    <*> natural LayingTable (storedLayingGridColumns it)
+
+-- | Where its block lies on the face.
+anchorIn :: StoredLaying -> Anchor
+anchorIn it = case (storedLayingMarginRight it, storedLayingMarginDown it) of
+  (Just x, Just y) -> Margin (exactly x) (exactly y)
+  _
+    | drawn == grid && from == (0, 0) -> Centred
+    | otherwise -> CentredPart drawn from
+  where
+    drawn = (big storedLayingDrawnRows, big storedLayingDrawnColumns)
+    grid = (big storedLayingGridRows, big storedLayingGridColumns)
+    from = (big storedLayingDrawnFromRow, big storedLayingDrawnFromColumn)
+    big part = toInteger (part it)

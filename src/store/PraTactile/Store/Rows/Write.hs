@@ -1,139 +1,194 @@
-{-# LANGUAGE FlexibleContexts #-}
-
--- | From the pure rows of a placement to the rows of the database.
+-- | From a placement to the rows of the database.
 module PraTactile.Store.Rows.Write
-  ( toRows,
+  ( Numbers (..),
+    firstNumbers,
+    nextNumbers,
+    toRows,
   )
 where
 
-import Data.Bifunctor (first)
 import Data.Int (Int64)
 import qualified Data.Map.Strict as Map
-import Data.Ratio (denominator, numerator)
+import Data.Maybe (fromMaybe)
+import qualified Data.Set as Set
 import qualified Data.Text as Text
-import Database.Persist.Sql
-import Numeric.Natural (Natural)
-import PraTactile.Array (Shape (..))
-import PraTactile.Object.Placement (Anchor (..), Face (..), Pitch (..), Spot (..))
-import PraTactile.Object.Relation
-import PraTactile.Object.Surd (asFraction)
+import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Object.Placement
+import PraTactile.Object.Placement.Bands
 import PraTactile.Object.WingedEdge
 import PraTactile.Store.Error
+import PraTactile.Store.Exact
 import PraTactile.Store.Rows
 import PraTactile.Store.Schema
+import PraTactile.Store.Seal
 
--- | The rows that hold a relation, under this profile, as yet without a digest of their contents;
--- refuses lengths and numbers that the columns cannot hold.
-toRows :: String -> Relation -> Either StoreError Rows
-toRows profile given =
-  Rows
-    <$> (numbered <$> traverse (storedSheet profile) [sheetRow given])
-    <*> pure (numbered [StoredObject (Text.pack (objectText object)) | object <- objectRows given])
-    <*> (numbered <$> traverse (storedVertex keys) (vertexRows given))
-    <*> (numbered <$> traverse (storedFace keys) (faceRows given))
-    <*> (numbered <$> traverse (storedCorner keys) (cornerRows given))
-    <*> (numbered <$> traverse (storedEdge keys) (edgeRows given))
-    <*> (numbered <$> traverse (storedLaying keys) (layingRows given))
-    <*> (numbered <$> traverse (storedCell keys) (cellRows given))
-  where
-    keys = keysOf given
-
--- | Rows are keyed by their numbers, from 1, in their order.
-numbered :: ToBackendKey SqlBackend row => [row] -> [Entity row]
-numbered = zipWith (Entity . toSqlKey) [1 ..]
-
--- | The keys of the rows that other rows refer to.
-data Keys = Keys
-  { objectKey :: ObjectName -> Either StoreError StoredObjectId,
-    vertexKey :: (ObjectName, VertexName) -> Either StoreError StoredVertexId,
-    faceKey :: Face -> Either StoreError StoredFaceId,
-    layingKey :: Face -> Either StoreError StoredLayingId
+-- | The numbers that objects and laid faces have in a store, which grow in the order of the
+-- placement.
+data Numbers = Numbers
+  { objectNumbers :: Map.Map ObjectName Int64,
+    layingNumbers :: Map.Map Face Int64
   }
 
-keysOf :: Relation -> Keys
-keysOf given =
-  Keys
-    { objectKey = keyIn ObjectTable (objectRows given),
-      vertexKey = keyIn VertexTable [(vertexObject r, vertexName r) | r <- vertexRows given],
-      faceKey = keyIn FaceTable (faceRows given),
-      layingKey = keyIn LayingTable (map layingFace (layingRows given))
-    }
+-- | The numbers of a placement that is stored for the first time, from 1.
+firstNumbers :: Placement -> Numbers
+firstNumbers place =
+  Numbers
+    (Map.fromList (zip (map solidName (placementSolids place)) [1 ..]))
+    (Map.fromList (zip (map laidFace (laidFaces place)) [1 ..]))
 
--- | The key of a name, given the names of a table in their order.
-keyIn ::
-  (Ord name, ToBackendKey SqlBackend row) => Table -> [name] -> name -> Either StoreError (Key row)
-keyIn table names =
-  \name -> maybe (Left (UnreadableRow table)) (Right . toSqlKey) (Map.lookup name byName)
+-- | The numbers of a placement that comes in the place of one that has some: what stays as it was
+-- keeps its own, and the rest has the next ones above all that there were.
+nextNumbers :: Placement -> Numbers -> Placement -> Numbers
+nextNumbers before (Numbers ofObjects ofLayings) place =
+  Numbers
+    (renumbered ofObjects [(name, stays it) | it <- placementSolids place, let name = solidName it])
+    (renumbered ofLayings [(laidFace it, lies it) | it <- laidFaces place])
   where
-    byName = Map.fromList (zip names [1 ..])
+    stays it = placementObject before (solidName it) == Just it
+    lies it =
+      placementLaid before (laidFace it) == Just it
+        && (stays <$> placementObject place (faceObject (laidFace it))) == Just True
 
-storedSheet :: String -> SheetRow -> Either StoreError Metadata
-storedSheet profile (SheetRow shape between) =
-  Metadata schemaVersion (Text.pack profile)
-    <$> whole (rows shape)
-    <*> whole (columns shape)
-    <*> micrometres (pitchRight between)
-    <*> micrometres (pitchDown between)
-    <*> pure Text.empty
-
-storedVertex :: Keys -> VertexRow -> Either StoreError StoredVertex
-storedVertex keys (VertexRow object named (Point x y z)) =
-  StoredVertex
-    <$> objectKey keys object
-    <*> pure (Text.pack (vertexText named))
-    <*> micrometres x
-    <*> micrometres y
-    <*> micrometres z
-
-storedFace :: Keys -> Face -> Either StoreError StoredFace
-storedFace keys face =
-  StoredFace <$> objectKey keys (faceObject face) <*> pure (faceLabel (faceName face))
-
-storedCorner :: Keys -> CornerRow -> Either StoreError StoredCorner
-storedCorner keys (CornerRow on number named) =
-  StoredCorner <$> faceKey keys on <*> whole number <*> vertexKey keys (faceObject on, named)
-
-storedEdge :: Keys -> EdgeRow -> Either StoreError StoredEdge
-storedEdge keys (EdgeRow object (start, end) (left, right)) =
-  StoredEdge
-    <$> objectKey keys object
-    <*> vertexKey keys (object, start)
-    <*> vertexKey keys (object, end)
-    <*> faceKey keys (Face object left)
-    <*> faceKey keys (Face object right)
-
-storedLaying :: Keys -> LayingRow -> Either StoreError StoredLaying
-storedLaying keys (LayingRow on (r, c) (high, wide) anchor (Spot width height)) =
-  StoredLaying
-    <$> (if anchor == Centred then notFrom on (faceKey keys on) else Left (LayingNotStorable on))
-    <*> whole r
-    <*> whole c
-    <*> whole high
-    <*> whole wide
-    <*> side width
-    <*> side height
+-- | Growing numbers for these, which keep their own where they may and that is possible.
+renumbered :: Ord k => Map.Map k Int64 -> [(k, Bool)] -> Map.Map k Int64
+renumbered known = go 0 (maximum (0 : Map.elems known))
   where
-    side = maybe (Left (LayingNotStorable on)) micrometres . asFraction
-    -- A face that is begun at another vertex than in its object is none of the object's rows.
-    notFrom face = first (const (LayingNotStorable face))
+    go _ _ [] = Map.empty
+    go last' most ((one, keeps) : others) = case Map.lookup one known of
+      Just n | keeps && n > last' -> Map.insert one n (go n most others)
+      _ -> Map.insert one (most + 1) (go (most + 1) (most + 1) others)
 
-storedCell :: Keys -> CellRow -> Either StoreError StoredCell
-storedCell keys (CellRow (r, c) on (i, j)) =
-  StoredCell <$> whole r <*> whole c <*> layingKey keys on <*> whole i <*> whole j
+-- | The rows that hold a placement, all of which has these numbers, under the text of a profile.
+-- Refuses numbers that the columns cannot hold.
+toRows :: String -> Numbers -> Placement -> Either StoreError Rows
+toRows profile numbers place =
+  mconcat
+    <$> sequence
+      ( arrayRow profile place :
+        zipWith (objectRows numbers laidOf) (placementSolids place) nextNames
+          ++ map (bandRows numberAt) (bands place)
+      )
+  where
+    names = map (objectText . solidName) (placementSolids place)
+    known = Set.fromList names
+    nextNames = map (`Set.lookupGT` known) names
+    laidOf =
+      Map.fromListWith (flip (++)) [(faceObject (laidFace laid), [laid]) | laid <- laidFaces place]
+    numberAt =
+      Map.fromList
+        [ (at, n)
+          | (at, laid) <- zip [0 ..] (laidFaces place),
+            Just n <- [Map.lookup (laidFace laid) (layingNumbers numbers)]
+        ]
 
-whole :: Natural -> Either StoreError Int64
+-- | The array's one row.
+arrayRow :: String -> Placement -> Either StoreError Rows
+arrayRow profile place = do
+  row' <-
+    Metadata schemaVersion (Text.pack profile)
+      <$> whole (rows (placementShape place))
+      <*> whole (columns (placementShape place))
+  pure mempty {metadataRows = [sealed (row' (Exact right) (Exact down) firstName)]}
+  where
+    Pitch right down = placementPitch place
+    firstName =
+      Text.pack . fst <$> Set.minView names
+    names = Set.fromList (map (objectText . solidName) (placementSolids place))
+
+-- | All of an object, given the laid faces of each, and the name that comes after its own.
+objectRows ::
+  Numbers -> Map.Map ObjectName [LaidFace] -> Solid -> Maybe String -> Either StoreError Rows
+objectRows numbers laidOf object nextName = do
+  laid <- traverse layingRow (Map.findWithDefault [] (solidName object) laidOf)
+  let laidFace' = Set.fromList (map storedLayingFace laid)
+  pure
+    mempty
+      { objects =
+          [ sealed $
+              StoredObject
+                own
+                (Text.pack (objectText (solidName object)))
+                (Text.pack <$> nextName)
+                (count named)
+                (count walks)
+                (count sides)
+          ],
+        vertices =
+          [ sealed (StoredVertex own i (Text.pack (vertexText name)) (Exact x) (Exact y) (Exact z))
+            | (i, (name, Point x y z)) <- zip [0 ..] named
+          ],
+        faces =
+          [ sealed $
+              StoredFace
+                own
+                f
+                (Text.pack (faceText walk))
+                (count (faceVertices walk))
+                (if f `Set.member` laidFace' then 1 else 0)
+            | (f, walk) <- zip [0 ..] walks
+          ],
+        corners =
+          [ sealed (StoredCorner own f i (vertexOf name))
+            | (f, walk) <- zip [0 ..] walks,
+              (i, name) <- zip [0 ..] (faceVertices walk)
+          ],
+        edges =
+          [ sealed (StoredEdge own i (vertexOf from) (vertexOf to) (faceOf left) (faceOf right))
+            | (i, Edge from to left right _) <- zip [0 ..] sides
+          ],
+        layings = laid
+      }
+  where
+    own = objectNumbers numbers `numbering` solidName object
+    named = solidVertices object
+    walks = solidFaces object
+    sides = solidEdges object
+    vertexOf = numbering (Map.fromList (zip (map fst named) [0 ..]))
+    faceOf = numbering (Map.fromList (zip walks [0 ..]))
+    count :: [a] -> Int64
+    count = fromIntegral . length
+    layingRow laid = do
+      unsealed <-
+        StoredLaying (layingNumbers numbers `numbering` laidFace laid) own (faceOf walk) begins
+          <$> whole (row (laidAt laid))
+          <*> whole (column (laidAt laid))
+          <*> whole (rows grid)
+          <*> whole (columns grid)
+          <*> whole drawnHigh
+          <*> whole drawnWide
+          <*> whole fromRow
+          <*> whole fromColumn
+      pure (sealed (unsealed (Exact . fst <$> margin) (Exact . snd <$> margin)))
+      where
+        -- The object's own name for the face, and how far round that the frame begins.
+        begun = faceVertices (faceName (laidFace laid))
+        walk = fromMaybe (FaceName []) (sameCorners object (FaceName begun))
+        begins = count (takeWhile ((/= take 1 begun) . pure) (faceVertices walk))
+        grid = laidGrid laid
+        size = (toInteger (rows grid), toInteger (columns grid))
+        ((drawnHigh, drawnWide), (fromRow, fromColumn), margin) = case laidAnchor laid of
+          Centred -> (size, (0, 0), Nothing)
+          CentredPart drawn from -> (drawn, from, Nothing)
+          Margin x y -> (size, (0, 0), Just (x, y))
+
+-- | Everything named has a number; without one it would refer to no row, and the database refuse.
+numbering :: Ord k => Map.Map k Int64 -> k -> Int64
+numbering = flip (Map.findWithDefault (-1))
+
+-- | A band and its runs, given the numbers of layings by their places in the placement's order.
+bandRows :: Map.Map Int Int64 -> Band -> Either StoreError Rows
+bandRows numberAt (Band from to stretches) = do
+  from' <- whole from
+  to' <- whole to
+  runs' <- traverse (runOf from') stretches
+  pure mempty {runBands = [sealed (StoredBand from' to')], runs = runs'}
+  where
+    runOf band (Stretch left right laying) = do
+      left' <- whole left
+      right' <- whole right
+      pure (sealed (StoredRun band left' right' (laying >>= (`Map.lookup` numberAt))))
+
+whole :: Integral n => n -> Either StoreError Int64
 whole n
   | toInteger n <= toInteger (maxBound :: Int64) = Right (fromIntegral n)
   | otherwise = Left (TooLarge (toInteger n))
-
--- | A length in whole micrometres, up to a kilometre. See Note [Lengths in the database].
-micrometres :: Rational -> Either StoreError Int64
-micrometres millimetres
-  | denominator scaled == 1 && abs scaled <= 10 ^ (9 :: Int) =
-    Right (fromInteger (numerator scaled))
-  | otherwise = Left (NotStorable millimetres)
-  where
-    scaled = millimetres * 1000
-
-{- Note [Lengths in the database] The nearest corner is found in the database by comparing squares
-   of doubled micrometres. Up to a kilometre these stay below 2^63: (2 * 10^9)^2 * 2 = 8 * 10^18. -}

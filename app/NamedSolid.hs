@@ -1,0 +1,54 @@
+-- | Objects to be laid, as the command line names them, and why they are not laid.
+module NamedSolid
+  ( namedSolid,
+    whyNot,
+    noneFound,
+  )
+where
+
+import Counted
+import ExitStatus
+import Message
+import Polyhedra
+import PraTactile.Format.Solid (Contents (..), SolidFormat)
+import PraTactile.Object.Mesh (named)
+import PraTactile.Object.Packing (Reason (..))
+import PraTactile.Object.Placement
+import PraTactile.Object.Placement.Search
+import PraTactile.Object.WingedEdge
+import PraTactile.Profile
+import Visible
+
+-- | The solid that @[NAME=]SOLID|FILE@ is, on an array of this profile with symbols so far apart.
+-- Leaves with status 2 where there is none.
+namedSolid :: Profile -> Pitch -> Maybe SolidFormat -> String -> IO Solid
+namedSolid profile between said subject = do
+  Contents it _ <- polyhedron (profileShape profile) between said from
+  orUnusable
+    (\why -> visibleName subject ++ ": " ++ objectMessage why)
+    (solidOf (maybe id (named . ObjectName) name it))
+  where
+    (name, from) = case break (== '=') subject of
+      (given@(_ : _), '=' : rest) | '/' `notElem` given -> (Just given, rest)
+      _ -> (Nothing, subject)
+
+-- | Why there is no placement, in words.
+whyNot :: [Wanted] -> Reason -> String
+whyNot wishes reason = case reason of
+  TakenOutside _ -> "what lies already reaches beyond the array"
+  TakenOverlaps _ -> "what lies already overlaps"
+  PieceTooLarge i -> faceOf i ++ " is larger than the array"
+  TooFewCells needed free ->
+    "the faces need " ++ counted needed "cell" "cells" ++ ", and " ++ show free ++ " are free"
+  NoRoom i -> faceOf i ++ " fits nowhere beside what lies already"
+  Exhausted -> "every way was tried, and none has room for all faces"
+  where
+    faceOf i =
+      concat
+        [ "the face " ++ faceText walk ++ " of the " ++ objectText owner
+          | Wanted (Face owner walk) _ <- take 1 (drop i wishes)
+        ]
+
+-- | That a search came to no end.
+noneFound :: String
+noneFound = "no placement was found, and it is not proved that there is none"

@@ -1,0 +1,142 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Stores of version 2, which had whole micrometres and a row a cell: they are read, so as to be
+-- asked, and to be replaced. All their faces begin at the first corner and have their block in the
+-- middle.
+module PraTactile.Store.Version2
+  ( selectVersion2,
+  )
+where
+
+import Control.Monad (unless)
+import Control.Monad.IO.Class (MonadIO)
+import Control.Monad.Trans.Class (lift)
+import Control.Monad.Trans.Except (except, throwE)
+import Data.Bifunctor (first)
+import Data.Int (Int64)
+import qualified Data.Map.Strict as Map
+import Data.Ratio ((%))
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Database.Persist.Sql (RawSql, Single (..), rawSql)
+import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Certificate.Digest (sha256OfText)
+import PraTactile.Object.Placement
+import PraTactile.Object.WingedEdge
+import PraTactile.Store.Error
+import PraTactile.Store.Query (Query)
+import Text.Read (readMaybe)
+
+-- | The text of the profile, and the placement. Such a store carries a digest of all its rows, and
+-- what differs from it is refused.
+selectVersion2 :: MonadIO m => Query m (String, Placement)
+selectVersion2 = do
+  sheets <-
+    rowsOf
+      "SELECT profile, array_rows, array_columns, pitch_right_um, pitch_down_um, id, contents \
+      \FROM metadata"
+  (profile, (high, wide), (right, down), sheet, digest) <- case sheets of
+    [(Single text, Single r, Single c, Single x, Single y, Single key, Single sum_)] ->
+      pure (text :: Text, (r, c), (x, y), key :: Int64, sum_ :: Text)
+    _ -> throwE (UnreadableRow MetadataTable)
+  objects <- rowsOf "SELECT id, name FROM object ORDER BY id"
+  vertices <- rowsOf "SELECT id, object, name, x_um, y_um, z_um FROM vertex ORDER BY id"
+  faces <- rowsOf "SELECT id, object, name FROM face ORDER BY id"
+  corners <- numbersOf "corner" "face, number, vertex"
+  edges <- numbersOf "edge" "object, start_vertex, end_vertex, left_face, right_face"
+  layings <-
+    numbersOf "laying" "face, at_row, at_column, grid_rows, grid_columns, width_um, height_um"
+  cells <- numbersOf "cell" "array_row, array_column, laying, local_row, local_column"
+  let named = [(key, name :: Text) | (Single key, Single name) <- objects] :: [(Int64, Text)]
+      points =
+        [ (key, (object, name, [x, y, z]))
+          | (Single key, Single object, Single name, Single x, Single y, Single z) <- vertices
+        ] ::
+          [(Int64, (Int64, Text, [Int64]))]
+      walks =
+        [(key, (object, name)) | (Single key, Single object, Single name) <- faces] ::
+          [(Int64, (Int64, Text))]
+      hashed =
+        counted [(sheet, ((2 :: Int, profile), (high, wide), (right, down)))]
+          ++ counted named
+          ++ counted points
+          ++ counted walks
+          ++ concatMap counted [corners, edges, layings, cells]
+  unless
+    (Text.pack (sha256OfText (unlines hashed)) == digest)
+    (throwE (ChangedRow MetadataTable))
+  let vertexNames =
+        Map.fromList [(key, VertexName (Text.unpack name)) | (key, (_, name, _)) <- points]
+      objectNames = Map.fromList [(key, ObjectName (Text.unpack name)) | (key, name) <- named]
+      faceNames =
+        Map.fromList
+          [ (face, Face owner (FaceName (Map.elems (Map.findWithDefault Map.empty face walked))))
+            | (face, (object, _)) <- walks,
+              Just owner <- [Map.lookup object objectNames]
+          ]
+      walked =
+        Map.fromListWith
+          Map.union
+          [ (face, Map.singleton number name)
+            | (_, [face, number, vertex]) <- corners,
+              Just name <- [Map.lookup vertex vertexNames]
+          ]
+      taken =
+        Map.fromListWith
+          (++)
+          [(laying, [Position (natural r) (natural c)]) | (_, [_, _, laying, r, c]) <- cells]
+      described (object, name) =
+        Description
+          (ObjectName (Text.unpack name))
+          [ (VertexName (Text.unpack vertex), Point (millimetres x) (millimetres y) (millimetres z))
+            | (_, (owner, vertex, [x, y, z])) <- points,
+              owner == object
+          ]
+          [ faceName name'
+            | (face, (owner, _)) <- walks,
+              owner == object,
+              Just name' <- [Map.lookup face faceNames]
+          ]
+      wishes =
+        [ Laying
+            face
+            (Position (natural r) (natural c))
+            Centred
+            (blockOf (Shape (natural h) (natural w)) (Map.findWithDefault [] laying taken))
+          | (laying, [key, r, c, h, w, _, _]) <- layings,
+            Just face <- [Map.lookup key faceNames]
+        ]
+      shape = Shape (natural high) (natural wide)
+      between = Pitch (millimetres right) (millimetres down)
+  solids <-
+    except $
+      traverse (\it -> first (NotSolid (describedName it)) (solid it)) (map described named)
+  place <- except (first NotPlaced (placement shape between solids wishes))
+  pure (Text.unpack profile, place)
+  where
+    -- The digest vouches for what they are.
+    natural = fromInteger . max 0 . toInteger
+    millimetres :: Int64 -> Rational
+    millimetres micrometres = toInteger micrometres % 1000
+
+rowsOf :: (MonadIO m, RawSql row) => Text -> Query m [row]
+rowsOf sql = lift (rawSql sql [])
+
+-- | The rows of a table of whole numbers, each as its key and its columns.
+numbersOf :: MonadIO m => Text -> Text -> Query m [(Int64, [Int64])]
+numbersOf table columns' = do
+  found <-
+    rowsOf $
+      "SELECT '(' || id || ',[' || "
+        <> Text.replace ", " " || ',' || " columns'
+        <> " || '])' FROM "
+        <> table
+        <> " ORDER BY id"
+  maybe
+    (throwE (ChangedRow MetadataTable))
+    pure
+    (traverse (readMaybe . Text.unpack . unSingle) found)
+
+-- | What is hashed of a table: how many rows it has, and each.
+counted :: Show row => [row] -> [String]
+counted given = show (length given) : map show given

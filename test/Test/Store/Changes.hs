@@ -1,0 +1,138 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Stores that are changed, and what a look-up costs.
+module Test.Store.Changes (spec) where
+
+import Control.Concurrent (forkIO)
+import Control.Concurrent.MVar (newEmptyMVar, putMVar, takeMVar)
+import Control.Exception (bracket)
+import Control.Monad (forM_, (>=>))
+import Control.Monad.IO.Class (liftIO)
+import Control.Monad.Logger (fromLogStr, runLoggingT)
+import Control.Monad.Trans.Except (runExceptT)
+import Data.Bifunctor (first)
+import qualified Data.ByteString.Char8 as Bytes
+import Data.Foldable (for_)
+import Data.IORef
+import Data.List (nub, sort)
+import qualified Data.Text as Text
+import Data.Text.Encoding (decodeUtf8)
+import Data.Traversable (for)
+import Database.Persist.Sqlite (PersistValue (..), runSqlConn, withSqliteConn)
+import qualified Database.Sqlite as Sqlite
+import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Object.Canonical
+import PraTactile.Object.Named (Named (..), namedDescription)
+import PraTactile.Object.Placement
+import PraTactile.Object.Placement.Search
+import PraTactile.Object.WingedEdge
+import PraTactile.Store
+import PraTactile.Store.Query
+import System.FilePath ((</>))
+import Test.Hspec
+import Test.QuickCheck
+import Test.Recognition.Object.Support
+
+spec :: Spec
+spec = describe "change" $ do
+  it "objects come, go and are replaced as in the placement, and all look-ups are its" $
+    stored $ \path place ->
+      for_ [1 .. 6 :: Int] $ \_ -> do
+        create path "profile" place `shouldReturn` Right ()
+        steps <- generate (listOf1 (resize 6 genStep))
+        walk path place (take 6 steps)
+  it "what is refused leaves the file as it was, to the byte" $
+    stored $ \path place -> do
+      before <- Bytes.readFile path
+      change path (const (adding 1 (placementSolids place)))
+        `shouldReturn` Right (Left (NotChanged (RepeatedObject "cube")))
+      change path (const (removing ["sphere"]))
+        `shouldReturn` Right (Left (NotChanged (UnknownObject "sphere")))
+      Bytes.readFile path `shouldReturn` before
+  it "writers of one store wait for each other" $
+    stored $ \path _ -> do
+      _ <- change path (const (removing ["parallelepiped"]))
+      done <- for [1 .. 6 :: Int] $ \i -> do
+        end <- newEmptyMVar
+        let new = box ("box" ++ show i) 30 40 50
+        _ <- forkIO (change path (const (adding 1 [new])) >>= putMVar end)
+        pure end
+      outcomes <- traverse takeMVar done
+      for_ outcomes (`shouldSatisfy` either (const False) (either (const False) (const True)))
+      Right (Right place) <- withStore path Nothing storedPlacement
+      sort (map (objectText . solidName) (placementSolids place))
+        `shouldBe` sort ("cube" : ["box" ++ show i | i <- [1 .. 6 :: Int]])
+  it "every statement of a look-up searches an index" $
+    stored $ \path place -> do
+      said <- newIORef []
+      let logged _ _ _ text = modifyIORef said (fromLogStr text :)
+      flip runLoggingT logged . withSqliteConn (Text.pack path) $ \backend ->
+        liftIO . flip runSqlConn backend $ do
+          _ <- runExceptT (selectSheet)
+          forM_ [Position 6 5, Position 14 16, Position 3 3] $ \at ->
+            runExceptT (selectWhereabouts (Shape 15 17) canonicalPitch canonicalWindow at)
+          forM_ (map laidFace (laidFaces place)) $ \face ->
+            runExceptT (selectPosition (Shape 15 17) face (Position 1 1))
+          let unknown = Face "sphere" (readFaceName "A B C")
+          runExceptT (selectPosition (Shape 15 17) unknown (Position 1 1))
+      statements <- filter ("SELECT" `Bytes.isPrefixOf`) . map statement <$> readIORef said
+      length (nub statements) `shouldSatisfy` (> 8)
+      for_ (nub statements) $ \asked_ -> do
+        plan <- planOf path (decodeUtf8 asked_)
+        (asked_, plan) `shouldSatisfy` all ("SEARCH" `Text.isPrefixOf`) . snd
+  where
+    statement = Bytes.takeWhile (/= ';')
+    walk _ _ [] = pure ()
+    walk path place (step : others) = do
+      let outcome = step place
+      changed <- change path (const step)
+      changed `shouldBe` Right outcome
+      let now = either (const place) id outcome
+      asked path $ \store -> do
+        storedPlacement store `shouldReturn` Right now
+        for_ everyPosition $ \at ->
+          storedWhereabouts store canonicalWindow at
+            `shouldReturn` Right (whereabouts now canonicalWindow at)
+        for_ (laidFaces now) $ \laid ->
+          storedPosition store (laidFace laid) (Position 0 0)
+            `shouldReturn` first NotInStore (arrayPosition now (laidFace laid) (Position 0 0))
+      walk path now others
+
+-- | How the database goes about a question, a text for each table.
+planOf :: FilePath -> Text.Text -> IO [Text.Text]
+planOf path question = bracket (Sqlite.open (Text.pack path)) Sqlite.close $ \connection -> do
+  let explained = Sqlite.prepare connection ("EXPLAIN QUERY PLAN " <> question)
+  bracket explained Sqlite.finalize $ \asked_ ->
+    let steps =
+          Sqlite.step asked_ >>= \more -> case more of
+            Sqlite.Row -> do
+              values <- Sqlite.columns asked_
+              ([text | PersistText text <- drop 3 values] ++) <$> steps
+            Sqlite.Done -> pure []
+     in steps
+
+-- | A change of a placement.
+genStep :: Gen (Placement -> Either NotChanged Placement)
+genStep = do
+  name <- elements ["a", "b", "cube", "lid", "parallelepiped"]
+  sides <- vectorOf 3 (choose (26, 150))
+  let new = case sides of
+        [x, y, z] -> [box name x y z]
+        _ -> []
+  elements [adding 1 new, removing [ObjectName name], removing [ObjectName name] >=> adding 1 new]
+
+box :: String -> Integer -> Integer -> Integer -> Solid
+box name x y z =
+  either (error . show) id . solid $
+    (namedDescription (Box (fromInteger x) (fromInteger y) (fromInteger z)))
+      { describedName = ObjectName name
+      }
+
+stored :: (FilePath -> Placement -> Expectation) -> Expectation
+stored test = inFolder $ \folder -> thePlacement $ \place -> do
+  let path = folder </> "a.sqlite"
+  create path "profile" place `shouldReturn` Right ()
+  test path place
+
+asked :: FilePath -> (Store -> Expectation) -> Expectation
+asked path action = withStore path Nothing action >>= either (expectationFailure . show) pure
