@@ -17,7 +17,7 @@ import Data.List (intercalate)
 import Drawing (hundredths)
 import Json (shapeText)
 import Message.Format (formatMessage)
-import Message.Locate (locateMessage, reasonMessage)
+import Message.Locate (locatorMessage, reasonMessage)
 import Message.Touch (contradictionMessage, probeMessage, shapeMessage)
 import PraTactile.Array (Position (..))
 import PraTactile.Evaluate (ExperimentError (..))
@@ -202,7 +202,7 @@ failureMessage why = case why of
 
 recogniserMessage :: RecogniserError -> String
 recogniserMessage e = case e of
-  RecogniserArray why -> locateMessage why
+  RecogniserArray why -> locatorMessage why
   ClassesDiffer given shaped q ->
     "the network knows "
       ++ show given
@@ -247,3 +247,4 @@ refusalMessage refusal = case refusal of
     "the likeliest position is not likely enough; probe a larger region, or tolerate more with \
     \--doubt"
   NotLocated reason -> reasonMessage reason
+  NotDecoded why -> "what was recognised cannot be decoded: " ++ locatorMessage why

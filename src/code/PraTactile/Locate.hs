@@ -51,6 +51,7 @@ module PraTactile.Locate
     -- * The answer
     Locator,
     locator,
+    locatorUpTo,
     locatorArray,
     locatorMask,
     locate,
@@ -78,6 +79,7 @@ module PraTactile.Locate
     DecoderName (..),
     decoderText,
     decoderFor,
+    decoderOfProbabilities,
     agreedSymbols,
     cellsDistance,
     radiusFor,

@@ -215,3 +215,4 @@ identificationAt reader location = case locationOutcome location of
   OffTheGrid -> Left GridContradicts
   GroupsApart -> Left WindowsContradict
   Unplaced reason -> Left (NotLocated reason)
+  Undecoded why -> Left (NotDecoded why)

@@ -91,6 +91,7 @@ someRecognition =
     <*> maybeOf (several someInt)
     <*> maybeOf someNatural
     <*> maybeOf someNatural
+    <*> maybeOf arbitrary
     <*> several (SymbolReport <$> someSighting <*> maybeOf someClass)
     <*> several (SymbolReport <$> someSighting <*> someReal)
     <*> several someWindow

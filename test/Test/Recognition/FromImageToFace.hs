@@ -281,6 +281,7 @@ recogniseSpec parts array reader = describe "recognition" $ do
                           "grid-contradiction",
                           "windows-contradiction",
                           "frames-contradiction",
+                          "not-decoded",
                           "zero-window",
                           "too-few-cells",
                           "no-complete-window",

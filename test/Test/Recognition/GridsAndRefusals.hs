@@ -13,8 +13,8 @@ import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField, toCode)
 import PraTactile.Files (readFolder)
-import PraTactile.Image
-import PraTactile.Locate (ForeignDoubts (..))
+import PraTactile.Image (constant, generate)
+import PraTactile.Locate (ForeignDoubts (..), Known (..))
 import PraTactile.Object.Canonical (canonicalLayings)
 import PraTactile.Object.Placement
 import PraTactile.Recognise.FaceGrid
@@ -220,7 +220,7 @@ saidSpec = do
     let said answer support = summary (Recognition [] [] support 0 answer)
         several = Right (Several identity [Position 1 2, Position 3 4])
         alien = ForeignDoubts 0.03 0.02 True
-        unsure = Just (Support (Doubts 0.2 0 0 0 alien) 4 [] [] 3 1 Nothing Nothing)
+        unsure = Just (Support (Doubts 0.2 0 0 0 alien) 4 [] [] (Exactly 3) 1 Nothing Nothing)
     said (Left NoSymbols) Nothing `shouldBe` ["refused: no-symbols"]
     map (take 3 . words) (said several Nothing)
       `shouldBe` [["ambiguous:", "2", "positions"], ["upright", "in", "the"]]

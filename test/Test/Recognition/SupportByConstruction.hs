@@ -9,7 +9,7 @@ import qualified Data.Set as Set
 import PraTactile.Array
 import PraTactile.Classification.Network.File (shippedNetwork)
 import PraTactile.Field (KnownField, toCode)
-import PraTactile.Locate (Chance (..), Radius (..), Reason (..))
+import PraTactile.Locate (Chance (..), Known (..), Radius (..), Reason (..))
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
@@ -179,7 +179,7 @@ supportSpec array reader =
                                     inSource source [s | (which, (_, s)) <- beside, isWrong which]
                                       > inSource source agreeing
                                 ],
-                          supportDistance e === distance,
+                          supportDistance e === Exactly distance,
                           supportRadius e === radius,
                           fmap chanceExact (supportChance e) === Just False,
                           near (maybe 0 chanceShare (supportChance e)) (among size radius),

@@ -7,7 +7,7 @@ import Data.List (nub)
 import qualified Data.Map.Strict as Map
 import PraTactile.Array (Position (..))
 import PraTactile.Image (constant)
-import PraTactile.Locate (Reason (..))
+import PraTactile.Locate (Known (..), Reason (..))
 import PraTactile.Object.Placement
 import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
@@ -165,7 +165,8 @@ recognitionSpec = do
               [a, b, c] -> (a, b, c)
               _ -> (0, 0, 0)
             alien part = ForeignDoubts (origin / 4 * part) (3 * origin / 4 * part) True
-            support = Support (Doubts position 0 0 0 (alien 1)) 4 [3] [1] 3 1 Nothing Nothing
+            unsure = Doubts position 0 0 0 (alien 1)
+            support = Support unsure 4 [3] [1] (Exactly 3) 1 Nothing Nothing
             weighed = doubtsOf <$> recognisedSupport (asked 1 given)
             doubtsOf one =
               let Doubts p st ax sl o = supportDoubts one

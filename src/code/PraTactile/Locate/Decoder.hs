@@ -3,6 +3,7 @@ module PraTactile.Locate.Decoder
   ( -- * What is made once for an array
     Locator,
     locator,
+    locatorUpTo,
     locatorArray,
     locatorMask,
     locatorCodebook,
@@ -94,7 +95,13 @@ type role Prepared nominal
 -- lists, and where there are no logarithms by the table. O(1): what a decoder needs is made when it
 -- is first used, and once.
 locator :: KnownField k => Maybe DecoderName -> Packing -> ArrayOn k -> Mask -> Locator k
-locator choice packing on mask = Locator on mask choice (prepared packing on mask)
+locator = locatorUpTo largestSearchedArray
+
+-- | The same with a codebook of arrays up to so many cells only, and never beyond 2^20: larger ones
+-- are decoded as those beyond are.
+locatorUpTo ::
+  KnownField k => Natural -> Maybe DecoderName -> Packing -> ArrayOn k -> Mask -> Locator k
+locatorUpTo most choice packing on mask = Locator on mask choice (prepared most packing on mask)
 
 -- | The array's codebook, the one that its decoders use; refused where the array is too large for
 -- one.
@@ -105,10 +112,11 @@ locatorCodebook = preparedCodebook . locatorPrepared
 locatorOthers :: Locator k -> OtherArrays k
 locatorOthers = preparedOthers . locatorPrepared
 
-prepared :: KnownField k => Packing -> ArrayOn k -> Mask -> Prepared k
-prepared packing on mask =
+prepared :: KnownField k => Natural -> Packing -> ArrayOn k -> Mask -> Prepared k
+prepared most packing on mask =
   Prepared
-    { preparedCodebook = buildCodebook on mask,
+    { preparedCodebook =
+        if cells > most then Left (TooManyPlaces cells most) else buildCodebook on mask,
       preparedAlgebra = algebra,
       preparedTable = buildTable packing on mask,
       preparedOthers = otherArrays on,
@@ -120,6 +128,7 @@ prepared packing on mask =
     }
   where
     algebra = prepareAlgebra on mask
+    cells = area (arrayShape (arrayItself on))
 
 -- | A decoder of symbols.
 data SymbolDecoder (k :: Field) = SymbolDecoder

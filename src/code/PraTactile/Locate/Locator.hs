@@ -6,11 +6,13 @@
 module PraTactile.Locate.Locator
   ( Locator,
     locator,
+    locatorUpTo,
     locatorArray,
     locatorMask,
     cellsDistance,
     locate,
     decoderFor,
+    decoderOfProbabilities,
     agreedSymbols,
     LocatorError (..),
   )
@@ -60,6 +62,10 @@ symbolOf cell = case cell of
 -- the codebook or the table, if that is the one, once.
 decoderFor :: KnownField k => Locator k -> Radius -> Either LocatorError DecoderName
 decoderFor theLocator stated = symbolName <$> symbolDecoder theLocator stated
+
+-- | Which decoder answers questions about probabilities, likewise.
+decoderOfProbabilities :: KnownField k => Locator k -> Either LocatorError DecoderName
+decoderOfProbabilities theLocator = beliefName <$> beliefDecoder theLocator 0
 
 -- | The minimum distance of the cells with these offsets in an upright patch: in how many of them
 -- any two positions differ at least, on the array's 'naturalSurface' and the sheet; 0 for no cells,

@@ -27,7 +27,7 @@ import PraTactile.Format.Json.Codec
 import PraTactile.Format.Object
 import PraTactile.Format.Outcome
 import PraTactile.Format.Profile
-import PraTactile.Locate (Chance, Checks)
+import PraTactile.Locate (Chance, Checks, Known (..), atLeast)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Segmentation (SymbolImage (..))
@@ -60,6 +60,8 @@ data RecognitionReport = RecognitionReport
     reportInconsistent :: Maybe [Int],
     reportRadius :: Maybe Natural,
     reportMinimumDistance :: Maybe Natural,
+    -- | whether that is exact, where it is said
+    reportMinimumExact :: Maybe Bool,
     reportSymbols :: [SymbolReport (Maybe (Int, String, Int))],
     -- | with the share that was touched
     reportParts :: [SymbolReport Double],
@@ -136,6 +138,7 @@ reportKeys =
            <*> key "inconsistent_sources" (nullable (listOf int)) reportInconsistent
            <*> key "radius" (nullable natural) reportRadius
            <*> key "minimum_distance" (nullable natural) reportMinimumDistance
+           <*> optionalKey "minimum_distance_is" (exactOr "at-least") reportMinimumExact
            <*> key "symbols" (listOf (symbol classKeys)) reportSymbols
            <*> key "parts" (listOf (symbol (key "seen" real id))) reportParts
            <*> key "windows" (listOf (object windowKeys)) reportWindows
@@ -234,7 +237,8 @@ recognitionReport context recognition =
       reportWrong = length . supportWrong <$> support,
       reportInconsistent = supportInconsistent <$> support,
       reportRadius = supportRadius <$> support,
-      reportMinimumDistance = supportDistance <$> support,
+      reportMinimumDistance = atLeast . supportDistance <$> support,
+      reportMinimumExact = listToMaybe [False | Just (AtLeast _) <- [supportDistance <$> support]],
       reportSymbols = reported (fmap classOf . readClass) recognisedSymbols,
       reportParts = reported readSeen recognisedParts,
       reportWindows = map (windowReport (contextElement context)) windows

@@ -93,7 +93,7 @@ data Support = Support
     -- | the composites, counted from 0, of whose certain symbols more are wrong than not
     supportInconsistent :: [Int],
     -- | the minimum distance of the cells with a certain symbol
-    supportDistance :: Natural,
+    supportDistance :: Known,
     -- | how many of them may be wrong
     supportRadius :: Natural,
     -- | of all contents of these cells, the share that would be located: at most this; 'Nothing' if
@@ -137,6 +137,8 @@ data GridOutcome
   | -- | groups of symbols lead to different places
     GroupsApart
   | Unplaced Reason
+  | -- | what was seen cannot be decoded
+    Undecoded LocatorError
   deriving stock (Eq, Show)
 
 -- | Locate a grid of symbols of one axis. The dissenters are symbols of the other axis that the
@@ -148,7 +150,8 @@ locateGrid reader tolerance dissenters grid =
   where
     axis = axisOf (gridCells grid)
     seen = rightOnly (patch (map (map (>>= beliefAlong axis)) (gridRows (gridCells grid))))
-    answer = seen >>= rightOnly . locate (recogniserLocator reader) . asked
+    answered = locate (recogniserLocator reader) . asked <$> seen
+    answer = answered >>= rightOnly
     asked beliefs =
       (onePatch (Probabilities <$> beliefs))
         { querySymmetries = waysUp,
@@ -161,22 +164,25 @@ locateGrid reader tolerance dissenters grid =
     cells = seenOnFace orientation (gridCells grid)
     witnesses = witnessesOf reader tolerance orientation (dissenters, gridStrays grid) cells
 
-    exactly some = do
-      known <- rightOnly (knownPatch some orientation)
-      let symbols = onePatch (Symbol <$> known)
-      found <-
-        rightOnly
-          (locate (recogniserLocator reader) symbols {queryRadius = toleratedErrors tolerance})
-      pure (candidatePosition <$> answerOutcome found)
+    exactly some = case knownPatch some orientation of
+      Left _ -> Just (Refused TooFewCells)
+      Right known ->
+        fmap candidatePosition . answerOutcome
+          <$> rightOnly
+            ( locate
+                (recogniserLocator reader)
+                (onePatch (Symbol <$> known)) {queryRadius = toleratedErrors tolerance}
+            )
     alone numbers =
       exactly (Map.map (filter ((`Set.member` numbers) . readNumber)) cells) >>= onlyPlace
     findings =
       Findings
-        { foundExactly = fromMaybe (Refused TooFewCells) (exactly cells),
+        { foundExactly = exactly cells,
           foundApart = differ (mapMaybe alone (gridGroups grid))
         }
-    outcome = case answerOutcome <$> answer of
-      Just (Unique candidate _)
+    outcome = case fmap answerOutcome <$> answered of
+      Just (Left why) -> Undecoded why
+      Just (Right (Unique candidate _))
         | wrong <= witnessesRadius witnesses -> Placed (candidatePosition candidate)
         | otherwise -> contradicted findings witnesses wrong
         where
@@ -219,7 +225,7 @@ data Witnesses = Witnesses
     -- | the cells of those that lie so
     witnessesCells :: [Position],
     -- | the minimum distance of these cells
-    witnessesDistance :: Natural,
+    witnessesDistance :: Known,
     -- | how many symbols may be wrong
     witnessesRadius :: Natural
   }
@@ -241,12 +247,12 @@ witnessesOf reader tolerance orientation (dissenters, strays) cells =
       witnessesStray = filter (isJust . certain) strays,
       witnessesCells = offsets,
       witnessesDistance = distance,
-      witnessesRadius = radiusFor (toleratedErrors tolerance) distance
+      witnessesRadius = radiusFor (toleratedErrors tolerance) (atLeast distance)
     }
   where
     known = [here | (here, o) <- ways, o == orientation]
     offsets = map offsetOf (Set.toAscList (Set.fromList (map fst known)))
-    distance = atLeast (cellsDistance (recogniserLocator reader) offsets)
+    distance = cellsDistance (recogniserLocator reader) offsets
     ways =
       [ ((cell, s), o)
         | (cell, here) <- Map.toList cells,
@@ -288,7 +294,7 @@ chanceAmong ::
 chanceAmong reader way seen witnesses =
   chance
     . amongCells (counted (witnessesCells witnesses))
-    . correcting (witnessesDistance witnesses) (witnessesRadius witnesses)
+    . correcting (atLeast (witnessesDistance witnesses)) (witnessesRadius witnesses)
     <$> spheres
       (locatorArray (recogniserLocator reader))
       [way]
@@ -297,8 +303,8 @@ chanceAmong reader way seen witnesses =
 
 -- | What the symbols that the network knows say by themselves.
 data Findings = Findings
-  { -- | where they are together
-    foundExactly :: Outcome Position,
+  { -- | where they are together, if that can be decoded
+    foundExactly :: Maybe (Outcome Position),
     -- | whether groups of them are at different places
     foundApart :: Bool
   }
@@ -309,7 +315,7 @@ contradicted findings witnesses wrong
   | accountFor (witnessesOtherWayUp witnesses) = WrongWayUp
   | accountFor (witnessesStray witnesses) = OffTheGrid
   | foundApart findings = GroupsApart
-  | Refused reason <- foundExactly findings = Unplaced reason
+  | Just (Refused reason) <- foundExactly findings = Unplaced reason
   | otherwise = Unplaced Contradiction
   where
     accountFor symbols = not (null symbols) && wrong <= witnessesRadius witnesses + counted symbols
@@ -319,9 +325,10 @@ unclear :: Findings -> Witnesses -> GridOutcome
 unclear findings witnesses
   | counted (witnessesOtherWayUp witnesses) > witnessesRadius witnesses = WrongWayUp
   | otherwise = case foundExactly findings of
-    Unique _ _ -> Unplaced BelowThreshold
-    Ambiguous places (_ : _) -> Undecided places
-    Refused reason
+    Nothing -> Unplaced BelowThreshold
+    Just (Unique _ _) -> Unplaced BelowThreshold
+    Just (Ambiguous places (_ : _)) -> Undecided places
+    Just (Refused reason)
       | reason `notElem` [TooFewCells, NoCompleteWindow] ->
         if foundApart findings then GroupsApart else Unplaced reason
     _ -> Unplaced NoCompleteWindow

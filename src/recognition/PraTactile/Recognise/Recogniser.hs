@@ -2,21 +2,25 @@
 module PraTactile.Recognise.Recogniser
   ( Recogniser (..),
     recogniser,
+    recogniserUpTo,
     recogniserWindow,
     RecogniserError (..),
   )
 where
 
-import PraTactile.Array (ArrayOn (..), Shape (..), area, arrayShape)
+import Data.Bifunctor (first)
+import Numeric.Natural (Natural)
+import PraTactile.Array (ArrayOn (..), Shape (..), arrayShape)
 import PraTactile.Classification.Network (Network, outputCount)
 import PraTactile.Classification.Templates (templates)
 import PraTactile.Field (KnownField, fieldOrder)
 import PraTactile.Locate
-  ( LocateError (..),
-    Locator,
+  ( Locator,
+    LocatorError,
+    decoderOfProbabilities,
     largestSearchedArray,
-    locator,
     locatorMask,
+    locatorUpTo,
   )
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement (Pitch, Placement, placementPitch, placementShape)
@@ -42,8 +46,9 @@ recogniserWindow = maskExtent . locatorMask . recogniserLocator
 
 -- | Why there is no recogniser.
 data RecogniserError
-  = -- | The array cannot be compared with.
-    RecogniserArray LocateError
+  = -- | Nothing decodes what is seen of the array: it has more cells than a codebook, and no
+    -- algebra.
+    RecogniserArray LocatorError
   | -- | The network has this many outputs, the alphabet this many shapes, and the field this many
     -- elements, which must be as many.
     ClassesDiffer Int Int Int
@@ -53,10 +58,11 @@ data RecogniserError
     PitchesDiffer Pitch Pitch
   deriving stock (Eq, Show)
 
--- | A recogniser for rectangular windows on an array and its surface. Refuses arrays of more than
--- 'largestSearchedArray' cells, classes that are not one an element, and a placement on an array of
--- another shape or with symbols at other distances than the paper's times a factor, at which they
--- are read.
+-- | A recogniser for rectangular windows on an array and its surface. Up to 'largestSearchedArray'
+-- cells what is seen is compared with all positions; beyond, it is decoded as "PraTactile.Locate"
+-- has it. Refuses larger arrays whose logarithms cannot be taken or that lie on a foreign surface,
+-- classes that are not one an element, and a placement on an array of another shape or with symbols
+-- at other distances than the paper's times a factor, at which they are read.
 recogniser ::
   KnownField k =>
   ArrayOn k ->
@@ -65,24 +71,35 @@ recogniser ::
   Alphabet ->
   Network ->
   Either RecogniserError (Recogniser k)
-recogniser on@(ArrayOn _ array) window layout alphabetOfAll network
+recogniser = recogniserUpTo largestSearchedArray
+
+-- | The same that compares with all positions of arrays up to so many cells only.
+recogniserUpTo ::
+  KnownField k =>
+  Natural ->
+  ArrayOn k ->
+  Mask ->
+  Placement ->
+  Alphabet ->
+  Network ->
+  Either RecogniserError (Recogniser k)
+recogniserUpTo most on@(ArrayOn _ array) window layout alphabetOfAll network
   | any (/= q) [given, shaped] = Left (ClassesDiffer given shaped q)
   | placementShape layout /= arrayShape array =
     Left (ArraysDiffer (placementShape layout) (arrayShape array))
   | Nothing <- symbolScale (placementPitch layout) =
     Left (PitchesDiffer (placementPitch layout) canonicalPitch)
-  | cells > largestSearchedArray =
-    Left (RecogniserArray (TooManyPlaces cells largestSearchedArray))
-  | otherwise =
+  | otherwise = do
+    _ <- first RecogniserArray (decoderOfProbabilities decoding)
     Right
       Recogniser
-        { -- No table decodes; the order of cells in tables does not matter.
-          recogniserLocator = locator Nothing MostSignificantFirst on window,
+        { recogniserLocator = decoding,
           recogniserPlacement = layout,
           recogniserReader = Reader (templates alphabetOfAll) network
         }
   where
     q = fieldOrder array
-    cells = area (arrayShape array)
+    -- No table decodes; the order of cells in tables does not matter.
+    decoding = locatorUpTo most Nothing MostSignificantFirst on window
     given = outputCount network
     shaped = alphabetSize alphabetOfAll

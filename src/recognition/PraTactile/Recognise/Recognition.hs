@@ -24,7 +24,7 @@ where
 import Data.Either (isRight)
 import qualified Data.Set as Set
 import PraTactile.Array (Position (..))
-import PraTactile.Locate (Reason (..), foreignBut, reasonName, reasons)
+import PraTactile.Locate (LocatorError (..), Reason (..), foreignBut, reasonName, reasons)
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
@@ -74,9 +74,11 @@ data Refusal
     FramesContradict Contradiction
   | -- | the recognised cells lead to no position
     NotLocated Reason
+  | -- | the recognised cells cannot be decoded on an array of that size
+    NotDecoded LocatorError
   deriving stock (Eq, Show)
 
--- | All refusals, that of frames once.
+-- | All refusals, those of frames and of decoding once.
 refusals :: [Refusal]
 refusals =
   [ NoSymbols,
@@ -85,7 +87,8 @@ refusals =
     OrientationContradicts,
     GridContradicts,
     WindowsContradict,
-    FramesContradict AgreeingNowhere
+    FramesContradict AgreeingNowhere,
+    NotDecoded NoSymmetry
   ]
     ++ map NotLocated reasons
 
@@ -100,6 +103,7 @@ refusalName refusal = case refusal of
   WindowsContradict -> "windows-contradiction"
   FramesContradict _ -> "frames-contradiction"
   NotLocated reason -> reasonName reason
+  NotDecoded _ -> "not-decoded"
 
 -- | Symbols without an answer, and why.
 unanswered :: [ReadSymbol] -> Refusal -> Recognition
