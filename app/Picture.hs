@@ -36,12 +36,12 @@ data Page = Page
   }
 
 -- | The picture of a recognition of one composite, given the shapes, the elements' names, the
--- placement, and the classes that are embossed on a face, row by row.
+-- placement, and the class that is embossed in each cell of a face.
 recognitionPage ::
   Alphabet ->
   (Int -> String) ->
   Placement ->
-  (LaidFace -> [[Int]]) ->
+  (LaidFace -> Position -> Int) ->
   Composite ->
   Recognition ->
   Page

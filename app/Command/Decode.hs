@@ -30,7 +30,7 @@ import PraTactile.Object.Placement (Placement, placementPitch)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Registration (Composite (..), compositePosition)
-import PraTactile.Relief (faceClasses, symbolScale)
+import PraTactile.Relief (classOn, symbolScale)
 import PraTactile.Shape (Alphabet)
 import PraTactile.Source (Preparation (..))
 import Recognised
@@ -255,7 +255,7 @@ decodeWith alphabet profile array options reader from composites = do
   pure (recognitionStatus recognition)
   where
     nameOf = elementNames reader
-    page = recognitionPage alphabet nameOf (recogniserPlacement reader) (faceClasses array)
+    page = recognitionPage alphabet nameOf (recogniserPlacement reader) (classOn array)
     context recognition =
       RecognitionContext
         { contextProfile = profile,

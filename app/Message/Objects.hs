@@ -113,9 +113,6 @@ experimentMessage :: ExperimentError -> String
 experimentMessage e = case e of
   ReliefRefused why -> reliefMessage why
   PressesRefused why -> probeMessage why
-  RegionOffFaces w h ->
-    "a region of " ++ show w ++ " x " ++ show h
-      ++ " taxels does not lie on every face; choose a smaller --size"
 
 -- | Where the region's upper left corner was asked for, if it was, millimetres on the face.
 pressMessage :: Maybe (Double, Double) -> PressError -> String

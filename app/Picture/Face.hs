@@ -10,7 +10,7 @@ where
 
 import Drawing
 import Picture.Style
-import PraTactile.Array (Position (..))
+import PraTactile.Array (Position)
 import PraTactile.Geometry (columnPitch)
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Object.Placement
@@ -26,8 +26,8 @@ data FaceView = FaceView
   { viewAlphabet :: Alphabet,
     viewLayout :: Placement,
     viewFace :: LaidFace,
-    -- | the classes of its symbols, row by row
-    viewClasses :: [[Int]],
+    -- | the classes of its symbols, by row and column
+    viewClasses :: Position -> Int,
     viewComposite :: Composite,
     viewFinding :: Finding,
     -- | by how many degrees, clockwise, the composite shows it turned beside quarter turns
@@ -84,19 +84,19 @@ outline view =
     wide = fromIntegral (rasterWidth (compositeImage (viewComposite view)))
     high = fromIntegral (rasterHeight (compositeImage (viewComposite view)))
 
--- | The embossed symbols.
+-- | The embossed symbols; none on a face so large that they would be smaller than can be seen.
 symbolMarks :: FaceView -> Drawing
-symbolMarks view =
-  concat
-    [ shapeMark "embossed" (filled pale 1) (viewAlphabet view) taxel identity c (centre i j)
-      | (i, line) <- zip [0 ..] (viewClasses view),
-        (j, c) <- zip [0 ..] line,
-        hasCell (laidBlock (viewFace view)) (Position i j)
-    ]
+symbolMarks view
+  | taxel < 1 / 2 = []
+  | otherwise =
+    concat
+      [ shapeMark "embossed" (filled pale 1) (viewAlphabet view) taxel identity c (centre cell)
+        | cell <- blockCells (laidBlock (viewFace view)),
+          let c = viewClasses view cell
+      ]
   where
     taxel = unitOf view * taxelOf view
-    centre i j =
-      units view (spotMillimetres (cellCentre (viewLayout view) (viewFace view) (Position i j)))
+    centre = units view . spotMillimetres . cellCentre (viewLayout view) (viewFace view)
 
 -- | A taxel of the symbols, millimetres on the face.
 taxelOf :: FaceView -> Double

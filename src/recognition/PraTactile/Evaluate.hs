@@ -16,7 +16,6 @@ module PraTactile.Evaluate
     Foreign (..),
     trial,
     trials,
-    fitting,
 
     -- * Its results
     Result (..),
@@ -31,15 +30,16 @@ module PraTactile.Evaluate
   )
 where
 
-import Control.Monad (unless)
 import Data.Bifunctor (first)
 import Data.Either (isRight)
-import Data.List (foldl', genericLength, unfoldr)
+import Data.List (foldl', genericLength, genericTake, unfoldr)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (catMaybes, fromMaybe, isJust, listToMaybe)
+import Data.Maybe (catMaybes, fromMaybe, listToMaybe)
 import Data.Traversable (for)
+import qualified Data.Vector as Boxed
 import PraTactile.Array
-  ( PseudorandomArray,
+  ( Position (..),
+    PseudorandomArray,
     Shape (..),
     arrayFolding,
     arrayPrimitive,
@@ -65,7 +65,7 @@ import PraTactile.Relief
 import PraTactile.Sensor (Sensor (..), drawSpecimen, sensorTaxelGrid)
 import PraTactile.Sensor.Frame (Frame, ProbeError, planScanOf)
 import PraTactile.Sequence (canonicalState)
-import PraTactile.Shape (Alphabet, shapes)
+import PraTactile.Shape (Alphabet, alphabetSize)
 import PraTactile.Truth
 import System.Random (StdGen, mkStdGen, split)
 
@@ -106,8 +106,6 @@ data ExperimentError
     ReliefRefused ReliefError
   | -- | The presses do not cover the region.
     PressesRefused ProbeError
-  | -- | A region of this width and height, taxels, does not lie on every face.
-    RegionOffFaces Int Int
   deriving stock (Eq, Show)
 
 -- | What comes of each press on the array's faces in turn, in their order and each as it is needed.
@@ -124,11 +122,6 @@ evaluated experiment alphabet array reader = do
   _ <-
     first PressesRefused $
       planScanOf (sensorTaxelGrid sensor) (explorationSpacing how) (0, 0) (explorationSize how)
-  unless
-    ( and . take presses $
-        fitting (explorationTurns how) (explorationSize how) (map fst faces) seed
-    )
-    (Left (uncurry RegionOffFaces (explorationSize how)))
   pure (map decoded (take presses (catMaybes (trials how faces seed))))
   where
     Experiment presses seed said share shareOfArrays told tolerance = experiment
@@ -138,10 +131,11 @@ evaluated experiment alphabet array reader = do
     others part =
       Foreign
         { foreignShare = part - shareOfArrays,
-          foreignClasses = length (shapes alphabet),
-          foreignRelief = \face -> either (const Nothing) Just . reliefOf layout alphabet face,
+          foreignClasses = alphabetSize alphabet,
+          foreignRelief = \face ->
+            either (const Nothing) Just . reliefOf layout alphabet face (alphabetSize alphabet),
           foreignArrays = shareOfArrays,
-          foreignFaces = map faceClasses (byOtherPolynomials array)
+          foreignFaces = map classOn (byOtherPolynomials array)
         }
     decoded t = runTrial weighing reader (registrationFor known (trialFrames t)) t
     known
@@ -203,24 +197,25 @@ data Foreign = Foreign
     foreignShare :: Double,
     -- | of how many classes the symbols are
     foreignClasses :: Int,
-    -- | the relief of a face with these classes, if there is one
-    foreignRelief :: LaidFace -> [[Int]] -> Maybe Relief,
+    -- | the relief of a face with these classes in the cells of its block, if there is one
+    foreignRelief :: LaidFace -> (Position -> Int) -> Maybe Relief,
     -- | the share of presses on other arrays
     foreignArrays :: Double,
     -- | of each of these, all alike likely, the classes on a face
-    foreignFaces :: [LaidFace -> [[Int]]]
+    foreignFaces :: [LaidFace -> Position -> Int]
   }
 
 -- | Regions of this size with this sensor at its usual spacing, on faces that lie so; none foreign.
 exploration :: Sensor -> Turns -> (Int, Int) -> Exploration
 exploration sensor turns size = Exploration sensor (defaultSpacing sensor) turns size Nothing
 
--- | Explore a region at a random place on a face; @Nothing@ if it does not fit. Of a foreign trial
--- the face is that whose size and symbols' number it has.
+-- | Explore a region at a random place on a face; @Nothing@ if the presses do not cover it, or what
+-- is foreign has no relief. Of a foreign trial the face is that whose size and symbols' number it
+-- has.
 trial :: Exploration -> (LaidFace, Relief) -> StdGen -> Maybe Trial
 trial how (face, surface) generator = do
-  (region, generator1) <-
-    drawnRegion (explorationTurns how) (explorationSize how) face generator
+  let (region, generator1) =
+        drawnRegion (explorationTurns how) (explorationSize how) face generator
   (foreign', pressed, generator2) <- case explorationForeign how of
     Nothing -> Just (False, surface, generator1)
     Just others -> ground others (face, surface) generator1
@@ -231,7 +226,7 @@ trial how (face, surface) generator = do
         (explorationSensor how)
         (explorationSpacing how)
         specimen
-        (reliefHeights pressed)
+        (heightsUnder (explorationSensor how) region pressed)
         (onRelief pressed region)
         generator3
   pure (Trial face region frames foreign')
@@ -247,30 +242,21 @@ ground others (face, surface) generator
   where
     (share, generator1) = uniform generator
     (own, generator2) = split generator1
-    foreign' laid = (\drawn -> (True, drawn, generator2)) <$> foreignRelief others face laid
+    foreign' laid = (\felt -> (True, felt, generator2)) <$> foreignRelief others face laid
     among = floor (fst (uniform own) * genericLength (foreignFaces others)) :: Int
-    Shape high wide = laidGrid face
-    classes = rowsOf (fromIntegral high) (map symbol (unfoldr (Just . uniform) own))
+    -- Beyond 64 rows and columns the arrangement begins again: more than a region has.
+    Shape high wide = Shape (min 64 (rows (laidGrid face))) (min 64 (columns (laidGrid face)))
+    classes (Position i j) =
+      drawn Boxed.! fromIntegral ((i `mod` high) * wide + j `mod` wide)
+    drawn =
+      Boxed.fromList (genericTake (high * wide) (map symbol (unfoldr (Just . uniform) own)))
     symbol u = min (foreignClasses others - 1) (floor (u * fromIntegral (foreignClasses others)))
-    rowsOf :: Int -> [Int] -> [[Int]]
-    rowsOf 0 _ = []
-    rowsOf n symbols =
-      let (line, rest) = splitAt (fromIntegral wide) symbols in line : rowsOf (n - 1) rest
 
 -- | Trials on the faces in turn, each with a generator of its own split from the seed, so that any
 -- one can be run alone.
 trials :: Exploration -> [(LaidFace, Relief)] -> Int -> [Maybe Trial]
 trials how faces seed =
   zipWith (trial how) (cycle faces) (unfoldr (Just . split) (mkStdGen seed))
-
--- | Of each of the 'trials' whether it finds room on its face; costs next to nothing beside running
--- them.
-fitting :: Turns -> (Int, Int) -> [LaidFace] -> Int -> [Bool]
-fitting possible size faces seed =
-  zipWith
-    (\face own -> isJust (drawnRegion possible size face own))
-    (cycle faces)
-    (unfoldr (Just . split) (mkStdGen seed))
 
 -- | What became of a trial. Its fields are evaluated, so that a result keeps nothing of its trial.
 data Result

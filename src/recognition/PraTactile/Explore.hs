@@ -28,7 +28,7 @@ where
 import Control.Applicative ((<|>))
 import Data.Bifunctor (first)
 import Data.List (find, sortOn)
-import Data.Maybe (listToMaybe)
+import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Ord (Down (..))
 import PraTactile.Geometry (cosineSine)
 import PraTactile.Object.Description (cyclicPairs)
@@ -126,25 +126,25 @@ data Turns
   deriving stock (Eq, Show)
 
 -- | 'drawnRegion' in one of these rotations.
-randomRegion :: RandomGen g => [Symmetry] -> (Int, Int) -> LaidFace -> g -> Maybe (Region, g)
+randomRegion :: RandomGen g => [Symmetry] -> (Int, Int) -> LaidFace -> g -> (Region, g)
 randomRegion = drawnRegion . AmongTurns
 
 -- | A region of this size (width and height in taxels, as the robot sees it) at a uniform,
--- real-valued place on a face that may lie so; @Nothing@ if the box round the face, so turned, is
--- smaller than the region. A region that lies askew may reach over the face's edge with its
--- corners, though not further than the face needs to hold it: along a side where the smallest
--- upright rectangle around it is longer than the face's, it lies in the middle. On a face that is
--- no rectangle it is the first of 'mostDrawn' such regions of its box that lies wholly on it, or
--- that one with the most of its corners and middle on it.
-drawnRegion :: RandomGen g => Turns -> (Int, Int) -> LaidFace -> g -> Maybe (Region, g)
+-- real-valued place on a face that may lie so. Along each side of the box round the face the
+-- shorter of face and region lies within the longer, so that a region reaches over an edge only
+-- where it has to. A region that lies askew may do so with its corners, though not further than the
+-- face needs to hold it: along a side where the smallest upright rectangle around it is longer than
+-- the face's, and the region itself is not, it lies in the middle. On a face that is no rectangle
+-- it is the first of 'mostDrawn' such regions of its box that lies wholly on it, or that one with
+-- the most of its corners and middle on it.
+drawnRegion :: RandomGen g => Turns -> (Int, Int) -> LaidFace -> g -> (Region, g)
 drawnRegion turns size face generator
-  | fillsBox face = inBox turns size face generator
-  | otherwise = chosen (take mostDrawn (drawn generator))
+  | fillsBox face = one
+  | otherwise = fromMaybe one (find (whollyOn face . fst) found <|> most)
   where
-    drawn g = maybe [] (\found -> found : drawn (snd found)) (inBox turns size face g)
-    chosen found =
-      find (whollyOn face . fst) found
-        <|> listToMaybe (sortOn (Down . shareOn face . fst) found)
+    one = inBox turns size face generator
+    found = take mostDrawn (iterate (inBox turns size face . snd) one)
+    most = listToMaybe (sortOn (Down . shareOn face . fst) found)
 
 -- | How many regions are drawn at most for one that lies on a face.
 mostDrawn :: Int
@@ -196,18 +196,15 @@ insidePolygon corners (x, y) = odd (length (filter right (cyclicPairs corners)))
     right ((x1, y1), (x2, y2)) =
       (y1 > y) /= (y2 > y) && x < x1 + (y - y1) * (x2 - x1) / (y2 - y1)
 
--- | A region at a uniform place in the box round a face.
-inBox :: RandomGen g => Turns -> (Int, Int) -> LaidFace -> g -> Maybe (Region, g)
-inBox turns (width, height) face generator
-  | roomRight < 0 || roomDown < 0 = Nothing
-  | otherwise =
-    Just
-      ( region
-          { regionRight = boxRight + offset u roomRight (overhang wide high),
-            regionDown = boxDown + offset v roomDown (overhang high wide)
-          },
-        generator4
-      )
+-- | A region at a uniform place in the box round a face, or with that box in it.
+inBox :: RandomGen g => Turns -> (Int, Int) -> LaidFace -> g -> (Region, g)
+inBox turns (width, height) face generator =
+  ( region
+      { regionRight = boxRight + offset u roomRight (overhang wide high),
+        regionDown = boxDown + offset v roomDown (overhang high wide)
+      },
+    generator4
+  )
   where
     (boxRight, boxDown) =
       let (x, y) = spotMillimetres (laidBox face) in (x / taxelPitch, y / taxelPitch)
@@ -235,7 +232,7 @@ inBox turns (width, height) face generator
           / 2
     (cosine, sine) = cosineSine angle
     offset share space beyond
-      | beyond == 0 = share * space
+      | beyond == 0 || space < 0 = share * space
       | space - 2 * beyond <= 0 = space / 2
       | otherwise = beyond + share * (space - 2 * beyond)
     ((symmetry, angle), generator4) = case turns of

@@ -14,7 +14,6 @@ where
 
 import Data.Bifunctor (bimap, first)
 import Data.Maybe (fromMaybe)
-import Data.Tuple (swap)
 import PraTactile.Array (PseudorandomArray)
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
@@ -24,7 +23,6 @@ import PraTactile.Relief
 import PraTactile.Sensor
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), ProbeError, taxelPitch)
 import PraTactile.Shape (Alphabet)
-import PraTactile.Symmetry (exchangesAxes, nearestQuarter)
 import PraTactile.Truth (Truth (..))
 import System.Random (StdGen, mkStdGen, randomR, split)
 
@@ -75,7 +73,8 @@ data PressError
     NoSuchFace FaceName [LaidFace]
   | -- | The face has no relief.
     NoRelief ReliefError
-  | -- | A region of this width and height, millimetres on the face, does not lie on it.
+  | -- | A region of this width and height, millimetres on the face, does not lie on it, and does
+    -- not hold it where it is the longer one.
     RegionOffFace LaidFace (Double, Double)
   | -- | The presses do not cover the region.
     NotCovered ProbeError
@@ -102,7 +101,7 @@ pressed how alphabet array layout object = do
         sensor
         (pressingSpacing how)
         (specimen how)
-        (reliefHeights surface)
+        (heightsUnder sensor region surface)
         (onRelief surface region)
         generator'
   pure (map moved frames, Truth (laidFace face) region (pressingOrigin how))
@@ -125,26 +124,28 @@ pressed how alphabet array layout object = do
           poseY = poseY pose + snd (pressingOrigin how)
         }
 
--- | A region drawn by chance, but where and how it is asked for.
+-- | A region drawn by chance, but where and how it is asked for: along each side of the box round
+-- the face the shorter of face and region lies within the longer.
 chosenRegion :: Pressing -> LaidFace -> StdGen -> Either PressError (Region, StdGen)
-chosenRegion how face generator = case drawn of
-  Just (region, generator') | onFace region -> Right (region, generator')
-  _ -> Left (RegionOffFace face (bimap millimetres millimetres size))
+chosenRegion how face generator
+  | onFace region = Right (region, generator')
+  | otherwise = Left (RegionOffFace face (bimap millimetres millimetres (regionExtent region)))
   where
-    drawn = first placed <$> drawnRegion (pressingTurns how) (pressingSize how) face generator
-    placed = maybe id atPlace (pressingAt how)
-    atPlace (x, y) region = region {regionRight = x / taxelPitch, regionDown = y / taxelPitch}
-    onFace region =
-      fits (regionRight region) (fst (regionExtent region)) wide
-        && fits (regionDown region) (snd (regionExtent region)) high
+    region = maybe id atPlace (pressingAt how) drawn
+    (drawn, generator') = drawnRegion (pressingTurns how) (pressingSize how) face generator
+    atPlace (x, y) it = it {regionRight = x / taxelPitch, regionDown = y / taxelPitch}
+    onFace it =
+      within (regionRight it) (fst (regionExtent it)) left wide
+        && within (regionDown it) (snd (regionExtent it)) top high
+    (left, top) = spotMillimetres (laidBox face)
     (wide, high) = spotMillimetres (laidExtent face)
-    fits offset side extent =
-      offset >= 0 && taxelPitch * (offset + fromIntegral side) <= extent + 1e-9
-    size = (if lying then swap else id) (pressingSize how)
-    lying = case pressingTurns how of
-      AmongTurns [symmetry] -> exchangesAxes symmetry
-      TurnedBy degrees -> exchangesAxes (fst (nearestQuarter degrees))
-      _ -> False
+    within offset side from extent
+      | size <= extent = all (>= -1e-9) beside
+      | otherwise = all (<= 1e-9) beside
+      where
+        size = millimetres side
+        before = taxelPitch * offset - from
+        beside = [before, extent - before - size]
     millimetres taxels = taxelPitch * fromIntegral taxels
 
 -- | So many frames of the sensor that touches nothing.

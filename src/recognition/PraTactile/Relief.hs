@@ -10,21 +10,24 @@ module PraTactile.Relief
     Relief (..),
     relief,
     reliefOf,
+    reliefHeights,
+    heightsUnder,
     onRelief,
 
     -- * The symbols of a face
-    faceClasses,
+    classOn,
 
     -- * What is refused
     ReliefError (..),
   )
 where
 
+import Control.Monad (join)
 import Data.Bifunctor (first)
-import qualified Data.Map.Strict as Map
-import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), cellAt, naturalsBelow)
-import PraTactile.Explore (Region (..), insidePolygon)
-import PraTactile.Field (KnownField)
+import qualified Data.Vector as Boxed
+import PraTactile.Array (Position (..), PseudorandomArray, cellAt)
+import PraTactile.Explore (Region (..), insidePolygon, regionMotion)
+import PraTactile.Field (KnownField, fieldOrder)
 import PraTactile.Geometry
   ( columnPitch,
     rowPitch,
@@ -33,10 +36,11 @@ import PraTactile.Geometry
     symbolWidth,
     taxelPitch,
   )
-import PraTactile.Image (generate)
+import PraTactile.Image (Raster, generate)
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement
-import PraTactile.Sensor (HeightMap (..))
+import PraTactile.Sensor (HeightMap (..), Sensor, heightMap, sensorReach)
+import PraTactile.Sensor.Frame (movePoint)
 import PraTactile.Shape (Alphabet, ShapeError, embossedAt, shapeOf)
 import PraTactile.Symbol (classOfElement)
 
@@ -60,33 +64,60 @@ symbolScale (Pitch right down)
     Just (right / pitchRight canonicalPitch)
   | otherwise = Nothing
 
--- | The heights of a face, and where on the face the height map begins: millimetres right of and
--- below the face's first vertex, of symbols of the paper's size.
+-- | The heights of a face, of which only what is asked for is made.
 data Relief = Relief
-  { reliefHeights :: HeightMap,
-    reliefOrigin :: (Double, Double)
+  { -- | where its first taxel begins: millimetres right of and below the face's first vertex, of
+    -- symbols of the paper's size
+    reliefOrigin :: (Double, Double),
+    -- | how many taxels it has to the right and down
+    reliefSize :: (Int, Int),
+    -- | the heights, in millimetres, of so many columns and rows of taxels from a first one on; not
+    -- a number beyond the face
+    reliefDrawn :: (Int, Int) -> (Int, Int) -> Raster
   }
-  deriving stock (Eq, Show)
+
+-- | All of it.
+reliefHeights :: Relief -> HeightMap
+reliefHeights whole = heightMap taxelPitch (reliefDrawn whole (0, 0) (reliefSize whole))
+
+-- | As much of it as presses of a sensor may feel that cover a region of the face. O(taxels of the
+-- region and round it).
+heightsUnder :: Sensor -> Region -> Relief -> HeightMap
+heightsUnder sensor region whole =
+  HeightMap taxelPitch (left, top) (reliefDrawn whole (left, top) (right' - left, bottom - top))
+  where
+    (left, right') = reached (fst (reliefSize whole)) (map fst corners)
+    (top, bottom) = reached (snd (reliefSize whole)) (map snd corners)
+    corners =
+      [ movePoint (regionMotion (onRelief whole region)) (x, y)
+        | x <- [0, taxelPitch * fromIntegral (regionWidth region)],
+          y <- [0, taxelPitch * fromIntegral (regionHeight region)]
+      ]
+    -- The robot means the sensor's centre to be within the region.
+    reached size along =
+      ( clipped (floor ((minimum along - sensorReach sensor) / taxelPitch)),
+        clipped (ceiling ((maximum along + sensorReach sensor) / taxelPitch))
+      )
+      where
+        clipped k = max 0 (min size k)
 
 -- | A region of the face as one of the height map.
 onRelief :: Relief -> Region -> Region
-onRelief (Relief _ (x, y)) region =
+onRelief whole region =
   region
     { regionRight = regionRight region - x / taxelPitch,
       regionDown = regionDown region - y / taxelPitch
     }
+  where
+    (x, y) = reliefOrigin whole
 
--- | The classes that the array has on a face's block, row by row as seen from outside; those of
--- cells that the face has are embossed on it.
-faceClasses :: KnownField k => PseudorandomArray k -> LaidFace -> [[Int]]
-faceClasses array face =
-  [ [ classOfElement (cellAt array (Position (row (laidAt face) + i) (column (laidAt face) + j)))
-      | j <- naturalsBelow (columns (laidGrid face))
-    ]
-    | i <- naturalsBelow (rows (laidGrid face))
-  ]
+-- | The class that the array has in a cell of a face's block, by row and column as seen from
+-- outside; in those that the face has it is embossed.
+classOn :: KnownField k => PseudorandomArray k -> LaidFace -> Position -> Int
+classOn array face (Position i j) =
+  classOfElement (cellAt array (Position (row (laidAt face) + i) (column (laidAt face) + j)))
 
--- | The height map of a face, in cells of one taxel: each symbol lies in the middle of its cell.
+-- | The relief of a face, in cells of one taxel: each symbol lies in the middle of its cell.
 -- Beyond the face there is nothing to touch. Refuses an element without a shape, and distances of
 -- symbols that are not the paper's times a factor.
 relief ::
@@ -96,21 +127,16 @@ relief ::
   Alphabet ->
   LaidFace ->
   Either ReliefError Relief
-relief array layout alphabet face = reliefOf layout alphabet face (faceClasses array face)
+relief array layout alphabet face =
+  reliefOf layout alphabet face (fieldOrder array) (classOn array face)
 
--- | The same of any classes, row by row of the face's block as seen from outside.
-reliefOf :: Placement -> Alphabet -> LaidFace -> [[Int]] -> Either ReliefError Relief
-reliefOf layout alphabet face classes = do
+-- | The same of any classes, below a number, by row and column within the face's block.
+reliefOf ::
+  Placement -> Alphabet -> LaidFace -> Int -> (Position -> Int) -> Either ReliefError Relief
+reliefOf layout alphabet face classes classAt = do
   scale <- maybe (Left (PitchNotFelt pitch)) (Right . fromRational) (symbolScale pitch)
-  bitmaps <- traverse (traverse (first NoShape . shapeOf alphabet)) classes
-  let laid =
-        Map.fromList
-          [ ((i, j), bitmap)
-            | (i, line) <- zip [0 :: Int ..] bitmaps,
-              (j, bitmap) <- zip [0 :: Int ..] line,
-              hasCell (laidBlock face) (Position (fromIntegral i) (fromIntegral j))
-          ]
-      taxels spot =
+  bitmaps <- Boxed.fromList <$> traverse (first NoShape . shapeOf alphabet) [0 .. classes - 1]
+  let taxels spot =
         let (x, y) = spotMillimetres spot in (x / scale / taxelPitch, y / scale / taxelPitch)
       (boxLeft, boxTop) = taxels (laidBox face)
       (wide, high) = taxels (laidExtent face)
@@ -120,31 +146,34 @@ reliefOf layout alphabet face classes = do
       (across, down) = (before boxLeft left, before boxTop top)
       (originX, originY) = (left - fromIntegral across, top - fromIntegral down)
       reach from size origin = ceiling (from + size - origin - tiny)
-      embossed x y =
-        let (j, u) = (x - across) `divMod` columnPitch
-            (i, v) = (y - down) `divMod` rowPitch
-         in case Map.lookup (i, j) laid of
-              Just bitmap ->
-                embossedAt
-                  bitmap
-                  (u - (columnPitch - symbolWidth) `div` 2)
-                  (v - (rowPitch - symbolHeight) `div` 2)
-              Nothing -> False
+      bitmapIn i j
+        | i >= 0 && j >= 0 && hasCell (laidBlock face) cell = bitmaps Boxed.!? classAt cell
+        | otherwise = Nothing
+        where
+          cell = Position (fromIntegral i) (fromIntegral j)
       inside = insidePolygon (map (taxels . snd) (laidCorners face))
       middle origin k = origin + fromIntegral k + 0.5
-      height x y
-        | not (inside (middle originX x, middle originY y)) = 0 / 0
-        | embossed x y = symbolThickness
-        | otherwise = 0
+      drawn (x0, y0) (w, h) = generate w h (\x y -> height (x0 + x) (y0 + y))
+        where
+          (i0, i1) = ((y0 - down) `div` rowPitch, (y0 + h - 1 - down) `div` rowPitch)
+          (j0, j1) = ((x0 - across) `div` columnPitch, (x0 + w - 1 - across) `div` columnPitch)
+          -- The symbols of the cells that are met.
+          met = Boxed.fromList [bitmapIn i j | i <- [i0 .. i1], j <- [j0 .. j1]]
+          height x y
+            | not (inside (middle originX x, middle originY y)) = 0 / 0
+            | maybe False (\b -> embossedAt b (u - besides) (v - above)) symbol = symbolThickness
+            | otherwise = 0
+            where
+              (j, u) = (x - across) `divMod` columnPitch
+              (i, v) = (y - down) `divMod` rowPitch
+              symbol = join (met Boxed.!? ((i - i0) * (j1 - j0 + 1) + j - j0))
+      besides = (columnPitch - symbolWidth) `div` 2
+      above = (rowPitch - symbolHeight) `div` 2
   pure
     Relief
-      { reliefHeights =
-          HeightMap
-            { heightPitch = taxelPitch,
-              heightValues =
-                generate (reach boxLeft wide originX) (reach boxTop high originY) height
-            },
-        reliefOrigin = (originX * taxelPitch, originY * taxelPitch)
+      { reliefOrigin = (originX * taxelPitch, originY * taxelPitch),
+        reliefSize = (reach boxLeft wide originX, reach boxTop high originY),
+        reliefDrawn = drawn
       }
   where
     pitch = placementPitch layout

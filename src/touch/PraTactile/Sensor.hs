@@ -8,6 +8,7 @@
 module PraTactile.Sensor
   ( -- * What is touched
     HeightMap (..),
+    heightMap,
 
     -- * The sensor
     Sensor (..),
@@ -23,6 +24,7 @@ module PraTactile.Sensor
     drawSpecimen,
 
     -- * Touching
+    sensorReach,
     forwardImage,
     press,
     probe,
@@ -36,13 +38,13 @@ module PraTactile.Sensor
 where
 
 import Data.List (unfoldr)
+import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Geometry (cosineSine, symbolThickness)
 import PraTactile.Image
   ( Raster,
     constant,
     generate,
-    index,
     mapRaster,
     onRaster,
     zipRaster,
@@ -55,6 +57,17 @@ import PraTactile.Sensor.Press
 import PraTactile.Sensor.Response
 import PraTactile.Symmetry
 import System.Random (RandomGen)
+
+-- | How far from where the robot means the sensor's centre to be an element of it may feel, mm:
+-- half its diagonal with the tabs, and the position error, whose normal draws by Box and Muller's
+-- formula from numbers of 53 bits lie within sqrt (106 ln 2) < 8.6 standard deviations.
+sensorReach :: Sensor -> Double
+sensorReach sensor =
+  sqrt (side sensorColumns * side sensorColumns + side sensorRows * side sensorRows) / 2
+    + sensorTab sensor
+    + 8.6 * sensorPositionError sensor * taxelPitch
+  where
+    side count = fromIntegral (count sensor) * sensorTaxel sensor
 
 -- | The image without noise at a pose in the face's coordinates, at the nominal force and without
 -- tilt, clipped to 0..1.
@@ -88,7 +101,7 @@ reading sensor
 -- of lengths; for other angles the mean over 8 x 8 points of each aperture. Where there is nothing
 -- to touch, the height is 0.
 meanHeights :: Sensor -> HeightMap -> Pose -> Raster
-meanHeights sensor (HeightMap cell heights) (Pose x y r)
+meanHeights sensor heights (Pose x y r)
   | cell <= 0 || full <= 0 = constant columns rows 0
   | otherwise = case turnedByDegrees r of
     -- A sensor turned clockwise sees its surroundings turned counter-clockwise.
@@ -98,6 +111,7 @@ meanHeights sensor (HeightMap cell heights) (Pose x y r)
     Nothing -> generate columns rows (\i j -> scaled (slanted i j))
   where
     full = sensorFullScale sensor
+    cell = heightPitch heights
     (columns, rows) = (sensorColumns sensor, sensorRows sensor)
     taxel = sensorTaxel sensor
     scaled height = max 0 (min 1 (height / full))
@@ -122,9 +136,7 @@ meanHeights sensor (HeightMap cell heights) (Pose x y r)
               let v = taxel * (fromIntegral (j :: Int) - half rows + subsample b)
           ]
     subsample a = (fromIntegral a + 0.5) / fromIntegral supersampling
-    heightAt i j = case index heights i j of
-      Just h | not (isNaN h) -> h
-      _ -> 0
+    heightAt i j = fromMaybe 0 (heightOf heights i j)
 
 supersampling :: Int
 supersampling = 8

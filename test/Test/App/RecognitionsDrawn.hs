@@ -241,7 +241,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
     for_
       [ (face, heights)
         | face <- laidFaces layout,
-          Right (Relief heights _) <- [relief array layout alphabet face]
+          Right heights <- [reliefHeights <$> relief array layout alphabet face]
       ]
       $ \(face, heights) -> do
         let margin side = round (nearestDouble (side (laidMargin face)) / taxelPitch) :: Int
@@ -282,7 +282,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
     concat [content | Mark _ (Words _ _ _ content) <- pageAnswer page]
       `shouldSatisfy` ("no complete symbol" `isInfixOf`)
   where
-    pageOf = recognitionPage alphabet show layout (faceClasses array)
+    pageOf = recognitionPage alphabet show layout (classOn array)
     -- The four parts of the page, and what is drawn on the composite from the words above and below
     -- it.
     apart page =

@@ -185,7 +185,7 @@ angleSpec :: KnownField k => PseudorandomArray k -> Recogniser k -> Alphabet -> 
 angleSpec array reader alphabetOfAll =
   modifyMaxSuccess (const 30) $
     prop "is read: object, face, place, and the angle to two degrees" $
-      forAll (elements faces) $ \(face, heights) ->
+      forAllShow (elements faces) (show . laidFace . fst) $ \(face, heights) ->
         forAll (choose (0, 360)) $ \angle ->
           forAll ((,) <$> choose (0, 1) <*> choose (0, 1)) $ \shares ->
             let motion = motionOf face angle shares
@@ -211,7 +211,7 @@ angleSpec array reader alphabetOfAll =
         (midX, midY) = movePoint (Motion (negate angle) 0 0) (middle wide, middle high)
     middle side = taxelPitch * (fromIntegral side - 1) / 2
     -- The mean height under each pixel, from 4 x 4 points.
-    felt (HeightMap pitch values) motion =
+    felt (HeightMap pitch _ values) motion =
       generate wide high $ \i j ->
         sum
           [ maybe 0 (/ symbolThickness) (index values (floor (x / pitch)) (floor (y / pitch)))

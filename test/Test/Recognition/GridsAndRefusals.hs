@@ -9,7 +9,6 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
 import qualified Data.Set as Set
 import PraTactile
-import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField, toCode)
 import PraTactile.Files (readFolder)
@@ -23,7 +22,7 @@ import PraTactile.Recognise.Reading
 import PraTactile.Recognise.SymbolBelief (certain)
 import PraTactile.Relief
 import PraTactile.Segmentation (SymbolImage (..))
-import PraTactile.Sensor (HeightMap (..), idealSensor)
+import PraTactile.Sensor (idealSensor)
 import PraTactile.Sensor.Frame (taxelPitch)
 import PraTactile.Symmetry
 import System.Random (mkStdGen)
@@ -164,32 +163,27 @@ certainSpec = do
 
 roomSpec :: Spec
 roomSpec = do
-  it "a region as large as the face lies at its corner, and one a taxel larger has no place" $ do
+  it "a region as large as the face lies at its corner, and one a taxel larger holds it" $ do
     layout <- right canonicalPlacement
     let wrong =
           [ (laidFace face, symmetry, width, height)
             | face <- laidFaces layout,
               symmetry <- rotations,
+              seed <- [1 .. 5],
               let (across, down) = both taxelsOf (spotMillimetres (laidExtent face)),
               let (w, h) = if exchangesAxes symmetry then (down, across) else (across, down),
-              (width, height, fits) <- [(w, h, True), (w + 1, h, False), (w, h + 1, False)],
-              let found = fst <$> randomRegion [symmetry] (width, height) face (mkStdGen 1),
-              maybe fits (\r -> not (fits && atCorner r && regionSymmetry r == symmetry)) found
+              (width, height) <- [(w, h), (w + 1, h), (w, h + 1)],
+              let r = fst (randomRegion [symmetry] (width, height) face (mkStdGen seed)),
+              regionSymmetry r /= symmetry
+                || not (beside (regionRight r) (fst (regionExtent r) - across))
+                || not (beside (regionDown r) (snd (regionExtent r) - down))
           ]
     wrong `shouldBe` []
-  it "fitting is which of the trials have a place" $
-    whenRight canonicalPlacement $ \layout ->
-      forAll (choose (1, 5) >>= (`vectorOf` elements (laidFaces layout))) $ \faces ->
-        forAll ((,) <$> elements [30, 64, 65, 80, 81] <*> elements [30, 60, 64, 80]) $ \size ->
-          forAll ((,) <$> choose (0, 8) <*> choose (1, 999)) $ \(count, seed) ->
-            take count (fitting (AmongTurns rotations) size faces seed)
-              === map isJust (take count (trials (exploring size) [(f, flat) | f <- faces] seed))
   where
-    exploring = exploration idealSensor (AmongTurns rotations)
-    flat = Relief (HeightMap taxelPitch (constant 0 0 0)) (0, 0)
+    -- Before the face there is no more of the region than it has more than the face.
+    beside at more = at < 1e-9 && at > -1e-9 - fromIntegral (more :: Int)
     taxelsOf millimetres = round (millimetres / (127 / 80)) :: Int
     both f (x, y) = (f x, f y)
-    atCorner r = abs (regionRight r) < 1e-9 && abs (regionDown r) < 1e-9
 
 notFelt :: KnownField k => PseudorandomArray k -> Expectation
 notFelt array = do

@@ -74,9 +74,10 @@ pressSpec = do
       `shouldSatisfy` \e -> case e of
         Just (NoSuchFace name _) -> name == readFaceName "C1 C2"
         _ -> False
-    problem (pressingOf (small 1) {pressingSize = (30, 500)} "cube") `shouldSatisfy` off (30, 500)
-    problem (pressingOf (small 1) {pressingSize = (30, 500), pressingTurns = TurnedBy 90} "cube")
-      `shouldSatisfy` off (500, 30)
+    let long = (small 1) {pressingSize = (30, 100), pressingAt = Just (1.5875, 1.5875)}
+    problem (pressingOf long "cube") `shouldSatisfy` off (30, 100)
+    problem (pressingOf long {pressingTurns = TurnedBy 90} "cube") `shouldSatisfy` off (100, 30)
+    problem (pressingOf long {pressingAt = Just (0, -15)} "cube") `shouldBe` Nothing
     problem (pressingOf (small 1) {pressingAt = Just (100, 100)} "cube")
       `shouldSatisfy` off (20, 24)
     problem (pressingOf (small 1) {pressingSize = (8, 8)} "cube") `shouldSatisfy` \e -> case e of
@@ -143,7 +144,7 @@ experimentSpec = do
             (standardExperiment standardSensor) {experimentPresses = 3, experimentSeed = 5}
       (found, wanted) <- right (shown (withProfile canonicalProfile made) >>= id)
       found `shouldBe` wanted
-  it "a region that lies on no face, and one below the sensor, are refused" $
+  it "a region below the sensor is refused" $
     withParts $ \alphabet layout net -> do
       let refused size =
             shown $
@@ -157,10 +158,9 @@ experimentSpec = do
               }
           cause = either (const "parts") (either (const "parts") (either name (const "none")))
           name e = case e of
-            RegionOffFaces w h -> show (w, h)
             PressesRefused _ -> "presses"
             ReliefRefused _ -> "relief"
-      map (cause . refused) [(500, 20), (4, 4)] `shouldBe` ["(500,20)", "presses"]
+      map (cause . refused) [(20, 24), (4, 4)] `shouldBe` ["none", "presses"]
   it "the noise of a sensor is that at full scale, with what its elements differ by" $ do
     let known sensor = stitchingNoise (assumedStitching sensor)
     known idealSensor {sensorNoise = 0.25, sensorNoiseSlope = 0, sensorGainSpread = 0}

@@ -3,6 +3,8 @@
 module PraTactile.Sensor.Press
   ( -- * What is touched
     HeightMap (..),
+    heightMap,
+    heightOf,
 
     -- * Tabs
     Footing (..),
@@ -32,9 +34,22 @@ import PraTactile.Sensor.Frame (Motion (..), Pose (..), TaxelGrid (..), movePoin
 -- nothing to touch.
 data HeightMap = HeightMap
   { heightPitch :: !Double,
+    -- | The column and the row of the first cell of the map.
+    heightFrom :: !(Int, Int),
     heightValues :: !Raster
   }
   deriving stock (Eq, Show)
+
+-- | The map from cell (0, 0) on.
+heightMap :: Double -> Raster -> HeightMap
+heightMap pitch = HeightMap pitch (0, 0)
+
+-- | The height of the cell in this column and row; 'Nothing' where there is nothing to touch.
+heightOf :: HeightMap -> Int -> Int -> Maybe Double
+heightOf (HeightMap _ (x0, y0) heights) x y = case index heights (x - x0) (y - y0) of
+  Just h | not (isNaN h) -> Just h
+  _ -> Nothing
+{-# INLINE heightOf #-}
 
 -- | What each tab of a sensor has under it: the share of its area that lies on the face, and the
 -- mean height there in millimetres.
@@ -47,7 +62,7 @@ data Footing = Footing
 -- | What the tabs of a sensor of this grid and tab diameter (mm; 0 for squares as wide as the
 -- taxel) have under them at a pose in the face's coordinates, by 'tabPoints'.
 footing :: TaxelGrid -> Double -> HeightMap -> Pose -> Footing
-footing (TaxelGrid columns rows taxel) diameter (HeightMap cell heights) (Pose x y r) =
+footing (TaxelGrid columns rows taxel) diameter heights (Pose x y r) =
   Footing (part fst) (part snd)
   where
     part f = generate columns rows (\i j -> f (under i j))
@@ -66,9 +81,9 @@ footing (TaxelGrid columns rows taxel) diameter (HeightMap cell heights) (Pose x
     motion = Motion r x y
     place n k = taxel * (fromIntegral (k :: Int) - (fromIntegral n - 1) / 2)
     at (px, py)
-      | cell > 0 = touchable =<< index heights (floor (px / cell)) (floor (py / cell))
+      | cell > 0 = heightOf heights (floor (px / cell)) (floor (py / cell))
       | otherwise = Nothing
-    touchable h = if isNaN h then Nothing else Just h
+    cell = heightPitch heights
 
 -- | The points, from the tab's centre in millimetres, at which a tab is evaluated: of a grid of 4 x
 -- 4 over its diameter those within its circle, twelve; all of them of a square, where the diameter

@@ -25,7 +25,7 @@ spec = do
   it "a sensor without full scale, or a map without cells, feels nothing" $
     [ forwardImage
         standardSensor {sensorFullScale = full}
-        (HeightMap pitch (constant 40 40 0.5))
+        (heightMap pitch (constant 40 40 0.5))
         (Pose 20 20 turn)
       | turn <- [0, 30],
         (full, pitch) <- [(0, 1), (-1, 1), (0.8, 0), (0.8, -1)]

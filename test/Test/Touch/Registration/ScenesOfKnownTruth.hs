@@ -324,7 +324,7 @@ unseen = do
             (pressed standardSensor blank [(pose, (0, 0)) | pose <- region 32 40]) of
           Right ds -> counterexample (show ds) (residual ds (repeat (0, 0)) < 0.5)
           Left e -> counterexample (show e) False
-        | blank <- [HeightMap 1 (constant 0 0 0), HeightMap taxelPitch (constant 60 60 0.8)]
+        | blank <- [heightMap 1 (constant 0 0 0), heightMap taxelPitch (constant 60 60 0.8)]
       ]
   it "frames that do not overlap stay where they are" $
     fmap

@@ -44,7 +44,7 @@ tabs = do
     abs (sum (map fst points)) + abs (sum (map snd points)) `shouldSatisfy` (< 1e-12)
     maximum (map fst square) - 1.5875 * 0.375 `shouldSatisfy` ((< 1e-12) . abs)
   it "half of a tab on the face's edge is on the face, and nothing of one beyond" $ do
-    let face = HeightMap 0.1 (constant 100 100 0.7)
+    let face = heightMap 0.1 (constant 100 100 0.7)
         under x = footing (TaxelGrid 1 1 1.5875) 1.1 face (Pose x 5 0)
         seen x = (at (footingShare (under x)) 0 0, at (footingHeight (under x)) 0 0)
         gap (a, b) (c, d) = max (abs (a - c)) (abs (b - d))
@@ -59,7 +59,7 @@ tabs = do
        in near 0.08 (at (footingHeight under) i j) (0.2 * x + 0.4 * y)
   where
     ramp =
-      HeightMap 0.1 (generate 400 400 (\u v -> 0.02 * fromIntegral u + 0.04 * fromIntegral v))
+      heightMap 0.1 (generate 400 400 (\u v -> 0.02 * fromIntegral u + 0.04 * fromIntegral v))
 
 rigid :: Spec
 rigid = do
@@ -83,12 +83,12 @@ rigid = do
          in near 1e-9 (at (displacements 0.19 20 (a, b) plane) i j) expected
   prop "what the elements read adds up to the force" $
     forAll ((,,) <$> choose (1, 40) <*> choose (15, 30) <*> choose (15, 30)) $ \(force, x, y) ->
-      let relief = HeightMap 3 (generate 20 20 (\u v -> if even (u + v) then 1.5875 else 0))
+      let relief = heightMap 3 (generate 20 20 (\u v -> if even (u + v) then 1.5875 else 0))
           sensor = linear {sensorForce = force, sensorFullForce = 100}
           seen = forwardImage sensor relief (Pose x y 30)
        in near 1e-6 (100 * V.sum (rasterValues seen)) force
   it "beyond the face's edge nothing is felt, though a plane would be" $ do
-    let plane = HeightMap 1 (constant 50 50 0)
+    let plane = heightMap 1 (constant 50 50 0)
         seen = forwardImage linear plane (Pose 0 25 0)
     [at seen x 8 > 0 | x <- [0, 7, 8, 15]] `shouldBe` [False, False, True, True]
 
@@ -225,7 +225,7 @@ oneByOne = do
     fst (drawSpecimen standardSensor (mkStdGen 4)) `shouldBe` flawless standardSensor
   it "hysteresis: of a press that touches nothing there is the share of the press before" $ do
     let sensor = idealSensor {sensorHysteresis = 0.1}
-        face = HeightMap taxelPitch (constant 16 16 (0.6 * sensorFullScale sensor))
+        face = heightMap taxelPitch (constant 16 16 (0.6 * sensorFullScale sensor))
         here = Pose (8 * taxelPitch) (8 * taxelPitch) 0
         images = scanned sensor face [here, Pose 500 500 0, here]
     [at image 7 7 | image <- images] `shouldSatisfy` \seen -> case seen of
@@ -233,7 +233,7 @@ oneByOne = do
       _ -> False
   it "force: readings go with it, with the stated deviation, within five standard errors" $ do
     let sensor = linear {sensorForceSpread = 0.15}
-        plane = HeightMap 5 (constant 20 20 0)
+        plane = heightMap 5 (constant 20 20 0)
         images = scanned sensor plane (replicate 400 (Pose 50 50 0))
         forces = [10 * V.sum (rasterValues image) | image <- images]
         average = sum forces / 400
@@ -242,7 +242,7 @@ oneByOne = do
     abs (deviation - 1.5) `shouldSatisfy` (< 5 * 1.5 / sqrt 800)
   it "tilt: the edges differ by the stated deviation, within five standard errors" $ do
     let sensor = linear {sensorTiltSpread = 0.02}
-        plane = HeightMap 5 (constant 20 20 0)
+        plane = heightMap 5 (constant 20 20 0)
         images = scanned sensor plane (replicate 400 (Pose 50 50 0))
         -- From the outer columns' centres to the middle is 15 / 16 of half the sensor.
         tilts = [(at image 15 8 - at image 0 8) * 10 / 0.19 / 2 * 16 / 15 | image <- images]
@@ -250,7 +250,7 @@ oneByOne = do
     abs (deviation - 0.02 * 1.5875) `shouldSatisfy` (< 5 * 0.02 * 1.5875 / sqrt 800)
   it "rotation error: it has the stated deviation, within five standard errors" $ do
     let sensor = idealSensor {sensorRotationError = 3, sensorFullScale = 100}
-        ramp = HeightMap 0.5 (generate 200 200 (\x _ -> (fromIntegral x + 0.5) * 0.5))
+        ramp = heightMap 0.5 (generate 200 200 (\x _ -> (fromIntegral x + 0.5) * 0.5))
         images = scanned sensor ramp (replicate 200 (Pose 50 50 0))
         angle image =
           atan2
@@ -267,7 +267,7 @@ oneByOne = do
     ]
       `shouldBe` replicate 4 True
   where
-    relief = HeightMap 2 (generate 30 30 (\x y -> if (x + 2 * y) `mod` 5 == 0 then 1.5875 else 0))
+    relief = heightMap 2 (generate 30 30 (\x y -> if (x + 2 * y) `mod` 5 == 0 then 1.5875 else 0))
     poses = [Pose 20 20 0, Pose 25 20 0, Pose 30 20 0]
 
 presets :: Spec

@@ -25,7 +25,7 @@ import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 -- everywhere.
 texture :: Int -> Int -> Int -> HeightMap
 texture seed w h =
-  HeightMap taxelPitch (generate w h (\x y -> full * fromMaybe 0 (heights V.!? (y * w + x))))
+  heightMap taxelPitch (generate w h (\x y -> full * fromMaybe 0 (heights V.!? (y * w + x))))
   where
     heights = V.unfoldrN (w * h) (Just . uniform) (mkStdGen seed)
     full = sensorFullScale standardSensor
@@ -33,7 +33,7 @@ texture seed w h =
 -- | A face with the paper's symbols: the classes of its cells, row by row, each symbol in the
 -- middle of a cell of 16 x 20 taxels.
 faceOf :: [[Int]] -> HeightMap
-faceOf cells = HeightMap taxelPitch (generate (16 * columns) (20 * length cells) height)
+faceOf cells = heightMap taxelPitch (generate (16 * columns) (20 * length cells) height)
   where
     columns = maximum (0 : map length cells)
     height x y = fromMaybe 0 $ do
@@ -57,7 +57,7 @@ spec = do
 -- | The mean height under an element, as a share of full scale, from points of a fine grid: the
 -- definition, up to the grid's fineness.
 sampled :: HeightMap -> Pose -> Int -> Int -> Double
-sampled (HeightMap cell heights) (Pose px py r) i j = sum hs / genericLength hs
+sampled (HeightMap cell _ heights) (Pose px py r) i j = sum hs / genericLength hs
   where
     fine = 40 :: Int
     hs =
@@ -76,7 +76,7 @@ forward = do
       let seen =
             forwardImage
               idealSensor {sensorFullScale = 1}
-              (HeightMap taxelPitch heights)
+              (heightMap taxelPitch heights)
               (Pose (8 * taxelPitch) (8 * taxelPitch) 0)
        in closeTo 1e-9 seen heights
   it "the image is the mean height under each element, on maps of any fineness" $
@@ -85,7 +85,7 @@ forward = do
       $ \(heights, cell, pose) ->
         forAll ((,) <$> choose (0, 15) <*> choose (0, 15)) $ \(i, j) ->
           let sensor = idealSensor {sensorFullScale = 1}
-              relief = HeightMap cell heights
+              relief = heightMap cell heights
               full = sensorFullScale idealSensor
               exact = index (forwardImage sensor relief pose) i j
               fine = full * sampled relief pose i j
@@ -100,7 +100,7 @@ forward = do
           seen =
             taxelPitch
               * taxelPitch
-              * V.sum (rasterValues (forwardImage sensor (HeightMap cell heights) (Pose x y 0)))
+              * V.sum (rasterValues (forwardImage sensor (heightMap cell heights) (Pose x y 0)))
        in counterexample (show (volume, seen)) (abs (volume - seen) < 1e-9)
   it "a turned sensor sees the turned image" $
     forAll (genRasterOf 16 16) $ \heights ->
@@ -108,7 +108,7 @@ forward = do
           seen r =
             forwardImage
               sensor
-              (HeightMap taxelPitch heights)
+              (heightMap taxelPitch heights)
               (Pose (8 * taxelPitch) (8 * taxelPitch) r)
        in conjoin
             [ closeTo 1e-9 (seen 180) (onRaster (turned 2) heights),
@@ -119,11 +119,11 @@ forward = do
   it "heights above full scale and below 0 are clipped" $
     forwardImage
       idealSensor
-      (HeightMap taxelPitch (generate 16 16 (\x _ -> if x < 8 then 99 else -1)))
+      (heightMap taxelPitch (generate 16 16 (\x _ -> if x < 8 then 99 else -1)))
       (Pose 12.7 12.7 0)
       `shouldBe` generate 16 16 (\x _ -> if x < 8 then 1 else 0)
   it "off the map there is nothing to touch" $
-    forwardImage idealSensor (HeightMap 1 (constant 4 4 1)) (Pose (-99) 0 0)
+    forwardImage idealSensor (heightMap 1 (constant 4 4 1)) (Pose (-99) 0 0)
       `shouldBe` constant 16 16 0
   where
     -- What the points of the two grids can miss at the borders of cells whose heights differ by
@@ -144,7 +144,7 @@ errors :: Spec
 errors = do
   it "noise has mean 0 and the stated deviation, within five standard errors" $ do
     let sensor = idealSensor {sensorNoise = 0.05}
-        flat = HeightMap 1 (constant 60 60 (0.5 * sensorFullScale sensor))
+        flat = heightMap 1 (constant 60 60 (0.5 * sensorFullScale sensor))
         images = fst (scan sensor flat stay (replicate 100 (Pose 30 30 0)) (mkStdGen 5))
         deviations = V.concat [V.map (subtract 0.5) (rasterValues (frameImage f)) | f <- images]
         n = fromIntegral (V.length deviations)
@@ -161,7 +161,7 @@ errors = do
     -- really was.
     let sensor = idealSensor {sensorFullScale = 100, sensorPositionError = 1}
         ramp along =
-          HeightMap
+          heightMap
             0.5
             (generate 200 200 (\x y -> (fromIntegral (if along then x else y) + 0.5) * 0.5))
         places along =

@@ -70,7 +70,7 @@ scaleSpec = do
                 ]
                 / 64
             wanted = generate 3 4 (\i j -> max 0 (min 1 (element i j / sensorFullScale sensor)))
-         in closeTo (forwardImage sensor (HeightMap cell heights) (Pose x y turn)) wanted
+         in closeTo (forwardImage sensor (heightMap cell heights) (Pose x y turn)) wanted
   it "under tabs it reads the share of each on the face times its height, spread below them" $
     forAll ((,) <$> elements [0, 30, 90] <*> elements [0, 0.7]) $ \(turn, depth) ->
       forAll ((,) <$> choose (6, 20) <*> choose (6, 20)) $ \(x, y) ->
@@ -83,15 +83,15 @@ scaleSpec = do
                   sensorExponent = 0.8
                 }
             heights = generate 14 12 (\u v -> fromIntegral ((u * 5 + v * 3) `mod` 7) / 2 - 1)
-            under = footing (sensorTaxelGrid sensor) 1.2 (HeightMap 1.5 heights) (Pose x y turn)
+            under = footing (sensorTaxelGrid sensor) 1.2 (heightMap 1.5 heights) (Pose x y turn)
             share i j =
               at (footingShare under) i j
                 * max 0 (min 1 (at (footingHeight under) i j / sensorFullScale sensor))
             felt = spreadForces 1.5875 depth (generate 5 4 share)
             wanted = mapRaster (\v -> max 0 (min 1 (max 0 v ** 0.8))) felt
-         in closeTo (forwardImage sensor (HeightMap 1.5 heights) (Pose x y turn)) wanted
+         in closeTo (forwardImage sensor (heightMap 1.5 heights) (Pose x y turn)) wanted
   it "no reading is above it, however it comes about" $ do
-    let steep = HeightMap taxelPitch (constant 16 16 50)
+    let steep = heightMap taxelPitch (constant 16 16 50)
         here = Pose (8 * taxelPitch) (8 * taxelPitch) 0
         stiff =
           idealSensor
@@ -125,7 +125,7 @@ pressSpec = do
                       sensorZeroed = 2
                     }
                 -- Half of full scale everywhere, or nothing.
-                plateau = HeightMap 10 (constant 10 10 (sensorFullScale sensor / 2))
+                plateau = heightMap 10 (constant 10 10 (sensorFullScale sensor / 2))
                 gain x y = if (x, y) == (3, 1) then 0 else 1 + fromIntegral (x - y) / 10 :: Double
                 specimen = Specimen (generate 5 4 gain)
                 forces = drop 1 (scanl withLeft 0 [if poseX p < 100 then 0.5 else 0 | p <- poses])
@@ -159,7 +159,7 @@ pressSpec = do
        in closeTo (forwardImage rigid relief pose) wanted
             .&&. closeTo (fst (press rigid relief pose (mkStdGen 1))) wanted
   it "bears a twentieth of its force at least, and tilts alike across and down" $ do
-    let even' = HeightMap 5 (constant 20 20 0)
+    let even' = heightMap 5 (constant 20 20 0)
         linear = idealSensor {sensorTab = 1.1, sensorStiffness = 0.19, sensorFullForce = 10}
         images sensor =
           map frameImage (fst (scan sensor even' stay (replicate 400 (Pose 50 50 0)) (mkStdGen 2)))
