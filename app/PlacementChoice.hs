@@ -1,8 +1,11 @@
 -- | Choosing the objects, alike in every command that touches them or looks them up: @--placement
--- FILE@, @--database FILE@, or nothing, which is the shipped placement.
+-- FILE@, @--database FILE@, @--object sheet@, or nothing, which is the shipped placement or of
+-- another array the array itself.
 module PlacementChoice
   ( PlacementChoice,
     placementChoice,
+    plateOr,
+    holding,
     ofDatabase,
     chosenPlacement,
     withDatabase,
@@ -17,12 +20,13 @@ import Control.Monad (unless)
 import qualified Data.ByteString.Char8 as Bytes
 import ExitStatus
 import FormatFile (readPlacement)
-import Json (shapeText)
 import Message
 import Options
 import PraTactile.Format (decodeProfile)
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
+import PraTactile.Object.Plate (plateName, platePlacement)
+import PraTactile.Object.WingedEdge (ObjectName (..))
 import PraTactile.Profile
 import PraTactile.Relief (ReliefError (..), symbolScale)
 import PraTactile.Store
@@ -30,7 +34,10 @@ import Visible (visibleName)
 
 -- | Where the objects and their faces' places are stated.
 data PlacementChoice
-  = Shipped
+  = -- | The shipped placement, or of another array than its own the array itself.
+    Shipped
+  | -- | The whole array as a flat plate.
+    Plate
   | InFile FilePath
   | InDatabase FilePath
 
@@ -42,10 +49,35 @@ placementChoice ofDatabase' =
       "placement"
       "FILE"
       "The objects and the places of their faces, as 'place' writes them, with their array \
-      \(default: the cube and the parallelepiped on the paper's array)"
+      \(default: the cube and the parallelepiped on the paper's array, and of any other array the \
+      \whole of it as a flat plate)"
     <|> InDatabase
     <$> fileOption "database" "FILE" ofDatabase'
     <|> pure Shipped
+
+-- | @--object sheet@, or another choice.
+plateOr :: Parser PlacementChoice -> Parser PlacementChoice
+plateOr others =
+  ( Plate
+      <$ valued
+        plate
+        "object"
+        "sheet"
+        "The object is the whole array as a flat plate (default of arrays other than the paper's)"
+  )
+    <|> others
+  where
+    plate = do
+      named <- str
+      if ObjectName named == plateName
+        then pure ()
+        else readerError "only 'sheet' is named here; --placement FILE has other objects"
+
+-- | The choice where an object of this name is meant: without another one the plate.
+holding :: ObjectName -> PlacementChoice -> PlacementChoice
+holding object choice = case choice of
+  Shipped | object == plateName -> Plate
+  _ -> choice
 
 -- | The database, if one is chosen.
 ofDatabase :: PlacementChoice -> Maybe FilePath
@@ -62,19 +94,18 @@ chosenPlacement array choice = case choice of
     layout <- orUnusable placementMessage canonicalPlacement
     if placementShape layout == profileShape profile
       then pure (profile, layout)
-      else
-        unusable
-          ( "the objects are laid on an array of "
-              ++ shapeText (placementShape layout)
-              ++ "; the chosen one is "
-              ++ shapeText (profileShape profile)
-          )
+      else (,) profile <$> plated profile
+  Plate -> do
+    profile <- chosenProfile array
+    (,) profile <$> plated profile
   InFile file -> do
     (profile, layout) <- readPlacement file
     agreeing array file profile
     pure (profile, layout)
   InDatabase file -> withDatabase array file $ \profile store ->
     (,) profile <$> (storedPlacement store >>= orUnusable storeMessage)
+  where
+    plated = orUnusable placementMessage . platePlacement . profileShape
 
 -- | An open database and the profile of its array. Leaves with status 2 where it is none, or where
 -- the array options describe another array.

@@ -102,6 +102,7 @@ import qualified Test.Limits
 import qualified Test.Readme
 import qualified Test.Recognition.AnswersBesideTruth
 import qualified Test.Recognition.AnyAngle
+import qualified Test.Recognition.AnyArray
 import qualified Test.Recognition.DamagedOnPurpose
 import qualified Test.Recognition.ExplorationsAndTrials
 import qualified Test.Recognition.FromBytesToAnswers
@@ -291,6 +292,7 @@ specs = do
   describe "Rates" Test.Simulation.RatesBesideExact.spec
   describe "Recognition" Test.Recognition.FromImageToFace.spec
   describe "Recognition at any angle" Test.Recognition.AnyAngle.spec
+  describe "Recognition of any array" Test.Recognition.AnyArray.spec
   describe "Recognition with damage" Test.Recognition.DamagedOnPurpose.spec
   describe "Recognition: grids, room and words" Test.Recognition.GridsAndRefusals.spec
   describe "Recognition: what is read" Test.Recognition.SymbolsRead.spec

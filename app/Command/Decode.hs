@@ -70,6 +70,7 @@ command =
     [ "pra-tactile decode data/worked-example/composite.pgm",
       "pra-tactile decode --json frames",
       "pra-tactile decode frames --picture recognised.svg",
+      "pra-tactile decode --object sheet frames",
       "pra-tactile decode --together left.pgm right.pgm --at 0,0 --at 76.2,0"
     ]
     (run <$> arrayChoice <*> optionsParser)
@@ -81,8 +82,10 @@ optionsParser =
     <*> stitchingOptions
     <*> framesOptions
     <*> networkOption
-    <*> placementChoice
-      "The same from a database that 'objects --write' made, in which the position is looked up"
+    <*> plateOr
+      ( placementChoice
+          "The same from a database that 'objects --write' made, in which the position is looked up"
+      )
     <*> optionalFile
       "picture"
       "FILE.svg"
@@ -205,7 +208,7 @@ run choice options
 -- | How composites of one face, given their names, are decoded and the answer is printed.
 decoderOn :: Profile -> Placement -> Options -> IO ([FilePath] -> [Composite] -> IO ExitStatus)
 decoderOn profile layout options = do
-  alphabet <- shippedAlphabet
+  alphabet <- alphabetFor profile
   net <- chosenNetwork (network options)
   let on = fromMaybe (profileSurface profile) (surface options)
       made array mask =

@@ -55,7 +55,8 @@ command =
       "pra-tactile evaluate --presses 12 --seed 1 --sensor real",
       "pra-tactile evaluate --presses 12 --seed 1 --foreign 0.5",
       "pra-tactile evaluate --presses 12 --seed 1 --foreign-arrays 0.5",
-      "pra-tactile evaluate --presses 12 --seed 1 --position-error 2 --any-angle --untold"
+      "pra-tactile evaluate --presses 12 --seed 1 --position-error 2 --any-angle --untold",
+      "pra-tactile evaluate --presses 12 --seed 1 --object sheet"
     ]
     (run <$> arrayChoice <*> options)
   where
@@ -86,7 +87,7 @@ command =
           (long "untold" <> help "Do not tell the decoder the position error; it finds what it is")
         <*> toleranceOptions (pure (foreignPrior standardTolerance))
         <*> networkOption
-        <*> placementChoice "The same from a database that 'objects --write' made"
+        <*> plateOr (placementChoice "The same from a database that 'objects --write' made")
         <*> jsonSwitch "Print the counts as JSON"
 
 -- | How the faces lie.
@@ -118,7 +119,7 @@ run choice options
     (profile, laid) <- chosenPlacement choice (objects options)
     (scale, layout) <- feltPlacement laid
     let simulated = feltBySymbols scale real
-    alphabet <- shippedAlphabet
+    alphabet <- alphabetFor profile
     net <- chosenNetwork (network options)
     let experiment =
           Experiment

@@ -73,6 +73,7 @@ command =
       "pra-tactile probe --object cube --seed 7 --output frames --truth truth.json",
       "pra-tactile probe --object cube --seed 7 --sensor real --frame 32x32 --taxel 0.79375 \
       \--output frames",
+      "pra-tactile probe --object sheet --seed 7 --output frames",
       "pra-tactile probe --flat 16 --sensor real --seed 7 --output frames"
     ]
     (run <$> arrayChoice <*> optionsParser)
@@ -124,8 +125,10 @@ workOption =
     <$> strOption
       ( long "object"
           <> metavar "NAME"
-          <> completeWith ["cube", "parallelepiped"]
-          <> help "The object: cube or parallelepiped, or one of the placement's"
+          <> completeWith ["cube", "parallelepiped", "sheet"]
+          <> help
+            "The object: cube, parallelepiped or one of the placement's, or sheet: the whole array \
+            \as a flat plate"
       )
     <|> Dark
       <$> frameCount
@@ -190,9 +193,9 @@ calibrating options simulated count frames
 pressing :: ArrayChoice -> Options -> Pressing -> ObjectName -> IO ExitStatus
 pressing choice options how object = do
   for_ (truthFile options) orUnwritable
-  (profile, laid) <- chosenPlacement choice (objects options)
+  (profile, laid) <- chosenPlacement choice (holding object (objects options))
   (scale, layout) <- feltPlacement laid
-  alphabet <- shippedAlphabet
+  alphabet <- alphabetFor profile
   let larger = fromRational scale
       smaller (x, y) = (x / larger, y / larger)
       felt =

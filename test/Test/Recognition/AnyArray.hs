@@ -1,0 +1,343 @@
+{-# LANGUAGE RankNTypes #-}
+
+-- | Any array can be pressed and recognised: as a plate, by relief that is drawn for a region
+-- alone, and without comparing with all positions.
+module Test.Recognition.AnyArray (spec) where
+
+import Data.Foldable (for_)
+import qualified Data.Map.Strict as Map
+import Numeric.Natural (Natural)
+import PraTactile.Array hiding (toRows)
+import PraTactile.Classification.Network (Network)
+import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Evaluate
+import PraTactile.Explore
+import PraTactile.Field (KnownField, toCode)
+import PraTactile.Grid (canonicalPosition)
+import PraTactile.Image (crop, rasterSize, toRows)
+import PraTactile.Locate (AlgebraError (..), LocateError (..), LocatorError (..), Radius (..))
+import PraTactile.Object.Canonical (canonicalPlacement)
+import PraTactile.Object.Placement
+import PraTactile.Object.Plate
+import PraTactile.Object.WingedEdge
+import PraTactile.Pressing
+import PraTactile.Profile
+import PraTactile.Recognise
+import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.GridLocation
+import PraTactile.Recognise.Recogniser
+import PraTactile.Registration (standardRegistration)
+import PraTactile.Relief
+import PraTactile.Sensor
+import PraTactile.Sensor.Frame
+import PraTactile.Shape (Alphabet, paperAlphabet)
+import PraTactile.Symmetry
+import PraTactile.Truth
+import PraTactile.Window (Mask)
+import System.Random (mkStdGen)
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (tolerance)
+import Test.Recognition.Scenes
+import Test.Recognition.Symbols
+import Test.Support
+
+spec :: Spec
+spec = do
+  describe "the plate" plateSpec
+  describe "relief of a region" reliefSpec
+  describe "without a codebook" decoderSpec
+  describe "presses on a plate" pressSpec
+  describe "regions larger than a face" edgeSpec
+
+plateSpec :: Spec
+plateSpec = do
+  it "has every window that does not stick out, where it is in the array, and no other" $
+    forAll ((,) <$> elements [1 .. 9] <*> elements [1 .. 9]) $ \(high, wide) ->
+      forAll ((,) <$> elements [1 .. 3] <*> elements [1 .. 3]) $ \(h, w) ->
+        whenRight (platePlacement (Shape high wide)) $ \plate ->
+          [ [(placeCell on, placeCentre on) | OnFace on <- [found]]
+            | at <- shapeCells (Shape high wide),
+              let found = whereabouts plate (Shape h w) at
+          ]
+            === [ [ (at, spotAt (25.4 * (real c + real w / 2)) (31.75 * (real r + real h / 2)))
+                    | r + h <= high && c + w <= wide
+                  ]
+                  | at@(Position r c) <- shapeCells (Shape high wide)
+                ]
+  it "is one box, 25.4 mm thick and as large as its cells, whose upper face begins far left" $ do
+    plate <- right (platePlacement (Shape 15 17))
+    let told face =
+          ( faceText (faceName (laidFace face)),
+            (laidAt face, laidGrid face),
+            map spotMillimetres [laidExtent face, laidMargin face]
+          )
+        upper = [p | body <- placementSolids plate, (_, p) <- take 2 (solidVertices body)]
+    map solidName (placementSolids plate) `shouldBe` [plateName]
+    map told (laidFaces plate)
+      `shouldBe` [("S1 S2 S3 S4", (Position 0 0, Shape 15 17), [(431.8, 476.25), (0, 0)])]
+    upper `shouldBe` [Point 0 476.25 25.4, Point 0 0 25.4]
+  it "no array is a plate without cells" $
+    for_ [Shape 0 5, Shape 5 0] $ \shape ->
+      either Just (const Nothing) (platePlacement shape) `shouldBe` Just (EmptyArray shape)
+  where
+    real = fromIntegral :: Natural -> Rational
+
+reliefSpec :: Spec
+reliefSpec = do
+  modifyMaxSuccess (const 60) $
+    it "a region is felt by the relief under it as by the whole face's, to the bit" $
+      forAll ((,) <$> elements sensors <*> choose (1, 99999)) $ \(sensor, seed) ->
+        forAll ((,) <$> choose (18, 70) <*> choose (18, 90)) $ \size ->
+          forAll genTurns $ \turns -> withParts $ \array _ alphabet _ ->
+            onAnyFace $ \layout face ->
+              whenRight (relief array layout alphabet face) $ \whole ->
+                let (region, g) = drawnRegion turns size face (mkStdGen seed)
+                    moved = onRelief whole region
+                    frames heights = fst <$> exploreWith sensor 13 (flawless sensor) heights moved g
+                 in frames (heightsUnder sensor region whole) === frames (reliefHeights whole)
+  it "what is drawn is the whole's rows and columns" $
+    withParts $ \array _ alphabet _ ->
+      whenRight (platePlacement (Shape 15 17)) $ \plate ->
+        forAllBlind (elements (laidFaces plate)) $ \face ->
+          whenRight (relief array plate alphabet face) $ \whole ->
+            forAll ((,) <$> choose (0, 200) <*> choose (0, 200)) $ \at ->
+              forAll ((,) <$> choose (1, 70) <*> choose (1, 90)) $ \size ->
+                fmap toRows (crop at size (heightValues (reliefHeights whole)))
+                  === Right (toRows (reliefDrawn whole at size))
+  it "of a plate of four million cells no more is drawn than the region and what surrounds it" $
+    withLarge $ \array _ alphabet _ plate ->
+      forAll (choose (1, 99999)) $ \seed ->
+        forAllBlind (elements (laidFaces plate)) $ \face ->
+          whenRight (relief array plate alphabet face) $ \whole ->
+            let (region, _) = drawnRegion AnyAngle (80, 80) face (mkStdGen seed)
+                (w, h) = rasterSize (heightValues (heightsUnder standardSensor region whole))
+             in counterexample (show (w, h)) (w <= 160 && h <= 160)
+  where
+    genTurns = oneof [AmongTurns . pure <$> elements rotations, TurnedBy <$> choose (0, 360)]
+    onAnyFace test =
+      whenRight (sequence [canonicalPlacement, platePlacement (Shape 15 17)]) $ \layouts ->
+        forAllBlind (elements [(on, face) | on <- layouts, face <- laidFaces on]) (uncurry test)
+    sensors =
+      [ idealSensor,
+        standardSensor {sensorPositionError = 3, sensorRotationError = 4},
+        presetSensor Real,
+        (presetSensor Hard) {sensorPositionError = 2}
+      ]
+
+-- | The paper's array with its window, the shapes and the network.
+withParts ::
+  Testable p =>
+  (forall k. KnownField k => PseudorandomArray k -> Mask -> Alphabet -> Network -> p) ->
+  Property
+withParts test =
+  whenRight ((,) <$> shown paperAlphabet <*> shown shippedNetwork) $ \(alphabet, net) ->
+    whenRight
+      (withProfile canonicalProfile (\array mask -> property (test array mask alphabet net)))
+      id
+
+-- | An array of 2047 x 2049 cells with its window of 3 x 4, likewise, and its plate.
+withLarge ::
+  Testable p =>
+  ( forall k.
+    KnownField k =>
+    PseudorandomArray k ->
+    Mask ->
+    Alphabet ->
+    Network ->
+    Placement ->
+    p
+  ) ->
+  Property
+withLarge test =
+  whenRight ((,,) <$> shown paperAlphabet <*> shown shippedNetwork <*> shown large) $
+    \(alphabet, net, (profile, plate)) ->
+      whenRight
+        (withProfile profile (\array mask -> property (test array mask alphabet net plate)))
+        id
+  where
+    large = do
+      let choice = profileChoice 4 polynomial (Shape 2047 2049)
+      (,)
+        <$> shown (chooseProfile choice {chosenWindow = Just (Shape 3 4)})
+        <*> shown (platePlacement (Shape 2047 2049))
+    polynomial = [2, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1]
+
+shown :: Show e => Either e a -> Either String a
+shown = either (Left . show) Right
+
+decoderSpec :: Spec
+decoderSpec = do
+  for_ arrays $ \(name, profile, surfaces) ->
+    modifyMaxSuccess (const 150) $
+      it ("a grid is where comparing with all positions has it: " ++ name) $
+        forAll (elements surfaces) $ \surface ->
+          onBothRoads profile surface $ \array reader without ->
+            forAllBlind (scenesOf surface array) $ \scene ->
+              forAll (elements [Guaranteed, UpTo 0, UpTo 1]) $ \radius ->
+                forAll (elements [0.01, 0.3]) $ \tolerated ->
+                  forAll (elements [0, 0.005, 0.3]) $ \share ->
+                    let found with =
+                          locateGrid
+                            with
+                            (Tolerance tolerated radius share Nothing 0)
+                            []
+                            (FaceGrid (scattered scene) [] [])
+                     in agreeing tolerated (found reader) (found without)
+  it "what is too much to decode is refused by name" $
+    onBothRoads canonicalProfile Torus $ \array reader without ->
+      let cells =
+            Map.fromList
+              [ ((i, j), [symbolOf (65 * i + j) (16 * real j, 20 * real i) (identity, c)])
+                | i <- [0 .. 64],
+                  j <- [0 .. 64],
+                  let c = toCode (cellAt array (Position (fromIntegral i) (fromIntegral j)))
+              ]
+          found with = locateGrid with standardTolerance [] (FaceGrid cells [] [])
+       in once . conjoin $
+            [ show (locationOutcome (found reader)) === show (Placed (Position 0 0)),
+              counterexample (show (locationOutcome (found without))) $
+                case locationOutcome (found without) of
+                  Undecoded (LocatorAlgebra (AlgebraCells _)) -> True
+                  _ -> False
+            ]
+  it "an array on a surface that is foreign to it has no recogniser without a codebook" $
+    withParts $ \array mask alphabet net ->
+      whenRight canonicalPlacement $ \layout ->
+        let refused most =
+              either Just (const Nothing) $
+                recogniserUpTo most (ArrayOn TwistedTorus array) mask layout alphabet net
+         in [refused 255, refused 254]
+              === [ Nothing,
+                    Just (RecogniserArray (LocatorPatch (TooManyPlaces 255 254)))
+                  ]
+  where
+    real = fromIntegral :: Int -> Double
+    arrays =
+      [ ("15 x 17", canonicalProfile, [Torus, Sheet]),
+        ("15 x 17, row by row", foldedBy RowMajor canonicalProfile, [TwistedTorus, Sheet])
+      ]
+        ++ [ ("63 x 65", profile, [Torus, Sheet])
+             | Right profile <-
+                 [chooseProfile (profileChoice 4 [2, 1, 1, 0, 0, 0, 1] (Shape 63 65))]
+           ]
+
+-- | Scenes as an array on a surface has them from one of its first positions on.
+scenesOf :: KnownField k => Surface -> PseudorandomArray k -> Gen Scene
+scenesOf surface array = genScene cell [1e-7, 0.0005, 0.01, 0.09, 0.2, 0.8]
+  where
+    cell (Position r c) (i, j) =
+      (\at -> (at, toCode (cellAt array at)))
+        <$> canonicalPosition
+          surface
+          (arrayShape array)
+          (toInteger r + toInteger i)
+          (toInteger c + toInteger j)
+
+-- | The recognisers of an array, laid as a plate, with a codebook and without.
+onBothRoads ::
+  Testable p =>
+  Profile ->
+  Surface ->
+  (forall k. KnownField k => PseudorandomArray k -> Recogniser k -> Recogniser k -> p) ->
+  Property
+onBothRoads profile surface test =
+  whenRight parts $ \(plate, alphabet, net) ->
+    whenRight
+      ( withProfile profile $ \array mask ->
+          let made most = recogniserUpTo most (ArrayOn surface array) mask plate alphabet net
+           in whenRight ((,) <$> made (2 ^ (20 :: Int)) <*> made 0) (uncurry (test array))
+      )
+      id
+  where
+    parts =
+      (,,)
+        <$> shown (platePlacement (profileShape profile))
+        <*> shown paperAlphabet
+        <*> shown shippedNetwork
+
+-- | What is found without a codebook beside what is found with it: what it places is there; its
+-- doubts are those, or more; and where it places nothing, more than half of what is tolerated is in
+-- doubt.
+agreeing :: Double -> GridLocation -> GridLocation -> Property
+agreeing tolerated exact bounded = case (locationOutcome exact, locationOutcome bounded) of
+  (Placed a, Placed b) ->
+    label "placed" $
+      conjoin [a === b, locationOrientation exact === locationOrientation bounded, noLess]
+  (Placed _, other) ->
+    label "bounds" . counterexample (show (other, map doubts [exact, bounded])) $
+      any (> tolerated / 2) (doubts bounded)
+  (_, Placed b) -> counterexample ("placed at " ++ show b) False
+  _ -> label "not placed" True
+  where
+    doubts = fmap supportDoubt . locationSupport
+    noLess =
+      counterexample (show (map doubts [exact, bounded])) $
+        fmap (* 0.999999) (doubts exact) <= doubts bounded
+
+pressSpec :: Spec
+pressSpec = do
+  it "in its corners and along its edges are located: the paper's array" $
+    withParts $ \array mask alphabet net ->
+      whenRight (platePlacement (Shape 15 17)) $ \plate ->
+        locatedAround array mask alphabet net plate (40, 52)
+  it "in its corners and along its edges are located: 2047 x 2049 cells" $
+    withLarge $ \array mask alphabet net plate ->
+      locatedAround array mask alphabet net plate (80, 80)
+
+-- | Each of eight presses is decoded as where it is.
+locatedAround ::
+  KnownField k =>
+  PseudorandomArray k ->
+  Mask ->
+  Alphabet ->
+  Network ->
+  Placement ->
+  (Int, Int) ->
+  Property
+locatedAround array mask alphabet net plate (w, h) =
+  once . whenRight (recogniser (naturally array) mask plate alphabet net) $ \reader ->
+    conjoin
+      [ whenRight (pressed (how at) alphabet array plate plateName) $ \(frames, truth) ->
+          counterexample (show at) . property $
+            case withStitching
+              ( runTrial
+                  standardTolerance
+                  reader
+                  standardRegistration
+                  (Trial face (truthRegion truth) frames False)
+              ) of
+              Correct _ -> True
+              _ -> False
+        | face <- laidFaces plate,
+          let (right', bottom) = spotMillimetres (laidExtent face),
+          let across = [0, right' / 2, right' - taxelPitch * fromIntegral w],
+          let down = [0, bottom / 2, bottom - taxelPitch * fromIntegral h],
+          at <- (,) <$> across <*> down,
+          at /= (right' / 2, bottom / 2)
+      ]
+  where
+    how at =
+      (pressingWith standardSensor 3)
+        { pressingAt = Just at,
+          pressingSize = (w, h),
+          pressingTurns = AmongTurns [identity]
+        }
+
+edgeSpec :: Spec
+edgeSpec =
+  it "are right or refused, and most are right" $
+    withParts $ \array mask alphabet net ->
+      whenRight (shown canonicalPlacement) $ \layout ->
+        whenRight (recogniser (naturally array) mask layout alphabet net) $ \reader ->
+          let how = standardExperiment standardSensor
+              exploring = exploration standardSensor AnyAngle (110, 66)
+              results =
+                evaluated
+                  how {experimentPresses = 12, experimentExploration = exploring}
+                  alphabet
+                  array
+                  reader
+           in once . whenRight (shown results) $ \found ->
+                let counted = tally (map withStitching found)
+                 in (tallyWrong counted, tallyRight counted >= 10) === (0, True)
