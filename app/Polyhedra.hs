@@ -5,7 +5,6 @@ module Polyhedra
     outputFormat,
     positiveReader,
     symbolsOption,
-    sheetSize,
   )
 where
 
@@ -14,20 +13,21 @@ import ExitStatus
 import Files (readBytes)
 import Message.Solid
 import Options
-import PraTactile.Array (Shape (..))
+import PraTactile.Array (Shape)
 import PraTactile.Format.Solid
 import PraTactile.Format.Solid.Name
 import PraTactile.Object.Description
 import PraTactile.Object.Mesh
 import PraTactile.Object.Named (namedDescription)
-import PraTactile.Object.Placement (Pitch (..))
+import PraTactile.Object.Placement (Pitch)
+import PraTactile.Object.Plate (plateSize)
 import System.FilePath (dropExtension, takeFileName)
 import Visible
 
 -- | What a name or a file says; a file is of the format that its end tells, or else of this one.
 -- The sheet has room for an array of this shape.
 polyhedron :: Shape -> Pitch -> Maybe SolidFormat -> String -> IO Contents
-polyhedron shape between given subject = case readName (sheetSize shape between) subject of
+polyhedron shape between given subject = case readName (plateSize shape between) subject of
   Known known -> pure (Contents (fromDescription (namedDescription known)) [])
   Malformed wanted -> unusable (solidNameMessage subject wanted)
   Irrational name ->
@@ -89,8 +89,3 @@ symbolsOption =
     ( long "symbols" <> metavar "S" <> value 1
         <> help "Size of the symbols: S times 25.4 x 31.75 mm from one to the next (default 1)"
     )
-
--- | Room for all symbols of an array.
-sheetSize :: Shape -> Pitch -> (Rational, Rational)
-sheetSize shape (Pitch right down) =
-  (fromIntegral (columns shape) * right, fromIntegral (rows shape) * down)

@@ -3,6 +3,7 @@
 -- | Any array as a flat plate: an object whose upper face has the whole of it.
 module PraTactile.Object.Plate
   ( plateName,
+    plateSize,
     platePlacement,
   )
 where
@@ -10,13 +11,19 @@ where
 import Data.Bifunctor (first)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Canonical (canonicalPitch)
+import PraTactile.Object.Named (Named (..), namedDescription)
 import PraTactile.Object.Placement
-import PraTactile.Object.Solid (box, boxFaces)
 import PraTactile.Object.WingedEdge
 
 -- | Of the object.
 plateName :: ObjectName
 plateName = "sheet"
+
+-- | The width and depth, in millimetres, of the plate of an array of this shape with symbols at
+-- these distances.
+plateSize :: Shape -> Pitch -> (Rational, Rational)
+plateSize shape (Pitch right down) =
+  (right * fromIntegral (columns shape), down * fromIntegral (rows shape))
 
 -- | The array of this shape on the upper face S1 S2 S3 S4 of a box 25.4 mm thick: cell (0, 0) lies
 -- in the corner S1, and the face is as large as all cells are. Refuses an array without cells.
@@ -31,9 +38,8 @@ platePlacement :: Shape -> Either PlacementError Placement
 platePlacement shape
   | rows shape == 0 || columns shape == 0 = Left (EmptyArray shape)
   | otherwise = do
-    plate <- first BrokenObject (solid (box plateName 'S' extents boxFaces))
+    plate <- first BrokenObject (solid (namedDescription (uncurry Sheet size)))
     placement shape canonicalPitch [plate] [laidWhole upper (Position 0 0) shape]
   where
-    extents = Point (side pitchRight columns) (side pitchDown rows) 25.4
-    side pitch count = pitch canonicalPitch * fromIntegral (count shape)
+    size = plateSize shape canonicalPitch
     upper = Face plateName (readFaceName "S1 S2 S3 S4")

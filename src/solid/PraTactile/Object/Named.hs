@@ -37,7 +37,7 @@ data Named
     LShape Rational Rational Rational
   | -- | width, depth and height of a box with a hole from above to below through its middle third
     Frame Rational Rational Rational
-  | -- | a plate, 12.7 mm high, of this width and depth
+  | -- | a plate, 25.4 mm high, of this width and depth; its upper face is S1 S2 S3 S4
     Sheet Rational Rational
   deriving stock (Eq, Show)
 
@@ -62,7 +62,7 @@ namedDescription it = case it of
   Cube -> cubeDescription
   Parallelepiped -> parallelepipedDescription
   Box w d h -> boxOf "box" w d h
-  Sheet w d -> boxOf "sheet" w d 12.7
+  Sheet w d -> box "sheet" 'S' (Point w d 25.4) boxFaces
   Pyramid w d h ->
     numbered
       "pyramid"
