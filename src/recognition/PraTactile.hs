@@ -74,6 +74,7 @@ module PraTactile
     -- * Objects: "PraTactile.Object.Placement"
     Placement,
     canonicalPlacement,
+    platePlacement,
     whereabouts,
     Whereabouts (..),
     Place (..),
@@ -105,6 +106,7 @@ import PraTactile.Image (Raster)
 import PraTactile.Locate
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
+import PraTactile.Object.Plate (platePlacement)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.Summary (summary)

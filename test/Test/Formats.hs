@@ -174,7 +174,7 @@ refusals = do
   it "a key that is missing of an answer, unless answers without it may be" $ do
     recognition <- generate someRecognition
     let text = encodeRecognition recognition
-    forM_ (KeyMap.keys (fields text)) $ \key ->
+    forM_ (filter (/= "minimum_distance_is") (KeyMap.keys (fields text))) $ \key ->
       (key, isLeft (decodeRecognition (written (KeyMap.delete key (fields text)))))
         `shouldBe` (key, True)
     answer <- encodeAnswer <$> generate someAnswer

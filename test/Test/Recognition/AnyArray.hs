@@ -209,13 +209,7 @@ decoderSpec = do
                 recogniserUpTo most (ArrayOn TwistedTorus array) mask layout alphabet net
          in [refused 255, refused 254]
               === [ Nothing,
-                    Just
-                      ( RecogniserArray
-                          ( LocatorImpossible
-                              (SurfaceForeign TwistedTorus Torus)
-                              (TooManyPlaces 255 254)
-                          )
-                      )
+                    Just (RecogniserArray (LocatorPatch (TooManyPlaces 255 254)))
                   ]
   where
     real = fromIntegral :: Int -> Double

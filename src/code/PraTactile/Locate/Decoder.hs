@@ -55,8 +55,7 @@ data LocatorError
     LocatorAlgebra AlgebraError
   | -- | Decoding by information sets leads to none.
     LocatorDecoding DecodingError
-  | -- | The array is too large for a codebook, and why there is neither the algebra nor a table,
-    -- which decodes no probabilities anyway.
+  | -- | The array is too large for a codebook, and why there is neither the algebra nor a table.
     LocatorImpossible AlgebraError LocateError
   | -- | This decoder takes no probabilities.
     ProbabilitiesRefused DecoderName
@@ -251,7 +250,7 @@ beliefDecoder theLocator tolerated = case locatorChoice theLocator of
   Nothing -> case (preparedCodebook ready, preparedAlgebra ready) of
     (Right codebook, _) -> Right (byCodebook codebook)
     (_, Right algebra) -> Right (byList algebra)
-    (Left tooLarge, Left infeasible) -> Left (LocatorImpossible infeasible tooLarge)
+    (Left tooLarge, _) -> Left (LocatorPatch tooLarge)
   Just PosteriorDecoder -> byCodebook <$> first LocatorPatch (preparedCodebook ready)
   Just ListDecoder -> byList <$> first LocatorAlgebra (preparedAlgebra ready)
   Just name -> Left (ProbabilitiesRefused name)
