@@ -15,6 +15,8 @@ module PraTactile.Store
     storedShape,
     storedPitch,
     storedPlacement,
+    storedObjects,
+    storedNear,
 
     -- * Look-ups
     storedWhereabouts,
@@ -56,6 +58,7 @@ import Database.Persist.Sqlite
   )
 import PraTactile.Array (Position, Shape)
 import PraTactile.Object.Placement
+import PraTactile.Object.WingedEdge (ObjectName)
 import PraTactile.Store.Error
 import PraTactile.Store.Guard
 import PraTactile.Store.Query
@@ -280,6 +283,21 @@ storedPlacement store = case storeContents store of
   Tables backend -> fmap placed <$> query store backend (everything (storeFile store) schemaVersion)
   where
     placed (_, _, place, _) = place
+
+-- | The placement of the objects of these names alone; refuses names that there are not.
+storedObjects :: Store -> [ObjectName] -> IO (Either StoreError Placement)
+storedObjects store names = case storeContents store of
+  Loaded place -> pure (place <$ mapM_ (first NotInStore . findObject place) names)
+  Tables backend ->
+    query store backend (selectObjects (storedShape store) (storedPitch store) names)
+
+-- | The placement of those objects alone that have cells of any window of this shape that has one of
+-- these cells of the array.
+storedNear :: Store -> Shape -> [Position] -> IO (Either StoreError Placement)
+storedNear store window cells = case storeContents store of
+  Loaded place -> pure (Right place)
+  Tables backend ->
+    query store backend (selectNear (storedShape store) (storedPitch store) window cells)
 
 -- | Where the window of the given shape at the given position is; as 'whereabouts' answers.
 storedWhereabouts :: Store -> Shape -> Position -> IO (Either StoreError Whereabouts)

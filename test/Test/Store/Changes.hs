@@ -49,6 +49,14 @@ spec = describe "change" $ do
       change path (const (removing ["sphere"]))
         `shouldReturn` Right (Left (NotChanged (UnknownObject "sphere")))
       Bytes.readFile path `shouldReturn` before
+  it "some objects are read as they are among all, and are refused where one is not there" $
+    stored $ \path place -> asked path $ \store -> do
+      for_ (placementSolids place) $ \body -> do
+        let name = solidName body
+            others = [solidName other | other <- placementSolids place, solidName other /= name]
+        storedObjects store [name] `shouldReturn` first (error . show) (removing others place)
+      storedObjects store ["cube", "sphere"]
+        `shouldReturn` Left (NotInStore (UnknownObject "sphere"))
   it "writers of one store wait for each other" $
     stored $ \path _ -> do
       _ <- change path (const (removing ["parallelepiped"]))

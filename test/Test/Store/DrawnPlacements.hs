@@ -30,15 +30,30 @@ spec =
         create path "a profile" place `shouldReturn` Right ()
         windows <- generate (vectorOf 40 (genWindow (placementShape place)))
         cells <- generate (vectorOf 10 (genCell (placementShape place)))
+        window' <- generate (Shape <$> upTo 1 3 <*> upTo 1 3)
         asked <- withStore path Nothing $ \store -> do
           for_ windows $ \(window, at) -> do
             found <- storedWhereabouts store window at
             (place, window, at, found)
               `shouldBe` (place, window, at, Right (whereabouts place window at))
+          -- What is read of the objects near some cells tells of those cells what the whole tells.
+          near <- storedNear store window' cells
+          for_ [one | Right one <- [near]] $ \some ->
+            for_ (concatMap (havingCell (placementShape place) window') cells) $ \at ->
+              whereabouts some window' at `shouldBe` whereabouts place window' at
+          either (expectationFailure . show) (const (pure ())) near
           for_ (map laidFace (laidFaces place)) $ \face -> for_ cells $ \cell ->
             storedPosition store face cell
               `shouldReturn` first NotInStore (arrayPosition place face cell)
         asked `shouldBe` Right ()
+
+-- | The positions of all windows of this shape that have this cell of the array.
+havingCell :: Shape -> Shape -> Position -> [Position]
+havingCell (Shape high wide) (Shape tall broad) (Position r c) =
+  [ Position ((r + tall * high - i) `mod` high) ((c + broad * wide - j) `mod` wide)
+    | i <- takeWhile (< tall) [0 ..],
+      j <- takeWhile (< broad) [0 ..]
+  ]
 
 -- | Faces of a solid on an array of at most 6 x 6 cells, about half of them as wide or as high.
 genPlacement :: Solid -> Gen Placement

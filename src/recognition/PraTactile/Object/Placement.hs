@@ -14,6 +14,7 @@ module PraTactile.Object.Placement
     inCommon,
     more,
     whereaboutsIn,
+    facesUnder,
 
     -- * From the objects to the array
     arrayPosition,
@@ -113,13 +114,7 @@ whereaboutsIn :: Monad m => Mapping m -> Shape -> Position -> m Whereabouts
 whereaboutsIn mapping window at
   | rows window == 0 || columns window == 0 = pure OnNoObject
   | otherwise = do
-    touched <-
-      Map.unionsWith more
-        <$> sequence
-          [ mappingCells mapping down across
-            | down <- partsFrom high (row at) (rows window),
-              across <- partsFrom wide (column at) (columns window)
-          ]
+    touched <- facesUnder mapping window at
     case Map.toAscList touched of
       [] -> pure OnNoObject
       [(_, (cells, seat))]
@@ -130,6 +125,19 @@ whereaboutsIn mapping window at
   where
     Shape high wide = mappingShape mapping
     (r, c) = (row at `mod` high, column at `mod` wide)
+
+-- | The faces that have cells of a window, each by its place in the order of layings: how many, and
+-- its seat.
+facesUnder :: Monad m => Mapping m -> Shape -> Position -> m (Map.Map Int (Natural, m Seat))
+facesUnder mapping window at =
+  Map.unionsWith more
+    <$> sequence
+      [ mappingCells mapping down across
+        | down <- partsFrom high (row at) (rows window),
+          across <- partsFrom wide (column at) (columns window)
+      ]
+  where
+    Shape high wide = mappingShape mapping
 
 -- | So many numbers from one on, round a circle of this size, each once, as parts of the circle cut
 -- at 0: from the first number to before the second.

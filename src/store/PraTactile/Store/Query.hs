@@ -13,6 +13,10 @@ module PraTactile.Store.Query
     -- * From the objects to the array
     selectPosition,
 
+    -- * Some of the objects
+    selectObjects,
+    selectNear,
+
     -- * The array
     selectSheet,
   )
@@ -27,6 +31,7 @@ import Data.Int (Int64)
 import Data.List (sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (listToMaybe)
+import qualified Data.Set as Set
 import qualified Data.Text as Text
 import Data.Traversable (for)
 import Database.Persist.Sql
@@ -35,6 +40,7 @@ import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Store.Error
+import PraTactile.Store.Rows
 import PraTactile.Store.Rows.Read
 import PraTactile.Store.Schema
 
@@ -122,18 +128,18 @@ selectSeat between number = do
         [StoredFaceObject ==. object, StoredFaceNumber ==. storedLayingFace laying]
         []
   owner <- one ObjectTable =<< selected ObjectTable [StoredObjectNumber ==. object] []
-  corners <-
+  around <-
     selected
       CornerTable
       [StoredCornerObject ==. object, StoredCornerFace ==. storedLayingFace laying]
       []
-  complete CornerTable (storedFaceCorners face) corners
-  let numbers = map storedCornerVertex (sortOn storedCornerNumber corners)
-  vertices <-
+  complete CornerTable (storedFaceCorners face) around
+  let numbers = map storedCornerVertex (sortOn storedCornerNumber around)
+  places <-
     selected VertexTable [StoredVertexObject ==. object, StoredVertexNumber <-. numbers] []
-  let byNumber = Map.fromList [(storedVertexNumber vertex, vertex) | vertex <- vertices]
-  around <- for numbers $ \n -> one VertexTable (foldMap pure (Map.lookup n byNumber))
-  let walk = begunIn laying around
+  let byNumber = Map.fromList [(storedVertexNumber vertex, vertex) | vertex <- places]
+  walked <- for numbers $ \n -> one VertexTable (foldMap pure (Map.lookup n byNumber))
+  let walk = begunIn laying walked
   at <- except (atIn laying)
   grid <- except (gridIn laying)
   let named = Face (objectIn owner) (FaceName (map vertexIn walk))
@@ -149,17 +155,13 @@ selectPosition :: MonadIO m => Shape -> Face -> Position -> Query m Position
 selectPosition shape (Face named walk) local = do
   owner <- selectObject named
   let object = storedObjectNumber owner
-  faces <- selected FaceTable [StoredFaceObject ==. object] []
-  complete FaceTable (storedObjectFaces owner) faces
-  vertices <- selected VertexTable [StoredVertexObject ==. object] []
-  complete VertexTable (storedObjectVertices owner) vertices
-  corners <- selected CornerTable [StoredCornerObject ==. object] []
-  let names = Map.fromList [(storedVertexNumber it, vertexIn it) | it <- vertices]
-      byFace = Map.fromListWith (++) [(storedCornerFace it, [it]) | it <- corners]
-  known <- for (sortOn storedFaceNumber faces) $ \face -> do
-    let own = Map.findWithDefault [] (storedFaceNumber face) byFace
-    complete CornerTable (storedFaceCorners face) own
-    walked <- for (sortOn storedCornerNumber own) $ \corner ->
+  own <- selectDescription owner
+  let names = Map.fromList [(storedVertexNumber it, vertexIn it) | it <- vertices own]
+      byFace = Map.fromListWith (++) [(storedCornerFace it, [it]) | it <- corners own]
+  known <- for (sortOn storedFaceNumber (faces own)) $ \face -> do
+    let around = Map.findWithDefault [] (storedFaceNumber face) byFace
+    complete CornerTable (storedFaceCorners face) around
+    walked <- for (sortOn storedCornerNumber around) $ \corner ->
       one CornerTable (foldMap pure (Map.lookup (storedCornerVertex corner) names))
     pure (face, FaceName walked)
   case ( [it | it@(_, name) <- known, sameFace walk name],
@@ -191,6 +193,48 @@ selectCell (Shape high wide) laying face local = do
       run <- one RunTable =<< runsOver (storedBandFromRow band) (c, c + 1)
       if storedRunLaying run == Just (storedLayingNumber laying) then pure there else off
 
+-- | The placement of the objects of these names alone; the array's shape and pitch come first.
+selectObjects :: MonadIO m => Shape -> Pitch -> [ObjectName] -> Query m Placement
+selectObjects shape between names = do
+  owners <- traverse selectObject names
+  found <- traverse allOf owners
+  snd <$> except (placementIn shape between (mconcat found) {runBands = distinct (concatMap runBands found)})
+  where
+    distinct rows' = Map.elems (Map.fromList [(storedBandFromRow row', row') | row' <- rows'])
+    allOf owner = do
+      described <- selectDescription owner
+      layings' <- selected LayingTable [StoredLayingObject ==. storedObjectNumber owner] []
+      complete LayingTable (sum (map storedFaceLaid (faces described))) layings'
+      parted <- for layings' $ \laying -> do
+        Position top left <- except (atIn laying)
+        Shape high wide <- except (gridIn laying)
+        found <- bandsOver (top, min (rows shape) (top + high))
+        own <- for found $ \band -> do
+          covered <- runsOver (storedBandFromRow band) (left, min (columns shape) (left + wide))
+          pure (filter ((== Just (storedLayingNumber laying)) . storedRunLaying) covered)
+        pure (found, concat own)
+      pure
+        described
+          { objects = [owner],
+            layings = layings',
+            runBands = concatMap fst parted,
+            runs = concatMap snd parted
+          }
+
+-- | The placement of those objects alone that have cells of any window of this shape that has one of
+-- these cells of the array; the array's shape and pitch come first.
+selectNear :: MonadIO m => Shape -> Pitch -> Shape -> [Position] -> Query m Placement
+selectNear shape@(Shape high wide) between (Shape tall broad) cells = do
+  under <- for cells $ \(Position r c) ->
+    facesUnder (Mapping shape between (selectCells between)) reach (Position (back high tall r) (back wide broad c))
+  seats <- traverse snd (Map.elems (Map.unions under))
+  selectObjects shape between (Set.toList (Set.fromList (map (faceObject . seatFace) seats)))
+  where
+    reach = Shape (upTo tall) (upTo broad)
+    upTo size = if size == 0 then 0 else 2 * size - 1
+    -- So many cells before, round the torus.
+    back size by at = if by == 0 then at else (at + size - (by - 1) `mod` size) `mod` size
+
 -- | The object of a name. Names are parted: that there is none of a name says the one before it.
 selectObject :: MonadIO m => ObjectName -> Query m StoredObject
 selectObject named = do
@@ -204,6 +248,19 @@ selectObject named = do
     _ -> throwE (UnreadableRow ObjectTable)
   where
     text = Text.pack (objectText named)
+
+-- | All vertices, faces and corners of an object.
+selectDescription :: MonadIO m => StoredObject -> Query m Rows
+selectDescription owner = do
+  vertices' <- selected VertexTable [StoredVertexObject ==. object] []
+  complete VertexTable (storedObjectVertices owner) vertices'
+  faces' <- selected FaceTable [StoredFaceObject ==. object] []
+  complete FaceTable (storedObjectFaces owner) faces'
+  corners' <- selected CornerTable [StoredCornerObject ==. object] []
+  complete CornerTable (sum (map storedFaceCorners faces')) corners'
+  pure mempty {vertices = vertices', faces = faces', corners = corners'}
+  where
+    object = storedObjectNumber owner
 
 -- | The array's row.
 selectSheet :: MonadIO m => Query m Metadata

@@ -5,6 +5,7 @@
 module PraTactile.Store.Rows.Read
   ( -- * All rows
     fromRows,
+    placementIn,
 
     -- * Single rows
     intact,
@@ -48,6 +49,18 @@ fromRows given = do
     [only] -> Right only
     _ -> Left (UnreadableRow MetadataTable)
   shape <- shapeIn sheet
+  (numbers, place) <- placementIn shape (pitchIn sheet) given
+  let profile = Text.unpack (metadataProfile sheet)
+  implied <- toRows profile numbers place
+  maybe (pure (profile, numbers, place)) (Left . RowsDisagree) (disagreement given implied)
+  where
+    sealsHold :: Part -> Either StoreError ()
+    sealsHold (Part table part) = mapM_ (intact table) (part given)
+
+-- | The placement of the objects of which there are rows, with all of theirs, on an array of this
+-- shape with symbols so far apart, and their numbers.
+placementIn :: Shape -> Pitch -> Rows -> Either StoreError (Numbers, Placement)
+placementIn shape between given = do
   described <- descriptionsIn given stored
   solids <- for described $ \it -> first (NotSolid (describedName it)) (solid it)
   let owners = Map.fromList (zip (map storedObjectNumber stored) described)
@@ -60,20 +73,15 @@ fromRows given = do
     block <- find LayingTable blocks i >>= maybe (Left (RowsDisagree RunTable)) Right
     let face = Face (describedName owner) (FaceName (begunIn it (faceVertices walk)))
     pure (Laying face at (anchorIn it) block)
-  place <- first NotPlaced (placement shape (pitchIn sheet) solids wishes)
-  let profile = Text.unpack (metadataProfile sheet)
-      numbers =
+  place <- first NotPlaced (placement shape between solids wishes)
+  let numbers =
         Numbers
           { objectNumbers =
               Map.fromList (zip (map describedName described) (map storedObjectNumber stored)),
-            layingNumbers =
-              Map.fromList (zip (map layFace wishes) (map storedLayingNumber laid))
+            layingNumbers = Map.fromList (zip (map layFace wishes) (map storedLayingNumber laid))
           }
-  implied <- toRows profile numbers place
-  maybe (pure (profile, numbers, place)) (Left . RowsDisagree) (disagreement given implied)
+  pure (numbers, place)
   where
-    sealsHold :: Part -> Either StoreError ()
-    sealsHold (Part table part) = mapM_ (intact table) (part given)
     stored = sortOn storedObjectNumber (objects given)
     laid = sortOn storedLayingNumber (layings given)
 
