@@ -8,6 +8,8 @@ module PlacementChoice
     holding,
     ofDatabase,
     chosenPlacement,
+    chosenWith,
+    chosenNear,
     withDatabase,
     profileIn,
     shownPlacement,
@@ -22,6 +24,7 @@ import ExitStatus
 import FormatFile (readPlacement)
 import Message
 import Options
+import PraTactile.Array (Position)
 import PraTactile.Format (decodeProfile)
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
@@ -106,6 +109,30 @@ chosenPlacement array choice = case choice of
     (,) profile <$> (storedPlacement store >>= orUnusable storeMessage)
   where
     plated = orUnusable placementMessage . platePlacement . profileShape
+
+-- | The same with one object alone, as far as that saves reading: of a database no other is read.
+chosenWith :: ArrayChoice -> PlacementChoice -> ObjectName -> IO (Profile, Placement)
+chosenWith array choice named = case choice of
+  InDatabase file -> withDatabase array file $ \profile store ->
+    (,) profile <$> (storedObjects store [named] >>= orUnusable storeMessage)
+  _ -> chosenPlacement array choice
+
+-- | The same for who looks positions up: of a database without an object, and with what reads the
+-- objects on and next to cells of the array that are found.
+chosenNear ::
+  ArrayChoice -> PlacementChoice -> IO (Profile, Placement, [Position] -> IO (Maybe Placement))
+chosenNear array choice = case choice of
+  InDatabase file -> do
+    (profile, bare) <- withDatabase array file $ \profile store ->
+      (,) profile
+        <$> orUnusable placementMessage (placement (storedShape store) (storedPitch store) [] [])
+    pure (profile, bare, fmap Just . near file)
+  _ -> do
+    (profile, layout) <- chosenPlacement array choice
+    pure (profile, layout, const (pure Nothing))
+  where
+    near file cells = withDatabase array file $ \profile store ->
+      storedNear store (profileWindow profile) cells >>= orUnusable storeMessage
 
 -- | An open database and the profile of its array. Leaves with status 2 where it is none, or where
 -- the array options describe another array.

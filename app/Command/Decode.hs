@@ -10,7 +10,8 @@ import ArrayChoice
 import Control.Monad (unless, when)
 import Data.Foldable (for_)
 import Data.List.NonEmpty (nonEmpty)
-import Data.Maybe (fromMaybe, listToMaybe, mapMaybe)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe, isJust, listToMaybe, mapMaybe)
 import Data.Traversable (for)
 import ExitStatus
 import Frames
@@ -20,12 +21,11 @@ import Options
 import Output (writeWhole)
 import Picture (pageSvg, recognitionPage)
 import PlacementChoice
-import PraTactile.Array (ArrayOn (..), PseudorandomArray, Surface)
+import PraTactile.Array (ArrayOn (..), Position, PseudorandomArray, Surface)
 import PraTactile.Decode (Stitching)
 import PraTactile.Field (KnownField)
 import PraTactile.Files (SourcePath (..), sourcePath, sourcePaths)
 import PraTactile.Format (RecognitionContext (..), encodeRecognition, recognitionReport)
-import PraTactile.Format.Profile (profileText)
 import PraTactile.Object.Placement (Placement, placementPitch)
 import PraTactile.Profile
 import PraTactile.Recognise
@@ -181,10 +181,10 @@ run choice options
     misused "--picture - and --json both take the standard output; name a file for the picture"
   | otherwise = do
     for_ (picture options) orNotSvg
-    (profile, layout) <- chosenPlacement choice (objects options)
+    (profile, layout, near) <- chosenNear choice (objects options)
     (scale, _) <- feltPlacement layout
     let larger = fromRational scale
-    decoder <- decoderOn profile layout options
+    decoder <- decoderOn profile layout near options
     found <- sourcePaths (paths options) >>= orUnusable filesMessage
     let several = not (null (drop 1 found))
     when
@@ -206,13 +206,18 @@ run choice options
             decoder [path] [composite]
 
 -- | How composites of one face, given their names, are decoded and the answer is printed.
-decoderOn :: Profile -> Placement -> Options -> IO ([FilePath] -> [Composite] -> IO ExitStatus)
-decoderOn profile layout options = do
+decoderOn ::
+  Profile ->
+  Placement ->
+  ([Position] -> IO (Maybe Placement)) ->
+  Options ->
+  IO ([FilePath] -> [Composite] -> IO ExitStatus)
+decoderOn profile layout near options = do
   alphabet <- alphabetFor profile
   net <- chosenNetwork (network options)
   let on = fromMaybe (profileSurface profile) (surface options)
       made array mask =
-        decodeWith alphabet profile array options
+        decodeWith alphabet profile array near options
           <$> recogniser (ArrayOn on array) mask layout alphabet net
   orUnusable recogniserMessage =<< orUnusable profileMessage (withProfile profile made)
 
@@ -240,16 +245,23 @@ decodeWith ::
   Alphabet ->
   Profile ->
   PseudorandomArray k ->
+  ([Position] -> IO (Maybe Placement)) ->
   Options ->
   Recogniser k ->
   [FilePath] ->
   [Composite] ->
   IO ExitStatus
-decodeWith alphabet profile array options reader from composites = do
-  recognition <-
-    orUnusable networkMessage (recogniseWith (tolerance options) reader composites)
+decodeWith alphabet profile array near options bare from composites = do
+  located <- recognised bare
+  -- Where it is on the array is known without the objects; of a database those that lie there are
+  -- read then.
+  objects' <- case recognisedAnswer located of
+    Right (Found found) -> near (map symbolCell (Map.elems (foundPlaces found)))
+    _ -> pure Nothing
+  let reader = maybe bare (\there -> bare {recogniserPlacement = there}) objects'
+  recognition <- if isJust objects' then recognised reader else pure located
   for_ ((,) <$> picture options <*> listToMaybe composites) $ \(file, composite) ->
-    writeWhole file (pageSvg (page composite recognition))
+    writeWhole file (pageSvg (page reader composite recognition))
   unless (picture options == Just standardOutput) $
     printAs
       (form options)
@@ -257,8 +269,10 @@ decodeWith alphabet profile array options reader from composites = do
       (encodeRecognition (recognitionReport (context recognition) recognition))
   pure (recognitionStatus recognition)
   where
-    nameOf = elementNames reader
-    page = recognitionPage alphabet nameOf (recogniserPlacement reader) (classOn array)
+    nameOf = elementNames bare
+    recognised reader =
+      orUnusable networkMessage (recogniseWith (tolerance options) reader composites)
+    page reader = recognitionPage alphabet nameOf (recogniserPlacement reader) (classOn array)
     context recognition =
       RecognitionContext
         { contextProfile = profile,
@@ -269,5 +283,5 @@ decodeWith alphabet profile array options reader from composites = do
           contextPositionError =
             fmap maximum (nonEmpty (mapMaybe compositePositionError composites))
         }
-    larger = maybe 1 fromRational (symbolScale (placementPitch (recogniserPlacement reader)))
+    larger = maybe 1 fromRational (symbolScale (placementPitch (recogniserPlacement bare)))
     both f (x, y) = (f x, f y)

@@ -193,7 +193,7 @@ calibrating options simulated count frames
 pressing :: ArrayChoice -> Options -> Pressing -> ObjectName -> IO ExitStatus
 pressing choice options how object = do
   for_ (truthFile options) orUnwritable
-  (profile, laid) <- chosenPlacement choice (holding object (objects options))
+  (profile, laid) <- chosenWith choice (holding object (objects options)) object
   (scale, layout) <- feltPlacement laid
   alphabet <- alphabetFor profile
   let larger = fromRational scale
