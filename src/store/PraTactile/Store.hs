@@ -291,8 +291,8 @@ storedObjects store names = case storeContents store of
   Tables backend ->
     query store backend (selectObjects (storedShape store) (storedPitch store) names)
 
--- | The placement of those objects alone that have cells of any window of this shape that has one of
--- these cells of the array.
+-- | The placement of those objects alone that have cells of any window of this shape that has one
+-- of these cells of the array.
 storedNear :: Store -> Shape -> [Position] -> IO (Either StoreError Placement)
 storedNear store window cells = case storeContents store of
   Loaded place -> pure (Right place)

@@ -76,7 +76,7 @@ spec = describe "change" $ do
       let logged _ _ _ text = modifyIORef said (fromLogStr text :)
       flip runLoggingT logged . withSqliteConn (Text.pack path) $ \backend ->
         liftIO . flip runSqlConn backend $ do
-          _ <- runExceptT (selectSheet)
+          _ <- runExceptT selectSheet
           forM_ [Position 6 5, Position 14 16, Position 3 3] $ \at ->
             runExceptT (selectWhereabouts (Shape 15 17) canonicalPitch canonicalWindow at)
           forM_ (map laidFace (laidFaces place)) $ \face ->

@@ -198,7 +198,8 @@ selectObjects :: MonadIO m => Shape -> Pitch -> [ObjectName] -> Query m Placemen
 selectObjects shape between names = do
   owners <- traverse selectObject names
   found <- traverse allOf owners
-  snd <$> except (placementIn shape between (mconcat found) {runBands = distinct (concatMap runBands found)})
+  let together = mconcat found
+  snd <$> except (placementIn shape between together {runBands = distinct (runBands together)})
   where
     distinct rows' = Map.elems (Map.fromList [(storedBandFromRow row', row') | row' <- rows'])
     allOf owner = do
@@ -221,15 +222,16 @@ selectObjects shape between names = do
             runs = concatMap snd parted
           }
 
--- | The placement of those objects alone that have cells of any window of this shape that has one of
--- these cells of the array; the array's shape and pitch come first.
+-- | The placement of those objects alone that have cells of any window of this shape that has one
+-- of these cells of the array; the array's shape and pitch come first.
 selectNear :: MonadIO m => Shape -> Pitch -> Shape -> [Position] -> Query m Placement
 selectNear shape@(Shape high wide) between (Shape tall broad) cells = do
   under <- for cells $ \(Position r c) ->
-    facesUnder (Mapping shape between (selectCells between)) reach (Position (back high tall r) (back wide broad c))
+    facesUnder mapping reach (Position (back high tall r) (back wide broad c))
   seats <- traverse snd (Map.elems (Map.unions under))
   selectObjects shape between (Set.toList (Set.fromList (map (faceObject . seatFace) seats)))
   where
+    mapping = Mapping shape between (selectCells between)
     reach = Shape (upTo tall) (upTo broad)
     upTo size = if size == 0 then 0 else 2 * size - 1
     -- So many cells before, round the torus.
