@@ -18,6 +18,7 @@ import qualified Data.Map.Strict as Map
 import Data.Ratio ((%))
 import Data.Text (Text)
 import qualified Data.Text as Text
+import Data.Traversable (for)
 import Database.Persist.Sql (RawSql, Single (..), rawSql)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Certificate.Digest (sha256OfText)
@@ -108,9 +109,9 @@ selectVersion2 = do
         ]
       shape = Shape (natural high) (natural wide)
       between = Pitch (millimetres right) (millimetres down)
-  solids <-
-    except $
-      traverse (\it -> first (NotSolid (describedName it)) (solid it)) (map described named)
+  solids <- for named $ \one -> do
+    let it = described one
+    except (first (NotSolid (describedName it)) (solid it))
   place <- except (first NotPlaced (placement shape between solids wishes))
   pure (Text.unpack profile, place)
   where
