@@ -92,9 +92,10 @@ spec = do
         (press ++ ["--at", "0,60"])
         "63.5 x 82.55 mm from 0,60 mm, does not lie on the face P6 P5 P8 P7, which is 177.8 x \
         \101.6 mm"
-      complains (press ++ ["--size", "60x70"]) "95.25 x 111.12 mm"
+      -- One that is longer than the face holds it.
+      complains (press ++ words "--size 60x70 --at 0,5") "95.25 x 111.12 mm"
       -- Turned by a quarter, it lies across.
-      complains (press ++ words "--size 80x20 --turn 90") "31.75 x 127 mm"
+      complains (press ++ words "--size 80x20 --turn 90 --at 0,5") "31.75 x 127 mm"
   it "probe --truth, decode, compare: an answer agrees with its own truth only" $
     inFolder $ \folder -> do
       for_ [0, 90, 180, 270 :: Int] $ \degrees -> do
