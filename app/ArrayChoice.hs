@@ -8,10 +8,12 @@ module ArrayChoice
     chosenProfile,
     chosenSequence,
     chosenProfileFor,
+    orderAlone,
     choiceBesideFile,
   )
 where
 
+import Data.Maybe (fromMaybe)
 import ExitStatus
 import FormatFile (readProfile)
 import Message (profileMessage)
@@ -113,6 +115,12 @@ chosenProfileFor extent choice = case choice of
     misused "--mask already says what a window is; leave out --window"
   ArrayChoice {choiceShape = Just _} -> chosenProfile choice {choiceWindow = Just extent}
   _ -> (\profile -> profile {profileWindow = extent}) <$> chosenProfile choice
+
+-- | q, where nothing else is to be said of the array; 4 where it is not said.
+orderAlone :: ArrayChoice -> IO Natural
+orderAlone choice
+  | choice {choiceOrder = Nothing} == unsaid = pure (fromMaybe 4 (choiceOrder choice))
+  | otherwise = misused "--smallest looks for the array; beside it only --q says something of it"
 
 -- | Beside a file that holds the array itself: q and the window, if they are given, and nothing
 -- else.

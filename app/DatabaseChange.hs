@@ -25,7 +25,6 @@ import NamedSolid
 import Options
 import Output
 import PraTactile.Array (area)
-import PraTactile.Format.Json (encodeSchema, naturalValue)
 import PraTactile.Format.Place (Outcome (..), outcomeName, reasonName)
 import PraTactile.Format.Placement (encodePlacement)
 import PraTactile.Object.Placement
@@ -89,7 +88,7 @@ changed file what named form (profile, between) = do
       Answered <$ sayWrittenAs form to "" "objects-written/1" mempty
     Check -> whole >>= told [] []
   where
-    solids = for named (namedSolid profile between Nothing)
+    solids = for named (namedSolid (profileShape profile) between Nothing)
     firstSeed = 1
     whole =
       withStore file Nothing (\store -> storedPlacement store >>= orUnusable storeMessage)

@@ -10,20 +10,20 @@ import Counted
 import ExitStatus
 import Message
 import Polyhedra
+import PraTactile.Array (Shape)
 import PraTactile.Format.Solid (Contents (..), SolidFormat)
 import PraTactile.Object.Mesh (named)
 import PraTactile.Object.Packing (Reason (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.Placement.Search
 import PraTactile.Object.WingedEdge
-import PraTactile.Profile
 import Visible
 
--- | The solid that @[NAME=]SOLID|FILE@ is, on an array of this profile with symbols so far apart.
--- Leaves with status 2 where there is none.
-namedSolid :: Profile -> Pitch -> Maybe SolidFormat -> String -> IO Solid
-namedSolid profile between said subject = do
-  Contents it _ <- polyhedron (profileShape profile) between said from
+-- | The solid that @[NAME=]SOLID|FILE@ is; the sheet has room for an array of this shape with
+-- symbols so far apart. Leaves with status 2 where there is none.
+namedSolid :: Shape -> Pitch -> Maybe SolidFormat -> String -> IO Solid
+namedSolid shape between said subject = do
+  Contents it _ <- polyhedron shape between said from
   orUnusable
     (\why -> visibleName subject ++ ": " ++ objectMessage why)
     (solidOf (maybe id (named . ObjectName) name it))

@@ -12,7 +12,7 @@ import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isSpace)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, isNothing)
 import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8')
 import Data.Traversable (for)
@@ -21,11 +21,14 @@ import Files (readBytes)
 import FormatFile (readPlacement)
 import Json (shapeText)
 import Message
+import Message.Advice (adviceErrorMessage)
 import NamedSolid
+import Numeric.Natural (Natural)
 import Options
 import Output
 import Polyhedra
-import PraTactile.Array (Position (..), PseudorandomArray, area)
+import PraTactile.Advise
+import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), area)
 import PraTactile.Field (KnownField)
 import PraTactile.Format.Place
 import PraTactile.Format.Placement (encodePlacement)
@@ -45,6 +48,7 @@ data Options = Options
   { subjects :: [String],
     listed :: Maybe FilePath,
     onto :: Maybe FilePath,
+    smallest :: Bool,
     faces :: [(ObjectName, FaceName)],
     symbols :: Maybe Rational,
     begun :: Begun,
@@ -62,6 +66,7 @@ command =
     \be done, with the reason. What lies already stays where it is. Status 1 unless all are laid."
     [ "pra-tactile place cube parallelepiped --output placement.json",
       "pra-tactile place box:60x60x60 --symbols 1/2 --json",
+      "pra-tactile place cube --smallest",
       "pra-tactile place lid=box:120x80x20 --face 'lid:V1 V2 V3 V4' --upright"
     ]
     ( run
@@ -84,6 +89,13 @@ command =
                   "onto"
                   "PLACEMENT"
                   "A file that 'place' wrote: what lies there stays, and the objects are added"
+                <*> switch
+                  ( long "smallest"
+                      <> help
+                        "On the smallest array over GF(q) on which a placement is found, by that \
+                        \of its windows that lies whole on the most faces; q is 4 unless --q says \
+                        \another"
+                  )
                 <*> many
                   ( valued
                       faceReader
@@ -118,24 +130,27 @@ faceReader = eitherReader $ \text -> case break (== ':') text of
 run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options = do
   mapM_ orUnwritable (output options)
-  (profile, between, before) <- ground choice options
+  (chosen, between, before) <- ground choice options
   names <- (subjects options ++) <$> maybe (pure []) objectLines (listed options)
   when (null names && null (faces options)) (misused "name an object; 'solid' lists what there is")
-  new <- for names (namedSolid profile between (format options))
+  new <- for names (namedSolid (maybe (Shape 1 1) profileShape chosen) between (format options))
   let known = maybe [] placementSolids before ++ new
       lying = maybe [] laidFaces before
-      shape = profileShape profile
+      laidOn profile layings = placement (profileShape profile) between known layings
   -- Names that are there twice, and faces that there are not, are refused before the search.
-  _ <- orUnusable placementMessage (placement shape between known (map layingOf lying))
+  _ <- orUnusable placementMessage (laidOn (fromMaybe canonicalProfile chosen) (map layingOf lying))
   wishes <- wanted between options known new
-  let found = layingsOf (seed options) shape between lying known wishes
-      needed = sum (map laidCells lying) + cellsNeeded between known wishes
+  let needed = fromInteger (sum (map laidCells lying) + cellsNeeded between known wishes)
+  arrays <- maybe (smallestArrays choice needed) (\it -> pure [[it]]) chosen
+  let search of' =
+        layingsOf (seed options) (profileShape of') between lying known wishes
+      (profile, found) = firstLaid (map laidBlock lying) search arrays
       report outcome reason layings windows =
         PlaceReport
           { placeOutcome = outcome,
             placeReason = reason,
-            placeCells = area shape,
-            placeNeeded = fromInteger needed,
+            placeCells = area (profileShape profile),
+            placeNeeded = needed,
             placeProfile = profile,
             placeLayings = layings,
             placeWindows = windows,
@@ -152,7 +167,7 @@ run choice options = do
           (noneFound ++ "; try another --seed")
     LaidSo layings -> do
       let all' = map layingOf lying ++ layings
-      place <- orUnusable placementMessage (placement shape between known all')
+      place <- orUnusable placementMessage (laidOn profile all')
       proofs <-
         orUnusable
           profileMessage
@@ -164,8 +179,10 @@ run choice options = do
         ( counted (length (laidFaces place)) "face" "faces" ++ " on "
             ++ show (sum (map laidCells (laidFaces place)))
             ++ " of "
-            ++ show (area shape)
+            ++ show (area (profileShape profile))
             ++ " cells"
+            ++ concat
+              [" of an array of " ++ shapeText (profileShape profile) | isNothing chosen]
         )
       pure Answered
   where
@@ -173,13 +190,55 @@ run choice options = do
     written profile place file =
       writeWhole file (Lazy.fromStrict (encodePlacement profile place <> Bytes.pack "\n"))
 
--- | The array and the distances of symbols, and what lies there already.
-ground :: ArrayChoice -> Options -> IO (Profile, Pitch, Maybe Placement)
+-- | The first array on which all is laid, by that of its windows that lies wholly on the most
+-- faces, the first of several; or the last array, where all is laid on none. Each is given by its
+-- profiles, one a window.
+firstLaid :: [Block] -> (Profile -> Found) -> [[Profile]] -> (Profile, Found)
+firstLaid lying search arrays = case arrays of
+  (profile : others) : more -> case search profile of
+    LaidSo layings ->
+      (foldl (better (lying ++ map layBlock layings)) profile others, LaidSo layings)
+    found
+      | null (concat more) -> (profile, found)
+      | otherwise -> firstLaid lying search more
+  [] : more@(_ : _) -> firstLaid lying search more
+  _ -> (canonicalProfile, NoneFound)
+  where
+    better blocks one other = if on blocks other > on blocks one then other else one
+    on blocks profile = length (filter (holdsWindow (profileWindow profile)) blocks)
+
+-- | The single arrays of at least so many cells, and at most 'mostCounted', in the adviser's order.
+smallestArrays :: ArrayChoice -> Natural -> IO [[Profile]]
+smallestArrays choice cells = do
+  q <- orderAlone choice
+  options <- orUnusable adviceErrorMessage (singleArrays q (max 1 cells))
+  pure
+    [ [ maybe id foldedBy (foldingOf option) profile
+        | fit <- optionFits option,
+          Right profile <-
+            [ chooseProfile
+                (profileChoice q (fitPolynomial fit) (optionShape option))
+                  { chosenWindow = Just (fitWindow fit)
+                  }
+            ]
+      ]
+      | option <- takeWhile ((<= fromIntegral mostCounted) . area . optionShape) options
+    ]
+  where
+    foldingOf option = case optionLayout option of
+      Single folding -> Just folding
+      Joint _ -> Nothing
+
+-- | The array, unless the smallest one is asked for; the distances of symbols; what lies there
+-- already.
+ground :: ArrayChoice -> Options -> IO (Maybe Profile, Pitch, Maybe Placement)
 ground choice options = case onto options of
+  Just _ | smallest options -> misused "--smallest looks for an array, and --onto names one"
+  Nothing | smallest options -> pure (Nothing, sized (fromMaybe 1 (symbols options)), Nothing)
   Nothing -> do
     profile <- chosenProfile choice
     orUnusable profileMessage (withProfile profile (\_ _ -> ()))
-    pure (profile, sized (fromMaybe 1 (symbols options)), Nothing)
+    pure (Just profile, sized (fromMaybe 1 (symbols options)), Nothing)
   Just file -> do
     (profile, before) <- readPlacement file
     unless (nothingChosen choice) $ do
@@ -188,7 +247,7 @@ ground choice options = case onto options of
         "the array options describe another array than that of " ++ visibleName file
     unless (all ((== placementPitch before) . sized) (symbols options)) . unusable $
       "--symbols says another size than that of the symbols of " ++ visibleName file
-    pure (profile, placementPitch before, Just before)
+    pure (Just profile, placementPitch before, Just before)
   where
     sized k = let Pitch right down = canonicalPitch in Pitch (k * right) (k * down)
 

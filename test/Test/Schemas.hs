@@ -170,7 +170,7 @@ touching =
     ),
     ("placement", "pra place octahedron:80 box:100x80x60 --symbols 3/4 --output -"),
     ("place", "pra place cube --json; pra place octahedron:150 --json"),
-    ("place", "pra place a=cube b=cube --json"),
+    ("place", "pra place a=cube b=cube --json; pra place cube --smallest --json"),
     ("truth", "pra probe --object cube --seed 7 --output frames --truth t.json > log; cat t.json"),
     ("compare", "pra decode --json frames > a.json; pra compare a.json t.json --json"),
     ("compare", "pra decode --json " ++ worked ++ " > b.json; pra compare b.json t.json --json"),

@@ -5,6 +5,7 @@ module PraTactile.Advise
   ( -- * Asking
     Request (..),
     advise,
+    singleArrays,
     AdviceError (..),
 
     -- * What is possible
@@ -141,7 +142,7 @@ advise request
     withField p modulus (\k -> gather (map (adviseDegree k request) (take 16 [least ..])))
   where
     q = requestOrder request
-    least = until (\n -> q ^ n - 1 >= wantedArea request) (+ 1) 1
+    least = leastDegree q (wantedArea request)
 
 wantedArea :: Request -> Natural
 wantedArea request = max 1 (requestRows request) * max 1 (requestColumns request)
@@ -156,7 +157,27 @@ gather degrees =
     enough (Advice options obstacles) =
       or [True | Option {optionLayout = Single Diagonal} <- options]
         || or [True | WindowTooFewCells _ _ <- obstacles]
-    size option = (area (optionShape option), rows (optionShape option), optionLayout option)
+
+-- | The fewest cells first, then the fewest rows.
+size :: Option -> (Natural, Natural, Layout)
+size option = (area (optionShape option), rows (optionShape option), optionLayout option)
+
+-- | The single arrays over GF(q), q the first number, that have at least so many cells, in order of
+-- size: of 16 degrees, made as they are asked for. Refuses what 'advise' refuses.
+singleArrays :: Natural -> Natural -> Either AdviceError [Option]
+singleArrays q cells
+  | cells > 2 ^ (128 :: Int) = Left (AdviceTooLarge cells)
+  | otherwise = first AdviceField $ do
+    (p, modulus) <- conwayModulus q
+    withField p modulus (\k -> concatMap (singles . adviseDegree k request) (take 16 [least ..]))
+  where
+    request = Request q 1 1 Nothing
+    least = leastDegree q cells
+    singles found = sortOn size [one | one@Option {optionLayout = Single _} <- adviceOptions found]
+
+-- | The degree of the smallest arrays of so many cells.
+leastDegree :: Natural -> Natural -> Natural
+leastDegree q cells = until (\n -> q ^ n - 1 >= cells) (+ 1) 1
 
 -- | What is possible with the polynomials of a degree, and what is not.
 adviseDegree :: KnownField k => Proxy k -> Request -> Natural -> Advice

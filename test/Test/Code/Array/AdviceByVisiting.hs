@@ -1,7 +1,7 @@
 -- | The adviser, whose every word is checked by visiting the windows.
 module Test.Code.Array.AdviceByVisiting (spec) where
 
-import Control.Monad (forM_, unless)
+import Control.Monad (forM, forM_, unless)
 import Data.Bifunctor (first)
 import Data.List (sort)
 import Data.Proxy (Proxy (..))
@@ -73,6 +73,24 @@ spec = do
           [(Single Diagonal, Shape 1 5), (Single RowMajor, Shape 2 2), (Joint 3, Shape 3 3)]
     map (`ofUnits` Shape 1 1) impossible
       `shouldSatisfy` all (either (`elem` [1, 2]) (const False))
+  it "single arrays of at least so many cells are what is possible shape by shape, in order of size" $
+    forM_ [(2, 31), (2, 60), (3, 26), (4, 20), (4, 255), (5, 100)] $ \(q, cells) -> do
+      found <- right (singleArrays q cells)
+      let degree = until (\n -> q ^ n > cells) (+ 1) (1 :: Int)
+          all' = q ^ degree - 1
+          ofDegree = takeWhile ((== all') . area . optionShape) found
+          place o = (rows (optionShape o), optionLayout o)
+      wanted <- forM [r | r <- [1 .. all'], all' `mod` r == 0] $ \r -> do
+        advice <- asked q r (all' `div` r) Nothing
+        pure
+          [ (place o, map fitWindow (optionFits o))
+            | o <- adviceOptions advice,
+              optionShape o == Shape r (all' `div` r),
+              Single _ <- [optionLayout o]
+          ]
+      [(place o, map fitWindow (optionFits o)) | o <- ofDegree] `shouldBe` concatMap sort wanted
+      map (area . optionShape) (take 40 found)
+        `shouldSatisfy` \sizes -> sizes == sort sizes && all (>= cells) sizes
   it "the paper's array is what is asked for with 15 x 17 and 2 x 2 over GF(4)" $ do
     advice <- asked 4 15 17 (Just (Shape 2 2))
     take 1 [(optionLayout o, optionShape o, optionFits o) | o <- adviceOptions advice]

@@ -3,6 +3,7 @@ module PraTactile.Object.Placement.Windows
   ( WindowCounts (..),
     windowCounts,
     mostCounted,
+    holdsWindow,
     leastPress,
   )
 where
@@ -11,9 +12,20 @@ import Control.Monad (forM_)
 import Control.Monad.ST (runST)
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as Mutable
-import PraTactile.Array (Position (..), Shape (..), area)
+import PraTactile.Array (Position (..), Shape (..), area, naturalsBelow)
 import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth)
 import PraTactile.Object.Placement
+
+-- | Whether a window of this shape lies wholly in the block somewhere.
+holdsWindow :: Shape -> Block -> Bool
+holdsWindow (Shape tall broad) block = any whole (blockCells block)
+  where
+    whole (Position r c) =
+      and
+        [ hasCell block (Position (r + i) (c + j))
+          | i <- naturalsBelow tall,
+            j <- naturalsBelow broad
+        ]
 
 -- | How many windows of the torus lie so; they add up to the array's cells.
 data WindowCounts = WindowCounts

@@ -1,0 +1,44 @@
+-- | The smallest array for some objects, held against every smaller one, which is asked for by name.
+module Test.CommandLine.Smallest (spec) where
+
+import Control.Monad (forM_)
+import Data.Char (isDigit)
+import Data.List (intercalate, isInfixOf, stripPrefix)
+import PraTactile.Advise
+import PraTactile.Array
+import Test.CommandLine.Run
+import Test.Hspec
+import Test.Support
+
+spec :: Spec
+spec = do
+  it "before the smallest array there is none in the adviser's order that has room" $
+    forM_ [("cube", 4), ("box:80x70x60", 3)] $ \(object, q) -> do
+      (status, out, _) <- pra ["place", object, "--smallest", "--q", show q, "--json"]
+      status `shouldBe` 0
+      options <- right (singleArrays q (numberAfter "\"cells_needed\":" out))
+      let shapeOf option = "\"shape\":[" ++ sides "," (optionShape option) ++ "]"
+          (before, found) = break ((`isInfixOf` out) . shapeOf) options
+      take 1 (map (area . optionShape) found) `shouldSatisfy` (not . null)
+      forM_ before $ \option -> do
+        let folding = case optionLayout option of
+              Single RowMajor -> ["--folding", "row-major"]
+              _ -> []
+            fit = take 1 (optionFits option)
+        (refused, _, _) <-
+          pra
+            ( ["place", object, "--q", show q, "--shape", sides "x" (optionShape option)]
+                ++ concat [["--polynomial", commas (fitPolynomial one)] | one <- fit]
+                ++ concat [["--window", sides "x" (fitWindow one)] | one <- fit]
+                ++ folding
+            )
+        (optionShape option, refused) `shouldBe` (optionShape option, 1)
+  it "the array is looked for, and so not named" $ do
+    complains ["place", "cube", "--smallest", "--shape", "15x17"] "beside it only --q"
+    complains ["place", "cube", "--smallest", "--onto", "x.json"] "--onto names one"
+  where
+    sides between (Shape r c) = show r ++ between ++ show c
+    numberAfter key text = case stripPrefix key text of
+      Just rest -> read (takeWhile isDigit rest)
+      Nothing -> if null text then 0 else numberAfter key (drop 1 text)
+    commas = intercalate "," . map show
