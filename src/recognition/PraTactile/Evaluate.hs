@@ -244,7 +244,7 @@ ground others (face, surface) generator
     (own, generator2) = split generator1
     foreign' laid = (\felt -> (True, felt, generator2)) <$> foreignRelief others face laid
     among = floor (fst (uniform own) * genericLength (foreignFaces others)) :: Int
-    -- Beyond 64 rows and columns the arrangement begins again: more than a region has.
+    -- After 64 rows and columns the arrangement begins again, for the sake of large plates.
     Shape high wide = Shape (min 64 (rows (laidGrid face))) (min 64 (columns (laidGrid face)))
     classes (Position i j) =
       drawn Boxed.! fromIntegral ((i `mod` high) * wide + j `mod` wide)
