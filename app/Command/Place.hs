@@ -199,7 +199,7 @@ firstLaid lying search arrays = case arrays of
     LaidSo layings ->
       (foldl (better (lying ++ map layBlock layings)) profile others, LaidSo layings)
     found
-      | null (concat more) -> (profile, found)
+      | all null more -> (profile, found)
       | otherwise -> firstLaid lying search more
   [] : more@(_ : _) -> firstLaid lying search more
   _ -> (canonicalProfile, NoneFound)

@@ -235,8 +235,8 @@ allowances =
           (Files, recognising ++ "pra-tactile:formats bytestring containers directory filepath"),
           ( Store,
             recognising
-              ++ "containers directory filepath monad-logger persistent persistent-sqlite text \
-                 \transformers unix"
+              ++ "bytestring containers directory filepath monad-logger persistent \
+                 \persistent-sqlite text transformers unix"
           ),
           ( Conformance,
             recognising

@@ -1,4 +1,4 @@
--- | The smallest array for some objects, held against every smaller one, which is asked for by name.
+-- | The smallest array for an object, held against all smaller ones, which are asked for by name.
 module Test.CommandLine.Smallest (spec) where
 
 import Control.Monad (forM_)

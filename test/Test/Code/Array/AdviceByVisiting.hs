@@ -73,7 +73,7 @@ spec = do
           [(Single Diagonal, Shape 1 5), (Single RowMajor, Shape 2 2), (Joint 3, Shape 3 3)]
     map (`ofUnits` Shape 1 1) impossible
       `shouldSatisfy` all (either (`elem` [1, 2]) (const False))
-  it "single arrays of at least so many cells are what is possible shape by shape, in order of size" $
+  it "single arrays of so many cells and more are what is possible shape by shape, by size" $
     forM_ [(2, 31), (2, 60), (3, 26), (4, 20), (4, 255), (5, 100)] $ \(q, cells) -> do
       found <- right (singleArrays q cells)
       let degree = until (\n -> q ^ n > cells) (+ 1) (1 :: Int)
