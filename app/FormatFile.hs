@@ -6,6 +6,7 @@ module FormatFile
     readPlacement,
     readTruth,
     readClaim,
+    readPlane,
     readSensorFile,
     readCalibration,
   )
@@ -17,6 +18,8 @@ import Files (readBytes, readBytesUpTo)
 import Message (formatMessage, placementFileMessage, profileMessage)
 import PraTactile.Format
 import PraTactile.Object.Placement (Placement)
+import PraTactile.Object.WingedEdge (ObjectName)
+import PraTactile.Pose (Pose, RigidMotion)
 import PraTactile.Profile
 import PraTactile.Sensor (Sensor)
 import PraTactile.Sensor.Calibration (Calibration)
@@ -53,6 +56,10 @@ readPlacement file = do
 readTruth :: FilePath -> IO Truth
 readTruth = readAs readBytes decodeTruth "the truth as 'pra-tactile probe --truth' writes it"
 
+-- | Where the robot's frame lies in the world.
+readPlane :: FilePath -> IO RigidMotion
+readPlane = readAs (readBytesUpTo mebibyte) decodePlane "a plane: a rotation and a translation"
+
 -- | The sensor in a file.
 readSensorFile :: FilePath -> IO Sensor
 readSensorFile =
@@ -66,10 +73,12 @@ readCalibration =
     decodeCalibration
     "a calibration as 'pra-tactile calibrate' writes it"
 
--- | The claim in a file with an answer of @decode --json@; 'Nothing' where it names no place on a
--- face.
-readClaim :: FilePath -> IO (Maybe Claim)
-readClaim = readAs readBytes decodeClaim "one answer as 'pra-tactile decode --json' prints it"
+-- | The claim and the pose in a file with an answer of @decode --json@; each 'Nothing' where it
+-- names no place on a face.
+readClaim :: FilePath -> IO (Maybe Claim, Maybe (ObjectName, Pose))
+readClaim = readAs readBytes both "one answer as 'pra-tactile decode --json' prints it"
+  where
+    both bytes = (,) <$> decodeClaim bytes <*> decodeClaimedPose bytes
 
 -- | What a file holds: how its bytes are read, how they are decoded, and what a message says that
 -- the file should be.

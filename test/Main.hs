@@ -112,6 +112,7 @@ import qualified Test.Recognition.GridsAndRefusals
 import qualified Test.Recognition.Object.FacesOnTheArray
 import qualified Test.Recognition.Object.PlacementsOfAnyFaces
 import qualified Test.Recognition.Object.SolidsAreClosed
+import qualified Test.Recognition.PosesByConstruction
 import qualified Test.Recognition.PosteriorByBruteForce
 import qualified Test.Recognition.SupportByConstruction
 import qualified Test.Recognition.SymbolsRead
@@ -299,6 +300,7 @@ specs = do
   describe "Recognition: what is read" Test.Recognition.SymbolsRead.spec
   describe "Recognition step by step" Test.Recognition.TiltAndWords.spec
   describe "Recognition: what is found" Test.Recognition.WindowsByDefinition.spec
+  describe "Poses" Test.Recognition.PosesByConstruction.spec
   describe "Recognition by Bayes' theorem" Test.Recognition.PosteriorByBruteForce.spec
   describe "Recognition of grids built by hand" Test.Recognition.SupportByConstruction.spec
   describe "Explorations and trials" Test.Recognition.ExplorationsAndTrials.spec

@@ -12,6 +12,7 @@ import PraTactile.Explore
 import PraTactile.Format (encodeComparison)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
+import PraTactile.Pose (longer, poseApart)
 import PraTactile.Recognise (leastTilt)
 import PraTactile.Recognise.Summary (orientationText, upperLeftVertex)
 import PraTactile.Symmetry (Symmetry, degreesClockwise)
@@ -37,19 +38,39 @@ command =
 
 run :: PlacementChoice -> FilePath -> FilePath -> AnswerForm -> IO ExitStatus
 run choice answerFile truthFile form = do
-  told <- readClaim answerFile
+  (told, posed) <- readClaim answerFile
   known <- readTruth truthFile
   (scale, layout) <- shownPlacement choice >>= feltPlacement . snd
   let larger = fromRational scale
       claim = scaledClaim (1 / larger) <$> told
       truth = scaledTruth (1 / larger) known
       pitch = placementPitch layout
+      -- The window's centre, as the answer has it in the robot's frame.
+      poses = do
+        (object, pose) <- posed
+        (x, y) <- claimSeenAt <$> told
+        true <- longer larger <$> truePose layout truth
+        if object == faceObject (truthFace truth)
+          then Just (poseApart true pose [x, y, 0])
+          else Nothing
       verdict = maybe (Left Nothing) (either (Left . Just) Right . compared pitch truth) claim
   printAs
     form
-    (unlines (comparison larger truth claim ++ [verdictText (farther larger verdict)]))
-    (encodeComparison larger truth claim verdict)
+    ( unlines
+        ( comparison larger truth claim
+            ++ poseText poses
+            ++ [verdictText (farther larger verdict)]
+        )
+    )
+    (encodeComparison larger truth claim verdict poses)
   pure (either (const NotAnswered) (const Answered) verdict)
+
+-- | How far the pose is off, where it is told.
+poseText :: Maybe (Double, Double) -> [String]
+poseText poses =
+  [ printf "the pose is off by %.2f mm there and by %.2f degrees" far angle
+    | Just (far, angle) <- [poses]
+  ]
 
 -- | With its distances so many times as long.
 farther :: Double -> Either (Maybe Difference) Double -> Either (Maybe Difference) Double

@@ -8,12 +8,14 @@ where
 
 import ArrayChoice
 import Control.Monad (unless, when)
+import Data.Bifunctor (second)
 import Data.Foldable (for_)
 import Data.List.NonEmpty (nonEmpty)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, isJust, listToMaybe, mapMaybe)
 import Data.Traversable (for)
 import ExitStatus
+import FormatFile (readPlane)
 import Frames
 import FramesChoice
 import Message
@@ -22,13 +24,15 @@ import Output (writeWhole)
 import Picture (pageSvg, recognitionPage)
 import PlacementChoice
 import PraTactile.Array (ArrayOn (..), Position, PseudorandomArray, Surface)
-import PraTactile.Decode (Stitching)
+import PraTactile.Decode (Stitching (..))
 import PraTactile.Field (KnownField)
 import PraTactile.Files (SourcePath (..), sourcePath, sourcePaths)
 import PraTactile.Format (RecognitionContext (..), encodeRecognition, recognitionReport)
 import PraTactile.Object.Placement (Placement, placementPitch)
+import PraTactile.Pose (RigidMotion, thenPose)
 import PraTactile.Profile
 import PraTactile.Recognise
+import PraTactile.Recognise.FoundPose (foundPose)
 import PraTactile.Registration (Composite (..), compositePosition)
 import PraTactile.Relief (classOn, symbolScale)
 import PraTactile.Shape (Alphabet)
@@ -48,6 +52,7 @@ data Options = Options
     tolerance :: Tolerance,
     sharing :: Sharing,
     places :: [(Double, Double)],
+    plane :: Maybe FilePath,
     form :: AnswerForm,
     paths :: [FilePath]
   }
@@ -101,6 +106,10 @@ optionsParser =
             \them"
       )
     <*> many placeOption
+    <*> optionalFile
+      "plane"
+      "FILE"
+      "Where the robot's frame is in the world, as JSON: the pose is then the object's there"
     <*> jsonSwitch "Print one JSON answer a line"
     <*> framesArgument
 
@@ -181,10 +190,11 @@ run choice options
     misused "--picture - and --json both take the standard output; name a file for the picture"
   | otherwise = do
     for_ (picture options) orNotSvg
+    world <- traverse readPlane (plane options)
     (profile, layout, near) <- chosenNear choice (objects options)
     (scale, _) <- feltPlacement layout
     let larger = fromRational scale
-    decoder <- decoderOn profile layout near options
+    decoder <- decoderOn profile layout near world options
     found <- sourcePaths (paths options) >>= orUnusable filesMessage
     let several = not (null (drop 1 found))
     when
@@ -210,14 +220,15 @@ decoderOn ::
   Profile ->
   Placement ->
   ([Position] -> IO (Maybe Placement)) ->
+  Maybe RigidMotion ->
   Options ->
   IO ([FilePath] -> [Composite] -> IO ExitStatus)
-decoderOn profile layout near options = do
+decoderOn profile layout near world options = do
   alphabet <- alphabetFor profile
   net <- chosenNetwork (network options)
   let on = fromMaybe (profileSurface profile) (surface options)
       made array mask =
-        decodeWith alphabet profile array near options
+        decodeWith alphabet profile array near world options
           <$> recogniser (ArrayOn on array) mask layout alphabet net
   orUnusable recogniserMessage =<< orUnusable profileMessage (withProfile profile made)
 
@@ -246,12 +257,13 @@ decodeWith ::
   Profile ->
   PseudorandomArray k ->
   ([Position] -> IO (Maybe Placement)) ->
+  Maybe RigidMotion ->
   Options ->
   Recogniser k ->
   [FilePath] ->
   [Composite] ->
   IO ExitStatus
-decodeWith alphabet profile array near options bare from composites = do
+decodeWith alphabet profile array near world options bare from composites = do
   located <- recognised bare
   -- Where it is on the array is known without the objects; of a database those that lie there are
   -- read then.
@@ -266,14 +278,14 @@ decodeWith alphabet profile array near options bare from composites = do
     printAs
       (form options)
       (unlines (recognitionText nameOf from recognition))
-      (encodeRecognition (recognitionReport (context recognition) recognition))
+      (encodeRecognition (recognitionReport (context reader recognition) recognition))
   pure (recognitionStatus recognition)
   where
     nameOf = elementNames bare
     recognised reader =
       orUnusable networkMessage (recogniseWith (tolerance options) reader composites)
     page reader = recognitionPage alphabet nameOf (recogniserPlacement reader) (classOn array)
-    context recognition =
+    context reader recognition =
       RecognitionContext
         { contextProfile = profile,
           contextNames = map nameInJson from,
@@ -281,7 +293,15 @@ decodeWith alphabet profile array near options bare from composites = do
           contextElement = nameOf,
           contextRobot = both (larger *) . maybe id compositePosition (listToMaybe composites),
           contextPositionError =
-            fmap maximum (nonEmpty (mapMaybe compositePositionError composites))
+            fmap maximum (nonEmpty (mapMaybe compositePositionError composites)),
+          contextPose = second (maybe id thenPose world) <$> pose reader recognition
         }
+    pose reader =
+      foundPose
+        (recogniserPlacement reader)
+        alphabet
+        array
+        (stitchingPositionError (stitching options))
+        composites
     larger = maybe 1 fromRational (symbolScale (placementPitch (recogniserPlacement bare)))
     both f (x, y) = (f x, f y)

@@ -16,16 +16,17 @@ import Options
 import Output (orUnwritable, writeFolder, writeWhole)
 import PlacementChoice
 import PraTactile.Explore
-import PraTactile.Format (encodeTruth, folderFiles)
+import PraTactile.Format (encodePosedTruth, encodeTruth, folderFiles)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
+import PraTactile.Pose (longer)
 import PraTactile.Pressing
 import PraTactile.Profile
 import PraTactile.Recognise.Summary (orientationText)
 import PraTactile.Sensor
 import PraTactile.Sensor.Frame (Frame, scaledFrame)
 import PraTactile.Symmetry
-import PraTactile.Truth (Truth (..), scaledTruth)
+import PraTactile.Truth (Truth (..), scaledTruth, truePose)
 import SensorChoice
 import Setup
 import Text.Printf (printf)
@@ -212,7 +213,10 @@ pressing choice options how object = do
   writeFrames options (pressingSensor how) (map (scaledFrame larger) frames)
   let truth = scaledTruth larger found
   for_ (truthFile options) $ \file ->
-    writeWhole file (Lazy.fromStrict (encodeTruth truth <> "\n"))
+    writeWhole file . Lazy.fromStrict . (<> "\n") $
+      case truePose layout found of
+        Just pose -> encodePosedTruth (longer larger pose) truth
+        Nothing -> encodeTruth truth
   when (announced options == Announced) (putStrLn (truthText truth))
   pure Answered
 

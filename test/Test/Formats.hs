@@ -106,7 +106,8 @@ roundTrips = do
               contextMessage = "found",
               contextElement = show,
               contextRobot = const (1.5, -2.5),
-              contextPositionError = Just 0.75
+              contextPositionError = Just 0.75,
+              contextPose = Nothing
             }
         report = recognitionReport source recognition
     decodeRecognition (encodeRecognition report) `shouldBe` Right report

@@ -161,6 +161,10 @@ touching =
   [ ("decode", "pra decode --json " ++ worked ++ " data/worked-example/composite.pgm"),
     ("decode", "pra decode --json --together " ++ worked ++ " " ++ worked),
     ("decode", "{ echo P2 40 52 255; yes 0 | head -2080; } > b.pgm; pra decode --json b.pgm"),
+    ("plane", "echo '" ++ plane ++ "'"),
+    ( "decode",
+      "echo '" ++ plane ++ "' > plane.json; pra decode --json --plane plane.json " ++ worked
+    ),
     ("segment", "pra segment --json " ++ worked ++ " data/worked-example/composite.pgm"),
     ("segment", "{ echo P2 40 52 255; yes 0 | head -2080; } > e.pgm; pra segment --json e.pgm"),
     ("register", "pra register " ++ frame "000" ++ frame "001" ++ "--step 8,0 --json"),
@@ -215,6 +219,9 @@ touching =
     )
   ]
   where
+    plane =
+      "{\"schema\": \"pra-tactile/plane/1\", \"rotation\": [[0, 1, 0], [1, 0, 0], [0, 0, -1]], "
+        ++ "\"translation_mm\": [400, 250, 75]}"
     worked = "data/worked-example/frames"
     frame n = worked ++ "/frame_" ++ n ++ ".pgm "
 

@@ -49,7 +49,10 @@ module PraTactile.Format
     RecognitionContext (..),
     decodeClaim,
     encodeTruth,
+    encodePosedTruth,
     decodeTruth,
+    decodeClaimedPose,
+    decodePlane,
     encodeComparison,
 
     -- * Sensors and their frames
@@ -104,6 +107,7 @@ import PraTactile.Format.Error
 import PraTactile.Format.Manifest
 import PraTactile.Format.Object
 import PraTactile.Format.Placement
+import PraTactile.Format.Pose (decodePlane)
 import PraTactile.Format.Profile
 import PraTactile.Format.Proof
 import PraTactile.Format.Rates

@@ -4,6 +4,7 @@
 module PraTactile.Truth
   ( Truth (..),
     truePlace,
+    truePose,
     Claim (..),
     scaledTruth,
     scaledClaim,
@@ -14,7 +15,8 @@ where
 
 import PraTactile.Explore
 import PraTactile.Object.Placement
-import PraTactile.Sensor.Frame (movePoint)
+import PraTactile.Pose (RigidMotion, faceFrameOf, objectMotion)
+import PraTactile.Sensor.Frame (Motion (..), inverse, movePoint)
 import PraTactile.Symmetry (Symmetry, degreesClockwise)
 
 -- | Where an exploration was.
@@ -32,6 +34,17 @@ truePlace :: Truth -> (Double, Double) -> (Double, Double)
 truePlace truth (x, y) = movePoint (regionMotion (truthRegion truth)) (x - originX, y - originY)
   where
     (originX, originY) = truthOrigin truth
+
+-- | The true motion from the object's frame to the robot's, by the objects as they are laid.
+-- 'Nothing' where they have no such face.
+truePose :: Placement -> Truth -> Maybe RigidMotion
+truePose layout truth = do
+  whole <- placementObject layout (faceObject (truthFace truth))
+  frame <- faceFrameOf whole (faceName (truthFace truth))
+  let back = inverse (regionMotion (truthRegion truth))
+      (originX, originY) = truthOrigin truth
+      moved = back {motionX = motionX back + originX, motionY = motionY back + originY}
+  Just (objectMotion frame moved)
 
 -- | What an answer says.
 data Claim = Claim

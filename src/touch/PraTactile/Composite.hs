@@ -2,6 +2,7 @@
 -- takes.
 module PraTactile.Composite
   ( Composite (..),
+    PutFrame (..),
     Otherwise (..),
     Fault (..),
     Contradiction (..),
@@ -51,7 +52,21 @@ data Composite = Composite
     -- the most probable first, or all where they would be if what the robot told is wrong.
     compositeOthers :: [Otherwise],
     -- | Whether the frames contradict each other where they should overlap.
-    compositeContradiction :: Maybe Contradiction
+    compositeContradiction :: Maybe Contradiction,
+    -- | The frames themselves, each that was seen once; none of a whole image.
+    compositeFrames :: [PutFrame]
+  }
+  deriving stock (Eq, Show)
+
+-- | A frame as it was put: upright, at the canonical pitch, on the scale of the others.
+data PutFrame = PutFrame
+  { -- | Where the robot has the centre of its pixel (0, 0), millimetres.
+    putAt :: !(Double, Double),
+    -- | How far it was moved from there, taxels.
+    putBy :: !(Double, Double),
+    putImage :: Raster,
+    -- | The share of each pixel that living elements felt, where some are dead.
+    putFelt :: Maybe Raster
   }
   deriving stock (Eq, Show)
 
@@ -105,7 +120,8 @@ compositeOf image =
       compositeStep = readingStep [image],
       compositeAxesStated = False,
       compositeOthers = [],
-      compositeContradiction = Nothing
+      compositeContradiction = Nothing,
+      compositeFrames = []
     }
 
 -- | A place on the composite, x and y in pixels, as millimetres in the robot's coordinates.
@@ -153,7 +169,8 @@ blended (left, top) images displacements =
       compositeStep = readingStep (map (snd . fst) (NonEmpty.toList images)),
       compositeAxesStated = False,
       compositeOthers = [],
-      compositeContradiction = Nothing
+      compositeContradiction = Nothing,
+      compositeFrames = []
     }
   where
     (x0, x1) = reach fst rasterWidth

@@ -4,6 +4,7 @@
 module PraTactile.Registration
   ( -- * Composites
     Composite (..),
+    PutFrame (..),
     Otherwise (..),
     Fault (..),
     Contradiction (..),
@@ -47,6 +48,7 @@ import PraTactile.Composite
     Contradiction (..),
     Fault (..),
     Otherwise (..),
+    PutFrame (..),
     blended,
     compositeOf,
     compositePixel,
@@ -238,7 +240,13 @@ compose method settings frames = do
       { assemblyComposite =
           made
             { compositeOthers = oneElsewhere ++ allElsewhere,
-              compositeContradiction = contradiction found (NonEmpty.toList nominal)
+              compositeContradiction = contradiction found (NonEmpty.toList nominal),
+              compositeFrames =
+                zipWith3
+                  (\one shift (_, image) -> PutFrame (placedAt one) shift image (placedFelt one))
+                  (toList placed)
+                  (if null displacements then repeat (0, 0) else displacements)
+                  (toList levelled)
             },
         assemblyMethod = arrangementMethod arrangement,
         assemblyFrames = ofEach arranged,

@@ -20,6 +20,8 @@ import PraTactile.Locate
   )
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge
+import PraTactile.Pose (RigidMotion (..))
+import qualified PraTactile.Pose as Object
 import PraTactile.Symmetry
 import Test.QuickCheck
 
@@ -95,7 +97,11 @@ someRecognition =
     <*> several (SymbolReport <$> someSighting <*> maybeOf someClass)
     <*> several (SymbolReport <$> someSighting <*> someReal)
     <*> several someWindow
+    <*> maybeOf ((,) <$> (ObjectName <$> someText) <*> somePose)
   where
+    somePose =
+      Object.Pose <$> (RigidMotion <$> square 3 <*> vectorOf 3 someReal) <*> square 6
+    square n = vectorOf n (vectorOf n someReal)
     someTurns = choose (0, 3)
     someClass = (,,) <$> someInt <*> someText <*> someTurns
     someSighting =

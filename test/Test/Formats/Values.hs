@@ -174,7 +174,7 @@ names = do
     let face = Face "cube" (readFaceName "C1 C2 C3 C4")
         truth = Truth face (Region 10 20 28 36 identity 0) (1.5, -2.5)
         claim = Claim face identity (1, 2) (3, 4) Nothing
-        encoded answer verdict = decodeStrict (encodeComparison 1 truth answer verdict)
+        encoded answer verdict = decodeStrict (encodeComparison 1 truth answer verdict Nothing)
         expected agree difference answer far =
           Just
             ( Aeson.object
@@ -183,7 +183,9 @@ names = do
                   "difference" .= (text' <$> difference),
                   "answer_mm" .= fmap claimPlace answer,
                   "truth_mm" .= fmap (truePlace truth . claimSeenAt) answer,
-                  "distance_mm" .= (far :: Maybe Double)
+                  "distance_mm" .= (far :: Maybe Double),
+                  "pose_mm" .= Null,
+                  "pose_deg" .= Null
                 ]
             )
     encoded (Just claim) (Right 0.5) `shouldBe` expected True Nothing (Just claim) (Just 0.5)

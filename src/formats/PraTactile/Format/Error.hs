@@ -95,6 +95,10 @@ data Misfit
     OtherUnit String String
   | -- | Degrees that are not from 0 up to 360, or not those of the quarter turn beside them.
     NotAngle
+  | -- | No matrix of so many rows and columns.
+    NotMatrix Int Int
+  | -- | A matrix that is no rotation.
+    NotRotation
   | -- | More taxels than this along the side of a region.
     RegionTooLarge Natural
   deriving stock (Eq, Show)

@@ -26,8 +26,11 @@ import PraTactile.Format.Error
 import PraTactile.Format.Json.Codec
 import PraTactile.Format.Object
 import PraTactile.Format.Outcome
+import PraTactile.Format.Pose
 import PraTactile.Format.Profile
 import PraTactile.Locate (Chance, Checks, Known (..), atLeast)
+import PraTactile.Object.WingedEdge (ObjectName)
+import PraTactile.Pose (Pose)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Segmentation (SymbolImage (..))
@@ -65,7 +68,9 @@ data RecognitionReport = RecognitionReport
     reportSymbols :: [SymbolReport (Maybe (Int, String, Int))],
     -- | with the share that was touched
     reportParts :: [SymbolReport Double],
-    reportWindows :: [WindowReport]
+    reportWindows :: [WindowReport],
+    -- | where one face is located
+    reportPose :: Maybe (ObjectName, Pose)
   }
   deriving stock (Eq, Show)
 
@@ -142,6 +147,7 @@ reportKeys =
            <*> key "symbols" (listOf (symbol classKeys)) reportSymbols
            <*> key "parts" (listOf (symbol (key "seen" real id))) reportParts
            <*> key "windows" (listOf (object windowKeys)) reportWindows
+           <*> key "pose" (nullable poseCodec) reportPose
        )
 
 doubtsKeys :: Keys Doubts Doubts
@@ -210,7 +216,9 @@ data RecognitionContext = RecognitionContext
     -- | the robot's coordinates, in millimetres, of a place on the first composite's grid
     contextRobot :: (Double, Double) -> (Double, Double),
     -- | the standard deviation of the robot's position error, taxels, where the frames told it
-    contextPositionError :: Maybe Double
+    contextPositionError :: Maybe Double,
+    -- | the object's pose, where one face is located
+    contextPose :: Maybe (ObjectName, Pose)
   }
 
 -- | What a report says of a recognition.
@@ -241,7 +249,8 @@ recognitionReport context recognition =
       reportMinimumExact = listToMaybe [False | Just (AtLeast _) <- [supportDistance <$> support]],
       reportSymbols = reported (fmap classOf . readClass) recognisedSymbols,
       reportParts = reported readSeen recognisedParts,
-      reportWindows = map (windowReport (contextElement context)) windows
+      reportWindows = map (windowReport (contextElement context)) windows,
+      reportPose = contextPose context
     }
   where
     answer = recognisedAnswer recognition

@@ -4,12 +4,15 @@
 -- and of the comparison.
 module PraTactile.Format.Truth
   ( encodeTruth,
+    encodePosedTruth,
     decodeTruth,
     decodeClaim,
+    decodeClaimedPose,
     encodeComparison,
   )
 where
 
+import Control.Monad (join)
 import Data.Aeson ((.=))
 import Data.Aeson.Types (JSONPathElement (Key))
 import Data.ByteString (ByteString)
@@ -20,7 +23,10 @@ import PraTactile.Format.Json
 import PraTactile.Format.Json.Codec
 import PraTactile.Format.Name
 import PraTactile.Format.Object
+import PraTactile.Format.Pose
 import PraTactile.Format.Recognition (decodeSchema)
+import PraTactile.Object.WingedEdge (ObjectName)
+import PraTactile.Pose (Pose, RigidMotion)
 import PraTactile.Sensor.Frame (taxelPitch)
 import PraTactile.Symmetry
 import PraTactile.Truth
@@ -28,6 +34,12 @@ import PraTactile.Truth
 -- | The truth on one line, without its end; all keys always.
 encodeTruth :: Truth -> ByteString
 encodeTruth = writeLine truthKeys
+
+-- | The same with the true pose: from the object's frame to the robot's, whose lengths are those of
+-- the truth.
+encodePosedTruth :: RigidMotion -> Truth -> ByteString
+encodePosedTruth pose truth =
+  writeLine ((,) <$> withKeys fst truthKeys <*> key "pose" motionCodec snd) (truth, pose)
 
 -- | The truth in a JSON text that 'encodeTruth' made; lengths in millimetres are read to the
 -- nearest double. Refuses another schema, keys that are missing or have other values, regions of
@@ -82,6 +94,11 @@ decodeClaim = decodeObject $ \fields -> do
     then Just <$> readKeys claimKeys fields
     else pure Nothing
 
+-- | The pose in such a text, where it tells one.
+decodeClaimedPose :: ByteString -> Either FormatError (Maybe (ObjectName, Pose))
+decodeClaimedPose =
+  decodeObject (fmap join . readKeys (optionalKey "pose" (nullable poseCodec) Just))
+
 claimKeys :: Keys Claim Claim
 claimKeys =
   claim
@@ -94,15 +111,24 @@ claimKeys =
     claim face = Claim face . turned
 
 -- | A truth beside a claim, where there is one, and how many millimetres they are apart, or in what
--- they differ, on one line, without its end; all lengths so many times as long.
-encodeComparison :: Double -> Truth -> Maybe Claim -> Either (Maybe Difference) Double -> ByteString
-encodeComparison scale truth claim verdict =
+-- they differ, on one line, without its end; all lengths so many times as long. Then how far the
+-- pose is off, where it is told: millimetres and degrees.
+encodeComparison ::
+  Double ->
+  Truth ->
+  Maybe Claim ->
+  Either (Maybe Difference) Double ->
+  Maybe (Double, Double) ->
+  ByteString
+encodeComparison scale truth claim verdict poses =
   encodeSchema "compare/1" $
     "agree" .= isRight verdict
       <> "difference" .= either (Just . maybe "no-place" differenceName) (const Nothing) verdict
       <> "answer_mm" .= fmap (told . claimPlace) claim
       <> "truth_mm" .= fmap (told . truePlace truth . claimSeenAt) claim
       <> "distance_mm" .= fmap (scale *) distance
+      <> "pose_mm" .= fmap fst poses
+      <> "pose_deg" .= fmap snd poses
   where
     told (x, y) = (scale * x, scale * y)
     distance = case verdict of

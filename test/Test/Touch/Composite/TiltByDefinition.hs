@@ -33,7 +33,8 @@ genComposite sides = do
         compositeCompared = True,
         compositeAxesStated = False,
         compositeOthers = [],
-        compositeContradiction = Nothing
+        compositeContradiction = Nothing,
+        compositeFrames = []
       }
 
 at :: Raster -> Int -> Int -> Double

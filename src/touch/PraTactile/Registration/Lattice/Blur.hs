@@ -5,6 +5,7 @@
 -- brings there; and so a place reads of a frame, added up over it.
 module PraTactile.Registration.Lattice.Blur
   ( seenAt,
+    cumulative,
     areaSums,
   )
 where

@@ -1,0 +1,68 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The JSON of poses, and of how the robot's frame lies in the world.
+module PraTactile.Format.Pose
+  ( poseCodec,
+    motionCodec,
+    decodePlane,
+  )
+where
+
+import Data.Aeson.Types (JSONPathElement (Key))
+import Data.ByteString (ByteString)
+import Data.List (transpose)
+import PraTactile.Format.Error
+import PraTactile.Format.Json.Codec
+import PraTactile.Object.WingedEdge (ObjectName (..))
+import PraTactile.Pose
+import PraTactile.Pose.Matrix (Matrix, diagonal, times)
+
+-- | An object and its pose.
+poseCodec :: Codec (ObjectName, Pose)
+poseCodec =
+  object
+    ( (,)
+        <$> key "object" objectName fst
+        <*> ( Pose
+                <$> withKeys (poseMotion . snd) motionKeys
+                <*> key "covariance" (matrix 6) (poseCovariance . snd)
+            )
+    )
+  where
+    objectName = Codec (writeValue text . unnamed) (fmap ObjectName . readValue text)
+    unnamed (ObjectName name) = name
+
+-- | Where the robot's frame lies in the world, in a JSON text. Refuses another schema, keys that
+-- are missing or have other values, and what is no rotation to 1e-6.
+decodePlane :: ByteString -> Either FormatError RigidMotion
+decodePlane bytes = do
+  plane <- decodeWith (schemaKey "pra-tactile/plane/1" *> motionKeys) bytes
+  if isRotation (motionRows plane) then Right plane else Left (Misfit [Key "rotation"] NotRotation)
+
+-- | A motion alone.
+motionCodec :: Codec RigidMotion
+motionCodec = object motionKeys
+
+motionKeys :: Keys RigidMotion RigidMotion
+motionKeys =
+  RigidMotion
+    <$> key "rotation" (matrix 3) motionRows
+    <*> key "translation_mm" (such ((== 3) . length) (NotMatrix 1 3) (listOf real)) motionBy
+
+-- | A square matrix of so many rows.
+matrix :: Int -> Codec Matrix
+matrix n = such whole (NotMatrix n n) (listOf (listOf real))
+  where
+    whole rows = length rows == n && all ((== n) . length) rows
+
+-- | Whether a matrix of three rows turns, and does not mirror.
+isRotation :: Matrix -> Bool
+isRotation rows =
+  and (zipWith near (concat (rows `times` transpose rows)) (concat (diagonal [1, 1, 1])))
+    && determinant > 0
+  where
+    near a b = abs (a - b) <= 1e-6
+    determinant = case rows of
+      [[a, b, c], [d, e, f], [g, h, i]] ->
+        a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+      _ -> 0

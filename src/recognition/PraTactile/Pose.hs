@@ -1,0 +1,329 @@
+-- | The pose of an object: the rigid motion from the object's frame to the robot's, from the places
+-- at which symbols of one of its faces were seen.
+--
+-- = Frames
+--
+-- The robot's frame is right-handed: x and y are the frames', right and down, and z points away
+-- from the sensor, into the face. So is the face's: with the walk v_0 .. v_m and the outward normal
+-- n,
+--
+-- > X = (v_m - v_0) / |v_m - v_0|       Z = -n / |n|       Y = Z x X
+--
+-- has X to the right, Y down into the face and Z into the object, as seen from outside. The sensor
+-- feels the face from outside, so that both planes are seen from the same side, and a point q of
+-- the face, from v_0, is at
+--
+-- > p = t + R(a) q,      R(a) = | cos a  -sin a |
+-- >                             | sin a   cos a |
+--
+-- of the robot's plane: a proper rotation. A point v of the object is at
+--
+-- > R v + T,      R = Rz(a) [X Y Z]^T,      T = (t, 0) - R v_0.
+--
+-- = The fit
+--
+-- Symbol i, at q_i on the face, was seen at p_i with covariance S_i. The most probable (t, a) has
+-- the least sum of e_i^T S_i^-1 e_i with e_i = p_i - t - R(a) q_i. For a pivot c of the robot's
+-- plane the motion's neighbours are p -> p + d + b J (p - c), where J turns by a right angle from x
+-- to y; so
+--
+-- > A_i = [ 1 | J (t + R(a) q_i - c) ]        M = sum A_i^T S_i^-1 A_i
+-- > (d, b) = M^-1 sum A_i^T S_i^-1 e_i        (Gauss and Newton)
+--
+-- and M^-1 is the covariance of (d, b). At the weighted centroid of the p_i for c, with S_i all
+-- multiples of 1, M is diagonal.
+--
+-- = Errors in common
+--
+-- "PraTactile.Pose.Alignment" has what frames err by in its equations. Where symbols' places alone
+-- are known, they share what the robot errs by: of N frames with independent errors of standard
+-- deviation s along each axis, whose places are registered to each other, the mean error is left, s
+-- / sqrt N; of their rotations r likewise, r / sqrt N, about the middle of what was felt. With c
+-- there,
+--
+-- > C = M^-1 + diag (s^2 / N, s^2 / N, r^2 / N).
+--
+-- = In space
+--
+-- The truth is exp([w]) R and T + u for errors (u, w). The plane alone was felt, so w = (0, 0, b),
+-- and as (d, b) takes p to p + d + b J (p - c),
+--
+-- > (u, w) = G (d, b),      G = | 1  0  -(T_y - c_y) |
+-- >                             | 0  1    T_x - c_x  |
+-- >                             | 0  0       0       |
+-- >                             | 0  0       0       |
+-- >                             | 0  0       0       |
+-- >                             | 0  0       1       |
+--
+-- and the covariance is G C G^T, of rank 3. Where the robot's frame lies in the world by (P, s),
+-- the pose is (P R, P T + s), and of its covariance both u and w are turned by P.
+module PraTactile.Pose
+  ( -- * In the plane of the face
+    Seen (..),
+    PlaneFit (..),
+    rigidFit,
+    nudged,
+    moreError,
+    onRobot,
+
+    -- * In space
+    RigidMotion (..),
+    faceFrame,
+    faceFrameOf,
+    objectMotion,
+    longer,
+    Pose (..),
+    poseOf,
+    thenPose,
+
+    -- * Differences
+    poseDifference,
+    poseApart,
+    poseDistance,
+  )
+where
+
+import Data.List (transpose)
+import PraTactile.Geometry (rotated, toDegrees, toRadians)
+import PraTactile.Object.WingedEdge
+  ( FaceName,
+    Point (..),
+    Solid,
+    cornerPoints,
+    outwardNormal,
+    sameCorners,
+  )
+import PraTactile.Pose.Matrix
+import PraTactile.Sensor.Frame (Motion (..), movePoint)
+
+-- | A point of the face, where it was seen, and the covariance of that; millimetres.
+data Seen = Seen
+  { seenOnFace :: !(Double, Double),
+    seenByRobot :: !(Double, Double),
+    -- | two rows
+    seenCovariance :: !Matrix
+  }
+  deriving stock (Eq, Show)
+
+-- | How a face lies in the robot's plane.
+data PlaneFit = PlaneFit
+  { -- | from the face's frame to the robot's plane
+    fitMotion :: !Motion,
+    -- | the point of the robot's plane about which the error turns
+    fitPivot :: !(Double, Double),
+    -- | of (x, y, angle) about the pivot: mm and radians, three rows
+    fitCovariance :: !Matrix
+  }
+  deriving stock (Eq, Show)
+
+-- | The most probable motion from the face's frame to the robot's plane. 'Nothing' where fewer than
+-- two points differ, or a covariance has no inverse.
+rigidFit :: [Seen] -> Maybe PlaneFit
+rigidFit seen = do
+  weights <- traverse (inverse . seenCovariance) seen
+  (motion, pivot) <- start seen (map weight weights)
+  go (20 :: Int) pivot weights motion
+  where
+    -- One weight a point: what its information is along an axis, in the mean.
+    weight information = sum [line !! i | (i, line) <- zip [0 ..] information] / 2
+    go n pivot weights motion = do
+      covariance <- inverse (total [(transpose a `times` w) `times` a | (a, w, _) <- terms])
+      let step = covariance `applied` foldr (zipWith (+)) [0, 0, 0] gradients
+          gradients = [transpose a `applied` (w `applied` e) | (a, w, e) <- terms]
+          next = nudged pivot step motion
+      if n <= 1 || all ((< 1e-13) . abs) step
+        then Just (PlaneFit next pivot covariance)
+        else go (n - 1) pivot weights next
+      where
+        terms =
+          [ (slopes pivot at, w, difference (seenByRobot s) at)
+            | (s, w) <- zip seen weights,
+              let at = movePoint motion (seenOnFace s)
+          ]
+    total = foldr plus (diagonal [0, 0, 0])
+    difference (x, y) (x', y') = [x - x', y - y']
+
+-- | How a point of the robot's plane moves with (x, y, angle) about a pivot.
+slopes :: (Double, Double) -> (Double, Double) -> Matrix
+slopes (cx, cy) (x, y) = [[1, 0, cy - y], [0, 1, x - cx]]
+
+-- | The motion followed by a small one about a pivot.
+nudged :: (Double, Double) -> [Double] -> Motion -> Motion
+nudged (cx, cy) step (Motion r x y) = case step of
+  [dx, dy, b] ->
+    let (u, v) = rotated (toDegrees b) (x - cx, y - cy)
+     in Motion (r + toDegrees b) (cx + u + dx) (cy + v + dy)
+  _ -> Motion r x y
+
+-- | The best motion if each point has one weight, about the weighted centroid of what was seen.
+start :: [Seen] -> [Double] -> Maybe (Motion, (Double, Double))
+start seen weights
+  | length seen < 2 || spread <= 0 = Nothing
+  | otherwise = Just (Motion angle (px - x) (py - y), (px, py))
+  where
+    (qx, qy) = centroid (map seenOnFace seen)
+    (px, py) = centroid (map seenByRobot seen)
+    centroid places = (mean (map fst places), mean (map snd places))
+    mean values = sum (zipWith (*) weights values) / sum weights
+    relative =
+      [ (w, (x' - qx, y' - qy), (u - px, v - py))
+        | (Seen (x', y') (u, v) _, w) <- zip seen weights
+      ]
+    spread = sum [w * (a * a + b * b) | (w, (a, b), _) <- relative]
+    angle =
+      toDegrees
+        ( atan2
+            (sum [w * (a * v - b * u) | (w, (a, b), (u, v)) <- relative])
+            (sum [w * (a * u + b * v) | (w, (a, b), (u, v)) <- relative])
+        )
+    (x, y) = rotated angle (qx, qy)
+
+-- | A fit with an error that all symbols have in common: the standard deviations along each axis,
+-- millimetres, and of the angle, degrees, about its pivot.
+moreError :: Double -> Double -> PlaneFit -> PlaneFit
+moreError along degrees fit =
+  fit
+    { fitCovariance =
+        fitCovariance fit `plus` diagonal [along * along, along * along, angle * angle]
+    }
+  where
+    angle = toRadians degrees
+
+-- | A fit on a grid of taxels as one of the robot's plane: so many millimetres a taxel, and where
+-- the grid's (0, 0) is.
+onRobot :: Double -> (Double, Double) -> PlaneFit -> PlaneFit
+onRobot k (left, top) (PlaneFit (Motion degrees x y) (cx, cy) covariance) =
+  PlaneFit
+    (Motion degrees (left + k * x) (top + k * y))
+    (left + k * cx, top + k * cy)
+    (carried (diagonal [k, k, 1]) covariance)
+
+-- | A rotation, by its rows, and then a translation in millimetres.
+data RigidMotion = RigidMotion
+  { motionRows :: !Matrix,
+    motionBy :: ![Double]
+  }
+  deriving stock (Eq, Show)
+
+-- | From the object's frame to that of a face, by the places of its vertices in the order of its
+-- walk and a vector along its outward normal. 'Nothing' where the walk's first vertex is at the
+-- place of its last, or the vector is 0 or along the walk.
+faceFrame :: [Point] -> Point -> Maybe RigidMotion
+faceFrame corners normal = case (corners, reverse corners) of
+  (begin : _, end : _) -> do
+    x <- unit (zipWith (-) (exact end) (exact begin))
+    z <- unit (map negate (exact normal))
+    y <- cross z x
+    let rows = [x, y, z]
+    Just (RigidMotion rows (map negate (rows `applied` map fromRational (exact begin))))
+  _ -> Nothing
+  where
+    exact (Point a b c) = [a, b, c]
+    -- Divided by the largest before they are rounded, so that none is beyond a Double.
+    unit v
+      | all (== 0) v = Nothing
+      | otherwise = Just (map (/ size) near)
+      where
+        near = map (fromRational . (/ maximum (map abs v))) v :: [Double]
+        size = sqrt (sum (map (^ (2 :: Int)) near))
+    cross [a, b, c] [d, e, f] = Just [b * f - c * e, c * d - a * f, a * e - b * d]
+    cross _ _ = Nothing
+
+-- | From an object's frame to that of one of its faces, named from any of its vertices. 'Nothing'
+-- where the object has no such face.
+faceFrameOf :: Solid -> FaceName -> Maybe RigidMotion
+faceFrameOf whole name =
+  faceFrame (cornerPoints whole name) . outwardNormal whole =<< sameCorners whole name
+
+-- | From the object's frame to the robot's, where a face, with this 'faceFrame', is moved so into
+-- the robot's plane.
+objectMotion :: RigidMotion -> Motion -> RigidMotion
+objectMotion face (Motion degrees x y) = face `thenMotion` RigidMotion turn [x, y, 0]
+  where
+    turn =
+      let (c, s) = rotated degrees (1, 0) in [[c, negate s, 0], [s, c, 0], [0, 0, 1]]
+
+-- | The same motion of an object that is so many times as large, with the robot's lengths.
+longer :: Double -> RigidMotion -> RigidMotion
+longer k (RigidMotion rows by) = RigidMotion rows (map (k *) by)
+
+-- | How an object lies.
+data Pose = Pose
+  { -- | from the object's frame to the robot's
+    poseMotion :: !RigidMotion,
+    -- | of translation (mm) and rotation vector w (radians), six rows: the truth's rotation is
+    -- exp([w]) times that of 'poseMotion', w and the translation along the robot's axes
+    poseCovariance :: !Matrix
+  }
+  deriving stock (Eq, Show)
+
+-- | The pose of an object of which a face, with this 'faceFrame', lies so in the robot's plane.
+poseOf :: RigidMotion -> PlaneFit -> Pose
+poseOf face (PlaneFit inPlane (cx, cy) covariance) = Pose motion (carried moved covariance)
+  where
+    motion = objectMotion face inPlane
+    moved = case motionBy motion of
+      tx : ty : _ ->
+        [[1, 0, cy - ty], [0, 1, tx - cx], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 1]]
+      _ -> []
+
+thenMotion :: RigidMotion -> RigidMotion -> RigidMotion
+thenMotion (RigidMotion r t) (RigidMotion r' t') =
+  RigidMotion (r' `times` r) (zipWith (+) t' (r' `applied` t))
+
+-- | The pose in the frame in which the robot's lies by a motion.
+thenPose :: RigidMotion -> Pose -> Pose
+thenPose world (Pose motion covariance) =
+  Pose (motion `thenMotion` world) (carried (blocks (motionRows world)) covariance)
+  where
+    blocks rows = map (++ none) rows ++ map (none ++) rows
+    none = [0, 0, 0]
+
+-- | What takes a pose to the true motion: translation in millimetres, then rotation vector in
+-- radians, along the robot's axes, as its covariance has them.
+poseDifference :: RigidMotion -> Pose -> [Double]
+poseDifference (RigidMotion true by) (Pose (RigidMotion rows told) _) =
+  zipWith (-) by told ++ logarithm (true `times` transpose rows)
+
+-- | How far the true motion has a point from where a pose has it, which is here in the robot's
+-- frame, in millimetres; and by how many degrees the one is turned from the other.
+poseApart :: RigidMotion -> Pose -> [Double] -> (Double, Double)
+poseApart true@(RigidMotion rows by) pose@(Pose (RigidMotion told from) _) point =
+  (norm (zipWith (-) there point), toDegrees (norm (drop 3 (poseDifference true pose))))
+  where
+    onObject = transpose told `applied` zipWith (-) point from
+    there = zipWith (+) by (rows `applied` onObject)
+    norm v = sqrt (sum (map (^ (2 :: Int)) v))
+
+-- | The rotation vector of a rotation by less than half a turn.
+logarithm :: Matrix -> [Double]
+logarithm m = map (factor *) twist
+  where
+    twist = [at 2 1 - at 1 2, at 0 2 - at 2 0, at 1 0 - at 0 1]
+    at i j = m !! i !! j
+    -- Twice the sine, and twice the cosine.
+    sine = sqrt (sum (map (^ (2 :: Int)) twist))
+    cosine = at 0 0 + at 1 1 + at 2 2 - 1
+    factor = if sine < 1e-12 then 1 / 2 else atan2 sine cosine / sine
+
+-- | How far a pose is from the truth in units of its own error: the squared Mahalanobis distance of
+-- what the plane tells, of three degrees of freedom, by an orthonormal basis of the covariance's
+-- range. 'Nothing' where the covariance has not rank 3.
+poseDistance :: RigidMotion -> Pose -> Maybe Double
+poseDistance true pose = do
+  -- The range is spanned by the columns; three that are independent are found by their projections.
+  basis <- pick [] (transpose (poseCovariance pose))
+  information <- inverse (carried basis (poseCovariance pose))
+  let e = basis `applied` poseDifference true pose
+  Just (sum (zipWith (*) e (information `applied` e)))
+  where
+    pick found columns
+      | length found == 3 = Just found
+      | largest <= 0 = Nothing
+      | otherwise = pick (found ++ [map (/ largest) best]) (map (without best) columns)
+      where
+        (largest, best) = maximum [(norm c, c) | c <- columns]
+    norm v = sqrt (sum (map (^ (2 :: Int)) v))
+    without best c =
+      let k = sum (zipWith (*) best c) / sum (map (^ (2 :: Int)) best)
+       in zipWith (\x b -> x - k * b) c best

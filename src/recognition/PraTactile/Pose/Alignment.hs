@@ -1,0 +1,293 @@
+-- | How a face lies under frames, by all their pixels: the relief that is known to be there is
+-- aligned with what each frame felt.
+--
+-- Pixel u of frame f, from its middle, reads
+--
+-- > I_f(u) = o_f + g_f S(q) + noise of variance v_f
+-- > q = R(-a) (m_f + e_f + R(r_f) u - t)
+--
+-- where S is the relief of the face, blurred ('heightAt'); (t, a) the motion of the face
+-- ("PraTactile.Pose"); m_f the middle of the frame as the robot has it, and e_f and r_f what the
+-- robot errs by, in place and rotation; o_f and g_f offset and gain. Beforehand e_f is normal with
+-- standard deviation s along each axis, r_f with r, and o_f and g_f lie near those of all.
+--
+-- For x = (t, a), about a pivot c, and y_f = (e_f, r_f, o_f, g_f), the method of Gauss and Newton
+-- has for each frame a normal matrix of both, with the information beforehand on y_f added, and
+-- gradients (k_f, l_f),
+--
+-- > | X_f    Z_f |
+-- > | Z_f^T  Y_f |
+-- >
+-- > M  = sum X_f - Z_f Y_f^-1 Z_f^T
+-- > dx = M^-1 sum (k_f - Z_f Y_f^-1 l_f)         dy_f = Y_f^-1 (l_f - Z_f^T dx)
+--
+-- so that M^-1 is the covariance of x whatever y_f are. It has what all frames' errors leave on
+-- their mean: were the frames read without error, it would be s^2 / N and r^2 / N.
+--
+-- The variances follow from what is left: v_f is the mean square of the frame's residuals, and r^2,
+-- which nobody tells, the mean of r_f^2 + var r_f (expectation and maximisation), where
+-- var y_f = Y_f^-1 + Y_f^-1 Z_f^T M^-1 Z_f Y_f^-1.
+module PraTactile.Pose.Alignment
+  ( Ground (..),
+    heightAt,
+    Touch (..),
+    aligned,
+  )
+where
+
+import Data.List (foldl', transpose)
+import qualified Data.Map.Strict as Map
+import qualified Data.Vector.Unboxed as U
+import PraTactile.Geometry
+  ( columnPitch,
+    cosineSine,
+    rotated,
+    rowPitch,
+    symbolHeight,
+    symbolWidth,
+    toDegrees,
+    toRadians,
+  )
+import PraTactile.Pose
+import PraTactile.Pose.Matrix
+import PraTactile.Registration.Lattice.Blur (cumulative)
+import PraTactile.Sensor.Frame (Motion (..), movePoint)
+import qualified PraTactile.Sensor.Frame as Frame
+import PraTactile.Shape (Bitmap, embossedAt)
+
+-- | The symbols of a face that are known to be there, by row and column, and where the upper left
+-- corner of their cell (0, 0) is; taxels from the face's first vertex.
+data Ground = Ground
+  { groundCorner :: !(Double, Double),
+    groundShapes :: !(Map.Map (Int, Int) Bitmap)
+  }
+
+-- | The standard deviation of the blur in taxels: that of an element's aperture, a taxel wide.
+blur :: Double
+blur = 0.3
+
+-- | The height of the blurred relief at a place of the face, 1 for the top of a symbol, and by how
+-- much it rises across and down, where it is known what is there. What a cell's neighbours bring is
+-- nothing, for half the pitch lies between symbols.
+heightAt :: Ground -> (Double, Double) -> Maybe (Double, Double, Double)
+heightAt (Ground (left, top) known) (x, y) =
+  (\shape -> height shape u v) <$> Map.lookup (i, j) known
+  where
+    (j, u) = within columnPitch symbolWidth (x - left)
+    (i, v) = within rowPitch symbolHeight (y - top)
+    -- The cell, and the place from the upper left corner of its symbol.
+    within pitch side t =
+      let cell = floor (t / pitch) :: Int
+       in (cell, t - pitch * fromIntegral cell - (pitch - fromIntegral side) / 2)
+
+-- | The same from the upper left corner of a shape: each of its taxels is seen as the product of a
+-- share across and one down.
+height :: Bitmap -> Double -> Double -> (Double, Double, Double)
+height shape u v = foldl' add (0, 0, 0) (near symbolHeight v)
+  where
+    columns = near symbolWidth u
+    add sums (j, share, slope) = foldl' (one j share slope) sums columns
+    one j share slope sums@(a, b, c) (i, share', slope')
+      | embossedAt shape i j =
+        let a' = a + share * share'
+            b' = b + share * slope'
+            c' = c + slope * share'
+         in a' `seq` b' `seq` c' `seq` (a', b', c')
+      | otherwise = sums
+    near side t =
+      let k = floor t
+       in [ (n, cumulative before - cumulative after, (density before - density after) / blur)
+            | n <- [max 0 (k - 2) .. min (side - 1) (k + 2)] :: [Int],
+              let before = (t - fromIntegral n) / blur
+                  after = before - 1 / blur
+          ]
+    density t = exp (negate (t * t) / 2) / sqrt (2 * pi)
+
+-- | A frame, in taxels of the grid that the motion is sought on.
+data Touch = Touch
+  { -- | its middle, as the robot has it
+    touchMiddle :: !(Double, Double),
+    -- | how far it was moved from there
+    touchMoved :: !(Double, Double),
+    -- | the standard deviations beforehand, taxels and degrees; of the rotation 'Nothing' where it
+    -- is to be found
+    touchErrors :: !(Double, Maybe Double),
+    -- | of each pixel that was felt, where it is from the middle, and its reading
+    touchPixels :: !(U.Vector (Double, Double, Double))
+  }
+
+-- | What is not the same for all frames: e, r in radians, o and g; and v.
+data Own = Own ![Double] !Double
+
+-- | The motion of the face, from its frame to the grid, that is nearest to the given one, and its
+-- errors. 'Nothing' where too little was felt, or what was found is further off than the reading of
+-- symbols can be: 3 taxels, or 15 degrees.
+aligned :: Ground -> [Touch] -> Motion -> Maybe PlaneFit
+aligned ground touches begin
+  | sum (map (U.length . touchPixels) touches) < leastPixels = Nothing
+  | otherwise = go (15 :: Int) (begin, rotationBeforehand, map start touches)
+  where
+    start touch =
+      let (x, y) = touchMoved touch in Own [x, y, 0, 0, strongest] (strongest * strongest / 100)
+    strongest = maximum (map (U.foldl' (\m (_, _, value) -> max m value) 0 . touchPixels) touches)
+    (count, sumX, sumY) = foldl' middle (0, 0, 0) touches
+    middle (n, a, b) (Touch (x, y) _ _ pixels) =
+      let k = fromIntegral (U.length pixels) in (n + k, a + k * x, b + k * y)
+    pivot = (sumX / count, sumY / count) :: (Double, Double)
+    go n (motion, r, owns) = do
+      let parts =
+            [ normalOf ground pivot motion r strongest (meanOf owns) touch own
+              | (touch, own) <- zip touches owns
+            ]
+      solved <- traverse eliminated parts
+      covariance <- inverse (foldr plus (diagonal [0, 0, 0]) (map reducedRows solved))
+      let dx = covariance `applied` foldr (zipWith (+)) [0, 0, 0] (map reducedGradient solved)
+          next = [updated dx part own | (part, own) <- zip solved owns]
+          r' = rotationAmong touches next (map (rotationVariance covariance) solved)
+          now = (nudged pivot dx motion, r', next)
+      case now of
+        (motion', _, _)
+          | not (near motion') -> Nothing
+          | n <= 1 || (small dx && abs (r' - r) < 0.02 * r) ->
+            Just (PlaneFit motion' pivot covariance)
+          | otherwise -> go (n - 1) now
+    small = (< 1e-5) . maximum . zipWith (\scale v -> scale * abs v) [1, 1, 20]
+    meanOf owns = map mean (transpose [drop 3 y | Own y _ <- owns])
+    mean values = sum values / fromIntegral (length values)
+    near motion =
+      let (x, y) = movePoint (Frame.inverse begin) (movePoint motion centre)
+          centre = movePoint (Frame.inverse motion) pivot
+          turn = abs (motionRotation motion - motionRotation begin)
+       in abs (x - fst centre) < 3 && abs (y - snd centre) < 3 && min turn (abs (360 - turn)) < 15
+
+-- | Fewer pixels tell nothing.
+leastPixels :: Int
+leastPixels = 100
+
+-- | The standard deviation of a frame's rotation as long as nothing is known of it, radians
+-- (assumption).
+rotationBeforehand :: Double
+rotationBeforehand = toRadians 1
+
+-- | The root of the mean square of the rotations that are to be found, given their variances.
+rotationAmong :: [Touch] -> [Own] -> [Double] -> Double
+rotationAmong touches owns variances
+  | null squares = rotationBeforehand
+  | otherwise = sqrt (sum squares / fromIntegral (length squares))
+  where
+    squares =
+      [ rotation * rotation + variance
+        | (touch, Own (_ : _ : rotation : _) _, variance) <- zip3 touches owns variances,
+          snd (touchErrors touch) == Nothing
+      ]
+
+-- | The normal matrix of a frame, motion before its own, the gradient, and what is left of its
+-- readings: their mean square.
+data Normal = Normal !Matrix ![Double] !Double
+
+normalOf ::
+  Ground ->
+  (Double, Double) ->
+  Motion ->
+  Double ->
+  Double ->
+  [Double] ->
+  Touch ->
+  Own ->
+  Normal
+normalOf ground (cx, cy) motion r strongest common touch (Own own v) =
+  Normal
+    [ [product' a b / v + prior i j | (j, b) <- zip [0 ..] columns]
+      | (i, a) <- zip [0 ..] columns
+    ]
+    [product' a rests / v + pull i | (i, a) <- zip [0 ..] columns]
+    left
+  where
+    (ex, ey, turn, offset, gain) = case own of
+      [a, b, c, d, e] -> (a, b, c, d, e)
+      _ -> (0, 0, 0, 0, 0)
+    (mx, my) = touchMiddle touch
+    back = Frame.inverse motion
+    (c, s) = cosineSine (motionRotation motion)
+    around = rotated (toDegrees turn)
+    found =
+      U.mapMaybe
+        ( \(i, j, value) ->
+            let (u, w) = around (i, j)
+                (x, y) = (mx + ex + u, my + ey + w)
+             in (\(h, a, b) -> ((x - cx, y - cy), (u, w), value, (h, c * a - s * b, s * a + c * b)))
+                  <$> heightAt ground (movePoint back (x, y))
+        )
+        (touchPixels touch)
+    column part = U.map part found
+    across = column (\(_, _, _, (_, a, _)) -> gain * a)
+    down = column (\(_, _, _, (_, _, b)) -> gain * b)
+    heights = column (\(_, _, _, (h, _, _)) -> h)
+    columns =
+      [ U.map negate across,
+        U.map negate down,
+        column (\((x, y), _, _, (_, a, b)) -> gain * (a * y - b * x)),
+        across,
+        down,
+        column (\(_, (u, w), _, (_, a, b)) -> gain * (b * u - a * w)),
+        U.map (const 1) heights,
+        heights
+      ]
+    readings = column (\(_, _, value, _) -> value)
+    rests = U.zipWith (\value h -> value - offset - gain * h) readings heights
+    product' a b = U.sum (U.zipWith (*) a b)
+    left
+      | freedom < 15 = v
+      | otherwise =
+        max (1e-6 * strongest * strongest) (product' rests rests / fromIntegral freedom)
+    freedom = U.length rests - 5
+    -- What is known of the frame's own beforehand.
+    (sigma, turned) = touchErrors touch
+    informations =
+      [0, 0, 0]
+        ++ map
+          (\sd -> 1 / (sd * sd))
+          [max 0.01 sigma, max 0.01 sigma, max 1e-4 (maybe r toRadians turned), level, level]
+    level = 0.2 * strongest
+    prior i j = if i == (j :: Int) then informations !! i else 0
+    pull i = if i < 3 then 0 else informations !! i * (expected !! (i - 3) - own !! (i - 3))
+    expected = [0, 0, 0] ++ common
+
+-- | A normal matrix of which what is the frame's own was eliminated.
+data Reduced = Reduced
+  { reducedRows :: !Matrix,
+    reducedGradient :: ![Double],
+    -- | Y^-1, Y^-1 Z^T and Y^-1 l
+    reducedOwn :: !(Matrix, Matrix, [Double]),
+    reducedLeft :: !Double
+  }
+
+eliminated :: Normal -> Maybe Reduced
+eliminated (Normal rows gradient left) = do
+  own <- inverse y
+  let back = own `times` transpose z
+  pure
+    Reduced
+      { reducedRows = x `plus` scaled (-1) (z `times` back),
+        reducedGradient = zipWith (-) k (transpose back `applied` l),
+        reducedOwn = (own, back, own `applied` l),
+        reducedLeft = left
+      }
+  where
+    x = map (take 3) (take 3 rows)
+    z = map (drop 3) (take 3 rows)
+    y = map (drop 3) (drop 3 rows)
+    (k, l) = splitAt 3 gradient
+
+-- | A frame's own after a step of the motion.
+updated :: [Double] -> Reduced -> Own -> Own
+updated dx reduced (Own own _) =
+  Own (zipWith3 (\o l m -> o + l - m) own ownStep (back `applied` dx)) (reducedLeft reduced)
+  where
+    (_, back, ownStep) = reducedOwn reduced
+
+-- | The variance of a frame's rotation, given the motion's covariance.
+rotationVariance :: Matrix -> Reduced -> Double
+rotationVariance covariance reduced = (own `plus` carried back covariance) !! 2 !! 2
+  where
+    (own, back, _) = reducedOwn reduced

@@ -1,0 +1,68 @@
+-- | Matrices of a few rows, as lists of rows.
+module PraTactile.Pose.Matrix
+  ( Matrix,
+    times,
+    applied,
+    plus,
+    scaled,
+    diagonal,
+    carried,
+    inverse,
+  )
+where
+
+import Data.List (maximumBy, transpose)
+import Data.Ord (comparing)
+
+-- | Rows, all of one length.
+type Matrix = [[Double]]
+
+-- | The product of two matrices.
+times :: Matrix -> Matrix -> Matrix
+times a b = [[sum (zipWith (*) line column) | column <- transpose b] | line <- a]
+
+-- | The product of a matrix and a column.
+applied :: Matrix -> [Double] -> [Double]
+applied a v = map (sum . zipWith (*) v) a
+
+-- | The sum of two matrices of one size.
+plus :: Matrix -> Matrix -> Matrix
+plus = zipWith (zipWith (+))
+
+-- | All entries times a number.
+scaled :: Double -> Matrix -> Matrix
+scaled k = map (map (k *))
+
+-- | The matrix with this diagonal, 0 elsewhere.
+diagonal :: [Double] -> Matrix
+diagonal values =
+  [[if i == j then v else 0 | j <- [1 .. length values]] | (i, v) <- zip [1 ..] values]
+
+-- | The covariance C of a vector as that of J times it: J C J^T.
+carried :: Matrix -> Matrix -> Matrix
+carried j c = j `times` c `times` transpose j
+
+-- | The inverse of a square matrix, by Gauss and Jordan with the largest pivot of a column;
+-- 'Nothing' where a pivot is less than 1e-12 of the largest entry.
+inverse :: Matrix -> Maybe Matrix
+inverse a
+  | largest > 0 && not (isNaN largest) && not (isInfinite largest) =
+    map (drop n) <$> eliminated 0 (zipWith (++) a (diagonal (replicate n 1)))
+  | otherwise = Nothing
+  where
+    n = length a
+    largest = maximum (0 : map abs (concat a))
+    eliminated column lines'
+      | column >= n = Just lines'
+      | abs pivot < 1e-12 * largest = Nothing
+      | otherwise = eliminated (column + 1) (map cleared above ++ [unit] ++ map cleared below)
+      where
+        (above, rest) = splitAt column lines'
+        best = snd (maximumBy (comparing (abs . at . fst)) (zip rest [0 :: Int ..]))
+        (chosen, below) = case splitAt best rest of
+          (before, line : after) -> (line, before ++ after)
+          (before, []) -> ([], before)
+        at line = sum (take 1 (drop column line))
+        pivot = at chosen
+        unit = map (/ pivot) chosen
+        cleared line = zipWith (\x u -> x - at line * u) line unit

@@ -1,0 +1,366 @@
+-- | Poses: fits beside truths that are made of exact rotations, their covariance beside the spread
+-- of draws, the blurred relief beside its shape, and presses of the simulated sensor.
+module Test.Recognition.PosesByConstruction
+  ( spec,
+  )
+where
+
+import Control.Monad (replicateM)
+import Data.List (transpose)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (mapMaybe)
+import PraTactile.Array (PseudorandomArray)
+import PraTactile.Explore (Region (..), Turns (..), regionCorner, regionExtent, regionTurn)
+import PraTactile.Field (KnownField)
+import PraTactile.Object.Canonical (canonicalPlacement)
+import PraTactile.Object.Placement
+import PraTactile.Object.WingedEdge
+import PraTactile.Pose
+import PraTactile.Pose.Alignment (Ground (..), heightAt)
+import PraTactile.Pressing
+import PraTactile.Recognise
+import PraTactile.Recognise.FoundPose
+import PraTactile.Registration (Composite)
+import PraTactile.Registration.Stitching
+import PraTactile.Sensor (Sensor)
+import PraTactile.Sensor.Preset
+import PraTactile.Shape (area, paperAlphabet, shapes)
+import PraTactile.Truth (Truth (..))
+import qualified PraTactile.Truth as Truth
+import Test.Hspec
+import Test.Hspec.QuickCheck (prop)
+import Test.QuickCheck
+import Test.Recognition.Scenes (onRecognisers)
+import Test.Support
+
+-- | A rotation and a translation of exact numbers.
+type Exact = ([[Rational]], [Rational])
+
+onPoint :: Exact -> [Rational] -> [Rational]
+onPoint (rows, by) v = zipWith (+) by (map (sum . zipWith (*) v) rows)
+
+-- | The rotation of a quaternion of whole numbers.
+genRotation :: Gen [[Rational]]
+genRotation = do
+  a <- number
+  b <- number
+  c <- number
+  d <- (fromInteger <$> choose (-9, 9)) `suchThat` \d -> any (/= 0) [a, b, c, d]
+  let n = a * a + b * b + c * c + d * d
+  pure
+    ( map
+        (map (/ n))
+        [ [a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)],
+          [2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)],
+          [2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d]
+        ]
+    )
+  where
+    number = fromInteger <$> choose (-9, 9)
+
+-- | A turn of the robot's plane, from x to y.
+genTurn :: Gen [[Rational]]
+genTurn = do
+  (m, n) <- ((,) <$> choose (-20, 20) <*> choose (-20, 20)) `suchThat` (/= (0, 0))
+  let (a, b) = (fromInteger m, fromInteger n)
+      (c, s) = ((a * a - b * b) / (a * a + b * b), 2 * a * b / (a * a + b * b))
+  pure [[c, -s, 0], [s, c, 0], [0, 0, 1]]
+
+genLength :: Gen Rational
+genLength = (\a -> fromInteger a / 16) <$> choose (-2000, 2000)
+
+-- | A face that lies in an object's frame somehow, in the robot's plane somewhere, and points of
+-- it.
+data Lying = Lying
+  { -- | from the face's frame to the object's, and to the robot's
+    lyingInObject :: Exact,
+    lyingInPlane :: Exact,
+    -- | as walked; the first is at the origin of the face's frame and the last on its x axis
+    lyingCorners :: [[Rational]],
+    lyingPoints :: [[Rational]]
+  }
+  deriving stock (Show)
+
+genLying :: Gen Lying
+genLying = do
+  inObject <- (,) <$> genRotation <*> replicateM 3 genLength
+  inPlane <- (,) <$> genTurn <*> ((\x y -> [x, y, 0]) <$> genLength <*> genLength)
+  wide <- abs <$> genLength `suchThat` (/= 0)
+  high <- abs <$> genLength `suchThat` (/= 0)
+  count <- choose (2, 12)
+  points <- replicateM count ((\x y -> [x, y, 0]) <$> genLength <*> genLength)
+  let apart = [sum (map (^ (2 :: Int)) (zipWith (-) p q)) | p : _ <- [points], q <- points]
+  if maximum apart < 1
+    then genLying
+    else
+      pure
+        Lying
+          { lyingInObject = inObject,
+            lyingInPlane = inPlane,
+            lyingCorners = [[0, 0, 0], [0, high, 0], [wide, high, 0], [wide, 0, 0]],
+            lyingPoints = points
+          }
+
+-- | The face's frame by the object's corners and its normal, which is outward: away from the face's
+-- z, which goes into the object.
+frameOf' :: Lying -> Maybe RigidMotion
+frameOf' lying =
+  faceFrame
+    (map (point . onPoint (lyingInObject lying)) (lyingCorners lying))
+    (point (onPoint (fst (lyingInObject lying), [0, 0, 0]) [0, 0, -7]))
+  where
+    point v = case v of
+      [a, b, c] -> Point a b c
+      _ -> Point 0 0 0
+
+-- | The true pose: back into the face's frame, and on into the robot's.
+truePose :: Lying -> RigidMotion
+truePose lying = RigidMotion (map (map fromRational) rows) (map fromRational by)
+  where
+    (toObject, from) = lyingInObject lying
+    (turn, at) = lyingInPlane lying
+    rows = [[sum (zipWith (*) line column) | column <- toObject] | line <- turn]
+    by = zipWith (-) at (map (sum . zipWith (*) from) rows)
+
+-- | The points as seen, each off by so much, with a covariance.
+seenAs :: Lying -> [((Double, Double), [[Double]])] -> [Seen]
+seenAs lying = zipWith one (lyingPoints lying)
+  where
+    one p ((dx, dy), covariance) =
+      let (x, y) = flat (onPoint (lyingInPlane lying) p)
+       in Seen (flat p) (x + dx, y + dy) covariance
+    flat v = case map fromRational v of
+      x : y : _ -> (x, y)
+      _ -> (0, 0)
+
+-- | A covariance L L^T and its L.
+genSpread :: Gen ([[Double]], [[Double]])
+genSpread = do
+  a <- choose (0.05, 0.5)
+  c <- choose (0.05, 0.5)
+  b <- choose (-0.3, 0.3)
+  pure ([[a * a, a * b], [a * b, b * b + c * c]], [[a, 0], [b, c]])
+
+-- | Two numbers that are normal and independent, by Box and Muller.
+genNormals :: Gen (Double, Double)
+genNormals = do
+  u <- choose (1e-12, 1)
+  v <- choose (0, 2 * pi)
+  pure (sqrt (-2 * log u) * cos v, sqrt (-2 * log u) * sin v)
+
+farthest :: [Double] -> [Double] -> Double
+farthest a b = maximum (0 : map abs (zipWith (-) a b))
+
+entries :: RigidMotion -> [Double]
+entries (RigidMotion rows by) = concat rows ++ by
+
+spec :: Spec
+spec = do
+  prop "the pose of exact places is the true one to 1e-9, whatever the covariances" $
+    forAll genLying $ \lying ->
+      forAll (traverse (const (fst <$> genSpread)) (lyingPoints lying)) $ \spreads ->
+        let fit = rigidFit (seenAs lying (map ((,) (0, 0)) spreads))
+            pose = poseOf <$> frameOf' lying <*> fit
+         in counterexample (show pose) $
+              fmap ((< 1e-9) . farthest (entries (truePose lying)) . entries . poseMotion) pose
+                === Just True
+  it "of 1000 draws, the squared distance in units of the covariance has the mean 3" $
+    once . forAll (replicateM 1000 drawnDistance) $ \distances ->
+      -- Of chi-square with three degrees of freedom the variance is 6.
+      let mean = sum distances / 1000
+       in counterexample (show mean) (abs (mean - 3) < 4 * sqrt (6 / 1000))
+  prop "the covariance is that of a motion within the plane: of rank 3" $
+    forAll genLying $ \lying ->
+      forAll (traverse (const (fst <$> genSpread)) (lyingPoints lying)) $ \spreads ->
+        case poseOf <$> frameOf' lying <*> rigidFit (seenAs lying (map ((,) (0, 0)) spreads)) of
+          Nothing -> counterexample "no pose" False
+          Just pose ->
+            let c = poseCovariance pose
+             in conjoin
+                  [ map (c !!) [2, 3, 4] === replicate 3 (replicate 6 0),
+                    property (farthest (concat c) (concat (transpose c)) < 1e-9),
+                    fmap (< 1e-9) (poseDistance (poseMotion pose) pose) === Just True
+                  ]
+  prop "another origin of the robot moves the translation alone, a turned robot turns all" $
+    forAll genLying $ \lying ->
+      forAll ((,) <$> genRotation <*> replicateM 3 genLength) $ \(turn, by) ->
+        forAll (traverse (const (fst <$> genSpread)) (lyingPoints lying)) $ \spreads ->
+          case poseOf <$> frameOf' lying <*> rigidFit (seenAs lying (map ((,) (0, 0)) spreads)) of
+            Nothing -> counterexample "no pose" False
+            Just pose ->
+              let motion rows = RigidMotion (map (map fromRational) rows) (map fromRational by)
+                  there = thenPose (motion turn) pose
+                  here = thenPose (motion [[1, 0, 0], [0, 1, 0], [0, 0, 1]]) pose
+                  blocks = [line ++ none | line <- rounded] ++ [none ++ line | line <- rounded]
+                  rounded = map (map fromRational) turn
+                  none = [0, 0, 0]
+                  along c = [[sum (zipWith (*) line other) | other <- blocks] | line <- c]
+                  near a b = property (farthest a b < 1e-9)
+               in conjoin
+                    [ motionRows (poseMotion here) === motionRows (poseMotion pose),
+                      poseCovariance here === poseCovariance pose,
+                      near
+                        (concat (along (transpose (along (transpose (poseCovariance pose))))))
+                        (concat (transpose (poseCovariance there))),
+                      conjoin
+                        [ near
+                            (map fromRational (onPoint (turn, by) (onPoint (lyingInPlane lying) p)))
+                            (moved (poseMotion there) (onPoint (lyingInObject lying) p))
+                          | p <- lyingPoints lying
+                        ]
+                    ]
+  prop "heights at one place of each taxel add up to the shape's area, and rise as they change" $
+    forAll ((,) <$> choose (0, 1) <*> choose (0, 1)) $ \(u, v) ->
+      conjoin
+        [ conjoin
+            [ let total = sum [h | (h, _, _) <- mapMaybe (at u v) cellPlaces]
+               in property (abs (total - fromIntegral (area shape)) < 1e-4),
+              conjoin
+                [ abs (a - (hx' - hx) / 2e-4) < 1e-2 && abs (b - (hy' - hy) / 2e-4) < 1e-2
+                  | place <- cellPlaces,
+                    Just (_, a, b) <- [at u v place],
+                    Just (hx', _, _) <- [at (u + 1e-4) v place],
+                    Just (hx, _, _) <- [at (u - 1e-4) v place],
+                    Just (hy', _, _) <- [at u (v + 1e-4) place],
+                    Just (hy, _, _) <- [at u (v - 1e-4) place]
+                ]
+            ]
+          | Right known <- [paperAlphabet],
+            shape <- shapes known,
+            let ground = Ground (3, -5) (Map.singleton (0, 0) shape)
+                at x y (i, j) = heightAt ground (3 + fromIntegral i + x, fromIntegral j + y - 5)
+        ]
+  onRecognisers $ \array readers -> do
+    it "ideal presses at any angle: the median is within 0.05 mm and 0.02 degrees" $ do
+      errors <- presses array (map snd (take 1 readers)) idealSensor Nothing 12
+      length errors `shouldBe` 12
+      median (map (\(far, _, _) -> far) errors) `shouldSatisfy` (< 0.05)
+      median (map (\(_, degrees, _) -> degrees) errors) `shouldSatisfy` (< 0.02)
+    it "noisy presses by an unsure robot: off by as much as the covariance says" $ do
+      errors <- presses array (map snd (take 1 readers)) standardSensor (Just 1) 24
+      length errors `shouldSatisfy` (>= 22)
+      let distances = map (\(_, _, distance) -> distance) errors
+      -- 99 % of chi-square with three degrees of freedom is below 11.3.
+      length (filter (< 11.3) distances) `shouldSatisfy` (>= length errors - 2)
+      sum distances / fromIntegral (length distances) `shouldSatisfy` (\m -> m > 1 && m < 6)
+  where
+    moved (RigidMotion rows by) p =
+      zipWith (+) by (map (sum . zipWith (*) (map fromRational p)) rows)
+    drawnDistance = do
+      lying <- genLying
+      spreads <- traverse (const genSpread) (lyingPoints lying)
+      off <- traverse drawnOff spreads
+      let pose = poseOf <$> frameOf' lying <*> rigidFit (seenAs lying off)
+      case pose >>= poseDistance (truePose lying) of
+        -- A few points close together tell the angle so badly that it is no small one.
+        Just distance | wide lying -> pure distance
+        _ -> drawnDistance
+    wide lying =
+      maximum
+        [ sum (map (^ (2 :: Int)) (zipWith (-) p q))
+          | p <- lyingPoints lying,
+            q <- lyingPoints lying
+        ]
+        > 400
+    drawnOff (covariance, l) = do
+      (a, b) <- genNormals
+      pure $ case map (sum . zipWith (*) [a, b]) l of
+        [x, y] -> ((x, y), covariance)
+        _ -> ((0, 0), covariance)
+    cellPlaces = [(i, j) | i <- [1 .. 14], j <- [1 .. 18]] :: [(Int, Int)]
+
+median :: [Double] -> Double
+median values = case drop (length values `div` 2) (ordered values) of
+  m : _ -> m
+  [] -> 1 / 0
+  where
+    ordered [] = []
+    ordered (p : more) = ordered (filter (< p) more) ++ p : ordered (filter (>= p) more)
+
+-- | Of presses at any angle that are answered: how far the middle of the region is from where the
+-- pose has it, mm, how far the angle, degrees, and the squared distance by the covariance.
+presses ::
+  KnownField k =>
+  PseudorandomArray k ->
+  [Recogniser k] ->
+  Sensor ->
+  Maybe Double ->
+  Int ->
+  IO [(Double, Double, Double)]
+presses array readers sensor told count = do
+  layout <- right canonicalPlacement
+  known <- right paperAlphabet
+  made <- sequence [one layout known reader seed | reader <- readers, seed <- [1 .. count]]
+  pure (concat made)
+  where
+    one layout known reader seed = do
+      let how =
+            (pressingWith sensor seed)
+              { pressingTurns = TurnedBy (fromIntegral ((seed * 137) `mod` 360) + 0.37),
+                pressingOrigin = (40, -25)
+              }
+          named = ObjectName (if even seed then "cube" else "parallelepiped")
+      (frames, truth) <- right (pressed how known array layout named)
+      composite <- right (stitchedBy standardStitching {stitchingPositionError = told} frames)
+      recognition <- right (recognise reader composite)
+      true <- right (truthOf layout truth)
+      fmap ((< 1e-9) . farthest (entries true) . entries) (Truth.truePose layout truth)
+        `shouldBe` Just True
+      pure
+        [ (sqrt (sum (map (^ (2 :: Int)) (take 2 middle))), angle, distance)
+          | Just (object, pose) <- [posed layout known composite recognition],
+            object == named,
+            Just distance <- [poseDistance true pose],
+            let e = poseDifference true pose
+                angle = (180 / pi) * sqrt (sum (map (^ (2 :: Int)) (drop 3 e)))
+                middle = zipWith (-) (at true) (at (poseMotion pose))
+                -- The object's point that is truly at the middle of the region.
+                at (RigidMotion rows by) = zipWith (+) by (map (sum . zipWith (*) here) rows)
+                here =
+                  map
+                    (sum . zipWith (*) (zipWith (-) (middleOf truth) (motionBy true)))
+                    (transpose (motionRows true))
+        ]
+    posed layout known composite = foundPose layout known array told [composite :: Composite]
+    middleOf truth =
+      [ fst (truthOrigin truth) + 1.5875 * fromIntegral (regionWidth (truthRegion truth)) / 2,
+        snd (truthOrigin truth) + 1.5875 * fromIntegral (regionHeight (truthRegion truth)) / 2,
+        0
+      ]
+
+-- | The true pose, by the middle of the region and the angle, and the cosines of a turn.
+truthOf :: Placement -> Truth -> Either String RigidMotion
+truthOf layout truth = case placementObject layout (faceObject (truthFace truth)) of
+  Nothing -> Left "no such object"
+  Just solid ->
+    let corners = map plain (cornerPoints solid (faceName (truthFace truth)))
+     in case (corners, reverse corners) of
+          (origin : next : _, end : _) ->
+            let x = unit (zipWith (-) end origin)
+                y = unit (zipWith (-) next origin)
+                z = [x1 * y2 - x2 * y1 | ((x1, y1), (x2, y2)) <- cyclic x y]
+                rows =
+                  [ zipWith (\a b -> cosine * a - sine * b) x y,
+                    zipWith (\a b -> sine * a + cosine * b) x y,
+                    z
+                  ]
+                (fx, fy) = faceMiddle
+                (rx, ry) = robotMiddle
+                on = [rx - (cosine * fx - sine * fy), ry - (sine * fx + cosine * fy), 0]
+             in Right (RigidMotion rows (zipWith (-) on (map (sum . zipWith (*) origin) rows)))
+          _ -> Left "no corners"
+  where
+    region = truthRegion truth
+    turn = regionTurn region * pi / 180
+    (cosine, sine) = (cos turn, sin turn)
+    half n = 1.5875 * fromIntegral n / 2
+    faceMiddle =
+      let ((x, y), (w, h)) = (regionCorner region, regionExtent region) in (x + half w, y + half h)
+    robotMiddle =
+      let (x, y) = truthOrigin truth
+       in (x + half (regionWidth region), y + half (regionHeight region))
+    plain (Point a b c) = map fromRational [a, b, c] :: [Double]
+    -- The faces of the two objects are rectangles, walked down from the upper left.
+    unit v = map (/ sqrt (sum (map (^ (2 :: Int)) v))) v
+    cyclic x y = drop 1 (take 4 (zip (rotations x) (rotations y)))
+    rotations v = zip (cycle v) (drop 1 (cycle v))
