@@ -7,7 +7,7 @@ where
 import ArrayChoice
 import Command.Decode (toleranceComplaint, toleranceOptions)
 import Control.Monad (foldM)
-import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
+import Control.Parallel.Strategies (evalTuple2, parBuffer, rseq, withStrategy)
 import Data.Bifunctor (first)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
@@ -139,33 +139,42 @@ run choice options
             first
               recogniserMessage
               (recogniser (ArrayOn (profileSurface profile) array) mask layout alphabet net)
-          first experimentMessage (evaluated experiment alphabet array reader)
+          first experimentMessage (evaluatedPoses experiment alphabet array reader)
     results <- orUnusable profileMessage (withProfile profile made) >>= orUnusable id
-    counted <- tallied (presses options) results
-    printed profile options simulated counted
+    (counted, poses) <- tallied (form options == AsJson) (presses options) results
+    let larger = fromRational scale
+        inMillimetres counts = counts {poseMedianFar = larger * poseMedianFar counts}
+    printed profile options simulated counted (inMillimetres <$> poseTally poses)
     pure Answered
   where
     arrays = foreignArrayPresses options
 
 -- | The tallies with stitching and without, of results that are made on all cores as they are
--- needed; says how far it is where a person looks on. Trials are let go once counted, so that any
--- number takes the same memory.
-tallied :: Int -> [TrialResult] -> IO (Tally, Tally)
-tallied count results =
+-- needed; says how far it is where a person looks on. Trials are let go once counted. With them
+-- come the poses' errors, if they are asked for.
+tallied ::
+  Bool -> Int -> [(TrialResult, Maybe PoseError)] -> IO ((Tally, Tally), [PoseError])
+tallied withPoses count results =
   withProgress (toInteger count) 0 $ \tell ->
     foldM
       (include tell)
-      (noResults, noResults)
-      (zip [1 ..] (withStrategy (parBuffer 32 rseq) results))
+      ((noResults, noResults), [])
+      (zip [1 ..] (withStrategy (parBuffer 32 (evalTuple2 rseq rseq)) (map wanted results)))
   where
-    include :: (Integer -> IO ()) -> (Tally, Tally) -> (Integer, TrialResult) -> IO (Tally, Tally)
-    include tell (stitched, unstitched) (i, outcome) =
+    wanted (outcome, pose)
+      | withPoses = (outcome, (\found -> found `seq` pose) =<< pose)
+      | otherwise = (outcome, Nothing)
+    include tell ((stitched, unstitched), poses) (i, (outcome, pose)) =
       let stitched' = counting stitched (withStitching outcome)
           unstitched' = counting unstitched (withoutStitching outcome)
-       in stitched' `seq` unstitched' `seq` tell i >> pure (stitched', unstitched')
+          poses' = maybe poses (: poses) pose
+       in stitched'
+            `seq` unstitched'
+            `seq` poses'
+            `seq` tell (i :: Integer) >> pure ((stitched', unstitched'), poses')
 
-printed :: Profile -> Options -> Sensor -> (Tally, Tally) -> IO ()
-printed profile options simulated (stitched, unstitched) =
+printed :: Profile -> Options -> Sensor -> (Tally, Tally) -> Maybe PoseTally -> IO ()
+printed profile options simulated (stitched, unstitched) poses =
   printAs
     (form options)
     ( unlines
@@ -174,10 +183,11 @@ printed profile options simulated (stitched, unstitched) =
           tallyText "no-stitching" unstitched
         ]
     )
-    (encodeEvaluation (report profile options simulated stitched unstitched))
+    (encodeEvaluation (report profile options simulated stitched unstitched poses))
 
-report :: Profile -> Options -> Sensor -> Tally -> Tally -> EvaluationReport
-report profile options simulated stitched unstitched =
+report ::
+  Profile -> Options -> Sensor -> Tally -> Tally -> Maybe PoseTally -> EvaluationReport
+report profile options simulated stitched unstitched poses =
   EvaluationReport
     { evaluationProfile = profile,
       evaluationPresses = presses options,
@@ -194,7 +204,8 @@ report profile options simulated stitched unstitched =
             conditionUntold = untold options
           },
       evaluationStitched = stitched,
-      evaluationUnstitched = unstitched
+      evaluationUnstitched = unstitched,
+      evaluationPose = poses
     }
 
 headingText :: Options -> Sensor -> String

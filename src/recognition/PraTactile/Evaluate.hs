@@ -6,6 +6,7 @@ module PraTactile.Evaluate
     Experiment (..),
     standardExperiment,
     evaluated,
+    evaluatedPoses,
     assumedStitching,
     ExperimentError (..),
 
@@ -21,6 +22,9 @@ module PraTactile.Evaluate
     Result (..),
     TrialResult (..),
     runTrial,
+    PoseError (..),
+    PoseTally (..),
+    poseTally,
 
     -- * Counts
     Tally (..),
@@ -32,7 +36,7 @@ where
 
 import Data.Bifunctor (first)
 import Data.Either (isRight)
-import Data.List (foldl', genericLength, genericTake, unfoldr)
+import Data.List (foldl', genericLength, genericTake, sort, unfoldr)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (catMaybes, fromMaybe, listToMaybe)
 import Data.Traversable (for)
@@ -50,8 +54,10 @@ import PraTactile.Explore
 import PraTactile.Field (KnownField)
 import PraTactile.Object.Placement
 import PraTactile.Polynomial (primitiveDegree, primitivePolynomials)
+import PraTactile.Pose (poseApart, poseDistance)
 import PraTactile.Random (uniform)
 import PraTactile.Recognise
+import PraTactile.Recognise.FoundPose (foundPose)
 import PraTactile.Registration
   ( Composite,
     Registration,
@@ -116,7 +122,18 @@ evaluated ::
   PseudorandomArray k ->
   Recogniser k ->
   Either ExperimentError [TrialResult]
-evaluated experiment alphabet array reader = do
+evaluated experiment alphabet array reader =
+  map fst <$> evaluatedPoses experiment alphabet array reader
+
+-- | The same with how far the pose is off, of a right answer with stitching.
+evaluatedPoses ::
+  KnownField k =>
+  Experiment ->
+  Alphabet ->
+  PseudorandomArray k ->
+  Recogniser k ->
+  Either ExperimentError [(TrialResult, Maybe PoseError)]
+evaluatedPoses experiment alphabet array reader = do
   faces <- for (laidFaces layout) $ \face ->
     (,) face <$> first ReliefRefused (relief array layout alphabet face)
   _ <-
@@ -137,7 +154,13 @@ evaluated experiment alphabet array reader = do
           foreignArrays = shareOfArrays,
           foreignFaces = map classOn (byOtherPolynomials array)
         }
-    decoded t = runTrial weighing reader (registrationFor known (trialFrames t)) t
+    decoded t =
+      ( TrialResult (fst stitched) (fst (judged weighing reader t (placeOnly (trialFrames t)))),
+        snd stitched >>= poseError layout alphabet array (stitchingPositionError known) t
+      )
+      where
+        stitched = judged weighing reader t (stitch registration (trialFrames t))
+        registration = registrationFor known (trialFrames t)
     known
       | told = assumedStitching sensor
       | otherwise = (assumedStitching sensor) {stitchingPositionError = Nothing}
@@ -281,19 +304,35 @@ runTrial tolerance reader registration t =
   TrialResult (judge (stitch registration frames)) (judge (placeOnly frames))
   where
     frames = trialFrames t
-    judge = either (const (NoAnswer "not-stitched")) (result tolerance reader t)
+    judge = fst . judged tolerance reader t
+
+-- | What was recognised, where that is right.
+data RightAnswer = RightAnswer Composite Recognition Finding
 
 -- | Compare an answer with the truth: the window's centre must lie on the true face, in the true
 -- orientation, within half a cell of where the composite shows it.
-result :: KnownField k => Tolerance -> Recogniser k -> Trial -> Composite -> Result
+judged ::
+  KnownField k =>
+  Tolerance ->
+  Recogniser k ->
+  Trial ->
+  Either error Composite ->
+  (Result, Maybe RightAnswer)
+judged tolerance reader t stitched = case stitched of
+  Left _ -> (NoAnswer "not-stitched", Nothing)
+  Right composite -> result tolerance reader t composite
+
+result ::
+  KnownField k => Tolerance -> Recogniser k -> Trial -> Composite -> (Result, Maybe RightAnswer)
 result tolerance reader t composite = case recogniseWith tolerance reader [composite] of
-  Left _ -> NoAnswer "network-misfit"
+  Left _ -> (NoAnswer "network-misfit", Nothing)
   Right recognition -> case recognisedAnswer recognition of
-    Left refusal -> NoAnswer (refusalName refusal)
-    Right (Several _ _) -> NoAnswer "ambiguous"
+    Left refusal -> (NoAnswer (refusalName refusal), Nothing)
+    Right (Several _ _) -> (NoAnswer "ambiguous", Nothing)
     Right (Found found)
-      | not (trialForeign t) && isTrue (foundOrientation found) (foundWindow found) -> Correct doubt
-      | otherwise -> Mistaken doubt
+      | not (trialForeign t) && isTrue (foundOrientation found) (foundWindow found) ->
+        (Correct doubt, Just (RightAnswer composite recognition found))
+      | otherwise -> (Mistaken doubt, Nothing)
       where
         doubt = maybe 0 supportDoubt (recognisedSupport recognition)
   where
@@ -312,7 +351,70 @@ result tolerance reader t composite = case recogniseWith tolerance reader [compo
                 }
           )
       _ -> False
-    truth = Truth (laidFace (trialFace t)) (trialRegion t) (0, 0)
+    truth = trialTruth t
+
+-- | Where a trial's region is; the robot's frame begins at its upper left corner.
+trialTruth :: Trial -> Truth
+trialTruth t = Truth (laidFace (trialFace t)) (trialRegion t) (0, 0)
+
+-- | How far a pose is off.
+data PoseError = PoseError
+  { -- | the window's centre, millimetres
+    poseErrorFar :: !Double,
+    -- | degrees
+    poseErrorTurned :: !Double,
+    -- | 'poseDistance'
+    poseErrorDistance :: !Double
+  }
+  deriving stock (Eq, Show)
+
+poseError ::
+  KnownField k =>
+  Placement ->
+  Alphabet ->
+  PseudorandomArray k ->
+  Maybe Double ->
+  Trial ->
+  RightAnswer ->
+  Maybe PoseError
+poseError layout alphabet array told t (RightAnswer composite recognition found) = do
+  (_, pose) <- foundPose layout alphabet array told [composite] recognition
+  true <- truePose layout (trialTruth t)
+  let (x, y) = compositePosition composite (windowSeenAt (foundWindow found))
+      (far, degrees) = poseApart true pose [x, y, 0]
+  PoseError far degrees <$> poseDistance true pose
+
+-- | What poses' errors come to: the medians, in millimetres and degrees, and how many of them lie
+-- within the regions of 50 and 95 % by their covariances, as shares.
+data PoseTally = PoseTally
+  { poseMedianFar :: !Double,
+    poseMedianTurned :: !Double,
+    poseWithin50 :: !Double,
+    poseWithin95 :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | The tally of errors; 'Nothing' where there are none. The bounds are those of chi-square with
+-- three degrees of freedom.
+poseTally :: [PoseError] -> Maybe PoseTally
+poseTally errors
+  | null errors = Nothing
+  | otherwise =
+    Just
+      PoseTally
+        { poseMedianFar = median poseErrorFar,
+          poseMedianTurned = median poseErrorTurned,
+          poseWithin50 = share 2.365974,
+          poseWithin95 = share 7.814728
+        }
+  where
+    count = length errors
+    share bound =
+      fromIntegral (length (filter ((<= bound) . poseErrorDistance) errors)) / fromIntegral count
+    -- Of an even number the mean of the two in the middle.
+    median part = sum middle / fromIntegral (length middle)
+      where
+        middle = take (2 - count `mod` 2) (drop ((count - 1) `div` 2) (sort (map part errors)))
 
 -- | How many of each.
 data Tally = Tally

@@ -10,6 +10,7 @@ import Data.List (transpose)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (mapMaybe)
 import PraTactile.Array (PseudorandomArray)
+import PraTactile.Evaluate (PoseError (..), PoseTally (..), poseTally)
 import PraTactile.Explore (Region (..), Turns (..), regionCorner, regionExtent, regionTurn)
 import PraTactile.Field (KnownField)
 import PraTactile.Object.Canonical (canonicalPlacement)
@@ -230,6 +231,22 @@ spec = do
             let ground = Ground (3, -5) (Map.singleton (0, 0) shape)
                 at x y (i, j) = heightAt ground (3 + fromIntegral i + x, fromIntegral j + y - 5)
         ]
+  prop "half of the errors are at most the median and half at least; shares are of distances" $
+    forAll (listOf1 (PoseError <$> choose (0, 9) <*> choose (0, 9) <*> choose (0, 12))) $ \errors ->
+      let half test = 2 * length (filter test errors) >= length errors
+          share bound = length (filter ((<= bound) . poseErrorDistance) errors)
+          shares counted = [poseWithin50 counted, poseWithin95 counted]
+       in case poseTally errors of
+            Nothing -> counterexample "no tally" False
+            Just counted ->
+              conjoin
+                [ property (half ((<= poseMedianFar counted) . poseErrorFar)),
+                  property (half ((>= poseMedianFar counted) . poseErrorFar)),
+                  property (half ((<= poseMedianTurned counted) . poseErrorTurned)),
+                  property (half ((>= poseMedianTurned counted) . poseErrorTurned)),
+                  map (round . (fromIntegral (length errors) *)) (shares counted)
+                    === map share [2.366, 7.8147]
+                ]
   onRecognisers $ \array readers -> do
     it "ideal presses at any angle: the median is within 0.05 mm and 0.02 degrees" $ do
       errors <- presses array (map snd (take 1 readers)) idealSensor Nothing 12

@@ -27,7 +27,7 @@ import Data.List (intercalate)
 import qualified Data.Map.Strict as Map
 import Data.String (fromString)
 import PraTactile.Array (Shape)
-import PraTactile.Evaluate (Tally (..))
+import PraTactile.Evaluate (PoseTally (..), Tally (..))
 import PraTactile.Explore (Turns (..))
 import PraTactile.Format.Json
 import PraTactile.Format.Name
@@ -175,7 +175,9 @@ data EvaluationReport = EvaluationReport
     -- | what was chosen beyond that, where it was
     evaluationConditions :: EvaluationConditions,
     evaluationStitched :: Tally,
-    evaluationUnstitched :: Tally
+    evaluationUnstitched :: Tally,
+    -- | of right answers with stitching
+    evaluationPose :: Maybe PoseTally
   }
 
 -- | How presses were made beyond the usual.
@@ -211,8 +213,18 @@ encodeEvaluation report =
       <> foldMap ("untold" .=) (if conditionUntold chosen then Just True else Nothing)
       <> "stitching" .= tallyValue (evaluationStitched report)
       <> "no_stitching" .= tallyValue (evaluationUnstitched report)
+      <> "pose" .= fmap poseValue (evaluationPose report)
   where
     chosen = evaluationConditions report
+
+poseValue :: PoseTally -> Value
+poseValue counted =
+  object
+    [ "median_mm" .= poseMedianFar counted,
+      "median_deg" .= poseMedianTurned counted,
+      "within_50" .= poseWithin50 counted,
+      "within_95" .= poseWithin95 counted
+    ]
 
 tallyValue :: Tally -> Value
 tallyValue counted =
