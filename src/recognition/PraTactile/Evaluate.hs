@@ -61,6 +61,7 @@ import PraTactile.Recognise.FoundPose (foundPose)
 import PraTactile.Registration
   ( Composite,
     Registration,
+    StitchError,
     StitchMethod (..),
     compositePosition,
     placeOnly,
@@ -316,7 +317,7 @@ judged ::
   Tolerance ->
   Recogniser k ->
   Trial ->
-  Either error Composite ->
+  Either StitchError Composite ->
   (Result, Maybe RightAnswer)
 judged tolerance reader t stitched = case stitched of
   Left _ -> (NoAnswer "not-stitched", Nothing)

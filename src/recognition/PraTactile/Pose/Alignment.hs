@@ -140,8 +140,8 @@ aligned ground touches begin
               | (touch, own) <- zip touches owns
             ]
       solved <- traverse eliminated parts
-      covariance <- inverse (foldr plus (diagonal [0, 0, 0]) (map reducedRows solved))
-      let dx = covariance `applied` foldr (zipWith (+)) [0, 0, 0] (map reducedGradient solved)
+      covariance <- inverse (foldr (plus . reducedRows) (diagonal [0, 0, 0]) solved)
+      let dx = covariance `applied` foldr (zipWith (+) . reducedGradient) [0, 0, 0] solved
           next = [updated dx part own | (part, own) <- zip solved owns]
           r' = rotationAmong touches next (map (rotationVariance covariance) solved)
           now = (nudged pivot dx motion, r', next)
