@@ -94,7 +94,7 @@ insertRows :: MonadIO m => Rows -> ReaderT SqlBackend m ()
 insertRows given = mapM_ insertPart parts
   where
     insertPart :: MonadIO m => Part -> ReaderT SqlBackend m ()
-    insertPart (Part _ part) = insertMany_ (part given)
+    insertPart (Part _ part) = insertEntityMany (entities (keyed (part given)))
 
 -- | All rows, in the order of their keys.
 selectRows :: MonadIO m => ReaderT SqlBackend m Rows
@@ -123,7 +123,8 @@ changeRows old new = mapM_ deletePart (reverse parts) >> mapM_ writePart parts
       | otherwise = come (differing part)
       where
         come again =
-          insertMany_ (Map.elems (Map.difference (keyed (part new)) (keyed (part old)) <> again))
+          insertEntityMany
+            (entities (Map.difference (keyed (part new)) (keyed (part old)) <> again))
     differing :: (PersistEntity row, Eq row) => (Rows -> [row]) -> Map.Map (Key row) row
     differing part =
       Map.mapMaybe id (Map.intersectionWith other (keyed (part old)) (keyed (part new)))
@@ -140,3 +141,6 @@ keyed :: PersistEntity row => [row] -> Map.Map (Key row) row
 keyed given = Map.fromList [(key row, row) | row <- given]
   where
     key = fromMaybe (error "a table whose key is none of its columns") keyFromRecordM
+
+entities :: Map.Map (Key row) row -> [Entity row]
+entities given = [Entity key row | (key, row) <- Map.toList given]
