@@ -11,7 +11,6 @@ module PlacementChoice
     chosenWith,
     chosenNear,
     withDatabase,
-    profileIn,
     shownPlacement,
     feltPlacement,
   )

@@ -134,12 +134,13 @@ selectSeat between number = do
       [StoredCornerObject ==. object, StoredCornerFace ==. storedLayingFace laying]
       []
   complete CornerTable (storedFaceCorners face) around
-  let numbers = map storedCornerVertex (sortOn storedCornerNumber around)
   places <-
-    selected VertexTable [StoredVertexObject ==. object, StoredVertexNumber <-. numbers] []
+    selected
+      VertexTable
+      [StoredVertexObject ==. object, StoredVertexNumber <-. map storedCornerVertex around]
+      []
   let byNumber = Map.fromList [(storedVertexNumber vertex, vertex) | vertex <- places]
-  walked <- for numbers $ \n -> one VertexTable (foldMap pure (Map.lookup n byNumber))
-  let walk = begunIn laying walked
+  walk <- begunIn laying <$> except (walkIn VertexTable byNumber around)
   at <- except (atIn laying)
   grid <- except (gridIn laying)
   let named = Face (objectIn owner) (FaceName (map vertexIn walk))
@@ -161,9 +162,7 @@ selectPosition shape (Face named walk) local = do
   known <- for (sortOn storedFaceNumber (faces own)) $ \face -> do
     let around = Map.findWithDefault [] (storedFaceNumber face) byFace
     complete CornerTable (storedFaceCorners face) around
-    walked <- for (sortOn storedCornerNumber around) $ \corner ->
-      one CornerTable (foldMap pure (Map.lookup (storedCornerVertex corner) names))
-    pure (face, FaceName walked)
+    (,) face . FaceName <$> except (walkIn CornerTable names around)
   case ( [it | it@(_, name) <- known, sameFace walk name],
          [name | (_, name) <- known, sameVertices walk name]
        ) of

@@ -110,25 +110,26 @@ selectRows =
 -- where others refer to them; else they go first and come again, for they may refer to rows that go
 -- and to rows that come.
 changeRows :: MonadIO m => Rows -> Rows -> ReaderT SqlBackend m ()
-changeRows old new = mapM_ deletePart (reverse parts) >> mapM_ writePart parts
+changeRows old new = mapM_ fst (reverse steps) >> mapM_ snd steps
   where
-    deletePart :: MonadIO m => Part -> ReaderT SqlBackend m ()
-    deletePart (Part table part) = mapM_ delete (Map.keys (gone <> replaced))
+    steps = map step parts
+    -- What goes, and then what comes.
+    step :: MonadIO m => Part -> (ReaderT SqlBackend m (), ReaderT SqlBackend m ())
+    step (Part table part)
+      | isReferredTo table =
+        ( mapM_ delete (Map.keys gone),
+          mapM_ (uncurry replace) (Map.toList changed) >> insertEntityMany (entities come)
+        )
+      | otherwise =
+        ( mapM_ delete (Map.keys (gone <> changed)),
+          insertEntityMany (entities (come <> changed))
+        )
       where
-        gone = Map.difference (keyed (part old)) (keyed (part new))
-        replaced = if isReferredTo table then Map.empty else differing part
-    writePart :: MonadIO m => Part -> ReaderT SqlBackend m ()
-    writePart (Part table part)
-      | isReferredTo table = mapM_ (uncurry replace) (Map.toList (differing part)) >> come Map.empty
-      | otherwise = come (differing part)
-      where
-        come again =
-          insertEntityMany
-            (entities (Map.difference (keyed (part new)) (keyed (part old)) <> again))
-    differing :: (PersistEntity row, Eq row) => (Rows -> [row]) -> Map.Map (Key row) row
-    differing part =
-      Map.mapMaybe id (Map.intersectionWith other (keyed (part old)) (keyed (part new)))
-    other before after = if before == after then Nothing else Just after
+        (before, after) = (keyed (part old), keyed (part new))
+        gone = Map.difference before after
+        come = Map.difference after before
+        changed = Map.mapMaybe id (Map.intersectionWith other before after)
+        other was is = if was == is then Nothing else Just is
     isReferredTo = (`notElem` [MetadataTable, CornerTable, EdgeTable, RunTable])
 
 -- | The first table of which the rows are not the same.

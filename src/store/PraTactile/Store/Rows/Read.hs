@@ -13,6 +13,7 @@ module PraTactile.Store.Rows.Read
     shapeIn,
     pitchIn,
     pointIn,
+    walkIn,
     begunIn,
     atIn,
     gridIn,
@@ -95,8 +96,7 @@ descriptionsIn given stored = for stored $ \it -> do
         ]
       names = numberedFrom0 (map fst named)
   walks <- for (sortOn storedFaceNumber (of' own faceRows)) $ \face ->
-    for (sortOn storedCornerNumber (of' (own, storedFaceNumber face) cornerRows)) $ \corner ->
-      find CornerTable names (storedCornerVertex corner)
+    walkIn CornerTable names (of' (own, storedFaceNumber face) cornerRows)
   pure (Description (ObjectName (Text.unpack (storedObjectName it))) named (map FaceName walks))
   where
     vertexRows = grouped storedVertexObject (vertices given)
@@ -151,6 +151,11 @@ pitchIn sheet = Pitch (exactly (metadataPitchRight sheet)) (exactly (metadataPit
 pointIn :: StoredVertex -> Point
 pointIn it =
   Point (exactly (storedVertexX it)) (exactly (storedVertexY it)) (exactly (storedVertexZ it))
+
+-- | What there is at the corners of a face in the order of its walk, by the numbers of vertices;
+-- refuses a corner at which there is nothing, in the name of a table.
+walkIn :: Table -> Map.Map Int64 it -> [StoredCorner] -> Either StoreError [it]
+walkIn table known = traverse (find table known . storedCornerVertex) . sortOn storedCornerNumber
 
 -- | The walk round a face, or whatever else goes round it, from where the laid face's frame begins.
 begunIn :: StoredLaying -> [corner] -> [corner]

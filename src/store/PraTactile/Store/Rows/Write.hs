@@ -64,7 +64,7 @@ toRows :: String -> Numbers -> Placement -> Either StoreError Rows
 toRows profile numbers place =
   mconcat
     <$> sequence
-      ( arrayRow profile place :
+      ( arrayRow profile (Set.lookupMin known) place :
         zipWith (objectRows numbers laidOf) (placementSolids place) nextNames
           ++ map (bandRows numberAt) (bands place)
       )
@@ -81,19 +81,16 @@ toRows profile numbers place =
             Just n <- [Map.lookup (laidFace laid) (layingNumbers numbers)]
         ]
 
--- | The array's one row.
-arrayRow :: String -> Placement -> Either StoreError Rows
-arrayRow profile place = do
+-- | The array's one row, given the first of the objects' names.
+arrayRow :: String -> Maybe String -> Placement -> Either StoreError Rows
+arrayRow profile firstName place = do
   row' <-
     Metadata schemaVersion (Text.pack profile)
       <$> whole (rows (placementShape place))
       <*> whole (columns (placementShape place))
-  pure mempty {metadataRows = [sealed (row' (Exact right) (Exact down) firstName)]}
+  pure mempty {metadataRows = [sealed (row' (Exact right) (Exact down) (Text.pack <$> firstName))]}
   where
     Pitch right down = placementPitch place
-    firstName =
-      Text.pack . fst <$> Set.minView names
-    names = Set.fromList (map (objectText . solidName) (placementSolids place))
 
 -- | All of an object, given the laid faces of each, and the name that comes after its own.
 objectRows ::
