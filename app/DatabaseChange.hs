@@ -13,20 +13,17 @@ import Control.Monad (when)
 import Counted
 import Data.Aeson (Series, (.=))
 import Data.ByteString (ByteString)
-import qualified Data.ByteString.Char8 as Bytes
-import qualified Data.ByteString.Lazy as Lazy
 import Data.List (sort)
 import Data.String (fromString)
 import Data.Traversable (for)
 import ExitStatus
+import FormatFile (writePlacement)
 import Json
 import Message
 import NamedSolid
 import Options
-import Output
 import PraTactile.Array (area)
 import PraTactile.Format.Place (Outcome (..), outcomeName, reasonName)
-import PraTactile.Format.Placement (encodePlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.Placement.Search
 import PraTactile.Object.WingedEdge
@@ -83,8 +80,7 @@ changed file what named form (profile, between) = do
       let names = map ObjectName named
       made [] names (removing names)
     Export to -> do
-      place <- whole
-      writeWhole to (Lazy.fromStrict (encodePlacement profile place <> Bytes.pack "\n"))
+      whole >>= writePlacement to profile
       Answered <$ sayWrittenAs form to "" "objects-written/1" mempty
     Check -> whole >>= told [] []
   where
@@ -94,7 +90,7 @@ changed file what named form (profile, between) = do
       withStore file Nothing (\store -> storedPlacement store >>= orUnusable storeMessage)
         >>= orUnusable storeMessage
     made added removed function = do
-      outcome <- change file (const function) >>= orUnusable storeMessage
+      outcome <- change file function >>= orUnusable storeMessage
       case outcome of
         Right place -> told added removed place
         Left (NotChanged why) -> unusable (placementMessage why)

@@ -4,6 +4,7 @@ module FormatFile
   ( readProfile,
     readCertificate,
     readPlacement,
+    writePlacement,
     readTruth,
     readClaim,
     readPlane,
@@ -13,9 +14,11 @@ module FormatFile
 where
 
 import Data.ByteString (ByteString)
+import qualified Data.ByteString.Lazy as Lazy
 import ExitStatus
 import Files (readBytes, readBytesUpTo)
 import Message (formatMessage, placementFileMessage, profileMessage)
+import Output (writeWhole)
 import PraTactile.Format
 import PraTactile.Object.Placement (Placement)
 import PraTactile.Object.WingedEdge (ObjectName)
@@ -51,6 +54,11 @@ readPlacement file = do
   (profile, layout) <- orUnusable (placementFileMessage file) (decodePlacement bytes)
   orUnusable (\e -> file ++ ": " ++ profileMessage e) (withProfile profile (\_ _ -> ()))
   pure (profile, layout)
+
+-- | Write a placement on the array of a profile to a file, or to what else the name stands for.
+writePlacement :: FilePath -> Profile -> Placement -> IO ()
+writePlacement file profile layout =
+  writeWhole file (Lazy.fromStrict (encodePlacement profile layout) <> Lazy.singleton 10)
 
 -- | The truth in a file.
 readTruth :: FilePath -> IO Truth

@@ -136,13 +136,13 @@ chosenNear array choice = case choice of
 -- | An open database and the profile of its array. Leaves with status 2 where it is none, or where
 -- the array options describe another array.
 withDatabase :: ArrayChoice -> FilePath -> (Profile -> Store -> IO a) -> IO a
-withDatabase array file action =
+withDatabase array file going =
   withStore file Nothing asked >>= orUnusable storeMessage
   where
     asked store = do
       profile <- profileIn file (storedProfile store)
       agreeing array file profile
-      action profile store
+      going profile store
 
 -- | The profile that a database has as a text.
 profileIn :: FilePath -> String -> IO Profile

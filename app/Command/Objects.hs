@@ -8,7 +8,7 @@ where
 import ArrayChoice
 import Control.Monad (unless, when)
 import qualified Data.ByteString.Char8 as Bytes
-import Data.Maybe (isJust, isNothing)
+import Data.Maybe (isJust)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import DatabaseChange

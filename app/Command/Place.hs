@@ -8,8 +8,6 @@ where
 import ArrayChoice
 import Control.Monad (unless, when)
 import Counted
-import qualified Data.ByteString.Char8 as Bytes
-import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isSpace)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, isNothing)
@@ -18,7 +16,7 @@ import Data.Text.Encoding (decodeUtf8')
 import Data.Traversable (for)
 import ExitStatus
 import Files (readBytes)
-import FormatFile (readPlacement)
+import FormatFile (readPlacement, writePlacement)
 import Json (shapeText)
 import Message
 import Message.Advice (adviceErrorMessage)
@@ -31,7 +29,6 @@ import PraTactile.Advise
 import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), area)
 import PraTactile.Field (KnownField)
 import PraTactile.Format.Place
-import PraTactile.Format.Placement (encodePlacement)
 import PraTactile.Format.Solid (SolidFormat)
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement
@@ -172,7 +169,7 @@ run choice options = do
         orUnusable
           profileMessage
           (withProfile profile (\array _ -> proved array (map layBlock all')))
-      mapM_ (written profile place) (output options)
+      mapM_ (\file -> writePlacement file profile place) (output options)
       told
         options
         (report IsPlaced Nothing (zip all' proofs) (windowCounts place (profileWindow profile)))
@@ -187,8 +184,6 @@ run choice options = do
       pure Answered
   where
     laidCells = toInteger . length . blockCells . laidBlock
-    written profile place file =
-      writeWhole file (Lazy.fromStrict (encodePlacement profile place <> Bytes.pack "\n"))
 
 -- | The first array on which all is laid, by that of its windows that lies wholly on the most
 -- faces, the first of several; or the last array, where all is laid on none. Each is given by its

@@ -34,7 +34,7 @@ module PraTactile.Evaluate
   )
 where
 
-import Data.Bifunctor (first)
+import Data.Bifunctor (first, second)
 import Data.Either (isRight)
 import Data.List (foldl', genericLength, genericTake, sort, unfoldr)
 import qualified Data.Map.Strict as Map
@@ -61,7 +61,6 @@ import PraTactile.Recognise.FoundPose (foundPose)
 import PraTactile.Registration
   ( Composite,
     Registration,
-    StitchError,
     StitchMethod (..),
     compositePosition,
     placeOnly,
@@ -156,12 +155,9 @@ evaluatedPoses experiment alphabet array reader = do
           foreignFaces = map classOn (byOtherPolynomials array)
         }
     decoded t =
-      ( TrialResult (fst stitched) (fst (judged weighing reader t (placeOnly (trialFrames t)))),
-        snd stitched >>= poseError layout alphabet array (stitchingPositionError known) t
-      )
-      where
-        stitched = judged weighing reader t (stitch registration (trialFrames t))
-        registration = registrationFor known (trialFrames t)
+      second
+        (>>= poseError layout alphabet array (stitchingPositionError known) t)
+        (ranTrial weighing reader (registrationFor known (trialFrames t)) t)
     known
       | told = assumedStitching sensor
       | otherwise = (assumedStitching sensor) {stitchingPositionError = Nothing}
@@ -301,28 +297,28 @@ data TrialResult = TrialResult
 
 -- | Decode a trial's frames with and without stitching.
 runTrial :: KnownField k => Tolerance -> Recogniser k -> Registration -> Trial -> TrialResult
-runTrial tolerance reader registration t =
-  TrialResult (judge (stitch registration frames)) (judge (placeOnly frames))
+runTrial tolerance reader registration = fst . ranTrial tolerance reader registration
+
+-- | The same, with what was recognised with stitching where that is right.
+ranTrial ::
+  KnownField k =>
+  Tolerance ->
+  Recogniser k ->
+  Registration ->
+  Trial ->
+  (TrialResult, Maybe RightAnswer)
+ranTrial tolerance reader registration t =
+  (TrialResult (fst stitched) (fst (judge (placeOnly frames))), snd stitched)
   where
     frames = trialFrames t
-    judge = fst . judged tolerance reader t
+    stitched = judge (stitch registration frames)
+    judge = either (const (NoAnswer "not-stitched", Nothing)) (result tolerance reader t)
 
 -- | What was recognised, where that is right.
 data RightAnswer = RightAnswer Composite Recognition Finding
 
 -- | Compare an answer with the truth: the window's centre must lie on the true face, in the true
 -- orientation, within half a cell of where the composite shows it.
-judged ::
-  KnownField k =>
-  Tolerance ->
-  Recogniser k ->
-  Trial ->
-  Either StitchError Composite ->
-  (Result, Maybe RightAnswer)
-judged tolerance reader t stitched = case stitched of
-  Left _ -> (NoAnswer "not-stitched", Nothing)
-  Right composite -> result tolerance reader t composite
-
 result ::
   KnownField k => Tolerance -> Recogniser k -> Trial -> Composite -> (Result, Maybe RightAnswer)
 result tolerance reader t composite = case recogniseWith tolerance reader [composite] of

@@ -108,14 +108,14 @@ create path profile place = runExceptT $ do
     written rows part file = (fill rows part >> renameFile part file) `onException` discardPart part
     fill rows part = withBackend part (runSqlConn (runMigrationQuiet migrateAll >> insertRows rows))
 
--- | Make the placement of a store another one, in one transaction, by a function of the text of its
--- profile and of the placement that it has. Objects and laid faces that stay keep their numbers,
+-- | Make the placement of a store another one, in one transaction, by a function of the placement
+-- that it has. Objects and laid faces that stay keep their numbers,
 -- and only rows that differ are written; nothing is where the function refuses. Another program
 -- that is changing the store is waited for, up to ten seconds. A store of version 2 is replaced,
 -- whole or not at all, by one of this version.
 change ::
   FilePath ->
-  (String -> Placement -> Either refusal Placement) ->
+  (Placement -> Either refusal Placement) ->
   IO (Either StoreError (Either refusal Placement))
 change path function = runExceptT $ do
   checkFile path
@@ -129,7 +129,7 @@ change path function = runExceptT $ do
       unless (now == before) (throwE (CannotWrite path InUse))
       version <- schemaChecked path
       (profile, numbers, place, old) <- everything path version
-      case function profile place of
+      case function place of
         Left refusal -> pure (Left refusal)
         Right other -> do
           case old of

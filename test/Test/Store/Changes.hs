@@ -44,9 +44,9 @@ spec = describe "change" $ do
   it "what is refused leaves the file as it was, to the byte" $
     stored $ \path place -> do
       before <- Bytes.readFile path
-      change path (const (adding 1 (placementSolids place)))
+      change path (adding 1 (placementSolids place))
         `shouldReturn` Right (Left (NotChanged (RepeatedObject "cube")))
-      change path (const (removing ["sphere"]))
+      change path (removing ["sphere"])
         `shouldReturn` Right (Left (NotChanged (UnknownObject "sphere")))
       Bytes.readFile path `shouldReturn` before
   it "some objects are read as they are among all, and are refused where one is not there" $
@@ -59,11 +59,11 @@ spec = describe "change" $ do
         `shouldReturn` Left (NotInStore (UnknownObject "sphere"))
   it "writers of one store wait for each other" $
     stored $ \path _ -> do
-      _ <- change path (const (removing ["parallelepiped"]))
+      _ <- change path (removing ["parallelepiped"])
       done <- for [1 .. 6 :: Int] $ \i -> do
         end <- newEmptyMVar
         let new = box ("box" ++ show i) 30 40 50
-        _ <- forkIO (change path (const (adding 1 [new])) >>= putMVar end)
+        _ <- forkIO (change path (adding 1 [new]) >>= putMVar end)
         pure end
       outcomes <- traverse takeMVar done
       for_ outcomes (`shouldSatisfy` either (const False) (either (const False) (const True)))
@@ -93,7 +93,7 @@ spec = describe "change" $ do
     walk _ _ [] = pure ()
     walk path place (step : others) = do
       let outcome = step place
-      changed <- change path (const step)
+      changed <- change path step
       changed `shouldBe` Right outcome
       let now = either (const place) id outcome
       asked path $ \store -> do
