@@ -81,7 +81,8 @@ conformOptions =
     <**> infoOption ("suite " ++ suiteVersion) (long "version" <> help "Show the suite's version")
   where
     stagesNamed =
-      [(name, [stage]) | (name, stage) <- allNamed stageName] ++ [("touch", touchStages)]
+      [(name, [stage]) | (name, stage) <- allNamed stageName]
+        ++ [(name, own) | (name, own@(_ : _ : _), _) <- stagesApart]
     stageHelp =
       "Try only the laws of a stage; may be repeated (default: all stages of the code); touch: \
       \register, stitch and segment"
@@ -114,16 +115,15 @@ settingsOf suite options = do
         settingKnown = known
       }
   where
-    (tried, others) = if null (stages options) then (codeStages, touchStages) else (all', [])
-    all' = codeStages ++ touchStages
+    tried = if null (stages options) then codeStages else [minBound ..]
     ids = idsOf tried suite ++ map fst checkTexts
     named name patterns =
       for_ patterns $ \one ->
         unless (any (matches one) ids) . misused $
           name ++ ": "
-            ++ if any (matches one) (idsOf others suite)
-              then quoted one ++ " is a law of touch; it needs --stage touch"
-              else "no law is called " ++ quoted one ++ "; 'pra-tactile conform --list' has all"
+            ++ case [set | (set, own, _) <- stagesApart, any (matches one) (idsOf own suite)] of
+              set : _ -> quoted one ++ " is a law of " ++ set ++ "; it needs --stage " ++ set
+              [] -> "no law is called " ++ quoted one ++ "; 'pra-tactile conform --list' has all"
     mebibyte = 1024 * 1024
     complaints =
       take 1 . concat $

@@ -10,7 +10,7 @@ import GHC.Clock (getMonotonicTime)
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Score
 import PraTactile.Conformance.Law (Law (lawId))
-import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
+import PraTactile.Conformance.Laws (laws, lawsWithoutProfile, openingLaws)
 import System.Environment (getArgs)
 import System.Exit (exitFailure)
 import System.IO (BufferMode (LineBuffering), hSetBuffering, stdout)
@@ -42,7 +42,7 @@ main = do
       printf "    %-45s %-26s %d cases\n" (killLaw kill) (killProfile kill) (killCases kill)
     pure (impostorName impostor, escaped, map killLaw found)
   let idle =
-        (map lawId openingLaws ++ map lawId laws ++ map lawId touchLaws)
+        (map lawId openingLaws ++ map lawId laws ++ map lawId lawsWithoutProfile)
           \\ nub (concat [found | (_, _, found) <- scores])
       survivors = [name | (name, escaped, _) <- scores, escaped > 0]
   when (null names) $

@@ -7,7 +7,7 @@ where
 import Control.Exception (IOException, try)
 import Control.Monad (filterM, forM)
 import Data.List (sort)
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, isNothing)
 import ExitStatus
 import Files (readBytes)
 import FormatFile (readProfile)
@@ -15,7 +15,12 @@ import Message (formatMessage)
 import Options
 import Output (writeMessage, writeWhole)
 import PraTactile.Conformance.Profiles (profileNamed)
-import PraTactile.Conformance.Question (Operation, codeOperations, operationName)
+import PraTactile.Conformance.Question
+  ( Operation,
+    codeOperations,
+    objectOperations,
+    operationName,
+  )
 import PraTactile.Conformance.Vectors
 import PraTactile.Conformance.Vectors.Text
 import PraTactile.Profile (Profile)
@@ -41,14 +46,15 @@ command :: Mod CommandFields (IO ExitStatus)
 command =
   subcommand
     "vectors"
-    "Write test vectors, a JSON file an operation and profile, FOLDER/OPERATION/PROFILE.json; or \
+    "Write test vectors, a JSON file an operation and profile, FOLDER/OPERATION/PROFILE.json, or \
+    \exact.json of an operation that needs no profile; or \
     \make those in a folder again and compare."
     [ "pra-tactile vectors --output vectors --operation locate",
       "pra-tactile vectors --check data/vectors"
     ]
     (run <$> (making <|> Check <$> folderOption "check" "Check the vectors in this folder"))
   where
-    operations = [(operationName one, one) | one <- codeOperations]
+    operations = [(operationName one, one) | one <- codeOperations ++ objectOperations]
     making =
       Make
         <$> folderOption "output" "Write the vectors here; files of the same name are replaced"
@@ -65,22 +71,26 @@ run work = case work of
 make :: FilePath -> Maybe Operation -> Maybe FilePath -> Int -> IO ExitStatus
 make folder chosen file seed = do
   profiles <- maybe (pure vectorProfiles) (fmap pure . named) file
-  let operations = maybe codeOperations pure chosen
-  counts <- forM profiles $ \(name, profile) -> do
-    let usable = orUnusable (\why -> name ++ ": " ++ why)
-    prepared <- prepare profile >>= usable
-    sum
-      <$> forM
-        operations
-        ( \operation -> do
-            vectors <- makeVectors seed prepared operation >>= usable
-            let place = folder </> operationName operation
-            createFolder place
-            writeWhole (place </> name <.> "json") (vectorsText vectors)
-            pure (testsOf vectors)
-        )
+  let among operations = maybe operations (\one -> filter (== one) operations) chosen
+      -- Those that need no profile are written where none is named.
+      sets =
+        [(name, prepare profile, among codeOperations) | (name, profile) <- profiles]
+          ++ [ ("exact", pure (Right withoutAProfile), operations)
+               | isNothing file,
+                 operations@(_ : _) <- [among objectOperations]
+             ]
+  counts <- forM (filter (\(_, _, operations) -> not (null operations)) sets) $
+    \(name, preparing, operations) -> do
+      let usable = orUnusable (\why -> name ++ ": " ++ why)
+      prepared <- preparing >>= usable
+      forM operations $ \operation -> do
+        vectors <- makeVectors seed prepared operation >>= usable
+        let place = folder </> operationName operation
+        createFolder place
+        writeWhole (place </> name <.> "json") (vectorsText vectors)
+        pure (testsOf vectors)
   putStrLn $
-    "wrote " ++ show (length profiles * length operations) ++ " files with " ++ show (sum counts)
+    "wrote " ++ show (length (concat counts)) ++ " files with " ++ show (sum (concat counts))
       ++ " tests into "
       ++ visibleName folder
   pure Answered
@@ -112,7 +122,11 @@ check folder = do
     go ready tests (file : others) = do
       bytes <- readBytes file
       stated <- orUnusable (formatMessage file "test vectors of this program") (readVectors bytes)
-      (prepared, ready') <- preparedFor file (statedProfile stated) ready
+      (prepared, ready') <-
+        maybe
+          (pure (withoutAProfile, ready))
+          (\profile -> preparedFor file profile ready)
+          (statedProfile stated)
       made <-
         makeVectors (fromMaybe 1 (statedSeed stated)) prepared (statedOperation stated)
           >>= orUnusable (\why -> visibleName file ++ ": " ++ why)

@@ -9,7 +9,7 @@
 -- >     { implementationName = "yours",
 -- >       offered = [OfAdd, OfCell],
 -- >       open = \profile -> pure (answering (answers profile)),
--- >       touch = answering (const notOffered)
+-- >       withoutProfile = answering (const notOffered)
 -- >     }
 -- >
 -- > answers :: Profile -> Question a -> Wire a
@@ -27,8 +27,8 @@
 -- > for_ (lawProperties yours) (\(name, property) -> prop name property)
 --
 -- The stages of touch, registration, stitching and segmentation, have laws of their own,
--- 'runTouchLaws' and 'touchProperties'. The project's own test suite runs all of them on this
--- library.
+-- 'runLawsWithoutProfile' and 'propertiesWithoutProfile'. The project's own test suite runs all of
+-- them on this library.
 module PraTactile.Conformance
   ( -- * Implementations under test
     module PraTactile.Conformance.Implementation,
@@ -37,17 +37,17 @@ module PraTactile.Conformance
 
     -- * Running all laws
     runLaws,
-    runTouchLaws,
+    runLawsWithoutProfile,
     lawProperties,
     lawProperty,
     openingProperty,
-    touchProperties,
+    propertiesWithoutProfile,
 
     -- * Laws
     Law (..),
     laws,
     openingLaws,
-    touchLaws,
+    lawsWithoutProfile,
 
     -- * Profiles
     defaultProfiles,
@@ -59,7 +59,7 @@ where
 import PraTactile.Conformance.Definition (Known, known)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Law (Law (..))
-import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
+import PraTactile.Conformance.Laws (laws, lawsWithoutProfile, openingLaws)
 import PraTactile.Conformance.Library (library)
 import PraTactile.Conformance.Profiles (defaultProfiles)
 import PraTactile.Conformance.Properties

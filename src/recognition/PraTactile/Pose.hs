@@ -91,7 +91,6 @@ import PraTactile.Object.WingedEdge
     Solid,
     cornerPoints,
     outwardNormal,
-    sameCorners,
   )
 import PraTactile.Pose.Matrix
 import PraTactile.Sensor.Frame (Motion (..), movePoint)
@@ -206,13 +205,13 @@ data RigidMotion = RigidMotion
   deriving stock (Eq, Show)
 
 -- | From the object's frame to that of a face, by the places of its vertices in the order of its
--- walk and a vector along its outward normal. 'Nothing' where the walk's first vertex is at the
--- place of its last, or the vector is 0 or along the walk.
-faceFrame :: [Point] -> Point -> Maybe RigidMotion
-faceFrame corners normal = case (corners, reverse corners) of
+-- walk. 'Nothing' where the walk's first vertex is at the place of its last, or the face has no
+-- area.
+faceFrame :: [Point] -> Maybe RigidMotion
+faceFrame corners = case (corners, reverse corners) of
   (begin : _, end : _) -> do
     x <- unit (zipWith (-) (exact end) (exact begin))
-    z <- unit (map negate (exact normal))
+    z <- unit (map negate (exact (outwardNormal corners)))
     y <- cross z x
     let rows = [x, y, z]
     Just (RigidMotion rows (map negate (rows `applied` map fromRational (exact begin))))
@@ -232,8 +231,7 @@ faceFrame corners normal = case (corners, reverse corners) of
 -- | From an object's frame to that of one of its faces, named from any of its vertices. 'Nothing'
 -- where the object has no such face.
 faceFrameOf :: Solid -> FaceName -> Maybe RigidMotion
-faceFrameOf whole name =
-  faceFrame (cornerPoints whole name) . outwardNormal whole =<< sameCorners whole name
+faceFrameOf whole = faceFrame . cornerPoints whole
 
 -- | From the object's frame to the robot's, where a face, with this 'faceFrame', is moved so into
 -- the robot's plane.

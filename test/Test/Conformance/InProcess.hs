@@ -120,7 +120,7 @@ spec = do
       `shouldBe` [Just possible, Just other, Just third, Nothing]
     map lawId (suiteLaws suite) `shouldBe` map lawId laws
     map lawId (suiteOpenings suite) `shouldBe` map lawId openingLaws
-    map lawId (suiteTouch suite) `shouldBe` map lawId touchLaws
+    map lawId (suiteWithoutProfile suite) `shouldBe` map lawId lawsWithoutProfile
     Just about <- pure (suiteAbout suite possible)
     map (suiteAnswer suite about) [SomeQuestion (Add 1 1), SomeQuestion (Inverse 0)]
       `shouldBe` [Result (toJSON (0 :: Int)), RefusedFor "division-by-zero"]

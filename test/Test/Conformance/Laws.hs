@@ -18,6 +18,7 @@ import PraTactile.Conformance.Law
     Domain (..),
     Stage (OnRegister),
     codeStages,
+    objectStages,
     touchStages,
   )
 import PraTactile.Conformance.Report
@@ -36,8 +37,10 @@ spec = do
     for_ small $ \under -> it ("of the definition: " ++ fst under) (failing [under] definition)
     it "of this library's stages of touch" $
       failingWith standardSettings {settingStages = touchStages, settingCases = 25} [] library
+    it "of this library's objects" $
+      failingWith standardSettings {settingStages = objectStages} [] library
   it "laws have ids of their own" $ do
-    let ids = map lawId openingLaws ++ map lawId laws ++ map lawId touchLaws
+    let ids = map lawId openingLaws ++ map lawId laws ++ map lawId lawsWithoutProfile
     ids \\ nub ids `shouldBe` []
   it "without a stage no law of touch is tried, and no operation of touch counts" $ do
     suite <- either (fail . noSuiteText) pure (standardSuite (take 1 defaultProfiles))
@@ -64,10 +67,11 @@ spec = do
   describe "impostors" $ do
     impostorSpec
     it "leave no law that finds none" $
-      (map lawId openingLaws ++ map lawId laws ++ map lawId touchLaws)
+      (map lawId openingLaws ++ map lawId laws ++ map lawId lawsWithoutProfile)
         \\ concatMap (killersOf . impostorName) impostors `shouldBe` []
   describe "impostors of the code" (ownKillers codeStages)
   describe "impostors of touch" (ownKillers touchStages)
+  describe "impostors of objects" (ownKillers objectStages)
   ignoringSpec
   where
     init' text = take (length text - 1) text

@@ -19,8 +19,8 @@ import Numeric.Natural (Natural)
 import PraTactile.Conformance.Implementation (Implementation (implementationName))
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Killers
-import PraTactile.Conformance.Law (lawId, touchStages)
-import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
+import PraTactile.Conformance.Law (codeStages, lawId, objectStages, stageName, touchStages)
+import PraTactile.Conformance.Laws (laws, lawsWithoutProfile, openingLaws)
 import PraTactile.Conformance.Library (library)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Serve (replyOnce, serveOnce)
@@ -169,7 +169,7 @@ spec = do
     (status, out, _) <- pra ["serve", "--impostors"]
     status `shouldBe` 0
     length (lines out) `shouldBe` 2 * length impostors
-    let ids = map lawId laws ++ map lawId openingLaws ++ map lawId touchLaws
+    let ids = map lawId laws ++ map lawId openingLaws ++ map lawId lawsWithoutProfile
     filter (`notElem` ids) (concatMap (killersOf . impostorName) impostors) `shouldBe` []
   where
     replyTo = replyOnce library . requestOf mempty
@@ -183,13 +183,22 @@ spec = do
       pure (KeyMap.singleton "profile" (profileValue made))
     longText = String (Text.replicate 170000 "<")
     served = ["pra-tactile", "serve"]
-    ofTheCode one = not (any (`elem` touchStages) (impostorTouches one))
-    stageFor one = if ofTheCode one then "" else "--stage touch --cases 5"
+    ofTheCode one = any (`elem` codeStages) (impostorTouches one)
+    stageFor one
+      | ofTheCode one = ""
+      | otherwise =
+        unwords ["--stage " ++ stageName stage | stage <- impostorTouches one]
+          ++ " --cases 20"
     -- In this process all of them are found: of those that one law finds first, the first is asked.
     oneALaw = nubBy ((==) `on` firstKiller) (filter ofTheCode impostors)
     firstKiller = listToMaybe . killersOf . impostorName
     oneAStage =
-      concat [take 1 (filter ((== [stage]) . impostorTouches) impostors) | stage <- touchStages]
+      concat
+        [ take 1 (filter ((== [stage]) . impostorTouches) impostors)
+          | stage <-
+              touchStages
+                ++ objectStages
+        ]
 
 -- | Numbers of terms for which no line has room.
 sizes :: [Natural]

@@ -16,7 +16,12 @@ import Data.Ord (comparing)
 import qualified Data.Set as Set
 import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (..), area, naturalsBelow)
-import PraTactile.Conformance.Question (Operation (..), codeOperations, operationName)
+import PraTactile.Conformance.Question
+  ( Operation (..),
+    codeOperations,
+    objectOperations,
+    operationName,
+  )
 import PraTactile.Conformance.Vectors
 import qualified PraTactile.Conformance.Vectors.Draw as Draw
 import PraTactile.Conformance.Vectors.Text
@@ -60,13 +65,21 @@ shippedSpec = describe "those shipped" $ do
         made <- makeVectors 1 prepared operation >>= right
         bytes <- Lazy.readFile (shipped operation name)
         (name, operation, bytes == vectorsText made) `shouldBe` (name, operation, True)
+    forM_ objectOperations $ \operation -> do
+      made <- makeVectors 1 withoutAProfile operation >>= right
+      bytes <- Lazy.readFile (shipped operation "exact")
+      (operation, bytes == vectorsText made) `shouldBe` (operation, True)
     there <- listDirectory folder >>= fmap concat . traverse (listDirectory . (folder </>))
-    length there `shouldBe` length vectorProfiles * length codeOperations
+    length there `shouldBe` length everyFile
   it "obey their schema, and when they are spoilt do not: the shortest file of each operation" $ do
     texts <- forM codeOperations $ \operation -> do
       files <- forM vectorProfiles (Bytes.readFile . shipped operation . fst)
       pure (map unbroken (Bytes8.unpack (minimumBy (comparing Bytes.length) files)))
-    let lines' = map ((,) "vectors") texts
+    others <-
+      forM
+        objectOperations
+        (fmap (map unbroken . Bytes8.unpack) . Bytes.readFile . (`shipped` "exact"))
+    let lines' = map ((,) "vectors") (texts ++ others)
     validated lines' >>= mapM_ (`shouldSatisfy` all ((== "good") . snd))
     spoilt (take 1 lines') >>= mapM_ (`shouldSatisfy` all ((== "good") . snd))
   it "are below 10 MB" $ do
@@ -98,7 +111,9 @@ shippedSpec = describe "those shipped" $ do
     [at ["id"] test | test <- powers, at ["input"] test == Just squared]
       `shouldBe` [Just "3714fc324e04"]
   where
-    everyFile = [shipped operation name | (name, _) <- vectorProfiles, operation <- codeOperations]
+    everyFile =
+      [shipped operation name | (name, _) <- vectorProfiles, operation <- codeOperations]
+        ++ [shipped operation "exact" | operation <- objectOperations]
     exhaustive test
       | at ["proof", "kind"] test == Just "exhaustive" = at ["input"] test
       | otherwise = Nothing

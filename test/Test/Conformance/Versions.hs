@@ -42,7 +42,7 @@ inCode =
   [Listed name "protocol" [] sentence "the protocol" | (name, sentence) <- checkTexts]
     ++ map listed openingLaws
     ++ map listed laws
-    ++ map listed touchLaws
+    ++ map listed lawsWithoutProfile
   where
     listed :: Law a -> Listed
     listed law =

@@ -102,13 +102,10 @@ genLying = do
             lyingPoints = points
           }
 
--- | The face's frame by the object's corners and its normal, which is outward: away from the face's
--- z, which goes into the object.
+-- | The face's frame by the object's corners.
 frameOf' :: Lying -> Maybe RigidMotion
 frameOf' lying =
-  faceFrame
-    (map (point . onPoint (lyingInObject lying)) (lyingCorners lying))
-    (point (onPoint (fst (lyingInObject lying), [0, 0, 0]) [0, 0, -7]))
+  faceFrame (map (point . onPoint (lyingInObject lying)) (lyingCorners lying))
   where
     point v = case v of
       [a, b, c] -> Point a b c

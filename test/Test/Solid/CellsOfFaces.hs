@@ -1,10 +1,11 @@
--- | Which cells lie on a face: figures worked out elsewhere, what turning and moving a face must
--- leave as it is, and each cell on faces whose frames are rational, by its corners alone.
+-- | Which cells lie on a face: figures worked out elsewhere, and what turning and moving a face
+-- must leave as it is. The conformance suite holds each cell to its definition.
 module Test.Solid.CellsOfFaces (spec) where
 
 import Data.List (nub, sort)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
+import PraTactile.Conformance.Laws.Solids (moved)
 import PraTactile.Object.Cells
 import PraTactile.Object.Description
 import PraTactile.Object.Mesh
@@ -12,7 +13,6 @@ import PraTactile.Object.Named
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
-import Test.Solid.Drawn (moved)
 
 spec :: Spec
 spec = do
@@ -42,11 +42,6 @@ spec = do
               walks solid
         ]
           === gridsOf solid
-  prop "are those whose corners, and those of the cells in them, are all in the polygon" $
-    forAll polygon $ \corners ->
-      let it_ = fromDescription (plate corners)
-          grid = gridOf it_ (1, 1) (U.fromList [0 .. length corners - 1])
-       in sort (gridCells grid) === sort (cellsOf corners)
   where
     shape grid = (gridRows grid, gridColumns grid, gridCount grid)
     gridsOf = map shape . grids
@@ -89,64 +84,3 @@ rotation = do
       )
   where
     part = fromInteger <$> choose (-5, 5)
-
--- | A polygon seen from above, x to the right and y down, from its upper left corner: to the left
--- of a staircase that goes down, and above one that comes back up, so that it is simple.
-polygon :: Gen [(Rational, Rational)]
-polygon = do
-  width <- quarter (20, 40)
-  depths <- (: []) <$> quarter (8, 30)
-  steps <- choose (1, 4)
-  lefts <- sort . nub <$> vectorOf steps (quarter (1, 19))
-  heights <- vectorOf (length lefts) (quarter (2, 30))
-  let floors = zip (0 : lefts) (depths ++ heights)
-      below = concat [[(x, y), (x', y)] | ((x, y), x') <- zip floors (lefts ++ [width])]
-  pure (distinct ((0, 0) : filter (/= (0, 0)) below ++ [(width, 0)]))
-  where
-    quarter (a, b) = (/ 4) . fromInteger <$> choose (a, b)
-    distinct (p : q : more)
-      | p == q = distinct (q : more)
-      | otherwise = p : distinct (q : more)
-    distinct few = few
-
--- | The polygon as a face seen from above: y points down there, towards the viewer here.
-plate :: [(Rational, Rational)] -> Description
-plate corners =
-  Description
-    (ObjectName "plate")
-    [(VertexName (show i), Point x (negate y) 0) | (i, (x, y)) <- zip [0 :: Int ..] corners]
-    [FaceName [VertexName (show i) | i <- [0 .. length corners - 1]]]
-
--- | The cells of one by one that lie in such a polygon, whose sides are along the axes: those all
--- of whose pieces, cut at every corner's x and y, have their middle in it.
-cellsOf :: [(Rational, Rational)] -> [(Integer, Integer)]
-cellsOf corners =
-  [ (r, c)
-    | r <- [0 .. rows - 1],
-      c <- [0 .. columns - 1],
-      let (x, y) = (left + fromInteger c, top + fromInteger r),
-      and
-        [ holds ((x1 + x2) / 2, (y1 + y2) / 2)
-          | (x1, x2) <- pieces x (map fst corners),
-            (y1, y2) <- pieces y (map snd corners)
-        ]
-  ]
-  where
-    (wide, high) = (maximum (map fst corners), maximum (map snd corners))
-    (columns, rows) = (floor wide, floor high)
-    left = (wide - fromInteger columns) / 2
-    top = (high - fromInteger rows) / 2
-    pieces from cuts =
-      let marks = sort (from : from + 1 : [m | m <- cuts, m > from, m < from + 1])
-       in zip marks (drop 1 marks)
-    -- How many sides a ray to the right meets.
-    holds (x, y) =
-      odd
-        ( length
-            [ ()
-              | ((x1, y1), (x2, y2)) <- zip corners (drop 1 corners ++ take 1 corners),
-                x1 == x2,
-                x1 > x,
-                (y1 > y) /= (y2 > y)
-            ]
-        )

@@ -11,6 +11,7 @@ import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Vector as V
+import PraTactile.Conformance.Laws.Solids
 import PraTactile.Format.Solid
 import PraTactile.Object.Description
 import PraTactile.Object.Merge
@@ -21,7 +22,6 @@ import System.FilePath ((</>))
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
-import Test.Solid.Drawn
 
 spec :: Spec
 spec = do

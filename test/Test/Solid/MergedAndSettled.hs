@@ -7,6 +7,7 @@ import Data.List (sort)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
+import PraTactile.Conformance.Laws.Solids
 import PraTactile.Object.Description
 import PraTactile.Object.Merge
 import PraTactile.Object.Mesh
@@ -17,7 +18,6 @@ import PraTactile.Object.Validity
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
-import Test.Solid.Drawn
 
 spec :: Spec
 spec = do

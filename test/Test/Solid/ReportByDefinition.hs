@@ -5,6 +5,8 @@ module Test.Solid.ReportByDefinition (spec) where
 import Data.Foldable (for_)
 import Data.List (sortOn)
 import Data.Maybe (fromMaybe)
+import PraTactile.Conformance.Definition.Solid
+import PraTactile.Conformance.Laws.Solids
 import PraTactile.Object.Defect
 import PraTactile.Object.Description
 import PraTactile.Object.Mesh (fromDescription)
@@ -13,8 +15,6 @@ import System.Environment (lookupEnv)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck
-import Test.Solid.Definition
-import Test.Solid.Drawn
 import Text.Read (readMaybe)
 
 spec :: Spec
@@ -37,29 +37,22 @@ said = examine . fromDescription
 -- | Whether the library says what the definition says.
 judged :: Description -> Property
 judged drawn =
-  (map place (sorted library) === map placeFound definition')
-    .&&. [ (w, defectMeasure d)
-           | (Found _ _ _ w, d) <-
-               zip definition' (sorted library),
-             not (alike w (defectMeasure d))
+  (map place (sorted library) === map place definition')
+    .&&. [ (wanted, told)
+           | (wanted, told) <-
+               zip (map defectMeasure definition') (map defectMeasure (sorted library)),
+             not (alike wanted told)
          ]
       === []
-    .&&. map pieceOf (reportComponents report) === wholePieces whole
-    .&&. [(k, c) | Unexamined k c <- reportNotExamined report] === wholeNot whole
+    .&&. reportComponents report === reportComponents whole
+    .&&. reportNotExamined report === reportNotExamined whole
   where
     report = said drawn
-    whole = define drawn
+    whole = reportOf drawn
     library = reportDefects report
     sorted = sortOn place
-    definition' = sortOn placeFound (wholeFound whole)
+    definition' = sorted (reportDefects whole)
     place (Defect kind faces vertices _) = (kind, faces, vertices)
-    placeFound (Found kind faces vertices _) = (kind, faces, vertices)
-    pieceOf piece =
-      Piece
-        (componentVertices piece)
-        (componentEdges piece)
-        (componentFaces piece)
-        (componentGenus piece)
-        (componentVolume piece)
-        (componentConvex piece)
-        (componentInside piece)
+    alike a b = case (a, b) of
+      (Just x, Just y) -> abs (x - y) <= 1e-9 * x
+      _ -> a == b

@@ -12,15 +12,19 @@ module PraTactile.Conformance.Definition
     expected,
     agrees,
     inFormOf,
+    expectedWithoutProfile,
+    agreesWithoutProfile,
   )
 where
 
 import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Conformance.Definition.Array
 import PraTactile.Conformance.Definition.Field
 import qualified PraTactile.Conformance.Definition.Locate as Locate
+import PraTactile.Conformance.Definition.Objects
 import PraTactile.Conformance.Definition.Polynomial
 import qualified PraTactile.Conformance.Definition.Windows as Windows
 import PraTactile.Conformance.Question
@@ -55,13 +59,10 @@ expected k question = case question of
   Posterior chances -> Locate.posterior k chances
   Prove mask -> offsets mask >>= orRefuse "off-sheet" . Windows.prove k
   Distance mask -> Windows.distance k <$> offsets mask
-  -- What is touched has its definition in the scene that a law draws.
-  Register _ -> refused "not-offered"
-  Stitch _ _ -> refused "not-offered"
-  Segment _ -> refused "not-offered"
   Raw operation input -> case someQuestion operation input of
     Nothing -> refused "invalid"
     Just (SomeQuestion asked) -> answerValue asked <$> expected k asked
+  _ -> fromMaybe (refused "not-offered") (expectedWithoutProfile question)
   where
     f = knownField k
     windowSize = length (Windows.windowOffsets k)

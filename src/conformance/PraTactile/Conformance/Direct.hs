@@ -22,7 +22,7 @@ import PraTactile.Profile (Profile)
 data Respondent
   = Respondent (Profile -> IO (Either Refusal ())) (forall b. Question b -> IO (Either Refusal b))
 
--- | A session answers questions, under its profile alone, or about touch.
+-- | A session answers questions, under its profile alone, or those that need none.
 sessionRespondent :: Session -> Respondent
 sessionRespondent asked = Respondent (const (runExceptT notOffered)) (runExceptT . answerTo asked)
 

@@ -42,9 +42,9 @@ data Implementation = Implementation
     -- primitive, say, or sides of a diagonal fold that have a common divisor. Where it is not known
     -- whether it names one, it may be refused as @not-factored@; no law asks for one of that size.
     open :: Profile -> Wire Session,
-    -- | What it says to questions about touch, which know no profile; if it has none of these
-    -- stages, @answering (const notOffered)@.
-    touch :: Session
+    -- | What it says to questions about touch and objects, which know no profile; if it has none of
+    -- these stages, @answering (const notOffered)@.
+    withoutProfile :: Session
   }
 
 -- | One function from every question to its answer, made by 'answering'.

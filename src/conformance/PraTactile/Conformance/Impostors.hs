@@ -12,12 +12,13 @@ import Data.List (find)
 import PraTactile.Conformance.Impostors.Arrays
 import PraTactile.Conformance.Impostors.Fields
 import PraTactile.Conformance.Impostors.Impostor
+import PraTactile.Conformance.Impostors.Objects
 import PraTactile.Conformance.Impostors.Openings
 import PraTactile.Conformance.Impostors.Places
 import PraTactile.Conformance.Impostors.Touch
 import PraTactile.Conformance.Law (Stage (..))
 
--- | By the stages of a decoder, and then by those of touch.
+-- | By the stages of a decoder, and then by those of touch and of objects.
 impostors :: [Impostor]
 impostors =
   concat
@@ -34,7 +35,8 @@ impostors =
       [OnChances] `touchedBy` chanceImpostors,
       [OnRegister] `touchedBy` registerImpostors,
       [OnStitch] `touchedBy` stitchImpostors,
-      [OnSegment] `touchedBy` segmentImpostors
+      [OnSegment] `touchedBy` segmentImpostors,
+      [OnObjects] `touchedBy` objectImpostors
     ]
   where
     stages `touchedBy` some = [impostor {impostorTouches = stages} | impostor <- some]

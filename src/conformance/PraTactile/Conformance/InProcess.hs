@@ -56,11 +56,11 @@ putInForce implementation force profile' = do
     Left why -> pure (ResponseRefused (refusalReason why))
     Right made -> ResponseResult (Bool True) <$ writeIORef force (Just made)
 
--- | The answer of the session in force, or, to a question about touch, which needs none, that of
--- the implementation.
+-- | The answer of the session in force, or, to a question that needs none, that of the
+-- implementation.
 answerIn :: Implementation -> Force -> Question a -> IO Response
 answerIn implementation force question
-  | operationOf question `elem` touchOperations = answered (touch implementation)
+  | operationOf question `notElem` codeOperations = answered (withoutProfile implementation)
   | otherwise = readIORef force >>= maybe none answered
   where
     none = pure (ResponseErrored "no profile is in force")

@@ -10,6 +10,8 @@ module PraTactile.Conformance.Law
     stageName,
     codeStages,
     touchStages,
+    objectStages,
+    stagesApart,
 
     -- * Cases
     Cases (..),
@@ -29,10 +31,10 @@ import PraTactile.Conformance.Question
 import PraTactile.Format.Json.Codec (Codec)
 import Test.QuickCheck (Gen)
 
--- | What must hold of an implementation, given what the law is about: what is known of a profile
--- by definition (@Law Known@, asked under that profile), or the profiles of the suite, which its
--- trials open by themselves (@Law [Profile]@); a law of touch is about nothing but its own cases
--- (@Law ()@).
+-- | What must hold of an implementation, given what the law is about: what is known of a profile by
+-- definition (@Law Known@, asked under that profile), or the profiles of the suite, which its
+-- trials open by themselves (@Law [Profile]@); a law of touch or of objects is about nothing but
+-- its own cases (@Law ()@).
 data Law about = Law
   { -- | The stage and what holds, such as @field/addition-commutes@. It never changes.
     lawId :: String,
@@ -64,6 +66,8 @@ data Stage
     OnRegister
   | OnStitch
   | OnSegment
+  | -- | Solids, faces laid on an array, and poses.
+    OnObjects
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | As @--stage@ takes it.
@@ -83,6 +87,7 @@ stageName stage = case stage of
   OnRegister -> "register"
   OnStitch -> "stitch"
   OnSegment -> "segment"
+  OnObjects -> "objects"
 
 -- | The stages of the code, with the protocol that carries them.
 codeStages :: [Stage]
@@ -90,7 +95,17 @@ codeStages = [OnProtocol .. OnChances]
 
 -- | The stages of touch.
 touchStages :: [Stage]
-touchStages = [OnRegister ..]
+touchStages = [OnRegister .. OnSegment]
+
+-- | The stage of objects.
+objectStages :: [Stage]
+objectStages = [OnObjects]
+
+-- | The stages that know no profile, which are tried where they are named: each set with its name,
+-- and with the operations that its laws ask for.
+stagesApart :: [(String, [Stage], [Operation])]
+stagesApart =
+  [("touch", touchStages, touchOperations), (stageName OnObjects, objectStages, objectOperations)]
 
 -- | The cases of a law under a profile. A case can be written and read, so that a failure is tried
 -- again from a text alone.

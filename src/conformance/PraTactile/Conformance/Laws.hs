@@ -2,7 +2,7 @@
 module PraTactile.Conformance.Laws
   ( laws,
     openingLaws,
-    touchLaws,
+    lawsWithoutProfile,
   )
 where
 
@@ -14,6 +14,7 @@ import PraTactile.Conformance.Laws.Damage
 import PraTactile.Conformance.Laws.Draw (isVast)
 import PraTactile.Conformance.Laws.Field
 import PraTactile.Conformance.Laws.Locate
+import PraTactile.Conformance.Laws.Objects
 import PraTactile.Conformance.Laws.Opening
 import PraTactile.Conformance.Laws.Polynomials
 import PraTactile.Conformance.Laws.Proof
@@ -42,6 +43,6 @@ notDrawnOfVast one = one {lawCases = \about -> few about (lawCases one about)}
       Some _ _ | isVast (knownProfile about) -> Cases form (Every []) trial
       _ -> cases
 
--- | The laws of the stages of touch, which know no profile, in the order of the stages.
-touchLaws :: [Law ()]
-touchLaws = registerLaws ++ stitchLaws ++ segmentLaws
+-- | The laws of touch and of objects, which know no profile, in the order of the stages.
+lawsWithoutProfile :: [Law ()]
+lawsWithoutProfile = registerLaws ++ stitchLaws ++ segmentLaws ++ objectLaws

@@ -21,6 +21,7 @@ import PraTactile.Array
     cellAt,
   )
 import PraTactile.Conformance.Implementation
+import PraTactile.Conformance.Library.Objects
 import PraTactile.Conformance.Library.Touch
 import PraTactile.Conformance.Question hiding (Symbol (..))
 import PraTactile.Conformance.Wire.Line (longestLine)
@@ -53,7 +54,10 @@ library =
     { implementationName = "pra-tactile",
       offered = [minBound .. maxBound],
       open = \p -> either (refuse . unopened) pure (withProfile p (session p)),
-      touch = libraryTouch
+      withoutProfile = answering $ \question ->
+        if operationOf question `elem` touchOperations
+          then libraryTouch question
+          else libraryObjects question
     }
 
 -- | Why a profile is not opened: it is no array's, or that is not known.

@@ -43,8 +43,8 @@ likely p failures
 errsAlike :: Maybe Profile -> [Exchange] -> Impostor -> IO Bool
 errsAlike p exchanges impostor = case p of
   Nothing
-    | impostorTouches impostor `elem` map pure touchStages ->
-      allAlike (sessionRespondent (touch made)) exchanges
+    | all (`notElem` codeStages) (impostorTouches impostor) ->
+      allAlike (sessionRespondent (withoutProfile made)) exchanges
     | otherwise -> pure False
   Just under ->
     runExceptT (open made under)

@@ -3,12 +3,12 @@
 module PraTactile.Conformance.Properties
   ( runLaws,
     runLawsUnder,
-    runTouchLaws,
+    runLawsWithoutProfile,
     lawsReported,
     lawProperties,
     lawProperty,
     openingProperty,
-    touchProperties,
+    propertiesWithoutProfile,
   )
 where
 
@@ -18,7 +18,7 @@ import PraTactile.Conformance.Direct
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.InProcess (inProcess)
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
+import PraTactile.Conformance.Laws (laws, lawsWithoutProfile, openingLaws)
 import PraTactile.Conformance.Profiles (defaultProfiles)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report (certified)
@@ -42,9 +42,9 @@ runLaws = runLawsUnder defaultProfiles
 runLawsUnder :: [(String, Profile)] -> Implementation -> IO ExitCode
 runLawsUnder = runStages codeStages
 
--- | The same of the stages of touch, which know no profile.
-runTouchLaws :: Implementation -> IO ExitCode
-runTouchLaws = runStages touchStages []
+-- | The same of some of the stages of touch and of objects, which know no profile.
+runLawsWithoutProfile :: [Stage] -> Implementation -> IO ExitCode
+runLawsWithoutProfile stages = runStages stages []
 
 runStages :: [Stage] -> [(String, Profile)] -> Implementation -> IO ExitCode
 runStages stages profiles implementation = do
@@ -85,15 +85,16 @@ lawProperties implementation =
         Left why -> counterexample ("the profile was refused: " ++ refusalReason why) False
         Right session -> lawProperty law about session
 
--- | All laws of touch that an implementation offers what they need, each with its id.
-touchProperties :: Implementation -> [(String, Property)]
-touchProperties implementation =
-  [ (lawId law, lawProperty law () (touch implementation))
-    | law <- touchLaws,
+-- | All laws of touch and of objects that an implementation offers what they need, each with its
+-- id.
+propertiesWithoutProfile :: Implementation -> [(String, Property)]
+propertiesWithoutProfile implementation =
+  [ (lawId law, lawProperty law () (withoutProfile implementation))
+    | law <- lawsWithoutProfile,
       all (`elem` offered implementation) (lawNeeds law)
   ]
 
--- | A law as a property of a session: about the session's profile, or, of touch, about nothing.
+-- | A law as a property of a session: about the session's profile, or about nothing.
 lawProperty :: Law about -> about -> Session -> Property
 lawProperty law about opened = casesProperty (sessionRespondent opened) (lawCases law about)
 

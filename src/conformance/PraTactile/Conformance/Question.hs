@@ -15,6 +15,7 @@ module PraTactile.Conformance.Question
     exampleOf,
     codeOperations,
     touchOperations,
+    objectOperations,
 
     -- * What they are about
     Code,
@@ -30,13 +31,21 @@ module PraTactile.Conformance.Question
 
     -- * Of touch
     module PraTactile.Conformance.Question.Touch,
+
+    -- * Of objects
+    module PraTactile.Conformance.Question.Objects,
   )
 where
 
 import Data.Aeson (Value)
 import Numeric.Natural (Natural)
-import PraTactile.Array (Position)
+import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Conformance.Question.Objects
 import PraTactile.Conformance.Question.Touch
+import PraTactile.Format.Object (WhereaboutsReport)
+import PraTactile.Object.Description (Description (..), ObjectName (..), Point)
+import PraTactile.Object.Validity (Report)
+import PraTactile.Pose (Pose)
 
 -- | The code of an element.
 type Code = Natural
@@ -87,10 +96,10 @@ newtype Refusal = Refusal {refusalReason :: String}
   deriving stock (Eq, Ord, Show)
 
 -- | A question, and the type of its answer. Those of the code are asked under a profile; those of
--- touch, from 'Register' on, know none. Every operation refuses a code that is not below q, and
--- every other input that is no such thing, as @invalid@; and what a line of the protocol has no
--- room for, as @too-long@. The examples are of the paper's array, whose codes 0, 1, 2, 3 are 0, 1,
--- A and A^2.
+-- touch and of objects, from 'Register' on, know none. Every operation refuses a code that is not
+-- below q, and every other input that is no such thing, as @invalid@; and what a line of the
+-- protocol has no room for, as @too-long@. The examples are of the paper's array, whose codes 0, 1,
+-- 2, 3 are 0, 1, A and A^2.
 data Question a where
   -- | the sum of two elements: A + A^2 = 1, thus 1 for 2 and 3
   Add :: Code -> Code -> Question Code
@@ -173,6 +182,21 @@ data Question a where
   -- | the symbols of the shipped alphabet that lie wholly in a composite, in any order, each where
   -- its box of 8 x 12 taxels has its centre
   Segment :: Rows -> Question [Symbol]
+  -- | what there is to say of a polyhedron: its pieces, and all that is wrong with it. A name that
+  -- is empty or has a space is @invalid@
+  SolidReport :: Description -> Question Report
+  -- | which cells of symbols, at these distances along a row and along a column, lie wholly on a
+  -- face with these corners: the rows and columns for which the box round it has room, centred on
+  -- it. Refuses corners that are no simple polygon in a plane, and distances that are not positive,
+  -- as @impossible-face@
+  FaceCells :: [Point] -> (Rational, Rational) -> Question [String]
+  -- | where the window of so many rows and columns lies that has its upper left cell there. Refuses
+  -- faces that cannot be laid so as @impossible-placement@
+  Whereabouts :: Mapped -> Shape -> Position -> Question WhereaboutsReport
+  -- | the pose of an object, of which points of a face were felt. Refuses corners that are no
+  -- simple polygon in a plane as @impossible-face@, and fewer than two different points of the face
+  -- as @undetermined@
+  FacePose :: Felt -> Question Pose
   -- | an operation with an input that may be anything; the answer is as it came
   Raw :: Operation -> Value -> Question Value
 
@@ -209,6 +233,10 @@ data Operation
   | OfRegister
   | OfStitch
   | OfSegment
+  | OfSolid
+  | OfCells
+  | OfWhereabouts
+  | OfPose
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | The operation's name in the protocol.
@@ -236,6 +264,10 @@ operationName operation = case operation of
   OfRegister -> "register"
   OfStitch -> "stitch"
   OfSegment -> "segment"
+  OfSolid -> "solid"
+  OfCells -> "cells"
+  OfWhereabouts -> "whereabouts"
+  OfPose -> "pose"
 
 -- | The operations of the code.
 codeOperations :: [Operation]
@@ -243,7 +275,11 @@ codeOperations = [OfAdd .. OfDistance]
 
 -- | The operations of touch.
 touchOperations :: [Operation]
-touchOperations = [OfRegister ..]
+touchOperations = [OfRegister .. OfSegment]
+
+-- | The operations of objects.
+objectOperations :: [Operation]
+objectOperations = [OfSolid ..]
 
 -- | The operation that a question asks for.
 operationOf :: Question a -> Operation
@@ -270,6 +306,10 @@ operationOf question = case question of
   Register _ -> OfRegister
   Stitch _ _ -> OfStitch
   Segment _ -> OfSegment
+  SolidReport _ -> OfSolid
+  FaceCells _ _ -> OfCells
+  Whereabouts {} -> OfWhereabouts
+  FacePose _ -> OfPose
   Raw operation _ -> operation
 
 -- | A question of each operation, to which every profile has an answer or a refusal.
@@ -297,5 +337,11 @@ exampleOf operation = case operation of
   OfRegister -> SomeQuestion (Register (Pair blank blank (0, 0) 1))
   OfStitch -> SomeQuestion (Stitch 1 [Placed blank (0, 0)])
   OfSegment -> SomeQuestion (Segment blank)
+  OfSolid -> SomeQuestion (SolidReport (Description (ObjectName "") [] []))
+  OfCells -> SomeQuestion (FaceCells [] (1, 1))
+  OfWhereabouts ->
+    SomeQuestion
+      (Whereabouts (Mapped (Shape 1 1) (1, 1) [] []) (Shape 1 1) (Position 0 0))
+  OfPose -> SomeQuestion (FacePose (Felt [] [] 1 Nothing))
   where
     blank = replicate 4 (replicate 4 0)

@@ -8,7 +8,7 @@ where
 import Data.Bifunctor (bimap)
 import PraTactile.Conformance.Definition
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
+import PraTactile.Conformance.Laws (laws, lawsWithoutProfile, openingLaws)
 import PraTactile.Conformance.Likely (likely)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Run.Work
@@ -31,7 +31,7 @@ standardSuite profiles = suite <$> traverse possible profiles
               Nothing -> either (const Nothing) Just (known profile),
           suiteLaws = laws,
           suiteOpenings = openingLaws,
-          suiteTouch = touchLaws,
+          suiteWithoutProfile = lawsWithoutProfile,
           suiteAnswer = answered,
           suiteLikely = likely
         }

@@ -1,3 +1,4 @@
+{-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Test vectors, for those who cannot run the suite: of each operation and profile inputs with
@@ -12,6 +13,7 @@ module PraTactile.Conformance.Vectors
     vectorProfiles,
     Prepared,
     prepare,
+    withoutAProfile,
     makeVectors,
   )
 where
@@ -21,6 +23,7 @@ import Control.Monad.Trans.Except (ExceptT, runExceptT, throwE)
 import Data.Aeson (Value (..))
 import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString as Bytes
+import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
 import PraTactile.Array (Shape (..), naturalsBelow)
 import PraTactile.Conformance.Definition
@@ -31,14 +34,17 @@ import PraTactile.Conformance.Question
 import PraTactile.Conformance.Vectors.Canonical
 import PraTactile.Conformance.Vectors.Flag
 import PraTactile.Conformance.Vectors.Inputs
+import PraTactile.Conformance.Vectors.Objects
 import PraTactile.Conformance.Wire
 import PraTactile.Format.Digest (digestOf)
+import PraTactile.Pose (Pose (..), RigidMotion (..))
 import PraTactile.Profile
 
 -- | The test vectors of an operation under a profile.
 data Vectors = Vectors
   { vectorsOperation :: Operation,
-    vectorsProfile :: Profile,
+    -- | 'Nothing' for an operation that needs none.
+    vectorsProfile :: Maybe Profile,
     -- | Of a table too large to be listed.
     vectorsDigest :: Maybe Digest,
     vectorsGroups :: [TestGroup]
@@ -85,8 +91,12 @@ data Digest = Digest
 vectorProfiles :: [(String, Profile)]
 vectorProfiles = defaultProfiles
 
--- | Both roads to the answers under a profile.
-data Prepared = Prepared Known Session
+-- | Both roads to the answers under a profile, or without one.
+data Prepared = Prepared (Maybe Known) Session
+
+-- | Those to what needs no profile.
+withoutAProfile :: Prepared
+withoutAProfile = Prepared Nothing (withoutProfile library)
 
 -- | Prepare them. 'Left' is the reason why the profile is refused.
 prepare :: Profile -> IO (Either String Prepared)
@@ -94,22 +104,25 @@ prepare profile = case known profile of
   Left why -> pure (Left (unknownText why))
   Right k -> do
     opened <- runExceptT (open library profile)
-    pure (either (Left . refusalReason) (Right . Prepared k) opened)
+    pure (either (Left . refusalReason) (Right . Prepared (Just k)) opened)
 
 -- | The vectors of an operation, from a seed. 'Left' says where the library and the definition do
 -- not agree.
 makeVectors :: Int -> Prepared -> Operation -> IO (Either String Vectors)
-makeVectors seed (Prepared k session) operation = runExceptT (vectorsOf seed k session operation)
+makeVectors seed prepared operation = runExceptT (vectorsOf seed prepared operation)
 
-vectorsOf :: Int -> Known -> Session -> Operation -> ExceptT String IO Vectors
-vectorsOf seed k session operation = do
-  groups <- traverse tested (groupsOf seed k operation)
-  digest <- traverse (digested k session) (table k operation)
-  pure (Vectors operation (knownProfile k) digest (withoutRepeated groups))
+vectorsOf :: Int -> Prepared -> Operation -> ExceptT String IO Vectors
+vectorsOf seed prepared@(Prepared about session) operation = do
+  groups <- traverse tested (maybe objectGroups (groupsOf seed) about operation)
+  digest <-
+    traverse
+      (\(k, of') -> digested k session of')
+      (about >>= \k -> (,) k <$> table k operation)
+  pure (Vectors operation (knownProfile <$> about) digest (withoutRepeated groups))
   where
     tested group =
       TestGroup (groupSource group)
-        <$> traverse (testOf k session operation (proofOf group)) (groupQuestions group)
+        <$> traverse (testOf prepared operation (proofOf group)) (groupQuestions group)
     proofOf group = case groupKind group of
       WholeDomain -> Exhaustive
       Chosen -> uncurry TwoRoads (roads operation)
@@ -128,12 +141,14 @@ withoutRepeated = filter (not . null . groupTests) . go Set.empty
       | otherwise = (test :) <$> once (Set.insert (testId test) seen) more
 
 -- | A test, if both roads lead to the same answer.
-testOf :: Known -> Session -> Operation -> TestProof -> SomeQuestion -> ExceptT String IO Test
-testOf k session operation proof (SomeQuestion question) = do
+testOf :: Prepared -> Operation -> TestProof -> SomeQuestion -> ExceptT String IO Test
+testOf (Prepared about session) operation proof (SomeQuestion question) = do
   got <- lift (runExceptT (answerTo session question))
-  outcome <- case (expected k question, got) of
+  outcome <- case (maybe (defined question) (`expected` question) about, got) of
     (Right wanted, Right given)
-      | agrees k question wanted given -> pure (Right (shown wanted given))
+      | maybe agreesWithoutProfile agrees about question wanted given ->
+        pure
+          (Right (shown wanted given))
     (Left wanted, Left given) | wanted == given -> pure (Left wanted)
     _ -> throwE ("the two roads part at " ++ operationName operation ++ ": " ++ show question)
   let input = questionInput question
@@ -141,14 +156,22 @@ testOf k session operation proof (SomeQuestion question) = do
         Right (Object fields) -> KeyMap.member "positions" fields
         _ -> False
       flags = case someQuestion operation input of
-        Just (SomeQuestion read') -> flagsOf profile severalPlaces read'
+        Just (SomeQuestion read') -> maybe [] (\p -> flagsOf p severalPlaces read') profile
         Nothing -> [Malformed]
   pure (Test (identifier operation profile input) input outcome flags proof)
   where
-    profile = knownProfile k
+    profile = knownProfile <$> about
+    defined = fromMaybe (Left (Refusal "not-offered")) . expectedWithoutProfile
     -- Probabilities as the definition has them, exact up to one rounding; those of the library
     -- depend on the machine's logarithms in their last digits.
-    shown wanted given = answerValue question (if operation == OfPosterior then wanted else given)
+    shown wanted given = case question of
+      Posterior _ -> answerValue question wanted
+      -- Far finer than poses are compared, and free of the last digits of sines.
+      FacePose _ -> answerValue question (toTenPlaces wanted)
+      _ -> answerValue question given
+    toTenPlaces (Pose (RigidMotion rows' by) covariance) =
+      Pose (RigidMotion (map (map places) rows') (map places by)) (map (map places) covariance)
+    places x = fromInteger (round (x * 1e10)) / 1e10 :: Double
 
 -- | The two ways to an answer: the library's, and that of the definition.
 roads :: Operation -> (String, String)
@@ -172,6 +195,10 @@ roads operation = case operation of
   OfPosterior -> ("sums of logarithms", "products of exact fractions")
   OfProve -> ("visit and rank of powers of alpha", "counting contents, elimination of windows")
   OfDistance -> ("search among information sets", "the lightest of all windows")
+  OfSolid -> ("sweeps and trees of boxes", "everything compared with everything")
+  OfCells -> ("lines that separate sides and cells", "strips between corners")
+  OfWhereabouts -> ("runs of cells", "lists of cells")
+  OfPose -> ("Gauss and Newton", "the closed form")
   _ -> ("the library", "the definition")
 
 -- | All values of an operation that are too many to list, in an order.

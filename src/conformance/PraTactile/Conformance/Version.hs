@@ -8,4 +8,4 @@ where
 
 -- | As reports, vectors and lists of laws tell it.
 suiteVersion :: String
-suiteVersion = "1.0.0"
+suiteVersion = "2.0.0"

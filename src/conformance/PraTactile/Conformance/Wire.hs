@@ -31,6 +31,7 @@ import qualified Data.Text as Text
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..))
 import PraTactile.Conformance.Question
+import PraTactile.Conformance.Wire.Objects
 import PraTactile.Conformance.Wire.Read
 import PraTactile.Conformance.Wire.Touch
 import PraTactile.Format.Json (integerValue, naturalValue, positionValue)
@@ -61,6 +62,10 @@ questionInput question = case question of
   Register pair' -> pairValue pair'
   Stitch search frames -> framesValue search frames
   Segment rows -> compositeValue rows
+  SolidReport it -> polyhedronValue it
+  FaceCells corners pitch -> faceValue corners pitch
+  Whereabouts mapped window at -> windowValue mapped window at
+  FacePose felt -> feltValue felt
   Raw _ input -> input
   where
     one a = object ["a" .= naturalValue a]
@@ -106,7 +111,12 @@ someQuestion operation input = case operation of
   OfRegister -> SomeQuestion . Register <$> (readObject input >>= readPair)
   OfStitch -> SomeQuestion . uncurry Stitch <$> (readObject input >>= readFrames)
   OfSegment -> SomeQuestion . Segment <$> (readObject input >>= readComposite)
+  OfSolid -> SomeQuestion . SolidReport <$> (readObject input >>= readPolyhedron)
+  OfCells -> SomeQuestion . uncurry FaceCells <$> (readObject input >>= readFace)
+  OfWhereabouts -> windowQuestion <$> (readObject input >>= readWindow)
+  OfPose -> SomeQuestion . FacePose <$> (readObject input >>= readFelt)
   where
+    windowQuestion (mapped, window, place) = SomeQuestion (Whereabouts mapped window place)
     at :: Key -> (Value -> Maybe a) -> Maybe a
     at name reader = readObject input >>= readKey name reader
     natural name = at name readNatural
@@ -148,6 +158,10 @@ answerValue question answer = case question of
   Register _ -> registeredValue answer
   Stitch _ _ -> correctionsValue answer
   Segment _ -> symbolsValue answer
+  SolidReport _ -> reportValue answer
+  FaceCells _ _ -> toJSON answer
+  Whereabouts {} -> whereaboutsValue answer
+  FacePose _ -> poseValue answer
   Raw _ _ -> answer
   where
     likely (Position r c, chance) = [naturalValue r, naturalValue c, toJSON chance]
@@ -203,6 +217,10 @@ readAnswer question = case question of
   Register _ -> readObject >=> readRegistered
   Stitch _ _ -> readObject >=> readCorrections
   Segment _ -> readObject >=> readSymbols
+  SolidReport _ -> readObject >=> readReport
+  FaceCells _ _ -> readCells
+  Whereabouts {} -> readObject >=> readWhereabouts
+  FacePose _ -> readPose
   Raw _ _ -> Just
 
 -- | By the one key that says which of the three it is.

@@ -9,8 +9,9 @@ module PraTactile.Format.Placement
     PlacementFileError (..),
 
     -- * As part of other texts
-    Drawing,
+    Drawing (..),
     drawing,
+    drawnPlacement,
     drawingKeys,
   )
 where
@@ -69,15 +70,23 @@ encodePlacement profile place =
 decodePlacement :: ByteString -> Either PlacementFileError (Profile, Placement)
 decodePlacement bytes = do
   stated <- first PlacementMisfit (decodeWith statedKeys bytes)
-  objects <- for (statedObjects stated) $ \described -> do
-    when (tooFine described) (Left (ObjectTooFine (describedName described)))
-    first (ObjectBroken (describedName described)) (solid described)
   let profile = statedProfile stated
-  place <-
-    first PlacementRefused $
-      traverse undrawn (statedLayings stated)
-        >>= placement (profileShape profile) (statedPitch stated) objects
-  pure (profile, place)
+  (,) profile
+    <$> drawnPlacement
+      (profileShape profile)
+      (statedPitch stated)
+      (statedObjects stated)
+      (statedLayings stated)
+
+-- | These objects on an array of this shape, with these distances between symbols, laid as it is
+-- drawn.
+drawnPlacement ::
+  Shape -> Pitch -> [Description] -> [Drawing] -> Either PlacementFileError Placement
+drawnPlacement shape between described drawn = do
+  objects <- for described $ \one -> do
+    when (tooFine one) (Left (ObjectTooFine (describedName one)))
+    first (ObjectBroken (describedName one)) (solid one)
+  first PlacementRefused (traverse (undrawn between) drawn >>= placement shape between objects)
 
 statedKeys :: Keys Stated Stated
 statedKeys =
@@ -102,6 +111,7 @@ data Drawing = Drawing
     drawnMargin :: Maybe (Rational, Rational),
     drawnCells :: [String]
   }
+  deriving stock (Eq, Show)
 
 -- | Of a laid face its object and vertices from the first of its frame on; where its block's upper
 -- left cell lies, which may be outside of the array where the face does not take it; the block's
@@ -141,8 +151,8 @@ drawing (Laying face (Position r c) anchor given) =
 
 -- | What is drawn above and left of the array's sheet is left away; refuses cells that are taken
 -- there.
-undrawn :: Drawing -> Either PlacementError Laying
-undrawn (Drawing face r c margin lines')
+undrawn :: Pitch -> Drawing -> Either PlacementError Laying
+undrawn (Pitch right down) (Drawing face r c margin lines')
   | beyond = Left (OutsideArray face at shape)
   | otherwise = Right (Laying face at anchor (blockOf shape cells))
   where
@@ -154,7 +164,7 @@ undrawn (Drawing face r c margin lines')
     beyond = taken kept /= taken lines'
     cells = [Position i j | (i, line) <- zip [0 ..] kept, (j, '#') <- zip [0 ..] line]
     anchor = case margin of
-      Just (x, y) -> Margin x y
+      Just (x, y) -> Margin (x + fromInteger before * right) (y + fromInteger above * down)
       Nothing
         | (above, before) == (0, 0) -> Centred
         | otherwise ->

@@ -2,51 +2,49 @@
 
 -- | The JSON of poses, and of how the robot's frame lies in the world.
 module PraTactile.Format.Pose
-  ( poseCodec,
+  ( namedPoseCodec,
+    poseCodec,
     motionCodec,
     decodePlane,
   )
 where
 
-import Data.Aeson.Types (JSONPathElement (Key))
 import Data.ByteString (ByteString)
 import Data.List (transpose)
-import PraTactile.Format.Error
+import PraTactile.Format.Error (FormatError, Misfit (NotMatrix, NotRotation))
 import PraTactile.Format.Json.Codec
 import PraTactile.Object.WingedEdge (ObjectName (..))
 import PraTactile.Pose
 import PraTactile.Pose.Matrix (Matrix, diagonal, times)
 
 -- | An object and its pose.
-poseCodec :: Codec (ObjectName, Pose)
-poseCodec =
-  object
-    ( (,)
-        <$> key "object" objectName fst
-        <*> ( Pose
-                <$> withKeys (poseMotion . snd) motionKeys
-                <*> key "covariance" (matrix 6) (poseCovariance . snd)
-            )
-    )
+namedPoseCodec :: Codec (ObjectName, Pose)
+namedPoseCodec = object ((,) <$> key "object" objectName fst <*> withKeys snd poseKeys)
   where
     objectName = Codec (writeValue text . unnamed) (fmap ObjectName . readValue text)
     unnamed (ObjectName name) = name
 
+-- | A pose alone.
+poseCodec :: Codec Pose
+poseCodec = object poseKeys
+
+poseKeys :: Keys Pose Pose
+poseKeys =
+  Pose <$> withKeys poseMotion motionKeys <*> key "covariance" (matrix 6) poseCovariance
+
 -- | Where the robot's frame lies in the world, in a JSON text. Refuses another schema, keys that
 -- are missing or have other values, and what is no rotation to 1e-6.
 decodePlane :: ByteString -> Either FormatError RigidMotion
-decodePlane bytes = do
-  plane <- decodeWith (schemaKey "pra-tactile/plane/1" *> motionKeys) bytes
-  if isRotation (motionRows plane) then Right plane else Left (Misfit [Key "rotation"] NotRotation)
+decodePlane = decodeWith (schemaKey "pra-tactile/plane/1" *> motionKeys)
 
--- | A motion alone.
+-- | A motion alone; refuses what is no rotation to 1e-6.
 motionCodec :: Codec RigidMotion
 motionCodec = object motionKeys
 
 motionKeys :: Keys RigidMotion RigidMotion
 motionKeys =
   RigidMotion
-    <$> key "rotation" (matrix 3) motionRows
+    <$> key "rotation" (such isRotation NotRotation (matrix 3)) motionRows
     <*> key "translation_mm" (such ((== 3) . length) (NotMatrix 1 3) (listOf real)) motionBy
 
 -- | A square matrix of so many rows.

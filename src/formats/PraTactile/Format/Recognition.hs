@@ -147,7 +147,7 @@ reportKeys =
            <*> key "symbols" (listOf (symbol classKeys)) reportSymbols
            <*> key "parts" (listOf (symbol (key "seen" real id))) reportParts
            <*> key "windows" (listOf (object windowKeys)) reportWindows
-           <*> key "pose" (nullable poseCodec) reportPose
+           <*> key "pose" (nullable namedPoseCodec) reportPose
        )
 
 doubtsKeys :: Keys Doubts Doubts

@@ -97,7 +97,7 @@ decodeClaim = decodeObject $ \fields -> do
 -- | The pose in such a text, where it tells one.
 decodeClaimedPose :: ByteString -> Either FormatError (Maybe (ObjectName, Pose))
 decodeClaimedPose =
-  decodeObject (fmap join . readKeys (optionalKey "pose" (nullable poseCodec) Just))
+  decodeObject (fmap join . readKeys (optionalKey "pose" (nullable namedPoseCodec) Just))
 
 claimKeys :: Keys Claim Claim
 claimKeys =

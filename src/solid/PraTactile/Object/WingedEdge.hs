@@ -260,14 +260,12 @@ cornerPoints whole =
   map (pointAt (solidMesh whole) . sideStart (solidSurface whole))
     . sidesOf whole
 
--- | A vector at right angles to a face that points out of the solid, as long as twice the face's
--- area in square millimetres; zero if the solid has no such face.
-outwardNormal :: Solid -> FaceName -> Point
-outwardNormal whole face = Point (part a) (part b) (part c)
+-- | A vector at right angles to a face with these corners, in the order of its walk, that points to
+-- the side from which they are counter-clockwise, as long as twice the face's area in square
+-- millimetres.
+outwardNormal :: [Point] -> Point
+outwardNormal corners = Point (part a) (part b) (part c)
   where
-    V3 a b c =
-      maybe
-        zero
-        (doubleArea . cornersOf (solidMesh whole) . (meshWalks (solidMesh whole) V.!))
-        (Map.lookup face (faceIndices whole))
-    part n = n % meshDenominator (solidMesh whole) ^ (2 :: Int)
+    (over, points) = overOne corners
+    V3 a b c = doubleArea points
+    part n = n % over ^ (2 :: Int)

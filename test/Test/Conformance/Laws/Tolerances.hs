@@ -26,7 +26,7 @@ spec = for_ scenes $ \(law, asked) ->
   where
     scenes =
       [ (law, map trial (draws 24 gen))
-        | law <- touchLaws,
+        | law <- lawsWithoutProfile,
           Cases _ (Some gen _) trial <- [lawCases law ()]
       ]
     answered trial = case askedBy (const (Left (Refusal "none"))) trial of

@@ -3,7 +3,7 @@ module Test.Conformance.Run.Choice (spec) where
 
 import Control.Monad (forM_)
 import Data.Aeson (Value (..))
-import Data.List (nub, sort)
+import Data.List (nub, sort, subsequences)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Run
@@ -61,7 +61,7 @@ spec = do
                    ("sequence/terms", "not offered: term terms"),
                    ("segment/none", "not offered: segment")
                  ]
-  it "all is chosen where no law is named, and all stages of the code, of touch, or of both" $
+  it "all is chosen where no law is named, and of code, touch and objects all stages or none" $
     forM_ stageChoices $ \stages ->
       forM_ [([], []), (["field/*"], []), ([], ["field/*"])] $ \(run, skip) -> do
         let settings =
@@ -70,11 +70,12 @@ spec = do
         stagesTried settings `shouldBe` tried
         choosesAll settings
           `shouldBe` ( null run && null skip
-                         && sort tried `elem` [codeStages, touchStages, codeStages ++ touchStages]
+                         && sort tried `elem` map concat (drop 1 (subsequences stageSets))
                      )
         operationsOf tried
           `shouldBe` [o | o <- codeOperations, any (`elem` codeStages) tried]
             ++ [o | o <- touchOperations, any (`elem` touchStages) tried]
+            ++ [o | o <- objectOperations, any (`elem` objectStages) tried]
   it "unless they are told, 100 cases of each law are drawn from the seed 1, in 300 seconds" $ do
     let settings = standardSettings
     (settingSeed settings, settingCases settings, settingLimit settings) `shouldBe` (1, 100, 300)
@@ -100,9 +101,12 @@ spec = do
     found "profile/opens" (Just one) `shouldBe` Nothing
     found "field/sum" (Just one) `shouldBe` Nothing
 
+stageSets :: [[Stage]]
+stageSets = [codeStages, touchStages, objectStages]
+
 -- | No stage, single ones, some, and all.
 stageChoices :: [[Stage]]
 stageChoices =
-  [[], codeStages, touchStages, codeStages ++ touchStages]
+  map concat (subsequences stageSets)
     ++ map pure [minBound ..]
     ++ [drop 1 codeStages, drop 1 touchStages, codeStages ++ take 1 touchStages]

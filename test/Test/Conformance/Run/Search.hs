@@ -180,7 +180,7 @@ steps =
     { implementationName = "steps",
       offered = [],
       open = const (pure onTerms),
-      touch = answering (const notOffered)
+      withoutProfile = answering (const notOffered)
     }
   where
     onTerms = answering $ \question -> case question of

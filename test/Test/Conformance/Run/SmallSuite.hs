@@ -49,7 +49,7 @@ suite =
         ],
       suiteOpenings =
         [made ("profile/opens", OnProfile, []) (Cases profileCodec (Every [two]) opens)],
-      suiteTouch =
+      suiteWithoutProfile =
         [ made
             ("segment/none", OnSegment, [OfSegment])
             (Cases natural (Some (pure 0) (const [])) (const (pure Holds)))

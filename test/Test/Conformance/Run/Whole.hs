@@ -318,7 +318,7 @@ underFive domain =
       suiteLaws =
         [made ("field/sums", OnField, [OfAdd]) (Cases natural domain sums)],
       suiteOpenings = [],
-      suiteTouch = []
+      suiteWithoutProfile = []
     }
   where
     sheet = one {profileSurface = Sheet}
@@ -395,7 +395,7 @@ caseSpec = do
             void (runSuite everything one' (const (pure ())) [subject])
             reverse <$> readIORef counts
       run alone {suiteLaws = [twelve OnSequence]} `shouldReturn` lengths
-      run alone {suiteTouch = [twelve OnSegment]} `shouldReturn` replicate 12 1
+      run alone {suiteWithoutProfile = [twelve OnSegment]} `shouldReturn` replicate 12 1
   it "are drawn in sizes that grow to 100, ten times as many as are needed, by seed and name" $ do
     forM_ [1, 2, 7, 100, 101] $ \count ->
       asksOf (Plan 1 count 1 False False) "law" (sized (pure . fromIntegral))
@@ -426,5 +426,5 @@ caseSpec = do
         { suiteProfiles = [("one", one)],
           suiteLaws = [],
           suiteOpenings = [],
-          suiteTouch = []
+          suiteWithoutProfile = []
         }

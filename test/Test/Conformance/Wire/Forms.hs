@@ -13,11 +13,18 @@ import Data.Foldable (for_, toList)
 import Data.List (nub, sort)
 import qualified Data.Text as Text
 import Numeric.Natural (Natural)
-import PraTactile.Array (Position (..))
+import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Conformance
 import PraTactile.Conformance.Law (Cases (..))
 import PraTactile.Conformance.Wire
 import PraTactile.Format.Json.Codec (readValue, writeValue)
+import PraTactile.Format.Object (On (..), WhereaboutsReport (..))
+import PraTactile.Format.Placement (Drawing (..))
+import PraTactile.Object.Defect
+import PraTactile.Object.Description
+import PraTactile.Object.Placement (Face (..))
+import PraTactile.Object.Validity (Component (..), Report (..))
+import PraTactile.Pose (Pose (..), RigidMotion (..))
 import Test.Hspec
 
 spec :: Spec
@@ -39,7 +46,9 @@ spec = do
       for_ (KeyMap.toList keys) $ \(name, value) -> do
         (operation, name, reads' (KeyMap.delete name keys)) `shouldBe` (operation, name, False)
         for_ (otherTypes value) $ \other -> do
-          let nullable = name == "radius" && other == Null
+          let nullable =
+                name `elem` ["radius", "plane"] && other == Null
+                  || name == "sd_mm" && other == Number 1.5
           (operation, name, other, reads' (KeyMap.insert name other keys))
             `shouldBe` (operation, name, other, nullable)
   it "whole numbers of questions are not negative, but for exponents and displacements" $
@@ -137,11 +146,32 @@ questions =
          SomeQuestion (Distance ["#", "."]),
          SomeQuestion (Register (Pair [[1, 2], [3, 4]] [[5, 6], [7, 8]] (9, -10) 11)),
          SomeQuestion (Stitch 3 [Placed [[1]] (2, -3), Placed [[4], [5]] (-6, 7)]),
-         SomeQuestion (Segment [[1, 2, 3], [4, 5, 6]])
+         SomeQuestion (Segment [[1, 2, 3], [4, 5, 6]]),
+         SomeQuestion
+           (SolidReport (Description "" [("A", Point (1 / 3) (-large'') 0)] [FaceName ["A", "B"]])),
+         SomeQuestion (FaceCells [Point 0 (1 / 7) 2] (1 / 3, large'')),
+         SomeQuestion
+           ( Whereabouts
+               ( Mapped
+                   (Shape 3 large)
+                   (1, 2 / 3)
+                   [Description "one" [("A", Point 1 2 3)] []]
+                   [ Drawing (Face "one" (FaceName ["A"])) (-3) 4 (Just (1 / 2, 3)) ["#.", ".#"],
+                     Drawing (Face "one" (FaceName [])) 1 large' Nothing []
+                   ]
+               )
+               (Shape 2 3)
+               (Position 7 large)
+           ),
+         SomeQuestion (FacePose (Felt [Point 1 2 3] [((1, 2.5), (-3, 4))] 0.25 (Just turned)))
        ]
   where
     large = 10 ^ (30 :: Int)
     large' = 10 ^ (30 :: Int)
+    large'' = 10 ^ (30 :: Int)
+
+turned :: RigidMotion
+turned = RigidMotion [[0, -1, 0], [1, 0, 0], [0, 0, 1]] [1, -2.5, 3]
 
 keysOf :: Operation -> [Key]
 keysOf operation = case operation of
@@ -167,6 +197,10 @@ keysOf operation = case operation of
   OfRegister -> ["a", "b", "step", "search"]
   OfStitch -> ["frames", "search"]
   OfSegment -> ["rows"]
+  OfSolid -> ["vertices", "faces"]
+  OfCells -> ["corners", "pitch_mm"]
+  OfWhereabouts -> ["shape", "pitch_mm", "objects", "layings", "window", "row", "column"]
+  OfPose -> ["corners", "seen", "sd_mm", "plane"]
 
 -- | Values of all other types: a number that is a text is one, too, but not in words.
 otherTypes :: Value -> [Value]
@@ -210,7 +244,29 @@ answers =
     Answered (Register (Pair [] [] (0, 0) 0)) (Registered Nothing (0.5, -3) (True, True)),
     Answered (Register (Pair [] [] (0, 0) 0)) (Registered (Just "blank") (0.5, 3) (False, False)),
     Answered (Stitch 0 []) [(1.5, -2), (0.25, 0)],
-    Answered (Segment []) [Symbol (1.5, 2) 3, Symbol (4, 5.25) 179.5]
+    Answered (Segment []) [Symbol (1.5, 2) 3, Symbol (4, 5.25) 179.5],
+    Answered
+      (SolidReport (Description "" [] []))
+      ( Report
+          4
+          6
+          4
+          [Component 4 6 4 2 (Just 0) (Just (-1 / 3)) (Just True) (Just 1)]
+          [Defect NotPlanar [FaceName ["A", "B"]] ["A"] (Just 0.5)]
+          []
+      ),
+    Answered (FaceCells [] (1, 1)) ["#.", ".."],
+    Answered
+      (Whereabouts (Mapped (Shape 1 1) (1, 1) [] []) (Shape 1 1) (Position 0 0))
+      ( WhereaboutsReport
+          (Just OneFace)
+          (Just (Face "one" (FaceName ["A", "B"])))
+          [Face "one" (FaceName ["A", "B"])]
+          (Just "A")
+          ["A"]
+          (Just (0.5, -2.25))
+      ),
+    Answered (FacePose (Felt [] [] 1 Nothing)) (Pose turned (replicate 6 [1, 0, 0.5, 0, 0, -2]))
   ]
   where
     large = 10 ^ (30 :: Int) :: Natural
@@ -241,10 +297,36 @@ spoilt value = otherTypesOf value ++ inside
         | not (Text.all isDigit text) -> [Number 1, toJSON [part], object [], Bool True]
       _ -> [Bool True, String "one", toJSON [part], object []]
 
--- | Only reasons and ranks may be null.
+-- | Only reasons, ranks, and what may have no meaning may be null.
 allowed :: Question a -> Value -> Value -> Bool
 allowed question value other = case (question, value, other) of
   (Prove _, Object keys, Object keys') ->
     KeyMap.delete "rank" keys == KeyMap.delete "rank" keys'
       && KeyMap.lookup "rank" keys' == Just Null
+  (SolidReport _, _, _) ->
+    other
+      `elem` nulled
+        ["genus", "volume_mm3", "convex", "inside", "measure_mm"]
+        value
+  (Whereabouts {}, _, _) ->
+    other
+      `elem` nulled
+        ["on", "object", "face", "corner", "place_mm"]
+        value
   _ -> False
+  where
+    -- With null under one of these keys, at any depth.
+    nulled names part = case part of
+      Object keys ->
+        [Object (KeyMap.insert name Null keys) | name <- names, KeyMap.member name keys]
+          ++ [ Object (KeyMap.insert name other' keys)
+               | (name, inner) <- KeyMap.toList keys,
+                 other' <- nulled names inner
+             ]
+      Array parts ->
+        [ toJSON (take i items ++ other' : drop (i + 1) items)
+          | let items = toList parts,
+            (i, inner) <- zip [0 ..] items,
+            other' <- nulled names inner
+        ]
+      _ -> []

@@ -158,7 +158,7 @@ lawsOf given = do
     given $ \it_ ->
       for_ (solidFaces it_) $ \face -> do
         let away = middle (cornerPoints it_ face) `less` middle (map snd (solidVertices it_))
-        outwardNormal it_ face `inner` away `shouldSatisfy` (> 0)
+        outwardNormal (cornerPoints it_ face) `inner` away `shouldSatisfy` (> 0)
   it "three faces meet at each vertex, each the neighbour of the one before" $
     given $ \it_ ->
       for_ (solidVertices it_) $ \(vertex, _) -> do

@@ -11,8 +11,9 @@ module PraTactile.Conformance.Impostors.Impostor
 
     -- * Edits
     answeringOtherwise,
-    touchingOtherwise,
+    withoutProfileOtherwise,
     reading,
+    readingOtherwise,
     opening,
     knowing,
     under,
@@ -42,7 +43,8 @@ data Impostor = Impostor
 -- | What is answered to every question.
 type RightAnswers = forall a. Question a -> Wire a
 
--- | The definition as an implementation. Touch, which has none, is this library's.
+-- | The definition as an implementation. Touch, which has none, and objects, of which it takes
+-- long, are this library's.
 definition :: Implementation
 definition = library {open = fmap (\k -> answering (defined k)) . knownUnder}
 
@@ -66,18 +68,30 @@ answeringOtherwise ::
 answeringOtherwise name mistake edit =
   edited name mistake (\k -> answering (edit k (defined k)))
 
--- | With some answers to questions about touch otherwise, given the right ones.
-touchingOtherwise ::
+-- | With some answers to questions that need no profile otherwise, given the right ones.
+withoutProfileOtherwise ::
   String -> String -> (forall a. RightAnswers -> Question a -> Wire a) -> Impostor
-touchingOtherwise name mistake edit =
-  Impostor name mistake [] definition {touch = answering (edit (answerTo (touch library)))}
+withoutProfileOtherwise name mistake edit =
+  Impostor
+    name
+    mistake
+    []
+    definition {withoutProfile = answering (edit (answerTo (withoutProfile library)))}
+
+-- | Taking an input that needs no profile for another one, before it is read.
+readingOtherwise :: String -> String -> (Value -> Value) -> Impostor
+readingOtherwise name mistake edit =
+  Impostor name mistake [] definition {withoutProfile = readingBefore edit (withoutProfile library)}
+
+readingBefore :: (Value -> Value) -> Session -> Session
+readingBefore edit (Session answers) = Session $ \question -> case question of
+  Raw operation input -> answers (Raw operation (edit input))
+  _ -> answers question
 
 -- | Taking an input for another one, before it is read.
 reading :: String -> String -> (Value -> Value) -> Impostor
 reading name mistake edit =
-  edited name mistake $ \k -> Session $ \question -> case question of
-    Raw operation input -> answerTo (answering (defined k)) (Raw operation (edit input))
-    _ -> defined k question
+  edited name mistake (\k -> readingBefore edit (answering (defined k)))
 
 -- | Taking a profile for another one, the first of these that is possible.
 opening :: String -> String -> (Profile -> [Profile]) -> Impostor

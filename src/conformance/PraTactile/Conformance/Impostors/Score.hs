@@ -17,7 +17,7 @@ import PraTactile.Conformance.Direct
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Impostors.Impostor
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
+import PraTactile.Conformance.Laws (laws, lawsWithoutProfile, openingLaws)
 import PraTactile.Conformance.Profiles (defaultProfiles)
 import PraTactile.Conformance.Run.Case (Plan (..), trialsOf)
 import PraTactile.Conformance.Run.Work (Settings (..), standardSettings)
@@ -26,7 +26,7 @@ import PraTactile.Profile (Profile (..))
 -- | That a law finds an impostor.
 data Kill = Kill
   { killLaw :: String,
-    -- | The first profile under which it does; empty for a law of opening or of touch.
+    -- | The first profile under which it does; empty for a law that knows none.
     killProfile :: String,
     -- | How many cases were tried there, the failing one the last.
     killCases :: Int
@@ -40,7 +40,7 @@ kills seed profiles impostor =
   catMaybes
     <$> traverse
       (killBy seed profiles impostor)
-      (chosen openingLaws ++ chosen laws ++ chosen touchLaws)
+      (chosen openingLaws ++ chosen laws ++ chosen lawsWithoutProfile)
   where
     chosen :: [Law about] -> [String]
     chosen these = [lawId law | law <- these, lawStage law `elem` impostorTouches impostor]
@@ -52,7 +52,7 @@ killBy seed profiles impostor law =
   where
     findsBy name = findsAt seed profiles impostor (Kill law name 0)
     names
-      | law `elem` map lawId openingLaws ++ map lawId touchLaws = [""]
+      | law `elem` map lawId openingLaws ++ map lawId lawsWithoutProfile = [""]
       | otherwise = [name | (name, _, _) <- profiles]
 
 -- | In how many cases the law of a kill finds the impostor under the kill's profile; 'Nothing' if
@@ -61,8 +61,13 @@ findsAt :: Int -> [(String, Profile, Known)] -> Impostor -> Kill -> IO (Maybe In
 findsAt seed profiles impostor kill
   | law : _ <- [law | law <- openingLaws, lawId law == killLaw kill] =
     findsOpening seed [p | (_, p, _) <- profiles] law impostor
-  | law : _ <- [law | law <- touchLaws, lawId law == killLaw kill] =
-    finds touchCases seed law () (sessionRespondent (touch (impostorMade impostor)))
+  | law : _ <- [law | law <- lawsWithoutProfile, lawId law == killLaw kill] =
+    finds
+      (if lawStage law `elem` touchStages then sceneCases else usualCases)
+      seed
+      law
+      ()
+      (sessionRespondent (withoutProfile (impostorMade impostor)))
   | law : _ <- [law | law <- laws, lawId law == killLaw kill],
     (p, about) : _ <- [(p, about) | (name, p, about) <- profiles, name == killProfile kill] =
     findsUnder seed p about law impostor
@@ -89,8 +94,8 @@ usualCases :: Int
 usualCases = settingCases standardSettings
 
 -- | Fewer, because each is a scene: of those of a run the first ones.
-touchCases :: Int
-touchCases = 12
+sceneCases :: Int
+sceneCases = 12
 
 -- | The default profiles of at most 1024 cells: what is found under them is found under all.
 comparedProfiles :: [(String, Profile, Known)]

@@ -24,7 +24,7 @@ registerImpostors =
         else found,
     registered "registers-whatever-comes" "refuses nothing" $ \_ found ->
       found {registeredReason = Nothing, registeredFixed = (True, True)},
-    touchingOtherwise "takes-the-least-frame" "cuts frames of two sizes to what both have" $
+    withoutProfileOtherwise "takes-the-least-frame" "cuts frames of two sizes to what both have" $
       \right question -> case question of
         Register pair ->
           let (a, b) = (pairFirst pair, pairSecond pair)
@@ -37,7 +37,7 @@ registerImpostors =
   where
     registered :: String -> String -> (Pair -> Registered -> Registered) -> Impostor
     registered name mistake change =
-      touchingOtherwise name mistake $ \right question -> case question of
+      withoutProfileOtherwise name mistake $ \right question -> case question of
         Register pair -> change pair <$> right question
         _ -> right question
 
@@ -65,7 +65,7 @@ stitchImpostors =
   [ stitched "stitches-nothing" "leaves every frame where it should be" $ \_ _ -> (0, 0),
     stitched "stretches-the-robot" "takes the robot's taxels for 5 % longer than they are" $
       \(Placed _ (px, py)) (x, y) -> (x + 0.05 * fromInteger px, y + 0.05 * fromInteger py),
-    touchingOtherwise "stitches-frames-of-any-size" "cuts frames of two sizes alike" $
+    withoutProfileOtherwise "stitches-frames-of-any-size" "cuts frames of two sizes alike" $
       \right question -> case question of
         Stitch search frames ->
           let high = minimum (256 : [length rows | Placed rows _ <- frames])
@@ -77,7 +77,7 @@ stitchImpostors =
   where
     stitched :: String -> String -> (Placed -> Taxels -> Taxels) -> Impostor
     stitched name mistake change =
-      touchingOtherwise name mistake $ \right question -> case question of
+      withoutProfileOtherwise name mistake $ \right question -> case question of
         Stitch _ frames -> zipWith change frames <$> right question
         _ -> right question
 
@@ -100,12 +100,12 @@ segmentImpostors =
   where
     segmented :: String -> String -> (Rows -> [Symbol] -> [Symbol]) -> Impostor
     segmented name mistake change =
-      touchingOtherwise name mistake $ \right question -> case question of
+      withoutProfileOtherwise name mistake $ \right question -> case question of
         Segment rows -> change rows <$> right question
         _ -> right question
     changed :: String -> String -> (Rows -> Rows) -> Impostor
     changed name mistake change =
-      touchingOtherwise name mistake $ \right question -> case question of
+      withoutProfileOtherwise name mistake $ \right question -> case question of
         Segment rows -> right (Segment (change rows))
         _ -> right question
     cut v

@@ -6,6 +6,7 @@
 module PraTactile.Conformance.Laws.Judge
   ( -- * Laws of one question
     defined,
+    definedWithoutProfile,
     invalid,
     asDefined,
     inOrder,
@@ -34,7 +35,7 @@ import Data.Aeson (Value, toJSON)
 import Data.List (find)
 import Data.Maybe (fromMaybe)
 import PraTactile.Conformance.Ask
-import PraTactile.Conformance.Definition (Known, agrees, expected, inFormOf, knownProfile)
+import PraTactile.Conformance.Definition
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Why (why)
 import PraTactile.Conformance.Question
@@ -55,6 +56,19 @@ defined ::
 defined stage what operation sentence source domain =
   law stage what [operation] sentence source $ \known ->
     Cases questionForm (domain known) (asDefined known)
+
+-- | The same of questions that need no profile.
+definedWithoutProfile ::
+  Stage -> String -> Operation -> String -> String -> String -> Domain SomeQuestion -> Law ()
+definedWithoutProfile stage what operation sentence source reason domain =
+  law stage what [operation] sentence source $ \() -> Cases questionForm domain judged
+  where
+    judged (SomeQuestion question) = case expectedWithoutProfile question of
+      Nothing -> pure Inapplicable
+      Just wanted ->
+        judge question wanted fits "the definition" reason <$> ask question
+        where
+          fits = either (const (const False)) (agreesWithoutProfile question) wanted
 
 -- | A law that all these questions are refused as @invalid@.
 invalid :: Stage -> String -> Operation -> (about -> [SomeQuestion]) -> Law about

@@ -12,7 +12,9 @@ where
 
 import Data.List (transpose)
 import Numeric.Natural (Natural)
+import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Conformance.Question
+import PraTactile.Object.Description (Description (..), FaceName (..), Point (..))
 import Test.QuickCheck (shrinkIntegral)
 
 -- | The smaller questions, the smallest first. A raw one has none, and neither has one about touch,
@@ -35,21 +37,57 @@ smaller (SomeQuestion question) = case question of
   Cell r c -> [SomeQuestion (Cell r' c') | (r', c') <- pairs r c]
   Pack codes -> SomeQuestion . Pack <$> each smallerNatural codes
   Unpack n -> SomeQuestion . Unpack <$> smallerNatural n
-  Locate rows -> SomeQuestion . Locate <$> smallerPatch felt rows
+  Locate rows -> SomeQuestion . Locate <$> smallerPatch observed rows
   Nearest radius rows ->
-    [SomeQuestion (Nearest radius less) | less <- smallerPatch felt rows]
+    [SomeQuestion (Nearest radius less) | less <- smallerPatch observed rows]
       ++ [SomeQuestion (Nearest (Just e) rows) | Just e <- [radius] >>= traverse smallerNatural]
   Posterior rows -> SomeQuestion . Posterior <$> smallerPatch chance rows
   Prove mask -> SomeQuestion . Prove <$> smallerMask mask
   Distance mask -> SomeQuestion . Distance <$> smallerMask mask
+  SolidReport it -> SomeQuestion . SolidReport <$> smallerSolid it
+  FaceCells corners pitch ->
+    [SomeQuestion (FaceCells less pitch) | less <- smallerList simpler corners]
+  Whereabouts mapped (Shape high wide) (Position r c) ->
+    [ SomeQuestion (Whereabouts mapped {mappedLayings = less} (Shape high wide) (Position r c))
+      | less <- smallerList (const []) (mappedLayings mapped)
+    ]
+      ++ [ SomeQuestion (Whereabouts mapped (Shape high' wide') (Position r c))
+           | (high', wide') <- pairs high wide,
+             high' > 0 && wide' > 0
+         ]
+      ++ [ SomeQuestion (Whereabouts mapped (Shape high wide) (Position r' c'))
+           | (r', c') <-
+               pairs r c
+         ]
+  FacePose felt ->
+    [SomeQuestion (FacePose felt {feltPlane = Nothing}) | Just _ <- [feltPlane felt]]
+      ++ [ SomeQuestion (FacePose felt {feltSeen = less})
+           | less <- smallerList (const []) (feltSeen felt),
+             length less > 1
+         ]
   _ -> []
   where
     pairs a b = [(c, b) | c <- smallerNatural a] ++ [(a, d) | d <- smallerNatural b]
     -- One that ends in 0 states no degree.
     proper codes = not (null codes) && last codes /= 0
 
-felt :: Maybe Code -> [Maybe Code]
-felt cell = case cell of
+-- | Without one of the faces, without the vertices that no face has, or with simpler coordinates.
+smallerSolid :: Description -> [Description]
+smallerSolid it =
+  [it {describedFaces = less} | less <- smallerList (const []) (describedFaces it)]
+    ++ [it {describedVertices = used} | length used < length (describedVertices it)]
+    ++ [it {describedVertices = less} | less <- each (traverse simpler) (describedVertices it)]
+  where
+    used = filter ((`elem` concatMap faceVertices (describedFaces it)) . fst) (describedVertices it)
+
+-- | A point with whole coordinates.
+simpler :: Point -> [Point]
+simpler p@(Point x y z) = filter (/= p) [Point (whole x) (whole y) (whole z)]
+  where
+    whole = fromInteger . round
+
+observed :: Maybe Code -> [Maybe Code]
+observed cell = case cell of
   Nothing -> []
   Just code -> Nothing : map Just (smallerNatural code)
 

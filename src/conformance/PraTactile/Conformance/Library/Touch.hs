@@ -22,8 +22,8 @@ import PraTactile.Shape (paperAlphabet)
 
 -- | Registration by the better of its methods, stitching as for an exact sensor, and segmentation
 -- at any angle.
-libraryTouch :: Session
-libraryTouch = answering $ \question -> case question of
+libraryTouch :: Question a -> Wire a
+libraryTouch question = case question of
   Register pair -> registered pair
   Stitch search frames -> stitched search frames
   Segment rows -> segmented rows

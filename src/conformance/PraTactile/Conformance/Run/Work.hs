@@ -34,8 +34,8 @@ data Suite about = Suite
     suiteAbout :: Profile -> Maybe about,
     suiteLaws :: [Law about],
     suiteOpenings :: [Law [Profile]],
-    -- | Those of touch, which know no profile.
-    suiteTouch :: [Law ()],
+    -- | Those of touch and of objects, which know no profile.
+    suiteWithoutProfile :: [Law ()],
     -- | What the definition answers.
     suiteAnswer :: about -> SomeQuestion -> Reply,
     -- | The shipped impostor that errs exactly alike in these cases, under a profile or none.
@@ -83,10 +83,11 @@ mustFail :: Settings -> [String]
 mustFail settings =
   settingKnown settings ++ (if settingSkipMustFail settings then settingSkip settings else [])
 
--- | Whether no law is left out: of the code, of touch, or of both.
+-- | Whether no law is left out of the sets of stages that are tried.
 choosesAll :: Settings -> Bool
 choosesAll settings =
-  all whole [codeStages, touchStages] && null (settingRun settings) && null (settingSkip settings)
+  all whole (codeStages : [stages | (_, stages, _) <- stagesApart]) && null (settingRun settings)
+    && null (settingSkip settings)
   where
     whole stages =
       all (`elem` stagesTried settings) stages || not (any (`elem` stagesTried settings) stages)
@@ -95,16 +96,16 @@ choosesAll settings =
 stagesTried :: Settings -> [Stage]
 stagesTried settings = if null (settingStages settings) then codeStages else settingStages settings
 
--- | The operations that the laws of such stages ask for: those of the code, of touch, or all.
+-- | The operations that the laws of such stages ask for, with those of all stages of their sets.
 operationsOf :: [Stage] -> [Operation]
 operationsOf stages =
   concat
     [ operations
-      | (operations, own) <- [(codeOperations, codeStages), (touchOperations, touchStages)],
+      | (own, operations) <- (codeStages, codeOperations) : [(s, o) | (_, s, o) <- stagesApart],
         any (`elem` own) stages
     ]
 
--- | A law under a profile, of profiles, or of touch.
+-- | A law under a profile, of profiles, or without one.
 data Work = Work
   { workId :: String,
     workStage :: Stage,
@@ -121,7 +122,10 @@ data Work = Work
 
 -- | The ids of the laws of a suite that are of these stages.
 idsOf :: [Stage] -> Suite about -> [String]
-idsOf stages suite = own (suiteOpenings suite) ++ own (suiteLaws suite) ++ own (suiteTouch suite)
+idsOf stages suite =
+  own (suiteOpenings suite) ++ own (suiteLaws suite)
+    ++ own
+      (suiteWithoutProfile suite)
   where
     own :: [Law a] -> [String]
     own some = [lawId law | law <- some, lawStage law `elem` stages]
@@ -136,7 +140,7 @@ workOf settings offers suite =
              Just about <- [suiteAbout suite (snd profile)],
              law <- suiteLaws suite
          ]
-      ++ map (`plain` ()) (suiteTouch suite)
+      ++ map (`plain` ()) (suiteWithoutProfile suite)
   where
     restricted work = work {workLeftOut = reason work}
     reason work
@@ -155,7 +159,11 @@ chosen settings work =
 -- | The work that a token names; 'Nothing' where there is no such law.
 workFor :: Suite about -> Token -> Maybe Work
 workFor suite token = case tokenProfile token of
-  Nothing -> found (opening suite) (suiteOpenings suite) <|> found (`plain` ()) (suiteTouch suite)
+  Nothing ->
+    found (opening suite) (suiteOpenings suite)
+      <|> found
+        (`plain` ())
+        (suiteWithoutProfile suite)
   Just profile -> do
     about <- suiteAbout suite profile
     found (under suite (nameOf profile, profile) about) (suiteLaws suite)

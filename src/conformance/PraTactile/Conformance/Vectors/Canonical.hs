@@ -27,15 +27,15 @@ canonical = canonicalWith $ \n ->
     then Builder.integerDec (coefficient n)
     else Builder.string7 (formatScientific Fixed Nothing n)
 
--- | 12 hexadecimal digits of the SHA-256 of an operation, a profile and an input: of the canonical
--- form of an object with these three keys.
-identifier :: Operation -> Profile -> Value -> String
+-- | 12 hexadecimal digits of the SHA-256 of an operation, a profile or null, and an input: of the
+-- canonical form of an object with these three keys.
+identifier :: Operation -> Maybe Profile -> Value -> String
 identifier operation profile input =
   take 12 (digestOf (Lazy.toStrict (Builder.toLazyByteString text)))
   where
     text = canonical (Object (KeyMap.fromList parts))
     parts =
       [ (Key.fromString "operation", toJSON (operationName operation)),
-        (Key.fromString "profile", profileValue profile),
+        (Key.fromString "profile", maybe Null profileValue profile),
         (Key.fromString "input", input)
       ]

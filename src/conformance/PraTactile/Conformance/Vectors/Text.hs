@@ -39,7 +39,7 @@ vectorsText vectors =
     [ "{\"schema\":\"pra-tactile/vectors/1\",\n",
       member "suite" (toJSON suiteVersion) <> ",\n",
       member "operation" (toJSON (operationName (vectorsOperation vectors))) <> ",\n",
-      member "profile" (profileValue (vectorsProfile vectors)) <> ",\n",
+      member "profile" (maybe Null profileValue (vectorsProfile vectors)) <> ",\n",
       member "notes" (notesOf vectors) <> ",\n"
     ]
       ++ [member "digest" (digestValue digest) <> ",\n" | Just digest <- [vectorsDigest vectors]]
@@ -92,7 +92,7 @@ member name value = Builder.stringUtf8 (show name) <> ":" <> canonical value
 -- | What a file of vectors says, as far as they are made again from it.
 data StatedVectors = StatedVectors
   { statedOperation :: Operation,
-    statedProfile :: Profile,
+    statedProfile :: Maybe Profile,
     -- | The seed that a drawn test names.
     statedSeed :: Maybe Int,
     -- | The tests as they stand there.
@@ -108,7 +108,7 @@ readVectors = Codec.decodeWith keys
       Codec.schemaKey "pra-tactile/vectors/1"
         *> ( stated
                <$> Codec.key "operation" (Codec.named operationName) statedOperation
-               <*> Codec.key "profile" profileCodec statedProfile
+               <*> Codec.key "profile" (Codec.nullable profileCodec) statedProfile
                <*> Codec.key "groups" (Codec.listOf group) (const [])
            )
     group = Codec.object (Codec.key "tests" (Codec.listOf (Codec.Codec id Right)) id)

@@ -2,10 +2,16 @@
 
 -- | Solids drawn at random, of one piece or several, with handles, cavities and faces that are not
 -- convex, anywhere and in any direction; and each of them with one thing made wrong.
-module Test.Solid.Drawn
+module PraTactile.Conformance.Laws.Solids
   ( solids,
     spoilt,
+
+    -- * Changes that spoil nothing
     moved,
+    labelled,
+    reversed,
+    both,
+    shuffledFaces,
   )
 where
 
@@ -22,16 +28,16 @@ solids = do
   bodies <- mapM body [0 .. count - 1 :: Integer]
   let joined = foldr both (Description "several" [] []) bodies
   place <- affine
-  shuffledFaces (mapPoints place joined)
+  shuffledFaces (moved place joined)
   where
     body k = do
       shape <- shapes
       hollow <- frequency [(3, pure False), (1, pure True)]
       let outer = labelled ("p" ++ show k ++ ".") (namedDescription shape)
-          apart = mapPoints (\(Point x y z) -> Point (x + 1000 * fromInteger k) y z)
+          apart = moved (\(Point x y z) -> Point (x + 1000 * fromInteger k) y z)
           -- In the middle of a box of 60 a cube has room, and it is turned inside out.
           cavity =
-            mapPoints (\(Point x y z) -> Point (x + 20) (y + 20) (z + 20)) $
+            moved (\(Point x y z) -> Point (x + 20) (y + 20) (z + 20)) $
               reversed (labelled ("h" ++ show k ++ ".") (namedDescription (Box 10 12 14)))
       pure . apart $ case shape of
         Box {} | hollow -> both outer cavity
@@ -72,9 +78,8 @@ shuffledFaces it = do
   turned <- mapM (\(FaceName walk) -> FaceName <$> elements (rotations walk)) faces
   pure it {describedFaces = turned}
 
-mapPoints, moved :: (Point -> Point) -> Description -> Description
-mapPoints f it = it {describedVertices = [(v, f p) | (v, p) <- describedVertices it]}
-moved = mapPoints
+moved :: (Point -> Point) -> Description -> Description
+moved f it = it {describedVertices = [(v, f p) | (v, p) <- describedVertices it]}
 
 labelled :: String -> Description -> Description
 labelled prefix it =
@@ -170,7 +175,7 @@ spoilt kind it = case kind of
   PinchedVertex -> do
     -- Another piece of the same form touches it, and the vertex is one.
     (v, p) <- elements vertices
-    let other = labelled "o." (mapPoints (\(Point x y z) -> through p (Point x y z)) it)
+    let other = labelled "o." (moved (\(Point x y z) -> through p (Point x y z)) it)
         name w = if w == VertexName ("o." ++ vertexText v) then v else w
         merged = both it other
     pure
@@ -192,7 +197,7 @@ spoilt kind it = case kind of
         }
   FacesIntersect -> do
     d <- oneof [anyShift, elements [Point 0 0 0, Point 10 0 0, Point 0 0 25]]
-    pure (both it (labelled "o." (mapPoints (`shiftedBy` d) it)))
+    pure (both it (labelled "o." (moved (`shiftedBy` d) it)))
   where
     vertices = describedVertices it
     faces = describedFaces it

@@ -1,40 +1,20 @@
--- | What is wrong with a polyhedron, from the words of each defect alone: lists, names and
--- fractions, everything compared with everything. It shares no code with the library. Faces are cut
--- into triangles, and what two faces have in common is what the triangles of the one leave of
--- those of the other.
-module Test.Solid.Definition
-  ( Found (..),
-    Piece (..),
-    Whole (..),
-    define,
-    alike,
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | What is wrong with a polyhedron, from the words of each defect alone ('Kind'): lists, names and
+-- fractions, everything compared with everything. Faces are cut into triangles, and what two faces
+-- have in common is what the triangles of the one leave of those of the other.
+module PraTactile.Conformance.Definition.Solid
+  ( reportOf,
+    flatFace,
   )
 where
 
 import Data.List (elemIndex, maximumBy, nub, sort, tails, (\\))
 import Data.Maybe (mapMaybe)
 import Data.Ord (comparing)
-import PraTactile.Object.Defect (Kind (..))
+import PraTactile.Object.Defect
 import PraTactile.Object.Description
-
--- | A defect: what, where, and the square of the measure.
-data Found = Found Kind [FaceName] [VertexName] (Maybe Rational)
-  deriving stock (Eq, Show)
-
--- | V, E, F; and, where it has a meaning: genus, volume, whether convex, inside how many.
-data Piece = Piece Int Int Int (Maybe Int) (Maybe Rational) (Maybe Bool) (Maybe Int)
-  deriving stock (Eq, Show)
-
-data Whole = Whole {wholeFound :: [Found], wholePieces :: [Piece], wholeNot :: [(Kind, [Kind])]}
-  deriving stock (Eq, Show)
-
--- | The same up to the rounding of a measure.
-alike :: Maybe Rational -> Maybe Double -> Bool
-alike Nothing Nothing = True
-alike (Just square) (Just told) = abs (told - root) <= 1e-9 * root
-  where
-    root = sqrt (fromRational square)
-alike _ _ = False
+import PraTactile.Object.Validity (Component (..), Report (..))
 
 type P = (Rational, Rational, Rational)
 
@@ -52,8 +32,30 @@ times k (a, b, c) = (k * a, k * b, k * c)
 null3 :: P -> Bool
 null3 = (== (0, 0, 0))
 
-define :: Description -> Whole
-define it = Whole found pieces unexamined
+-- | Whether these corners, in order, are a simple polygon in a plane.
+flatFace :: [Point] -> Bool
+flatFace corners =
+  null
+    [ ()
+      | Defect kind _ _ _ <- reportDefects (reportOf (Description "" vertices [FaceName names])),
+        kind
+          `elem` [CoincidentVertices, TooFewVertices, NoArea, NotPlanar, FaceCrossesItself]
+    ]
+  where
+    names = [VertexName (show i) | i <- [1 .. length corners]]
+    vertices = zip names corners
+
+-- | All that there is to say of a polyhedron.
+reportOf :: Description -> Report
+reportOf it =
+  Report
+    { reportVertices = length vertices,
+      reportEdges = length edges,
+      reportFaces = length faces,
+      reportComponents = pieces,
+      reportDefects = found,
+      reportNotExamined = unexamined
+    }
   where
     Description _ vertices faces = it
     order v = elemIndex v (map fst vertices)
@@ -104,67 +106,69 @@ define it = Whole found pieces unexamined
     used = [v | v <- names, any (\(_, FaceName walk) -> v `elem` walk) formed]
 
     plain =
-      [Found NoFaces [] [] Nothing | null faces]
-        ++ [Found RepeatedName [] [v] Nothing | v <- repeated]
-        ++ [ Found CoincidentVertices [] same Nothing
+      [Defect NoFaces [] [] Nothing | null faces]
+        ++ [Defect RepeatedName [] [v] Nothing | v <- repeated]
+        ++ [ Defect CoincidentVertices [] same Nothing
              | p <- nub (map snd vertices),
                let same = [v | (v, q) <- vertices, p == q],
                length same > 1
            ]
-        ++ [ Found UnusedVertex [] [v] Nothing
+        ++ [ Defect UnusedVertex [] [v] Nothing
              | v <-
                  names,
                not (any (\(FaceName walk) -> v `elem` walk) faces)
            ]
-        ++ [ Found UnknownVertex [face] [v] Nothing
+        ++ [ Defect UnknownVertex [face] [v] Nothing
              | face@(FaceName walk) <-
                  faces,
                v <- nub walk,
                v `notElem` names
            ]
-        ++ [Found TooFewVertices [face] [] Nothing | face@(FaceName walk) <- faces, length walk < 3]
-        ++ [ Found VertexTwiceOnFace [face] [v] Nothing
+        ++ [ Defect TooFewVertices [face] [] Nothing | face@(FaceName walk) <- faces, length walk
+                                                                                        < 3
+           ]
+        ++ [ Defect VertexTwiceOnFace [face] [v] Nothing
              | face@(FaceName walk) <-
                  faces,
                v <- nub (walk \\ nub walk)
            ]
-        ++ [ Found RepeatedFace same [] Nothing
+        ++ [ Defect RepeatedFace same [] Nothing
              | set <- nub [sort walk | FaceName walk <- faces],
                let same = [face | face@(FaceName walk) <- faces, sort walk == set],
                length same > 1
            ]
-        ++ [Found NoArea [face] [] Nothing | (_, face) <- formed, null3 (area face)]
-        ++ [ Found
+        ++ [Defect NoArea [face] [] Nothing | (_, face) <- formed, null3 (area face)]
+        ++ [ Defect
                NotPlanar
                [face]
                []
-               (Just (maximum (flatness face) ^ (2 :: Int) / (area face <.> area face)))
+               (root (maximum (flatness face) ^ (2 :: Int) / (area face <.> area face)))
              | (_, face) <- withArea,
                any (/= 0) (flatness face)
            ]
-        ++ [ Found FaceCrossesItself [face] ends Nothing
+        ++ [ Defect FaceCrossesItself [face] ends Nothing
              | (_, face) <-
                  planar,
                ends <- take 1 (crossings face)
            ]
-        ++ [ Found EdgeWithoutTwoFaces (map fst there) ends Nothing
+        ++ [ Defect EdgeWithoutTwoFaces (map fst there) ends Nothing
              | not malformed,
                ends <- edges,
                let there = facesAlong ends,
                length there /= 2
            ]
-        ++ [ Found VertexOnEdge [] (v : ends) Nothing
+        ++ [ Defect VertexOnEdge [] (v : ends) Nothing
              | v <- used,
                ends@[a, b] <- edges,
                strictlyBetween (at a) (at b) (at v)
            ]
-        ++ [ Found FacesDisagree [f, g] [a, b] Nothing
+        ++ [ Defect FacesDisagree [f, g] [a, b] Nothing
              | not malformed,
                ends <- edges,
                [(f, (a, b)), (g, (c, d))] <- [facesAlong ends],
                (a, b) == (c, d)
            ]
-        ++ [ Found PinchedVertex [] [v] Nothing
+        ++ [ Defect PinchedVertex [] [v] Nothing
              | not malformed,
                v <- used,
                and [length (facesAlong ends) == 2 | ends <- edges, v `elem` ends],
@@ -175,7 +179,7 @@ define it = Whole found pieces unexamined
                  )
                  > 1
            ]
-        ++ [ Found FacesIntersect [f, g] [] (Just (maximum [norm (p .- q) | p <- left, q <- left]))
+        ++ [ Defect FacesIntersect [f, g] [] (root (maximum [norm (p .- q) | p <- left, q <- left]))
              | (_, f) : others <- tails (filter ((`elem` once) . fst) simple),
                (_, g) <- others,
                let left = shared f g,
@@ -186,7 +190,7 @@ define it = Whole found pieces unexamined
                                                 `elem` [inOrder [c, d] | (c, d) <- sidesOf g]
       ]
 
-    kinds = nub [kind | Found kind _ _ _ <- plain]
+    kinds = nub [kind | Defect kind _ _ _ <- plain]
     -- Of these kinds, those that there are; a name that several have does no harm where no face has
     -- it.
     blamed wanted =
@@ -201,9 +205,9 @@ define it = Whole found pieces unexamined
       formless
         ++ [NoArea, NotPlanar, FaceCrossesItself, EdgeWithoutTwoFaces, VertexOnEdge]
         ++ [FacesDisagree, PinchedVertex, FacesIntersect]
-    found = plain ++ [Found InsideOut [face] [] Nothing | null (blamed all'), face <- wrongWay]
+    found = plain ++ [Defect InsideOut [face] [] Nothing | null (blamed all'), face <- wrongWay]
     unexamined =
-      [ (kind, causes)
+      [ Unexamined kind causes
         | (kind, reasons) <-
             [ (NoArea, formless),
               (NotPlanar, formless ++ [NoArea]),
@@ -251,10 +255,11 @@ define it = Whole found pieces unexamined
             inside p [t | (_, f) <- other, t <- triangulate (area f) (pointsOf f)]
         ]
     pieces =
-      [ Piece
+      [ Component
           v
           e
           f
+          (v - e + f)
           (told [EdgeWithoutTwoFaces, FacesDisagree, PinchedVertex] ((2 - v + e - f) `div` 2))
           (told [EdgeWithoutTwoFaces, FacesDisagree, NotPlanar] (looseVolume group))
           (told (all' \\ formless) (convex group))
@@ -323,6 +328,9 @@ define it = Whole found pieces unexamined
               (p, q) = maximumBy (comparing (\(x, y) -> norm (x .- y))) [(x, y) | x <- ps, y <- ps]
     walkOf (FaceName walk) = walk
     sortAlong p q = map snd . sort . map (\m -> ((m .- p) <.> (q .- p), m))
+
+root :: Rational -> Maybe Double
+root = Just . sqrt . fromRational
 
 norm :: P -> Rational
 norm p = p <.> p

@@ -1,0 +1,98 @@
+-- | The pose of an object of which points of a face were felt, in closed form.
+--
+-- With e = v_m - v_0 of the walk and the outward normal n, the face's axes are
+--
+-- > X = e / |e|        Z = -n / |n|        Y = Z x X
+--
+-- Of N points q_i of the face that were felt at p_i, with independent errors of standard deviation
+-- s along each axis, the most probable motion p = t + R(a) q of the plane takes the mean of the q_i
+-- to that of the p_i, and turns by
+--
+-- > tan a = sum (q_i x p_i) / sum (q_i . p_i)        (both from their means)
+--
+-- Its error about the mean c of the p_i is s^2 / N along each axis and s^2 / sum |q_i|^2 in the
+-- angle, which do not depend on each other. A point v of the object is at R v + T with
+--
+-- > R = Rz(a) [X Y Z]^T        T = (t, 0) - R v_0
+--
+-- and an error (u, v, b) about c is one of T by (u - b (T_y - c_y), v + b (T_x - c_x), 0) and a
+-- rotation by (0, 0, b). In a world where the robot's frame lies by (P, d) all of them are turned
+-- by P, and T is moved by d.
+module PraTactile.Conformance.Definition.Pose
+  ( poseOf,
+  )
+where
+
+import Data.List (nub, transpose)
+import PraTactile.Conformance.Definition.Solid (flatFace)
+import PraTactile.Conformance.Question
+import PraTactile.Object.Description (Point (..), cyclicPairs)
+import PraTactile.Pose (Pose (..), RigidMotion (..))
+
+poseOf :: Felt -> Either Refusal Pose
+poseOf (Felt corners seen sd plane)
+  | not (flatFace corners) = Left (Refusal "impossible-face")
+  | length (nub (map fst seen)) < 2 = Left (Refusal "undetermined")
+  | otherwise = Right (Pose (RigidMotion inWorld (zipWith (+) by (p `on` translation))) covariance)
+  where
+    (p, by) =
+      maybe
+        ([[1, 0, 0], [0, 1, 0], [0, 0, 1]], [0, 0, 0])
+        (\m -> (motionRows m, motionBy m))
+        plane
+    -- The face's axes, by exact vectors.
+    points = [[x, y, z] | Point x y z <- corners]
+    from = map (\v -> zipWith (-) v (head points)) points
+    x = unit (last from)
+    z = unit (map negate (foldr (zipWith (+) . uncurry cross) [0, 0, 0] (cyclicPairs from)))
+    y = cross z x
+    -- The motion in the plane.
+    n = fromIntegral (length seen)
+    mean f = (sum (map (fst . f) seen) / n, sum (map (snd . f) seen) / n)
+    (q0, c) = (mean fst, mean snd)
+    moved = [(less q q0, less r c) | (q, r) <- seen]
+    a =
+      atan2
+        (sum [q1 * r2 - q2 * r1 | ((q1, q2), (r1, r2)) <- moved])
+        (sum [q1 * r1 + q2 * r2 | ((q1, q2), (r1, r2)) <- moved])
+    turn = [[cos a, negate (sin a), 0], [sin a, cos a, 0], [0, 0, 1]]
+    -- The motion in space.
+    rotation = turn `by3` [x, y, z]
+    translation =
+      zipWith
+        (-)
+        (zipWith (-) [fst c, snd c, 0] (turn `on` [fst q0, snd q0, 0]))
+        (rotation `on` map fromRational (head points))
+    inWorld = p `by3` rotation
+    -- Its error: columns of what an error of one along x, along y, and in the angle does.
+    columns =
+      [ [1, 0, 0, 0, 0, 0],
+        [0, 1, 0, 0, 0, 0],
+        [negate (translation !! 1 - snd c), head translation - fst c, 0, 0, 0, 1]
+      ]
+    variances =
+      [sd * sd / n, sd * sd / n, sd * sd / sum [q1 * q1 + q2 * q2 | ((q1, q2), _) <- moved]]
+    worldly v = (p `on` take 3 v) ++ (p `on` drop 3 v)
+    covariance =
+      foldr
+        (zipWith (zipWith (+)))
+        (replicate 6 (replicate 6 0))
+        [[[k * u * w | w <- worldly v] | u <- worldly v] | (k, v) <- zip variances columns]
+    less (u, v) (u', v') = (u - u', v - v')
+
+on :: [[Double]] -> [Double] -> [Double]
+on m v = [sum (zipWith (*) line v) | line <- m]
+
+by3 :: [[Double]] -> [[Double]] -> [[Double]]
+by3 m k = [[sum (zipWith (*) line column) | column <- transpose k] | line <- m]
+
+cross :: Num n => [n] -> [n] -> [n]
+cross [x, y, z] [u, v, w] = [y * w - z * v, z * u - x * w, x * v - y * u]
+cross _ _ = []
+
+-- | Of length 1; of the exact vector, whose largest part is made 1 before it is rounded.
+unit :: [Rational] -> [Double]
+unit v = map (/ long) small
+  where
+    small = map (fromRational . (/ maximum (map abs v))) v
+    long = sqrt (sum (map (^ (2 :: Int)) small))

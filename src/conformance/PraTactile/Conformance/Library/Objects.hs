@@ -1,0 +1,70 @@
+{-# LANGUAGE GADTs #-}
+
+-- | What this library says of solids, of faces laid on an array, and of poses.
+module PraTactile.Conformance.Library.Objects
+  ( libraryObjects,
+  )
+where
+
+import Control.Monad (unless, when)
+import Data.Maybe (isNothing)
+import qualified Data.Set as Set
+import qualified Data.Vector.Unboxed as Unboxed
+import PraTactile.Conformance.Implementation
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Wire.Line (longestLine)
+import PraTactile.Format.Object (whereaboutsReport)
+import PraTactile.Format.Placement (drawnPlacement)
+import PraTactile.Object.Cells (Grid (..), gridOf)
+import PraTactile.Object.Defect
+import PraTactile.Object.Description
+import PraTactile.Object.Mesh (Mesh, fromDescription)
+import PraTactile.Object.Placement (Pitch (..), whereabouts)
+import PraTactile.Object.Validity (Report (..), examine)
+import PraTactile.Pose (Pose, Seen (..), faceFrame, poseOf, rigidFit, thenPose)
+import PraTactile.Pose.Matrix (diagonal)
+
+libraryObjects :: Question a -> Wire a
+libraryObjects question = case question of
+  SolidReport it -> pure (examine (fromDescription it))
+  FaceCells corners pitch -> cellsOf corners pitch
+  Whereabouts (Mapped shape (right, down) objects layings) window at ->
+    case drawnPlacement shape (Pitch right down) objects layings of
+      Left _ -> refuse "impossible-placement"
+      Right place -> pure (whereaboutsReport (Just (whereabouts place window at)))
+  FacePose felt -> poseFelt felt
+  _ -> notOffered
+
+-- | The face with these corners as a polyhedron's only one.
+oneFace :: [Point] -> Wire Mesh
+oneFace corners = do
+  when (any ((`elem` faults) . defectKind) (reportDefects (examine it))) $
+    refuse "impossible-face"
+  pure it
+  where
+    it = fromDescription (Description (ObjectName "") (zip names corners) [FaceName names])
+    names = [VertexName (show i) | i <- [1 .. length corners]]
+    faults = [CoincidentVertices, TooFewVertices, NoArea, NotPlanar, FaceCrossesItself]
+
+cellsOf :: [Point] -> (Rational, Rational) -> Wire [String]
+cellsOf corners pitch@(right, down) = do
+  it <- oneFace corners
+  unless (right > 0 && down > 0) (refuse "impossible-face")
+  let grid = gridOf it pitch (Unboxed.fromList [0 .. length corners - 1])
+      taken = Set.fromList (gridCells grid)
+  when (gridRows grid * (gridColumns grid + 3) > fromIntegral longestLine) (refuse "too-long")
+  pure
+    [ [ if (r, c) `Set.member` taken then '#' else '.'
+        | c <- [0 .. gridColumns grid - 1]
+      ]
+      | r <- [0 .. gridRows grid - 1]
+    ]
+
+poseFelt :: Felt -> Wire Pose
+poseFelt (Felt corners seen sd plane) = do
+  _ <- oneFace corners
+  case (,) <$> faceFrame corners <*> rigidFit points of
+    Nothing -> refuse "undetermined"
+    Just (face, fit) -> pure (maybe id thenPose plane (poseOf face fit))
+  where
+    points = [Seen q p (diagonal [sd * sd, sd * sd]) | (q, p) <- seen]
