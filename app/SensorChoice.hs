@@ -13,6 +13,9 @@ module SensorChoice
     -- * How faces lie
     angleOption,
     angleReader,
+    bendOption,
+    bendBySymbols,
+    bendText,
   )
 where
 
@@ -28,6 +31,7 @@ import PraTactile.Sensor
 import PraTactile.Sensor.Constants
 import PraTactile.Sensor.Frame (isTaxelPitch, taxelPitches)
 import System.Directory (doesPathExist)
+import Text.Printf (printf)
 import Visible
 
 -- | What was said about the sensor.
@@ -178,3 +182,38 @@ angleReader = do
   if abs degrees <= 1e6
     then pure degrees
     else readerError "a turn is a number of degrees up to a million"
+
+-- | @--bend@ and @--bend-axis@.
+bendOption :: Parser (Maybe Bend)
+bendOption =
+  optional
+    ( Bend
+        <$> valued
+          radiusReader
+          "bend"
+          "MM"
+          "The face is wrapped on a cylinder of this radius, and lengths on it are in arc length \
+          \(default: it is flat)"
+        <*> choosing
+          "an axis"
+          (allNamed bendAxisName)
+          "bend-axis"
+          "x|y"
+          "The cylinder's axis, along the face's x or y (default: y)"
+          (value AboutY)
+    )
+  where
+    radiusReader = do
+      radius <- decimalReader
+      if radius > 0 && radius <= longestRadius
+        then pure radius
+        else readerError (rangeText "a radius, a number of millimetres," (0, longestRadius))
+
+-- | In words.
+bendText :: Bend -> String
+bendText (Bend radius axis) =
+  printf "bent about %s with a radius of %g mm" (bendAxisName axis) radius
+
+-- | The same where symbols are so many times as large as the paper's, in millimetres of those.
+bendBySymbols :: Rational -> Bend -> Bend
+bendBySymbols scale bend = bend {bendRadius = bendRadius bend / fromRational scale}

@@ -167,6 +167,7 @@ import qualified Test.Touch.Segmentation.ForeignThingsFound
 import qualified Test.Touch.Segmentation.PartsByDefinition
 import qualified Test.Touch.Segmentation.ScenesAtAnyAngle
 import qualified Test.Touch.Segmentation.SymbolsWhereDrawn
+import qualified Test.Touch.Sensor.BentFaces
 import qualified Test.Touch.Sensor.CalibrationUndoesGains
 import qualified Test.Touch.Sensor.ConstantsByClosedForm
 import qualified Test.Touch.Sensor.ManifestAgainstGrammar
@@ -239,6 +240,7 @@ specs = do
     describe "Probing" Test.Touch.Sensor.MotionsAndPlans.spec
     describe "Manifests word by word" Test.Touch.Sensor.ManifestAgainstGrammar.spec
     describe "The sensor" Test.Touch.Sensor.MeanHeights.spec
+    describe "The sensor on bent faces" Test.Touch.Sensor.BentFaces.spec
     describe "The sensor's constants" Test.Touch.Sensor.ConstantsByClosedForm.spec
     describe "The sensor as a whole" Test.Touch.Sensor.PressesByClosedForm.spec
     describe "Calibration and other sensors" Test.Touch.Sensor.CalibrationUndoesGains.spec

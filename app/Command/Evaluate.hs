@@ -9,6 +9,7 @@ import Command.Decode (toleranceComplaint, toleranceOptions)
 import Control.Monad (foldM)
 import Control.Parallel.Strategies (evalTuple2, parBuffer, rseq, withStrategy)
 import Data.Bifunctor (first)
+import Data.Foldable (toList)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import ExitStatus
@@ -21,7 +22,7 @@ import PraTactile.Explore
 import PraTactile.Format (EvaluationConditions (..), EvaluationReport (..), encodeEvaluation)
 import PraTactile.Profile
 import PraTactile.Recognise
-import PraTactile.Sensor (Sensor (..))
+import PraTactile.Sensor (Bend, Sensor (..))
 import PraTactile.Symmetry (rotations)
 import Progress
 import SensorChoice
@@ -35,6 +36,7 @@ data Options = Options
     size :: (Int, Int),
     sensor :: SensorChoice,
     turns :: Turns,
+    bend :: Maybe Bend,
     foreignPresses :: Maybe Double,
     foreignArrayPresses :: Maybe Double,
     untold :: Bool,
@@ -56,6 +58,7 @@ command =
       "pra-tactile evaluate --presses 12 --seed 1 --foreign 0.5",
       "pra-tactile evaluate --presses 12 --seed 1 --foreign-arrays 0.5",
       "pra-tactile evaluate --presses 12 --seed 1 --position-error 2 --any-angle --untold",
+      "pra-tactile evaluate --presses 12 --seed 1 --bend 100 --bend-axis x",
       "pra-tactile evaluate --presses 12 --seed 1 --object sheet"
     ]
     (run <$> arrayChoice <*> options)
@@ -67,6 +70,7 @@ command =
         <*> sizeOption
         <*> sensorOptions
         <*> turnsOption
+        <*> bendOption
         <*> optional
           ( valued
               decimalReader
@@ -127,23 +131,24 @@ run choice options
               experimentSeed = seed options,
               experimentExploration =
                 (exploration simulated (turns options) (size options))
-                  { explorationSpacing = chosenSpacing (sensor options) simulated
+                  { explorationSpacing = chosenSpacing (sensor options) simulated,
+                    explorationBend = bendBySymbols scale <$> bend options
                   },
               experimentForeign = allForeign options,
               experimentForeignArrays = fromMaybe 0 arrays,
               experimentTold = not (untold options),
               experimentTolerance = tolerance options
             }
+        larger = fromRational scale
         made array mask = do
           reader <-
             first
               recogniserMessage
               (recogniser (ArrayOn (profileSurface profile) array) mask layout alphabet net)
-          first experimentMessage (evaluatedPoses experiment alphabet array reader)
+          first (experimentMessage larger) (evaluatedPoses experiment alphabet array reader)
     results <- orUnusable profileMessage (withProfile profile made) >>= orUnusable id
     (counted, poses) <- tallied (form options == AsJson) (presses options) results
-    let larger = fromRational scale
-        inMillimetres counts = counts {poseMedianFar = larger * poseMedianFar counts}
+    let inMillimetres counts = counts {poseMedianFar = larger * poseMedianFar counts}
     printed profile options simulated counted (inMillimetres <$> poseTally poses)
     pure Answered
   where
@@ -199,6 +204,7 @@ report profile options simulated stitched unstitched poses =
           { conditionSensor = sensorNamed (sensor options),
             conditionRotationError = rotationSigma (sensor options),
             conditionTurns = turns options,
+            conditionBend = bend options,
             conditionForeign = allForeign options,
             conditionForeignArrays = foreignArrayPresses options,
             conditionUntold = untold options
@@ -219,7 +225,7 @@ headingText options simulated =
     (snd (size options))
     (sensorPositionError simulated)
     (sensorNoise simulated)
-    (concatMap (", " ++) (named ++ turned ++ others))
+    (concatMap (", " ++) (named ++ turned ++ map bendText (toList (bend options)) ++ others))
   where
     named = ["sensor " ++ visibleName name | Just name <- [sensorNamed (sensor options)]]
     turned = case turns options of

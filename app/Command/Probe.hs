@@ -16,7 +16,7 @@ import Options
 import Output (orUnwritable, writeFolder, writeWhole)
 import PlacementChoice
 import PraTactile.Explore
-import PraTactile.Format (encodePosedTruth, encodeTruth, folderFiles)
+import PraTactile.Format (encodePosedTruth, folderFiles)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Pose (longer)
@@ -43,6 +43,7 @@ data Options = Options
     -- | the seed of what differs from sensor to sensor
     specimen :: Maybe Int,
     origin :: (Double, Double),
+    bend :: Maybe Bend,
     announced :: Announced,
     truthFile :: Maybe FilePath,
     objects :: PlacementChoice,
@@ -75,6 +76,7 @@ command =
       "pra-tactile probe --object cube --seed 7 --sensor real --frame 32x32 --taxel 0.79375 \
       \--output frames",
       "pra-tactile probe --object sheet --seed 7 --output frames",
+      "pra-tactile probe --object cube --seed 7 --bend 100 --bend-axis x --output frames",
       "pra-tactile probe --flat 16 --sensor real --seed 7 --output frames"
     ]
     (run <$> arrayChoice <*> optionsParser)
@@ -112,6 +114,7 @@ optionsParser =
           <> value (0, 0)
           <> help "The region's upper left corner in the robot's coordinates, mm (default 0,0)"
       )
+    <*> bendOption
     <*> flag Unannounced Announced (long "tell" <> help "Print the true place")
     <*> optionalFile "truth" "FILE" "Write the true place as JSON, for 'compare'"
     <*> placementChoice "The same from a database that 'objects --write' made"
@@ -173,7 +176,8 @@ run choice options
               pressingAt = at options,
               pressingSize = size options,
               pressingTurns = turns options,
-              pressingOrigin = origin options
+              pressingOrigin = origin options,
+              pressingBend = bend options
             }
     case work options of
       Object named -> pressing choice options how (ObjectName named)
@@ -188,6 +192,7 @@ calibrating options simulated count frames
   | count < 1 || count > 10000 = misused "--dark and --flat are numbers of frames from 1 to 10000"
   | truthFile options /= Nothing || announced options == Announced =
     misused "calibration frames have no true place; leave out --truth and --tell"
+  | bend options /= Nothing = misused "calibration frames are of no face; leave out --bend"
   | otherwise = Answered <$ writeFrames options simulated (frames count)
 
 -- | Press a face of the object; write the frames, and the truth as far as that is asked for.
@@ -203,10 +208,11 @@ pressing choice options how object = do
         how
           { pressingSensor = feltBySymbols scale (pressingSensor how),
             pressingAt = smaller <$> pressingAt how,
-            pressingOrigin = smaller (pressingOrigin how)
+            pressingOrigin = smaller (pressingOrigin how),
+            pressingBend = bendBySymbols scale <$> pressingBend how
           }
   (frames, found) <-
-    orUnusable (pressMessage (at options))
+    orUnusable (pressMessage larger (at options))
       =<< orUnusable
         profileMessage
         (withProfile profile (\array _ -> pressed felt alphabet array layout object))
@@ -214,9 +220,7 @@ pressing choice options how object = do
   let truth = scaledTruth larger found
   for_ (truthFile options) $ \file ->
     writeWhole file . Lazy.fromStrict . (<> "\n") $
-      case truePose layout found of
-        Just pose -> encodePosedTruth (longer larger pose) truth
-        Nothing -> encodeTruth truth
+      encodePosedTruth (longer larger <$> truePose layout found) truth
   when (announced options == Announced) (putStrLn (truthText truth))
   pure Answered
 
@@ -241,10 +245,11 @@ truthText truth =
       faceText (faceName (truthFace truth)) ++ ", region from",
       uncurry (printf "%.2f,%.2f") (regionCorner region),
       "mm,",
-      orientationText (regionSymmetry region) ++ further
+      orientationText (regionSymmetry region) ++ further ++ bent
     ]
   where
     region = truthRegion truth
     further
       | regionAngle region == 0 = ""
       | otherwise = printf " and further by %.2f degrees" (regionAngle region)
+    bent = maybe "" ((", " ++) . bendText) (truthBend truth)

@@ -109,14 +109,23 @@ placementFileMessage file e = case e of
   ObjectBroken object why -> file ++ ": the " ++ objectText object ++ ": " ++ objectMessage why
   PlacementRefused why -> file ++ ": " ++ placementMessage why
 
-experimentMessage :: ExperimentError -> String
-experimentMessage e = case e of
+-- | Where symbols are so many times as large as the paper's.
+experimentMessage :: Double -> ExperimentError -> String
+experimentMessage larger e = case e of
   ReliefRefused why -> reliefMessage why
   PressesRefused why -> probeMessage why
+  BendRefused least -> bendMessage (larger * least)
 
--- | Where the region's upper left corner was asked for, if it was, millimetres on the face.
-pressMessage :: Maybe (Double, Double) -> PressError -> String
-pressMessage asked e = case e of
+-- | What the radius of a cylinder must exceed, millimetres.
+bendMessage :: Double -> String
+bendMessage least =
+  "--bend is a radius of more than " ++ hundredths least
+    ++ " mm, half the diagonal of what the sensor feels"
+
+-- | Where symbols are so many times as large as the paper's, and where the region's upper left
+-- corner was asked for, if it was, millimetres on the face.
+pressMessage :: Double -> Maybe (Double, Double) -> PressError -> String
+pressMessage larger asked e = case e of
   ObjectRefused why -> placementMessage why
   NoFaceLaid -> "the object has no face on the array"
   NoSuchFace name others ->
@@ -133,9 +142,10 @@ pressMessage asked e = case e of
       ++ ", which is "
       ++ by (spotMillimetres (laidExtent face))
       ++ " mm; choose another --size or --at"
+  BentTooMuch least -> bendMessage (larger * least)
   NotCovered why -> probeMessage why
   where
-    by (w, h) = hundredths w ++ " x " ++ hundredths h
+    by (w, h) = hundredths (larger * w) ++ " x " ++ hundredths (larger * h)
 
 reliefMessage :: ReliefError -> String
 reliefMessage e = case e of

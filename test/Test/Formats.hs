@@ -24,6 +24,7 @@ import PraTactile.Files
 import PraTactile.Format
 import PraTactile.Object.Placement (Face (..), placementSolids)
 import PraTactile.Object.WingedEdge
+import PraTactile.Sensor (Bend (..))
 import PraTactile.Sensor.Frame (taxelPitch)
 import PraTactile.Symmetry (identity, rotations)
 import PraTactile.Truth
@@ -89,6 +90,7 @@ roundTrips = do
         Right read' ->
           conjoin
             [ truthFace read' === truthFace truth,
+              truthBend read' === truthBend truth,
               truthOrigin read' === truthOrigin truth,
               whole (truthRegion read') === whole (truthRegion truth),
               counterexample
@@ -280,8 +282,12 @@ refusals = do
         ("region_mm", toJSON [1 :: Int], [], NotPair),
         ("origin_mm", toJSON [Number 1e400, Number 1], [Index 0], NotReal),
         ("region_taxels", toJSON [1, 100001 :: Int], [Index 1], RegionTooLarge 100000),
-        ("face", toJSON [String "C1", Null], [Index 1], NotText)
+        ("face", toJSON [String "C1", Null], [Index 1], NotText),
+        ("bend", bend 0 "x", [Key "radius_mm"], OutOfRange "radius_mm" (0, 1e9)),
+        ("bend", bend 80 "z", [Key "axis"], NotAmong ["x", "y"] "z")
       ]
+    bend radius axis =
+      object ["radius_mm" .= (radius :: Double), "axis" .= (axis :: String)]
 
 fields :: ByteString -> Object
 fields = fold . decodeStrict
@@ -357,6 +363,7 @@ someTruth =
             <*> oneof [pure 0, choose (-44, 44)]
         )
     <*> ((,) <$> choose (-500, 500) <*> choose (-500, 500))
+    <*> oneof [pure Nothing, Just <$> (Bend <$> choose (20, 1e6) <*> elements [minBound ..])]
   where
     names = map readFaceName ["C1 C2 C3 C4", "P1"]
     offset = (/ taxelPitch) <$> choose (0, 200)

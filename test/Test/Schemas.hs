@@ -181,6 +181,10 @@ touching =
     ("evaluate", "pra evaluate --json --presses 2 --seed 1"),
     ("evaluate", "pra evaluate --json --presses 1 --sensor real --any-angle --foreign 0.5"),
     ("evaluate", "pra evaluate --json --presses 1 --foreign-arrays 0.5"),
+    ("evaluate", "pra evaluate --json --presses 1 --bend 80 --bend-axis x"),
+    ( "truth",
+      "pra probe --object cube --seed 7 --bend 80 --output bent --truth v.json > log; cat v.json"
+    ),
     ("evaluate", "pra evaluate --json --presses 1 --rotation-error 1 --turn 5"),
     ( "truth",
       "pra probe --object cube --seed 7 --turn 5 --output f5 --truth u.json > log; cat u.json"

@@ -34,6 +34,7 @@ module PraTactile.Evaluate
   )
 where
 
+import Control.Monad (when)
 import Data.Bifunctor (first, second)
 import Data.Either (isRight)
 import Data.List (foldl', genericLength, genericTake, sort, unfoldr)
@@ -68,7 +69,13 @@ import PraTactile.Registration
   )
 import PraTactile.Registration.Stitching
 import PraTactile.Relief
-import PraTactile.Sensor (Sensor (..), drawSpecimen, sensorTaxelGrid)
+import PraTactile.Sensor
+  ( Bend (..),
+    Sensor (..),
+    drawSpecimen,
+    leastRadius,
+    sensorTaxelGrid,
+  )
 import PraTactile.Sensor.Frame (Frame, ProbeError, planScanOf)
 import PraTactile.Sequence (canonicalState)
 import PraTactile.Shape (Alphabet, alphabetSize)
@@ -112,6 +119,8 @@ data ExperimentError
     ReliefRefused ReliefError
   | -- | The presses do not cover the region.
     PressesRefused ProbeError
+  | -- | The cylinder's radius is no more than the sensor's 'leastRadius', millimetres.
+    BendRefused Double
   deriving stock (Eq, Show)
 
 -- | What comes of each press on the array's faces in turn, in their order and each as it is needed.
@@ -134,6 +143,7 @@ evaluatedPoses ::
   Recogniser k ->
   Either ExperimentError [(TrialResult, Maybe PoseError)]
 evaluatedPoses experiment alphabet array reader = do
+  when (any ((<= least) . bendRadius) (explorationBend said)) (Left (BendRefused least))
   faces <- for (laidFaces layout) $ \face ->
     (,) face <$> first ReliefRefused (relief array layout alphabet face)
   _ <-
@@ -144,6 +154,7 @@ evaluatedPoses experiment alphabet array reader = do
     Experiment presses seed said share shareOfArrays told tolerance = experiment
     layout = recogniserPlacement reader
     sensor = explorationSensor said
+    least = leastRadius sensor
     how = said {explorationForeign = others <$> share}
     others part =
       Foreign
@@ -196,6 +207,8 @@ data Trial = Trial
   { trialFace :: LaidFace,
     trialRegion :: Region,
     trialFrames :: [Frame],
+    -- | the cylinder that the face was wrapped on
+    trialBend :: Maybe Bend,
     -- | whether what was pressed is none of ours, so that any answer is wrong
     trialForeign :: Bool
   }
@@ -208,6 +221,8 @@ data Exploration = Exploration
     explorationTurns :: Turns,
     -- | width and height of the region, taxels
     explorationSize :: (Int, Int),
+    -- | the cylinder that each face is wrapped on; 'Nothing': they are flat
+    explorationBend :: Maybe Bend,
     explorationForeign :: Maybe Foreign
   }
 
@@ -225,9 +240,18 @@ data Foreign = Foreign
     foreignFaces :: [LaidFace -> Position -> Int]
   }
 
--- | Regions of this size with this sensor at its usual spacing, on faces that lie so; none foreign.
+-- | Regions of this size with this sensor at its usual spacing, on flat faces that lie so; none
+-- foreign.
 exploration :: Sensor -> Turns -> (Int, Int) -> Exploration
-exploration sensor turns size = Exploration sensor (defaultSpacing sensor) turns size Nothing
+exploration sensor turns size =
+  Exploration
+    { explorationSensor = sensor,
+      explorationSpacing = defaultSpacing sensor,
+      explorationTurns = turns,
+      explorationSize = size,
+      explorationBend = Nothing,
+      explorationForeign = Nothing
+    }
 
 -- | Explore a region at a random place on a face; @Nothing@ if the presses do not cover it, or what
 -- is foreign has no relief. Of a foreign trial the face is that whose size and symbols' number it
@@ -236,10 +260,11 @@ trial :: Exploration -> (LaidFace, Relief) -> StdGen -> Maybe Trial
 trial how (face, surface) generator = do
   let (region, generator1) =
         drawnRegion (explorationTurns how) (explorationSize how) face generator
-  (foreign', pressed, generator2) <- case explorationForeign how of
+  (foreign', flat, generator2) <- case explorationForeign how of
     Nothing -> Just (False, surface, generator1)
     Just others -> ground others (face, surface) generator1
-  let (specimen, generator3) = drawSpecimen (explorationSensor how) generator2
+  let pressed = flat {reliefBend = explorationBend how}
+      (specimen, generator3) = drawSpecimen (explorationSensor how) generator2
   (frames, _) <-
     either (const Nothing) Just $
       exploreWith
@@ -249,7 +274,7 @@ trial how (face, surface) generator = do
         (heightsUnder (explorationSensor how) region pressed)
         (onRelief pressed region)
         generator3
-  pure (Trial face region frames foreign')
+  pure (Trial face region frames (explorationBend how) foreign')
 
 -- | What is pressed: the face, or by chance a foreign one, whose symbols are independent and
 -- uniform or those of another array.
@@ -352,7 +377,7 @@ result tolerance reader t composite = case recogniseWith tolerance reader [compo
 
 -- | Where a trial's region is; the robot's frame begins at its upper left corner.
 trialTruth :: Trial -> Truth
-trialTruth t = Truth (laidFace (trialFace t)) (trialRegion t) (0, 0)
+trialTruth t = Truth (laidFace (trialFace t)) (trialRegion t) (0, 0) (trialBend t)
 
 -- | How far a pose is off.
 data PoseError = PoseError
@@ -375,8 +400,8 @@ poseError ::
   RightAnswer ->
   Maybe PoseError
 poseError layout alphabet array told t (RightAnswer composite recognition found) = do
-  (_, pose) <- foundPose layout alphabet array told [composite] recognition
   true <- truePose layout (trialTruth t)
+  (_, pose) <- foundPose layout alphabet array told [composite] recognition
   let (x, y) = compositePosition composite (windowSeenAt (foundWindow found))
       (far, degrees) = poseApart true pose [x, y, 0]
   PoseError far degrees <$> poseDistance true pose

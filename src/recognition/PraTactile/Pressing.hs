@@ -12,6 +12,7 @@ module PraTactile.Pressing
   )
 where
 
+import Control.Monad (when)
 import Data.Bifunctor (bimap, first)
 import Data.Maybe (fromMaybe)
 import PraTactile.Array (PseudorandomArray)
@@ -44,7 +45,9 @@ data Pressing = Pressing
     pressingSize :: (Int, Int),
     pressingTurns :: Turns,
     -- | the region's upper left corner in the robot's coordinates, millimetres
-    pressingOrigin :: (Double, Double)
+    pressingOrigin :: (Double, Double),
+    -- | the cylinder that the face is wrapped on; 'Nothing': it is flat
+    pressingBend :: Maybe Bend
   }
 
 -- | A sensor with a seed, at its usual spacing, on a region of the usual size anywhere on any face,
@@ -60,7 +63,8 @@ pressingWith sensor seed =
       pressingAt = Nothing,
       pressingSize = standardRegionSize,
       pressingTurns = AmongTurns halfTurns,
-      pressingOrigin = (0, 0)
+      pressingOrigin = (0, 0),
+      pressingBend = Nothing
     }
 
 -- | Why nothing is pressed.
@@ -76,6 +80,8 @@ data PressError
   | -- | A region of this width and height, millimetres on the face, does not lie on it, and does
     -- not hold it where it is the longer one.
     RegionOffFace LaidFace (Double, Double)
+  | -- | The cylinder's radius is no more than the sensor's 'leastRadius', millimetres.
+    BentTooMuch Double
   | -- | The presses do not cover the region.
     NotCovered ProbeError
   deriving stock (Eq, Show)
@@ -91,9 +97,11 @@ pressed ::
   Either PressError ([Frame], Truth)
 pressed how alphabet array layout object = do
   _ <- first ObjectRefused (findObject layout object)
+  when (any ((<= least) . bendRadius) (pressingBend how)) (Left (BentTooMuch least))
   (face, generator) <-
     chosenFace [one | one <- laidFaces layout, faceObject (laidFace one) == object]
-  surface <- first NoRelief (relief array layout alphabet face)
+  flat <- first NoRelief (relief array layout alphabet face)
+  let surface = flat {reliefBend = pressingBend how}
   (region, generator') <- chosenRegion how face generator
   (frames, _) <-
     first NotCovered $
@@ -104,9 +112,10 @@ pressed how alphabet array layout object = do
         (heightsUnder sensor region surface)
         (onRelief surface region)
         generator'
-  pure (map moved frames, Truth (laidFace face) region (pressingOrigin how))
+  pure (map moved frames, Truth (laidFace face) region (pressingOrigin how) (pressingBend how))
   where
     sensor = pressingSensor how
+    least = leastRadius sensor
     seeded = mkStdGen (pressingSeed how)
     chosenFace faces = case (pressingFace how, faces) of
       (Just name, _)

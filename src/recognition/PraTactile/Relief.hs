@@ -39,7 +39,7 @@ import PraTactile.Geometry
 import PraTactile.Image (Raster, generate)
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement
-import PraTactile.Sensor (HeightMap (..), Sensor, heightMap, sensorReach)
+import PraTactile.Sensor (Bend, HeightMap (..), Sensor, sensorReach)
 import PraTactile.Sensor.Frame (movePoint)
 import PraTactile.Shape (Alphabet, ShapeError, embossedAt, shapeOf)
 import PraTactile.Symbol (classOfElement)
@@ -73,18 +73,25 @@ data Relief = Relief
     reliefSize :: (Int, Int),
     -- | the heights, in millimetres, of so many columns and rows of taxels from a first one on; not
     -- a number beyond the face
-    reliefDrawn :: (Int, Int) -> (Int, Int) -> Raster
+    reliefDrawn :: (Int, Int) -> (Int, Int) -> Raster,
+    -- | the cylinder that the face is wrapped on, if any; it is told unrolled
+    reliefBend :: Maybe Bend
   }
 
 -- | All of it.
 reliefHeights :: Relief -> HeightMap
-reliefHeights whole = heightMap taxelPitch (reliefDrawn whole (0, 0) (reliefSize whole))
+reliefHeights whole =
+  HeightMap taxelPitch (0, 0) (reliefDrawn whole (0, 0) (reliefSize whole)) (reliefBend whole)
 
 -- | As much of it as presses of a sensor may feel that cover a region of the face. O(taxels of the
 -- region and round it).
 heightsUnder :: Sensor -> Region -> Relief -> HeightMap
 heightsUnder sensor region whole =
-  HeightMap taxelPitch (left, top) (reliefDrawn whole (left, top) (right' - left, bottom - top))
+  HeightMap
+    taxelPitch
+    (left, top)
+    (reliefDrawn whole (left, top) (right' - left, bottom - top))
+    (reliefBend whole)
   where
     (left, right') = reached (fst (reliefSize whole)) (map fst corners)
     (top, bottom) = reached (snd (reliefSize whole)) (map snd corners)
@@ -93,10 +100,12 @@ heightsUnder sensor region whole =
         | x <- [0, taxelPitch * fromIntegral (regionWidth region)],
           y <- [0, taxelPitch * fromIntegral (regionHeight region)]
       ]
-    -- The robot means the sensor's centre to be within the region.
+    -- The robot means the sensor's centre to be within the region. Round a cylinder it is at most
+    -- half a circle to where a chord ends.
+    reach = sensorReach sensor * maybe 1 (const (pi / 2)) (reliefBend whole)
     reached size along =
-      ( clipped (floor ((minimum along - sensorReach sensor) / taxelPitch)),
-        clipped (ceiling ((maximum along + sensorReach sensor) / taxelPitch))
+      ( clipped (floor ((minimum along - reach) / taxelPitch)),
+        clipped (ceiling ((maximum along + reach) / taxelPitch))
       )
       where
         clipped k = max 0 (min size k)
@@ -173,7 +182,8 @@ reliefOf layout alphabet face classes classAt = do
     Relief
       { reliefOrigin = (originX * taxelPitch, originY * taxelPitch),
         reliefSize = (reach boxLeft wide originX, reach boxTop high originY),
-        reliefDrawn = drawn
+        reliefDrawn = drawn,
+        reliefBend = Nothing
       }
   where
     pitch = placementPitch layout

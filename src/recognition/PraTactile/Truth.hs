@@ -13,9 +13,12 @@ module PraTactile.Truth
   )
 where
 
+import Control.Monad (guard)
+import Data.Maybe (isNothing)
 import PraTactile.Explore
 import PraTactile.Object.Placement
 import PraTactile.Pose (RigidMotion, faceFrameOf, objectMotion)
+import PraTactile.Sensor (Bend (..))
 import PraTactile.Sensor.Frame (Motion (..), inverse, movePoint)
 import PraTactile.Symmetry (Symmetry, degreesClockwise)
 
@@ -24,7 +27,9 @@ data Truth = Truth
   { truthFace :: Face,
     truthRegion :: Region,
     -- | the region's upper left corner in the robot's coordinates, millimetres
-    truthOrigin :: (Double, Double)
+    truthOrigin :: (Double, Double),
+    -- | the cylinder that the face was wrapped on; places are then in arc length
+    truthBend :: Maybe Bend
   }
   deriving stock (Eq, Show)
 
@@ -36,9 +41,10 @@ truePlace truth (x, y) = movePoint (regionMotion (truthRegion truth)) (x - origi
     (originX, originY) = truthOrigin truth
 
 -- | The true motion from the object's frame to the robot's, by the objects as they are laid.
--- 'Nothing' where they have no such face.
+-- 'Nothing' where they have no such face, and of one that was bent: then it is no rigid motion.
 truePose :: Placement -> Truth -> Maybe RigidMotion
 truePose layout truth = do
+  guard (isNothing (truthBend truth))
   whole <- placementObject layout (faceObject (truthFace truth))
   frame <- faceFrameOf whole (faceName (truthFace truth))
   let back = inverse (regionMotion (truthRegion truth))
@@ -66,7 +72,8 @@ scaledTruth k truth =
   truth
     { truthRegion =
         region {regionRight = k * regionRight region, regionDown = k * regionDown region},
-      truthOrigin = (k * x, k * y)
+      truthOrigin = (k * x, k * y),
+      truthBend = (\bend -> bend {bendRadius = k * bendRadius bend}) <$> truthBend truth
     }
   where
     region = truthRegion truth

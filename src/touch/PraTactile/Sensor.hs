@@ -9,6 +9,11 @@ module PraTactile.Sensor
   ( -- * What is touched
     HeightMap (..),
     heightMap,
+    Bend (..),
+    BendAxis (..),
+    bendAxisName,
+    leastRadius,
+    longestRadius,
 
     -- * The sensor
     Sensor (..),
@@ -50,6 +55,7 @@ import PraTactile.Image
     zipRaster,
   )
 import PraTactile.Random (normal, normalPair, normals)
+import PraTactile.Sensor.Bend
 import PraTactile.Sensor.Frame (Frame (..), Motion (..), Pose (..), move, taxelPitch)
 import PraTactile.Sensor.Model
 import PraTactile.Sensor.Preset
@@ -98,8 +104,8 @@ reading sensor
 
 -- | The mean height under each element's square aperture, as a share of full scale, clipped to
 -- 0..1: exact for multiples of 90 degrees, where the aperture's overlap with each cell is a product
--- of lengths; for other angles the mean over 8 x 8 points of each aperture. Where there is nothing
--- to touch, the height is 0.
+-- of lengths; for other angles the mean over 8 x 8 points of each aperture, as that of a bent
+-- face's fall always is. Where there is nothing to touch, the height is 0.
 meanHeights :: Sensor -> HeightMap -> Pose -> Raster
 meanHeights sensor heights (Pose x y r)
   | cell <= 0 || full <= 0 = constant columns rows 0
@@ -117,25 +123,49 @@ meanHeights sensor heights (Pose x y r)
     scaled height = max 0 (min 1 (height / full))
     half count = fromIntegral count / 2
     upright w h =
-      generate w h (\i j -> scaled (covered (spans w x i) (spans h y j)))
+      generate w h $ \i j ->
+        scaled
+          ( covered (spans alongX w x i) (spans alongY h y j)
+              - (fallen alongX w i + fallen alongY h j)
+          )
+    (alongX, alongY) = courses (heightBend heights)
+    begin count k = taxel * (fromIntegral (k :: Int) - half count)
     -- The cells an aperture meets along one axis, each with the share of the aperture it covers.
-    spans count centre k = overlaps (start / cell) ((start + taxel) / cell)
-      where
-        start = centre + taxel * (fromIntegral k - half count)
+    spans course count centre k = case course of
+      Straight -> overlaps (start / cell) ((start + taxel) / cell)
+        where
+          start = centre + begin count k
+      Round _ ->
+        [ (n, share)
+          | n <- [cellAt from .. cellAt to],
+            let share = (min to (border (n + 1)) - max from (border n)) / taxel,
+            share > 0
+        ]
+        where
+          (from, to) = (begin count k, from + taxel)
+          cellAt u = floor ((centre + arc course u) / cell)
+          border n = chord course (cell * fromIntegral n - centre)
+    -- How much lower the face lies under an aperture, in the mean.
+    fallen Straight _ _ = 0
+    fallen course count k =
+      sum [fall course (begin count k + subsample a) | a <- [0 .. supersampling - 1]]
+        / fromIntegral supersampling
     covered xs ys = sum [wx * wy * heightAt i j | (j, wy) <- ys, (i, wx) <- xs]
     (c, s) = cosineSine r
     slanted i j =
-      sum [heightAt (floor (px / cell)) (floor (py / cell)) | (px, py) <- points]
+      sum [surface (c * u - s * v) (s * u + c * v) | (u, v) <- points]
         / fromIntegral (supersampling * supersampling)
       where
         points =
-          [ (x + c * u - s * v, y + s * u + c * v)
+          [ (begin columns i + subsample a, begin rows j + subsample b)
             | b <- [0 .. supersampling - 1],
-              a <- [0 .. supersampling - 1],
-              let u = taxel * (fromIntegral (i :: Int) - half columns + subsample a),
-              let v = taxel * (fromIntegral (j :: Int) - half rows + subsample b)
+              a <- [0 .. supersampling - 1]
           ]
-    subsample a = (fromIntegral a + 0.5) / fromIntegral supersampling
+    subsample a = taxel * (fromIntegral (a :: Int) + 0.5) / fromIntegral supersampling
+    -- The surface's height, so far from the middle along the face's axes.
+    surface u v =
+      heightAt (floor ((x + arc alongX u) / cell)) (floor ((y + arc alongY v) / cell))
+        - (fall alongX u + fall alongY v)
     heightAt i j = fromMaybe 0 (heightOf heights i j)
 
 supersampling :: Int

@@ -221,7 +221,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
                   ( fromIntegral (rasterWidth (compositeImage composite)) - 0.5,
                     fromIntegral (rasterHeight (compositeImage composite)) - 0.5
                   )
-                truth = Truth (laidFace face) (trialRegion known) (0, 0)
+                truth = Truth (laidFace face) (trialRegion known) (0, 0) Nothing
                 tilted = recognisedTilt recognition * pi / 180
                 most = taxelPitch * (2 + abs tilted * sqrt (w * w + h * h) / 2)
                 corners =

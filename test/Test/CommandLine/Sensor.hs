@@ -137,6 +137,31 @@ spec = do
     map (key ["foreign"]) [without, others] `shouldBe` [Nothing, Just (Number 1)]
     key ["any_angle"] without `shouldBe` Nothing
     key ["turn_deg"] none `shouldBe` Just (Number 0)
+  it "a bent face is found where the truth says, in arc length, and has no pose" $
+    inFolder $ \folder -> do
+      (status, out, err) <-
+        scripted
+          folder
+          "pra probe --object cube --seed 7 --bend 100 --bend-axis x --output f --truth t > log; \
+          \pra decode --json f > a; pra compare a t --json; cat t >&2"
+      (status, key ["agree"] out, key ["pose_mm"] out) `shouldBe` (0, Just (Bool True), Just Null)
+      map (`key` err) [["pose"], ["bend", "radius_mm"], ["bend", "axis"]]
+        `shouldBe` [Just Null, Just (Number 100), Just "x"]
+      (0, counted, "") <- pra (words "evaluate --presses 2 --seed 1 --bend 100 --json")
+      map (`key` counted) [["pose"], ["bend", "axis"], ["stitching", "right"]]
+        `shouldBe` [Just Null, Just "y", Just (Number 2)]
+  it "a sensor of symbols half as large feels half as sharp a bend alike" $
+    inFolder $ \folder -> do
+      (status, out, err) <-
+        scripted folder $
+          "pra place cube --symbols 1/2 --q 4 --polynomial 2,1,0,0,0,1 --shape 31x33 --window 5x1 \
+          \--output p.json > log; for k in 1 2; do "
+            ++ "pra probe --object cube --placement p.json --taxel 0.79375 --seed 3 --upright \
+               \--face 'C1 C2 C3 C4' --at 10,10 --bend 50 --output f > log; done; "
+            ++ "pra probe --object cube --placement p.json --taxel 0.79375 --seed 3 --bend 8.9 \
+               \--output g"
+      (status, out) `shouldBe` (2, "")
+      err `shouldSatisfy` ("more than 8.98 mm" `isInfixOf`)
   describe "what cannot be is one line" bad
 
 pressing :: [String]
@@ -163,6 +188,14 @@ bad = do
       ("probe --object cube --seed 1 --output x --rotation-error -1", "--rotation-error"),
       ("probe --dark 0 --seed 1 --output x", "--dark"),
       ("probe --flat 1 --seed 1 --output x --tell", "--tell"),
+      ("probe --object cube --seed 1 --output x --bend 17.9", "more than 17.96 mm"),
+      ("probe --object cube --seed 1 --output x --bend 0", "--bend"),
+      ("probe --object cube --seed 1 --output x --bend nan", "--bend"),
+      ("probe --object cube --seed 1 --output x --bend 100 --bend-axis z", "--bend-axis"),
+      ("probe --object cube --seed 1 --output x --bend-axis x", "--bend"),
+      ("probe --dark 1 --seed 1 --output x --bend 100", "--bend"),
+      ("evaluate --presses 1 --bend 17.9", "more than 17.96 mm"),
+      ("evaluate --presses 1 --bend 2e9", "--bend"),
       ("evaluate --foreign 1.5", "--foreign"),
       ("evaluate --foreign-arrays 1.5", "--foreign-arrays"),
       ("evaluate --foreign 0.2 --foreign-arrays 0.3", "--foreign-arrays"),

@@ -52,6 +52,7 @@ import PraTactile.Object.Named (Named (Frame, Tetrahedron), namedDescription)
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
+import PraTactile.Sensor (Bend (..), BendAxis (..))
 import PraTactile.Sensor.Calibration (Calibration (..))
 import PraTactile.Sensor.Frame (Pose (..))
 import PraTactile.Sensor.Manifest
@@ -206,8 +207,8 @@ requests =
 -- | The truth of an exploration of the cube's face.
 truths :: [ByteString]
 truths =
-  [ encodeTruth (Truth face (Region 12 7.5 32 48 (turned 1) angle) (-3.25, 1e2))
-    | angle <- [0, -12.5]
+  [ encodeTruth (Truth face (Region 12 7.5 32 48 (turned 1) angle) (-3.25, 1e2) bend)
+    | (angle, bend) <- [(0, Nothing), (-12.5, Just (Bend 75 AboutX))]
   ]
   where
     face = Face (ObjectName "cube") (readFaceName "C1 C2 C3 C4")

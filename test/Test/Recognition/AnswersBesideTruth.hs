@@ -140,6 +140,7 @@ someTruth =
             <*> pure 0
         )
     <*> ((,) <$> choose (-500, 500) <*> choose (-500, 500))
+    <*> pure Nothing
 
 -- | With its origins at 0, and upright.
 simpler :: Truth -> [Truth]

@@ -211,7 +211,7 @@ angleSpec array reader alphabetOfAll =
         (midX, midY) = movePoint (Motion (negate angle) 0 0) (middle wide, middle high)
     middle side = taxelPitch * (fromIntegral side - 1) / 2
     -- The mean height under each pixel, from 4 x 4 points.
-    felt (HeightMap pitch _ values) motion =
+    felt (HeightMap pitch _ values _) motion =
       generate wide high $ \i j ->
         sum
           [ maybe 0 (/ symbolThickness) (index values (floor (x / pitch)) (floor (y / pitch)))

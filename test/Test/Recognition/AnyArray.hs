@@ -305,7 +305,7 @@ locatedAround array mask alphabet net plate (w, h) =
                   standardTolerance
                   reader
                   standardRegistration
-                  (Trial face (truthRegion truth) frames False)
+                  (Trial face (truthRegion truth) frames Nothing False)
               ) of
               Correct _ -> True
               _ -> False

@@ -214,17 +214,23 @@ trialSpec = do
          in map (fmap told) (take 5 (trials how faces seed))
               === take 5 (zipWith (\face -> fmap told . trial how face) (cycle faces) generators)
   it "a trial is the region drawn, and its frames are the presses of it" $
-    forAll (choose (1, 99999)) $ \seed ->
-      let how = (exploration noisy (AmongTurns rotations) (20, 18)) {explorationSpacing = 5}
-          face = faceOf (40, 44) (Shape 2 2)
-          wanted = do
-            let (region, g) = drawnRegion (AmongTurns rotations) (20, 18) face (mkStdGen seed)
-            let (specimen, g') = drawSpecimen noisy g
-            let explored = exploreWith noisy 5 specimen (reliefHeights scene) region g'
-            (frames, _) <- either (const Nothing) Just explored
-            pure (face, region, frames, False)
-          told t = (trialFace t, trialRegion t, trialFrames t, trialForeign t)
-       in isJust wanted .&&. fmap told (trial how (face, scene) (mkStdGen seed)) === wanted
+    forAll ((,) <$> choose (1, 99999) <*> elements [Nothing, Just (Bend 30 AboutX)]) $
+      \(seed, bend) ->
+        let how =
+              (exploration noisy (AmongTurns rotations) (20, 18))
+                { explorationSpacing = 5,
+                  explorationBend = bend
+                }
+            face = faceOf (40, 44) (Shape 2 2)
+            wanted = do
+              let (region, g) = drawnRegion (AmongTurns rotations) (20, 18) face (mkStdGen seed)
+              let (specimen, g') = drawSpecimen noisy g
+              let surface = reliefHeights scene {reliefBend = bend}
+                  explored = exploreWith noisy 5 specimen surface region g'
+              (frames, _) <- either (const Nothing) Just explored
+              pure (face, region, frames, False)
+            told t = (trialFace t, trialRegion t, trialFrames t, trialForeign t)
+         in isJust wanted .&&. fmap told (trial how (face, scene) (mkStdGen seed)) === wanted
   it "as many presses are foreign as is said, within five standard errors" $
     for_ [(0, 0), (0.3, 5 * sqrt (600 * 0.21)), (1, 0)] $ \(share, most) -> do
       let found = concatMap (trialOn (chances share (const True))) [1 .. 600]
@@ -265,8 +271,14 @@ trialSpec = do
     flatAt level image = V.all (\v -> abs (v - level) < 1e-9) (rasterValues image)
     scene = onMap (heightMap taxelPitch (constant 60 60 1))
     onMap heights =
-      Relief (0, 0) (rasterSize (heightValues heights)) $ \(x, y) (w, h) ->
-        generate w h (\i j -> fromMaybe (0 / 0) (index (heightValues heights) (x + i) (y + j)))
+      Relief
+        { reliefOrigin = (0, 0),
+          reliefSize = rasterSize (heightValues heights),
+          reliefDrawn = \(x, y) (w, h) ->
+            generate w h $ \i j ->
+              fromMaybe (0 / 0) (index (heightValues heights) (x + i) (y + j)),
+          reliefBend = heightBend heights
+        }
     -- Of 600, within five standard errors.
     nearly share found = abs (found - share) < 5 * sqrt (share * (1 - share) / 600 :: Double)
     -- A share of arrangements by chance; those that are not so cannot be pressed.
@@ -366,14 +378,14 @@ resultSpec reader faces = do
             standardTolerance
             reader
             standardRegistration
-            (Trial (fst (head' faces)) (Region 0 0 40 52 identity 0) frames' False)
+            (Trial (fst (head' faces)) (Region 0 0 40 52 identity 0) frames' Nothing False)
         flat = Frame (Pose 0 0 0) 1 (constant 16 16 0) taxelPitch []
         both name = TrialResult (NoAnswer name) (NoAnswer name)
     asked [] `shouldBe` both "not-stitched"
     asked [flat] `shouldBe` both "no-symbols"
   where
     head' = foldr const (faceOf (1, 1) (Shape 1 1), nothing)
-    nothing = Relief (0, 0) (0, 0) (\_ (w, h) -> constant w h 0)
+    nothing = Relief (0, 0) (0, 0) (\_ (w, h) -> constant w h 0) Nothing
     doubtIn :: Either StitchError Composite -> Maybe Double
     doubtIn together = do
       composite <- either (const Nothing) Just together

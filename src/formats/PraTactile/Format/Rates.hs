@@ -30,12 +30,15 @@ import PraTactile.Array (Shape)
 import PraTactile.Evaluate (PoseTally (..), Tally (..))
 import PraTactile.Explore (Turns (..))
 import PraTactile.Format.Json
+import PraTactile.Format.Json.Codec (writeValue)
 import PraTactile.Format.Name
 import PraTactile.Format.Profile
+import PraTactile.Format.Sensor (bendCodec)
 import PraTactile.Locate (Radius (..))
 import PraTactile.Profile (Profile)
 import PraTactile.Rates (Calibration (..))
 import PraTactile.Rates.Formulas (Rates (..))
+import PraTactile.Sensor (Bend)
 
 -- | A line of the table: the rates of one size and one damage.
 data Line = Line
@@ -187,6 +190,7 @@ data EvaluationConditions = EvaluationConditions
     -- | standard deviation, degrees
     conditionRotationError :: Maybe Double,
     conditionTurns :: Turns,
+    conditionBend :: Maybe Bend,
     -- | the share of foreign presses
     conditionForeign :: Maybe Double,
     -- | of all presses, the share of those on other arrays
@@ -208,6 +212,7 @@ encodeEvaluation report =
       <> foldMap ("rotation_error_deg" .=) (conditionRotationError chosen)
       <> foldMap ("any_angle" .=) (if conditionTurns chosen == AnyAngle then Just True else Nothing)
       <> foldMap ("turn_deg" .=) (case conditionTurns chosen of TurnedBy t -> Just t; _ -> Nothing)
+      <> foldMap (("bend" .=) . writeValue bendCodec) (conditionBend chosen)
       <> foldMap ("foreign" .=) (conditionForeign chosen)
       <> foldMap ("foreign_arrays" .=) (conditionForeignArrays chosen)
       <> foldMap ("untold" .=) (if conditionUntold chosen then Just True else Nothing)

@@ -1,9 +1,11 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of a simulated sensor: every constant with its unit and its source.
+-- | The JSON of a simulated sensor, every constant with its unit and its source; and of the
+-- cylinder that the face under it is wrapped on.
 module PraTactile.Format.Sensor
   ( encodeSensor,
     decodeSensor,
+    bendCodec,
   )
 where
 
@@ -12,6 +14,7 @@ import Data.ByteString (ByteString)
 import Data.Maybe (fromMaybe)
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Codec
+import PraTactile.Sensor (Bend (..), bendAxisName, longestRadius)
 import PraTactile.Sensor.Constants
 import PraTactile.Sensor.Model (Sensor)
 import PraTactile.Sensor.Preset (Preset (..), presetName, presetSensor)
@@ -78,3 +81,14 @@ decodeSensor bytes = do
         (const (refuse (OutOfRange (constantName constant) (constantRange constant))))
         Right
         (replaced (constantName constant) value sensor)
+
+-- | A cylinder. Refuses a radius that is not above 0, or above 'longestRadius'.
+bendCodec :: Codec Bend
+bendCodec = object (Bend <$> key "radius_mm" radius bendRadius <*> key "axis" axis bendAxis)
+  where
+    radius =
+      such
+        (\r -> r > 0 && r <= longestRadius)
+        (OutOfRange "radius_mm" (0, longestRadius))
+        real
+    axis = named bendAxisName

@@ -25,21 +25,24 @@ import PraTactile.Format.Name
 import PraTactile.Format.Object
 import PraTactile.Format.Pose
 import PraTactile.Format.Recognition (decodeSchema)
+import PraTactile.Format.Sensor (bendCodec)
 import PraTactile.Object.WingedEdge (ObjectName)
 import PraTactile.Pose (Pose, RigidMotion)
 import PraTactile.Sensor.Frame (taxelPitch)
 import PraTactile.Symmetry
 import PraTactile.Truth
 
--- | The truth on one line, without its end; all keys always.
+-- | The truth on one line, without its end; of @bend@ and @angle_deg@ only what there is.
 encodeTruth :: Truth -> ByteString
 encodeTruth = writeLine truthKeys
 
--- | The same with the true pose: from the object's frame to the robot's, whose lengths are those of
--- the truth.
-encodePosedTruth :: RigidMotion -> Truth -> ByteString
+-- | The same with the true pose, if there is one: from the object's frame to the robot's, whose
+-- lengths are those of the truth.
+encodePosedTruth :: Maybe RigidMotion -> Truth -> ByteString
 encodePosedTruth pose truth =
-  writeLine ((,) <$> withKeys fst truthKeys <*> key "pose" motionCodec snd) (truth, pose)
+  writeLine
+    ((,) <$> withKeys fst truthKeys <*> key "pose" (nullable motionCodec) snd)
+    (truth, pose)
 
 -- | The truth in a JSON text that 'encodeTruth' made; lengths in millimetres are read to the
 -- nearest double. Refuses another schema, keys that are missing or have other values, regions of
@@ -58,6 +61,7 @@ truthKeys =
            <$> withKeys truthFace faceKeys
            <*> withKeys truthRegion regionKeys
            <*> key "origin_mm" (pairOf real) truthOrigin
+           <*> optionalKey "bend" bendCodec truthBend
        )
 
 regionKeys :: Keys Region Region

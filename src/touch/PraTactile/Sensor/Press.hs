@@ -26,27 +26,29 @@ import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, generate, index, raster, rasterSize, rasterValues)
+import PraTactile.Sensor.Bend
 import PraTactile.Sensor.Frame (Motion (..), Pose (..), TaxelGrid (..), movePoint)
 
 -- | The relief of a face, constant on square cells: the cell's side in millimetres, and the heights
 -- in millimetres above the plane that the probe rests on. The upper left corner of cell (0, 0) is
 -- the origin of the face's coordinates. Off the map, and where the height is no number, there is
--- nothing to touch.
+-- nothing to touch. A face that is bent is told unrolled, its coordinates in arc length.
 data HeightMap = HeightMap
   { heightPitch :: !Double,
     -- | The column and the row of the first cell of the map.
     heightFrom :: !(Int, Int),
-    heightValues :: !Raster
+    heightValues :: !Raster,
+    heightBend :: !(Maybe Bend)
   }
   deriving stock (Eq, Show)
 
--- | The map from cell (0, 0) on.
+-- | The map from cell (0, 0) on, of a flat face.
 heightMap :: Double -> Raster -> HeightMap
-heightMap pitch = HeightMap pitch (0, 0)
+heightMap pitch heights = HeightMap pitch (0, 0) heights Nothing
 
 -- | The height of the cell in this column and row; 'Nothing' where there is nothing to touch.
 heightOf :: HeightMap -> Int -> Int -> Maybe Double
-heightOf (HeightMap _ (x0, y0) heights) x y = case index heights (x - x0) (y - y0) of
+heightOf (HeightMap _ (x0, y0) heights _) x y = case index heights (x - x0) (y - y0) of
   Just h | not (isNaN h) -> Just h
   _ -> Nothing
 {-# INLINE heightOf #-}
@@ -75,14 +77,17 @@ footing (TaxelGrid columns rows taxel) diameter heights (Pose x y r) =
         hits =
           [ h
             | (u, v) <- points,
-              Just h <- [at (movePoint motion (place columns i + u, place rows j + v))]
+              Just h <- [at (movePoint turn (place columns i + u, place rows j + v))]
           ]
         touched = fromIntegral (length hits)
-    motion = Motion r x y
+    turn = Motion r 0 0
     place n k = taxel * (fromIntegral (k :: Int) - (fromIntegral n - 1) / 2)
-    at (px, py)
-      | cell > 0 = heightOf heights (floor (px / cell)) (floor (py / cell))
+    (alongX, alongY) = courses (heightBend heights)
+    at (u, v)
+      | cell > 0 = subtract (fall alongX u + fall alongY v) <$> heightOf heights column row
       | otherwise = Nothing
+      where
+        (column, row) = (floor ((x + arc alongX u) / cell), floor ((y + arc alongY v) / cell))
     cell = heightPitch heights
 
 -- | The points, from the tab's centre in millimetres, at which a tab is evaluated: of a grid of 4 x

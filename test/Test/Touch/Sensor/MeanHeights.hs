@@ -57,7 +57,7 @@ spec = do
 -- | The mean height under an element, as a share of full scale, from points of a fine grid: the
 -- definition, up to the grid's fineness.
 sampled :: HeightMap -> Pose -> Int -> Int -> Double
-sampled (HeightMap cell _ heights) (Pose px py r) i j = sum hs / genericLength hs
+sampled (HeightMap cell _ heights _) (Pose px py r) i j = sum hs / genericLength hs
   where
     fine = 40 :: Int
     hs =
