@@ -85,16 +85,24 @@ house: setup ## draw the module graph (house.dot; house.svg where Graphviz is in
 	@if command -v dot >/dev/null 2>&1; then dot -Tsvg house.dot > house.svg && echo "wrote house.dot and house.svg"; \
 	 else echo "wrote house.dot (install Graphviz to have house.svg drawn)"; fi
 
-shapes: build ## design data/shapes.txt again from its seed
+# Of GF(4) the files are data/shapes.txt and data/network.txt, of every other field data/alphabets/gfQ.
+shapes: build ## design the shipped shapes again from their seed (minutes for each field of five elements or more)
 	bin/pra-tactile shapes --design --output data/shapes.txt
+	for q in 2 3 5 7 8 9; do bin/pra-tactile shapes --design --q $$q --output data/alphabets/gf$$q/shapes.txt || exit 1; done
 
-network: build ## train data/network.txt again from its seed
+network: build ## train the shipped networks again from their seed
 	bin/pra-tactile train --output data/network.txt
+	for q in 2 3 5 7 8 9; do bin/pra-tactile train --q $$q --output data/alphabets/gf$$q/network.txt || exit 1; done
 
-# About a minute; with the reference BLAS.
+# One to three minutes each; with the reference BLAS.
 check-network: build ## check that the trained weights are reproduced to the bit
 	bin/pra-tactile train --output dist-newstyle/network-again.txt
 	cmp data/network.txt dist-newstyle/network-again.txt && echo "data/network.txt is reproduced to the bit"
+	for q in 2 3 5 7 8 9; do \
+	  bin/pra-tactile train --q $$q --output dist-newstyle/network-again.txt \
+	    && cmp data/alphabets/gf$$q/network.txt dist-newstyle/network-again.txt \
+	    && echo "data/alphabets/gf$$q/network.txt is reproduced to the bit" || exit 1; \
+	done
 
 check-newer-ghc: ## demo and tests on a bare Debian with a newer GHC, in a chroot (root; SUITE=trixie)
 	@tools/newer-ghc.sh

@@ -6,6 +6,7 @@ module FieldChoice
   ( FieldChoice,
     fieldChoice,
     withChosenField,
+    inConwayField,
   )
 where
 
@@ -25,6 +26,12 @@ data FieldChoice = FieldChoice Natural (Maybe [Natural])
 -- | The options; the modulus is optional.
 fieldChoice :: Parser FieldChoice
 fieldChoice = FieldChoice <$> orderOption <*> modulusOption
+
+-- | The same in the field of an order by its default modulus, for any result.
+inConwayField :: Natural -> (forall k. KnownField k => Proxy k -> a) -> IO a
+inConwayField q use = do
+  (p, conway) <- orUnusable fieldMessage (conwayModulus q)
+  orUnusable fieldMessage (withField p conway use)
 
 -- | Go on in the chosen field; leaves with status 2 and the reason where there is none.
 withChosenField ::

@@ -15,7 +15,7 @@ import Options
 import PraTactile.Decode (Stitching, sourceComposite)
 import PraTactile.Files
 import PraTactile.Image (rasterSize)
-import PraTactile.Registration (Composite, compositeImage)
+import PraTactile.Registration (Composite, LatticeTables, compositeImage)
 import PraTactile.Sensor.Frame (sensorSide)
 import PraTactile.Source
 import System.FilePath (takeDirectory)
@@ -31,13 +31,13 @@ framesArgument =
         )
     )
 
--- | The composites of sources. Says so where images of a frame's size are taken for composites,
+-- | The composites of sources, given the tables of the symbols that may have been felt. Says so where images of a frame's size are taken for composites,
 -- because they stand in no manifest. Leaves with status 2 where one cannot be made.
-loadSources :: Preparation -> Stitching -> [SourcePath] -> IO [Composite]
-loadSources known stitching paths = do
+loadSources :: LatticeTables -> Preparation -> Stitching -> [SourcePath] -> IO [Composite]
+loadSources tables known stitching paths = do
   composites <- for paths $ \path -> do
     source <- readSource path >>= orUnusable filesMessage
-    orUnusable (decodeMessage (sourcePath path)) (sourceComposite known stitching source)
+    orUnusable (decodeMessage (sourcePath path)) (sourceComposite tables known stitching source)
   let lone =
         [ takeDirectory file
           | (ImagePath file, composite) <- zip paths composites,

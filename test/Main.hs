@@ -105,6 +105,7 @@ import qualified Test.Recognition.AnswersBesideTruth
 import qualified Test.Recognition.AnyAngle
 import qualified Test.Recognition.AnyArray
 import qualified Test.Recognition.DamagedOnPurpose
+import qualified Test.Recognition.EveryAlphabet
 import qualified Test.Recognition.ExplorationsAndTrials
 import qualified Test.Recognition.FromBytesToAnswers
 import qualified Test.Recognition.FromImageToFace
@@ -174,6 +175,7 @@ import qualified Test.Touch.Sensor.ManifestAgainstGrammar
 import qualified Test.Touch.Sensor.MeanHeights
 import qualified Test.Touch.Sensor.MotionsAndPlans
 import qualified Test.Touch.Sensor.PressesByClosedForm
+import qualified Test.Touch.Shape.CheckedDrawings
 import qualified Test.Touch.Shape.DesignAndDistance
 
 main :: IO ()
@@ -274,6 +276,7 @@ specs = do
     describe "The angle of a composite" Test.Touch.Composite.TiltByDefinition.spec
     describe "Extents" Test.Touch.Segmentation.BoxesAndAxes.spec
     describe "Shapes" Test.Touch.Shape.DesignAndDistance.spec
+    describe "Drawings checked" Test.Touch.Shape.CheckedDrawings.spec
     describe "What recognising is made of" Test.Touch.Classification.EstimatesByPosterior.spec
     describe "The network" Test.Touch.Classification.NetworkByDefinition.spec
     describe "Training" Test.Touch.Classification.GradientByDifferences.spec
@@ -297,6 +300,7 @@ specs = do
   describe "Recognition" Test.Recognition.FromImageToFace.spec
   describe "Recognition at any angle" Test.Recognition.AnyAngle.spec
   describe "Recognition of any array" Test.Recognition.AnyArray.spec
+  describe "Recognition with every alphabet" Test.Recognition.EveryAlphabet.spec
   describe "Recognition with damage" Test.Recognition.DamagedOnPurpose.spec
   describe "Recognition: grids, room and words" Test.Recognition.GridsAndRefusals.spec
   describe "Recognition: what is read" Test.Recognition.SymbolsRead.spec

@@ -24,6 +24,7 @@ import Output (writeWhole)
 import Picture (pageSvg, recognitionPage)
 import PlacementChoice
 import PraTactile.Array (ArrayOn (..), Position, PseudorandomArray, Surface)
+import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Decode (Stitching (..))
 import PraTactile.Field (KnownField)
 import PraTactile.Files (SourcePath (..), sourcePath, sourcePaths)
@@ -35,7 +36,6 @@ import PraTactile.Recognise
 import PraTactile.Recognise.FoundPose (foundPose)
 import PraTactile.Registration (Composite (..), compositePosition)
 import PraTactile.Relief (classOn, symbolScale)
-import PraTactile.Shape (Alphabet)
 import PraTactile.Source (Preparation (..))
 import Recognised
 import Setup
@@ -46,7 +46,7 @@ data Options = Options
   { surface :: Maybe Surface,
     stitching :: Stitching,
     frames :: FramesChoice,
-    network :: Maybe FilePath,
+    symbolReader :: ReaderChoice,
     objects :: PlacementChoice,
     picture :: Maybe FilePath,
     tolerance :: Tolerance,
@@ -86,7 +86,7 @@ optionsParser =
     <$> surfaceOption
     <*> stitchingOptions
     <*> framesOptions
-    <*> networkOption
+    <*> readerChoice
     <*> plateOr
       ( placementChoice
           "The same from a database that 'objects --write' made, in which the position is looked up"
@@ -194,14 +194,15 @@ run choice options
     (profile, layout, near) <- chosenNear choice (objects options)
     (scale, _) <- feltPlacement layout
     let larger = fromRational scale
-    decoder <- decoderOn profile layout near world options
+    symbols <- readerFor (symbolReader options) profile
+    decoder <- decoderOn profile layout symbols near world options
     found <- sourcePaths (paths options) >>= orUnusable filesMessage
     let several = not (null (drop 1 found))
     when
       (several && picture options /= Nothing)
       (misused "--picture draws one composite; give one source")
     known <- (\stated -> stated {preparedScale = larger}) <$> preparation (frames options)
-    composites <- loadSources known (stitching options) found
+    composites <- loadSources (readerTables symbols) known (stitching options) found
     case sharing options of
       OneFace ->
         placed [(x / larger, y / larger) | (x, y) <- places options] (zip found composites)
@@ -219,17 +220,16 @@ run choice options
 decoderOn ::
   Profile ->
   Placement ->
+  Reader ->
   ([Position] -> IO (Maybe Placement)) ->
   Maybe RigidMotion ->
   Options ->
   IO ([FilePath] -> [Composite] -> IO ExitStatus)
-decoderOn profile layout near world options = do
-  alphabet <- alphabetFor profile
-  net <- chosenNetwork (network options)
+decoderOn profile layout symbols near world options = do
   let on = fromMaybe (profileSurface profile) (surface options)
       made array mask =
-        decodeWith alphabet profile array near world options
-          <$> recogniser (ArrayOn on array) mask layout alphabet net
+        decodeWith profile array near world options
+          <$> recogniser (ArrayOn on array) mask layout symbols
   orUnusable recogniserMessage =<< orUnusable profileMessage (withProfile profile made)
 
 -- | The composites, whole images at the places given for them; frames know their own.
@@ -253,7 +253,6 @@ placed given found
 -- | Decode composites of one face: draw the picture, print the answer.
 decodeWith ::
   KnownField k =>
-  Alphabet ->
   Profile ->
   PseudorandomArray k ->
   ([Position] -> IO (Maybe Placement)) ->
@@ -263,7 +262,7 @@ decodeWith ::
   [FilePath] ->
   [Composite] ->
   IO ExitStatus
-decodeWith alphabet profile array near world options bare from composites = do
+decodeWith profile array near world options bare from composites = do
   located <- recognised bare
   -- Where it is on the array is known without the objects; of a database those that lie there are
   -- read then.
@@ -281,6 +280,7 @@ decodeWith alphabet profile array near world options bare from composites = do
       (encodeRecognition (recognitionReport (context reader recognition) recognition))
   pure (recognitionStatus recognition)
   where
+    alphabet = readerAlphabet (recogniserReader bare)
     nameOf = elementNames bare
     recognised reader =
       orUnusable networkMessage (recogniseWith (tolerance options) reader composites)

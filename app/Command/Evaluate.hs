@@ -41,7 +41,7 @@ data Options = Options
     foreignArrayPresses :: Maybe Double,
     untold :: Bool,
     tolerance :: Tolerance,
-    network :: Maybe FilePath,
+    symbolReader :: ReaderChoice,
     objects :: PlacementChoice,
     form :: AnswerForm
   }
@@ -90,7 +90,7 @@ command =
         <*> switch
           (long "untold" <> help "Do not tell the decoder the position error; it finds what it is")
         <*> toleranceOptions (pure (foreignPrior standardTolerance))
-        <*> networkOption
+        <*> readerChoice
         <*> plateOr (placementChoice "The same from a database that 'objects --write' made")
         <*> jsonSwitch "Print the counts as JSON"
 
@@ -123,8 +123,7 @@ run choice options
     (profile, laid) <- chosenPlacement choice (objects options)
     (scale, layout) <- feltPlacement laid
     let simulated = feltBySymbols scale real
-    alphabet <- alphabetFor profile
-    net <- chosenNetwork (network options)
+    symbols <- readerFor (symbolReader options) profile
     let experiment =
           Experiment
             { experimentPresses = presses options,
@@ -144,8 +143,8 @@ run choice options
           reader <-
             first
               recogniserMessage
-              (recogniser (ArrayOn (profileSurface profile) array) mask layout alphabet net)
-          first (experimentMessage larger) (evaluatedPoses experiment alphabet array reader)
+              (recogniser (ArrayOn (profileSurface profile) array) mask layout symbols)
+          first (experimentMessage larger) (evaluatedPoses experiment array reader)
     results <- orUnusable profileMessage (withProfile profile made) >>= orUnusable id
     (counted, poses) <- tallied (form options == AsJson) (presses options) results
     let inMillimetres counts = counts {poseMedianFar = larger * poseMedianFar counts}

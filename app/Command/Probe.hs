@@ -47,6 +47,7 @@ data Options = Options
     announced :: Announced,
     truthFile :: Maybe FilePath,
     objects :: PlacementChoice,
+    shapesFile :: Maybe FilePath,
     output :: FilePath
   }
 
@@ -118,6 +119,7 @@ optionsParser =
     <*> flag Unannounced Announced (long "tell" <> help "Print the true place")
     <*> optionalFile "truth" "FILE" "Write the true place as JSON, for 'compare'"
     <*> placementChoice "The same from a database that 'objects --write' made"
+    <*> shapesOption
     <*> folderOption "output" "A folder that is new or empty"
   where
     place = pairReader ',' "12.7,40"
@@ -201,7 +203,7 @@ pressing choice options how object = do
   for_ (truthFile options) orUnwritable
   (profile, laid) <- chosenWith choice (holding object (objects options)) object
   (scale, layout) <- feltPlacement laid
-  alphabet <- alphabetFor profile
+  alphabet <- alphabetFor (shapesFile options) profile
   let larger = fromRational scale
       smaller (x, y) = (x / larger, y / larger)
       felt =

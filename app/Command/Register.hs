@@ -19,8 +19,9 @@ import PraTactile.Image (Raster, rasterSize)
 import PraTactile.Registration (compositeImage)
 import PraTactile.Registration.Pair
 import PraTactile.Sensor.Calibration (CalibrationError, correctedImage)
-import PraTactile.Shape (Alphabet, paperAlphabet)
+import PraTactile.Shape (Alphabet)
 import PraTactile.Source (imageComposite)
+import Setup
 import System.IO (hFlush, stdout)
 import Text.Printf (printf)
 
@@ -37,6 +38,7 @@ command =
     ( run
         <$> (Left <$> batchSwitch <|> Right <$> pairArguments)
         <*> pairingOptions
+        <*> alphabetChoice
         <*> calibrationOption
         <*> jsonSwitch "Print the answer as JSON"
     )
@@ -77,11 +79,12 @@ pairingOptions =
 run ::
   Either () PairRequest ->
   ((Double, Double) -> Pairing) ->
+  AlphabetChoice ->
   Maybe FilePath ->
   AnswerForm ->
   IO ExitStatus
-run asked pairing calibrationFile form = do
-  known <- orUnusable shapeMessage paperAlphabet
+run asked pairing symbols calibrationFile form = do
+  known <- chosenAlphabet symbols
   calibrated <- maybe Right correctedImage <$> traverse readCalibration calibrationFile
   case asked of
     Right request -> do

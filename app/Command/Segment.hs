@@ -16,8 +16,10 @@ import Options
 import PraTactile.Decode (Stitching)
 import PraTactile.Files (sourcePath, sourcePaths)
 import PraTactile.Format.Segmentation
+import PraTactile.Registration (latticeTables)
 import PraTactile.Segmentation.Symbol
 import PraTactile.Segmentation.Turned
+import Setup
 import Text.Printf (printf)
 import Visible
 
@@ -26,22 +28,26 @@ command =
   subcommand
     "segment"
     "Find the symbols in tactile images: where each is, which way its axes point and how far its \
-    \neighbours are. Takes what decode takes, but knows neither the array nor the shapes."
+    \neighbours are. Takes what decode takes, but not the array, and \
+    \of the shapes only what frames are put together by."
     [ "pra-tactile segment data/worked-example/composite.pgm",
       "pra-tactile segment data/worked-example/frames --json"
     ]
     ( run
-        <$> stitchingOptions
+        <$> alphabetChoice
+        <*> stitchingOptions
         <*> framesOptions
         <*> jsonSwitch "Print one JSON answer a line"
         <*> framesArgument
     )
 
-run :: Stitching -> FramesChoice -> AnswerForm -> [FilePath] -> IO ExitStatus
-run stitching choice form paths = do
+run ::
+  AlphabetChoice -> Stitching -> FramesChoice -> AnswerForm -> [FilePath] -> IO ExitStatus
+run symbols stitching choice form paths = do
   found <- sourcePaths paths >>= orUnusable filesMessage
   known <- preparation choice
-  composites <- loadSources known stitching found
+  tables <- latticeTables <$> chosenAlphabet symbols
+  composites <- loadSources tables known stitching found
   let several = not (null (drop 1 found))
   fmap (maximum . (Answered :)) . for (zip (map sourcePath found) composites) $
     \(path, composite) -> do

@@ -1,78 +1,163 @@
--- | @pra-tactile shapes@: the embossed shapes, drawn and measured; the search that designed them.
+-- | @pra-tactile shapes@: the embossed shapes, drawn, measured and checked; the search that designed
+-- them.
 module Command.Shapes
   ( command,
   )
 where
 
+import Control.Monad (when)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
+import Data.Proxy (Proxy)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Text.IO as Text
 import ExitStatus
+import FieldChoice
 import Message
+import Numeric.Natural (Natural)
 import Options
 import Output (writeWhole)
+import PraTactile.Field (GF, KnownField, elements, showElement)
+import PraTactile.Format.Shapes (encodeShapes)
 import PraTactile.Shape
+import PraTactile.Shape.Check
 import PraTactile.Shape.Design
 import PraTactile.Shape.Report
 import Progress
 import Setup
+import Visible (visibleName)
 
 data Options = Options
-  { designing :: Bool,
-    seed :: Int,
-    svg :: Bool,
+  { symbols :: AlphabetChoice,
+    work :: Work,
+    form :: AnswerForm,
     output :: Maybe FilePath
   }
+
+data Work
+  = Draw
+  | DrawSvg
+  | -- | from a seed
+    Design Int
+  | Check FilePath
 
 command :: Mod CommandFields (IO ExitStatus)
 command =
   subcommand
     "shapes"
-    "Draw the four embossed shapes with the table of their distances, or run the search that \
-    \designed them."
+    "Draw the embossed shapes with the table of their distances, run the search that designed them, \
+    \or check drawings by the rules that these obey."
     [ "pra-tactile shapes",
-      "pra-tactile shapes --svg --output shapes.svg",
-      "pra-tactile shapes --design --output shapes.txt"
+      "pra-tactile shapes --q 9 --svg --output shapes.svg",
+      "pra-tactile shapes --design --output shapes.txt",
+      "pra-tactile shapes --check data/shapes.txt"
     ]
     (run <$> options)
   where
     options =
       Options
-        <$> switch
-          ( long "design"
-              <> help "Run the search again (some seconds) and write the alphabet it finds"
-          )
-        <*> defaulting paperSeed intReader "seed" "N" "Seed of the search"
-        <*> switch (long "svg" <> help "Draw the shipped shapes as SVG")
+        <$> alphabetChoice
+        <*> workOption
+        <*> jsonSwitch "Print the distances and the faults as JSON"
         <*> outputFileOption
 
+workOption :: Parser Work
+workOption =
+  Check
+    <$> fileOption
+      "check"
+      "FILE"
+      "Say what is wrong with the shapes drawn in a file, and how far apart they are"
+    <|> ( designing
+            <$> switch
+              ( long "design"
+                  <> help
+                    "Run the search again, some seconds for four shapes and some minutes for nine, \
+                    \and write the alphabet it finds"
+              )
+            <*> defaulting paperSeed intReader "seed" "N" "Seed of the search"
+            <*> switch (long "svg" <> help "Draw the shapes as SVG")
+        )
+  where
+    designing design' seed svg
+      | design' = Design seed
+      | svg = DrawSvg
+      | otherwise = Draw
+
 run :: Options -> IO ExitStatus
-run options
-  | designing options = do
+run options = case work options of
+  Check file -> do
+    drawn <- readAlphabet file
+    told (checkText (visibleName file) drawn) drawn
+    pure (if null (faults drawn) then Answered else NotAnswered)
+  Design seed -> do
+    when (form options == AsJson) (misused "--design writes drawings; leave out --json")
+    q <- maybe (misused "--design makes shapes; leave out --shapes") pure (orderOf (symbols options))
+    names <- elementNames q
     (found, report) <-
       orUnusable shapeMessage
         =<< withProgress
           (toInteger searchLength)
           0
-          (`follow` designSteps (seed options) paperParameters)
+          (`follow` designSteps seed (parametersFor names))
     write (renderAlphabet found)
     for_ (output options) (const (Text.putStr (renderReport found report)))
     pure Answered
-  | otherwise = do
-    shipped <- shippedAlphabet
-    write
-      ( if svg options
-          then alphabetSvg shipped
-          else drawAlphabet shipped <> Text.singleton '\n' <> distanceTable shipped
-      )
+  DrawSvg -> do
+    chosen <- chosenAlphabet (symbols options)
+    write (alphabetSvg chosen)
+    pure Answered
+  Draw -> do
+    chosen <- chosenAlphabet (symbols options)
+    told (drawAlphabet chosen <> Text.singleton '\n' <> distanceTable chosen) chosen
     pure Answered
   where
+    told text drawn = case form options of
+      AsText -> write text
+      AsJson -> write (Text.decodeUtf8 (encodeShapes drawn) <> Text.singleton '\n')
     write :: Text -> IO ()
     write text =
       maybe
         (Text.putStr text)
         (\file -> writeWhole file (Lazy.fromStrict (Text.encodeUtf8 text)))
         (output options)
+
+-- | The names of a field's elements, by code.
+elementNames :: Natural -> IO [Text]
+elementNames q = inConwayField q named
+  where
+    named :: forall k. KnownField k => Proxy k -> [Text]
+    named _ = map (Text.pack . showElement) (elements :: [GF k])
+
+-- | What is wrong, a line each, and the distances.
+checkText :: String -> Alphabet -> Text
+checkText name drawn =
+  Text.unlines $
+    [ Text.pack
+        ( name ++ ": " ++ show (alphabetSize drawn) ++ " shapes, least distance "
+            ++ show (leastDistance drawn)
+            ++ " of 96 taxels"
+            ++ maybe
+              ""
+              (\d -> "; the greatest that so many can have is " ++ show d)
+              (greatestPossible (alphabetSize drawn))
+        )
+    ]
+      ++ map line (faults drawn)
+  where
+    line (Fault shape kind) =
+      Text.pack "fault: " <> shape <> Text.pack ": " <> Text.pack (faultWords kind)
+
+faultWords :: Kind -> String
+faultWords kind = case kind of
+  Side -> "less than 4 taxels are embossed along a side of its box"
+  Stroke -> "it is not of blocks of 2 x 2 taxels, or some meet at a corner only"
+  Pieces -> "it is in several pieces"
+  Hole -> "it encloses something flat"
+  Area -> "its area is not 48 to 56 taxels"
+  OwnImage -> "it is like itself turned or mirrored" ++ near
+  TooNear -> "it is like another shape" ++ near
+  where
+    near = ", but for less than " ++ show leastTolerated ++ " taxels"

@@ -25,6 +25,7 @@ import PraTactile.Registration.Stitching
 import PraTactile.Sensor.Frame (Frame (..))
 import PraTactile.Sensor.Manifest (Entry (..), Manifest (..))
 import PraTactile.Source (Folder (..), preparedFrames)
+import Setup
 import SvgFile (orNotSvg, standardOutput)
 import System.FilePath (takeExtension)
 import Visible (visibleName)
@@ -39,7 +40,8 @@ command =
       "pra-tactile stitch frames --method lattice --json",
       "pra-tactile stitch frames --report stitched.svg"
     ]
-    ( run <$> stitchingOptions
+    ( run <$> alphabetChoice
+        <*> stitchingOptions
         <*> framesOptions
         <*> optional
           ( choosing
@@ -63,6 +65,7 @@ command =
     )
 
 run ::
+  AlphabetChoice ->
   Stitching ->
   FramesChoice ->
   Maybe StitchMethod ->
@@ -71,7 +74,7 @@ run ::
   Maybe FilePath ->
   AnswerForm ->
   IO ExitStatus
-run stitching choice asked folder output report form = do
+run symbols stitching choice asked folder output report form = do
   when
     (output == Nothing && report == Nothing && form == AsText)
     (misused "there is nothing to do: give --output FILE, --report FILE.svg, or --json")
@@ -80,10 +83,11 @@ run stitching choice asked folder output report form = do
     (misused "--report - and --json both take the standard output; name a file for the picture")
   for_ report orNotSvg
   encoder <- traverse encoderFor output
+  tables <- latticeTables <$> chosenAlphabet symbols
   known <- preparation choice
   contents <- loadFolder folder
   frames <- orUnusable (sourceMessage folder) (preparedFrames known contents)
-  made <- orUnusable (\e -> folder ++ ": " ++ stitchMessage e) (assembledBy asAsked frames)
+  made <- orUnusable (\e -> folder ++ ": " ++ stitchMessage e) (assembledBy tables asAsked frames)
   let composite = assemblyComposite made
       names = map entryFile (manifestEntries (folderManifest contents))
   for_ (compositeContradiction composite) $ \contradiction ->

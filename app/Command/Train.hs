@@ -28,17 +28,18 @@ command :: Mod CommandFields (IO ExitStatus)
 command =
   subcommand
     "train"
-    "Train the 96-8-4 network on rendered symbols from a seed and write its weights; the default \
-    \seed gives the shipped weights."
+    "Train the 96-8-q network on rendered symbols from a seed and write its weights; the default \
+    \seed gives the shipped weights of shipped shapes."
     ["pra-tactile train --output network.txt"]
     ( run
-        <$> seedOption (value shippedSeed <> showDefault)
+        <$> alphabetChoice
+        <*> seedOption (value shippedSeed <> showDefault)
         <*> fileOption "output" "FILE" "The file of weights"
     )
 
-run :: Int -> FilePath -> IO ExitStatus
-run seed output = do
-  alphabet <- shippedAlphabet
+run :: AlphabetChoice -> Int -> FilePath -> IO ExitStatus
+run symbols seed output = do
+  alphabet <- chosenAlphabet symbols
   let training = trainingRounds shippedRegimen alphabet seed
   network <-
     orUnusable networkMessage

@@ -67,7 +67,7 @@ decodeMessage :: FilePath -> DecodeError -> String
 decodeMessage path e = case e of
   ArrayRefused why -> profileMessage why
   PlacementRefused why -> placementMessage why
-  ShapesRefused why -> shapeMessage why
+  ShapesRefused why -> shippedMessage why
   NetworkRefused why -> networkMessage why
   PartsRefused why -> recogniserMessage why
   FolderRefused why -> sourceMessage path why

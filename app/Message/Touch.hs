@@ -8,6 +8,7 @@ module Message.Touch
     calibrationMessage,
     pairMessage,
     shapeMessage,
+    shippedMessage,
     networkMessage,
   )
 where
@@ -18,6 +19,7 @@ import Data.List (intercalate)
 import qualified Data.Text as Text
 import Message.Format (rangeText)
 import PraTactile.Classification.Network (NetworkError (..))
+import PraTactile.Classification.Shipped (ShippedError (..), shippedSizes)
 import PraTactile.Image.Error
 import PraTactile.Image.Pgm (formatName, maxPixels)
 import PraTactile.Registration
@@ -32,7 +34,7 @@ import PraTactile.Registration.Pair (PairError (..))
 import PraTactile.Sensor.Calibration (CalibrationError (..))
 import PraTactile.Sensor.Frame (ProbeError (..), taxelPitches)
 import PraTactile.Sensor.Manifest (ManifestError (..), axesName, manifestHeader)
-import PraTactile.Shape (ShapeError (..))
+import PraTactile.Shape (ShapeError (..), maxShapes)
 import Text.Printf (printf)
 
 imageMessage :: ImageError -> String
@@ -197,6 +199,7 @@ shapeMessage e = case e of
   WrongRowCount n -> "a shape has 12 rows, not " ++ show n
   WrongRowWidth i n -> "row " ++ show (i + 1) ++ " of a shape is 8 taxels wide, not " ++ show n
   EmptyAlphabet -> "there are no shapes"
+  TooManyShapes -> "there are more than " ++ show maxShapes ++ " shapes"
   BlankShape named -> "the shape " ++ Text.unpack named ++ " is blank"
   RepeatedName named -> "two shapes are named " ++ Text.unpack named
   RepeatedShape a b -> "the shapes " ++ Text.unpack a ++ " and " ++ Text.unpack b ++ " are the same"
@@ -211,6 +214,17 @@ shapeMessage e = case e of
   BadDrawing line why -> "the drawing that begins on line " ++ show line ++ ": " ++ shapeMessage why
   NotText -> "the drawings are not UTF-8 text"
   NoAlphabet -> "no alphabet meets the constraints"
+
+shippedMessage :: ShippedError -> String
+shippedMessage e = case e of
+  NotShipped q ->
+    printf
+      "no shapes are shipped for the symbols of GF(%d), only for q = %s; name others by --shapes \
+      \FILE"
+      q
+      (intercalate ", " (map show shippedSizes))
+  ShippedShapes why -> shapeMessage why
+  ShippedWeights why -> networkMessage why
 
 networkMessage :: NetworkError -> String
 networkMessage e = case e of

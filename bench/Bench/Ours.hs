@@ -21,7 +21,6 @@ import Data.Proxy (Proxy (..))
 import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Array
-import PraTactile.Classification.Network.File (shippedNetwork)
 import PraTactile.Evaluate
 import PraTactile.Explore (Turns (..), halfTurns, standardRegionSize)
 import PraTactile.Field
@@ -36,9 +35,9 @@ import PraTactile.Registration (compositeOf, standardRegistration)
 import PraTactile.Relief (relief)
 import PraTactile.Sensor (standardSensor)
 import PraTactile.Sequence
-import PraTactile.Shape (paperAlphabet)
 import PraTactile.Window
 import PraTactile.Window.Proof
+import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 -- | The measurements by name: the outer action prepares.
 ours :: [(String, IO (IO Measurement))]
@@ -164,7 +163,7 @@ withPaper use = sure (withProfile canonicalProfile prepared)
         array
         layout
         ( sure
-            (recogniser (naturally array) mask layout (sure paperAlphabet) (sure shippedNetwork))
+            (recogniser (naturally array) mask layout (readerOf (sure paperAlphabet) (sure paperNetwork)))
         )
     layout = sure canonicalPlacement
 

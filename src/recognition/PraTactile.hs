@@ -4,8 +4,8 @@
 -- This module is the short way through it, in reading order; the modules that it takes from have
 -- the rest. From bytes to a place with everything chosen: 'canonicalRecogniser', then
 -- 'decodeFolder' or 'decodeImage', and 'summary' of what they find. With one's own choice:
--- 'paperAlphabet', 'shippedNetwork' and 'canonicalPlacement' make a 'recogniser' for an array,
--- 'stitch' makes a composite of frames, and 'recognise' says what it shows.
+-- 'shippedReader', or 'readerOf' an alphabet and a network, and a placement make a 'recogniser' for
+-- an array, 'stitch' makes a composite of frames, and 'recognise' says what it shows.
 module PraTactile
   ( -- * Decoding: "PraTactile.Decode", "PraTactile.Source"
     SomeRecogniser,
@@ -67,6 +67,8 @@ module PraTactile
     Frame (..),
     Pose (..),
     Composite,
+    LatticeTables,
+    latticeTables,
     stitch,
     standardRegistration,
     compositeOf,
@@ -80,8 +82,10 @@ module PraTactile
     Place (..),
 
     -- * Recognition: "PraTactile.Recognise"
-    paperAlphabet,
-    shippedNetwork,
+    Reader (..),
+    readerOf,
+    shippedReader,
+    ShippedError (..),
     Recogniser,
     recogniser,
     recognise,
@@ -100,7 +104,8 @@ module PraTactile
 where
 
 import PraTactile.Array
-import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Classification.Reader
+import PraTactile.Classification.Shipped
 import PraTactile.Decode
 import PraTactile.Image (Raster)
 import PraTactile.Locate
@@ -112,7 +117,6 @@ import PraTactile.Recognise
 import PraTactile.Recognise.Summary (summary)
 import PraTactile.Registration
 import PraTactile.Sensor.Frame
-import PraTactile.Shape (paperAlphabet)
 import PraTactile.Source
 import PraTactile.Window
 import PraTactile.Window.Proof

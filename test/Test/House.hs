@@ -5,7 +5,7 @@ module Test.House (spec) where
 
 import Data.Char (isAlphaNum, isSpace, isUpper)
 import Data.Foldable (for_)
-import Data.List (isPrefixOf, (\\))
+import Data.List (isInfixOf, isPrefixOf, (\\))
 import qualified Data.Map.Strict as Map
 import House.Graph (dot, reaches)
 import House.Source
@@ -110,6 +110,27 @@ spec = describe "the house" $
           name `elem` ["PraTactile.Locate.Decoder.Codebook", "PraTactile.Locate.Foreign"]
       ]
         `shouldBe` []
+    it "shipped shapes are fetched where they are chosen, and nowhere else" $ \(house, _) -> do
+      let shipping = "PraTactile.Classification.Shipped"
+          choosing =
+            [ -- the library, with everything chosen, and its door
+              "PraTactile.Decode",
+              "PraTactile",
+              -- the program, by its options; what it says where there are none
+              "Setup",
+              "Message.Touch",
+              -- the protocol, which names the file
+              "PraTactile.Conformance.Shapes"
+            ]
+          fetching = words "shippedAlphabet shippedNetwork shippedRegression shippedReader"
+          fetched one = filter (`elem` fetching) (wordsOf (sourceText one))
+          embeds line =
+            "embed" `isInfixOf` line
+              && any (`isInfixOf` line) ["shapes.txt", "network.txt", "alphabets"]
+          others = [one | one <- house, sourceName one `notElem` (shipping : choosing)]
+      [sourceName one | one <- house, shipping `elem` sourceImports one] `shouldMatchList` choosing
+      [(sourceName one, name) | one <- others, name <- fetched one] `shouldBe` []
+      [sourceName one | one <- others, any embeds (lines (sourceText one))] `shouldBe` []
     it "of the code, the objects see positions and shapes only" $ \(house, _) ->
       [ (sourceName one, name)
         | one <- house,

@@ -165,6 +165,7 @@ touching =
     ( "decode",
       "echo '" ++ plane ++ "' > plane.json; pra decode --json --plane plane.json " ++ worked
     ),
+    ("shapes", "pra shapes --json; pra shapes --check data/shapes.txt --json"),
     ("segment", "pra segment --json " ++ worked ++ " data/worked-example/composite.pgm"),
     ("segment", "{ echo P2 40 52 255; yes 0 | head -2080; } > e.pgm; pra segment --json e.pgm"),
     ("register", "pra register " ++ frame "000" ++ frame "001" ++ "--step 8,0 --json"),

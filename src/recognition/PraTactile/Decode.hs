@@ -5,6 +5,8 @@ module PraTactile.Decode
     SomeRecogniser,
     someRecogniser,
     canonicalRecogniser,
+    Reader,
+    readerOf,
 
     -- * Decoding
     Decoding (..),
@@ -29,23 +31,24 @@ where
 import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import PraTactile.Array (ArrayOn (..))
-import PraTactile.Classification.Network (Network, NetworkError)
-import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Classification.Network (NetworkError)
+import PraTactile.Classification.Reader (Reader (..), readerOf)
+import PraTactile.Classification.Shipped (ShippedError, shippedReader)
 import PraTactile.Image.Error (ImageError)
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement (Placement, PlacementError)
 import PraTactile.Profile
 import PraTactile.Recognise
-import PraTactile.Registration (Composite (..), StitchError)
+import PraTactile.Registration (Composite (..), LatticeTables, StitchError)
 import PraTactile.Registration.Stitching
 import PraTactile.Sensor.Calibration (withoutStuck)
 import PraTactile.Sensor.Frame (Frame)
-import PraTactile.Shape (Alphabet, ShapeError, paperAlphabet)
 import PraTactile.Source
 
--- | A recogniser whose field need not be known: of composites of one face, what they show together.
-newtype SomeRecogniser
-  = SomeRecogniser (Tolerance -> [Composite] -> Either NetworkError Recognition)
+-- | A recogniser whose field need not be known: what its symbols are read with, and of composites of
+-- one face, what they show together.
+data SomeRecogniser
+  = SomeRecogniser Reader (Tolerance -> [Composite] -> Either NetworkError Recognition)
 
 -- | Why there is no recognition. A composite that is read but not understood is no error: its
 -- 'Recognition' has a 'Refusal'.
@@ -54,9 +57,9 @@ data DecodeError
     ArrayRefused ProfileError
   | -- | The objects cannot be laid on it.
     PlacementRefused PlacementError
-  | -- | There are no shapes.
-    ShapesRefused ShapeError
-  | -- | The network is none, or refuses an image.
+  | -- | There are no shapes, or there is no network for them.
+    ShapesRefused ShippedError
+  | -- | The network refuses an image.
     NetworkRefused NetworkError
   | -- | Array, shapes and network do not fit each other.
     PartsRefused RecogniserError
@@ -68,10 +71,10 @@ data DecodeError
     FramesRefused StitchError
   deriving stock (Eq, Show)
 
--- | The recogniser of a profile's array on its own surface, with objects laid on it, shapes and a
--- network. Refuses parts that are impossible or do not fit each other.
-someRecogniser :: Profile -> Placement -> Alphabet -> Network -> Either DecodeError SomeRecogniser
-someRecogniser profile layout alphabet network = do
+-- | The recogniser of a profile's array on its own surface, with objects laid on it, and what its
+-- symbols are read with. Refuses parts that are impossible or do not fit each other.
+someRecogniser :: Profile -> Placement -> Reader -> Either DecodeError SomeRecogniser
+someRecogniser profile layout reader = do
   made <-
     first
       ArrayRefused
@@ -79,21 +82,20 @@ someRecogniser profile layout alphabet network = do
           profile
           ( \array window ->
               let on = ArrayOn (profileSurface profile) array
-               in decoding <$> recogniser on window layout alphabet network
+               in decoding <$> recogniser on window layout reader
           )
       )
   first PartsRefused made
   where
-    decoding reader = SomeRecogniser (`recogniseWith` reader)
+    decoding made = SomeRecogniser reader (`recogniseWith` made)
 
 -- | The recogniser for the paper's array with the shipped placement, shapes and network. It is
 -- always 'Right': the tests build it.
 canonicalRecogniser :: Either DecodeError SomeRecogniser
 canonicalRecogniser = do
   layout <- first PlacementRefused canonicalPlacement
-  alphabet <- first ShapesRefused paperAlphabet
-  network <- first NetworkRefused shippedNetwork
-  someRecogniser canonicalProfile layout alphabet network
+  reader <- first ShapesRefused (shippedReader (fromIntegral (profileOrder canonicalProfile)))
+  someRecogniser canonicalProfile layout reader
 
 -- | How sources are decoded.
 data Decoding = Decoding
@@ -108,20 +110,24 @@ standardDecoding :: Decoding
 standardDecoding = Decoding asStated standardStitching standardTolerance
 
 -- | The composite of a source: the frames of a folder, prepared and put together, or the image that
--- is one. Refuses what 'preparedFrames', 'stitchedBy' and 'imageComposite' refuse.
-sourceComposite :: Preparation -> Stitching -> Source -> Either DecodeError Composite
-sourceComposite known stitching source = case source of
+-- is one. The tables are those of the symbols that may have been felt. Refuses what
+-- 'preparedFrames', 'stitchedBy' and 'imageComposite' refuse.
+sourceComposite ::
+  LatticeTables -> Preparation -> Stitching -> Source -> Either DecodeError Composite
+sourceComposite tables known stitching source = case source of
   FrameFolder folder ->
     first FolderRefused (preparedFrames known folder)
-      >>= fmap (stated folder) . first FramesRefused . stitchedBy stitching
+      >>= fmap (stated folder) . first FramesRefused . stitchedBy tables stitching
   WholeImage bytes -> first FileRefused (imageComposite bytes)
   where
     stated folder composite = composite {compositeAxesStated = axesStated known folder}
 
 -- | What sources of one face show together. Refuses what 'sourceComposite' refuses.
 decodeSources :: Decoding -> SomeRecogniser -> [Source] -> Either DecodeError Recognition
-decodeSources how with sources =
-  traverse (sourceComposite (decodingPreparation how) (decodingStitching how)) sources
+decodeSources how with@(SomeRecogniser reader _) sources =
+  traverse
+    (sourceComposite (readerTables reader) (decodingPreparation how) (decodingStitching how))
+    sources
     >>= decodeComposites (decodingTolerance how) with
 
 -- | What the frames of a folder show, by 'standardDecoding'.
@@ -135,10 +141,10 @@ decodeImage with bytes = decodeSources standardDecoding with [WholeImage bytes]
 -- | What frames show, likewise, elements that are stuck not felt ('withoutStuck'). Refuses what
 -- 'stitchedBy' refuses.
 decodeFrames :: SomeRecogniser -> [Frame] -> Either DecodeError Recognition
-decodeFrames with frames =
-  first FramesRefused (stitchedBy standardStitching (withoutStuck frames))
+decodeFrames with@(SomeRecogniser reader _) frames =
+  first FramesRefused (stitchedBy (readerTables reader) standardStitching (withoutStuck frames))
     >>= decodeComposites standardTolerance with . pure
 
 -- | What composites of one face show together, as 'recogniseWith' has it.
 decodeComposites :: Tolerance -> SomeRecogniser -> [Composite] -> Either DecodeError Recognition
-decodeComposites tolerance (SomeRecogniser recognised) = first NetworkRefused . recognised tolerance
+decodeComposites tolerance (SomeRecogniser _ recognised) = first NetworkRefused . recognised tolerance

@@ -51,6 +51,7 @@ import PraTactile.Array
     arrayShape,
     fold,
   )
+import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
 import PraTactile.Object.Placement
@@ -127,22 +128,19 @@ data ExperimentError
 evaluated ::
   KnownField k =>
   Experiment ->
-  Alphabet ->
   PseudorandomArray k ->
   Recogniser k ->
   Either ExperimentError [TrialResult]
-evaluated experiment alphabet array reader =
-  map fst <$> evaluatedPoses experiment alphabet array reader
+evaluated experiment array reader = map fst <$> evaluatedPoses experiment array reader
 
 -- | The same with how far the pose is off, of a right answer with stitching.
 evaluatedPoses ::
   KnownField k =>
   Experiment ->
-  Alphabet ->
   PseudorandomArray k ->
   Recogniser k ->
   Either ExperimentError [(TrialResult, Maybe PoseError)]
-evaluatedPoses experiment alphabet array reader = do
+evaluatedPoses experiment array reader = do
   when (any ((<= least) . bendRadius) (explorationBend said)) (Left (BendRefused least))
   faces <- for (laidFaces layout) $ \face ->
     (,) face <$> first ReliefRefused (relief array layout alphabet face)
@@ -153,6 +151,7 @@ evaluatedPoses experiment alphabet array reader = do
   where
     Experiment presses seed said share shareOfArrays told tolerance = experiment
     layout = recogniserPlacement reader
+    alphabet = readerAlphabet (recogniserReader reader)
     sensor = explorationSensor said
     least = leastRadius sensor
     how = said {explorationForeign = others <$> share}
@@ -336,7 +335,7 @@ ranTrial tolerance reader registration t =
   (TrialResult (fst stitched) (fst (judge (placeOnly frames))), snd stitched)
   where
     frames = trialFrames t
-    stitched = judge (stitch registration frames)
+    stitched = judge (stitch (readerTables (recogniserReader reader)) registration frames)
     judge = either (const (NoAnswer "not-stitched", Nothing)) (result tolerance reader t)
 
 -- | What was recognised, where that is right.

@@ -9,6 +9,7 @@ module PraTactile.Recognise
     Recogniser,
     recogniser,
     recogniserPlacement,
+    recogniserReader,
     RecogniserError (..),
     Tolerance (..),
     standardTolerance,

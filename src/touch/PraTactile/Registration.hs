@@ -12,6 +12,8 @@ module PraTactile.Registration
     compositePosition,
 
     -- * Stitching
+    LatticeTables,
+    latticeTables,
     stitch,
     placeOnly,
     assemble,
@@ -74,8 +76,10 @@ import PraTactile.Registration.Arrangement
     arrange,
     maxComparisons,
     maxLatticePixels,
+    unarranged,
     withMisfit,
   )
+import PraTactile.Registration.Lattice.Template (LatticeTables, latticeTables)
 import PraTactile.Registration.Layout (layoutsLeft)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Rest (alignedToRest)
@@ -129,9 +133,10 @@ maxFramePixels = 8388608
 -- | Frames at their corrected places, blended: each pixel of the composite is the mean of what the
 -- frames saw there, with bilinear weights; what stands for a dead element ('frameDead') counts next
 -- to nothing where a living one felt the place. The composite does not depend on the order of the
--- frames, and moves with their poses. A single frame of rotation 0 is returned as it is.
-stitch :: Registration -> [Frame] -> Either StitchError Composite
-stitch settings = fmap assemblyComposite . assemble Automatic settings
+-- frames, and moves with their poses. A single frame of rotation 0 is returned as it is. The tables
+-- are those of the symbols that may have been felt.
+stitch :: LatticeTables -> Registration -> [Frame] -> Either StitchError Composite
+stitch tables settings = fmap assemblyComposite . assemble tables Automatic settings
 
 -- | Settings with the noise that the frames show ('frameNoise'), for a sensor whose noise is not
 -- known.
@@ -140,7 +145,9 @@ withNoiseOf frames settings = settings {registrationNoise = frameNoise (map fram
 
 -- | Frames at their nominal places, blended: stitching without any correction.
 placeOnly :: [Frame] -> Either StitchError Composite
-placeOnly = fmap assemblyComposite . assemble Nominal standardRegistration
+placeOnly =
+  fmap assemblyComposite
+    . assembledAs (\_ -> Right . unarranged Nominal) standardRegistration
 
 -- | A composite, and how it came about.
 data Assembly = Assembly
@@ -157,17 +164,25 @@ data Assembly = Assembly
     assemblyTurns :: [Maybe Double]
   }
 
--- | Frames registered by the given method, and blended.
-assemble :: StitchMethod -> Registration -> [Frame] -> Either StitchError Assembly
-assemble method settings frames = do
+-- | Frames registered by the given method, and blended. The tables are those of the symbols that may
+-- have been felt.
+assemble :: LatticeTables -> StitchMethod -> Registration -> [Frame] -> Either StitchError Assembly
+assemble tables method = assembledAs (arrange tables method)
+
+-- | How frames are arranged by settings, each with its nominal place in taxels.
+type Arranging = Registration -> [(Taxels, Raster)] -> Either TooMuch Arrangement
+
+-- | Frames arranged so, and blended.
+assembledAs :: Arranging -> Registration -> [Frame] -> Either StitchError Assembly
+assembledAs arranging settings frames = do
   given <- maybe (Left NoFrames) Right (nonEmpty frames)
   checkFrames given
   unless (usable settings) (Left (UnusableRegistration settings))
-  compose method settings given
+  compose arranging settings given
 
 -- | Place frames in taxels, arrange them, and blend.
-compose :: StitchMethod -> Registration -> NonEmpty Frame -> Either StitchError Assembly
-compose method settings frames = do
+compose :: Arranging -> Registration -> NonEmpty Frame -> Either StitchError Assembly
+compose arranging settings frames = do
   given <- traverse (uncurry upright) (NonEmpty.zip (0 :| [1 ..]) frames)
   let left = minimum (fmap (fst . placedAt) given)
       top = minimum (fmap (snd . placedAt) given)
@@ -178,7 +193,7 @@ compose method settings frames = do
   let supposed
         | not (all isCanonical frames) = withMisfit (map snd (NonEmpty.toList nominal)) settings
         | otherwise = settings
-  arrangement <- first TooMuchToRegister (arrange method supposed (NonEmpty.toList nominal))
+  arrangement <- first TooMuchToRegister (arranging supposed (NonEmpty.toList nominal))
   let arranged = arrangementFrames arrangement
       displacements = map registeredShift arranged
       levels = arrangementLevelling arrangement

@@ -1,5 +1,4 @@
 {-# LANGUAGE OverloadedStrings #-}
-{-# LANGUAGE TemplateHaskell #-}
 
 -- | The embossed shapes that stand for the classes of an alphabet (the paper's section II.B):
 -- bitmaps 8 taxels wide and 12 tall, and the drawing file they are kept in. Which element a class
@@ -28,14 +27,13 @@ module PraTactile.Shape
     shapes,
     shapeNames,
     shapeOf,
+    maxShapes,
 
     -- * Drawings
+    decodeAlphabet,
     parseAlphabet,
     renderAlphabet,
     drawBitmap,
-
-    -- * The shipped alphabet
-    paperAlphabet,
 
     -- * What can be wrong
     ShapeError (..),
@@ -44,8 +42,8 @@ where
 
 import Control.Monad (zipWithM_)
 import Data.Bits (popCount, setBit, testBit)
+import Data.ByteString (ByteString)
 import Data.Char (isSpace)
-import Data.FileEmbed (embedFile)
 import Data.List (foldl')
 import Data.Text (Text)
 import qualified Data.Text as T
@@ -62,6 +60,8 @@ data ShapeError
     WrongRowWidth Int Int
   | -- | An alphabet has at least one shape.
     EmptyAlphabet
+  | -- | An alphabet has at most 'maxShapes' shapes; this one has more.
+    TooManyShapes
   | -- | A shape without any embossed taxel could not be distinguished from a face without symbols.
     BlankShape Text
   | -- | Two shapes have the same name.
@@ -157,10 +157,12 @@ newtype Alphabet = Alphabet [(Text, Bitmap)]
   deriving stock (Eq, Show)
 
 -- | An alphabet from its names and shapes, class by class. Refuses no shapes at all, a blank one, a
--- repeated shape or name, and a name that a drawing file could not hold.
+-- repeated shape or name, a name that a drawing file could not hold, and more than 'maxShapes'.
 alphabet :: [(Text, Bitmap)] -> Either ShapeError Alphabet
 alphabet [] = Left EmptyAlphabet
-alphabet named = go [] named
+alphabet named
+  | not (null (drop maxShapes named)) = Left TooManyShapes
+  | otherwise = go [] named
   where
     go _ [] = Right (Alphabet named)
     go seen ((name, shape) : rest)
@@ -170,6 +172,10 @@ alphabet named = go [] named
       | any ((== name) . fst) seen = Left (RepeatedName name)
       | (other, _) : _ <- filter ((== shape) . snd) seen = Left (RepeatedShape other name)
       | otherwise = go ((name, shape) : seen) rest
+
+-- | The most shapes of an alphabet, 256: as many as the largest field has elements.
+maxShapes :: Int
+maxShapes = 256
 
 -- | The number of classes.
 alphabetSize :: Alphabet -> Int
@@ -199,6 +205,10 @@ renderAlphabet :: Alphabet -> Text
 renderAlphabet (Alphabet named) =
   T.intercalate "\n" ["symbol " <> name <> "\n" <> drawBitmap shape | (name, shape) <- named]
 
+-- | Reads the bytes of a drawing file, UTF-8, as 'parseAlphabet' does.
+decodeAlphabet :: ByteString -> Either ShapeError Alphabet
+decodeAlphabet = either (const (Left NotText)) parseAlphabet . decodeUtf8'
+
 -- | Reads a drawing file as 'renderAlphabet' writes it. Lines that begin with @;@ are comments;
 -- empty lines and spaces at the end of a line do not count.
 parseAlphabet :: Text -> Either ShapeError Alphabet
@@ -225,9 +235,3 @@ parseAlphabet text = mapM classify (zip [1 ..] (T.lines text)) >>= collect [] . 
 
 -- | What a line of the drawing file says.
 data DrawingLine = Heading Text | Row [Bool]
-
--- | The four shapes shipped in @data/shapes.txt@, for the classes 0, 1, 2, 3. A test shows that it
--- is not refused; how the shapes were designed is "PraTactile.Shape.Design".
-paperAlphabet :: Either ShapeError Alphabet
-paperAlphabet =
-  either (const (Left NotText)) parseAlphabet (decodeUtf8' $(embedFile "data/shapes.txt"))

@@ -9,11 +9,12 @@ import Data.Text (Text)
 import Drawing
 import Picture.Assembly
 import PraTactile.Image
-import PraTactile.Registration
+import PraTactile.Registration hiding (assemble)
 import PraTactile.Sensor.Frame
 import Test.Hspec hiding (around)
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (generate)
+import Test.Touch.Paper (assemble)
 
 spec :: Spec
 spec = modifyMaxSuccess (const 40) $ do

@@ -14,7 +14,7 @@ import Drawing.Svg
 import Picture
 import PraTactile.Array (ArrayOn (..), PseudorandomArray, Surface (..))
 import PraTactile.Classification.Network (Network)
-import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Classification.Reader (readerOf)
 import PraTactile.Evaluate (Trial (..), exploration, trial)
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
@@ -26,23 +26,24 @@ import PraTactile.Object.Surd
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.Summary (shownTilt)
-import PraTactile.Registration
+import PraTactile.Registration hiding (stitch)
 import PraTactile.Relief
 import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Sensor (HeightMap (..), standardSensor)
 import PraTactile.Sensor.Frame (taxelPitch)
-import PraTactile.Shape (Alphabet, paperAlphabet)
+import PraTactile.Shape (Alphabet)
 import PraTactile.Symmetry
 import PraTactile.Truth
 import System.Random (mkStdGen)
 import Test.Hspec hiding (around)
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (generate, within)
+import Test.Touch.Paper (paperAlphabet, paperNetwork, stitch)
 
 spec :: Spec
 spec = do
   drawingSpec
-  case (,,) <$> shown canonicalPlacement <*> shown shippedNetwork <*> shown paperAlphabet of
+  case (,,) <$> shown canonicalPlacement <*> shown paperNetwork <*> shown paperAlphabet of
     Left problem -> it "the shipped parts fit together" (expectationFailure problem)
     Right parts@(layout, network, alphabet) ->
       either (\e -> it "the canonical profile has an array" (expectationFailure (show e))) id $
@@ -50,8 +51,7 @@ spec = do
           (ArrayOn Torus array)
           mask
           layout
-          alphabet
-          network of
+          (readerOf alphabet network) of
           Left e -> it "the canonical array has a recogniser" (expectationFailure (show e))
           Right reader -> pictureSpec parts array reader
   where

@@ -4,20 +4,11 @@ module Test.CommandLine.LongWork (spec) where
 import Data.Foldable (for_)
 import Data.List (isInfixOf)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (isJust)
 import PraTactile.Classification.Regimen
 import PraTactile.Classification.Train (Descent (..))
 import PraTactile.Evaluate
-import PraTactile.Explore
-import PraTactile.Image (constant)
-import PraTactile.Object.Canonical (canonicalPlacement)
-import PraTactile.Object.Placement (laidFaces)
-import PraTactile.Relief (Relief (..))
-import PraTactile.Sensor (HeightMap (..), heightMap, standardSensor)
-import PraTactile.Shape (paperAlphabet)
 import PraTactile.Shape.Design
 import PraTactile.Steps (stepsDone)
-import PraTactile.Symmetry (rotations)
 import System.Directory (doesFileExist)
 import System.FilePath ((</>))
 import System.Process (readProcess)
@@ -25,6 +16,7 @@ import Test.CommandLine.Run
 import Test.Hspec
 import Test.QuickCheck
 import Test.Support
+import Test.Touch.Paper (paperAlphabet)
 
 spec :: Spec
 spec = do

@@ -57,10 +57,11 @@ import PraTactile.Sensor.Calibration (Calibration (..))
 import PraTactile.Sensor.Frame (Pose (..))
 import PraTactile.Sensor.Manifest
 import PraTactile.Sensor.Preset (presetSensor)
-import PraTactile.Shape (paperAlphabet, renderAlphabet)
+import PraTactile.Shape (renderAlphabet)
 import PraTactile.Symmetry (turned)
 import PraTactile.Truth
 import PraTactile.Window (rectangle)
+import Test.Touch.Paper (paperAlphabet)
 
 -- | PGM files of 5 x 3 and of 16 x 16 pixels, plain and binary, of 8 and of 16 bits.
 pgms :: [ByteString]

@@ -5,7 +5,7 @@ import Data.Foldable (for_)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, mapMaybe)
 import PraTactile.Array
-import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Classification.Reader (readerOf)
 import PraTactile.Composite.Tilt
 import PraTactile.Field (KnownField, toCode)
 import PraTactile.Geometry (symbolThickness)
@@ -39,6 +39,7 @@ import qualified Test.QuickCheck as QuickCheck
 import Test.QuickCheck.Gen (unGen)
 import Test.QuickCheck.Random (mkQCGen)
 import Test.Recognition.Symbols
+import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 spec :: Spec
 spec = do
@@ -48,11 +49,11 @@ spec = do
   describe "symbols read as they are, or set upright" preferredSpec
   either (it "the shipped parts fit together" . expectationFailure) id $ do
     layout <- shown canonicalPlacement
-    net <- shown shippedNetwork
+    net <- shown paperNetwork
     alphabetOfAll <- shown paperAlphabet
     shown $
       withProfile canonicalProfile $ \array mask ->
-        case recogniser (ArrayOn Torus array) mask layout alphabetOfAll net of
+        case recogniser (ArrayOn Torus array) mask layout (readerOf alphabetOfAll net) of
           Left e -> it "the canonical array has a recogniser" (expectationFailure (show e))
           Right reader -> do
             describe "a face at any angle" (angleSpec array reader alphabetOfAll)

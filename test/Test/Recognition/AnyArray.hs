@@ -9,7 +9,7 @@ import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
 import PraTactile.Array hiding (toRows)
 import PraTactile.Classification.Network (Network)
-import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Classification.Reader (readerOf)
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField, toCode)
@@ -30,7 +30,7 @@ import PraTactile.Registration (standardRegistration)
 import PraTactile.Relief
 import PraTactile.Sensor
 import PraTactile.Sensor.Frame
-import PraTactile.Shape (Alphabet, paperAlphabet)
+import PraTactile.Shape (Alphabet)
 import PraTactile.Symmetry
 import PraTactile.Truth
 import PraTactile.Window (Mask)
@@ -38,9 +38,11 @@ import System.Random (mkStdGen)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (tolerance)
+import Test.Recognition.EveryAlphabet (locatedAround)
 import Test.Recognition.Scenes
 import Test.Recognition.Symbols
 import Test.Support
+import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 spec :: Spec
 spec = do
@@ -131,7 +133,7 @@ withParts ::
   (forall k. KnownField k => PseudorandomArray k -> Mask -> Alphabet -> Network -> p) ->
   Property
 withParts test =
-  whenRight ((,) <$> shown paperAlphabet <*> shown shippedNetwork) $ \(alphabet, net) ->
+  whenRight ((,) <$> shown paperAlphabet <*> shown paperNetwork) $ \(alphabet, net) ->
     whenRight
       (withProfile canonicalProfile (\array mask -> property (test array mask alphabet net)))
       id
@@ -150,7 +152,7 @@ withLarge ::
   ) ->
   Property
 withLarge test =
-  whenRight ((,,) <$> shown paperAlphabet <*> shown shippedNetwork <*> shown large) $
+  whenRight ((,,) <$> shown paperAlphabet <*> shown paperNetwork <*> shown large) $
     \(alphabet, net, (profile, plate)) ->
       whenRight
         (withProfile profile (\array mask -> property (test array mask alphabet net plate)))
@@ -206,7 +208,7 @@ decoderSpec = do
       whenRight canonicalPlacement $ \layout ->
         let refused most =
               either Just (const Nothing) $
-                recogniserUpTo most (ArrayOn TwistedTorus array) mask layout alphabet net
+                recogniserUpTo most (ArrayOn TwistedTorus array) mask layout (readerOf alphabet net)
          in [refused 255, refused 254]
               === [ Nothing,
                     Just (RecogniserArray (LocatorPatch (TooManyPlaces 255 254)))
@@ -245,7 +247,7 @@ onBothRoads profile surface test =
   whenRight parts $ \(plate, alphabet, net) ->
     whenRight
       ( withProfile profile $ \array mask ->
-          let made most = recogniserUpTo most (ArrayOn surface array) mask plate alphabet net
+          let made most = recogniserUpTo most (ArrayOn surface array) mask plate (readerOf alphabet net)
            in whenRight ((,) <$> made (2 ^ (20 :: Int)) <*> made 0) (uncurry (test array))
       )
       id
@@ -254,7 +256,7 @@ onBothRoads profile surface test =
       (,,)
         <$> shown (platePlacement (profileShape profile))
         <*> shown paperAlphabet
-        <*> shown shippedNetwork
+        <*> shown paperNetwork
 
 -- | What is found without a codebook beside what is found with it: what it places is there; its
 -- doubts are those, or more; and where it places nothing, more than half of what is tolerated is in
@@ -280,62 +282,22 @@ pressSpec = do
   it "in its corners and along its edges are located: the paper's array" $
     withParts $ \array mask alphabet net ->
       whenRight (platePlacement (Shape 15 17)) $ \plate ->
-        locatedAround array mask alphabet net plate (40, 52)
+        locatedAround array mask (readerOf alphabet net) plate (40, 52)
   it "in its corners and along its edges are located: 2047 x 2049 cells" $
     withLarge $ \array mask alphabet net plate ->
-      locatedAround array mask alphabet net plate (80, 80)
-
--- | Each of eight presses is decoded as where it is.
-locatedAround ::
-  KnownField k =>
-  PseudorandomArray k ->
-  Mask ->
-  Alphabet ->
-  Network ->
-  Placement ->
-  (Int, Int) ->
-  Property
-locatedAround array mask alphabet net plate (w, h) =
-  once . whenRight (recogniser (naturally array) mask plate alphabet net) $ \reader ->
-    conjoin
-      [ whenRight (pressed (how at) alphabet array plate plateName) $ \(frames, truth) ->
-          counterexample (show at) . property $
-            case withStitching
-              ( runTrial
-                  standardTolerance
-                  reader
-                  standardRegistration
-                  (Trial face (truthRegion truth) frames Nothing False)
-              ) of
-              Correct _ -> True
-              _ -> False
-        | face <- laidFaces plate,
-          let (right', bottom) = spotMillimetres (laidExtent face),
-          let across = [0, right' / 2, right' - taxelPitch * fromIntegral w],
-          let down = [0, bottom / 2, bottom - taxelPitch * fromIntegral h],
-          at <- (,) <$> across <*> down,
-          at /= (right' / 2, bottom / 2)
-      ]
-  where
-    how at =
-      (pressingWith standardSensor 3)
-        { pressingAt = Just at,
-          pressingSize = (w, h),
-          pressingTurns = AmongTurns [identity]
-        }
+      locatedAround array mask (readerOf alphabet net) plate (80, 80)
 
 edgeSpec :: Spec
 edgeSpec =
   it "are right or refused, and most are right" $
     withParts $ \array mask alphabet net ->
       whenRight (shown canonicalPlacement) $ \layout ->
-        whenRight (recogniser (naturally array) mask layout alphabet net) $ \reader ->
+        whenRight (recogniser (naturally array) mask layout (readerOf alphabet net)) $ \reader ->
           let how = standardExperiment standardSensor
               exploring = exploration standardSensor AnyAngle (110, 66)
               results =
                 evaluated
                   how {experimentPresses = 12, experimentExploration = exploring}
-                  alphabet
                   array
                   reader
            in once . whenRight (shown results) $ \found ->

@@ -12,8 +12,8 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Classification.Estimate
 import PraTactile.Classification.Network (Network)
-import PraTactile.Classification.Network.File (shippedNetwork)
 import PraTactile.Classification.Part
+import PraTactile.Classification.Reader (readerOf)
 import PraTactile.Classification.Templates
 import PraTactile.Evaluate
 import PraTactile.Explore
@@ -25,7 +25,7 @@ import PraTactile.Object.Placement
 import PraTactile.Object.Surd
 import PraTactile.Profile
 import PraTactile.Recognise
-import PraTactile.Registration
+import PraTactile.Registration hiding (stitch)
 import PraTactile.Relief (relief)
 import PraTactile.Segmentation
 import PraTactile.Sensor
@@ -36,11 +36,12 @@ import PraTactile.Window
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (generate, tolerance)
+import Test.Touch.Paper (paperAlphabet, paperNetwork, stitch)
 
 spec :: Spec
 spec = either (it "the shipped parts fit together" . expectationFailure) id $ do
   alphabetOfAll <- shown paperAlphabet
-  net <- shown shippedNetwork
+  net <- shown paperNetwork
   layout <- shown canonicalPlacement
   shown $
     withProfile canonicalProfile $ \array mask -> do
@@ -295,8 +296,7 @@ damageSpec alphabetOfAll layout net array mask = do
       (ArrayOn surface array)
       mask
       layout
-      alphabetOfAll
-      net of
+      (readerOf alphabetOfAll net) of
       Left e -> fail (show e)
       Right reader -> either (fail . show) pure (recogniseWith tolerance reader composites)
     recognisedWith = recognisedOn Torus
@@ -436,7 +436,7 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
       when (noise > 0.35) $ wrong `shouldSatisfy` (>= expected - 5 * sqrt (expected + 1))
   it "that is only partly seen is honest, too" $ do
     let on = ArrayOn Torus array
-    reader <- either (fail . show) pure (recogniser on mask layout alphabetOfAll net)
+    reader <- either (fail . show) pure (recogniser on mask layout (readerOf alphabetOfAll net))
     let ofParts t = case stitch standardRegistration (trialFrames t)
           >>= \c -> either (const (Left NoFrames)) (Right . (,) c) (recognise reader c) of
           Left _ -> []
@@ -469,7 +469,7 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
       forAll (vectorOf 96 (choose (-1, 2))) $ \values ->
         case fromRows (rowsOf values) of
           Left e -> counterexample (show e) False
-          Right image -> case estimate (templates alphabetOfAll) net image of
+          Right image -> case estimate standardRegression (templates alphabetOfAll) net image of
             Left e -> counterexample (show e) False
             Right e ->
               counterexample
@@ -482,6 +482,7 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
     for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) ->
       for_ [identity, turned 2] $ \symmetry ->
         case estimate
+          standardRegression
           (templates alphabetOfAll)
           net
           (onRaster symmetry (toRaster shape)) of
@@ -511,7 +512,7 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
       Right composite ->
         [ (estimateDoubt e, estimateLikeliest e /= (truth, regionSymmetry (trialRegion t)))
           | symbol <- segmentedSymbols (segment composite),
-            Right e <- [estimate (templates alphabetOfAll) net (symbolPixels symbol)],
+            Right e <- [estimate standardRegression (templates alphabetOfAll) net (symbolPixels symbol)],
             Just truth <-
               [ classAt
                   t

@@ -8,7 +8,7 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, isJust)
 import qualified Data.Vector.Storable as V
 import PraTactile.Array
-import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Classification.Reader (readerOf)
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
@@ -19,17 +19,17 @@ import PraTactile.Object.WingedEdge (FaceName (..), ObjectName (..), VertexName 
 import PraTactile.Profile
 import PraTactile.Random (uniform)
 import PraTactile.Recognise
-import PraTactile.Registration (Composite, StitchError, placeOnly, standardRegistration, stitch)
+import PraTactile.Registration (Composite, StitchError, placeOnly, standardRegistration)
 import PraTactile.Relief
 import PraTactile.Sensor
 import PraTactile.Sensor.Frame
-import PraTactile.Shape (paperAlphabet)
 import PraTactile.Symmetry
 import System.Random (StdGen, mkStdGen, split)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
 import Test.Support (below)
+import Test.Touch.Paper (paperAlphabet, paperNetwork, stitch)
 
 spec :: Spec
 spec = do
@@ -40,11 +40,11 @@ spec = do
     countSpec
     either (it "the shipped parts fit together" . expectationFailure) id $ do
       layout <- shown canonicalPlacement
-      net <- shown shippedNetwork
+      net <- shown paperNetwork
       known <- shown paperAlphabet
       shown $
         withProfile canonicalProfile $ \array mask ->
-          case (recogniser (naturally array) mask layout known net, raised array layout known) of
+          case (recogniser (naturally array) mask layout (readerOf known net), raised array layout known) of
             (Right reader, Right faces) -> resultSpec reader faces
             (Left e, _) -> it "the array has a recogniser" (expectationFailure (show e))
             (_, Left e) -> it "the faces have reliefs" (expectationFailure (show e))

@@ -38,6 +38,7 @@ import Test.Hspec
 import Test.QuickCheck hiding (generate)
 import qualified Test.QuickCheck as QuickCheck
 import Test.Support
+import Test.Touch.Paper (paperAlphabet, paperTables)
 
 spec :: Spec
 spec = do
@@ -327,7 +328,7 @@ decodeSpec = do
         files <- right (folderFiles (sensorTaxelGrid sensor) 8 frames)
         forM_ files $ \(name, bytes) -> Bytes.writeFile (folder </> name) bytes
         source <- FrameFolder <$> (readFolder folder >>= right)
-        composite <- right (sourceComposite asStated standardStitching source)
+        composite <- right (sourceComposite paperTables asStated standardStitching source)
         recognition <-
           right (canonicalRecogniser >>= \known -> decodeSources standardDecoding known [source])
         map (compared (placementPitch layout) truth) (claims composite recognition)

@@ -15,7 +15,7 @@ import PraTactile.Array
     cellAt,
   )
 import PraTactile.Classification.Network (Network, network)
-import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Classification.Reader (readerOf)
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField, toCode)
@@ -41,6 +41,7 @@ import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (generate)
 import Test.Support (below)
+import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 spec :: Spec
 spec = case shippedParts of
@@ -49,7 +50,7 @@ spec = case shippedParts of
     either (\e -> it "the canonical profile has an array" (expectationFailure (show e))) id $
       withProfile canonicalProfile $ \array mask ->
         let on = ArrayOn Torus array
-         in case recogniser on mask (placementOf parts) (alphabetOf parts) (networkOf parts) of
+         in case recogniser on mask (placementOf parts) (readerOf (alphabetOf parts) (networkOf parts)) of
               Left e -> it "the canonical array has a recogniser" (expectationFailure (show e))
               Right reader -> do
                 recogniserSpec parts array mask
@@ -61,7 +62,7 @@ spec = case shippedParts of
 data Parts = Parts {placementOf :: Placement, networkOf :: Network, alphabetOf :: Alphabet}
 
 shippedParts :: Either String Parts
-shippedParts = Parts <$> shown canonicalPlacement <*> shown shippedNetwork <*> shown paperAlphabet
+shippedParts = Parts <$> shown canonicalPlacement <*> shown paperNetwork <*> shown paperAlphabet
   where
     shown :: Show e => Either e a -> Either String a
     shown = either (Left . show) Right
@@ -99,7 +100,7 @@ recogniserSpec parts array mask = describe "a recogniser" $ do
           either
             Just
             (const Nothing)
-            (recogniser (ArrayOn Torus array) mask (placementOf parts) names with)
+            (recogniser (ArrayOn Torus array) mask (placementOf parts) (readerOf names with))
     refused two (networkOf parts) `shouldBe` Just (ClassesDiffer 4 2 4)
     refused (alphabetOf parts) three `shouldBe` Just (ClassesDiffer 3 4 4)
     refused two three `shouldBe` Just (ClassesDiffer 3 2 4)
@@ -117,7 +118,7 @@ recogniserSpec parts array mask = describe "a recogniser" $ do
         either
           Just
           (const Nothing)
-          (recogniser (ArrayOn Torus array) mask laid (alphabetOf parts) (networkOf parts))
+          (recogniser (ArrayOn Torus array) mask laid (readerOf (alphabetOf parts) (networkOf parts)))
 
 groupSpec :: Spec
 groupSpec = describe "groups of symbols" $ do

@@ -9,6 +9,7 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
 import qualified Data.Set as Set
 import PraTactile
+import PraTactile.Classification.Reader (readerOf)
 import PraTactile.Explore
 import PraTactile.Field (KnownField, toCode)
 import PraTactile.Files (readFolder)
@@ -30,6 +31,7 @@ import Test.Hspec
 import Test.QuickCheck hiding (generate)
 import Test.Recognition.Symbols
 import Test.Support
+import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 spec :: Spec
 spec = do
@@ -132,10 +134,10 @@ certainSpec = do
   it "stands against an answer from beside the grid or along the other axis; the rest does not" $ do
     layout <- right canonicalPlacement
     alphabetOfAll <- right paperAlphabet
-    net <- right shippedNetwork
+    net <- right paperNetwork
     join . right $
       withProfile canonicalProfile $ \array mask -> do
-        reader <- right (recogniser (ArrayOn Torus array) mask layout alphabetOfAll net)
+        reader <- right (recogniser (ArrayOn Torus array) mask layout (readerOf alphabetOfAll net))
         let classOf r c = toCode (cellAt array (Position (6 + r) (5 + c)))
             block =
               [ symbolAt (3 * i + j) (i, j) (identity, classOf r c)
@@ -231,11 +233,11 @@ saidSpec = do
     saying composite = do
       layout <- right canonicalPlacement
       alphabetOfAll <- right paperAlphabet
-      net <- right shippedNetwork
+      net <- right paperNetwork
       answered <-
         right $
           withProfile canonicalProfile $ \array mask -> do
-            reader <- right (recogniser (ArrayOn Torus array) mask layout alphabetOfAll net)
+            reader <- right (recogniser (ArrayOn Torus array) mask layout (readerOf alphabetOfAll net))
             recognition <- right (recognise reader composite)
             pure (either Left (const (Right ())) (recognisedAnswer recognition))
       answered

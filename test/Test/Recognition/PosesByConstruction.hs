@@ -22,10 +22,10 @@ import PraTactile.Pressing
 import PraTactile.Recognise
 import PraTactile.Recognise.FoundPose
 import PraTactile.Registration (Composite)
-import PraTactile.Registration.Stitching
+import PraTactile.Registration.Stitching hiding (stitchedBy)
 import PraTactile.Sensor (Sensor)
 import PraTactile.Sensor.Preset
-import PraTactile.Shape (area, paperAlphabet, shapes)
+import PraTactile.Shape (area, shapes)
 import PraTactile.Truth (Truth (..))
 import qualified PraTactile.Truth as Truth
 import Test.Hspec
@@ -33,6 +33,7 @@ import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
 import Test.Recognition.Scenes (onRecognisers)
 import Test.Support
+import Test.Touch.Paper (paperAlphabet, stitchedBy)
 
 -- | A rotation and a translation of exact numbers.
 type Exact = ([[Rational]], [Rational])

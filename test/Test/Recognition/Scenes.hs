@@ -13,24 +13,24 @@ where
 
 import qualified Data.Map.Strict as Map
 import PraTactile.Array
-import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Classification.Reader (readerOf)
 import PraTactile.Field (KnownField, toCode)
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
-import PraTactile.Shape (paperAlphabet)
 import PraTactile.Symmetry
 import Test.Hspec
 import Test.QuickCheck hiding (tolerance)
 import Test.Recognition.Symbols
+import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 -- | Tests of the shipped recogniser on the torus and on the sheet, given the array.
 onRecognisers ::
   (forall k. KnownField k => PseudorandomArray k -> [(Surface, Recogniser k)] -> Spec) -> Spec
 onRecognisers tests = either (it "the shipped parts fit together" . expectationFailure) id $ do
   layout <- shown canonicalPlacement
-  net <- shown shippedNetwork
+  net <- shown paperNetwork
   known <- shown paperAlphabet
   shown $
     withProfile canonicalProfile $ \array mask ->
@@ -39,7 +39,7 @@ onRecognisers tests = either (it "the shipped parts fit together" . expectationF
         Left e -> it "the array has a recogniser" (expectationFailure (show e))
   where
     reading array mask layout known net on =
-      (,) on <$> recogniser (ArrayOn on array) mask layout known net
+      (,) on <$> recogniser (ArrayOn on array) mask layout (readerOf known net)
     shown :: Show e => Either e a -> Either String a
     shown = either (Left . show) Right
 

@@ -7,14 +7,13 @@ import Data.List (sort)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import PraTactile.Array
-import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Classification.Reader (readerOf)
 import PraTactile.Field (KnownField, toCode)
 import PraTactile.Locate (Chance (..), Known (..), Radius (..), Reason (..))
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.GridLocation
-import PraTactile.Shape (paperAlphabet)
 import PraTactile.Symmetry
 import PraTactile.Window (Mask, rectangle)
 import Test.Code.Generators (right)
@@ -23,6 +22,7 @@ import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (tolerance)
 import Test.Recognition.Scenes
 import Test.Recognition.Symbols
+import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 spec :: Spec
 spec = onRecognisers $ \array readers -> do
@@ -318,6 +318,6 @@ data Built = Built
 recogniserWith :: KnownField k => PseudorandomArray k -> Mask -> IO (Recogniser k)
 recogniserWith array window = do
   layout <- right canonicalPlacement
-  net <- right shippedNetwork
+  net <- right paperNetwork
   known <- right paperAlphabet
-  right (recogniser (ArrayOn Torus array) window layout known net)
+  right (recogniser (ArrayOn Torus array) window layout (readerOf known net))

@@ -7,8 +7,8 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Classification.Estimate
-import PraTactile.Classification.Network.File (shippedNetwork)
 import PraTactile.Classification.Part
+import PraTactile.Classification.Reader
 import PraTactile.Classification.Templates
 import PraTactile.Image hiding (mean)
 import PraTactile.Recognise.FaceGrid
@@ -23,13 +23,14 @@ import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)
 import Test.Recognition.Symbols
+import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 spec :: Spec
 spec = either (it "the shipped parts fit together" . expectationFailure) id $ do
   known <- either (Left . show) Right paperAlphabet
-  network <- either (Left . show) Right shippedNetwork
+  network <- either (Left . show) Right paperNetwork
   let seen = templates known
-      reader = Reader seen network
+      reader = readerOf known network
   pure $ do
     modifyMaxSuccess (const 10) (symbolSpec known reader)
     modifyMaxSuccess (const 20) (placeSpec known reader)

@@ -4,7 +4,7 @@ module Test.Recognition.WhereItIsPressed (spec) where
 import Data.Maybe (catMaybes)
 import Data.Traversable (for)
 import PraTactile.Array (ArrayOn (..), Surface (Torus))
-import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Classification.Reader (readerOf)
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Image (Raster)
@@ -18,13 +18,13 @@ import PraTactile.Registration.Stitching
 import PraTactile.Relief (relief, reliefHeights)
 import PraTactile.Sensor
 import PraTactile.Sensor.Frame
-import PraTactile.Shape (paperAlphabet)
 import PraTactile.Symmetry
 import PraTactile.Truth
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck
 import Test.Support
+import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 spec :: Spec
 spec = do
@@ -128,10 +128,10 @@ experimentSpec = do
   it "as many results as presses, each that of the trial with its number" $
     withParts $ \alphabet layout net -> do
       let made array mask = do
-            reader <- shown (recogniser (ArrayOn Torus array) mask layout alphabet net)
+            reader <- shown (recogniser (ArrayOn Torus array) mask layout (readerOf alphabet net))
             faces <- for (laidFaces layout) $ \face ->
               (,) face <$> shown (relief array layout alphabet face)
-            found <- shown (evaluated experiment alphabet array reader)
+            found <- shown (evaluated experiment array reader)
             let one t =
                   runTrial
                     standardTolerance
@@ -149,8 +149,8 @@ experimentSpec = do
       let refused size =
             shown $
               withProfile canonicalProfile $ \array mask -> do
-                reader <- shown (recogniser (ArrayOn Torus array) mask layout alphabet net)
-                pure (evaluated (over size) alphabet array reader)
+                reader <- shown (recogniser (ArrayOn Torus array) mask layout (readerOf alphabet net))
+                pure (evaluated (over size) array reader)
           over size =
             (standardExperiment standardSensor)
               { experimentExploration =
@@ -173,5 +173,5 @@ experimentSpec = do
     withParts check = do
       alphabet <- right paperAlphabet
       layout <- right canonicalPlacement
-      net <- right shippedNetwork
+      net <- right paperNetwork
       check alphabet layout net :: Expectation

@@ -11,6 +11,7 @@ import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
 import PraTactile.Classification.Estimate
 import PraTactile.Classification.Part
+import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth)
 import PraTactile.Image (rasterValues)
 import PraTactile.Recognise.FaceGrid
@@ -37,12 +38,12 @@ withParts reader pixels views from grid =
 
 -- | Of one composite, the parts that are more likely one symbol than all others together.
 partsOf :: Reader -> (Composite -> Pixels) -> Cells -> View -> [(Cell, ReadSymbol)]
-partsOf (Reader shapesSeen _) pixels cells view =
+partsOf reader pixels cells view =
   [ (cell, part)
     | (cell, centres) <- Map.toList expected,
       let at = centroid centres,
       Just seen <- [look (onView view at)],
-      let part = readPart view at seen (estimatePart shapesSeen cameAbout seen),
+      let part = readPart view at seen (estimatePart (readerTemplates reader) cameAbout seen),
       readDoubt part < 0.5
   ]
   where

@@ -3,7 +3,6 @@
 module PraTactile.Recognise.Reading
   ( -- * Symbols
     ReadSymbol (..),
-    Reader (..),
     View (..),
     readDoubt,
     readSymbols,
@@ -26,14 +25,13 @@ import Data.Maybe (isJust)
 import Data.Tuple (swap)
 import PraTactile.Classification.Estimate
 import PraTactile.Classification.Network
-  ( Network,
-    NetworkError,
+  ( NetworkError,
     Verdict (..),
     decide,
     outputs,
     standardThresholds,
   )
-import PraTactile.Classification.Templates (Templates)
+import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Geometry (columnPitch, rowPitch, taxelPitch)
 import PraTactile.Image (onRaster, rasterHeight, rasterWidth)
 import PraTactile.Registration (Composite (..))
@@ -74,9 +72,6 @@ data ReadSymbol = ReadSymbol
 -- | The probability that a symbol has not its likeliest orientation and class.
 readDoubt :: ReadSymbol -> Double
 readDoubt s = sum [chance | (what, chance) <- readChances s, what /= readLikeliest s]
-
--- | What symbols are read with.
-data Reader = Reader Templates Network
 
 -- | A composite with the symbols of one axis.
 data View = View
@@ -130,10 +125,16 @@ onView view (x, y) = onPixel (invert (viewAxis view)) size (x - dx, y - dy)
 -- symbol if it does so in exactly one of them.
 readSymbol ::
   Reader -> Symmetry -> Int -> (Double, Double) -> SymbolImage -> Either NetworkError ReadSymbol
-readSymbol (Reader shapesSeen network) axis source (dx, dy) image = do
-  upright <- outputs network (symbolPixels image)
-  upsideDown <- outputs network (onRaster (turned 2) (symbolPixels image))
-  let likeliest = estimateFrom shapesSeen (symbolPixels image) upright upsideDown
+readSymbol reader axis source (dx, dy) image = do
+  upright <- outputs (readerNetwork reader) (symbolPixels image)
+  upsideDown <- outputs (readerNetwork reader) (onRaster (turned 2) (symbolPixels image))
+  let likeliest =
+        estimateFrom
+          (readerRegression reader)
+          (readerTemplates reader)
+          (symbolPixels image)
+          upright
+          upsideDown
   pure
     ReadSymbol
       { readNumber = 0,

@@ -11,8 +11,8 @@ where
 import Data.Bifunctor (first)
 import Numeric.Natural (Natural)
 import PraTactile.Array (ArrayOn (..), Shape (..), arrayShape)
-import PraTactile.Classification.Network (Network, outputCount)
-import PraTactile.Classification.Templates (templates)
+import PraTactile.Classification.Network (outputCount)
+import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Field (KnownField, fieldOrder)
 import PraTactile.Locate
   ( Locator,
@@ -24,9 +24,8 @@ import PraTactile.Locate
   )
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement (Pitch, Placement, placementPitch, placementShape)
-import PraTactile.Recognise.Reading (Reader (..))
 import PraTactile.Relief (symbolScale)
-import PraTactile.Shape (Alphabet, alphabetSize)
+import PraTactile.Shape (alphabetSize)
 import PraTactile.Window (Mask, Packing (..), maskExtent)
 
 -- | All that recognition needs: what locates cells in the array, the placement of the faces, and
@@ -36,7 +35,7 @@ data Recogniser k = Recogniser
     recogniserLocator :: Locator k,
     -- | the placement that positions are looked up in
     recogniserPlacement :: Placement,
-    -- | the network, with the shapes that it knows
+    -- | what the symbols are read with
     recogniserReader :: Reader
   }
 
@@ -68,8 +67,7 @@ recogniser ::
   ArrayOn k ->
   Mask ->
   Placement ->
-  Alphabet ->
-  Network ->
+  Reader ->
   Either RecogniserError (Recogniser k)
 recogniser = recogniserUpTo largestSearchedArray
 
@@ -80,10 +78,9 @@ recogniserUpTo ::
   ArrayOn k ->
   Mask ->
   Placement ->
-  Alphabet ->
-  Network ->
+  Reader ->
   Either RecogniserError (Recogniser k)
-recogniserUpTo most on@(ArrayOn _ array) window layout alphabetOfAll network
+recogniserUpTo most on@(ArrayOn _ array) window layout reader
   | any (/= q) [given, shaped] = Left (ClassesDiffer given shaped q)
   | placementShape layout /= arrayShape array =
     Left (ArraysDiffer (placementShape layout) (arrayShape array))
@@ -95,11 +92,11 @@ recogniserUpTo most on@(ArrayOn _ array) window layout alphabetOfAll network
       Recogniser
         { recogniserLocator = decoding,
           recogniserPlacement = layout,
-          recogniserReader = Reader (templates alphabetOfAll) network
+          recogniserReader = reader
         }
   where
     q = fieldOrder array
     -- No table decodes; the order of cells in tables does not matter.
     decoding = locatorUpTo most Nothing MostSignificantFirst on window
-    given = outputCount network
-    shaped = alphabetSize alphabetOfAll
+    given = outputCount (readerNetwork reader)
+    shaped = alphabetSize (readerAlphabet reader)

@@ -10,6 +10,11 @@ module PraTactile.Classification.Estimate
     estimate,
     estimateFrom,
     leastDoubt,
+
+    -- * How doubt follows from an image
+    Regression (..),
+    standardRegression,
+    regressors,
   )
 where
 
@@ -44,31 +49,45 @@ leastDoubt = 1e-7
 
 -- | The estimate for an 8 x 12 image. Refuses what 'outputs' does, and ('WrongOutputCount') a
 -- network whose outputs are not one a shape.
-estimate :: Templates -> Network -> Raster -> Either NetworkError Estimate
-estimate shapesSeen n image
+estimate :: Regression -> Templates -> Network -> Raster -> Either NetworkError Estimate
+estimate fitted shapesSeen n image
   | outputCount n /= templateCount shapesSeen =
     Left (WrongOutputCount (outputCount n) (templateCount shapesSeen))
   | otherwise =
-    estimateFrom shapesSeen image <$> outputs n image <*> outputs n (onRaster (turned 2) image)
+    estimateFrom fitted shapesSeen image <$> outputs n image <*> outputs n (onRaster (turned 2) image)
 
 -- | The same from what the network's outputs, one a shape, are for the image and for the image
 -- turned by 180 degrees.
-estimateFrom :: Templates -> Raster -> [Double] -> [Double] -> Estimate
-estimateFrom shapesSeen image upright upsideDown = case sortOn
-  (Down . snd)
-  (logits identity upright ++ logits (turned 2) upsideDown) of
-  (best, first) : others@((_, second) : _) ->
-    let w = doubt (first - second) (matched best)
-     in Estimate
-          best
-          ((best, 1 - w) : [(what, w / fromIntegral (length others)) | (what, _) <- others])
-  _ -> Estimate (0, identity) []
+estimateFrom :: Regression -> Templates -> Raster -> [Double] -> [Double] -> Estimate
+estimateFrom (Regression intercept perLead perLikeness) shapesSeen image upright upsideDown =
+  case regressors shapesSeen image upright upsideDown of
+    Just (best, others, lead, likeness) ->
+      let w = doubt lead likeness
+       in Estimate
+            best
+            ((best, 1 - w) : [(what, w / fromIntegral (length others)) | what <- others])
+    Nothing -> Estimate (0, identity) []
   where
-    logits symmetry values = [((c, symmetry), logit o) | (c, o) <- zip [0 ..] values]
-    matched (c, symmetry) = match shapesSeen c (onRaster symmetry image)
     blind = 1 - 1 / fromIntegral (2 * templateCount shapesSeen)
     doubt lead likeness =
       max leastDoubt (min blind (sigmoid (intercept - perLead * lead - perLikeness * likeness)))
+
+-- | What the doubt is told from: the likeliest class and turn, the others, the lead (of the greatest
+-- logit over the next) and the likeness (the greatest correlation with the likeliest's shape).
+regressors ::
+  Templates ->
+  Raster ->
+  [Double] ->
+  [Double] ->
+  Maybe ((Int, Symmetry), [(Int, Symmetry)], Double, Double)
+regressors shapesSeen image upright upsideDown =
+  case sortOn (Down . snd) (logits identity upright ++ logits (turned 2) upsideDown) of
+    (best, first) : others@((_, second) : _) ->
+      Just (best, map fst others, first - second, matched best)
+    _ -> Nothing
+  where
+    logits symmetry values = [((c, symmetry), logit o) | (c, o) <- zip [0 ..] values]
+    matched (c, symmetry) = match shapesSeen c (onRaster symmetry image)
 
 -- | The inverse of the logistic function; outputs are limited to 10^-15 from 0 and 1.
 logit :: Double -> Double
@@ -76,13 +95,20 @@ logit o = log (p / (1 - p))
   where
     p = max 1e-15 (min (1 - 1e-15) o)
 
--- The logistic regression of Note [Calibration].
-intercept, perLead, perLikeness :: Double
-intercept = 11.3
-perLead = 0.11
-perLikeness = 21.9
+-- | The logistic regression of Note [Calibration]: the log odds of a wrong estimate are the first
+-- number, less the second times the lead, less the third times the likeness.
+data Regression = Regression
+  { regressionIntercept :: !Double,
+    regressionPerLead :: !Double,
+    regressionPerLikeness :: !Double
+  }
+  deriving stock (Eq, Show)
 
-{- Note [Calibration] 25 000 symbols were cut from composites of 5 000 simulated explorations with a
+-- | That of the shapes shipped for GF(4).
+standardRegression :: Regression
+standardRegression = Regression 11.3 0.11 21.9
+
+{- Note [Calibration] Of the shapes shipped for GF(4) 25 000 symbols were cut from composites of 5 000 simulated explorations with a
    position error of one taxel and sensor noise of 0.1 to 0.4 of full scale, and the estimate
    compared with the truth. The log odds of a wrong estimate were fitted by logistic regression on
    the lead (of the greatest logit over the next) and the likeness (the greatest correlation with

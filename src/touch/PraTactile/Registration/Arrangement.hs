@@ -4,6 +4,7 @@ module PraTactile.Registration.Arrangement
     Registered (..),
     Arrangement (..),
     arrange,
+    unarranged,
     TooMuch (..),
     maxComparisons,
     maxLatticePixels,
@@ -25,7 +26,7 @@ import PraTactile.Registration.Joint
 import PraTactile.Registration.Lattice.Angle (latticeAngle)
 import PraTactile.Registration.Lattice.Fit (Fits (..), bySize, fitsAt)
 import PraTactile.Registration.Lattice.Glimpse
-import PraTactile.Registration.Lattice.Template (PaperTables, paperTemplates)
+import PraTactile.Registration.Lattice.Template (LatticeTables)
 import PraTactile.Registration.Levelling (levelling)
 import PraTactile.Registration.Posterior (Hypothesis)
 import PraTactile.Registration.Residual (residual)
@@ -98,49 +99,50 @@ data TooMuch
   deriving stock (Eq, Show)
 
 -- | Find the displacements, given the nominal places (taxels) of the frames' upper left pixels.
--- Frames that show nothing, or of which there is one, stay where they are.
-arrange :: StitchMethod -> Registration -> [(Taxels, Raster)] -> Either TooMuch Arrangement
-arrange method settings frames
+-- Frames that show nothing, or of which there is one, stay where they are. The lattice is that of
+-- the symbols whose tables are given.
+arrange ::
+  LatticeTables ->
+  StitchMethod ->
+  Registration ->
+  [(Taxels, Raster)] ->
+  Either TooMuch Arrangement
+arrange tables method settings frames
   | method == Nominal || length frames < 2 || all (flat . snd) frames =
-    Right (arranged unregistered asRead (map (const stays) frames))
+    Right (unarranged method frames)
   | otherwise = case method of
     ByLattice | largest > maxLatticePixels -> Left (LatticePixels largest)
-    ByLattice
-      | Just tables <- paperTemplates -> Right (byLattice (fromMaybe (fits tables 0) lattice))
+    ByLattice -> Right (byLattice (fromMaybe (fits 0) lattice))
     Jointly -> Right (blindly Jointly fitted (registerPairwise settings spectra'))
     Automatic | largest <= maxLatticePixels, Just fits' <- lattice -> Right (byLattice fits')
     _ | compared > maxComparisons -> Left (ComparedPixels compared)
     _ -> Right (blindly Incremental correlated (register settings))
   where
-    unregistered = if method == Automatic then Incremental else method
     compared = comparisons settings frames
     largest = maximum (0 : map ((\(w, h) -> w * h) . rasterSize . snd) frames)
     flat image = V.all (== rasterValues image V.! 0) (rasterValues image)
     images = map snd frames
     sizes = map rasterSize images
     spectra' = bySize sizes (uncurry spectra)
-    fits :: PaperTables -> Double -> Fits
-    fits tables = fitsAt tables images
+    fits = fitsAt tables images
     -- What the frames tell of the lattice, if they show it.
     lattice = do
-      tables <- paperTemplates
       size <- listToMaybe sizes
       latticeAngle
-        (fits tables)
+        fits
         (uncurry spectra (glimpseSize size))
         (tilt (map compositeOf (spacedOut tiltFrames images)))
         (map glimpse images)
-    stays = Registered (0, 0) Nothing Nothing []
     correlated (d, instead) = Registered d Nothing Nothing instead
     fitted (d, sd) = Registered d (Just (sd, sd)) Nothing []
     blindly used told way =
-      (arranged used asRead (map told (way frames)))
+      (arranged frames used (asRead frames) (map told (way frames)))
         { arrangementFrom = Just (\places -> (0, map (shift . told) (way (zip places images))))
         }
       where
         shift one = registeredShift (one 0)
     byLattice fits' =
-      (arranged ByLattice levels (map estimated (jointFrames found)))
+      (arranged frames ByLattice levels (map estimated (jointFrames found)))
         { arrangementSigma = jointSigma found,
           arrangementAngle = Just (fitsAngle fits'),
           arrangementFrom = Just (\places -> from (registered (zip places images)))
@@ -156,22 +158,41 @@ arrange method settings frames
             (Just (estimateDeviation l))
             (Just (estimateProbability l))
             (estimateOthers l)
-    asRead = map (const (id, 1)) frames
-    arranged used levels frameOf =
-      Arrangement
-        { arrangementMethod = used,
-          arrangementFrames = zipWith ($) frameOf (groupsOf places),
-          arrangementLevelling = levels,
-          arrangementSigma = Nothing,
-          arrangementResidual = residual places,
-          arrangementAngle = Nothing,
-          arrangementFrom = Nothing
-        }
-      where
-        places =
-          moved
-            [(place, level image) | ((place, image), (level, _)) <- zip frames levels]
-            [registeredShift (a 0) | a <- frameOf]
+
+-- | The frames where they nominally are.
+unarranged :: StitchMethod -> [(Taxels, Raster)] -> Arrangement
+unarranged method frames =
+  arranged frames used (asRead frames) (map (const stays) frames)
+  where
+    used = if method == Automatic then Incremental else method
+    stays = Registered (0, 0) Nothing Nothing []
+
+-- | Frames on the scale that they are read on, each counted in full.
+asRead :: [frame] -> [(Raster -> Raster, Double)]
+asRead = map (const (id, 1))
+
+-- | Frames by the method used, their levelling, and what is told of each but its group.
+arranged ::
+  [(Taxels, Raster)] ->
+  StitchMethod ->
+  [(Raster -> Raster, Double)] ->
+  [Int -> Registered] ->
+  Arrangement
+arranged frames used levels frameOf =
+  Arrangement
+    { arrangementMethod = used,
+      arrangementFrames = zipWith ($) frameOf (groupsOf places),
+      arrangementLevelling = levels,
+      arrangementSigma = Nothing,
+      arrangementResidual = residual places,
+      arrangementAngle = Nothing,
+      arrangementFrom = Nothing
+    }
+  where
+    places =
+      moved
+        [(place, level image) | ((place, image), (level, _)) <- zip frames levels]
+        [registeredShift (a 0) | a <- frameOf]
 
 -- | The most frames that the angle at which symbols seem to lie is told from, before it is told by
 -- the lattice: more would take memory for nothing.

@@ -46,10 +46,12 @@ registrationFor known frames = case stitchingNoise known of
     settings = standardRegistration {registrationSigma = fmap least (stitchingPositionError known)}
     least sigma = if sigma >= 0 then max 0.01 sigma else sigma
 
--- | Frames put together so, and how. Refuses what 'assemble' refuses.
-assembledBy :: Stitching -> [Frame] -> Either StitchError Assembly
-assembledBy known frames = assemble (stitchingMethod known) (registrationFor known frames) frames
+-- | Frames put together so, and how, given the tables of the symbols that may have been felt.
+-- Refuses what 'assemble' refuses.
+assembledBy :: LatticeTables -> Stitching -> [Frame] -> Either StitchError Assembly
+assembledBy tables known frames =
+  assemble tables (stitchingMethod known) (registrationFor known frames) frames
 
 -- | The composite alone.
-stitchedBy :: Stitching -> [Frame] -> Either StitchError Composite
-stitchedBy known = fmap assemblyComposite . assembledBy known
+stitchedBy :: LatticeTables -> Stitching -> [Frame] -> Either StitchError Composite
+stitchedBy tables known = fmap assemblyComposite . assembledBy tables known

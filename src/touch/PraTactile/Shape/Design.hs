@@ -1,11 +1,18 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | The search that designed the shipped shapes, so that it can be run again. It visits every shape
--- that meets the constraints and every alphabet of them, so the separation it reaches is the
+-- that meets the constraints and leaves no alphabet of them out, so the separation it reaches is the
 -- greatest there is, not merely the best found.
+--
+-- With S the shapes that meet the constraints, one of each 'family', and D(a, b) the least 'distance'
+-- of two under the eight symmetries (of a shape and itself: under the seven others), an alphabet of q
+-- shapes at least d apart is a clique of q vertices in the graph of the a with D(a, a) >= d, joined
+-- where D(a, b) >= d. d goes down from the greatest conceivable one until there is a clique; that
+-- there is none is proved by exact search at every d above.
 module PraTactile.Shape.Design
   ( -- * Designing
     Parameters (..),
+    parametersFor,
     paperParameters,
     paperSeed,
     design,
@@ -16,19 +23,18 @@ module PraTactile.Shape.Design
     -- * The steps
     admissible,
     family,
-    cliques,
   )
 where
 
 import Data.Bits (popCount, setBit, shiftL, shiftR, testBit, (.&.), (.|.))
-import qualified Data.IntMap.Strict as IntMap
-import qualified Data.IntSet as IntSet
-import Data.List (foldl')
+import Data.List (foldl', minimumBy, sortOn, unfoldr)
 import Data.Maybe (mapMaybe)
+import Data.Ord (comparing)
 import qualified Data.Set as Set
 import Data.Text (Text)
 import PraTactile.Random (uniform)
 import PraTactile.Shape
+import PraTactile.Shape.Clique
 import PraTactile.Shape.Distance
 import PraTactile.Steps
 import System.Random (StdGen, mkStdGen)
@@ -48,11 +54,16 @@ data Parameters = Parameters
   }
   deriving stock (Eq, Show)
 
--- | The parameters of the shipped shapes: 0, 1, A, A^2; 12 to 14 blocks; 2 blocks on each side.
+-- | The parameters of the shipped shapes for GF(4): 0, 1, A, A^2.
 paperParameters :: Parameters
-paperParameters =
+paperParameters = parametersFor ["0", "1", "A", "A^2"]
+
+-- | The parameters of all shipped shapes, for classes of these names: 12 to 14 blocks; 2 blocks on
+-- each side.
+parametersFor :: [Text] -> Parameters
+parametersFor names =
   Parameters
-    { designNames = ["0", "1", "A", "A^2"],
+    { designNames = names,
       leastBlocks = 12,
       mostBlocks = 14,
       leastContact = 2
@@ -73,15 +84,21 @@ data Report = Report
     -- | The separation of the alphabet, and the greatest that an alphabet of such shapes can have.
     reportSeparation :: Int,
     -- | How many alphabets have it, up to the order of the classes and to half turns and mirrors of
-    -- each shape.
-    reportAlphabets :: Int
+    -- each shape; 'Nothing' where they were not all listed, of more than 'mostListed' shapes.
+    reportAlphabets :: Maybe Int
   }
   deriving stock (Eq, Show)
 
--- | Designs an alphabet: of those with the greatest separation the one whose shapes are least like
--- ordinary features. Neither number changes when a shape is turned by 180 degrees or mirrored, nor
--- when classes are exchanged: these the seed chooses. Refuses ('NoAlphabet') parameters that no
--- alphabet meets. The paper's takes some seconds; more than four shapes may take very long.
+-- | The most shapes of which all alphabets with the greatest separation are listed.
+mostListed :: Int
+mostListed = 4
+
+-- | Designs an alphabet with the greatest separation: of up to 'mostListed' shapes, the one whose
+-- shapes are least like ordinary features; of more, of which there are too many to list, the first
+-- that is found from the seed. Neither number changes when a shape is turned by 180 degrees or
+-- mirrored, nor when classes are exchanged: these the seed chooses. Refuses ('NoAlphabet') parameters
+-- that no alphabet meets. The paper's takes some seconds, nine shapes some minutes; where there is no
+-- alphabet of many shapes at great distances, to prove that may take very long.
 design :: Int -> Parameters -> Either ShapeError (Alphabet, Report)
 design seed parameters = result (designSteps seed parameters)
 
@@ -95,31 +112,45 @@ designSteps seed parameters = foldr measure (try drawings (symbolWidth * symbolH
   where
     measured = [(i, candidate b) | (i, b) <- numberedShapes parameters]
     candidate b =
-      if Set.lookupMin (family b) == Just b then Just (selfDistance b, (b, prepared b)) else Nothing
+      if Set.lookupMin (family b) == Just b
+        then Just (Candidate b (selfDistance b) (prepared b) (fst (greatestLikeness b)))
+        else Nothing
     candidates = mapMaybe snd measured
-    measure (i, shape) rest = maybe 0 fst shape `seq` Step i rest
+    measure (i, shape) rest = maybe 0 candidateSelf shape `seq` Step i rest
+    count = length (designNames parameters)
     try done d
       | d < 1 = Done (Left NoAlphabet)
-      | otherwise = case alphabetsApart d of
-        [] -> Step (done + 1) (try (done + 1) (d - 1))
-        first : others -> Done (chosen d first others)
-    chosen d first others = do
-      let (_, best) = foldl' lessLike (featureLikeness first, first) others
-      a <- alphabet (zip (designNames parameters) (arranged seed best))
-      Right (a, Report seed (length measured) (length candidates) d (1 + length others))
-    alphabetsApart d =
-      map (map fst) $
-        cliques
-          (length (designNames parameters))
-          (\(_, a) (_, b) -> farApart d a b)
-          [c | (self, c) <- candidates, self >= d]
-    featureLikeness = maximum . (0 :) . map (fst . greatestLikeness)
-    lessLike (least, best) new =
-      let l = featureLikeness new in if l < least then (l, new) else (least, best)
+      | otherwise = case alphabetsApart d [c | c <- candidates, candidateSelf c >= d] of
+        (_, []) -> Step (done + 1) (try (done + 1) (d - 1))
+        (listed, found) -> Done (chosen d listed (minimumBy (comparing featureLikeness) found))
+    chosen d listed best = do
+      a <- alphabet (zip (designNames parameters) (arranged seed (map candidateShape best)))
+      Right (a, Report seed (length measured) (length candidates) d listed)
+    -- How many there are, where that is known, and those that are chosen from.
+    alphabetsApart d apart
+      | count <= mostListed = let found = cliques count far apart in (Just (length found), found)
+      | otherwise = (Nothing, maybe [] pure (clique count far (shuffled seed apart)))
+      where
+        far a b = farApart d (candidatePrepared a) (candidatePrepared b)
+    featureLikeness = maximum . (0 :) . map candidateLikeness
+
+-- | A shape that may be one of an alphabet; what is costly to know of it is made when it is first
+-- asked for.
+data Candidate = Candidate
+  { candidateShape :: Bitmap,
+    candidateSelf :: Int,
+    candidatePrepared :: Prepared,
+    -- | the greatest to an ordinary feature
+    candidateLikeness :: Double
+  }
 
 -- | A shape, its half turn and its two mirror images.
 family :: Bitmap -> Set.Set Bitmap
 family b = Set.fromList [b, halfTurned b, mirroredColumns b, mirroredRows b]
+
+-- | A list in a random order.
+shuffled :: Int -> [a] -> [a]
+shuffled seed list = map snd (sortOn fst (zip (unfoldr (Just . uniform) (mkStdGen seed)) list))
 
 -- | The shapes in a random order, each replaced by a random member of its family.
 arranged :: Int -> [Bitmap] -> [Bitmap]
@@ -135,31 +166,6 @@ arranged seed = go (mkStdGen seed)
         (i, g') = below (length rest) g
         (j, g'') = below 4 g'
     below n g = let (u, g') = uniform g in (floor (u * fromIntegral (n :: Int)) :: Int, g')
-
--- | All sets of this many items of which every two are related, each in the order of the list.
---
--- >>> cliques 3 (\a b -> gcd a b == 1) [2 .. 7 :: Int]
--- [[2,3,5],[2,3,7],[2,5,7],[3,4,5],[3,4,7],[3,5,7],[4,5,7],[5,6,7]]
-cliques :: Int -> (a -> a -> Bool) -> [a] -> [[a]]
-cliques size related items =
-  map
-    (concatMap (\i -> maybe [] pure (IntMap.lookup i numbered)))
-    (go size (IntMap.keysSet numbered))
-  where
-    numbered = IntMap.fromList (zip [0 ..] items)
-    later =
-      IntMap.mapWithKey
-        (\i a -> IntMap.keysSet (IntMap.filter (related a) (snd (IntMap.split i numbered))))
-        numbered
-    go n among
-      | n <= 0 = [[]]
-      | IntSet.size among < n = []
-      | otherwise =
-        [ i : rest
-          | i <- IntSet.toAscList among,
-            rest <-
-              go (n - 1) (IntSet.intersection among (IntMap.findWithDefault IntSet.empty i later))
-        ]
 
 -- | All shapes that meet the constraints: of the 2^24 drawings on the grid those that emboss an
 -- allowed number of blocks, touch every side enough, hang together by whole sides of blocks, have

@@ -3,6 +3,8 @@
 module PraTactile.Shape.Distance
   ( -- * Distance between shapes
     distance,
+    Nearest (..),
+    nearest,
     selfDistance,
     separation,
 
@@ -21,7 +23,8 @@ module PraTactile.Shape.Distance
 where
 
 import Data.Bits (popCount, setBit, shift, xor)
-import Data.List (foldl', tails)
+import Data.List (foldl', minimumBy, tails)
+import Data.Ord (comparing)
 import PraTactile.Shape
 import PraTactile.Symmetry
 
@@ -33,9 +36,27 @@ distance symmetry a b = minimum (differences symmetry a b)
 
 -- | The differences for the nine shifts.
 differences :: Symmetry -> Bitmap -> Bitmap -> [Int]
-differences symmetry a b = [popCount (xor (canvas identity a) (shift there k)) | k <- shifts]
+differences symmetry a b =
+  [popCount (xor (canvas identity a) (shift there (shiftBits k))) | k <- shifts]
   where
     there = canvas symmetry b
+
+-- | Where two shapes are nearest: the second transformed, then shifted by so many taxels to the right
+-- and down, and in how many taxels the first then differs from it.
+data Nearest = Nearest
+  { nearestDistance :: !Int,
+    nearestSymmetry :: !Symmetry,
+    nearestShift :: !(Int, Int)
+  }
+  deriving stock (Eq, Show)
+
+-- | The least of the distances under some symmetries, identity if there are none; the first of those
+-- that are as little.
+nearest :: [Symmetry] -> Bitmap -> Bitmap -> Nearest
+nearest among a b = minimumBy (comparing nearestDistance) (concatMap under (headed among))
+  where
+    under symmetry = zipWith (\d k -> Nearest d symmetry k) (differences symmetry a b) shifts
+    headed list = if null list then [identity] else list
 
 -- | A shape made ready to be compared with many others: on its canvas, and everywhere it is taken
 -- for under a symmetry and a shift.
@@ -44,7 +65,9 @@ data Prepared = Prepared !Integer [Integer]
 -- | Prepares a shape.
 prepared :: Bitmap -> Prepared
 prepared b =
-  Prepared (canvas identity b) [shift (canvas symmetry b) k | symmetry <- symmetries, k <- shifts]
+  Prepared
+    (canvas identity b)
+    [shift (canvas symmetry b) (shiftBits k) | symmetry <- symmetries, k <- shifts]
 
 -- | Whether the 'distance' between two shapes is at least this under every symmetry. Stops where
 -- they are first seen to be nearer.
@@ -52,9 +75,13 @@ farApart :: Int -> Prepared -> Prepared -> Bool
 farApart d (Prepared here _) (Prepared _ there) =
   all (\moved -> popCount (xor here moved) >= d) there
 
--- | The nine shifts of a canvas.
-shifts :: [Int]
-shifts = [x + canvasSide * y | y <- [0, -1, 1], x <- [0, -1, 1]]
+-- | The nine shifts, in taxels to the right and down.
+shifts :: [(Int, Int)]
+shifts = [(x, y) | y <- [0, -1, 1], x <- [0, -1, 1]]
+
+-- | The same of a canvas.
+shiftBits :: (Int, Int) -> Int
+shiftBits (x, y) = x + canvasSide * y
 
 -- | The side of a square canvas that keeps at least 2 flat taxels around a shape, upright or lying,
 -- so that no shift by a taxel wraps.

@@ -85,8 +85,14 @@ renderReport a r =
         <> " of them is "
         <> T.pack (show (reportSeparation r))
         <> " of 96 taxels; "
-        <> T.pack (show (reportAlphabets r))
-        <> " alphabets have it. This is the one least like ordinary features, arranged by seed "
+        <> maybe
+          "not all alphabets that have it were listed. This is the first found by seed "
+          ( \count ->
+              T.pack (show count)
+                <> " alphabets have it. This is the one least like ordinary features, arranged by \
+                   \seed "
+          )
+          (reportAlphabets r)
         <> T.pack (show (reportSeed r))
         <> ".",
       ""

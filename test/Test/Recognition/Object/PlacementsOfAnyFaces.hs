@@ -10,7 +10,7 @@ import Data.List (nub)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import PraTactile.Array (ArrayOn (..), Position (..), Shape (..), Surface (..))
-import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Classification.Reader (readerOf)
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Format
@@ -25,10 +25,10 @@ import PraTactile.Object.WingedEdge
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Sensor (idealSensor)
-import PraTactile.Shape (paperAlphabet)
 import Test.Hspec
 import Test.QuickCheck
 import Test.Support
+import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 spec :: Spec
 spec = do
@@ -258,7 +258,7 @@ touchSpec :: Spec
 touchSpec =
   it "are pressed and recognised, with symbols of any size" $ do
     alphabet <- right paperAlphabet
-    network <- right shippedNetwork
+    network <- right paperNetwork
     for_ [(1, [Octahedron 250]), (1 / 2, [LShape 120 60 120, Prism 5 100 80])] $
       \(size, chosen) -> do
         place <- right (laidBy 1 size AnyVertex chosen)
@@ -285,10 +285,9 @@ touchSpec =
                       (ArrayOn Torus array)
                       mask
                       (scaledPlacement (1 / size) place)
-                      alphabet
-                      network
+                      (readerOf alphabet network)
                   )
-              either (Left . show) Right (evaluated experiment alphabet array reader)
+              either (Left . show) Right (evaluated experiment array reader)
         outcomes <- map withStitching <$> right results
         [() | Mistaken _ <- outcomes] `shouldBe` []
         length [() | Correct _ <- outcomes] `shouldSatisfy` (>= 9)

@@ -21,6 +21,7 @@ import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, label, sample, scale)
 import Test.Support
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
+import Test.Touch.Paper (paperAlphabet)
 
 spec :: Spec
 spec = do

@@ -22,6 +22,7 @@ import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
 import Test.Support
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
+import Test.Touch.Paper (paperAlphabet)
 
 spec :: Spec
 spec = do
@@ -148,7 +149,7 @@ estimateSpec =
               likeness = match seen (fst best) (onRaster (snd best) image)
               odds = 11.3 - 0.11 * lead - 21.9 * likeness
               doubt = max 1e-7 (min (7 / 8) (1 / (1 + exp (negate odds))))
-              e = estimateFrom seen image upright upsideDown
+              e = estimateFrom standardRegression seen image upright upsideDown
            in conjoin
                 [ estimateLikeliest e === best,
                   near doubt (estimateDoubt e),

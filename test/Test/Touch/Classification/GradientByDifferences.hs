@@ -14,6 +14,7 @@ import PraTactile.Symmetry (onRows, turned)
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.QuickCheck hiding (classify, generate, label, output, scale)
+import Test.Touch.Paper (paperAlphabet)
 
 spec :: Spec
 spec = do

@@ -9,7 +9,7 @@ import qualified Data.Text as T
 import qualified Data.Text.IO as T
 import qualified Data.Vector.Storable as V
 import Numeric.LinearAlgebra (fromLists, toLists)
-import PraTactile.Classification.Estimate (estimate)
+import PraTactile.Classification.Estimate (estimate, standardRegression)
 import PraTactile.Classification.Network
 import PraTactile.Classification.Network.File
 import PraTactile.Classification.Samples (withNoise)
@@ -28,6 +28,7 @@ import System.Random (StdGen, mkStdGen)
 import Test.Hspec
 import Test.QuickCheck hiding (classify, generate)
 import Test.Support
+import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 spec :: Spec
 spec = do
@@ -177,7 +178,7 @@ spec = do
   describe "The shipped network" $ do
     it "is read, has 8 hidden and 4 output units, and is written as it was" $ do
       file <- T.readFile "data/network.txt"
-      fmap (\n -> (hiddenCount n, outputCount n, renderNetwork n)) shippedNetwork
+      fmap (\n -> (hiddenCount n, outputCount n, renderNetwork n)) paperNetwork
         `shouldBe` Right (8, 4, file)
     it "recognises each clean shape" $
       onShipped $ \n a ->
@@ -220,7 +221,7 @@ spec = do
     it "with another number of classes than the alphabet a network gives no estimate" $
       onShipped $ \_ a -> do
         single <- right (network (fromLists [replicate 97 0]) (fromLists [[0, 0]]))
-        (() <$ estimate (templates a) single (constant 8 12 0))
+        (() <$ estimate standardRegression (templates a) single (constant 8 12 0))
           `shouldBe` Left (WrongOutputCount 1 4)
 
 -- | What became of a number of images.
@@ -284,7 +285,7 @@ winners values =
   ]
 
 onShipped :: (Network -> Alphabet -> Expectation) -> Expectation
-onShipped check = case (shippedNetwork, paperAlphabet) of
+onShipped check = case (paperNetwork, paperAlphabet) of
   (Right n, Right a) -> check n a
   refusals -> expectationFailure (show refusals)
 

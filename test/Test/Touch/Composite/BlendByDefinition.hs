@@ -5,13 +5,14 @@ import Data.Maybe (fromMaybe)
 import PraTactile.Composite.Blend
 import PraTactile.Image
 import PraTactile.Image.Correlate (Reference, reference)
-import PraTactile.Registration
+import PraTactile.Registration hiding (assemble)
 import PraTactile.Registration.Search
 import PraTactile.Sensor.Frame
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
+import Test.Touch.Paper (assemble)
 
 spec :: Spec
 spec = do

@@ -14,12 +14,12 @@ import PraTactile.Registration.Pair
 import PraTactile.Registration.Pair.Alike
 import PraTactile.Registration.Pair.Straight
 import PraTactile.Registration.Posterior
-import PraTactile.Shape (paperAlphabet)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (Blind, generate, sample, tables)
 import Test.Support
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
+import Test.Touch.Paper (paperAlphabet)
 import Test.Touch.Registration.PairDefinition
 import Test.Touch.Registration.Reliefs (genFrames)
 

@@ -22,6 +22,7 @@ import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (classes, generate, sample, tables, total)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
+import Test.Touch.Paper (paperTables)
 import Test.Touch.Registration.Definition
 import Test.Touch.Registration.Face (frameAt)
 import Test.Touch.Sensor.MeanHeights (embossing)
@@ -45,8 +46,8 @@ cellSpec =
               -- What is less likely by e^30 does not count.
               abs (found - wanted) < 1e-9 * max 1 (abs found)
 
-tablesOf :: PaperTables
-tablesOf = fromMaybe (error "the alphabet has tables") paperTemplates
+tablesOf :: Double -> (Int, Int) -> Templates
+tablesOf = tablesAt paperTables
 
 -- | What tables at any angle have of a frame, which drawn symbols are compared with elsewhere.
 tabled :: Templates -> Raster -> Felt
@@ -183,7 +184,7 @@ jointSpec =
     forAll (elements [0, 0, 20]) $ \angle ->
       forAllBlind genFrames $ \frames ->
         let settings = standardRegistration {registrationSigma = Just 0.4, registrationReach = 2}
-            fits = fitsAt tablesOf (map snd frames) angle
+            fits = fitsAt paperTables (map snd frames) angle
             Joint found _ sigma _ = registerJointly settings fits frames
             (wanted, sigma') = together (Robot (0.2, 0.8) 4) angle frames
          in conjoin (zipWith alike found wanted)

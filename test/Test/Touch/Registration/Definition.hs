@@ -41,7 +41,8 @@ import PraTactile.Image hiding (mean)
 import PraTactile.Registration.Joint.Estimate (Estimate (..))
 import PraTactile.Registration.Model (Theta (..))
 import PraTactile.Registration.Posterior (Hypothesis (..))
-import PraTactile.Shape (embossedAt, halfTurned, paperAlphabet, shapes)
+import PraTactile.Shape (embossedAt, halfTurned, shapes)
+import Test.Touch.Paper (paperAlphabet)
 
 -- | Of a frame and a symbol at a place: the sum of their products, that of what the symbol brings
 -- to the frame's taxels, and that of its squares.

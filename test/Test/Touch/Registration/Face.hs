@@ -4,8 +4,9 @@ module Test.Touch.Registration.Face (frameAt, arranged) where
 import Data.Maybe (fromMaybe)
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image
-import PraTactile.Registration.Arrangement
+import PraTactile.Registration.Arrangement hiding (arrange)
 import PraTactile.Registration.Search (Registration)
+import Test.Touch.Paper (arrange)
 import Test.Touch.Sensor.MeanHeights (embossing)
 
 -- | A frame of this width and height, whose upper left taxel lies there on the face, in taxels.

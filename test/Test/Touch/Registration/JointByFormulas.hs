@@ -6,7 +6,6 @@ module Test.Touch.Registration.JointByFormulas (spec) where
 import Control.Monad (forM)
 import Data.List (maximumBy)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe)
 import Data.Ord (comparing)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Unboxed as Unboxed
@@ -25,6 +24,7 @@ import PraTactile.Registration.Search (Registration (..), standardRegistration, 
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (classes, scale, tables, total)
+import Test.Touch.Paper (paperTables)
 import Test.Touch.Registration.Definition (Robot (..), Seen (..), estimate, likely)
 import qualified Test.Touch.Registration.Definition as Definition
 
@@ -40,7 +40,7 @@ spec = do
 blank :: Likelihood
 blank = likelihood (tablesOf 0 (16, 16)) (constant 16 16 0)
   where
-    tablesOf = fromMaybe (error "the alphabet has tables") paperTemplates
+    tablesOf = tablesAt paperTables
 
 -- | What a frame of nothing tells, by the phases and the classes that its tables have.
 seenAt :: (Double, Double) -> V.Vector Double -> V.Vector Double -> Seen

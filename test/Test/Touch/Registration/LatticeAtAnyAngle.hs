@@ -10,7 +10,7 @@ import PraTactile.Composite.Noise
 import PraTactile.Geometry (columnPitch, rotated, rowPitch)
 import PraTactile.Image hiding (mean)
 import PraTactile.Random (normalPair)
-import PraTactile.Registration
+import PraTactile.Registration hiding (assemble, stitch)
 import PraTactile.Registration.Arrangement (withMisfit)
 import PraTactile.Registration.Lattice.Angle (latticeAngle)
 import PraTactile.Registration.Lattice.Blur (areaSums)
@@ -31,6 +31,7 @@ import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (classes, generate, tables, total)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
+import Test.Touch.Paper (assemble, paperAlphabet, paperTables, stitch)
 
 spec :: Spec
 spec = either (it "there is an alphabet" . expectationFailure . show) shaped paperAlphabet
@@ -259,7 +260,7 @@ angled alphabet =
   it "is the lattice's to two degrees, up to a half turn, from -90 up to but not including 90" $
     for_ (zip [1 ..] angles) $ \(seed, angle) -> do
       let images = map frameImage (scanned (scene alphabet seed angle) (errorsOf 1 seed))
-          tables = fromMaybe (error "the alphabet has tables") paperTemplates
+          tables = paperTables
           -- What symbols show of their angle is up to quarter turns.
           hint = angle - 90 * fromIntegral (round (angle / 90) :: Int)
       case latticeAngle (fitsAt tables images) (spectra 16 16) (Just hint) images of

@@ -4,13 +4,14 @@ module Test.Touch.Registration.OtherLayouts (spec) where
 import Data.Foldable (for_)
 import Data.List (nub)
 import PraTactile.Image (mapRaster)
-import PraTactile.Registration
+import PraTactile.Registration hiding (assemble)
 import PraTactile.Registration.Layout
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
 import PraTactile.Sensor.Manifest (axesName, axesNamed, straight)
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
+import Test.Touch.Paper (assemble)
 import Test.Touch.Registration.Face (frameAt)
 
 spec :: Spec

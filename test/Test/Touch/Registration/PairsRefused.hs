@@ -11,11 +11,12 @@ import PraTactile.Registration.Lattice.Template (templates)
 import PraTactile.Registration.Pair
 import PraTactile.Registration.Pair.Lattice (latticePosterior)
 import PraTactile.Registration.Posterior (hypotheses)
-import PraTactile.Shape (Alphabet, embossedAt, paperAlphabet, shapes)
+import PraTactile.Shape (Alphabet, embossedAt, shapes)
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (Blind, generate, tables)
+import Test.Touch.Paper (paperAlphabet)
 
 spec :: Spec
 spec = do

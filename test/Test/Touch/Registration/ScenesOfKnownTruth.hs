@@ -10,8 +10,7 @@ import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image
 import PraTactile.Image.Pgm (decodePgm, pgmIntensity)
 import PraTactile.Random (normalPair)
-import PraTactile.Registration hiding (assemble)
-import qualified PraTactile.Registration as Stitch (assemble)
+import PraTactile.Registration hiding (assemble, stitch)
 import PraTactile.Sensor
 import PraTactile.Sensor.Frame
 import PraTactile.Symmetry
@@ -20,6 +19,8 @@ import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
+import Test.Touch.Paper (stitch)
+import qualified Test.Touch.Paper as Stitch (assemble)
 import Test.Touch.Sensor.MeanHeights (faceOf, texture)
 
 spec :: Spec

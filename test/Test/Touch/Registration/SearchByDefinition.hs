@@ -6,7 +6,7 @@ import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import PraTactile.Image
 import PraTactile.Image.Correlate
-import PraTactile.Registration (Assembly (..), Composite (..), Fault (..), Otherwise (..), assemble)
+import PraTactile.Registration (Assembly (..), Composite (..), Fault (..), Otherwise (..))
 import PraTactile.Registration.Arrangement (Registered (..), StitchMethod (..))
 import PraTactile.Registration.Pair.Alike (agreements)
 import PraTactile.Registration.Posterior (Hypothesis (..))
@@ -16,6 +16,7 @@ import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
+import Test.Touch.Paper (assemble)
 
 spec :: Spec
 spec = modifyMaxSuccess (const 100) $ do

@@ -6,7 +6,7 @@ import Data.Foldable (for_)
 import PraTactile.Composite.Noise
 import PraTactile.Image
 import PraTactile.Registration.AllPairs (registerPairwise)
-import PraTactile.Registration.Arrangement
+import PraTactile.Registration.Arrangement hiding (arrange)
 import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Incremental (register)
 import PraTactile.Registration.Lattice.Glimpse
@@ -16,6 +16,7 @@ import PraTactile.Registration.Spectrum (spectra)
 import Test.Hostile.Judgement (withinBounds)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample, tables)
+import Test.Touch.Paper (arrange)
 import Test.Touch.Registration.Face (arranged, frameAt)
 
 spec :: Spec

@@ -7,7 +7,7 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Image
 import PraTactile.Image.Correlate (overlapAt, referenceOf, zncc)
 import PraTactile.Random (normals)
-import PraTactile.Registration
+import PraTactile.Registration hiding (stitch)
 import PraTactile.Segmentation
 import PraTactile.Segmentation.Lattice
 import PraTactile.Sensor
@@ -16,6 +16,7 @@ import PraTactile.Symmetry
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
+import Test.Touch.Paper (stitch)
 import Test.Touch.Sensor.MeanHeights (embossing, faceOf)
 
 spec :: Spec

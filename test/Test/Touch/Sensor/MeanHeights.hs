@@ -14,12 +14,13 @@ import PraTactile.Image
 import PraTactile.Random (uniform)
 import PraTactile.Sensor
 import PraTactile.Sensor.Frame
-import PraTactile.Shape (paperAlphabet, shapes, toRaster)
+import PraTactile.Shape (shapes, toRaster)
 import PraTactile.Symmetry
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
+import Test.Touch.Paper (paperAlphabet)
 
 -- | A relief of that many taxels whose every taxel's height is drawn from 0 to full scale: telling
 -- everywhere.

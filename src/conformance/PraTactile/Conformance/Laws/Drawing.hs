@@ -25,6 +25,7 @@ import Data.Maybe (isNothing)
 import qualified Data.Vector.Unboxed as Vector
 import PraTactile.Conformance.Laws.Relief
 import PraTactile.Conformance.Question
+import PraTactile.Conformance.Shapes (agreedAlphabet)
 import PraTactile.Format.Json.Codec
   ( Codec,
     bool,
@@ -36,7 +37,7 @@ import PraTactile.Format.Json.Codec
     object,
     pairOf,
   )
-import PraTactile.Shape (bitmapRows, paperAlphabet, shapes)
+import PraTactile.Shape (bitmapRows, shapes)
 import Test.QuickCheck
   ( Gen,
     arbitrary,
@@ -154,7 +155,7 @@ marked k i j
     rows = concat (take 1 (drop k alphabetRows))
 
 alphabetRows :: [[[Bool]]]
-alphabetRows = either (const []) (map bitmapRows . shapes) paperAlphabet
+alphabetRows = either (const []) (map bitmapRows . shapes) agreedAlphabet
 
 -- | The composite with its symbols upright, on the lattice.
 upright :: Drawing -> (Rows, [Symbol])

@@ -13,12 +13,12 @@ import qualified Data.Vector as Vector
 import Numeric.Natural (Natural)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Question
+import PraTactile.Conformance.Shapes (agreedAlphabet)
 import PraTactile.Image (Raster, fromRows, mapRaster, rasterHeight, rasterWidth)
 import qualified PraTactile.Registration as Stitch
 import PraTactile.Registration.Pair
 import PraTactile.Segmentation.Turned (Featured (..), TurnedSegmentation (..), segmentTurned)
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
-import PraTactile.Shape (paperAlphabet)
 
 -- | Registration by the better of its methods, stitching as for an exact sensor, and segmentation
 -- at any angle.
@@ -71,14 +71,14 @@ tablesOf (w, h)
   | min w h < 4 || max w h > 256 = Nothing
   | otherwise = small <|> made
   where
-    made = either (const Nothing) (\known -> Just (tablesFor known w h)) paperAlphabet
+    made = either (const Nothing) (\known -> Just (tablesFor known w h)) agreedAlphabet
     small
       | max w h < 4 + smallSides = smallTables Vector.!? ((w - 4) * smallSides + h - 4)
       | otherwise = Nothing
 
 -- | Those of frames of 4 to 31 taxels a side, by width and then height.
 smallTables :: Vector.Vector Tables
-smallTables = case paperAlphabet of
+smallTables = case agreedAlphabet of
   Left _ -> Vector.empty
   Right known -> Vector.generate (smallSides * smallSides) $ \i ->
     let (w, h) = i `quotRem` smallSides in tablesFor known (4 + w) (4 + h)
@@ -86,11 +86,17 @@ smallTables = case paperAlphabet of
 smallSides :: Int
 smallSides = 28
 
+-- | The tables that frames are stitched by, made once.
+agreedTables :: Maybe Stitch.LatticeTables
+agreedTables = either (const Nothing) (Just . Stitch.latticeTables) agreedAlphabet
+
 -- | The search is taken for two standard deviations of the robot's error.
 stitched :: Natural -> [Placed] -> Wire [Taxels]
 stitched search frames = do
   placed <- traverse frame frames
-  made <- either (const (refuse "invalid")) pure (Stitch.assemble Stitch.Automatic settings placed)
+  tables <- maybe (refuse "invalid") pure agreedTables
+  made <-
+    either (const (refuse "invalid")) pure (Stitch.assemble tables Stitch.Automatic settings placed)
   pure (map Stitch.registeredShift (Stitch.assemblyFrames made))
   where
     settings =

@@ -1,16 +1,15 @@
 {-# LANGUAGE OverloadedStrings #-}
-{-# LANGUAGE TemplateHaskell #-}
 
 -- | Networks as text, exactly: every weight is written with as few decimals as give the same number
 -- again.
 module PraTactile.Classification.Network.File
   ( renderNetwork,
     parseNetwork,
-    shippedNetwork,
+    decodeNetwork,
   )
 where
 
-import Data.FileEmbed (embedFile)
+import Data.ByteString (ByteString)
 import Data.Text (Text)
 import qualified Data.Text as T
 import Data.Text.Encoding (decodeUtf8')
@@ -38,6 +37,10 @@ renderNetwork n =
   where
     number = T.pack . show :: Int -> Text
     unit = T.unwords . map (T.pack . show) . V.toList
+
+-- | Reads the bytes of a network's file, UTF-8, as 'parseNetwork' does.
+decodeNetwork :: ByteString -> Either NetworkError Network
+decodeNetwork = either (const (Left NetworkNotText)) parseNetwork . decodeUtf8'
 
 -- | Reads a network as 'renderNetwork' writes it. Refuses anything else, with the line where it
 -- goes astray.
@@ -91,9 +94,3 @@ heading = "pra-tactile network 1"
 
 excerpt :: Text -> Text
 excerpt = T.take 60
-
--- | The network shipped in @data/network.txt@, for the shapes of 'PraTactile.Shape.paperAlphabet'.
--- A test shows that it is not refused; how it was trained is "PraTactile.Classification.Regimen".
-shippedNetwork :: Either NetworkError Network
-shippedNetwork =
-  either (const (Left NetworkNotText)) parseNetwork (decodeUtf8' $(embedFile "data/network.txt"))

@@ -143,10 +143,10 @@ data Fits = Fits
 
 -- | Frames of any sizes at an angle, degrees clockwise. What tells the angle, 'fitCoarse' and
 -- 'fitLikely', is of the 'glimpse' of each.
-fitsAt :: PaperTables -> [Raster] -> Double -> Fits
+fitsAt :: LatticeTables -> [Raster] -> Double -> Fits
 fitsAt tables images angle = Fits angle at (map fit images)
   where
-    at = bySize (sizes ++ map glimpseSize sizes) (tables angle)
+    at = bySize (sizes ++ map glimpseSize sizes) (tablesAt tables angle)
     sizes = map rasterSize images
     fit image
       | glimpseSize (rasterSize image) == rasterSize image = whole

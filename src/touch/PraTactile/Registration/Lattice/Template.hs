@@ -12,8 +12,9 @@ module PraTactile.Registration.Lattice.Template
   ( Templates (..),
     Outline,
     templates,
-    PaperTables,
-    paperTemplates,
+    LatticeTables,
+    latticeTables,
+    tablesAt,
     coarser,
 
     -- * Frames held against them
@@ -35,7 +36,7 @@ import PraTactile.Registration.Lattice.Blur (areaSums)
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Symbols
 import PraTactile.Registration.Model (placesPerTaxel)
-import PraTactile.Shape (Alphabet, paperAlphabet)
+import PraTactile.Shape (Alphabet)
 
 -- | An alphabet's symbols, upright and half turned, at all places of frames of one size, along axes
 -- that are turned from the frames'. Each table is made when it is first looked at.
@@ -100,21 +101,22 @@ tabled symbols places = tables
         )
         (V.fromList [count | (_, _, count) <- corners])
 
--- | The tables of an alphabet at any angle, degrees clockwise, for frames of any width and height.
-type PaperTables = Double -> (Int, Int) -> Templates
+-- | The tables of an alphabet at any angle and for frames of any size: those for upright frames of
+-- the sensor's size are made once, when they are first looked at.
+data LatticeTables = LatticeTables Symbols Templates
 
--- | The tables for the shipped alphabet, those for upright frames of the sensor's size made once
--- for all. 'Nothing' where that alphabet cannot be read, which a test excludes.
-paperTemplates :: Maybe PaperTables
-paperTemplates = either (const Nothing) (Just . made . symbolsOf) paperAlphabet
+-- | Those of an alphabet, to be kept by whoever puts frames together again and again.
+latticeTables :: Alphabet -> LatticeTables
+latticeTables alphabet =
+  LatticeTables symbols (templatesOf symbols 0 sensorSide sensorSide)
   where
-    made symbols = at
-      where
-        at angle (w, h)
-          | angle == 0 && w == sensorSide && h == sensorSide = usual
-          | otherwise = templatesOf symbols angle w h
-        usual = templatesOf symbols 0 sensorSide sensorSide
-{-# NOINLINE paperTemplates #-}
+    symbols = symbolsOf alphabet
+
+-- | The tables for axes turned by so many degrees clockwise, and frames of that width and height.
+tablesAt :: LatticeTables -> Double -> (Int, Int) -> Templates
+tablesAt (LatticeTables symbols usual) angle (w, h)
+  | angle == 0 && w == sensorSide && h == sensorSide = usual
+  | otherwise = templatesOf symbols angle w h
 
 -- | The sum over the frame of its values times each template: by class, at each place, in each
 -- orientation. The image has the size that the tables are for.

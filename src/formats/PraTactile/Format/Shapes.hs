@@ -1,0 +1,66 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The JSON of how far the shapes of an alphabet are apart, and what is wrong with them.
+module PraTactile.Format.Shapes
+  ( encodeShapes,
+    faultName,
+    transformationName,
+  )
+where
+
+import Data.Aeson (Value, object, (.=))
+import Data.ByteString (ByteString)
+import Data.Text (Text)
+import PraTactile.Format.Json (encodeSchema)
+import PraTactile.Shape (Alphabet, alphabetSize, shapeNames)
+import PraTactile.Shape.Check
+import PraTactile.Shape.Distance (Nearest (..))
+import PraTactile.Symmetry
+
+-- | On one line, without its end; all keys always. Shapes stand there by their names.
+encodeShapes :: Alphabet -> ByteString
+encodeShapes a =
+  encodeSchema "shapes/1" $
+    "least_distance" .= leastDistance a
+      <> "greatest_possible" .= greatestPossible (alphabetSize a)
+      <> "pairs" .= map pairValue (pairs a)
+      <> "faults" .= map faultValue (faults a)
+  where
+    pairValue :: Pair -> Value
+    pairValue (Pair i j (Nearest d symmetry (x, y))) =
+      object
+        [ "a" .= mconcat (named i),
+          "b" .= mconcat (named j),
+          "transformation" .= transformationName symmetry,
+          "shift" .= [x, y],
+          "distance" .= d
+        ]
+    named :: Int -> [Text]
+    named i = take 1 (drop i (shapeNames a))
+    faultValue :: Fault -> Value
+    faultValue (Fault name kind) = object ["shape" .= name, "kind" .= faultName kind]
+
+-- | The stable name of a kind of fault.
+faultName :: Kind -> Text
+faultName kind = case kind of
+  Side -> "side"
+  Stroke -> "stroke"
+  Pieces -> "pieces"
+  Hole -> "hole"
+  Area -> "area"
+  OwnImage -> "own-image"
+  TooNear -> "too-near"
+
+-- | The stable name of a symmetry: what is mirrored, left and right exchanged, is turned clockwise
+-- afterwards.
+transformationName :: Symmetry -> Text
+transformationName symmetry
+  | mirrored symmetry = if turns == 0 then "mirror" else "mirror-" <> turn
+  | turns == 0 = "identity"
+  | otherwise = turn
+  where
+    turns = degreesClockwise symmetry :: Int
+    turn = case turns of
+      90 -> "turn-90"
+      180 -> "turn-180"
+      _ -> "turn-270"

@@ -1,0 +1,72 @@
+{-# LANGUAGE TemplateHaskell #-}
+
+-- | The alphabets that are shipped, with the networks that were trained on them: the one module that
+-- has them. How the shapes were designed is "PraTactile.Shape.Design", how the networks were trained
+-- "PraTactile.Classification.Regimen".
+module PraTactile.Classification.Shipped
+  ( shippedSizes,
+    shippedAlphabet,
+    shippedNetwork,
+    shippedRegression,
+    shippedReader,
+    ShippedError (..),
+  )
+where
+
+import Data.Bifunctor (first)
+import Data.ByteString (ByteString)
+import Data.FileEmbed (embedFile)
+import PraTactile.Classification.Estimate (Regression, standardRegression)
+import PraTactile.Classification.Network (Network, NetworkError)
+import PraTactile.Classification.Network.File (decodeNetwork)
+import PraTactile.Classification.Reader
+import PraTactile.Shape (Alphabet, ShapeError, decodeAlphabet)
+
+-- | Why there is none. Tests show that only the first is met with.
+data ShippedError
+  = -- | None is shipped with this many classes.
+    NotShipped Int
+  | -- | The drawings cannot be read.
+    ShippedShapes ShapeError
+  | -- | The weights cannot be read.
+    ShippedWeights NetworkError
+  deriving stock (Eq, Show)
+
+-- | An alphabet as files, and how sure its estimates are.
+data Shipped = Shipped
+  { shippedDrawings :: ByteString,
+    shippedWeights :: ByteString,
+    shippedDoubts :: Regression
+  }
+
+-- | By the number of classes.
+shipped :: [(Int, Shipped)]
+shipped =
+  [ (4, Shipped $(embedFile "data/shapes.txt") $(embedFile "data/network.txt") standardRegression)
+  ]
+
+-- | The numbers of classes of which there is an alphabet, ascending.
+shippedSizes :: [Int]
+shippedSizes = map fst shipped
+
+ofSize :: Int -> Either ShippedError Shipped
+ofSize q = maybe (Left (NotShipped q)) Right (lookup q shipped)
+
+-- | The shapes for so many classes.
+shippedAlphabet :: Int -> Either ShippedError Alphabet
+shippedAlphabet q = ofSize q >>= first ShippedShapes . decodeAlphabet . shippedDrawings
+
+-- | The network that was trained on them.
+shippedNetwork :: Int -> Either ShippedError Network
+shippedNetwork q = ofSize q >>= first ShippedWeights . decodeNetwork . shippedWeights
+
+-- | How sure its estimates are.
+shippedRegression :: Int -> Either ShippedError Regression
+shippedRegression = fmap shippedDoubts . ofSize
+
+-- | All of it.
+shippedReader :: Int -> Either ShippedError Reader
+shippedReader q = do
+  made <- readerOf <$> shippedAlphabet q <*> shippedNetwork q
+  sure <- shippedRegression q
+  pure made {readerRegression = sure}

@@ -1,0 +1,153 @@
+-- | Whether drawings obey the rules of "PraTactile.Shape.Design", which segmentation and recognition
+-- count on: taxel by taxel, and pair by pair.
+module PraTactile.Shape.Check
+  ( -- * What is wrong
+    Fault (..),
+    Kind (..),
+    faults,
+    leastTolerated,
+
+    -- * How far apart
+    Pair (..),
+    pairs,
+    leastDistance,
+    greatestPossible,
+  )
+where
+
+import Data.Foldable (toList)
+import Data.List (tails)
+import Data.Set (Set)
+import qualified Data.Set as Set
+import Data.Text (Text)
+import PraTactile.Shape
+import PraTactile.Shape.Distance
+import PraTactile.Symmetry
+
+-- | What can be wrong with a shape.
+data Kind
+  = -- | It embosses less than 4 taxels along a side of its box.
+    Side
+  | -- | It is not of whole blocks of 2 x 2 taxels, or two of them meet at a corner only, whether
+    -- embossed or flat.
+    Stroke
+  | -- | What is embossed is in several pieces.
+    Pieces
+  | -- | It encloses something flat.
+    Hole
+  | -- | It embosses less than 12 or more than 14 blocks of 4 taxels.
+    Area
+  | -- | It is nearer than 'leastTolerated' to itself turned or mirrored.
+    OwnImage
+  | -- | It is nearer than that to one before it.
+    TooNear
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | A fault of a shape, by its name.
+data Fault = Fault
+  { faultShape :: Text,
+    faultKind :: Kind
+  }
+  deriving stock (Eq, Show)
+
+-- | The least distance, in taxels, at which shapes are no fault: a third of all 96. Alphabets of up
+-- to nine shapes can have more ('greatestPossible').
+leastTolerated :: Int
+leastTolerated = 32
+
+-- | All faults, shape by shape, each kind once.
+faults :: Alphabet -> [Fault]
+faults a =
+  [ Fault name kind
+    | (i, (name, b)) <- zip [0 ..] (zip (shapeNames a) (shapes a)),
+      (kind, True) <- ofShape b ++ ofDistances i
+  ]
+  where
+    ofDistances i =
+      [ (OwnImage, or [near p | p <- apart, pairFirst p == i, pairSecond p == i]),
+        (TooNear, or [near p | p <- apart, pairFirst p < i, pairSecond p == i])
+      ]
+    near p = nearestDistance (pairNearest p) < leastTolerated
+    apart = pairs a
+
+-- | What is wrong with a shape by itself, and whether.
+ofShape :: Bitmap -> [(Kind, Bool)]
+ofShape b =
+  [ (Side, any ((< 4) . Set.size) sides),
+    (Stroke, not (all whole blocks) || any cornersOnly corners),
+    (Pieces, piecesOf embossed > 1),
+    (Hole, piecesOf flat > 1),
+    (Area, area b < 4 * 12 || area b > 4 * 14)
+  ]
+  where
+    box = [(x, y) | y <- [0 .. symbolHeight - 1], x <- [0 .. symbolWidth - 1]]
+    raised = uncurry (embossedAt b)
+    embossed = Set.fromList (filter raised box)
+    -- With a margin, which ties together what is not enclosed.
+    flat =
+      Set.fromList
+        [ (x, y)
+          | y <- [-1 .. symbolHeight],
+            x <- [-1 .. symbolWidth],
+            not (embossedAt b x y)
+        ]
+    along side = Set.filter side embossed
+    sides =
+      [ along ((== 0) . fst),
+        along ((== symbolWidth - 1) . fst),
+        along ((== 0) . snd),
+        along ((== symbolHeight - 1) . snd)
+      ]
+    blocks = [(x, y) | y <- [0, 2 .. symbolHeight - 2], x <- [0, 2 .. symbolWidth - 2]]
+    square (x, y) = [embossedAt b (x + i) (y + j) | j <- [0, 1], i <- [0, 1]]
+    whole at = and (square at) || not (or (square at))
+    corners = [(x, y) | (x, y) <- box, x < symbolWidth - 1, y < symbolHeight - 1]
+    cornersOnly at = square at `elem` [[True, False, False, True], [False, True, True, False]]
+
+-- | Into how many pieces a set of taxels falls, of which every two hang together by sides.
+piecesOf :: Set (Int, Int) -> Int
+piecesOf set = case Set.minView set of
+  Nothing -> 0
+  Just (start, _) -> 1 + piecesOf (set `Set.difference` reached (Set.singleton start) [start])
+  where
+    reached seen edge
+      | null next = seen
+      | otherwise = reached (seen `Set.union` new) next
+      where
+        new = Set.fromList (concatMap beside edge) `Set.difference` seen
+        next = toList new
+    beside (x, y) =
+      filter (`Set.member` set) [(x + 1, y), (x - 1, y), (x, y + 1), (x, y - 1)]
+
+-- | Two classes, the first not after the second, and where they are nearest; of a class and itself
+-- under another symmetry than the identity.
+data Pair = Pair
+  { pairFirst :: Int,
+    pairSecond :: Int,
+    pairNearest :: Nearest
+  }
+  deriving stock (Eq, Show)
+
+-- | All pairs. O(q^2).
+pairs :: Alphabet -> [Pair]
+pairs a =
+  [ Pair i j (nearest (if i == j then drop 1 symmetries else symmetries) b c)
+    | (i, b) : others <- tails numbered,
+      (j, c) <- (i, b) : others
+  ]
+  where
+    numbered = zip [0 ..] (shapes a)
+
+-- | The least distance of all pairs: the 'separation' of the alphabet.
+leastDistance :: Alphabet -> Int
+leastDistance = minimum . map (nearestDistance . pairNearest) . pairs
+
+-- | The greatest separation that so many shapes by the rules can have, as far as it is known: what
+-- 'PraTactile.Shape.Design.design' proves.
+greatestPossible :: Int -> Maybe Int
+greatestPossible q
+  | q < 1 || q > 9 = Nothing
+  | q == 1 = Just 56
+  | q <= 3 = Just 48
+  | q == 4 = Just 44
+  | otherwise = Just 40

@@ -1,0 +1,118 @@
+-- | The whole way with every shipped alphabet: an array over each field as a plate, pressed and
+-- decoded; and what becomes of it where press and decoder do not mean the same shapes.
+module Test.Recognition.EveryAlphabet (spec, locatedAround) where
+
+import qualified Data.ByteString as Bytes
+import Data.Foldable (for_)
+import Data.List (elemIndex)
+import qualified Data.Text as T
+import Numeric.LinearAlgebra (fromRows, toRows)
+import PraTactile.Array hiding (toRows)
+import PraTactile.Classification.Estimate
+import PraTactile.Classification.Network hiding (classify)
+import PraTactile.Classification.Reader
+import PraTactile.Classification.Shipped
+import PraTactile.Classification.Specimens
+import PraTactile.Evaluate
+import PraTactile.Explore
+import PraTactile.Field (KnownField)
+import PraTactile.Format (decodeProfile)
+import PraTactile.Geometry (taxelPitch)
+import PraTactile.Object.Placement
+import PraTactile.Object.Plate
+import PraTactile.Pressing
+import PraTactile.Profile
+import PraTactile.Recognise
+import PraTactile.Registration (standardRegistration)
+import PraTactile.Sensor
+import PraTactile.Shape
+import PraTactile.Symmetry
+import PraTactile.Truth (truthRegion)
+import PraTactile.Window (Mask)
+import System.Random (mkStdGen)
+import Test.Hspec
+import Test.QuickCheck
+import Test.Support
+
+spec :: Spec
+spec = do
+  for_ others $ \q ->
+    it ("presses in the corners and along the edges are located: GF(" ++ show q ++ ")") $ do
+      profile <- shippedProfile q
+      symbols <- right (shippedReader q)
+      plate <- right (platePlacement (profileShape profile))
+      -- With windows of four rows, more of them must be felt.
+      let size = if q == 2 then (40, 92) else (40, 52)
+      located <-
+        right
+          ( withProfile profile (\array mask -> locatedAround array mask symbols plate size)
+          )
+      holds 1 located
+  it "classes exchanged, shapes and outputs alike, are told exchanged" $
+    for_ shippedSizes $ \q -> do
+      symbols <- right (shippedReader q)
+      let -- The first becomes the last.
+          order = [1 .. q - 1] ++ [0]
+          given = readerAlphabet symbols
+          network' = readerNetwork symbols
+      exchanged <-
+        right (alphabet [(T.pack (show i), b) | i <- order, b <- drop i (take (i + 1) (shapes given))])
+      moved <-
+        right (network (hiddenUnits network') (fromRows (map (toRows (outputUnits network') !!) order)))
+      let with = (readerOf exchanged moved) {readerRegression = readerRegression symbols}
+          told reader = estimate (readerRegression reader) (readerTemplates reader) (readerNetwork reader)
+          back (c, symmetry) = (order !! c, symmetry)
+      for_ (zip [1 ..] (concat (replicate 3 (shapes given)))) $ \(seed, shape) -> do
+        let (image, _) = specimen given Upright shape (mkStdGen seed)
+        before <- right (told symbols image)
+        after <- right (told with image)
+        back (estimateLikeliest after) `shouldBe` estimateLikeliest before
+        for_ (estimateChances after) $ \(what, chance) ->
+          estimateChance before (back what) `shouldSatisfy` \p -> abs (p - chance) < 1e-12
+        elemIndex shape (shapes given) `shouldBe` Just (fst (estimateLikeliest before))
+  where
+    others = filter (/= 4) shippedSizes
+
+shippedProfile :: Int -> IO Profile
+shippedProfile q =
+  Bytes.readFile ("data/profiles/gf" ++ show q ++ ".json") >>= right . decodeProfile
+
+-- | Each of eight presses, in the corners and along the edges of an array's plate, is decoded as where
+-- it is.
+locatedAround ::
+  KnownField k =>
+  PseudorandomArray k ->
+  Mask ->
+  Reader ->
+  Placement ->
+  (Int, Int) ->
+  Property
+locatedAround array mask symbols plate (w, h) =
+  once . whenRight (recogniser (naturally array) mask plate symbols) $ \reader ->
+    conjoin
+      [ whenRight (pressed (how at) (readerAlphabet symbols) array plate plateName) $
+          \(frames, truth) ->
+            counterexample (show at) . property $
+              case withStitching
+                ( runTrial
+                    standardTolerance
+                    reader
+                    standardRegistration
+                    (Trial face (truthRegion truth) frames False)
+                ) of
+                Correct _ -> True
+                _ -> False
+        | face <- laidFaces plate,
+          let (right', bottom) = spotMillimetres (laidExtent face),
+          let across = [0, right' / 2, right' - taxelPitch * fromIntegral w],
+          let down = [0, bottom / 2, bottom - taxelPitch * fromIntegral h],
+          at <- (,) <$> across <*> down,
+          at /= (right' / 2, bottom / 2)
+      ]
+  where
+    how at =
+      (pressingWith standardSensor 3)
+        { pressingAt = Just at,
+          pressingSize = (w, h),
+          pressingTurns = AmongTurns [identity]
+        }

@@ -1,0 +1,49 @@
+-- | The alphabet of the paper's array and its network, and frames put together by it: what tests of
+-- touch use where nothing is said of shapes.
+module Test.Touch.Paper
+  ( paperAlphabet,
+    paperNetwork,
+    paperTables,
+    arrange,
+    assemble,
+    stitch,
+    stitchedBy,
+  )
+where
+
+import PraTactile.Classification.Network (Network)
+import PraTactile.Classification.Shipped
+import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Image (Raster)
+import PraTactile.Registration (Assembly, Composite, StitchError)
+import qualified PraTactile.Registration as Registration
+import PraTactile.Registration.Arrangement (Arrangement, StitchMethod, TooMuch)
+import qualified PraTactile.Registration.Arrangement as Arrangement
+import PraTactile.Registration.Lattice.Template (LatticeTables, latticeTables)
+import PraTactile.Registration.Search (Registration)
+import PraTactile.Registration.Stitching (Stitching)
+import qualified PraTactile.Registration.Stitching as Stitching
+import PraTactile.Sensor.Frame (Frame)
+import PraTactile.Shape (Alphabet)
+
+paperAlphabet :: Either ShippedError Alphabet
+paperAlphabet = shippedAlphabet 4
+
+paperNetwork :: Either ShippedError Network
+paperNetwork = shippedNetwork 4
+
+-- | Made once for all tests.
+paperTables :: LatticeTables
+paperTables = either (error . show) latticeTables paperAlphabet
+
+arrange :: StitchMethod -> Registration -> [(Taxels, Raster)] -> Either TooMuch Arrangement
+arrange = Arrangement.arrange paperTables
+
+assemble :: StitchMethod -> Registration -> [Frame] -> Either StitchError Assembly
+assemble = Registration.assemble paperTables
+
+stitch :: Registration -> [Frame] -> Either StitchError Composite
+stitch = Registration.stitch paperTables
+
+stitchedBy :: Stitching -> [Frame] -> Either StitchError Composite
+stitchedBy = Stitching.stitchedBy paperTables

@@ -1,0 +1,131 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Drawings held against the rules: by the library, and by a checker in Python that shares nothing
+-- with it.
+module Test.Touch.Shape.CheckedDrawings (spec) where
+
+import qualified Data.ByteString.Char8 as Bytes
+import Data.Foldable (for_)
+import Data.List (tails)
+import Data.Text (Text)
+import qualified Data.Text as T
+import qualified Data.Text.IO as T
+import PraTactile.Classification.Shipped
+import PraTactile.Format.Shapes
+import PraTactile.Shape
+import PraTactile.Shape.Check
+import PraTactile.Shape.Clique
+import PraTactile.Shape.Design
+import PraTactile.Shape.Distance
+import PraTactile.Symmetry
+import System.Directory (findExecutable)
+import System.Exit (ExitCode (..))
+import System.FilePath ((</>))
+import System.Process (readProcessWithExitCode)
+import Test.Hspec
+import Test.QuickCheck
+import Test.Support
+
+spec :: Spec
+spec = do
+  for_ shippedSizes $ \q -> describe ("the alphabet shipped for GF(" ++ show q ++ ")") $ do
+    it "has a shape for each element, no fault, and the greatest least distance there is" $ do
+      a <- right (shippedAlphabet q)
+      (alphabetSize a, faults a) `shouldBe` (q, [])
+      Just (separation a) `shouldBe` greatestPossible q
+    it "is found by the checker in Python to be as the program says" $ do
+      a <- right (shippedAlphabet q)
+      checkedInPython a >>= mapM_ (`shouldBe` ExitSuccess)
+  it "each fault is found where it is the only one, by both" $
+    for_ drawnFaults $ \(kind, rows) -> do
+      a <- right (drawing [("x", rows)])
+      faults a `shouldBe` [Fault "x" kind]
+      checkedInPython a >>= mapM_ (`shouldBe` ExitFailure 1)
+  it "two shapes are too near below 32 taxels, each however it is turned, mirrored or shifted" $ do
+    four <- right (shippedAlphabet 4)
+    let first = take 1 (zip ["a"] (shapes four))
+        second kept =
+          [ ("b", bitmapWhere (\x y -> embossedAt (mirroredRows b) x y /= (kept x y)))
+            | (_, b) <- first
+          ]
+    near <- right (alphabet (first ++ second (\x y -> x < 2 && y < 2)))
+    [fault | fault@(Fault _ TooNear) <- faults near] `shouldBe` [Fault "b" TooNear]
+    checkedInPython near >>= mapM_ (`shouldBe` ExitFailure 1)
+  it "pairs are nearest where the distance by its definition is least, and there it is attained" $
+    property . withMaxSuccess 30 $
+      forAll ((,) <$> shape <*> shape) $ \(a, b) ->
+        let Nearest d symmetry (x, y) = nearest symmetries a b
+            -- Shifted one way, the second is what the first is shifted the other.
+            moved i j = bitmapWhere (\u v -> embossedAt a (u + i) (v + j))
+         in conjoin
+              [ d === minimum [distance s a b | s <- symmetries],
+                d === distance symmetry a b,
+                property (abs x <= 1 && abs y <= 1),
+                counterexample "no nearer" $
+                  property (and [d <= distance symmetry (moved 0 0) b])
+              ]
+  it "three shapes are never 50 apart, four never 46, five never 42: nothing was left out" $ do
+    let all' = [(b, selfDistance b, prepared b) | b <- families]
+        -- One of each family, which are as far from anything as all of it.
+        families = [b | b <- admissible paperParameters, b == minimum (family b)]
+        apart d = [p | (_, self, p) <- all', self >= d]
+        none count d = maybe True (const False) (clique count (farApart d) (apart d))
+    map (uncurry none) [(2, 50), (4, 46), (5, 42)] `shouldBe` [True, True, True]
+    map (uncurry none) [(1, 56), (3, 48), (4, 44)] `shouldBe` [False, False, False]
+  it "the shapes for three elements are what the design gives from its seed" $ do
+    shipped <- T.readFile "data/alphabets/gf3/shapes.txt"
+    fmap (renderAlphabet . fst) (design paperSeed (parametersFor ["0", "1", "A"]))
+      `shouldBe` Right shipped
+  it "of more than four shapes the design has one that the seed chose, and says so" $ do
+    -- Of shapes of few blocks there are few, so that this is quick.
+    let few = (parametersFor ["a", "b", "c", "d", "e"]) {leastBlocks = 12, mostBlocks = 12}
+    (a, report) <- right (design 1 few)
+    reportAlphabets report `shouldBe` Nothing
+    reportSeparation report `shouldBe` separation a
+    (b, _) <- right (design 2 few)
+    separation b `shouldBe` separation a
+  where
+    shape = do
+      rows <- vectorOf 12 (vectorOf 8 arbitrary)
+      pure (bitmapWhere (\x y -> (rows !! y) !! x))
+
+-- | What the checker in Python says of the drawings and of what the program says of them; the example
+-- is pending where there is no Python.
+checkedInPython :: Alphabet -> IO [ExitCode]
+checkedInPython a = do
+  python <- findExecutable "python3"
+  case python of
+    Nothing -> [] <$ pendingWith "python3 is not installed here, so its checker was not tried"
+    Just executable -> inFolder $ \folder -> do
+      let file = folder </> "shapes.txt"
+          report = folder </> "report.json"
+      T.writeFile file (renderAlphabet a)
+      Bytes.writeFile report (encodeShapes a)
+      (status, out, err) <-
+        readProcessWithExitCode executable ["data/check_shapes.py", file, report] ""
+      (err, "wrong is" `elem` pairsOfWords out) `shouldBe` ("", False)
+      pure [status]
+  where
+    pairsOfWords text = [unwords two | two@[_, _] <- map (take 2) (tails (words text))]
+
+drawing :: [(Text, [String])] -> Either ShapeError Alphabet
+drawing named = parseAlphabet (T.unlines (concatMap one named))
+  where
+    one (name, rows) = ("symbol " <> name) : concatMap twice rows
+    twice row = if length row == 8 then [T.pack row] else [doubled row, doubled row]
+    doubled = T.pack . concatMap (\c -> [c, c])
+
+-- | Drawings with one fault each: a row of 4 blocks, or of 8 taxels.
+drawnFaults :: [(Kind, [String])]
+drawnFaults =
+  [ (Side, ["...#", "#.##", "#.#.", "###.", "..##", "###."]),
+    ( Stroke,
+      concatMap (replicate 2) ["######..", "..##....", "########"]
+        ++ ["##......", ".#......"]
+        ++ concatMap (replicate 2) ["####....", "..######"]
+    ),
+    (Pieces, ["#..#", "..##", "#.#.", "###.", "..#.", ".##."]),
+    (Hole, ["#..#", "####", "#.#.", "###.", "..#.", ".##."]),
+    (Area, ["###.", "####", "#.##", "#..#", "##..", "##.."]),
+    (OwnImage, ["###.", "##..", ".##.", "..##", "...#", ".###"])
+  ]
