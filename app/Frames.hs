@@ -31,8 +31,9 @@ framesArgument =
         )
     )
 
--- | The composites of sources, given the tables of the symbols that may have been felt. Says so where images of a frame's size are taken for composites,
--- because they stand in no manifest. Leaves with status 2 where one cannot be made.
+-- | The composites of sources, given the tables of the symbols that may have been felt. Says so
+-- where images of a frame's size are taken for composites, because they stand in no manifest.
+-- Leaves with status 2 where one cannot be made.
 loadSources :: LatticeTables -> Preparation -> Stitching -> [SourcePath] -> IO [Composite]
 loadSources tables known stitching paths = do
   composites <- for paths $ \path -> do

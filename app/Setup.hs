@@ -1,5 +1,5 @@
--- | The one place where the program chooses its shapes: those shipped for as many symbols as a field
--- has elements, or those of a drawing file; and the network that reads them.
+-- | The one place where the program chooses its shapes: those shipped for as many symbols as a
+-- field has elements, or those of a drawing file; and the network that reads them.
 module Setup
   ( -- * Shapes alone
     AlphabetChoice,

@@ -61,6 +61,7 @@ import qualified Test.CommandLine.Proof
 import qualified Test.CommandLine.Rates
 import qualified Test.CommandLine.Sensor
 import qualified Test.CommandLine.Sequences
+import qualified Test.CommandLine.Shapes
 import qualified Test.CommandLine.Smallest
 import qualified Test.Common.SymmetryGroup
 import qualified Test.Conformance.Definition
@@ -358,6 +359,7 @@ specs = do
   describe "The command line: long work" Test.CommandLine.LongWork.spec
   describe "The command line: fields and polynomials" Test.CommandLine.Fields.spec
   describe "The command line: sensors" Test.CommandLine.Sensor.spec
+  describe "The command line: shapes" Test.CommandLine.Shapes.spec
   describe "The command line: sequences and foldings" Test.CommandLine.Sequences.spec
   describe "The command line: the smallest array" Test.CommandLine.Smallest.spec
   describe "The command line: rates" Test.CommandLine.Rates.spec

@@ -1,5 +1,5 @@
--- | @pra-tactile shapes@: the embossed shapes, drawn, measured and checked; the search that designed
--- them.
+-- | @pra-tactile shapes@: the embossed shapes, drawn, measured and checked; the search that
+-- designed them.
 module Command.Shapes
   ( command,
   )
@@ -47,8 +47,8 @@ command :: Mod CommandFields (IO ExitStatus)
 command =
   subcommand
     "shapes"
-    "Draw the embossed shapes with the table of their distances, run the search that designed them, \
-    \or check drawings by the rules that these obey."
+    "Draw the embossed shapes with the table of their distances, run the search that designed \
+    \them, or check drawings by the rules that these obey."
     [ "pra-tactile shapes",
       "pra-tactile shapes --q 9 --svg --output shapes.svg",
       "pra-tactile shapes --design --output shapes.txt",
@@ -94,7 +94,8 @@ run options = case work options of
     pure (if null (faults drawn) then Answered else NotAnswered)
   Design seed -> do
     when (form options == AsJson) (misused "--design writes drawings; leave out --json")
-    q <- maybe (misused "--design makes shapes; leave out --shapes") pure (orderOf (symbols options))
+    q <-
+      maybe (misused "--design makes shapes; leave out --shapes") pure (orderOf (symbols options))
     names <- elementNames q
     (found, report) <-
       orUnusable shapeMessage

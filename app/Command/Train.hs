@@ -13,8 +13,8 @@ import Options
 import Output
 import PraTactile.Classification.Network.File (renderNetwork)
 import PraTactile.Classification.Regimen
-  ( regimenRounds,
-    shippedRegimen,
+  ( regimenFor,
+    regimenRounds,
     shippedSeed,
     trainingRounds,
   )
@@ -28,7 +28,7 @@ command :: Mod CommandFields (IO ExitStatus)
 command =
   subcommand
     "train"
-    "Train the 96-8-q network on rendered symbols from a seed and write its weights; the default \
+    "Train a network on rendered symbols from a seed and write its weights; the default \
     \seed gives the shipped weights of shipped shapes."
     ["pra-tactile train --output network.txt"]
     ( run
@@ -40,10 +40,11 @@ command =
 run :: AlphabetChoice -> Int -> FilePath -> IO ExitStatus
 run symbols seed output = do
   alphabet <- chosenAlphabet symbols
-  let training = trainingRounds shippedRegimen alphabet seed
+  let regimen = regimenFor alphabet
+      training = trainingRounds regimen alphabet seed
   network <-
     orUnusable networkMessage
-      =<< withProgress (toInteger (regimenRounds shippedRegimen)) 0 (`follow` counted training)
+      =<< withProgress (toInteger (regimenRounds regimen)) 0 (`follow` counted training)
   writeWhole output (Lazy.fromStrict (Text.encodeUtf8 (renderNetwork network)))
   forM_ (zip [1 :: Int ..] (stepsDone training)) $ \(i, stage) ->
     putStrLn

@@ -21,6 +21,7 @@ import Data.Proxy (Proxy (..))
 import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Array
+import PraTactile.Classification.Shipped (shippedAlphabet, shippedReader)
 import PraTactile.Evaluate
 import PraTactile.Explore (Turns (..), halfTurns, standardRegionSize)
 import PraTactile.Field
@@ -37,7 +38,6 @@ import PraTactile.Sensor (standardSensor)
 import PraTactile.Sequence
 import PraTactile.Window
 import PraTactile.Window.Proof
-import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 -- | The measurements by name: the outer action prepares.
 ours :: [(String, IO (IO Measurement))]
@@ -162,9 +162,7 @@ withPaper use = sure (withProfile canonicalProfile prepared)
       use
         array
         layout
-        ( sure
-            (recogniser (naturally array) mask layout (readerOf (sure paperAlphabet) (sure paperNetwork)))
-        )
+        (sure (recogniser (naturally array) mask layout (sure (shippedReader 4))))
     layout = sure canonicalPlacement
 
 -- | Recognise the composite of the worked example.
@@ -189,7 +187,7 @@ decode = do
 evaluate100 :: IO (IO Measurement)
 evaluate100 = pure $
   withPaper $ \array layout reader -> do
-    let alphabet = sure paperAlphabet
+    let alphabet = sure (shippedAlphabet 4)
         faces =
           sure
             (traverse (\face -> (,) face <$> relief array layout alphabet face) (laidFaces layout))

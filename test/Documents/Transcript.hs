@@ -28,6 +28,7 @@ documents =
     "READING.md",
     "docs/cli.md",
     "docs/json.md",
+    "docs/network.md",
     "docs/objects.md",
     "docs/locating.md",
     "docs/conformance.md",

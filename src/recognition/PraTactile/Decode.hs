@@ -45,8 +45,8 @@ import PraTactile.Sensor.Calibration (withoutStuck)
 import PraTactile.Sensor.Frame (Frame)
 import PraTactile.Source
 
--- | A recogniser whose field need not be known: what its symbols are read with, and of composites of
--- one face, what they show together.
+-- | A recogniser whose field need not be known: what its symbols are read with, and of composites
+-- of one face, what they show together.
 data SomeRecogniser
   = SomeRecogniser Reader (Tolerance -> [Composite] -> Either NetworkError Recognition)
 
@@ -147,4 +147,5 @@ decodeFrames with@(SomeRecogniser reader _) frames =
 
 -- | What composites of one face show together, as 'recogniseWith' has it.
 decodeComposites :: Tolerance -> SomeRecogniser -> [Composite] -> Either DecodeError Recognition
-decodeComposites tolerance (SomeRecogniser _ recognised) = first NetworkRefused . recognised tolerance
+decodeComposites tolerance (SomeRecogniser _ recognised) =
+  first NetworkRefused . recognised tolerance

@@ -164,8 +164,8 @@ data Assembly = Assembly
     assemblyTurns :: [Maybe Double]
   }
 
--- | Frames registered by the given method, and blended. The tables are those of the symbols that may
--- have been felt.
+-- | Frames registered by the given method, and blended. The tables are those of the symbols that
+-- may have been felt.
 assemble :: LatticeTables -> StitchMethod -> Registration -> [Frame] -> Either StitchError Assembly
 assemble tables method = assembledAs (arrange tables method)
 

@@ -247,7 +247,8 @@ onBothRoads profile surface test =
   whenRight parts $ \(plate, alphabet, net) ->
     whenRight
       ( withProfile profile $ \array mask ->
-          let made most = recogniserUpTo most (ArrayOn surface array) mask plate (readerOf alphabet net)
+          let made most =
+                recogniserUpTo most (ArrayOn surface array) mask plate (readerOf alphabet net)
            in whenRight ((,) <$> made (2 ^ (20 :: Int)) <*> made 0) (uncurry (test array))
       )
       id

@@ -512,7 +512,8 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
       Right composite ->
         [ (estimateDoubt e, estimateLikeliest e /= (truth, regionSymmetry (trialRegion t)))
           | symbol <- segmentedSymbols (segment composite),
-            Right e <- [estimate standardRegression (templates alphabetOfAll) net (symbolPixels symbol)],
+            Right e <-
+              [estimate standardRegression (templates alphabetOfAll) net (symbolPixels symbol)],
             Just truth <-
               [ classAt
                   t

@@ -56,11 +56,13 @@ spec = do
           given = readerAlphabet symbols
           network' = readerNetwork symbols
       exchanged <-
-        right (alphabet [(T.pack (show i), b) | i <- order, b <- drop i (take (i + 1) (shapes given))])
+        right (alphabet [(T.pack (show i), shapes given !! i) | i <- order])
       moved <-
-        right (network (hiddenUnits network') (fromRows (map (toRows (outputUnits network') !!) order)))
+        right . network (hiddenUnits network') . fromRows $
+          map (toRows (outputUnits network') !!) order
       let with = (readerOf exchanged moved) {readerRegression = readerRegression symbols}
-          told reader = estimate (readerRegression reader) (readerTemplates reader) (readerNetwork reader)
+          told (Reader {readerRegression = sure, readerTemplates = seen, readerNetwork = net}) =
+            estimate sure seen net
           back (c, symmetry) = (order !! c, symmetry)
       for_ (zip [1 ..] (concat (replicate 3 (shapes given)))) $ \(seed, shape) -> do
         let (image, _) = specimen given Upright shape (mkStdGen seed)
@@ -70,6 +72,32 @@ spec = do
         for_ (estimateChances after) $ \(what, chance) ->
           estimateChance before (back what) `shouldSatisfy` \p -> abs (p - chance) < 1e-12
         elemIndex shape (shapes given) `shouldBe` Just (fst (estimateLikeliest before))
+  it "what was pressed with other shapes is not told as certain" $ do
+    profile <- pure canonicalProfile
+    plate <- right (platePlacement (profileShape profile))
+    nine <- right (shippedAlphabet 9)
+    four <- right (alphabet (take 4 (zip (shapeNames nine) (shapes nine))))
+    symbols <- right (shippedReader 4)
+    outcomes <-
+      right
+        ( withProfile
+            profile
+            ( \array mask -> do
+                reader <-
+                  either (Left . show) Right (recogniser (naturally array) mask plate symbols)
+                pure
+                  [ withStitching (runTrial standardTolerance reader standardRegistration trial')
+                    | seed <- [1 .. 6],
+                      let how = pressingWith standardSensor seed,
+                      Right (frames, truth) <- [pressed how four array plate plateName],
+                      face <- laidFaces plate,
+                      let trial' = Trial face (truthRegion truth) frames True
+                  ]
+            )
+        )
+    found <- right outcomes
+    length found `shouldBe` 6
+    [doubt | Mistaken doubt <- found, doubt < 1e-3] `shouldBe` []
   where
     others = filter (/= 4) shippedSizes
 
@@ -77,8 +105,8 @@ shippedProfile :: Int -> IO Profile
 shippedProfile q =
   Bytes.readFile ("data/profiles/gf" ++ show q ++ ".json") >>= right . decodeProfile
 
--- | Each of eight presses, in the corners and along the edges of an array's plate, is decoded as where
--- it is.
+-- | Each of eight presses, in the corners and along the edges of an array's plate, is decoded as
+-- where it is.
 locatedAround ::
   KnownField k =>
   PseudorandomArray k ->

@@ -44,7 +44,9 @@ spec = do
       known <- shown paperAlphabet
       shown $
         withProfile canonicalProfile $ \array mask ->
-          case (recogniser (naturally array) mask layout (readerOf known net), raised array layout known) of
+          case ( recogniser (naturally array) mask layout (readerOf known net),
+                 raised array layout known
+               ) of
             (Right reader, Right faces) -> resultSpec reader faces
             (Left e, _) -> it "the array has a recogniser" (expectationFailure (show e))
             (_, Left e) -> it "the faces have reliefs" (expectationFailure (show e))

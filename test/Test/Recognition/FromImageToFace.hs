@@ -15,7 +15,7 @@ import PraTactile.Array
     cellAt,
   )
 import PraTactile.Classification.Network (Network, network)
-import PraTactile.Classification.Reader (readerOf)
+import PraTactile.Classification.Reader (Reader, readerOf)
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField, toCode)
@@ -50,7 +50,7 @@ spec = case shippedParts of
     either (\e -> it "the canonical profile has an array" (expectationFailure (show e))) id $
       withProfile canonicalProfile $ \array mask ->
         let on = ArrayOn Torus array
-         in case recogniser on mask (placementOf parts) (readerOf (alphabetOf parts) (networkOf parts)) of
+         in case recogniser on mask (placementOf parts) (readerFrom parts) of
               Left e -> it "the canonical array has a recogniser" (expectationFailure (show e))
               Right reader -> do
                 recogniserSpec parts array mask
@@ -60,6 +60,9 @@ spec = case shippedParts of
                 recogniseSpec parts array reader
 
 data Parts = Parts {placementOf :: Placement, networkOf :: Network, alphabetOf :: Alphabet}
+
+readerFrom :: Parts -> Reader
+readerFrom parts = readerOf (alphabetOf parts) (networkOf parts)
 
 shippedParts :: Either String Parts
 shippedParts = Parts <$> shown canonicalPlacement <*> shown paperNetwork <*> shown paperAlphabet
@@ -118,7 +121,7 @@ recogniserSpec parts array mask = describe "a recogniser" $ do
         either
           Just
           (const Nothing)
-          (recogniser (ArrayOn Torus array) mask laid (readerOf (alphabetOf parts) (networkOf parts)))
+          (recogniser (ArrayOn Torus array) mask laid (readerFrom parts))
 
 groupSpec :: Spec
 groupSpec = describe "groups of symbols" $ do

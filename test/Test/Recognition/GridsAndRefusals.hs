@@ -237,7 +237,8 @@ saidSpec = do
       answered <-
         right $
           withProfile canonicalProfile $ \array mask -> do
-            reader <- right (recogniser (ArrayOn Torus array) mask layout (readerOf alphabetOfAll net))
+            reader <-
+              right (recogniser (ArrayOn Torus array) mask layout (readerOf alphabetOfAll net))
             recognition <- right (recognise reader composite)
             pure (either Left (const (Right ())) (recognisedAnswer recognition))
       answered

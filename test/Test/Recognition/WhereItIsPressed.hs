@@ -149,7 +149,8 @@ experimentSpec = do
       let refused size =
             shown $
               withProfile canonicalProfile $ \array mask -> do
-                reader <- shown (recogniser (ArrayOn Torus array) mask layout (readerOf alphabet net))
+                reader <-
+                  shown (recogniser (ArrayOn Torus array) mask layout (readerOf alphabet net))
                 pure (evaluated (over size) array reader)
           over size =
             (standardExperiment standardSensor)

@@ -54,7 +54,9 @@ estimate fitted shapesSeen n image
   | outputCount n /= templateCount shapesSeen =
     Left (WrongOutputCount (outputCount n) (templateCount shapesSeen))
   | otherwise =
-    estimateFrom fitted shapesSeen image <$> outputs n image <*> outputs n (onRaster (turned 2) image)
+    estimateFrom fitted shapesSeen image
+      <$> outputs n image
+      <*> outputs n (onRaster (turned 2) image)
 
 -- | The same from what the network's outputs, one a shape, are for the image and for the image
 -- turned by 180 degrees.
@@ -72,8 +74,9 @@ estimateFrom (Regression intercept perLead perLikeness) shapesSeen image upright
     doubt lead likeness =
       max leastDoubt (min blind (sigmoid (intercept - perLead * lead - perLikeness * likeness)))
 
--- | What the doubt is told from: the likeliest class and turn, the others, the lead (of the greatest
--- logit over the next) and the likeness (the greatest correlation with the likeliest's shape).
+-- | What the doubt is told from: the likeliest class and turn, the others, the lead (of the
+-- greatest logit over the next) and the likeness (the greatest correlation with the likeliest's
+-- shape).
 regressors ::
   Templates ->
   Raster ->
@@ -108,11 +111,11 @@ data Regression = Regression
 standardRegression :: Regression
 standardRegression = Regression 11.3 0.11 21.9
 
-{- Note [Calibration] Of the shapes shipped for GF(4) 25 000 symbols were cut from composites of 5 000 simulated explorations with a
-   position error of one taxel and sensor noise of 0.1 to 0.4 of full scale, and the estimate
-   compared with the truth. The log odds of a wrong estimate were fitted by logistic regression on
-   the lead (of the greatest logit over the next) and the likeness (the greatest correlation with
-   the shape):
+{- Note [Calibration] Of the shapes shipped for GF(4) 25 000 symbols were cut from composites of
+   5000 simulated explorations with a position error of one taxel and sensor noise of 0.1 to 0.4 of
+   full scale, and the estimate compared with the truth. The log odds of a wrong estimate were
+   fitted by logistic regression on the lead (of the greatest logit over the next) and the likeness
+   (the greatest correlation with the shape):
 
      noise               0.1     0.2     0.3     0.4
      symbols            8525    8497    6169    1804

@@ -12,8 +12,8 @@ import PraTactile.Registration.Lattice.Template (LatticeTables, latticeTables)
 import PraTactile.Shape (Alphabet)
 
 -- | What symbols are read with: their shapes, and what is made of these, each part once, when it is
--- first looked at. Everything that presses, puts frames together or reads them takes its shapes from
--- here, and so from one alphabet.
+-- first looked at. Everything that presses, puts frames together or reads them takes its shapes
+-- from here, and so from one alphabet.
 data Reader = Reader
   { -- | the shapes, by class
     readerAlphabet :: Alphabet,

@@ -1,8 +1,8 @@
 {-# LANGUAGE TemplateHaskell #-}
 
--- | The alphabets that are shipped, with the networks that were trained on them: the one module that
--- has them. How the shapes were designed is "PraTactile.Shape.Design", how the networks were trained
--- "PraTactile.Classification.Regimen".
+-- | The alphabets that are shipped, with the networks that were trained on them: the one module
+-- that has them. How the shapes were designed is "PraTactile.Shape.Design", how the networks were
+-- trained "PraTactile.Classification.Regimen".
 module PraTactile.Classification.Shipped
   ( shippedSizes,
     shippedAlphabet,
@@ -42,7 +42,43 @@ data Shipped = Shipped
 -- | By the number of classes.
 shipped :: [(Int, Shipped)]
 shipped =
-  [ (4, Shipped $(embedFile "data/shapes.txt") $(embedFile "data/network.txt") standardRegression)
+  [ ( 2,
+      Shipped
+        $(embedFile "data/alphabets/gf2/shapes.txt")
+        $(embedFile "data/alphabets/gf2/network.txt")
+        standardRegression
+    ),
+    ( 3,
+      Shipped
+        $(embedFile "data/alphabets/gf3/shapes.txt")
+        $(embedFile "data/alphabets/gf3/network.txt")
+        standardRegression
+    ),
+    (4, Shipped $(embedFile "data/shapes.txt") $(embedFile "data/network.txt") standardRegression),
+    ( 5,
+      Shipped
+        $(embedFile "data/alphabets/gf5/shapes.txt")
+        $(embedFile "data/alphabets/gf5/network.txt")
+        standardRegression
+    ),
+    ( 7,
+      Shipped
+        $(embedFile "data/alphabets/gf7/shapes.txt")
+        $(embedFile "data/alphabets/gf7/network.txt")
+        standardRegression
+    ),
+    ( 8,
+      Shipped
+        $(embedFile "data/alphabets/gf8/shapes.txt")
+        $(embedFile "data/alphabets/gf8/network.txt")
+        standardRegression
+    ),
+    ( 9,
+      Shipped
+        $(embedFile "data/alphabets/gf9/shapes.txt")
+        $(embedFile "data/alphabets/gf9/network.txt")
+        standardRegression
+    )
   ]
 
 -- | The numbers of classes of which there is an alphabet, ascending.

@@ -1,5 +1,5 @@
--- | Whether drawings obey the rules of "PraTactile.Shape.Design", which segmentation and recognition
--- count on: taxel by taxel, and pair by pair.
+-- | Whether drawings obey the rules of "PraTactile.Shape.Design", which segmentation and
+-- recognition count on: taxel by taxel, and pair by pair.
 module PraTactile.Shape.Check
   ( -- * What is wrong
     Fault (..),

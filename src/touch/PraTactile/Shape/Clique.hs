@@ -30,8 +30,8 @@ cliques size related items = map (itemsOf numbered) (go size (IntMap.keysSet num
               go (n - 1) (IntSet.intersection among (IntMap.findWithDefault IntSet.empty i later))
         ]
 
--- | One of these sets, or a proof that there is none: a search that leaves nothing out. The relation
--- is symmetric. Note [Colours]
+-- | One of these sets, or a proof that there is none: a search that leaves nothing out. The
+-- relation is symmetric. Note [Colours]
 --
 -- >>> clique 4 (\a b -> gcd a b == 1) [2 .. 7 :: Int]
 -- Just [7,2,3,5]
@@ -81,8 +81,8 @@ laterRelated related numbered =
 itemsOf :: IntMap.IntMap a -> [Int] -> [a]
 itemsOf numbered = mapMaybe (`IntMap.lookup` numbered)
 
-{- Note [Colours] A set of vertices without neighbours has at most one of a clique, so n - 1 such sets
-   have at most n - 1 of it: a clique of n has a vertex outside them. It is enough to branch on the
-   vertices that are left when n - 1 such sets have been taken out, and each need not be looked at
-   again where it was tried. (Greedy colouring as a bound: E. Tomita and T. Seki, An efficient
+{- Note [Colours] A set of vertices without neighbours has at most one of a clique, so n - 1 such
+   sets have at most n - 1 of it: a clique of n has a vertex outside them. It is enough to branch on
+   the vertices that are left when n - 1 such sets have been taken out, and each need not be looked
+   at again where it was tried. (Greedy colouring as a bound: E. Tomita and T. Seki, An efficient
    branch-and-bound algorithm for finding a maximum clique, DMTCS 2003.) -}

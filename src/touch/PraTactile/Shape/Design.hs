@@ -1,14 +1,14 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | The search that designed the shipped shapes, so that it can be run again. It visits every shape
--- that meets the constraints and leaves no alphabet of them out, so the separation it reaches is the
--- greatest there is, not merely the best found.
+-- that meets the constraints and leaves no alphabet of them out, so the separation it reaches is
+-- the greatest there is, not merely the best found.
 --
--- With S the shapes that meet the constraints, one of each 'family', and D(a, b) the least 'distance'
--- of two under the eight symmetries (of a shape and itself: under the seven others), an alphabet of q
--- shapes at least d apart is a clique of q vertices in the graph of the a with D(a, a) >= d, joined
--- where D(a, b) >= d. d goes down from the greatest conceivable one until there is a clique; that
--- there is none is proved by exact search at every d above.
+-- With S the shapes that meet the constraints, one of each 'family', and D(a, b) the least
+-- 'distance' of two under the eight symmetries (of a shape and itself: under the seven others), an
+-- alphabet of q shapes at least d apart is a clique of q vertices in the graph of the a with D(a,
+-- a) >= d, joined where D(a, b) >= d. d goes down from the greatest conceivable one until there is
+-- a clique; that there is none is proved by exact search at every d above.
 module PraTactile.Shape.Design
   ( -- * Designing
     Parameters (..),
@@ -96,9 +96,9 @@ mostListed = 4
 -- | Designs an alphabet with the greatest separation: of up to 'mostListed' shapes, the one whose
 -- shapes are least like ordinary features; of more, of which there are too many to list, the first
 -- that is found from the seed. Neither number changes when a shape is turned by 180 degrees or
--- mirrored, nor when classes are exchanged: these the seed chooses. Refuses ('NoAlphabet') parameters
--- that no alphabet meets. The paper's takes some seconds, nine shapes some minutes; where there is no
--- alphabet of many shapes at great distances, to prove that may take very long.
+-- mirrored, nor when classes are exchanged: these the seed chooses. Refuses ('NoAlphabet')
+-- parameters that no alphabet meets. The paper's takes some seconds, nine shapes some minutes;
+-- where there is no alphabet of many shapes at great distances, to prove that may take very long.
 design :: Int -> Parameters -> Either ShapeError (Alphabet, Report)
 design seed parameters = result (designSteps seed parameters)
 

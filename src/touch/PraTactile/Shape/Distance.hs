@@ -41,8 +41,8 @@ differences symmetry a b =
   where
     there = canvas symmetry b
 
--- | Where two shapes are nearest: the second transformed, then shifted by so many taxels to the right
--- and down, and in how many taxels the first then differs from it.
+-- | Where two shapes are nearest: the second transformed, then shifted by so many taxels to the
+-- right and down, and in how many taxels the first then differs from it.
 data Nearest = Nearest
   { nearestDistance :: !Int,
     nearestSymmetry :: !Symmetry,
@@ -50,8 +50,8 @@ data Nearest = Nearest
   }
   deriving stock (Eq, Show)
 
--- | The least of the distances under some symmetries, identity if there are none; the first of those
--- that are as little.
+-- | The least of the distances under some symmetries, identity if there are none; the first of
+-- those that are as little.
 nearest :: [Symmetry] -> Bitmap -> Bitmap -> Nearest
 nearest among a b = minimumBy (comparing nearestDistance) (concatMap under (headed among))
   where

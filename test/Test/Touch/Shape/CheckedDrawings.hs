@@ -89,8 +89,8 @@ spec = do
       rows <- vectorOf 12 (vectorOf 8 arbitrary)
       pure (bitmapWhere (\x y -> (rows !! y) !! x))
 
--- | What the checker in Python says of the drawings and of what the program says of them; the example
--- is pending where there is no Python.
+-- | What the checker in Python says of the drawings and of what the program says of them; the
+-- example is pending where there is no Python.
 checkedInPython :: Alphabet -> IO [ExitCode]
 checkedInPython a = do
   python <- findExecutable "python3"
