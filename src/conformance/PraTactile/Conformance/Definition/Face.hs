@@ -125,8 +125,7 @@ holds face@(Flat _ _ corners) block (r, c) = and (zipWith within marks (drop 1 m
     within u w =
       or
         [ all (upper `above`) [u, w] && all (lower `below`) [u, w]
-          | (upper, lower) <-
-              pairs
+          | (upper, lower) <- pairs
         ]
       where
         half = times (1 / 2) (u `plus` w)
@@ -155,12 +154,9 @@ centreIn face block (r, c) (high, wide) =
 -- | Millimetres right of and below the first corner.
 millimetres :: Flat -> Spot -> (Double, Double)
 millimetres (Flat a b _) (Spot (Number p q _ _) (Number p' _ r' _)) =
-  ( fromRational p / sqrt (fromRational a) + fromRational q,
-    fromRational p'
-      / sqrt
-        (fromRational b)
-      + fromRational r'
-  )
+  (over a p + fromRational q, over b p' + fromRational r')
+  where
+    over k x = fromRational x / sqrt (fromRational k)
 
 -- | The corners nearest to a spot, by their places in the walk.
 nearest :: Flat -> Spot -> [Int]

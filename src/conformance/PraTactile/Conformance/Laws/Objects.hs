@@ -8,32 +8,23 @@ module PraTactile.Conformance.Laws.Objects
   )
 where
 
-import Control.Monad ((>=>))
 import Data.Aeson (Value (..), object, toJSON, (.=))
-import Data.List (nub)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Definition (agreesWithoutProfile, expectedWithoutProfile)
-import PraTactile.Conformance.Definition.Face
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Laws.Faces
 import PraTactile.Conformance.Laws.Judge
+import PraTactile.Conformance.Laws.Lying
 import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Laws.Placements
 import PraTactile.Conformance.Laws.Smaller
 import PraTactile.Conformance.Laws.Solids
 import PraTactile.Conformance.Question
-import PraTactile.Conformance.Wire.Objects (feltValue, readFelt)
-import PraTactile.Conformance.Wire.Read (readObject)
-import PraTactile.Format.Error (Misfit (NotObject))
-import PraTactile.Format.Json.Codec (Codec)
-import qualified PraTactile.Format.Json.Codec as Codec
-import PraTactile.Format.Object (WhereaboutsReport)
-import PraTactile.Format.Placement (Drawing (..))
-import PraTactile.Format.Pose (motionCodec)
 import PraTactile.Object.Description
 import PraTactile.Object.Named
-import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.Validity (Component (..), Report (..))
-import PraTactile.Pose (Pose (..), RigidMotion (..))
+import PraTactile.Pose (Pose (..))
 import Test.QuickCheck
 
 -- | The laws of objects.
@@ -227,54 +218,6 @@ cellLaws =
           FaceCells [] pitch
         ]
 
--- | Corners of faces in any plane, of which most are simple polygons.
-faces :: Gen [Point]
-faces = do
-  flatCorners <- oneof [staircase (chooseInteger (1, 30)), star]
-  u@(a, b, c) <- vector3 `suchThat` (/= (0, 0, 0))
-  (d, e, f) <- vector3
-  let v = (b * f - c * e, c * d - a * f, a * e - b * d)
-      corners =
-        inPlane
-          (u, if v == (0, 0, 0) then (negate b, a, 0) else v)
-          (Point 3 (-7) (1 / 2))
-          flatCorners
-  k <- chooseInt (0, length corners - 1)
-  pure (drop k corners ++ take k corners)
-  where
-    vector3 = (,,) <$> part <*> part <*> part
-    part = elements [0, 0, 1, 1, -1, 2, 1 / 2]
-    -- Seen from the middle its corners come one after the other.
-    star = do
-      radii <-
-        vectorOf
-          8
-          (frequency [(2, pure Nothing), (5, Just . fromInteger <$> chooseInteger (2, 25))])
-      let corners = [(r * x, r * y) | (Just r, (x, y)) <- zip radii round8]
-      pure (if length corners < 3 then [(0, 0), (9, 1), (4, 7)] else corners)
-    round8 = [(2, 0), (2, 1), (0, 2), (-1, 2), (-2, 1), (-2, -1), (0, -2), (2, -1)]
-
--- | A polygon above a staircase that goes down and comes back up.
-staircase :: Gen Integer -> Gen [(Rational, Rational)]
-staircase size = do
-  n <- chooseInt (1, 4)
-  widths <- vectorOf n (fromInteger <$> size)
-  depths <- vectorOf n (fromInteger <$> size)
-  let marks = scanl (+) 0 widths
-      below = concat [[(x, d), (x', d)] | (x, x', d) <- zip3 marks (drop 1 marks) depths]
-  pure ((0, 0) : without below ++ [(last marks, 0)])
-  where
-    -- Where two depths are the same there is no corner.
-    without (p : q : others) | p == q = without others
-    without (p : others) = p : without others
-    without [] = []
-
-inPlane :: (Vector3, Vector3) -> Point -> [(Rational, Rational)] -> [Point]
-inPlane ((a, b, c), (d, e, f)) (Point x y z) corners =
-  [Point (x + s * a + t * d) (y + s * b + t * e) (z + s * c + t * f) | (s, t) <- corners]
-
-type Vector3 = (Rational, Rational, Rational)
-
 -- Windows.
 
 whereaboutsLaws :: [Law ()]
@@ -326,156 +269,7 @@ whereaboutsLaws =
         ("object", Null)
       ]
 
--- | A window of a placement, mostly near what is laid.
-windowOn :: Mapped -> Gen (Question WhereaboutsReport)
-windowOn mapped = do
-  window <- Shape <$> side <*> side
-  at <- frequency ((1, anywhere) : [(4, near' cells) | cells@(_ : _) <- [taken]])
-  pure (Whereabouts mapped window at)
-  where
-    Shape high wide = mappedShape mapped
-    side = fromInteger <$> frequency [(3, chooseInteger (1, 2)), (1, chooseInteger (1, 4))]
-    taken = concatMap cellsTaken (mappedLayings mapped)
-    anywhere = Position <$> upTo (3 * high) <*> upTo (3 * wide)
-    upTo n = fromInteger <$> chooseInteger (0, toInteger n)
-    near' cells = do
-      (r, c) <- elements cells
-      (i, j) <- (,) <$> chooseInteger (0, 1) <*> chooseInteger (0, 1)
-      pure (Position (fromInteger (max 0 (r - i))) (fromInteger (max 0 (c - j))))
-
--- | The cells of the array that a laying takes.
-cellsTaken :: Drawing -> [(Integer, Integer)]
-cellsTaken laid =
-  [ (drawnRow laid + i, drawnColumn laid + j)
-    | (i, line) <- zip [0 ..] (drawnCells laid),
-      (j, '#') <- zip [0 ..] line
-  ]
-
--- | Some faces of some solids, laid where there is room for them.
-placements :: Gen Mapped
-placements = do
-  (high, wide) <- (,) <$> chooseInteger (1, 9) <*> chooseInteger (1, 9)
-  pitch@(right, _) <- elements [(1, 1), (127 / 5, 127 / 4), (3 / 2, 2)]
-  count <- chooseInt (1, 3)
-  objects <- mapM (body right) [1 .. count]
-  walks <-
-    nub
-      <$> vectorOf
-        4
-        (elements [(describedName it, it, walk) | it <- objects, walk <- describedFaces it])
-  layings <- foldr (\walk before -> before >>= laidBeside (high, wide) pitch walk) (pure []) walks
-  pure (Mapped (Shape (fromInteger high) (fromInteger wide)) pitch objects layings)
-  where
-    body unit number = do
-      shape <-
-        elements
-          [Box 4 3 2, Tetrahedron 5, LShape 4 2 5, Prism 5 3 3, Octahedron 4, Pyramid 5 4 3]
-      k <- (* unit) <$> elements [1, 3 / 2, 7 / 5]
-      it <- shuffledFaces (moved (scaled' k) (namedDescription shape))
-      pure it {describedName = ObjectName ("o" ++ show (number :: Int))}
-    scaled' k (Point x y z) = Point (k * x) (k * y) (k * z)
-
--- | A face beside those that are laid, if a place for it is found.
-laidBeside ::
-  (Integer, Integer) ->
-  (Rational, Rational) ->
-  (ObjectName, Description, FaceName) ->
-  [Drawing] ->
-  Gen [Drawing]
-laidBeside (high, wide) pitch (name, it, walk) before
-  | any ((== walk) . faceName . drawnFace) (filter ((== name) . faceObject . drawnFace) before) =
-    pure before
-  | otherwise = case traverse (`lookup` describedVertices it) (faceVertices walk) >>= flat of
-    Nothing -> pure before
-    Just face -> do
-      let room = roomFor face pitch
-      less <- (,) <$> few <*> few
-      margin <- frequency [(3, pure Nothing), (1, Just <$> elements [(1, 1), (1 / 3, 5 / 2)])]
-      kept <- vectorOf 200 (frequency [(8, pure True), (1, pure False)])
-      let size = (max 0 (fst room - fst less), max 0 (snd room - snd less))
-          block = Block (maybe Middle From margin) pitch size
-          drawn =
-            [ [ if holds face block (r, c) && keep then '#' else '.'
-                | (c, keep) <- zip [0 .. snd size - 1] keeps
-              ]
-              | (r, keeps) <- zip [0 .. fst size - 1] (inParts 20 kept)
-            ]
-          at (r, c) = Drawing (Face name walk) r c margin drawn
-          free laid =
-            not (null (cellsTaken laid))
-              && and
-                [ i >= 0 && i < high && j >= 0 && j < wide && (i, j)
-                    `notElem` concatMap
-                      cellsTaken
-                      before
-                  | (i, j) <- cellsTaken laid
-                ]
-      places <- vectorOf 12 ((,) <$> chooseInteger (-1, high) <*> chooseInteger (-1, wide))
-      pure (before ++ take 1 (filter free (map at places)))
-  where
-    few = frequency [(3, pure 0), (1, pure 1)]
-    inParts n values = case splitAt n values of
-      (part, []) -> [part]
-      (part, others) -> part : inParts n others
-
--- | With something that cannot be.
-impossible :: Mapped -> Gen Mapped
-impossible mapped =
-  oneof $
-    [ pure mapped {mappedPitch = (0, 1)},
-      pure mapped {mappedShape = Shape 0 3},
-      pure mapped {mappedObjects = concatMap (\it -> [it, it]) (mappedObjects mapped)},
-      pure
-        mapped
-          { mappedObjects =
-              map
-                (\it -> it {describedFaces = drop 1 (describedFaces it)})
-                (mappedObjects mapped)
-          },
-      pure mapped {mappedObjects = map reversed (mappedObjects mapped)}
-    ]
-      ++ [ do
-             k <- chooseInt (0, length layings - 1)
-             let (before, laid : after) = splitAt k layings
-             changed <-
-               elements
-                 [ laid {drawnRow = toInteger (rowsOf mapped)},
-                   laid {drawnColumn = -20},
-                   laid {drawnFace = (drawnFace laid) {faceObject = "nobody's"}},
-                   laid {drawnFace = backwards (drawnFace laid)},
-                   laid
-                     { drawnCells =
-                         drawnCells laid
-                           ++ take
-                             1
-                             (map (const '#' <$>) (drawnCells laid))
-                     },
-                   laid {drawnCells = map ('#' :) (drawnCells laid)},
-                   laid {drawnCells = []},
-                   laid {drawnMargin = Just (-1 / 7, 0)}
-                 ]
-             elements
-               [ mapped {mappedLayings = before ++ [changed] ++ after},
-                 -- The same face again, or another one on its cells.
-                 mapped
-                   { mappedLayings = layings ++ [laid {drawnFace = begunLater (drawnFace laid)}]
-                   }
-               ]
-           | not (null layings)
-         ]
-  where
-    layings = mappedLayings mapped
-    rowsOf it = let Shape high _ = mappedShape it in high
-    backwards (Face name (FaceName walk)) = Face name (FaceName (reverse walk))
-    begunLater (Face name (FaceName walk)) = Face name (FaceName (drop 1 walk ++ take 1 walk))
-
 -- Poses.
-
--- | A face that was felt, and the motion by which it was made.
-data Lying = Lying
-  { lyingFelt :: Felt,
-    lyingMotion :: RigidMotion
-  }
 
 poseLaws :: [Law ()]
 poseLaws =
@@ -551,97 +345,3 @@ poseLaws =
              | corners <-
                  [[], take 2 square, map (square !!) [0, 2, 1, 3]]
            ]
-
-lyingForm :: Codec Lying
-lyingForm =
-  Codec.object $
-    Lying
-      <$> Codec.key "felt" feltForm lyingFelt
-      <*> Codec.key "motion" motionCodec lyingMotion
-  where
-    feltForm =
-      Codec.Codec
-        feltValue
-        (maybe (Codec.refuse NotObject) Right . (readObject >=> readFelt))
-
--- | A face of a staircase, moved in the plane of the robot and in space by rational rotations.
-lying :: Gen Lying
-lying = do
-  corners <- map (\(x, y) -> (10 * x, 10 * y)) <$> staircase (chooseInteger (1, 12))
-  (c, s) <- elements [(1, 0), (3 / 5, 4 / 5), (-5 / 13, 12 / 13), (0, -1), (-8 / 17, -15 / 17)]
-  (tx, ty) <- (,) <$> far <*> far
-  count <- chooseInt (2, 8)
-  points <- nub <$> vectorOf count ((,) <$> (fromInteger <$> chooseInteger (0, 20)) <*> chooseFive)
-  turned <- rotation
-  shift <- (,,) <$> far <*> far <*> far
-  sd <- elements [0.05, 0.4, 1.5]
-  inWorld <-
-    frequency
-      [(1, pure Nothing), (1, Just <$> ((,) <$> rotation <*> ((,,) <$> far <*> far <*> far)))]
-  let onPlane (x, y) = (tx + c * x - s * y, ty + s * x + c * y)
-      inObject p = transposed turned `on` (p `less` shift)
-      distinct = if length points < 2 then [(0, 0), (50, 5)] else points
-      truth = case inWorld of
-        Nothing -> (turned, shift)
-        Just (p, d) -> (p `after` turned, (p `on` shift) `more` d)
-  pure
-    Lying
-      { lyingFelt =
-          Felt
-            [point (inObject (x, y, 0)) | corner <- corners, let (x, y) = onPlane corner]
-            [(double2 q, double2 (onPlane q)) | q <- distinct]
-            sd
-            (motion <$> inWorld),
-        lyingMotion = motion truth
-      }
-  where
-    far = fromInteger <$> chooseInteger (-400, 400)
-    chooseFive = (* 5) . fromInteger <$> chooseInteger (0, 20)
-    point (x, y, z) = Point x y z
-    double2 (x, y) = (fromRational x, fromRational y)
-    motion (rows', (x, y, z)) =
-      RigidMotion
-        [map fromRational [a, b, c] | (a, b, c) <- listed rows']
-        (map fromRational [x, y, z])
-    listed (a, b, c) = [a, b, c]
-    (a, b, c) `less` (d, e, f) = (a - d, b - e, c - f)
-    (a, b, c) `more` (d, e, f) = (a + d, b + e, c + f)
-    (a, b, c) `dot` (d, e, f) = a * d + b * e + c * f
-    (a, b, c) `on` v = (a `dot` v, b `dot` v, c `dot` v)
-    transposed ((a, b, c), (d, e, f), (g, h, i)) = ((a, d, g), (b, e, h), (c, f, i))
-    p `after` m = let (a, b, c) = transposed m in transposed (p `on` a, p `on` b, p `on` c)
-
--- | A rotation by the quaternion of four small integers.
-rotation :: Gen (Vector3, Vector3, Vector3)
-rotation = do
-  (a, b, c, d) <- ((,,,) <$> part <*> part <*> part <*> part) `suchThat` (/= (0, 0, 0, 0))
-  let n = a * a + b * b + c * c + d * d
-      over (x, y, z) = (x / n, y / n, z / n)
-  pure
-    ( over (a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)),
-      over (2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)),
-      over (2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d)
-    )
-  where
-    part = fromInteger <$> chooseInteger (-4, 4)
-
--- | With errors of at most half a millimetre along each axis.
-noisy :: Felt -> Gen Felt
-noisy felt = do
-  errors <- vectorOf (2 * length (feltSeen felt)) ((/ 16) . fromIntegral <$> chooseInt (-8, 8))
-  pure felt {feltSeen = zipWith moved2 (feltSeen felt) (pairs errors)}
-  where
-    moved2 (q, (x, y)) (dx, dy) = (q, (x + dx, y + dy))
-    pairs (x : y : others) = (x, y) : pairs others
-    pairs _ = []
-
--- | Fewer points.
-smallerLying :: Lying -> [Lying]
-smallerLying it =
-  [ it {lyingFelt = felt {feltSeen = before ++ drop 1 after}}
-    | length seen > 2,
-      (before, after) <- map (`splitAt` seen) [0 .. length seen - 1]
-  ]
-  where
-    felt = lyingFelt it
-    seen = feltSeen felt
