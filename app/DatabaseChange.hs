@@ -84,7 +84,7 @@ changed file what named form (profile, between) = do
       Answered <$ sayWrittenAs form to "" "objects-written/1" mempty
     Check -> whole >>= told [] []
   where
-    solids = for named (namedSolid (profileShape profile) between Nothing)
+    solids = for named (namedSolid (Just (profileShape profile)) between Nothing)
     firstSeed = 1
     whole =
       withStore file Nothing (\store -> storedPlacement store >>= orUnusable storeMessage)

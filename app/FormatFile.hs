@@ -21,8 +21,7 @@ import Message (formatMessage, placementFileMessage, profileMessage)
 import Output (writeWhole)
 import PraTactile.Format
 import PraTactile.Object.Placement (Placement)
-import PraTactile.Object.WingedEdge (ObjectName)
-import PraTactile.Pose (Pose, RigidMotion)
+import PraTactile.Pose (RigidMotion)
 import PraTactile.Profile
 import PraTactile.Sensor (Sensor)
 import PraTactile.Sensor.Calibration (Calibration)
@@ -83,7 +82,7 @@ readCalibration =
 
 -- | The claim and the pose in a file with an answer of @decode --json@; each 'Nothing' where it
 -- names no place on a face.
-readClaim :: FilePath -> IO (Maybe Claim, Maybe (ObjectName, Pose))
+readClaim :: FilePath -> IO (Maybe Claim, Maybe ObjectPose)
 readClaim = readAs readBytes both "one answer as 'pra-tactile decode --json' prints it"
   where
     both bytes = (,) <$> decodeClaim bytes <*> decodeClaimedPose bytes

@@ -6,11 +6,13 @@ module NamedSolid
   )
 where
 
+import Control.Monad (when)
 import Counted
+import Data.Maybe (fromMaybe, isNothing)
 import ExitStatus
 import Message
 import Polyhedra
-import PraTactile.Array (Shape)
+import PraTactile.Array (Shape (..))
 import PraTactile.Format.Solid (Contents (..), SolidFormat)
 import PraTactile.Object.Mesh (named)
 import PraTactile.Object.Packing (Reason (..))
@@ -20,10 +22,14 @@ import PraTactile.Object.WingedEdge
 import Visible
 
 -- | The solid that @[NAME=]SOLID|FILE@ is; the sheet has room for an array of this shape with
--- symbols so far apart. Leaves with status 2 where there is none.
-namedSolid :: Shape -> Pitch -> Maybe SolidFormat -> String -> IO Solid
-namedSolid shape between said subject = do
-  Contents it _ <- polyhedron shape between said from
+-- symbols so far apart, and without one there is none. Leaves with status 2 where there is no such
+-- solid.
+namedSolid :: Maybe Shape -> Pitch -> Maybe SolidFormat -> String -> IO Solid
+namedSolid known between said subject = do
+  when (isNothing known && from == "sheet") . misused $
+    "the sheet is as large as its array, and has no size of its own for which --smallest could "
+      ++ "look; name a box"
+  Contents it _ <- polyhedron (fromMaybe (Shape 1 1) known) between said from
   orUnusable
     (\why -> visibleName subject ++ ": " ++ objectMessage why)
     (solidOf (maybe id (named . ObjectName) name it))

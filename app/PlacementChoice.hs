@@ -11,7 +11,7 @@ module PlacementChoice
     chosenWith,
     chosenNear,
     withDatabase,
-    shownPlacement,
+    shownWith,
     feltPlacement,
   )
 where
@@ -159,9 +159,9 @@ agreeing array file profile = unless (nothingChosen array) $ do
     "the array options describe another array than that of " ++ visibleName file
       ++ "; leave them out"
 
--- | The same where nothing is said about the array.
-shownPlacement :: PlacementChoice -> IO (Profile, Placement)
-shownPlacement = chosenPlacement unsaid
+-- | 'chosenWith' where nothing is said about the array.
+shownWith :: PlacementChoice -> ObjectName -> IO (Profile, Placement)
+shownWith = chosenWith unsaid
 
 -- | How much larger than the paper's the symbols of a placement are, and the placement with all its
 -- lengths divided by that. Leaves with status 2 where they cannot be felt.

@@ -57,6 +57,7 @@ import qualified Test.CommandLine.LongWork
 import qualified Test.CommandLine.Output
 import qualified Test.CommandLine.Patches
 import qualified Test.CommandLine.Picture
+import qualified Test.CommandLine.Pose
 import qualified Test.CommandLine.Proof
 import qualified Test.CommandLine.Rates
 import qualified Test.CommandLine.Sensor
@@ -363,6 +364,7 @@ specs = do
   describe "The command line: sequences and foldings" Test.CommandLine.Sequences.spec
   describe "The command line: the smallest array" Test.CommandLine.Smallest.spec
   describe "The command line: rates" Test.CommandLine.Rates.spec
+  describe "The command line: poses" Test.CommandLine.Pose.spec
   describe "The command line: proofs and certificates" Test.CommandLine.Proof.spec
   describe "The command line: census" Test.CommandLine.Census.spec
   describe "The tools" Test.Tools.spec

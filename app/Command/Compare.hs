@@ -4,15 +4,16 @@ module Command.Compare
   )
 where
 
+import Control.Monad (guard)
 import ExitStatus
 import FormatFile
 import Options
 import PlacementChoice
 import PraTactile.Explore
-import PraTactile.Format (encodeComparison)
+import PraTactile.Format (ObjectPose (..), encodeComparison)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
-import PraTactile.Pose (longer, poseApart)
+import PraTactile.Pose (longer, movedBy, poseApart, thenMotion)
 import PraTactile.Recognise (leastTilt)
 import PraTactile.Recognise.Summary (orientationText, upperLeftVertex)
 import PraTactile.Symmetry (Symmetry, degreesClockwise)
@@ -40,19 +41,20 @@ run :: PlacementChoice -> FilePath -> FilePath -> AnswerForm -> IO ExitStatus
 run choice answerFile truthFile form = do
   (told, posed) <- readClaim answerFile
   known <- readTruth truthFile
-  (scale, layout) <- shownPlacement choice >>= feltPlacement . snd
+  (scale, layout) <- shownWith choice (faceObject (truthFace known)) >>= feltPlacement . snd
   let larger = fromRational scale
       claim = scaledClaim (1 / larger) <$> told
       truth = scaledTruth (1 / larger) known
       pitch = placementPitch layout
       -- The window's centre, as the answer has it in the robot's frame.
       poses = do
-        (object, pose) <- posed
+        ObjectPose object pose world <- posed
         (x, y) <- claimSeenAt <$> told
         true <- longer larger <$> truePose layout truth
-        if object == faceObject (truthFace truth)
-          then Just (poseApart true pose [x, y, 0])
-          else Nothing
+        -- The truth is in the robot's frame, the answer perhaps in the world.
+        let there = maybe id (flip thenMotion) world true
+        guard (object == faceObject (truthFace truth))
+        Just (poseApart there pose (maybe id movedBy world [x, y, 0]))
       verdict = maybe (Left Nothing) (either (Left . Just) Right . compared pitch truth) claim
   printAs
     form

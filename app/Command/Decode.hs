@@ -8,7 +8,6 @@ where
 
 import ArrayChoice
 import Control.Monad (unless, when)
-import Data.Bifunctor (second)
 import Data.Foldable (for_)
 import Data.List.NonEmpty (nonEmpty)
 import qualified Data.Map.Strict as Map
@@ -28,7 +27,12 @@ import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Decode (Stitching (..))
 import PraTactile.Field (KnownField)
 import PraTactile.Files (SourcePath (..), sourcePath, sourcePaths)
-import PraTactile.Format (RecognitionContext (..), encodeRecognition, recognitionReport)
+import PraTactile.Format
+  ( ObjectPose (..),
+    RecognitionContext (..),
+    encodeRecognition,
+    recognitionReport,
+  )
 import PraTactile.Object.Placement (Placement, placementPitch)
 import PraTactile.Pose (RigidMotion, thenPose)
 import PraTactile.Profile
@@ -294,7 +298,15 @@ decodeWith profile array near world options bare from composites = do
           contextRobot = both (larger *) . maybe id compositePosition (listToMaybe composites),
           contextPositionError =
             fmap maximum (nonEmpty (mapMaybe compositePositionError composites)),
-          contextPose = second (maybe id thenPose world) <$> pose reader recognition
+          contextPose =
+            ( \(object, found) ->
+                ObjectPose
+                  { posedObject = object,
+                    posedSo = maybe id thenPose world found,
+                    posedOn = world
+                  }
+            )
+              <$> pose reader recognition
         }
     pose reader =
       foundPose

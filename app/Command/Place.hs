@@ -130,7 +130,7 @@ run choice options = do
   (chosen, between, before) <- ground choice options
   names <- (subjects options ++) <$> maybe (pure []) objectLines (listed options)
   when (null names && null (faces options)) (misused "name an object; 'solid' lists what there is")
-  new <- for names (namedSolid (maybe (Shape 1 1) profileShape chosen) between (format options))
+  new <- for names (namedSolid (profileShape <$> chosen) between (format options))
   let known = maybe [] placementSolids before ++ new
       lying = maybe [] laidFaces before
       laidOn profile layings = placement (profileShape profile) between known layings

@@ -13,6 +13,7 @@ import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import ExitStatus
 import Message.Objects (objectMessage)
+import Message.Solid (tooFineMessage)
 import Numeric (showFFloat)
 import Options
 import Output
@@ -104,9 +105,13 @@ examined :: Options -> Maybe SolidFormat -> String -> IO ExitStatus
 examined options target subject = do
   Contents read' passed <- polyhedron sheet (symbolPitch options) (format options) subject
   let scaled = scaledBy (scale options) read'
-      Settled flat count most =
-        maybe (Settled scaled 0 0) (\mm -> settled mm (merging options) scaled) (tolerance options)
-      moved = Moved count most
+  Settled flat count most <- case tolerance options of
+    Nothing -> pure (Settled scaled 0 0)
+    Just mm ->
+      orUnusable
+        (\why -> visibleName subject ++ ": " ++ tooFineMessage why)
+        (settled mm (merging options) scaled)
+  let moved = Moved count most
       it = if merging options then mergeCoplanar flat else flat
       report = examine it
       grids = [bestGrid it (right, down) walk | walk <- V.toList (meshWalks it), carries it walk]

@@ -2,11 +2,13 @@
 module Message.Solid
   ( solidFileMessage,
     solidNameMessage,
+    tooFineMessage,
   )
 where
 
 import Message.Format (formatMessage)
 import PraTactile.Format.Solid
+import PraTactile.Object.Tolerance (TooFine (..))
 import Visible
 
 -- | Of a file, in a format.
@@ -42,3 +44,10 @@ solidNameMessage :: String -> String -> String
 solidNameMessage given form =
   quoted given ++ " is no solid: write " ++ form
     ++ ", with lengths in millimetres above 0, such as 31.75 or 127/4"
+
+-- | Why vertices are not moved.
+tooFineMessage :: TooFine -> String
+tooFineMessage (TooFine bits) =
+  "to be flat its faces would need coordinates of " ++ show bits
+    ++ " binary digits over one denominator, and more than 268435456 are not made; leave out "
+    ++ "--tolerance, or give fewer faces"

@@ -11,6 +11,7 @@ where
 import Drawing
 import Picture.Style
 import PraTactile.Array (Position)
+import PraTactile.Explore (fillsBox)
 import PraTactile.Geometry (columnPitch)
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Object.Placement
@@ -45,19 +46,23 @@ facePanel view = panel title note body (unitOf view)
     (across, down) = faceExtent view
     title = "Where it is: " ++ objectText object ++ ", face " ++ faceText name
     note = hundredths across ++ " x " ++ hundredths down ++ " mm, upright, seen from outside"
-    face = Extent 0 0 (unitOf view * across) (unitOf view * down)
+    faceShape paint
+      | fillsBox (viewFace view) =
+        Rectangle paint (Extent 0 0 (unitOf view * across) (unitOf view * down))
+      | otherwise = Outline paint (map (shownAt . spotMillimetres . snd) corners)
+    corners = laidCorners (viewFace view)
     shownAt = units view
     centre = shownAt (spotMillimetres (placeCentre (viewPlace view)))
     shown = shownAt . onFace view
     body =
-      Mark "face" (Rectangle (outlined ink 2) {fillColour = "#f6f7f9"} face) :
+      Mark "face" (faceShape (outlined ink 2) {fillColour = "#f6f7f9"}) :
       symbolMarks view
         ++ Mark "outline" (Outline (outlined ink 2) {dashed = True} (map shownAt (outline view))) :
       cornerMark (shown (-0.5, -0.5)) (shown (2, -0.5)) (shown (-0.5, 2)) :
       Mark "window" (Rectangle (outlined answering 4) (around (shownAt (windowSize view)) centre)) :
       placeMarks centre
         ++ distanceMarks view
-        ++ concatMap (vertexMark view) (laidCorners (viewFace view))
+        ++ concatMap (vertexMark view) corners
 
 -- | Width and height, millimetres.
 faceExtent :: FaceView -> (Double, Double)

@@ -52,6 +52,7 @@ module PraTactile.Format
     encodePosedTruth,
     decodeTruth,
     decodeClaimedPose,
+    ObjectPose (..),
     decodePlane,
     encodeComparison,
 
@@ -107,7 +108,7 @@ import PraTactile.Format.Error
 import PraTactile.Format.Manifest
 import PraTactile.Format.Object
 import PraTactile.Format.Placement
-import PraTactile.Format.Pose (decodePlane)
+import PraTactile.Format.Pose (ObjectPose (..), decodePlane)
 import PraTactile.Format.Profile
 import PraTactile.Format.Proof
 import PraTactile.Format.Rates

@@ -22,6 +22,7 @@ module PraTactile.Explore
 
     -- * Polygons
     insidePolygon,
+    fillsBox,
   )
 where
 

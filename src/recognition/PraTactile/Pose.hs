@@ -71,6 +71,8 @@ module PraTactile.Pose
     faceFrame,
     faceFrameOf,
     objectMotion,
+    thenMotion,
+    movedBy,
     longer,
     Pose (..),
     poseOf,
@@ -265,9 +267,14 @@ poseOf face (PlaneFit inPlane (cx, cy) covariance) = Pose motion (carried moved 
         [[1, 0, cy - ty], [0, 1, tx - cx], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 1]]
       _ -> []
 
+-- | The one motion and then the other.
 thenMotion :: RigidMotion -> RigidMotion -> RigidMotion
 thenMotion (RigidMotion r t) (RigidMotion r' t') =
   RigidMotion (r' `times` r) (zipWith (+) t' (r' `applied` t))
+
+-- | Where a motion takes a point.
+movedBy :: RigidMotion -> [Double] -> [Double]
+movedBy (RigidMotion rows by) point = zipWith (+) by (rows `applied` point)
 
 -- | The pose in the frame in which the robot's lies by a motion.
 thenPose :: RigidMotion -> Pose -> Pose
@@ -283,14 +290,14 @@ poseDifference :: RigidMotion -> Pose -> [Double]
 poseDifference (RigidMotion true by) (Pose (RigidMotion rows told) _) =
   zipWith (-) by told ++ logarithm (true `times` transpose rows)
 
--- | How far the true motion has a point from where a pose has it, which is here in the robot's
--- frame, in millimetres; and by how many degrees the one is turned from the other.
+-- | How far the true motion has a point from where a pose has it, which is here in the frame of
+-- both, in millimetres; and by how many degrees the one is turned from the other.
 poseApart :: RigidMotion -> Pose -> [Double] -> (Double, Double)
-poseApart true@(RigidMotion rows by) pose@(Pose (RigidMotion told from) _) point =
+poseApart true pose@(Pose (RigidMotion told from) _) point =
   (norm (zipWith (-) there point), toDegrees (norm (drop 3 (poseDifference true pose))))
   where
     onObject = transpose told `applied` zipWith (-) point from
-    there = zipWith (+) by (rows `applied` onObject)
+    there = true `movedBy` onObject
     norm v = sqrt (sum (map (^ (2 :: Int)) v))
 
 -- | The rotation vector of a rotation by less than half a turn.

@@ -150,17 +150,15 @@ spec = do
       (0, counted, "") <- pra (words "evaluate --presses 2 --seed 1 --bend 100 --json")
       map (`key` counted) [["pose"], ["bend", "axis"], ["stitching", "right"]]
         `shouldBe` [Just Null, Just "y", Just (Number 2)]
-  it "a sensor of symbols half as large feels half as sharp a bend alike" $
+  it "under symbols half as large half the radius is as sharp a bend" $
     inFolder $ \folder -> do
       (status, out, err) <-
         scripted folder $
-          "pra place cube --symbols 1/2 --q 4 --polynomial 2,1,0,0,0,1 --shape 31x33 --window 5x1 \
-          \--output p.json > log; for k in 1 2; do "
-            ++ "pra probe --object cube --placement p.json --taxel 0.79375 --seed 3 --upright \
-               \--face 'C1 C2 C3 C4' --at 10,10 --bend 50 --output f > log; done; "
-            ++ "pra probe --object cube --placement p.json --taxel 0.79375 --seed 3 --bend 8.9 \
-               \--output g"
-      (status, out) `shouldBe` (2, "")
+          "pra place b=box:90x90x90 --symbols 1/2 --output p.json > log; press() { "
+            ++ "pra probe --object b --placement p.json --taxel 0.79375 --seed 3 \"$@\"; }; "
+            ++ "press --bend 40 --output f --truth t > log && pra decode --placement p.json f "
+            ++ "--json > a; pra compare --placement p.json a t --json; press --bend 8.9 --output g"
+      (status, key ["agree"] out) `shouldBe` (2, Just (Bool True))
       err `shouldSatisfy` ("more than 8.98 mm" `isInfixOf`)
   describe "what cannot be is one line" bad
 

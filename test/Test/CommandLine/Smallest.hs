@@ -36,6 +36,9 @@ spec = do
   it "the array is looked for, and so not named" $ do
     complains ["place", "cube", "--smallest", "--shape", "15x17"] "beside it only --q"
     complains ["place", "cube", "--smallest", "--onto", "x.json"] "--onto names one"
+  it "a sheet, which is as large as its array, has no smallest one" $ do
+    complains ["place", "sheet", "--smallest"] "--smallest"
+    complains ["place", "cube", "plate=sheet", "--smallest"] "--smallest"
   where
     sides between (Shape r c) = show r ++ between ++ show c
     numberAfter key text = case stripPrefix key text of

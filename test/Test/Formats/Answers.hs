@@ -97,8 +97,15 @@ someRecognition =
     <*> several (SymbolReport <$> someSighting <*> maybeOf someClass)
     <*> several (SymbolReport <$> someSighting <*> someReal)
     <*> several someWindow
-    <*> maybeOf ((,) <$> (ObjectName <$> someText) <*> somePose)
+    <*> maybeOf (ObjectPose <$> (ObjectName <$> someText) <*> somePose <*> maybeOf somePlane)
   where
+    somePlane =
+      RigidMotion
+        <$> elements
+          [ [[0, 1, 0], [1, 0, 0], [0, 0, -1]],
+            [[0, 0.6, 0.8], [-1, 0, 0], [0, -0.8, 0.6]]
+          ]
+        <*> vectorOf 3 someReal
     somePose =
       Object.Pose <$> (RigidMotion <$> square 3 <*> vectorOf 3 someReal) <*> square 6
     square n = vectorOf n (vectorOf n someReal)

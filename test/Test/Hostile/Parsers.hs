@@ -43,7 +43,10 @@ import PraTactile.Image.Pgm
 import PraTactile.Locate hiding (Outcome (..))
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Description (ObjectName (..))
+import PraTactile.Object.Placement (laidFaces, placementSolids)
 import PraTactile.Object.Validity (examine, reportDefects)
+import PraTactile.Object.WingedEdge (solidName)
+import PraTactile.Pose (RigidMotion (..), movedBy)
 import PraTactile.Profile
 import PraTactile.Sensor.Calibration
 import PraTactile.Sensor.Manifest
@@ -84,7 +87,9 @@ kinds =
     kind "arrays as CSV" 60 grids judgedGrid,
     kind "networks" 20 networks judgedNetwork,
     kind "drawings of shapes" 20 drawings judgedDrawing,
-    kind "files of solids" 100 solidFiles judgedSolid
+    kind "files of solids" 100 solidFiles judgedSolid,
+    kind "placements" 40 placements judgedPlacement,
+    kind "planes" 20 planes judgedPlane
   ]
   where
     kind name share specimens judged = Kind name share specimens (pure . judged)
@@ -348,6 +353,30 @@ judgedSolid bytes = case readSolid format (ObjectName "it") bytes of
       | "v" `Bytes8.isPrefixOf` bytes = Obj
       | otherwise = Stl
     written form = Lazy.toStrict . toLazyByteString . Solid.writtenBytes . writeSolid form
+
+judgedPlacement :: ByteString -> Judged
+judgedPlacement bytes = case decodePlacement bytes of
+  Left why -> Refused (placementFileMessage "it" why)
+  Right (profile, layout) -> case withProfile profile (\_ _ -> ()) of
+    Left why -> Refused (profileMessage why)
+    Right () ->
+      let written = encodePlacement profile layout
+       in Accepted
+            [ ( "decode . encode = Right",
+                fmap (uncurry encodePlacement) (decodePlacement written) == Right written
+              )
+            ]
+            (concatMap (show . solidName) (placementSolids layout) ++ show (laidFaces layout))
+
+judgedPlane :: ByteString -> Judged
+judgedPlane bytes = case decodePlane bytes of
+  Left why -> Refused (formatMessage "it" "a plane" why)
+  Right plane ->
+    Accepted
+      [("lengths stay as they are", abs (squared [3, -4, 12] - 169) < 1e-2)]
+      (show plane)
+    where
+      squared = sum . map (^ (2 :: Int)) . movedBy plane {motionBy = [0, 0, 0]}
 
 judgedDrawing :: ByteString -> Judged
 judgedDrawing bytes = asText bytes $ \text -> case parseAlphabet (Text.pack text) of

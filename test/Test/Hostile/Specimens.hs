@@ -19,6 +19,8 @@ module Test.Hostile.Specimens
     networks,
     drawings,
     solidFiles,
+    placements,
+    planes,
   )
 where
 
@@ -47,6 +49,7 @@ import PraTactile.Format.Census.Row
 import PraTactile.Format.Solid (Written (..), writeSolid)
 import PraTactile.Image (constant)
 import PraTactile.Image.Pgm
+import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Mesh (fromDescription)
 import PraTactile.Object.Named (Named (Frame, Tetrahedron), namedDescription)
 import PraTactile.Object.Placement (Face (..))
@@ -245,6 +248,33 @@ solidFiles =
   [ Lazy.toStrict (toLazyByteString (writtenBytes (writeSolid format (fromDescription drawn))))
     | format <- [minBound ..],
       drawn <- map namedDescription [Tetrahedron 1, Frame 9 9 (1 / 3)]
+  ]
+
+-- | The shipped placement, and one with a polygon whose symbols are smaller.
+placements :: [ByteString]
+placements =
+  [encodePlacement canonicalProfile layout | Right layout <- [canonicalPlacement]]
+    ++ [ Bytes.concat
+           [ "{\"schema\":\"pra-tactile/placement/1\",\"profile\":",
+             encodeProfile canonicalProfile,
+             ",\"pitch_mm\":[\"127/10\",\"15.875\"],\"objects\":[",
+             "{\"schema\":\"pra-tactile/object/1\",\"name\":\"t\",\"vertices\":[",
+             "{\"name\":\"A\",\"at\":[\"0\",\"0\",\"0\"]},",
+             "{\"name\":\"B\",\"at\":[\"60\",\"60\",\"0\"]},",
+             "{\"name\":\"C\",\"at\":[\"60\",\"0\",\"60\"]},",
+             "{\"name\":\"D\",\"at\":[\"0\",\"60\",\"60\"]}],\"faces\":[[\"A\",\"B\",\"C\"],",
+             "[\"A\",\"D\",\"B\"],[\"A\",\"C\",\"D\"],[\"B\",\"D\",\"C\"]]}],",
+             "\"layings\":[{\"object\":\"t\",\"face\":[\"A\",\"B\",\"C\"],\"row\":0,\"column\":0,",
+             "\"margin_mm\":null,\"cells\":[\"#\"]}]}"
+           ]
+       ]
+
+-- | Where the robot's frame lies in the world.
+planes :: [ByteString]
+planes =
+  [ "{\"schema\":\"pra-tactile/plane/1\",\"rotation\":" <> rotation
+      <> ",\"translation_mm\":[400,-2.5e2,75]}"
+    | rotation <- ["[[0,1,0],[1,0,0],[0,0,-1]]", "[[0,0.6,0.8],[-1,0,0],[0,-0.8,0.6]]"]
   ]
 
 -- | The shipped shapes.

@@ -3,7 +3,7 @@
 -- | Triangles put together to the faces that they were, and vertices moved so that faces are flat.
 module Test.Solid.MergedAndSettled (spec) where
 
-import Data.List (sort)
+import Data.List (sort, unfoldr)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
@@ -15,6 +15,7 @@ import PraTactile.Object.Named
 import PraTactile.Object.Tolerance
 import PraTactile.Object.Triangles
 import PraTactile.Object.Validity
+import System.Random (mkStdGen, uniformR)
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
@@ -42,21 +43,42 @@ spec = do
     prop "makes solids flat again that were rounded to thousandths, moving less than that" $
       forAllBlind flatter $ \(drawn, digits) ->
         let rounded = fromDescription (moved (roundTo digits) drawn)
-            Settled flat _ most = settled 0.01 False rounded
          in counterexample (show drawn) $
-              (most <= 0.01) .&&. map defects [flat] === [[]]
+              case settled 0.01 False rounded of
+                Left why -> counterexample (show why) False
+                Right (Settled flat _ most) -> (most <= 0.01) .&&. map defects [flat] === [[]]
     it "leaves a cube as it is" $ do
       let it_ = fromDescription (namedDescription Cube)
-          Settled same count most = settled 0.5 True it_
-      (same, count, most) `shouldBe` (it_, 0, 0)
+      fmap (\(Settled same count most) -> (same, count, most)) (settled 0.5 True it_)
+        `shouldBe` Right (it_, 0, 0)
     it "puts vertices together that are no further apart, and no others" $ do
       let it_ = fromDescription (namedDescription (Box 100 100 0.5))
-      V.length (meshPoints (settledMesh (settled 0.5 False it_))) `shouldBe` 4
-      V.length (meshPoints (settledMesh (settled 0.499 False it_))) `shouldBe` 8
+          left mm = V.length . meshPoints . settledMesh <$> settled mm False it_
+      map left [0.5, 0.499] `shouldBe` [Right 4, Right 8]
+    it "refuses coordinates of more than 2^28 binary digits, which is told, and moves nothing" $ do
+      -- Parallelograms, each with a corner a millimetre off, in planes that have nothing in common.
+      let quads = 1500
+          drawn = take (9 * quads) (unfoldr (Just . uniformR (-4096, 4096)) (mkStdGen 7))
+          names = [VertexName (show i) | i <- [1 .. 4 * quads]]
+          points =
+            [ Point (coordinate a p) (coordinate b q) (coordinate c r)
+              | [a, b, c, x, y, z, x', y', z'] <- chunks 9 drawn,
+                (p, q, r) <- [(0, 0, 0), (x, y, z), (x + x', y + y', z + z' + 1), (x', y', z')]
+            ]
+          coordinate far near = fromInteger (256 * far + near)
+          it_ =
+            fromDescription
+              (Description (ObjectName "q") (zip names points) (map FaceName (chunks 4 names)))
+      either (\(TooFine bits) -> bits > 2 ^ (28 :: Int)) (const False) (settled 1 False it_)
+        `shouldBe` True
+      sufficient it_ `shouldBe` Nothing
     it "tells what would do" $
       forAllMoved $ \off ->
         fromMaybe 0 (sufficient (fromDescription off)) `shouldSatisfy` (\mm -> mm > 0 && mm < 1)
   where
+    chunks n list = case splitAt n list of
+      (front, rest) | length front == n -> front : chunks n rest
+      _ -> []
     whole =
       [Cube, Parallelepiped, Box 3 4 5, Pyramid 3 4 5, Tetrahedron 2, Octahedron 3, Pyritohedron 2]
         ++ [LShape 4 2 4, Prism 7 10 3]

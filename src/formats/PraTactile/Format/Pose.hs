@@ -2,7 +2,8 @@
 
 -- | The JSON of poses, and of how the robot's frame lies in the world.
 module PraTactile.Format.Pose
-  ( namedPoseCodec,
+  ( ObjectPose (..),
+    namedPoseCodec,
     poseCodec,
     motionCodec,
     decodePlane,
@@ -18,8 +19,23 @@ import PraTactile.Pose
 import PraTactile.Pose.Matrix (Matrix, diagonal, times)
 
 -- | An object and its pose.
-namedPoseCodec :: Codec (ObjectName, Pose)
-namedPoseCodec = object ((,) <$> key "object" objectName fst <*> withKeys snd poseKeys)
+data ObjectPose = ObjectPose
+  { posedObject :: ObjectName,
+    posedSo :: Pose,
+    -- | where the robot's frame lies in the world, if it is the pose there
+    posedOn :: Maybe RigidMotion
+  }
+  deriving stock (Eq, Show)
+
+-- | An object and its pose.
+namedPoseCodec :: Codec ObjectPose
+namedPoseCodec =
+  object
+    ( ObjectPose
+        <$> key "object" objectName posedObject
+        <*> withKeys posedSo poseKeys
+        <*> optionalKey "plane" motionCodec posedOn
+    )
   where
     objectName = Codec (writeValue text . unnamed) (fmap ObjectName . readValue text)
     unnamed (ObjectName name) = name

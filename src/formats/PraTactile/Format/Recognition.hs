@@ -29,8 +29,6 @@ import PraTactile.Format.Outcome
 import PraTactile.Format.Pose
 import PraTactile.Format.Profile
 import PraTactile.Locate (Chance, Checks, Known (..), atLeast)
-import PraTactile.Object.WingedEdge (ObjectName)
-import PraTactile.Pose (Pose)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Segmentation (SymbolImage (..))
@@ -70,7 +68,7 @@ data RecognitionReport = RecognitionReport
     reportParts :: [SymbolReport Double],
     reportWindows :: [WindowReport],
     -- | where one face is located
-    reportPose :: Maybe (ObjectName, Pose)
+    reportPose :: Maybe ObjectPose
   }
   deriving stock (Eq, Show)
 
@@ -218,7 +216,7 @@ data RecognitionContext = RecognitionContext
     -- | the standard deviation of the robot's position error, taxels, where the frames told it
     contextPositionError :: Maybe Double,
     -- | the object's pose, where one face is located
-    contextPose :: Maybe (ObjectName, Pose)
+    contextPose :: Maybe ObjectPose
   }
 
 -- | What a report says of a recognition.

@@ -26,8 +26,7 @@ import PraTactile.Format.Object
 import PraTactile.Format.Pose
 import PraTactile.Format.Recognition (decodeSchema)
 import PraTactile.Format.Sensor (bendCodec)
-import PraTactile.Object.WingedEdge (ObjectName)
-import PraTactile.Pose (Pose, RigidMotion)
+import PraTactile.Pose (RigidMotion)
 import PraTactile.Sensor.Frame (taxelPitch)
 import PraTactile.Symmetry
 import PraTactile.Truth
@@ -99,7 +98,7 @@ decodeClaim = decodeObject $ \fields -> do
     else pure Nothing
 
 -- | The pose in such a text, where it tells one.
-decodeClaimedPose :: ByteString -> Either FormatError (Maybe (ObjectName, Pose))
+decodeClaimedPose :: ByteString -> Either FormatError (Maybe ObjectPose)
 decodeClaimedPose =
   decodeObject (fmap join . readKeys (optionalKey "pose" (nullable namedPoseCodec) Just))
 

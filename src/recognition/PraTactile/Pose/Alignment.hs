@@ -27,6 +27,16 @@
 -- The variances follow from what is left: v_f is the mean square of the frame's residuals, and r^2,
 -- which nobody tells, the mean of r_f^2 + var r_f (expectation and maximisation), where
 -- var y_f = Y_f^-1 + Y_f^-1 Z_f^T M^-1 Z_f Y_f^-1.
+--
+-- = Without noise
+--
+-- What is left of a reading is taken for white noise. Of a sensor that has none (@ideal@) it is
+-- what the blur, which is normal, does not have of the element's square aperture: the same in all
+-- frames that feel a place, and of either sign along an edge. Errors are then some micrometres, not
+-- normal, and larger than the covariance says: its region of 95 % held 86 of 100 presses at any
+-- angle. Counting what is left as common to the frames at each taxel of the face, and widening the
+-- covariance by the score's scatter, made that 89, and of the region of 50 % 80: so the errors'
+-- form is another, not their size, and the covariance is left as the formulas have it.
 module PraTactile.Pose.Alignment
   ( Ground (..),
     heightAt,
@@ -204,7 +214,7 @@ normalOf ground (cx, cy) motion r strongest common touch (Own own v) =
     left
   where
     (ex, ey, turn, offset, gain) = case own of
-      [a, b, c, d, e] -> (a, b, c, d, e)
+      [right, down, angle, low, factor] -> (right, down, angle, low, factor)
       _ -> (0, 0, 0, 0, 0)
     (mx, my) = touchMiddle touch
     back = Frame.inverse motion

@@ -109,9 +109,9 @@ foundPose layout alphabet array told composites recognition = do
     -- Without the images: by the centres at which symbols were cut out.
     bySymbols sigma seen = moreError (common sigma) (common 1) <$> rigidFit seen
     common each = if frames == 0 then 0 else each / sqrt (fromIntegral frames)
-    groundUnder corner classes =
+    groundUnder from classes =
       Ground
-        corner
+        from
         ( Map.fromList
             [ ((fromIntegral i, fromIntegral j), shape)
               | (Position i j, c) <- classes,

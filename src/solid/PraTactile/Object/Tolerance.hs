@@ -9,6 +9,7 @@
 module PraTactile.Object.Tolerance
   ( settled,
     Settled (..),
+    TooFine (..),
     sufficient,
   )
 where
@@ -39,27 +40,35 @@ data Settled = Settled
 -- | Vertices no further apart than so many millimetres are put together, each at the first of them
 -- in the file's order, and others are moved no further so that faces are flat. If asked for, faces
 -- that share sides and lie as near to the plane of the largest of them count as one face, for an
--- exporter cut it into triangles. Faces with fewer than three vertices left are left out. Where the
--- new points have no common denominator that one can compute with, vertices stay where they are.
-settled :: Rational -> Bool -> Mesh -> Settled
+-- exporter cut it into triangles. Faces with fewer than three vertices left are left out. Refuses
+-- where the new points have no common denominator that one can compute with.
+settled :: Rational -> Bool -> Mesh -> Either TooFine Settled
 settled mm together it
-  | not (V.all (ofVertices it) (meshWalks it)) = Settled it 0 0
-  | otherwise = Settled flat (length moves) (maximum (0 : moves))
+  | not (V.all (ofVertices it) (meshWalks it)) = Right (Settled it 0 0)
+  | otherwise = whole <$> flattened (Just mm) together joint
   where
     (joint, weldedBy) = welded mm it
-    (flat, flattenedBy) = flattened (Just mm) together joint
-    moves = weldedBy ++ flattenedBy
+    whole (flat, flattenedBy) = Settled flat (length moves) (maximum (0 : moves))
+      where
+        moves = weldedBy ++ flattenedBy
+
+-- | The coordinates of flat faces would have so many binary digits over their common denominator,
+-- and more than 2^28 are not made.
+newtype TooFine = TooFine Integer
+  deriving stock (Eq, Show)
 
 -- | A tolerance, in millimetres, with which faces that are not flat will be: three digits of what
 -- has to be moved, rounded up. Nothing, where none will do.
 sufficient :: Mesh -> Maybe Double
 sufficient it
   | not (V.all (ofVertices it) (meshWalks it)) = Nothing
-  | any bent (V.toList (meshWalks flat)) || null moves = Nothing
-  | otherwise = Just (up (maximum moves))
+  | Right (flat, moves@(_ : _)) <- flattened Nothing False it,
+    not (any (bent flat) (V.toList (meshWalks flat))) =
+    Just (up (maximum moves))
+  | otherwise = Nothing
   where
-    (flat, moves) = flattened Nothing False it
-    bent walk = let corners = cornersOf flat walk in not (flatAlong (doubleArea corners) corners)
+    bent flat walk =
+      let corners = cornersOf flat walk in not (flatAlong (doubleArea corners) corners)
     up far =
       let digit = 10 ^^ (floor (logBase 10 far) - 2 :: Int)
        in fromInteger (ceiling (far / digit * (1 + 1e-12))) * digit
@@ -119,16 +128,18 @@ data Plane = Plane V3 Rational
 
 -- | Vertices moved so that faces are flat, no further than so many millimetres, with how far each
 -- was.
-flattened :: Maybe Rational -> Bool -> Mesh -> (Mesh, [Double])
+flattened :: Maybe Rational -> Bool -> Mesh -> Either TooFine (Mesh, [Double])
 flattened most together it
-  | IntMap.null moves || toInteger (integerLog2 over) * toInteger count > mostBits = (it, [])
+  | IntMap.null moves = Right (it, [])
+  | bits > mostBits = Left (TooFine bits)
   | otherwise =
-    ( withShape (meshNames it) (meshDenominator it * over) moved (meshWalks it) it,
-      [ squareRoot (norm d / fromInteger (meshDenominator it) ^ (2 :: Int))
-        | (i, p) <- IntMap.toList moves,
-          let d = p `less` exact (points V.! i)
-      ]
-    )
+    Right
+      ( withShape (meshNames it) (meshDenominator it * over) moved (meshWalks it) it,
+        [ squareRoot (norm d / fromInteger (meshDenominator it) ^ (2 :: Int))
+          | (i, p) <- IntMap.toList moves,
+            let d = p `less` exact (points V.! i)
+        ]
+      )
   where
     points = meshPoints it
     count = V.length points
@@ -158,6 +169,7 @@ flattened most together it
             maybe True (\mm -> d <= (mm * fromInteger (meshDenominator it)) ^ (2 :: Int)) most ->
             Just p
         _ -> Nothing
+    bits = toInteger (integerLog2 over) * toInteger count
     over = foldl' lcm 1 [denominator c | (x, y, z) <- IntMap.elems moves, c <- [x, y, z]]
     moved = V.imap (\i p -> maybe (scaled over p) whole (IntMap.lookup i moves)) points
     whole (x, y, z) = V3 (times x) (times y) (times z)
