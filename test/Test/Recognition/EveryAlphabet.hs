@@ -91,7 +91,7 @@ spec = do
                       let how = pressingWith standardSensor seed,
                       Right (frames, truth) <- [pressed how four array plate plateName],
                       face <- laidFaces plate,
-                      let trial' = Trial face (truthRegion truth) frames True
+                      let trial' = Trial face (truthRegion truth) frames Nothing True
                   ]
             )
         )
@@ -126,7 +126,7 @@ locatedAround array mask symbols plate (w, h) =
                     standardTolerance
                     reader
                     standardRegistration
-                    (Trial face (truthRegion truth) frames False)
+                    (Trial face (truthRegion truth) frames Nothing False)
                 ) of
                 Correct _ -> True
                 _ -> False
