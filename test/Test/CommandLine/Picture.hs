@@ -7,7 +7,7 @@ import Data.Aeson
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Char (isSpace)
 import Data.Foldable (for_)
-import Data.List (isInfixOf, isPrefixOf, sort, stripPrefix)
+import Data.List (isInfixOf, isPrefixOf, sort, stripPrefix, tails)
 import Data.Maybe (mapMaybe)
 import System.Directory (doesPathExist, listDirectory)
 import System.FilePath ((</>))
@@ -52,6 +52,18 @@ spec = do
       picture <- readFile (folder </> "picture.svg")
       (status, "Where it is" `isInfixOf` picture, "not likely enough" `isInfixOf` picture)
         `shouldBe` (1, False, True)
+  it "a face that is no rectangle is drawn as the polygon that it is" $
+    inFolder $ \folder -> do
+      (status, _, err) <-
+        scripted
+          folder
+          "pra place t=tetrahedron:200 --output p.json > log && pra probe --placement p.json \
+          \--object t --seed 3 --output f > log && pra decode --placement p.json f --picture x.svg \
+          \> log"
+      (status, err) `shouldBe` (0, "")
+      picture <- readFile (folder </> "x.svg")
+      let faces = [line | line <- lines picture, "class=\"face\"" `isInfixOf` line]
+      map (length . filter (== ',') . pointsOf) faces `shouldBe` [3]
   it "docs/demo.svg is what the command beside it in the README draws" $ do
     readme <- lines <$> readFile "README.md"
     case [ words command
@@ -177,6 +189,12 @@ spec = do
         . filter (not . ("xlink:href" `isPrefixOf`))
         . words
         . map (\c -> if c `elem` ("<>/" :: String) then ' ' else c)
+
+-- | The points of a polygon in SVG.
+pointsOf :: String -> String
+pointsOf line = case [rest | end <- tails line, Just rest <- [stripPrefix "points=\"" end]] of
+  points : _ -> takeWhile (/= '"') points
+  [] -> ""
 
 -- | Words as a shell parts them, where single quotes are all that is quoted.
 shellWords :: String -> [String]

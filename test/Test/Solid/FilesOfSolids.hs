@@ -62,6 +62,16 @@ spec = do
       let report = examine it_
       (reportFaces report, map componentGenus (reportComponents report)) `shouldBe` (192, [Just 1])
       reportDefects report `shouldBe` []
+  describe "what OpenSCAD wrote" $
+    forM_ ["bracket.stl", "bracket.off"] $ \file ->
+      it ("of a bracket with a square hole is one piece of genus 1: " ++ file) $ do
+        it_ <- theirs file
+        forM_ [(it_, 40), (mergeCoplanar it_, 14)] $ \(one, faces) -> do
+          let report = examine one
+          reportDefects report `shouldBe` []
+          reportFaces report `shouldBe` faces
+          [(componentGenus c, componentVolume c) | c <- reportComponents report]
+            `shouldBe` [(Just 1, Just (120 * 60 * 10 + 10 * 60 * 70 - 30 * 20 * 10))]
   describe "indices, ends and numbers" $ do
     it "OBJ: negative and slashed indices, and lines that go on after a backslash" $
       facesOf
