@@ -8,7 +8,7 @@ MATCH =
 # What random cases are drawn from, as in: make test SEED=7
 SEED =
 export PREFIX DESTDIR SEED
-.PHONY: all help setup build demo test lint format fuzz defects mutants archive prove bench evaluate figures docs house shapes network \
+.PHONY: all help setup build demo test lint format fuzz defects mutants calibration archive prove bench evaluate figures docs house shapes network \
         check-network check-newer-ghc install uninstall clean
 # cabal holds one build at a time in dist-newstyle.
 .NOTPARALLEL:
@@ -68,6 +68,11 @@ prove: setup ## prove every array to 2^20 cells by both roads; to 2^16 with ever
 bench: setup ## the benchmarks
 	@tools/build.sh bench:bench
 	@$(CABAL) bench -v1
+
+# EXPLORATIONS=150 at each of four noises, some minutes for each field; a fit takes some thousands.
+calibration: setup ## how many symbols are told and counted wrong with each shipped alphabet, and the doubts fitted anew
+	@tools/build.sh bench:calibrate
+	@"$$(tools/cabal.sh list-bin -v0 bench:calibrate)" $(or $(EXPLORATIONS),150)
 
 # SEEDS=20; about ten minutes. Which laws find which is kept in data/impostors.txt.
 mutants: setup ## which laws find which impostor, and whether each is found with each of 20 seeds

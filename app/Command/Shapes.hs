@@ -135,19 +135,15 @@ elementNames q = inConwayField q named
 -- | What is wrong, a line each, and the distances.
 checkText :: String -> Alphabet -> Text
 checkText name drawn =
-  Text.unlines $
-    [ Text.pack
-        ( name ++ ": " ++ show (alphabetSize drawn) ++ " shapes, least distance "
-            ++ show (leastDistance drawn)
-            ++ " of 96 taxels"
-            ++ maybe
-              ""
-              (\d -> "; the greatest that so many can have is " ++ show d)
-              (greatestPossible (alphabetSize drawn))
-        )
-    ]
-      ++ map line (faults drawn)
+  Text.unlines (Text.pack (name ++ ": " ++ apart) : map line (faults drawn))
   where
+    q = alphabetSize drawn
+    apart =
+      show q ++ " shapes, least distance " ++ show (leastDistance drawn) ++ " of 96 taxels"
+        ++ maybe
+          ""
+          (\d -> "; the greatest that so many can have is " ++ show d)
+          (greatestPossible q)
     line (Fault shape kind) =
       Text.pack "fault: " <> shape <> Text.pack ": " <> Text.pack (faultWords kind)
 

@@ -73,7 +73,7 @@ spec = do
           estimateChance before (back what) `shouldSatisfy` \p -> abs (p - chance) < 1e-12
         elemIndex shape (shapes given) `shouldBe` Just (fst (estimateLikeliest before))
   it "what was pressed with other shapes is not told as certain" $ do
-    profile <- pure canonicalProfile
+    let profile = canonicalProfile
     plate <- right (platePlacement (profileShape profile))
     nine <- right (shippedAlphabet 9)
     four <- right (alphabet (take 4 (zip (shapeNames nine) (shapes nine))))
@@ -132,10 +132,10 @@ locatedAround array mask symbols plate (w, h) =
                 _ -> False
         | face <- laidFaces plate,
           let (right', bottom) = spotMillimetres (laidExtent face),
-          let across = [0, right' / 2, right' - taxelPitch * fromIntegral w],
-          let down = [0, bottom / 2, bottom - taxelPitch * fromIntegral h],
-          at <- (,) <$> across <*> down,
-          at /= (right' / 2, bottom / 2)
+          let free = right' - taxelPitch * fromIntegral w,
+          let below' = bottom - taxelPitch * fromIntegral h,
+          at <- (,) <$> [0, free / 2, free] <*> [0, below' / 2, below'],
+          at /= (free / 2, below' / 2)
       ]
   where
     how at =

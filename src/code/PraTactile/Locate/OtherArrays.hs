@@ -91,9 +91,9 @@ otherArrays on@(ArrayOn _ array) =
 smallPeriod :: Natural
 smallPeriod = 2 ^ (15 :: Int)
 
--- | 2^22: as many arrays, positions and symmetries are compared with, multiplied.
+-- | 2^24: as many arrays, positions and symmetries are compared with, multiplied.
 mostCompared :: Natural
-mostCompared = 2 ^ (22 :: Int)
+mostCompared = 2 ^ (24 :: Int)
 
 -- | How many arrays are drawn: 1024, and fewer of degrees above 64, where each takes longer.
 drawsOf :: Primitive k -> Int
