@@ -25,8 +25,8 @@ module PraTactile.Conformance.Definition.Face
 where
 
 import Data.List (sortBy)
-import PraTactile.Conformance.Definition.Solid (flatFace)
-import PraTactile.Object.Description (Point (..), cyclicPairs)
+import PraTactile.Conformance.Definition.Solid (cyclicPairs, flatFace)
+import PraTactile.Object.Description (Point (..))
 
 -- | a, b, and the corners' X and Y.
 data Flat = Flat Rational Rational [(Rational, Rational)]

@@ -16,10 +16,10 @@ import PraTactile.Conformance.Definition.Pose
 import PraTactile.Conformance.Definition.Solid
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Wire
-import PraTactile.Format.Object
+import PraTactile.Format.Object (On (..), WhereaboutsReport (..))
 import PraTactile.Format.Placement (Drawing (..))
-import PraTactile.Object.Defect
-import PraTactile.Object.Description
+import PraTactile.Object.Defect (Defect (..))
+import PraTactile.Object.Description (Description (..), FaceName (..), Point)
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.Validity (Report (..))
 import PraTactile.Pose (Pose (..), RigidMotion (..))
@@ -36,6 +36,10 @@ expectedWithoutProfile question = case question of
     Nothing -> Just (Left (Refusal "invalid"))
     Just (SomeQuestion asked) -> fmap (answerValue asked) <$> expectedWithoutProfile asked
   _ -> Nothing
+
+-- | A walk from each of its vertices.
+rotations :: [a] -> [[a]]
+rotations walk = [drop k walk ++ take k walk | k <- [0 .. length walk - 1]]
 
 cellsOf :: [Point] -> (Rational, Rational) -> Either Refusal [String]
 cellsOf corners pitch@(right, down) = case flat corners of

@@ -24,9 +24,9 @@ module PraTactile.Conformance.Definition.Pose
 where
 
 import Data.List (nub, transpose)
-import PraTactile.Conformance.Definition.Solid (flatFace)
+import PraTactile.Conformance.Definition.Solid (cyclicPairs, flatFace)
 import PraTactile.Conformance.Question
-import PraTactile.Object.Description (Point (..), cyclicPairs)
+import PraTactile.Object.Description (Point (..))
 import PraTactile.Pose (Pose (..), RigidMotion (..))
 
 poseOf :: Felt -> Either Refusal Pose

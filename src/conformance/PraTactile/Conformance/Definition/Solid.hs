@@ -6,14 +6,15 @@
 module PraTactile.Conformance.Definition.Solid
   ( reportOf,
     flatFace,
+    cyclicPairs,
   )
 where
 
 import Data.List (elemIndex, maximumBy, nub, sort, tails, (\\))
 import Data.Maybe (mapMaybe)
 import Data.Ord (comparing)
-import PraTactile.Object.Defect
-import PraTactile.Object.Description
+import PraTactile.Object.Defect (Defect (..), Kind (..), Unexamined (..))
+import PraTactile.Object.Description (Description (..), FaceName (..), Point (..), VertexName (..))
 import PraTactile.Object.Validity (Component (..), Report (..))
 
 type P = (Rational, Rational, Rational)
@@ -31,6 +32,10 @@ times k (a, b, c) = (k * a, k * b, k * c)
 
 null3 :: P -> Bool
 null3 = (== (0, 0, 0))
+
+-- | Each with the one after it, round a cycle.
+cyclicPairs :: [a] -> [(a, a)]
+cyclicPairs walk = zip walk (drop 1 walk ++ take 1 walk)
 
 -- | Whether these corners, in order, are a simple polygon in a plane.
 flatFace :: [Point] -> Bool
@@ -72,7 +77,7 @@ reportOf it =
         && not (any (`elem` repeated) walk)
     formed = filter (wellFormed . snd) indexed
     malformed = length formed < length faces
-    sidesOf (FaceName walk) = zip walk (drop 1 walk ++ take 1 walk)
+    sidesOf (FaceName walk) = cyclicPairs walk
     pointsOf (FaceName walk) = map at walk
 
     area face =
