@@ -69,7 +69,7 @@ completionSpec = describe "completion" $ do
   it "of a file's and a folder's name" $ do
     completions ["decode", "data/worked"] `shouldReturn` ["data/worked-example"]
     completions ["stitch", "data/worked"] `shouldReturn` ["data/worked-example"]
-    completions ["check", "data/check"] `shouldReturn` ["data/check_certificate.py"]
+    completions ["check", "data/check_c"] `shouldReturn` ["data/check_certificate.py"]
     completions ["stitch", "data/check"] `shouldReturn` []
   it "in bash, by the script that is installed" $
     withShell "bash" $ \bash -> do

@@ -34,7 +34,7 @@ cliques size related items = map (itemsOf numbered) (go size (IntMap.keysSet num
 -- relation is symmetric. Note [Colours]
 --
 -- >>> clique 4 (\a b -> gcd a b == 1) [2 .. 7 :: Int]
--- Just [7,2,3,5]
+-- Just [7,5,3,2]
 -- >>> clique 5 (\a b -> gcd a b == 1) [2 .. 7 :: Int]
 -- Nothing
 clique :: Int -> (a -> a -> Bool) -> [a] -> Maybe [a]
