@@ -30,11 +30,11 @@
 --
 -- = What is no white noise
 --
--- Tilts, hysteresis and gains leave errors in a frame that its pixels have in common, and the normal
--- blur is not the square aperture of a noiseless sensor. Were the model right, the frames' scores
--- s_f = k_f - Z_f Y_f^-1 l_f at the end would have covariances that add up to M. So M^-1 is taken
--- times their dispersion (the quasi-likelihood of Wedderburn, Biometrika 61, 1974, the N frames as
--- its independent observations), if that is above 1:
+-- Tilts, hysteresis and gains leave errors in a frame that its pixels have in common, and the
+-- normal blur is not the square aperture of a noiseless sensor. Were the model right, the frames'
+-- scores s_f = k_f - Z_f Y_f^-1 l_f at the end would have covariances that add up to M. So M^-1 is
+-- taken times their dispersion (the quasi-likelihood of Wedderburn, Biometrika 61, 1974, the N
+-- frames as its independent observations), if that is above 1:
 --
 -- > N / (N - 1) sum s_f^T M^-1 s_f / 3
 --
