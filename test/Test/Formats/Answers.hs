@@ -97,18 +97,16 @@ someRecognition =
     <*> several (SymbolReport <$> someSighting <*> maybeOf someClass)
     <*> several (SymbolReport <$> someSighting <*> someReal)
     <*> several someWindow
-    <*> maybeOf (ObjectPose <$> (ObjectName <$> someText) <*> somePose <*> maybeOf somePlane)
+    <*> maybeOf (ObjectPose <$> (ObjectName <$> someText) <*> somePose <*> maybeOf someMotion)
   where
-    somePlane =
+    someMotion =
       RigidMotion
         <$> elements
           [ [[0, 1, 0], [1, 0, 0], [0, 0, -1]],
             [[0, 0.6, 0.8], [-1, 0, 0], [0, -0.8, 0.6]]
           ]
         <*> vectorOf 3 someReal
-    somePose =
-      Object.Pose <$> (RigidMotion <$> square 3 <*> vectorOf 3 someReal) <*> square 6
-    square n = vectorOf n (vectorOf n someReal)
+    somePose = Object.Pose <$> someMotion <*> vectorOf 6 (vectorOf 6 someReal)
     someTurns = choose (0, 3)
     someClass = (,,) <$> someInt <*> someText <*> someTurns
     someSighting =
