@@ -186,7 +186,7 @@ refusals = do
         `shouldBe` (key, True)
   it "a key that is missing, or null, of a profile, a certificate and a truth" $ do
     askew <- generate someTruth
-    let truth = askew {truthRegion = (truthRegion askew) {regionAngle = 0}}
+    let truth = askew {truthRegion = (truthRegion askew) {regionAngle = 0}, truthBend = Nothing}
     profile <- generate someProfile
     certificate <- generate someCertificate
     everyKey (encodeProfile profile) decodeProfile
