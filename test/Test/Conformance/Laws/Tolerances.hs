@@ -2,8 +2,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# LANGUAGE RankNTypes #-}
 
--- | For each scene of touch an answer just within its tolerance passes, and one just beyond does
--- not.
+-- | For each scene of touch, and for poses, an answer just within its tolerance passes, and one
+-- just beyond does not.
 module Test.Conformance.Laws.Tolerances (spec) where
 
 import Data.Foldable (for_)
@@ -12,6 +12,7 @@ import PraTactile.Conformance
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Wire (readAnswer)
+import PraTactile.Pose (Pose (..), RigidMotion (..))
 import Test.Conformance.Laws.Trials
 import Test.Hspec
 
@@ -27,6 +28,7 @@ spec = for_ scenes $ \(law, asked) ->
     scenes =
       [ (law, map trial (draws 24 gen))
         | law <- lawsWithoutProfile,
+          lawStage law `elem` touchStages || lawNeeds law == [OfPose],
           Cases _ (Some gen _) trial <- [lawCases law ()]
       ]
     answered trial = case askedBy (const (Left (Refusal "none"))) trial of
@@ -50,6 +52,9 @@ variants trial question wanted = case question of
   Segment _ -> Just (Answered (\a -> passes (segmenting a) trial) within' beyond')
     where
       (within', beyond') = aroundSymbols wanted
+  FacePose _ ->
+    let by size = aroundPose size wanted
+     in Just (Answered (\a -> passes (posing a) trial) (by 0.9e-9) (by 1.1e-9))
   _ -> Nothing
   where
     -- Where the robot made no error, a quarter of a taxel.
@@ -66,6 +71,27 @@ variants trial question wanted = case question of
     segmenting answer asked = case asked of
       Segment _ -> Right answer
       _ -> Left (Refusal "not-offered")
+    posing :: Pose -> Question b -> Either Refusal b
+    posing answer asked = case asked of
+      FacePose _ -> Right answer
+      _ -> Left (Refusal "not-offered")
+
+-- | With one number of the motion so many times itself and a millimetre further off.
+aroundPose :: Double -> Pose -> [Pose]
+aroundPose size pose =
+  [ pose {poseMotion = RigidMotion (motionRows motion) by} | by <- each (motionBy motion)
+  ]
+    ++ [ pose {poseMotion = RigidMotion rows' (motionBy motion)}
+         | (before, row' : after) <- map (`splitAt` motionRows motion) [0 .. 2],
+           changed <- each row',
+           let rows' = before ++ changed : after
+       ]
+  where
+    motion = poseMotion pose
+    each values =
+      [ before ++ (x + size * (1 + abs x)) : after
+        | (before, x : after) <- map (`splitAt` values) [0 .. 2]
+      ]
 
 -- | Half a taxel along each axis that is fixed; any displacement along the others. Another reason
 -- never passes, nor do other axes where it is registered or refused for @one-axis@.
