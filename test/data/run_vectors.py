@@ -1,4 +1,4 @@
-"""Put the test vectors in data/vectors to a decoder, all in one session: run_vectors.py COMMAND ARGS...
+"""Put the test vectors in data/vectors, but those that need no profile, to a decoder, all in one session: run_vectors.py COMMAND ARGS...
 Prints those that it does not pass, and how many there are."""
 
 import json
@@ -25,6 +25,8 @@ def ask(request, outcome):
 ask({"command": "start", "protocol": 1}, None)
 for file in sorted(Path("data/vectors").glob("*/*.json"), key=lambda file: file.name):
     vectors = json.loads(file.read_text())
+    if vectors["profile"] is None:
+        continue
     ask({"command": "profile", "profile": vectors["profile"]}, ("result", True))
     for group in vectors["groups"]:
         for test in group["tests"]:
