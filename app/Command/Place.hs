@@ -26,7 +26,7 @@ import Options
 import Output
 import Polyhedra
 import PraTactile.Advise
-import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), area)
+import PraTactile.Array (Position (..), PseudorandomArray, area)
 import PraTactile.Field (KnownField)
 import PraTactile.Format.Place
 import PraTactile.Format.Solid (SolidFormat)

@@ -8,8 +8,8 @@ module PraTactile.Conformance.Definition.Objects
   )
 where
 
-import Data.List (genericDrop, genericLength, genericTake, nub, sort)
-import Data.Maybe (isJust, isNothing)
+import Data.List (genericLength, nub, sort, sortOn)
+import Data.Maybe (isNothing)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Conformance.Definition.Face
 import PraTactile.Conformance.Definition.Pose
@@ -151,15 +151,9 @@ sameReport wanted got =
     && and (zipWith measured (inOrder wanted) (inOrder got))
   where
     numbers it = (reportVertices it, reportEdges it, reportFaces it)
-    inOrder = sortedBy what . map sorted . reportDefects
+    inOrder = sortOn what . map sorted . reportDefects
     sorted (Defect kind faces vertices measure) = Defect kind (sort faces) (sort vertices) measure
     what (Defect kind faces vertices _) = (kind, faces, vertices)
-    sortedBy f xs = map snd (sort' [(f x, x) | x <- xs])
-    sort' = foldr insertPair []
-    insertPair one [] = [one]
-    insertPair one (other : others)
-      | fst one <= fst other = one : other : others
-      | otherwise = other : insertPair one others
     measured a b = case (defectMeasure a, defectMeasure b) of
       (Just x, Just y) -> near x y
       (x, y) -> isNothing x && isNothing y

@@ -7,7 +7,6 @@ module PraTactile.Conformance.Library.Objects
 where
 
 import Control.Monad (unless, when)
-import Data.Maybe (isNothing)
 import qualified Data.Set as Set
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Conformance.Implementation
