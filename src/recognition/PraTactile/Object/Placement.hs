@@ -10,6 +10,7 @@ module PraTactile.Object.Placement
     Place (..),
     corner,
     whereabouts,
+    placeFrom,
     Mapping (..),
     inCommon,
     more,
@@ -70,6 +71,19 @@ corner place = case placeCorners place of
 -- in proportion to the window's cells at most, and to the logarithm of the number of laid faces.
 whereabouts :: Placement -> Shape -> Position -> Whereabouts
 whereabouts place window = runIdentity . whereaboutsIn (mappingOf place) window
+
+-- | The place of a window that begins on a laid face, by its shape and its position in the array,
+-- though it may reach over the face's edge: its centre is in the face's plane. 'Nothing' where its
+-- upper left cell is not within the face's block.
+placeFrom :: Placement -> LaidFace -> Shape -> Position -> Maybe Place
+placeFrom place laid window at
+  | within row rows && within column columns = Just (placeOn pitch window at seat)
+  | otherwise = Nothing
+  where
+    pitch = placementPitch place
+    seat = seatOf laid
+    within along size =
+      along at >= along (laidAt laid) && along at < along (laidAt laid) + size (laidGrid laid)
 
 -- | The mapping of faces to the array as look-ups ask it, from memory or from a database.
 data Mapping m = Mapping

@@ -45,7 +45,8 @@ data ReadWindow = ReadWindow
     windowClasses :: [[Maybe Int]],
     -- | its centre, by those of its symbols that were seen, as 'readAt' has it
     windowSeenAt :: (Double, Double),
-    -- | what lies there
+    -- | what lies there; the one face of all symbols that were felt, even if it is smaller than the
+    -- window
     windowWhereabouts :: Whereabouts
   }
   deriving stock (Eq, Show)
@@ -102,19 +103,24 @@ findingAt reader location position = do
         (recogniserWindow reader)
         (facesAt (recogniserPlacement reader) . mapMaybe place0)
         (Map.keysSet (if null right then likely else right))
+        (windowOf (recogniserPlacement reader) (recogniserWindow reader))
         windowsFrom
 
 -- | Windows of which none is complete, those of this shape with the most of these cells first. If
 -- all these cells lie on one face, they tell it, and windows over its edge are none: those on it
--- count, even if they begin before the grid.
+-- count, even if they begin before the grid. Where it is smaller than a window, the face has those
+-- that begin on it.
 mostFelt ::
   Shape ->
-  ([Cell] -> [Face]) ->
+  ([Cell] -> [LaidFace]) ->
   Set Cell ->
+  (LaidFace -> ReadWindow -> Maybe ReadWindow) ->
   (Cell -> [(Cell, ReadWindow)]) ->
   [ReadWindow]
-mostFelt shape facesOf known windowsFrom = case facesOf (Set.toList known) of
-  [face] | those@(_ : _) <- filter ((== Just face) . faceOf) reaching -> those
+mostFelt shape facesOf known onIt windowsFrom = case facesOf (Set.toList known) of
+  [laid]
+    | those@(_ : _) <- filter ((== Just (laidFace laid)) . faceOf) reaching -> those
+    | those@(_ : _) <- mapMaybe (onIt laid) reaching -> those
   _ -> map snd (sortOn (Down . felt) (windowsFrom (0, 0)))
   where
     (high, wide) = (fromIntegral (rows shape), fromIntegral (columns shape))
@@ -133,10 +139,22 @@ mostFelt shape facesOf known windowsFrom = case facesOf (Set.toList known) of
       OnFace place -> Just (placeFace place)
       _ -> Nothing
 
+-- | A window that begins on this face, as one of the face.
+windowOf :: Placement -> Shape -> LaidFace -> ReadWindow -> Maybe ReadWindow
+windowOf place shape laid window =
+  (\on -> window {windowWhereabouts = OnFace on})
+    <$> placeFrom place laid shape (windowPosition window)
+
 -- | The faces on which these cells of the array lie.
-facesAt :: Placement -> [Position] -> [Face]
+facesAt :: Placement -> [Position] -> [LaidFace]
 facesAt place positions =
-  nub [placeFace on | at <- positions, OnFace on <- [whereabouts place (Shape 1 1) at]]
+  nub
+    [ laid
+      | at <- positions,
+        OnFace on <- [whereabouts place (Shape 1 1) at],
+        let Face object named = placeFace on,
+        Right laid <- [findFace place object named]
+    ]
 
 -- | The window whose upper left cell is this one of the grid.
 windowIn ::

@@ -255,39 +255,43 @@ fileSpec = do
       `shouldBe` Left (CellsOffFace face [Position i 4 | i <- [0 .. 3]])
 
 touchSpec :: Spec
-touchSpec =
+touchSpec = do
   it "are pressed and recognised, with symbols of any size" $ do
-    alphabet <- right paperAlphabet
-    network <- right paperNetwork
-    for_ [(1, [Octahedron 250]), (1 / 2, [LShape 120 60 120, Prism 5 100 80])] $
-      \(size, chosen) -> do
-        place <- right (laidBy 1 size AnyVertex chosen)
-        let profile =
-              canonicalProfile
-                { profilePolynomial = [2, 1, 1, 0, 0, 0, 1],
-                  profileState = [0, 0, 0, 0, 0, 1],
-                  profileShape = sheet,
-                  profileWindow = Shape 3 2
-                }
-            experiment =
-              (standardExperiment idealSensor)
-                { experimentPresses = 12,
-                  experimentExploration = exploration idealSensor AnyAngle (40, 72)
-                }
-        results <-
-          right $
-            withProfile profile $ \array mask -> do
-              reader <-
-                either
-                  (Left . show)
-                  Right
-                  ( recogniser
-                      (ArrayOn Torus array)
-                      mask
-                      (scaledPlacement (1 / size) place)
-                      (readerOf alphabet network)
-                  )
-              either (Left . show) Right (evaluated experiment array reader)
-        outcomes <- map withStitching <$> right results
-        [() | Mistaken _ <- outcomes] `shouldBe` []
-        length [() | Correct _ <- outcomes] `shouldSatisfy` (>= 9)
+    recognised AnyVertex 1 [Octahedron 250]
+    recognised AnyVertex (1 / 2) [LShape 120 60 120, Prism 5 100 80]
+  it "are recognised where they are two rows high and the window three" $
+    recognised AsNamed 1 [Box 250 250 80]
+  where
+    recognised begun size chosen = do
+      alphabet <- right paperAlphabet
+      network <- right paperNetwork
+      place <- right (laidBy 1 size begun chosen)
+      let profile =
+            canonicalProfile
+              { profilePolynomial = [2, 1, 1, 0, 0, 0, 1],
+                profileState = [0, 0, 0, 0, 0, 1],
+                profileShape = sheet,
+                profileWindow = Shape 3 2
+              }
+          experiment =
+            (standardExperiment idealSensor)
+              { experimentPresses = 12,
+                experimentExploration = exploration idealSensor AnyAngle (40, 72)
+              }
+      results <-
+        right $
+          withProfile profile $ \array mask -> do
+            reader <-
+              either
+                (Left . show)
+                Right
+                ( recogniser
+                    (ArrayOn Torus array)
+                    mask
+                    (scaledPlacement (1 / size) place)
+                    (readerOf alphabet network)
+                )
+            either (Left . show) Right (evaluated experiment array reader)
+      outcomes <- map withStitching <$> right results
+      [() | Mistaken _ <- outcomes] `shouldBe` []
+      length [() | Correct _ <- outcomes] `shouldSatisfy` (>= 9)
