@@ -61,13 +61,13 @@ import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge (ObjectName)
 import PraTactile.Store.Error
 import PraTactile.Store.Guard
+import PraTactile.Store.Older
 import PraTactile.Store.Query
 import PraTactile.Store.Rows
 import PraTactile.Store.Rows.Read
 import PraTactile.Store.Rows.Write
 import PraTactile.Store.Schema
 import PraTactile.Store.Target
-import PraTactile.Store.Version2
 import System.Directory (doesDirectoryExist, doesPathExist, renameFile)
 import System.FilePath (isRelative, (</>))
 import System.IO (IOMode (..), SeekMode (..), hGetChar, hSeek, withBinaryFile)
@@ -111,7 +111,7 @@ create path profile place = runExceptT $ do
 -- | Make the placement of a store another one, in one transaction, by a function of the placement
 -- that it has. Objects and laid faces that stay keep their numbers,
 -- and only rows that differ are written; nothing is where the function refuses. Another program
--- that is changing the store is waited for, up to ten seconds. A store of version 2 is replaced,
+-- that is changing the store is waited for, up to ten seconds. A store of an older version is replaced,
 -- whole or not at all, by one of this version.
 change ::
   FilePath ->
@@ -239,7 +239,7 @@ schemaChecked path = do
           there <- columnsOf (partName part)
           unless (there == map fst (partColumns part)) (throwE (TablesDiffer path))
         pure version
-      | version == 2 -> pure version
+      | version `elem` [1, 2] -> pure version
       | otherwise -> throwE (WrongSchemaVersion (fromIntegral version) (fromIntegral schemaVersion))
     _ -> throwE (UnreadableRow MetadataTable)
   where
@@ -253,7 +253,10 @@ everything path version = do
   unless (take 1 verdict == [Text.pack "ok"]) (throwE (DamagedFile path BrokenPages))
   if version == schemaVersion
     then current path
-    else (\(profile, place) -> (profile, firstNumbers place, place, Nothing)) <$> selectVersion2
+    else
+      (\(profile, place) -> (profile, firstNumbers place, place, Nothing))
+        <$> selectOlder
+          version
 
 current :: FilePath -> Query IO (String, Numbers, Placement, Maybe Rows)
 current path = do

@@ -161,18 +161,40 @@ spec = describe "store" $ do
       inDirectory $ \directory -> thePlacement $ \place -> do
         create (directory </> "a.sqlite") "a \"quoted\" profile, \955" place `shouldReturn` Right ()
         sealsInPython (directory </> "a.sqlite")
-    it "a store of version 2, which an earlier release wrote, is asked as the placement" $
-      inDirectory $ \directory -> thePlacement $ \place -> do
-        let path = directory </> "old.sqlite"
-        script <- Text.pack <$> readFile "test/data/store-version-2.sql"
-        executeAll path script
-        asked path $ \store -> do
-          storedPlacement store `shouldReturn` Right place
-          for_ everyPosition $ \at ->
-            storedWhereabouts store canonicalWindow at
-              `shouldReturn` Right (whereabouts place canonicalWindow at)
-        execute path "UPDATE vertex SET z_um = z_um + 1 WHERE id = 16"
-        opening path `shouldReturn` Left (ChangedRow MetadataTable)
+    describe "stores that earlier releases wrote" $
+      for_ [(1 :: Int, withoutDigest), (2, id)] $ \(version, asThen) -> do
+        let withOld action = inDirectory $ \directory -> thePlacement $ \place -> do
+              let path = directory </> "old.sqlite"
+              script <- asThen . Text.pack <$> readFile "test/data/store-version-2.sql"
+              executeAll path script
+              action place path
+        it ("version " ++ show version ++ ": is asked as the placement") $
+          withOld $ \place path ->
+            asked path $ \store -> do
+              storedPlacement store `shouldReturn` Right place
+              for_ everyPosition $ \at ->
+                storedWhereabouts store canonicalWindow at
+                  `shouldReturn` Right (whereabouts place canonicalWindow at)
+        for_
+          [ "UPDATE vertex SET z_um = z_um + 1 WHERE id = 16",
+            "UPDATE face SET name = 'C1 C2' WHERE id = 3",
+            "UPDATE edge SET left_face = 2 WHERE id = 1",
+            "DELETE FROM edge WHERE id = 1",
+            "UPDATE laying SET width_um = 127001 WHERE id = 2",
+            "UPDATE laying SET grid_rows = 3 WHERE id = 2",
+            "DELETE FROM cell WHERE id = 7",
+            "UPDATE cell SET array_row = 14, array_column = 16 WHERE id = 7",
+            "DELETE FROM corner WHERE id = 7"
+          ]
+          $ \statement ->
+            it ("version " ++ show version ++ ": refused after " ++ Text.unpack statement) $
+              withOld $ \_ path -> do
+                execute path statement
+                refused <- opening path
+                refused `shouldSatisfy` \why -> case why of
+                  Left (ChangedRow MetadataTable) -> version == 2
+                  Left _ -> version == 1
+                  Right _ -> False
 
   describe "is one file, replaced whole or not at all" $ do
     it "nothing else is left beside it, made twice" $
@@ -452,18 +474,38 @@ tampered statement test =
 
 -- Without the foreign keys' guard, which is off where it is not asked for.
 execute :: FilePath -> Text -> IO ()
-execute path statement = bracket (Sqlite.open (Text.pack path)) Sqlite.close $ \connection ->
-  bracket (Sqlite.prepare connection statement) Sqlite.finalize (void . Sqlite.stepConn connection)
+execute path statement = executed path [statement]
 
--- Every statement of a script, a line each.
+executed :: FilePath -> [Text] -> IO ()
+executed path statements = bracket (Sqlite.open (Text.pack path)) Sqlite.close $ \connection ->
+  for_ statements $ \statement ->
+    bracket
+      (Sqlite.prepare connection statement)
+      Sqlite.finalize
+      (void . Sqlite.stepConn connection)
+
+-- | Every statement of a script, a line each, in one transaction.
 executeAll :: FilePath -> Text -> IO ()
-executeAll path script = for_ (statementsIn (Text.lines script)) (execute path)
+executeAll path script =
+  executed path (["BEGIN"] ++ statementsIn (Text.lines script) ++ ["COMMIT"])
   where
     statementsIn lines_ = case break (";" `Text.isSuffixOf`) lines_ of
       (_, []) -> []
       (before, end : after) ->
         Text.unlines (filter (not . isComment) (before ++ [end])) : statementsIn after
     isComment = ("--" `Text.isPrefixOf`)
+
+-- | A script of version 2 as one of version 1, which had no digest.
+withoutDigest :: Text -> Text
+withoutDigest = Text.unlines . map line . Text.lines
+  where
+    line text
+      | "CREATE TABLE \"metadata\"" `Text.isPrefixOf` text =
+        Text.replace ",\"contents\" VARCHAR NOT NULL" "" text
+      | "INSERT INTO \"metadata\" VALUES(1,2," `Text.isPrefixOf` text =
+        Text.replace "VALUES(1,2," "VALUES(1,1," (Text.dropEnd 1 (Text.dropWhileEnd (/= ',') text))
+          <> ");"
+      | otherwise = text
 
 copied :: FilePath -> FilePath -> IO FilePath
 copied from to = copyFile from to >> pure to

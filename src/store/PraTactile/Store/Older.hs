@@ -1,10 +1,10 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Stores of version 2, which had whole micrometres and a row a cell: they are read, so as to be
--- asked, and to be replaced. All their faces begin at the first corner and have their block in the
--- middle.
-module PraTactile.Store.Version2
-  ( selectVersion2,
+-- | Stores of versions 1 and 2, which had whole micrometres and a row a cell: they are read, so as
+-- to be asked, and to be replaced. All their faces are rectangles, begin at the first corner and
+-- have their block in the middle.
+module PraTactile.Store.Older
+  ( selectOlder,
   )
 where
 
@@ -14,7 +14,9 @@ import Control.Monad.Trans.Class (lift)
 import Control.Monad.Trans.Except (except, throwE)
 import Data.Bifunctor (first)
 import Data.Int (Int64)
+import Data.List (sort)
 import qualified Data.Map.Strict as Map
+import Data.Maybe (listToMaybe)
 import Data.Ratio ((%))
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -23,19 +25,23 @@ import Database.Persist.Sql (RawSql, Single (..), rawSql)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Certificate.Digest (sha256OfText)
 import PraTactile.Object.Placement
+import PraTactile.Object.Surd (fraction)
 import PraTactile.Object.WingedEdge
 import PraTactile.Store.Error
 import PraTactile.Store.Query (Query)
 import Text.Read (readMaybe)
 
--- | The text of the profile, and the placement. Such a store carries a digest of all its rows, and
--- what differs from it is refused.
-selectVersion2 :: MonadIO m => Query m (String, Placement)
-selectVersion2 = do
+-- | The text of the profile, and the placement, of a store of this version. Version 2 has a digest
+-- of all its rows, and what differs from it is refused. Version 1 has none: there what follows from
+-- other rows (edges, names and sizes of faces, cells) must be what they imply, and a change of the
+-- rest that leaves rectangles of those sizes is not noticed.
+selectOlder :: MonadIO m => Int64 -> Query m (String, Placement)
+selectOlder version = do
   sheets <-
-    rowsOf
-      "SELECT profile, array_rows, array_columns, pitch_right_um, pitch_down_um, id, contents \
-      \FROM metadata"
+    rowsOf $
+      "SELECT profile, array_rows, array_columns, pitch_right_um, pitch_down_um, id, "
+        <> (if version == 1 then "''" else "contents")
+        <> " FROM metadata"
   (profile, (high, wide), (right, down), sheet, digest) <- case sheets of
     [(Single text, Single r, Single c, Single x, Single y, Single key, Single sum_)] ->
       pure (text :: Text, (r, c), (x, y), key :: Int64, sum_ :: Text)
@@ -64,7 +70,7 @@ selectVersion2 = do
           ++ counted walks
           ++ concatMap counted [corners, edges, layings, cells]
   unless
-    (Text.pack (sha256OfText (unlines hashed)) == digest)
+    (version == 1 || Text.pack (sha256OfText (unlines hashed)) == digest)
     (throwE (ChangedRow MetadataTable))
   let vertexNames =
         Map.fromList [(key, VertexName (Text.unpack name)) | (key, (_, name, _)) <- points]
@@ -113,9 +119,52 @@ selectVersion2 = do
     let it = described one
     except (first (NotSolid (describedName it)) (solid it))
   place <- except (first NotPlaced (placement shape between solids wishes))
+  let numberOf face = lookup face [(named', key) | (key, named') <- Map.toList faceNames]
+      vertexOf whole vertex =
+        listToMaybe
+          [ key
+            | (key, (owner, name, _)) <- points,
+              Map.lookup owner objectNames == Just (solidName whole),
+              VertexName (Text.unpack name) == vertex
+          ]
+      -- From either of its ends.
+      eitherWay edge@(from, to, l, r) = min edge (to, from, r, l)
+  agree FaceTable [(key, Text.unpack name) | (key, (_, name)) <- walks] $
+    Map.toList (fmap (faceText . faceName) faceNames)
+  agree
+    EdgeTable
+    [eitherWay (Just from, Just to, Just l, Just r) | (_, [_, from, to, l, r]) <- edges]
+    [ eitherWay
+        ( vertexOf whole (edgeStart edge),
+          vertexOf whole (edgeEnd edge),
+          on edgeLeft,
+          on
+            edgeRight
+        )
+      | whole <- solids,
+        edge <- solidEdges whole,
+        let on side = numberOf (Face (solidName whole) (side edge))
+    ]
+  agree
+    LayingTable
+    [ (Map.lookup key faceNames, (fraction (millimetres w), fraction (millimetres h)))
+      | (_, [key, _, _, _, _, w, h]) <- layings
+    ]
+    [ (Just (laidFace laid), (spotRight (laidExtent laid), spotDown (laidExtent laid)))
+      | laid <- laidFaces place
+    ]
+  agree
+    LayingTable
+    [(laying, (r, c), (i, j)) | (_, [r, c, laying, i, j]) <- cells]
+    [ (laying, (r + i, c + j), (i, j))
+      | (laying, [_, r, c, h, w, _, _]) <- layings,
+        i <- [0 .. h - 1],
+        j <- [0 .. w - 1]
+    ]
   pure (Text.unpack profile, place)
   where
-    -- The digest vouches for what they are.
+    agree table found implied = unless (sort found == sort implied) (throwE (RowsDisagree table))
+    -- The digest or what follows from them vouches for what they are.
     natural = fromInteger . max 0 . toInteger
     millimetres :: Int64 -> Rational
     millimetres micrometres = toInteger micrometres % 1000
