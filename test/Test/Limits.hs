@@ -31,10 +31,10 @@ spec :: Spec
 spec = do
   it "of windows and arrays" $
     [ Grid.largestGrid,
-      Enumeration.largestSpan,
-      Enumeration.largestSort,
-      Enumeration.largestMap,
-      Enumeration.largestReading,
+      Enumeration.largestSpan Enumeration.standardLimits,
+      Enumeration.largestSort Enumeration.standardLimits,
+      Enumeration.largestMap Enumeration.standardLimits,
+      Enumeration.largestReading Enumeration.standardLimits,
       Distance.largestSearch,
       Census.largestShapes
     ]

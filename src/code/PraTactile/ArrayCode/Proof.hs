@@ -22,7 +22,7 @@ import PraTactile.ArrayCode
 import PraTactile.Field
 import PraTactile.Polynomial
 import PraTactile.Window
-import PraTactile.Window.Enumeration (largestSpan)
+import PraTactile.Window.Enumeration (Limits (..), standardLimits)
 import PraTactile.Window.Seen
 import PraTactile.Window.Visit
 
@@ -84,7 +84,7 @@ proveCode code mask = case visits of
 jointly ::
   KnownField k => ArrayCode k -> Mask -> Maybe (Natural, Maybe (CodePosition, CodePosition))
 jointly code mask
-  | spanned > largestSpan = Nothing
+  | spanned > largestSpan standardLimits = Nothing
   | otherwise = do
     windows <- traverse (\j -> either (const Nothing) Just (codeGrid code j) >>= windowsOf) numbers
     let (different, repeated) = visitAll windows

@@ -14,6 +14,7 @@ module PraTactile.Locate.OtherArrays
     worthOfOthers,
     relativeTo,
     mostCompared,
+    smallPeriod,
 
     -- * All of them
     decimations,

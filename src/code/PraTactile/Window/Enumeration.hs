@@ -8,10 +8,12 @@ module PraTactile.Window.Enumeration
     Enumeration (..),
     allDistinct,
     EnumerationError (..),
-    largestSpan,
-    largestSort,
-    largestMap,
-    largestReading,
+
+    -- * Limits
+    Limits (..),
+    standardLimits,
+    enumerateWithin,
+    enumerableWithin,
   )
 where
 
@@ -57,23 +59,23 @@ data EnumerationError
     TooManyWindows Natural Natural
   deriving stock (Eq, Show)
 
--- | 2^30: up to this many possible contents, what was seen is kept as one bit a content, if that is
--- not many times more than there are positions.
-largestSpan :: Natural
-largestSpan = 2 ^ (30 :: Int)
+-- | What the ways of keeping what was seen may take. The answer does not depend on the way.
+data Limits = Limits
+  { -- | up to this many possible contents there is one bit a content, if that is not many times more
+    -- than there are positions
+    largestSpan :: !Natural,
+    -- | up to this many positions, the contents are sorted instead if they fit a machine integer
+    largestSort :: !Natural,
+    -- | up to this many positions, there is an ordered map otherwise, whatever the number of contents
+    largestMap :: !Natural,
+    -- | the most cells that are read for that map, all windows added up
+    largestReading :: !Natural
+  }
+  deriving stock (Eq, Show)
 
--- | 2^26: up to this many positions, the contents are sorted instead if they fit a machine integer.
-largestSort :: Natural
-largestSort = 2 ^ (26 :: Int)
-
--- | 2^20: up to this many positions, what was seen is kept in an ordered map otherwise, whatever
--- the number of contents.
-largestMap :: Natural
-largestMap = 2 ^ (20 :: Int)
-
--- | 2^26: the most cells that are read for that map, all windows added up.
-largestReading :: Natural
-largestReading = 2 ^ (26 :: Int)
+-- | 2^30 contents, 2^26 positions sorted, 2^20 in a map by at most 2^26 cells.
+standardLimits :: Limits
+standardLimits = Limits (2 ^ (30 :: Int)) (2 ^ (26 :: Int)) (2 ^ (20 :: Int)) (2 ^ (26 :: Int))
 
 -- | Visit every window on the surface. Takes one pass, and on the first repetition a second one to
 -- find the partner. Refuses when there is no window, or no memory for what was seen. O(N) for N
@@ -81,12 +83,16 @@ largestReading = 2 ^ (26 :: Int)
 -- each of the q^m possible contents; where these are too many, O(m N) by sorting, with 8 bytes a
 -- position, or O(m N log N) by a map.
 enumerate :: Surface -> Grid -> Mask -> Either EnumerationError Enumeration
-enumerate surface grid mask
+enumerate = enumerateWithin standardLimits
+
+-- | The same within other limits.
+enumerateWithin :: Limits -> Surface -> Grid -> Mask -> Either EnumerationError Enumeration
+enumerateWithin limits surface grid mask
   | count == 0 = Left NoWindow
-  | Just windows <- visited, bitsSuffice spanned count = Right (byBits windows)
-  | Just windows <- visited, count <= largestSort = Right (bySorting windows)
+  | Just windows <- visited, bitsSuffice limits spanned count = Right (byBits windows)
+  | Just windows <- visited, count <= largestSort limits = Right (bySorting windows)
   | Just seen <- byFewerCells = Right seen
-  | mapSuffices count mask = Right (byOrder (packedWindows packing surface grid mask))
+  | mapSuffices limits count mask = Right (byOrder (packedWindows packing surface grid mask))
   | otherwise = Left (TooManyWindows spanned count)
   where
     spanned = fromIntegral (gridAlphabet grid) ^ maskSize mask
@@ -99,7 +105,7 @@ enumerate surface grid mask
     byFewerCells = do
       fewer <- fittingCells (gridAlphabet grid) mask
       windows <-
-        if area (visitedShape surface (gridShape grid) fewer) <= largestSort
+        if area (visitedShape surface (gridShape grid) fewer) <= largestSort limits
           then visit packing surface grid fewer
           else Nothing
       let seen = bySorting windows
@@ -117,13 +123,17 @@ enumerate surface grid mask
 -- | Refuses, before there is a grid, what 'enumerate' refuses for every grid with this number of
 -- symbols and of this shape.
 enumerable :: Surface -> Int -> Shape -> Mask -> Either EnumerationError ()
-enumerable surface q shape mask
+enumerable = enumerableWithin standardLimits
+
+-- | The same within other limits.
+enumerableWithin :: Limits -> Surface -> Int -> Shape -> Mask -> Either EnumerationError ()
+enumerableWithin limits surface q shape mask
   | count == 0 = Left NoWindow
-  | packs && (bitsSuffice spanned count || count <= largestSort) = Right ()
+  | packs && (bitsSuffice limits spanned count || count <= largestSort limits) = Right ()
   | Just fewer <- fittingCells q mask,
-    area (visitedShape surface shape fewer) <= largestSort =
+    area (visitedShape surface shape fewer) <= largestSort limits =
     Right ()
-  | mapSuffices count mask = Right ()
+  | mapSuffices limits count mask = Right ()
   | otherwise = Left (TooManyWindows spanned count)
   where
     packs = spanned <= 2 ^ (62 :: Int)
@@ -131,13 +141,13 @@ enumerable surface q shape mask
     count = area (visitedShape surface shape mask)
 
 -- | Whether a bit for each possible content takes little enough memory for the number of positions.
-bitsSuffice :: Natural -> Natural -> Bool
-bitsSuffice spanned count = spanned <= min largestSpan (max (2 ^ (20 :: Int)) (64 * count))
+bitsSuffice :: Limits -> Natural -> Natural -> Bool
+bitsSuffice limits spanned count = spanned <= min (largestSpan limits) (max (2 ^ (20 :: Int)) (64 * count))
 
 -- | Whether the contents of the mask at this many positions fit an ordered map.
-mapSuffices :: Natural -> Mask -> Bool
-mapSuffices count mask =
-  count <= largestMap && count * fromIntegral (maskSize mask) <= largestReading
+mapSuffices :: Limits -> Natural -> Mask -> Bool
+mapSuffices limits count mask =
+  count <= largestMap limits && count * fromIntegral (maskSize mask) <= largestReading limits
 
 -- | The first cells of a mask, as many as fit a machine integer with q symbols.
 fittingCells :: Int -> Mask -> Maybe Mask

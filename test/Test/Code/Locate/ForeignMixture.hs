@@ -2,9 +2,12 @@
 -- symmetries and positions.
 module Test.Code.Locate.ForeignMixture (spec) where
 
+import Data.Either (isRight)
 import Data.Foldable (for_)
 import PraTactile.Array
+import PraTactile.Factorisation (factorise, totient)
 import PraTactile.Field
+import PraTactile.Field.Named
 import PraTactile.Grid (displaced)
 import PraTactile.Locate
 import PraTactile.Locate.OtherArrays
@@ -19,6 +22,20 @@ import Test.QuickCheck hiding (elements)
 
 spec :: Spec
 spec = do
+  it "of long periods there are too many others to be compared with, whatever the field" $
+    for_
+      [ (q, n, terms)
+        | q <- [2 .. 256],
+          isRight (conwayModulus q),
+          n <- [1 .. 26],
+          let terms = q ^ n - 1,
+          terms > smallPeriod,
+          terms <= 2 * mostCompared
+      ]
+      $ \(q, n, terms) -> do
+        factors <- right (factorise terms)
+        let others = totient factors `div` n - 1
+        (q, n, others * terms) `shouldSatisfy` \(_, _, compared) -> compared > mostCompared
   it "half of what is foreign is another array: added up over polynomials, ways and places" $
     for_ small $ \setting -> onArray setting $ \array window ->
       let others = byOtherPolynomials array

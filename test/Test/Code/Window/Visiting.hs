@@ -1,7 +1,7 @@
 -- | Visiting all windows of any matrix, by lists and sets alone.
 module Test.Code.Window.Visiting (visitingSpec, shrinkOffsets) where
 
-import Control.Monad (forM_)
+import Control.Monad (forM_, void)
 import qualified Data.IntSet as IntSet
 import Data.List (elemIndex, foldl', nub, tails)
 import Data.Maybe (listToMaybe)
@@ -10,6 +10,7 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Grid
 import PraTactile.Window
+import PraTactile.Window.Enumeration
 import PraTactile.Window.Proof
 import Test.Code.Generators
 import Test.Hspec
@@ -78,12 +79,33 @@ shrinkMatrix (codes, offsets) =
   ]
     ++ [(codes, fewer) | fewer <- shrinkOffsets offsets]
 
--- | What 'enumerate' must see, by lists and sets alone.
+-- | What 'enumerate' must see, by lists and sets alone; within any limits the same or nothing, and
+-- what a map has room for is seen.
 visits :: [[Int]] -> [(Natural, Natural)] -> Surface -> Property
 visits codes offsets on = case (gridFromRows 3 codes, mask offsets) of
-  (Right grid, Right m) -> enumerate on grid m === expected
+  (Right grid, Right m) ->
+    enumerate on grid m === expected
+      .&&. forAll
+        (Limits <$> power 3 <*> power 2 <*> power 2 <*> power 2)
+        ( \limits ->
+            let seenWithin = enumerateWithin limits on grid m
+                before = enumerableWithin limits on 3 (gridShape grid) m
+                refusal = TooManyWindows (3 ^ maskSize m) count
+             in case seenWithin of
+                  Left (TooManyWindows _ _) ->
+                    seenWithin === Left refusal
+                      .&&. counterexample
+                        "a map has room"
+                        (count > largestMap limits || reading > largestReading limits)
+                  _ -> seenWithin === expected
+                  .&&. (before === void seenWithin .||. before === Right ())
+        )
+    where
+      count = fromIntegral (length seen)
+      reading = count * fromIntegral (maskSize m)
   _ -> property False
   where
+    power base = (base ^) <$> choose (0, 8 :: Int)
     h = length codes
     w = length (concat (take 1 codes))
     cellOf r c = case on of
