@@ -135,7 +135,7 @@
 -- > C = sinc (pi u / (2 width)) sinc (pi v / (2 height))
 -- > R(g) = ratio of the densities of A e^(g/2) and B e^(-g/2) by one relief and by two,
 -- >        each the mean over kappa
--- > P(d) ~ pi(d) * (mean over g = -0.8, -0.4 .. 0.8 of exp (-g^2 / 0.32) R(g)^0.8) ^ m
+-- > P(d) ~ pi(d) * (mean over g of R(g)^0.8) ^ m,    g normal, of variance 0.16
 --
 -- where C is the mean cosine of a coefficient's phase over displacements within half a taxel, e^g
 -- how many times what the first frame reads the second does beyond the scales, and m, within 1/2 to

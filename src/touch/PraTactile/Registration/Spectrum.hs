@@ -23,6 +23,8 @@ module PraTactile.Registration.Spectrum
   )
 where
 
+import Data.List (maximumBy)
+import Data.Ord (comparing)
 import qualified Data.Vector as Boxed
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
@@ -216,22 +218,49 @@ shared tables process (w, h) (a, b) =
                   l
     {-# INLINE sums #-}
 
--- | How much likelier, as a natural logarithm, the patches are of one relief than of two, if the
--- second reads that many times what the first does, beyond the scales. Relief is no normal process,
--- and the coefficients are not quite independent, so each counts for somewhat less: @tempering@.
-sharedLog :: Double -> [Shared] -> Double
-sharedLog ratio scales =
-  tempering
-    * ( meanOf (concat [[one exactly, one nearly] | Shared _ exactly nearly <- scales])
-          - meanOf [negate (l / 2) - x * ratio / 2 | Shared (Sums x _ _ l) _ _ <- scales]
-          - meanOf [negate (l / 2) - z / ratio / 2 | Shared (Sums _ _ z l) _ _ <- scales]
-      )
+-- | How much likelier, as a natural logarithm, the patches are of one relief than of two, whatever
+-- the second reads times what the first does, beyond the scales: of that the logarithm g is normal,
+-- of variance 'gainVariance', and summed over. Relief is no normal process, and the coefficients are
+-- not quite independent, so each counts for somewhat less: @tempering@.
+--
+-- The sum is taken by steps of one width of the integrand about its highest place, both as they are
+-- for the likeliest of the scales. (Without noise it is far narrower than the prior.)
+sharedLog :: [Shared] -> Double
+sharedLog scales = logSumOf [at (peak + k * width) | k <- [-4 .. 4]] + log width - logRoot
   where
-    one (Sums x y z l) = negate l - (x * ratio + z / ratio) / 2 + y
-    meanOf logs =
-      let top =
-            maximum logs
-       in top + log (sum [exp (l - top) | l <- logs, l > top - 40] / fromIntegral (length logs))
+    at g = tempering * ratioAt (exp g) - g * g / (2 * gainVariance)
+    logRoot = log (2 * pi * gainVariance) / 2
+    ratioAt ratio =
+      meanOf [one ratio sums | Shared _ exactly nearly <- scales, sums <- [exactly, nearly]]
+        - meanOf [first ratio sums | Shared sums _ _ <- scales]
+        - meanOf [second ratio sums | Shared sums _ _ <- scales]
+    one ratio (Sums x y z l) = negate l - (x * ratio + z / ratio) / 2 + y
+    first ratio (Sums x _ _ l) = negate (l / 2) - x * ratio / 2
+    second ratio (Sums _ _ z l) = negate (l / 2) - z / ratio / 2
+    -- The integrand is the exponential of - (p exp g + r exp (-g)) / 2 - g^2 / 2 v, nearly.
+    (p, r) = (weight xShared xAlone, weight zShared zAlone)
+    weight both alone = tempering * max 0 (both - alone)
+    Sums xShared _ zShared _ =
+      likeliest
+        (\(Sums x y z l) -> y - l - sqrt (x * z))
+        [sums | Shared _ exactly nearly <- scales, sums <- [exactly, nearly]]
+    Sums xAlone _ _ _ = likeliest (first 1) alones
+    Sums _ _ zAlone _ = likeliest (second 1) alones
+    alones = [sums | Shared sums _ _ <- scales]
+    likeliest by = maximumBy (comparing by)
+    curvature g = (p * exp g + r * exp (negate g)) / 2 + 1 / gainVariance
+    peak = iterate newton (bounded 1 (if p > 0 && r > 0 then log (r / p) / 2 else 0)) !! 8
+    newton g = g - bounded 0.5 (((p * exp g - r * exp (negate g)) / 2 + g / gainVariance) / curvature g)
+    width = 1 / sqrt (curvature peak)
+    bounded most = max (negate most) . min most
+    meanOf logs = logSumOf logs - log (fromIntegral (length logs))
+    logSumOf logs = top + log (sum [exp (l - top) | l <- logs, l > top - 40])
+      where
+        top = maximum logs
+
+-- | Of the logarithm of the ratio of two frames' gains, beyond their scales (assumption).
+gainVariance :: Double
+gainVariance = 0.16
 
 -- | Found on simulated frames of symbols, so that of what is given at 99 % that much is right.
 tempering :: Double

@@ -12,8 +12,10 @@ import PraTactile.Registration.Lattice.Likelihood (logDensity)
 import PraTactile.Registration.Lattice.Template (templates)
 import PraTactile.Registration.Pair
 import PraTactile.Registration.Pair.Alike
+import PraTactile.Registration.Pair.Blind
 import PraTactile.Registration.Pair.Straight
 import PraTactile.Registration.Posterior
+import PraTactile.Registration.Spectrum
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (Blind, generate, sample, tables)
@@ -66,15 +68,25 @@ askedSpec = do
     [refused usual {pairingStep = s} | s <- [(1000.5, 0), (-1000.5, 0), (0, 1000.5), (0, -1000.5)]]
       `shouldBe` replicate 4 True
 
--- | What is asked of two frames by themselves, these, and what is known by the formulas.
+-- | What is asked of two frames by themselves, these, and what is known of them, which
+-- "Test.Touch.Registration.PairsByFormulas" holds to the formulas.
 genAsked :: Gen (Pairing, (Raster, Raster), Known)
 genAsked = do
   (frames, (dx, dy)) <- genFrames 9 8
-  (method, known) <- elements [(Blind, blindly), (Correlation, byCorrelation)]
+  (method, known) <- elements [(Blind, blind), (Correlation, correlationPosterior)]
   off <- frequency [(6, elements [0, 1]), (1, pure 9), (1, pure 20)]
   search <- elements [0, 1, 2, 3]
   let step = (fromIntegral dx + off, fromIntegral dy)
-  pure (Pairing step search method 0.99, frames, uncurry (known step search) frames)
+  pure (Pairing step search method 0.99, frames, placesOf (uncurry (known step search) frames))
+  where
+    blind step search a b =
+      let tables = spectra 9 8
+          process = processOf tables 0 (map (coefficientsOf tables) [a, b])
+       in blindPosterior tables process step search (a, b)
+    placesOf (Posterior (x, y) _ (columns, rows) masses) =
+      zip
+        [(round x + i, round y + j) | j <- [0 .. rows - 1], i <- [0 .. columns - 1]]
+        (V.toList masses)
 
 -- | What is answered at a confidence.
 answer :: Pairing -> (Raster, Raster) -> Double -> Maybe Match

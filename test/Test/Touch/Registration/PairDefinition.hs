@@ -16,7 +16,7 @@ module Test.Touch.Registration.PairDefinition
   )
 where
 
-import Data.List (maximumBy)
+import Data.List (maximumBy, nub, sort)
 import Data.Maybe (fromMaybe)
 import Data.Ord (comparing)
 import PraTactile.Image hiding (mean)
@@ -134,11 +134,11 @@ blindly step@(x, y) search a b = knownBy step search told
     brought = zipWith (\scale -> mapRaster (\z -> if scale > 0 then z / sqrt scale else 0)) scales
     nominal = max 1 (pixels (fst (inCommon a b (round x, round y))))
     told d = case brought [a, b] of
-      [a', b'] | pixels one > 1 -> weight * logMean (map ofGain [-0.8, -0.4, 0, 0.4, 0.8])
+      [a', b'] | pixels one > 1 -> weight * logIntegral (-3, 3) ofGain
         where
           (one, other) = inCommon a' b' d
           weight = max 0.5 (min 2 (nominal / pixels one))
-          ofGain g = 0.8 * likelier noise (map (reading (exp (g / 2))) seen) - g * g / 0.32
+          ofGain g = 0.8 * likelier noise (map (reading (exp (g / 2))) seen) - g * g / 0.32 - log (0.32 * pi) / 2
           reading gain (Coefficient (z, z') s c) = Coefficient (gain * z, z' / gain) s c
           seen =
             [ Coefficient (z, z') s (coherence f)
@@ -164,6 +164,20 @@ likelier noise seen = logMean (map one heights ++ map nearly heights) - ofTwo fs
     ofTwo which =
       logMean
         [sum [normal (kappa * s + noise) (which z) | Coefficient z s _ <- seen] | kappa <- heights]
+
+-- | The logarithm of the integral of a function, from its logarithm, by trapezia that are the finer
+-- the nearer they are to where it is highest.
+logIntegral :: (Double, Double) -> (Double -> Double) -> Double
+logIntegral ends function = top + log (sum (zipWith trapezium points (drop 1 points)))
+  where
+    points = [(g, function g) | g <- nub (sort (concat (take 7 (zooming ends))))]
+    top = maximum (map snd points)
+    trapezium (g, l) (g', l') = (g' - g) * (exp (l - top) + exp (l' - top)) / 2
+    zooming (from, to) = grid : zooming (best - 2 * step, best + 2 * step)
+      where
+        step = (to - from) / 40
+        grid = [from + fromIntegral k * step | k <- [0 .. 40 :: Int]]
+        best = maximumBy (comparing function) grid
 
 -- | By correlation.
 byCorrelation :: (Double, Double) -> Double -> Raster -> Raster -> Known

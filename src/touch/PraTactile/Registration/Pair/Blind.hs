@@ -12,7 +12,6 @@ import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterWidth)
 import PraTactile.Image.Correlate (Overlap (..), overlapAt, referenceOf)
 import PraTactile.Registration.Cosine
-import PraTactile.Registration.Model (normalLog)
 import PraTactile.Registration.Pair.Overlap
 import PraTactile.Registration.Posterior
 import PraTactile.Registration.Search (independent)
@@ -20,8 +19,8 @@ import PraTactile.Registration.Spectrum
 
 -- | The posterior of the place of the second image's upper left pixel in the first, from the
 -- nominal one and how far around it to search, taxels. The process is that of the two frames. Gains
--- may differ: the ratio of the scales that the frames show is put right by a factor that is normal
--- as a logarithm, and summed over.
+-- may differ: the ratio of the scales that the frames show is put right by a factor that is summed
+-- over.
 blindPosterior :: Spectra -> Process -> Taxels -> Double -> (Raster, Raster) -> Posterior
 blindPosterior tables process step search (a, b) =
   posterior origin 1 size (V.generate (columns * rows) at)
@@ -42,7 +41,7 @@ blindPosterior tables process step search (a, b) =
     down = inCommon (rasterHeight a) (rasterHeight b)
     at i
       | w * h > 1 =
-        prior + fair (w * h) * together (shared tables process (w, h) (patch ya inA, patch yb inB))
+        prior + fair (w * h) * sharedLog (shared tables process (w, h) (patch ya inA, patch yb inB))
       | otherwise = prior
       where
         (row, column) = i `quotRem` columns
@@ -59,12 +58,6 @@ blindPosterior tables process step search (a, b) =
       where
         Common _ _ w = across (round (fst step))
         Common _ _ h = down (round (snd step))
-    together sums = top + log (sum (map (\l -> exp (l - top)) logs) / fromIntegral (length logs))
-      where
-        logs = [sharedLog r sums + l | (r, l) <- ratios]
-        top = maximum logs
-    ratios =
-      [(exp r, normalLog 0.16 (r * r)) | k <- [-2 .. 2 :: Int], let r = 0.4 * fromIntegral k]
 
 -- | The posterior of the place of the second image's upper left pixel in the first, from the
 -- nominal one and how far around it to search, taxels: the profile likelihood of normal pairs of
