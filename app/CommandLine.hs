@@ -13,13 +13,17 @@ import qualified Command.Calibrate
 import qualified Command.Census
 import qualified Command.Certificate
 import qualified Command.Check
+import qualified Command.Classify
 import qualified Command.Compare
 import qualified Command.Conform
 import qualified Command.Decode
 import qualified Command.Evaluate
+import qualified Command.Experiment
 import qualified Command.Field
+import qualified Command.Images
 import qualified Command.Locate
 import qualified Command.Merge
+import qualified Command.Network
 import qualified Command.Objects
 import qualified Command.Place
 import qualified Command.Polynomials
@@ -166,7 +170,11 @@ commands =
               Command.Objects.command,
               Command.Place.command,
               Command.Shapes.command,
-              Command.Train.command
+              Command.Train.command,
+              Command.Network.command,
+              Command.Images.command,
+              Command.Classify.command,
+              Command.Experiment.command
             ]
       )
     <|> subparser

@@ -5,6 +5,7 @@
 -- both against the share of wrong symbols and on logarithmic scales.
 module RatesPlot
   ( ratesSvg,
+    style,
   )
 where
 

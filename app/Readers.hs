@@ -20,10 +20,12 @@ module Readers
     -- * Names
     namedReader,
     namedReaderBy,
+    namesReader,
   )
 where
 
 import Data.Char (isDigit, isSpace)
+import Data.Foldable (toList)
 import Data.List (intercalate)
 import Data.List.NonEmpty (NonEmpty (..))
 import Data.Scientific (Scientific, toBoundedRealFloat)
@@ -134,13 +136,21 @@ namedReader = namedReaderBy id
 
 -- | The same where the function has made something of the text.
 namedReaderBy :: (String -> String) -> String -> [(String, a)] -> ReadM a
-namedReaderBy normal what choices = eitherReader $ \name -> case lookup (normal name) choices of
+namedReaderBy normal what choices = eitherReader (readNamed normal what choices)
+
+readNamed :: (String -> String) -> String -> [(String, a)] -> String -> Either String a
+readNamed normal what choices name = case lookup (normal name) choices of
   Just choice -> Right choice
   Nothing -> Left (quoted name ++ " is no " ++ what ++ "; write " ++ alternatives (map fst choices))
   where
     alternatives names = case reverse names of
       final : others@(_ : _) -> intercalate ", " (reverse others) ++ " or " ++ final
       _ -> concat names
+
+-- | Some of these by their names, parted by commas.
+namesReader :: String -> [(String, a)] -> ReadM [a]
+namesReader what choices =
+  eitherReader (traverse (readNamed id what choices . trim) . toList . splitOn ',')
 
 splitOn :: Char -> String -> NonEmpty String
 splitOn separator text = case break (== separator) text of

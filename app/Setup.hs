@@ -14,20 +14,29 @@ module Setup
     alphabetFor,
     readerChoice,
     readerFor,
+
+    -- * Networks
+    networkOption,
+    readerWith,
+    networkFor,
+    calibrationFor,
   )
 where
 
+import qualified Data.ByteString.Char8 as Bytes
+import Data.Char (isSpace)
 import ExitStatus
-import Files (readBytes)
+import Files (readBytes, readBytesUpTo)
 import Message
 import Numeric.Natural (Natural)
 import Options
-import PraTactile.Classification.Estimate (standardRegression)
-import PraTactile.Classification.Network (Network)
+import PraTactile.Classification.Estimate (Regression, standardRegression)
 import PraTactile.Classification.Network.File (decodeNetwork)
 import PraTactile.Classification.Reader
+import PraTactile.Classification.Regimen (shippedSeed)
 import PraTactile.Classification.Shipped
 import PraTactile.Field.Named (conwayModulus)
+import PraTactile.Format.Network
 import PraTactile.Profile (Profile (..))
 import PraTactile.Shape (Alphabet, alphabetSize, decodeAlphabet, shapes)
 import Visible (visibleName)
@@ -108,31 +117,63 @@ data ReaderChoice = ReaderChoice (Maybe FilePath) (Maybe FilePath)
 -- | @--shapes FILE@ and @--network FILE@.
 readerChoice :: Parser ReaderChoice
 readerChoice =
-  ReaderChoice
-    <$> shapesOption
-    <*> optionalFile
-      "network"
-      "FILE"
-      "Use the weights in a file, as 'train' writes it (default: the shipped ones)"
+  ReaderChoice <$> shapesOption <*> networkOption
 
--- | What an array's symbols are read with. The shipped networks know the shipped shapes only.
+-- | What an array's symbols are read with.
 readerFor :: ReaderChoice -> Profile -> IO Reader
-readerFor (ReaderChoice drawn weights) profile = do
-  alphabet <- alphabetFor drawn profile
-  network <- maybe (shippedFor alphabet) readNetwork weights
-  pure (readerOf alphabet network) {readerRegression = sure (alphabetSize alphabet)}
-  where
-    sure = either (const standardRegression) id . shippedRegression
-    shippedFor alphabet
-      | (shapes <$> shippedAlphabet (alphabetSize alphabet)) == Right (shapes alphabet) =
-        orUnusable shippedMessage (shippedNetwork (alphabetSize alphabet))
-      | otherwise =
-        unusable
-          "no shipped network knows these shapes; let 'train --shapes FILE' learn them, and give \
-          \its weights by --network"
+readerFor (ReaderChoice drawn weights) profile =
+  alphabetFor drawn profile >>= (`readerWith` weights)
 
--- | The network in a file.
-readNetwork :: FilePath -> IO Network
-readNetwork file =
-  readBytes file
-    >>= orUnusable (\e -> visibleName file ++ ": " ++ networkMessage e) . decodeNetwork
+-- | What an alphabet is read with: the weights in the file, or the shipped ones, and what their
+-- calibration is.
+readerWith :: Alphabet -> Maybe FilePath -> IO Reader
+readerWith alphabet weights = do
+  file <- networkFor alphabet weights
+  pure (readerOf alphabet (fileNetwork file)) {readerRegression = fileCalibration file}
+
+-- | How sure estimates of an alphabet's symbols are, where no file says it: as of the shipped
+-- alphabet of as many.
+calibrationFor :: Alphabet -> Regression
+calibrationFor = either (const standardRegression) id . shippedRegression . alphabetSize
+
+-- | @--network FILE@.
+networkOption :: Parser (Maybe FilePath)
+networkOption =
+  optionalFile
+    "network"
+    "FILE"
+    "Use the weights in a file, as 'train' writes it (default: the shipped ones)"
+
+-- | The network that reads an alphabet, from a file in either form, or shipped: those know the
+-- shipped shapes only. Leaves with status 2 where a file is none, or is of other shapes; a text does
+-- not say of which it is.
+networkFor :: Alphabet -> Maybe FilePath -> IO NetworkFile
+networkFor alphabet weights = case weights of
+  Just file -> do
+    bytes <- readBytesUpTo (64 * 1024 * 1024) file
+    if Bytes.take 1 (Bytes.dropWhile isSpace bytes) == Bytes.singleton '{'
+      then asJson file bytes
+      else stated Nothing Nothing <$> orUnusable (inFile file . networkMessage) (decodeNetwork bytes)
+  Nothing
+    | (shapes <$> shippedAlphabet q) == Right (shapes alphabet) ->
+      stated (Just shippedSeed) (Just "shipped") <$> orUnusable shippedMessage (shippedNetwork q)
+    | otherwise ->
+      unusable
+        "no shipped network knows these shapes; let 'train --shapes FILE' learn them, and give \
+        \its weights by --network"
+  where
+    q = alphabetSize alphabet
+    own = alphabetDigest alphabet
+    inFile file why = visibleName file ++ ": " ++ why
+    stated seed regimen n = NetworkFile n own sure seed regimen
+    sure = calibrationFor alphabet
+    asJson file bytes = do
+      given <-
+        orUnusable
+          (formatMessage file "weights as 'pra-tactile train' and 'network' write them")
+          (decodeNetworkFile bytes)
+      if fileAlphabet given == own
+        then pure given
+        else
+          unusable
+            (inFile file ("these weights were trained on other shapes than the " ++ show q ++ " in force"))

@@ -1,4 +1,5 @@
--- | @pra-tactile train@: train the network from a seed, as the shipped one was.
+-- | @pra-tactile train@: train the network from a seed, as the shipped one was, or as the paper's
+-- was.
 module Command.Train
   ( command,
   )
@@ -6,54 +7,133 @@ where
 
 import Control.Monad (forM_)
 import qualified Data.ByteString.Lazy as Lazy
+import qualified Data.ByteString.Lazy.Char8 as Lazy8
+import Data.Foldable (for_)
+import qualified Data.List.NonEmpty as NonEmpty
 import qualified Data.Text.Encoding as Text
 import ExitStatus
 import Message
 import Options
 import Output
+import PraTactile.Classification.Experiment
+import PraTactile.Classification.Network (Network)
 import PraTactile.Classification.Network.File (renderNetwork)
 import PraTactile.Classification.Regimen
-  ( regimenFor,
-    regimenRounds,
-    shippedSeed,
-    trainingRounds,
-  )
-import PraTactile.Classification.Train (Progress (..))
+import PraTactile.Classification.Traingdx (Epoch (..), Trace, lastEpoch)
+import PraTactile.Experiment (material)
+import PraTactile.Explore (Turns (..), halfTurns)
+import PraTactile.Format.Experiment (traceCsv)
+import PraTactile.Format.Network
+import PraTactile.Sensor (Preset (..), presetName, presetSensor)
+import PraTactile.Shape (Alphabet, alphabetSize)
 import PraTactile.Steps (counted, stepsDone)
+import PraTactile.SymbolImages (ImageSource (..), symbolsOf)
 import Progress
 import Setup
+import System.FilePath (takeExtension)
 import Text.Printf (printf)
+
+-- | How a network is trained.
+data How
+  = AsShipped
+  | ByPaper Training
+  deriving stock (Eq)
+
+data Options = Options
+  { how :: How,
+    noise :: Bool,
+    seed :: Int,
+    trace :: Maybe FilePath,
+    output :: FilePath
+  }
 
 command :: Mod CommandFields (IO ExitStatus)
 command =
   subcommand
     "train"
-    "Train a network on rendered symbols from a seed and write its weights; the default \
-    \seed gives the shipped weights of shipped shapes."
-    ["pra-tactile train --output network.txt"]
-    ( run
-        <$> alphabetChoice
+    "Train a network on images of symbols from a seed and write its weights; the default seed and \
+    \regimen give the shipped weights of shipped shapes."
+    [ "pra-tactile train --output network.txt",
+      "pra-tactile train --regimen stopped --seed 1 --trace trace.csv --output network.json"
+    ]
+    (run <$> alphabetChoice <*> options)
+  where
+    options =
+      Options
+        <$> choosing
+          "a regimen"
+          (("shipped", AsShipped) : [(trainingName t, ByPaper t) | t <- [Stated, Stopped, Manual]])
+          "regimen"
+          "REGIMEN"
+          "shipped (on rendered symbols, anew each round; default), or the paper's three stages on \
+          \pressed ones, each ending at an error of 0 (stated), the clean ones at 0.1 (stopped), \
+          \or at 0.1, 0.6 and 0.1 as in the toolbox's manual (manual)"
+          (value AsShipped)
+        <*> flag
+          True
+          False
+          (long "without-noise" <> help "No noisy images: the paper's middle stage is left out")
         <*> seedOption (value shippedSeed <> showDefault)
-        <*> fileOption "output" "FILE" "The file of weights"
-    )
+        <*> optionalFile "trace" "FILE.csv" "Write every epoch: error, gradient, rate and step"
+        <*> fileOption "output" "FILE" "The file of weights: JSON if its name ends in .json"
 
-run :: AlphabetChoice -> Int -> FilePath -> IO ExitStatus
-run symbols seed output = do
+run :: AlphabetChoice -> Options -> IO ExitStatus
+run symbols options = do
   alphabet <- chosenAlphabet symbols
-  let regimen = regimenFor alphabet
-      training = trainingRounds regimen alphabet seed
-  network <-
-    orUnusable networkMessage
-      =<< withProgress (toInteger (regimenRounds regimen)) 0 (`follow` counted training)
-  writeWhole output (Lazy.fromStrict (Text.encodeUtf8 (renderNetwork network)))
-  forM_ (zip [1 :: Int ..] (stepsDone training)) $ \(i, stage) ->
+  for_ (trace options) orUnwritable
+  (network, done) <- trainedAs (how options) alphabet options
+  for_ (trace options) (`writeWhole` Lazy8.pack (traceCsv done))
+  writeWhole (output options) (weights alphabet network)
+  forM_ (zip [1 :: Int ..] (map snd done)) $ \(i, descent) ->
     putStrLn
       ( printf
           "stage %d: %d epochs, squared error %.4f -> %.4f"
           i
-          (progressEpochs stage)
-          (errorBefore stage)
-          (errorAfter stage)
+          (epochNumber (lastEpoch descent))
+          (epochError (NonEmpty.head descent))
+          (epochError (lastEpoch descent))
       )
-  sayWritten output ""
+  sayWritten (output options) ""
   pure Answered
+  where
+    weights alphabet network
+      | takeExtension (output options) == ".json" =
+        Lazy.fromStrict (encodeNetwork (described alphabet network)) <> Lazy.singleton 10
+      | otherwise = Lazy.fromStrict (Text.encodeUtf8 (renderNetwork network))
+    described alphabet network =
+      NetworkFile
+        { fileNetwork = network,
+          fileAlphabet = alphabetDigest alphabet,
+          fileCalibration = calibrationFor alphabet,
+          fileSeed = Just (seed options),
+          fileRegimen = Just (regimenName options)
+        }
+
+-- | How the network was trained, as its file has it.
+regimenName :: Options -> String
+regimenName options = named ++ (if noise options then "" else "-without-noise")
+  where
+    named = case how options of
+      AsShipped -> "shipped"
+      ByPaper training -> trainingName training
+
+-- | The network, and its stages: rounds, where it is trained as shipped.
+trainedAs :: How -> Alphabet -> Options -> IO (Network, [(Int, Trace)])
+trainedAs AsShipped alphabet options = do
+  network <-
+    orUnusable networkMessage
+      =<< withProgress (toInteger (regimenRounds regimen)) 0 (`follow` counted training)
+  pure (network, stepsDone training)
+  where
+    training = trainingRounds regimen alphabet (seed options)
+    regimen
+      | noise options = regimenFor alphabet
+      | otherwise = withoutNoise (regimenFor alphabet)
+    withoutNoise r = r {stages = [s {stageNoise = [0]} | s <- stages r]}
+trainedAs (ByPaper training) alphabet options = do
+  images <- orUnusable imagesMessage (material (symbolsOf alphabet) source (seed options))
+  let go = trainedBy standardConditions training (alphabetSize alphabet) images (seed options)
+  done <- orUnusable networkMessage (go (if noise options then Noisy else NoMiddle))
+  pure (runNetwork done, runStages done)
+  where
+    source = Presses (presetName Real) (presetSensor Real) (AmongTurns halfTurns)

@@ -88,6 +88,8 @@ misfitMessage misfit = case misfit of
   OtherUnit name unit -> "the unit of " ++ name ++ " is " ++ quoted unit
   NotMatrix 1 n -> "a list of " ++ show n ++ " numbers is needed"
   NotMatrix m n -> "a list of " ++ show m ++ " lists of " ++ show n ++ " numbers is needed"
+  OtherCount n -> show n ++ " is needed"
+  OtherDigest -> "the digest is not that of the contents; they were changed, or are not whole"
   NotRotation -> "a rotation is needed: rows of length 1, at right angles, and no mirroring"
   NotAngle -> "a number from 0 up to 360 is needed, within 45 of orientation_deg"
   RegionTooLarge limit -> "a region has at most " ++ show limit ++ " taxels a side"

@@ -4,6 +4,7 @@ module Message.Objects
     placementMessage,
     placementFileMessage,
     reliefMessage,
+    imagesMessage,
     experimentMessage,
     pressMessage,
     storeMessage,
@@ -36,6 +37,7 @@ import PraTactile.Store
     StoreError (..),
     tableName,
   )
+import PraTactile.SymbolImages (ImagesError (..))
 import Visible (visible)
 
 -- | What is wrong with an object, where, and by how much.
@@ -255,3 +257,10 @@ refusalMessage refusal = case refusal of
     \--doubt"
   NotLocated reason -> reasonMessage reason
   NotDecoded why -> "what was recognised cannot be decoded: " ++ locatorMessage why
+
+imagesMessage :: ImagesError -> String
+imagesMessage e = case e of
+  NoPlate why -> placementMessage why
+  NoReliefOfPlate why -> reliefMessage why
+  TooFewFound presses ->
+    "in " ++ show presses ++ " presses of this sensor too few symbols were found"

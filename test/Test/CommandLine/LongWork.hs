@@ -5,7 +5,7 @@ import Data.Foldable (for_)
 import Data.List (isInfixOf)
 import qualified Data.Map.Strict as Map
 import PraTactile.Classification.Regimen
-import PraTactile.Classification.Train (Descent (..))
+import PraTactile.Classification.Traingdx (Descent (..))
 import PraTactile.Evaluate
 import PraTactile.Shape.Design
 import PraTactile.Steps (stepsDone)

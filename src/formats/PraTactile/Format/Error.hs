@@ -97,6 +97,10 @@ data Misfit
     NotAngle
   | -- | No matrix of so many rows and columns.
     NotMatrix Int Int
+  | -- | Another number than this one.
+    OtherCount Int
+  | -- | A digest that is not that of what it stands beside.
+    OtherDigest
   | -- | A matrix that is no rotation.
     NotRotation
   | -- | More taxels than this along the side of a region.

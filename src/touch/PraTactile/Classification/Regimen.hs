@@ -20,6 +20,7 @@ import PraTactile.Classification.Network
 import PraTactile.Classification.Samples
 import PraTactile.Classification.Specimens
 import PraTactile.Classification.Train
+import PraTactile.Classification.Traingdx
 import PraTactile.Image (Raster)
 import PraTactile.Shape
 import PraTactile.Steps
@@ -77,7 +78,7 @@ shippedRegimen =
         ]
     }
   where
-    for n = paperDescent {epochs = n}
+    for n = shippedDescent {epochs = n}
 
 -- | The same for the shapes of any alphabet: two hidden units a class, as four classes have, but no
 -- fewer than eight. Eight units do not tell seven classes apart: the squared error of a batch stays
@@ -100,11 +101,12 @@ shippedSeed = 2004
 
 -- | Trains a network for an alphabet as the shipped one was trained: with 'shippedSeed' and the
 -- shipped shapes it is the shipped one.
-trainShipped :: Alphabet -> Int -> Either NetworkError (Network, [Progress])
+trainShipped :: Alphabet -> Int -> Either NetworkError (Network, [(Int, Trace)])
 trainShipped a = trainWith (regimenFor a) a
 
--- | Trains a network for an alphabet by a regimen, from a seed; with what each round did.
-trainWith :: Regimen -> Alphabet -> Int -> Either NetworkError (Network, [Progress])
+-- | Trains a network for an alphabet by a regimen, from a seed; with each round's stage, from 1,
+-- and descent.
+trainWith :: Regimen -> Alphabet -> Int -> Either NetworkError (Network, [(Int, Trace)])
 trainWith regimen a seed = (\n -> (n, stepsDone training)) <$> result training
   where
     training = trainingRounds regimen a seed
@@ -114,20 +116,21 @@ regimenRounds :: Regimen -> Int
 regimenRounds = sum . map stageRounds . stages
 
 -- | The same training round by round, to look on at.
-trainingRounds :: Regimen -> Alphabet -> Int -> Steps Progress (Either NetworkError Network)
+trainingRounds :: Regimen -> Alphabet -> Int -> Steps (Int, Trace) (Either NetworkError Network)
 trainingRounds regimen a seed =
   either
     (Done . Left)
     start
     (initialNetwork (hiddenLayerSize regimen) (alphabetSize a) (mkStdGen seed))
   where
-    start (n, g) = go n g (concat [replicate (stageRounds stage) stage | stage <- stages regimen])
+    start (n, g) =
+      go n g (concat [replicate (stageRounds s) (i, s) | (i, s) <- zip [1 ..] (stages regimen)])
     go n _ [] = Done (Right n)
-    go n g (stage : rest) =
+    go n g ((i, stage) : rest) =
       let (labelled, g') = roundImages (composition regimen) (stageNoise stage) a g
        in case batch (alphabetSize a) labelled >>= \images -> train (roundDescent stage) images n of
             Left refusal -> Done (Left refusal)
-            Right (n', progress) -> Step progress (go n' g' rest)
+            Right (n', trace) -> length trace `seq` Step (i, trace) (go n' g' rest)
 
 -- | The images of a round, each with its class if it has one.
 roundImages :: [(Kind, Int)] -> [Double] -> Alphabet -> StdGen -> ([(Raster, Maybe Int)], StdGen)

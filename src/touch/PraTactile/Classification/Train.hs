@@ -1,8 +1,8 @@
-{-# LANGUAGE BangPatterns #-}
-
 -- | Training by backpropagation: gradient descent on the sum of squared errors over a whole batch,
--- with momentum and an adaptive learning rate (the paper's section IV; Demuth and Beale's
--- @traingdx@). Which images it is trained with is "PraTactile.Classification.Regimen".
+-- with momentum and an adaptive learning rate (the paper's section IV), by the rule of
+-- "PraTactile.Classification.Traingdx". Which images it is trained with is
+-- "PraTactile.Classification.Regimen", or in the paper's own experiment
+-- "PraTactile.Classification.Experiment".
 module PraTactile.Classification.Train
   ( -- * Batches
     Batch,
@@ -11,9 +11,10 @@ module PraTactile.Classification.Train
 
     -- * Descent
     Descent (..),
-    paperDescent,
-    Progress (..),
+    shippedDescent,
     train,
+    trainingEpochs,
+    networkAt,
     initialNetwork,
 
     -- * The error and its gradient
@@ -23,12 +24,13 @@ module PraTactile.Classification.Train
 where
 
 import Data.List (mapAccumL)
+import Data.List.NonEmpty (NonEmpty)
+import qualified Data.Vector.Storable as V
 import Numeric.LinearAlgebra
   ( Matrix,
     fromColumns,
     fromLists,
     fromRows,
-    scale,
     subMatrix,
     sumElements,
     tr',
@@ -36,6 +38,7 @@ import Numeric.LinearAlgebra
   )
 import qualified Numeric.LinearAlgebra as L
 import PraTactile.Classification.Network
+import PraTactile.Classification.Traingdx
 import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Random (uniform)
 import PraTactile.Shape (symbolHeight, symbolWidth)
@@ -113,85 +116,45 @@ errorAndGradient (w1, w2) (Batch inputs inputRows targets) =
     delta2 = 2 * difference * out * (1 - out)
     delta1 = (tr' (subMatrix (0, 0) (L.rows w2, L.rows w1) w2) <> delta2) * hidden * (1 - hidden)
 
--- | How to descend.
-data Descent = Descent
-  { -- | The share of the previous change in the next.
-    momentum :: !Double,
-    -- | The learning rate at the start.
-    initialRate :: !Double,
-    -- | Its factor after an epoch in which the error fell.
-    rateIncrease :: !Double,
-    -- | Its factor after an epoch that is undone,
-    rateDecrease :: !Double,
-    -- | because the error grew by more than this factor.
-    greatestIncrease :: !Double,
-    -- | For how many epochs, unless the error is 0 before.
-    epochs :: !Int
-  }
-  deriving stock (Eq, Show)
+-- | How the shipped networks were trained: the paper's momentum of 0.95, and the factors of
+-- 'toolboxDescent'. But the initial rate is 0.00001, for the error is summed over thousands of
+-- images: a first step too long drives all units into saturation, where the slope is 0 and nothing
+-- is learnt any more. The first epoch carries nothing on, and no gradient is too small.
+shippedDescent :: Descent
+shippedDescent =
+  toolboxDescent {initialRate = 0.00001, leastGradient = 0, firstChange = AtRest}
 
--- | The paper's momentum of 0.95 and 5000 epochs; the rest, which it does not give, as @traingdx@
--- has it: factors 1.05 and 0.7, greatest increase 1.04. Only the initial rate is not its 0.01 but
--- 0.00001, for the error is summed over thousands of images here: a first step too long drives all
--- units into saturation, where the slope is 0 and nothing is learnt any more.
-paperDescent :: Descent
-paperDescent =
-  Descent
-    { momentum = 0.95,
-      initialRate = 0.00001,
-      rateIncrease = 1.05,
-      rateDecrease = 0.7,
-      greatestIncrease = 1.04,
-      epochs = 5000
-    }
-
--- | What a training did.
-data Progress = Progress
-  { -- | The epochs it took.
-    progressEpochs :: !Int,
-    -- | The 'squaredError' at the start,
-    errorBefore :: !Double,
-    -- | and at the end.
-    errorAfter :: !Double,
-    -- | The learning rate at the end.
-    finalRate :: !Double
-  }
-  deriving stock (Eq, Show)
-
--- | Trains a network with one batch. Refuses ('WrongOutputCount') a batch for another number of
--- classes; 'NotFinite' if it diverges.
-train :: Descent -> Batch -> Network -> Either NetworkError (Network, Progress)
-train descent b n = do
-  (before, slope) <- fitting n b (errorAndGradient (unitsOf n) b)
-  go before 0 (initialRate descent) (unitsOf n) (scaled 0 slope) before slope
+-- | The descent of a network with one batch, epoch by epoch; each has the network as a point, which
+-- 'networkAt' turns back. Refuses ('WrongOutputCount') a batch for another number of classes.
+trainingEpochs ::
+  Descent -> Batch -> Network -> Either NetworkError (NonEmpty (Epoch (V.Vector Double)))
+trainingEpochs descent b n = fitting n b (descend descent objective (pointOf (unitsOf n)))
   where
-    go before !epoch !rate w@(w1, w2) change err slope
-      | epoch >= epochs descent || err == 0 = do
-        trained <- network w1 w2
-        Right (trained, Progress epoch before err rate)
-      | err' > greatestIncrease descent * err =
-        go before (epoch + 1) slower w (scaled (-slower) slope) err slope
-      | otherwise =
-        go
-          before
-          (epoch + 1)
-          (if err' < err then rate * rateIncrease descent else rate)
-          w'
-          change'
-          err'
-          slope'
-      where
-        -- The change that momentum carries on is that of the last epoch; after one that is undone
-        -- it starts afresh along the slope.
-        change' =
-          scaled (momentum descent) change
-            `plus` scaled (negate (1 - momentum descent) * rate) slope
-        w' = w `plus` change'
-        (err', slope') = errorAndGradient w' b
-        slower = rate * rateDecrease descent
+    objective point = pointOf <$> errorAndGradient (unitsAt n point) b
 
-    scaled k (a, c) = (scale k a, scale k c)
-    plus (a, c) (a', c') = (a + a', c + c')
+-- | The units of a network as one vector: those of the hidden layer, then those of the output
+-- layer, row by row.
+pointOf :: Units -> V.Vector Double
+pointOf (w1, w2) = L.vjoin [L.flatten w1, L.flatten w2]
+
+-- | Such a vector as units, as many as the network has.
+unitsAt :: Network -> V.Vector Double -> Units
+unitsAt n point = (L.reshape (inputCount + 1) first, L.reshape (hiddenCount n + 1) second)
+  where
+    (first, second) = V.splitAt (hiddenCount n * (inputCount + 1)) point
+
+-- | The network at a point of a descent that began at the one given. Refuses ('NotFinite') one that
+-- the descent has lost.
+networkAt :: Network -> V.Vector Double -> Either NetworkError Network
+networkAt n = uncurry network . unitsAt n
+
+-- | Trains a network with one batch, to the end of 'trainingEpochs'. Refuses what they refuse;
+-- 'NotFinite' if it diverges.
+train :: Descent -> Batch -> Network -> Either NetworkError (Network, Trace)
+train descent b n = do
+  run <- trainingEpochs descent b n
+  trained <- networkAt n (epochPoint (lastEpoch run))
+  Right (trained, traced run)
 
 -- | A network with these numbers of hidden units and outputs, its weights and biases uniform
 -- between -0.1 and 0.1. Refuses ('LayersDoNotFit') fewer than one of either.

@@ -19,6 +19,7 @@ module PraTactile.Shape.Design
     Report (..),
     designSteps,
     searchLength,
+    foreignShapes,
 
     -- * The steps
     admissible,
@@ -32,6 +33,7 @@ import Data.Maybe (mapMaybe)
 import Data.Ord (comparing)
 import qualified Data.Set as Set
 import Data.Text (Text)
+import qualified Data.Text as Text
 import PraTactile.Random (uniform)
 import PraTactile.Shape
 import PraTactile.Shape.Clique
@@ -147,6 +149,18 @@ data Candidate = Candidate
 -- | A shape, its half turn and its two mirror images.
 family :: Bitmap -> Set.Set Bitmap
 family b = Set.fromList [b, halfTurned b, mirroredColumns b, mirroredRows b]
+
+-- | So many shapes by the rules of the shipped ones that are at least so many taxels from each shape
+-- of an alphabet, whichever way they are turned or mirrored, drawn from a seed. Refuses
+-- ('NoAlphabet') where there are not as many. Some seconds.
+foreignShapes :: Int -> Int -> Int -> Alphabet -> Either ShapeError Alphabet
+foreignShapes seed least count known
+  | length found < count = Left NoAlphabet
+  | otherwise = alphabet (zip (map (Text.pack . show) [1 .. count]) found)
+  where
+    found = take count (filter foreign' (shuffled seed (admissible (parametersFor []))))
+    foreign' b = all (farApart least (prepared b)) ours
+    ours = map prepared (shapes known)
 
 -- | A list in a random order.
 shuffled :: Int -> [a] -> [a]

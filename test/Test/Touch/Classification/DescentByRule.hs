@@ -2,16 +2,18 @@
 module Test.Touch.Classification.DescentByRule (spec) where
 
 import Control.Monad (forM_)
-import Data.List (nub, sort, tails)
+import Data.Foldable (toList)
+import Data.List (nub, sort, tails, unfoldr)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
-import Numeric.LinearAlgebra (Matrix, fromLists, maxElement, scale, size, toLists)
+import Numeric.LinearAlgebra (Matrix, fromLists, size, toLists)
 import PraTactile.Classification.Network
 import PraTactile.Classification.Regimen
 import PraTactile.Classification.Samples
 import PraTactile.Classification.Specimens
 import PraTactile.Classification.Templates (match, templates)
 import PraTactile.Classification.Train
+import PraTactile.Classification.Traingdx
 import PraTactile.Image
 import PraTactile.Shape
 import PraTactile.Symmetry
@@ -30,53 +32,75 @@ spec = do
     seenSpec
     roundSpec
 
--- | Where a descent is: the weights, the last change, and the rate.
-data State = State (Matrix Double, Matrix Double) (Matrix Double, Matrix Double) Double
-
 descentSpec :: Spec
 descentSpec = do
+  it "by hand: E(x) = x^2 from 1 at the rate 1: tolerated, undone, lower, undone" $ do
+    let run = toList (descend toolboxDescent {initialRate = 1, epochs = 4} parabola (V.fromList [1]))
+    map epochOutcome run `shouldBe` [Begun, Tolerated, Undone, Lower, Undone]
+    map (V.toList . epochPoint) run `shouldSatisfy` near [[1], [-1], [-1], [0.4], [0.4]]
+    [map epochRate run] `shouldSatisfy` near [[1, 1, 0.7, 0.735, 0.5145]]
+    [map epochError run] `shouldSatisfy` near [[1, 1, 1, 0.16, 0.16]]
+    [map epochGradient run] `shouldSatisfy` near [[2, 2, 2, 0.8, 0.8]]
+    fmap (stopped toolboxDescent {epochs = 4}) (lastOf run) `shouldBe` Just (Just EpochsSpent)
+  it "over any error: each epoch as the rule's formulas have it, on lists" $
+    forAllBlind genBowl $ \(bowl, start) -> forAll genDescent $ \rule ->
+      let run = toList (descend rule (onVector bowl) (V.fromList start))
+          wanted = byFormulas rule bowl start
+       in counterexample (show (map epochRate run, map rateOf wanted)) $
+            map epochOutcome run === map outcomeOf wanted
+              .&&. property (near [map epochRate run] [map rateOf wanted])
+              .&&. property (near (map (V.toList . epochPoint) run) (map pointOf wanted))
+  it "ends at the goal, at a gradient below the least, or after so many epochs, undone or not" $ do
+    let ended rule start = lastEpoch (descend rule parabola (V.fromList start))
+        why rule start = (stopped rule (ended rule start), epochNumber (ended rule start))
+        rule = toolboxDescent {initialRate = 1, epochs = 4}
+    why rule {goal = 0.16 + 1e-9} [1] `shouldBe` (Just GoalReached, 3)
+    why rule {goal = 1} [1] `shouldBe` (Just GoalReached, 0)
+    why rule {leastGradient = 0.8 + 1e-9} [1] `shouldBe` (Just GradientVanished, 3)
+    why rule {leastGradient = 2} [1] `shouldBe` (Just EpochsSpent, 4)
+    why rule {epochs = 0} [1] `shouldBe` (Just EpochsSpent, 0)
+    why rule [0] `shouldBe` (Just GoalReached, 0)
   modifyMaxSuccess (const 60)
-    . it "each epoch is a step with momentum, undone and slower where the error grew too much"
-    $ forAllBlind genProblem $ \(n, images) ->
-      forAll (elements [1e-3, 0.1, 1, 3, 10]) $ \rate ->
-        forAll (choose (0, 8)) $ \count ->
-          forAll (elements [0.95, 0.5, 0]) $ \share ->
-            let descent = Descent share rate 1.25 0.5 1.04 count
-                outcome = do
-                  b <- batch (outputCount n) images
-                  (found, progress) <- train descent b n
-                  first <- squaredError n b
-                  let start = State (hiddenUnits n, outputUnits n) (none n) rate
-                  State w _ end <- times count (epoch descent b) start
-                  wanted <- uncurry network w
-                  final <- squaredError wanted b
-                  pure (found, progress, wanted, Progress count first final end)
-             in case outcome of
-                  Left e -> counterexample (show e) False
-                  Right (found, progress, wanted, expected) ->
-                    conjoin
-                      [ counterexample (show (progress, expected)) (alike progress expected),
-                        property (close (hiddenUnits found) (hiddenUnits wanted)),
-                        property (close (outputUnits found) (outputUnits wanted))
-                      ]
+    . it "of a network it is the descent of its squared error along its gradient"
+    $ forAllBlind genProblem $ \(n, images) -> forAll genDescent $ \rule ->
+      let outcome = do
+            b <- batch (outputCount n) images
+            (found, trace) <- train rule b n
+            let at (w1, w2) = network w1 w2
+                split' v =
+                  let (a, c) = splitAt (97 * hiddenCount n) v
+                   in (rowsOf 97 a, rowsOf (hiddenCount n + 1) c)
+                bowl v = case at (split' v) of
+                  Right m
+                    | Right e <- squaredError m b,
+                      Right (g1, g2) <- gradient m b ->
+                      (e, concat (toLists g1) ++ concat (toLists g2))
+                  _ -> (0 / 0, v)
+                start = concat (toLists (hiddenUnits n)) ++ concat (toLists (outputUnits n))
+            wanted <- maybe (Left EmptyBatch) Right (lastOf (byFormulas rule bowl start))
+            m <- at (split' (pointOf wanted))
+            pure (greatestDifference found m, lastEpoch trace, wanted)
+       in case outcome of
+            Left e -> counterexample (show e) False
+            Right (apart, end, wanted) ->
+              counterexample (show (apart, end)) $
+                (epochOutcome end, any (< 1e-9) apart) === (outcomeOf wanted, True)
+                  .&&. property (near [[epochRate end]] [[rateOf wanted]])
   it "an error that grew by less is kept, at the same rate; the limit itself is not too much" $ do
-    -- One output for one image, which rises from a half, and the error with it, if the rate is
-    -- below 0.
-    let asked limit = do
-          n <- network (fromLists [replicate 97 0]) (fromLists [[0, 0]])
-          b <- batch 1 [(constant 8 12 0, Nothing)]
-          (m, progress) <- train (Descent 0 (-0.01) 2 0.5 limit 1) b n
-          e <- squaredError m b
-          let growth = errorAfter progress / errorBefore progress
-          pure (m == n, finalRate progress, errorAfter progress == e, growth)
-    case asked 2 of
-      Right (same, rate, told, growth) -> do
-        (same, rate, told) `shouldBe` (False, -0.01, True)
-        growth `shouldSatisfy` (> 1)
-        let kept limit = fmap (\(s, r, _, _) -> (s, r)) (asked limit)
-        kept (growth * 1.0001) `shouldBe` Right (False, -0.01)
-        kept (growth * 0.9999) `shouldBe` Right (True, -0.005)
-      Left e -> expectationFailure (show e)
+    let end rise = lastEpoch (descend (limited rise) parabola (V.fromList [1]))
+        -- One step from 1 to -2: the error is four times as great.
+        limited rise =
+          toolboxDescent {initialRate = 1.5, momentum = 0, epochs = 1, greatestIncrease = rise}
+        kept rise = (epochOutcome (end rise), epochRate (end rise))
+    map kept [4.001, 4] `shouldBe` replicate 2 (Tolerated, 1.5)
+    kept 3.999 `shouldBe` (Undone, 1.5 * 0.7)
+  it "what diverges is no network" $
+    ( do
+        n <- network (fromLists [replicate 97 0]) (fromLists [[0, 0]])
+        b <- batch 1 [(constant 8 12 1, Just 0)]
+        fst <$> train shippedDescent {initialRate = 1 / 0, epochs = 3} b n
+    )
+      `shouldBe` Left NotFinite
   it "begins with weights uniform between -0.1 and 0.1, of as many units as are asked for" $ do
     let begun hidden outs = fst <$> initialNetwork hidden outs (mkStdGen 5)
     case begun 8 4 of
@@ -95,43 +119,82 @@ descentSpec = do
       Left e -> expectationFailure (show e)
     [either Just (const Nothing) (begun h o) | (h, o) <- [(0, 1), (-1, 1), (1, 0), (1, -1), (1, 1)]]
       `shouldBe` replicate 4 (Just LayersDoNotFit) ++ [Nothing]
-  it "ends where the error is nothing" $ do
-    let perfect = do
-          n <- network (fromLists [replicate 97 0]) (fromLists [[0, -1000]])
-          b <- batch 1 [(constant 8 12 0, Nothing)]
-          (m, progress) <- train (Descent 0.5 0.1 2 0.5 1.04 9) b n
-          pure (m == n, progress)
-    case perfect of
-      Right (same, progress) ->
-        (same, errorBefore progress < 1e-300, progressEpochs progress)
-          `shouldBe` (True, True, if errorBefore progress == 0 then 0 else 9)
-      Left e -> expectationFailure (show e)
   where
-    none n = (scale 0 (hiddenUnits n), scale 0 (outputUnits n))
-    times count step state
-      | count <= (0 :: Int) = Right state
-      | otherwise = step state >>= times (count - 1) step
-    epoch descent b (State w change rate) = do
-      n <- uncurry network w
-      slope <- gradient n b
-      now <- squaredError n b
-      let on :: Matrix Double -> Matrix Double -> Matrix Double
-          on c g = scale (momentum descent) c - scale ((1 - momentum descent) * rate) g
-          moved = both on change slope
-          w' = both (+) w moved
-          slower = rate * rateDecrease descent
-      n' <- uncurry network w'
-      later <- squaredError n' b
-      pure $
-        if later > greatestIncrease descent * now
-          then State w (both (\_ g -> scale (negate slower) g) change slope) slower
-          else State w' moved (if later < now then rate * rateIncrease descent else rate)
-    both f (a, b) (c, d) = (f a c, f b d)
-    close a b = maxElement (abs (a - b)) < 1e-9
-    alike (Progress e p q rate) (Progress e' p' q' rate') =
-      e == e'
-        && and (zipWith near [p, q, rate] [p', q', rate'])
-    near p q = abs (p - q) <= 1e-9 * (1 + abs q)
+    parabola x = (V.sum (V.map (^ (2 :: Int)) x), V.map (2 *) x)
+    near as bs = map length as == map length bs && and (zipWith close' (concat as) (concat bs))
+    close' p q = abs (p - q) <= 1e-9 * (1 + abs q) || p == q || (isNaN p && isNaN q)
+    onVector bowl v = V.fromList <$> bowl (V.toList v)
+    lastOf list = if null list then Nothing else Just (last list)
+    rowsOf :: Int -> [Double] -> Matrix Double
+    rowsOf width values = fromLists (takeWhile (not . null) (unfoldr (Just . splitAt width) values))
+
+-- | The formulas of traingdx on lists: what became of the step, the point, the rate.
+data Formulas = Formulas {outcomeOf :: Outcome, pointOf :: [Double], rateOf :: Double}
+
+-- | From before the first epoch to the last.
+byFormulas :: Descent -> ([Double] -> (Double, [Double])) -> [Double] -> [Formulas]
+byFormulas rule bowl start = go 0 Begun start (initialRate rule) first
+  where
+    first = case firstChange rule of
+      WholeStep -> [initialRate rule * g | g <- downhill start]
+      AtRest -> map (const 0) start
+    downhill = map negate . snd . bowl
+    go :: Int -> Outcome -> [Double] -> Double -> [Double] -> [Formulas]
+    go count became x lr dx = Formulas became x lr : more
+      where
+        e = fst (bowl x)
+        g = downhill x
+        mc = momentum rule
+        more
+          | e <= goal rule || sqrt (sum (map (^ (2 :: Int)) g)) < leastGradient rule = []
+          | count == epochs rule = []
+          | e' / e > greatestIncrease rule =
+            go (count + 1) Undone x slower [slower * d | d <- g]
+          | e' < e = go (count + 1) Lower x' (lr * rateIncrease rule) dx'
+          | otherwise = go (count + 1) Tolerated x' lr dx'
+        slower = lr * rateDecrease rule
+        dx' = case momentumForm rule of
+          AsProgrammed -> [mc * a + (1 - mc) * lr * d | (a, d) <- zip dx g]
+          AsDocumented -> [mc * a + lr * mc * d | (a, d) <- zip dx g]
+        x' = zipWith (+) x dx'
+        e' = fst (bowl x')
+
+genDescent :: Gen Descent
+genDescent = do
+  share <- elements [0.95, 0.9, 0.5, 0]
+  rate <- elements [1e-3, 0.1, 0.4, 1, 3]
+  count <- choose (0, 12)
+  form <- elements [AsProgrammed, AsDocumented]
+  begin <- elements [WholeStep, AtRest]
+  enough <- elements [0, 0, 0.3]
+  steep <- elements [0, 1e-6, 0.5]
+  pure
+    toolboxDescent
+      { momentum = share,
+        initialRate = rate,
+        rateIncrease = 1.25,
+        rateDecrease = 0.5,
+        goal = enough,
+        leastGradient = steep,
+        epochs = count,
+        momentumForm = form,
+        firstChange = begin
+      }
+
+-- | The error sum (a_i x_i^2 + b_i x_i^4), with its gradient, and a point to begin at.
+genBowl :: Gen ([Double] -> (Double, [Double]), [Double])
+genBowl = do
+  n <- choose (1, 3)
+  as <- vectorOf n (choose (0.1, 2))
+  bs <- vectorOf n (choose (0, 0.5))
+  start <- vectorOf n (choose (-2, 2))
+  pure
+    ( \x ->
+        ( sum [a * u ^ (2 :: Int) + b * u ^ (4 :: Int) | (a, b, u) <- zip3 as bs x],
+          [2 * a * u + 4 * b * u ^ (3 :: Int) | (a, b, u) <- zip3 as bs x]
+        ),
+      start
+    )
 
 -- | A small network, and images with a class or none.
 genProblem :: Gen (Network, [(Raster, Maybe Int)])

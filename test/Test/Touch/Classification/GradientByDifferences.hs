@@ -1,6 +1,7 @@
 module Test.Touch.Classification.GradientByDifferences (spec) where
 
 import Data.List (sort)
+import qualified Data.List.NonEmpty as NonEmpty
 import qualified Data.Vector.Storable as V
 import Numeric.LinearAlgebra (Matrix, accum, atIndex, fromLists, scale)
 import PraTactile.Classification.Network
@@ -8,6 +9,7 @@ import PraTactile.Classification.Regimen
 import PraTactile.Classification.Samples
 import PraTactile.Classification.Specimens
 import PraTactile.Classification.Train
+import PraTactile.Classification.Traingdx
 import PraTactile.Image (Raster, constant, generate, index, rasterValues, toRows)
 import PraTactile.Shape
 import PraTactile.Symmetry (onRows, turned)
@@ -89,13 +91,13 @@ spec = do
           forAll problemGen $ \(n, images) ->
             let stepped = do
                   b <- batch (outputCount n) images
-                  (n', progress) <- train paperDescent {initialRate = 1e-4, epochs = 1} b n
+                  (n', progress) <- train shippedDescent {initialRate = 1e-4, epochs = 1} b n
                   (g1, g2) <- gradient n b
                   expected <-
                     network
                       (hiddenUnits n - scale (0.05 * 1e-4) g1)
                       (outputUnits n - scale (0.05 * 1e-4) g2)
-                  pure (greatestDifference n' expected, finalRate progress)
+                  pure (greatestDifference n' expected, epochRate (lastEpoch progress))
              in case stepped of
                   Right (Just d, rate) -> (d < 1e-15, abs (rate - 1.05e-4) < 1e-15) === (True, True)
                   other -> counterexample (show other) False
@@ -110,17 +112,17 @@ spec = do
                 ( (toRaster <$> replicate 6 shape)
                     `zip` (replicate 4 (Just 0) ++ replicate 2 Nothing)
                 )
-            (n', progress) <- train paperDescent {initialRate = 1e6, epochs = 1} b n
-            pure (n' == n, finalRate progress, errorAfter progress == errorBefore progress)
+            (n', progress) <- train shippedDescent {initialRate = 1e6, epochs = 1} b n
+            pure (n' == n, epochRate (lastEpoch progress), epochError (lastEpoch progress) == epochError (NonEmpty.head progress))
           shape = head' (either (const []) shapes paperAlphabet)
       tried `shouldBe` Right (True, 0.7e6, True)
     it "lessens the error within 50 epochs" $
       property $
         withMaxSuccess 10 $
           forAll problemGen $ \(n, images) ->
-            case batch (outputCount n) images >>= \b -> train paperDescent {epochs = 50} b n of
+            case batch (outputCount n) images >>= \b -> train shippedDescent {epochs = 50} b n of
               Right (_, progress) ->
-                counterexample (show progress) (errorAfter progress < errorBefore progress)
+                counterexample (show progress) (epochError (lastEpoch progress) < epochError (NonEmpty.head progress))
               Left refusal -> counterexample (show refusal) False
 
   describe "A training" $ do
@@ -235,7 +237,7 @@ small =
   shippedRegimen
     { composition = [(kind, count `div` 5) | (kind, count) <- composition shippedRegimen],
       stages =
-        [Stage 1 paperDescent {epochs = 200} [0], Stage 1 paperDescent {epochs = 200} [0, 0.1]]
+        [Stage 1 shippedDescent {epochs = 200} [0], Stage 1 shippedDescent {epochs = 200} [0, 0.1]]
     }
 
 paperAlphabet' :: Either String Alphabet

@@ -1,0 +1,125 @@
+-- | @pra-tactile classify@: which symbol an image of one shows.
+module Command.Classify
+  ( command,
+  )
+where
+
+import Control.Monad (unless)
+import Data.Bifunctor (first)
+import qualified Data.ByteString.Char8 as Bytes
+import qualified Data.Text as Text
+import ExitStatus
+import Lines
+import Message
+import Options
+import PraTactile.Classification.Classifier
+import PraTactile.Files (largestInput, readUpTo)
+import PraTactile.Format.Classification
+import PraTactile.Image (Raster, mapRaster, maximumValue, minimumValue)
+import PraTactile.Image.Pgm (decodePgm, pgmIntensity)
+import PraTactile.Symmetry
+import Setup
+import Text.Printf (printf)
+import Visible (visibleName)
+
+data Options = Options
+  { weights :: Maybe FilePath,
+    method :: Method,
+    levels :: (Double, Double),
+    form :: AnswerForm,
+    -- | 'Nothing': a path a line of the standard input
+    given :: Maybe [FilePath]
+  }
+
+command :: Mod CommandFields (IO ExitStatus)
+command =
+  subcommand
+    "classify"
+    "Tell which symbol an 8 x 12 image shows, upright or upside down, and how likely each is."
+    [ "pra-tactile classify images/0_0.pgm --levels 0.25,0.75",
+      "pra-tactile classify images/0_0.pgm images/1_0.pgm --levels 0.25,0.75 --json",
+      "ls images/*.pgm | pra-tactile classify --batch --levels 0.25,0.75 --classifier means"
+    ]
+    (run <$> alphabetChoice <*> options)
+  where
+    options =
+      Options
+        <$> networkOption
+        <*> choosing
+          "a classifier"
+          (allNamed methodName)
+          "classifier"
+          "network|means"
+          "The network (default), or the nearest class mean by correlation"
+          (value ByNetwork)
+        <*> option
+          (pairReader ',' "0.25,0.75")
+          ( long "levels"
+              <> metavar "LOW,HIGH"
+              <> value (0, 1)
+              <> help "What a flat and an embossed taxel are, of full scale (default: 0,1)"
+          )
+        <*> jsonSwitch "Print a line of JSON an image"
+        <*> ( flag' Nothing (long "batch" <> help "Read a path a line from the standard input")
+                <|> (Just <$> some (pathArgument (metavar "IMAGE" <> action "file")))
+            )
+
+run :: AlphabetChoice -> Options -> IO ExitStatus
+run choice options
+  | not (fst (levels options) < snd (levels options)) =
+    misused "--levels are two numbers, the lower one first"
+  | method options == ByMeans && weights options /= Nothing =
+    misused "--network is of the classifier network"
+  | otherwise = do
+    alphabet <- chosenAlphabet choice
+    -- Class means need no network, and so there may be none.
+    classifier <- case method options of
+      ByMeans -> pure (meansClassifier alphabet)
+      ByNetwork -> networkClassifier <$> readerWith alphabet (weights options)
+    let ask path = (>>= answered path) <$> imageIn (levels options) path
+        answered path = first (\why -> visibleName path ++ ": " ++ networkMessage why) . classified classifier
+        one path = ask path >>= orUnusable id >>= told (form options) path
+        next worst line = do
+          let path = either (const "") Text.unpack (lineText line)
+          status <- ask path >>= either (const (invalid (form options) path)) (told (form options) path)
+          pure (max worst status)
+    case given options of
+      Just paths -> maximum . (Answered :) <$> traverse one paths
+      Nothing -> forLines next Answered
+
+-- | The image in a file, flat taxels at 0 and embossed ones at 1; or what is wrong with it.
+imageIn :: (Double, Double) -> FilePath -> IO (Either String Raster)
+imageIn (low, high) path
+  | null path = pure (Left "an empty line names no file")
+  | otherwise = (>>= image) . first filesMessage <$> readUpTo largestInput path
+  where
+    image bytes = do
+      seen <- first (about . imageMessage) (pgmIntensity <$> decodePgm bytes)
+      unless (minimumValue seen /= maximumValue seen) (Left (about "all of its values are the same"))
+      Right (mapRaster (\v -> (v - low) / (high - low)) seen)
+    about why = visibleName path ++ ": " ++ why
+
+-- | Print what an image shows.
+told :: AnswerForm -> FilePath -> Classification -> IO ExitStatus
+told form' path shown = do
+  case form' of
+    AsJson -> Bytes.putStrLn (encodeClassification path shown)
+    AsText -> putStrLn (visibleName path ++ ": " ++ text)
+  pure (if classifiedVerdict shown == Recognised then Answered else NotAnswered)
+  where
+    text = case classifiedSymbol shown of
+      Just (c, turn) ->
+        printf
+          "symbol %d, %s (probability %.4f)"
+          c
+          (if turn == identity then "upright" else "upside down" :: String)
+          (sum (take 1 (drop c (classifiedChances shown))))
+      Nothing -> verdictName (classifiedVerdict shown)
+
+-- | Print that a line names no image of a symbol.
+invalid :: AnswerForm -> FilePath -> IO ExitStatus
+invalid form' path = do
+  case form' of
+    AsJson -> Bytes.putStrLn (encodeNoImage path)
+    AsText -> putStrLn (visibleName path ++ ": invalid")
+  pure Unusable

@@ -1,0 +1,242 @@
+-- | @pra-tactile experiment@: the paper's experiment, with its controls and one thing changed at a
+-- time.
+module Command.Experiment
+  ( command,
+  )
+where
+
+import Command.Images (ImageChoice, chosenImages, imageChoice)
+import Control.Monad (foldM)
+import Control.Parallel.Strategies (evalTraversable, parBuffer, rdeepseq, withStrategy)
+import CurvesPlot
+import qualified Data.ByteString.Char8 as Bytes
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Foldable (for_, toList)
+import Data.List (nub)
+import ExitStatus
+import Message
+import Options
+import Output (sayWritten, writeFolder)
+import PraTactile.Classification.Experiment
+import PraTactile.Classification.Network (NetworkError)
+import PraTactile.Classification.Traingdx (Epoch (..), Trace)
+import PraTactile.Experiment
+import PraTactile.Format.Experiment
+import PraTactile.Shape (alphabetSize)
+import PraTactile.SymbolImages
+import Progress
+import Setup
+import Text.Printf (printf)
+
+data Options = Options
+  { trainings :: [Training],
+    variations :: [Variation],
+    images :: ImageChoice,
+    seeds :: Int,
+    output :: Maybe FilePath,
+    form :: AnswerForm
+  }
+
+command :: Mod CommandFields (IO ExitStatus)
+command =
+  subcommand
+    "experiment"
+    "Train networks as the paper does, with noisy images, with clean copies in their place and \
+    \without that stage, and count how many noisy images of other presses they tell wrong."
+    [ "pra-tactile experiment --training stopped --set bitmap --seeds 1",
+      "pra-tactile experiment --training manual --vary weights --set bitmap --seeds 1 --output \
+      \experiment"
+    ]
+    (run <$> alphabetChoice <*> options)
+  where
+    options =
+      Options
+        <$> named
+          "a training"
+          (allNamed trainingName)
+          "training"
+          "Of stated, stopped, manual and many, parted by commas (default: all)"
+          [minBound ..]
+        <*> named
+          "a variation"
+          (allNamed variationName)
+          "vary"
+          "What is changed, one thing at a time: of weights, ranges, least-gradient, formula, \
+          \images and alphabet, parted by commas (default: nothing)"
+          []
+        <*> imageChoice (value True)
+        <*> defaulting 16 intReader "seeds" "N" "The seeds 1 to N, each for every row"
+        <*> optional
+          (folderOption "output" "A new folder for the tables (CSV, JSON) and curves (SVG)")
+        <*> jsonSwitch "Print the table as JSON"
+    named what choices name text standard =
+      option
+        (namesReader what choices)
+        ( long name <> metavar "NAME,.." <> completeWith (map fst choices) <> value standard
+            <> help text
+        )
+
+-- | What is kept of a row with a seed: for each kind of middle stage the counts, and of the first
+-- seed the curves of learning, by stage.
+type Kept = [([[(Int, Int)]], [(Int, [(Double, Double)])])]
+
+run :: AlphabetChoice -> Options -> IO ExitStatus
+run choice options
+  | seeds options < 1 || seeds options > 10000 = misused "--seeds is a number from 1 to 10000"
+  | otherwise = do
+    source <- chosenImages (images options)
+    symbols <- symbolsOf <$> chosenAlphabet choice
+    let rows = plan (trainings options) (nub (variations options)) source symbols
+    made <- traverse (imagesOf rows) (nub (map keyOf rows))
+    table <- carriedOut rows made [1 .. seeds options]
+    let results = [(row, o) | (row, kept) <- table, o <- outcomes (map (map fst) kept)]
+    for_ (output options) $ \folder -> do
+      writeFolder folder (files results table)
+      case form options of
+        AsText -> sayWritten folder ""
+        AsJson -> pure ()
+    printAs (form options) (unlines (heading : map line results)) (encodeExperiment results)
+    pure Answered
+  where
+    imagesOf rows key =
+      (,) key <$> case [row | row <- rows, keyOf row == key] of
+        row : _ ->
+          orUnusable
+            imagesMessage
+            (imagesFor (rowSymbols row) (rowSource row) [1 .. seeds options])
+        [] -> pure (Images [] (Labelled [] 0 0))
+
+-- | Rows with the same key have the same images.
+keyOf :: Row -> (String, Maybe String, Int)
+keyOf row =
+  ( sourceName (rowSource row),
+    sourceSensor (rowSource row),
+    alphabetSize (symbolShapes (rowSymbols row))
+  )
+
+-- | Each row with what is kept of it with each seed; says how far it is where a person looks on.
+carriedOut ::
+  [Row] -> [((String, Maybe String, Int), Images)] -> [Int] -> IO [(Row, [Kept])]
+carriedOut rows made chosen =
+  withProgress (toInteger (length cells)) 0 $ \tell -> do
+    (_, done) <- foldM (include tell) (0 :: Integer, []) (withStrategy strategy cells)
+    pure (zip rows (chunks (length chosen) (reverse done)))
+  where
+    strategy = parBuffer 2 (evalTraversable rdeepseq)
+    cells = [kept row seed | row <- rows, seed <- chosen] :: [Either NetworkError Kept]
+    kept row seed = case lookup (keyOf row) made of
+      Just there -> map (part seed) <$> trial row there seed
+      Nothing -> Right []
+    part seed (how, counts) =
+      (counts, if take 1 chosen == [seed] then map (fmap curve) (runStages how) else [])
+    include :: (Integer -> IO ()) -> (Integer, [Kept]) -> Either NetworkError Kept -> IO (Integer, [Kept])
+    include tell (i, done) cell = do
+      one <- orUnusable networkMessage cell
+      tell (i + 1)
+      pure (i + 1, one : done)
+    chunks n list = case splitAt n list of
+      ([], _) -> []
+      (here, others) -> here : chunks n others
+
+-- | The decimal logarithm of the error after each of some three hundred epochs of a stage.
+curve :: Trace -> [(Double, Double)]
+curve trace =
+  [ (fromIntegral (epochNumber e), logBase 10 (max 1e-40 (epochError e)))
+    | e <- epochs,
+      epochNumber e `mod` max 1 (length epochs `div` 300) == 0
+  ]
+  where
+    epochs = toList trace
+
+heading :: String
+heading =
+  printf
+    "%-9s%-7s%-33s%8s  %-16s%-13s%-13s%s"
+    "training"
+    "middle"
+    "varied"
+    "worst %"
+    "least..greatest"
+    "below clean"
+    "below none"
+    "paper"
+
+line :: (Row, Outcome) -> String
+line (row, o) =
+  reverse . dropWhile (== ' ') . reverse $
+    printf
+      "%-9s%-7s%-33s%8.2f  %-16s%-13s%-13s%s"
+      (trainingName (rowTraining row))
+      (middleName (outcomeMiddle o))
+      (maybe "-" id (rowVaried row))
+      (spreadMedian (outcomeWorst o))
+      (printf "%.2f..%.2f" (spreadLeast worst) (spreadGreatest worst) :: String)
+      (share (outcomeBetterThanClean o))
+      (share (outcomeBetterThanNone o))
+      (foldMap show (paperOf (row, o)))
+  where
+    worst = outcomeWorst o
+    share = foldMap (\n -> show n ++ " of " ++ show (outcomeSeeds o))
+
+-- | The tables and the curves.
+files :: [(Row, Outcome)] -> [(Row, [Kept])] -> [(FilePath, Bytes.ByteString)]
+files results table =
+  [ ("rows.csv", Bytes.pack (rowsCsv results)),
+    ("levels.csv", Bytes.pack (levelsCsv results)),
+    ("experiment.json", encodeExperiment results <> Bytes.singleton '\n'),
+    ("noise.svg", Lazy.toStrict (curvesSvg (noiseCurves results))),
+    ("learning.svg", Lazy.toStrict (curvesSvg (learningCurves table)))
+  ]
+
+-- | The medians of the errors at each noise level, of the rows in which nothing is changed.
+noiseCurves :: [(Row, Outcome)] -> Curves
+noiseCurves results =
+  Curves
+    { curvesTitle = "Images told wrong, by the noise that they are tried with",
+      curvesAcross =
+        Scale
+          "standard deviation of the noise"
+          [(v, printf "%.1f" v) | v <- [0, 0.1, 0.2, 0.3, 0.4, 0.5 :: Double]],
+      curvesUp = Scale "%" [(top * k / 4, printf "%.2g" (top * k / 4)) | k <- [0 .. 4]],
+      curvesPanels =
+        [ (trainingName t, [(fromEnum m, points) | (t', m, points) <- plain, t' == t])
+          | t <- nub [t | (t, _, _) <- plain]
+        ],
+      curvesLegend =
+        [ (fromEnum Noisy, "with noisy images"),
+          (fromEnum CleanCopies, "with clean copies in their place"),
+          (fromEnum NoMiddle, "without that stage")
+        ]
+    }
+  where
+    plain =
+      [ (rowTraining row, outcomeMiddle o, [(v, spreadMedian s) | (v, s) <- outcomeLevels o])
+        | (row, o) <- results,
+          rowVaried row == Nothing
+      ]
+    top = maximum (0.1 : [e | (_, _, points) <- plain, (_, e) <- points])
+
+-- | The error of the first seed's network with noisy images, epoch by epoch, of the same rows.
+learningCurves :: [(Row, [Kept])] -> Curves
+learningCurves table =
+  Curves
+    { curvesTitle = "The squared error of training, with noisy images (seed 1)",
+      curvesAcross = Scale "epoch of the stage" [(v, printf "%.0f" v) | v <- [0, 1000 .. 5000]],
+      curvesUp =
+        Scale
+          "squared error"
+          [(fromIntegral k, "1e" ++ show k) | k <- [bottom, bottom + 2 .. 2 :: Int]],
+      curvesPanels =
+        [ (trainingName (rowTraining row), [(i - 1, points) | (i, points) <- stages])
+          | (row, stages) <- plain
+        ],
+      curvesLegend = zip [0 ..] ["clean images", "noisy images", "other clean images"]
+    }
+  where
+    plain =
+      [ (row, stages)
+        | (row, ((_, stages) : _) : _) <- table,
+          rowVaried row == Nothing
+      ]
+    least = minimum (0 : [e | (_, stages) <- plain, (_, points) <- stages, (_, e) <- points])
+    bottom = max (-12) (2 * floor (least / 2))

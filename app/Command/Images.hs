@@ -1,0 +1,165 @@
+-- | @pra-tactile images@: images of symbols whose truth is known, as files for anyone's classifier.
+module Command.Images
+  ( command,
+    ImageChoice (..),
+    imageChoice,
+    chosenImages,
+  )
+where
+
+import qualified Data.ByteString.Char8 as Bytes
+import ExitStatus
+import Message
+import Options
+import Output (writeFolder)
+import PraTactile.Classification.Experiment (allWithNoise)
+import PraTactile.Explore (Turns (..), halfTurns)
+import PraTactile.Image (Raster, mapRaster)
+import PraTactile.Image.Error (ImageError)
+import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity)
+import PraTactile.Sensor (Preset (..), presetName)
+import PraTactile.Shape.Design (foreignShapes)
+import PraTactile.SymbolImages
+import SensorChoice (readSensor)
+import Setup
+import Visible (visibleName)
+
+-- | Which images are meant.
+data ImageChoice = ImageChoice
+  { imagesPressed :: Bool,
+    -- | a preset's name, or a file's
+    imagesSensor :: Maybe String,
+    imagesAnyAngle :: Bool
+  }
+
+-- | @--set@, @--sensor@ and @--any-angle@; where nothing is said, presses, or not.
+imageChoice :: Mod OptionFields Bool -> Parser ImageChoice
+imageChoice standard =
+  ImageChoice
+    <$> choosing
+      "a set of images"
+      [("bitmap", False), ("press", True)]
+      "set"
+      "bitmap|press"
+      "The shapes themselves, or what is cut out of pressed and stitched frames, as 'decode' does"
+      standard
+    <*> optional
+      ( option
+          pathReader
+          ( long "sensor"
+              <> metavar "PRESET|FILE"
+              <> completeWith (map presetName [minBound ..])
+              <> action "file"
+              <> help
+                "The sensor that presses: ideal, paper, real, hard, or a file as 'sensor --json' \
+                \prints it (default: real)"
+          )
+      )
+    <*> switch (long "any-angle" <> help "The plates that are pressed lie turned by any angle")
+
+-- | The source of the images; leaves with status 2 where there is no such sensor.
+chosenImages :: ImageChoice -> IO ImageSource
+chosenImages choice
+  | imagesPressed choice = do
+    sensor <- readSensor name
+    pure (Presses name sensor (if imagesAnyAngle choice then AnyAngle else AmongTurns halfTurns))
+  | imagesSensor choice /= Nothing || imagesAnyAngle choice =
+    misused "--sensor and --any-angle are of presses; give --set press"
+  | otherwise = pure Bitmaps
+  where
+    name = maybe (presetName Real) id (imagesSensor choice)
+
+data Options = Options
+  { images :: ImageChoice,
+    count :: Int,
+    noise :: Double,
+    foreignTo :: Maybe Int,
+    seed :: Int,
+    output :: FilePath
+  }
+
+command :: Mod CommandFields (IO ExitStatus)
+command =
+  subcommand
+    "images"
+    "Write 8 x 12 images of symbols with their classes into a new folder, as 16-bit PGM files: a \
+    \flat taxel is 0.25 of full scale, an embossed one 0.75."
+    [ "pra-tactile images --set bitmap --count 10 --noise 0.2 --seed 1 --output images",
+      "pra-tactile images --set press --sensor hard --count 10 --seed 1 --output pressed"
+    ]
+    (run <$> alphabetChoice <*> options)
+  where
+    options =
+      Options
+        <$> imageChoice mempty
+        <*> valued intReader "count" "N" "How many images of each class"
+        <*> defaulting 0 decimalReader "noise" "SD" "Standard deviation of white noise added to them"
+        <*> optional
+          ( valued
+              intReader
+              "foreign"
+              "D"
+              "Draw other shapes in place of the symbols, at least D taxels from each of them \
+              \turned or mirrored: N images in all, of class -1"
+          )
+        <*> seedOption mempty
+        <*> folderOption "output" "A folder that is new or empty"
+
+run :: AlphabetChoice -> Options -> IO ExitStatus
+run choice options
+  | count options < 1 || count options > 100000 = misused "--count is a number from 1 to 100000"
+  | not (noise options >= 0 && noise options <= 100) =
+    misused "--noise is a standard deviation from 0 to 100"
+  | otherwise = do
+    source <- chosenImages (images options)
+    alphabet <- chosenAlphabet choice
+    drawn <- maybe (ours alphabet) (others alphabet) (foreignTo options) >>= found source
+    files <- orUnusable imageMessage (traverse file (numbered (noisy (fst drawn))))
+    writeFolder (output options) (("labels.csv", labels (map fst files)) : map snd files)
+    putStrLn
+      ( "wrote " ++ show (length files) ++ " images and labels.csv to "
+          ++ visibleName (output options)
+          ++ snd drawn
+      )
+    pure Answered
+  where
+    ours alphabet = pure (symbolsOf alphabet, id, count options)
+    -- Frames are put together by what is known of our symbols, and so many shapes stand for others.
+    others alphabet least = do
+      foreign' <- orUnusable shapeMessage (foreignShapes (seed options) least kinds alphabet)
+      pure
+        ( (symbolsOf alphabet) {symbolShapes = foreign'},
+          const (-1),
+          (count options + kinds - 1) `div` kinds
+        )
+    kinds = 16
+    found source (symbols, label, each) = do
+      made <- orUnusable imagesMessage (labelledImages symbols source each (seed options))
+      let all' = [(image, label c) | (image, c) <- labelledAs made]
+      pure (if foreignTo options == Nothing then all' else take (count options) all', lost source made)
+    lost source made = case source of
+      Bitmaps -> ""
+      Presses {} ->
+        "; of " ++ show (labelledPresses made) ++ " presses, "
+          ++ show (labelledLost made)
+          ++ " whole symbols were not found"
+    noisy list
+      | noise options > 0 = allWithNoise (noise options) (seed options) list
+      | otherwise = list
+
+-- | Each image with its class and its number within that.
+numbered :: [(Raster, Int)] -> [(Raster, Int, Int)]
+numbered list =
+  [(image, c, i) | c <- classes, (i, image) <- zip [0 ..] [image | (image, c') <- list, c' == c]]
+  where
+    classes = [minimum (0 : map snd list) .. maximum (-1 : map snd list)]
+
+file :: (Raster, Int, Int) -> Either ImageError ((FilePath, Int), (FilePath, Bytes.ByteString))
+file (image, c, i) = do
+  pgm <- pgmFromIntensity 65535 (mapRaster (\v -> 0.25 + 0.5 * v) image)
+  pure ((name, c), (name, encodePgm Binary pgm))
+  where
+    name = show c ++ "_" ++ show i ++ ".pgm"
+
+labels :: [(FilePath, Int)] -> Bytes.ByteString
+labels files = Bytes.pack (unlines ("file,class" : [name ++ "," ++ show c | (name, c) <- files]))

@@ -1,0 +1,41 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The JSON of what an image of a symbol shows.
+module PraTactile.Format.Classification
+  ( encodeClassification,
+    encodeNoImage,
+  )
+where
+
+import Data.Aeson (Series, (.=))
+import Data.ByteString (ByteString)
+import PraTactile.Classification.Classifier
+import PraTactile.Format.Json
+import PraTactile.Symmetry
+
+-- | What the image in a file shows, on one line, without its end.
+encodeClassification :: FilePath -> Classification -> ByteString
+encodeClassification file shown =
+  line
+    file
+    (verdictName (classifiedVerdict shown))
+    (fst <$> classifiedSymbol shown)
+    (degreesClockwise . snd <$> classifiedSymbol shown)
+    (Just (classifiedChances shown))
+
+-- | That a file is no image of a symbol.
+encodeNoImage :: FilePath -> ByteString
+encodeNoImage file = line file "invalid" Nothing Nothing Nothing
+
+line :: FilePath -> String -> Maybe Int -> Maybe Int -> Maybe [Double] -> ByteString
+line file outcome code orientation chances =
+  encodeSchema "classify/1" $
+    "file" .= file
+      <> "outcome" .= outcome
+      <> "code" .= code
+      <> "orientation_deg" .= orientation
+      <> "probabilities" .= chances
+      <> none
+  where
+    -- What is no symbol has no probability yet: those of the symbols add up to 1.
+    none = "none" .= (Nothing :: Maybe Double) :: Series

@@ -1,0 +1,226 @@
+-- | Images of symbols whose truth is known, to train networks with and to try them on: the shapes
+-- themselves, or what is left of them where a plate is pressed and the frames are put together, as
+-- they are decoded.
+module PraTactile.SymbolImages
+  ( -- * Symbols
+    Symbols (..),
+    symbolsOf,
+
+    -- * Images
+    ImageSource (..),
+    sourceName,
+    sourceSensor,
+    labelledImages,
+    Labelled (..),
+    ImagesError (..),
+
+    -- * Presses
+    Cut (..),
+    cuts,
+  )
+where
+
+import Data.Bifunctor (first)
+import Data.List (unfoldr)
+import Data.Maybe (listToMaybe)
+import qualified Data.Vector.Unboxed as Unboxed
+import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Composite.Tilt (leastTilt, setUpright, tilt)
+import PraTactile.Explore
+import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth, taxelPitch)
+import PraTactile.Image (Raster, onRaster)
+import PraTactile.Object.Placement
+import PraTactile.Object.Plate (platePlacement)
+import PraTactile.Random (uniform)
+import PraTactile.Registration (LatticeTables, compositePosition, latticeTables)
+import PraTactile.Registration.Stitching (standardStitching, stitchedBy)
+import PraTactile.Relief
+import PraTactile.Segmentation
+import PraTactile.Sensor (Sensor, drawSpecimen)
+import PraTactile.Sensor.Calibration (withoutStuck)
+import PraTactile.Sensor.Frame (inverse, movePoint)
+import PraTactile.Shape (Alphabet, alphabetSize, shapes, toRaster)
+import PraTactile.Symmetry
+import System.Random (StdGen, mkStdGen, split)
+
+-- | What is felt: the shapes, and what frames are held against that show them.
+data Symbols = Symbols
+  { symbolShapes :: Alphabet,
+    symbolTables :: LatticeTables
+  }
+
+-- | The symbols of an alphabet.
+symbolsOf :: Alphabet -> Symbols
+symbolsOf alphabet = Symbols alphabet (latticeTables alphabet)
+
+-- | Where images come from.
+data ImageSource
+  = -- | the shapes themselves: 0 flat, 1 embossed
+    Bitmaps
+  | -- | presses of a sensor, by its name, on plates that lie so
+    Presses String Sensor Turns
+
+-- | The stable name of a kind of images.
+sourceName :: ImageSource -> String
+sourceName source = case source of
+  Bitmaps -> "bitmap"
+  Presses {} -> "press"
+
+-- | The name of the sensor, where there is one.
+sourceSensor :: ImageSource -> Maybe String
+sourceSensor source = case source of
+  Bitmaps -> Nothing
+  Presses name _ _ -> Just name
+
+-- | Why there are no images.
+data ImagesError
+  = -- | There is no plate.
+    NoPlate PlacementError
+  | -- | It cannot be drawn with these shapes.
+    NoReliefOfPlate ReliefError
+  | -- | In so many presses too few symbols were found.
+    TooFewFound Int
+  deriving stock (Eq, Show)
+
+-- | Upright images with their classes.
+data Labelled = Labelled
+  { labelledAs :: [(Raster, Int)],
+    -- | how many symbols lay wholly in what was pressed and were not found
+    labelledLost :: Int,
+    labelledPresses :: Int
+  }
+
+-- | So many images of each class, by class and in the order in which they were found, from a seed.
+-- Refuses sensors by which hardly any symbol is found.
+labelledImages :: Symbols -> ImageSource -> Int -> Int -> Either ImagesError Labelled
+labelledImages symbols source count seed = case source of
+  Bitmaps ->
+    Right
+      ( Labelled
+          [(toRaster b, c) | (c, b) <- zip [0 ..] (shapes alphabet), _ <- [1 .. count]]
+          0
+          0
+      )
+  Presses _ sensor turns -> do
+    pressed <- take most <$> cuts symbols sensor turns seed
+    let enough = takeUntil pressed
+        found = concatMap cutImages enough
+        ofClass c = take count [it | it <- found, snd it == c]
+        chosen = map ofClass [0 .. classes - 1]
+    if all ((== count) . length) chosen
+      then Right (Labelled (concat chosen) (sum (map cutLost enough)) (length enough))
+      else Left (TooFewFound most)
+  where
+    alphabet = symbolShapes symbols
+    classes = alphabetSize alphabet
+    -- Some five symbols are found in a press.
+    most = 100 + 4 * classes * count
+    takeUntil = go (replicate classes 0)
+    go have pressed = case pressed of
+      one : others
+        | any (< count) have ->
+          one : go (zipWith (more one) [0 ..] have) others
+      _ -> []
+    more one c n = n + length (filter ((== c) . snd) (cutImages one))
+
+-- | What came of a press.
+data Cut = Cut
+  { -- | 8 x 12 images, set upright, with the true classes
+    cutImages :: [(Raster, Int)],
+    -- | how many symbols lay wholly in the region and were not found
+    cutLost :: Int
+  }
+
+-- | Presses without end on plates of 15 x 17 symbols, each of which is any class by chance, in
+-- regions of the usual size: put together by 'standardStitching' and cut as they are decoded, but
+-- turned back and named by the truth.
+cuts :: Symbols -> Sensor -> Turns -> Int -> Either ImagesError [Cut]
+cuts symbols sensor turns seed = do
+  layout <- first NoPlate (platePlacement (Shape 15 17))
+  face <- maybe (Left (TooFewFound 0)) Right (listToMaybe (laidFaces layout))
+  -- Whether there is a relief does not depend on which symbols it has.
+  _ <- first NoReliefOfPlate (plate layout face (\_ -> 0))
+  Right
+    [ cut
+      | g <- unfoldr (Just . split) (mkStdGen seed),
+        let (classAt, g') = chanceArrangement (alphabetSize (symbolShapes symbols)) g,
+        Right surface <- [plate layout face classAt],
+        Just cut <- [cutFrom symbols sensor turns face classAt surface g']
+    ]
+  where
+    plate :: Placement -> LaidFace -> (Position -> Int) -> Either ReliefError Relief
+    plate layout face = reliefOf layout alphabet face (alphabetSize alphabet)
+    alphabet = symbolShapes symbols
+
+-- | A class for each of 15 x 17 cells, all equally likely.
+chanceArrangement :: Int -> StdGen -> (Position -> Int, StdGen)
+chanceArrangement classes g = (\(Position i j) -> at (fromIntegral (17 * i + j)), g')
+  where
+    (own, g') = split g
+    drawn = Unboxed.fromList (take 255 (unfoldr (Just . uniform) own)) :: Unboxed.Vector Double
+    at k = maybe 0 (\u -> min (classes - 1) (floor (u * fromIntegral classes))) (drawn Unboxed.!? k)
+
+-- | A region of the plate, pressed and cut; 'Nothing' where the frames make no composite.
+cutFrom ::
+  Symbols -> Sensor -> Turns -> LaidFace -> (Position -> Int) -> Relief -> StdGen -> Maybe Cut
+cutFrom symbols sensor turns face classAt surface g = do
+  let (region, g') = drawnRegion turns standardRegionSize face g
+      (specimen, g'') = drawSpecimen sensor g'
+  (frames, _) <-
+    right $
+      exploreWith
+        sensor
+        (defaultSpacing sensor)
+        specimen
+        (heightsUnder sensor region surface)
+        (onRelief surface region)
+        g''
+  composite <- right (stitchedBy (symbolTables symbols) standardStitching (withoutStuck frames))
+  let whole = cleanedComposite (cleaned composite)
+      (upright, back, leftOver) = case tilt [whole] of
+        Just angle
+          | abs angle > leastTilt ->
+            let (it, places) = setUpright angle whole in (it, places, regionTurn region - angle)
+        _ -> (whole, id, regionTurn region)
+      quarters = round (leftOver / 90) `mod` 4 :: Int
+      axis = if odd quarters then turned 1 else identity
+      (_, _, found) = segmentAlong axis upright
+      setRight = if quarters >= 2 then onRaster (turned 2) else id
+      named =
+        [ (cell, (setRight (symbolPixels s), classAt cell))
+          | s <- segmentedSymbols found,
+            let seen = compositePosition whole (back (symbolCentre s)),
+            Just cell <- [cellUnder (movePoint (regionMotion region) seen)]
+        ]
+  pure (Cut (map snd named) (length (filter (`notElem` map fst named) (whollyIn region))))
+  where
+    right = either (const Nothing) Just
+
+-- | The cell in whose middle a place of the plate is (millimetres right and down), to a third of a
+-- pitch.
+cellUnder :: (Double, Double) -> Maybe Position
+cellUnder (x, y)
+  | i >= 0 && i < 15 && j >= 0 && j < 17 && near fi && near fj =
+    Just (Position (fromInteger i) (fromInteger j))
+  | otherwise = Nothing
+  where
+    (fi, fj) = (y / (rowPitch * taxelPitch), x / (columnPitch * taxelPitch)) :: (Double, Double)
+    (i, j) = (floor fi, floor fj) :: (Integer, Integer)
+    near f = abs (f - fromIntegral (floor f :: Integer) - 0.5) < 0.3
+
+-- | The cells whose symbols lie wholly in a region of the plate.
+whollyIn :: Region -> [Position]
+whollyIn region = [Position i j | i <- [0 .. 14], j <- [0 .. 16], all within (box i j)]
+  where
+    within place =
+      let (x, y) = movePoint (inverse (regionMotion region)) place
+       in x >= 0 && y >= 0 && x <= taxels (regionWidth region) && y <= taxels (regionHeight region)
+    box i j =
+      [ (taxels columnPitch * middle j + dx, taxels rowPitch * middle i + dy)
+        | dx <- beside symbolWidth,
+          dy <- beside symbolHeight
+      ]
+    middle k = fromIntegral k + 0.5
+    beside size = [negate (taxels size) / 2, taxels size / 2]
+    taxels :: Int -> Double
+    taxels n = taxelPitch * fromIntegral n

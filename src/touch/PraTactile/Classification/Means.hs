@@ -1,0 +1,96 @@
+-- | The nearest class mean by correlation, for comparison with the network: the simplest classifier
+-- that learns from images.
+--
+-- Let m_k be the mean of the images of class k, and r_k the correlation coefficient of an image with
+-- it. The output of class k is 1 / (1 + exp (-(a r_k + b))), where a and b maximise the likelihood
+-- over all images and classes that the image is of the class (Platt 1999); images of no class count
+-- as of none.
+module PraTactile.Classification.Means
+  ( Means,
+    means,
+    meansOf,
+    meanOutputs,
+  )
+where
+
+import qualified Data.Vector.Storable as V
+import PraTactile.Classification.Network (NetworkError (..), sigmoid)
+import PraTactile.Classification.Regimen
+import PraTactile.Image (Raster, rasterHeight, rasterSize, rasterValues, rasterWidth)
+import PraTactile.Shape
+import System.Random (mkStdGen)
+
+-- | The class means, each less its own mean and of length 1, and a and b.
+data Means = Means ![V.Vector Double] !Double !Double
+
+-- | The means of an alphabet's classes, over a fifth as many images as a round of
+-- 'shippedRegimen' has, half of them with noise of 0.15, from the seed of the shipped networks.
+means :: Alphabet -> Means
+means alphabetOfAll =
+  meansOf (alphabetSize alphabetOfAll) (fst (roundImages makeup [0, 0.15] alphabetOfAll g))
+  where
+    makeup = [(kind, max 1 (count `div` 5)) | (kind, count) <- composition shippedRegimen]
+    g = mkStdGen shippedSeed
+
+-- | The means of so many classes over images with their classes, if they have one.
+meansOf :: Int -> [(Raster, Maybe Int)] -> Means
+meansOf classes labelled = Means centres a b
+  where
+    centres = [standardised (total (map rasterValues (of' k))) | k <- [0 .. classes - 1]]
+    of' k = [image | (image, Just c) <- labelled, c == k]
+    total = foldr (V.zipWith (+)) (V.replicate (symbolWidth * symbolHeight) 0)
+    (a, b) =
+      platt
+        [ (r, label == Just k)
+          | (image, label) <- labelled,
+            let seen = standardised (rasterValues image),
+            (k, m) <- zip [0 ..] centres,
+            let r = correlation m seen
+        ]
+
+-- | The outputs of the classes for an 8 x 12 image, each between 0 and 1. Refuses an image of
+-- another size, and one with values that are not finite.
+meanOutputs :: Means -> Raster -> Either NetworkError [Double]
+meanOutputs (Means centres a b) image
+  | rasterSize image /= (symbolWidth, symbolHeight) =
+    Left (WrongImageSize (rasterWidth image) (rasterHeight image))
+  | V.any (\v -> isNaN v || isInfinite v) values = Left NotFinite
+  | otherwise = Right [sigmoid (a * correlation m seen + b) | m <- centres]
+  where
+    values = rasterValues image
+    seen = standardised values
+
+correlation :: V.Vector Double -> V.Vector Double -> Double
+correlation m seen = V.sum (V.zipWith (*) m seen)
+
+-- | Less the mean, and of length 1; zero where all values are the same.
+standardised :: V.Vector Double -> V.Vector Double
+standardised values = if size > 0 then V.map (/ size) centred else centred
+  where
+    average = V.sum values / fromIntegral (max 1 (V.length values))
+    centred = V.map (subtract average) values
+    size = sqrt (V.sum (V.map (^ (2 :: Int)) centred))
+
+-- | The a and b of greatest likelihood, by Newton's method; a step that does not raise it is halved.
+platt :: [(Double, Bool)] -> (Double, Double)
+platt cases = iterate step (10, -5) !! 30
+  where
+    rs = V.fromList (map fst cases)
+    ys = V.fromList [if y then 1 else 0 | (_, y) <- cases] :: V.Vector Double
+    p (a, b) = V.map (\r -> sigmoid (a * r + b)) rs
+    likelihood at =
+      V.sum (V.zipWith (\y q -> log (max 1e-300 (if y > 0 then q else 1 - q))) ys (p at))
+    step (a, b) = foldr better (a, b) (take 20 (iterate (/ 2) 1))
+      where
+        chances = p (a, b)
+        off = V.zipWith (-) ys chances
+        weight = V.map (\q -> q * (1 - q)) chances
+        (ga, gb) = (V.sum (V.zipWith (*) off rs), V.sum off)
+        haa = V.sum (V.zipWith (\w r -> w * r * r) weight rs)
+        hab = V.sum (V.zipWith (*) weight rs)
+        hbb = V.sum weight
+        det = haa * hbb - hab * hab
+        (da, db) = ((hbb * ga - hab * gb) / det, (haa * gb - hab * ga) / det)
+        better by rest =
+          let there = (a + by * da, b + by * db)
+           in if likelihood there > likelihood (a, b) then there else rest
