@@ -28,11 +28,9 @@ import Data.List.NonEmpty (NonEmpty)
 import qualified Data.Vector.Storable as V
 import Numeric.LinearAlgebra
   ( Matrix,
-    fromColumns,
     fromLists,
     fromRows,
     subMatrix,
-    sumElements,
     tr',
     (<>),
   )
@@ -45,16 +43,14 @@ import PraTactile.Shape (symbolHeight, symbolWidth)
 import System.Random (StdGen)
 import Prelude hiding ((<>))
 
--- | Images with the outputs they shall have.
-data Batch
-  = Batch
-      !(Matrix Double) -- inputs, an image a column, with the row of ones
-      !( Matrix
-           -- the same, an image a row: reference BLAS multiplies it much faster than a transposed
-           -- view
-           Double
-       )
-      !(Matrix Double) -- targets, an image a column
+-- | Images with the outputs they shall have, an image a row; Note [Layouts].
+data Batch = Batch
+  { -- | the inputs, and a column of ones
+    batchInputs :: !(Matrix Double),
+    -- | the same, an image a column
+    batchImages :: !(Matrix Double),
+    batchTargets :: !(Matrix Double)
+  }
 
 -- | A batch for this many classes: each image with its class, or 'Nothing' when no output shall
 -- be high. Refuses no images at all, images that are not 8 x 12, and classes that are not.
@@ -62,12 +58,16 @@ batch :: Int -> [(Raster, Maybe Int)] -> Either NetworkError Batch
 batch _ [] = Left EmptyBatch
 batch classes labelled = do
   mapM_ check labelled
-  let images = map (rasterValues . fst) labelled
-      inputs = withOnes (fromColumns images)
+  let inputs = fromRows [V.snoc (rasterValues image) 1 | (image, _) <- labelled]
       targets =
         fromLists
           [[if Just k == label then 1 else 0 | (_, label) <- labelled] | k <- [0 .. classes - 1]]
-  Right (Batch inputs (L.fromRows (L.toColumns inputs)) targets)
+  Right
+    Batch
+      { batchInputs = tr' (fromRows (L.toColumns inputs)),
+        batchImages = tr' inputs,
+        batchTargets = tr' targets
+      }
   where
     check (image, label)
       | (w, h) /= (symbolWidth, symbolHeight) = Left (WrongImageSize w h)
@@ -80,7 +80,7 @@ batch classes labelled = do
 
 -- | The number of images.
 batchSize :: Batch -> Int
-batchSize (Batch inputs _ _) = L.cols inputs
+batchSize = L.rows . batchInputs
 
 -- | The two layers' units, or a change of them.
 type Units = (Matrix Double, Matrix Double)
@@ -99,22 +99,39 @@ gradient :: Network -> Batch -> Either NetworkError (Matrix Double, Matrix Doubl
 gradient n b = snd <$> fitting n b (errorAndGradient (unitsOf n) b)
 
 fitting :: Network -> Batch -> a -> Either NetworkError a
-fitting n (Batch _ _ targets) a
-  | outputCount n /= L.rows targets = Left (WrongOutputCount (outputCount n) (L.rows targets))
+fitting n b a
+  | outputCount n /= classes = Left (WrongOutputCount (outputCount n) classes)
   | otherwise = Right a
+  where
+    classes = L.cols (batchTargets b)
 
 -- | Backpropagation (Bishop 1995, section 4.8). The derivative of a sigmoid unit of value y is y (1
 -- - y).
 errorAndGradient :: Units -> Batch -> (Double, Units)
-errorAndGradient (w1, w2) (Batch inputs inputRows targets) =
-  (sumElements (difference * difference), (delta1 <> inputRows, delta2 <> tr' hiddenOnes))
+errorAndGradient (w1, w2) b =
+  ( V.sum (V.zipWith (\y t -> (y - t) * (y - t)) out targets),
+    ( tr' (batchImages b <> byColumns delta1),
+      tr' (tr' (byColumns hiddenOnes) <> byColumns delta2)
+    )
+  )
   where
-    hidden = activations w1 inputs
-    hiddenOnes = withOnes hidden
-    out = activations w2 hiddenOnes
-    difference = out - targets
-    delta2 = 2 * difference * out * (1 - out)
-    delta1 = (tr' (subMatrix (0, 0) (L.rows w2, L.rows w1) w2) <> delta2) * hidden * (1 - hidden)
+    hidden = V.map sigmoid (columnsOf (batchInputs b <> tr' w1))
+    hiddenOnes = hidden V.++ V.replicate (batchSize b) 1
+    out = V.map sigmoid (columnsOf (byColumns hiddenOnes <> tr' w2))
+    targets = columnsOf (batchTargets b)
+    delta2 = V.zipWith (\y t -> 2 * (y - t) * y * (1 - y)) out targets
+    delta1 = V.zipWith (\d y -> d * y * (1 - y)) (columnsOf (byColumns delta2 <> weights)) hidden
+    weights = subMatrix (0, 0) (L.rows w2, L.rows w1) w2
+    -- What is stored by columns, as they follow each other, and back.
+    columnsOf = L.flatten . tr'
+    byColumns = tr' . L.reshape (batchSize b)
+
+{- Note [Layouts] Reference BLAS is fast where it adds multiples of long columns that lie in memory
+   one number after another, and slow where it takes sums of products along rows. So an image is a
+   row where units are summed over inputs, and a column where the gradient is summed over images, and
+   each matrix of a batch is stored by columns, as products are. A layer's units, stored by rows, are
+   so stored when transposed, which moves nothing. The sums are the same ones in the same order
+   either way, to the bit. -}
 
 -- | How the shipped networks were trained: the paper's momentum of 0.95, and the factors of
 -- 'toolboxDescent'. But the initial rate is 0.00001, for the error is summed over thousands of

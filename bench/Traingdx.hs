@@ -1,0 +1,114 @@
+-- | Our traingdx beside one of numpy (@bench/peers/traingdx.py@): from the same first weights and
+-- images, are the errors and the steps of 200 epochs the same, and how long do 5000 take?
+--
+-- usage: traingdx FOLDER [PYTHON]; what both read and write is left in the folder.
+module Main (main) where
+
+import Control.Monad (forM)
+import qualified Data.ByteString.Char8 as Bytes
+import Data.Foldable (toList)
+import Data.List.NonEmpty (NonEmpty)
+import qualified Data.List.NonEmpty as NonEmpty
+import PraTactile.Classification.Estimate (standardRegression)
+import PraTactile.Classification.Experiment
+import PraTactile.Classification.Network
+import PraTactile.Classification.NguyenWidrow
+import PraTactile.Classification.Shipped (shippedAlphabet)
+import PraTactile.Classification.Train
+import PraTactile.Classification.Traingdx
+import PraTactile.Experiment (material)
+import PraTactile.Explore (Turns (..), halfTurns)
+import PraTactile.Format.Network
+import PraTactile.Image (Raster, mapRaster)
+import PraTactile.Image.Pgm
+import PraTactile.Sensor (Preset (..), presetSensor)
+import PraTactile.SymbolImages
+import System.CPUTime (getCPUTime)
+import System.Directory (createDirectoryIfMissing)
+import System.Environment (getArgs)
+import System.FilePath ((</>))
+import System.Process (readProcess)
+import System.Random (mkStdGen)
+import Text.Printf (printf)
+
+main :: IO ()
+main = do
+  arguments <- getArgs
+  case arguments of
+    [folder] -> compared folder "python3"
+    [folder, python] -> compared folder python
+    _ -> fail "usage: traingdx FOLDER [PYTHON]"
+
+compared :: FilePath -> FilePath -> IO ()
+compared folder python = do
+  alphabet <- orFail (shippedAlphabet 4)
+  clean <- orFail (material (symbolsOf alphabet) pressedByReal 1)
+  (first, _) <- orFail (firstNetwork unitRanges 8 4 (mkStdGen 1))
+  createDirectoryIfMissing True (folder </> "images")
+  Bytes.writeFile
+    (folder </> "first.json")
+    (encodeNetwork (NetworkFile first (alphabetDigest alphabet) standardRegression (Just 1) Nothing))
+  let images = middleImages Stated Noisy (materialFirst clean) (mkStdGen 2)
+  read' <- mapM (written (folder </> "images")) (zip [0 ..] images)
+  writeFile
+    (folder </> "images" </> "labels.csv")
+    (unlines ("file,class" : [name ++ "," ++ show c | (name, _, c) <- read']))
+  b <- orFail (batch 4 [(image, Just c) | (_, image, c) <- read'])
+  printf "%d images\n" (batchSize b)
+  same first b 0.01
+  same first b 0.5
+  timed first b
+  where
+    pressedByReal = Presses "real" (presetSensor Real) (AmongTurns halfTurns)
+    unitRanges = NguyenWidrow (replicate inputCount (0, 1)) 1
+    peer more =
+      readProcess
+        python
+        ( ["bench/peers/traingdx.py", folder </> "first.json", folder </> "images"]
+            ++ [folder </> "trace.csv"]
+            ++ more
+        )
+        ""
+    run first b rule = orFail (fst' (trainingEpochs rule b first)) :: IO (NonEmpty (Epoch ()))
+    fst' = fmap traced
+    same first b rate = do
+      ours <- run first b toolboxDescent {epochs = 200, initialRate = rate}
+      _ <- peer ["--epochs", "200", "--rate", show rate]
+      theirs <- map (cells . filter (/= '\r')) . drop 1 . lines <$> readFile (folder </> "trace.csv")
+      let errors = map epochError (drop 1 (toList ours))
+          steps = map (outcomeName . epochOutcome) (drop 1 (toList ours))
+      printf
+        "rate %g: %d and %d epochs, errors apart by at most %.1e, undone %d; the same steps: %s\n"
+        rate
+        (length errors)
+        (length theirs)
+        (maximum (zipWith (\e cell -> abs (e - read (cell !! 1))) errors theirs) :: Double)
+        (length (filter (== "undone") steps))
+        (show (steps == map (!! 4) theirs))
+    timed first b = do
+      rounds <- forM [5000 .. 5004] $ \count -> do
+        start <- getCPUTime
+        -- One more each time, or it would be known already.
+        ours <- run first b toolboxDescent {leastGradient = 0, epochs = count}
+        end <- epochNumber (NonEmpty.last ours) `seq` getCPUTime
+        theirs <- peer ["--least", "0"]
+        pure (fromIntegral (end - start) / 1e12, read theirs) :: IO (Double, Double)
+      printf
+        "5000 epochs, the best of 5, seconds of the processor: ours %.3f, numpy %.3f\n"
+        (minimum (map fst rounds))
+        (minimum (map snd rounds))
+    cells line = case break (== ',') line of
+      (cell, _ : rest) -> cell : cells rest
+      (cell, []) -> [cell]
+
+-- | An image as a file, and as it is read again.
+written :: FilePath -> (Int, (Raster, Int)) -> IO (FilePath, Raster, Int)
+written folder (i, (image, c)) = do
+  pgm <- orFail (pgmFromIntensity 65535 (mapRaster (\v -> 0.25 + 0.5 * v) image))
+  Bytes.writeFile (folder </> name) (encodePgm Binary pgm)
+  pure (name, mapRaster (\v -> (v - 0.25) / 0.5) (pgmIntensity pgm), c)
+  where
+    name = show c ++ "_" ++ show i ++ ".pgm"
+
+orFail :: Show e => Either e a -> IO a
+orFail = either (fail . show) pure
