@@ -139,6 +139,7 @@ import qualified Test.Touch.Classification.DescentByRule
 import qualified Test.Touch.Classification.EstimatesByPosterior
 import qualified Test.Touch.Classification.GradientByDifferences
 import qualified Test.Touch.Classification.NetworkByDefinition
+import qualified Test.Touch.Classification.OtherShapes
 import qualified Test.Touch.Classification.SpecimensOfEachKind
 import qualified Test.Touch.Composite.BlendByDefinition
 import qualified Test.Touch.Composite.TiltByDefinition
@@ -283,6 +284,7 @@ specs = do
     describe "The network" Test.Touch.Classification.NetworkByDefinition.spec
     describe "Training" Test.Touch.Classification.GradientByDifferences.spec
     describe "Training step by step" Test.Touch.Classification.DescentByRule.spec
+    describe "Other shapes" Test.Touch.Classification.OtherShapes.spec
     describe "Training images and parts" Test.Touch.Classification.SpecimensOfEachKind.spec
   describe "Objects" $ do
     describe "Winged edges" Test.Recognition.Object.SolidsAreClosed.spec

@@ -24,6 +24,7 @@ module PraTactile.Recognise
     -- * Symbols
     ReadSymbol (..),
     readDoubt,
+    readNone,
 
     -- * Windows
     ReadWindow (..),

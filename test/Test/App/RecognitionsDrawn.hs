@@ -339,7 +339,8 @@ symbolWithin (w, h) = do
         readClass = if known then Just what else Nothing,
         readSeen = 1,
         readLikeliest = what,
-        readChances = [(what, 1)]
+        readChances = [(what, 1)],
+        readUnlike = -10
       }
 
 named :: Text -> Drawing -> Drawing

@@ -115,6 +115,7 @@ someRecognition =
         <*> somePoint
         <*> someReal
         <*> ((,,) <$> someInt <*> someTurns <*> someReal)
+        <*> someReal
         <*> maybeOf somePosition
         <*> maybeOf someInt
         <*> maybeOf arbitrary
@@ -137,7 +138,7 @@ someRecognition =
     someVertex = VertexName <$> someText
 
 someForeign :: Gen ForeignDoubts
-someForeign = ForeignDoubts <$> someReal <*> someReal <*> arbitrary
+someForeign = ForeignDoubts <$> someReal <*> someReal <*> arbitrary <*> pure 0
 
 someChecks :: Gen Checks
 someChecks = Checks <$> someSplit <*> someSplit <*> maybeOf someSplit

@@ -152,7 +152,8 @@ groupSpec = describe "groups of symbols" $ do
           readClass = Nothing,
           readSeen = 1,
           readLikeliest = (identity, 0),
-          readChances = [((identity, 0), 1)]
+          readChances = [((identity, 0), 1)],
+          readUnlike = 0
         }
 
 -- | A rectangle of a face as an image of full contrast: x, y, width, height in taxels.

@@ -215,7 +215,7 @@ saidSpec = do
   it "a refusal, or several places that fit, are said with the doubt if there is one" $ do
     let said answer support = summary (Recognition [] [] support 0 answer)
         several = Right (Several identity [Position 1 2, Position 3 4])
-        alien = ForeignDoubts 0.03 0.02 True
+        alien = ForeignDoubts 0.03 0.02 True 0
         unsure = Just (Support (Doubts 0.2 0 0 0 alien) 4 [] [] (Exactly 3) 1 Nothing Nothing)
     said (Left NoSymbols) Nothing `shouldBe` ["refused: no-symbols"]
     map (take 3 . words) (said several Nothing)

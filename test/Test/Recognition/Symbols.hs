@@ -21,5 +21,6 @@ symbolOf n place what =
       readClass = Just what,
       readSeen = 1,
       readLikeliest = what,
-      readChances = [(what, 1)]
+      readChances = [(what, 1)],
+      readUnlike = -10
     }

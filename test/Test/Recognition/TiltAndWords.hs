@@ -164,7 +164,7 @@ recognitionSpec = do
             (stitching, axes, slip) = case elsewhere of
               [a, b, c] -> (a, b, c)
               _ -> (0, 0, 0)
-            alien part = ForeignDoubts (origin / 4 * part) (3 * origin / 4 * part) True
+            alien part = ForeignDoubts (origin / 4 * part) (3 * origin / 4 * part) True 0
             unsure = Doubts position 0 0 0 (alien 1)
             support = Support unsure 4 [3] [1] (Exactly 3) 1 Nothing Nothing
             weighed = doubtsOf <$> recognisedSupport (asked 1 given)

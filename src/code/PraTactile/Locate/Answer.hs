@@ -160,20 +160,24 @@ data ForeignDoubts = ForeignDoubts
     -- | That it is another array of the same field and degree, by another polynomial.
     doubtOfOtherArrays :: Double,
     -- | Whether that is exactly this; else it is at most this.
-    otherArraysExact :: Bool
+    otherArraysExact :: Bool,
+    -- | That it shows other symbols than the array's: where that was weighed.
+    doubtOfOtherShapes :: Double
   }
   deriving stock (Eq, Show)
 
 -- | The probability that it is nothing of the array's.
 doubtOfForeign :: ForeignDoubts -> Double
-doubtOfForeign doubts = doubtOfRandom doubts + doubtOfOtherArrays doubts
+doubtOfForeign doubts =
+  doubtOfRandom doubts + doubtOfOtherArrays doubts + doubtOfOtherShapes doubts
 
 -- | The same where something else, which excludes it, has this probability.
 foreignBut :: Double -> ForeignDoubts -> ForeignDoubts
 foreignBut else' doubts =
   doubts
     { doubtOfRandom = doubtOfRandom doubts * (1 - else'),
-      doubtOfOtherArrays = doubtOfOtherArrays doubts * (1 - else')
+      doubtOfOtherArrays = doubtOfOtherArrays doubts * (1 - else'),
+      doubtOfOtherShapes = doubtOfOtherShapes doubts * (1 - else')
     }
 
 -- | A number, or as much of it as is proved.

@@ -6,6 +6,10 @@
 -- likely, too, and there each cell has its probability, but for one cell in a hundred, which is not
 -- what it seems ('misleading'): damaged, soiled, or wrongly made. Bayes' theorem with the share of
 -- foreign things does the rest.
+--
+-- Who saw the symbols may say how much likelier they are to be none of the array's: then there is a
+-- third kind of foreign things, as frequent as the other two together. What other symbols are taken
+-- for is random.
 module PraTactile.Locate.Foreign
   ( ForeignComparison (..),
     foreignChances,
@@ -39,7 +43,10 @@ data ForeignComparison = ForeignComparison
     foreignSymmetry :: Double,
     -- | what the cells are worth if another array was touched; the logarithm is likewise relative
     -- to the mean of how probable they make all symmetries
-    foreignOthers :: Others
+    foreignOthers :: Others,
+    -- | the logarithm of how many times as likely what was seen is if it shows other symbols than
+    -- the array's; minus infinity where that is not weighed
+    foreignUnlike :: Double
   }
   deriving stock (Eq, Show)
 
@@ -47,23 +54,27 @@ data ForeignComparison = ForeignComparison
 foreignByChance :: Double
 foreignByChance = 0.5
 
--- | The probabilities that observed cells are foreign, of either kind.
+-- | The probabilities that observed cells are foreign, of each kind.
 --
 -- Four cells beyond doubt, which nearly every content of a window is, leave what was believed
 -- beforehand; nine do not:
 --
--- >>> let chances cells = foreignChances (ForeignComparison 0.005 4 255 cells 0 0 NoOthers)
+-- >>> let comparison cells = ForeignComparison 0.005 4 255 cells 0 0 NoOthers (-1 / 0)
+-- >>> let chances = foreignChances . comparison
 -- >>> round (1000 * doubtOfRandom (chances [1, 1, 1, 1]))
 -- 5
 -- >>> doubtOfRandom (chances (replicate 9 1)) < 1e-5
 -- True
 foreignChances :: ForeignComparison -> ForeignDoubts
-foreignChances (ForeignComparison share symbols places expected likeliest shown others)
-  | share <= 0 = ForeignDoubts 0 0 exact
-  | otherwise = ForeignDoubts (part byChance) (part byOthers) exact
+foreignChances (ForeignComparison share symbols places expected likeliest shown others unlike)
+  | share <= 0 = ForeignDoubts 0 0 exact 0
+  | otherwise = ForeignDoubts (part byChance) (part byOthers) exact (part byShapes)
   where
     q = fromIntegral symbols :: Double
-    byChance = log (share * random) - fromIntegral (length expected) * log q
+    byChance = log (share * random) + contents
+    byShapes = log share + contents + unlike
+    -- Every content alike.
+    contents = negate (fromIntegral (length expected)) * log q
     (random, byOthers, exact) = case others of
       NoOthers -> (1, -1 / 0, True)
       WorthExactly worth -> (foreignByChance, ofOthers worth, True)
@@ -77,7 +88,7 @@ foreignChances (ForeignComparison share symbols places expected likeliest shown 
     -- Of what is impossible nothing, whatever the others are.
     part one'
       | isInfinite one' = 0
-      | otherwise = 1 / sum [exp (other - one') | other <- [ours, byChance, byOthers]]
+      | otherwise = 1 / sum [exp (other - one') | other <- [ours, byChance, byOthers, byShapes]]
     seen chance = log ((1 - misleading) * chance + misleading / q)
 
 -- | The share of symbols that are not what they seem, where the array's are compared with foreign

@@ -70,7 +70,10 @@ data Query (k :: Field) = Query
     queryDoubt :: Double,
     -- | The probability beforehand, below 1, that it is nothing of the array's; 'Nothing' where
     -- that is not weighed.
-    queryForeign :: Maybe Double
+    queryForeign :: Maybe Double,
+    -- | The logarithm of how many times as likely what was seen is if it shows other symbols than
+    -- the array's; minus infinity where nobody says so. It counts where 'queryForeign' does.
+    queryUnlike :: Double
   }
   deriving stock (Show)
 
@@ -79,4 +82,4 @@ type role Query nominal
 -- | The question for one upright patch: of symbols as many may be wrong as can be
 -- corrected for certain, a doubt of a thousandth is tolerated, and nothing foreign is thought of.
 onePatch :: Patch (Cell k) -> Query k
-onePatch seen = Query [((0, 0), seen)] [identity] Guaranteed 0.001 Nothing
+onePatch seen = Query [((0, 0), seen)] [identity] Guaranteed 0.001 Nothing (-1 / 0)

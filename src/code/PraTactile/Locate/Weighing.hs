@@ -121,7 +121,8 @@ foreignGiven theLocator query seen expected = do
           foreignSymmetry = expectedSymmetry expected,
           foreignOthers =
             relativeTo (expectedShown expected - expectedSymmetry expected) $
-              worthOfOthers (locatorOthers theLocator) (querySymmetries query) seen
+              worthOfOthers (locatorOthers theLocator) (querySymmetries query) seen,
+          foreignUnlike = queryUnlike query
         }
 
 -- | The candidates of a patch as spheres of radius 0; 'Nothing' where no cell was observed.

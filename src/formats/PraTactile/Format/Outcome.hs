@@ -62,10 +62,10 @@ checksCodec =
             <*> key "across_sources" (nullable natural) (fmap checksAcross)
         )
 
--- | @foreign@, and the two kinds that it is the sum of.
+-- | @foreign@, and the two kinds that it is the sum of where no shapes are seen.
 foreignKeys :: Keys ForeignDoubts ForeignDoubts
 foreignKeys =
-  ForeignDoubts
+  (\random arrays exact -> ForeignDoubts random arrays exact 0)
     <$ key "foreign" real doubtOfForeign
     <*> key "random" real doubtOfRandom
     <*> key "other_arrays" real doubtOfOtherArrays

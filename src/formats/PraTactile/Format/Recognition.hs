@@ -86,6 +86,8 @@ data Sighting = Sighting
     sightedAxis :: Double,
     -- | code, quarter turns and doubt
     sightedLikeliest :: (Int, Int, Double),
+    -- | how probable it is that it is none of the shapes
+    sightedNone :: Double,
     sightedPosition :: Maybe Position,
     sightedExpected :: Maybe Int,
     sightedWrong :: Maybe Bool
@@ -155,7 +157,12 @@ doubtsKeys =
     <*> key "stitching" real doubtOfStitching
     <*> key "axes" real doubtOfAxes
     <*> key "slip" real doubtOfSlip
-    <*> withKeys doubtsOfOrigin foreignKeys
+    <*> withKeys doubtsOfOrigin ofOrigin
+  where
+    ofOrigin =
+      (\doubts shapes -> doubts {doubtOfOtherShapes = shapes})
+        <$> foreignKeys
+        <*> key "other_shapes" real doubtOfOtherShapes
 
 symbol :: Keys more more -> Codec (SymbolReport more)
 symbol keys =
@@ -179,6 +186,7 @@ sightingKeys =
     <*> withKeys sightedAt pointKeys
     <*> key "axis_deg" real sightedAxis
     <*> key "likeliest" (object likeliestKeys) sightedLikeliest
+    <*> key "none" real sightedNone
     <*> key "position" (nullable position) sightedPosition
     <*> key "expected" (nullable int) sightedExpected
     <*> key "wrong" (nullable bool) sightedWrong
@@ -268,6 +276,7 @@ sighting recognition seen =
       sightedAt = symbolCentre (readImage seen),
       sightedAxis = symbolAxis (readImage seen),
       sightedLikeliest = (likeliest, quarterTurns orientation, readDoubt seen),
+      sightedNone = readNone seen,
       sightedPosition = symbolCell <$> place,
       sightedExpected = symbolExpected <$> place,
       sightedWrong = (readNumber seen `elem`) . supportWrong <$> recognisedSupport recognition

@@ -48,8 +48,8 @@ data Tolerance = Tolerance
     toleratedDoubt :: Double,
     -- | how many certain symbols may be wrong
     toleratedErrors :: Radius,
-    -- | the probability beforehand that what was touched is nothing of the array's: symbols of the
-    -- same shapes, each as likely as any other in every cell; below 1
+    -- | the probability beforehand that what was touched is nothing of the array's: the shapes in
+    -- another arrangement; and again that it is other shapes; each below 1
     foreignPrior :: Double,
     -- | the probability beforehand that the robot's axes are others than those supposed; where it
     -- is not given, a hundredth, and a quarter of that where somebody stated them
@@ -156,7 +156,8 @@ locateGrid reader tolerance dissenters grid =
       (onePatch (Probabilities <$> beliefs))
         { querySymmetries = waysUp,
           queryDoubt = toleratedDoubt tolerance,
-          queryForeign = Just (foreignPrior tolerance)
+          queryForeign = Just (foreignPrior tolerance),
+          queryUnlike = sum [readUnlike s | here <- Map.elems (gridCells grid), s <- here]
         }
     likeliest' = answer >>= answerPosterior >>= posteriorBest
     orientation =

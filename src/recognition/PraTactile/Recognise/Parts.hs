@@ -84,5 +84,7 @@ readPart view (x, y) seen estimated =
       readClass = Nothing,
       readSeen = V.sum (rasterValues (partSeen seen)) / fromIntegral (symbolWidth * symbolHeight),
       readLikeliest = alongAxis (viewAxis view) (estimateLikeliest estimated),
-      readChances = map (first (alongAxis (viewAxis view))) (estimateChances estimated)
+      readChances = map (first (alongAxis (viewAxis view))) (estimateChances estimated),
+      -- Of a part it is not asked whether it may be one of another shape.
+      readUnlike = 0
     }

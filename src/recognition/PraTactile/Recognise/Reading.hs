@@ -5,6 +5,7 @@ module PraTactile.Recognise.Reading
     ReadSymbol (..),
     View (..),
     readDoubt,
+    readNone,
     readSymbols,
     mostKnown,
     readMirrored,
@@ -32,6 +33,7 @@ import PraTactile.Classification.Network
     standardThresholds,
   )
 import PraTactile.Classification.Reader (Reader (..))
+import PraTactile.Classification.Unlike
 import PraTactile.Geometry (columnPitch, rowPitch, taxelPitch)
 import PraTactile.Image (onRaster, rasterHeight, rasterWidth)
 import PraTactile.Registration (Composite (..))
@@ -65,13 +67,21 @@ data ReadSymbol = ReadSymbol
     -- | the likeliest orientation and class, known or not
     readLikeliest :: (Symmetry, Int),
     -- | the probabilities of all orientations and classes of its axis
-    readChances :: [((Symmetry, Int), Double)]
+    readChances :: [((Symmetry, Int), Double)],
+    -- | the logarithm of how many times as likely its image is if it is another shape
+    readUnlike :: Double
   }
   deriving stock (Eq, Show)
 
 -- | The probability that a symbol has not its likeliest orientation and class.
 readDoubt :: ReadSymbol -> Double
 readDoubt s = sum [chance | (what, chance) <- readChances s, what /= readLikeliest s]
+
+-- | The probability that a symbol is none of the shapes, of which one in 200 is beforehand.
+readNone :: ReadSymbol -> Double
+readNone s = odds / (1 + odds)
+  where
+    odds = 0.005 / 0.995 * exp (readUnlike s)
 
 -- | A composite with the symbols of one axis.
 data View = View
@@ -147,7 +157,13 @@ readSymbol reader axis source (dx, dy) image = do
           _ -> Nothing,
         readSeen = 1,
         readLikeliest = alongAxis axis (estimateLikeliest likeliest),
-        readChances = map (first (alongAxis axis)) (estimateChances likeliest)
+        readChances = map (first (alongAxis axis)) (estimateChances likeliest),
+        readUnlike =
+          unlikeAny
+            standardUnlikeness
+            (readerTemplates reader)
+            (estimateLikeliest likeliest)
+            (symbolPixels image)
       }
   where
     known values = case decide standardThresholds values of

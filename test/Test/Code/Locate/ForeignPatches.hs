@@ -51,7 +51,7 @@ spec = do
           shownBest = log (fst best / mean)
           found =
             foreignChances
-              (ForeignComparison share q (places placed) (snd best) highest shownBest others)
+              (ForeignComparison share q (places placed) (snd best) highest shownBest others (-1 / 0))
        in counterexample (show (found, theirs / whole, ofOthers / whole)) $
             conjoin
               [ property (abs (doubtOfRandom found - theirs / whole) < 1e-9),
@@ -141,7 +141,8 @@ spec = do
                     foreignExpected = replicate cells 1,
                     foreignLikeliest = -(alike * log 2),
                     foreignSymmetry = 0,
-                    foreignOthers = NoOthers
+                    foreignOthers = NoOthers,
+                    foreignUnlike = -1 / 0
                   }
           -- 2^alike 0.995^cells / 2^1027 against 2^-cells.
           odds = alike * log 2 + fromIntegral cells * log 0.995 + 3 * log 2
@@ -165,7 +166,7 @@ spec = do
             / fromIntegral (length kinds)
         alone =
           doubtOfForeign . foreignChances $
-            ForeignComparison 0.3 4 255 (replicate 9 0.97) 0 0 (WorthExactly (log others))
+            ForeignComparison 0.3 4 255 (replicate 9 0.97) 0 0 (WorthExactly (log others)) (-1 / 0)
     listed <- asked ListDecoder Nothing
     fmap posteriorUnlisted (answerPosterior listed) `shouldSatisfy` (/= Just Nothing)
     byList <- foreignBy ListDecoder

@@ -1,0 +1,62 @@
+-- | Whether an image shows one of the shapes or another.
+module Test.Touch.Classification.OtherShapes (spec) where
+
+import Data.Foldable (for_)
+import qualified Data.Vector.Storable as V
+import PraTactile.Classification.Templates (templates)
+import PraTactile.Classification.Unlike
+import PraTactile.Image
+import PraTactile.Shape
+import PraTactile.Shape.Design (foreignShapes)
+import PraTactile.Symmetry
+import Test.Hspec
+import Test.QuickCheck hiding (generate)
+import Test.Support
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
+import Test.Touch.Paper (paperAlphabet)
+
+spec :: Spec
+spec = do
+  it "no drawing of a third to two thirds of the blocks is more like an image than the free shape" $
+    forAllBlind (genRasterOf 8 12) $ \image ->
+      forAllBlind genDrawing $ \blocks ->
+        counterexample (show (correlated image (drawn blocks), freeLikeness image)) $
+          correlated image (drawn blocks) <= freeLikeness image + 1e-9
+  it "an image of a drawing, of any gain and offset, is the free shape" $
+    forAllBlind genDrawing $ \blocks ->
+      forAll ((,) <$> choose (0.1, 9) <*> choose (-3, 3)) $ \(gain, offset) ->
+        let free = freeLikeness (mapRaster (\v -> gain * v + offset) (drawn blocks))
+         in counterexample (show free) (abs (free - 1) < 1e-9)
+  it "a symbol's own image is surely none of another shape; one of another shape is" $ do
+    known <- right paperAlphabet
+    others <- right (foreignShapes 5 24 12 known)
+    for_ (zip [0 ..] (shapes known)) $ \(c, shape) ->
+      for_ [identity, turned 2] $ \turn ->
+        unlike known (c, turn) (onRaster turn (toRaster shape)) `shouldSatisfy` (< -3)
+    for_ (shapes others) $ \shape ->
+      -- Whichever of ours it is taken for.
+      minimum
+        [ unlike known (c, turn) (toRaster shape)
+          | c <- [0 .. alphabetSize known - 1],
+            turn <- [identity, turned 2]
+        ]
+        `shouldSatisfy` (> 0)
+  where
+    unlike known = unlikeAny standardUnlikeness (templates known)
+    genDrawing = do
+      count <- choose (8, 16)
+      chosen <- take count <$> shuffle [0 .. 23 :: Int]
+      pure chosen
+    drawn blocks =
+      generate 8 12 (\x y -> if 4 * (y `div` 2) + x `div` 2 `elem` blocks then 1 else 0)
+
+-- | The correlation coefficient, by its definition; 0 where either has one value throughout.
+correlated :: Raster -> Raster -> Double
+correlated a b = if va * vb <= 0 then 0 else V.sum (V.zipWith (*) a' b') / sqrt (va * vb)
+  where
+    (a', b') = (centred a, centred b)
+    (va, vb) = (squares a', squares b')
+    centred image =
+      let values = rasterValues image
+       in V.map (subtract (V.sum values / fromIntegral (V.length values))) values
+    squares = V.sum . V.map (\v -> v * v)
