@@ -82,7 +82,7 @@ panel curves i (title, drawn) =
   ]
     ++ concat
       [ path_ [Class_ <<- "grid", D_ <<- ("M" <> numbers [x0, y] <> "h" <> number side)] :
-        [text (x0 - 8) (y + 4) "end" "ink" said | i == 0]
+          [text (x0 - 8) (y + 4) "end" "ink" said | i == 0]
         | (v, said) <- scaleMarks (curvesUp curves),
           let y = up v
       ]
@@ -114,8 +114,8 @@ lineOf colour = "line line" <> Text.pack (show colour)
 
 -- | How far along a scale a value lies, 0 to 1.
 shareOf :: Scale -> Double -> Double
-shareOf scale v = max 0 (min 1 ((v - least) / max 1e-300 (greatest - least)))
+shareOf along v = max 0 (min 1 ((v - least) / max 1e-300 (greatest - least)))
   where
-    values = map fst (scaleMarks scale)
+    values = map fst (scaleMarks along)
     least = minimum (1e300 : values)
     greatest = maximum (-1e300 : values)

@@ -20,6 +20,7 @@ module Setup
     readerWith,
     networkFor,
     calibrationFor,
+    shippedAlphabets,
   )
 where
 
@@ -136,6 +137,10 @@ readerWith alphabet weights = do
 calibrationFor :: Alphabet -> Regression
 calibrationFor = either (const standardRegression) id . shippedRegression . alphabetSize
 
+-- | All alphabets that are shipped.
+shippedAlphabets :: [Alphabet]
+shippedAlphabets = [a | Right a <- map shippedAlphabet shippedSizes]
+
 -- | @--network FILE@.
 networkOption :: Parser (Maybe FilePath)
 networkOption =
@@ -145,15 +150,15 @@ networkOption =
     "Use the weights in a file, as 'train' writes it (default: the shipped ones)"
 
 -- | The network that reads an alphabet, from a file in either form, or shipped: those know the
--- shipped shapes only. Leaves with status 2 where a file is none, or is of other shapes; a text does
--- not say of which it is.
+-- shipped shapes only. Leaves with status 2 where a file is none, or is of other shapes; a text
+-- does not say of which it is.
 networkFor :: Alphabet -> Maybe FilePath -> IO NetworkFile
 networkFor alphabet weights = case weights of
   Just file -> do
     bytes <- readBytesUpTo (64 * 1024 * 1024) file
     if Bytes.take 1 (Bytes.dropWhile isSpace bytes) == Bytes.singleton '{'
       then asJson file bytes
-      else stated Nothing Nothing <$> orUnusable (inFile file . networkMessage) (decodeNetwork bytes)
+      else asText file bytes
   Nothing
     | (shapes <$> shippedAlphabet q) == Right (shapes alphabet) ->
       stated (Just shippedSeed) (Just "shipped") <$> orUnusable shippedMessage (shippedNetwork q)
@@ -167,6 +172,8 @@ networkFor alphabet weights = case weights of
     inFile file why = visibleName file ++ ": " ++ why
     stated seed regimen n = NetworkFile n own sure seed regimen
     sure = calibrationFor alphabet
+    asText file bytes =
+      stated Nothing Nothing <$> orUnusable (inFile file . networkMessage) (decodeNetwork bytes)
     asJson file bytes = do
       given <-
         orUnusable
@@ -176,4 +183,4 @@ networkFor alphabet weights = case weights of
         then pure given
         else
           unusable
-            (inFile file ("these weights were trained on other shapes than the " ++ show q ++ " in force"))
+            (inFile file ("it was trained on other shapes than the " ++ show q ++ " in force"))

@@ -4,13 +4,14 @@
 -- the log odds of a wrong estimate are fitted by logistic regression on its lead and its likeness.
 module Main (main) where
 
+import Control.Monad (forM_)
 import qualified Data.ByteString as Bytes
 import Data.List (foldl')
-import Data.Maybe (catMaybes)
+import Data.Maybe (catMaybes, mapMaybe)
 import Numeric.LinearAlgebra (Matrix, Vector, fromList, konst, outer, scale, toList, (<.>), (<\>))
 import PraTactile.Array hiding (toList, toRows)
+import PraTactile.Classification.Classifier
 import PraTactile.Classification.Estimate
-import PraTactile.Classification.Network (outputs)
 import PraTactile.Classification.Reader
 import PraTactile.Classification.Shipped
 import PraTactile.Evaluate
@@ -18,7 +19,7 @@ import PraTactile.Explore
 import PraTactile.Field (KnownField)
 import PraTactile.Format (decodeProfile)
 import PraTactile.Geometry (columnPitch, rowPitch, taxelPitch)
-import PraTactile.Image (onRaster)
+import PraTactile.Image (Raster, onRaster)
 import PraTactile.Object.Placement
 import PraTactile.Object.Plate
 import PraTactile.Profile
@@ -55,15 +56,21 @@ calibrate count q = do
   reader <- orFail (shippedReader q)
   plate <- orFail (platePlacement (profileShape profile))
   cut <- orFail (withProfile profile (\array _ -> explored reader plate array count 1000))
-  let symbols = concatMap snd cut
-      wrong = length [() | Symbol _ _ True <- symbols]
-      fitted = fit symbols
-      Regression a b c = fitted
-  printf "GF(%d)\n" q
-  mapM_ (told (readerRegression reader) fitted) cut
-  if wrong < leastWrong
-    then printf "%d wrong are too few to fit\n" wrong
-    else printf "intercept %.2f, per lead %.3f, per likeness %.2f\n" a b c
+  forM_
+    [ ("network", networkClassifier reader),
+      ("nearest class mean", meansClassifier (readerAlphabet reader))
+    ]
+    $ \(name, classifier) -> do
+      let byNoise = map (fmap (mapMaybe (symbolBy classifier))) cut
+          symbols = concatMap snd byNoise
+          wrong = length [() | Symbol _ _ True <- symbols]
+          fitted = fit (classifierRegression classifier) symbols
+          Regression a b c = fitted
+      printf "GF(%d), %s\n" q (name :: String)
+      mapM_ (told (classifierRegression classifier) fitted) byNoise
+      if wrong < leastWrong
+        then printf "%d wrong are too few to fit\n" wrong
+        else printf "intercept %.2f, per lead %.3f, per likeness %.2f\n" a b c
   where
     file = "data/profiles/gf" ++ show q ++ ".json"
     orFail :: Show e => Either e a -> IO a
@@ -73,9 +80,26 @@ calibrate count q = do
 leastWrong :: Int
 leastWrong = 100
 
--- | At each noise the symbols of so many explorations.
+-- | An image as a symbol of a classifier, with the class and turn that it truly has.
+symbolBy :: Classifier -> (Raster, (Int, Symmetry)) -> Maybe Symbol
+symbolBy classifier (image, true) = do
+  upright <- right (classifierOutputs classifier image)
+  upsideDown <- right (classifierOutputs classifier (onRaster (turned 2) image))
+  (likeliest, _, lead, likeness) <-
+    regressors (classifierTemplates classifier) image upright upsideDown
+  pure (Symbol lead likeness (likeliest /= true))
+  where
+    right = either (const Nothing) Just
+
+-- | At each noise the images of so many explorations' symbols, with their classes and turns.
 explored ::
-  KnownField k => Reader -> Placement -> PseudorandomArray k -> Int -> Int -> [(Double, [Symbol])]
+  KnownField k =>
+  Reader ->
+  Placement ->
+  PseudorandomArray k ->
+  Int ->
+  Int ->
+  [(Double, [(Raster, (Int, Symmetry))])]
 explored reader plate array count seed =
   [ (noise, concatMap (cutOut noise) (catMaybes (take count (trials how faces (seed + i)))))
     | (i, noise) <- zip [0 ..] [0.1, 0.2, 0.3, 0.4],
@@ -93,13 +117,8 @@ explored reader plate array count seed =
       case stitch (readerTables reader) (known noise) (trialFrames t) of
         Left _ -> []
         Right composite ->
-          [ Symbol lead likeness (likeliest /= (true, regionSymmetry (trialRegion t)))
+          [ (symbolPixels symbol, (true, regionSymmetry (trialRegion t)))
             | symbol <- segmentedSymbols (segment composite),
-              let image = symbolPixels symbol,
-              Right upright <- [outputs (readerNetwork reader) image],
-              Right upsideDown <- [outputs (readerNetwork reader) (onRaster (turned 2) image)],
-              Just (likeliest, _, lead, likeness) <-
-                [regressors (readerTemplates reader) image upright upsideDown],
               let at = compositePosition composite (symbolCentre symbol),
               Just true <- [classUnder (trialFace t) (movePoint (regionMotion (trialRegion t)) at)]
           ]
@@ -119,16 +138,15 @@ explored reader plate array count seed =
             && j < toInteger (columns (laidGrid face))
         near f = abs (f - fromIntegral (floor f :: Integer) - 0.5) < 0.3
 
--- | The maximum of the likelihood, by Newton's method from the standard regression; a step that
--- does not raise it is halved.
-fit :: [Symbol] -> Regression
-fit symbols = regression (iterate step start !! 40)
+-- | The maximum of the likelihood, by Newton's method from a regression; a step that does not raise
+-- it is halved.
+fit :: Regression -> [Symbol] -> Regression
+fit (Regression a b c) symbols = regression (iterate step start !! 40)
   where
-    Regression a b c = standardRegression
     start = fromList [a, b, c]
     regression v = case toList v of
       [x, y, z] -> Regression x y z
-      _ -> standardRegression
+      _ -> Regression a b c
     row (Symbol lead likeness _) = fromList [1, negate lead, negate likeness] :: Vector Double
     wrong (Symbol _ _ w) = if w then 1 else 0 :: Double
     chance v s = 1 / (1 + exp (negate (v <.> row s)))

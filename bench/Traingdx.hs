@@ -37,7 +37,7 @@ main = do
   case arguments of
     [folder] -> compared folder "python3"
     [folder, python] -> compared folder python
-    _ -> fail "usage: traingdx FOLDER [PYTHON]"
+    _ -> putStrLn "usage: traingdx FOLDER [PYTHON], a Python that has numpy"
 
 compared :: FilePath -> FilePath -> IO ()
 compared folder python = do
@@ -47,8 +47,11 @@ compared folder python = do
   createDirectoryIfMissing True (folder </> "images")
   Bytes.writeFile
     (folder </> "first.json")
-    (encodeNetwork (NetworkFile first (alphabetDigest alphabet) standardRegression (Just 1) Nothing))
-  let images = middleImages Stated Noisy (materialFirst clean) (mkStdGen 2)
+    ( encodeNetwork
+        (NetworkFile first (alphabetDigest alphabet) standardRegression (Just 1) Nothing)
+    )
+  let two = materialFirst clean
+      images = middleImages Stated Noisy two (two ++ two) (mkStdGen 2)
   read' <- mapM (written (folder </> "images")) (zip [0 ..] images)
   writeFile
     (folder </> "images" </> "labels.csv")
@@ -74,7 +77,7 @@ compared folder python = do
     same first b rate = do
       ours <- run first b toolboxDescent {epochs = 200, initialRate = rate}
       _ <- peer ["--epochs", "200", "--rate", show rate]
-      theirs <- map (cells . filter (/= '\r')) . drop 1 . lines <$> readFile (folder </> "trace.csv")
+      theirs <- map cells . drop 1 . lines . filter (/= '\r') <$> readFile (folder </> "trace.csv")
       let errors = map epochError (drop 1 (toList ours))
           steps = map (outcomeName . epochOutcome) (drop 1 (toList ours))
       printf

@@ -54,6 +54,7 @@ import qualified Test.CommandLine.Fields
 import qualified Test.CommandLine.Json
 import qualified Test.CommandLine.Locate
 import qualified Test.CommandLine.LongWork
+import qualified Test.CommandLine.Networks
 import qualified Test.CommandLine.Output
 import qualified Test.CommandLine.Patches
 import qualified Test.CommandLine.Picture
@@ -93,6 +94,7 @@ import qualified Test.Examples
 import qualified Test.Formats
 import qualified Test.Formats.CensusFile
 import qualified Test.Formats.Json
+import qualified Test.Formats.Networks
 import qualified Test.Formats.Rates
 import qualified Test.Formats.Registration
 import qualified Test.Formats.Reports
@@ -137,9 +139,11 @@ import qualified Test.Store.Target
 import qualified Test.Tools
 import qualified Test.Touch.Classification.DescentByRule
 import qualified Test.Touch.Classification.EstimatesByPosterior
+import qualified Test.Touch.Classification.FirstWeightsByFormula
 import qualified Test.Touch.Classification.GradientByDifferences
 import qualified Test.Touch.Classification.NetworkByDefinition
 import qualified Test.Touch.Classification.OtherShapes
+import qualified Test.Touch.Classification.PaperExperiment
 import qualified Test.Touch.Classification.SpecimensOfEachKind
 import qualified Test.Touch.Composite.BlendByDefinition
 import qualified Test.Touch.Composite.TiltByDefinition
@@ -285,6 +289,8 @@ specs = do
     describe "Training" Test.Touch.Classification.GradientByDifferences.spec
     describe "Training step by step" Test.Touch.Classification.DescentByRule.spec
     describe "Other shapes" Test.Touch.Classification.OtherShapes.spec
+    describe "First weights" Test.Touch.Classification.FirstWeightsByFormula.spec
+    describe "The paper's experiment" Test.Touch.Classification.PaperExperiment.spec
     describe "Training images and parts" Test.Touch.Classification.SpecimensOfEachKind.spec
   describe "Objects" $ do
     describe "Winged edges" Test.Recognition.Object.SolidsAreClosed.spec
@@ -322,6 +328,7 @@ specs = do
   describe "Formats: registrations" Test.Formats.Registration.spec
   describe "Formats: reports of answers" Test.Formats.Reports.spec
   describe "Formats: values" Test.Formats.Values.spec
+  describe "Formats: networks" Test.Formats.Networks.spec
   describe "Formats: census files" Test.Formats.CensusFile.spec
   describe "Pictures" Test.App.RecognitionsDrawn.spec
   describe "Pictures of assemblies" Test.App.AssembliesDrawn.spec
@@ -363,6 +370,7 @@ specs = do
   describe "The command line: fields and polynomials" Test.CommandLine.Fields.spec
   describe "The command line: sensors" Test.CommandLine.Sensor.spec
   describe "The command line: shapes" Test.CommandLine.Shapes.spec
+  describe "The command line: networks" Test.CommandLine.Networks.spec
   describe "The command line: sequences and foldings" Test.CommandLine.Sequences.spec
   describe "The command line: the smallest array" Test.CommandLine.Smallest.spec
   describe "The command line: rates" Test.CommandLine.Rates.spec

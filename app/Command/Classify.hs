@@ -4,7 +4,7 @@ module Command.Classify
   )
 where
 
-import Control.Monad (unless)
+import Control.Monad (when)
 import Data.Bifunctor (first)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.Text as Text
@@ -77,11 +77,14 @@ run choice options
       ByMeans -> pure (meansClassifier alphabet)
       ByNetwork -> networkClassifier <$> readerWith alphabet (weights options)
     let ask path = (>>= answered path) <$> imageIn (levels options) path
-        answered path = first (\why -> visibleName path ++ ": " ++ networkMessage why) . classified classifier
-        one path = ask path >>= orUnusable id >>= told (form options) path
+        answered path =
+          first (\why -> visibleName path ++ ": " ++ networkMessage why) . classified classifier
+        how = form options
+        one path = ask path >>= orUnusable id >>= told how path
         next worst line = do
           let path = either (const "") Text.unpack (lineText line)
-          status <- ask path >>= either (const (invalid (form options) path)) (told (form options) path)
+          answer <- ask path
+          status <- either (const (invalid how path)) (told how path) answer
           pure (max worst status)
     case given options of
       Just paths -> maximum . (Answered :) <$> traverse one paths
@@ -91,11 +94,14 @@ run choice options
 imageIn :: (Double, Double) -> FilePath -> IO (Either String Raster)
 imageIn (low, high) path
   | null path = pure (Left "an empty line names no file")
-  | otherwise = (>>= image) . first filesMessage <$> readUpTo largestInput path
+  | otherwise = do
+    bytes <- readUpTo largestInput path
+    pure (first filesMessage bytes >>= image)
   where
     image bytes = do
       seen <- first (about . imageMessage) (pgmIntensity <$> decodePgm bytes)
-      unless (minimumValue seen /= maximumValue seen) (Left (about "all of its values are the same"))
+      when (minimumValue seen == maximumValue seen) $
+        Left (about "all of its values are the same")
       Right (mapRaster (\v -> (v - low) / (high - low)) seen)
     about why = visibleName path ++ ": " ++ why
 

@@ -13,6 +13,7 @@ import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_, toList)
 import Data.List (nub)
+import Data.Maybe (fromMaybe)
 import ExitStatus
 import Message
 import Options
@@ -62,7 +63,7 @@ command =
           (allNamed variationName)
           "vary"
           "What is changed, one thing at a time: of weights, ranges, least-gradient, formula, \
-          \images and alphabet, parted by commas (default: nothing)"
+          \stages, images and alphabet, parted by commas (default: nothing)"
           []
         <*> imageChoice (value True)
         <*> defaulting 16 intReader "seeds" "N" "The seeds 1 to N, each for every row"
@@ -86,7 +87,7 @@ run choice options
   | otherwise = do
     source <- chosenImages (images options)
     symbols <- symbolsOf <$> chosenAlphabet choice
-    let rows = plan (trainings options) (nub (variations options)) source symbols
+    let rows = plan (trainings options) (nub (variations options)) shippedAlphabets source symbols
     made <- traverse (imagesOf rows) (nub (map keyOf rows))
     table <- carriedOut rows made [1 .. seeds options]
     let results = [(row, o) | (row, kept) <- table, o <- outcomes (map (map fst) kept)]
@@ -129,7 +130,11 @@ carriedOut rows made chosen =
       Nothing -> Right []
     part seed (how, counts) =
       (counts, if take 1 chosen == [seed] then map (fmap curve) (runStages how) else [])
-    include :: (Integer -> IO ()) -> (Integer, [Kept]) -> Either NetworkError Kept -> IO (Integer, [Kept])
+    include ::
+      (Integer -> IO ()) ->
+      (Integer, [Kept]) ->
+      Either NetworkError Kept ->
+      IO (Integer, [Kept])
     include tell (i, done) cell = do
       one <- orUnusable networkMessage cell
       tell (i + 1)
@@ -168,7 +173,7 @@ line (row, o) =
       "%-9s%-7s%-33s%8.2f  %-16s%-13s%-13s%s"
       (trainingName (rowTraining row))
       (middleName (outcomeMiddle o))
-      (maybe "-" id (rowVaried row))
+      (fromMaybe "-" (rowVaried row))
       (spreadMedian (outcomeWorst o))
       (printf "%.2f..%.2f" (spreadLeast worst) (spreadGreatest worst) :: String)
       (share (outcomeBetterThanClean o))

@@ -8,6 +8,7 @@ module Command.Images
 where
 
 import qualified Data.ByteString.Char8 as Bytes
+import Data.Maybe (fromMaybe)
 import ExitStatus
 import Message
 import Options
@@ -67,7 +68,7 @@ chosenImages choice
     misused "--sensor and --any-angle are of presses; give --set press"
   | otherwise = pure Bitmaps
   where
-    name = maybe (presetName Real) id (imagesSensor choice)
+    name = fromMaybe (presetName Real) (imagesSensor choice)
 
 data Options = Options
   { images :: ImageChoice,
@@ -93,7 +94,7 @@ command =
       Options
         <$> imageChoice mempty
         <*> valued intReader "count" "N" "How many images of each class"
-        <*> defaulting 0 decimalReader "noise" "SD" "Standard deviation of white noise added to them"
+        <*> defaulting 0 decimalReader "noise" "SD" "Standard deviation of white noise on them"
         <*> optional
           ( valued
               intReader
@@ -136,7 +137,8 @@ run choice options
     found source (symbols, label, each) = do
       made <- orUnusable imagesMessage (labelledImages symbols source each (seed options))
       let all' = [(image, label c) | (image, c) <- labelledAs made]
-      pure (if foreignTo options == Nothing then all' else take (count options) all', lost source made)
+          wanted = if foreignTo options == Nothing then all' else take (count options) all'
+      pure (wanted, lost source made)
     lost source made = case source of
       Bitmaps -> ""
       Presses {} ->

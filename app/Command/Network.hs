@@ -7,6 +7,7 @@ where
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
+import Data.Maybe (fromMaybe)
 import ExitStatus
 import Options
 import Output
@@ -27,7 +28,9 @@ command =
     ( run
         <$> alphabetChoice
         <*> optional
-          (pathArgument (metavar "FILE" <> action "file" <> help "Weights (default: the shipped ones)"))
+          ( pathArgument
+              (metavar "FILE" <> action "file" <> help "Weights (default: the shipped ones)")
+          )
         <*> jsonSwitch "Print the weights as JSON"
         <*> outputFileOption' "Write the weights to a file as JSON"
     )
@@ -53,7 +56,7 @@ told file =
     [ show inputCount ++ " inputs, " ++ show (hiddenCount n) ++ " hidden units, "
         ++ show (outputCount n)
         ++ " outputs, sigmoid",
-      "regimen  " ++ maybe "not stated" id (fileRegimen file)
+      "regimen  " ++ fromMaybe "not stated" (fileRegimen file)
         ++ foldMap (\seed -> ", seed " ++ show seed) (fileSeed file),
       "shapes   " ++ fileAlphabet file
     ]

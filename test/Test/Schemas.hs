@@ -190,6 +190,16 @@ touching =
     ( "truth",
       "pra probe --object cube --seed 7 --turn 5 --output f5 --truth u.json > log; cat u.json"
     ),
+    ("network", "pra network --json; pra network --q 9 data/alphabets/gf9/network.txt --json"),
+    ("network", "pra train --regimen manual --seed 5 --output n.json > log; cat n.json"),
+    ( "classify",
+      "pra images --set bitmap --count 1 --seed 1 --output bits > log; "
+        ++ "pra classify bits/2_0.pgm --levels 0.25,0.75 --json; "
+        ++ "printf 'bits/1_0.pgm\\nbits/9.pgm\\n' | pra classify --batch --json || true"
+    ),
+    ( "experiment",
+      "pra experiment --training manual --vary formula --set bitmap --seeds 1 --json"
+    ),
     ( "sensor",
       "pra sensor --json; pra sensor --preset real --json > r.json; "
         ++ "pra sensor --preset r.json --json"

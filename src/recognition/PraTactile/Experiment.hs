@@ -29,11 +29,10 @@ import Data.List (sort, transpose)
 import Data.Maybe (fromMaybe)
 import PraTactile.Classification.Experiment
 import PraTactile.Classification.Network (NetworkError (..))
-import PraTactile.Classification.Shipped (shippedAlphabet, shippedSizes)
 import PraTactile.Classification.Traingdx (Descent (..), Momentum (..))
 import PraTactile.Explore (Turns (..), halfTurns)
 import PraTactile.Sensor (presetName, presetSensor)
-import PraTactile.Shape (alphabetSize)
+import PraTactile.Shape (Alphabet, alphabetSize)
 import PraTactile.SymbolImages
 
 -- | Three rows of the table, one for each 'Middle': what is trained, and how.
@@ -56,6 +55,8 @@ data Variation
     OtherLeastGradient
   | -- | the momentum of the toolbox's manual
     OtherFormula
+  | -- | two clean images of a class in the first stage, two others in the last, as in the paper
+    OtherStages
   | -- | bitmaps, and presses of each preset
     OtherImages
   | -- | the other shipped alphabets
@@ -69,13 +70,14 @@ variationName variation = case variation of
   OtherRanges -> "ranges"
   OtherLeastGradient -> "least-gradient"
   OtherFormula -> "formula"
+  OtherStages -> "stages"
   OtherImages -> "images"
   OtherAlphabet -> "alphabet"
 
--- | The rows of these trainings: as they are, with images from a source of these
--- symbols; and then for each variation, its changes.
-plan :: [Training] -> [Variation] -> ImageSource -> Symbols -> [Row]
-plan trainings variations source symbols =
+-- | The rows of these trainings: as they are, with images from a source of these symbols; and then
+-- for each variation, its changes, other alphabets being those given.
+plan :: [Training] -> [Variation] -> [Alphabet] -> ImageSource -> Symbols -> [Row]
+plan trainings variations others source symbols =
   [ Row training name source' symbols' conditions
     | training <- trainings,
       (name, source', symbols', conditions) <-
@@ -97,20 +99,30 @@ plan trainings variations source symbols =
             "formula: of the manual"
             (\rule -> rule {momentumForm = AsDocumented})
         ]
+      OtherStages ->
+        [ ( Just "stages: two images, then two others",
+            source,
+            symbols,
+            standardConditions {conditionSharing = TwoAndTwo}
+          )
+        ]
       OtherImages ->
         [ (Just ("images: " ++ sourceText it), it, symbols, standardConditions)
           | it <-
               Bitmaps :
-              [ Presses (presetName preset) (presetSensor preset) (AmongTurns halfTurns)
-                | preset <- [minBound ..]
-              ],
+                [ Presses (presetName preset) (presetSensor preset) (AmongTurns halfTurns)
+                  | preset <- [minBound ..]
+                ],
             (sourceName it, sourceSensor it) /= (sourceName source, sourceSensor source)
         ]
       OtherAlphabet ->
-        [ (Just ("alphabet: q = " ++ show q), source, symbolsOf other, standardConditions)
-          | q <- shippedSizes,
-            q /= alphabetSize (symbolShapes symbols),
-            Right other <- [shippedAlphabet q]
+        [ ( Just ("alphabet: q = " ++ show (alphabetSize other)),
+            source,
+            symbolsOf other,
+            standardConditions
+          )
+          | other <- others,
+            alphabetSize other /= alphabetSize (symbolShapes symbols)
         ]
     sourceText it = fromMaybe (sourceName it) (sourceSensor it)
     begun name how = (Just name, source, symbols, standardConditions {conditionBegin = how})
@@ -146,7 +158,8 @@ material symbols source seed = halves . labelledAs <$> labelledImages symbols so
     halves images = Material (part (take 2) images) (part (drop 2) images)
     part some images =
       concat
-        [some [it | it <- images, snd it == c] | c <- [0 .. alphabetSize (symbolShapes symbols) - 1]]
+        [some [it | it <- images, snd it == c] | c <- [0 .. classes - 1]]
+    classes = alphabetSize (symbolShapes symbols)
 
 -- | A row with a seed: for each kind of middle stage, what was trained, and for each noise level,
 -- for each class, of how many images the class was wrong, and of how many in all.
@@ -172,7 +185,8 @@ data Spread = Spread
   }
   deriving stock (Eq, Show)
 
--- | Of an even number of numbers the median is the mean of the two in the middle; of none, all is 0.
+-- | Of an even number of numbers the median is the mean of the two in the middle; of none, all is
+-- 0.
 spreadOf :: [Double] -> Spread
 spreadOf values
   | null values = Spread 0 0 0

@@ -119,9 +119,9 @@ labelledImages symbols source count seed = case source of
     go have pressed = case pressed of
       one : others
         | any (< count) have ->
-          one : go (zipWith (more one) [0 ..] have) others
+          one : go (zipWith (plus one) [0 ..] have) others
       _ -> []
-    more one c n = n + length (filter ((== c) . snd) (cutImages one))
+    plus one c n = n + length (filter ((== c) . snd) (cutImages one))
 
 -- | What came of a press.
 data Cut = Cut
@@ -139,7 +139,7 @@ cuts symbols sensor turns seed = do
   layout <- first NoPlate (platePlacement (Shape 15 17))
   face <- maybe (Left (TooFewFound 0)) Right (listToMaybe (laidFaces layout))
   -- Whether there is a relief does not depend on which symbols it has.
-  _ <- first NoReliefOfPlate (plate layout face (\_ -> 0))
+  _ <- first NoReliefOfPlate (plate layout face (const 0))
   Right
     [ cut
       | g <- unfoldr (Just . split) (mkStdGen seed),

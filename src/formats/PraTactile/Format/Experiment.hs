@@ -83,9 +83,9 @@ rowCells :: (Row, Outcome) -> [String]
 rowCells (row, outcome) =
   [ trainingName (rowTraining row),
     middleName (outcomeMiddle outcome),
-    foldMap id (rowVaried row),
+    concat (rowVaried row),
     sourceName (rowSource row),
-    foldMap id (sourceSensor (rowSource row)),
+    concat (sourceSensor (rowSource row)),
     show (outcomeSeeds outcome)
   ]
 

@@ -19,7 +19,6 @@ import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Scientific (toRealFloat)
-import Numeric.LinearAlgebra (fromLists, toLists)
 import PraTactile.Classification.Estimate (Regression (..))
 import PraTactile.Classification.Network
 import PraTactile.Format.Digest
@@ -56,9 +55,9 @@ encodeNetwork file = writeLine (keys <* key "digest" text snd) (file, contentsDi
     keys = withKeys fst networkKeys
     fields = writeObject networkKeys file
 
--- | The network in a JSON text. Refuses another schema, a dimension that is not that of the weights,
--- other inputs than 96, another activation than the sigmoid, and a digest that is not that of the
--- contents.
+-- | The network in a JSON text. Refuses another schema, a dimension that is not that of the
+-- weights, other inputs than 96, another activation than the sigmoid, and a digest that is not that
+-- of the contents.
 decodeNetworkFile :: ByteString -> Either FormatError NetworkFile
 decodeNetworkFile = decodeObject $ \fields -> do
   given <- readKeys networkKeys fields
@@ -99,8 +98,8 @@ networkKeys =
     <*> key "hidden" int (hiddenCount . fileNetwork)
     <*> key "outputs" int (outputCount . fileNetwork)
     <*> key "activation" sigmoidAlone (const "sigmoid")
-    <*> key "hidden_units" (listOf (listOf real)) (weights . hiddenUnits . fileNetwork)
-    <*> key "output_units" (listOf (listOf real)) (weights . outputUnits . fileNetwork)
+    <*> key "hidden_units" (listOf (listOf real)) (unsigned . fst . unitRows . fileNetwork)
+    <*> key "output_units" (listOf (listOf real)) (unsigned . snd . unitRows . fileNetwork)
     <*> key "calibration" calibration fileCalibration
     <*> key "seed" (nullable int) fileSeed
     <*> key "regimen" (nullable text) fileRegimen
@@ -109,7 +108,7 @@ networkKeys =
       Written q inputs hidden outs (w1, w2) (\n -> NetworkFile n shapesOf sure seed regimen)
     sigmoidAlone = such (== "sigmoid") (NotAmong ["sigmoid"] "another activation") text
     -- A zero has no sign here: readers differ in whether they keep it.
-    weights = map (map (+ 0)) . toLists
+    unsigned = map (map (+ 0))
 
 -- | The regression that says how sure estimates are.
 calibration :: Codec Regression
@@ -126,7 +125,7 @@ asNetwork given = do
   at "inputs" (writtenInputs given == inputCount) (OtherCount inputCount)
   units "hidden_units" (writtenHidden given) (inputCount + 1) w1
   units "output_units" (writtenOutputs given) (writtenHidden given + 1) w2
-  n <- either (const (refuse NotReal)) Right (network (fromLists w1) (fromLists w2))
+  n <- either (const (refuse NotReal)) Right (networkOfRows w1 w2)
   pure (writtenOf given n)
   where
     (w1, w2) = writtenUnits given

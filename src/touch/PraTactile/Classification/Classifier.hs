@@ -1,5 +1,5 @@
--- | What an image of a symbol shows, by one of several classifiers behind one interface: each has an
--- output a class, from which verdict and probabilities follow alike.
+-- | What an image of a symbol shows, by one of several classifiers behind one interface: each has
+-- an output a class, from which verdict and probabilities follow alike.
 module PraTactile.Classification.Classifier
   ( -- * Classifiers
     Method (..),
@@ -112,7 +112,9 @@ classified classifier image = do
         ( Classification
             verdict
             symbol
-            [sum [estimateChance shown (c, t) | t <- [identity, turned 2]] | c <- [0 .. classes - 1]]
+            [ sum (map (\turn -> estimateChance shown (c, turn)) [identity, turned 2])
+              | c <- [0 .. classes - 1]
+            ]
         )
 
 -- | The verdict by those on the image as it is and turned by 180 degrees.

@@ -1,12 +1,12 @@
 -- | The paper's experiment (section IV): a network is trained with clean images, then with noisy
 -- ones, then with other clean ones, and tried with images of ever more noise.
 --
--- Of each class there are four clean images, two for the first stage and two for the last. The
--- middle stage has for each class the two of the first stage, twice, as the toolbox's guide has it
--- (Demuth and Beale, character recognition), and beside them images with white noise of standard
--- deviation 0.1, 0.15 and 0.2, one a deviation: seven images a class. So that it is known what the
--- noise does, and not the stage, each training has two controls: the middle stage with clean copies
--- in the place of noisy images, and no middle stage at all.
+-- Of each class there are four clean images, which all stages have; in the paper the first stage
+-- had two, and the last one two others ('TwoAndTwo'). The middle stage has images with white noise
+-- of standard deviation 0.1, 0.15 and 0.2 beside the clean ones, as the toolbox's guide has it
+-- (Demuth and Beale, character recognition), one a deviation: seven images a class. So that it is
+-- known what the noise does, and not the stage, each training has two controls: the middle stage
+-- with clean copies in the place of noisy images, and no middle stage at all.
 module PraTactile.Classification.Experiment
   ( -- * Trainings
     Training (..),
@@ -19,6 +19,7 @@ module PraTactile.Classification.Experiment
     -- * What is the same in all of them
     Conditions (..),
     Begin (..),
+    Sharing (..),
     standardConditions,
     hiddenFor,
 
@@ -102,8 +103,17 @@ middleName middle = case middle of
 data Conditions = Conditions
   { conditionBegin :: Begin,
     -- | of each stage, but for its goal
-    conditionDescent :: Descent
+    conditionDescent :: Descent,
+    conditionSharing :: Sharing
   }
+  deriving stock (Eq, Show)
+
+-- | Which of the four clean images of a class a stage has.
+data Sharing
+  = -- | each stage all four
+    AllInEach
+  | -- | the first stage two, the middle one the same twice, the last one the others
+    TwoAndTwo
   deriving stock (Eq, Show)
 
 -- | How the first weights are drawn.
@@ -116,9 +126,10 @@ data Begin
     Uniformly
   deriving stock (Eq, Show)
 
--- | Nguyen and Widrow's weights for inputs from 0 to 1, and 'toolboxDescent'.
+-- | Nguyen and Widrow's weights for inputs from 0 to 1, 'toolboxDescent', and all four images in
+-- each stage.
 standardConditions :: Conditions
-standardConditions = Conditions (ForUnitRanges 1) toolboxDescent
+standardConditions = Conditions (ForUnitRanges 1) toolboxDescent AllInEach
 
 -- | The hidden units of a network for so many classes: two a class, but no fewer than the paper's
 -- eight.
@@ -127,9 +138,9 @@ hiddenFor classes = max 8 (2 * classes)
 
 -- | Clean images with their classes.
 data Material = Material
-  { -- | two a class, those of the first stage
+  { -- | two a class
     materialFirst :: [(Raster, Int)],
-    -- | two others a class, those of the last
+    -- | two others a class
     materialLast :: [(Raster, Int)]
   }
 
@@ -150,18 +161,21 @@ trainedBy conditions training classes material seed = \middle -> begun >>= middl
     (cleanGoal, middleGoal) = stageGoals training
     begun = do
       (n, _) <- firstNetwork weights (hiddenFor classes) classes weightsFrom
-      stage 1 cleanGoal (materialFirst material) (Run n [])
+      stage 1 cleanGoal first (Run n [])
     middleAndLast middle run = do
-      again <- case middleImages training middle (materialFirst material) noiseFrom of
+      again <- case middleImages training middle first four noiseFrom of
         [] -> Right run
         images -> stage 2 middleGoal images run
-      stage 3 cleanGoal (materialLast material) again
+      stage 3 cleanGoal final again
+    (first, four, final) = case conditionSharing conditions of
+      TwoAndTwo -> let two = materialFirst material in (two, two ++ two, materialLast material)
+      AllInEach -> let all' = materialFirst material ++ materialLast material in (all', all', all')
     weights = case conditionBegin conditions of
       Uniformly -> UniformWeights
       ForUnitRanges factor -> NguyenWidrow (replicate inputCount (0, 1)) factor
       ForRangesOfImages factor ->
         NguyenWidrow
-          (rangesOf [V.toList (rasterValues image) | (image, _) <- materialFirst material])
+          (rangesOf [V.toList (rasterValues image) | (image, _) <- first])
           factor
     stage :: Int -> Double -> [(Raster, Int)] -> Run -> Either NetworkError Run
     stage i enough images (Run n before) = do
@@ -169,12 +183,14 @@ trainedBy conditions training classes material seed = \middle -> begun >>= middl
       (n', trace) <- train (conditionDescent conditions) {goal = enough} b n
       Right (length trace `seq` Run n' (before ++ [(i, trace)]))
 
--- | The images of the middle stage, from those of the first; none where there is none.
-middleImages :: Training -> Middle -> [(Raster, Int)] -> StdGen -> [(Raster, Int)]
-middleImages training middle clean g = case middle of
+-- | The images of the middle stage: noisy ones of those given first, or copies, beside those given
+-- second; none where there is no such stage.
+middleImages ::
+  Training -> Middle -> [(Raster, Int)] -> [(Raster, Int)] -> StdGen -> [(Raster, Int)]
+middleImages training middle clean beside g = case middle of
   NoMiddle -> []
-  Noisy -> clean ++ clean ++ noisy
-  CleanCopies -> clean ++ clean ++ map fst chosen
+  Noisy -> beside ++ noisy
+  CleanCopies -> beside ++ map fst chosen
   where
     noisy = snd (mapAccumL corrupt g chosen)
     corrupt h ((image, c), deviation) =

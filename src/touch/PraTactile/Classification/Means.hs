@@ -1,10 +1,10 @@
 -- | The nearest class mean by correlation, for comparison with the network: the simplest classifier
 -- that learns from images.
 --
--- Let m_k be the mean of the images of class k, and r_k the correlation coefficient of an image with
--- it. The output of class k is 1 / (1 + exp (-(a r_k + b))), where a and b maximise the likelihood
--- over all images and classes that the image is of the class (Platt 1999); images of no class count
--- as of none.
+-- Let m_k be the mean of the images of class k, and r_k the correlation coefficient of an image
+-- with it. The output of class k is 1 / (1 + exp (-(a r_k + b))), where a and b maximise the
+-- likelihood over all images and classes that the image is of the class (Platt 1999); images of no
+-- class count as of none.
 module PraTactile.Classification.Means
   ( Means,
     means,
@@ -71,7 +71,8 @@ standardised values = if size > 0 then V.map (/ size) centred else centred
     centred = V.map (subtract average) values
     size = sqrt (V.sum (V.map (^ (2 :: Int)) centred))
 
--- | The a and b of greatest likelihood, by Newton's method; a step that does not raise it is halved.
+-- | The a and b of greatest likelihood, by Newton's method; a step that does not raise it is
+-- halved.
 platt :: [(Double, Bool)] -> (Double, Double)
 platt cases = iterate step (10, -5) !! 30
   where

@@ -5,6 +5,8 @@ module PraTactile.Classification.Network
   ( -- * Networks
     Network,
     network,
+    networkOfRows,
+    unitRows,
     inputCount,
     hiddenCount,
     outputCount,
@@ -43,8 +45,10 @@ import Numeric.LinearAlgebra
     cmap,
     cols,
     flatten,
+    fromLists,
     konst,
     rows,
+    toLists,
     (<>),
     (===),
   )
@@ -108,6 +112,20 @@ network w1 w2
     Left LayersDoNotFit
   | not (all (finite . flatten) [w1, w2]) = Left NotFinite
   | otherwise = Right (Network w1 w2)
+
+-- | The same from rows of numbers, a unit each. Refuses rows of different length as well.
+networkOfRows :: [[Double]] -> [[Double]] -> Either NetworkError Network
+networkOfRows w1 w2
+  | all rectangular [w1, w2] = network (fromLists w1) (fromLists w2)
+  | otherwise = Left LayersDoNotFit
+  where
+    rectangular units = case map length units of
+      n : others -> n > 0 && all (== n) others
+      [] -> False
+
+-- | The rows of its hidden and of its output units.
+unitRows :: Network -> ([[Double]], [[Double]])
+unitRows (Network w1 w2) = (toLists w1, toLists w2)
 
 -- | The greatest difference between a weight or bias of one network and that of the other;
 -- 'Nothing' if their sizes differ. A network trained again with another BLAS, which adds in another

@@ -128,10 +128,10 @@ errorAndGradient (w1, w2) b =
 
 {- Note [Layouts] Reference BLAS is fast where it adds multiples of long columns that lie in memory
    one number after another, and slow where it takes sums of products along rows. So an image is a
-   row where units are summed over inputs, and a column where the gradient is summed over images, and
-   each matrix of a batch is stored by columns, as products are. A layer's units, stored by rows, are
-   so stored when transposed, which moves nothing. The sums are the same ones in the same order
-   either way, to the bit. -}
+   row where units are summed over inputs, and a column where the gradient is summed over images,
+   and each matrix of a batch is stored by columns, as products are. A layer's units, stored by
+   rows, are so stored when transposed, which moves nothing. The sums are the same ones in the same
+   order either way, to the bit. -}
 
 -- | How the shipped networks were trained: the paper's momentum of 0.95, and the factors of
 -- 'toolboxDescent'. But the initial rate is 0.00001, for the error is summed over thousands of

@@ -150,9 +150,9 @@ data Candidate = Candidate
 family :: Bitmap -> Set.Set Bitmap
 family b = Set.fromList [b, halfTurned b, mirroredColumns b, mirroredRows b]
 
--- | So many shapes by the rules of the shipped ones that are at least so many taxels from each shape
--- of an alphabet, whichever way they are turned or mirrored, drawn from a seed. Refuses
--- ('NoAlphabet') where there are not as many. Some seconds.
+-- | Shapes by the rules of the shipped ones that are none of an alphabet's: from a seed, at least
+-- so many taxels from each of its shapes, whichever way they are turned or mirrored; and so many of
+-- them. Refuses ('NoAlphabet') where there are not as many. Some seconds.
 foreignShapes :: Int -> Int -> Int -> Alphabet -> Either ShapeError Alphabet
 foreignShapes seed least count known
   | length found < count = Left NoAlphabet

@@ -35,7 +35,8 @@ spec = do
 descentSpec :: Spec
 descentSpec = do
   it "by hand: E(x) = x^2 from 1 at the rate 1: tolerated, undone, lower, undone" $ do
-    let run = toList (descend toolboxDescent {initialRate = 1, epochs = 4} parabola (V.fromList [1]))
+    let rule = toolboxDescent {initialRate = 1, epochs = 4}
+        run = toList (descend rule parabola (V.fromList [1]))
     map epochOutcome run `shouldBe` [Begun, Tolerated, Undone, Lower, Undone]
     map (V.toList . epochPoint) run `shouldSatisfy` near [[1], [-1], [-1], [0.4], [0.4]]
     [map epochRate run] `shouldSatisfy` near [[1, 1, 0.7, 0.735, 0.5145]]
@@ -51,13 +52,15 @@ descentSpec = do
               .&&. property (near [map epochRate run] [map rateOf wanted])
               .&&. property (near (map (V.toList . epochPoint) run) (map pointOf wanted))
   it "ends at the goal, at a gradient below the least, or after so many epochs, undone or not" $ do
-    let ended rule start = lastEpoch (descend rule parabola (V.fromList start))
-        why rule start = (stopped rule (ended rule start), epochNumber (ended rule start))
+    let why how start =
+          let end = lastEpoch (descend how parabola (V.fromList start))
+           in (stopped how end, epochNumber end)
         rule = toolboxDescent {initialRate = 1, epochs = 4}
     why rule {goal = 0.16 + 1e-9} [1] `shouldBe` (Just GoalReached, 3)
     why rule {goal = 1} [1] `shouldBe` (Just GoalReached, 0)
     why rule {leastGradient = 0.8 + 1e-9} [1] `shouldBe` (Just GradientVanished, 3)
-    why rule {leastGradient = 2} [1] `shouldBe` (Just EpochsSpent, 4)
+    why rule {leastGradient = 2} [1] `shouldBe` (Just GradientVanished, 3)
+    why rule {leastGradient = 2 + 1e-9} [1] `shouldBe` (Just GradientVanished, 0)
     why rule {epochs = 0} [1] `shouldBe` (Just EpochsSpent, 0)
     why rule [0] `shouldBe` (Just GoalReached, 0)
   modifyMaxSuccess (const 60)
@@ -69,7 +72,7 @@ descentSpec = do
             let at (w1, w2) = network w1 w2
                 split' v =
                   let (a, c) = splitAt (97 * hiddenCount n) v
-                   in (rowsOf 97 a, rowsOf (hiddenCount n + 1) c)
+                   in (inRows 97 a, inRows (hiddenCount n + 1) c)
                 bowl v = case at (split' v) of
                   Right m
                     | Right e <- squaredError m b,
@@ -125,8 +128,8 @@ descentSpec = do
     close' p q = abs (p - q) <= 1e-9 * (1 + abs q) || p == q || (isNaN p && isNaN q)
     onVector bowl v = V.fromList <$> bowl (V.toList v)
     lastOf list = if null list then Nothing else Just (last list)
-    rowsOf :: Int -> [Double] -> Matrix Double
-    rowsOf width values = fromLists (takeWhile (not . null) (unfoldr (Just . splitAt width) values))
+    inRows :: Int -> [Double] -> Matrix Double
+    inRows width = fromLists . takeWhile (not . null) . unfoldr (Just . splitAt width)
 
 -- | The formulas of traingdx on lists: what became of the step, the point, the rate.
 data Formulas = Formulas {outcomeOf :: Outcome, pointOf :: [Double], rateOf :: Double}

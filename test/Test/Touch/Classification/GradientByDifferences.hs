@@ -113,7 +113,8 @@ spec = do
                     `zip` (replicate 4 (Just 0) ++ replicate 2 Nothing)
                 )
             (n', progress) <- train shippedDescent {initialRate = 1e6, epochs = 1} b n
-            pure (n' == n, epochRate (lastEpoch progress), epochError (lastEpoch progress) == epochError (NonEmpty.head progress))
+            let end = lastEpoch progress
+            pure (n' == n, epochRate end, epochError end == errorBefore progress)
           shape = head' (either (const []) shapes paperAlphabet)
       tried `shouldBe` Right (True, 0.7e6, True)
     it "lessens the error within 50 epochs" $
@@ -122,7 +123,7 @@ spec = do
           forAll problemGen $ \(n, images) ->
             case batch (outputCount n) images >>= \b -> train shippedDescent {epochs = 50} b n of
               Right (_, progress) ->
-                counterexample (show progress) (epochError (lastEpoch progress) < epochError (NonEmpty.head progress))
+                counterexample (show progress) (errorAfter progress < errorBefore progress)
               Left refusal -> counterexample (show refusal) False
 
   describe "A training" $ do
@@ -230,6 +231,10 @@ spec = do
       [cell (ColumnsUnseen False 2) x 4 | x <- [0, 1, 2, 3]]
         `shouldBe` map Just [205, 205, 205, 305]
       [cell (RowsUnseen True 1) 0 y | y <- [9, 10, 11]] `shouldBe` map Just [10, 11, 11]
+
+errorBefore, errorAfter :: Trace -> Double
+errorBefore = epochError . NonEmpty.head
+errorAfter = epochError . lastEpoch
 
 -- | Two rounds of 200 epochs, on a fifth of the images.
 small :: Regimen

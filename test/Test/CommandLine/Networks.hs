@@ -1,0 +1,185 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Networks on the command line: trained as the paper's, written for other languages, read again;
+-- images and what they are taken for; the experiment.
+module Test.CommandLine.Networks (spec) where
+
+import Data.Aeson (Value (..))
+import Data.Foldable (for_, toList)
+import Data.List (isInfixOf, isPrefixOf)
+import System.Directory (doesPathExist, listDirectory)
+import System.FilePath ((</>))
+import System.Process (readProcess)
+import Test.CommandLine.Run
+import Test.Hspec
+import Test.Support
+
+spec :: Spec
+spec = do
+  for_
+    [ ("network README.md", "line 1"),
+      ("network data/shapes.txt", "line 1"),
+      ("network --q 6", "GF(6)"),
+      ("network --q 11", "--shapes"),
+      ("network data/vectors", "folder"),
+      ("images --set bitmap --count 0 --seed 1 --output x", "--count"),
+      ("images --set bitmap --count 1 --noise -1 --seed 1 --output x", "--noise"),
+      ("images --set bitmap --sensor real --count 1 --seed 1 --output x", "--set press"),
+      ("images --set press --sensor nonsense --count 1 --seed 1 --output x", "nonsense"),
+      ("images --set bitmap --foreign 97 --count 1 --seed 1 --output x", "no alphabet"),
+      ("classify no-such-file", "no-such-file"),
+      ("classify README.md", "PGM"),
+      ("classify data/worked-example/composite.pgm", "8 x 12"),
+      ("classify --levels 1,1 data/worked-example/composite.pgm", "--levels"),
+      ("classify --classifier means --network x y", "--network"),
+      ("experiment --seeds 0", "--seeds"),
+      ("experiment --training paper", "paper"),
+      ("experiment --vary stated,weights", "stated"),
+      ("experiment --set bitmap --sensor real", "--set press"),
+      ("train --regimen many --output x", "many"),
+      ("train --regimen stated --output no-such-folder/x", "no-such-folder")
+    ]
+    $ \(arguments, about) -> it arguments (words arguments `complains` about)
+  it "weights as JSON are read wherever weights are, and of other shapes refused" $
+    inFolder $ \folder -> do
+      let json = folder </> "n.json"
+          spoilt = folder </> "spoilt.json"
+          worked = "data/worked-example/frames"
+      pra ["network", "data/network.txt", "--output", json]
+        `shouldReturn` (0, "wrote " ++ json ++ "\n", "")
+      (status, out, _) <- pra ["decode", "--json", worked, "--network", json]
+      (_, shipped, _) <- pra ["decode", "--json", worked]
+      (status, out) `shouldBe` (0, shipped)
+      ["decode", worked, "--network", json, "--shapes", "data/alphabets/gf5/shapes.txt"]
+        `complains` "has 5 shapes"
+      ["network", "--q", "3", json] `complains` "other shapes"
+      text <- readFile json
+      writeFile spoilt (take 2000 text)
+      ["network", spoilt] `complains` "spoilt.json"
+      writeFile spoilt (map (\c -> if c == '7' then '8' else c) text)
+      ["decode", worked, "--network", spoilt] `complains` "spoilt.json"
+  it "the digest is computed alike in another language" $ do
+    (_, json, _) <- pra ["network", "--json"]
+    let script =
+          [ "import hashlib, json, struct, sys",
+            "def text(v):",
+            "    if isinstance(v, dict):",
+            "        pairs = [json.dumps(k) + ':' + text(v[k]) for k in sorted(v)]",
+            "        return '{' + ','.join(pairs) + '}'",
+            "    if isinstance(v, list):",
+            "        return '[' + ','.join(map(text, v)) + ']'",
+            "    number = isinstance(v, (int, float))",
+            "    return struct.pack('>d', v).hex() if number else json.dumps(v)",
+            "given = json.load(sys.stdin)",
+            "stated = given.pop('digest')",
+            "print(hashlib.sha256(text(given).encode()).hexdigest() == stated)"
+          ]
+    readProcess "python3" ["-c", unlines script] json `shouldReturn` "True\n"
+  it "other languages read the weights, and compute outputs alike" $
+    inFolder $ \folder -> do
+      let json = folder </> "n.json"
+          images = folder </> "images"
+      _ <- pra ["network", "--output", json]
+      _ <- pra (words "images --set press --count 2 --seed 5 --output" ++ [images])
+      names <- filter (".pgm" `isInfixOf`) <$> listDirectory images
+      length names `shouldBe` 8
+      let script = "examples/python/outputs.py"
+      told <- readProcess "python3" (script : json : map (images </>) names) ""
+      let greatest line = case words line of
+            _ : values -> snd (maximum (zip (map read values :: [Double]) [0 :: Int ..]))
+            [] -> -1
+          labels = map (\name -> read (takeWhile (/= '_') name)) names
+      map greatest (lines told) `shouldBe` labels
+  it "a training by the paper's stages: each ends at its goal, and every epoch is in the trace" $
+    inFolder $ \folder -> do
+      let trace = folder </> "trace.csv"
+          json = folder </> "n.json"
+          train more =
+            pra
+              ( words "train --regimen stopped --seed 2 --output"
+                  ++ [json, "--trace", trace]
+                  ++ more
+              )
+      (status, out, _) <- train []
+      (status, length (filter ("stage " `isPrefixOf`) (lines out))) `shouldBe` (0, 3)
+      rows <- map cells . lines <$> readFile trace
+      take 1 rows `shouldBe` [["stage", "epoch", "error", "gradient", "rate", "step"]]
+      let of' stage = [row | row@(s : _) <- drop 1 rows, s == stage]
+          final stage = [read e :: Double | _ : _ : e : _ <- take 1 (reverse (of' stage))]
+      concatMap final ["1", "3"] `shouldSatisfy` all (<= 0.1)
+      map (map (!! 1)) [of' "1", of' "2", of' "3"]
+        `shouldSatisfy` all (\is -> is == map show [0 .. length is - 1])
+      described <- readFile json
+      (key ["regimen"] described, key ["seed"] described)
+        `shouldBe` (Just "stopped", Just (Number 2))
+      (_, without, _) <- train ["--without-noise"]
+      length (filter ("stage " `isPrefixOf`) (lines without)) `shouldBe` 2
+  it "images say what they are, and are taken for it, either way up" $
+    inFolder $ \folder -> do
+      let images = folder </> "images"
+      (status, _, _) <-
+        pra
+          (words "images --q 9 --set bitmap --count 2 --noise 0.1 --seed 5 --output" ++ [images])
+      status `shouldBe` 0
+      labels <- drop 1 . lines <$> readFile (images </> "labels.csv")
+      let name c i = show c ++ "_" ++ show i ++ ".pgm"
+      labels `shouldBe` [name c i ++ "," ++ show c | c <- [0 .. 8 :: Int], i <- [0, 1 :: Int]]
+      for_ ["network", "means"] $ \classifier -> do
+        (found, out, _) <-
+          praWith
+            (words "classify --q 9 --batch --levels 0.25,0.75 --json --classifier" ++ [classifier])
+            (unlines [images </> show c ++ "_1.pgm" | c <- [0 .. 8 :: Int]])
+        (found, map (key ["code"]) (lines out))
+          `shouldBe` (0, [Just (Number (fromIntegral c)) | c <- [0 .. 8 :: Int]])
+        for_ (lines out) $ \line -> case key ["probabilities"] line of
+          Just (Array ps) ->
+            abs (sum [realToFrac p | Number p <- toList ps] - 1 :: Double) `shouldSatisfy` (< 1e-9)
+          other -> expectationFailure (show other)
+  it "a line that names no image is invalid, the rest goes on; nothing known is no error" $
+    inFolder $ \folder -> do
+      let images = folder </> "images"
+          grey = folder </> "grey.pgm"
+          half = folder </> "half.pgm"
+      _ <- pra (words "images --set bitmap --count 1 --seed 1 --output" ++ [images])
+      writeFile grey ("P2\n8 12\n255\n" ++ unwords (replicate 96 "7") ++ "\n")
+      writeFile half (unlines ("P2" : "8 12" : "255" : replicate 12 "0 0 0 0 9 9 9 9"))
+      (status, out, err) <-
+        praWith
+          (words "classify --batch --json --levels 0.25,0.75")
+          (unlines [images </> "0_0.pgm", "", "nothing", grey, images </> "1_0.pgm"])
+      (status, err) `shouldBe` (2, "")
+      map (key ["outcome"]) (lines out)
+        `shouldBe` map Just ["recognised", "invalid", "invalid", "invalid", "recognised"]
+      ["classify", grey] `complains` "the same"
+      (none, said, _) <- pra ["classify", half, "--levels", "0,0.0352941"]
+      (none, said) `shouldBe` (1, half ++ ": none\n")
+  it "symbols of other shapes are labelled so, and are far from each symbol" $
+    inFolder $ \folder -> do
+      let images = folder </> "images"
+      (status, _, _) <-
+        pra (words "images --set bitmap --foreign 28 --count 5 --seed 5 --output" ++ [images])
+      status `shouldBe` 0
+      labels <- drop 1 . lines <$> readFile (images </> "labels.csv")
+      labels `shouldBe` ["-1_" ++ show i ++ ".pgm,-1" | i <- [0 .. 4 :: Int]]
+  it "the experiment writes its tables and curves, of one table the same rows" $
+    inFolder $ \folder -> do
+      let made = folder </> "made"
+          asked = words "experiment --training manual,stopped --vary formula --set bitmap --seeds 2"
+      (status, out, _) <- pra (asked ++ ["--output", made])
+      status `shouldBe` 0
+      length (lines out) `shouldBe` 2 + 12
+      rows <- lines <$> readFile (made </> "rows.csv")
+      levels <- lines <$> readFile (made </> "levels.csv")
+      (length rows, length levels) `shouldBe` (1 + 12, 1 + 12 * 11)
+      whole <- readFile (made </> "experiment.json")
+      (_, json, _) <- pra (asked ++ ["--json"])
+      json `shouldBe` whole
+      for_ ["noise.svg", "learning.svg"] $ \name ->
+        readFile (made </> name) >>= (`shouldSatisfy` ("</svg>" `isInfixOf`))
+      (refused, _, why) <- pra (asked ++ ["--output", made])
+      (refused, "not empty" `isInfixOf` why) `shouldBe` (2, True)
+      doesPathExist (made ++ ".part") `shouldReturn` False
+  where
+    cells line = case break (== ',') line of
+      (cell, _ : rest) -> cell : cells rest
+      (cell, []) -> [cell]

@@ -1,0 +1,106 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Networks as JSON: written and read alike, and refused where anything is changed.
+module Test.Formats.Networks (spec) where
+
+import Control.Monad (forM_)
+import qualified Data.ByteString.Char8 as Bytes
+import Data.Either (isLeft)
+import Numeric.LinearAlgebra (fromLists)
+import PraTactile.Classification.Estimate (Regression (..), standardRegression)
+import PraTactile.Classification.Network
+import PraTactile.Format.Digest (digestOf)
+import PraTactile.Format.Error
+import PraTactile.Format.Network
+import PraTactile.Shape (alphabetSize)
+import Test.Hspec
+import Test.QuickCheck
+import Test.Support
+import Test.Touch.Paper (paperAlphabet)
+
+spec :: Spec
+spec = do
+  it "what is written is read again, to the bit" $
+    forAll genFile $ \file -> decodeNetworkFile (encodeNetwork file) === Right file
+  it "whatever number or name is changed, the digest shows it" $ do
+    file <- sampleFile
+    let line = encodeNetwork file
+    forM_
+      [ ("\"seed\":7", "\"seed\":8"),
+        ("\"regimen\":\"stated\"", "\"regimen\":\"Stated\""),
+        ("\"intercept\":11.3", "\"intercept\":11.4"),
+        ("[[0.5,", "[[0.25,"),
+        ("\"alphabet\":\"a", "\"alphabet\":\"b")
+      ]
+      $ \(old, new) -> do
+        let changed = replaced old new line
+        changed `shouldNotBe` line
+        (old, decodeNetworkFile changed) `shouldBe` (old, Left (Misfit [] OtherDigest))
+  it "numbers may be written otherwise, and keys stand in another order" $ do
+    file <- sampleFile
+    let line = encodeNetwork file
+        moved =
+          replaced "{\"schema\":\"pra-tactile/network/1\"," "{ " line
+            |> replaced "\"activation\"" "\"schema\": \"pra-tactile/network/1\", \"activation\""
+            |> replaced "[[0.5," "[[50e-2,"
+    moved `shouldNotBe` line
+    decodeNetworkFile moved `shouldBe` Right file
+  it "dimensions are those of the weights, however large they are said to be" $ do
+    file <- sampleFile
+    forM_
+      [ ("\"hidden\":1", "\"hidden\":1000000000"),
+        ("\"outputs\":2", "\"outputs\":1000000000"),
+        ("\"inputs\":96", "\"inputs\":95"),
+        ("\"q\":2", "\"q\":4"),
+        ("\"activation\":\"sigmoid\"", "\"activation\":\"tanh\""),
+        ("\"hidden_units\":[", "\"hidden_units\":[[1],"),
+        ("\"pra-tactile/network/1\"", "\"pra-tactile/network/2\"")
+      ]
+      $ \(old, new) -> do
+        let changed = replaced old new (encodeNetwork file)
+        (old, decodeNetworkFile changed) `shouldSatisfy` \(_, read') -> case read' of
+          Left (Misfit _ OtherDigest) -> False
+          other -> isLeft other
+  it "cut off anywhere, it is refused" $ do
+    file <- sampleFile
+    let line = encodeNetwork file
+    forM_ [0, 97 .. Bytes.length line - 1] $ \n ->
+      decodeNetworkFile (Bytes.take n line) `shouldSatisfy` isLeft
+  it "the digest of shapes is that of their drawings' rows" $ do
+    alphabet <- right paperAlphabet
+    drawings <- Bytes.readFile "data/shapes.txt"
+    let rows' = filter ((`elem` ["#", "."]) . Bytes.take 1) (Bytes.lines drawings)
+    alphabetDigest alphabet `shouldBe` digestOf (Bytes.unlines rows')
+    length rows' `shouldBe` 12 * alphabetSize alphabet
+  where
+    (|>) = flip ($)
+
+sampleFile :: IO NetworkFile
+sampleFile = do
+  n <-
+    right
+      ( network
+          (fromLists [0.5 : replicate 95 0 ++ [-1e-7]])
+          (fromLists [[1 / 3, 2], [-1 / 3, 1e300]])
+      )
+  pure (NetworkFile n (replicate 64 'a') standardRegression (Just 7) (Just "stated"))
+
+genFile :: Gen NetworkFile
+genFile = do
+  h <- choose (1, 3)
+  q <- choose (1, 3)
+  let weights r c = fromLists <$> vectorOf r (vectorOf c genWeight)
+  n <- suchThatMap (network <$> weights h 97 <*> weights q (h + 1)) (either (const Nothing) Just)
+  sure <- Regression <$> genWeight <*> genWeight <*> genWeight
+  seed <- arbitrary
+  regimen <- elements [Nothing, Just "shipped"]
+  pure (NetworkFile n (replicate 64 '0') sure seed regimen)
+  where
+    genWeight = oneof [pure 0, arbitrary, (* 1e-12) <$> arbitrary, (* 1e200) <$> arbitrary]
+
+-- | The first occurrence of a text replaced by another.
+replaced :: Bytes.ByteString -> Bytes.ByteString -> Bytes.ByteString -> Bytes.ByteString
+replaced old new text = case Bytes.breakSubstring old text of
+  (start, rest)
+    | Bytes.null rest -> text
+    | otherwise -> start <> new <> Bytes.drop (Bytes.length old) rest
