@@ -24,6 +24,7 @@ import qualified Command.Images
 import qualified Command.Locate
 import qualified Command.Merge
 import qualified Command.Network
+import qualified Command.Nets
 import qualified Command.Objects
 import qualified Command.Place
 import qualified Command.Polynomials
@@ -169,6 +170,7 @@ commands =
             [ Command.Solid.command,
               Command.Objects.command,
               Command.Place.command,
+              Command.Nets.command,
               Command.Shapes.command,
               Command.Train.command,
               Command.Network.command,

@@ -130,6 +130,7 @@ import qualified Test.Simulation.RatesOfAnswers
 import qualified Test.Solid.CellsOfFaces
 import qualified Test.Solid.FilesOfSolids
 import qualified Test.Solid.MergedAndSettled
+import qualified Test.Solid.NetsOfSolids
 import qualified Test.Solid.PackedByDefinition
 import qualified Test.Solid.ReportByDefinition
 import qualified Test.Store.Changes
@@ -297,6 +298,7 @@ specs = do
     describe "Solids by definition" Test.Solid.ReportByDefinition.spec
     describe "Cells of faces" Test.Solid.CellsOfFaces.spec
     describe "Merged and settled" Test.Solid.MergedAndSettled.spec
+    describe "Nets of solids" Test.Solid.NetsOfSolids.spec
     describe "Packing" Test.Solid.PackedByDefinition.spec
     describe "Files of solids" Test.Solid.FilesOfSolids.spec
     describe "Placement" Test.Recognition.Object.FacesOnTheArray.spec

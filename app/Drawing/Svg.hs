@@ -3,6 +3,7 @@
 -- | A drawing as an SVG file (Scalable Vector Graphics 1.1).
 module Drawing.Svg
   ( svgFile,
+    svgToScale,
   )
 where
 
@@ -21,7 +22,15 @@ import PraTactile.Image (Raster, index, rasterHeight, rasterWidth)
 -- | The file of a drawing on white paper, with this much room round it, and a title for those who
 -- do not see it.
 svgFile :: Double -> String -> Drawing -> Lazy.ByteString
-svgFile margin title drawing = renderBS root <> "\n"
+svgFile = svgSized number
+
+-- | The same of a drawing that has so many units a millimetre and is to be as large as it says.
+svgToScale :: Double -> Double -> String -> Drawing -> Lazy.ByteString
+svgToScale unit = svgSized (\units -> number (units / unit) <> "mm")
+
+-- | The same, given how a length of so many units is written for what shows the picture.
+svgSized :: (Double -> Text) -> Double -> String -> Drawing -> Lazy.ByteString
+svgSized sized margin title drawing = renderBS root <> "\n"
   where
     paper =
       let Extent l t r b =
@@ -30,8 +39,8 @@ svgFile margin title drawing = renderBS root <> "\n"
     root =
       with
         (svg11_ content)
-        [ Width_ <<- number (width paper),
-          Height_ <<- number (height paper),
+        [ Width_ <<- sized (width paper),
+          Height_ <<- sized (height paper),
           ViewBox_ <<- Text.unwords (map number [0, 0, width paper, height paper]),
           Font_family_ <<- "sans-serif"
         ]

@@ -1,0 +1,361 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Solids unfolded, beside what that means: the faces laid flat by machine numbers of the test's
+-- own, the area that two of them have in common, and the solid folded again; and numbers of nets
+-- that are known.
+module Test.Solid.NetsOfSolids (spec) where
+
+import Control.Monad (forM_)
+import qualified Data.ByteString as Bytes
+import Data.List (nub, sort, tails, (\\))
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
+import Numeric.Natural (Natural)
+import PraTactile.Conformance.Laws.Solids
+import PraTactile.Format.Solid
+import PraTactile.Object.Description
+import PraTactile.Object.Named
+import PraTactile.Object.Net
+import PraTactile.Object.WingedEdge
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.QuickCheck
+
+spec :: Spec
+spec = do
+  describe "numbers that are known" $ do
+    forM_ known $ \(name, trees, kinds) ->
+      it (show name) $ do
+        let found = census (whole (namedDescription name))
+        (censusTrees found, numbersOf found) `shouldBe` (trees, (0, 0, fst kinds, snd kinds))
+    it "spanning trees of a hexagonal prism and of the pyritohedron" $
+      [spanningTrees (whole (namedDescription x)) | x <- [Prism 6 100 100, Pyritohedron 100]]
+        `shouldBe` [8100, 5184000]
+    it "no unfolding of a hexagonal prism of those heights overlaps" $
+      (censusOverlapping . census . whole . namedDescription) (Prism 6 100 100) `shouldBe` 0
+    it "two unfoldings of a convex solid overlap" $ do
+      bytes <- Bytes.readFile "data/solids/overlapping.off"
+      Contents it_ _ <- either (fail . show) pure (readSolid Off "overlapping" bytes)
+      tetrahedron <- either (fail . show) pure (solidOf it_)
+      numbersOf (census tetrahedron) `shouldBe` (2, 0, 14, 14)
+  describe "unfoldings" $ do
+    few . prop "are as many as the determinant of the Laplacian matrix has it" $
+      forAllSolids solids $ \it_ -> spanningTrees it_ === fromInteger (kirchhoff it_)
+    few . prop "are as many as there are, each once, each a spanning tree" $
+      forAllSolids small $ \it_ ->
+        let all' = map (sort . foldedEdges it_) (unfoldings it_)
+         in fromIntegral (length all') === spanningTrees it_
+              .&&. nub' all' === sort all'
+              .&&. conjoin (map (isSpanning it_) all')
+    few . prop "overlap where two faces have an area in common" $
+      forAllSolids small $ \it_ ->
+        forAll (elements (unfoldings it_)) $ \tree ->
+          let area = mostCommon it_ tree
+           in counterexample (show (foldedEdges it_ tree, area)) $
+                classify (area > 1e-6) "overlapping" $
+                  (meetingIn it_ tree == Overlapping) === (area > 1e-6)
+    few . prop "overlap as often, counted path by path, as each by itself" $
+      forAllSolids smaller $ \it_ ->
+        let found = census it_
+            each = map (meetingIn it_) (unfoldings it_)
+            number meeting = fromIntegral (length (filter (== meeting) each))
+         in (censusOverlapping found, censusUndecided found) === (number Overlapping, number Open)
+    few . prop "are folded to the solid again, to the vertex" $
+      forAllSolids small $ \it_ ->
+        forAll (elements (unfoldings it_)) $ \tree ->
+          conjoin
+            [ counterexample (show face) (apart at (placeOf it_ v) < 1e-6)
+              | (face, corners) <- foldedAgain it_ (layOut it_ tree),
+                (v, at) <- zip (faceVertices face) corners
+            ]
+    few . prop "are laid the same wherever and however the solid lies" $
+      forAll small $ \drawn ->
+        forAllBlind turns $ \turned ->
+          let (it_, other) = (whole drawn, whole (moved turned drawn))
+           in (map (foldedEdges it_) (unfoldings it_) === map (foldedEdges other) (unfoldings other))
+                .&&. forAll
+                  (elements (zip (unfoldings it_) (unfoldings other)))
+                  (\(a, b) -> counterexample (show (layOut it_ a, layOut other b)) (alike (layOut it_ a) (layOut other b)))
+    few . prop "of a solid that is turned or mirrored are nets of the same kinds" $
+      forAll smaller $ \drawn ->
+        forAllBlind turns $ \turned ->
+          let mirrored = reversed (moved (\(Point x y z) -> Point (negate x) y z) drawn)
+           in map (numbersOf . census . whole) [moved turned drawn, mirrored]
+                === replicate 2 (numbersOf (census (whole drawn)))
+    few . prop "are congruent where a motion takes one outline to the other" $
+      forAllSolids (oneof [smaller, pure (namedDescription Cube), pure (namedDescription (Box 2 2 3))]) $ \it_ ->
+        forAll ((,) <$> elements (unfoldings it_) <*> elements (unfoldings it_)) $ \(a, b) ->
+          let expected = (movable False (rim it_ a) (rim it_ b), movable True (rim it_ a) (rim it_ b))
+           in classify (snd expected) "congruent" (congruent it_ a b === expected)
+  describe "a net" $ do
+    few . prop "is found, unless there is none" $
+      forAllSolids smaller $ \it_ -> case pickNet 100000 it_ of
+        Picked tree -> meetingIn it_ tree =/= Overlapping
+        EveryOneOverlaps -> length (censusNets (census it_)) === 0
+        other -> counterexample (show other) False
+    it "is found of prisms of 100 sides and of rings" $
+      [ case pickNet 1000 it_ of Picked tree -> meetingIn it_ tree; _ -> Overlapping
+        | it_ <- map (whole . namedDescription) [Prism 100 60 20, Frame 90 90 30]
+      ]
+        `shouldBe` [Apart, Apart]
+    it "is none of several pieces" $
+      pickNet 10 (whole (both (labelled "a" far) (labelled "b" (namedDescription Cube)))) `shouldBe` SeveralPieces
+  where
+    few = modifyMaxSuccess (const 40)
+    far = moved (\(Point x y z) -> Point (x + 900) y z) (namedDescription Cube)
+    nub' = map head . groupSorted . sort
+    groupSorted [] = []
+    groupSorted (x : xs) = let (same, rest) = span (== x) xs in (x : same) : groupSorted rest
+
+-- | Solids, how many unfoldings they have, and how many nets, with mirror images and without.
+known :: [(Named, Natural, (Natural, Natural))]
+known =
+  [ (Tetrahedron 100, 16, (2, 3)),
+    (Pyramid 200 200 200, 45, (8, 13)),
+    (Cube, 384, (11, 20)),
+    (Octahedron 80, 384, (11, 20)),
+    (Box 2 2 3, 384, (29, 52)),
+    (Parallelepiped, 384, (54, 96))
+  ]
+
+numbersOf :: Census -> (Natural, Natural, Natural, Natural)
+numbersOf found =
+  ( censusOverlapping found,
+    censusUndecided found,
+    fromIntegral (length (censusNets found)),
+    censusUpToRotation found
+  )
+
+whole :: Description -> Solid
+whole = either (error . show) id . solid
+
+forAllSolids :: Testable p => Gen Description -> (Solid -> p) -> Property
+forAllSolids drawn check = forAll drawn (check . whole)
+
+-- | Solids of one piece and at most ten faces, that have not too many unfoldings.
+small, smaller :: Gen Description
+small = solids `suchThat` \it_ -> spanningTrees (whole it_) `elem` [1 .. 10000]
+smaller = solids `suchThat` \it_ -> spanningTrees (whole it_) `elem` [1 .. 400]
+
+-- | Rational rotations, and a way.
+turns :: Gen (Point -> Point)
+turns = do
+  (a, b) <- (,) <$> part <*> part
+  let (c, s) = ((1 - a * a) / (1 + a * a), 2 * a / (1 + a * a))
+      (d, t) = ((1 - b * b) / (1 + b * b), 2 * b / (1 + b * b))
+  pure
+    ( \(Point x y z) ->
+        let (u, v) = (c * x - s * y, s * x + c * y) in Point (u + 5) (d * v - t * z) (t * v + d * z)
+    )
+  where
+    part = (/ 7) . fromInteger <$> choose (1, 6)
+
+-- | The determinant of the Laplacian matrix without its first row and column, fraction-free
+-- (Bareiss 1968).
+kirchhoff :: Solid -> Integer
+kirchhoff it_ = go 1 1 [[entry f g | g <- drop 1 faces] | f <- drop 1 faces]
+  where
+    faces = solidFaces it_
+    entry f g
+      | f == g = fromIntegral (length (neighbours it_ f))
+      | otherwise = negate (fromIntegral (length (filter (== g) (neighbours it_ f))))
+    go sign before rows = case break ((/= 0) . head) rows of
+      _ | null rows -> sign * before
+      (_, []) -> 0
+      (zeros, pivot : rest) ->
+        go
+          (if odd (length zeros) then negate sign else sign)
+          (head pivot)
+          [ [ (head pivot * x - head row * p) `div` before
+              | (x, p) <- zip (drop 1 row) (drop 1 pivot)
+            ]
+            | row <- zeros ++ rest
+          ]
+
+-- | Whether the faces are connected by these edges, of which there are as many as that takes.
+isSpanning :: Solid -> [EdgeName] -> Property
+isSpanning it_ folds =
+  length folds === length faces - 1 .&&. sort (reached (take 1 faces)) === sort faces
+  where
+    faces = solidFaces it_
+    reached found = case nub [g | f <- found, g <- across f] \\ found of
+      [] -> found
+      new -> reached (found ++ new)
+    across f =
+      [ if edgeLeft edge == f then edgeRight edge else edgeLeft edge
+        | edge <- edgesOf it_ f,
+          let EdgeName v w = edgeName edge,
+          EdgeName v w `elem` folds || EdgeName w v `elem` folds
+      ]
+
+type Flat = (Double, Double)
+
+type Space = (Double, Double, Double)
+
+-- | The faces laid flat: each by a basis of its plane, and moved so that the common side of two is
+-- one.
+flatFaces :: Solid -> Unfolding -> [[Flat]]
+flatFaces it_ tree = Map.elems (foldl lay start (foldedEdges it_ tree))
+  where
+    start = Map.fromList [(f, own f) | f <- take 1 (solidFaces it_)]
+    own f = case map double (cornerPoints it_ f) of
+      corners@(o : p : _) ->
+        let n = newell corners
+            u = unit (p `less` o)
+            v = unit (n `crossed` u)
+         in [((q `less` o) `dotted` u, (q `less` o) `dotted` v) | q <- corners]
+      _ -> []
+    lay there (EdgeName v w) =
+      let (f, g) = sidesOf v w
+          at face name corners = fromMaybe (0, 0) (lookup name (zip (faceVertices face) corners))
+          (a, b) = (at f v (there Map.! f), at f w (there Map.! f))
+          (a', b') = (at g v (own g), at g w (own g))
+          (c, s) = quotient (b `from` a) (b' `from` a')
+          move z = let (x, y) = z `from` a' in (fst a + c * x - s * y, snd a + s * x + c * y)
+       in Map.insert g (map move (own g)) there
+    sidesOf v w =
+      ( head [f | f <- solidFaces it_, (v, w) `elem` cyclicPairs (faceVertices f)],
+        head [f | f <- solidFaces it_, (w, v) `elem` cyclicPairs (faceVertices f)]
+      )
+    (x, y) `from` (x', y') = (x - x', y - y')
+    quotient (x, y) (x', y') =
+      let k = x' * x' + y' * y' in ((x * x' + y * y') / k, (y * x' - x * y') / k)
+
+-- | The largest area that two faces of an unfolding have in common, as a share of the smaller one.
+mostCommon :: Solid -> Unfolding -> Double
+mostCommon it_ tree =
+  maximum (0 : [common a b / min (areaOf a) (areaOf b) | a : others <- tails faces, b <- others])
+  where
+    faces = flatFaces it_ tree
+    areaOf corners = common corners corners
+
+-- | The area that two simple polygons have in common: each is the sum of the triangles from its
+-- first corner, those that are clockwise taken away.
+common :: [Flat] -> [Flat] -> Double
+common a b = sum [s * t * abs (area2 (clipped p q)) / 2 | (s, p) <- fan a, (t, q) <- fan b]
+  where
+    fan (o : rest) =
+      [ (signum k, if k > 0 then [o, p, q] else [o, q, p])
+        | (p, q) <- zip rest (drop 1 rest),
+          let k = area2 [o, p, q],
+          k /= 0
+      ]
+    fan [] = []
+    area2 corners = sum [x * y' - x' * y | ((x, y), (x', y')) <- cyclicPairs corners]
+    clipped = foldl cut `flip2` cyclicPairs
+    flip2 f g p q = f p (g q)
+    cut corners (o, p) =
+      concat
+        [ [q | side q >= 0] ++ [between' q r | side q * side r < 0]
+          | (q, r) <- cyclicPairs corners
+        ]
+      where
+        side (x, y) = (fst p - fst o) * (y - snd o) - (snd p - snd o) * (x - fst o)
+        between' q r =
+          let k = side q / (side q - side r)
+           in (fst q + k * (fst r - fst q), snd q + k * (snd r - snd q))
+
+-- | A net folded: each face across a fold of one that is there already is turned about it by the
+-- angle between the outward normals of the solid, away from the viewer at a ridge.
+foldedAgain :: Solid -> Net -> [(FaceName, [Space])]
+foldedAgain it_ net = [(netFaceName face, map (there Map.! netFaceName face) (netCorners face)) | face <- netFaces net]
+  where
+    there = foldl fold start (netFolds net)
+    start =
+      Map.fromList
+        [(netFaceName f, pinned (netCorners f) (map double (cornerPoints it_ (netFaceName f)))) | f <- take 1 (netFaces net)]
+    fold known' (Fold (EdgeName v w) (from, to) bend) =
+      let f = head [g | g <- solidFaces it_, (v, w) `elem` cyclicPairs (faceVertices g)]
+          g = head [h | h <- solidFaces it_, (w, v) `elem` cyclicPairs (faceVertices h)]
+          before = known' Map.! f
+          (o, p) = (before from, before to)
+          angle = acos (max (-1) (min 1 (unit (normalOf f) `dotted` unit (normalOf g))))
+          signed = case bend of Ridge -> angle; Valley -> negate angle; Flat -> 0
+       in Map.insert g (turnedAbout o (unit (p `less` o)) signed . before) known'
+    normalOf = newell . map double . cornerPoints it_
+
+-- | The map from the page to space that takes the corners of a polygon to these.
+pinned :: [Flat] -> [Space] -> Flat -> Space
+pinned flats spaces (x, y) = case (flats, spaces, reverse flats, reverse spaces) of
+  ((ox, oy) : _, o : _, (px, py) : _, p : _) ->
+    let long = sqrt ((px - ox) ^ (2 :: Int) + (py - oy) ^ (2 :: Int))
+        (c, s) = ((px - ox) / long, (py - oy) / long)
+        u = unit (p `less` o)
+        inward = times (-1) (unit (newell spaces))
+        v = inward `crossed` u
+        (dx, dy) = (x - ox, y - oy)
+     in o `more` times (c * dx + s * dy) u `more` times (c * dy - s * dx) v
+  _ -> (0, 0, 0)
+
+turnedAbout :: Space -> Space -> Double -> Space -> Space
+turnedAbout o axis angle p =
+  o `more` times (cos angle) d `more` times (sin angle) (axis `crossed` d)
+    `more` times ((1 - cos angle) * (axis `dotted` d)) axis
+  where
+    d = p `less` o
+
+placeOf :: Solid -> VertexName -> Space
+placeOf it_ v = maybe (0, 0, 0) double (lookup v (solidVertices it_))
+
+double :: Point -> Space
+double (Point x y z) = (fromRational x, fromRational y, fromRational z)
+
+newell :: [Space] -> Space
+newell corners = foldr more (0, 0, 0) [p `crossed` q | (p, q) <- cyclicPairs (map (`less` head corners) corners)]
+
+less, more, crossed :: Space -> Space -> Space
+less (a, b, c) (d, e, f) = (a - d, b - e, c - f)
+more (a, b, c) (d, e, f) = (a + d, b + e, c + f)
+crossed (a, b, c) (d, e, f) = (b * f - c * e, c * d - a * f, a * e - b * d)
+
+dotted :: Space -> Space -> Double
+dotted (a, b, c) (d, e, f) = a * d + b * e + c * f
+
+times :: Double -> Space -> Space
+times k (a, b, c) = (k * a, k * b, k * c)
+
+unit :: Space -> Space
+unit v = times (1 / sqrt (v `dotted` v)) v
+
+apart :: Space -> Space -> Double
+apart p q = let d = p `less` q in sqrt (d `dotted` d)
+
+alike :: Net -> Net -> Bool
+alike a b =
+  map netFaceName (netFaces a) == map netFaceName (netFaces b)
+    && map foldBend (netFolds a) == map foldBend (netFolds b)
+    && and (zipWith near (concatMap netCorners (netFaces a)) (concatMap netCorners (netFaces b)))
+
+near :: Flat -> Flat -> Bool
+near (x, y) (x', y') = abs (x - x') + abs (y - y') < 1e-6
+
+-- | The outline of an unfolding, without the points at which it goes straight on.
+rim :: Solid -> Unfolding -> [Flat]
+rim it_ tree =
+  [ b
+    | ((a, b), c) <- zip (cyclicPairs points) (drop 2 points ++ take 2 points),
+      let ((ux, uy), (vx, vy)) = (a `to` b, b `to` c),
+      abs (ux * vy - uy * vx) > 1e-7 * abs (ux * vx + uy * vy) || ux * vx + uy * vy < 0
+  ]
+  where
+    points = netOutline (layOut it_ tree)
+    (x, y) `to` (x', y') = (x' - x, y' - y)
+
+-- | Whether a motion of the plane, with a mirror or without, takes the one closed walk to the other.
+movable :: Bool -> [Flat] -> [Flat] -> Bool
+movable mayMirror a b =
+  length a == length b
+    && or
+      [ fits one
+        | walk <- b : [[(negate x, y) | (x, y) <- reverse b] | mayMirror],
+          one <- rotations walk
+      ]
+  where
+    fits walk = and (zipWith near (standard a) (standard walk))
+    -- The first point at the origin, the second to the right of it.
+    standard walk = case walk of
+      (x, y) : (x', y') : _ ->
+        let long = sqrt ((x' - x) ^ (2 :: Int) + (y' - y) ^ (2 :: Int))
+            (c, s) = ((x' - x) / long, (y' - y) / long)
+         in [(c * (u - x) + s * (v - y), c * (v - y) - s * (u - x)) | (u, v) <- walk]
+      _ -> walk
