@@ -17,6 +17,7 @@ import qualified Command.Classify
 import qualified Command.Compare
 import qualified Command.Conform
 import qualified Command.Decode
+import qualified Command.Draw
 import qualified Command.Evaluate
 import qualified Command.Experiment
 import qualified Command.Field
@@ -171,6 +172,7 @@ commands =
               Command.Objects.command,
               Command.Place.command,
               Command.Nets.command,
+              Command.Draw.command,
               Command.Shapes.command,
               Command.Train.command,
               Command.Network.command,

@@ -80,6 +80,8 @@ data Form
     Patches !Paint [Extent]
   | -- | a closed polygon
     Outline !Paint [(Double, Double)]
+  | -- | closed polygons as one path
+    Region !Paint [[(Double, Double)]]
   | -- | an open one
     Line !Paint [(Double, Double)]
   | -- | an image: white for 0, dark for 1; each pixel a sharp square
@@ -134,6 +136,7 @@ markExtent (Mark _ form) = case form of
   Rectangle paint e -> Just (stroked paint e)
   Patches paint es -> stroked paint <$> hull es
   Outline paint points -> stroked paint <$> hull (map point points)
+  Region paint polygons -> stroked paint <$> hull (map point (concat polygons))
   Line paint points -> stroked paint <$> hull (map point points)
   Grey _ e -> Just e
   Words anchor font (x, y) words' ->
@@ -163,6 +166,7 @@ shifted (dx, dy) = map move
       Rectangle paint e -> Rectangle paint (rectangle e)
       Patches paint es -> Patches paint (map rectangle es)
       Outline paint points -> Outline paint (map point points)
+      Region paint polygons -> Region paint (map (map point) polygons)
       Line paint points -> Line paint (map point points)
       Grey image e -> Grey image (rectangle e)
       Words anchor font at words' -> Words anchor font (point at) words'
@@ -184,6 +188,7 @@ turnedAbout (x0, y0) degrees drawing
         Rectangle paint e -> [Outline paint (corners e)]
         Patches paint es -> [Outline paint (corners e) | e <- es]
         Outline paint points -> [Outline paint (map point points)]
+        Region paint polygons -> [Region paint (map (map point) polygons)]
         Line paint points -> [Line paint (map point points)]
         Grey image e -> [Grey image e]
         Words anchor font at words' -> [Words anchor font (point at) words']

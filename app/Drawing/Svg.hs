@@ -59,6 +59,8 @@ mark (Mark name form) =
     Rectangle paint e -> rect_ (named : box e ++ painted paint)
     Patches paint es -> path_ ([named, D_ <<- Text.concat (map patch es)] ++ painted paint)
     Outline paint points -> polygon_ ([named, Points_ <<- listed points] ++ painted paint)
+    Region paint polygons ->
+      path_ ([named, D_ <<- Text.concat (map closed polygons)] ++ painted paint)
     Line paint points -> polyline_ ([named, Points_ <<- listed points] ++ painted paint)
     Grey image e
       | rasterWidth image > 0 && rasterHeight image > 0 -> image_ (named : pixels image e ++ box e)
@@ -66,6 +68,7 @@ mark (Mark name form) =
     Words anchor font at content -> text_ (named : lettered anchor font at) (toElement content)
   where
     named = Class_ <<- name
+    closed points = "M" <> listed points <> "z"
     listed points = Text.unwords [number x <> "," <> number y | (x, y) <- points]
     pixels image e =
       [PreserveAspectRatio_ <<- "none", XlinkHref_ <<- pngAddress (enlargement image e) image]

@@ -9,7 +9,7 @@ module Picture.Net
 where
 
 import qualified Data.ByteString.Lazy as Lazy
-import Data.List (maximumBy, sort)
+import Data.List (maximumBy)
 import Data.Ord (comparing)
 import Data.Text (Text)
 import Drawing
@@ -43,7 +43,10 @@ netDrawing title net =
         ++ [Mark "cut" (Outline (outlined ink 2) (map units (netOutline net)))]
         ++ concatMap faceMarks (netFaces net)
     foldMark it =
-      let (from, to) = foldEnds it in [Mark (bendClass (foldBend it)) (Line paint [units from, units to]) | let paint = bendPaint (foldBend it)]
+      [ Mark (bendClass bend) (Line (bendPaint bend) [units from, units to])
+        | let (from, to) = foldEnds it
+              bend = foldBend it
+      ]
     meanings =
       ("cut", outlined ink 2, "cut") :
         [ (bendClass bend, bendPaint bend, bendWords bend)

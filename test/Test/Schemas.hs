@@ -224,6 +224,7 @@ touching =
       \pra objects --database o.sqlite --replace cube=box:90x90x90 --json; \
       \pra objects --database o.sqlite --add box:300x300x300 --json"
     ),
+    ("nets", "pra nets cube --json; pra nets pyritohedron:9 --json; pra nets prism:80,90,9 --json"),
     ("object", "pra solid prism:5,70,1/3 --output p.json > log; cat p.json"),
     ("solid", "pra solid cube frame:9x9x3 --json; pra solid p.json --json --symbols 1/8"),
     ("solid", "pra solid annulus.stl --json --merge-coplanar --tolerance 0.01"),

@@ -50,32 +50,35 @@ census whole =
   where
     it = unfolder whole
     words' = outliner it
-    Tally tried open rotated kinds = foldl' count (Tally 0 0 Set.empty Map.empty) (netsOf it)
-    count (Tally n m seen known) (tree, meeting) =
+    Tally tried open _ rotated kinds =
+      foldl' count (Tally 0 0 (sideLengths words') Set.empty Map.empty) (netsOf it)
+    count (Tally n m lengths seen known) (tree, meeting) =
       Tally
         (n + 1)
         (if meeting == Open then m + 1 else m)
+        lengths'
         (Set.insert one seen)
-        (Map.insertWith (\_ first -> first) (min one other) (n, tree) known)
+        (if Map.member least known then known else Map.insert least (n, tree) known)
       where
-        rim = outline words' (gluedSides it tree)
+        (lengths', rim) = outline words' lengths (gluedSides it tree)
         one = fromLeast rim
-        other = fromLeast (turnedOver rim)
+        least = min one (fromLeast (turnedOver rim))
 
 data Tally
   = Tally
       !Natural
       !Natural
+      !Lengths
       !(Set.Set Outline)
       !(Map.Map Outline (Natural, Unfolding))
 
 -- | Whether the outlines of two unfoldings of a solid are congruent, in that order: as they lie, and
 -- where one may be turned over.
 congruent :: Solid -> Unfolding -> Unfolding -> (Bool, Bool)
-congruent whole a b = (one == other, one == other || one == fromLeast (turnedOver rim))
+congruent whole a b = (one == other, one == other || one == fromLeast (turnedOver rim'))
   where
     it = unfolder whole
-    told = outline (outliner it) . gluedSides it
-    one = fromLeast (told a)
-    other = fromLeast rim
-    rim = told b
+    words' = outliner it
+    (lengths, rim) = outline words' (sideLengths words') (gluedSides it a)
+    (_, rim') = outline words' lengths (gluedSides it b)
+    (one, other) = (fromLeast rim, fromLeast rim')

@@ -1,0 +1,150 @@
+-- | @pra-tactile draw@: pictures of a solid, of the array in its symbols, of the faces on the array,
+-- and of an encoded object.
+module Command.Draw
+  ( command,
+  )
+where
+
+import ArrayChoice
+import Control.Monad (when)
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Maybe (isJust, isNothing)
+import ExitStatus
+import Json (shapeText)
+import Message
+import NamedSolid
+import Options
+import Output
+import Picture.Layout
+import Picture.Solid
+import PlacementChoice
+import PraTactile.Array
+import PraTactile.Field (toCode)
+import PraTactile.Object.Canonical (canonicalPitch)
+import PraTactile.Object.Placement
+import PraTactile.Object.View
+import PraTactile.Object.WingedEdge
+import PraTactile.Profile
+import PraTactile.Relief (classOn)
+import PraTactile.Symbol (classOfElement)
+import Setup
+import SvgFile
+import Visible
+
+-- | What is drawn.
+data Subject = OneSolid | Sheet | Layout | Encoded
+  deriving stock (Eq, Show)
+
+data Options = Options
+  { subject :: Subject,
+    object :: Maybe String,
+    from :: Maybe (Double, Double),
+    objects :: PlacementChoice,
+    shapesFile :: Maybe FilePath,
+    output :: FilePath
+  }
+
+command :: Mod CommandFields (IO ExitStatus)
+command =
+  subcommand
+    "draw"
+    "Draw as SVG: 'solid', an object with its vertices' names; 'sheet', the array in its symbols; \
+    \'placement', the faces of objects on the array; 'encoded', an object with its symbols, in \
+    \perspective. Hidden parts are hidden."
+    [ "pra-tactile draw solid --output cube.svg",
+      "pra-tactile draw solid --object l:200x100x200 --from=-40,30 --output l.svg",
+      "pra-tactile draw placement --output placement.svg",
+      "pra-tactile draw encoded --object parallelepiped --output encoded.svg"
+    ]
+    ( run
+        <$> arrayChoice
+        <*> ( Options
+                <$> argument
+                  (namedReader "subject" subjects)
+                  ( metavar "solid|sheet|placement|encoded" <> completeWith (map fst subjects)
+                      <> help "What is drawn"
+                  )
+                <*> optional
+                  ( valued
+                      str
+                      "object"
+                      "NAME"
+                      "The object of the placement (default: the first one); of 'solid' also a file \
+                      \or a name that 'solid' takes"
+                  )
+                <*> optional
+                  ( valued
+                      (pairReader ',' "30,25")
+                      "from"
+                      "AZIMUTH,ELEVATION"
+                      "From where an object is seen, degrees: 0,0 is from the front, 90,0 from the \
+                      \right, 0,90 from above (default 30,25)"
+                  )
+                <*> placementChoice "The same from a database that 'objects --write' made"
+                <*> shapesOption
+                <*> fileOption "output" "FILE" "The SVG file"
+            )
+    )
+  where
+    subjects =
+      [("solid", OneSolid), ("sheet", Sheet), ("placement", Layout), ("encoded", Encoded)]
+
+run :: ArrayChoice -> Options -> IO ExitStatus
+run choice options = do
+  when (subject options `elem` [Sheet, Layout] && isJust (object options)) $
+    misused "--object is for 'solid' and 'encoded'"
+  when (subject options `elem` [Sheet, Layout] && isJust (from options)) $
+    misused "--from is for 'solid' and 'encoded'"
+  orNotSvg (output options)
+  orUnwritable (output options)
+  (profile, layout) <- chosenPlacement choice (objects options)
+  drawn <- drawing options profile layout
+  writeWhole (output options) drawn
+  sayWritten (output options) ""
+  pure Answered
+
+drawing :: Options -> Profile -> Placement -> IO Lazy.ByteString
+drawing options profile layout = case subject options of
+  OneSolid -> do
+    whole <- maybe firstObject nameOrFile (object options)
+    pure (solidSvg (titleOf whole) (seen Nothing) whole)
+  Encoded -> do
+    whole <- maybe firstObject ofPlacement (object options)
+    alphabet <- alphabetFor (shapesFile options) profile
+    symbols <-
+      orUnusable
+        profileMessage
+        (withProfile profile (\array _ -> embossedOn alphabet layout (classOn array) whole))
+    pure (encodedSvg (titleOf whole ++ ", encoded") (seen (Just 3)) symbols whole)
+  Sheet -> do
+    (alphabet, classes) <- symbolsOf
+    pure (sheetSvg alphabet ("The array of " ++ sizeText) classes)
+  Layout -> do
+    (alphabet, classes) <- symbolsOf
+    pure (placementSvg alphabet ("Faces on the array of " ++ sizeText) classes layout)
+  where
+    seen = viewFrom azimuth elevation
+    (azimuth, elevation) = maybe (30, 25) id (from options)
+    titleOf whole = "The " ++ visible (objectText (solidName whole))
+    sizeText = shapeText (profileShape profile)
+    firstObject = case placementSolids layout of
+      whole : _ -> pure whole
+      [] -> unusable "the placement has no object"
+    ofPlacement name =
+      orUnusable placementMessage (findObject layout (ObjectName name))
+    nameOrFile name = case placementObject layout (ObjectName name) of
+      Just whole -> pure whole
+      Nothing -> namedSolid (Just (profileShape profile)) canonicalPitch Nothing name
+    symbolsOf = do
+      when (area (profileShape profile) > mostCells) . unusable $
+        "an array of " ++ sizeText ++ " is too large to be drawn in its symbols; "
+          ++ show mostCells
+          ++ " cells can be"
+      alphabet <- alphabetFor (shapesFile options) profile
+      cells <-
+        orUnusable
+          profileMessage
+          (withProfile profile (\array _ -> fmap (map (map classOfElement)) (toRows array)))
+      classes <- orUnusable foldMessage cells
+      pure (alphabet, classes)
+    mostCells = 20000

@@ -1,0 +1,163 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | A solid as it is seen from somewhere: hidden parts hidden, with its vertices' names, and with the
+-- symbols on its faces where those are given.
+module Picture.Solid
+  ( solidSvg,
+    encodedSvg,
+    solidDrawing,
+    Embossed,
+    embossedOn,
+  )
+where
+
+import qualified Data.ByteString.Lazy as Lazy
+import Data.List (sort)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (listToMaybe)
+import qualified Data.Text as Text
+import Drawing
+import Drawing.Svg
+import Picture.Style
+import PraTactile.Array (Position)
+import PraTactile.Geometry (columnPitch)
+import PraTactile.Object.Description (cyclicPairs)
+import PraTactile.Object.Placement
+import PraTactile.Object.View
+import PraTactile.Object.WingedEdge
+import PraTactile.Shape (Alphabet)
+import PraTactile.Symmetry
+import Text.Printf (printf)
+
+-- | The symbols of faces, by the faces' places among those of the solid: polygons in millimetres of
+-- space.
+type Embossed = Map.Map Int [[(Double, Double, Double)]]
+
+-- | A solid with its vertices' names as an SVG file.
+solidSvg :: String -> View -> Solid -> Lazy.ByteString
+solidSvg title view whole = svgFile 16 title (solidDrawing title view Map.empty whole)
+
+-- | A solid with its symbols as an SVG file.
+encodedSvg :: String -> View -> Embossed -> Solid -> Lazy.ByteString
+encodedSvg title view symbols whole = svgFile 16 title (solidDrawing title view symbols whole)
+
+-- | The drawing of a solid, given its title.
+solidDrawing :: String -> View -> Embossed -> Solid -> Drawing
+solidDrawing title view symbols whole =
+  above
+    16
+    [ [Mark "heading" (Words FromLeft heading (0, 0) title)],
+      concatMap (patchMarks scale symbolsSeen) seen
+        ++ concatMap (vertexMark scale) (seenVertices looking)
+    ]
+  where
+    looking = camera view whole
+    seen = patches looking
+    symbolsSeen = Map.map (map (map (onPicture looking))) symbols
+    -- Picture units a millimetre.
+    scale = 600 / max 1e-9 (max (width round') (height round'))
+    round' = extentOf [Mark "" (Outline (filled ink 1) (concatMap (map fst . patchCorners) seen))]
+
+-- | A part of a face, what is embossed on it, and those of its sides that are edges.
+patchMarks :: Double -> Map.Map Int [[(Double, Double)]] -> Patch -> Drawing
+patchMarks scale symbols patch =
+  Mark "face" (Outline paint (map units corners)) :
+  [ Mark "embossed" (Region (filled ink 1) (map (map units) shown))
+    | let shown =
+            filter
+              ((> 2) . length)
+              (map (within corners) (Map.findWithDefault [] (patchFace patch) symbols)),
+      not (null shown)
+  ]
+    ++ [ Mark "edge" (Line (outlined colour thickness) [units p, units q])
+         | ((p, side), (q, _)) <- cyclicPairs (patchCorners patch),
+           (colour, thickness) <- case side of
+             Bent -> [(ink, 1.5)]
+             Level -> [(pale, 1)]
+             Cut -> []
+       ]
+  where
+    corners = map fst (patchCorners patch)
+    units (x, y) = (scale * x, scale * y)
+    shade = round (160 + 90 * patchLight patch) :: Int
+    colour' = Text.pack (printf "rgb(%d,%d,%d)" (shade - 12) (shade - 5) (min 255 (shade + 4)))
+    -- Parts of one face have no gap between them.
+    paint
+      | patchWhole patch = filled colour' 1
+      | otherwise = (filled colour' 1) {strokeColour = colour', strokeWidth = 0.7}
+
+-- | What of a polygon lies within a convex one (Sutherland and Hodgman 1974).
+within :: [(Double, Double)] -> [(Double, Double)] -> [(Double, Double)]
+within convex polygon = foldl cut polygon (cyclicPairs convex)
+  where
+    area = sum [x * y' - x' * y | ((x, y), (x', y')) <- cyclicPairs convex]
+    cut corners ((ax, ay), (bx, by)) =
+      concat
+        [ [p | side p >= 0] ++ [crossing p q | side p * side q < 0]
+          | (p, q) <- cyclicPairs corners
+        ]
+      where
+        side (x, y) = signum area * ((bx - ax) * (y - ay) - (by - ay) * (x - ax))
+        crossing p@(x, y) q@(x', y') =
+          let k = side p / (side p - side q) in (x + k * (x' - x), y + k * (y' - y))
+
+-- | A vertex's name where the edges that are seen from it leave the most room.
+vertexMark :: Double -> SeenVertex -> Drawing
+vertexMark scale vertex =
+  [ Mark "vertex-ground" (Rectangle (filled "#ffffff" 0.8) ground),
+    Mark "vertex" (Words FromMiddle font (x, y) name)
+  ]
+  where
+    name = vertexText (seenName vertex)
+    font = plain {fontWeight = Bold}
+    (u, v) = seenAt vertex
+    angles = sort [atan2 (v' - v) (u' - u) | (u', v') <- seenEdges vertex]
+    gaps = [(b - a, (a + b) / 2) | (a, b) <- zip angles (drop 1 angles ++ map (+ (2 * pi)) (take 1 angles))]
+    free = maybe 0 snd (listToMaybe (reverse (sort gaps)))
+    away = 11 + textWidth font name / 2 * abs (cos free)
+    (x, y) = (scale * u + away * cos free, scale * v + away * sin free + 5)
+    ground = around (textWidth font name, 15) (x, y - 5)
+
+-- | What is embossed on the faces of an object, given the shapes and the class in each cell of a
+-- face.
+embossedOn :: Alphabet -> Placement -> (LaidFace -> Position -> Int) -> Solid -> Embossed
+embossedOn alphabet layout classesOf whole =
+  Map.fromList
+    [ (number, concatMap (symbolOn laid) (blockCells (laidBlock laid)))
+      | laid <- laidFaces layout,
+        faceObject (laidFace laid) == solidName whole,
+        (number, face) <- zip [0 ..] (solidFaces whole),
+        sameFace face (faceName (laidFace laid))
+    ]
+  where
+    taxel = fromRational (pitchRight (placementPitch layout) / columnPitch)
+    symbolOn laid cell =
+      [ map (inSpace (map double (cornerPointsFrom laid))) [(l, t), (r, t), (r, b), (l, b)]
+        | Mark _ (Patches _ runs) <-
+            shapeMark "" (filled ink 1) alphabet taxel identity (classesOf laid cell) (spot laid cell),
+          Extent l t r b <- runs
+      ]
+    spot laid = spotMillimetres . cellCentre layout laid
+    -- The corners from the vertex at which the face's frame begins.
+    cornerPointsFrom laid =
+      [ point
+        | vertex <- faceVertices (faceName (laidFace laid)),
+          Just point <- [lookup vertex places]
+      ]
+    places = solidVertices whole
+    double (Point x y z) = (fromRational x, fromRational y, fromRational z)
+
+-- | A point of a face, in millimetres right of and below its first corner, in space.
+inSpace :: [(Double, Double, Double)] -> (Double, Double) -> (Double, Double, Double)
+inSpace corners (right, down) = case (corners, reverse corners) of
+  (o@(ox, oy, oz) : _, p : _) ->
+    let (ux, uy, uz) = unit (p `less` o)
+        n = unit (foldr more (0, 0, 0) [(a `less` o) `cross` (b `less` o) | (a, b) <- cyclicPairs corners])
+        (vx, vy, vz) = (ux, uy, uz) `cross` n
+     in (ox + right * ux + down * vx, oy + right * uy + down * vy, oz + right * uz + down * vz)
+  _ -> (0, 0, 0)
+  where
+    less (a, b, c) (d, e, f) = (a - d, b - e, c - f)
+    more (a, b, c) (d, e, f) = (a + d, b + e, c + f)
+    cross (a, b, c) (d, e, f) = (b * f - c * e, c * d - a * f, a * e - b * d)
+    unit (a, b, c) = let long = sqrt (a * a + b * b + c * c) in (a / long, b / long, c / long)

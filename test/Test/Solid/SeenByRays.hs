@@ -1,0 +1,198 @@
+-- | Pictures of solids, beside what light does: along the ray from each point of a picture to the
+-- eye it is asked which face comes first.
+module Test.Solid.SeenByRays (spec) where
+
+import Data.List (sortOn)
+import Data.Maybe (listToMaybe)
+import PraTactile.Conformance.Laws.Solids
+import PraTactile.Object.Description
+import PraTactile.Object.Named
+import PraTactile.Object.View
+import PraTactile.Object.WingedEdge
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.QuickCheck
+
+spec :: Spec
+spec = do
+  modifyMaxSuccess (const 300) . prop "what is painted last is what the eye meets first" $
+    forAll drawn $ \(it_, azimuth, elevation, away) ->
+      let view = viewFrom azimuth elevation away
+          looking = camera view it_
+          seen = patches looking
+       in forAll (placeOn seen) $ \at ->
+            let painted = listToMaybe [patchFace one | one <- reverse seen, holds (map fst (patchCorners one)) at]
+                met = facesAlong it_ view looking at
+             in classify (length met > 2) "something hidden" $
+                  -- Where two faces are as near, or a rim is, no one can tell.
+                  counterexample (show met) $
+                    case met of
+                      (near, _) : (next, _) : _ | abs (near - next) < 1e-3 -> property True
+                      _ -> painted === fmap snd (listToMaybe met)
+  modifyMaxSuccess (const 300) . prop "a vertex is named if nothing lies between it and the eye" $
+    forAll drawn $ \(it_, azimuth, elevation, away) ->
+      let view = viewFrom azimuth elevation away
+          names = map seenName (seenVertices (camera view it_))
+       in conjoin
+            [ counterexample (vertexText v) ((v `elem` names) === free)
+              | (v, p) <- solidVertices it_,
+                Just free <- [unhidden it_ view p]
+            ]
+  it "from straight in front, right and above one face of a cube is seen, and its four vertices" $
+    [ (length (patches looking), map (vertexText . seenName) (seenVertices looking))
+      | (azimuth, elevation) <- [(0, 0), (90, 0), (0, 90)],
+        let looking = camera (viewFrom azimuth elevation Nothing) (whole (namedDescription Cube))
+    ]
+      `shouldBe` [ (1, ["C2", "C3", "C6", "C7"]),
+                   (1, ["C3", "C4", "C7", "C8"]),
+                   (1, ["C1", "C2", "C3", "C4"])
+                 ]
+  it "lengths at right angles to the view are true, and x is to the right" $ do
+    let looking = camera (viewFrom 0 0 Nothing) (whole (namedDescription Cube))
+        at name = head [seenAt one | one <- seenVertices looking, seenName one == VertexName name]
+    [at "C2", at "C3", at "C6"] `shouldBe` [(-63.5, -63.5), (63.5, -63.5), (-63.5, 63.5)]
+  where
+    drawn = do
+      it_ <- whole <$> solids
+      azimuth <- choose (-180, 180)
+      elevation <- choose (-90, 90)
+      away <- elements [Nothing, Just 2, Just 5]
+      pure (it_, azimuth, elevation, away)
+    placeOn seen = do
+      corners <- map fst . patchCorners <$> elements seen
+      weights <- vectorOf (length corners) (choose (0.05, 1))
+      let total = sum weights
+      pure
+        ( sum (zipWith (\k (x, _) -> k * x) weights corners) / total,
+          sum (zipWith (\k (_, y) -> k * y) weights corners) / total
+        )
+
+whole :: Description -> Solid
+whole = either (error . show) id . solid
+
+type Space = (Double, Double, Double)
+
+-- | The faces that the ray through a point of the picture meets, the nearest to the eye first: how
+-- far they are, and which.
+facesAlong :: Solid -> View -> Camera -> (Double, Double) -> [(Double, Int)]
+facesAlong it_ view looking (x, y) =
+  sortOn
+    fst
+    [ (distance, f)
+      | (f, face) <- zip [0 ..] (solidFaces it_),
+        let corners = map double (cornerPoints it_ face)
+            onPaper = map (onPicture looking) corners,
+        holds onPaper (x, y),
+        Just distance <- [depth corners]
+    ]
+  where
+    -- How far towards the eye the plane of the face is at this point: by the corners of three of
+    -- its points whose pictures are a triangle, weighted (in perspective the inverse distances are).
+    depth corners = case [ (a, b, c) | (a, b) <- cyclicPairs corners, c <- corners, abs (twice (map (onPicture looking) [a, b, c])) > 1e-6] of
+      [] -> Nothing
+      triples ->
+        let (a, b, c) = last (sortOn (\(p, q, r) -> abs (twice (map (onPicture looking) [p, q, r]))) triples)
+            [p, q, r] = map (onPicture looking) [a, b, c]
+            all' = twice [p, q, r]
+            weights = [twice [(x, y), q, r] / all', twice [p, (x, y), r] / all', twice [p, q, (x, y)] / all']
+            deeps = map deep [a, b, c]
+         in Just $ case viewAway view of
+              Nothing -> negate (sum (zipWith (*) weights deeps))
+              Just _ -> 1 / sum (zipWith (\k d -> k / (away - d)) weights deeps)
+    twice corners = sum [u * v' - u' * v | ((u, v), (u', v')) <- cyclicPairs corners]
+    (away, deep) = eyeOf it_ view
+
+-- | How far the eye is from the middle of the solid, and how much nearer to it than the middle a
+-- point is.
+eyeOf :: Solid -> View -> (Double, Space -> Double)
+eyeOf it_ view = (maybe 0 ((* size) . fromRational) (viewAway view) * long, deep)
+  where
+    points = map (double . snd) (solidVertices it_)
+    (xs, ys, zs) = unzip3 points
+    size = maximum [maximum v - minimum v | v <- [xs, ys, zs]]
+    half v = (maximum v + minimum v) / 2
+    (dx, dy, dz) = let (a, b, c) = viewTowards view in (fromRational a, fromRational b, fromRational c)
+    long = sqrt (dx * dx + dy * dy + dz * dz)
+    deep (a, b, c) = ((a - half xs) * dx + (b - half ys) * dy + (c - half zs) * dz) / long
+
+-- | Whether no face lies between a point and the eye; nothing where that hangs on a rim.
+unhidden :: Solid -> View -> Point -> Maybe Bool
+unhidden it_ view at
+  | any (\(_, sure) -> not sure) found = Nothing
+  | otherwise = Just (not (any fst found))
+  where
+    found =
+      [ (inside && t > 1e-6, abs t > 1e-6 && margin > 1e-6 || not inside && margin > 1e-6 || touching)
+        | face <- solidFaces it_,
+          let corners = map double (cornerPoints it_ face)
+              n = newell corners
+              slope = n `dotted` ray
+              t = (n `dotted` (head corners `less` p)) / slope
+              (px, py, pz) = p
+              (rx, ry, rz) = ray
+              hit = (px + t * rx, py + t * ry, pz + t * rz)
+              (inside, margin) = withinFace n corners hit
+              -- Faces that have the vertex hide it where they turn away: then it is behind them.
+              touching = at `elem` cornerPoints it_ face
+      ]
+        ++ [(not seesFace, True)]
+    p = double at
+    ray = case viewAway view of
+      Nothing -> towards
+      Just _ -> eye `less` p
+    towards = let (a, b, c) = viewTowards view in (fromRational a, fromRational b, fromRational c)
+    eye =
+      let (xs, ys, zs) = unzip3 (map (double . snd) (solidVertices it_))
+          half v = (maximum v + minimum v) / 2
+          size = maximum [maximum v - minimum v | v <- [xs, ys, zs]]
+          k = maybe 0 fromRational (viewAway view) * size
+          (a, b, c) = towards
+       in (half xs + k * a, half ys + k * b, half zs + k * c)
+    seesFace =
+      or
+        [ newell (map double corners) `dotted` ray > 0
+          | face <- solidFaces it_,
+            let corners = cornerPoints it_ face,
+            at `elem` corners
+        ]
+
+-- | Whether a point of a face's plane is in the face, and how far from its rim.
+withinFace :: Space -> [Space] -> Space -> (Bool, Double)
+withinFace n corners p = (holds (map flat corners) (flat p), minimum (map (far . both flat) (cyclicPairs corners)))
+  where
+    (a, b, c) = n
+    flat (x, y, z)
+      | abs c >= abs a && abs c >= abs b = (x, y)
+      | abs a >= abs b = (y, z)
+      | otherwise = (z, x)
+    both f (q, r) = (f q, f r)
+    far ((x1, y1), (x2, y2)) =
+      let (x, y) = flat p
+          (dx, dy) = (x2 - x1, y2 - y1)
+          k = max 0 (min 1 (((x - x1) * dx + (y - y1) * dy) / (dx * dx + dy * dy)))
+       in sqrt ((x - x1 - k * dx) ^ (2 :: Int) + (y - y1 - k * dy) ^ (2 :: Int))
+
+holds :: [(Double, Double)] -> (Double, Double) -> Bool
+holds corners (x, y) =
+  odd . length $
+    [ ()
+      | ((x1, y1), (x2, y2)) <- cyclicPairs corners,
+        (y1 > y) /= (y2 > y),
+        x < x1 + (y - y1) * (x2 - x1) / (y2 - y1)
+    ]
+
+double :: Point -> Space
+double (Point x y z) = (fromRational x, fromRational y, fromRational z)
+
+newell :: [Space] -> Space
+newell corners = foldr more (0, 0, 0) [(p `less` o) `crossed` (q `less` o) | (p, q) <- cyclicPairs corners]
+  where
+    o = head corners
+    more (a, b, c) (d, e, f) = (a + d, b + e, c + f)
+    crossed (a, b, c) (d, e, f) = (b * f - c * e, c * d - a * f, a * e - b * d)
+
+less :: Space -> Space -> Space
+less (a, b, c) (d, e, f) = (a - d, b - e, c - f)
+
+dotted :: Space -> Space -> Double
+dotted (a, b, c) (d, e, f) = a * d + b * e + c * f
