@@ -8,7 +8,7 @@ where
 import ArrayChoice
 import Control.Monad (when)
 import qualified Data.ByteString.Lazy as Lazy
-import Data.Maybe (isJust, isNothing)
+import Data.Maybe (fromMaybe, isJust)
 import ExitStatus
 import Json (shapeText)
 import Message
@@ -19,7 +19,6 @@ import Picture.Layout
 import Picture.Solid
 import PlacementChoice
 import PraTactile.Array
-import PraTactile.Field (toCode)
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement
 import PraTactile.Object.View
@@ -32,7 +31,7 @@ import SvgFile
 import Visible
 
 -- | What is drawn.
-data Subject = OneSolid | Sheet | Layout | Encoded
+data Subject = OneSolid | WholeSheet | Layings | Encoded
   deriving stock (Eq, Show)
 
 data Options = Options
@@ -87,13 +86,13 @@ command =
     )
   where
     subjects =
-      [("solid", OneSolid), ("sheet", Sheet), ("placement", Layout), ("encoded", Encoded)]
+      [("solid", OneSolid), ("sheet", WholeSheet), ("placement", Layings), ("encoded", Encoded)]
 
 run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options = do
-  when (subject options `elem` [Sheet, Layout] && isJust (object options)) $
+  when (subject options `elem` [WholeSheet, Layings] && isJust (object options)) $
     misused "--object is for 'solid' and 'encoded'"
-  when (subject options `elem` [Sheet, Layout] && isJust (from options)) $
+  when (subject options `elem` [WholeSheet, Layings] && isJust (from options)) $
     misused "--from is for 'solid' and 'encoded'"
   orNotSvg (output options)
   orUnwritable (output options)
@@ -116,15 +115,15 @@ drawing options profile layout = case subject options of
         profileMessage
         (withProfile profile (\array _ -> embossedOn alphabet layout (classOn array) whole))
     pure (encodedSvg (titleOf whole ++ ", encoded") (seen (Just 3)) symbols whole)
-  Sheet -> do
+  WholeSheet -> do
     (alphabet, classes) <- symbolsOf
     pure (sheetSvg alphabet ("The array of " ++ sizeText) classes)
-  Layout -> do
+  Layings -> do
     (alphabet, classes) <- symbolsOf
     pure (placementSvg alphabet ("Faces on the array of " ++ sizeText) classes layout)
   where
     seen = viewFrom azimuth elevation
-    (azimuth, elevation) = maybe (30, 25) id (from options)
+    (azimuth, elevation) = fromMaybe (30, 25) (from options)
     titleOf whole = "The " ++ visible (objectText (solidName whole))
     sizeText = shapeText (profileShape profile)
     firstObject = case placementSolids layout of
