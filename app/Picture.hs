@@ -16,9 +16,12 @@ import Drawing
 import Drawing.Svg
 import Picture.Composite
 import Picture.Face
+import Picture.Posed
 import Picture.Style
 import PraTactile.Array (Position (..))
 import PraTactile.Object.Placement
+import PraTactile.Object.WingedEdge (ObjectName)
+import PraTactile.Pose (RigidMotion)
 import PraTactile.Recognise
 import PraTactile.Recognise.Summary (lieText, shownTilt, upperLeftVertex)
 import PraTactile.Registration (Composite)
@@ -31,22 +34,25 @@ data Page = Page
     pageComposite :: Drawing,
     -- | empty where the answer is on no face
     pageFace :: Drawing,
+    -- | empty where the object's pose is not told
+    pageObject :: Drawing,
     pageAnswer :: Drawing,
     pageLegend :: Drawing
   }
 
 -- | The picture of a recognition of one composite, given the shapes, the elements' names, the
--- placement, and the class that is embossed in each cell of a face.
+-- placement, the class that is embossed in each cell of a face, and how which object lies.
 recognitionPage ::
   Alphabet ->
   (Int -> String) ->
   Placement ->
   (LaidFace -> Position -> Int) ->
+  Maybe (ObjectName, RigidMotion) ->
   Composite ->
   Recognition ->
   Page
-recognitionPage alphabet nameOf layout classesOf composite recognition =
-  Page (recognitionMessage recognition) felt face answer meanings
+recognitionPage alphabet nameOf layout classesOf posed composite recognition =
+  Page (recognitionMessage recognition) felt face lying answer meanings
   where
     turnedBy = shownTilt recognition
     felt = compositePanel alphabet nameOf composite recognition
@@ -58,18 +64,27 @@ recognitionPage alphabet nameOf layout classesOf composite recognition =
             OnFace place <- [windowWhereabouts (foundWindow found)],
             Just laid <- [find ((== placeFace place) . laidFace) (laidFaces layout)]
         ]
-    room = max 640 (width (extentOf (felt ++ face)))
+    lying =
+      concat
+        [ beside 48 (felt ++ face) (posedPanel alphabet layout classesOf (whole, motion) place)
+          | Just (object, motion) <- [posed],
+            Just whole <- [placementObject layout object],
+            Right (Found found) <- [recognisedAnswer recognition],
+            OnFace place <- [windowWhereabouts (foundWindow found)]
+        ]
+    shown = felt ++ face ++ lying
+    room = max 640 (width (extentOf shown))
     answer =
       beneath
         28
-        (felt ++ face)
+        shown
         ( above
             6
             ( paragraph "answer" heading (recognitionMessage recognition) :
               map (paragraph "note" plain) (notes nameOf recognition)
             )
         )
-    meanings = beneath 18 (felt ++ face ++ answer) (legend room recognition)
+    meanings = beneath 18 (shown ++ answer) (legend room recognition)
     paragraph name font content =
       above 4 [[Mark name (Words FromLeft font (0, 0) line)] | line <- wrapped room font content]
 
@@ -82,7 +97,8 @@ beneath gap upper lower = shifted (leftEdge a - leftEdge b, bottomEdge a + gap -
 
 -- | All of it.
 pageDrawing :: Page -> Drawing
-pageDrawing page = pageComposite page ++ pageFace page ++ pageAnswer page ++ pageLegend page
+pageDrawing page =
+  concatMap ($ page) [pageComposite, pageFace, pageObject, pageAnswer, pageLegend]
 
 -- | The page as an SVG file.
 pageSvg :: Page -> Lazy.ByteString

@@ -55,6 +55,7 @@ import qualified Test.CommandLine.Json
 import qualified Test.CommandLine.Locate
 import qualified Test.CommandLine.LongWork
 import qualified Test.CommandLine.Networks
+import qualified Test.CommandLine.Nets
 import qualified Test.CommandLine.Output
 import qualified Test.CommandLine.Patches
 import qualified Test.CommandLine.Picture
@@ -133,6 +134,7 @@ import qualified Test.Solid.MergedAndSettled
 import qualified Test.Solid.NetsOfSolids
 import qualified Test.Solid.PackedByDefinition
 import qualified Test.Solid.ReportByDefinition
+import qualified Test.Solid.SeenByRays
 import qualified Test.Store.Changes
 import qualified Test.Store.DrawnPlacements
 import qualified Test.Store.RowsAndGuards
@@ -296,6 +298,7 @@ specs = do
   describe "Objects" $ do
     describe "Winged edges" Test.Recognition.Object.SolidsAreClosed.spec
     describe "Solids by definition" Test.Solid.ReportByDefinition.spec
+    describe "Solids seen, by rays" Test.Solid.SeenByRays.spec
     describe "Cells of faces" Test.Solid.CellsOfFaces.spec
     describe "Merged and settled" Test.Solid.MergedAndSettled.spec
     describe "Nets of solids" Test.Solid.NetsOfSolids.spec
@@ -369,6 +372,7 @@ specs = do
   describe "The command line: locating" Test.CommandLine.Locate.spec
   describe "The command line: large patches" Test.CommandLine.Patches.spec
   describe "The command line: long work" Test.CommandLine.LongWork.spec
+  describe "The command line: nets" Test.CommandLine.Nets.spec
   describe "The command line: fields and polynomials" Test.CommandLine.Fields.spec
   describe "The command line: sensors" Test.CommandLine.Sensor.spec
   describe "The command line: shapes" Test.CommandLine.Shapes.spec

@@ -34,7 +34,7 @@ import PraTactile.Format
     recognitionReport,
   )
 import PraTactile.Object.Placement (Placement, placementPitch)
-import PraTactile.Pose (RigidMotion, thenPose)
+import PraTactile.Pose (Pose (..), RigidMotion, thenPose)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.FoundPose (foundPose)
@@ -288,7 +288,15 @@ decodeWith profile array near world options bare from composites = do
     nameOf = elementNames bare
     recognised reader =
       orUnusable networkMessage (recogniseWith (tolerance options) reader composites)
-    page reader = recognitionPage alphabet nameOf (recogniserPlacement reader) (classOn array)
+    page reader composite recognition =
+      recognitionPage
+        alphabet
+        nameOf
+        (recogniserPlacement reader)
+        (classOn array)
+        (fmap poseMotion <$> pose reader recognition)
+        composite
+        recognition
     context reader recognition =
       RecognitionContext
         { contextProfile = profile,

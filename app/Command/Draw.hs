@@ -1,12 +1,12 @@
--- | @pra-tactile draw@: pictures of a solid, of the array in its symbols, of the faces on the array,
--- and of an encoded object.
+-- | @pra-tactile draw@: pictures of a solid, of the array in its symbols, of the faces on the
+-- array, and of an encoded object.
 module Command.Draw
   ( command,
   )
 where
 
 import ArrayChoice
-import Control.Monad (when)
+import Control.Monad (unless, when)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Maybe (fromMaybe, isJust)
 import ExitStatus
@@ -68,8 +68,8 @@ command =
                       str
                       "object"
                       "NAME"
-                      "The object of the placement (default: the first one); of 'solid' also a file \
-                      \or a name that 'solid' takes"
+                      "The object of the placement (default: the first one); 'solid' also takes a \
+                      \file or a name, as the command 'solid' does"
                   )
                 <*> optional
                   ( valued
@@ -110,6 +110,8 @@ drawing options profile layout = case subject options of
   Encoded -> do
     whole <- maybe firstObject ofPlacement (object options)
     alphabet <- alphabetFor (shapesFile options) profile
+    unless (fewSymbols (fromIntegral mostCells) layout whole) . unusable $
+      "an object with more than " ++ show mostCells ++ " symbols is too large to be drawn with them"
     symbols <-
       orUnusable
         profileMessage

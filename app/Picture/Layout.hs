@@ -13,8 +13,8 @@ import qualified Data.Map.Strict as Map
 import Data.Text (Text)
 import Drawing
 import Drawing.Svg
-import Picture.Style
 import Numeric.Natural (Natural)
+import Picture.Style
 import PraTactile.Array (Position (..))
 import PraTactile.Geometry (columnPitch, rowPitch)
 import PraTactile.Object.Placement
@@ -30,16 +30,25 @@ taxel = 2
 -- | The array in its symbols as an SVG file, given the classes by rows.
 sheetSvg :: Alphabet -> String -> [[Int]] -> Lazy.ByteString
 sheetSvg alphabet title classes =
-  svgFile 16 title (above 16 [titled title, headers classes ++ cells ++ symbols ink alphabet classes])
+  svgFile 16 title (above 16 [titled title, body])
   where
-    cells = [Mark "cell" (Rectangle (outlined pale 0.5) (cellAt r c)) | (r, c, _) <- numbered classes]
+    body = headers classes ++ cells ++ symbols ink alphabet classes
+    cells =
+      [ Mark "cell" (Rectangle (outlined pale 0.5) (cellAt r c))
+        | (r, c, _) <- numbered classes
+      ]
 
 -- | The array with the cells of each face in the colour of its object, and the faces' names, as an
 -- SVG file.
 placementSvg :: Alphabet -> String -> [[Int]] -> Placement -> Lazy.ByteString
 placementSvg alphabet title classes layout =
   svgFile 16 title $
-    above 16 [titled title, headers classes ++ body, flowing 10 (max 400 (width (extentOf body))) legend]
+    above
+      16
+      [ titled title,
+        headers classes ++ body,
+        flowing 10 (max 400 (width (extentOf body))) legend
+      ]
   where
     body =
       [Mark "cell" (Rectangle (filled "#f6f7f9" 1) (cellAt r c)) | (r, c, _) <- numbered classes]
@@ -76,15 +85,21 @@ placementSvg alphabet title classes layout =
       ]
       where
         name = visible (faceText (faceName (laidFace laid)))
-        room = extentOf [Mark "" (Rectangle (filled pale 1) (cellAt r c)) | Position r c <- arrayCells laid]
+        room =
+          extentOf
+            [ Mark "" (Rectangle (filled pale 1) (cellAt r c))
+              | Position r c <- arrayCells laid
+            ]
         (x, y) = ((leftEdge room + rightEdge room) / 2, (topEdge room + bottomEdge room) / 2)
-        font = plain {fontSize = max 5 (min 15 (0.9 * width room / textWidth plain {fontSize = 1} name))}
+        font = plain {fontSize = max 5 (min 15 (0.9 * width room / unitWidth))}
+        unitWidth = textWidth plain {fontSize = 1} name
         ground = around (textWidth font name + 6, fontSize font + 5) (x, y)
     legend =
-      [ swatch ++ beside 8 swatch [Mark "legend" (Words FromLeft plain (0, 0) (visible (objectText object)))]
+      [ swatch ++ beside 8 swatch [Mark "legend" (Words FromLeft plain (0, 0) name)]
         | object <- objects,
-          let colour = Map.findWithDefault pale object colours
-              swatch = [Mark "legend" (Rectangle (filled colour 0.3) {strokeColour = colour, strokeWidth = 2.5} (Extent 0 0 24 13))]
+          let name = visible (objectText object)
+              colour = Map.findWithDefault pale object colours
+              swatch = [Mark "legend" (Rectangle (filled colour 0.3) (Extent 0 0 24 13))]
       ]
 
 -- | Colours of objects; after the last the first again.

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | An unfolded solid as a picture at true scale: what is cut, what is folded and to which side, and
--- which face is which.
+-- | An unfolded solid as a picture at true scale: what is cut, what is folded and to which side,
+-- and which face is which.
 module Picture.Net
   ( netDrawing,
     netSvg,
@@ -93,7 +93,8 @@ faceMarks face =
     size = min 13 (2 * room / textWidth (plain {fontSize = 1}) name)
     font = plain {fontSize = size}
     corner = case (corners, reverse corners) of
-      (a : b : _, c : _) -> [Mark "upper-left" (Outline (filled ink 1) [a, towards a b, towards a c])]
+      (a : b : _, c : _) ->
+        [Mark "upper-left" (Outline (filled ink 1) [a, towards a b, towards a c])]
       _ -> []
     towards (u, v) (u', v') =
       let k = min 0.25 (10 / max 1e-9 (distance (u, v) (u', v')))

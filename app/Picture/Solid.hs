@@ -1,13 +1,17 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | A solid as it is seen from somewhere: hidden parts hidden, with its vertices' names, and with the
--- symbols on its faces where those are given.
+-- | A solid as it is seen from somewhere: hidden parts hidden, with its vertices' names, and with
+-- the symbols on its faces where those are given.
 module Picture.Solid
   ( solidSvg,
     encodedSvg,
+    Shown (..),
     solidDrawing,
+    onDrawing,
     Embossed,
     embossedOn,
+    fewSymbols,
+    onFaceOf,
   )
 where
 
@@ -33,41 +37,64 @@ import Text.Printf (printf)
 -- space.
 type Embossed = Map.Map Int [[(Double, Double, Double)]]
 
--- | A solid with its vertices' names as an SVG file.
+-- | What is shown of a solid.
+data Shown = Shown
+  { shownView :: View,
+    shownSymbols :: Embossed,
+    -- | the faces that stand out, by their places among those of the solid
+    shownTinted :: [Int],
+    -- | the greatest width and height, picture units
+    shownSize :: !Double
+  }
+
+-- | A solid with its vertices' names as an SVG file, given its title.
 solidSvg :: String -> View -> Solid -> Lazy.ByteString
-solidSvg title view whole = svgFile 16 title (solidDrawing title view Map.empty whole)
+solidSvg title view = encodedSvg title view Map.empty
 
--- | A solid with its symbols as an SVG file.
+-- | A solid with its symbols as an SVG file, given its title.
 encodedSvg :: String -> View -> Embossed -> Solid -> Lazy.ByteString
-encodedSvg title view symbols whole = svgFile 16 title (solidDrawing title view symbols whole)
+encodedSvg title view symbols whole =
+  svgFile 16 title $
+    above
+      16
+      [ [Mark "heading" (Words FromLeft heading (0, 0) title)],
+        solidDrawing (Shown view symbols [] 600) whole
+      ]
 
--- | The drawing of a solid, given its title.
-solidDrawing :: String -> View -> Embossed -> Solid -> Drawing
-solidDrawing title view symbols whole =
-  above
-    16
-    [ [Mark "heading" (Words FromLeft heading (0, 0) title)],
-      concatMap (patchMarks scale symbolsSeen) seen
-        ++ concatMap (vertexMark scale) (seenVertices looking)
-    ]
+-- | The drawing of a solid.
+solidDrawing :: Shown -> Solid -> Drawing
+solidDrawing shown whole =
+  concatMap (patchMarks scale shown symbolsSeen) (patches looking)
+    ++ concatMap (vertexMark scale) (seenVertices looking)
   where
-    looking = camera view whole
-    seen = patches looking
-    symbolsSeen = Map.map (map (map (onPicture looking))) symbols
-    -- Picture units a millimetre.
-    scale = 600 / max 1e-9 (max (width round') (height round'))
-    round' = extentOf [Mark "" (Outline (filled ink 1) (concatMap (map fst . patchCorners) seen))]
+    looking = camera (shownView shown) whole
+    symbolsSeen = Map.map (map (map (onPicture looking))) (shownSymbols shown)
+    scale = scaleOf shown whole
+
+-- | Where a point of space, in millimetres, is on the drawing of a solid.
+onDrawing :: Shown -> Solid -> (Double, Double, Double) -> (Double, Double)
+onDrawing shown whole at = (scale * x, scale * y)
+  where
+    (x, y) = onPicture (camera (shownView shown) whole) at
+    scale = scaleOf shown whole
+
+-- | Picture units a millimetre.
+scaleOf :: Shown -> Solid -> Double
+scaleOf shown whole = shownSize shown / max 1e-9 (max (width round') (height round'))
+  where
+    round' = extentOf [Mark "" (Outline (filled ink 1) corners)]
+    corners = concatMap (map fst . patchCorners) (patches (camera (shownView shown) whole))
 
 -- | A part of a face, what is embossed on it, and those of its sides that are edges.
-patchMarks :: Double -> Map.Map Int [[(Double, Double)]] -> Patch -> Drawing
-patchMarks scale symbols patch =
+patchMarks :: Double -> Shown -> Map.Map Int [[(Double, Double)]] -> Patch -> Drawing
+patchMarks scale shown symbols patch =
   Mark "face" (Outline paint (map units corners)) :
-  [ Mark "embossed" (Region (filled ink 1) (map (map units) shown))
-    | let shown =
+  [ Mark "embossed" (Region (filled ink 1) (map (map units) parts))
+    | let parts =
             filter
               ((> 2) . length)
               (map (within corners) (Map.findWithDefault [] (patchFace patch) symbols)),
-      not (null shown)
+      not (null parts)
   ]
     ++ [ Mark "edge" (Line (outlined colour thickness) [units p, units q])
          | ((p, side), (q, _)) <- cyclicPairs (patchCorners patch),
@@ -80,11 +107,14 @@ patchMarks scale symbols patch =
     corners = map fst (patchCorners patch)
     units (x, y) = (scale * x, scale * y)
     shade = round (160 + 90 * patchLight patch) :: Int
-    colour' = Text.pack (printf "rgb(%d,%d,%d)" (shade - 12) (shade - 5) (min 255 (shade + 4)))
+    (red, green, blue)
+      | patchFace patch `elem` shownTinted shown = (shade - 60, shade, shade - 30)
+      | otherwise = (shade - 12, shade - 5, min 255 (shade + 4))
+    surface = Text.pack (printf "rgb(%d,%d,%d)" red green blue)
     -- Parts of one face have no gap between them.
     paint
-      | patchWhole patch = filled colour' 1
-      | otherwise = (filled colour' 1) {strokeColour = colour', strokeWidth = 0.7}
+      | patchWhole patch = filled surface 1
+      | otherwise = (filled surface 1) {strokeColour = surface, strokeWidth = 0.7}
 
 -- | What of a polygon lies within a convex one (Sutherland and Hodgman 1974).
 within :: [(Double, Double)] -> [(Double, Double)] -> [(Double, Double)]
@@ -112,11 +142,20 @@ vertexMark scale vertex =
     font = plain {fontWeight = Bold}
     (u, v) = seenAt vertex
     angles = sort [atan2 (v' - v) (u' - u) | (u', v') <- seenEdges vertex]
-    gaps = [(b - a, (a + b) / 2) | (a, b) <- zip angles (drop 1 angles ++ map (+ (2 * pi)) (take 1 angles))]
+    gaps = [(b - a, (a + b) / 2) | (a, b) <- zip angles (drop 1 angles ++ again)]
+    again = map (+ (2 * pi)) (take 1 angles)
     free = maybe 0 snd (listToMaybe (reverse (sort gaps)))
     away = 11 + textWidth font name / 2 * abs (cos free)
     (x, y) = (scale * u + away * cos free, scale * v + away * sin free + 5)
     ground = around (textWidth font name, 15) (x, y - 5)
+
+-- | Whether the faces of an object have no more symbols than this.
+fewSymbols :: Int -> Placement -> Solid -> Bool
+fewSymbols most layout whole = null (drop most (concatMap blockOf' (laidFaces layout)))
+  where
+    blockOf' laid
+      | faceObject (laidFace laid) == solidName whole = blockCells (laidBlock laid)
+      | otherwise = []
 
 -- | What is embossed on the faces of an object, given the shapes and the class in each cell of a
 -- face.
@@ -132,31 +171,36 @@ embossedOn alphabet layout classesOf whole =
   where
     taxel = fromRational (pitchRight (placementPitch layout) / columnPitch)
     symbolOn laid cell =
-      [ map (inSpace (map double (cornerPointsFrom laid))) [(l, t), (r, t), (r, b), (l, b)]
+      [ map (onFaceOf whole (faceName (laidFace laid))) [(l, t), (r, t), (r, b), (l, b)]
         | Mark _ (Patches _ runs) <-
-            shapeMark "" (filled ink 1) alphabet taxel identity (classesOf laid cell) (spot laid cell),
+            shapeMark
+              ""
+              (filled ink 1)
+              alphabet
+              taxel
+              identity
+              (classesOf laid cell)
+              (spot laid cell),
           Extent l t r b <- runs
       ]
     spot laid = spotMillimetres . cellCentre layout laid
-    -- The corners from the vertex at which the face's frame begins.
-    cornerPointsFrom laid =
-      [ point
-        | vertex <- faceVertices (faceName (laidFace laid)),
-          Just point <- [lookup vertex places]
-      ]
-    places = solidVertices whole
-    double (Point x y z) = (fromRational x, fromRational y, fromRational z)
 
--- | A point of a face, in millimetres right of and below its first corner, in space.
-inSpace :: [(Double, Double, Double)] -> (Double, Double) -> (Double, Double, Double)
-inSpace corners (right, down) = case (corners, reverse corners) of
+-- | A point of a face, in millimetres right of and below the first vertex of its name, in space.
+onFaceOf :: Solid -> FaceName -> (Double, Double) -> (Double, Double, Double)
+onFaceOf whole name (right, down) = case (corners, reverse corners) of
   (o@(ox, oy, oz) : _, p : _) ->
     let (ux, uy, uz) = unit (p `less` o)
-        n = unit (foldr more (0, 0, 0) [(a `less` o) `cross` (b `less` o) | (a, b) <- cyclicPairs corners])
+        arms = map (`less` o) corners
+        n = unit (foldr more (0, 0, 0) [a `cross` b | (a, b) <- cyclicPairs arms])
         (vx, vy, vz) = (ux, uy, uz) `cross` n
      in (ox + right * ux + down * vx, oy + right * uy + down * vy, oz + right * uz + down * vz)
   _ -> (0, 0, 0)
   where
+    corners =
+      [ (fromRational x, fromRational y, fromRational z)
+        | vertex <- faceVertices name,
+          Just (Point x y z) <- [lookup vertex (solidVertices whole)]
+      ]
     less (a, b, c) (d, e, f) = (a - d, b - e, c - f)
     more (a, b, c) (d, e, f) = (a + d, b + e, c + f)
     cross (a, b, c) (d, e, f) = (b * f - c * e, c * d - a * f, a * e - b * d)

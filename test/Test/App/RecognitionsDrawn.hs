@@ -282,7 +282,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
     concat [content | Mark _ (Words _ _ _ content) <- pageAnswer page]
       `shouldSatisfy` ("no complete symbol" `isInfixOf`)
   where
-    pageOf = recognitionPage alphabet show layout (classOn array)
+    pageOf = recognitionPage alphabet show layout (classOn array) Nothing
     -- The four parts of the page, and what is drawn on the composite from the words above and below
     -- it.
     apart page =

@@ -72,10 +72,15 @@ spec = do
       forAll small $ \drawn ->
         forAllBlind turns $ \turned ->
           let (it_, other) = (whole drawn, whole (moved turned drawn))
-           in (map (foldedEdges it_) (unfoldings it_) === map (foldedEdges other) (unfoldings other))
+           in ( map (foldedEdges it_) (unfoldings it_)
+                  === map (foldedEdges other) (unfoldings other)
+              )
                 .&&. forAll
                   (elements (zip (unfoldings it_) (unfoldings other)))
-                  (\(a, b) -> counterexample (show (layOut it_ a, layOut other b)) (alike (layOut it_ a) (layOut other b)))
+                  ( \(a, b) ->
+                      let nets = (layOut it_ a, layOut other b)
+                       in counterexample (show nets) (uncurry alike nets)
+                  )
     few . prop "of a solid that is turned or mirrored are nets of the same kinds" $
       forAll smaller $ \drawn ->
         forAllBlind turns $ \turned ->
@@ -83,9 +88,10 @@ spec = do
            in map (numbersOf . census . whole) [moved turned drawn, mirrored]
                 === replicate 2 (numbersOf (census (whole drawn)))
     few . prop "are congruent where a motion takes one outline to the other" $
-      forAllSolids (oneof [smaller, pure (namedDescription Cube), pure (namedDescription (Box 2 2 3))]) $ \it_ ->
+      forAllSolids (oneof (smaller : map (pure . namedDescription) [Cube, Box 2 2 3])) $ \it_ ->
         forAll ((,) <$> elements (unfoldings it_) <*> elements (unfoldings it_)) $ \(a, b) ->
-          let expected = (movable False (rim it_ a) (rim it_ b), movable True (rim it_ a) (rim it_ b))
+          let (one, other) = (rim it_ a, rim it_ b)
+              expected = (movable False one other, movable True one other)
            in classify (snd expected) "congruent" (congruent it_ a b === expected)
   describe "a net" $ do
     few . prop "is found, unless there is none" $
@@ -99,7 +105,8 @@ spec = do
       ]
         `shouldBe` [Apart, Apart]
     it "is none of several pieces" $
-      pickNet 10 (whole (both (labelled "a" far) (labelled "b" (namedDescription Cube)))) `shouldBe` SeveralPieces
+      pickNet 10 (whole (both (labelled "a" far) (labelled "b" (namedDescription Cube))))
+        `shouldBe` SeveralPieces
   where
     few = modifyMaxSuccess (const 40)
     far = moved (\(Point x y z) -> Point (x + 900) y z) (namedDescription Cube)
@@ -258,12 +265,18 @@ common a b = sum [s * t * abs (area2 (clipped p q)) / 2 | (s, p) <- fan a, (t, q
 -- | A net folded: each face across a fold of one that is there already is turned about it by the
 -- angle between the outward normals of the solid, away from the viewer at a ridge.
 foldedAgain :: Solid -> Net -> [(FaceName, [Space])]
-foldedAgain it_ net = [(netFaceName face, map (there Map.! netFaceName face) (netCorners face)) | face <- netFaces net]
+foldedAgain it_ net =
+  [ (netFaceName face, map (there Map.! netFaceName face) (netCorners face))
+    | face <- netFaces net
+  ]
   where
     there = foldl fold start (netFolds net)
     start =
       Map.fromList
-        [(netFaceName f, pinned (netCorners f) (map double (cornerPoints it_ (netFaceName f)))) | f <- take 1 (netFaces net)]
+        [ (name, pinned (netCorners f) (map double (cornerPoints it_ name)))
+          | f <- take 1 (netFaces net),
+            let name = netFaceName f
+        ]
     fold known' (Fold (EdgeName v w) (from, to) bend) =
       let f = head [g | g <- solidFaces it_, (v, w) `elem` cyclicPairs (faceVertices g)]
           g = head [h | h <- solidFaces it_, (w, v) `elem` cyclicPairs (faceVertices h)]
@@ -301,7 +314,8 @@ double :: Point -> Space
 double (Point x y z) = (fromRational x, fromRational y, fromRational z)
 
 newell :: [Space] -> Space
-newell corners = foldr more (0, 0, 0) [p `crossed` q | (p, q) <- cyclicPairs (map (`less` head corners) corners)]
+newell corners =
+  foldr more (0, 0, 0) [p `crossed` q | (p, q) <- cyclicPairs (map (`less` head corners) corners)]
 
 less, more, crossed :: Space -> Space -> Space
 less (a, b, c) (d, e, f) = (a - d, b - e, c - f)
@@ -341,7 +355,8 @@ rim it_ tree =
     points = netOutline (layOut it_ tree)
     (x, y) `to` (x', y') = (x' - x, y' - y)
 
--- | Whether a motion of the plane, with a mirror or without, takes the one closed walk to the other.
+-- | Whether a motion of the plane, with a mirror or without, takes the one closed walk to the
+-- other.
 movable :: Bool -> [Flat] -> [Flat] -> Bool
 movable mayMirror a b =
   length a == length b

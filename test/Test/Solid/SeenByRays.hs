@@ -21,7 +21,12 @@ spec = do
           looking = camera view it_
           seen = patches looking
        in forAll (placeOn seen) $ \at ->
-            let painted = listToMaybe [patchFace one | one <- reverse seen, holds (map fst (patchCorners one)) at]
+            let painted =
+                  listToMaybe
+                    [ patchFace one
+                      | one <- reverse seen,
+                        holds (map fst (patchCorners one)) at
+                    ]
                 met = facesAlong it_ view looking at
              in classify (length met > 2) "something hidden" $
                   -- Where two faces are as near, or a rim is, no one can tell.
@@ -87,18 +92,29 @@ facesAlong it_ view looking (x, y) =
     ]
   where
     -- How far towards the eye the plane of the face is at this point: by the corners of three of
-    -- its points whose pictures are a triangle, weighted (in perspective the inverse distances are).
-    depth corners = case [ (a, b, c) | (a, b) <- cyclicPairs corners, c <- corners, abs (twice (map (onPicture looking) [a, b, c])) > 1e-6] of
+    -- its points whose pictures are a triangle, weighted (in perspective the inverse distances
+    -- are).
+    depth corners = case sortOn (abs . drawn) triples of
       [] -> Nothing
-      triples ->
-        let (a, b, c) = last (sortOn (\(p, q, r) -> abs (twice (map (onPicture looking) [p, q, r]))) triples)
-            [p, q, r] = map (onPicture looking) [a, b, c]
-            all' = twice [p, q, r]
-            weights = [twice [(x, y), q, r] / all', twice [p, (x, y), r] / all', twice [p, q, (x, y)] / all']
-            deeps = map deep [a, b, c]
+      sorted ->
+        let triple = last sorted
+            seen = map (onPicture looking) triple
+            weights =
+              [ twice (take i seen ++ [(x, y)] ++ drop (i + 1) seen) / twice seen
+                | i <- [0, 1, 2]
+              ]
          in Just $ case viewAway view of
-              Nothing -> negate (sum (zipWith (*) weights deeps))
-              Just _ -> 1 / sum (zipWith (\k d -> k / (away - d)) weights deeps)
+              Nothing -> negate (sum (zipWith (*) weights (map deep triple)))
+              Just _ -> 1 / sum (zipWith (\k p -> k / (away - deep p)) weights triple)
+      where
+        triples =
+          [ triple
+            | (a, b) <- cyclicPairs corners,
+              c <- corners,
+              let triple = [a, b, c],
+              abs (drawn triple) > 1e-6
+          ]
+        drawn = twice . map (onPicture looking)
     twice corners = sum [u * v' - u' * v | ((u, v), (u', v')) <- cyclicPairs corners]
     (away, deep) = eyeOf it_ view
 
@@ -111,9 +127,13 @@ eyeOf it_ view = (maybe 0 ((* size) . fromRational) (viewAway view) * long, deep
     (xs, ys, zs) = unzip3 points
     size = maximum [maximum v - minimum v | v <- [xs, ys, zs]]
     half v = (maximum v + minimum v) / 2
-    (dx, dy, dz) = let (a, b, c) = viewTowards view in (fromRational a, fromRational b, fromRational c)
+    (dx, dy, dz) = towardsEye view
     long = sqrt (dx * dx + dy * dy + dz * dz)
     deep (a, b, c) = ((a - half xs) * dx + (b - half ys) * dy + (c - half zs) * dz) / long
+
+towardsEye :: View -> Space
+towardsEye view =
+  let (a, b, c) = viewTowards view in (fromRational a, fromRational b, fromRational c)
 
 -- | Whether no face lies between a point and the eye; nothing where that hangs on a rim.
 unhidden :: Solid -> View -> Point -> Maybe Bool
@@ -122,7 +142,9 @@ unhidden it_ view at
   | otherwise = Just (not (any fst found))
   where
     found =
-      [ (inside && t > 1e-6, abs t > 1e-6 && margin > 1e-6 || not inside && margin > 1e-6 || touching)
+      [ ( inside && t > 1e-6,
+          abs t > 1e-6 && margin > 1e-6 || not inside && margin > 1e-6 || touching
+        )
         | face <- solidFaces it_,
           let corners = map double (cornerPoints it_ face)
               n = newell corners
@@ -140,7 +162,7 @@ unhidden it_ view at
     ray = case viewAway view of
       Nothing -> towards
       Just _ -> eye `less` p
-    towards = let (a, b, c) = viewTowards view in (fromRational a, fromRational b, fromRational c)
+    towards = towardsEye view
     eye =
       let (xs, ys, zs) = unzip3 (map (double . snd) (solidVertices it_))
           half v = (maximum v + minimum v) / 2
@@ -158,14 +180,16 @@ unhidden it_ view at
 
 -- | Whether a point of a face's plane is in the face, and how far from its rim.
 withinFace :: Space -> [Space] -> Space -> (Bool, Double)
-withinFace n corners p = (holds (map flat corners) (flat p), minimum (map (far . both flat) (cyclicPairs corners)))
+withinFace n corners p =
+  ( holds (map flat corners) (flat p),
+    minimum [far (flat q, flat r) | (q, r) <- cyclicPairs corners]
+  )
   where
     (a, b, c) = n
     flat (x, y, z)
       | abs c >= abs a && abs c >= abs b = (x, y)
       | abs a >= abs b = (y, z)
       | otherwise = (z, x)
-    both f (q, r) = (f q, f r)
     far ((x1, y1), (x2, y2)) =
       let (x, y) = flat p
           (dx, dy) = (x2 - x1, y2 - y1)
@@ -185,9 +209,9 @@ double :: Point -> Space
 double (Point x y z) = (fromRational x, fromRational y, fromRational z)
 
 newell :: [Space] -> Space
-newell corners = foldr more (0, 0, 0) [(p `less` o) `crossed` (q `less` o) | (p, q) <- cyclicPairs corners]
+newell corners = foldr more (0, 0, 0) [p `crossed` q | (p, q) <- cyclicPairs arms]
   where
-    o = head corners
+    arms = map (`less` head corners) corners
     more (a, b, c) (d, e, f) = (a + d, b + e, c + f)
     crossed (a, b, c) (d, e, f) = (b * f - c * e, c * d - a * f, a * e - b * d)
 

@@ -11,6 +11,7 @@ module PraTactile.Object.View
   ( -- * Looking
     View (..),
     viewFrom,
+    viewAlong,
     Camera,
     camera,
     onPicture,
@@ -41,6 +42,8 @@ import PraTactile.Object.WingedEdge (Solid, solidMesh)
 data View = View
   { -- | the way from the solid to the eye, of length 1 but for the rounding
     viewTowards :: !(Rational, Rational, Rational),
+    -- | what is up on the picture, as far as it is at right angles to that
+    viewUp :: !(Double, Double, Double),
     -- | how many times as far away as the solid is large the eye is; far beyond all bounds where
     -- nothing is said, so that parallels stay parallel
     viewAway :: !(Maybe Rational)
@@ -51,9 +54,16 @@ data View = View
 -- right at an azimuth of 90, from above at an elevation of 90.
 viewFrom :: Double -> Double -> Maybe Rational -> View
 viewFrom azimuth elevation =
-  View (near (sin a * cos e), near (negate (cos a) * cos e), near (sin e))
+  viewAlong
+    (sin a * cos e, negate (cos a) * cos e, sin e)
+    (negate (sin a) * sin e, cos a * sin e, cos e)
   where
     (a, e) = (azimuth * pi / 180, elevation * pi / 180)
+
+-- | Looking from where such a way leads, of length 1, with another way up, not along the first.
+viewAlong :: (Double, Double, Double) -> (Double, Double, Double) -> Maybe Rational -> View
+viewAlong (x, y, z) = View (near x, near y, near z)
+  where
     near v = fromInteger (round (v * 1000000)) / 1000000
 
 -- | A view of one solid.
@@ -95,11 +105,11 @@ onPicture it (px, py, pz) = (k * right, negate (k * up))
     (mx, my, mz) = millimetres it (cameraMiddle it)
     (x, y, z) = (px - mx, py - my, pz - mz)
     (dx, dy, dz) = unit (doubles (viewTowards (cameraView it)))
-    -- Seen from straight above, the front is below.
-    flatLong = sqrt (dx * dx + dy * dy)
-    (rx, ry) = if flatLong < 1e-9 then (1, 0) else (negate dy / flatLong, dx / flatLong)
-    right = rx * x + ry * y
-    up = negate ry * dz * x + rx * dz * y + (rx * negate dy + ry * dx) * z
+    right = rx * x + ry * y + rz * z
+    up = ux * x + uy * y + uz * z
+    across@(rx, ry, rz) = unit (viewUp (cameraView it) `crossed` (dx, dy, dz))
+    (ux, uy, uz) = (dx, dy, dz) `crossed` across
+    crossed (a, b, c) (d, e, f) = (b * f - c * e, c * d - a * f, a * e - b * d)
     deep = dx * x + dy * y + dz * z
     k = case cameraEye it of
       Nothing -> 1

@@ -72,8 +72,8 @@ data Tally
       !(Set.Set Outline)
       !(Map.Map Outline (Natural, Unfolding))
 
--- | Whether the outlines of two unfoldings of a solid are congruent, in that order: as they lie, and
--- where one may be turned over.
+-- | Whether the outlines of two unfoldings of a solid are congruent, in that order: as they lie,
+-- and where one may be turned over.
 congruent :: Solid -> Unfolding -> Unfolding -> (Bool, Bool)
 congruent whole a b = (one == other, one == other || one == fromLeast (turnedOver rim'))
   where

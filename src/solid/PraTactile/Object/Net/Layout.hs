@@ -40,8 +40,9 @@ data NetFace = NetFace
   }
   deriving stock (Eq, Show)
 
--- | Where a point of a face is on the page, given in millimetres right of and below the first corner
--- of the face as its name has it upright: from its first corner to its last one is to the right.
+-- | Where a point of a face is on the page, given in millimetres right of and below the first
+-- corner of the face as its name has it upright: from its first corner to its last one is to the
+-- right.
 onFace :: NetFace -> (Double, Double) -> (Double, Double)
 onFace face (right, down) = case (netCorners face, reverse (netCorners face)) of
   ((x, y) : _, (x', y') : _) ->
@@ -58,8 +59,8 @@ data Fold = Fold
   }
   deriving stock (Eq, Show)
 
--- | Seen from outside, a ridge is folded away and a valley towards; where faces lie in one plane the
--- edge stays flat.
+-- | Seen from outside, a ridge is folded away and a valley towards; where faces lie in one plane
+-- the edge stays flat.
 data Bend = Ridge | Valley | Flat
   deriving stock (Eq, Ord, Show)
 
@@ -78,7 +79,7 @@ layOut whole tree =
     corners = V.map (V.map onPage) upright
     -- The first face from its first corner to its last one turned to the right, and y down.
     onPage (x, y) = ((x * c + y * s) / long, (x * s - y * c) / long)
-    (c, s) = V.last (V.head upright)
+    (c, s) = fromMaybe (1, 0) (upright V.!? 0 >>= \first -> first V.!? (V.length first - 1))
     long = sqrt (c * c + s * s)
     startOf side = corners V.! sideFace sides side V.! placeOnWalk sides side
     folded side =
@@ -88,10 +89,11 @@ layOut whole tree =
           foldBend = bend side
         }
     at = vertexAt (unfolderMesh it)
-    bend side = case compare (dot (cross (normal side) (normal (gluedTo sides side))) (along side)) 0 of
+    bend side = case compare (dot (normal side `cross` across side) (along side)) 0 of
       GT -> Ridge
       LT -> Valley
       EQ -> Flat
+    across = normal . gluedTo sides
     normal side = templateNormal (unfolderTemplates it V.! sideFace sides side)
     along side = point (sideEnd sides side) `minus` point (sideStart sides side)
     point = (meshPoints (unfolderMesh it) V.!)

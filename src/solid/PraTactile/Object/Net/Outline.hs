@@ -9,8 +9,8 @@
 --
 -- where d is the scalar product of the ways from a corner to the one before and the one after, and
 -- k the multiple that their vector product is of the face's normal, which is as long as the root of
--- N. All of that is rational but for the roots, so that exp (2 i alpha) is exact; it tells alpha but
--- for half turns, and how many those are a machine number tells. Where alpha is a half turn the
+-- N. All of that is rational but for the roots, so that exp (2 i alpha) is exact; it tells alpha
+-- but for half turns, and how many those are a machine number tells. Where alpha is a half turn the
 -- outline goes straight on, and two sides are one. The word is what is left: lengths and angles in
 -- turn. Two outlines are congruent if and only if the word of the one is a rotation of that of the
 -- other, or, where one may be turned over, of the other's backwards.
@@ -54,12 +54,13 @@ data Outliner = Outliner
     outlinerLengths :: V.Vector Radicals,
     -- | the numbers of these lengths
     outlinerNumbers :: U.Vector Int,
-    -- | of each side the angles of 1, 2, .. corners from its end on, equal ones by one number; a half
-    -- turn is 0
+    -- | of each side the angles of 1, 2, .. corners from its end on, equal ones by one number; a
+    -- half turn is 0
     outlinerAngles :: V.Vector (U.Vector Int)
   }
 
--- | The numbers that lengths have; sides that are one because they go straight on may have new ones.
+-- | The numbers that lengths have; sides that are one because they go straight on may have new
+-- ones.
 type Lengths = Map.Map (Maybe [(Rational, Integer)]) Int
 
 -- | The sides of an outline in their order, the inside on their left: the length of each and the
@@ -72,7 +73,8 @@ outliner it =
   Outliner
     { outlinerSides = sides,
       outlinerLengths = lengths,
-      outlinerNumbers = U.convert (V.map (\one -> Map.findWithDefault 0 (terms one) numbers) lengths),
+      outlinerNumbers =
+        U.convert (V.map (\one -> Map.findWithDefault 0 (terms one) numbers) lengths),
       outlinerAngles = angleNumbers it
     }
   where
@@ -142,8 +144,8 @@ halfTurn = Angle pi [] (Planar (radical 1 1) (radical 0 1)) (Planar (one 1) (one
   where
     one q = enclosed 256 q 1
 
--- | The angles of corners that follow each other, by the side at whose end the first of them is, and
--- by their number less one.
+-- | The angles of corners that follow each other, by the side at whose end the first of them is,
+-- and by their number less one.
 angleNumbers :: Unfolder -> V.Vector (U.Vector Int)
 angleNumbers it = V.map (U.map (\i -> Map.findWithDefault 0 i numbers)) indices
   where
@@ -217,7 +219,7 @@ outline it known glued = U.fromList <$> mapAccumL number known (joined (rotated 
         Just n -> (lengths, packed n angle)
         Nothing -> (Map.insert long (Map.size lengths) lengths, packed (Map.size lengths) angle)
         where
-          long = terms (foldr1 plus [outlinerLengths it V.! s | s <- one])
+          long = terms (foldl' plus (radical 0 1) [outlinerLengths it V.! s | s <- one])
 
 -- | A length and an angle in one number.
 packed :: Int -> Int -> Int

@@ -21,8 +21,8 @@ import PraTactile.Object.Net.Unfolding
 import PraTactile.Object.Surface
 import PraTactile.Object.WingedEdge
 
--- | How many unfoldings a solid has; none if it is of several pieces. By Kirchhoff's theorem, so that
--- no unfolding is made.
+-- | How many unfoldings a solid has; none if it is of several pieces. By Kirchhoff's theorem, so
+-- that no unfolding is made.
 spanningTrees :: Solid -> Natural
 spanningTrees whole =
   spanningTreeCount
