@@ -18,6 +18,7 @@ import qualified Command.Compare
 import qualified Command.Conform
 import qualified Command.Decode
 import qualified Command.Draw
+import qualified Command.Emboss
 import qualified Command.Evaluate
 import qualified Command.Experiment
 import qualified Command.Field
@@ -173,6 +174,7 @@ commands =
               Command.Place.command,
               Command.Nets.command,
               Command.Draw.command,
+              Command.Emboss.command,
               Command.Shapes.command,
               Command.Train.command,
               Command.Network.command,

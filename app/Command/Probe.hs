@@ -10,13 +10,17 @@ import ArrayChoice
 import Control.Monad (when)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
+import Data.Maybe (fromMaybe)
 import ExitStatus
+import Files (readBytes)
 import Message
 import Options
 import Output (orUnwritable, writeFolder, writeWhole)
 import PlacementChoice
 import PraTactile.Explore
 import PraTactile.Format (encodePosedTruth, folderFiles)
+import PraTactile.Format.Solid (Contents (..), SolidFormat (Stl), formatOfFile, readSolid)
+import PraTactile.Object.Mesh (Mesh, scaledBy)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Pose (longer)
@@ -48,6 +52,8 @@ data Options = Options
     truthFile :: Maybe FilePath,
     objects :: PlacementChoice,
     shapesFile :: Maybe FilePath,
+    -- | what was made of the object, pressed in its place
+    meshFile :: Maybe FilePath,
     output :: FilePath
   }
 
@@ -78,6 +84,7 @@ command =
       \--output frames",
       "pra-tactile probe --object sheet --seed 7 --output frames",
       "pra-tactile probe --object cube --seed 7 --bend 100 --bend-axis x --output frames",
+      "pra-tactile probe --object cube --mesh cube.stl --seed 7 --output frames",
       "pra-tactile probe --flat 16 --sensor real --seed 7 --output frames"
     ]
     (run <$> arrayChoice <*> optionsParser)
@@ -120,6 +127,11 @@ optionsParser =
     <*> optionalFile "truth" "FILE" "Write the true place as JSON, for 'compare'"
     <*> placementChoice "The same from a database that 'objects --write' made"
     <*> shapesOption
+    <*> optionalFile
+      "mesh"
+      "FILE"
+      "Press this polyhedron, as 'emboss' writes it, in place of the object: its surface is felt \
+      \where the placement has the face, and the array is not asked"
     <*> folderOption "output" "A folder that is new or empty"
   where
     place = pairReader ',' "12.7,40"
@@ -195,6 +207,7 @@ calibrating options simulated count frames
   | truthFile options /= Nothing || announced options == Announced =
     misused "calibration frames have no true place; leave out --truth and --tell"
   | bend options /= Nothing = misused "calibration frames are of no face; leave out --bend"
+  | meshFile options /= Nothing = misused "calibration frames are of no face; leave out --mesh"
   | otherwise = Answered <$ writeFrames options simulated (frames count)
 
 -- | Press a face of the object; write the frames, and the truth as far as that is asked for.
@@ -213,11 +226,15 @@ pressing choice options how object = do
             pressingOrigin = smaller (pressingOrigin how),
             pressingBend = bendBySymbols scale <$> pressingBend how
           }
+  mesh <- traverse meshIn (meshFile options)
   (frames, found) <-
     orUnusable (pressMessage larger (at options))
-      =<< orUnusable
-        profileMessage
-        (withProfile profile (\array _ -> pressed felt alphabet array layout object))
+      =<< case mesh of
+        Just it -> pure (pressedMesh felt (scaledBy (1 / scale) it) layout object)
+        Nothing ->
+          orUnusable
+            profileMessage
+            (withProfile profile (\array _ -> pressed felt alphabet array layout object))
   writeFrames options (pressingSensor how) (map (scaledFrame larger) frames)
   let truth = scaledTruth larger found
   for_ (truthFile options) $ \file ->
@@ -225,6 +242,17 @@ pressing choice options how object = do
       encodePosedTruth (longer larger <$> truePose layout found) truth
   when (announced options == Announced) (putStrLn (truthText truth))
   pure Answered
+
+-- | The polyhedron in a file, whose end tells its format, or else an STL file.
+meshIn :: FilePath -> IO Mesh
+meshIn file = do
+  bytes <- readBytes file
+  contentsMesh
+    <$> orUnusable
+      (solidFileMessage file format)
+      (readSolid format (ObjectName (visibleName file)) bytes)
+  where
+    format = fromMaybe Stl (formatOfFile file)
 
 -- | Write frames of the sensor, and say so.
 writeFrames :: Options -> Sensor -> [Frame] -> IO ()

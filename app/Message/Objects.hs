@@ -30,6 +30,7 @@ import PraTactile.Object.WingedEdge
 import PraTactile.Pressing (PressError (..))
 import PraTactile.Recognise (RecogniserError (..), Refusal (..))
 import PraTactile.Relief (ReliefError (..))
+import PraTactile.Relief.Mesh (MeshError (..))
 import PraTactile.Store
   ( Damage (..),
     Failure (..),
@@ -136,6 +137,13 @@ pressMessage larger asked e = case e of
       ++ "; choose one of "
       ++ intercalate ", " (map (show . faceText . faceName . laidFace) others)
   NoRelief why -> reliefMessage why
+  NoMeshRelief (NotClosed count) ->
+    "the mesh is no closed surface: " ++ counted count "side" "sides"
+      ++ " of its triangles are not shared by two that walk them in opposite directions"
+  NoMeshRelief (ElsewhereThan face vertex) ->
+    "the mesh does not lie where the placement has the face " ++ visible (faceText face)
+      ++ ": it has no vertex within a hundredth of a millimetre of "
+      ++ visible (vertexText vertex)
   RegionOffFace face size ->
     "the region, " ++ by size
       ++ maybe "" (\(x, y) -> " mm from " ++ hundredths x ++ "," ++ hundredths y) asked

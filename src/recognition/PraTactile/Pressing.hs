@@ -4,6 +4,7 @@ module PraTactile.Pressing
   ( Pressing (..),
     pressingWith,
     pressed,
+    pressedMesh,
     darkPresses,
     flatPresses,
 
@@ -18,9 +19,11 @@ import Data.Maybe (fromMaybe)
 import PraTactile.Array (PseudorandomArray)
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
+import PraTactile.Object.Mesh (Mesh)
 import PraTactile.Object.Placement
-import PraTactile.Object.WingedEdge (FaceName, ObjectName, sameFace)
+import PraTactile.Object.WingedEdge (FaceName, ObjectName, Solid, sameFace)
 import PraTactile.Relief
+import PraTactile.Relief.Mesh
 import PraTactile.Sensor
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), ProbeError, taxelPitch)
 import PraTactile.Shape (Alphabet)
@@ -77,6 +80,8 @@ data PressError
     NoSuchFace FaceName [LaidFace]
   | -- | The face has no relief.
     NoRelief ReliefError
+  | -- | The polyhedron has no relief there.
+    NoMeshRelief MeshError
   | -- | A region of this width and height, millimetres on the face, does not lie on it, and does
     -- not hold it where it is the longer one.
     RegionOffFace LaidFace (Double, Double)
@@ -95,12 +100,28 @@ pressed ::
   Placement ->
   ObjectName ->
   Either PressError ([Frame], Truth)
-pressed how alphabet array layout object = do
-  _ <- first ObjectRefused (findObject layout object)
+pressed how alphabet array layout =
+  pressedOn (\_ -> first NoRelief . relief array layout alphabet) how layout
+
+-- | The same of a polyhedron that was made of the object, and so large that symbols have the paper's
+-- size, as the placement's are.
+pressedMesh ::
+  Pressing -> Mesh -> Placement -> ObjectName -> Either PressError ([Frame], Truth)
+pressedMesh how it = pressedOn (\whole -> first NoMeshRelief . meshRelief it whole) how
+
+-- | The same of whatever relief a face of an object has.
+pressedOn ::
+  (Solid -> LaidFace -> Either PressError Relief) ->
+  Pressing ->
+  Placement ->
+  ObjectName ->
+  Either PressError ([Frame], Truth)
+pressedOn reliefOn how layout object = do
+  whole <- first ObjectRefused (findObject layout object)
   when (any ((<= least) . bendRadius) (pressingBend how)) (Left (BentTooMuch least))
   (face, generator) <-
     chosenFace [one | one <- laidFaces layout, faceObject (laidFace one) == object]
-  flat <- first NoRelief (relief array layout alphabet face)
+  flat <- reliefOn whole face
   let surface = flat {reliefBend = pressingBend how}
   (region, generator') <- chosenRegion how face generator
   (frames, _) <-

@@ -10,6 +10,7 @@ module PraTactile.Relief
     Relief (..),
     relief,
     reliefOf,
+    reliefByHeights,
     reliefHeights,
     heightsUnder,
     onRelief,
@@ -24,6 +25,7 @@ where
 
 import Control.Monad (join)
 import Data.Bifunctor (first)
+import Data.Maybe (fromMaybe)
 import qualified Data.Vector as Boxed
 import PraTactile.Array (Position (..), PseudorandomArray, cellAt)
 import PraTactile.Explore (Region (..), insidePolygon, regionMotion)
@@ -71,7 +73,9 @@ data Relief = Relief
     reliefOrigin :: (Double, Double),
     -- | how many taxels it has to the right and down
     reliefSize :: (Int, Int),
-    -- | the heights, in millimetres, of so many columns and rows of taxels from a first one on; not
+    -- | in how many cells each side of a taxel is cut, on which heights are constant
+    reliefFineness :: Int,
+    -- | the heights, in millimetres, of so many columns and rows of cells from a first one on; not
     -- a number beyond the face
     reliefDrawn :: (Int, Int) -> (Int, Int) -> Raster,
     -- | the cylinder that the face is wrapped on, if any; it is told unrolled
@@ -81,20 +85,30 @@ data Relief = Relief
 -- | All of it.
 reliefHeights :: Relief -> HeightMap
 reliefHeights whole =
-  HeightMap taxelPitch (0, 0) (reliefDrawn whole (0, 0) (reliefSize whole)) (reliefBend whole)
+  HeightMap (cellSide whole) (0, 0) (reliefDrawn whole (0, 0) (cellCount whole)) (reliefBend whole)
+
+-- | The side of a cell, millimetres.
+cellSide :: Relief -> Double
+cellSide whole = taxelPitch / fromIntegral (reliefFineness whole)
+
+-- | How many cells it has to the right and down.
+cellCount :: Relief -> (Int, Int)
+cellCount whole = (reliefFineness whole * wide, reliefFineness whole * high)
+  where
+    (wide, high) = reliefSize whole
 
 -- | As much of it as presses of a sensor may feel that cover a region of the face. O(taxels of the
 -- region and round it).
 heightsUnder :: Sensor -> Region -> Relief -> HeightMap
 heightsUnder sensor region whole =
   HeightMap
-    taxelPitch
+    (cellSide whole)
     (left, top)
     (reliefDrawn whole (left, top) (right' - left, bottom - top))
     (reliefBend whole)
   where
-    (left, right') = reached (fst (reliefSize whole)) (map fst corners)
-    (top, bottom) = reached (snd (reliefSize whole)) (map snd corners)
+    (left, right') = reached (fst (cellCount whole)) (map fst corners)
+    (top, bottom) = reached (snd (cellCount whole)) (map snd corners)
     corners =
       [ movePoint (regionMotion (onRelief whole region)) (x, y)
         | x <- [0, taxelPitch * fromIntegral (regionWidth region)],
@@ -104,8 +118,8 @@ heightsUnder sensor region whole =
     -- half a circle to where a chord ends.
     reach = sensorReach sensor * maybe 1 (const (pi / 2)) (reliefBend whole)
     reached size along =
-      ( clipped (floor ((minimum along - reach) / taxelPitch)),
-        clipped (ceiling ((maximum along + reach) / taxelPitch))
+      ( clipped (floor ((minimum along - reach) / cellSide whole)),
+        clipped (ceiling ((maximum along + reach) / cellSide whole))
       )
       where
         clipped k = max 0 (min size k)
@@ -145,16 +159,7 @@ reliefOf ::
 reliefOf layout alphabet face classes classAt = do
   scale <- maybe (Left (PitchNotFelt pitch)) (Right . fromRational) (symbolScale pitch)
   bitmaps <- Boxed.fromList <$> traverse (first NoShape . shapeOf alphabet) [0 .. classes - 1]
-  let taxels spot =
-        let (x, y) = spotMillimetres spot in (x / scale / taxelPitch, y / scale / taxelPitch)
-      (boxLeft, boxTop) = taxels (laidBox face)
-      (wide, high) = taxels (laidExtent face)
-      (left, top) = taxels (laidMargin face)
-      -- Whole taxels before the block, as many as the face has room for or one more.
-      before from at = ceiling (at - from - tiny) :: Int
-      (across, down) = (before boxLeft left, before boxTop top)
-      (originX, originY) = (left - fromIntegral across, top - fromIntegral down)
-      reach from size origin = ceiling (from + size - origin - tiny)
+  let Ground taxels (across, down) (originX, originY) size = groundOf scale face
       bitmapIn i j
         | i >= 0 && j >= 0 && hasCell (laidBlock face) cell = bitmaps Boxed.!? classAt cell
         | otherwise = Nothing
@@ -181,10 +186,53 @@ reliefOf layout alphabet face classes classAt = do
   pure
     Relief
       { reliefOrigin = (originX * taxelPitch, originY * taxelPitch),
-        reliefSize = (reach boxLeft wide originX, reach boxTop high originY),
+        reliefSize = size,
+        reliefFineness = 1,
         reliefDrawn = drawn,
         reliefBend = Nothing
       }
   where
     pitch = placementPitch layout
-    tiny = 1e-9
+
+-- | The relief of a face, of symbols of the paper's size, that has the height of its middle all over
+-- a cell, so many cells along each side of a taxel: what the function says of a place so many
+-- millimetres to the right of and below the face's first vertex, nothing where there is nothing.
+reliefByHeights :: Int -> LaidFace -> (Double -> Double -> Maybe Double) -> Relief
+reliefByHeights fineness face heightAt =
+  Relief
+    { reliefOrigin = (originX * taxelPitch, originY * taxelPitch),
+      reliefSize = size,
+      reliefFineness = fineness,
+      reliefDrawn = \(x0, y0) (w, h) ->
+        generate w h $ \x y ->
+          fromMaybe (0 / 0) (heightAt (middle originX (x0 + x)) (middle originY (y0 + y))),
+      reliefBend = Nothing
+    }
+  where
+    Ground _ _ (originX, originY) size = groundOf 1 face
+    middle origin k = taxelPitch * (origin + (fromIntegral k + 0.5) / fromIntegral fineness)
+
+-- | The taxels of a face: its spots in taxels, how many lie before its block to the right and down,
+-- where the first of them begins, in taxels from the face's first vertex, and how many there are.
+data Ground = Ground (Spot -> (Double, Double)) (Int, Int) (Double, Double) (Int, Int)
+
+-- | Those of a face whose symbols are so many times as large as the paper's.
+groundOf :: Double -> LaidFace -> Ground
+groundOf scale face =
+  Ground
+    taxels
+    (across, down)
+    (originX, originY)
+    (reach boxLeft wide originX, reach boxTop high originY)
+  where
+    taxels spot =
+      let (x, y) = spotMillimetres spot in (x / scale / taxelPitch, y / scale / taxelPitch)
+    (boxLeft, boxTop) = taxels (laidBox face)
+    (wide, high) = taxels (laidExtent face)
+    (left, top) = taxels (laidMargin face)
+    -- Whole taxels before the block, as many as the face has room for or one more.
+    before from at = ceiling (at - from - tiny) :: Int
+    (across, down) = (before boxLeft left, before boxTop top)
+    (originX, originY) = (left - fromIntegral across, top - fromIntegral down)
+    reach from size origin = ceiling (from + size - origin - tiny)
+    tiny = 1e-9 :: Double

@@ -276,6 +276,7 @@ trialSpec = do
       Relief
         { reliefOrigin = (0, 0),
           reliefSize = rasterSize (heightValues heights),
+          reliefFineness = 1,
           reliefDrawn = \(x, y) (w, h) ->
             generate w h $ \i j ->
               fromMaybe (0 / 0) (index (heightValues heights) (x + i) (y + j)),

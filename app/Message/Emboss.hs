@@ -1,0 +1,51 @@
+-- | Why nothing is embossed, in words.
+module Message.Emboss
+  ( embossMessage,
+    misshapenMessage,
+    collisionMessage,
+  )
+where
+
+import Counted
+import qualified Data.Text as Text
+import Message.Objects
+import PraTactile.Emboss
+import PraTactile.Emboss.Rounding
+import PraTactile.Format.Solid (exactText)
+import PraTactile.Object.WingedEdge
+import Visible
+
+-- | Why an object or a face cannot be made.
+embossMessage :: EmbossError -> String
+embossMessage e = case e of
+  NotThere why -> placementMessage why
+  NothingRaised object ->
+    "no face of the " ++ visible (objectText object) ++ " is laid on the array, so nothing is raised"
+  NotEmbossed why -> reliefMessage why
+  CornerContact shape (x, y) ->
+    "two taxels of the shape " ++ quoted (Text.unpack shape) ++ " meet at a corner only, "
+      ++ show x
+      ++ " taxels right of and "
+      ++ show y
+      ++ " below its upper left corner: no solid is so thin"
+  TooThin height thickness ->
+    "the symbols are " ++ exactText height ++ " mm high; a plate of " ++ exactText thickness
+      ++ " mm is not thicker than that: choose another --thickness"
+
+-- | Why it cannot be written with such coordinates.
+misshapenMessage :: Misshapen -> String
+misshapenMessage e = case e of
+  Melted points cut ->
+    "with coordinates of 32 bits " ++ counted points "point" "points" ++ " would become others, and "
+      ++ counted cut "triangle" "triangles"
+      ++ " lose their area: lay larger symbols, or choose --format ascii-stl"
+  Irrational points ->
+    "coordinates of " ++ counted points "point" "points"
+      ++ " are no fractions, and the format json has fractions alone; choose --format stl or ascii-stl"
+
+-- | Why the symbols of an object have no room.
+collisionMessage :: ObjectName -> String
+collisionMessage object =
+  "symbols raised on the " ++ visible (objectText object)
+    ++ " would run into another of its faces, or into the symbols there; lay other faces, or smaller \
+       \symbols"

@@ -1,0 +1,271 @@
+-- | Objects as they are made: a solid, or one of its faces as a plate, with its symbols raised (the
+-- paper's section II.B, figure 9), as one closed surface of triangles, every point of it exact.
+--
+-- Symbols lie in the middle of cells that lie on their face, so that they touch neither its rim nor
+-- each other. With v vertices and k corners of outlines, a solid of Euler characteristic x thus
+-- becomes a surface of v + 2 k points and 2 (v + 2 k - x) triangles. Its volume is the solid's, and
+-- for each raised taxel of side t and height h t^2 h more.
+module PraTactile.Emboss
+  ( -- * Making
+    Subject (..),
+    subjectName,
+    Embossed (..),
+    Volume (..),
+    volume,
+    embossed,
+    usualThickness,
+    symbolsOn,
+
+    -- * What is refused
+    EmbossError (..),
+  )
+where
+
+import Control.Monad (when)
+import Data.Bifunctor (first)
+import Data.List (mapAccumL)
+import Data.Maybe (fromMaybe)
+import Data.Ratio ((%))
+import Data.Text (Text)
+import qualified Data.Text as Text
+import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
+import PraTactile.Array (Position, PseudorandomArray, Shape (..))
+import PraTactile.Emboss.Face
+import PraTactile.Field (KnownField, fieldOrder)
+import PraTactile.Geometry (columnPitch, rowPitch, symbolThickness, taxelPitch)
+import PraTactile.Object.Chart
+import PraTactile.Object.Mesh
+import PraTactile.Object.Placement
+import PraTactile.Object.Radical (fraction, roots)
+import PraTactile.Object.Triangles (triangles)
+import PraTactile.Object.Vector (cross, dot, exactRoot)
+import PraTactile.Object.WingedEdge
+import PraTactile.Relief (ReliefError (..), classOn, symbolScale)
+import PraTactile.Shape (Alphabet, shapeNames, shapeOf)
+import PraTactile.Shape.Outline (Contact (..), Corner)
+
+-- | What is made.
+data Subject
+  = -- | the object of this name
+    WholeObject ObjectName
+  | -- | its face of this name, begun at any vertex, as a plate of so many millimetres, or
+    -- 'usualThickness'
+    PlateOf ObjectName FaceName (Maybe Rational)
+  deriving stock (Eq, Show)
+
+-- | The name of the object that is made, or of whose face.
+subjectName :: Subject -> ObjectName
+subjectName subject = case subject of
+  WholeObject named -> named
+  PlateOf named _ _ -> named
+
+-- | Why nothing is made.
+data EmbossError
+  = -- | There is no such object or face, or the face has no cells.
+    NotThere PlacementError
+  | -- | No face of the object is laid on the array.
+    NothingRaised ObjectName
+  | -- | The array has an element without a shape, or symbols are not the paper's times one factor.
+    NotEmbossed ReliefError
+  | -- | Two taxels of the shape of this name meet at this corner only: four walls would meet along
+    -- one line.
+    CornerContact Text Corner
+  | -- | Symbols of this height are no lower than the plate is thick, millimetres.
+    TooThin Rational Rational
+  deriving stock (Eq, Show)
+
+-- | r + sqrt s, of r and s: a volume in cubic millimetres.
+data Volume = Volume !Rational !Rational
+  deriving stock (Eq, Show)
+
+-- | r + sqrt s, where s is 0 unless the root is no fraction.
+volume :: Rational -> Rational -> Volume
+volume r s = maybe (Volume r s) (\root -> Volume (r + root) 0) (exactRoot s)
+
+-- | What was made.
+data Embossed = Embossed
+  { embossedSubject :: Subject,
+    -- | of a plate, its face as it is laid
+    embossedFace :: Maybe FaceName,
+    -- | the vertices that the object has, which are the first points
+    embossedNames :: V.Vector VertexName,
+    embossedPoints :: V.Vector ExactPoint,
+    -- | by the points, counter-clockwise seen from outside
+    embossedTriangles :: V.Vector (Int, Int, Int),
+    embossedVolume :: Volume,
+    -- | how many taxels are raised
+    embossedTaxels :: Int,
+    -- | the least width of a raised stroke along a row or a column, millimetres
+    embossedStroke :: Rational,
+    -- | the height of the relief, millimetres
+    embossedHeight :: Rational
+  }
+
+-- | The thickness of a plate in heights of its symbols, where none is said: 2.
+usualThickness :: Rational
+usualThickness = 2
+
+-- | An object, or a face as a plate, with its symbols raised. Whether symbols on faces that look at
+-- each other run into one another is not asked here. O(n log n) in the corners of each face.
+embossed ::
+  KnownField k =>
+  Alphabet ->
+  PseudorandomArray k ->
+  Placement ->
+  Subject ->
+  Either EmbossError Embossed
+embossed alphabet array layout subject = do
+  object <- first NotThere (findObject layout named)
+  (scale, symbols') <- symbolsOn alphabet array layout
+  let height = scale * symbolThickness
+      taxel = scale * taxelPitch
+      made face laid (names, points, cut) size =
+        let symbols = concatMap (map snd . symbols') laid
+            taxels = sum (map stampArea symbols)
+            Volume r s = size
+         in Embossed
+              { embossedSubject = subject,
+                embossedFace = face,
+                embossedNames = names,
+                embossedPoints = points,
+                embossedTriangles = V.fromList cut,
+                embossedVolume = Volume (r + fromIntegral taxels * taxel * taxel * height) s,
+                embossedTaxels = taxels,
+                embossedStroke = taxel * fromIntegral (minimum (map stampStroke symbols)),
+                embossedHeight = height
+              }
+  case subject of
+    WholeObject _ -> do
+      let laid = [one | one <- laidFaces layout, faceObject (laidFace one) == named]
+      when (null laid) (Left (NothingRaised named))
+      pure (made Nothing laid (whole taxel height symbols' layout object) (solidVolume object))
+    PlateOf _ asked thick -> do
+      laid <- first NotThere (findFace layout named asked)
+      let thickness = fromMaybe (usualThickness * height) thick
+          face = faceName (laidFace laid)
+      when (thickness <= height) (Left (TooThin height thickness))
+      walk <- maybe (Left (NotThere (UnknownFace (laidFace laid)))) Right (walkNamed object face)
+      chart <-
+        maybe
+          (Left (NotThere (EmptyGrid (laidFace laid) (laidGrid laid))))
+          Right
+          (chartOfLaid taxel laid object walk)
+      pure
+        ( made
+            (Just face)
+            [laid]
+            (plate height thickness (symbols' laid) object walk chart)
+            (plateVolume thickness object walk)
+        )
+  where
+    named = subjectName subject
+
+-- | How much larger than the paper's the symbols are, and which of them lie on a face, each with its
+-- cell, by row and column of the face's block.
+symbolsOn ::
+  KnownField k =>
+  Alphabet ->
+  PseudorandomArray k ->
+  Placement ->
+  Either EmbossError (Rational, LaidFace -> [(Position, Stamp)])
+symbolsOn alphabet array layout = do
+  scale <- maybe (Left (NotEmbossed (PitchNotFelt pitch))) Right (symbolScale pitch)
+  stamps <- V.fromList <$> traverse stamped [0 .. fieldOrder array - 1]
+  pure
+    ( scale,
+      \laid -> [(cell, stamps V.! classOn array laid cell) | cell <- blockCells (laidBlock laid)]
+    )
+  where
+    pitch = placementPitch layout
+    stamped k = do
+      bitmap <- first (NotEmbossed . NoShape) (shapeOf alphabet k)
+      first
+        (\(Contact at) -> CornerContact (Text.concat (take 1 (drop k (shapeNames alphabet)))) at)
+        (stampOf bitmap)
+
+-- | The names of the vertices, all points, and the triangles.
+type Parts = (V.Vector VertexName, V.Vector ExactPoint, [(Int, Int, Int)])
+
+-- | A solid with these symbols on its laid faces, their taxels so many millimetres wide and high.
+whole ::
+  Rational -> Rational -> (LaidFace -> [(Position, Stamp)]) -> Placement -> Solid -> Parts
+whole taxel height symbols layout object =
+  ( V.take count (meshNames it),
+    V.map fixed (V.generate count (pointAt it)) V.++ V.concat (map (V.fromList . surfacePoints) faces),
+    concatMap surfaceTriangles faces
+  )
+  where
+    it = solidMesh object
+    count = V.length (meshPoints it)
+    faces = snd (mapAccumL face count [0 .. V.length (meshWalks it) - 1])
+    face from f =
+      let one = faceOf from f
+       in (from + length (surfacePoints one), one)
+    faceOf from f = case placementLaid layout (Face (solidName object) (faceAt it f)) of
+      Just laid
+        | Just walk <- walkNamed object (faceName (laidFace laid)),
+          Just chart <- chartOfLaid taxel laid object walk ->
+          raisedFace height chart walk from (symbols laid)
+      _ -> bare (meshWalks it V.! f)
+    bare walk = maybe (Surface [] (triangles it walk)) (\c -> raisedFace 0 c walk 0 []) (plain it walk)
+
+-- | A face without symbols.
+plain :: Mesh -> Walk -> Maybe Chart
+plain it walk = chartOf it walk 1 (1, 1) Centred (0, 0)
+
+-- | A laid face with the lattice of its taxels, from its block's upper left corner on.
+chartOfLaid :: Rational -> LaidFace -> Solid -> Walk -> Maybe Chart
+chartOfLaid taxel laid object walk =
+  chartOf
+    (solidMesh object)
+    walk
+    taxel
+    (columnPitch, rowPitch)
+    (laidAnchor laid)
+    (toInteger (rows grid), toInteger (columns grid))
+  where
+    grid = laidGrid laid
+
+-- | A face as a plate of this thickness: its corners, those below them, and its symbols.
+plate :: Rational -> Rational -> [(Position, Stamp)] -> Solid -> Walk -> Chart -> Parts
+plate height thickness symbols object walk chart =
+  ( V.map (meshNames it V.!) (V.convert walk),
+    V.fromList
+      ( [pointOn chart z (Corner k) | z <- [0, negate thickness], k <- [0 .. count - 1]]
+          ++ surfacePoints above
+      ),
+    surfaceTriangles above
+      ++ [(count + a, count + c, count + b) | (a, b, c) <- below]
+      ++ concat
+        [ [(count + a, count + b, b), (count + a, b, a)]
+          | (a, b) <- zip [0 ..] ([1 .. count - 1] ++ [0])
+        ]
+  )
+  where
+    it = solidMesh object
+    count = U.length walk
+    above = raisedFace height chart (U.enumFromN 0 count) (2 * count) symbols
+    below = region chart (map Corner [0 .. count - 1]) [[0 .. count - 1]]
+
+-- | A point that the object has.
+fixed :: Point -> ExactPoint
+fixed (Point x y z) = ExactPoint (roots 1 1) (fraction x) (fraction y) (fraction z)
+
+-- | A sixth of the sum of the determinants of the triangles with the origin.
+solidVolume :: Solid -> Volume
+solidVolume object = Volume (sixfold % (6 * meshDenominator it ^ (3 :: Int))) 0
+  where
+    it = solidMesh object
+    sixfold = sum (map (fan . V.toList . cornersOf it) (V.toList (meshWalks it)))
+    fan corners = case corners of
+      o : others -> sum (zipWith (\p q -> dot o (cross p q)) others (drop 1 others))
+      [] -> 0
+
+-- | Half the length of the normal, times the thickness.
+plateVolume :: Rational -> Solid -> Walk -> Volume
+plateVolume thickness object walk = volume 0 (thickness * thickness * (dot n n % (4 * d ^ (4 :: Int))))
+  where
+    it = solidMesh object
+    d = meshDenominator it
+    n = doubleArea (cornersOf it walk)
