@@ -258,10 +258,15 @@ fileText made =
       ", "
       ( [counted n "vertex" "vertices" | Just n <- [madeVertices made]]
           ++ [counted n "triangle" "triangles" | Just n <- [madeTriangles made]]
-          ++ [volumeText size ++ " mm^3" | Just size <- [madeVolume made]]
+          ++ [sizeText size ++ " mm^3" | Just size <- [madeVolume made]]
           ++ [counted (madeTaxels made) "raised taxel" "raised taxels"]
           ++ ["strokes from " ++ decimal (madeStroke made) ++ " mm"]
           ++ [decimal height ++ " mm high" | Just height <- [madeHeight made]]
       )
   where
+    sizeText size
+      | null (drop 20 exact) = exact
+      | otherwise = "about " ++ show (nearestVolume size)
+      where
+        exact = volumeText size
     decimal = show . (fromRational :: Rational -> Double)

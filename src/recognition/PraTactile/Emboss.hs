@@ -12,6 +12,7 @@ module PraTactile.Emboss
     Embossed (..),
     Volume (..),
     volume,
+    nearestVolume,
     embossed,
     usualThickness,
     symbolsOn,
@@ -35,11 +36,11 @@ import PraTactile.Emboss.Face
 import PraTactile.Field (KnownField, fieldOrder)
 import PraTactile.Geometry (columnPitch, rowPitch, symbolThickness, taxelPitch)
 import PraTactile.Object.Chart
-import PraTactile.Object.Mesh
+import PraTactile.Object.Mesh hiding (named)
 import PraTactile.Object.Placement
 import PraTactile.Object.Radical (fraction, roots)
 import PraTactile.Object.Triangles (triangles)
-import PraTactile.Object.Vector (cross, dot, exactRoot)
+import PraTactile.Object.Vector (cross, dot, exactRoot, squareRoot)
 import PraTactile.Object.WingedEdge
 import PraTactile.Relief (ReliefError (..), classOn, symbolScale)
 import PraTactile.Shape (Alphabet, shapeNames, shapeOf)
@@ -57,8 +58,8 @@ data Subject
 -- | The name of the object that is made, or of whose face.
 subjectName :: Subject -> ObjectName
 subjectName subject = case subject of
-  WholeObject named -> named
-  PlateOf named _ _ -> named
+  WholeObject object -> object
+  PlateOf object _ _ -> object
 
 -- | Why nothing is made.
 data EmbossError
@@ -82,6 +83,10 @@ data Volume = Volume !Rational !Rational
 -- | r + sqrt s, where s is 0 unless the root is no fraction.
 volume :: Rational -> Rational -> Volume
 volume r s = maybe (Volume r s) (\root -> Volume (r + root) 0) (exactRoot s)
+
+-- | The volume as a machine number, within some units in the last place.
+nearestVolume :: Volume -> Double
+nearestVolume (Volume r s) = fromRational r + squareRoot s
 
 -- | What was made.
 data Embossed = Embossed

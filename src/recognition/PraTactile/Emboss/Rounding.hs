@@ -54,51 +54,67 @@ rounded :: Precision -> Embossed -> Either Misshapen Rounded
 rounded precision made
   | precision == Fractions && irrational > 0 = Left (Irrational irrational)
   | alike > 0 || flat > 0 = Left (Melted alike flat)
-  | otherwise = Right (Rounded it (V.foldl' max 0 (V.map fst placed)))
+  | otherwise = Right (Rounded it (V.foldl' max 0 (V.zipWith furthest (embossedPoints made) placed)))
   where
     irrational = V.length (V.filter (not . rational) (embossedPoints made))
-    placed = V.map (moved precision) (embossedPoints made)
-    (over, points) = overOne (map snd (V.toList placed))
-    walks = V.map (\(a, b, c) -> U.fromList [a, b, c]) (embossedTriangles made)
-    it = mesh (subjectName (embossedSubject made)) names over points walks
-    firsts = firstAlike points
+    placed = V.map (nearPoint way) (embossedPoints made)
+    way = case precision of
+      Binary32 -> Way single single
+      _ -> Way id double
+    it = roundedBy way made
+    firsts = firstAlike (meshPoints it)
     alike = U.length (U.ifilter (/=) firsts)
     -- With coordinates of 64 bits a triangle faces where it does.
-    (_, fine) = overOne (map (snd . moved Binary64) (V.toList (embossedPoints made)))
     flat
-      | precision == Binary32 = V.length (V.filter turnedOver walks)
+      | precision == Binary32 = V.length (V.filter turnedOver (meshWalks it))
       | otherwise = 0
-    turnedOver walk = dot (facing points walk) (facing fine walk) <= 0
-    facing :: V.Vector V3 -> Walk -> V3
-    facing at walk = doubleArea (V.map (at V.!) (V.convert walk))
-    names = V.take count (embossedNames made V.++ V.fromList (take count new))
-    count = V.length (embossedPoints made)
+    fine = roundedBy (Way double double) made
+    turnedOver walk = dot (facing it walk) (facing fine walk) <= 0
+    facing :: Mesh -> Walk -> V3
+    facing one = doubleArea . cornersOf one
+
+-- | What becomes of coordinates that are fractions, and of others.
+data Way = Way (Rational -> Rational) (Rational -> Rational)
+
+-- | To the nearest number of 32 bits, and of 64.
+single, double :: Rational -> Rational
+single = toRational . (fromRational :: Rational -> Float)
+double = toRational . (fromRational :: Rational -> Double)
+
+-- | The polyhedron whose points are moved so.
+roundedBy :: Way -> Embossed -> Mesh
+roundedBy way made = mesh (subjectName (embossedSubject made)) names over points walks
+  where
+    (over, points) = overOne (map (nearPoint way) (V.toList (embossedPoints made)))
+    walks = V.map (\(a, b, c) -> U.fromList [a, b, c]) (embossedTriangles made)
+    names = V.take (V.length points) (embossedNames made V.++ V.fromList new)
     own = Set.fromList (V.toList (embossedNames made))
-    new = filter (`Set.notMember` own) [VertexName ('E' : show k) | k <- [1 :: Int ..]]
+    new =
+      take
+        (V.length points - V.length (embossedNames made))
+        (filter (`Set.notMember` own) [VertexName ('E' : show k) | k <- [1 :: Int ..]])
 
 rational :: ExactPoint -> Bool
 rational (ExactPoint _ x y z) = all (isJust . asFraction) [x, y, z]
 
--- | A point as it is rounded, and by how much a coordinate of it was moved at most.
-moved :: Precision -> ExactPoint -> (Double, Point)
-moved precision (ExactPoint over x y z) = (max p (max q r), Point a b c)
+nearPoint :: Way -> ExactPoint -> Point
+nearPoint (Way ofFractions ofOthers) (ExactPoint over x y z) = Point (near x) (near y) (near z)
   where
-    ((p, a), (q, b), (r, c)) = (one x, one y, one z)
-    one number = case asFraction number of
-      Just exact
-        | precision /= Binary32 -> (0, exact)
-        | otherwise -> let near = single exact in (abs (fromRational (near - exact)), near)
-      Nothing -> let near = nearest rounding over number in (abs (nearest (asDouble . subtract near) over number), near)
-    rounding = if precision == Binary32 then single else toRational . asDouble
-    single = toRational . (fromRational :: Rational -> Float)
-    asDouble = fromRational :: Rational -> Double
+    near number = maybe (nearest ofOthers over number) ofFractions (asFraction number)
+
+-- | How far a point was moved along an axis at most, millimetres.
+furthest :: ExactPoint -> Point -> Double
+furthest (ExactPoint over x y z) (Point a b c) = maximum [off x a, off y b, off z c]
+  where
+    off number near = abs (nearest (fromRational . subtract near) over number)
 
 -- | The first two triangles that have something in common beside a corner or a side, as where
--- symbols on faces that look at each other run into one another; of solids that are convex none, which
--- is not looked for.
+-- symbols on faces that look at each other run into one another, to within the rounding of numbers
+-- of 64 bits. On a convex solid there is nothing to look for.
 collision :: Solid -> Embossed -> Maybe Defect
-collision object made
-  | [piece] <- reportComponents (examine (solidMesh object)), componentConvex piece == Just True = Nothing
-  | otherwise = case rounded Binary64 made of
-    Right found -> find ((== FacesIntersect) . defectKind) (reportDefects (examine (roundedMesh found)))
-    Left _ -> Nothing
+collision object made = case reportComponents (examine (solidMesh object)) of
+  [piece] | componentConvex piece == Just True -> Nothing
+  _ ->
+    find
+      ((== FacesIntersect) . defectKind)
+      (reportDefects (examine (roundedBy (Way double double) made)))

@@ -17,7 +17,7 @@ module PraTactile.Object.Radical
   )
 where
 
-import Data.Ratio ((%))
+import Data.Ratio (denominator, numerator, (%))
 import PraTactile.Object.Vector (exactRoot, floorRoot)
 
 -- | Two whole numbers, and their roots.
@@ -91,10 +91,14 @@ nearest rounding over number@(Radical p q r s) = case asFraction number of
       (below, above) : finer -> if below == above then below else decided finer
       [] -> rounding p
     both f (x, y) = (f x, f y)
-    bounds (k, (a, c, ac)) = (p + sum (map fst parts), p + sum (map snd parts))
+    -- Whole multiples of 1 / 2^k on either side.
+    bounds (k, (a, c, ac)) = (sum (map fst parts) % unit, sum (map snd parts) % unit)
       where
-        parts = [between q a, between r c, between s ac]
-        between share root
-          | share >= 0 = (share * at root, share * at (root + 1))
-          | otherwise = (share * at (root + 1), share * at root)
-        at root = root % (2 ^ k)
+        unit = 2 ^ k
+        parts = [between p (unit, unit), between q (around a), between r (around c), between s (around ac)]
+        around root = (root, root + 1)
+        between share (low, high)
+          | share >= 0 = (share `floored` low, share `raised` high)
+          | otherwise = (share `floored` high, share `raised` low)
+        floored share n = (numerator share * n) `div` denominator share
+        raised share n = negate (floored (negate share) n)
