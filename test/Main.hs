@@ -50,6 +50,7 @@ import qualified Test.CommandLine.Bounds
 import qualified Test.CommandLine.Census
 import qualified Test.CommandLine.Chance
 import qualified Test.CommandLine.Decode
+import qualified Test.CommandLine.Emboss
 import qualified Test.CommandLine.Fields
 import qualified Test.CommandLine.Json
 import qualified Test.CommandLine.Locate
@@ -115,6 +116,7 @@ import qualified Test.Recognition.ExplorationsAndTrials
 import qualified Test.Recognition.FromBytesToAnswers
 import qualified Test.Recognition.FromImageToFace
 import qualified Test.Recognition.GridsAndRefusals
+import qualified Test.Recognition.Object.EmbossedByCounting
 import qualified Test.Recognition.Object.FacesOnTheArray
 import qualified Test.Recognition.Object.PlacementsOfAnyFaces
 import qualified Test.Recognition.Object.SolidsAreClosed
@@ -133,6 +135,7 @@ import qualified Test.Solid.FilesOfSolids
 import qualified Test.Solid.MergedAndSettled
 import qualified Test.Solid.NetsOfSolids
 import qualified Test.Solid.PackedByDefinition
+import qualified Test.Solid.RegionsTriangulated
 import qualified Test.Solid.ReportByDefinition
 import qualified Test.Solid.SeenByRays
 import qualified Test.Store.Changes
@@ -187,6 +190,7 @@ import qualified Test.Touch.Sensor.MotionsAndPlans
 import qualified Test.Touch.Sensor.PressesByClosedForm
 import qualified Test.Touch.Shape.CheckedDrawings
 import qualified Test.Touch.Shape.DesignAndDistance
+import qualified Test.Touch.Shape.OutlinesByDefinition
 
 main :: IO ()
 main = do
@@ -287,6 +291,7 @@ specs = do
     describe "Extents" Test.Touch.Segmentation.BoxesAndAxes.spec
     describe "Shapes" Test.Touch.Shape.DesignAndDistance.spec
     describe "Drawings checked" Test.Touch.Shape.CheckedDrawings.spec
+    describe "Outlines" Test.Touch.Shape.OutlinesByDefinition.spec
     describe "What recognising is made of" Test.Touch.Classification.EstimatesByPosterior.spec
     describe "The network" Test.Touch.Classification.NetworkByDefinition.spec
     describe "Training" Test.Touch.Classification.GradientByDifferences.spec
@@ -306,6 +311,8 @@ specs = do
     describe "Files of solids" Test.Solid.FilesOfSolids.spec
     describe "Placement" Test.Recognition.Object.FacesOnTheArray.spec
     describe "Placement of any faces" Test.Recognition.Object.PlacementsOfAnyFaces.spec
+    describe "Regions triangulated" Test.Solid.RegionsTriangulated.spec
+    describe "Embossing" Test.Recognition.Object.EmbossedByCounting.spec
   describe "Store" Test.Store.RowsAndGuards.spec
   describe "Store" Test.Store.DrawnPlacements.spec
   describe "Store" Test.Store.Changes.spec
@@ -368,6 +375,7 @@ specs = do
   describe "The command line: output, arguments, names" Test.CommandLine.Output.spec
   describe "The command line: what answers are worth" Test.CommandLine.Chance.spec
   describe "The command line: decoding" Test.CommandLine.Decode.spec
+  describe "The command line: embossing" Test.CommandLine.Emboss.spec
   describe "The command line: pictures and truths" Test.CommandLine.Picture.spec
   describe "The command line: locating" Test.CommandLine.Locate.spec
   describe "The command line: large patches" Test.CommandLine.Patches.spec

@@ -59,8 +59,8 @@ command :: Mod CommandFields (IO ExitStatus)
 command =
   subcommand
     "emboss"
-    "Write the objects with their symbols raised, as closed surfaces of triangles for a printer; or \
-    \one face as a plate; or faces at true scale, as drawings."
+    "Write the objects with their symbols raised, as closed surfaces of triangles for a printer; \
+    \or one face as a plate; or faces at true scale, as drawings."
     [ "pra-tactile emboss --object cube --output cube.stl",
       "pra-tactile emboss --object cube --face 'C1 C2 C3 C4' --thickness 5 --output top.stl",
       "pra-tactile emboss --format svg --object cube --output cube-faces",
@@ -80,7 +80,11 @@ command =
 objectOption :: Parser ObjectName
 objectOption =
   ObjectName
-    <$> valued str "object" "NAME" "The object (default: all of them, each a file of its own in a folder)"
+    <$> valued
+      str
+      "object"
+      "NAME"
+      "The object (default: all of them, each a file of its own in a folder)"
 
 plateOptions :: Parser (FaceName, Maybe Rational)
 plateOptions = (,) <$> faceOption <*> optional thicknessOption
@@ -105,8 +109,8 @@ formatOption =
     [("stl", Surface Stl), ("ascii-stl", Surface StlText), ("json", Surface Json), ("svg", Drawn)]
     "format"
     "FORMAT"
-    "Binary STL, ASCII STL, exact JSON, or SVG, a drawing of each face (default: what the end of the \
-    \file's name says, or else stl)"
+    "Binary STL, ASCII STL, exact JSON, or SVG, a drawing of each face (default: what the end of \
+    \the file's name says, or else stl)"
     mempty
 
 outputOption :: Parser FilePath
@@ -115,8 +119,8 @@ outputOption =
     pathReader
     "output"
     "FILE|FOLDER"
-    "The file of an object or of a face; where several files come, of all objects or of the drawings of \
-    \an object's faces, a folder that is new or empty"
+    "The file of an object or of a face; where several files come, of all objects or of the \
+    \drawings of an object's faces, a folder that is new or empty"
 
 run :: Options -> IO ExitStatus
 run options = do
@@ -132,12 +136,16 @@ run options = do
       =<< orUnusable
         profileMessage
         ( withProfile profile $ \array _ -> case kind of
-            Surface format' -> traverse (surfaceFile format' alphabet array layout) (subjects layout)
+            Surface format' ->
+              traverse (surfaceFile format' alphabet array layout) (subjects layout)
             Drawn -> drawnFiles alphabet array layout (facesAsked layout)
         )
   if oneFile
     then mapM_ (writeWhole (output options) . snd) files
-    else writeFolder (output options) [(madeFile told, Lazy.toStrict bytes) | (told, bytes) <- files]
+    else
+      writeFolder
+        (output options)
+        [(madeFile told, Lazy.toStrict bytes) | (told, bytes) <- files]
   -- What stands on the standard output is the file alone.
   unless (oneFile && output options == "-") $ do
     let told = [made {madeFile = placed (madeFile made)} | (made, _) <- files]
@@ -222,8 +230,8 @@ drawnFiles alphabet array layout asked' = do
             madeVertices = Nothing,
             madeTriangles = Nothing,
             madeVolume = Nothing,
-            madeTaxels = sum (map (stampArea . snd) (symbols laid)),
-            madeStroke = scale * taxelPitch * fromIntegral (minimum (map (stampStroke . snd) (symbols laid))),
+            madeTaxels = sum (map stampArea stamps),
+            madeStroke = scale * taxelPitch * fromIntegral (minimum (map stampStroke stamps)),
             madeHeight = Nothing,
             madeMostRounded = templateRounding
           },
@@ -231,14 +239,16 @@ drawnFiles alphabet array layout asked' = do
       )
       where
         object = faceObject (laidFace laid)
+        stamps = map snd (symbols laid)
         named k (FaceName vertices)
           | length full > 200 = fileName (objectText object) ++ ".face-" ++ show k ++ ".svg"
           | otherwise = full
           where
             full =
-              fileName (objectText object) ++ "."
-                ++ intercalate "-" (map (concatMap (escapedIn ".-") . fileName . vertexText) vertices)
+              fileName (objectText object)
+                ++ ('.' : intercalate "-" (map ofVertex vertices))
                 ++ ".svg"
+        ofVertex = concatMap (escapedIn ".-") . fileName . vertexText
 
 -- | A name as part of a file's, different for different names.
 fileName :: String -> FilePath

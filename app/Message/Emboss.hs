@@ -20,7 +20,8 @@ embossMessage :: EmbossError -> String
 embossMessage e = case e of
   NotThere why -> placementMessage why
   NothingRaised object ->
-    "no face of the " ++ visible (objectText object) ++ " is laid on the array, so nothing is raised"
+    "no face of the " ++ visible (objectText object)
+      ++ " is laid on the array, so that nothing is raised"
   NotEmbossed why -> reliefMessage why
   CornerContact shape (x, y) ->
     "two taxels of the shape " ++ quoted (Text.unpack shape) ++ " meet at a corner only, "
@@ -36,16 +37,18 @@ embossMessage e = case e of
 misshapenMessage :: Misshapen -> String
 misshapenMessage e = case e of
   Melted points cut ->
-    "with coordinates of 32 bits " ++ counted points "point" "points" ++ " would become others, and "
+    "with coordinates of 32 bits " ++ counted points "point" "points"
+      ++ " would become others, and "
       ++ counted cut "triangle" "triangles"
       ++ " lose their area: lay larger symbols, or choose --format ascii-stl"
   Irrational points ->
     "coordinates of " ++ counted points "point" "points"
-      ++ " are no fractions, and the format json has fractions alone; choose --format stl or ascii-stl"
+      ++ " are no fractions, and the format json has fractions alone; choose --format stl or \
+         \ascii-stl"
 
 -- | Why the symbols of an object have no room.
 collisionMessage :: ObjectName -> String
 collisionMessage object =
   "symbols raised on the " ++ visible (objectText object)
-    ++ " would run into another of its faces, or into the symbols there; lay other faces, or smaller \
-       \symbols"
+    ++ " would run into another of its faces, or into the symbols there; lay other faces, or \
+       \smaller symbols"

@@ -22,8 +22,8 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Graphics.Svg
 import Numeric (showFFloat)
-import PraTactile.Emboss.Face
 import PraTactile.Array (Position)
+import PraTactile.Emboss.Face
 import PraTactile.Object.Chart (Spot (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
@@ -67,20 +67,29 @@ templateFile it = renderBS drawing <> "\n"
         ]
     content =
       title_ [] (toElement (named <> ", " <> number wide <> " x " <> number high <> " mm"))
-        <> part "paper" rect_ [Width_ <<- number width, Height_ <<- number height, Fill_ <<- "#ffffff"]
+        <> part
+          "paper"
+          rect_
+          [Width_ <<- number width, Height_ <<- number height, Fill_ <<- "#ffffff"]
         <> part "face" path_ ((D_ <<- closed corners) : drawnIn edge)
         <> foldMap symbol (templateSymbols it)
         <> foldMap vertex (take 1 (zip (faceVertices face) corners))
-        <> said "name" (left, top - 15) named
+        <> said "name" (left, top - 15) (fitting named)
         <> foldMap stroke ([(left, ruler), (left + 100, ruler)] : map tick [0 .. 10])
         <> said "ruler" (left, ruler + 9) "100 mm"
+    -- No letter is wider than 3.4 mm.
+    fitting text
+      | Text.length text <= room = text
+      | otherwise = Text.take (room - 3) text <> "..."
+      where
+        room = floor ((width - left) / 3.4)
     named = Text.pack (faceText face ++ " of the " ++ objectText object)
-    corners = [at (spotMillimetres spot) | (_, spot) <- laidCorners laid]
+    corners = map (at . spotMillimetres . snd) (laidCorners laid)
     stroke line = part "ruler" path_ ((D_ <<- open line) : drawnIn faint)
     tick k = let x = left + 10 * k in [(x, ruler), (x, ruler + 3)]
     vertex (name, (x, y)) =
       part "vertex" circle_ ([Cx_ <<- number x, Cy_ <<- number y, R_ <<- "1"] ++ drawnIn edge)
-        <> said "vertex" (x, y - 3) (Text.pack (vertexText name))
+        <> said "vertex" (x, y - 3) (fitting (Text.pack (vertexText name)))
     symbol (cell, stamp) =
       part
         "symbol"

@@ -30,6 +30,7 @@ documents =
     "docs/json.md",
     "docs/network.md",
     "docs/objects.md",
+    "docs/making.md",
     "docs/locating.md",
     "docs/conformance.md",
     "docs/evaluation.md",

@@ -154,6 +154,8 @@ furnish folder line = forM_ files $ \(name, command) -> do
         ),
         ("dark", "pra-tactile probe --dark 4 --sensor hard --seed 7 --output dark"),
         ("flat", "pra-tactile probe --flat 4 --sensor hard --seed 7 --output flat"),
+        ("placement.json", "pra-tactile place cube --output placement.json"),
+        ("cube.stl", "pra-tactile emboss --object cube --output cube.stl"),
         ("left.pgm", half "left" "0,19.05"),
         ("right.pgm", half "right" "76.2,19.05")
       ]

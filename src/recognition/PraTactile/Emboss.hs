@@ -166,8 +166,8 @@ embossed alphabet array layout subject = do
   where
     named = subjectName subject
 
--- | How much larger than the paper's the symbols are, and which of them lie on a face, each with its
--- cell, by row and column of the face's block.
+-- | How much larger than the paper's the symbols are, and which of them lie on a face, each with
+-- its cell, by row and column of the face's block.
 symbolsOn ::
   KnownField k =>
   Alphabet ->
@@ -197,7 +197,8 @@ whole ::
   Rational -> Rational -> (LaidFace -> [(Position, Stamp)]) -> Placement -> Solid -> Parts
 whole taxel height symbols layout object =
   ( V.take count (meshNames it),
-    V.map fixed (V.generate count (pointAt it)) V.++ V.concat (map (V.fromList . surfacePoints) faces),
+    V.map fixed (V.generate count (pointAt it))
+      V.++ V.concat (map (V.fromList . surfacePoints) faces),
     concatMap surfaceTriangles faces
   )
   where
@@ -213,11 +214,11 @@ whole taxel height symbols layout object =
           Just chart <- chartOfLaid taxel laid object walk ->
           raisedFace height chart walk from (symbols laid)
       _ -> bare (meshWalks it V.! f)
-    bare walk = maybe (Surface [] (triangles it walk)) (\c -> raisedFace 0 c walk 0 []) (plain it walk)
-
--- | A face without symbols.
-plain :: Mesh -> Walk -> Maybe Chart
-plain it walk = chartOf it walk 1 (1, 1) Centred (0, 0)
+    bare walk =
+      maybe
+        (Surface [] (triangles it walk))
+        (\chart -> raisedFace 0 chart walk 0 [])
+        (chartOf it walk 1 (1, 1) Centred (0, 0))
 
 -- | A laid face with the lattice of its taxels, from its block's upper left corner on.
 chartOfLaid :: Rational -> LaidFace -> Solid -> Walk -> Maybe Chart
@@ -269,7 +270,8 @@ solidVolume object = Volume (sixfold % (6 * meshDenominator it ^ (3 :: Int))) 0
 
 -- | Half the length of the normal, times the thickness.
 plateVolume :: Rational -> Solid -> Walk -> Volume
-plateVolume thickness object walk = volume 0 (thickness * thickness * (dot n n % (4 * d ^ (4 :: Int))))
+plateVolume thickness object walk =
+  volume 0 (thickness * thickness * (dot n n % (4 * d ^ (4 :: Int))))
   where
     it = solidMesh object
     d = meshDenominator it

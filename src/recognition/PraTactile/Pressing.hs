@@ -103,8 +103,8 @@ pressed ::
 pressed how alphabet array layout =
   pressedOn (\_ -> first NoRelief . relief array layout alphabet) how layout
 
--- | The same of a polyhedron that was made of the object, and so large that symbols have the paper's
--- size, as the placement's are.
+-- | The same of a polyhedron that was made of the object, and so large that symbols have the
+-- paper's size, as the placement's are.
 pressedMesh ::
   Pressing -> Mesh -> Placement -> ObjectName -> Either PressError ([Frame], Truth)
 pressedMesh how it = pressedOn (\whole -> first NoMeshRelief . meshRelief it whole) how

@@ -194,8 +194,8 @@ reliefOf layout alphabet face classes classAt = do
   where
     pitch = placementPitch layout
 
--- | The relief of a face, of symbols of the paper's size, that has the height of its middle all over
--- a cell, so many cells along each side of a taxel: what the function says of a place so many
+-- | The relief of a face, of symbols of the paper's size, that has the height of its middle all
+-- over a cell, so many cells along each side of a taxel: what the function says of a place so many
 -- millimetres to the right of and below the face's first vertex, nothing where there is nothing.
 reliefByHeights :: Int -> LaidFace -> (Double -> Double -> Maybe Double) -> Relief
 reliefByHeights fineness face heightAt =

@@ -1,7 +1,7 @@
 -- | A face with its symbols raised, as triangles. It has three kinds of them. The ground, at height
--- 0, is its polygon less all that an odd number of the symbols' outlines has inside; along each side
--- of an outline stands a wall; the tops, at the height of the relief, are what the outlines have
--- inside.
+-- 0, is its polygon less all that an odd number of the symbols' outlines has inside; along each
+-- side of an outline stands a wall; the tops, at the height of the relief, are what the outlines
+-- have inside.
 --
 -- >          b'------- a'   top
 -- >         /|        /|
@@ -66,7 +66,9 @@ stampOf bitmap = stamp <$> outlines bitmap
 
 -- | Numbers in the place of things, from this one on.
 numberedFrom :: Int -> [[a]] -> [[Int]]
-numberedFrom = (snd .) . mapAccumL (\k loop -> let next = k + length loop in (next, [k .. next - 1]))
+numberedFrom from = snd . mapAccumL numbered from
+  where
+    numbered k things = let next = k + length things in (next, [k .. next - 1])
 
 -- | A corner of an outline of the symbol in a cell, by row and column of its block, where steps of
 -- the lattice are taxels: the symbol lies in the middle of its cell.
@@ -112,8 +114,8 @@ raisedFace height chart walk from symbols =
       | otherwise = from + 2 * (k - corners)
     top k = base k + 1
 
--- | The triangles of what an odd number of loops of a face's points has inside, by the places of the
--- points: made on a stretched face, with roots ever finer until they are certain.
+-- | The triangles of what an odd number of loops of a face's points has inside, by the places of
+-- the points: made on a stretched face, with roots ever finer until they are certain.
 region :: Chart -> [Spot] -> [[Int]] -> [(Int, Int, Int)]
 region chart listed loops = certain 64
   where

@@ -16,13 +16,13 @@ import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Emboss
 import PraTactile.Object.Chart (ExactPoint (..))
-import PraTactile.Object.Description
 import PraTactile.Object.Defect
+import PraTactile.Object.Description
 import PraTactile.Object.Mesh
 import PraTactile.Object.Radical
 import PraTactile.Object.Validity
 import PraTactile.Object.Vector hiding (plus)
-import PraTactile.Object.WingedEdge (solidMesh, Solid)
+import PraTactile.Object.WingedEdge (Solid, solidMesh)
 
 -- | Which numbers coordinates may be.
 data Precision
@@ -48,13 +48,13 @@ data Misshapen
     Irrational Int
   deriving stock (Eq, Show)
 
--- | The triangles with their points rounded. Points that are no vertices of the object are named E1,
--- E2, .., but for names that it has. O(n log n).
+-- | The triangles with their points rounded. Points that are no vertices of the object are named
+-- E1, E2, .., but for names that it has. O(n log n).
 rounded :: Precision -> Embossed -> Either Misshapen Rounded
 rounded precision made
   | precision == Fractions && irrational > 0 = Left (Irrational irrational)
   | alike > 0 || flat > 0 = Left (Melted alike flat)
-  | otherwise = Right (Rounded it (V.foldl' max 0 (V.zipWith furthest (embossedPoints made) placed)))
+  | otherwise = Right (Rounded it (V.maximum (V.zipWith furthest (embossedPoints made) placed)))
   where
     irrational = V.length (V.filter (not . rational) (embossedPoints made))
     placed = V.map (nearPoint way) (embossedPoints made)

@@ -1,11 +1,11 @@
--- | The relief of a face as a polyhedron has it that was made: rays along the face's normal find how
--- high its surface is. Of the placement only where the face lies is asked, and how large its
+-- | The relief of a face as a polyhedron has it that was made: rays along the face's normal find
+-- how high its surface is. Of the placement only where the face lies is asked, and how large its
 -- symbols are; of the array nothing.
 --
--- A ray begins 'highest' above the face and ends 'lowest' above it, which is a little below: what it
--- meets first is felt, and where it meets nothing there is nothing to feel. So what stands further off
--- is not in the way, such as another arm of the object, and what falls away beyond the face's rim is
--- not reached.
+-- A ray begins 'highest' above the face and ends 'lowest' above it, which is a little below: what
+-- it meets first is felt, and where it meets nothing there is nothing to feel. So what stands
+-- further off is not in the way, such as another arm of the object, and what falls away beyond the
+-- face's rim is not reached.
 module PraTactile.Relief.Mesh
   ( MeshError (..),
     meshRelief,
@@ -47,9 +47,9 @@ finestTaxel :: Int
 finestTaxel = 4
 
 -- | The relief of a laid face by a polyhedron that lies where the placement has the object, both so
--- large that symbols have the paper's size. Refuses a polyhedron that is not closed, and one without
--- a vertex within a hundredth of a millimetre of each corner of the face. O(n) in the polyhedron's
--- corners, and for each ray what lies near it.
+-- large that symbols have the paper's size. Refuses a polyhedron that is not closed, and one
+-- without a vertex within a hundredth of a millimetre of each corner of the face. O(n) in the
+-- polyhedron's corners, and for each ray what lies near it.
 meshRelief :: Mesh -> Solid -> LaidFace -> Either MeshError Relief
 meshRelief it object laid
   | open > 0 = Left (NotClosed open)
@@ -84,8 +84,8 @@ namedPoints :: Solid -> FaceName -> [Point]
 namedPoints object name =
   maybe [] (map (pointAt (solidMesh object)) . U.toList) (walkNamed object name)
 
--- | From space to a face with these corners: millimetres to the right of its first one, below it, and
--- above the face.
+-- | From space to a face with these corners: millimetres to the right of its first one, below it,
+-- and above the face.
 faceMotion :: [Point] -> Point -> (Double, Double, Double)
 faceMotion corners = \p -> let v = ways p in (along v right, along v down, along v up)
   where
@@ -107,8 +107,8 @@ data Facet = Facet !Corner !Corner !Corner
 type Corner = (Double, Double, Double)
 
 -- | How high the first of these triangles lies that a ray meets which falls on the face at a place
--- right of and below its first vertex; they are sorted into squares of the box that begins there and
--- is so large.
+-- right of and below its first vertex; they are sorted into squares of the box that begins there
+-- and is so large.
 highestAt :: (Double, Double) -> (Double, Double) -> [Facet] -> Double -> Double -> Maybe Double
 highestAt (left, top) (wide, high) facets = \x y ->
   case mapMaybe (meeting x y) (squares V.! (square down y * (across + 1) + square right x)) of

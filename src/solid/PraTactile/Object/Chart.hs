@@ -10,10 +10,11 @@
 -- with fractions u, v, m, n: of a block that is centred on the face (u, v) is the middle of the box
 -- round the corners, of one at a margin 0. Stretched by sqrt a and sqrt b corners are whole, and
 -- the lattice is where it is by two roots, which 'planeOf' replaces by fractions: a stretched face
--- with a stretched lattice. On it all that lies in one row or column of the lattice, and all corners
--- that lie on a line, do so still, and a root that is a multiple of the other one stays that multiple;
--- so three points that lay on a line do, and with fractions near enough to the roots no three turn
--- another way. Whether they are near enough is tried: 'sameTurn' tells it of three points.
+-- with a stretched lattice. On it all that lies in one row or column of the lattice, and all
+-- corners that lie on a line, do so still, and a root that is a multiple of the other one stays
+-- that multiple; so three points that lay on a line do, and with fractions near enough to the roots
+-- no three turn another way. Whether they are near enough is tried: 'sameTurn' tells it of three
+-- points.
 --
 -- In space, with E from the walk's first vertex o to its last one and N the outward normal, whole
 -- vectors over a denominator d of the corners' coordinates, and F = E x N, a = E^2 d^2, b = a N^2,
@@ -23,7 +24,6 @@
 module PraTactile.Object.Chart
   ( Chart,
     chartOf,
-
     Spot (..),
 
     -- * In the plane
@@ -68,9 +68,10 @@ data Chart = Chart
 -- | A point or a way in space: millimetres along x, y and z, over these roots.
 data ExactPoint = ExactPoint !Roots !Radical !Radical !Radical
 
--- | The chart of a face, whose walk is of vertices that there are, with a lattice of steps of so many
--- millimetres. Its origin is where the anchor has the upper left corner of a block of so many rows
--- and columns of cells, which are so many steps wide and high. None where the face has no frame.
+-- | The chart of a face, whose walk is of vertices that there are, with a lattice of steps of so
+-- many millimetres. Its origin is where the anchor has the upper left corner of a block of so many
+-- rows and columns of cells, which are so many steps wide and high. None where the face has no
+-- frame.
 chartOf ::
   Mesh ->
   Walk ->
@@ -218,7 +219,8 @@ pointOn chart height spot
           `further` scaledWay (fromInteger j) (stepDown chart)
 
 further :: ExactPoint -> ExactPoint -> ExactPoint
-further (ExactPoint over x y z) (ExactPoint _ x' y' z') = ExactPoint over (plus x x') (plus y y') (plus z z')
+further (ExactPoint over x y z) (ExactPoint _ x' y' z') =
+  ExactPoint over (plus x x') (plus y y') (plus z z')
 
 scaledWay :: Rational -> ExactPoint -> ExactPoint
 scaledWay k (ExactPoint over x y z) = ExactPoint over (times k x) (times k y) (times k z)

@@ -95,7 +95,8 @@ nearest rounding over number@(Radical p q r s) = case asFraction number of
     bounds (k, (a, c, ac)) = (sum (map fst parts) % unit, sum (map snd parts) % unit)
       where
         unit = 2 ^ k
-        parts = [between p (unit, unit), between q (around a), between r (around c), between s (around ac)]
+        parts =
+          between p (unit, unit) : zipWith between [q, r, s] (map around [a, c, ac])
         around root = (root, root + 1)
         between share (low, high)
           | share >= 0 = (share `floored` low, share `raised` high)

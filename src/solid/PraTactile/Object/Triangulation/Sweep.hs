@@ -1,9 +1,9 @@
 -- | Some triangles of a plane region, by a line that sweeps over it (Hertel and Mehlhorn 1983).
 --
--- Points are met in the order of x, those of one x in the order of y. Behind the line lie triangles;
--- between them and the line each part of the region that the line crosses has a chain, from the
--- point where its lower side begins up to the one where its upper side does, whose last point met
--- has no point of the chain to its right:
+-- Points are met in the order of x, those of one x in the order of y. Behind the line lie
+-- triangles; between them and the line each part of the region that the line crosses has a chain,
+-- from the point where its lower side begins up to the one where its upper side does, whose last
+-- point met has no point of the chain to its right:
 --
 -- >      c_m -------- upper side
 -- >       \
@@ -24,8 +24,8 @@ module PraTactile.Object.Triangulation.Sweep
 where
 
 import Data.List (foldl', sortOn)
-import qualified Data.Sequence as Seq
 import Data.Sequence (Seq, (<|), (|>))
+import qualified Data.Sequence as Seq
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Description (cyclicPairs)

@@ -1,0 +1,202 @@
+-- | What is made is read back by roads that share nothing with its making: as a polyhedron, by
+-- pressing it, and as an image.
+module Test.CommandLine.Emboss (spec) where
+
+import Codec.Picture
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Char8 as Char8
+import Data.Foldable (for_)
+import Data.List (isPrefixOf, isSuffixOf, sort, stripPrefix, tails)
+import Data.Maybe (mapMaybe)
+import System.Directory
+import System.Exit (ExitCode (..))
+import System.Process (readProcessWithExitCode)
+import Test.CommandLine.Run
+import Test.Hspec
+import Test.Support
+
+spec :: Spec
+spec = do
+  it "every format has the same of the cube, and is read as a solid" $
+    inFolder $ \folder ->
+      for_ [("stl", "c.stl"), ("ascii-stl", "d.stl"), ("json", "c.json")] $ \(format, file) -> do
+        (status, out, _) <-
+          scripted folder $
+            "pra emboss --object cube --format " ++ format ++ " --output " ++ file
+              ++ (" && pra solid " ++ file ++ " | head -1")
+        (status, lines out)
+          `shouldBe` ( 0,
+                       [ "wrote " ++ file
+                           ++ ": 4192 vertices, 8380 triangles, 2074307.84734375 mm^3, 6480 raised "
+                           ++ "taxels, strokes from 3.175 mm, 1.5875 mm high",
+                         (if format == "json" then "cube" else take 1 file) ++ ": a solid"
+                       ]
+                     )
+  it "objects and drawings go to a folder, each under a name of its own" $
+    inFolder $ \folder -> do
+      (status, _, _) <-
+        scripted folder $
+          "pra emboss --output made > log; "
+            ++ "pra emboss --format svg --object cube --output drawn > log"
+      status `shouldBe` 0
+      made <- listDirectory (folder ++ "/made")
+      sort made `shouldBe` ["cube.stl", "parallelepiped.stl"]
+      drawn <- listDirectory (folder ++ "/drawn")
+      length drawn `shouldBe` 6
+      drawn `shouldSatisfy` elem "cube.C1-C2-C3-C4.svg"
+  it "pressed in place of the object it is felt alike, and found, on every face" $
+    inFolder $ \folder -> do
+      (status, _, _) <- scripted folder "pra emboss --output made > log"
+      status `shouldBe` 0
+      for_ (zip [1 :: Int ..] faces) $ \(seed, (object', face)) -> do
+        let press =
+              "pra probe --sensor ideal --seed " ++ show seed
+                ++ (" --object " ++ object' ++ " --face '" ++ face ++ "' ")
+        (_, out, _) <-
+          scripted folder $
+            "rm -rf f g; " ++ press ++ "--output f > log; "
+              ++ press
+              ++ ("--mesh made/" ++ object' ++ ".stl --output g > log; diff -r f g; ")
+              ++ "pra decode g | head -1 | cut -d, -f1-2"
+        out `shouldBe` object' ++ ", face " ++ face ++ "\n"
+  it "a plate is pressed where its face was, also of symbols twice as large, at any angle" $
+    inFolder $ \folder -> do
+      (status, out, err) <-
+        scripted folder $
+          "pra place b=box:200x260x100 --symbols 2 --output p.json > log; "
+            ++ "on='--placement p.json --object b --face V1,V2,V3,V4'; "
+            ++ "pra emboss $on --output b.stl > log; "
+            ++ "pra probe $on --mesh b.stl --turn 30 --sensor real --taxel 3.175 --seed 3 "
+            ++ "--output f --truth t > log; "
+            ++ "pra decode --placement p.json f --json > a; pra compare --placement p.json a t"
+      (status, err) `shouldBe` (0, "")
+      lines out `shouldSatisfy` any ("they agree to " `isPrefixOf`)
+  describe "a mesh that is not pressed" $ do
+    it "is open" . refusedWith "is no closed surface" $
+      "pra emboss --object cube --format json --output c.json > log; "
+        ++ "sed 's/,\\[\"C1\",[^]]*\\]//' c.json > open.json; "
+        ++ "pra probe --object cube --mesh open.json --seed 1 --output f"
+    it "lies elsewhere" . refusedWith "does not lie where the placement has the face" $
+      "pra emboss --object parallelepiped --output p.stl > log; "
+        ++ "pra probe --object cube --mesh p.stl --seed 1 --output f"
+    it "is no file of that kind" . refusedWith "is needed here" $
+      "echo solid nothing much > c.stl; pra probe --object cube --mesh c.stl --seed 1 --output f"
+  describe "refused is" $
+    for_
+      [ ( "a plate too thin",
+          "--thickness",
+          "pra emboss --object cube --face 'C1 C2 C3 C4' --thickness 1 --output x"
+        ),
+        ( "a thickness of a drawing",
+          "--thickness",
+          "pra emboss --format svg --object cube --face 'C1 C2 C3 C4' --thickness 9 --output x"
+        ),
+        ("a face of no object", "--object", "pra emboss --face 'C1 C2 C3 C4' --output x"),
+        ("an object that there is not", "ball", "pra emboss --object ball --output x"),
+        ( "a face that there is not",
+          "C1 C2 C9",
+          "pra emboss --object cube --face 'C1 C2 C9' --output x"
+        ),
+        ( "a face without a cell",
+          "has no place on the array",
+          "pra place t=box:60x60x40 --face 't:V1 V2 V3 V4' --output p.json > log; "
+            ++ "pra emboss --placement p.json --object t --face 'V5 V8 V7 V6' --output x"
+        ),
+        ( "a folder that holds files",
+          "is not empty",
+          "mkdir x; touch x/y; pra emboss --output x"
+        ),
+        ("a full device", "no space left", "pra emboss --object cube --output /dev/full"),
+        ( "a point that is no fraction, as one",
+          "are no fractions",
+          "pra place tetrahedron:120 --output p.json > log; "
+            ++ "pra emboss --placement p.json --object tetrahedron --format json --output x"
+        ),
+        ( "what coordinates of 32 bits melt",
+          "coordinates of 32 bits",
+          "pra place t=box:3/1000000x4/1000000x1000 --symbols 1/10000000 "
+            ++ "--face 't:V1 V2 V3 V4' --output p.json > log; "
+            ++ "pra emboss --placement p.json --object t --output x"
+        )
+      ]
+      $ \(name, about, script) -> it name (refusedWith about script)
+  it "the drawings of all faces, rasterised and turned to light on dark, are decoded" $
+    findExecutable "rsvg-convert" >>= \there -> case there of
+      Nothing -> pendingWith "rsvg-convert is not installed here: apt-get install librsvg2-bin"
+      Just _ -> inFolder $ \folder -> do
+        _ <- scripted folder "pra emboss --format svg --output drawn > log"
+        drawn <- filter (".svg" `isSuffixOf`) <$> listDirectory (folder ++ "/drawn")
+        length drawn `shouldBe` 12
+        for_ drawn $ \file -> do
+          (code, _, err) <-
+            readProcessWithExitCode
+              "rsvg-convert"
+              (words "-d 16 -p 16 -b white -o" ++ [folder ++ "/r.png", folder ++ "/drawn/" ++ file])
+              ""
+          (code, err) `shouldBe` (ExitSuccess, "")
+          picture <- readImage (folder ++ "/r.png") >>= either fail (pure . convertRGB8)
+          Bytes.writeFile (folder ++ "/r.pgm") (negative picture)
+          (_, out, _) <- pra ["decode", folder ++ "/r.pgm"]
+          let (object', rest) = break (== '.') file
+              face = map (\c -> if c == '-' then ' ' else c) (takeWhile (/= '.') (drop 1 rest))
+          out `shouldStartWith` (object' ++ ", face " ++ face ++ ", corner ")
+  it "nothing of a drawing lies beyond its paper" $
+    inFolder $ \folder -> do
+      _ <- scripted folder "pra emboss --format svg --output drawn > log"
+      drawn <- listDirectory (folder ++ "/drawn")
+      for_ drawn $ \file -> do
+        text <- readFile (folder ++ "/drawn/" ++ file)
+        let numbers mark = map read . words . map spaced . takeWhile (/= '"') <$> after mark text
+            points = concatMap inPairs (numbers " d=\"")
+        length points `shouldSatisfy` (> 100)
+        case numbers "viewBox=\"" of
+          [[0, 0, wide, high]] ->
+            points `shouldSatisfy` all (\(x, y) -> x > 0 && x < wide && y > 0 && y < high)
+          _ -> expectationFailure text
+  where
+    faces =
+      [ ("cube", face)
+        | face <-
+            [ "C2 C6 C7 C3",
+              "C3 C7 C8 C4",
+              "C4 C8 C5 C1",
+              "C1 C2 C3 C4",
+              "C1 C5 C6 C2",
+              "C6 C5 C8 C7"
+            ]
+      ]
+        ++ [ ("parallelepiped", face)
+             | face <-
+                 [ "P1 P2 P3 P4",
+                   "P6 P5 P8 P7",
+                   "P2 P6 P7 P3",
+                   "P4 P8 P5 P1",
+                   "P3 P7 P8 P4",
+                   "P1 P5 P6 P2"
+                 ]
+           ]
+    -- What follows the mark, each time that it is there.
+    after mark = mapMaybe (stripPrefix mark) . tails
+    spaced c = if c `elem` ("MLz," :: String) then ' ' else c
+    inPairs given = case given of
+      x : y : others -> (x, y) : inPairs others
+      _ -> [] :: [(Double, Double)]
+
+-- | The script ends with a refusal that says this, and writes nothing called x or f.
+refusedWith :: String -> String -> Expectation
+refusedWith about script = inFolder $ \folder -> do
+  outcome <- scripted folder script
+  outcome `refuses` about
+  left <- listDirectory folder
+  filter (`elem` ["f", "x.part"]) left `shouldBe` []
+
+-- | A picture's negative as a PGM file.
+negative :: Image PixelRGB8 -> Bytes.ByteString
+negative picture =
+  Char8.pack ("P5\n" ++ show wide ++ " " ++ show high ++ "\n255\n")
+    <> Bytes.pack [255 - grey (pixelAt picture x y) | y <- [0 .. high - 1], x <- [0 .. wide - 1]]
+  where
+    (wide, high) = (imageWidth picture, imageHeight picture)
+    grey (PixelRGB8 r g b) =
+      let parts = zipWith (*) [299, 587, 114] (map fromIntegral [r, g, b])
+       in fromIntegral (sum parts `div` 1000 :: Int)
