@@ -80,7 +80,7 @@ spec = do
       "pra emboss --object parallelepiped --output p.stl > log; "
         ++ "pra probe --object cube --mesh p.stl --seed 1 --output f"
     it "is no file of that kind" . refusedWith "is needed here" $
-      "echo solid nothing much > c.stl; pra probe --object cube --mesh c.stl --seed 1 --output f"
+      "echo solid > c.stl; echo facets >> c.stl; pra probe --object cube --mesh c.stl --seed 1 --output f"
   describe "refused is" $
     for_
       [ ( "a plate too thin",
@@ -120,6 +120,16 @@ spec = do
         )
       ]
       $ \(name, about, script) -> it name (refusedWith about script)
+  it "admesh finds nothing to mend in it" $
+    findExecutable "admesh" >>= \there -> case there of
+      Nothing -> pendingWith "admesh is not installed here: apt-get install admesh"
+      Just _ -> inFolder $ \folder -> do
+        (status, out, _) <-
+          scripted folder $
+            "pra emboss --object cube --output c.stl > log; admesh c.stl | grep -E '^("
+              ++ "Total disconnected|Degenerate|Edges fixed|Facets (removed|added|reversed)|"
+              ++ "Backwards|Normals)'"
+        (status, map (last . words) (lines out)) `shouldBe` (0, replicate 8 "0")
   it "the drawings of all faces, rasterised and turned to light on dark, are decoded" $
     findExecutable "rsvg-convert" >>= \there -> case there of
       Nothing -> pendingWith "rsvg-convert is not installed here: apt-get install librsvg2-bin"
