@@ -12,6 +12,7 @@ module PraTactile.Object.Surface
     sidesOfFace,
     nextSide,
     previousSide,
+    placeOnWalk,
 
     -- * Edges
     edgeCount,
@@ -108,6 +109,10 @@ previousSide :: Surface -> Int -> Int
 previousSide it s = if s == offsets it U.! f then offsets it U.! (f + 1) - 1 else s - 1
   where
     f = sideFace it s
+
+-- | Where on its walk a side begins, from 0.
+placeOnWalk :: Surface -> Int -> Int
+placeOnWalk it s = s - offsets it U.! sideFace it s
 
 -- | How many edges there are.
 edgeCount :: Surface -> Int

@@ -1,0 +1,60 @@
+-- | Intervals that hold a real number for certain, at a stated number of binary places.
+module PraTactile.Object.Net.Enclosure
+  ( Enclosure,
+    enclosed,
+    bounds,
+    middle,
+    radius,
+    signKnown,
+  )
+where
+
+import Data.Bits (shiftL, shiftR)
+import Data.Ratio (denominator, numerator, (%))
+import PraTactile.Object.Net.Number
+import PraTactile.Object.Vector (floorRoot)
+
+-- | All numbers that are no further from the middle than the radius, both in units of 2^-places.
+data Enclosure = Enclosure
+  { places :: !Int,
+    centre :: !Integer,
+    reach :: !Integer
+  }
+  deriving stock (Show)
+
+-- | So many times the root of a number that is not negative, at so many binary places, which are
+-- the same in all that is put together.
+enclosed :: Int -> Rational -> Integer -> Enclosure
+enclosed digits q under
+  | under == 1 = Enclosure digits (floor (q * fromInteger (1 `shiftL` digits))) 1
+  | otherwise = Enclosure digits (if q < 0 then negate root else root) 1
+  where
+    root = floorRoot (q * q * fromInteger under * fromInteger (1 `shiftL` (2 * digits)))
+
+-- | The least and the greatest number.
+bounds :: Enclosure -> (Rational, Rational)
+bounds it = (middle it - radius it, middle it + radius it)
+
+middle, radius :: Enclosure -> Rational
+middle it = centre it % (1 `shiftL` places it)
+radius it = reach it % (1 `shiftL` places it)
+
+-- | The sign that all of its numbers have; 'Nothing' where 0 is among them.
+signKnown :: Enclosure -> Maybe Int
+signKnown (Enclosure _ m r)
+  | m > r = Just 1
+  | negate m > r = Just (-1)
+  | otherwise = Nothing
+
+instance Number Enclosure where
+  plus (Enclosure p m r) (Enclosure _ n s) = Enclosure p (m + n) (r + s)
+  minus (Enclosure p m r) (Enclosure _ n s) = Enclosure p (m - n) (r + s)
+
+  -- What is cut off is less than 1, and so is what rounding leaves of the radius.
+  product' (Enclosure p m r) (Enclosure _ n s) =
+    Enclosure p ((m * n) `shiftR` p) (((abs m * s + abs n * r + r * s) `shiftR` p) + 2)
+  times k (Enclosure p m r) =
+    Enclosure
+      p
+      ((m * numerator k) `div` denominator k)
+      ((r * abs (numerator k)) `div` denominator k + 2)
