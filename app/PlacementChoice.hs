@@ -54,7 +54,7 @@ placementChoice ofDatabase' =
       \(default: the cube and the parallelepiped on the paper's array, and of any other array the \
       \whole of it as a flat plate)"
     <|> InDatabase
-    <$> fileOption "database" "FILE" ofDatabase'
+    <$> fileOption "database" "FILE" (ofDatabase' ++ "; on a server: postgresql://...")
     <|> pure Shipped
 
 -- | @--object sheet@, or another choice.
@@ -148,7 +148,7 @@ withDatabase array file going =
 profileIn :: FilePath -> String -> IO Profile
 profileIn file text =
   orUnusable
-    (formatMessage file "a database as 'pra-tactile objects --write' makes it")
+    (formatMessage (shownName file) "a database as 'pra-tactile objects --write' makes it")
     (decodeProfile (Bytes.pack text))
 
 -- | Leaves with status 2 where the array options describe another array than the file's.
@@ -156,7 +156,7 @@ agreeing :: ArrayChoice -> FilePath -> Profile -> IO ()
 agreeing array file profile = unless (nothingChosen array) $ do
   other <- chosenProfile array
   unless (other == profile) . unusable $
-    "the array options describe another array than that of " ++ visibleName file
+    "the array options describe another array than that of " ++ visibleName (shownName file)
       ++ "; leave them out"
 
 -- | 'chosenWith' where nothing is said about the array.

@@ -73,8 +73,8 @@ command =
         <*> optionalFile
           "write"
           "FILE"
-          "Write the mapping to an SQLite file: a new one, or one that this command made, \
-          \which is replaced"
+          "Write the mapping to an SQLite file, or a database on a server, postgresql://...: a new \
+          \one, or one that this command made, which is replaced"
         <*> optional taskOption
         <*> many
           ( argument
@@ -107,7 +107,7 @@ run choice options = do
       (_, Just file) -> do
         (profile, layout) <- chosenPlacement choice (source options)
         create file (profileText profile) layout >>= orUnusable storeMessage
-        Answered <$ sayWrittenAs (form options) file "" "objects-written/1" mempty
+        Answered <$ sayWrittenAs (form options) (shownName file) "" "objects-written/1" mempty
       (Just position, _) -> asking choice (source options) (lookUp options position)
       _
         | batched options -> asking choice (source options) batch

@@ -175,6 +175,9 @@ storeMessage e = case e of
   Occupied file NoRegularFile ->
     file ++ " is no regular file, and a database needs one; " ++ elsewhere
   Occupied file NoStore -> file ++ " is something else and is left as it is; " ++ elsewhere
+  Occupied name OtherTables ->
+    name ++ " has tables of something else, of the same names, which are left as they are; name \
+            \another database, or another schema in it"
   NotADatabase file -> file ++ " is not an SQLite database"
   DamagedFile file BrokenPages ->
     file ++ " is damaged: parts of it are overwritten or missing; write the database again"
@@ -204,6 +207,17 @@ storeMessage e = case e of
   TooLarge n -> show n ++ " is too large for the database"
   NotInStore why -> placementMessage why
   DatabaseFailed why -> "the database cannot be used: " ++ failureMessage why
+  UnreadableAddress ->
+    "a database on a server is named postgresql://USER@HOST:PORT/NAME?PARAMETER=VALUE, whatever \
+    \may be left out; in names and values other characters than letters and digits are written \
+    \as %40 and so on"
+  WithoutServers name ->
+    name ++ " cannot be asked: this program was built without PostgreSQL; build it again where the \
+            \library persistent-postgresql is installed"
+  Unreachable name why -> "cannot connect to " ++ name ++ ": " ++ failureMessage why
+  WrongEncoding name encoding ->
+    name ++ " has texts in the encoding " ++ encoding ++ "; a database with UTF8 is needed here"
+  TextNotHeld name -> name ++ " cannot hold a name with a NUL in it"
   where
     broken = " lacks a row, or has one that refers to nothing"
     elsewhere = "name a new file, or a database that 'pra-tactile objects --write' made"
@@ -215,6 +229,12 @@ failureMessage why = case why of
   NoRoom -> "there is no room"
   NoFolder -> "its folder does not exist or cannot be used"
   NameNotText -> "its name is not valid text"
+  NoServer -> "no server answers there"
+  PasswordRefused ->
+    "the server refuses the password, or wants one, which may be in PGPASSWORD or in ~/.pgpass"
+  ServerRefuses ->
+    "the server refuses: there is no such user or database, or they may not, or it is not ready"
+  ConnectionLost -> "the connection to the server was lost"
   SystemRefuses -> "the system refuses"
 
 recogniserMessage :: RecogniserError -> String

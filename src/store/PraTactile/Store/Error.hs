@@ -1,4 +1,5 @@
--- | What can go wrong between a placement and a file that holds it.
+-- | What can go wrong between a placement and a database that holds it. A database has the name under
+-- which it is shown: a file's path, or an address without a password.
 module PraTactile.Store.Error
   ( StoreError (..),
     Damage (..),
@@ -53,6 +54,17 @@ data StoreError
     NotInStore PlacementError
   | -- | the database does not carry out a statement
     DatabaseFailed Failure
+  | -- | the name begins as an address does, and is none; it is not repeated, for a password could be
+    -- anywhere in it
+    UnreadableAddress
+  | -- | the program was built without what asks a server
+    WithoutServers String
+  | -- | there is no connection to the server
+    Unreachable String Failure
+  | -- | the database on the server has texts in another encoding than UTF-8: this one
+    WrongEncoding String String
+  | -- | a text that the database cannot hold
+    TextNotHeld String
   deriving stock (Eq, Show)
 
 -- | In which way a file is not wholly a database.
@@ -75,6 +87,14 @@ data Failure
     NoFolder
   | -- | the file's name is not valid text, which the database needs
     NameNotText
+  | -- | no server answers
+    NoServer
+  | -- | the server refuses the password, or that there is none
+    PasswordRefused
+  | -- | the server refuses to connect for another reason
+    ServerRefuses
+  | -- | the server, or the way to it, is gone
+    ConnectionLost
   | -- | the system or the database refuses for another reason
     SystemRefuses
   deriving stock (Eq, Show)
@@ -87,6 +107,8 @@ data Occupant
     NoRegularFile
   | -- | a file of something else
     NoStore
+  | -- | tables of something else, of the same names
+    OtherTables
   deriving stock (Eq, Show)
 
 -- | The tables, by the names that the database gives them.

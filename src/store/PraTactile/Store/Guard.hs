@@ -1,4 +1,4 @@
--- | What the database, its binding and the system throw, as answers.
+-- | What a database, its binding and the system throw, as answers.
 module PraTactile.Store.Guard
   ( Objection (..),
     guarded,
@@ -13,10 +13,11 @@ import Control.Exception
     SomeAsyncException,
     SomeException,
     catches,
+    fromException,
     throwIO,
   )
 import Control.Monad.Trans.Except (ExceptT (..))
-import Database.Sqlite (Error (..), SqliteException (..))
+import Data.Maybe (fromMaybe)
 import PraTactile.Store.Error
 import System.IO.Error
   ( isAlreadyInUseError,
@@ -28,59 +29,29 @@ import System.IO.Error
 
 -- | What is thrown, by what it means.
 data Objection
-  = -- | the file's content is not what it should be
+  = -- | the content is not what it should be
     Damaged Damage
   | -- | the database knows no such table or column
     Unknown
-  | -- | the file cannot be read or written now
+  | -- | it cannot be read or written now
     Failed Failure
 
--- Note [SQLite's error codes] The binding calls SQLite's code 26, "not a database",
--- ErrorNotAConnection; it takes the codes 11, "corrupt", and 12, "not found", for each other; and
--- on a code that it does not know it throws an ErrorCall. Nothing asked here can be "not found", so
--- both count as damage. Code 1 is the one for statements that do not fit the tables.
-
--- | Run an action on a database; whatever it throws, but for what other threads throw at it, is an
--- objection.
-guarded :: IO a -> ExceptT Objection IO a
-guarded action =
+-- | Run an action on a database, given what the exceptions of the database mean; whatever it throws,
+-- but for what other threads throw at it, is an objection.
+guarded :: (SomeException -> Maybe Objection) -> IO a -> ExceptT Objection IO a
+guarded meaning action =
   ExceptT $
     (Right <$> action)
       `catches` [ Handler $ \fault -> throwIO (fault :: SomeAsyncException),
-                  Handler $ \fault -> pure (Left (ofDatabase (seError fault))),
-                  Handler $ \fault ->
-                    pure
-                      ( Left
-                          ( if isUserError fault
-                              then Damaged ForeignValue
-                              else Failed (failureOf fault)
-                          )
-                      ),
-                  Handler anythingElse
+                  Handler $ \fault -> pure (Left (fromMaybe (ofSystem fault) (meaning fault)))
                 ]
-  where
-    -- Values that are not of their column's type, among them text that is not UTF-8, are objected
-    -- to in many ways.
-    anythingElse :: SomeException -> IO (Either Objection a)
-    anythingElse _ = pure (Left (Damaged ForeignValue))
 
-ofDatabase :: Error -> Objection
-ofDatabase code = case code of
-  ErrorCorrupt -> Damaged BrokenPages
-  ErrorNotFound -> Damaged BrokenPages
-  ErrorNotAConnection -> Damaged BrokenPages
-  ErrorFormat -> Damaged BrokenPages
-  ErrorMismatch -> Damaged ForeignValue
-  ErrorError -> Unknown
-  ErrorBusy -> Failed InUse
-  ErrorLocked -> Failed InUse
-  ErrorPermission -> Failed NotPermitted
-  ErrorReadOnly -> Failed NotPermitted
-  ErrorAuthorization -> Failed NotPermitted
-  ErrorFull -> Failed NoRoom
-  ErrorNoMemory -> Failed NoRoom
-  ErrorCan'tOpen -> Failed NoFolder
-  _ -> Failed SystemRefuses
+-- | An exception of the system. Values that are not of their column's type, among them text that is
+-- not UTF-8, are objected to in many ways, by exceptions of any other kind.
+ofSystem :: SomeException -> Objection
+ofSystem fault = case fromException fault of
+  Just told | not (isUserError told) -> Failed (failureOf told)
+  _ -> Damaged ForeignValue
 
 -- | What the system's objection means.
 failureOf :: IOException -> Failure
@@ -91,7 +62,7 @@ failureOf fault
   | isDoesNotExistError fault = NoFolder
   | otherwise = SystemRefuses
 
--- | An objection as the failure to read or write a file.
+-- | An objection as the failure to read or write.
 failureIn :: Objection -> Failure
 failureIn objection = case objection of
   Failed failure -> failure

@@ -14,6 +14,7 @@ module PraTactile.Store.Rows
     parts,
     partName,
     partColumns,
+    allTexts,
     disagreement,
   )
 where
@@ -81,20 +82,29 @@ parts =
 partName :: Part -> String
 partName (Part table _) = tableName table
 
--- | A table's columns in their order, and of which of the database's types their values are, where
--- they are not null.
-partColumns :: Part -> [(Text, String)]
+-- | A table's columns in their order, and of which type their values are, where they are not null:
+-- whole numbers or texts.
+partColumns :: Part -> [(Text, SqlType)]
 partColumns (Part _ part) =
-  [ (unFieldNameDB (fieldDB column), if fieldSqlType column == SqlString then "text" else "integer")
+  [ (unFieldNameDB (fieldDB column), fieldSqlType column)
     | column <- getEntityFieldsDatabase (entityDef (listToMaybe (part mempty)))
   ]
+
+-- | Whether all texts in the rows are such.
+allTexts :: (Text -> Bool) -> Rows -> Bool
+allTexts held given = all inPart parts
+  where
+    inPart :: Part -> Bool
+    inPart (Part _ part) =
+      and [held text | row <- part given, PersistText text <- values row]
+    values row = map toPersistValue (toPersistFields row)
 
 -- | Put all rows into empty tables.
 insertRows :: MonadIO m => Rows -> ReaderT SqlBackend m ()
 insertRows given = mapM_ insertPart parts
   where
     insertPart :: MonadIO m => Part -> ReaderT SqlBackend m ()
-    insertPart (Part _ part) = insertEntityMany (entities (keyed (part given)))
+    insertPart (Part _ part) = insertAll (keyed (part given))
 
 -- | All rows, in the order of their keys.
 selectRows :: MonadIO m => ReaderT SqlBackend m Rows
@@ -118,11 +128,11 @@ changeRows old new = mapM_ fst (reverse steps) >> mapM_ snd steps
     step (Part table part)
       | isReferredTo table =
         ( mapM_ delete (Map.keys gone),
-          mapM_ (uncurry replace) (Map.toList changed) >> insertEntityMany (entities come)
+          mapM_ (uncurry replace) (Map.toList changed) >> insertAll come
         )
       | otherwise =
         ( mapM_ delete (Map.keys (gone <> changed)),
-          insertEntityMany (entities (come <> changed))
+          insertAll (come <> changed)
         )
       where
         (before, after) = (keyed (part old), keyed (part new))
@@ -143,5 +153,12 @@ keyed given = Map.fromList [(key row, row) | row <- given]
   where
     key = fromMaybe (error "a table whose key is none of its columns") keyFromRecordM
 
-entities :: Map.Map (Key row) row -> [Entity row]
-entities given = [Entity key row | (key, row) <- Map.toList given]
+-- Some hundreds in a statement: with all of them in one it would grow to many megabytes.
+insertAll ::
+  (PersistEntity row, PersistEntityBackend row ~ SqlBackend, MonadIO m) =>
+  Map.Map (Key row) row ->
+  ReaderT SqlBackend m ()
+insertAll given = mapM_ insertEntityMany (takeWhile (not . null) (blocksOf entities))
+  where
+    entities = [Entity key row | (key, row) <- Map.toList given]
+    blocksOf some = let (block, others) = splitAt 500 some in block : blocksOf others

@@ -1,0 +1,210 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | A store on a server of PostgreSQL: nine tables in the schema that the user's tables go to.
+--
+-- A transaction that reads sees one state throughout (repeatable read). One that writes holds all
+-- nine tables against other writers before it reads the first row, and readers go on with what was
+-- there before. Locks are waited for up to ten seconds, and so is a server.
+module PraTactile.Store.Postgresql
+  ( postgresql,
+  )
+where
+
+import Control.Exception (SomeException, bracket, fromException)
+import Control.Monad (unless)
+import Control.Monad.Trans.Class (lift)
+import Control.Monad.Trans.Except (ExceptT (..), except, runExceptT, throwE, withExceptT)
+import Control.Monad.Trans.Reader (runReaderT)
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Char8 as Bytes
+import Data.Foldable (for_)
+import Data.List (intercalate)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Data.Text.Encoding (encodeUtf8)
+import Database.Persist.Postgresql (openSimpleConn)
+import Database.Persist.Sql
+import Database.PostgreSQL.Simple (SqlError (..), close, connectPostgreSQL)
+import PraTactile.Store.Address
+import PraTactile.Store.Backend
+import PraTactile.Store.Error
+import PraTactile.Store.Guard
+import PraTactile.Store.Query (Query)
+import PraTactile.Store.Rows
+import PraTactile.Store.Schema
+import System.IO.Error (isUserError)
+import System.Timeout (timeout)
+
+-- | The database at this address.
+postgresql :: Address -> Backend
+postgresql address = backend
+  where
+    name = shownAddress address
+    backend =
+      Backend
+        { backendName = name,
+          connected = \action ->
+            throughout address $ \connection -> runExceptT (answering backend (action connection)),
+          meaningOf = meaningInPostgresql,
+          columnsOf = columnsOfVisible,
+          -- There is no question that makes a server read its files through.
+          integrity = pure (),
+          valuesTyped = do
+            differ <- concat <$> traverse typesThatDiffer parts
+            unless (null differ) (throwE (DamagedFile name ForeignValue)),
+          olderVersions = [],
+          prepareWriting = pure (beginWriting >> holdTables),
+          -- A NUL would end the text.
+          holdsText = Text.all (/= '\0'),
+          putRows = putTables address
+        }
+
+-- | Go on with a connection to the database at an address, if a store can be there.
+throughout ::
+  Address -> (SqlBackend -> IO (Either StoreError a)) -> ExceptT StoreError IO a
+throughout address action =
+  ExceptT (bracket (runExceptT reached) (either (const (pure ())) close) (runExceptT . going))
+  where
+    name = shownAddress address
+    going outcome = do
+      backend <- except outcome >>= known . openSimpleConn (\_ _ _ _ -> pure ())
+      found <- known (runReaderT (rawSql settings []) backend)
+      for_ (map encodingIn found) $ \encoding ->
+        unless (encoding == "UTF8") (throwE (WrongEncoding name (Text.unpack encoding)))
+      ExceptT (action backend)
+    encodingIn :: (Single Text, Single Text, Single Text, Single Text) -> Text
+    encodingIn (Single encoding, _, _, _) = encoding
+    known = unreachable . guarded meaningInPostgresql
+    unreachable = withExceptT (Unreachable name . failureIn)
+    -- libpq's own limit holds only where the whole program waits for it.
+    reached = do
+      answered <-
+        unreachable . guarded meaningOfRefusal . timeout (10 * 1000000) . connectPostgreSQL $
+          encodeUtf8 (Text.pack (connectionString keptAlive address))
+      maybe (throwE (Unreachable name NoServer)) pure answered
+    settings =
+      "SELECT current_setting('server_encoding'), set_config('lock_timeout', '10s', false), \
+      \set_config('default_transaction_isolation', 'repeatable read', false), \
+      \set_config('client_min_messages', 'error', false)"
+
+-- | A server behind a network that is gone is noticed within half a minute.
+keptAlive :: [(String, String)]
+keptAlive =
+  [ ("keepalives_idle", "10"),
+    ("keepalives_interval", "5"),
+    ("keepalives_count", "3"),
+    ("tcp_user_timeout", "25000")
+  ]
+
+-- | A new transaction, in which each statement sees what has been committed before it.
+beginWriting :: Query IO ()
+beginWriting = lift (mapM_ (`rawExecute` []) ["COMMIT", "BEGIN ISOLATION LEVEL READ COMMITTED"])
+
+-- | Keep other writers off until the transaction ends; who reads need not wait.
+holdTables :: Query IO ()
+holdTables = execute ("LOCK TABLE " <> listed <> " IN EXCLUSIVE MODE")
+
+-- | Make the tables and fill them, or fill those that there are, in one transaction. Who makes them
+-- is alone with the database, for there is no table yet to be held.
+putTables :: Address -> Rows -> ExceptT StoreError IO ()
+putTables address given = throughout address $ \backend ->
+  runExceptT
+    (withExceptT objection (guarded meaningInPostgresql (transacted backend putting)) >>= except)
+  where
+    name = shownAddress address
+    objection Unknown = Occupied name OtherTables
+    objection other = CannotWrite name (failureIn other)
+    putting = do
+      beginWriting
+      _ <- ask ("SELECT 1 FROM pg_advisory_xact_lock(" ++ show turn ++ ")") :: Query IO [Int]
+      taken <-
+        ask $
+          "SELECT relname::text FROM pg_catalog.pg_class WHERE relname IN ("
+            ++ intercalate ", " ["'" ++ partName part ++ "'" | part <- parts]
+            ++ ") AND relnamespace = \
+               \(SELECT oid FROM pg_catalog.pg_namespace WHERE nspname = current_schema())"
+      if null (taken :: [Text]) then makeTables else emptyTables
+      lift (insertRows given)
+      -- So that the first look-up of many rows is planned for them.
+      execute ("ANALYZE " <> listed)
+    emptyTables = do
+      there <- traverse (columnsOfVisible . partName) parts
+      unless (there == map (map fst . partColumns) parts) (throwE (Occupied name OtherTables))
+      holdTables
+      for_ (reverse parts) $ \part -> execute ("DELETE FROM " <> Text.pack (partName part))
+    -- The number that this program's writers lock: any that stays the same.
+    turn = 7072617461637469 :: Int
+
+-- | Names are in the order of their characters, whatever the order of the database's language, and
+-- a laying that goes is looked for among the runs.
+makeTables :: Query IO ()
+makeTables = do
+  _ <- lift (runMigrationQuiet migrateAll)
+  execute "ALTER TABLE object ALTER COLUMN name TYPE varchar COLLATE \"C\""
+  execute "CREATE INDEX run_laying ON run (laying)"
+
+execute :: Text -> Query IO ()
+execute sql = lift (rawExecute sql [])
+
+listed :: Text
+listed = Text.intercalate ", " (map (Text.pack . partName) parts)
+
+-- | The columns of the table that a statement means by this name.
+columnsOfVisible :: String -> Query IO [Text]
+columnsOfVisible table = map unSingle <$> columnsBy "attname::text" table
+
+-- | Those columns of a table that are not of their types.
+typesThatDiffer :: Part -> Query IO [Text]
+typesThatDiffer part = do
+  there <- columnsBy "attname::text, format_type(atttypid, atttypmod)" (partName part)
+  pure
+    [ column
+      | (Single column, Single found) <- there,
+        Just kind <- [lookup column (partColumns part)],
+        found /= (if kind == SqlString then "character varying" else "bigint" :: Text)
+    ]
+
+columnsBy :: RawSql row => Text -> String -> Query IO [row]
+columnsBy what table =
+  lift . (`rawSql` []) $
+    "SELECT " <> what
+      <> " FROM pg_catalog.pg_attribute WHERE attrelid = (SELECT oid FROM pg_catalog.pg_class \
+         \WHERE oid = to_regclass('"
+      <> Text.pack table
+      <> "') AND relkind = 'r') AND attnum > 0 AND NOT attisdropped ORDER BY attnum"
+
+-- | What an exception means while there is a connection. Of those that the server did not make,
+-- which have no state, and of the system's, the cause is that it has gone.
+meaningInPostgresql :: SomeException -> Maybe Objection
+meaningInPostgresql fault
+  | Just told <- fromException fault = Just (ofState (sqlState told))
+  | Just system <- fromException fault, not (isUserError system) = Just (Failed ConnectionLost)
+  | otherwise = Nothing
+
+-- | What it means before there is one: libpq has words only.
+meaningOfRefusal :: SomeException -> Maybe Objection
+meaningOfRefusal fault
+  | Just told <- fromException fault = Just (Failed (inWords (sqlErrorMsg told)))
+  | Just system <- fromException fault =
+    Just (Failed (inWords (Bytes.pack (show (system :: IOError)))))
+  | otherwise = Nothing
+  where
+    inWords text
+      | "password" `Bytes.isInfixOf` text = PasswordRefused
+      | "FATAL" `Bytes.isInfixOf` text = ServerRefuses
+      | otherwise = NoServer
+
+-- | The server's codes: appendix A of its manual, "PostgreSQL Error Codes".
+ofState :: ByteString -> Objection
+ofState state
+  | state `elem` ["55P03", "55006", "40P01", "40001"] = Failed InUse
+  | state `elem` ["42501", "25006"] = Failed NotPermitted
+  | state `elem` ["53100", "53200"] = Failed NoRoom
+  | state `elem` ["57P01", "57P02", "57P03", "57P05"] = Failed ConnectionLost
+  | state `elem` ["XX001", "XX002", "58P01"] = Damaged BrokenPages
+  | otherwise = case Bytes.take 2 state of
+    "" -> Failed ConnectionLost
+    "08" -> Failed ConnectionLost
+    "22" -> Damaged ForeignValue
+    "42" -> Unknown
+    _ -> Failed SystemRefuses
