@@ -7,7 +7,7 @@ module PraTactile.Format.Classification
   )
 where
 
-import Data.Aeson (Series, (.=))
+import Data.Aeson ((.=))
 import Data.ByteString (ByteString)
 import PraTactile.Classification.Classifier
 import PraTactile.Format.Json
@@ -21,21 +21,18 @@ encodeClassification file shown =
     (verdictName (classifiedVerdict shown))
     (fst <$> classifiedSymbol shown)
     (degreesClockwise . snd <$> classifiedSymbol shown)
-    (Just (classifiedChances shown))
+    (Just (classifiedChances shown, classifiedNone shown))
 
 -- | That a file is no image of a symbol.
 encodeNoImage :: FilePath -> ByteString
 encodeNoImage file = line file "invalid" Nothing Nothing Nothing
 
-line :: FilePath -> String -> Maybe Int -> Maybe Int -> Maybe [Double] -> ByteString
+line :: FilePath -> String -> Maybe Int -> Maybe Int -> Maybe ([Double], Double) -> ByteString
 line file outcome code orientation chances =
   encodeSchema "classify/1" $
     "file" .= file
       <> "outcome" .= outcome
       <> "code" .= code
       <> "orientation_deg" .= orientation
-      <> "probabilities" .= chances
-      <> none
-  where
-    -- What is no symbol has no probability yet: those of the symbols add up to 1.
-    none = "none" .= (Nothing :: Maybe Double) :: Series
+      <> "probabilities" .= fmap fst chances
+      <> "none" .= fmap snd chances

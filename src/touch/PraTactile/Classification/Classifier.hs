@@ -22,6 +22,7 @@ import PraTactile.Classification.Network (NetworkError, decide, outputs, standar
 import qualified PraTactile.Classification.Network as Network
 import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Classification.Templates (Templates, templateCount, templates)
+import PraTactile.Classification.Unlike
 import PraTactile.Image (Raster, onRaster)
 import PraTactile.Shape (Alphabet)
 import PraTactile.Symmetry
@@ -65,8 +66,10 @@ data Classification = Classification
   { classifiedVerdict :: !Verdict,
     -- | the class, and how the symbol is turned: where it is recognised
     classifiedSymbol :: !(Maybe (Int, Symmetry)),
-    -- | the probability of each class, either way up; they add up to 1
-    classifiedChances :: ![Double]
+    -- | the probability of each class, either way up
+    classifiedChances :: ![Double],
+    -- | the probability that it is none of them; all add up to 1
+    classifiedNone :: !Double
   }
   deriving stock (Eq, Show)
 
@@ -74,7 +77,7 @@ data Classification = Classification
 data Verdict
   = -- | in exactly one of the two orientations
     Recognised
-  | -- | in neither: no output is high enough
+  | -- | in neither: no output is high enough, or it is likelier another shape
     NoSymbol
   | -- | in both, or two classes are too close to choose
     Undecided
@@ -89,7 +92,8 @@ verdictName verdict = case verdict of
 
 -- | What an 8 x 12 image shows that is upright or turned by 180 degrees: the verdict by
 -- 'standardThresholds' of the outputs in both orientations, and the probabilities by the
--- classifier's regression. Refuses what the classifier refuses, and outputs that are not one a
+-- classifier's regression; one of the shapes and another ('unlikeAny') are equally likely
+-- beforehand. Refuses what the classifier refuses, and outputs that are not one a
 -- shape.
 classified :: Classifier -> Raster -> Either NetworkError Classification
 classified classifier image = do
@@ -105,16 +109,25 @@ classified classifier image = do
           upsideDown
       (verdict, symbol) =
         combined (decide standardThresholds upright) (decide standardThresholds upsideDown)
+      none =
+        logistic
+          . unlikeAny
+            standardUnlikeness
+            (classifierTemplates classifier)
+            (estimateLikeliest shown)
+          $ image
+      logistic odds = 1 / (1 + exp (negate odds))
   if length upright /= classes
     then Left (Network.WrongOutputCount (length upright) classes)
     else
       Right
         ( Classification
-            verdict
-            symbol
-            [ sum (map (\turn -> estimateChance shown (c, turn)) [identity, turned 2])
+            (if none > 0.5 then NoSymbol else verdict)
+            (if none > 0.5 then Nothing else symbol)
+            [ (1 - none) * sum (map (\turn -> estimateChance shown (c, turn)) [identity, turned 2])
               | c <- [0 .. classes - 1]
             ]
+            none
         )
 
 -- | The verdict by those on the image as it is and turned by 180 degrees.

@@ -225,7 +225,8 @@ spec = do
         locate
           (locator Nothing MostSignificantFirst (naturally array) window)
           (asking seen tolerated share)
-    asking seen = Query [((0, 0), seen)] [identity] Guaranteed
+    asking seen tolerated share =
+      Query [((0, 0), seen)] [identity] Guaranteed tolerated share (-1 / 0)
     -- Which symbol was seen; it is that one with this probability.
     sure p a =
       either (error . show) id $

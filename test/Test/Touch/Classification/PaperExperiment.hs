@@ -204,7 +204,9 @@ meansSpec = do
       forM_ [identity, turned 2] $ \turn -> do
         shown <- right (classified classifier (onRaster turn (toRaster b)))
         (classifiedVerdict shown, classifiedSymbol shown) `shouldBe` (Recognised, Just (c, turn))
-        sum (classifiedChances shown) `shouldSatisfy` \s -> abs (s - 1) < 1e-12
+        sum (classifiedNone shown : classifiedChances shown)
+          `shouldSatisfy` \s -> abs (s - 1) < 1e-12
+        classifiedNone shown `shouldSatisfy` (< 0.01)
   where
     apart values = and [abs (a - b) > 1e-9 | a : others <- tails values, b <- others]
     valueAt image x y = fromMaybe 0 (index image x y)
