@@ -144,7 +144,7 @@ run choice options
       Presses {} ->
         "; of " ++ show (labelledPresses made) ++ " presses, "
           ++ show (labelledLost made)
-          ++ " whole symbols were not found"
+          ++ " whole symbols not found"
     noisy list
       | noise options > 0 = allWithNoise (noise options) (seed options) list
       | otherwise = list

@@ -152,6 +152,7 @@ furnish folder line = forM_ files $ \(name, command) -> do
           "printf '{\"a\": \"data/worked-example/frames/frame_000.pgm\", \"b\": \
           \\"data/worked-example/frames/frame_001.pgm\", \"step\": [8, 0]}\\n' > pairs.jsonl"
         ),
+        ("images", "pra-tactile images --set bitmap --count 1 --seed 1 --output images"),
         ("dark", "pra-tactile probe --dark 4 --sensor hard --seed 7 --output dark"),
         ("flat", "pra-tactile probe --flat 4 --sensor hard --seed 7 --output flat"),
         ("placement.json", "pra-tactile place cube --output placement.json"),

@@ -100,7 +100,7 @@ plan trainings variations others source symbols =
             (\rule -> rule {momentumForm = AsDocumented})
         ]
       OtherStages ->
-        [ ( Just "stages: two images, then two others",
+        [ ( Just "stages: two images, two others",
             source,
             symbols,
             standardConditions {conditionSharing = TwoAndTwo}

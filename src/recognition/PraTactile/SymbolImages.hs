@@ -84,10 +84,10 @@ data ImagesError
 
 -- | Upright images with their classes.
 data Labelled = Labelled
-  { labelledAs :: [(Raster, Int)],
+  { labelledAs :: ![(Raster, Int)],
     -- | how many symbols lay wholly in what was pressed and were not found
-    labelledLost :: Int,
-    labelledPresses :: Int
+    labelledLost :: !Int,
+    labelledPresses :: !Int
   }
 
 -- | So many images of each class, by class and in the order in which they were found, from a seed.
@@ -107,7 +107,9 @@ labelledImages symbols source count seed = case source of
         found = concatMap cutImages enough
         ofClass c = take count [it | it <- found, snd it == c]
         chosen = map ofClass [0 .. classes - 1]
-    if all ((== count) . length) chosen
+        -- An image that is not made yet keeps the frames it is made of.
+        made = foldr (\(image, _) -> seq image) () (concat chosen)
+    if made `seq` all ((== count) . length) chosen
       then Right (Labelled (concat chosen) (sum (map cutLost enough)) (length enough))
       else Left (TooFewFound most)
   where

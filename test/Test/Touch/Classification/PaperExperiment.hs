@@ -167,7 +167,7 @@ tableSpec = do
                    "least gradient: 1e-5",
                    "least gradient: 1e-10",
                    "formula: of the manual",
-                   "stages: two images, then two others",
+                   "stages: two images, two others",
                    "images: ideal",
                    "images: paper",
                    "images: real",
