@@ -23,6 +23,8 @@ import PraTactile.Image
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.Surd
+import PraTactile.Object.WingedEdge (FaceName (..), VertexName (..))
+import PraTactile.Pose (faceFrameOf)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.Summary (shownTilt)
@@ -275,6 +277,19 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
           (\i j -> if covered (i :: Int) (j :: Int) then symbolThickness else 0)
           `shouldBe` heightValues heights
         length (named "vertex" drawn) `shouldBe` 4
+        -- The object, lying with this face upright before the sensor.
+        let Face object name = laidFace face
+            posed = do
+              solid <- placementObject layout object
+              (,) object <$> faceFrameOf solid name
+            page = pageWith posed (compositeOf image) recognition
+            lying = pageObject page
+            Extent x y _ _ = middle (extentOf (named "place" lying))
+        [() | Mark "face" (Outline _ corners) <- lying, encloses corners (x, y)] `shouldBe` [()]
+        [vertexText v | v <- faceVertices name]
+          `shouldSatisfy` all (`elem` [v | Mark "vertex" (Words _ _ _ v) <- lying])
+        length (named "embossed" lying) `shouldBe` 3
+        quickCheckWith stdArgs {maxSuccess = 1, chatty = False} (apart page)
   it "no answer, no face: the reason is told" $ do
     let page =
           pageOf (compositeOf (constant 40 52 0)) (Recognition [] [] Nothing 0 (Left NoSymbols))
@@ -282,8 +297,16 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
     concat [content | Mark _ (Words _ _ _ content) <- pageAnswer page]
       `shouldSatisfy` ("no complete symbol" `isInfixOf`)
   where
-    pageOf = recognitionPage alphabet show layout (classOn array) Nothing
-    -- The four parts of the page, and what is drawn on the composite from the words above and below
+    pageOf = pageWith Nothing
+    pageWith = recognitionPage alphabet show layout (classOn array)
+    encloses corners (u, v) =
+      odd . length $
+        [ ()
+          | ((x1, y1), (x2, y2)) <- zip corners (drop 1 corners ++ take 1 corners),
+            (y1 > v) /= (y2 > v),
+            u < x1 + (v - y1) * (x2 - x1) / (y2 - y1)
+        ]
+    -- The parts of the page, and what is drawn on the composite from the words above and below
     -- it.
     apart page =
       disjoint
@@ -291,7 +314,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
             extentOf
             ( filter
                 (not . null)
-                [pageComposite page, pageFace page, pageAnswer page, pageLegend page]
+                (map ($ page) [pageComposite, pageFace, pageObject, pageAnswer, pageLegend])
             )
         )
         .&&. disjoint

@@ -59,7 +59,7 @@ spec = do
         map (4 *) size `shouldSatisfy` and . zipWith near (drop 2 page)
         -- The faces have 2 (20 x 30 + 20 x 50 + 30 x 50) square millimetres.
         area (pairs (points "cut" picture)) `shouldSatisfy` near (16 * 6200)
-  it "every picture is drawn by a program of another hand, none beyond its page" $
+  it "every picture is read by a program of another hand" $
     inFolder $ \folder -> do
       drawn folder
       there <- findExecutable "rsvg-convert"
@@ -68,6 +68,18 @@ spec = do
         else for_ pictures $ \(name, _) -> do
           bytes <- readProcess "rsvg-convert" ["--format=svg", folder </> name] ""
           length bytes `shouldSatisfy` (> 1000)
+  it "nothing is drawn beyond the page" $
+    inFolder $ \folder -> do
+      drawn folder
+      _ <- pra ["nets", "l:30x20x40", "--svg", folder </> "nets"]
+      nets <- map ("nets" </>) . take 40 . sort <$> listDirectory (folder </> "nets")
+      for_ (nets ++ map fst pictures) $ \name -> do
+        picture <- readFile (folder </> name)
+        let places = pairs (concatMap (attribute "points") (lines picture))
+        case attribute "viewBox" picture of
+          [0, 0, wide, high] ->
+            [p | p@(x, y) <- places, x < 0 || y < 0 || x > wide || y > high] `shouldBe` []
+          other -> expectationFailure (show other)
   it "a picture of a solid has the names of the vertices that are seen" $
     inFolder $ \folder -> do
       drawn folder

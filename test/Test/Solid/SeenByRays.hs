@@ -43,6 +43,23 @@ spec = do
               | (v, p) <- solidVertices it_,
                 Just free <- [unhidden it_ view p]
             ]
+  modifyMaxSuccess (const 100) . prop "turned with the eye, a solid looks the same" $
+    forAll solids $ \it_ ->
+      forAll (elements [0, 90, 180, 270]) $ \quarter ->
+        forAll ((,) <$> choose (0, 90) <*> choose (-80, 80)) $ \(azimuth, elevation) ->
+          let turned = moved (turnedBy quarter) it_
+              seen from one = patches (camera (viewFrom from elevation Nothing) (whole one))
+              sizes = map (map fst . patchCorners)
+           in counterexample (show quarter) $
+                map patchFace (seen azimuth it_) === map patchFace (seen (azimuth + quarter) turned)
+                  .&&. conjoin
+                    [ counterexample (show (p, q)) (abs (x - x') + abs (y - y') < 1e-2)
+                      | (p, q) <-
+                          zip
+                            (concat (sizes (seen azimuth it_)))
+                            (concat (sizes (seen (azimuth + quarter) turned))),
+                        let ((x, y), (x', y')) = (p, q)
+                    ]
   it "from straight in front, right and above one face of a cube is seen, and its four vertices" $
     [ (length (patches looking), map (vertexText . seenName) (seenVertices looking))
       | (azimuth, elevation) <- [(0, 0), (90, 0), (0, 90)],
@@ -71,6 +88,12 @@ spec = do
         ( sum (zipWith (\k (x, _) -> k * x) weights corners) / total,
           sum (zipWith (\k (_, y) -> k * y) weights corners) / total
         )
+
+-- | About the vertical, counter-clockwise seen from above, by quarter turns in degrees.
+turnedBy :: Double -> Point -> Point
+turnedBy quarter at@(Point x y z)
+  | quarter >= 90 = turnedBy (quarter - 90) (Point (negate y) x z)
+  | otherwise = at
 
 whole :: Description -> Solid
 whole = either (error . show) id . solid
