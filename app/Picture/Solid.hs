@@ -191,7 +191,7 @@ onFaceOf whole name (right, down) = case (corners, reverse corners) of
   (o@(ox, oy, oz) : _, p : _) ->
     let (ux, uy, uz) = unit (p `less` o)
         arms = map (`less` o) corners
-        n = unit (foldr more (0, 0, 0) [a `cross` b | (a, b) <- cyclicPairs arms])
+        n = unit (foldr added (0, 0, 0) [a `cross` b | (a, b) <- cyclicPairs arms])
         (vx, vy, vz) = (ux, uy, uz) `cross` n
      in (ox + right * ux + down * vx, oy + right * uy + down * vy, oz + right * uz + down * vz)
   _ -> (0, 0, 0)
@@ -202,6 +202,6 @@ onFaceOf whole name (right, down) = case (corners, reverse corners) of
           Just (Point x y z) <- [lookup vertex (solidVertices whole)]
       ]
     less (a, b, c) (d, e, f) = (a - d, b - e, c - f)
-    more (a, b, c) (d, e, f) = (a + d, b + e, c + f)
+    added (a, b, c) (d, e, f) = (a + d, b + e, c + f)
     cross (a, b, c) (d, e, f) = (b * f - c * e, c * d - a * f, a * e - b * d)
     unit (a, b, c) = let long = sqrt (a * a + b * b + c * c) in (a / long, b / long, c / long)

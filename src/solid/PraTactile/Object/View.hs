@@ -5,8 +5,8 @@
 -- put in order by a binary partition of space (Fuchs, Kedem and Naylor 1980): the plane of one of
 -- them parts the others, which are cut where they cross it; nothing behind that plane hides what is
 -- before it, and the eye is before it, since the face is seen. Which side a corner is on is decided
--- exactly, corners made by cuts being fractions; the directions that one looks in are rounded to
--- millionths before.
+-- exactly, by machine numbers where those are far from 0, and else by fractions, which corners made
+-- by cuts are, too. The directions that one looks in are rounded to millionths before.
 module PraTactile.Object.View
   ( -- * Looking
     View (..),
@@ -27,7 +27,7 @@ where
 
 import Data.List (minimumBy)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (mapMaybe)
+import Data.Maybe (fromMaybe)
 import Data.Ord (comparing)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
@@ -73,14 +73,16 @@ data Camera = Camera
     -- | the middle of the box round the solid, and the eye, in the units of the polyhedron's
     -- coordinates
     cameraMiddle :: !Spot3,
-    cameraEye :: !(Maybe Spot3)
+    cameraEye :: !(Maybe Spot3),
+    -- | the longest side of that box
+    cameraSize :: !Rational
   }
 
 type Spot3 = (Rational, Rational, Rational)
 
 -- | A view of this solid.
 camera :: View -> Solid -> Camera
-camera view whole = Camera it view middle eye
+camera view whole = Camera it view middle eye size
   where
     it = solidMesh whole
     spans = [(minimum (along it), maximum (along it)) | along <- [xs, ys, zs]]
@@ -151,24 +153,38 @@ data Side = Bent | Level | Cut
 data Piece = Piece
   { pieceFace :: !Int,
     pieceWhole :: !Bool,
-    pieceCorners :: [(Spot3, Side)]
+    pieceCorners :: [(Corner, Side)]
   }
+
+-- | A point, and nearly where it is, from the middle of the solid and as a share of its size.
+data Corner = Corner
+  { cornerAt :: Spot3,
+    cornerNear :: (Double, Double, Double)
+  }
+
+cornerOf :: Camera -> Spot3 -> Corner
+cornerOf it p@(x, y, z) = Corner p (doubles ((x - mx) / size, (y - my) / size, (z - mz) / size))
+  where
+    (mx, my, mz) = cameraMiddle it
+    size = cameraSize it
 
 -- | All patches, those that others may hide first.
 patches :: Camera -> [Patch]
-patches it = map patch (ordered planeOf (concatMap pieces (filter (facing it) [0 .. faces - 1])))
+patches it = map patch (ordered it planeOf (concatMap pieces (filter (facing it) [0 .. faces - 1])))
   where
     solid = cameraMesh it
     faces = V.length (meshWalks solid)
     sides = surface (meshWalks solid)
     normals = V.map (doubleArea . cornersOf solid) (meshWalks solid)
-    planes = V.generate faces (planeAt it)
+    planes = V.generate faces (\f -> let plane = planeAt it f in (plane, nearly it f plane))
     planeOf piece = planes V.! pieceFace piece
     patch piece =
       Patch
         { patchFace = pieceFace piece,
           patchCorners =
-            [(onPicture it (millimetres it p), side) | (p, side) <- pieceCorners piece],
+            [ (onPicture it (millimetres it (cornerAt p)), side)
+              | (p, side) <- pieceCorners piece
+            ],
           patchLight = light (pieceFace piece),
           patchWhole = pieceWhole piece
         }
@@ -191,16 +207,17 @@ patches it = map patch (ordered planeOf (concatMap pieces (filter (facing it) [0
               | s <- sidesOfFace sides f
             ]
         cornersBy vs =
-          [(at v, Map.findWithDefault Cut (v, w) kinds) | (v, w) <- cyclicPairs vs]
-    at v = let V3 x y z = meshPoints solid V.! v in (fromInteger x, fromInteger y, fromInteger z)
+          [(corners V.! v, Map.findWithDefault Cut (v, w) kinds) | (v, w) <- cyclicPairs vs]
+    corners = V.map cornerAt' (meshPoints solid)
+    cornerAt' (V3 x y z) = cornerOf it (fromInteger x, fromInteger y, fromInteger z)
     kindOf s = case mateOf sides s of
       Just t
         | cross (normals V.! sideFace sides s) (normals V.! sideFace sides t) == zero -> Level
       _ -> Bent
     convex f =
-      let corners = cornersOf solid (meshWalks solid V.! f)
-          n = V.length corners
-          p i = corners V.! (i `mod` n)
+      let points = cornersOf solid (meshWalks solid V.! f)
+          n = V.length points
+          p i = points V.! (i `mod` n)
        in and
             [ dot (normals V.! f) (cross (p (i + 1) `minus` p i) (p (i + 2) `minus` p (i + 1))) >= 0
               | i <- [0 .. n - 1]
@@ -228,9 +245,34 @@ facing it f = case cameraEye it of
   where
     plane = planeAt it f
 
+-- | A plane by machine numbers: what is at right angles to it, of length 1, and the product of that
+-- with a point of it, as 'cornerNear' has points.
+type Nearly = ((Double, Double, Double), Double)
+
+nearly :: Camera -> Int -> Plane -> Nearly
+nearly it f (V3 a b c, _) = (normal, inner normal (cornerNear (cornerOf it (x, y, z))))
+  where
+    -- Shortened, for long numbers are beyond what machine numbers hold.
+    most = fromInteger (maximum (map abs [1, a, b, c]))
+    normal = unit (doubles (fromInteger a / most, fromInteger b / most, fromInteger c / most))
+    (x, y, z) = (fromInteger x', fromInteger y', fromInteger z')
+    V3 x' y' z' = firstOf (cornersOf (cameraMesh it) (meshWalks (cameraMesh it) V.! f))
+
+inner :: (Double, Double, Double) -> (Double, Double, Double) -> Double
+inner (a, b, c) (x, y, z) = a * x + b * y + c * z
+
+-- | On which side of a plane a corner is: 'GT' before it.
+sideOf :: (Plane, Nearly) -> Corner -> Ordering
+sideOf (plane, (normal, offset)) corner
+  | about > 1e-9 = GT
+  | about < -1e-9 = LT
+  | otherwise = compare (before plane (cornerAt corner)) 0
+  where
+    about = inner normal (cornerNear corner) - offset
+
 -- | Pieces in an order in which none hides one that comes later.
-ordered :: (Piece -> Plane) -> [Piece] -> [Piece]
-ordered planeOf given = go given []
+ordered :: Camera -> (Piece -> (Plane, Nearly)) -> [Piece] -> [Piece]
+ordered it planeOf given = go given []
   where
     go list rest = case list of
       [] -> rest
@@ -240,23 +282,25 @@ ordered planeOf given = go given []
           (behind, within, front) = parted (planeOf (splitter list)) list
     -- Of a few the one that cuts the fewest.
     splitter list = minimumBy (comparing (\one -> cuts (planeOf one) list)) (take 6 list)
-    cuts plane list = length [() | one <- list, let s = signs plane one, any (> 0) s, any (< 0) s]
+    cuts plane list =
+      length [() | one <- list, let s = sidesOf plane one, GT `elem` s, LT `elem` s]
     parted plane list = (concat bs, concat ws, concat fs)
       where
-        (bs, ws, fs) = unzip3 (map (part plane) list)
+        (bs, ws, fs) = unzip3 (map (part it plane) list)
 
-signs :: Plane -> Piece -> [Rational]
-signs plane = map (before plane . fst) . pieceCorners
+sidesOf :: (Plane, Nearly) -> Piece -> [Ordering]
+sidesOf plane = map (sideOf plane . fst) . pieceCorners
 
 -- | What of a piece is behind a plane, in it, and before it.
-part :: Plane -> Piece -> ([Piece], [Piece], [Piece])
-part plane piece
-  | all (== 0) heights = ([], [piece], [])
-  | all (<= 0) heights = ([piece], [], [])
-  | all (>= 0) heights = ([], [], [piece])
+part :: Camera -> (Plane, Nearly) -> Piece -> ([Piece], [Piece], [Piece])
+part it plane piece
+  | all (== EQ) sides = ([], [piece], [])
+  | GT `notElem` sides = ([piece], [], [])
+  | LT `notElem` sides = ([], [], [piece])
   | otherwise = ([half negate], [], [half id])
   where
-    heights = signs plane piece
+    sides = sidesOf plane piece
+    heights = map (before (fst plane) . cornerAt . fst) (pieceCorners piece)
     half way =
       Piece (pieceFace piece) False $
         concat
@@ -265,7 +309,9 @@ part plane piece
             | (((p, side), s'), ((q, _), t')) <- cyclicPairs (zip (pieceCorners piece) heights),
               let (s, t) = (way s', way t')
           ]
-    between' (x, y, z) (x', y', z') k = (x + k * (x' - x), y + k * (y' - y), z + k * (z' - z))
+    between' p q k =
+      let ((x, y, z), (x', y', z')) = (cornerAt p, cornerAt q)
+       in cornerOf it (x + k * (x' - x), y + k * (y' - y), z + k * (z' - z))
 
 -- | A vertex that is seen.
 data SeenVertex = SeenVertex
@@ -294,12 +340,23 @@ seenVertices it =
             (v, w) <- cyclicPairs (U.toList (meshWalks solid V.! f)),
             (a, b) <- [(v, w), (w, v)]
         ]
-    flat' = onPicture it . millimetres it . at
+    flat' v = pictured V.! v
+    pictured = V.generate (V.length (meshPoints solid)) (onPicture it . millimetres it . at)
+    planes =
+      Map.fromList [(f, (plane, nearly it f plane)) | f <- shown, let plane = planeAt it f]
     at v = let V3 x y z = meshPoints solid V.! v in (fromInteger x, fromInteger y, fromInteger z)
-    -- Where the ray to the eye meets the plane, if it does before the eye.
+    -- What is behind the plane of a face that is seen is hidden where its picture is in that of the
+    -- face. Near its rim the place is asked for where the ray to the eye meets the plane.
     hides v f
-      | U.elem v (meshWalks solid V.! f) = False
-      | otherwise = any (holds f) (mapMaybe (reached (at v)) [planeAt it f])
+      | U.elem v walk = False
+      | maybe True (\plane -> sideOf plane (cornerOf it (at v)) /= LT) (Map.lookup f planes) = False
+      | otherwise =
+        fromMaybe
+          (any (holds f) (reached (at v) (planeAt it f)))
+          (surelyIn (1e-9 * roughSize) (flat' v) (map flat' (U.toList walk)))
+      where
+        walk = meshWalks solid V.! f
+    roughSize = fromRational (cameraSize it / fromInteger (meshDenominator solid))
     reached p@(x, y, z) plane
       | along > 0 && height < 0 && maybe True (const (height + along > 0)) (cameraEye it) =
         let k = negate height / along in Just (x + k * dx, y + k * dy, z + k * dz)
@@ -317,6 +374,21 @@ seenVertices it =
           | abs c >= abs a && abs c >= abs b = (x, y)
           | abs a >= abs b = (y, z)
           | otherwise = (z, x)
+
+-- | Whether a point is in a polygon, unless it is as near as this to the rim.
+surelyIn :: Double -> (Double, Double) -> [(Double, Double)] -> Maybe Bool
+surelyIn room (x, y) corners
+  | any near sides = Nothing
+  | otherwise = Just (odd (length (filter passes sides)))
+  where
+    sides = cyclicPairs corners
+    near ((ax, ay), (bx, by)) = (x - ax - k * dx) ^ two + (y - ay - k * dy) ^ two < room * room
+      where
+        (dx, dy) = (bx - ax, by - ay)
+        k = max 0 (min 1 (((x - ax) * dx + (y - ay) * dy) / max 1e-300 (dx * dx + dy * dy)))
+    passes ((ax, ay), (bx, by)) =
+      (ay > y) /= (by > y) && x < ax + (y - ay) * (bx - ax) / (by - ay)
+    two = 2 :: Int
 
 -- | Whether a point is in a polygon or on its rim.
 inPolygon :: (Rational, Rational) -> [(Rational, Rational)] -> Bool
