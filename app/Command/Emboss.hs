@@ -219,7 +219,7 @@ drawnFiles ::
   Either String [(MadeFile, Lazy.ByteString)]
 drawnFiles alphabet array layout asked' = do
   faces <- first placementMessage asked'
-  (scale, symbols) <- first embossMessage (symbolsOn alphabet array layout)
+  (scale, symbols) <- first embossMessage (symbolsOn alphabet array layout faces)
   Right (zipWith (drawn scale symbols) [1 ..] faces)
   where
     drawn scale symbols number laid =

@@ -7,7 +7,6 @@ module Message.Emboss
 where
 
 import Counted
-import qualified Data.Text as Text
 import Message.Objects
 import PraTactile.Emboss
 import PraTactile.Emboss.Rounding
@@ -24,11 +23,14 @@ embossMessage e = case e of
       ++ " is laid on the array, so that nothing is raised"
   NotEmbossed why -> reliefMessage why
   CornerContact shape (x, y) ->
-    "two taxels of the shape " ++ quoted (Text.unpack shape) ++ " meet at a corner only, "
+    "two taxels of the shape " ++ quoted shape ++ " meet at a corner only, "
       ++ show x
       ++ " taxels right of and "
       ++ show y
       ++ " below its upper left corner: no solid is so thin"
+  TooManySymbols count ->
+    show count ++ " symbols are more than are raised at once, " ++ show mostSymbols
+      ++ "; lay fewer, or name one --face"
   TooThin height thickness ->
     "the symbols are " ++ exactText height ++ " mm high; a plate of " ++ exactText thickness
       ++ " mm is not thicker than that: choose another --thickness"

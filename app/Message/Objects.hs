@@ -142,7 +142,7 @@ pressMessage larger asked e = case e of
       ++ " of its triangles are not shared by two that walk them in opposite directions"
   NoMeshRelief (ElsewhereThan face vertex) ->
     "the mesh does not lie where the placement has the face " ++ visible (faceText face)
-      ++ ": it has no vertex within a hundredth of a millimetre of "
+      ++ ": it has no vertex within a hundredth of a taxel of "
       ++ visible (vertexText vertex)
   RegionOffFace face size ->
     "the region, " ++ by size

@@ -16,6 +16,7 @@ module PraTactile.Emboss
     embossed,
     usualThickness,
     symbolsOn,
+    mostSymbols,
 
     -- * What is refused
     EmbossError (..),
@@ -27,11 +28,11 @@ import Data.Bifunctor (first)
 import Data.List (mapAccumL)
 import Data.Maybe (fromMaybe)
 import Data.Ratio ((%))
-import Data.Text (Text)
-import qualified Data.Text as Text
+import qualified Data.Set as Set
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
-import PraTactile.Array (Position, PseudorandomArray, Shape (..))
+import Numeric.Natural (Natural)
+import PraTactile.Array (Position, PseudorandomArray, Shape (..), area)
 import PraTactile.Emboss.Face
 import PraTactile.Field (KnownField, fieldOrder)
 import PraTactile.Geometry (columnPitch, rowPitch, symbolThickness, taxelPitch)
@@ -43,7 +44,7 @@ import PraTactile.Object.Triangles (triangles)
 import PraTactile.Object.Vector (cross, dot, exactRoot, squareRoot)
 import PraTactile.Object.WingedEdge
 import PraTactile.Relief (ReliefError (..), classOn, symbolScale)
-import PraTactile.Shape (Alphabet, shapeNames, shapeOf)
+import PraTactile.Shape (Alphabet, shapeName, shapeOf)
 import PraTactile.Shape.Outline (Contact (..), Corner)
 
 -- | What is made.
@@ -71,7 +72,9 @@ data EmbossError
     NotEmbossed ReliefError
   | -- | Two taxels of the shape of this name meet at this corner only: four walls would meet along
     -- one line.
-    CornerContact Text Corner
+    CornerContact String Corner
+  | -- | More than 'mostSymbols' would be raised.
+    TooManySymbols Natural
   | -- | Symbols of this height are no lower than the plate is thick, millimetres.
     TooThin Rational Rational
   deriving stock (Eq, Show)
@@ -111,6 +114,10 @@ data Embossed = Embossed
 usualThickness :: Rational
 usualThickness = 2
 
+-- | The most symbols that are raised at once: as many take about half a minute, and two gigabytes.
+mostSymbols :: Natural
+mostSymbols = 16384
+
 -- | An object, or a face as a plate, with its symbols raised. Whether symbols on faces that look at
 -- each other run into one another is not asked here. O(n log n) in the corners of each face.
 embossed ::
@@ -122,10 +129,13 @@ embossed ::
   Either EmbossError Embossed
 embossed alphabet array layout subject = do
   object <- first NotThere (findObject layout named)
-  (scale, symbols') <- symbolsOn alphabet array layout
+  laid <- case subject of
+    WholeObject _ -> Right [one | one <- laidFaces layout, faceObject (laidFace one) == named]
+    PlateOf _ asked _ -> (: []) <$> first NotThere (findFace layout named asked)
+  (scale, symbols') <- symbolsOn alphabet array layout laid
   let height = scale * symbolThickness
       taxel = scale * taxelPitch
-      made face laid (names, points, cut) size =
+      made face (names, points, cut) size =
         let symbols = concatMap (map snd . symbols') laid
             taxels = sum (map stampArea symbols)
             Volume r s = size
@@ -141,40 +151,35 @@ embossed alphabet array layout subject = do
                 embossedHeight = height
               }
   case subject of
-    WholeObject _ -> do
-      let laid = [one | one <- laidFaces layout, faceObject (laidFace one) == named]
-      when (null laid) (Left (NothingRaised named))
-      pure (made Nothing laid (whole taxel height symbols' layout object) (solidVolume object))
-    PlateOf _ asked thick -> do
-      laid <- first NotThere (findFace layout named asked)
-      let thickness = fromMaybe (usualThickness * height) thick
-          face = faceName (laidFace laid)
-      when (thickness <= height) (Left (TooThin height thickness))
-      walk <- maybe (Left (NotThere (UnknownFace (laidFace laid)))) Right (walkNamed object face)
-      chart <-
-        maybe
-          (Left (NotThere (EmptyGrid (laidFace laid) (laidGrid laid))))
-          Right
-          (chartOfLaid taxel laid object walk)
-      pure
-        ( made
-            (Just face)
-            [laid]
-            (plate height thickness (symbols' laid) object walk chart)
-            (plateVolume thickness object walk)
-        )
+    PlateOf _ _ thick
+      | one : _ <- laid,
+        let face = faceName (laidFace one),
+        Just walk <- walkNamed object face,
+        Just chart <- chartOfLaid taxel one object walk -> do
+        let thickness = fromMaybe (usualThickness * height) thick
+        when (thickness <= height) (Left (TooThin height thickness))
+        pure
+          ( made
+              (Just face)
+              (plate height thickness (symbols' one) object walk chart)
+              (plateVolume thickness object walk)
+          )
+    _ | null laid -> Left (NothingRaised named)
+    _ -> pure (made Nothing (whole taxel height symbols' layout object) (solidVolume object))
   where
     named = subjectName subject
 
--- | How much larger than the paper's the symbols are, and which of them lie on a face, each with
--- its cell, by row and column of the face's block.
+-- | How much larger than the paper's the symbols are, and which of them lie on each of these faces,
+-- with their cells, by row and column of the face's block.
 symbolsOn ::
   KnownField k =>
   Alphabet ->
   PseudorandomArray k ->
   Placement ->
+  [LaidFace] ->
   Either EmbossError (Rational, LaidFace -> [(Position, Stamp)])
-symbolsOn alphabet array layout = do
+symbolsOn alphabet array layout laidAll = do
+  when (count > mostSymbols) (Left (TooManySymbols count))
   scale <- maybe (Left (NotEmbossed (PitchNotFelt pitch))) Right (symbolScale pitch)
   stamps <- V.fromList <$> traverse stamped [0 .. fieldOrder array - 1]
   pure
@@ -183,11 +188,11 @@ symbolsOn alphabet array layout = do
     )
   where
     pitch = placementPitch layout
+    count = sum (map (cellCount . laidBlock) laidAll)
+    cellCount (Block shape listed) = maybe (area shape) (fromIntegral . Set.size) listed
     stamped k = do
       bitmap <- first (NotEmbossed . NoShape) (shapeOf alphabet k)
-      first
-        (\(Contact at) -> CornerContact (Text.concat (take 1 (drop k (shapeNames alphabet)))) at)
-        (stampOf bitmap)
+      first (\(Contact at) -> CornerContact (shapeName alphabet k) at) (stampOf bitmap)
 
 -- | The names of the vertices, all points, and the triangles.
 type Parts = (V.Vector VertexName, V.Vector ExactPoint, [(Int, Int, Int)])

@@ -26,6 +26,7 @@ module PraTactile.Shape
     alphabetSize,
     shapes,
     shapeNames,
+    shapeName,
     shapeOf,
     maxShapes,
 
@@ -188,6 +189,10 @@ shapes (Alphabet named) = map snd named
 -- | The names, in order of class.
 shapeNames :: Alphabet -> [Text]
 shapeNames (Alphabet named) = map fst named
+
+-- | The name of a class's shape; nothing of a class that the alphabet does not have.
+shapeName :: Alphabet -> Int -> String
+shapeName a k = concatMap T.unpack (take 1 (drop k (shapeNames a)))
 
 -- | The shape of a class. Refuses a class that the alphabet does not have.
 shapeOf :: Alphabet -> Int -> Either ShapeError Bitmap

@@ -388,7 +388,7 @@ resultSpec reader faces = do
     asked [flat] `shouldBe` both "no-symbols"
   where
     head' = foldr const (faceOf (1, 1) (Shape 1 1), nothing)
-    nothing = Relief (0, 0) (0, 0) (\_ (w, h) -> constant w h 0) Nothing
+    nothing = Relief (0, 0) (0, 0) 1 (\_ (w, h) -> constant w h 0) Nothing
     doubtIn :: Either StitchError Composite -> Maybe Double
     doubtIn together = do
       composite <- either (const Nothing) Just together

@@ -15,21 +15,21 @@ import Test.QuickCheck
 spec :: Spec
 spec = do
   prop "every triangle turns left, and there are n - 2 o + 2 h" $
-    forAll genRegion $ \it@(Region _ loops) ->
-      let found = cut it
+    forAll genRegion $ \whole@(Region _ loops) ->
+      let found = cut whole
        in conjoin
-            [ conjoin [counterexample (show t) (turnOf it t > 0) | t <- found],
-              length found === length (concat loops) - 2 * outer it + 2 * (length loops - outer it)
+            [ conjoin [counterexample (show t) (turnOf whole t > 0) | t <- found],
+              length found === length (concat loops) - 2 * outer whole + 2 * (length loops - outer whole)
             ]
   prop "every side is a loop's, or one of two triangles that walk it in opposite directions" $
-    forAll genRegion $ \it@(Region _ loops) ->
-      let sides = [side | (a, b, c) <- cut it, side <- [(a, b), (b, c), (c, a)]]
+    forAll genRegion $ \whole@(Region _ loops) ->
+      let sides = [side | (a, b, c) <- cut whole, side <- [(a, b), (b, c), (c, a)]]
           border = [normal side | loop <- loops, side <- cyclicPairs loop]
           normal (a, b) = (min a b, max a b)
           alone = [normal (a, b) | (a, b) <- sides, (b, a) `notElem` sides]
        in conjoin [sides === nub sides, sort alone === sort border]
   prop "a point is in one triangle if it is in the region, and else in none" $
-    forAll genRegion $ \it@(Region points loops) ->
+    forAll genRegion $ \whole@(Region points loops) ->
       forAll ((,) <$> choose (-10, 810) <*> choose (-10, 810)) $ \(x, y) ->
         -- Twice as fine as corners are, so that it is on no side of a lattice.
         let p = V2 (2 * x + 1) (2 * y + 1)
@@ -37,16 +37,16 @@ spec = do
             inOne (a, b, c) =
               standing (V.fromList [doubled V.! a, doubled V.! b, doubled V.! c]) p
             around = [standing (V.fromList (map (doubled V.!) loop)) p | loop <- loops]
-            places = map inOne (cut it)
+            places = map inOne (cut whole)
          in OnRim `notElem` around && OnRim `notElem` places
               ==> length (filter (== Inside) places)
               === if odd (length (filter (== Inside) around)) then 1 else 0
   prop "no corner lies within the circle round a neighbouring triangle" $
-    forAll genRegion $ \it@(Region points _) ->
+    forAll genRegion $ \whole@(Region points _) ->
       let apexes =
             Map.fromList
               [ found
-                | (a, b, c) <- cut it,
+                | (a, b, c) <- cut whole,
                   found <- [((a, b), c), ((b, c), a), ((c, a), b)]
               ]
        in conjoin
@@ -57,8 +57,8 @@ spec = do
             ]
   it "a square whose sides have corners on them loses none of them" $
     let square = [V2 0 0, V2 1 0, V2 3 0, V2 4 0, V2 4 2, V2 4 4, V2 2 4, V2 0 4, V2 0 3, V2 0 1]
-        it' = Region (V.fromList square) [[0 .. 9]]
-     in (length (cut it'), sum (map (turnOf it') (cut it'))) `shouldBe` (8, 32)
+        sides = Region (V.fromList square) [[0 .. 9]]
+     in (length (cut sides), sum (map (turnOf sides) (cut sides))) `shouldBe` (8, 32)
 
 -- | Points, and loops of them.
 data Region = Region (V.Vector V2) [[Int]]
@@ -87,11 +87,11 @@ outer (Region points loops) =
 inside :: V2 -> V2 -> V2 -> V2 -> Bool
 inside (V2 ax ay) (V2 bx by) (V2 cx cy) (V2 dx dy) = far dx dy < far ax ay
   where
-    whole = 2 * (q ax * (q by - q cy) + q bx * (q cy - q ay) + q cx * (q ay - q by))
+    twice = 2 * (q ax * (q by - q cy) + q bx * (q cy - q ay) + q cx * (q ay - q by))
     square x y = q x * q x + q y * q y
     (a, b, c) = (square ax ay, square bx by, square cx cy)
-    x0 = (a * (q by - q cy) + b * (q cy - q ay) + c * (q ay - q by)) / whole
-    y0 = (a * (q cx - q bx) + b * (q ax - q cx) + c * (q bx - q ax)) / whole
+    x0 = (a * (q by - q cy) + b * (q cy - q ay) + c * (q ay - q by)) / twice
+    y0 = (a * (q cx - q bx) + b * (q ax - q cx) + c * (q bx - q ax)) / twice
     far x y = (q x - x0) * (q x - x0) + (q y - y0) * (q y - y0)
     q = fromInteger :: Integer -> Rational
 

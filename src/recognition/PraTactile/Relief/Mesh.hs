@@ -48,7 +48,7 @@ finestTaxel = 4
 
 -- | The relief of a laid face by a polyhedron that lies where the placement has the object, both so
 -- large that symbols have the paper's size. Refuses a polyhedron that is not closed, and one
--- without a vertex within a hundredth of a millimetre of each corner of the face. O(n) in the
+-- without a vertex within a hundredth of a taxel of each corner of the face. O(n) in the
 -- polyhedron's corners, and for each ray what lies near it.
 meshRelief :: Mesh -> Solid -> LaidFace -> Either MeshError Relief
 meshRelief it object laid
@@ -67,11 +67,11 @@ meshRelief it object laid
     onFace = faceMotion (namedPoints object name)
     points = V.generate (V.length (meshPoints it)) (onFace . pointAt it)
     missing =
-      [ corner
-        | corner@(_, at) <- zip (faceVertices name) (map onFace (namedPoints object name)),
+      [ found
+        | found@(_, at) <- zip (faceVertices name) (map onFace (namedPoints object name)),
           not (V.any (near at) points)
       ]
-    near (x, y, z) (x', y', z') = all ((< 0.01) . abs) [x - x', y - y', z - z']
+    near (x, y, z) (x', y', z') = all ((< taxelPitch / 100) . abs) [x - x', y - y', z - z']
     heightAt = highestAt (spotMillimetres (laidBox laid)) (spotMillimetres (laidExtent laid)) facets
     facets =
       [ Facet (points V.! a) (points V.! b) (points V.! c)

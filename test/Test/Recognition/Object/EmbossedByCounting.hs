@@ -127,6 +127,17 @@ spec = do
         made (PlateOf "cube" (readFaceName "C1 C2 C3") Nothing)
           `shouldBe` Left (NotThere (UnknownFace (Face "cube" (readFaceName "C1 C2 C3"))))
         made (WholeObject "ball") `shouldBe` Left (NotThere (UnknownObject "ball"))
+    it "more symbols than are raised at once" $
+      withArray $ \array -> do
+        given <- right paperAlphabet
+        for_ [(128, 128, False), (129, 128, True)] $ \(high, wide, tooMany) -> do
+          slab <- right (solid (namedDescription (Box 4000 50 4200)))
+          let front = Face "box" (readFaceName "V2 V6 V7 V3")
+              laying = laidWhole front (Position 0 0) (Shape high wide)
+          layout <- right (placement (Shape 200 200) canonicalPitch [slab] [laying])
+          let made = embossed given array layout (WholeObject "box")
+          either (== TooManySymbols (high * wide)) (const False) made
+            `shouldBe` tooMany
     it "symbols that run into those of a face across a slot, and not those of a wider one" $
       withArray $ \array -> do
         given <- right paperAlphabet
