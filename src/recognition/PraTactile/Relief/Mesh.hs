@@ -1,6 +1,6 @@
 -- | The relief of a face as a polyhedron has it that was made: rays along the face's normal find
--- how high its surface is. Of the placement only where the face lies is asked, and how large its
--- symbols are; of the array nothing.
+-- how high its surface is. Of the placement only where the face and the lattice of its taxels lie
+-- is asked, so that a ray does not fall on the wall of a symbol; of the array nothing.
 --
 -- A ray begins 'highest' above the face and ends 'lowest' above it, which is a little below: what
 -- it meets first is felt, and where it meets nothing there is nothing to feel. So what stands
