@@ -138,8 +138,11 @@ import qualified Test.Solid.PackedByDefinition
 import qualified Test.Solid.RegionsTriangulated
 import qualified Test.Solid.ReportByDefinition
 import qualified Test.Solid.SeenByRays
+import qualified Test.Store.Answers
 import qualified Test.Store.Changes
 import qualified Test.Store.DrawnPlacements
+import qualified Test.Store.Homes
+import qualified Test.Store.OnServer
 import qualified Test.Store.RowsAndGuards
 import qualified Test.Store.Target
 import qualified Test.Tools
@@ -313,9 +316,13 @@ specs = do
     describe "Placement of any faces" Test.Recognition.Object.PlacementsOfAnyFaces.spec
     describe "Regions triangulated" Test.Solid.RegionsTriangulated.spec
     describe "Embossing" Test.Recognition.Object.EmbossedByCounting.spec
+  describe "Store" . Test.Store.Homes.inEachHome $ do
+    Test.Store.Answers.spec
+    Test.Store.DrawnPlacements.spec
+    Test.Store.Changes.spec
+  describe "Store" Test.Store.OnServer.spec
+  describe "Store" Test.Store.Changes.inFiles
   describe "Store" Test.Store.RowsAndGuards.spec
-  describe "Store" Test.Store.DrawnPlacements.spec
-  describe "Store" Test.Store.Changes.spec
   describe "Store" Test.Store.Target.spec
   describe "Symmetry" Test.Common.SymmetryGroup.spec
   describe "Rates" Test.Simulation.RatesBesideExact.spec

@@ -43,5 +43,5 @@ tools/quietly.sh dist-newstyle/lint-pure.log "linting what is pure" \
   hlint $extensions -XExplicitForAll --hint=.hlint.yaml --hint=tools/pure.hlint.yaml --no-summary -j $pure
 # shellcheck disable=SC2086
 tools/quietly.sh dist-newstyle/lint.log "linting the rest" \
-  hlint $extensions -XExplicitForAll --hint=.hlint.yaml --no-summary -j app bench test tools $other
+  hlint $extensions -XExplicitForAll -XCPP --hint=.hlint.yaml --no-summary -j app bench test tools $other
 mv -f "$passed.part" "$passed"

@@ -176,8 +176,9 @@ storeMessage e = case e of
     file ++ " is no regular file, and a database needs one; " ++ elsewhere
   Occupied file NoStore -> file ++ " is something else and is left as it is; " ++ elsewhere
   Occupied name OtherTables ->
-    name ++ " has tables of something else, of the same names, which are left as they are; name \
-            \another database, or another schema in it"
+    name
+      ++ " has tables of something else, of the same names, which are left as they are; name \
+         \another database, or another schema in it"
   NotADatabase file -> file ++ " is not an SQLite database"
   DamagedFile file BrokenPages ->
     file ++ " is damaged: parts of it are overwritten or missing; write the database again"
@@ -212,8 +213,9 @@ storeMessage e = case e of
     \may be left out; in names and values other characters than letters and digits are written \
     \as %40 and so on"
   WithoutServers name ->
-    name ++ " cannot be asked: this program was built without PostgreSQL; build it again where the \
-            \library persistent-postgresql is installed"
+    name
+      ++ " cannot be asked: this program was built without PostgreSQL; build it again where the \
+         \library persistent-postgresql is installed"
   Unreachable name why -> "cannot connect to " ++ name ++ ": " ++ failureMessage why
   WrongEncoding name encoding ->
     name ++ " has texts in the encoding " ++ encoding ++ "; a database with UTF8 is needed here"

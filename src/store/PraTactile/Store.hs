@@ -1,9 +1,9 @@
 -- | Objects, faces and their place on the array as a relational database: \"the mapping of the
 -- winged-edge object models to the encoding PRA is implemented as a relational database\" (section
--- II.B of the paper). A database is named by the path of a file, which is SQLite's, or by an address
--- that begins with @postgresql:\/\/@ ("PraTactile.Store.Address"). The tables
--- ("PraTactile.Store.Schema") and the look-ups ("PraTactile.Store.Query") are the same for both; what
--- differs is a 'PraTactile.Store.Backend.Backend'.
+-- II.B of the paper). A database is named by the path of a file, which is SQLite's, or by an
+-- address that begins with @postgresql:\/\/@ ("PraTactile.Store.Address"). The tables
+-- ("PraTactile.Store.Schema") and the look-ups ("PraTactile.Store.Query") are the same for both;
+-- what differs is a 'PraTactile.Store.Backend.Backend'.
 module PraTactile.Store
   ( -- * Making and changing a store
     create,
@@ -99,10 +99,10 @@ rowsFor backend profile numbers place = do
   if allTexts (holdsText backend) rows then Right rows else Left (TextNotHeld (backendName backend))
 
 -- | Make the placement of a store another one, in one transaction, by a function of the placement
--- that it has. Objects and laid faces that stay keep their numbers,
--- and only rows that differ are written; nothing is where the function refuses. Another program
--- that is changing the store is waited for, up to ten seconds. A store of an older version is replaced,
--- whole or not at all, by one of this version.
+-- that it has. Objects and laid faces that stay keep their numbers, and only rows that differ are
+-- written; nothing is where the function refuses. Another program that is changing the store is
+-- waited for, up to ten seconds. A store of an older version is replaced, whole or not at all, by
+-- one of this version.
 change ::
   forall refusal.
   FilePath ->
@@ -199,7 +199,8 @@ everything backend version = do
 storedPlacement :: Store -> IO (Either StoreError Placement)
 storedPlacement store = case storeContents store of
   Loaded place -> pure (Right place)
-  Tables connection -> fmap placed <$> query store connection (everything (storeBackend store) schemaVersion)
+  Tables connection ->
+    fmap placed <$> query store connection (everything (storeBackend store) schemaVersion)
   where
     placed (_, _, place, _) = place
 

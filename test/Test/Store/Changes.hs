@@ -1,12 +1,12 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Stores that are changed, and what a look-up costs.
-module Test.Store.Changes (spec) where
+module Test.Store.Changes (spec, inFiles) where
 
 import Control.Concurrent (forkIO)
-import Control.Concurrent.MVar (newEmptyMVar, putMVar, takeMVar)
+import Control.Concurrent.MVar (isEmptyMVar, newEmptyMVar, putMVar, takeMVar)
 import Control.Exception (bracket)
-import Control.Monad (forM_, (>=>))
+import Control.Monad (forM_, when, (>=>))
 import Control.Monad.IO.Class (liftIO)
 import Control.Monad.Logger (fromLogStr, runLoggingT)
 import Control.Monad.Trans.Except (runExceptT)
@@ -32,8 +32,9 @@ import System.FilePath ((</>))
 import Test.Hspec
 import Test.QuickCheck
 import Test.Recognition.Object.Support
+import Test.Store.Homes
 
-spec :: Spec
+spec :: SpecWith Home
 spec = describe "change" $ do
   it "objects come, go and are replaced as in the placement, and all look-ups are its" $
     stored $ \path place ->
@@ -41,14 +42,13 @@ spec = describe "change" $ do
         create path "profile" place `shouldReturn` Right ()
         steps <- generate (listOf1 (resize 6 genStep))
         walk path place (take 6 steps)
-  it "what is refused leaves the file as it was, to the byte" $
+  it "what is refused leaves the store as it was" $
     stored $ \path place -> do
-      before <- Bytes.readFile path
       change path (adding 1 (placementSolids place))
         `shouldReturn` Right (Left (NotChanged (RepeatedObject "cube")))
       change path (removing ["sphere"])
         `shouldReturn` Right (Left (NotChanged (UnknownObject "sphere")))
-      Bytes.readFile path `shouldReturn` before
+      asked path $ \store -> storedPlacement store `shouldReturn` Right place
   it "some objects are read as they are among all, and are refused where one is not there" $
     stored $ \path place -> asked path $ \store -> do
       for_ (placementSolids place) $ \body -> do
@@ -70,26 +70,24 @@ spec = describe "change" $ do
       Right (Right place) <- withStore path Nothing storedPlacement
       sort (map (objectText . solidName) (placementSolids place))
         `shouldBe` sort ("cube" : ["box" ++ show i | i <- [1 .. 6 :: Int]])
-  it "every statement of a look-up searches an index" $
+  it "one that is being made is asked as it was, or as it is then" $
     stored $ \path place -> do
-      said <- newIORef []
-      let logged _ _ _ text = modifyIORef said (fromLogStr text :)
-      flip runLoggingT logged . withSqliteConn (Text.pack path) $ \backend ->
-        liftIO . flip runSqlConn backend $ do
-          _ <- runExceptT selectSheet
-          forM_ [Position 6 5, Position 14 16, Position 3 3] $ \at ->
-            runExceptT (selectWhereabouts (Shape 15 17) canonicalPitch canonicalWindow at)
-          forM_ (map laidFace (laidFaces place)) $ \face ->
-            runExceptT (selectPosition (Shape 15 17) face (Position 1 1))
-          let unknown = Face "sphere" (readFaceName "A B C")
-          runExceptT (selectPosition (Shape 15 17) unknown (Position 1 1))
-      statements <- filter ("SELECT" `Bytes.isPrefixOf`) . map statement <$> readIORef said
-      length (nub statements) `shouldSatisfy` (> 8)
-      for_ (nub statements) $ \asked_ -> do
-        plan <- planOf path (decodeUtf8 asked_)
-        (asked_, plan) `shouldSatisfy` all ("SEARCH" `Text.isPrefixOf`) . snd
+      let fewer = either (error . show) id (removing ["cube"] place)
+          at = Position 6 5
+          there one = whereabouts one canonicalWindow at
+      end <- newEmptyMVar
+      _ <- forkIO $ do
+        for_ (take 12 (cycle [fewer, place])) $ \other ->
+          create path "profile" other `shouldReturn` Right ()
+        putMVar end ()
+      let asking = do
+            unfinished <- isEmptyMVar end
+            found <- withStore path Nothing (\store -> storedWhereabouts store canonicalWindow at)
+            found
+              `shouldSatisfy` (`elem` map (Right . Right . there) [fewer, place])
+            when unfinished asking
+      asking
   where
-    statement = Bytes.takeWhile (/= ';')
     walk _ _ [] = pure ()
     walk path place (step : others) = do
       let outcome = step place
@@ -105,6 +103,38 @@ spec = describe "change" $ do
           storedPosition store (laidFace laid) (Position 0 0)
             `shouldReturn` first NotInStore (arrayPosition now (laidFace laid) (Position 0 0))
       walk path now others
+
+-- | What is promised of files alone.
+inFiles :: Spec
+inFiles = describe "change of a file" $ do
+  it "what is refused leaves the file as it was, to the byte" $
+    storedInFile $ \path place -> do
+      before <- Bytes.readFile path
+      change path (adding 1 (placementSolids place))
+        `shouldReturn` Right (Left (NotChanged (RepeatedObject "cube")))
+      change path (removing ["sphere"])
+        `shouldReturn` Right (Left (NotChanged (UnknownObject "sphere")))
+      Bytes.readFile path `shouldReturn` before
+  it "every statement of a look-up searches an index" $
+    storedInFile $ \path place -> do
+      said <- newIORef []
+      let logged _ _ _ text = modifyIORef said (fromLogStr text :)
+      _ <- flip runLoggingT logged . withSqliteConn (Text.pack path) $ \backend ->
+        liftIO . flip runSqlConn backend $ do
+          _ <- runExceptT selectSheet
+          forM_ [Position 6 5, Position 14 16, Position 3 3] $ \at ->
+            runExceptT (selectWhereabouts (Shape 15 17) canonicalPitch canonicalWindow at)
+          forM_ (map laidFace (laidFaces place)) $ \face ->
+            runExceptT (selectPosition (Shape 15 17) face (Position 1 1))
+          let unknown = Face "sphere" (readFaceName "A B C")
+          runExceptT (selectPosition (Shape 15 17) unknown (Position 1 1))
+      statements <- filter ("SELECT" `Bytes.isPrefixOf`) . map statement <$> readIORef said
+      length (nub statements) `shouldSatisfy` (> 8)
+      for_ (nub statements) $ \asked_ -> do
+        plan <- planOf path (decodeUtf8 asked_)
+        (asked_, plan) `shouldSatisfy` all ("SEARCH" `Text.isPrefixOf`) . snd
+  where
+    statement = Bytes.takeWhile (/= ';')
 
 -- | How the database goes about a question, a text for each table.
 planOf :: FilePath -> Text.Text -> IO [Text.Text]
@@ -136,11 +166,17 @@ box name x y z =
       { describedName = ObjectName name
       }
 
-stored :: (FilePath -> Placement -> Expectation) -> Expectation
-stored test = inFolder $ \folder -> thePlacement $ \place -> do
+stored :: (String -> Placement -> Expectation) -> Home -> Expectation
+stored test home = thePlacement $ \place -> do
+  path <- newName home
+  create path "profile" place `shouldReturn` Right ()
+  test path place
+
+storedInFile :: (FilePath -> Placement -> Expectation) -> Expectation
+storedInFile test = inFolder $ \folder -> thePlacement $ \place -> do
   let path = folder </> "a.sqlite"
   create path "profile" place `shouldReturn` Right ()
   test path place
 
-asked :: FilePath -> (Store -> Expectation) -> Expectation
+asked :: String -> (Store -> Expectation) -> Expectation
 asked path action = withStore path Nothing action >>= either (expectationFailure . show) pure

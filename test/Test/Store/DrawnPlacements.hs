@@ -1,4 +1,4 @@
--- | The store's two look-ups on placements of every kind: small arrays, faces as wide and as high
+-- | The store's two look-ups on placements of every home: small arrays, faces as wide and as high
 -- as the array, windows that go round it.
 module Test.Store.DrawnPlacements (spec) where
 
@@ -10,23 +10,23 @@ import PraTactile.Object.Description (rotations)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Store
-import System.FilePath ((</>))
 import Test.Hspec
 import Test.QuickCheck
 import Test.Recognition.Object.Support
+import Test.Store.Homes
 
-spec :: Spec
+spec :: SpecWith Home
 spec =
   it "drawn placements are asked as they are without the store, faces as large as the array too" $
-    theCube $ \cube -> inFolder $ \folder -> do
+    \home -> theCube $ \cube -> do
       drawn <- generate (vectorOf 60 (genPlacement cube))
-      -- Of what is drawn there is enough of each kind.
+      -- Of what is drawn there is enough of each home.
       let spans side place =
             [() | laid <- laidFaces place, side (laidGrid laid) == side (placementShape place)]
       for_ [rows, columns] $ \side ->
         length (filter (not . null . spans side) drawn) `shouldSatisfy` (> 10)
-      for_ (zip [0 :: Int ..] drawn) $ \(i, place) -> do
-        let path = folder </> (show i ++ ".sqlite")
+      for_ drawn $ \place -> do
+        path <- newName home
         create path "a profile" place `shouldReturn` Right ()
         windows <- generate (vectorOf 40 (genWindow (placementShape place)))
         cells <- generate (vectorOf 10 (genCell (placementShape place)))

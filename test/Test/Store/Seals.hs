@@ -1,29 +1,30 @@
 -- | The seals that rows carry, computed by another program from the file alone: Python's sqlite3
 -- and hashlib. Stores that exist must stay readable, so that what is hashed is a promise.
-module Test.Store.Seals (sealsInPython, sealAgain) where
+module Test.Store.Seals (sealsInPython, sealAgainInPython) where
 
 import System.Directory (findExecutable)
 import System.Process (readProcess)
 import Test.Hspec
 
--- | That every row of a store has the seal that Python finds; pending where there is no Python.
-sealsInPython :: FilePath -> Expectation
+-- | How many rows a store has, and how many of them have the seal that Python finds; nothing where
+-- there is no Python.
+sealsInPython :: FilePath -> IO (Maybe (Int, Int))
 sealsInPython path = do
   counts <- python ["compare", path]
-  case map read (words counts) of
-    [rows, same] -> (rows, same) `shouldSatisfy` (\(n, m) -> n == m && n > (100 :: Int))
-    _ -> expectationFailure counts
+  pure $ case map read . words <$> counts of
+    Just [rows, same] -> Just (rows, same)
+    _ -> Nothing
 
 -- | Give every row the seal of what it now says, with foreign keys not looked at.
-sealAgain :: FilePath -> IO ()
-sealAgain path = () <$ python ["seal", path]
+sealAgainInPython :: FilePath -> IO ()
+sealAgainInPython path =
+  python ["seal", path]
+    >>= maybe (pendingWith "python3 is not installed here, so it found no seals") (const (pure ()))
 
-python :: [String] -> IO String
+python :: [String] -> IO (Maybe String)
 python arguments = do
   found <- findExecutable "python3"
-  case found of
-    Nothing -> "" <$ pendingWith "python3 is not installed here, so it found no seals"
-    Just executable -> readProcess executable ("-c" : program : arguments) ""
+  traverse (\executable -> readProcess executable ("-c" : program : arguments) "") found
 
 program :: String
 program =

@@ -45,12 +45,14 @@ data Backend = Backend
     valuesTyped :: Query IO (),
     -- | versions of the tables that are read beside the present one
     olderVersions :: [Int64],
-    -- | what there is now, and then: end a transaction and begin one that no other program's changes
-    -- can come into, after at most ten seconds; refuses what has come in its place since
+    -- | looks at what there is, and answers with what ends a transaction and begins one that no
+    -- other program's changes can come into; that waits for at most ten seconds, and refuses what
+    -- has come in the place of what there was
     prepareWriting :: IO (Query IO ()),
     -- | whether a column can hold a text
     holdsText :: Text -> Bool,
-    -- | write a new store, or in the place of one, whole or not at all; refuses whatever else is there
+    -- | write a new store, or in the place of one, whole or not at all; refuses whatever else there
+    -- is
     putRows :: Rows -> ExceptT StoreError IO ()
   }
 

@@ -1,5 +1,5 @@
--- | What can go wrong between a placement and a database that holds it. A database has the name under
--- which it is shown: a file's path, or an address without a password.
+-- | What can go wrong between a placement and a database that holds it. A database has the name
+-- under which it is shown: a file's path, or an address without a password.
 module PraTactile.Store.Error
   ( StoreError (..),
     Damage (..),
@@ -54,8 +54,8 @@ data StoreError
     NotInStore PlacementError
   | -- | the database does not carry out a statement
     DatabaseFailed Failure
-  | -- | the name begins as an address does, and is none; it is not repeated, for a password could be
-    -- anywhere in it
+  | -- | the name begins as an address does, and is none; it is not repeated, for a password could
+    -- be anywhere in it
     UnreadableAddress
   | -- | the program was built without what asks a server
     WithoutServers String

@@ -36,8 +36,8 @@ data Objection
   | -- | it cannot be read or written now
     Failed Failure
 
--- | Run an action on a database, given what the exceptions of the database mean; whatever it throws,
--- but for what other threads throw at it, is an objection.
+-- | Run an action on a database, given what the exceptions of the database mean; whatever it
+-- throws, but for what other threads throw at it, is an objection.
 guarded :: (SomeException -> Maybe Objection) -> IO a -> ExceptT Objection IO a
 guarded meaning action =
   ExceptT $

@@ -17,7 +17,7 @@ import Control.Monad.Trans.Except (ExceptT (..), except, runExceptT, throwE, wit
 import Control.Monad.Trans.Reader (runReaderT)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
-import Data.Foldable (for_)
+import Data.Foldable (for_, toList)
 import Data.List (intercalate)
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -31,7 +31,6 @@ import PraTactile.Store.Error
 import PraTactile.Store.Guard
 import PraTactile.Store.Query (Query)
 import PraTactile.Store.Rows
-import PraTactile.Store.Schema
 import System.IO.Error (isUserError)
 import System.Timeout (timeout)
 
@@ -135,13 +134,40 @@ putTables address given = throughout address $ \backend ->
     -- The number that this program's writers lock: any that stays the same.
     turn = 7072617461637469 :: Int
 
--- | Names are in the order of their characters, whatever the order of the database's language, and
--- a laying that goes is looked for among the runs.
+-- | Make the tables. Persistent's own way of making them looks at the tables of all schemas.
 makeTables :: Query IO ()
 makeTables = do
-  _ <- lift (runMigrationQuiet migrateAll)
-  execute "ALTER TABLE object ALTER COLUMN name TYPE varchar COLLATE \"C\""
+  mapM_ (execute . tableIn) parts
+  -- A laying that goes is looked for among the runs.
   execute "CREATE INDEX run_laying ON run (laying)"
+
+-- | The statement that makes a table as "PraTactile.Store.Schema" has it. Texts are in the order of
+-- their characters, whatever order the database has.
+tableIn :: Part -> Text
+tableIn part =
+  Text.concat ["CREATE TABLE ", Text.pack (partName part), " (", Text.intercalate ", " parts', ")"]
+  where
+    entity = partEntity part
+    parts' =
+      map column (getEntityFieldsDatabase entity)
+        ++ ["PRIMARY KEY " <> among (map fieldDB (toList (getEntityKeyFields entity)))]
+        ++ map unique (getEntityUniques entity)
+        ++ map reference (getEntityForeignDefs entity)
+    column field =
+      unFieldNameDB (fieldDB field)
+        <> (if fieldSqlType field == SqlString then " varchar COLLATE \"C\"" else " bigint")
+        <> (if isFieldNullable field == NotNullable then " NOT NULL" else "")
+    unique it = "UNIQUE " <> among (map snd (toList (uniqueFields it)))
+    reference it =
+      Text.concat
+        [ "FOREIGN KEY ",
+          among (map (snd . fst) (foreignFields it)),
+          " REFERENCES ",
+          unEntityNameDB (foreignRefTableDBName it),
+          " ",
+          among (map (snd . snd) (foreignFields it))
+        ]
+    among columns = "(" <> Text.intercalate ", " (map unFieldNameDB columns) <> ")"
 
 execute :: Text -> Query IO ()
 execute sql = lift (rawExecute sql [])

@@ -14,6 +14,7 @@ module PraTactile.Store.Rows
     parts,
     partName,
     partColumns,
+    partEntity,
     allTexts,
     disagreement,
   )
@@ -85,10 +86,14 @@ partName (Part table _) = tableName table
 -- | A table's columns in their order, and of which type their values are, where they are not null:
 -- whole numbers or texts.
 partColumns :: Part -> [(Text, SqlType)]
-partColumns (Part _ part) =
+partColumns part =
   [ (unFieldNameDB (fieldDB column), fieldSqlType column)
-    | column <- getEntityFieldsDatabase (entityDef (listToMaybe (part mempty)))
+    | column <- getEntityFieldsDatabase (partEntity part)
   ]
+
+-- | A table's columns, keys and references.
+partEntity :: Part -> EntityDef
+partEntity (Part _ part) = entityDef (listToMaybe (part mempty))
 
 -- | Whether all texts in the rows are such.
 allTexts :: (Text -> Bool) -> Rows -> Bool

@@ -1,0 +1,238 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | What a store answers, and what it refuses, whatever database it is in.
+module Test.Store.Answers (spec) where
+
+import Control.Monad (void)
+import Data.Bifunctor (first)
+import Data.Foldable (for_)
+import Data.List (isInfixOf)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Message.Objects (storeMessage)
+import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Object.Canonical
+import PraTactile.Object.Placement hiding (blockCells)
+import PraTactile.Object.WingedEdge
+import PraTactile.Store
+import Test.Hspec
+import Test.Recognition.Object.Support
+import Test.Store.Damage
+import Test.Store.Homes
+
+spec :: SpecWith Home
+spec = do
+  describe "answers as the placement" $ do
+    it "all 255 windows of 2 x 2, and those of other shapes, are where the placement says" $
+      withCanonical $ \place _ path ->
+        asked path $ \store ->
+          for_
+            [Shape 2 2, Shape 1 1, Shape 3 4, Shape 0 2, Shape 4 5, Shape 1 17, Shape 16 18]
+            $ \window ->
+              for_ everyPosition $ \at ->
+                storedWhereabouts store window at `shouldReturn` Right (whereabouts place window at)
+    it "positions and windows of any size are answered, as on the torus" $
+      withCanonical $ \place _ path ->
+        asked path $ \store -> do
+          let huge = 10 ^ (30 :: Int)
+          let far = Position (15 * huge + 6) (17 * huge + 5)
+          for_ [(canonicalWindow, far), (Shape huge huge, Position 3 4)] $ \(window, at) ->
+            storedWhereabouts store window at `shouldReturn` Right (whereabouts place window at)
+    it "every cell of every face is where the placement says, and so are those that there are not" $
+      withCanonical $ \place _ path ->
+        asked path $ \store ->
+          for_ blocks $ \block -> do
+            let beyond =
+                  [ Position (blockRows block) 0,
+                    Position 0 (blockColumns block),
+                    Position 0 (10 ^ (30 :: Int))
+                  ]
+            for_ (map snd (blockCells block) ++ beyond) $ \cell ->
+              storedPosition store (blockFace block) cell
+                `shouldReturn` first NotInStore (arrayPosition place (blockFace block) cell)
+    it "faces are found, and refused, as in the placement" $
+      withCanonical $ \place _ path ->
+        asked path $ \store ->
+          for_
+            [ ("cube", "C3 C4 C1 C2"),
+              ("cube", "C4 C3 C2 C1"),
+              ("cube", "P1 P2 P3 P4"),
+              ("cube", ""),
+              ("sphere", "C1 C2")
+            ]
+            $ \(object, face) -> do
+              let named = Face object (readFaceName face)
+                  cell = Position 1 1
+              storedPosition store named cell
+                `shouldReturn` first NotInStore (arrayPosition place named cell)
+    it "a face that is not laid is refused as in the placement" $
+      \home -> theCube $ \solid_ ->
+        right
+          (placement (Shape 15 17) canonicalPitch [solid_] (take 1 canonicalLayings))
+          >>= \place -> do
+            path <- newName home
+            let top = Face "cube" (readFaceName "C1 C2 C3 C4")
+            create path "profile" place `shouldReturn` Right ()
+            asked path $ \store -> do
+              storedPosition store top (Position 0 0)
+                `shouldReturn` Left (NotInStore (FaceNotLaid top))
+              for_ everyPosition $ \at ->
+                storedWhereabouts store canonicalWindow at
+                  `shouldReturn` Right (whereabouts place canonicalWindow at)
+    it "the placement and the profile come back" $
+      withCanonical $ \place _ path ->
+        asked path $ \store -> do
+          storedPlacement store `shouldReturn` Right place
+          storedProfile store `shouldBe` profileText
+    it "the seal of every row is the one that another program finds" $ \home ->
+      thePlacement $ \place -> do
+        path <- newName home
+        create path "a \"quoted\" profile, \955" place `shouldReturn` Right ()
+        sealsFound home path >>= \found -> case found of
+          Nothing -> pendingWith "python3 is not installed here, so it found no seals"
+          Just (rows_, same) -> (rows_, same) `shouldSatisfy` (\(n, m) -> n == m && n > 100)
+    it "numbers are stored up to 64 bits; what cannot be leaves the file as it was" $
+      withCanonical $ \place _ path -> do
+        let stored high = do
+              tall <- either (fail . show) pure (placement (Shape high 17) canonicalPitch [] [])
+              made <- create path profileText tall
+              pure (either Just (const Nothing) made)
+            most = 2 ^ (63 :: Int) - 1
+        mapM stored [most + 1, 10 * most]
+          `shouldReturn` [Just (TooLarge (toInteger n)) | n <- [most + 1, 10 * most]]
+        asked path $ \store -> storedPlacement store `shouldReturn` Right place
+        mapM stored [15, most] `shouldReturn` [Nothing, Nothing]
+        asked path $ \store -> do
+          storedWhereabouts store canonicalWindow (Position (most - 1) 3)
+            `shouldReturn` Right OnNoObject
+          storedPosition store (blockFace (blocks !! 0)) (Position 0 0)
+            `shouldReturn` Left (NotInStore (UnknownObject "cube"))
+  describe "refuses, with a reason and no exception," $ do
+    it "tables of another version" $
+      tampered "UPDATE metadata SET schema_version = 7" $ \_ outcome ->
+        outcome `shouldBe` Left (WrongSchemaVersion 7 3)
+    it "a store of another profile" $
+      withCanonical $ \_ _ path ->
+        withStore path (Just "another") (const (pure ()))
+          `shouldReturn` Left (ForeignProfile profileText "another")
+    it "a table that is missing" $
+      tampered "DROP TABLE edge" $ \path outcome -> outcome `shouldBe` Left (TablesDiffer path)
+    it "a column that there is besides" $
+      tampered "ALTER TABLE edge ADD COLUMN length_um INTEGER NOT NULL DEFAULT 7" $ \path outcome ->
+        outcome `shouldBe` Left (TablesDiffer path)
+    it "a column that is missing" $
+      tampered "ALTER TABLE edge RENAME COLUMN left_face TO left_side" $ \path outcome ->
+        outcome `shouldBe` Left (TablesDiffer path)
+  describe "answers as it did or refuses, and a check tells," $ do
+    it "any cell of any table changed, in number, word or type" $
+      withCanonical $ \place home path -> do
+        changes <- concat <$> traverse (changesOf home path) tableNames
+        length changes `shouldSatisfy` (> 150)
+        for_ changes (toldOf place home path)
+    it "any row of any table gone" $
+      withCanonical $ \place home path ->
+        for_ tableNames $ \table -> do
+          some <- someRows home path table
+          for_ some $ \at ->
+            toldOf place home path (Text.unwords ["DELETE FROM", table, "WHERE", at])
+    it "rows that are sealed, and say something else" $
+      withCanonical $ \_ home path ->
+        for_ contradictions $ \(statements, expected) -> do
+          changed <- copied home path
+          execute home changed statements
+          sealAgain home changed
+          (,) statements <$> checking changed `shouldReturn` (statements, Left expected)
+
+  describe "has keys" $
+    for_ duplicates $ \(table, columns_) ->
+      it ("no row of " ++ Text.unpack table ++ " twice") $
+        withCanonical $ \_ home path -> do
+          let listed = Text.intercalate ", " columns_
+              doubling =
+                ["INSERT INTO", table, "(", listed, ") SELECT", listed, "FROM", table, "LIMIT 1"]
+          executed home path [Text.unwords doubling] `shouldReturn` Left ByConstraint
+
+-- What a change comes to: where the database takes it, the check refuses, and every
+-- look-up refuses or answers as before.
+toldOf :: Placement -> Home -> String -> Text -> Expectation
+toldOf place home path change_ = do
+  changed <- copied home path
+  applied <- executed home changed [change_]
+  case applied of
+    -- What a key or a column does not take is not there.
+    Left why -> (change_, why) `shouldSatisfy` (`elem` [ByConstraint, ByType]) . snd
+    Right () -> do
+      check <- checking changed
+      (change_, check) `shouldSatisfy` (/= Right ()) . snd
+      either plain (const (pure ())) check
+      opened <- withStore changed Nothing $ \store -> do
+        for_ [(0, 0), (6, 5), (13, 5), (3, 9), (10, 11), (14, 16)] $ \(r, c) -> do
+          let at = Position r c
+          answer <- storedWhereabouts store canonicalWindow at
+          for_ answer $ \it_ ->
+            (change_, it_) `shouldBe` (change_, whereabouts place canonicalWindow at)
+        for_ [blocks !! i | i <- [0, 11]] $ \block -> do
+          answer <- storedPosition store (blockFace block) (Position 1 2)
+          case answer of
+            Left (NotInStore why) -> expectationFailure (show (change_, why))
+            Left _ -> pure ()
+            Right at ->
+              Right at `shouldBe` arrayPosition place (blockFace block) (Position 1 2)
+      either plain (const (pure ())) opened
+
+-- One cell at a time, keys included, each with other values.
+changesOf :: Home -> String -> Text -> IO [Text]
+changesOf home path table = do
+  columns_ <- otherValues home path table
+  some <- someRows home path table
+  pure
+    [ Text.unwords ["UPDATE", table, "SET", column_, "=", to, "WHERE", at]
+      | (column_, values) <- columns_,
+        at <- some,
+        to <- values
+    ]
+
+-- What is said is said in this program's own words.
+plain :: StoreError -> Expectation
+plain fault = do
+  let said = storeMessage fault
+  length (lines said) `shouldBe` 1
+  filter
+    (`isInfixOf` said)
+    [ "Persist",
+      "Haskell",
+      "parse",
+      "openBinaryFile",
+      "hClose",
+      "SQLite3",
+      "Table",
+      "Int64",
+      "ByteString",
+      "exception",
+      "UTF-8",
+      "decode"
+    ]
+    `shouldBe` []
+
+profileText :: String
+profileText = "any text, \"quoted\"; with ' and \955\n"
+
+opening :: String -> IO (Either StoreError ())
+opening path = withStore path Nothing (const (pure ()))
+
+-- All of it is read.
+checking :: String -> IO (Either StoreError ())
+checking path = (>>= void) <$> withStore path Nothing storedPlacement
+
+asked :: String -> (Store -> Expectation) -> Expectation
+asked path action = withStore path Nothing action >>= either (expectationFailure . show) pure
+
+withCanonical :: (Placement -> Home -> String -> Expectation) -> Home -> Expectation
+withCanonical test home = thePlacement $ \place -> do
+  path <- newName home
+  create path profileText place `shouldReturn` Right ()
+  test place home path
+
+tampered :: Text -> (String -> Either StoreError () -> Expectation) -> Home -> Expectation
+tampered statement test =
+  withCanonical $ \_ home path -> execute home path [statement] >> opening path >>= test path

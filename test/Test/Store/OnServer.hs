@@ -1,0 +1,339 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | What only a server can do to a store, and what is shown of its address.
+module Test.Store.OnServer (spec) where
+
+import Control.Concurrent (forkIO, threadDelay)
+import Control.Concurrent.MVar (newEmptyMVar, putMVar, takeMVar)
+import Control.Monad (void)
+import Data.Foldable (for_)
+import Data.List (isInfixOf, nub)
+import qualified Data.Text as Text
+import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Object.Canonical
+import PraTactile.Object.Named (Named (..), namedDescription)
+import PraTactile.Object.Placement
+import PraTactile.Object.Placement.Search
+import PraTactile.Object.WingedEdge
+import PraTactile.Store
+import System.FilePath ((</>))
+import System.Posix.Files (setFileMode)
+import Test.CommandLine.Run
+import Test.Hspec
+import Test.QuickCheck
+import Test.Recognition.Object.Support
+import Test.Store.Server
+
+spec :: Spec
+spec = do
+  describe "the address of a store" addresses
+  aroundAll withServer $
+    describe "a store on a server" $ do
+      secrets
+      strangers
+      losses
+
+addresses :: Spec
+addresses = do
+  it "is shown without what is secret" $
+    for_
+      [ ("postgresql://", "postgresql://"),
+        ("postgres://host", "postgres://host"),
+        ("postgresql://me:secret@host:5432/d", "postgresql://me@host:5432/d"),
+        ("postgresql://me:se:cr:et@a:1,b:2/d", "postgresql://me@a:1,b:2/d"),
+        ("postgresql://me:@host", "postgresql://me@host"),
+        ("postgresql://:secret@host", "postgresql://@host"),
+        ("postgresql://me:secret@[::1]:5432/d?a=b", "postgresql://me@[::1]:5432/d?a=b"),
+        ("postgresql:///d?password=secret&user=me", "postgresql:///d?user=me"),
+        ("postgresql://host?sslpassword=secret", "postgresql://host"),
+        ("a.sqlite", "a.sqlite")
+      ]
+      $ \(name, shown) -> (name, shownName name) `shouldBe` (name, shown)
+  it "is not shown at all where a secret could be anywhere" $
+    for_
+      [ "postgresql://me:se@cret@host/d",
+        "postgresql://me:se/cret@host/d",
+        "postgresql://me:se?cret@host/d",
+        "postgresql://me:secret/host/d",
+        "postgresql://me:secret",
+        "postgresql://host/d?secret",
+        "postgresql://host/d?passwor%64=secret",
+        "postgresql://host/d?user=a@secret",
+        "postgresql://me:secret\n@host/d"
+      ]
+      $ \name -> do
+        (name, shownName name) `shouldBe` (name, "postgresql://...")
+        withStore name Nothing (const (pure ())) `shouldReturn` Left UnreadableAddress
+        thePlacement $ \place -> create name "profile" place `shouldReturn` Left UnreadableAddress
+        outcome@(_, _, err) <- pra ["objects", "--database", name, "--check", "--json"]
+        outcome `refuses` "postgresql://"
+        err `shouldSatisfy` (not . ("cret" `isInfixOf`))
+  it "no password of any letters is in what is shown" $
+    holds 2000 $
+      forAll (listOf1 (elements "xyz0:@/?&=%#[],. \n")) $ \password ->
+        conjoin
+          [ counterexample (show (name, shownName name)) $
+              not (any (`elem` shownName name) ("xyz" :: String))
+            | name <-
+                ["postgresql://me:" ++ password ++ "@h/d", "postgresql:///d?password=" ++ password]
+          ]
+
+secrets :: SpecWith (Either String Server)
+secrets = do
+  it "a password is taken in each of libpq's ways, refused, and printed in none"
+    . inFolderOn
+    $ \server folder -> do
+      let (secret, host) = ("open sesame 7", serverFolder server)
+          admin = addressIn server "postgres" []
+          -- As user guarded, to a database of that name.
+          named credentials more =
+            "postgresql://" ++ credentials ++ "@/guarded?host=" ++ host ++ more
+          asking environment arguments =
+            scripted folder . unwords $
+              map quoted environment ++ ["pra-tactile objects"] ++ map quoted arguments
+          quoted text = case break (== '=') text of
+            (variable, '=' : value)
+              | all (`elem` ['A' .. 'Z']) variable -> variable ++ "='" ++ value ++ "'"
+            _ -> "'" ++ text ++ "'"
+          unspoken (_, out, err) = (out ++ err) `shouldSatisfy` (not . ("sesame" `isInfixOf`))
+      _ <-
+        sql
+          server
+          admin
+          [ Text.pack ("CREATE ROLE guarded LOGIN PASSWORD '" ++ secret ++ "'"),
+            "CREATE DATABASE guarded OWNER guarded"
+          ]
+      writeFile (folder </> "pass") ("*:*:guarded:guarded:" ++ secret ++ "\n")
+      setFileMode (folder </> "pass") 0o600
+      writeFile
+        (folder </> "services")
+        ("[tests]\nhost=" ++ host ++ "\ndbname=guarded\nuser=guarded\npassword=" ++ secret ++ "\n")
+      let inAddress = named "guarded:open%20sesame%207" ""
+          ways =
+            [ ([], inAddress),
+              ([], named "guarded" "&password=open%20sesame%207"),
+              (["PGPASSWORD=" ++ secret], named "guarded" ""),
+              (["PGPASSFILE=" ++ folder </> "pass"], named "guarded" ""),
+              (["PGSERVICEFILE=" ++ folder </> "services"], "postgresql:///?service=tests"),
+              (["PGHOST=" ++ host, "PGUSER=guarded", "PGPASSWORD=" ++ secret], "postgres://")
+            ]
+      for_ ways $ \(environment, name) -> do
+        wrote@(status, out, err) <- asking environment ["--write", name, "--json"]
+        unspoken wrote
+        (status, err) `shouldBe` (0, "")
+        out `shouldSatisfy` ("pra-tactile/objects-written/1" `isInfixOf`)
+        answered@(status', _, err') <-
+          asking environment ["--database", name, "--at", "6,5", "--json"]
+        unspoken answered
+        (status', err') `shouldBe` (0, "")
+      for_ ["open%20sesame", ""] $ \wrong ->
+        for_ [["--write"], ["--database"]] $ \option -> do
+          refused <-
+            asking ["PGPASSFILE=" ++ folder </> "none"] (option ++ [named ("guarded:" ++ wrong) ""])
+          unspoken refused
+          refused `refuses` "password"
+      -- What else can be wrong names the database, too.
+      for_
+        [ ["--database", inAddress, "--remove", "sphere"],
+          ["--database", inAddress, "--at", "6,5", "--polynomial", "2,1,0,1,1"],
+          ["--database", inAddress ++ "&host=" ++ folder, "--check"]
+        ]
+        $ \arguments -> do
+          outcome@(status, _, _) <- asking [] arguments
+          unspoken outcome
+          status `shouldBe` 2
+
+strangers :: SpecWith (Either String Server)
+strangers = do
+  it "tables of another program stay, and are refused"
+    . placedOn
+    $ \server place -> do
+      for_
+        [ ( ["CREATE TABLE object (item text)", "INSERT INTO object VALUES ('mine')"],
+            "SELECT item FROM object"
+          ),
+          (["CREATE VIEW run AS SELECT 'mine' AS item"], "SELECT item FROM run"),
+          ( ["CREATE TABLE metadata (schema_version int)", "INSERT INTO metadata VALUES (3)"],
+            "SELECT 'mine' FROM metadata"
+          )
+        ]
+        $ \(statements, still) -> do
+          name <- newSchema server
+          _ <- sql server name statements
+          create name "profile" place `shouldReturn` Left (Occupied name OtherTables)
+          opened <- withStore name Nothing (const (pure ()))
+          opened `shouldSatisfy` (`elem` [Left (NotAStore name), Left (TablesDiffer name)])
+          changed <- change name (removing ["cube"])
+          void changed `shouldSatisfy` (`elem` [Left (NotAStore name), Left (TablesDiffer name)])
+          sql server name [still] `shouldReturn` [["mine"]]
+          sql
+            server
+            name
+            [ "SELECT count(*) FROM pg_class WHERE relkind IN ('r', 'v') \
+              \AND relnamespace = current_schema()::regnamespace"
+            ]
+            `shouldReturn` [["1"]]
+  it "a store of a newer version, or of an older, is refused; a part of one is damage"
+    . placedOn
+    $ \server place ->
+      for_ [2, 4] $ \version -> do
+        name <- newSchema server
+        create name "profile" place `shouldReturn` Right ()
+        _ <- sql server name [Text.pack ("UPDATE metadata SET schema_version = " ++ show version)]
+        withStore name Nothing (const (pure ())) `shouldReturn` Left (WrongSchemaVersion version 3)
+        void <$> change name (removing ["cube"]) `shouldReturn` Left (WrongSchemaVersion version 3)
+        _ <- sql server name ["ALTER TABLE run DROP COLUMN seal"]
+        create name "profile" place `shouldReturn` Left (Occupied name OtherTables)
+  it "a database of another encoding is refused"
+    . placedOn
+    $ \server place -> do
+      _ <-
+        sql
+          server
+          (addressIn server "postgres" [])
+          ["CREATE DATABASE latin ENCODING 'LATIN1' LOCALE 'C' TEMPLATE template0"]
+      let name = addressIn server "latin" []
+      create name "profile" place `shouldReturn` Left (WrongEncoding name "LATIN1")
+      withStore name Nothing (const (pure ())) `shouldReturn` Left (WrongEncoding name "LATIN1")
+  it "names are in the order of their characters in a database that orders them otherwise"
+    . onServer
+    $ \server -> do
+      made <-
+        attempted
+          server
+          (addressIn server "postgres" [])
+          [ "CREATE DATABASE worded ENCODING 'UTF8' LOCALE 'C' LOCALE_PROVIDER icu \
+            \ICU_LOCALE 'und' TEMPLATE template0"
+          ]
+      case made of
+        Left _ -> pendingWith "the server makes no databases that order texts by ICU"
+        Right _ -> do
+          let name = addressIn server "worded" []
+              words' = ["a", "B", "c", "D", "\228", "Z", "z", "\955", "\120120"]
+              boxes = [box word 26 26 26 | word <- words']
+          sql server name ["SELECT 'a' < 'B'"] `shouldReturn` [["t"]]
+          place <- right (placement (Shape 15 17) canonicalPitch boxes [])
+          create name "profile" place `shouldReturn` Right ()
+          opened <- withStore name Nothing $ \store ->
+            for_ (words' ++ ["A", "b", "C", "d", "y", "\229", "\65535"]) $ \word -> do
+              let face = Face (ObjectName word) (readFaceName "V1 V2 V3 V4")
+                  cell = Position 0 0
+              storedPosition store face cell
+                `shouldReturn` either (Left . NotInStore) Right (arrayPosition place face cell)
+          opened `shouldBe` Right ()
+  it "a name with a NUL is refused, and others are held as they are" . onServer $ \server -> do
+    let named text = placement (Shape 15 17) canonicalPitch [box text 26 26 26] []
+    for_ ["it's \"x\" \\ ? ?? $1 %s", "\t\n", "\955"] $ \text -> do
+      name <- newSchema server
+      place <- right (named text)
+      create name "profile" place `shouldReturn` Right ()
+      withStore name Nothing storedPlacement `shouldReturn` Right (Right place)
+    name <- newSchema server
+    place <- right (named "a\0b")
+    create name "profile" place `shouldReturn` Left (TextNotHeld name)
+    withStore name Nothing (const (pure ())) `shouldReturn` Left (NotAStore name)
+  it "every statement of a look-up searches an index"
+    . placedOn
+    $ \server place -> do
+      name <- newSchema server
+      create name "profile" place `shouldReturn` Right ()
+      let searchPath = Text.unpack (snd (Text.breakOnEnd "%3D" (Text.pack name)))
+          heard =
+            addressIn
+              server
+              "postgres"
+              [ ("application_name", "heard"),
+                ("options", "-clog_statement%3Dall%20-csearch_path%3D" ++ searchPath)
+              ]
+      opened <- withStore heard Nothing $ \store -> do
+        for_ [Position 6 5, Position 14 16, Position 3 3] (storedWhereabouts store canonicalWindow)
+        for_ (map laidFace (laidFaces place)) $ \face -> storedPosition store face (Position 1 1)
+        void (storedPosition store (Face "sphere" (readFaceName "A B C")) (Position 1 1))
+        void (storedObjects store ["cube"])
+        void (storedNear store canonicalWindow [Position 6 5])
+      opened `shouldBe` Right ()
+      said <- logged server "heard"
+      let asked =
+            nub
+              [ statement
+                | line <- said,
+                  Just statement <- [Text.stripPrefix "LOG:  statement: " line],
+                  "SELECT \"" `Text.isPrefixOf` statement
+              ]
+      length asked `shouldSatisfy` (> 20)
+      plans <- sql server name ("SET enable_seqscan = off" : map ("EXPLAIN " <>) asked)
+      filter (Text.isInfixOf "Seq Scan" . Text.concat) plans `shouldBe` []
+      length (filter (Text.isInfixOf "Index Scan" . Text.concat) plans)
+        `shouldSatisfy` (>= length asked)
+
+losses :: SpecWith (Either String Server)
+losses = do
+  it "where no server is, or no such database, one line says so"
+    . inFolderOn
+    $ \server folder -> do
+      withStore ("postgresql:///d?host=" ++ folder) Nothing (const (pure ()))
+        `shouldReturn` Left (Unreachable ("postgresql:///d?host=" ++ folder) NoServer)
+      let name = addressIn server "none" []
+      withStore name Nothing (const (pure ())) `shouldReturn` Left (Unreachable name ServerRefuses)
+      let lonely = "postgresql://me:secret@/d?host=" ++ folder
+      gone <- pra ["objects", "--at", "6,5", "--database", lonely]
+      gone `refuses` "no server answers"
+  it "a server that goes while it is asked is told, and what was being written is not there"
+    . placedOn
+    $ \server place -> do
+      name <- newSchema server
+      create name "profile" place `shouldReturn` Right ()
+      let victim = name ++ "&application_name=victim"
+          ended =
+            void . sql server (addressIn server "postgres" []) $
+              [ "SELECT pg_terminate_backend(pid, 5000) FROM pg_stat_activity \
+                \WHERE application_name = 'victim'"
+              ]
+          look store = storedWhereabouts store canonicalWindow (Position 6 5)
+      opened <- withStore victim Nothing $ \store -> do
+        look store `shouldReturn` Right (whereabouts place canonicalWindow (Position 6 5))
+        ended
+        look store `shouldReturn` Left (DatabaseFailed ConnectionLost)
+        look store `shouldReturn` Left (DatabaseFailed ConnectionLost)
+      opened `shouldBe` Right ()
+      -- Another program holds a row that must go, until the one that waits for it is ended.
+      holding server name "run" 3
+      outcome <- newEmptyMVar
+      _ <- forkIO (change victim (removing ["cube"]) >>= putMVar outcome)
+      threadDelay 1000000
+      ended
+      void <$> takeMVar outcome `shouldReturn` Left (DatabaseFailed ConnectionLost)
+      withStore name Nothing storedPlacement `shouldReturn` Right (Right place)
+  it "who waits longer than ten seconds for another writer gives up; readers do not wait"
+    . placedOn
+    $ \server place -> do
+      name <- newSchema server
+      create name "profile" place `shouldReturn` Right ()
+      holding server name "metadata" 14
+      withStore name Nothing storedPlacement `shouldReturn` Right (Right place)
+      void <$> change name (removing ["cube"]) `shouldReturn` Left (DatabaseFailed InUse)
+      withStore name Nothing storedPlacement `shouldReturn` Right (Right place)
+
+-- Another program changes a table, for so many seconds.
+holding :: Server -> String -> String -> Int -> IO ()
+holding server name table seconds = do
+  _ <-
+    forkIO . void . attempted server name . map Text.pack $
+      [ "BEGIN",
+        "LOCK TABLE " ++ table ++ " IN EXCLUSIVE MODE",
+        "SELECT pg_sleep(" ++ show seconds ++ ")"
+      ]
+  threadDelay 1000000
+
+placedOn :: (Server -> Placement -> Expectation) -> Either String Server -> Expectation
+placedOn test = onServer $ \server -> thePlacement (test server)
+
+inFolderOn :: (Server -> FilePath -> Expectation) -> Either String Server -> Expectation
+inFolderOn test = onServer $ \server -> inFolder (test server)
+
+box :: String -> Integer -> Integer -> Integer -> Solid
+box name x y z =
+  either (error . show) id . solid $
+    (namedDescription (Box (fromInteger x) (fromInteger y) (fromInteger z)))
+      { describedName = ObjectName name
+      }
