@@ -83,7 +83,5 @@ freeLikeness image
 
 {- Note [Unlikeness] The regression was fitted to 2400 symbols of GF(4)'s and as many of shapes
    drawn by the rules of the shipped ones, at least 24 taxels from each of them: all from presses of
-   `images --set press --any-angle` by the sensors `real` and `hard`, seeds 11 and 12. At the limit
-   that lets 97 % of the alphabet's pass, 1.2 % of the others pass by `real` and 2.7 % by `hard`; by
-   s alone, at 99 %, a third of them would. Half of the others have more than 5, half of the
-   alphabet's less than -6. -}
+   `images --set press --any-angle` by the sensors `real` and `hard`, seeds 11 and 12, by
+   bench/peers/unlikeness.py. docs/network.md has what it lets pass. -}
