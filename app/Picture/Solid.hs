@@ -65,11 +65,16 @@ encodedSvg title view symbols whole =
 solidDrawing :: Shown -> Solid -> Drawing
 solidDrawing shown whole =
   concatMap (patchMarks scale shown symbolsSeen) (patches looking)
-    ++ concatMap (vertexMark scale) (seenVertices looking)
+    ++ (if null (drop mostNamed named) then concatMap (vertexMark scale) named else [])
   where
     looking = camera (shownView shown) whole
+    named = seenVertices looking
     symbolsSeen = Map.map (map (map (onPicture looking))) (shownSymbols shown)
     scale = scaleOf shown whole
+
+-- | Where more vertices are seen, none is named.
+mostNamed :: Int
+mostNamed = 100
 
 -- | Where a point of space, in millimetres, is on the drawing of a solid.
 onDrawing :: Shown -> Solid -> (Double, Double, Double) -> (Double, Double)
