@@ -19,6 +19,7 @@ import PraTactile.Image (Raster, mapRaster, maximumValue, minimumValue)
 import PraTactile.Image.Pgm (decodePgm, pgmIntensity)
 import PraTactile.Symmetry
 import Setup
+import System.IO (hFlush, stdout)
 import Text.Printf (printf)
 import Visible (visibleName)
 
@@ -85,6 +86,7 @@ run choice options
           let path = either (const "") Text.unpack (lineText line)
           answer <- ask path
           status <- either (const (invalid how path)) (told how path) answer
+          hFlush stdout
           pure (max worst status)
     case given options of
       Just paths -> maximum . (Answered :) <$> traverse one paths

@@ -26,6 +26,7 @@ import PatchText
 import PraTactile.Array
 import PraTactile.Certificate
 import PraTactile.Certificate.Check
+import PraTactile.Classification.Network (unitRows)
 import PraTactile.Classification.Network.File
 import PraTactile.Conformance.Library (library)
 import PraTactile.Conformance.Serve (replyOnce)
@@ -34,6 +35,7 @@ import PraTactile.Explore (Region (..), regionCorner)
 import PraTactile.Field
 import PraTactile.FileName (isFileName)
 import PraTactile.Format
+import PraTactile.Format.Network
 import PraTactile.Format.Profile (profileText)
 import PraTactile.Format.Solid hiding (Written)
 import qualified PraTactile.Format.Solid as Solid
@@ -85,7 +87,8 @@ kinds =
     kind "truths" 20 truths judgedTruth,
     kind "answers to compare" 20 claims judgedClaim,
     kind "arrays as CSV" 60 grids judgedGrid,
-    kind "networks" 20 networks judgedNetwork,
+    kind "networks" 10 networks judgedNetwork,
+    kind "networks in JSON" 10 jsonNetworks judgedJsonNetwork,
     kind "drawings of shapes" 20 drawings judgedDrawing,
     kind "files of solids" 100 solidFiles judgedSolid,
     kind "placements" 40 placements judgedPlacement,
@@ -333,6 +336,14 @@ judgedNetwork bytes = asText bytes $ \text -> case parseNetwork (Text.pack text)
     Accepted
       [("parse . render = Right", parseNetwork (renderNetwork found) == Right found)]
       (Text.unpack (renderNetwork found))
+
+judgedJsonNetwork :: ByteString -> Judged
+judgedJsonNetwork = judgedForm "a network" decodeNetworkFile encodeNetwork $ \found ->
+  [ ( "its units are those that its dimensions say",
+      let (w1, w2) = unitRows (fileNetwork found)
+       in map length w1 == map (const 97) w1 && map length w2 == map (const (length w1 + 1)) w2
+    )
+  ]
 
 -- | By what it begins with it is of a format.
 judgedSolid :: ByteString -> Judged

@@ -17,6 +17,7 @@ module Test.Hostile.Specimens
     claims,
     grids,
     networks,
+    jsonNetworks,
     drawings,
     solidFiles,
     placements,
@@ -39,6 +40,7 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Census (census, censusSize, standardScope)
 import PraTactile.Certificate
+import PraTactile.Classification.Estimate (standardRegression)
 import PraTactile.Classification.Network
 import PraTactile.Classification.Network.File
 import PraTactile.Conformance.Process.Reply (oneShotRequest)
@@ -46,6 +48,7 @@ import PraTactile.Conformance.Question
 import PraTactile.Explore (Region (..))
 import PraTactile.Format
 import PraTactile.Format.Census.Row
+import PraTactile.Format.Network
 import PraTactile.Format.Solid (Written (..), writeSolid)
 import PraTactile.Image (constant)
 import PraTactile.Image.Pgm
@@ -237,8 +240,17 @@ grids =
 
 -- | A network of one hidden unit and two outputs.
 networks :: [ByteString]
-networks =
-  [encodeUtf8 (renderNetwork found) | Right found <- [network (weights 1 97) (weights 2 2)]]
+networks = [encodeUtf8 (renderNetwork found) | found <- smallNetworks]
+
+-- | The same in the other form.
+jsonNetworks :: [ByteString]
+jsonNetworks =
+  [ encodeNetwork (NetworkFile found (replicate 64 '0') standardRegression (Just 1) Nothing)
+    | found <- smallNetworks
+  ]
+
+smallNetworks :: [Network]
+smallNetworks = [found | Right found <- [network (weights 1 97) (weights 2 2)]]
   where
     weights units n = reshape n (Storable.generate (units * n) (\i -> fromIntegral i * 0.25 - 3))
 
