@@ -166,14 +166,14 @@ kirchhoff it_ = go 1 1 [[entry f g | g <- drop 1 faces] | f <- drop 1 faces]
     entry f g
       | f == g = fromIntegral (length (neighbours it_ f))
       | otherwise = negate (fromIntegral (length (filter (== g) (neighbours it_ f))))
-    go sign before rows = case break ((/= 0) . head) rows of
-      _ | null rows -> sign * before
+    go sign last' rows = case break ((/= 0) . head) rows of
+      _ | null rows -> sign * last'
       (_, []) -> 0
       (zeros, pivot : rest) ->
         go
           (if odd (length zeros) then negate sign else sign)
           (head pivot)
-          [ [ (head pivot * x - head row * p) `div` before
+          [ [ (head pivot * x - head row * p) `div` last'
               | (x, p) <- zip (drop 1 row) (drop 1 pivot)
             ]
             | row <- zeros ++ rest
@@ -278,13 +278,13 @@ foldedAgain it_ net =
             let name = netFaceName f
         ]
     fold known' (Fold (EdgeName v w) (from, to) bend) =
-      let f = head [g | g <- solidFaces it_, (v, w) `elem` cyclicPairs (faceVertices g)]
+      let f = head [e | e <- solidFaces it_, (v, w) `elem` cyclicPairs (faceVertices e)]
           g = head [h | h <- solidFaces it_, (w, v) `elem` cyclicPairs (faceVertices h)]
-          before = known' Map.! f
-          (o, p) = (before from, before to)
+          flat = known' Map.! f
+          (o, p) = (flat from, flat to)
           angle = acos (max (-1) (min 1 (unit (normalOf f) `dotted` unit (normalOf g))))
           signed = case bend of Ridge -> angle; Valley -> negate angle; Flat -> 0
-       in Map.insert g (turnedAbout o (unit (p `less` o)) signed . before) known'
+       in Map.insert g (turnedAbout o (unit (p `less` o)) signed . flat) known'
     normalOf = newell . map double . cornerPoints it_
 
 -- | The map from the page to space that takes the corners of a polygon to these.

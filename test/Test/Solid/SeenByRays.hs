@@ -83,10 +83,10 @@ spec = do
     placeOn seen = do
       corners <- map fst . patchCorners <$> elements seen
       weights <- vectorOf (length corners) (choose (0.05, 1))
-      let total = sum weights
+      let all' = sum weights
       pure
-        ( sum (zipWith (\k (x, _) -> k * x) weights corners) / total,
-          sum (zipWith (\k (_, y) -> k * y) weights corners) / total
+        ( sum (zipWith (\k (x, _) -> k * x) weights corners) / all',
+          sum (zipWith (\k (_, y) -> k * y) weights corners) / all'
         )
 
 -- | About the vertical, counter-clockwise seen from above, by quarter turns in degrees.
