@@ -25,8 +25,8 @@ import qualified Command.Field
 import qualified Command.Images
 import qualified Command.Locate
 import qualified Command.Merge
-import qualified Command.Network
 import qualified Command.Nets
+import qualified Command.Network
 import qualified Command.Objects
 import qualified Command.Place
 import qualified Command.Polynomials

@@ -55,8 +55,8 @@ import qualified Test.CommandLine.Fields
 import qualified Test.CommandLine.Json
 import qualified Test.CommandLine.Locate
 import qualified Test.CommandLine.LongWork
-import qualified Test.CommandLine.Networks
 import qualified Test.CommandLine.Nets
+import qualified Test.CommandLine.Networks
 import qualified Test.CommandLine.Output
 import qualified Test.CommandLine.Patches
 import qualified Test.CommandLine.Picture

@@ -19,7 +19,8 @@ spec = do
       let found = cut whole
        in conjoin
             [ conjoin [counterexample (show t) (turnOf whole t > 0) | t <- found],
-              length found === length (concat loops) - 2 * outer whole + 2 * (length loops - outer whole)
+              length found
+                === length (concat loops) - 2 * outer whole + 2 * (length loops - outer whole)
             ]
   prop "every side is a loop's, or one of two triangles that walk it in opposite directions" $
     forAll genRegion $ \whole@(Region _ loops) ->

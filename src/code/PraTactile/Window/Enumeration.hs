@@ -61,12 +61,12 @@ data EnumerationError
 
 -- | What the ways of keeping what was seen may take. The answer does not depend on the way.
 data Limits = Limits
-  { -- | up to this many possible contents there is one bit a content, if that is not many times more
-    -- than there are positions
+  { -- | up to this many possible contents there is one bit a content, if that is not many times
+    -- more than there are positions
     largestSpan :: !Natural,
     -- | up to this many positions, the contents are sorted instead if they fit a machine integer
     largestSort :: !Natural,
-    -- | up to this many positions, there is an ordered map otherwise, whatever the number of contents
+    -- | up to this many positions, there is an ordered map otherwise, whatever the contents
     largestMap :: !Natural,
     -- | the most cells that are read for that map, all windows added up
     largestReading :: !Natural
@@ -142,7 +142,8 @@ enumerableWithin limits surface q shape mask
 
 -- | Whether a bit for each possible content takes little enough memory for the number of positions.
 bitsSuffice :: Limits -> Natural -> Natural -> Bool
-bitsSuffice limits spanned count = spanned <= min (largestSpan limits) (max (2 ^ (20 :: Int)) (64 * count))
+bitsSuffice limits spanned count =
+  spanned <= min (largestSpan limits) (max (2 ^ (20 :: Int)) (64 * count))
 
 -- | Whether the contents of the mask at this many positions fit an ordered map.
 mapSuffices :: Limits -> Natural -> Mask -> Bool

@@ -220,8 +220,8 @@ shared tables process (w, h) (a, b) =
 
 -- | How much likelier, as a natural logarithm, the patches are of one relief than of two, whatever
 -- the second reads times what the first does, beyond the scales: of that the logarithm g is normal,
--- of variance 'gainVariance', and summed over. Relief is no normal process, and the coefficients are
--- not quite independent, so each counts for somewhat less: @tempering@.
+-- of variance 'gainVariance', and summed over. Relief is no normal process, and the coefficients
+-- are not quite independent, so each counts for somewhat less: @tempering@.
 --
 -- The sum is taken by steps of one width of the integrand about its highest place, both as they are
 -- for the likeliest of the scales. (Without noise it is far narrower than the prior.)
@@ -250,7 +250,8 @@ sharedLog scales = logSumOf [at (peak + k * width) | k <- [-4 .. 4]] + log width
     likeliest by = maximumBy (comparing by)
     curvature g = (p * exp g + r * exp (negate g)) / 2 + 1 / gainVariance
     peak = iterate newton (bounded 1 (if p > 0 && r > 0 then log (r / p) / 2 else 0)) !! 8
-    newton g = g - bounded 0.5 (((p * exp g - r * exp (negate g)) / 2 + g / gainVariance) / curvature g)
+    newton g = g - bounded 0.5 (slope g / curvature g)
+    slope g = (p * exp g - r * exp (negate g)) / 2 + g / gainVariance
     width = 1 / sqrt (curvature peak)
     bounded most = max (negate most) . min most
     meanOf logs = logSumOf logs - log (fromIntegral (length logs))

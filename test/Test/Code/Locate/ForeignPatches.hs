@@ -51,7 +51,16 @@ spec = do
           shownBest = log (fst best / mean)
           found =
             foreignChances
-              (ForeignComparison share q (places placed) (snd best) highest shownBest others (-1 / 0))
+              ( ForeignComparison
+                  share
+                  q
+                  (places placed)
+                  (snd best)
+                  highest
+                  shownBest
+                  others
+                  (-1 / 0)
+              )
        in counterexample (show (found, theirs / whole, ofOthers / whole)) $
             conjoin
               [ property (abs (doubtOfRandom found - theirs / whole) < 1e-9),

@@ -138,7 +138,10 @@ blindly step@(x, y) search a b = knownBy step search told
         where
           (one, other) = inCommon a' b' d
           weight = max 0.5 (min 2 (nominal / pixels one))
-          ofGain g = 0.8 * likelier noise (map (reading (exp (g / 2))) seen) - g * g / 0.32 - log (0.32 * pi) / 2
+          ofGain g =
+            0.8 * likelier noise (map (reading (exp (g / 2))) seen)
+              - g * g / 0.32
+              - log (0.32 * pi) / 2
           reading gain (Coefficient (z, z') s c) = Coefficient (gain * z, z' / gain) s c
           seen =
             [ Coefficient (z, z') s (coherence f)

@@ -1,7 +1,7 @@
 -- | Faces of solids laid on the cells of the array, checked (section II.B of the paper, figure 8):
 -- each face takes cells of its own of a block, upright, and unless a margin is stated the block's
--- grid of symbols is centred on the face. No two faces take one cell; the runs of cells side by side
--- are the index by which a look-up finds them.
+-- grid of symbols is centred on the face. No two faces take one cell; the runs of cells side by
+-- side are the index by which a look-up finds them.
 module PraTactile.Object.Placement.Laying
   ( -- * What is laid where
     module PraTactile.Object.Placement.LaidFace,
