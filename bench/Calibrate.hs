@@ -58,7 +58,8 @@ calibrate count q = do
   cut <- orFail (withProfile profile (\array _ -> explored reader plate array count 1000))
   forM_
     [ ("network", networkClassifier reader),
-      ("nearest class mean", meansClassifier (readerAlphabet reader))
+      ("nearest class mean", meansClassifier (readerAlphabet reader)),
+      ("logistic regression", logisticClassifier (readerAlphabet reader))
     ]
     $ \(name, classifier) -> do
       let byNoise = map (fmap (mapMaybe (symbolBy classifier))) cut

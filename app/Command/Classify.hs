@@ -50,8 +50,8 @@ command =
           "a classifier"
           (allNamed methodName)
           "classifier"
-          "network|means"
-          "The network (default), or the nearest class mean by correlation"
+          "network|means|logistic"
+          "The network (default), the nearest class mean by correlation, or logistic regression"
           (value ByNetwork)
         <*> option
           (pairReader ',' "0.25,0.75")
@@ -69,13 +69,14 @@ run :: AlphabetChoice -> Options -> IO ExitStatus
 run choice options
   | not (fst (levels options) < snd (levels options)) =
     misused "--levels are two numbers, the lower one first"
-  | method options == ByMeans && weights options /= Nothing =
+  | method options /= ByNetwork && weights options /= Nothing =
     misused "--network is of the classifier network"
   | otherwise = do
     alphabet <- chosenAlphabet choice
-    -- Class means need no network, and so there may be none.
+    -- The others need no network, and so there may be none.
     classifier <- case method options of
       ByMeans -> pure (meansClassifier alphabet)
+      ByLogistic -> pure (logisticClassifier alphabet)
       ByNetwork -> networkClassifier <$> readerWith alphabet (weights options)
     let ask path = (>>= answered path) <$> imageIn (levels options) path
         answered path =

@@ -32,6 +32,7 @@ spec = do
       ("classify data/worked-example/composite.pgm", "8 x 12"),
       ("classify --levels 1,1 data/worked-example/composite.pgm", "--levels"),
       ("classify --classifier means --network x y", "--network"),
+      ("classify --classifier logistic --network x y", "--network"),
       ("experiment --seeds 0", "--seeds"),
       ("experiment --training paper", "paper"),
       ("experiment --vary stated,weights", "stated"),
@@ -124,7 +125,7 @@ spec = do
       labels <- drop 1 . lines <$> readFile (images </> "labels.csv")
       let name c i = show c ++ "_" ++ show i ++ ".pgm"
       labels `shouldBe` [name c i ++ "," ++ show c | c <- [0 .. 8 :: Int], i <- [0, 1 :: Int]]
-      for_ ["network", "means"] $ \classifier -> do
+      for_ ["network", "means", "logistic"] $ \classifier -> do
         (found, out, _) <-
           praWith
             (words "classify --q 9 --batch --levels 0.25,0.75 --json --classifier" ++ [classifier])

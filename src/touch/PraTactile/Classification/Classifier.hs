@@ -7,6 +7,7 @@ module PraTactile.Classification.Classifier
     Classifier (..),
     networkClassifier,
     meansClassifier,
+    logisticClassifier,
 
     -- * Classifying
     Classification (..),
@@ -17,6 +18,7 @@ module PraTactile.Classification.Classifier
 where
 
 import PraTactile.Classification.Estimate
+import PraTactile.Classification.Logistic
 import PraTactile.Classification.Means
 import PraTactile.Classification.Network (NetworkError, decide, outputs, standardThresholds)
 import qualified PraTactile.Classification.Network as Network
@@ -33,6 +35,8 @@ data Method
     ByNetwork
   | -- | the nearest class mean by correlation
     ByMeans
+  | -- | logistic regression on the values of the image
+    ByLogistic
   deriving stock (Eq, Ord, Show, Bounded, Enum)
 
 -- | The stable name of a classifier.
@@ -40,6 +44,7 @@ methodName :: Method -> String
 methodName method = case method of
   ByNetwork -> "network"
   ByMeans -> "means"
+  ByLogistic -> "logistic"
 
 -- | A classifier of an alphabet's symbols.
 data Classifier = Classifier
@@ -55,11 +60,19 @@ networkClassifier :: Reader -> Classifier
 networkClassifier reader =
   Classifier (outputs (readerNetwork reader)) (readerRegression reader) (readerTemplates reader)
 
--- | The nearest of an alphabet's class means.
+-- | The nearest of an alphabet's class means, as sure as the network of GF(4): what an estimate's
+-- doubt rests on most is the likeness to the shape, which is the same for every classifier.
 meansClassifier :: Alphabet -> Classifier
-meansClassifier alphabet = Classifier (meanOutputs learnt) meansRegression (templates alphabet)
+meansClassifier alphabet = Classifier (meanOutputs learnt) standardRegression (templates alphabet)
   where
     learnt = means alphabet
+
+-- | Logistic regression, likewise.
+logisticClassifier :: Alphabet -> Classifier
+logisticClassifier alphabet =
+  Classifier (logisticOutputs learnt) standardRegression (templates alphabet)
+  where
+    learnt = logistic alphabet
 
 -- | What an image shows.
 data Classification = Classification

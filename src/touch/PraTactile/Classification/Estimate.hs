@@ -14,7 +14,6 @@ module PraTactile.Classification.Estimate
     -- * How doubt follows from an image
     Regression (..),
     standardRegression,
-    meansRegression,
     regressors,
   )
 where
@@ -111,10 +110,6 @@ data Regression = Regression
 -- | That of the shapes shipped for GF(4).
 standardRegression :: Regression
 standardRegression = Regression 11.3 0.11 21.9
-
--- | That of the nearest class mean, of the same shapes.
-meansRegression :: Regression
-meansRegression = Regression 11.3 0.11 21.9
 
 {- Note [Calibration] Of the shapes shipped for GF(4) 25 000 symbols were cut from composites of
    5000 simulated explorations with a position error of one taxel and sensor noise of 0.1 to 0.4 of

@@ -10,6 +10,7 @@ module PraTactile.Classification.Means
     means,
     meansOf,
     meanOutputs,
+    learningImages,
   )
 where
 
@@ -23,11 +24,14 @@ import System.Random (mkStdGen)
 -- | The class means, each less its own mean and of length 1, and a and b.
 data Means = Means ![V.Vector Double] !Double !Double
 
--- | The means of an alphabet's classes, over a fifth as many images as a round of
--- 'shippedRegimen' has, half of them with noise of 0.15, from the seed of the shipped networks.
+-- | The means of an alphabet's classes over 'learningImages'.
 means :: Alphabet -> Means
-means alphabetOfAll =
-  meansOf (alphabetSize alphabetOfAll) (fst (roundImages makeup [0, 0.15] alphabetOfAll g))
+means alphabetOfAll = meansOf (alphabetSize alphabetOfAll) (learningImages alphabetOfAll)
+
+-- | What classifiers beside the network learn from: a fifth as many images as a round of
+-- 'shippedRegimen' has, half of them with noise of 0.15, from the seed of the shipped networks.
+learningImages :: Alphabet -> [(Raster, Maybe Int)]
+learningImages alphabetOfAll = fst (roundImages makeup [0, 0.15] alphabetOfAll g)
   where
     makeup = [(kind, max 1 (count `div` 5)) | (kind, count) <- composition shippedRegimen]
     g = mkStdGen shippedSeed

@@ -8,6 +8,7 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Classification.Classifier
 import PraTactile.Classification.Experiment
+import PraTactile.Classification.Logistic
 import PraTactile.Classification.Means
 import PraTactile.Classification.Network (NetworkError (..), outputs)
 import PraTactile.Classification.Shipped (shippedAlphabet)
@@ -32,7 +33,7 @@ spec = do
   describe "the middle stage" middleSpec
   describe "a training" trainingSpec
   describe "the table" tableSpec
-  describe "the nearest class mean" meansSpec
+  describe "other classifiers" meansSpec
 
 imagesSpec :: Spec
 imagesSpec = do
@@ -177,7 +178,7 @@ tableSpec = do
 
 meansSpec :: Spec
 meansSpec = do
-  it "its outputs are in the order of the correlation with the mean of each class's images" $
+  it "the nearest mean: outputs in the order of the correlation with the mean of each class's images" $
     forAll (vectorOf 3 (genRasterOf 8 12)) $ \centres ->
       forAll (vectorOf 6 (genRasterOf 8 12)) $ \spoils -> forAll (genRasterOf 8 12) $ \image ->
         let images =
@@ -197,16 +198,35 @@ meansSpec = do
                in counterexample (show (found, wanted)) $
                     length found === 3
                       .&&. (apart wanted && apart found ==> order found === order wanted)
+  it "the gradient of logistic regression is that of its error, by differences" $
+    forAllBlind genLabelled $ \images -> forAll (vectorOf 194 (choose (-0.1, 0.1))) $ \w ->
+      forAll (choose (0, 193)) $ \i ->
+        let objective = logisticObjective 2 images
+            at e = fst (objective (V.fromList w V.// [(i, w !! i + e)]))
+            slope = snd (objective (V.fromList w)) V.! i
+            difference = (at 1e-5 - at (-1e-5)) / 2e-5
+         in counterexample (show (slope, difference)) (abs (slope - difference) < 1e-5)
+  it "its error is the sum of -log of what it gives to the truth, and half of all squares" $
+    forAllBlind genLabelled $ \images -> forAll (vectorOf 194 (choose (-0.1, 0.1))) $ \w ->
+      let chance k (image, named) =
+            let s = sum (zipWith (*) (drop (97 * k) w) (V.toList (rasterValues image) ++ [1]))
+                y = 1 / (1 + exp (-s))
+             in if named == Just k then y else 1 - y
+          wanted = sum [-log (chance k one) | one <- images, k <- [0, 1]] + sum (map (^ two) w) / 2
+          two = 2 :: Int
+          found = fst (logisticObjective 2 images (V.fromList w))
+       in counterexample (show (found, wanted)) (abs (found - wanted) < 1e-9 * (1 + wanted))
   it "tells every shape either way up, by the same interface as the network" $ do
     known <- right paperAlphabet
-    let classifier = meansClassifier known
-    forM_ (zip [0 ..] (shapes known)) $ \(c, b) ->
-      forM_ [identity, turned 2] $ \turn -> do
+    let learnt = [meansClassifier known, logisticClassifier known]
+    forM_ [(c, b, t) | (c, b) <- zip [0 ..] (shapes known), t <- [identity, turned 2]] $
+      \(c, b, turn) -> forM_ learnt $ \classifier -> do
         shown <- right (classified classifier (onRaster turn (toRaster b)))
         (classifiedVerdict shown, classifiedSymbol shown) `shouldBe` (Recognised, Just (c, turn))
         sum (classifiedNone shown : classifiedChances shown)
           `shouldSatisfy` \s -> abs (s - 1) < 1e-12
         classifiedNone shown `shouldSatisfy` (< 0.01)
   where
+    genLabelled = listOf1 ((,) <$> genRasterOf 8 12 <*> elements [Nothing, Just 0, Just 1])
     apart values = and [abs (a - b) > 1e-9 | a : others <- tails values, b <- others]
     valueAt image x y = fromMaybe 0 (index image x y)
