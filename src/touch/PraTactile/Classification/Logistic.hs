@@ -1,10 +1,10 @@
 -- | Logistic regression on the values of an image, for comparison with the network: a network
 -- without a hidden layer.
 --
--- The output of class k for an image x, with a last value of 1, is y_k = 1 / (1 + exp (-w_k x)). The
--- weights minimise the sum over images and classes of -log of the probability that y gives to
--- whether the image is of the class, and half the sum of all squared weights; images of no class are
--- of none. The gradient is (y_k - t_k) x, summed over images, and w_k.
+-- The output of class k for an image x, with a last value of 1, is y_k = 1 / (1 + exp (-w_k x)).
+-- The weights minimise the sum over images and classes of -log of the probability that y gives to
+-- whether the image is of the class, and half the sum of all squared weights; images of no class
+-- are of none. The gradient is (y_k - t_k) x, summed over images, and w_k.
 module PraTactile.Classification.Logistic
   ( Logistic,
     logistic,

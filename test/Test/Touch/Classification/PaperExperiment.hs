@@ -178,7 +178,7 @@ tableSpec = do
 
 meansSpec :: Spec
 meansSpec = do
-  it "the nearest mean: outputs in the order of the correlation with the mean of each class's images" $
+  it "the nearest mean: outputs in the order of the correlation with each class's mean image" $
     forAll (vectorOf 3 (genRasterOf 8 12)) $ \centres ->
       forAll (vectorOf 6 (genRasterOf 8 12)) $ \spoils -> forAll (genRasterOf 8 12) $ \image ->
         let images =
