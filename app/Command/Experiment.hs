@@ -202,7 +202,7 @@ noiseCurves results =
         Scale
           "standard deviation of the noise"
           [(v, printf "%.1f" v) | v <- [0, 0.1, 0.2, 0.3, 0.4, 0.5 :: Double]],
-      curvesUp = Scale "%" [(top * k / 4, printf "%.2g" (top * k / 4)) | k <- [0 .. 4]],
+      curvesUp = Scale "%" (quarters top),
       curvesPanels =
         [ (trainingName t, [(fromEnum m, points) | (t', m, points) <- plain, t' == t])
           | t <- nub [t | (t, _, _) <- plain]
@@ -226,7 +226,7 @@ learningCurves :: [(Row, [Kept])] -> Curves
 learningCurves table =
   Curves
     { curvesTitle = "The squared error of training, with noisy images (seed 1)",
-      curvesAcross = Scale "epoch of the stage" [(v, printf "%.0f" v) | v <- [0, 1000 .. 5000]],
+      curvesAcross = Scale "epoch of the stage" (quarters longest),
       curvesUp =
         Scale
           "squared error"
@@ -235,7 +235,7 @@ learningCurves table =
         [ (trainingName (rowTraining row), [(i - 1, points) | (i, points) <- stages])
           | (row, stages) <- plain
         ],
-      curvesLegend = zip [0 ..] ["clean images", "noisy images", "other clean images"]
+      curvesLegend = zip [0 ..] ["clean images", "noisy images", "clean images again"]
     }
   where
     plain =
@@ -243,5 +243,13 @@ learningCurves table =
         | (row, ((_, stages) : _) : _) <- table,
           rowVaried row == Nothing
       ]
+    longest = maximum (4 : [n | (_, stages) <- plain, (_, points) <- stages, (n, _) <- points])
     least = minimum (0 : [e | (_, stages) <- plain, (_, points) <- stages, (_, e) <- points])
     bottom = max (-12) (2 * floor (least / 2))
+
+-- | Five marks from 0 to a round number that is no less than this one.
+quarters :: Double -> [(Double, String)]
+quarters most = [(top * k / 4, printf "%g" (top * k / 4)) | k <- [0 .. 4]]
+  where
+    top = foldr const most (filter (>= most) rounded)
+    rounded = [m * 10 ^^ k | k <- [-3 .. 9 :: Int], m <- [1, 2, 4, 6, 8]]
