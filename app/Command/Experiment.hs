@@ -14,6 +14,7 @@ import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_, toList)
 import Data.List (nub)
 import Data.Maybe (fromMaybe)
+import Drawing (hundredths)
 import ExitStatus
 import Message
 import Options
@@ -249,7 +250,7 @@ learningCurves table =
 
 -- | Five marks from 0 to a round number that is no less than this one.
 quarters :: Double -> [(Double, String)]
-quarters most = [(top * k / 4, printf "%g" (top * k / 4)) | k <- [0 .. 4]]
+quarters most = [(top * k / 4, hundredths (top * k / 4)) | k <- [0 .. 4]]
   where
     top = foldr const most (filter (>= most) rounded)
     rounded = [m * 10 ^^ k | k <- [-3 .. 9 :: Int], m <- [1, 2, 4, 6, 8]]
