@@ -82,6 +82,8 @@ spec = do
     it "is no file of that kind" . refusedWith "is needed here" $
       "echo solid > c.stl; echo facets >> c.stl; "
         ++ "pra probe --object cube --mesh c.stl --seed 1 --output f"
+    it "is no file of that kind" . refusedWith "needed here" $
+      "echo solid > c.stl; echo facets >> c.stl; pra probe --object cube --mesh c.stl --seed 1 --output f"
   describe "refused is" $
     for_
       [ ( "a plate too thin",
