@@ -16,6 +16,7 @@ import PraTactile.Object.Placement hiding (blockCells)
 import PraTactile.Object.WingedEdge
 import PraTactile.Store
 import Test.Hspec
+import Test.QuickCheck (generate, shuffle)
 import Test.Recognition.Object.Support
 import Test.Store.Damage
 import Test.Store.Homes
@@ -127,8 +128,9 @@ spec = do
     it "any cell of any table changed, in number, word or type" $
       withCanonical $ \place home path -> do
         changes <- concat <$> traverse (changesOf home path) tableNames
-        length changes `shouldSatisfy` (> 150)
-        for_ changes (toldOf place home path)
+        length changes `shouldSatisfy` (> 100)
+        some <- generate (take (cases home (length changes)) <$> shuffle changes)
+        for_ some (toldOf place home path)
     it "any row of any table gone" $
       withCanonical $ \place home path ->
         for_ tableNames $ \table -> do

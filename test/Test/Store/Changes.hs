@@ -37,8 +37,8 @@ import Test.Store.Homes
 spec :: SpecWith Home
 spec = describe "change" $ do
   it "objects come, go and are replaced as in the placement, and all look-ups are its" $
-    stored $ \path place ->
-      for_ [1 .. 6 :: Int] $ \_ -> do
+    \home -> flip stored home $ \path place ->
+      for_ [1 .. cases home 6] $ \_ -> do
         create path "profile" place `shouldReturn` Right ()
         steps <- generate (listOf1 (resize 6 genStep))
         walk path place (take 6 steps)

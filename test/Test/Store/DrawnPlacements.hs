@@ -25,7 +25,7 @@ spec =
             [() | laid <- laidFaces place, side (laidGrid laid) == side (placementShape place)]
       for_ [rows, columns] $ \side ->
         length (filter (not . null . spans side) drawn) `shouldSatisfy` (> 10)
-      for_ drawn $ \place -> do
+      for_ (take (cases home 60) drawn) $ \place -> do
         path <- newName home
         create path "a profile" place `shouldReturn` Right ()
         windows <- generate (vectorOf 40 (genWindow (placementShape place)))

@@ -11,7 +11,7 @@ module Test.Store.Homes
 where
 
 import Control.Exception (bracket, try)
-import Control.Monad (void)
+import Control.Monad (void, (>=>))
 import Data.Foldable (for_)
 import Data.IORef
 import Data.List (isPrefixOf, nub)
@@ -28,9 +28,11 @@ import Test.Support
 
 -- | What tests need of a database beside the store itself.
 data Home = Home
-  { -- | a name under which there is nothing yet
+  { -- | how many cases to try, where in a file there would be so many
+    cases :: Int -> Int,
+    -- | a name under which there is nothing yet
     newName :: IO String,
-    -- | a copy of what there is under a name, and its name
+    -- | a copy of what there is under a name, and its name; the copy before it is no more
     copied :: String -> IO String,
     -- | statements, with the guard of foreign keys off; or why one of them is not carried out
     executed :: String -> [Text] -> IO (Either Refused ()),
@@ -59,7 +61,7 @@ inEachHome :: SpecWith Home -> Spec
 inEachHome tests = do
   describe "in a file" (around (\test -> inFolder (\folder -> homeInFolder folder >>= test)) tests)
   describe "on a server" $
-    aroundAll withServer (aroundWith (\test -> onServer (test . homeOnServer)) tests)
+    aroundAll withServer (aroundWith (\test -> onServer (homeOnServer >=> test)) tests)
 
 -- | Statements that are all carried out.
 execute :: Home -> String -> [Text] -> Expectation
@@ -76,7 +78,8 @@ homeInFolder folder = do
         pure (folder </> (show n ++ ".sqlite"))
   pure
     Home
-      { newName = fresh,
+      { cases = id,
+        newName = fresh,
         copied = \from -> do
           to <- fresh
           to <$ copyFile from to,
@@ -118,94 +121,94 @@ homeInFolder folder = do
         ]
 
 -- | In a schema of its own.
-homeOnServer :: Server -> Home
-homeOnServer server =
-  Home
-    { newName = newSchema server,
-      copied = \from -> do
-        to <- newSchema server
-        to
-          <$ sql
-            server
-            to
-            ( concat
-                [ [ Text.unwords ["CREATE TABLE", table, "(LIKE", old, "INCLUDING ALL)"],
-                    Text.unwords ["INSERT INTO", table, "SELECT * FROM", old]
+homeOnServer :: Server -> IO Home
+homeOnServer server = do
+  copies <- newIORef []
+  pure
+    Home
+      { cases = (`div` 4),
+        newName = newSchema server,
+        copied = \from -> do
+          known <- lookup from <$> readIORef copies
+          to <- maybe (newSchema server) pure known
+          let emptied table old
+                | known == Just to = "DELETE FROM " <> table
+                | otherwise =
+                  Text.concat ["CREATE TABLE ", table, " (LIKE ", old, " INCLUDING ALL)"]
+          modifyIORef copies ((from, to) :)
+          to
+            <$ sql
+              server
+              to
+              ( concat
+                  [ [emptied table old, "INSERT INTO " <> table <> " SELECT * FROM " <> old]
+                    | table <- tableNames,
+                      let old = schemaIn from <> "." <> table
                   ]
-                  | table <- tableNames,
-                    let old = schemaIn from <> "." <> table
-                ]
-            ),
-      executed = \name statements ->
-        either (Left . refused) (const (Right ()))
-          <$> attempted server name ("SET session_replication_role = replica" : statements),
-      someRows = \name table -> do
-        places <- concat <$> sql server name ["SELECT ctid FROM " <> table]
-        pure ["ctid = '" <> place <> "'" | place <- ends places],
-      otherValues = \name table -> do
-        columns <- columnsOn name table
-        pure
-          [ (column, if is == "bigint" then numbers column else texts column)
-            | [column, is] <- columns
-          ],
-      sealsFound = \name -> do
-        counts <-
-          traverse
-            ( \table -> do
-                seal <- sealOn name table
-                sql
-                  server
-                  name
-                  [ "SELECT count(*), count(*) FILTER (WHERE seal = " <> seal <> ") FROM " <> table
-                  ]
-            )
-            tableNames
-        pure (Just (total 0 counts, total 1 counts)),
-      sealAgain = \name -> for_ tableNames $ \table -> do
-        seal <- sealOn name table
-        sql server name ["UPDATE " <> table <> " SET seal = " <> seal]
-    }
+              ),
+        executed = \name statements ->
+          either (Left . refused) (const (Right ()))
+            <$> attempted server name ("SET session_replication_role = replica" : statements),
+        someRows = \name table -> do
+          seals <- concat <$> sql server name ["SELECT seal FROM " <> table]
+          pure (map ("seal = " <>) (ends seals)),
+        otherValues = \name table -> do
+          columns <- columnsOn name
+          pure
+            [ (column, if is == "bigint" then [column <> " + 1"] else texts column)
+              | [of', column, is] <- columns,
+                of' == table
+            ],
+        sealsFound = \name -> do
+          seals <- sealsOn name
+          counts <-
+            sql
+              server
+              name
+              [ Text.concat ["SELECT count(*), sum((seal = ", seal, ")::int) FROM ", table]
+                | (table, seal) <- seals
+              ]
+          let total i = sum [read (Text.unpack (row !! i)) | row <- counts]
+          pure (Just (total 0, total 1)),
+        sealAgain = \name -> do
+          seals <- sealsOn name
+          execute' name ["UPDATE " <> table <> " SET seal = " <> seal | (table, seal) <- seals]
+      }
   where
-    total i counts = sum [read (Text.unpack (row !! i)) | rows <- counts, row <- rows]
     schemaIn = snd . Text.breakOnEnd "%3D" . Text.pack
-    columnsOn name table =
-      sql
-        server
-        name
-        [ "SELECT column_name, data_type FROM information_schema.columns WHERE table_name = '"
-            <> table
-            <> "' AND table_schema = current_schema() ORDER BY ordinal_position"
-        ]
-    numbers c =
-      [ "COALESCE(" <> c <> " + 1, 0)",
-        "-1 - COALESCE(" <> c <> ", 0)",
-        "9223372036854775807"
-      ]
-    texts c =
-      [ "COALESCE(" <> c <> " || 'x', 'x')",
-        "COALESCE(NULLIF('', " <> c <> "), '0')",
-        "'word'"
-      ]
+    execute' name = void . sql server name . ("SET session_replication_role = replica" :)
+    texts c = ["COALESCE(" <> c <> " || 'x', 'x')", "COALESCE(NULLIF('', " <> c <> "), '0')"]
     refused state
       | "23" `isPrefixOf` state = ByConstraint
       | "22" `isPrefixOf` state = ByType
       | otherwise = ForOtherReasons
+    -- Tables, their columns in order, and the columns' types.
+    columnsOn name =
+      sql
+        server
+        name
+        [ "SELECT table_name, column_name, data_type FROM information_schema.columns \
+          \WHERE table_schema = current_schema() ORDER BY table_name, ordinal_position"
+        ]
     -- The definition of seals, in the server's language.
-    sealOn name table = do
-      columns <- columnsOn name table
-      let spelt column is
-            | is == "bigint" = "COALESCE(" <> column <> "::text, '-')"
-            | otherwise = "COALESCE(octet_length(" <> column <> ") || ':' || " <> column <> ", '-')"
-          text =
+    sealsOn name = do
+      columns <- columnsOn name
+      pure
+        [ ( table,
             Text.concat $
-              ("'" <> table <> "' || E'\\n'") :
-                [ " || " <> spelt column is <> " || E'\\n'"
-                  | [column, is] <- columns,
-                    column /= "seal"
-                ]
-      pure $
-        "('x' || left(encode(sha256(convert_to(" <> text
-          <> ", 'UTF8')), 'hex'), 15))::bit(60)::bigint"
+              ["('x' || left(encode(sha256(convert_to('", table, "' || E'\\n'"]
+                ++ [ " || " <> spelt column is <> " || E'\\n'"
+                     | [of', column, is] <- columns,
+                       of' == table,
+                       column /= "seal"
+                   ]
+                ++ [", 'UTF8')), 'hex'), 15))::bit(60)::bigint"]
+          )
+          | table <- tableNames
+        ]
+    spelt column is
+      | is == "bigint" = "COALESCE(" <> column <> "::text, '-')"
+      | otherwise = "COALESCE(octet_length(" <> column <> ") || ':' || " <> column <> ", '-')"
 
 ends :: [Text] -> [Text]
 ends all' = nub [all' !! i | i <- [0, count `div` 2, count - 1], i < count]

@@ -75,10 +75,13 @@ withServer action = do
     tryIOError' :: IO a -> IO (Either String a)
     tryIOError' = fmap (either (Left . show) Right) . tryIOError
     firstOf users = do
-      known <- mapM (\user -> (,) user <$> readProcessWithExitCode "id" [user] "") users
-      pure $ case [user | (user, (ExitSuccess, _, _)) <- known] of
-        user : _ -> Just ["runuser", "-u", user, "--"]
-        [] -> Nothing
+      known <- mapM (\user -> (,) user <$> readProcessWithExitCode "id" ["-g", user] "") users
+      -- Unlike su and runuser it does not stay in between.
+      pure . listToMaybe $
+        [ ["setpriv", "--reuid", user, "--regid", group, "--clear-groups"]
+          | (user, (ExitSuccess, out, _)) <- known,
+            group <- take 1 (lines out)
+        ]
 
 -- | Where the server's programs are, all of them: on the path, or where Debian has them.
 programs :: IO (Maybe FilePath)
