@@ -43,7 +43,7 @@ addresses = do
         ("postgresql://me:se:cr:et@a:1,b:2/d", "postgresql://me@a:1,b:2/d"),
         ("postgresql://me:@host", "postgresql://me@host"),
         ("postgresql://:secret@host", "postgresql://@host"),
-        ("postgresql://me:secret@[::1]:5432/d?a=b", "postgresql://me@[::1]:5432/d?a=b"),
+        ("postgresql://me:secret@[::1]:5432/d?port=7", "postgresql://me@[::1]:5432/d?port=7"),
         ("postgresql:///d?password=secret&user=me", "postgresql:///d?user=me"),
         ("postgresql://host?sslpassword=secret", "postgresql://host"),
         ("a.sqlite", "a.sqlite")

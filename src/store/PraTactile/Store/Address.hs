@@ -12,7 +12,7 @@ module PraTactile.Store.Address
 where
 
 import Data.Char (isAsciiLower, isControl, isDigit)
-import Data.List (intercalate, isInfixOf, isPrefixOf, stripPrefix)
+import Data.List (intercalate, isPrefixOf, stripPrefix)
 import Data.Maybe (listToMaybe, mapMaybe)
 
 -- | An address in its parts, each as it was written.
@@ -70,14 +70,17 @@ readAddress name = do
       _ -> all isDigit (dropPort (dropWhile (/= ':') text))
     dropPort text = if take 1 text == ":" then drop 1 text else text
 
--- | The address as it is shown, without what is secret.
+-- | The address as it is shown: without a password, and of the parameters those that tell which
+-- database it is.
 shownAddress :: Address -> String
 shownAddress address =
   rendered
     address
       { password = Nothing,
-        parameters = filter (not . isInfixOf "password" . fst) (parameters address)
+        parameters = filter ((`elem` telling) . fst) (parameters address)
       }
+  where
+    telling = words "host hostaddr port user dbname service options application_name sslmode"
 
 -- | The address for libpq, with these parameters where it has no others of their names.
 connectionString :: [(String, String)] -> Address -> String
