@@ -81,6 +81,7 @@ spec = do
         ++ "pra probe --object cube --mesh p.stl --seed 1 --output f"
     it "is no file of that kind" . refusedWith "needed here" $
       "echo solid > c.stl; echo facets >> c.stl; "
+      "(echo solid; echo facets) > c.stl; "
         ++ "pra probe --object cube --mesh c.stl --seed 1 --output f"
   describe "refused is" $
     for_
