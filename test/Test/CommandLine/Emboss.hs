@@ -80,7 +80,6 @@ spec = do
       "pra emboss --object parallelepiped --output p.stl > log; "
         ++ "pra probe --object cube --mesh p.stl --seed 1 --output f"
     it "is no file of that kind" . refusedWith "needed here" $
-      "echo solid > c.stl; echo facets >> c.stl; "
       "(echo solid; echo facets) > c.stl; "
         ++ "pra probe --object cube --mesh c.stl --seed 1 --output f"
   describe "refused is" $
