@@ -45,8 +45,7 @@ spec = do
     unlike known = unlikeAny standardUnlikeness (templates known)
     genDrawing = do
       count <- choose (8, 16)
-      chosen <- take count <$> shuffle [0 .. 23 :: Int]
-      pure chosen
+      take count <$> shuffle [0 .. 23 :: Int]
     drawn blocks =
       generate 8 12 (\x y -> if 4 * (y `div` 2) + x `div` 2 `elem` blocks then 1 else 0)
 
