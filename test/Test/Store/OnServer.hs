@@ -282,7 +282,7 @@ losses = do
     . placedOn
     $ \server place -> do
       name <- newSchema server
-      create name "profile" place `shouldReturn` Right ()
+      pra ["objects", "--write", name] `shouldReturn` (0, "wrote " ++ name ++ "\n", "")
       let victim = name ++ "&application_name=victim"
           ended =
             void . sql server (addressIn server "postgres" []) $
