@@ -296,6 +296,22 @@ losses = do
         look store `shouldReturn` Left (DatabaseFailed ConnectionLost)
         look store `shouldReturn` Left (DatabaseFailed ConnectionLost)
       opened `shouldBe` Right ()
+      -- The program says so in one line, whatever the server says last.
+      dying <- newEmptyMVar
+      _ <-
+        forkIO $
+          scripted
+            "."
+            ( "(echo 6,5; sleep 2; echo 6,5) | pra-tactile objects --batch --database '"
+                ++ victim
+                ++ "'"
+            )
+            >>= putMVar dying
+      threadDelay 1000000
+      ended
+      (status, out, err) <- takeMVar dying
+      (status, length (lines out), length (lines err)) `shouldBe` (2, 1, 1)
+      err `shouldSatisfy` ("the connection to the server was lost" `isInfixOf`)
       -- Another program holds a row that must go, until the one that waits for it is ended.
       holding server name "run" 3
       outcome <- newEmptyMVar

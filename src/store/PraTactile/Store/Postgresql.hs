@@ -24,7 +24,9 @@ import qualified Data.Text as Text
 import Data.Text.Encoding (encodeUtf8)
 import Database.Persist.Postgresql (openSimpleConn)
 import Database.Persist.Sql
+import Database.PostgreSQL.LibPQ (disableNoticeReporting)
 import Database.PostgreSQL.Simple (SqlError (..), close, connectPostgreSQL)
+import Database.PostgreSQL.Simple.Internal (withConnection)
 import PraTactile.Store.Address
 import PraTactile.Store.Backend
 import PraTactile.Store.Error
@@ -66,13 +68,16 @@ throughout address action =
   where
     name = shownAddress address
     going outcome = do
-      backend <- except outcome >>= known . openSimpleConn (\_ _ _ _ -> pure ())
+      connection <- except outcome
+      -- What the server says unasked, its last words too, libpq would print.
+      known (withConnection connection disableNoticeReporting)
+      backend <- known (openSimpleConn (\_ _ _ _ -> pure ()) connection)
       found <- known (runReaderT (rawSql settings []) backend)
       for_ (map encodingIn found) $ \encoding ->
         unless (encoding == "UTF8") (throwE (WrongEncoding name (Text.unpack encoding)))
       ExceptT (action backend)
-    encodingIn :: (Single Text, Single Text, Single Text, Single Text) -> Text
-    encodingIn (Single encoding, _, _, _) = encoding
+    encodingIn :: (Single Text, Single Text, Single Text) -> Text
+    encodingIn (Single encoding, _, _) = encoding
     known = unreachable . guarded meaningInPostgresql
     unreachable = withExceptT (Unreachable name . failureIn)
     -- libpq's own limit holds only where the whole program waits for it.
@@ -83,8 +88,7 @@ throughout address action =
       maybe (throwE (Unreachable name NoServer)) pure answered
     settings =
       "SELECT current_setting('server_encoding'), set_config('lock_timeout', '10s', false), \
-      \set_config('default_transaction_isolation', 'repeatable read', false), \
-      \set_config('client_min_messages', 'error', false)"
+      \set_config('default_transaction_isolation', 'repeatable read', false)"
 
 -- | A server behind a network that is gone is noticed within half a minute.
 keptAlive :: [(String, String)]
