@@ -28,6 +28,20 @@ spec = do
     (_, _, written) <- suiteFile
     let ids = [name | (Listed name _ _ _ _, _) <- written]
     ids \\ nub ids `shouldBe` []
+  it "beside the last one that was released, its number says what became of laws" $ do
+    (_, before, released) <- suiteIn "test/data/suite-1.0.0.json"
+    (_, now, written) <- suiteFile
+    let known = [name | (Listed name _ _ _ _, _) <- released]
+        added = [since | (Listed name _ _ _ _, since) <- written, name `notElem` known]
+        -- Some are gone, or otherwise than they were.
+        changed = not (null (released \\ written))
+        next = case numbers before of
+          [major, minor, _]
+            | changed -> [major + 1]
+            | not (null added) -> [major, minor + 1]
+          same -> same
+    numbers now `shouldSatisfy` (>= next)
+    filter ((<= numbers before) . numbers) added `shouldBe` []
   it "the program tells it, and conform by itself" $ do
     pra ["conform", "--version"] `shouldReturn` (0, "suite " ++ suiteVersion ++ "\n", "")
     (status, out, err) <- pra ["--version"]
@@ -55,8 +69,11 @@ inCode =
 
 -- | The schema, the version, and the laws, each with the version since which there is it.
 suiteFile :: IO (String, String, [(Listed, String)])
-suiteFile = do
-  bytes <- Lazy.readFile "data/suite.json"
+suiteFile = suiteIn "data/suite.json"
+
+suiteIn :: FilePath -> IO (String, String, [(Listed, String)])
+suiteIn file = do
+  bytes <- Lazy.readFile file
   either fail pure (eitherDecode bytes >>= parsed)
   where
     parsed value = case fromJSON value of
