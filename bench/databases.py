@@ -18,6 +18,7 @@ import shutil
 import signal
 import statistics
 import subprocess
+import sys
 import tempfile
 import time
 
@@ -232,6 +233,8 @@ def main():
     for name, usual in [("boxes", 10000), ("positions", 100000), ("kills", 1000), ("server-kills", 100), ("rounds", 1000)]:
         parser.add_argument("--" + name, type=int, default=usual)
     arguments = parser.parse_args()
+    # Where it is ended, the server ends too.
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     server = Server()
     try:
         with tempfile.TemporaryDirectory() as folder:
