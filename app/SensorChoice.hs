@@ -195,7 +195,7 @@ bendOption =
           "The face is wrapped on a cylinder of this radius, and lengths on it are in arc length \
           \(default: it is flat)"
         <*> choosing
-          "an axis"
+          "axis"
           (allNamed bendAxisName)
           "bend-axis"
           "x|y"

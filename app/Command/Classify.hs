@@ -47,7 +47,7 @@ command =
       Options
         <$> networkOption
         <*> choosing
-          "a classifier"
+          "classifier"
           (allNamed methodName)
           "classifier"
           "network|means|logistic"

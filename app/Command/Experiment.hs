@@ -54,13 +54,13 @@ command =
     options =
       Options
         <$> named
-          "a training"
+          "training"
           (allNamed trainingName)
           "training"
           "Of stated, stopped, manual and many, parted by commas (default: all)"
           [minBound ..]
         <*> named
-          "a variation"
+          "variation"
           (allNamed variationName)
           "vary"
           "What is changed, one thing at a time: of weights, ranges, least-gradient, formula, \

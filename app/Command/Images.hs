@@ -38,7 +38,7 @@ imageChoice :: Mod OptionFields Bool -> Parser ImageChoice
 imageChoice standard =
   ImageChoice
     <$> choosing
-      "a set of images"
+      "set of images"
       [("bitmap", False), ("press", True)]
       "set"
       "bitmap|press"

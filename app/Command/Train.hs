@@ -61,7 +61,7 @@ command =
     options =
       Options
         <$> choosing
-          "a regimen"
+          "regimen"
           (("shipped", AsShipped) : [(trainingName t, ByPaper t) | t <- [Stated, Stopped, Manual]])
           "regimen"
           "REGIMEN"
