@@ -20,19 +20,22 @@ import Message.Emboss
 import Numeric (showHex)
 import Options
 import Output
+import Picture.Net
 import Picture.Template
 import PlacementChoice
 import Polyhedra (positiveReader)
 import PraTactile.Array (PseudorandomArray)
 import PraTactile.Emboss
-import PraTactile.Emboss.Face (Stamp (..))
+import PraTactile.Emboss.Face (Stamp (..), outlineSpot)
 import PraTactile.Emboss.Rounding
 import PraTactile.Field (KnownField)
 import PraTactile.Format.Emboss
 import PraTactile.Format.Solid (SolidFormat (..), Written (..), formatOfFile, writeSolid)
 import PraTactile.Geometry (taxelPitch)
+import PraTactile.Object.Chart (Spot (..))
 import PraTactile.Object.Mesh (meshPoints, meshWalks)
-import PraTactile.Object.Placement
+import PraTactile.Object.Net
+import PraTactile.Object.Placement hiding (Spot (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
 import PraTactile.Shape (Alphabet)
@@ -43,6 +46,7 @@ import Visible
 data Options = Options
   { objects :: PlacementChoice,
     asked :: Maybe (ObjectName, Maybe (FaceName, Maybe Rational)),
+    asNet :: Bool,
     shapesFile :: Maybe FilePath,
     format :: Maybe Making,
     output :: FilePath,
@@ -64,12 +68,19 @@ command =
     [ "pra-tactile emboss --object cube --output cube.stl",
       "pra-tactile emboss --object cube --face 'C1 C2 C3 C4' --thickness 5 --output top.stl",
       "pra-tactile emboss --format svg --object cube --output cube-faces",
+      "pra-tactile emboss --net --object cube --output cube-net.svg",
       "pra-tactile emboss --placement placement.json --output made --json"
     ]
     ( run
         <$> ( Options
                 <$> placementChoice "The same from a database that 'objects --write' made"
                 <*> optional ((,) <$> objectOption <*> optional plateOptions)
+                <*> switch
+                  ( long "net"
+                      <> help
+                        "Draw each object unfolded, without overlap and at true scale, each face \
+                        \with its symbols (SVG)"
+                  )
                 <*> shapesOption
                 <*> optional formatOption
                 <*> outputOption
@@ -126,6 +137,8 @@ run :: Options -> IO ExitStatus
 run options = do
   when (kind == Drawn && isJust (asked options >>= snd >>= snd)) $
     misused "a drawing has no thickness; leave out --thickness"
+  when (asNet options && (isJust (asked options >>= snd) || kind /= Drawn)) $
+    misused "a net is a drawing of a whole object; leave out --face, and any --format but svg"
   when oneFile (orUnwritable (output options))
   (profile, layout) <- case asked options of
     Just (named, _) -> chosenWith unsaid (holding named (objects options)) named
@@ -138,7 +151,9 @@ run options = do
         ( withProfile profile $ \array _ -> case kind of
             Surface format' ->
               traverse (surfaceFile format' alphabet array layout) (subjects layout)
-            Drawn -> drawnFiles alphabet array layout (facesAsked layout)
+            Drawn
+              | asNet options -> traverse (netFile alphabet array layout) (solidsAsked layout)
+              | otherwise -> drawnFiles alphabet array layout (facesAsked layout)
         )
   if oneFile
     then mapM_ (writeWhole (output options) . snd) files
@@ -154,18 +169,20 @@ run options = do
   where
     kind = fromMaybe (toldBy (output options)) (format options)
     toldBy file
+      | asNet options = Drawn
       | map toLower (takeExtension file) == ".svg" = Drawn
       | formatOfFile file == Just Json = Surface Json
       | otherwise = Surface Stl
     oneFile = case asked options of
       Nothing -> False
-      Just (_, Nothing) -> kind /= Drawn
+      Just (_, Nothing) -> kind /= Drawn || asNet options
       Just (_, Just _) -> True
     placed name = if oneFile then output options else output options </> name
     subjects layout = case asked options of
       Nothing -> map (WholeObject . solidName) (placementSolids layout)
       Just (named, Nothing) -> [WholeObject named]
       Just (named, Just (face, thickness)) -> [PlateOf named face thickness]
+    solidsAsked layout = maybe (map solidName (placementSolids layout)) (pure . fst) (asked options)
     facesAsked layout = case asked options of
       Nothing -> Right (laidFaces layout)
       Just (named, Nothing) -> do
@@ -208,6 +225,60 @@ surfaceFile format' alphabet array layout subject = do
       StlText -> (Binary64, "stl")
       Json -> (Fractions, "json")
       _ -> (Binary32, "stl")
+
+-- | An object unfolded, as a drawing.
+netFile ::
+  KnownField k =>
+  Alphabet ->
+  PseudorandomArray k ->
+  Placement ->
+  ObjectName ->
+  Either String (MadeFile, Lazy.ByteString)
+netFile alphabet array layout named = do
+  object <- first placementMessage (findObject layout named)
+  (scale, symbolsOf') <- first embossMessage (symbolsOn alphabet array layout carrying)
+  tree <- case pickNet 10000 object of
+    Picked tree -> Right tree
+    EveryOneOverlaps -> Left (said "every unfolding overlaps")
+    NoneFound -> Left (said "no net was found, and there may be one")
+    SeveralPieces -> Left (said "it is of several pieces, which cannot be unfolded together")
+  let taxel = fromRational (scale * taxelPitch) :: Double
+      raised face =
+        [ [ onFace (begunAs (laidFace laid) face) (left + taxel * across, top + taxel * down)
+            | Lattice i j <- map (outlineSpot cell) loop,
+              let (across, down) = (fromInteger i, fromInteger j)
+          ]
+          | Just laid <- [placementLaid layout (Face named (netFaceName face))],
+            let (left, top) = spotMillimetres (laidMargin laid),
+            (cell, stamp) <- symbolsOf' laid,
+            loop <- stampOutlines stamp
+        ]
+      stamps = concatMap (map snd . symbolsOf') carrying
+  when (null stamps) (Left (embossMessage (NothingRaised named)))
+  Right
+    ( MadeFile
+        { madeFile = fileName (objectText named) ++ ".net.svg",
+          madeObject = named,
+          madeFace = Nothing,
+          madeVertices = Nothing,
+          madeTriangles = Nothing,
+          madeVolume = Nothing,
+          madeTaxels = sum (map stampArea stamps),
+          madeStroke = scale * taxelPitch * fromIntegral (minimum (map stampStroke stamps)),
+          madeHeight = Nothing,
+          madeMostRounded = templateRounding
+        },
+      netSvg ("The " ++ visible (objectText named) ++ ", unfolded") raised (layOut object tree)
+    )
+  where
+    carrying = [laid | laid <- laidFaces layout, faceObject (laidFace laid) == named]
+    said why = "the " ++ visible (objectText named) ++ " is not drawn as a net: " ++ why
+    -- The same face begun where its laying begins.
+    begunAs laid face =
+      let FaceName walk = faceName laid
+          turned' = dropWhile ((/= take 1 walk) . pure . fst) (cycle (corners face))
+       in face {netCorners = map snd (take (length (corners face)) turned')}
+    corners face = zip (faceVertices (netFaceName face)) (netCorners face)
 
 -- | Faces as drawings, each called after its object and its vertices.
 drawnFiles ::

@@ -92,7 +92,7 @@ drawInto whole found folder = do
   unless (null nets) $
     writeFolder
       folder
-      [ (file, Lazy.toStrict (netSvg title (layOut whole tree)))
+      [ (file, Lazy.toStrict (netSvg title (const []) (layOut whole tree)))
         | (number, tree) <- zip [1 ..] nets,
           let (file, title) = named' number
       ]

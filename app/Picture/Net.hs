@@ -3,13 +3,12 @@
 -- | An unfolded solid as a picture at true scale: what is cut, what is folded and to which side,
 -- and which face is which.
 module Picture.Net
-  ( netDrawing,
-    netSvg,
+  ( netSvg,
   )
 where
 
 import qualified Data.ByteString.Lazy as Lazy
-import Data.List (maximumBy)
+import Data.List (maximumBy, sortOn)
 import Data.Ord (comparing)
 import Data.Text (Text)
 import Drawing
@@ -18,17 +17,19 @@ import Picture.Style
 import PraTactile.Object.Description
 import PraTactile.Object.Net
 
--- | The picture of a net as an SVG file that is as large as the net, given its title.
-netSvg :: String -> Net -> Lazy.ByteString
-netSvg title net = svgToScale perMillimetre 16 title (netDrawing title net)
+-- | The picture of a net as an SVG file that is as large as the net, given its title and what is
+-- raised on each face: polygons, in millimetres of the page, counter-clockwise, and those that are
+-- hollow in them clockwise.
+netSvg :: String -> (NetFace -> [[(Double, Double)]]) -> Net -> Lazy.ByteString
+netSvg title raised net = svgToScale perMillimetre 16 title (netDrawing title raised net)
 
 -- | Units a millimetre: as large on paper as the words of other pictures are.
 perMillimetre :: Double
 perMillimetre = 4
 
 -- | The net, with a ruler and what its lines mean below.
-netDrawing :: String -> Net -> Drawing
-netDrawing title net =
+netDrawing :: String -> (NetFace -> [[(Double, Double)]]) -> Net -> Drawing
+netDrawing title raised net =
   above
     20
     [ [Mark "heading" (Words FromLeft heading (0, 0) title)],
@@ -38,10 +39,17 @@ netDrawing title net =
     ]
   where
     body =
-      Mark "net" (Outline (filled "#f6f7f9" 1) (map units (netOutline net))) :
-      concatMap foldMark (netFolds net)
+      Mark "net" (Outline (filled paper 1) (map units (netOutline net))) :
+      concatMap symbolMarks (netFaces net)
+        ++ concatMap foldMark (netFolds net)
         ++ [Mark "cut" (Outline (outlined ink 2) (map units (netOutline net)))]
-        ++ concatMap faceMarks (netFaces net)
+        ++ concat [faceMarks (null (raised face)) face | face <- netFaces net]
+    symbolMarks face =
+      [ Mark "symbol" (Outline (filled (if hollow loop then paper else ink) 1) (map units loop))
+        | loop <- sortOn hollow (raised face)
+      ]
+    hollow loop = sum [x * y' - x' * y | ((x, y), (x', y')) <- cyclicPairs loop] > 0
+    paper = "#f6f7f9"
     foldMark it =
       [ Mark (bendClass bend) (Line (bendPaint bend) [units from, units to])
         | let (from, to) = foldEnds it
@@ -78,12 +86,13 @@ bendWords bend = case bend of
 units :: (Double, Double) -> (Double, Double)
 units (x, y) = (perMillimetre * x, perMillimetre * y)
 
--- | A face's name, where it has room, and a mark in its upper left corner, the first of its name.
-faceMarks :: NetFace -> Drawing
-faceMarks face =
+-- | A face's name, if it is to be there and has room, and a mark in its upper left corner, the
+-- first of its name.
+faceMarks :: Bool -> NetFace -> Drawing
+faceMarks withName face =
   corner
     ++ [ Mark "face" (Words FromMiddle font (x, y + 0.35 * size) name)
-         | size >= 2
+         | withName && size >= 2
        ]
   where
     corners = map units (netCorners face)

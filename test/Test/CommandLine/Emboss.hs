@@ -84,7 +84,15 @@ spec = do
         ++ "pra probe --object cube --mesh c.stl --seed 1 --output f"
   describe "refused is" $
     for_
-      [ ( "a plate too thin",
+      [ ( "a net of a face",
+          "--face",
+          "pra emboss --net --object cube --face 'C1 C2 C3 C4' --output x"
+        ),
+        ( "a net as a surface",
+          "--format",
+          "pra emboss --net --object cube --format stl --output x"
+        ),
+        ( "a plate too thin",
           "--thickness",
           "pra emboss --object cube --face 'C1 C2 C3 C4' --thickness 1 --output x"
         ),
@@ -151,6 +159,24 @@ spec = do
           let (object', rest) = break (== '.') file
               face = map (\c -> if c == '-' then ' ' else c) (takeWhile (/= '.') (drop 1 rest))
           out `shouldStartWith` (object' ++ ", face " ++ face ++ ", corner ")
+  it "a net has every symbol of the object, at true scale and within its paper" $
+    inFolder $ \folder -> do
+      (status, _, _) <- scripted folder "pra emboss --net --object cube --output n.svg > log"
+      status `shouldBe` 0
+      text <- readFile (folder ++ "/n.svg")
+      let numbers mark = map read . words . map spaced . takeWhile (/= '"') <$> after mark text
+          symbols = map inPairs (numbers "class=\"symbol\" points=\"")
+          turnedBack = drop 1 . cycle
+          area loop =
+            abs (sum [x * y' - x' * y | ((x, y), (x', y')) <- zip loop (turnedBack loop)]) / 2
+          -- Four units a millimetre.
+          taxel = (4 * 1.5875) ^ (2 :: Int)
+      length symbols `shouldBe` 120
+      sum (map area symbols) / taxel `shouldSatisfy` \taxels -> abs (taxels - 6480) < 0.1
+      case numbers "viewBox=\"" of
+        [[0, 0, wide, high]] ->
+          concat symbols `shouldSatisfy` all (\(x, y) -> x > 0 && x < wide && y > 0 && y < high)
+        _ -> expectationFailure text
   it "nothing of a drawing lies beyond its paper" $
     inFolder $ \folder -> do
       _ <- scripted folder "pra emboss --format svg --output drawn > log"
