@@ -202,7 +202,9 @@ responder options profile on@(ArrayOn _ array) mask = do
           querySymmetries = symmetriesOf (turning options),
           queryRadius = radius options,
           queryDoubt = doubt options,
-          queryForeign = foreignThings options
+          queryForeign = foreignThings options,
+          -- Of symbols that are told nobody knows how they looked.
+          queryUnlike = -1 / 0
         }
 
 answering :: Profile -> Options -> (Text -> Either String Response) -> IO ExitStatus

@@ -64,7 +64,8 @@ spec = do
                       querySymmetries = [o],
                       queryRadius = Guaranteed,
                       queryDoubt = 0.99,
-                      queryForeign = Nothing
+                      queryForeign = Nothing,
+                      queryUnlike = -1 / 0
                     }
                 theLocator = locator Nothing MostSignificantFirst (naturally array) window
              in classify (shape /= Shape 1 1) "more than a cell" $
