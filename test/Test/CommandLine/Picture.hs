@@ -5,11 +5,9 @@ module Test.CommandLine.Picture (spec) where
 
 import Data.Aeson
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
-import Data.Char (isSpace)
 import Data.Foldable (for_)
 import Data.List (isInfixOf, isPrefixOf, sort, stripPrefix, tails)
-import Data.Maybe (mapMaybe)
-import System.Directory (doesPathExist, listDirectory)
+import System.Directory (listDirectory)
 import System.FilePath ((</>))
 import Test.CommandLine.Run
 import Test.Hspec
@@ -63,7 +61,8 @@ spec = do
       (status, err) `shouldBe` (0, "")
       picture <- readFile (folder </> "x.svg")
       let faces = [line | line <- lines picture, "class=\"face\"" `isInfixOf` line]
-      map (length . filter (== ',') . pointsOf) faces `shouldBe` [3]
+      map (length . filter (== ',') . pointsOf) faces
+        `shouldSatisfy` \corners -> not (null corners) && all (== 3) corners
   it "docs/demo.svg is what the command beside it in the README draws" $ do
     readme <- lines <$> readFile "README.md"
     case [ words command
@@ -77,15 +76,6 @@ spec = do
         kept <- readFile "docs/demo.svg"
         (status, marks drawn) `shouldBe` (0, marks kept)
       other -> expectationFailure ("one command was expected: " ++ show other)
-  it "the examples in probe's help work" $
-    inFolder $ \folder -> do
-      (_, help, _) <- pra ["probe", "--help"]
-      let examples = mapMaybe (stripPrefix "pra-tactile probe " . dropWhile isSpace) (lines help)
-      length examples `shouldSatisfy` (>= 2)
-      for_ (zip [0 :: Int ..] examples) $ \(i, line) -> do
-        (status, _, err) <- pra ("probe" : map (moved (folder </> show i)) (shellWords line))
-        (line, status, err) `shouldBe` (line, 0, "")
-        doesPathExist (folder </> show i ++ "frames") `shouldReturn` True
   it "a region off the face: how large it is, where, and how large the face is" $
     inFolder $ \folder -> do
       let press =
@@ -175,8 +165,6 @@ spec = do
       other -> expectationFailure (show other)
   where
     worked = "data/worked-example/composite.pgm"
-    moved prefix argument =
-      if argument `elem` ["frames", "truth.json"] then prefix ++ argument else argument
     under limit value = maybe False (< limit) (number value)
     number :: Value -> Maybe Double
     number value = case fromJSON value of
@@ -195,10 +183,3 @@ pointsOf :: String -> String
 pointsOf line = case [rest | end <- tails line, Just rest <- [stripPrefix "points=\"" end]] of
   points : _ -> takeWhile (/= '"') points
   [] -> ""
-
--- | Words as a shell parts them, where single quotes are all that is quoted.
-shellWords :: String -> [String]
-shellWords text = case dropWhile isSpace text of
-  "" -> []
-  '\'' : rest -> let (word, others) = break (== '\'') rest in word : shellWords (drop 1 others)
-  rest -> let (word, others) = break isSpace rest in word : shellWords others
