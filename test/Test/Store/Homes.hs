@@ -155,7 +155,7 @@ homeOnServer server = do
         otherValues = \name table -> do
           columns <- columnsOn name
           pure
-            [ (column, if is == "bigint" then [column <> " + 1"] else texts column)
+            [ (column, if is == "bigint" then [numberAfter column] else texts column)
               | [of', column, is] <- columns,
                 of' == table
             ],
@@ -177,6 +177,8 @@ homeOnServer server = do
   where
     schemaIn = snd . Text.breakOnEnd "%3D" . Text.pack
     execute' name = void . sql server name . ("SET session_replication_role = replica" :)
+    -- Of what is null another value, too.
+    numberAfter c = "COALESCE(" <> c <> ", 0) + 1"
     texts c = ["COALESCE(" <> c <> " || 'x', 'x')", "COALESCE(NULLIF('', " <> c <> "), '0')"]
     refused state
       | "23" `isPrefixOf` state = ByConstraint
