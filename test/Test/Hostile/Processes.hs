@@ -156,7 +156,7 @@ harmless e = run <$> (argumentList value quick `suchThat` all harmlessOne)
           { commandOptions = filter ((`notElem` laborious) . optionName) (commandOptions command)
           }
         | command <- commandsOfHelp,
-          commandName command `notElem` ["train", "evaluate", "rates"]
+          commandName command `notElem` ["train", "evaluate", "rates", "experiment", "images"]
       ]
     laborious =
       [ "--presses",
