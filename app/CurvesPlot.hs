@@ -12,7 +12,7 @@ import qualified Data.ByteString.Lazy as Lazy
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Graphics.Svg
-import RatesPlot (style)
+import RatesPlot (plotSvg)
 import RatesPlot.Panel (number, numbers, text)
 
 -- | What is drawn.
@@ -35,21 +35,10 @@ data Scale = Scale
 
 -- | The picture. What lies beyond a scale is drawn at its end.
 curvesSvg :: Curves -> Lazy.ByteString
-curvesSvg curves = renderBS root <> "\n"
+curvesSvg curves = plotSvg wide high content
   where
-    root =
-      with
-        (svg11_ (foldMap ("\n" <>) content))
-        [ Width_ <<- number wide,
-          Height_ <<- number high,
-          ViewBox_ <<- numbers [0, 0, wide, high],
-          Font_family_ <<- "sans-serif",
-          Font_size_ <<- "12"
-        ]
     content =
-      [ style_ [] (toElement style),
-        rect_ [Class_ <<- "paper", Width_ <<- number wide, Height_ <<- number high],
-        text (wide / 2) 24 "middle" "title" (curvesTitle curves)
+      [ text (wide / 2) 24 "middle" "title" (curvesTitle curves)
       ]
         ++ concat (zipWith (panel curves) [0 ..] (curvesPanels curves))
         ++ [text (wide / 2) (top + side + 40) "middle" "ink" (scaleSays (curvesAcross curves))]

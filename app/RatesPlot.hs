@@ -5,7 +5,7 @@
 -- both against the share of wrong symbols and on logarithmic scales.
 module RatesPlot
   ( ratesSvg,
-    style,
+    plotSvg,
   )
 where
 
@@ -21,21 +21,10 @@ import Text.Printf (printf)
 -- | The picture of a table that was made from this seed. What never happened, or less often than
 -- the scale shows, is not drawn.
 ratesSvg :: Int -> [Line] -> Lazy.ByteString
-ratesSvg seed table = renderBS root <> "\n"
+ratesSvg seed table = plotSvg wide high content
   where
-    root =
-      with
-        (svg11_ (foldMap ("\n" <>) content))
-        [ Width_ <<- number wide,
-          Height_ <<- number high,
-          ViewBox_ <<- numbers [0, 0, wide, high],
-          Font_family_ <<- "sans-serif",
-          Font_size_ <<- "12"
-        ]
     content =
-      [ style_ [] (toElement style),
-        rect_ [Class_ <<- "paper", Width_ <<- number wide, Height_ <<- number high],
-        text (wide / 2) 24 "middle" "title" "Patches located from damaged readings",
+      [ text (wide / 2) 24 "middle" "title" "Patches located from damaged readings",
         text
           (wide / 2)
           42
@@ -63,6 +52,21 @@ left, top, gap :: Double
 left = 92
 top = 82
 gap = 16
+
+-- | An SVG file of that width and height with these elements on its paper.
+plotSvg :: Double -> Double -> [Element] -> Lazy.ByteString
+plotSvg wide high content = renderBS root <> "\n"
+  where
+    root =
+      with
+        (svg11_ (foldMap ("\n" <>) (style_ [] (toElement style) : paper : content)))
+        [ Width_ <<- number wide,
+          Height_ <<- number high,
+          ViewBox_ <<- numbers [0, 0, wide, high],
+          Font_family_ <<- "sans-serif",
+          Font_size_ <<- "12"
+        ]
+    paper = rect_ [Class_ <<- "paper", Width_ <<- number wide, Height_ <<- number high]
 
 -- | Colours for light and for dark surroundings; the paper is drawn too, so that the two never mix.
 -- The colour-blind can tell the three hues apart as well (M. Okabe and K. Ito 2002).

@@ -1,6 +1,7 @@
 -- | Which sensor is simulated: a preset or a file, with constants replaced by options of their own.
 module SensorChoice
   ( SensorChoice (..),
+    sensorOption,
     sensorOptions,
     chosenSensor,
     chosenSpacing,
@@ -52,21 +53,24 @@ data SensorChoice = SensorChoice
     spacing :: Maybe Int
   }
 
+-- | @--sensor@, a preset's name or a file, with this help.
+sensorOption :: String -> Parser FilePath
+sensorOption text =
+  option pathReader $
+    long "sensor"
+      <> metavar "PRESET|FILE"
+      <> completeWith (map presetName [minBound ..])
+      <> action "file"
+      <> help text
+
 -- | @--sensor@ and what replaces its constants.
 sensorOptions :: Parser SensorChoice
 sensorOptions =
   SensorChoice
     <$> optional
-      ( option
-          pathReader
-          ( long "sensor"
-              <> metavar "PRESET|FILE"
-              <> completeWith (map presetName [minBound ..])
-              <> action "file"
-              <> help
-                "The sensor: ideal, paper, real, hard, or a file as 'sensor --json' prints it \
-                \(default: paper); the options below replace its constants"
-          )
+      ( sensorOption
+          "The sensor: ideal, paper, real, hard, or a file as 'sensor --json' prints it \
+          \(default: paper); the options below replace its constants"
       )
     <*> number
       "position-error"

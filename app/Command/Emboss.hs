@@ -256,18 +256,7 @@ netFile alphabet array layout named = do
       stamps = concatMap (map snd . symbolsOf') carrying
   when (null stamps) (Left (embossMessage (NothingRaised named)))
   Right
-    ( MadeFile
-        { madeFile = fileName (objectText named) ++ ".net.svg",
-          madeObject = named,
-          madeFace = Nothing,
-          madeVertices = Nothing,
-          madeTriangles = Nothing,
-          madeVolume = Nothing,
-          madeTaxels = sum (map stampArea stamps),
-          madeStroke = scale * taxelPitch * fromIntegral (minimum (map stampStroke stamps)),
-          madeHeight = Nothing,
-          madeMostRounded = templateRounding
-        },
+    ( drawing (fileName (objectText named) ++ ".net.svg") named Nothing scale stamps,
       netSvg ("The " ++ visible (objectText named) ++ ", unfolded") raised (layOut object tree)
     )
   where
@@ -294,23 +283,11 @@ drawnFiles alphabet array layout asked' = do
   Right (zipWith (drawn scale symbols) [1 ..] faces)
   where
     drawn scale symbols number laid =
-      ( MadeFile
-          { madeFile = named (number :: Int) (faceName (laidFace laid)),
-            madeObject = object,
-            madeFace = Just (faceName (laidFace laid)),
-            madeVertices = Nothing,
-            madeTriangles = Nothing,
-            madeVolume = Nothing,
-            madeTaxels = sum (map stampArea stamps),
-            madeStroke = scale * taxelPitch * fromIntegral (minimum (map stampStroke stamps)),
-            madeHeight = Nothing,
-            madeMostRounded = templateRounding
-          },
+      ( drawing (named (number :: Int) face) object (Just face) scale (map snd (symbols laid)),
         templateFile (Template laid (scale * taxelPitch) (symbols laid))
       )
       where
-        object = faceObject (laidFace laid)
-        stamps = map snd (symbols laid)
+        Face object face = laidFace laid
         named k (FaceName vertices)
           | length full > 200 = fileName (objectText object) ++ ".face-" ++ show k ++ ".svg"
           | otherwise = full
@@ -320,6 +297,23 @@ drawnFiles alphabet array layout asked' = do
                 ++ ('.' : intercalate "-" (map ofVertex vertices))
                 ++ ".svg"
         ofVertex = concatMap (escapedIn ".-") . fileName . vertexText
+
+-- | What is told of a drawing: its file, the object and perhaps the face, how much larger than the
+-- paper's its symbols are, and the symbols.
+drawing :: FilePath -> ObjectName -> Maybe FaceName -> Rational -> [Stamp] -> MadeFile
+drawing file object face scale stamps =
+  MadeFile
+    { madeFile = file,
+      madeObject = object,
+      madeFace = face,
+      madeVertices = Nothing,
+      madeTriangles = Nothing,
+      madeVolume = Nothing,
+      madeTaxels = sum (map stampArea stamps),
+      madeStroke = scale * taxelPitch * fromIntegral (minimum (map stampStroke stamps)),
+      madeHeight = Nothing,
+      madeMostRounded = templateRounding
+    }
 
 -- | A name as part of a file's, different for different names.
 fileName :: String -> FilePath

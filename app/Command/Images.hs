@@ -21,7 +21,7 @@ import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity)
 import PraTactile.Sensor (Preset (..), presetName)
 import PraTactile.Shape.Design (foreignShapes)
 import PraTactile.SymbolImages
-import SensorChoice (readSensor)
+import SensorChoice (readSensor, sensorOption)
 import Setup
 import Visible (visibleName)
 
@@ -45,16 +45,9 @@ imageChoice standard =
       "The shapes themselves, or what is cut out of pressed and stitched frames, as 'decode' does"
       standard
     <*> optional
-      ( option
-          pathReader
-          ( long "sensor"
-              <> metavar "PRESET|FILE"
-              <> completeWith (map presetName [minBound ..])
-              <> action "file"
-              <> help
-                "The sensor that presses: ideal, paper, real, hard, or a file as 'sensor --json' \
-                \prints it (default: real)"
-          )
+      ( sensorOption
+          "The sensor that presses: ideal, paper, real, hard, or a file as 'sensor --json' prints \
+          \it (default: real)"
       )
     <*> switch (long "any-angle" <> help "The plates that are pressed lie turned by any angle")
 

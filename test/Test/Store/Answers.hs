@@ -3,13 +3,10 @@
 -- | What a store answers, and what it refuses, whatever database it is in.
 module Test.Store.Answers (spec) where
 
-import Control.Monad (void)
 import Data.Bifunctor (first)
 import Data.Foldable (for_)
-import Data.List (isInfixOf)
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Message.Objects (storeMessage)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Canonical
 import PraTactile.Object.Placement hiding (blockCells)
@@ -18,6 +15,7 @@ import PraTactile.Store
 import Test.Hspec
 import Test.QuickCheck (generate, shuffle)
 import Test.Recognition.Object.Support
+import Test.Store.Asking
 import Test.Store.Damage
 import Test.Store.Homes
 
@@ -193,41 +191,6 @@ changesOf home path table = do
         at <- some,
         to <- values
     ]
-
--- What is said is said in this program's own words.
-plain :: StoreError -> Expectation
-plain fault = do
-  let said = storeMessage fault
-  length (lines said) `shouldBe` 1
-  filter
-    (`isInfixOf` said)
-    [ "Persist",
-      "Haskell",
-      "parse",
-      "openBinaryFile",
-      "hClose",
-      "SQLite3",
-      "Table",
-      "Int64",
-      "ByteString",
-      "exception",
-      "UTF-8",
-      "decode"
-    ]
-    `shouldBe` []
-
-profileText :: String
-profileText = "any text, \"quoted\"; with ' and \955\n"
-
-opening :: String -> IO (Either StoreError ())
-opening path = withStore path Nothing (const (pure ()))
-
--- All of it is read.
-checking :: String -> IO (Either StoreError ())
-checking path = (>>= void) <$> withStore path Nothing storedPlacement
-
-asked :: String -> (Store -> Expectation) -> Expectation
-asked path action = withStore path Nothing action >>= either (expectationFailure . show) pure
 
 withCanonical :: (Placement -> Home -> String -> Expectation) -> Home -> Expectation
 withCanonical test home = thePlacement $ \place -> do

@@ -32,6 +32,7 @@ import System.FilePath ((</>))
 import Test.Hspec
 import Test.QuickCheck
 import Test.Recognition.Object.Support
+import Test.Store.Asking
 import Test.Store.Homes
 
 spec :: SpecWith Home
@@ -177,6 +178,3 @@ storedInFile test = inFolder $ \folder -> thePlacement $ \place -> do
   let path = folder </> "a.sqlite"
   create path "profile" place `shouldReturn` Right ()
   test path place
-
-asked :: String -> (Store -> Expectation) -> Expectation
-asked path action = withStore path Nothing action >>= either (expectationFailure . show) pure

@@ -6,6 +6,7 @@ module Test.Store.Homes
     Refused (..),
     inEachHome,
     execute,
+    inFile,
     tableNames,
   )
 where
@@ -217,6 +218,7 @@ ends all' = nub [all' !! i | i <- [0, count `div` 2, count - 1], i < count]
   where
     count = length all'
 
+-- | Statements on a file, each by itself.
 inFile :: FilePath -> [Text] -> IO ()
 inFile path statements = bracket (Sqlite.open (Text.pack path)) Sqlite.close $ \connection ->
   for_ statements $ \statement ->

@@ -3,14 +3,11 @@
 module Test.Store.RowsAndGuards (spec) where
 
 import Control.Exception (AsyncException (..), ErrorCall (..), bracket, throwIO)
-import Control.Monad (void)
 import Control.Monad.Trans.Except (runExceptT)
 import Data.Foldable (for_)
-import Data.List (isInfixOf)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Database.Sqlite as Sqlite
-import Message.Objects (storeMessage)
 import PraTactile.Array (Position (..))
 import PraTactile.Object.Canonical
 import PraTactile.Object.Placement hiding (blockCells)
@@ -50,6 +47,8 @@ import System.IO.Error
 import Test.Hspec
 import Test.QuickCheck
 import Test.Recognition.Object.Support
+import Test.Store.Asking
+import Test.Store.Homes (inFile)
 
 spec :: Spec
 spec = describe "store" $ do
@@ -202,44 +201,9 @@ spec = describe "store" $ do
         execute path "CREATE TABLE shopping (item TEXT)"
         opening path `shouldReturn` Left (NotAStore path)
 
--- What is said is said in this program's own words.
-plain :: StoreError -> Expectation
-plain fault = do
-  let said = storeMessage fault
-  length (lines said) `shouldBe` 1
-  filter
-    (`isInfixOf` said)
-    [ "Persist",
-      "Haskell",
-      "parse",
-      "openBinaryFile",
-      "hClose",
-      "SQLite3",
-      "Table",
-      "Int64",
-      "ByteString",
-      "exception",
-      "UTF-8",
-      "decode"
-    ]
-    `shouldBe` []
-
-profileText :: String
-profileText = "any text, \"quoted\"; with ' and \955\n"
-
 isDamaged :: FilePath -> Either StoreError () -> Bool
 isDamaged path (Left (DamagedFile named _)) = named == path
 isDamaged _ _ = False
-
-opening :: FilePath -> IO (Either StoreError ())
-opening path = withStore path Nothing (const (pure ()))
-
--- All of it is read.
-checking :: FilePath -> IO (Either StoreError ())
-checking path = (>>= void) <$> withStore path Nothing storedPlacement
-
-asked :: FilePath -> (Store -> Expectation) -> Expectation
-asked path action = withStore path Nothing action >>= either (expectationFailure . show) pure
 
 withCanonical :: (Placement -> FilePath -> Expectation) -> Expectation
 withCanonical test = inDirectory $ \directory -> thePlacement $ \place -> do
@@ -249,20 +213,12 @@ withCanonical test = inDirectory $ \directory -> thePlacement $ \place -> do
 
 -- Without the foreign keys' guard, which is off where it is not asked for.
 execute :: FilePath -> Text -> IO ()
-execute path statement = executed path [statement]
-
-executed :: FilePath -> [Text] -> IO ()
-executed path statements = bracket (Sqlite.open (Text.pack path)) Sqlite.close $ \connection ->
-  for_ statements $ \statement ->
-    bracket
-      (Sqlite.prepare connection statement)
-      Sqlite.finalize
-      (void . Sqlite.stepConn connection)
+execute path statement = inFile path [statement]
 
 -- | Every statement of a script, a line each, in one transaction.
 executeAll :: FilePath -> Text -> IO ()
 executeAll path script =
-  executed path (["BEGIN"] ++ statementsIn (Text.lines script) ++ ["COMMIT"])
+  inFile path (["BEGIN"] ++ statementsIn (Text.lines script) ++ ["COMMIT"])
   where
     statementsIn lines_ = case break (";" `Text.isSuffixOf`) lines_ of
       (_, []) -> []

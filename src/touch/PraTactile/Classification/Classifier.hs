@@ -20,7 +20,13 @@ where
 import PraTactile.Classification.Estimate
 import PraTactile.Classification.Logistic
 import PraTactile.Classification.Means
-import PraTactile.Classification.Network (NetworkError, decide, outputs, standardThresholds)
+import PraTactile.Classification.Network
+  ( NetworkError,
+    decide,
+    outputs,
+    sigmoid,
+    standardThresholds,
+  )
 import qualified PraTactile.Classification.Network as Network
 import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Classification.Templates (Templates, templateCount, templates)
@@ -123,13 +129,12 @@ classified classifier image = do
       (verdict, symbol) =
         combined (decide standardThresholds upright) (decide standardThresholds upsideDown)
       none =
-        logistic
+        sigmoid
           . unlikeAny
             standardUnlikeness
             (classifierTemplates classifier)
             (estimateLikeliest shown)
           $ image
-      logistic odds = 1 / (1 + exp (negate odds))
   if length upright /= classes
     then Left (Network.WrongOutputCount (length upright) classes)
     else
