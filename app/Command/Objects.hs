@@ -16,7 +16,7 @@ import ExitStatus
 import Json
 import Lines
 import Message
-import Options
+import Options hiding (action)
 import PlacementChoice
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Format (encodeObjects, encodeWhereabouts)

@@ -22,7 +22,7 @@ import Message
 import Message.Advice (adviceErrorMessage)
 import NamedSolid
 import Numeric.Natural (Natural)
-import Options
+import Options hiding (option)
 import Output
 import Polyhedra
 import PraTactile.Advise
@@ -31,7 +31,7 @@ import PraTactile.Field (KnownField)
 import PraTactile.Format.Place
 import PraTactile.Format.Solid (SolidFormat)
 import PraTactile.Object.Canonical (canonicalPitch)
-import PraTactile.Object.Placement
+import PraTactile.Object.Placement hiding (more)
 import PraTactile.Object.Placement.Search
 import PraTactile.Object.Placement.Windows
 import PraTactile.Object.WingedEdge
@@ -217,7 +217,7 @@ smallestArrays choice cells = do
                   }
             ]
       ]
-      | option <- takeWhile ((<= fromIntegral mostCounted) . area . optionShape) options
+      | option <- takeWhile ((<= mostCounted) . area . optionShape) options
     ]
   where
     foldingOf option = case optionLayout option of

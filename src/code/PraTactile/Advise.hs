@@ -31,7 +31,7 @@ import PraTactile.Advise.Layout
 import PraTactile.Advise.Neighbours
 import PraTactile.Array
 import PraTactile.Factorisation
-import PraTactile.Field
+import PraTactile.Field hiding (one)
 import PraTactile.Field.Named (conwayModulus)
 import PraTactile.Polynomial
 import PraTactile.Window

@@ -12,7 +12,7 @@ import System.Directory
 import System.Exit (ExitCode (..))
 import System.Process (readProcessWithExitCode)
 import Test.CommandLine.Run
-import Test.Hspec
+import Test.Hspec hiding (after)
 import Test.Support
 
 spec :: Spec

@@ -6,8 +6,8 @@ import Data.Char (isDigit)
 import Data.List (intercalate, isInfixOf, stripPrefix)
 import PraTactile.Advise
 import PraTactile.Array
-import Test.CommandLine.Run
-import Test.Hspec
+import Test.CommandLine.Run hiding (key)
+import Test.Hspec hiding (before, fit)
 import Test.Support
 
 spec :: Spec

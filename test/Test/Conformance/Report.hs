@@ -88,7 +88,7 @@ spec = do
   it "in words: what a failure depends on that a fresh process does not show" $
     for_ [(0, "this alone"), (1, "this without the first one"), (3, "one of the first 3")] $
       \(count, said) -> do
-        let earlier one = one {counterEarlier = Just count}
+        let earlier it' = it' {counterEarlier = Just count}
             one = failed "field/c" Nothing
             text =
               failureText id one {lawReportCounterexample = earlier <$> lawReportCounterexample one}

@@ -6,12 +6,12 @@ module Test.Conformance.Versions (spec) where
 import Data.Aeson
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (nub, (\\))
-import PraTactile.Conformance
+import PraTactile.Conformance hiding (known)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Process (checkTexts)
 import PraTactile.Conformance.Version
 import Test.CommandLine.Run
-import Test.Hspec
+import Test.Hspec hiding (before)
 
 spec :: Spec
 spec = do

@@ -20,19 +20,15 @@ import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.Plate
 import PraTactile.Object.WingedEdge
-import PraTactile.Pressing
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Recogniser
-import PraTactile.Registration (standardRegistration)
 import PraTactile.Relief
 import PraTactile.Sensor
-import PraTactile.Sensor.Frame
 import PraTactile.Shape (Alphabet)
 import PraTactile.Symmetry
-import PraTactile.Truth
 import PraTactile.Window (Mask)
 import System.Random (mkStdGen)
 import Test.Hspec

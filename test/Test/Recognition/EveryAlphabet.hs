@@ -30,7 +30,7 @@ import PraTactile.Symmetry
 import PraTactile.Truth (truthRegion)
 import PraTactile.Window (Mask)
 import System.Random (mkStdGen)
-import Test.Hspec
+import Test.Hspec hiding (after, before)
 import Test.QuickCheck
 import Test.Support
 

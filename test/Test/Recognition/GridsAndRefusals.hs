@@ -9,22 +9,19 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
 import qualified Data.Set as Set
 import PraTactile
-import PraTactile.Classification.Reader (readerOf)
 import PraTactile.Explore
 import PraTactile.Field (KnownField, toCode)
 import PraTactile.Files (readFolder)
 import PraTactile.Image (constant, generate)
 import PraTactile.Locate (ForeignDoubts (..), Known (..))
 import PraTactile.Object.Canonical (canonicalLayings)
-import PraTactile.Object.Placement
+import PraTactile.Object.Placement hiding (more)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.SymbolBelief (certain)
 import PraTactile.Relief
 import PraTactile.Segmentation (SymbolImage (..))
-import PraTactile.Sensor (idealSensor)
-import PraTactile.Sensor.Frame (taxelPitch)
 import PraTactile.Symmetry
 import System.Random (mkStdGen)
 import Test.Hspec

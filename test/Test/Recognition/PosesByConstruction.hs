@@ -14,8 +14,8 @@ import PraTactile.Evaluate (PoseError (..), PoseTally (..), poseTally)
 import PraTactile.Explore (Region (..), Turns (..), regionCorner, regionExtent, regionTurn)
 import PraTactile.Field (KnownField)
 import PraTactile.Object.Canonical (canonicalPlacement)
-import PraTactile.Object.Placement
-import PraTactile.Object.WingedEdge
+import PraTactile.Object.Placement hiding (more)
+import PraTactile.Object.WingedEdge hiding (solid)
 import PraTactile.Pose
 import PraTactile.Pose.Alignment (Ground (..), heightAt)
 import PraTactile.Pressing
@@ -28,9 +28,9 @@ import PraTactile.Sensor.Preset
 import PraTactile.Shape (area, shapes)
 import PraTactile.Truth (Truth (..))
 import qualified PraTactile.Truth as Truth
-import Test.Hspec
+import Test.Hspec hiding (fit)
 import Test.Hspec.QuickCheck (prop)
-import Test.QuickCheck
+import Test.QuickCheck hiding (total)
 import Test.Recognition.Scenes (onRecognisers)
 import Test.Support
 import Test.Touch.Paper (paperAlphabet, stitchedBy)

@@ -161,6 +161,7 @@ experimentSpec = do
           name e = case e of
             PressesRefused _ -> "presses"
             ReliefRefused _ -> "relief"
+            BendRefused _ -> "bend"
       map (cause . refused) [(20, 24), (4, 4)] `shouldBe` ["none", "presses"]
   it "the noise of a sensor is that at full scale, with what its elements differ by" $ do
     let known sensor = stitchingNoise (assumedStitching sensor)

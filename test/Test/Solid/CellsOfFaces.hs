@@ -2,7 +2,6 @@
 -- must leave as it is. The conformance suite holds each cell to its definition.
 module Test.Solid.CellsOfFaces (spec) where
 
-import Data.List (nub, sort)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Conformance.Laws.Solids (moved)

@@ -8,7 +8,7 @@ import qualified Data.Vector as V
 import PraTactile.Object.Description (cyclicPairs)
 import PraTactile.Object.Polygon
 import PraTactile.Object.Triangulation
-import Test.Hspec
+import Test.Hspec hiding (around)
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
 

@@ -23,13 +23,13 @@ import qualified Database.Sqlite as Sqlite
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Canonical
 import PraTactile.Object.Named (Named (..), namedDescription)
-import PraTactile.Object.Placement
+import PraTactile.Object.Placement hiding (more)
 import PraTactile.Object.Placement.Search
 import PraTactile.Object.WingedEdge
 import PraTactile.Store
 import PraTactile.Store.Query
 import System.FilePath ((</>))
-import Test.Hspec
+import Test.Hspec hiding (before)
 import Test.QuickCheck
 import Test.Recognition.Object.Support
 import Test.Store.Asking

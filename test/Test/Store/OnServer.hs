@@ -12,7 +12,7 @@ import qualified Data.Text as Text
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Canonical
 import PraTactile.Object.Named (Named (..), namedDescription)
-import PraTactile.Object.Placement
+import PraTactile.Object.Placement hiding (more)
 import PraTactile.Object.Placement.Search
 import PraTactile.Object.WingedEdge
 import PraTactile.Store

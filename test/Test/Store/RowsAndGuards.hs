@@ -44,7 +44,7 @@ import System.IO.Error
     permissionErrorType,
     userErrorType,
   )
-import Test.Hspec
+import Test.Hspec hiding (after, before)
 import Test.QuickCheck
 import Test.Recognition.Object.Support
 import Test.Store.Asking
@@ -184,10 +184,10 @@ spec = describe "store" $ do
       withCanonical $ \place path -> do
         size <- getFileSize path
         damages <- generate (vectorOf 60 ((,) <$> choose (16, size - 1) <*> arbitrary))
-        for_ damages $ \(at, byte) -> do
+        for_ damages $ \(offset, byte) -> do
           broken <- copied path (path ++ ".broken")
           withBinaryFile broken ReadWriteMode $ \handle -> do
-            hSeek handle AbsoluteSeek at
+            hSeek handle AbsoluteSeek offset
             hPutChar handle (toEnum (byte `mod` 256))
           outcome <- withStore broken Nothing $ \store ->
             for_ [Position 6 5, Position 0 4, Position 14 16] $ \at -> do

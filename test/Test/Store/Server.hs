@@ -67,8 +67,6 @@ withServer action = do
           made <- create (addressIn server "postgres" []) "profile" =<< right canonicalPlacement
           pure $ case made of
             Left (WithoutServers _) -> Left "it was built without libghc-persistent-postgresql-dev"
-            Left (WithoutServers _) ->
-              Left "this was built without libghc-persistent-postgresql-dev"
             _ -> Right server
         Left _ -> fail "a server of PostgreSQL does not begin"
       pure (outcome, (input, process))

@@ -48,7 +48,7 @@ frameOfPoints = frameOver . overOne
 
 -- | In lowest terms, so that roots are the same whatever else the object has.
 frameOver :: (Integer, V.Vector V3) -> Maybe Frame
-frameOver (over, points)
+frameOver (d, points)
   | a == 0 || normal == zero = Nothing
   | otherwise = Just (Frame a (a * dot normal normal) (V.map numerators points))
   where
@@ -56,7 +56,7 @@ frameOver (over, points)
     along = V.foldl (\_ p -> p) origin points `minus` origin
     normal = doubleArea points
     into = cross along normal
-    a = dot along along * over * over
+    a = dot along along * d * d
     numerators p = (dot along (p `minus` origin), dot into (p `minus` origin))
 
 -- | How far numerators go: the least, and how much more the greatest is.

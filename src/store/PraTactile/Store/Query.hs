@@ -34,13 +34,13 @@ import Data.Maybe (listToMaybe)
 import qualified Data.Set as Set
 import qualified Data.Text as Text
 import Data.Traversable (for)
-import Database.Persist.Sql
+import Database.Persist.Sql hiding (count)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Store.Error
-import PraTactile.Store.Rows
+import PraTactile.Store.Rows hiding (parts)
 import PraTactile.Store.Rows.Read
 import PraTactile.Store.Schema
 
@@ -63,8 +63,8 @@ selectCells between down across = do
   found <- bandsOver down
   counts <- for found $ \band -> do
     high <- common BandTable down (storedBandFromRow band, storedBandToRow band)
-    covering <- runsOver (storedBandFromRow band) across
-    for [(run, n) | run <- covering, Just n <- [storedRunLaying run]] $ \(run, laying) -> do
+    runs <- runsOver (storedBandFromRow band) across
+    for [(run, n) | run <- runs, Just n <- [storedRunLaying run]] $ \(run, laying) -> do
       wide <- common RunTable across (storedRunFromColumn run, storedRunToColumn run)
       pure (fromIntegral laying, (high * wide, selectSeat between laying))
   pure (Map.fromListWith more (concat counts))

@@ -11,7 +11,7 @@
 {-# LANGUAGE TypeFamilies #-}
 {-# LANGUAGE TypeOperators #-}
 {-# LANGUAGE UndecidableInstances #-}
-{-# OPTIONS_GHC -Wno-name-shadowing #-}
+{-# OPTIONS_GHC -Wno-name-shadowing -Wno-unused-top-binds #-}
 
 -- | The tables of the database. Whatever can be a key is one, and whatever refers to a row is a
 -- foreign key. Lengths are exact ("PraTactile.Store.Exact"), in millimetres.

@@ -13,7 +13,7 @@ import PraTactile.Window
 import PraTactile.Window.Enumeration
 import PraTactile.Window.Proof
 import Test.Code.Generators
-import Test.Hspec
+import Test.Hspec hiding (before)
 import Test.Paper
 import Test.QuickCheck hiding (elements)
 

@@ -40,7 +40,8 @@ ignoringSpec = do
     for_ reasonsOf $ \(operation, reasons) ->
       for_ reasons $ \reason ->
         it (operationName operation ++ ", for " ++ reason) $
-          foundBy operation (onRefusal operation reason (pure . anyAnswer)) `shouldReturn` True
+          foundBy operation (onRefusal operation reason (maybe (refuse "invalid") pure . anyAnswer))
+            `shouldReturn` True
   describe "a refusal in the place of an answer is found" $
     for_ kindsOf $ \(operation, kind) ->
       it (operationName operation ++ ", for an answer that is " ++ show kind) $
@@ -203,32 +204,33 @@ onRefusal operation reason instead = overAnswers $ \question answered ->
       then instead question
       else throwE refusal
 
--- | What somebody answers who knows nothing.
-anyAnswer :: Question a -> a
+-- | What somebody answers who knows nothing, where a profile or touch is asked about.
+anyAnswer :: Question a -> Maybe a
 anyAnswer question = case question of
-  Add _ _ -> 0
-  Multiply _ _ -> 0
-  Negate _ -> 0
-  Inverse _ -> 0
-  Power _ _ -> 0
-  Logarithm _ -> 0
-  Trace _ -> 0
-  Primitive _ -> False
-  FirstPrimitive _ -> [1]
-  Term _ -> 0
-  Terms _ _ -> []
-  Cell _ _ -> 0
-  Pack _ -> 0
-  Unpack _ -> [0]
-  Locate _ -> At (Position 0 0)
-  Nearest _ _ -> At (Position 0 0)
-  Posterior _ -> [(Position 0 0, 1)]
-  Prove _ -> Proof False Nothing 0
-  Distance _ -> 0
-  Register _ -> Registered Nothing (0, 0) (True, True)
-  Stitch _ frames -> map (const (0, 0)) frames
-  Segment _ -> []
-  Raw _ _ -> Null
+  Add _ _ -> Just 0
+  Multiply _ _ -> Just 0
+  Negate _ -> Just 0
+  Inverse _ -> Just 0
+  Power _ _ -> Just 0
+  Logarithm _ -> Just 0
+  Trace _ -> Just 0
+  Primitive _ -> Just False
+  FirstPrimitive _ -> Just [1]
+  Term _ -> Just 0
+  Terms _ _ -> Just []
+  Cell _ _ -> Just 0
+  Pack _ -> Just 0
+  Unpack _ -> Just [0]
+  Locate _ -> Just (At (Position 0 0))
+  Nearest _ _ -> Just (At (Position 0 0))
+  Posterior _ -> Just [(Position 0 0, 1)]
+  Prove _ -> Just (Proof False Nothing 0)
+  Distance _ -> Just 0
+  Register _ -> Just (Registered Nothing (0, 0) (True, True))
+  Stitch _ frames -> Just (map (const (0, 0)) frames)
+  Segment _ -> Just []
+  Raw _ _ -> Just Null
+  _ -> Nothing
 
 -- | With every answer changed.
 overAnswers ::

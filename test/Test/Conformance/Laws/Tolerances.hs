@@ -14,7 +14,7 @@ import PraTactile.Conformance.Law
 import PraTactile.Conformance.Wire (readAnswer)
 import PraTactile.Pose (Pose (..), RigidMotion (..))
 import Test.Conformance.Laws.Trials
-import Test.Hspec
+import Test.Hspec hiding (after, before)
 
 spec :: Spec
 spec = for_ scenes $ \(law, asked) ->

@@ -20,16 +20,16 @@ import PraTactile.Object.Canonical
 import PraTactile.Object.Cells (Grid (..), bestGrid)
 import PraTactile.Object.Mesh hiding (named)
 import PraTactile.Object.Named
-import PraTactile.Object.Placement
+import PraTactile.Object.Placement hiding (corner)
 import PraTactile.Object.Radical
 import PraTactile.Object.Validity
 import PraTactile.Object.Vector (floorRoot)
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
 import PraTactile.Relief (classOn)
-import PraTactile.Shape
+import PraTactile.Shape hiding (alphabet)
 import PraTactile.Shape.Outline (outlines)
-import Test.Hspec
+import Test.Hspec hiding (before, it)
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (within)
 import Test.Support

@@ -27,6 +27,7 @@ genComposite sides = do
     Composite
       { compositeImage = image,
         compositeCoverage = generate w h (\x y -> covered !! (y * w + x)),
+        compositeStep = 0,
         compositeOrigin = origin,
         compositeDisplacements = [(0, 0)],
         compositePositionError = Nothing,

@@ -2,7 +2,7 @@
 module Test.Touch.Shape.OutlinesByDefinition (spec) where
 
 import Data.List (nub, sort)
-import PraTactile.Shape
+import PraTactile.Shape hiding (alphabet)
 import PraTactile.Shape.Outline
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)

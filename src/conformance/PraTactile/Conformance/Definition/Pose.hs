@@ -41,7 +41,7 @@ poseOf (Felt corners seen sd plane)
         (\m -> (motionRows m, motionBy m))
         plane
     -- The face's axes, by exact vectors.
-    points = [[x, y, z] | Point x y z <- corners]
+    points = [[along, into, up] | Point along into up <- corners]
     from = map (\v -> zipWith (-) v (head points)) points
     x = unit (last from)
     z = unit (map negate (foldr (zipWith (+) . uncurry cross) [0, 0, 0] (cyclicPairs from)))

@@ -9,7 +9,7 @@ where
 
 import Control.Monad.Trans.Except (catchE)
 import Data.Aeson (Value (..))
-import PraTactile.Array (Shape (..))
+import PraTactile.Array (Shape (Shape))
 import PraTactile.Conformance.Impostors.Impostor
 import PraTactile.Conformance.Question
 import PraTactile.Format.Object

@@ -35,7 +35,7 @@ import Data.Aeson (Value, toJSON)
 import Data.List (find)
 import Data.Maybe (fromMaybe)
 import PraTactile.Conformance.Ask
-import PraTactile.Conformance.Definition
+import PraTactile.Conformance.Definition hiding (known)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Why (why)
 import PraTactile.Conformance.Question

@@ -9,7 +9,7 @@ module PraTactile.Conformance.Laws.Objects
 where
 
 import Data.Aeson (Value (..), object, toJSON, (.=))
-import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Array (Position (..), Shape (Shape))
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Definition (agreesWithoutProfile, expectedWithoutProfile)
 import PraTactile.Conformance.Law

@@ -6,7 +6,7 @@ module PraTactile.Conformance.Laws.Order
 where
 
 import Data.Aeson (object)
-import PraTactile.Array (Shape (..), area)
+import PraTactile.Array (Shape (Shape), area)
 import PraTactile.Conformance.Definition (Known, knownProfile)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Draw

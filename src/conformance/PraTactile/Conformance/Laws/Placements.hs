@@ -8,7 +8,7 @@ module PraTactile.Conformance.Laws.Placements
   )
 where
 
-import Data.List (nub)
+import Data.List (inits, nub, tails)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Conformance.Definition.Face
 import PraTactile.Conformance.Laws.Solids
@@ -129,8 +129,7 @@ impossible mapped =
       pure mapped {mappedObjects = map reversed (mappedObjects mapped)}
     ]
       ++ [ do
-             k <- chooseInt (0, length layings - 1)
-             let (before, laid : after) = splitAt k layings
+             (before, laid, after) <- elements (eachOf layings)
              changed <-
                elements
                  [ laid {drawnRow = toInteger (rowsOf mapped)},
@@ -159,6 +158,7 @@ impossible mapped =
          ]
   where
     layings = mappedLayings mapped
+    eachOf xs = [(before, x, after) | (before, x : after) <- zip (inits xs) (tails xs)]
     rowsOf it = let Shape high _ = mappedShape it in high
     backwards (Face name (FaceName walk)) = Face name (FaceName (reverse walk))
     begunLater (Face name (FaceName walk)) = Face name (FaceName (drop 1 walk ++ take 1 walk))

@@ -12,7 +12,7 @@ where
 
 import Data.List (transpose)
 import Numeric.Natural (Natural)
-import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Array (Position (..), Shape (Shape))
 import PraTactile.Conformance.Question
 import PraTactile.Object.Description (Description (..), FaceName (..), Point (..))
 import Test.QuickCheck (shrinkIntegral)

@@ -29,7 +29,7 @@ import qualified Data.Text as Text
 import Data.Traversable (for)
 import Database.Persist.Sql (PersistEntity)
 import Numeric.Natural (Natural)
-import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Array (Position (Position), Shape (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.Placement.Bands
 import PraTactile.Object.WingedEdge
