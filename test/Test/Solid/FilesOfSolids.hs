@@ -167,6 +167,17 @@ refusals =
       "solid x\nfacet normal 0 0 1\nouter loop\n",
       at 4 (Ends "vertex")
     ),
+    ( "text that ends after a facet",
+      Stl,
+      "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n\
+      \endloop\nendfacet\n",
+      at 9 (Ends "endsolid")
+    ),
+    ( "a binary file that begins with the word solid and was cut off",
+      Stl,
+      "solid" <> Bytes.drop 5 (binary 2 1),
+      SolidFileError (AtByte 80) (LengthDiffers 184 134)
+    ),
     ( "a list that is longer than the file",
       Ply,
       "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\nproperty float y\n\

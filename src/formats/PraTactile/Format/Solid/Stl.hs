@@ -37,10 +37,8 @@ readStl name bytes
   | Just count <- counted,
     binarySize count == toInteger (Bytes.length bytes) =
     binary name count bytes
-  | "solid"
-      `Bytes.isPrefixOf` Char8.map
-        toLower
-        (Char8.take 5 (Char8.dropWhile (<= ' ') (Bytes.take 1000 bytes))) =
+  | Bytes.notElem 0 begin,
+    "solid" `Bytes.isPrefixOf` Char8.map toLower (Char8.dropWhile (<= ' ') begin) =
     text name bytes
   | Just count <- counted =
     Left (SolidFileError (AtByte 80) (LengthDiffers (binarySize count) (Bytes.length bytes)))
@@ -51,6 +49,8 @@ readStl name bytes
           (Ends "84 bytes of a binary file")
       )
   where
+    -- No text has a zero, and few binary files have none so early.
+    begin = Bytes.take 1000 bytes
     counted =
       either
         (const Nothing)
@@ -94,6 +94,7 @@ binary name count bytes = do
 text :: ObjectName -> ByteString -> Either SolidFileError Contents
 text name bytes =
   outside
+    False
     []
     (concatMap wordsOf (zipWith Line [1 ..] (map Char8.words (Char8.split '\n' bytes))))
   where
@@ -103,7 +104,9 @@ text name bytes =
       word : _ | lower word `elem` ["solid", "endsolid"] -> [word]
       _ -> given
     lower = Char8.map toLower
-    outside found given = case given of
+    -- Whether a solid has begun and not ended; a file without its end was cut off.
+    outside begun found given = case given of
+      [] | begun -> end (Ends "endsolid")
       [] ->
         Right
           ( soup
@@ -112,7 +115,9 @@ text name bytes =
               [Passed "normals" | not (null found)]
               (V.fromList (reverse found))
           )
-      (_, word) : others | lower word `elem` ["solid", "endsolid"] -> outside found others
+      (_, word) : others
+        | lower word `elem` ["solid", "endsolid"] ->
+          outside (lower word == "solid") found others
       (at, word) : others
         | lower word == "facet" -> facet found at others
         | otherwise -> fault at (Needed "facet or endsolid")
@@ -123,7 +128,7 @@ text name bytes =
       (b, others'') <- vertex others'
       (c, others''') <- vertex others''
       rest <- keywords ["endloop", "endfacet"] others'''
-      a `seq` b `seq` c `seq` outside (c : b : a : found) rest
+      a `seq` b `seq` c `seq` outside True (c : b : a : found) rest
     keywords wanted given = case (wanted, given) of
       ([], _) -> Right given
       (word : more, (at, there) : others)
