@@ -182,13 +182,14 @@ reportText it passed moved grids report =
        ]
     ++ [ "  not examined everywhere: " ++ kindName kind
            ++ ", because of "
-           ++ intercalate ", " (map kindName causes)
+           ++ intercalate ", " (map (reason kind) causes)
          | Unexamined kind causes <- reportNotExamined report
        ]
   where
     verdict
       | reportValid report = "a solid"
       | otherwise = counted (length (reportDefects report)) "defect" "defects"
+    reason kind cause = if cause == kind then "how many there are" else kindName cause
     listed most what given =
       map ("  " ++) (take most given)
         ++ [ "  ... of " ++ show (length given)

@@ -30,6 +30,27 @@ spec = describe "the report on a polyhedron, beside the definition" $ do
       it ("says all and no more where something is made wrong: " ++ kindName kind) $
         forAllBlind (solids >>= spoilt kind) $ \drawn ->
           counterexample (show drawn) (judged drawn)
+  it "looks for 100 000 pairs of faces that intersect, and says that there are more" $ do
+    let report = said (bundle 450)
+    length (filter ((== FacesIntersect) . defectKind) (reportDefects report)) `shouldBe` 100000
+    filter ((== FacesIntersect) . unexaminedKind) (reportNotExamined report)
+      `shouldBe` [Unexamined FacesIntersect [FacesIntersect]]
+
+-- | So many triangles, each of which cuts every other one in a part of the z axis.
+bundle :: Int -> Description
+bundle count =
+  Description
+    (ObjectName "bundle")
+    (concatMap corners [0 .. count - 1])
+    [FaceName [name k c | c <- "abc"] | k <- [0 .. count - 1]]
+  where
+    name k c = VertexName (c : show k)
+    corners k =
+      let t = fromIntegral k
+       in [ (name k 'a', Point (1000 - t) t t),
+            (name k 'b', Point (t - 1000) (negate t) t),
+            (name k 'c', Point 0 0 (1000 + t))
+          ]
 
 said :: Description -> Report
 said = examine . fromDescription

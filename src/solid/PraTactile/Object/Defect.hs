@@ -87,7 +87,7 @@ data Defect = Defect
   deriving stock (Eq, Show)
 
 -- | A kind that was not looked for everywhere, since defects of these other kinds leave it without
--- meaning where they are.
+-- meaning where they are, or so many of its own were found that no more are looked for.
 data Unexamined = Unexamined
   { unexaminedKind :: Kind,
     unexaminedBecause :: [Kind]

@@ -1,0 +1,78 @@
+-- | What is wrong with single faces, and with what two of them have in common.
+module PraTactile.Object.Validity.Faces
+  ( noAreas,
+    notPlanar,
+    crossingSelf,
+    intersections,
+  )
+where
+
+import Data.List (sort)
+import Data.Ratio ((%))
+import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
+import PraTactile.Object.Boxes
+import PraTactile.Object.Defect
+import PraTactile.Object.Intersection
+import PraTactile.Object.Mesh
+import PraTactile.Object.Polygon
+import PraTactile.Object.Subject
+import PraTactile.Object.Vector
+
+-- | Faces, one by one; each with its number.
+noAreas, notPlanar :: Subject -> [(Int, Defect)]
+noAreas subject =
+  [ (f, Defect NoArea [faceAt (whole subject) f] [] Nothing)
+    | f <- facesWhere (not . U.null) subject,
+      normals subject V.! f == zero
+  ]
+notPlanar subject =
+  [ (f, Defect NotPlanar [faceAt (whole subject) f] [] (Just (furthest n corners)))
+    | f <- facesWhere ((> 3) . U.length) subject,
+      let n = normals subject V.! f
+          corners = cornersOf (whole subject) (formed subject V.! f),
+      n /= zero,
+      not (flatAlong n corners)
+  ]
+  where
+    -- With k corners of the sum s, k n . v - n . s is k |n| times the distance of v.
+    furthest n corners =
+      let k = toInteger (V.length corners)
+          s = V.foldl' plus zero corners
+          over = maximum [abs (k * dot n v - dot n s) | v <- V.toList corners]
+       in squareRoot
+            (over * over % (k * k * dot n n * meshDenominator (whole subject) ^ (2 :: Int)))
+
+crossingSelf :: Subject -> [Int] -> [(Int, Defect)]
+crossingSelf subject flatFaces =
+  [ (f, Defect FaceCrossesItself [faceAt it f] (map (vertexAt it . (walk U.!)) ends) Nothing)
+    | f <- flatFaces,
+      let walk = formed subject V.! f,
+      U.length walk > 3,
+      let corners = V.map (flat (normals subject V.! f)) (cornersOf it walk),
+      Just (i, j) <- [firstCrossing corners],
+      let ends = [i, following corners i, j, following corners j]
+  ]
+  where
+    it = whole subject
+
+-- | What faces have in common that do not cross themselves.
+intersections :: Subject -> [Int] -> [Defect]
+intersections subject good =
+  [ Defect FacesIntersect (map (faceAt it . (faces V.!)) [i, j]) [] (Just (measure square))
+    | i <- [0 .. V.length faces - 1],
+      j <- sort (filter (> i) (meeting tree (around' V.! i))),
+      Just square <- [overlap (plates V.! i) (plates V.! j)]
+  ]
+  where
+    it = whole subject
+    faces = V.fromList good
+    around' = V.map (boxOfFace subject) faces
+    tree = boxes around'
+    plates = V.map (\f -> plateOf subject f) faces
+    measure square = squareRoot (square / fromInteger (meshDenominator it) ^ (2 :: Int))
+
+plateOf :: Subject -> Int -> Plate
+plateOf subject f = plate walk (cornersOf (whole subject) walk) (normals subject V.! f)
+  where
+    walk = formed subject V.! f

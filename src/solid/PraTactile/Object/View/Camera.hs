@@ -1,0 +1,185 @@
+-- | How one looks at a solid, where its points are on the picture, and on which side of a face's
+-- plane a point is, exactly.
+module PraTactile.Object.View.Camera
+  ( -- * Looking
+    View (..),
+    viewFrom,
+    viewAlong,
+    Camera (..),
+    camera,
+    onPicture,
+    Spot3,
+    doubles,
+    unit,
+    millimetres,
+
+    -- * Planes
+    Corner (..),
+    cornerOf,
+    Plane,
+    planeAt,
+    before,
+    facing,
+    Nearly,
+    nearly,
+    sideOf,
+  )
+where
+
+import qualified Data.Vector as V
+import PraTactile.Object.Mesh
+import PraTactile.Object.Vector
+import PraTactile.Object.WingedEdge (Solid, solidMesh)
+
+-- | How one looks at a solid.
+data View = View
+  { -- | the way from the solid to the eye, of length 1 but for the rounding
+    viewTowards :: !(Rational, Rational, Rational),
+    -- | what is up on the picture, as far as it is at right angles to that
+    viewUp :: !(Double, Double, Double),
+    -- | how many times as far away as the solid is large the eye is; far beyond all bounds where
+    -- nothing is said, so that parallels stay parallel
+    viewAway :: !(Maybe Rational)
+  }
+  deriving stock (Eq, Show)
+
+-- | Looking from an azimuth and an elevation, in degrees: from the front where both are 0, from the
+-- right at an azimuth of 90, from above at an elevation of 90.
+viewFrom :: Double -> Double -> Maybe Rational -> View
+viewFrom azimuth elevation =
+  viewAlong
+    (sin a * cos e, negate (cos a) * cos e, sin e)
+    (negate (sin a) * sin e, cos a * sin e, cos e)
+  where
+    (a, e) = (azimuth * pi / 180, elevation * pi / 180)
+
+-- | Looking from where such a way leads, of length 1, with another way up, not along the first.
+viewAlong :: (Double, Double, Double) -> (Double, Double, Double) -> Maybe Rational -> View
+viewAlong (x, y, z) = View (near x, near y, near z)
+  where
+    near v = fromInteger (round (v * 1000000)) / 1000000
+
+-- | A view of one solid.
+data Camera = Camera
+  { cameraMesh :: Mesh,
+    cameraView :: View,
+    -- | the middle of the box round the solid, and the eye, in the units of the polyhedron's
+    -- coordinates
+    cameraMiddle :: !Spot3,
+    cameraEye :: !(Maybe Spot3),
+    -- | the longest side of that box
+    cameraSize :: !Rational
+  }
+
+type Spot3 = (Rational, Rational, Rational)
+
+-- | A view of this solid.
+camera :: View -> Solid -> Camera
+camera view whole = Camera it view middle eye size
+  where
+    it = solidMesh whole
+    spans = [(minimum (along it), maximum (along it)) | along <- [xs, ys, zs]]
+    middle = case [fromInteger (least + greatest) / 2 | (least, greatest) <- spans] of
+      [a, b, c] -> (a, b, c)
+      _ -> (0, 0, 0)
+    size = fromInteger (maximum [greatest - least | (least, greatest) <- spans])
+    eye = fmap (moved . (size *)) (viewAway view)
+    moved far =
+      let ((a, b, c), (x, y, z)) = (middle, viewTowards view)
+       in (a + far * x, b + far * y, c + far * z)
+    xs solid' = [x | V3 x _ _ <- V.toList (meshPoints solid')]
+    ys solid' = [y | V3 _ y _ <- V.toList (meshPoints solid')]
+    zs solid' = [z | V3 _ _ z <- V.toList (meshPoints solid')]
+
+-- | Where a point of space, in millimetres, is on the picture: millimetres, x to the right and y
+-- down, from where the middle of the solid is. Lengths there are true at right angles to the way
+-- one looks.
+onPicture :: Camera -> (Double, Double, Double) -> (Double, Double)
+onPicture it (px, py, pz) = (k * right, negate (k * up))
+  where
+    (mx, my, mz) = millimetres it (cameraMiddle it)
+    (x, y, z) = (px - mx, py - my, pz - mz)
+    (dx, dy, dz) = unit (doubles (viewTowards (cameraView it)))
+    right = rx * x + ry * y + rz * z
+    up = ux * x + uy * y + uz * z
+    across@(rx, ry, rz) = unit (viewUp (cameraView it) `crossed` (dx, dy, dz))
+    (ux, uy, uz) = (dx, dy, dz) `crossed` across
+    crossed (a, b, c) (d, e, f) = (b * f - c * e, c * d - a * f, a * e - b * d)
+    deep = dx * x + dy * y + dz * z
+    k = case cameraEye it of
+      Nothing -> 1
+      Just eye ->
+        let (ex, ey, ez) = millimetres it eye
+            far = sqrt ((ex - mx) ^ two + (ey - my) ^ two + (ez - mz) ^ two)
+         in far / (far - deep)
+    two = 2 :: Int
+
+doubles :: Spot3 -> (Double, Double, Double)
+doubles (x, y, z) = (fromRational x, fromRational y, fromRational z)
+
+unit :: (Double, Double, Double) -> (Double, Double, Double)
+unit (x, y, z) = let long = sqrt (x * x + y * y + z * z) in (x / long, y / long, z / long)
+
+millimetres :: Camera -> Spot3 -> (Double, Double, Double)
+millimetres it (x, y, z) = doubles (x / over, y / over, z / over)
+  where
+    over = fromInteger (meshDenominator (cameraMesh it))
+
+-- | A point, and nearly where it is, from the middle of the solid and as a share of its size.
+data Corner = Corner
+  { cornerAt :: Spot3,
+    cornerNear :: (Double, Double, Double)
+  }
+
+cornerOf :: Camera -> Spot3 -> Corner
+cornerOf it p@(x, y, z) = Corner p (doubles ((x - mx) / size, (y - my) / size, (z - mz) / size))
+  where
+    (mx, my, mz) = cameraMiddle it
+    size = cameraSize it
+
+-- | A plane: what is at right angles to it, and the product of that with its points.
+type Plane = (V3, Rational)
+
+planeAt :: Camera -> Int -> Plane
+planeAt it f = (normal, fromInteger (dot normal (firstOf corners)))
+  where
+    corners = cornersOf (cameraMesh it) (meshWalks (cameraMesh it) V.! f)
+    normal = doubleArea corners
+
+-- | By how much a point is before a plane.
+before :: Plane -> Spot3 -> Rational
+before (V3 a b c, offset) (x, y, z) =
+  fromInteger a * x + fromInteger b * y + fromInteger c * z - offset
+
+-- | Whether the outer side of a face is turned to the eye.
+facing :: Camera -> Int -> Bool
+facing it f = case cameraEye it of
+  Just eye -> before plane eye > 0
+  Nothing -> before (fst plane, 0) (viewTowards (cameraView it)) > 0
+  where
+    plane = planeAt it f
+
+-- | A plane by machine numbers: what is at right angles to it, of length 1, and the product of that
+-- with a point of it, as 'cornerNear' has points.
+type Nearly = ((Double, Double, Double), Double)
+
+nearly :: Camera -> Int -> Plane -> Nearly
+nearly it f (V3 a b c, _) = (normal, inner normal (cornerNear (cornerOf it (x, y, z))))
+  where
+    -- Shortened, for long numbers are beyond what machine numbers hold.
+    most = fromInteger (maximum (map abs [1, a, b, c]))
+    normal = unit (doubles (fromInteger a / most, fromInteger b / most, fromInteger c / most))
+    (x, y, z) = (fromInteger x', fromInteger y', fromInteger z')
+    V3 x' y' z' = firstOf (cornersOf (cameraMesh it) (meshWalks (cameraMesh it) V.! f))
+
+inner :: (Double, Double, Double) -> (Double, Double, Double) -> Double
+inner (a, b, c) (x, y, z) = a * x + b * y + c * z
+
+-- | On which side of a plane a corner is: 'GT' before it.
+sideOf :: (Plane, Nearly) -> Corner -> Ordering
+sideOf (plane, (normal, offset)) corner
+  | about > 1e-9 = GT
+  | about < -1e-9 = LT
+  | otherwise = compare (before plane (cornerAt corner)) 0
+  where
+    about = inner normal (cornerNear corner) - offset
