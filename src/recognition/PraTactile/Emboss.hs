@@ -14,6 +14,7 @@ module PraTactile.Emboss
     volume,
     nearestVolume,
     embossed,
+    embossedPlate,
     usualThickness,
     symbolsOn,
     mostSymbols,
@@ -132,42 +133,68 @@ embossed alphabet array layout subject = do
   laid <- case subject of
     WholeObject _ -> Right [one | one <- laidFaces layout, faceObject (laidFace one) == named]
     PlateOf _ asked _ -> (: []) <$> first NotThere (findFace layout named asked)
-  (scale, symbols') <- symbolsOn alphabet array layout laid
-  let height = scale * symbolThickness
-      taxel = scale * taxelPitch
-      made face (names, points, cut) size =
-        let symbols = concatMap (map snd . symbols') laid
-            taxels = sum (map stampArea symbols)
-            Volume r s = size
-         in Embossed
-              { embossedSubject = subject,
-                embossedFace = face,
-                embossedNames = names,
-                embossedPoints = points,
-                embossedTriangles = V.fromList cut,
-                embossedVolume = Volume (r + fromIntegral taxels * taxel * taxel * height) s,
-                embossedTaxels = taxels,
-                embossedStroke = taxel * fromIntegral (minimum (map stampStroke symbols)),
-                embossedHeight = height
-              }
-  case subject of
-    PlateOf _ _ thick
-      | one : _ <- laid,
-        let face = faceName (laidFace one),
-        Just walk <- walkNamed object face,
-        Just chart <- chartOfLaid taxel one object walk -> do
-        let thickness = fromMaybe (usualThickness * height) thick
-        when (thickness <= height) (Left (TooThin height thickness))
-        pure
-          ( made
-              (Just face)
-              (plate height thickness (symbols' one) object walk chart)
-              (plateVolume thickness object walk)
-          )
-    _ | null laid -> Left (NothingRaised named)
-    _ -> pure (made Nothing (whole taxel height symbols' layout object) (solidVolume object))
+  (scale, symbols) <- symbolsOn alphabet array layout laid
+  case (subject, laid) of
+    (PlateOf _ _ thick, one : _) -> embossedPlate scale thick object one (symbols one)
+    (_, []) -> Left (NothingRaised named)
+    (_, _) ->
+      Right
+        ( made
+            subject
+            Nothing
+            scale
+            (concatMap (map snd . symbols) laid)
+            (whole (scale * taxelPitch) (scale * symbolThickness) symbols layout object)
+            (solidVolume object)
+        )
   where
     named = subjectName subject
+
+-- | A laid face of an object as a plate, given how much larger than the paper's its symbols are,
+-- how thick it is, or else 'usualThickness', and its symbols with their cells. Refuses a plate no
+-- thicker than the symbols are high, and a face that is none of the object's.
+embossedPlate ::
+  Rational ->
+  Maybe Rational ->
+  Solid ->
+  LaidFace ->
+  [(Position, Stamp)] ->
+  Either EmbossError Embossed
+embossedPlate scale thick object laid symbols = do
+  when (thickness <= height) (Left (TooThin height thickness))
+  walk <- maybe (Left (NotThere (UnknownFace (laidFace laid)))) Right (walkNamed object face)
+  chart <- maybe (Left (NothingRaised named)) Right (chartOfLaid taxel laid object walk)
+  pure
+    ( made
+        (PlateOf named face thick)
+        (Just face)
+        scale
+        (map snd symbols)
+        (plate height thickness symbols object walk chart)
+        (plateVolume thickness object walk)
+    )
+  where
+    Face named face = laidFace laid
+    (taxel, height) = (scale * taxelPitch, scale * symbolThickness)
+    thickness = fromMaybe (usualThickness * height) thick
+
+-- | What was made of these symbols, so much larger than the paper's, and of a body so large.
+made :: Subject -> Maybe FaceName -> Rational -> [Stamp] -> Parts -> Volume -> Embossed
+made subject face scale symbols (names, points, cut) (Volume r s) =
+  Embossed
+    { embossedSubject = subject,
+      embossedFace = face,
+      embossedNames = names,
+      embossedPoints = points,
+      embossedTriangles = V.fromList cut,
+      embossedVolume = Volume (r + fromIntegral taxels * taxel * taxel * height) s,
+      embossedTaxels = taxels,
+      embossedStroke = taxel * fromIntegral (minimum (map stampStroke symbols)),
+      embossedHeight = height
+    }
+  where
+    taxels = sum (map stampArea symbols)
+    (taxel, height) = (scale * taxelPitch, scale * symbolThickness)
 
 -- | How much larger than the paper's the symbols are, and which of them lie on each of these faces,
 -- with their cells, by row and column of the face's block.

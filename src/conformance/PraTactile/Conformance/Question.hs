@@ -197,6 +197,15 @@ data Question a where
   -- simple polygon in a plane as @impossible-face@, and fewer than two different points of the face
   -- as @undetermined@
   FacePose :: Felt -> Question Pose
+  -- | in how many ways a solid can be unfolded along its edges, in how many of these faces overlap,
+  -- and how many nets there are. Refuses a polyhedron that is no solid as @impossible-solid@
+  Unfold :: Description -> Question Unfolded
+  -- | a face as a plate with symbols raised on it. Refuses corners that are no simple polygon in a
+  -- plane, and a taxel that is not positive, as @impossible-face@; a plate no thicker than its
+  -- symbols are high, without a symbol, or with one in a cell that does not lie on the face, as
+  -- @impossible-plate@; a shape of which two taxels meet at a corner only as @corner-contact@; and
+  -- more than 16384 symbols as @too-many-symbols@, which no law asks
+  Emboss :: Plate -> Question Plated
   -- | an operation with an input that may be anything; the answer is as it came
   Raw :: Operation -> Value -> Question Value
 
@@ -237,6 +246,8 @@ data Operation
   | OfCells
   | OfWhereabouts
   | OfPose
+  | OfUnfold
+  | OfEmboss
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | The operation's name in the protocol.
@@ -268,6 +279,8 @@ operationName operation = case operation of
   OfCells -> "cells"
   OfWhereabouts -> "whereabouts"
   OfPose -> "pose"
+  OfUnfold -> "unfold"
+  OfEmboss -> "emboss"
 
 -- | The operations of the code.
 codeOperations :: [Operation]
@@ -310,6 +323,8 @@ operationOf question = case question of
   FaceCells _ _ -> OfCells
   Whereabouts {} -> OfWhereabouts
   FacePose _ -> OfPose
+  Unfold _ -> OfUnfold
+  Emboss _ -> OfEmboss
   Raw operation _ -> operation
 
 -- | A question of each operation, to which every profile has an answer or a refusal.
@@ -343,5 +358,7 @@ exampleOf operation = case operation of
     SomeQuestion
       (Whereabouts (Mapped (Shape 1 1) (1, 1) [] []) (Shape 1 1) (Position 0 0))
   OfPose -> SomeQuestion (FacePose (Felt [] [] 1 Nothing))
+  OfUnfold -> SomeQuestion (Unfold (Description (ObjectName "") [] []))
+  OfEmboss -> SomeQuestion (Emboss (Plate [] 1 2 [] []))
   where
     blank = replicate 4 (replicate 4 0)

@@ -199,6 +199,8 @@ roads operation = case operation of
   OfCells -> ("lines that separate sides and cells", "strips between corners")
   OfWhereabouts -> ("runs of cells", "lists of cells")
   OfPose -> ("Gauss and Newton", "the closed form")
+  OfUnfold -> ("paths of glued edges, words of outlines", "every tree, every two faces")
+  OfEmboss -> ("triangles of the surface", "counting boxes")
   _ -> ("the library", "the definition")
 
 -- | All values of an operation that are too many to list, in an order.

@@ -66,6 +66,8 @@ questionInput question = case question of
   FaceCells corners pitch -> faceValue corners pitch
   Whereabouts mapped window at -> windowValue mapped window at
   FacePose felt -> feltValue felt
+  Unfold it -> polyhedronValue it
+  Emboss it -> plateValue it
   Raw _ input -> input
   where
     one a = object ["a" .= naturalValue a]
@@ -115,6 +117,8 @@ someQuestion operation input = case operation of
   OfCells -> SomeQuestion . uncurry FaceCells <$> (readObject input >>= readFace)
   OfWhereabouts -> windowQuestion <$> (readObject input >>= readWindow)
   OfPose -> SomeQuestion . FacePose <$> (readObject input >>= readFelt)
+  OfUnfold -> SomeQuestion . Unfold <$> (readObject input >>= readPolyhedron)
+  OfEmboss -> SomeQuestion . Emboss <$> (readObject input >>= readPlate)
   where
     windowQuestion (mapped, window, place) = SomeQuestion (Whereabouts mapped window place)
     at :: Key -> (Value -> Maybe a) -> Maybe a
@@ -162,6 +166,8 @@ answerValue question answer = case question of
   FaceCells _ _ -> toJSON answer
   Whereabouts {} -> whereaboutsValue answer
   FacePose _ -> poseValue answer
+  Unfold _ -> unfoldedValue answer
+  Emboss _ -> platedValue answer
   Raw _ _ -> answer
   where
     likely (Position r c, chance) = [naturalValue r, naturalValue c, toJSON chance]
@@ -221,6 +227,8 @@ readAnswer question = case question of
   FaceCells _ _ -> readCells
   Whereabouts {} -> readObject >=> readWhereabouts
   FacePose _ -> readPose
+  Unfold _ -> readObject >=> readUnfolded
+  Emboss _ -> readObject >=> readPlated
   Raw _ _ -> Just
 
 -- | By the one key that says which of the three it is.

@@ -163,6 +163,11 @@ questions =
                (Shape 2 3)
                (Position 7 large)
            ),
+         SomeQuestion (Unfold (Description "" [("A", Point (1 / 3) 0 0)] [FaceName ["A"]])),
+         SomeQuestion
+           ( Emboss
+               (Plate [Point 1 2 3] (1 / 3) large'' [replicate 12 "#......#"] [[Just 0, Nothing]])
+           ),
          SomeQuestion (FacePose (Felt [Point 1 2 3] [((1, 2.5), (-3, 4))] 0.25 (Just turned)))
        ]
   where
@@ -201,6 +206,8 @@ keysOf operation = case operation of
   OfCells -> ["corners", "pitch_mm"]
   OfWhereabouts -> ["shape", "pitch_mm", "objects", "layings", "window", "row", "column"]
   OfPose -> ["corners", "seen", "sd_mm", "plane"]
+  OfUnfold -> ["vertices", "faces"]
+  OfEmboss -> ["corners", "taxel_mm", "thickness_mm", "shapes", "symbols"]
 
 -- | Values of all other types: a number that is a text is one, too, but not in words.
 otherTypes :: Value -> [Value]
@@ -266,6 +273,9 @@ answers =
           ["A"]
           (Just (0.5, -2.25))
       ),
+    Answered (Unfold (Description "" [] [])) (Unfolded large (Just (2, large, 4))),
+    Answered (Unfold (Description "" [] [])) (Unfolded large Nothing),
+    Answered (Emboss (Plate [] 1 2 [] [])) (Plated (1 / 3, 2) 16 42 large),
     Answered (FacePose (Felt [] [] 1 Nothing)) (Pose turned (replicate 6 [1, 0, 0.5, 0, 0, -2]))
   ]
   where

@@ -8,8 +8,7 @@
 --
 -- so that X and Y are rational. Along x all is measured in units of 1 / sqrt a, along y of 1 / sqrt
 -- b; a length of l millimetres is l sqrt a there, or l sqrt b. What is compared are thus numbers
--- p + q sqrt a + r sqrt b + s sqrt (a b). Where P and Q, of which P + Q sqrt b is made, have
--- different signs, the sign is that of P^2 - b Q^2 times that of P; and so on for sqrt a.
+-- p + q sqrt a + r sqrt b + s sqrt (a b).
 module PraTactile.Conformance.Definition.Face
   ( Flat,
     flat,
@@ -25,6 +24,7 @@ module PraTactile.Conformance.Definition.Face
 where
 
 import Data.List (sortBy)
+import PraTactile.Conformance.Definition.Roots
 import PraTactile.Conformance.Definition.Solid (cyclicPairs, flatFace)
 import PraTactile.Object.Description (Point (..))
 
@@ -38,46 +38,19 @@ flat corners
   | otherwise = Nothing
   where
     points = [[x, y, z] | Point x y z <- corners]
-    from = map (`minus` head points) points
+    from = map (\p -> zipWith (-) p (head points)) points
     e = last from
     n = foldr (zipWith (+) . uncurry cross) [0, 0, 0] (cyclicPairs from)
     f = cross e n
-    minus = zipWith (-)
     (<.>) u v = sum (zipWith (*) u v)
     cross [x, y, z] [u, v, w] = [y * w - z * v, z * u - x * w, x * v - y * u]
     cross _ _ = []
 
--- | p + q sqrt a + r sqrt b + s sqrt (a b).
-data Number = Number Rational Rational Rational Rational
+rational :: Rational -> Number Rational
+rational p = [p, 0, 0, 0]
 
-plus, minusN :: Number -> Number -> Number
-plus (Number p q r s) (Number p' q' r' s') = Number (p + p') (q + q') (r + r') (s + s')
-minusN a b = a `plus` times (-1) b
-
-times :: Rational -> Number -> Number
-times k (Number p q r s) = Number (k * p) (k * q) (k * r) (k * s)
-
-rational :: Rational -> Number
-rational p = Number p 0 0 0
-
--- | The sign of a number, -1, 0 or 1.
-signOf :: Flat -> Number -> Rational
-signOf (Flat a b _) (Number p q r s) = rooted signA b (p, q) (r, s) square
-  where
-    signA (u, v) = rooted signum a u v (\k x y -> x * x - k * y * y)
-    -- P^2 - b Q^2 of P = p + q sqrt a and Q = r + s sqrt a.
-    square k (u, v) (w, z) =
-      (u * u + a * v * v - k * (w * w + a * z * z), 2 * (u * v - k * w * z))
-
--- | The sign of u + v sqrt k, given the signs of u and v and u^2 - k v^2.
-rooted :: (n -> Rational) -> k -> n -> n -> (k -> n -> n -> n) -> Rational
-rooted sign k u v squares
-  | sign v == 0 || sign u == sign v = sign u
-  | sign u == 0 = sign v
-  | otherwise = sign u * sign (squares k u v)
-
-order :: Flat -> Number -> Number -> Ordering
-order face u v = compare (signOf face (u `minusN` v)) 0
+order :: Flat -> Number Rational -> Number Rational -> Ordering
+order (Flat a b _) u v = compare (sign [b, a] (u `minus` v)) 0
 
 -- | Where a block of cells begins.
 data Anchor
@@ -98,15 +71,15 @@ roomFor (Flat a b corners) (right, down) =
       let long = maximum values - minimum values
        in last (0 : takeWhile (\n -> (fromInteger n * size) ^ (2 :: Int) * k <= long * long) [1 ..])
 
--- | Where the line is, along x, that so many columns are left of, and along y that so many rows are
--- above.
-lineX, lineY :: Flat -> Block -> Rational -> Number
+-- | Where the line is, along x, that so many columns are left of, as p + q sqrt a, and along y that
+-- so many rows are above, as p + q sqrt b.
+lineX, lineY :: Flat -> Block -> Rational -> (Rational, Rational)
 lineX (Flat _ _ corners) (Block anchor (right, _) (_, columns)) n = case anchor of
-  Middle -> Number (middle (map fst corners)) ((n - fromInteger columns / 2) * right) 0 0
-  From (x, _) -> Number 0 (x + n * right) 0 0
+  Middle -> (middle (map fst corners), (n - fromInteger columns / 2) * right)
+  From (x, _) -> (0, x + n * right)
 lineY (Flat _ _ corners) (Block anchor (_, down) (rows, _)) n = case anchor of
-  Middle -> Number (middle (map snd corners)) 0 ((n - fromInteger rows / 2) * down) 0
-  From (_, y) -> Number 0 0 (y + n * down) 0
+  Middle -> (middle (map snd corners), (n - fromInteger rows / 2) * down)
+  From (_, y) -> (0, y + n * down)
 
 middle :: [Rational] -> Rational
 middle values = (minimum values + maximum values) / 2
@@ -117,8 +90,10 @@ middle values = (minimum values + maximum values) / 2
 holds :: Flat -> Block -> (Integer, Integer) -> Bool
 holds face@(Flat _ _ corners) block (r, c) = and (zipWith within marks (drop 1 marks))
   where
-    (west, east) = (lineX face block (fromInteger c), lineX face block (fromInteger c + 1))
-    (north, south) = (lineY face block (fromInteger r), lineY face block (fromInteger r + 1))
+    (west, east) = (column (fromInteger c), column (fromInteger c + 1))
+    (north, south) = (row (fromInteger r), row (fromInteger r + 1))
+    column n = let (p, q) = lineX face block n in [p, q, 0, 0]
+    row n = let (p, q) = lineY face block n in [p, 0, q, 0]
     marks = [west] ++ sortBy by [x | x <- map (rational . fst) corners, between x] ++ [east]
     between x = by x west == GT && by x east == LT
     by = order face
@@ -128,7 +103,7 @@ holds face@(Flat _ _ corners) block (r, c) = and (zipWith within marks (drop 1 m
           | (upper, lower) <- pairs
         ]
       where
-        half = times (1 / 2) (u `plus` w)
+        half = scale (1 / 2) (u `plus` w)
         across = [side | side@((x, _), (x', _)) <- cyclicPairs corners, left x /= left x']
         left x = by (rational x) half == LT
         pairs = paired (sortBy (\s t -> by (at s half) (at t half)) across)
@@ -139,10 +114,10 @@ holds face@(Flat _ _ corners) block (r, c) = and (zipWith within marks (drop 1 m
       _ -> []
     -- The y of a side at an x.
     at ((x, y), (x', y')) along =
-      rational y `plus` times ((y' - y) / (x' - x)) (along `minusN` rational x)
+      rational y `plus` scale ((y' - y) / (x' - x)) (along `minus` rational x)
 
 -- | A spot of the face's plane: along x and along y.
-data Spot = Spot Number Number
+data Spot = Spot (Rational, Rational) (Rational, Rational)
 
 -- | The middle of so many rows and columns of a block from a cell on.
 centreIn :: Flat -> Block -> (Integer, Integer) -> (Integer, Integer) -> Spot
@@ -153,21 +128,21 @@ centreIn face block (r, c) (high, wide) =
 
 -- | Millimetres right of and below the first corner.
 millimetres :: Flat -> Spot -> (Double, Double)
-millimetres (Flat a b _) (Spot (Number p q _ _) (Number p' _ r' _)) =
+millimetres (Flat a b _) (Spot (p, q) (p', r')) =
   (over a p + fromRational q, over b p' + fromRational r')
   where
     over k x = fromRational x / sqrt (fromRational k)
 
 -- | The corners nearest to a spot, by their places in the walk.
 nearest :: Flat -> Spot -> [Int]
-nearest face@(Flat a b corners) (Spot (Number p q _ _) (Number p' _ r' _)) =
+nearest face@(Flat a b corners) (Spot (p, q) (p', r')) =
   [i | (i, far) <- distances, all ((/= GT) . order face far . snd) distances]
   where
     distances = zip [0 ..] (map squared corners)
     -- ((X - p - q sqrt a) / sqrt a)^2 + ((Y - p' - r' sqrt b) / sqrt b)^2
     squared (x, y) =
-      Number
-        ((x - p) ^ (2 :: Int) / a + q * q + (y - p') ^ (2 :: Int) / b + r' * r')
-        (-2 * (x - p) * q / a)
-        (-2 * (y - p') * r' / b)
+      [ (x - p) ^ (2 :: Int) / a + q * q + (y - p') ^ (2 :: Int) / b + r' * r',
+        -2 * (x - p) * q / a,
+        -2 * (y - p') * r' / b,
         0
+      ]

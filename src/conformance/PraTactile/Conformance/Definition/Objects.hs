@@ -12,8 +12,10 @@ import Data.List (genericLength, nub, sort, sortOn)
 import Data.Maybe (isNothing)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Conformance.Definition.Face
+import PraTactile.Conformance.Definition.Plate
 import PraTactile.Conformance.Definition.Pose
 import PraTactile.Conformance.Definition.Solid
+import PraTactile.Conformance.Definition.Unfold
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Wire
 import PraTactile.Format.Object (On (..), WhereaboutsReport (..))
@@ -32,6 +34,8 @@ expectedWithoutProfile question = case question of
   FaceCells corners pitch -> Just (cellsOf corners pitch)
   Whereabouts mapped window at -> Just (whereaboutsOf mapped window at)
   FacePose felt -> Just (poseOf felt)
+  Unfold it -> Just (unfoldedOf (10 ^ (5 :: Int)) it)
+  Emboss it -> Just (platedOf it)
   Raw operation input -> case someQuestion operation input of
     Nothing -> Just (Left (Refusal "invalid"))
     Just (SomeQuestion asked) -> fmap (answerValue asked) <$> expectedWithoutProfile asked
@@ -138,6 +142,8 @@ agreesWithoutProfile question wanted got = case question of
   Whereabouts {} -> sameWhereabouts wanted got
   FacePose _ -> samePose wanted got
   FaceCells _ _ -> wanted == got
+  Unfold _ -> wanted == got
+  Emboss _ -> wanted == got
   _ -> False
 
 near :: Double -> Double -> Bool

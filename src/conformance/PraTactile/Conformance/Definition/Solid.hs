@@ -7,12 +7,22 @@ module PraTactile.Conformance.Definition.Solid
   ( reportOf,
     flatFace,
     cyclicPairs,
+
+    -- * In space
+    P,
+    (.-),
+    (.*),
+    (<.>),
+    normalOf,
+    triangulate,
+    exactRoot,
   )
 where
 
 import Data.List (elemIndex, maximumBy, nub, sort, tails, (\\))
 import Data.Maybe (mapMaybe)
 import Data.Ord (comparing)
+import Data.Ratio (denominator, numerator, (%))
 import PraTactile.Object.Defect (Defect (..), Kind (..), Unexamined (..))
 import PraTactile.Object.Description (Description (..), FaceName (..), Point (..), VertexName (..))
 import PraTactile.Object.Validity (Component (..), Report (..))
@@ -36,6 +46,23 @@ null3 = (== (0, 0, 0))
 -- | Each with the one after it, round a cycle.
 cyclicPairs :: [a] -> [(a, a)]
 cyclicPairs walk = zip walk (drop 1 walk ++ take 1 walk)
+
+-- | As long as twice the area of the polygon with these corners, and at right angles to it.
+normalOf :: [P] -> P
+normalOf corners = foldr ((.+) . uncurry (.*)) (0, 0, 0) (cyclicPairs corners)
+
+-- | The root of a square.
+exactRoot :: Rational -> Maybe Rational
+exactRoot q = (%) <$> whole (numerator q) <*> whole (denominator q)
+  where
+    whole n = let r = search n 0 (n + 1) in if r * r == n then Just r else Nothing
+    -- Between a number whose square is not above n, and one whose square is.
+    search n low high
+      | high - low <= 1 = low
+      | middle * middle <= n = search n middle high
+      | otherwise = search n low middle
+      where
+        middle = (low + high) `div` 2
 
 -- | Whether these corners, in order, are a simple polygon in a plane.
 flatFace :: [Point] -> Bool
@@ -80,13 +107,7 @@ reportOf it =
     sidesOf (FaceName walk) = cyclicPairs walk
     pointsOf (FaceName walk) = map at walk
 
-    area face =
-      foldr
-        ((.+) . uncurry (.*))
-        (0, 0, 0)
-        (zip ps (drop 1 ps ++ take 1 ps))
-      where
-        ps = pointsOf face
+    area face = normalOf (pointsOf face)
     flatness face = [abs (n <.> (p .- m)) | p <- pointsOf face]
       where
         n = area face

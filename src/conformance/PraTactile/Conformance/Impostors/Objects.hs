@@ -1,7 +1,7 @@
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Mistakes in solids, cells of faces, places on them, and poses.
+-- | Mistakes in solids, cells of faces, places on them, poses, nets and plates.
 module PraTactile.Conformance.Impostors.Objects
   ( objectImpostors,
   )
@@ -9,6 +9,7 @@ where
 
 import Control.Monad.Trans.Except (catchE)
 import Data.Aeson (Value (..))
+import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (Shape))
 import PraTactile.Conformance.Impostors.Impostor
 import PraTactile.Conformance.Question
@@ -20,7 +21,16 @@ import PraTactile.Object.Validity (Component (..), Report (..))
 import PraTactile.Pose (Pose (..), RigidMotion (..))
 
 objectImpostors :: [Impostor]
-objectImpostors = numbers : solidImpostors ++ cellImpostors ++ placeImpostors ++ poseImpostors
+objectImpostors =
+  numbers :
+  concat
+    [ solidImpostors,
+      cellImpostors,
+      placeImpostors,
+      poseImpostors,
+      unfoldImpostors,
+      plateImpostors
+    ]
   where
     numbers = readingOtherwise "takes-decimal-fractions" "takes 1.5 for an exact number" fractions
     fractions value = case value of
@@ -198,4 +208,76 @@ poseImpostors =
     felt name mistake change =
       withoutProfileOtherwise name mistake $ \right question -> case question of
         FacePose it -> right (FacePose (change it))
+        _ -> right question
+
+unfoldImpostors :: [Impostor]
+unfoldImpostors =
+  [ told "overlooks-overlaps" "counts what overlaps among the nets" $ \_ (bad, nets, rotated) ->
+      (0, nets + bad, rotated + bad),
+    told "turns-no-net-over" "counts mirror images as two nets" $ \_ (bad, _, rotated) ->
+      (bad, rotated, rotated),
+    told "takes-every-way-for-a-net" "takes no two unfoldings for congruent" $
+      \trees (bad, _, _) -> (bad, trees - bad, trees - bad),
+    withoutProfileOtherwise "gives-up-early" "tells nothing of nets beyond 100 unfoldings" $
+      \right question -> case question of
+        Unfold _ -> do
+          it <- right question
+          pure (if unfoldedTrees it > 100 then it {unfoldedNets = Nothing} else it)
+        _ -> right question,
+    withoutProfileOtherwise "unfolds-anything" "finds no unfolding of what is no solid" $
+      \right question -> case question of
+        Unfold _ -> right question `catchE` const (pure (Unfolded 0 (Just (0, 0, 0))))
+        _ -> right question
+  ]
+  where
+    told ::
+      String ->
+      String ->
+      (Natural -> (Natural, Natural, Natural) -> (Natural, Natural, Natural)) ->
+      Impostor
+    told name mistake change =
+      withoutProfileOtherwise name mistake $ \right question -> case question of
+        Unfold _ -> do
+          Unfolded trees others <- right question
+          pure (Unfolded trees (change trees <$> others))
+        _ -> right question
+
+plateImpostors :: [Impostor]
+plateImpostors =
+  [ asked "fills-holes" "raises all between the first and the last taxel of a row" $ \it ->
+      it {plateShapes = map (map filled) (plateShapes it)},
+    asked "raises-one-symbol" "raises every symbol in the first one's shape" $ \it ->
+      it {plateSymbols = map (map (0 <$)) (plateSymbols it)},
+    made "leaves-out-the-relief" "tells the volume of the plate without its symbols" $ \plate it ->
+      let raised = length (filter (== '#') (concat [s | k <- used plate, s <- shape plate k]))
+          cubes = fromIntegral raised * plateTaxel plate ^ (3 :: Int)
+       in it {platedVolume = let (r, s) = platedVolume it in (r - cubes, s)},
+    made "forgets-the-back" "has no triangles below" $ \plate it ->
+      let corners = fromIntegral (length (plateCorners plate))
+       in it
+            { platedFaces = platedFaces it - (corners - 2),
+              platedEdges = platedEdges it - (corners - 3)
+            },
+    withoutProfileOtherwise "makes-it-thick-enough" "makes a plate that is too thin thicker" $
+      \right question -> case question of
+        Emboss it ->
+          right (Emboss it {plateThickness = max (plateThickness it) (2 * plateTaxel it)})
+        _ -> right question
+  ]
+  where
+    filled line = case (break (== '#') line, break (== '#') (reverse line)) of
+      ((before, _ : _), (after, _)) ->
+        before ++ replicate (length line - length before - length after) '#' ++ after
+      _ -> line
+    used plate = [fromIntegral k | Just k <- concat (plateSymbols plate)]
+    shape plate k = concat (take 1 (drop k (plateShapes plate)))
+    asked :: String -> String -> (Plate -> Plate) -> Impostor
+    asked name mistake change =
+      withoutProfileOtherwise name mistake $ \right question -> case question of
+        Emboss it -> right (Emboss (change it))
+        _ -> right question
+    made :: String -> String -> (Plate -> Plated -> Plated) -> Impostor
+    made name mistake change =
+      withoutProfileOtherwise name mistake $ \right question -> case question of
+        Emboss it -> change it <$> right question
         _ -> right question

@@ -65,6 +65,11 @@ smaller (SomeQuestion question) = case question of
            | less <- smallerList (const []) (feltSeen felt),
              length less > 1
          ]
+  Unfold it -> SomeQuestion . Unfold <$> smallerSolid it
+  Emboss it ->
+    [ SomeQuestion (Emboss it {plateSymbols = less})
+      | less <- smallerPatch (maybe [] (const [Nothing])) (plateSymbols it)
+    ]
   _ -> []
   where
     pairs a b = [(c, b) | c <- smallerNatural a] ++ [(a, d) | d <- smallerNatural b]

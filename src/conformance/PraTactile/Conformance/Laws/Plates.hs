@@ -1,0 +1,192 @@
+{-# LANGUAGE GADTs #-}
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Faces embossed as plates: how large they are, and what their surface has.
+module PraTactile.Conformance.Laws.Plates
+  ( plateLaws,
+    knownPlates,
+  )
+where
+
+import Data.Aeson (Value (..), object, toJSON)
+import PraTactile.Conformance.Ask
+import PraTactile.Conformance.Definition.Face
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Laws.Faces
+import PraTactile.Conformance.Laws.Judge
+import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Question
+import PraTactile.Object.Description
+import Test.QuickCheck
+
+-- | The laws of embossing.
+plateLaws :: [Law ()]
+plateLaws =
+  [ definedWithoutProfile
+      OnObjects
+      "emboss-as-defined"
+      OfEmboss
+      "a plate with symbols is as large as its face times its thickness, and a cube more for each \
+      \raised taxel; its surface of triangles has the corners of both faces, those of the outlines \
+      \below and above, and no others"
+      "Euler's formula; each side of a triangle belongs to two"
+      "boxes are counted, and the corners, sides and squares of their surface"
+      (Some (SomeQuestion . Emboss <$> plates) smaller),
+    law
+      OnObjects
+      "emboss-of-known-measures"
+      [OfEmboss]
+      "plates that were made of a few blocks have the volume and the numbers that those have"
+      "how they were made"
+      $ \() ->
+        Cases questionForm (Every (map (SomeQuestion . Emboss . fst) knownPlates)) measured,
+    definedWithoutProfile
+      OnObjects
+      "emboss-refuses-what-cannot-be-made"
+      OfEmboss
+      "a plate no thicker than its symbols are high, without a symbol, or with one that does not \
+      \lie on the face is refused as impossible-plate, a symbol of which two taxels meet at a \
+      \corner only as corner-contact, what is no face as impossible-face"
+      "the protocol, emboss"
+      "nothing would hold it together, or there is nothing to raise"
+      (Some (SomeQuestion . Emboss <$> (plates >>= unmakeable)) smaller),
+    invalid OnObjects "emboss-refuses-what-is-invalid" OfEmboss . const $
+      malformed plain
+        ++ [ rawWith plain name value
+             | (name, value) <-
+                 [ ("taxel_mm", String "1.5"),
+                   ("thickness_mm", Number 2),
+                   ("symbols", toJSON [[Number 1]]),
+                   ("symbols", toJSON [[Number (-1)]]),
+                   ("symbols", toJSON [[Number 0], []]),
+                   ("symbols", toJSON [Number 0]),
+                   ("shapes", toJSON [replicate 11 ("########" :: String)]),
+                   ("shapes", toJSON [replicate 12 ("#######" :: String)]),
+                   ("shapes", toJSON [replicate 12 ("#######x" :: String)]),
+                   ("shapes", object []),
+                   ("corners", toJSON [[String "0", String "0"]])
+                 ]
+           ]
+  ]
+  where
+    plain = Emboss (plateOn square [["########"]])
+    measured :: SomeQuestion -> Ask Verdict
+    measured (SomeQuestion question) = case question of
+      Emboss it
+        | Just wanted <- lookup it knownPlates ->
+          judge question (Right wanted) (== wanted) "the construction" why <$> ask question
+      _ -> pure Inapplicable
+    why = "the blocks have these volumes and corners" :: String
+
+-- | A square of 32 x 32 mm.
+square :: [Point]
+square = [Point 0 32 0, Point 0 0 0, Point 32 0 0, Point 32 32 0]
+
+-- | A plate of 3 mm with taxels of 1 mm and one symbol, of the shape that begins with these rows.
+plateOn :: [Point] -> [[String]] -> Plate
+plateOn corners shapes =
+  Plate corners 1 3 [take 12 (shape ++ repeat "........") | shape <- shapes] [[Just 0]]
+
+-- | Plates of which everything is known by how they were made.
+knownPlates :: [(Plate, Plated)]
+knownPlates =
+  [ (plateOn square [["##......", "##......"]], Plated (3072 + 4, 0) 16 42 28),
+    (plateOn square [["########", "#......#", "########"]], Plated (3072 + 18, 0) 24 66 44),
+    (plateOn square [["##.##...", "##.##..."]], Plated (3072 + 8, 0) 24 66 44),
+    (plateOn square [["........"]], Plated (3072, 0) 8 18 12),
+    (plateOn triangle [["#......."]], Plated (1, 9 * 3 * 80 ^ (4 :: Int) / 4) 14 36 24),
+    ( (plateOn wide [["##......", "##......"], ["#......."]])
+        { plateSymbols = [[Just 0, Nothing, Just 1]]
+        },
+      Plated (3 * 48 * 20 + 5, 0) 24 66 44
+    )
+  ]
+  where
+    -- With sides that are diagonals of squares of 80 mm.
+    triangle = [Point 80 0 0, Point 0 80 0, Point 0 0 80]
+    wide = [Point 0 20 0, Point 0 0 0, Point 48 0 0, Point 48 20 0]
+
+-- | Plates over faces in any plane, most of which can be made.
+plates :: Gen Plate
+plates = do
+  corners <- faces
+  n <- chooseInteger (1, 4)
+  shapes <- vectorOf 3 genShape
+  thick <- elements [2, 3, 5 / 4]
+  -- As wide as so many symbols, at most.
+  let across part = maximum (map part corners) - minimum (map part corners)
+      widest =
+        maximum (map across [\(Point x _ _) -> x, \(Point _ y _) -> y, \(Point _ _ z) -> z])
+      taxel = widest / fromInteger (16 * n)
+  chosen <- vectorOf 200 (frequency [(5, Just <$> chooseInteger (0, 2)), (1, pure Nothing)])
+  pure
+    Plate
+      { plateCorners = corners,
+        plateTaxel = taxel,
+        plateThickness = thick * taxel,
+        plateShapes = shapes,
+        plateSymbols = case flat corners of
+          Nothing -> []
+          Just face ->
+            let pitch = (16 * taxel, 20 * taxel)
+                (high, wide) = roomFor face pitch
+                onFace = holds face (Block Middle pitch (high, wide))
+             in [ [ if onFace (r, c) then fromInteger <$> one else Nothing
+                    | (c, one) <- zip [0 .. wide - 1] line
+                  ]
+                  | (r, line) <- zip [0 .. high - 1] (inParts 20 chosen)
+                ]
+      }
+  where
+    inParts k list = case splitAt k list of
+      (part, []) -> [part]
+      (part, others) -> part : inParts k others
+
+-- | A shape of blocks and of holes in them, of which no two taxels meet at a corner only.
+genShape :: Gen [String]
+genShape = drawnShape `suchThat` (not . any crossing . neighbours)
+  where
+    crossing four = four `elem` ["#..#", ".##."]
+
+drawnShape :: Gen [String]
+drawnShape = do
+  count <- chooseInt (1, 4)
+  blocks <- vectorOf count ((,) <$> frequency [(3, pure '#'), (1, pure '.')] <*> block)
+  pure [[foldl (put x y) '.' blocks | x <- [0 .. 7]] | y <- [0 .. 11]]
+  where
+    block = do
+      (x, y) <- (,) <$> chooseInt (0, 7) <*> chooseInt (0, 11)
+      (w, h) <- (,) <$> chooseInt (1, 5) <*> chooseInt (1, 6)
+      pure (x, y, x + w, y + h)
+    put x y mark (on, (l, t, r, b)) = if x >= l && x < r && y >= t && y < b then on else mark
+
+-- | Every two by two taxels of a shape, row by row.
+neighbours :: [String] -> [String]
+neighbours shape =
+  [ concat [take 2 (drop x line) | line <- take 2 (drop y shape)]
+    | y <- [0 .. length shape - 2],
+      x <- [0 .. 6]
+  ]
+
+-- | With something that cannot be.
+unmakeable :: Plate -> Gen Plate
+unmakeable it =
+  elements
+    [ it {plateThickness = plateTaxel it},
+      it {plateThickness = -1},
+      it {plateTaxel = 0},
+      it {plateSymbols = map (map (const Nothing)) (plateSymbols it)},
+      it {plateSymbols = []},
+      it {plateSymbols = replicate 9 (replicate 9 (Just 0))},
+      it {plateShapes = map (const touching) (plateShapes it)},
+      it {plateCorners = take 2 (plateCorners it)},
+      it
+        { plateCorners =
+            [Point x y (z + 1 / 7) | Point x y z <- take 1 (plateCorners it)]
+              ++ drop 1 (plateCorners it)
+              ++ [Point 0 0 1]
+        }
+    ]
+  where
+    touching = ["#.......", ".#......"] ++ replicate 10 "........"

@@ -1,0 +1,233 @@
+{-# LANGUAGE GADTs #-}
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Unfolded solids: in how many ways, how many of these overlap, and how many nets there are.
+module PraTactile.Conformance.Laws.Unfolding
+  ( unfoldLaws,
+    knownNets,
+  )
+where
+
+import Data.Aeson (Value (..), object, toJSON, (.=))
+import PraTactile.Conformance.Ask
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Laws.Judge
+import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Laws.Solids
+import PraTactile.Conformance.Question
+import PraTactile.Object.Description
+import PraTactile.Object.Named
+import Test.QuickCheck
+
+-- | The laws of unfolding.
+unfoldLaws :: [Law ()]
+unfoldLaws =
+  [ definedWithoutProfile
+      OnObjects
+      "unfold-as-defined"
+      OfUnfold
+      "a solid can be unfolded along as many sets of edges as join all faces without a cycle; \
+      \those overlap of which two faces have an inner point in common; the others are as many nets \
+      \as no motion takes to each other, where one may be turned over, and where none may"
+      "spanning trees of the graph of faces; Kirchhoff's theorem beyond 10^5 of them"
+      "every set of edges is tried, and every two faces and outlines are compared, exactly"
+      (Some (SomeQuestion . Unfold <$> unfoldable) smaller),
+    law
+      OnObjects
+      "unfold-of-known-numbers"
+      [OfUnfold]
+      "solids whose nets have been counted have that many, however they lie"
+      "the 11 nets of the cube and of the octahedron; Cayley's formula; a convex solid of which \
+      \some unfoldings overlap"
+      $ \() ->
+        Cases questionForm (Every (map (SomeQuestion . Unfold . fst) knownNets)) counted,
+    definedWithoutProfile
+      OnObjects
+      "unfold-refuses-what-is-no-solid"
+      OfUnfold
+      "a polyhedron with a defect is refused as impossible-solid"
+      "the protocol, unfold"
+      "what is no solid has no faces to unfold"
+      (Some (SomeQuestion . Unfold <$> (elements [minBound ..] >>= spoiltOne)) smaller),
+    invalid OnObjects "unfold-refuses-what-is-invalid" OfUnfold . const $
+      malformed plain
+        ++ [rawWith plain "faces" (toJSON [[String "A", name]]) | name <- ["", "a b"]]
+        ++ [ rawWith plain "vertices" (toJSON [object ["name" .= String "A", "at" .= at]])
+             | at <- [map String ["1.5", "0", "0"], map String ["0", "0"], [Number 1]]
+           ]
+  ]
+  where
+    counted :: SomeQuestion -> Ask Verdict
+    counted (SomeQuestion question) = case question of
+      Unfold it
+        | Just wanted <- lookup it knownNets ->
+          judge question (Right wanted) (== wanted) "the literature" why <$> ask question
+      _ -> pure Inapplicable
+    why = "these numbers are known, and a motion changes none of them" :: String
+    spoiltOne kind = elements [Box 3 4 5, Tetrahedron 6] >>= spoilt kind . namedDescription
+    plain = Unfold (Description "" [("A", Point 1 2 (1 / 3))] [FaceName ["A"]])
+
+-- | Solids of which the numbers of nets are known, as they stand, turned, and mirrored.
+knownNets :: [(Description, Unfolded)]
+knownNets =
+  [ (it {describedName = ""}, Unfolded trees others)
+    | (shape, trees, others) <-
+        [ (namedDescription (Tetrahedron 100), 16, Just (0, 2, 3)),
+          (namedDescription (Pyramid 200 200 200), 45, Just (0, 8, 13)),
+          (namedDescription Cube, 384, Just (0, 11, 20)),
+          (namedDescription (Octahedron 80), 384, Just (0, 11, 20)),
+          (namedDescription (Box 2 2 3), 384, Just (0, 29, 52)),
+          (namedDescription Parallelepiped, 384, Just (0, 54, 96)),
+          (overlapping, 16, Just (2, 14, 14)),
+          (namedDescription (Pyritohedron 100), 5184000, Nothing)
+        ],
+      it <- [shape, moved (turnedBy (1 / 2) (2 / 3)) shape, mirrored shape]
+  ]
+  where
+    mirrored = reversed . moved (\(Point x y z) -> Point (negate x) y z)
+
+-- | A convex solid of which 2 of 16 unfoldings overlap.
+overlapping :: Description
+overlapping = fourCorners [(17, 2, 1), (10, 9, 0), (9, 15, 0), (2, 20, 0)]
+
+-- | A tetrahedron with these corners, the outside of its faces outside.
+fourCorners :: [(Rational, Rational, Rational)] -> Description
+fourCorners corners = case corners of
+  [a, b, c, d] ->
+    (if volume a b c d > 0 then id else reversed)
+      Description
+        { describedName = "",
+          describedVertices = [(v, Point x y z) | (v, (x, y, z)) <- zip names corners],
+          describedFaces =
+            map (FaceName . map (names !!)) [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
+        }
+  _ -> Description "" [] []
+  where
+    names = ["A", "B", "C", "D"]
+    volume a b c d = determinant (way a b) (way a c) (way a d)
+    way (x, y, z) (u, v, w) = (u - x, v - y, w - z)
+
+determinant :: Vector3 -> Vector3 -> Vector3 -> Rational
+determinant (a, b, c) (d, e, f) (g, h, i) =
+  a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+
+type Vector3 = (Rational, Rational, Rational)
+
+-- | Turned about the x axis and then about the z axis, given the tangents of half the angles.
+turnedBy :: Rational -> Rational -> Point -> Point
+turnedBy p q (Point x y z) = Point (c * x - s * v) (s * x + c * v) w
+  where
+    (d, t) = angle p
+    (c, s) = angle q
+    (v, w) = (d * y - t * z, t * y + d * z)
+    angle k = ((1 - k * k) / (1 + k * k), 2 * k / (1 + k * k))
+
+-- | Solids with so few unfoldings that all can be compared, or with more than 10^5.
+unfoldable :: Gen Description
+unfoldable = do
+  drawn <-
+    frequency
+      [ (4, rationalTetrahedron),
+        (1, tetrahedron),
+        (1, pure overlapping),
+        (2, namedDescription <$> (Pyramid <$> size <*> size <*> size)),
+        (1, dart),
+        (1, dented),
+        (1, prism),
+        (1, both . labelled "a" <$> rationalTetrahedron <*> (labelled "b" . far <$> tetrahedron)),
+        (1, namedDescription <$> (Prism <$> choose (9, 14) <*> size <*> size)),
+        (1, namedDescription <$> (Frame <$> size <*> size <*> size))
+      ]
+  k <- elements [1, 1 / 3, 127 / 5]
+  turn <- turnedBy <$> tangent <*> tangent
+  it <- shuffledFaces (moved (scaled k . turn) drawn)
+  pure it {describedName = ""}
+  where
+    size = fromInteger <$> chooseInteger (3, 12)
+    tangent = elements [0, 0, 1 / 2, 1, -1 / 3]
+    scaled k (Point x y z) = Point (k * x + 1) (k * y - 7) (k * z + 1 / 2)
+    far = moved (\(Point x y z) -> Point (x + 1000) y z)
+    coordinate = fromInteger <$> chooseInteger (0, 20)
+    tetrahedron =
+      (fourCorners <$> vectorOf 4 ((,,) <$> coordinate <*> coordinate <*> coordinate))
+        `suchThat` thick
+    -- Every three corners span a plane through the origin's side of which the fourth is not.
+    thick it = case [(x, y, z) | (_, Point x y z) <- describedVertices it] of
+      [(a, b, c), (d, e, f), (g, h, i), (j, k, l)] ->
+        determinant (d - a, e - b, f - c) (g - a, h - b, i - c) (j - a, k - b, l - c) /= 0
+      _ -> False
+    -- The normals of all faces have rational lengths, so that an unfolding has rational corners.
+    rationalTetrahedron =
+      (tetrahedronOf <$> vectorOf 4 plane) `suchThat` maybe False thick >>= maybe tetrahedron pure
+    plane = do
+      (a, b, c) <-
+        elements [(1, 2, 2), (2, 3, 6), (1, 4, 8), (4, 4, 7), (2, 6, 9), (0, 3, 4), (0, 0, 1)]
+      order <- shuffle [a, b, c]
+      signs <- vectorOf 3 (elements [1, -1])
+      along <- fromInteger <$> chooseInteger (-20, 20)
+      pure (zipWith (*) order signs, along :: Rational)
+    tetrahedronOf planes =
+      fourCorners
+        <$> traverse common [[q | (j, q) <- zip [0 :: Int ..] planes, j /= i] | i <- [0 .. 3]]
+    -- The point that three planes have in common, by Cramer's rule.
+    common planes = case planes of
+      [([a, b, c], p), ([d, e, f], q), ([g, h, i], r)]
+        | whole /= 0 ->
+          Just
+            ( determinant (p, b, c) (q, e, f) (r, h, i) / whole,
+              determinant (a, p, c) (d, q, f) (g, r, i) / whole,
+              determinant (a, b, p) (d, e, q) (g, h, r) / whole
+            )
+        where
+          whole = determinant (a, b, c) (d, e, f) (g, h, i)
+      _ -> Nothing
+    -- A pyramid over a quadrilateral that is not convex.
+    dart = do
+      (a, b, h) <- (,,) <$> size <*> size <*> size
+      pure $
+        Description
+          ""
+          [ ("A", Point 0 (-2) 0),
+            ("B", Point a (negate (b + 2)) 0),
+            ("C", Point 0 5 0),
+            ("D", Point (negate a) (negate (b + 2)) 0),
+            ("E", Point 0 0 h)
+          ]
+          ( FaceName ["D", "C", "B", "A"] :
+              [FaceName [v, w, "E"] | (v, w) <- cyclicPairs ["A", "B", "C", "D"]]
+          )
+    -- A tetrahedron with a dent of three faces where its base was.
+    dented = do
+      (a, h) <- (,) <$> size <*> size
+      k <- elements [1 / 4, 1 / 2, 3 / 4]
+      let base = ["A", "B", "C"]
+      pure $
+        Description
+          ""
+          [ ("A", Point a 0 0),
+            ("B", Point (negate a) a 0),
+            ("C", Point (negate a) (negate a) 0),
+            ("D", Point 0 0 (k * h)),
+            ("E", Point 0 0 h)
+          ]
+          ( [FaceName [v, w, "E"] | (v, w) <- cyclicPairs base]
+              ++ [FaceName [w, v, "D"] | (v, w) <- cyclicPairs base]
+          )
+    prism = do
+      (a, b, h) <- (,,) <$> size <*> size <*> size
+      slanted <- elements [0, 0, 1, -3]
+      let corners = [(0, 0), (3 * a, 0), (slanted, 4 * b)]
+      pure $
+        Description
+          ""
+          [ (VertexName (level : show i), Point x y z)
+            | (level, z) <- [('a', 0), ('b', h)],
+              (i, (x, y)) <- zip [0 :: Int ..] corners
+          ]
+          ( FaceName ["b0", "b1", "b2"] :
+            FaceName ["a2", "a1", "a0"] :
+              [ FaceName (map VertexName ['a' : show i, 'a' : show j, 'b' : show j, 'b' : show i])
+                | (i, j) <- cyclicPairs [0 .. 2 :: Int]
+              ]
+          )
