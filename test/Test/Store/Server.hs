@@ -66,7 +66,8 @@ withServer action = do
           let server = Server folder where' count
           made <- create (addressIn server "postgres" []) "profile" =<< right canonicalPlacement
           pure $ case made of
-            Left (WithoutServers _) -> Left "it was built without libghc-persistent-postgresql-dev"
+            Left (WithoutServers _) ->
+              Left "this was built without libghc-persistent-postgresql-dev"
             _ -> Right server
         Left _ -> fail "a server of PostgreSQL does not begin"
       pure (outcome, (input, process))
@@ -102,7 +103,7 @@ script :: String
 script =
   unlines
     [ "set -eu",
-      "folder=$(mktemp -d /tmp/pra-tactile.XXXXXX)",
+      "folder=$(mktemp -d -t pra-tactile.XXXXXX)",
       "server=",
       "trap '' INT",
       "trap '[ -z \"$server\" ] || { kill -QUIT \"$server\"; wait \"$server\" || true; };\
