@@ -92,7 +92,7 @@ drawInto whole found folder = do
   unless (null nets) $
     writeFolder
       folder
-      [ (file, Lazy.toStrict (netSvg title (const []) (layOut whole tree)))
+      [ (file, Lazy.toStrict (netSvg title (layOut whole tree)))
         | (number, tree) <- zip [1 ..] nets,
           let (file, title) = named' number
       ]
@@ -102,8 +102,8 @@ drawInto whole found folder = do
     (nets, said) = case (found, pickNet 10000 whole) of
       (Just all', _) ->
         (censusNets all', ["  drawn in " ++ visibleName folder | not (null (censusNets all'))])
-      (Nothing, Picked tree) -> ([tree], ["  one net drawn in " ++ visibleName folder])
-      (Nothing, EveryOneOverlaps) -> ([], ["  none drawn: every unfolding overlaps"])
+      (Nothing, Right tree) -> ([tree], ["  one net drawn in " ++ visibleName folder])
+      (Nothing, Left EveryOneOverlaps) -> ([], ["  none drawn: every unfolding overlaps"])
       (Nothing, _) -> ([], ["  none drawn: no net was found, and there may be one"])
     digits = length (show (length nets))
     named' number = case found of

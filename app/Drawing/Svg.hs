@@ -4,6 +4,7 @@
 module Drawing.Svg
   ( svgFile,
     svgToScale,
+    svgPage,
   )
 where
 
@@ -22,20 +23,33 @@ import PraTactile.Image (Raster, index, rasterHeight, rasterWidth)
 -- | The file of a drawing on white paper, with this much room round it, and a title for those who
 -- do not see it.
 svgFile :: Double -> String -> Drawing -> Lazy.ByteString
-svgFile = svgSized number
+svgFile margin title drawing = svgSized number (marginal margin drawing) title drawing
 
 -- | The same of a drawing that has so many units a millimetre and is to be as large as it says.
 svgToScale :: Double -> Double -> String -> Drawing -> Lazy.ByteString
-svgToScale unit = svgSized (\units -> number (units / unit) <> "mm")
+svgToScale unit margin title drawing =
+  svgSized (inMillimetres unit) (marginal margin drawing) title drawing
 
--- | The same, given how a length of so many units is written for what shows the picture.
-svgSized :: (Double -> Text) -> Double -> String -> Drawing -> Lazy.ByteString
-svgSized sized margin title drawing = renderBS root <> "\n"
+-- | The file of a drawing with so many units a millimetre on a page of this width and height, whose
+-- upper left corner is the origin.
+svgPage :: Double -> (Double, Double) -> String -> Drawing -> Lazy.ByteString
+svgPage unit (wide, high) =
+  svgSized (inMillimetres unit) (Extent 0 0 (unit * wide) (unit * high))
+
+inMillimetres :: Double -> Double -> Text
+inMillimetres unit units = number (units / unit) <> "mm"
+
+-- | What a drawing takes up, and so much round it.
+marginal :: Double -> Drawing -> Extent
+marginal margin drawing = Extent (l - margin) (t - margin) (r + margin) (b + margin)
   where
-    paper =
-      let Extent l t r b =
-            extentOf drawing
-       in Extent (l - margin) (t - margin) (r + margin) (b + margin)
+    Extent l t r b = extentOf drawing
+
+-- | The same on this paper, given how a length of so many units is written for what shows the
+-- picture.
+svgSized :: (Double -> Text) -> Extent -> String -> Drawing -> Lazy.ByteString
+svgSized sized paper title drawing = renderBS root <> "\n"
+  where
     root =
       with
         (svg11_ content)

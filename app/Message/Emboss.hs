@@ -3,14 +3,18 @@ module Message.Emboss
   ( embossMessage,
     misshapenMessage,
     collisionMessage,
+    noNetMessage,
+    pageMessage,
   )
 where
 
 import Counted
+import Drawing (hundredths)
 import Message.Objects
 import PraTactile.Emboss
 import PraTactile.Emboss.Rounding
 import PraTactile.Format.Solid (exactText)
+import PraTactile.Object.Net (NoNet (..))
 import PraTactile.Object.WingedEdge
 import Visible
 
@@ -54,3 +58,23 @@ collisionMessage object =
   "symbols raised on the " ++ visible (objectText object)
     ++ " would run into another of its faces, or into the symbols there; lay other faces, or \
        \smaller symbols"
+
+-- | Why an object is not drawn unfolded.
+noNetMessage :: ObjectName -> NoNet -> String
+noNetMessage object why =
+  "the " ++ visible (objectText object) ++ " is not drawn as a net: " ++ case why of
+    EveryOneOverlaps -> "every unfolding overlaps"
+    NoneFound -> "no net was found, and there may be one"
+    SeveralPieces -> "it is of several pieces, which cannot be unfolded together"
+
+-- | That a face has no room on a page of this size.
+pageMessage :: ObjectName -> (Double, Double) -> FaceName -> String
+pageMessage object (wide, high) face =
+  "the face " ++ visible (faceText face) ++ " of the " ++ visible (objectText object)
+    ++ " has no room on a page of "
+    ++ millimetres wide
+    ++ " x "
+    ++ millimetres high
+    ++ " mm, with its margins, heading and ruler: choose a larger --page"
+  where
+    millimetres = hundredths

@@ -6,8 +6,9 @@ import Codec.Picture
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Char8
 import Data.Foldable (for_)
-import Data.List (isPrefixOf, isSuffixOf, sort, stripPrefix, tails)
+import Data.List (isInfixOf, isPrefixOf, isSuffixOf, sort, stripPrefix, tails)
 import Data.Maybe (mapMaybe)
+import Data.Traversable (for)
 import System.Directory
 import System.Exit (ExitCode (..))
 import System.Process (readProcessWithExitCode)
@@ -100,6 +101,14 @@ spec = do
           "--thickness",
           "pra emboss --format svg --object cube --face 'C1 C2 C3 C4' --thickness 9 --output x"
         ),
+        ( "pages of what is no net",
+          "--net",
+          "pra emboss --object cube --page 210x297 --output x"
+        ),
+        ( "a page too small for a face",
+          "the face C2 C6 C7 C3 of the cube has no room on a page of 120 x 297 mm",
+          "pra emboss --net --page 120x297 --object cube --output x"
+        ),
         ("a face of no object", "--object", "pra emboss --face 'C1 C2 C3 C4' --output x"),
         ("an object that there is not", "ball", "pra emboss --object ball --output x"),
         ( "a face that there is not",
@@ -177,6 +186,33 @@ spec = do
         [[0, 0, wide, high]] ->
           concat symbols `shouldSatisfy` all (\(x, y) -> x > 0 && x < wide && y > 0 && y < high)
         _ -> expectationFailure text
+  it "on pages a net has each face and each edge, at true scale, and none beyond its page" $
+    inFolder $ \folder -> do
+      (status, _, _) <- scripted folder "pra emboss --net --page 210x297 --output pages > log"
+      status `shouldBe` 0
+      pages <- listDirectory (folder ++ "/pages")
+      for_ [("cube", 6, 120, 12), ("parallelepiped", 6, 108, 12)] $
+        \(object', faces', symbols', edges) -> do
+          texts <- for (filter ((object' ++ ".") `isPrefixOf`) pages) $ \page ->
+            readFile (folder ++ "/pages/" ++ page)
+          let marks name = length (concatMap (after ("class=\"" ++ name ++ "\"")) texts)
+              written name =
+                [ takeWhile (/= '<') (drop 1 (dropWhile (/= '>') line))
+                  | line <- concatMap lines texts,
+                    "<text " `isPrefixOf` line,
+                    ("class=\"" ++ name ++ "\"") `isInfixOf` line
+                ]
+              labels = map (takeWhile (/= ' ')) (written "number")
+          (marks "symbol", length (written "face")) `shouldBe` (symbols', faces')
+          -- What is not folded is cut, and has the same number on both faces.
+          let folds = length (concatMap (after "class=\"ridge\"") texts) - legends texts
+          sort labels
+            `shouldBe` sort (concat [[show k, show k] | k <- [1 .. edges - folds]])
+          for_ texts $ \text -> do
+            take 1 (after "width=" text) `shouldSatisfy` all ("\"210mm\"" `isPrefixOf`)
+            take 1 (after "height=" text) `shouldSatisfy` all ("\"297mm\"" `isPrefixOf`)
+            let points = concatMap (inPairs . numbersOf) (after "points=\"" text)
+            points `shouldSatisfy` all (\(x, y) -> x >= 0 && x <= 840 && y >= 0 && y <= 1188)
   it "nothing of a drawing lies beyond its paper" $
     inFolder $ \folder -> do
       _ <- scripted folder "pra emboss --format svg --output drawn > log"
@@ -214,6 +250,9 @@ spec = do
            ]
     -- What follows the mark, each time that it is there.
     after mark = mapMaybe (stripPrefix mark) . tails
+    numbersOf = map read . words . map spaced . takeWhile (/= '"')
+    -- A page that has folds shows one in its legend.
+    legends = length . filter (not . null . after "fold away")
     spaced c = if c `elem` ("MLz," :: String) then ' ' else c
     inPairs given = case given of
       x : y : others -> (x, y) : inPairs others

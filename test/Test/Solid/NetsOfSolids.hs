@@ -9,7 +9,7 @@ import Control.Monad (forM_)
 import qualified Data.ByteString as Bytes
 import Data.List (nub, sort, tails, (\\))
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, mapMaybe)
 import Numeric.Natural (Natural)
 import PraTactile.Conformance.Laws.Solids
 import PraTactile.Format.Solid
@@ -96,17 +96,23 @@ spec = do
   describe "a net" $ do
     few . prop "is found, unless there is none" $
       forAllSolids smaller $ \it_ -> case pickNet 100000 it_ of
-        Picked tree -> meetingIn it_ tree =/= Overlapping
-        EveryOneOverlaps -> length (censusNets (census it_)) === 0
+        Right tree -> meetingIn it_ tree =/= Overlapping
+        Left EveryOneOverlaps -> length (censusNets (census it_)) === 0
         other -> counterexample (show other) False
     it "is found of prisms of 100 sides and of rings" $
-      [ case pickNet 1000 it_ of Picked tree -> meetingIn it_ tree; _ -> Overlapping
+      [ either (const Overlapping) (meetingIn it_) (pickNet 1000 it_)
         | it_ <- map (whole . namedDescription) [Prism 100 60 20, Frame 90 90 30]
       ]
         `shouldBe` [Apart, Apart]
+    few . prop "is cut into parts: each face once, each edge twice or folded, no tab on another" $
+      forAllSolids smaller $ \it_ ->
+        forAll ((,) <$> choose (0.4, 3) <*> choose (0.4, 3)) $ \(a, b) ->
+          let net = either (const Nothing) (Just . layOut it_) (pickNet 100000 it_)
+              largest = maximum (0 : [far | f <- solidFaces it_, far <- distances it_ f])
+           in maybe (property True) (onPages it_ (a * largest, b * largest)) net
     it "is none of several pieces" $
       pickNet 10 (whole (both (labelled "a" far) (labelled "b" (namedDescription Cube))))
-        `shouldBe` SeveralPieces
+        `shouldBe` Left SeveralPieces
   where
     few = modifyMaxSuccess (const 40)
     far = moved (\(Point x y z) -> Point (x + 900) y z) (namedDescription Cube)
@@ -235,6 +241,61 @@ mostCommon it_ tree =
   where
     faces = flatFaces it_ tree
     areaOf corners = common corners corners
+
+-- | All distances between corners of a face.
+distances :: Solid -> FaceName -> [Double]
+distances it_ f =
+  [apart (placeOf it_ v) (placeOf it_ w) | v <- faceVertices f, w <- faceVertices f]
+
+-- | Whether the parts for pages of this size are what they are to be.
+onPages :: Solid -> (Double, Double) -> Net -> Property
+onPages it_ room@(wide, high) net = case partsFor room net of
+  Left face ->
+    label "too small a page" $
+      counterexample (show face) (maximum (distances it_ face) + 8 > min wide high)
+  Right parts ->
+    let rims = concatMap partRims parts
+        folds = concatMap partFolds parts
+        faces = concatMap partFaces parts
+        numbers = nub (map rimNumber rims)
+        tabs = mapMaybe rimTab rims
+        inside (x, y) = x > -1e-6 && x < wide + 1e-6 && y > -1e-6 && y < high + 1e-6
+     in label (if length parts > 1 then "several parts" else "one part") . conjoin $
+          [ sort (map netFaceName faces) === sort (solidFaces it_),
+            length numbers + length folds === length (solidEdges it_),
+            counterexample "beyond the page" . property $
+              all inside (concatMap netCorners faces ++ concat tabs),
+            counterexample "a face of another form" . property $
+              and
+                [ abs (flatApart p q - apart (placeOf it_ v) (placeOf it_ w)) < 1e-6
+                  | face <- faces,
+                    let known' = zip (faceVertices (netFaceName face)) (netCorners face),
+                    (v, p) <- known',
+                    (w, q) <- known'
+                ]
+          ]
+            ++ [ counterexample (show k) $
+                   conjoin
+                     [ map rimEdge [one, other] === replicate 2 (rimEdge one),
+                       counterexample "two tabs" (null (rimTab one) || null (rimTab other)),
+                       counterexample "elsewhere" $
+                         and
+                           [ other' `elem` partRims (parts !! (rimPart one' - 1))
+                             | (one', other') <- [(one, other), (other, one)]
+                           ]
+                     ]
+                 | k <- numbers,
+                   [one, other] <- [[rim | rim <- rims, rimNumber rim == k]]
+               ]
+            ++ [sort (map rimNumber rims) === sort (numbers ++ numbers)]
+            ++ [ counterexample "a tab on what is there" (common tab other < 1e-6 * common tab tab)
+                 | part <- parts,
+                   let own = mapMaybe rimTab (partRims part),
+                   tab : others <- tails own,
+                   other <- others ++ map netCorners (partFaces part)
+               ]
+  where
+    flatApart (x, y) (x', y') = sqrt ((x - x') ^ (2 :: Int) + (y - y') ^ (2 :: Int))
 
 -- | The area that two simple polygons have in common: each is the sum of the triangles from its
 -- first corner, those that are clockwise taken away.

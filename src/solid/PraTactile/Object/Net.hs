@@ -23,7 +23,7 @@ module PraTactile.Object.Net
     congruent,
 
     -- * A net for the hand
-    Picked (..),
+    NoNet (..),
     pickNet,
     Net (..),
     NetFace (..),
@@ -31,12 +31,17 @@ module PraTactile.Object.Net
     Fold (..),
     Bend (..),
     layOut,
+    Part (..),
+    Rim (..),
+    wholePart,
+    partsFor,
   )
 where
 
 import PraTactile.Object.Net.Census
 import PraTactile.Object.Net.Layout
-import PraTactile.Object.Net.Meeting
+import PraTactile.Object.Net.Meeting (Meeting (..))
+import PraTactile.Object.Net.Parts
 import PraTactile.Object.Net.Pick
 import PraTactile.Object.Net.Search
 import PraTactile.Object.Net.Unfolder

@@ -1,6 +1,6 @@
 -- | A net of a solid, for who wants but one.
 module PraTactile.Object.Net.Pick
-  ( Picked (..),
+  ( NoNet (..),
     pickNet,
   )
 where
@@ -19,10 +19,9 @@ import PraTactile.Object.Surface
 import PraTactile.Object.Vector (V3 (..))
 import PraTactile.Object.WingedEdge
 
--- | What came of looking for a net.
-data Picked
-  = Picked Unfolding
-  | -- | every unfolding overlaps
+-- | Why there is no net to be had.
+data NoNet
+  = -- | every unfolding overlaps
     EveryOneOverlaps
   | -- | none was found, and there may be one
     NoneFound
@@ -33,14 +32,14 @@ data Picked
 -- | A net of a solid: the first that does not overlap of the steepest edge unfoldings in a few
 -- directions (W. Schlickenrieder, Nets of Polyhedra, TU Berlin 1997), which nearly every convex
 -- solid has, or else of those that grow from the first face, in so many steps at most.
-pickNet :: Int -> Solid -> Picked
+pickNet :: Int -> Solid -> Either NoNet Unfolding
 pickNet steps whole
-  | spanningTrees whole == 0 = SeveralPieces
+  | spanningTrees whole == 0 = Left SeveralPieces
   | Just tree <- listToMaybe [tree | tree <- steep, worstMeeting it tree /= Overlapping] =
-    Picked tree
-  | (tree, _) : _ <- catMaybes tried = Picked tree
-  | length tried < steps = EveryOneOverlaps
-  | otherwise = NoneFound
+    Right tree
+  | (tree, _) : _ <- catMaybes tried = Right tree
+  | length tried < steps = Left EveryOneOverlaps
+  | otherwise = Left NoneFound
   where
     it = unfolder whole
     tried = take steps (searched it)

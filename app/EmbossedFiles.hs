@@ -1,0 +1,183 @@
+-- | Objects with their symbols raised as files: surfaces, nets, and drawings of faces.
+module EmbossedFiles
+  ( surfaceFile,
+    netFiles,
+    drawnFiles,
+  )
+where
+
+import Control.Monad (when)
+import Data.Bifunctor (first)
+import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Char (isControl, ord)
+import Data.List (intercalate)
+import qualified Data.Vector as V
+import Message
+import Message.Emboss
+import Numeric (showHex)
+import Picture.Net
+import Picture.Template
+import PraTactile.Array (PseudorandomArray)
+import PraTactile.Emboss
+import PraTactile.Emboss.Face (Stamp (..), outlineSpot)
+import PraTactile.Emboss.Rounding
+import PraTactile.Field (KnownField)
+import PraTactile.Format.Emboss
+import PraTactile.Format.Solid (SolidFormat (..), Written (..), writeSolid)
+import PraTactile.Geometry (taxelPitch)
+import PraTactile.Object.Chart (Spot (..))
+import PraTactile.Object.Mesh (meshPoints, meshWalks)
+import PraTactile.Object.Net
+import PraTactile.Object.Placement hiding (Spot (..))
+import PraTactile.Object.WingedEdge
+import PraTactile.Shape (Alphabet)
+import Visible
+
+-- | An object or a plate as a file, which is called after the object.
+surfaceFile ::
+  KnownField k =>
+  SolidFormat ->
+  Alphabet ->
+  PseudorandomArray k ->
+  Placement ->
+  Subject ->
+  Either String (MadeFile, Lazy.ByteString)
+surfaceFile format' alphabet array layout subject = do
+  made <- first embossMessage (embossed alphabet array layout subject)
+  object <- first placementMessage (findObject layout named)
+  maybe (Right ()) (const (Left (collisionMessage named))) (collision object made)
+  Rounded it most <- first misshapenMessage (rounded precision made)
+  Right
+    ( MadeFile
+        { madeFile = fileName (objectText named) ++ "." ++ ending,
+          madeObject = named,
+          madeFace = embossedFace made,
+          madeVertices = Just (V.length (meshPoints it)),
+          madeTriangles = Just (V.length (meshWalks it)),
+          madeVolume = Just (embossedVolume made),
+          madeTaxels = embossedTaxels made,
+          madeStroke = embossedStroke made,
+          madeHeight = Just (embossedHeight made),
+          madeMostRounded = most
+        },
+      Builder.toLazyByteString (writtenBytes (writeSolid format' it))
+    )
+  where
+    named = subjectName subject
+    (precision, ending) = case format' of
+      StlText -> (Binary64, "stl")
+      Json -> (Fractions, "json")
+      _ -> (Binary32, "stl")
+
+-- | An object unfolded, as a drawing, or as one for each page of this size.
+netFiles ::
+  KnownField k =>
+  Maybe (Double, Double) ->
+  Alphabet ->
+  PseudorandomArray k ->
+  Placement ->
+  ObjectName ->
+  Either String [(MadeFile, Lazy.ByteString)]
+netFiles page alphabet array layout named = do
+  object <- first placementMessage (findObject layout named)
+  (scale, symbolsOf') <- first embossMessage (symbolsOn alphabet array layout carrying)
+  tree <- first (noNetMessage named) (pickNet 10000 object)
+  let taxel = fromRational (scale * taxelPitch) :: Double
+      symbols face = [(laid, one) | Just laid <- [laidAs face], one <- symbolsOf' laid]
+      raised face =
+        [ [ onFace face (left + taxel * fromInteger i, top + taxel * fromInteger j)
+            | Lattice i j <- map (outlineSpot cell) loop
+          ]
+          | (laid, (cell, stamp)) <- symbols face,
+            let (left, top) = spotMillimetres (laidMargin laid),
+            loop <- stampOutlines stamp
+        ]
+      stamps = map (snd . snd) . concatMap symbols
+      net = layOut object tree
+      upright = net {netFaces = map begun (netFaces net)}
+      everyFace = netFaces upright
+      told ending faces =
+        (drawing (fileName (objectText named) ++ ending) named Nothing scale (stamps everyFace))
+          { madeTaxels = sum (map stampArea (stamps faces)),
+            madeMostRounded = netRounding
+          }
+  when (null (stamps everyFace)) (Left (embossMessage (NothingRaised named)))
+  case page of
+    Nothing -> Right [(told ".net.svg" everyFace, cutOutSvg title raised upright)]
+    Just size -> do
+      pages <- first (pageMessage named size) (pagesSvg size title raised upright)
+      Right
+        [ (told (".net-" ++ padded (length pages) number ++ ".svg") faces, bytes)
+          | (number, (faces, bytes)) <- zip [1 ..] pages
+        ]
+  where
+    title = "The " ++ visible (objectText named) ++ ", unfolded"
+    carrying = [laid | laid <- laidFaces layout, faceObject (laidFace laid) == named]
+    laidAs face = placementLaid layout (Face named (netFaceName face))
+    padded count number =
+      let digits = show (number :: Int)
+       in replicate (length (show count) - length digits) '0' ++ digits
+    -- A face begun where its laying begins.
+    begun face = case laidAs face of
+      Nothing -> face
+      Just laid ->
+        let FaceName walk = faceName (laidFace laid)
+            corners = zip (faceVertices (netFaceName face)) (netCorners face)
+         in NetFace (FaceName walk) [p | v <- walk, (w, p) <- corners, v == w]
+
+-- | Faces as drawings, each called after its object and its vertices.
+drawnFiles ::
+  KnownField k =>
+  Alphabet ->
+  PseudorandomArray k ->
+  Placement ->
+  Either PlacementError [LaidFace] ->
+  Either String [(MadeFile, Lazy.ByteString)]
+drawnFiles alphabet array layout asked' = do
+  faces <- first placementMessage asked'
+  (scale, symbols) <- first embossMessage (symbolsOn alphabet array layout faces)
+  Right (zipWith (drawn scale symbols) [1 ..] faces)
+  where
+    drawn scale symbols number laid =
+      ( drawing (named (number :: Int) face) object (Just face) scale (map snd (symbols laid)),
+        templateFile (Template laid (scale * taxelPitch) (symbols laid))
+      )
+      where
+        Face object face = laidFace laid
+        named k (FaceName vertices)
+          | length full > 200 = fileName (objectText object) ++ ".face-" ++ show k ++ ".svg"
+          | otherwise = full
+          where
+            full =
+              fileName (objectText object)
+                ++ ('.' : intercalate "-" (map ofVertex vertices))
+                ++ ".svg"
+        ofVertex = concatMap (escapedIn ".-") . fileName . vertexText
+
+-- | What is told of a drawing: its file, the object and perhaps the face, how much larger than the
+-- paper's its symbols are, and the symbols.
+drawing :: FilePath -> ObjectName -> Maybe FaceName -> Rational -> [Stamp] -> MadeFile
+drawing file object face scale stamps =
+  MadeFile
+    { madeFile = file,
+      madeObject = object,
+      madeFace = face,
+      madeVertices = Nothing,
+      madeTriangles = Nothing,
+      madeVolume = Nothing,
+      madeTaxels = sum (map stampArea stamps),
+      madeStroke = scale * taxelPitch * fromIntegral (minimum (map stampStroke stamps)),
+      madeHeight = Nothing,
+      madeMostRounded = templateRounding
+    }
+
+-- | A name as part of a file's, different for different names.
+fileName :: String -> FilePath
+fileName = concatMap (escapedIn "/%")
+
+-- | The character, by its number where it is one of these or no printable one.
+escapedIn :: String -> Char -> String
+escapedIn these c
+  | c `elem` these || isControl c = '%' : showHex (ord c) ";"
+  | otherwise = [c]

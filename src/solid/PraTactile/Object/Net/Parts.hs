@@ -1,0 +1,260 @@
+-- | A net as it is cut out and glued: in one piece, or in parts that each fit on a page, with tabs
+-- along the edges that are glued.
+--
+-- >     ______
+-- >    /  3   \      a tab, which is glued under the face beyond the other edge 3
+-- >   +--------+
+-- >   |        |
+-- >   |        | 5   an edge without a tab: that of the other edge 5 is glued under it
+-- >   +--------+
+module PraTactile.Object.Net.Parts
+  ( Part (..),
+    Rim (..),
+    wholePart,
+    partsFor,
+  )
+where
+
+import qualified Data.IntSet as IntSet
+import Data.List (find)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe, isJust, listToMaybe, mapMaybe)
+import qualified Data.Set as Set
+import PraTactile.Object.Description
+import PraTactile.Object.Net.Layout
+import PraTactile.Object.WingedEdge (EdgeName (..))
+
+-- | Faces that hang together: millimetres, x to the right and y down.
+data Part = Part
+  { partFaces :: [NetFace],
+    partFolds :: [Fold],
+    partRims :: [Rim]
+  }
+  deriving stock (Eq, Show)
+
+-- | A side of a face along which an edge is cut.
+data Rim = Rim
+  { -- | the two sides of an edge have the same number, counted from 1
+    rimNumber :: Int,
+    rimEdge :: EdgeName,
+    -- | from its begin to its end on the walk round its face
+    rimEnds :: ((Double, Double), (Double, Double)),
+    -- | which part has the other side, counted from 1
+    rimPart :: Int,
+    -- | the tab's corners from the begin of the side to its end, where it has one
+    rimTab :: Maybe [(Double, Double)]
+  }
+  deriving stock (Eq, Show)
+
+-- | The net in one piece, its tabs so many millimetres high at most.
+wholePart :: Double -> Net -> Part
+wholePart high net = foldr const (Part [] [] []) (tabbed high net [everyFace])
+  where
+    everyFace = [0 .. length (netFaces net) - 1]
+
+-- | The net in parts, each of faces that hang together and fit with their tabs into this width and
+-- height, with its left and its upper end at 0. Tabs are 8 mm high at most, or 4 where a face has
+-- no room otherwise; refuses a face that has none even so.
+partsFor :: (Double, Double) -> Net -> Either FaceName [Part]
+partsFor room net = case find (null . tooLarge) tabHeights of
+  Just high -> Right (map (upright room high) (tabbed high net (groups (fits high) net)))
+  Nothing -> Left (maybe (FaceName []) netFaceName (listToMaybe (tooLarge least)))
+  where
+    tabHeights = [8, 6, least]
+    least = 4
+    tooLarge high = filter (\face -> not (fits high [face])) (netFaces net)
+    fits high faces = isJust (turnFor room high (map netCorners faces))
+
+-- | By which angle these polygons are turned, so that there is room for them with so much round
+-- them: a side of one of them is level then, or upright.
+turnFor :: (Double, Double) -> Double -> [[(Double, Double)]] -> Maybe Double
+turnFor (wide, high) round' polygons = find fits (concat [[a, a + pi / 2] | a <- 0 : angles])
+  where
+    angles =
+      [ negate (atan2 (y' - y) (x' - x))
+        | polygon <- polygons,
+          ((x, y), (x', y')) <- cyclicPairs polygon
+      ]
+    fits angle =
+      let points = map (turned angle) (concat polygons)
+          needed part = maximum (map part points) - minimum (map part points) + 2 * round'
+       in needed fst <= wide && needed snd <= high
+
+turned :: Double -> (Double, Double) -> (Double, Double)
+turned angle (x, y)
+  | angle == 0 = (x, y)
+  | otherwise = (cos angle * x - sin angle * y, sin angle * x + cos angle * y)
+
+-- | Turned so that it has room, and moved to the origin.
+upright :: (Double, Double) -> Double -> Part -> Part
+upright room high part = moved (\p -> let (x, y) = turn p in (x - left, y - top)) part
+  where
+    turn = turned (fromMaybe 0 (turnFor room high (map netCorners (partFaces part))))
+    points =
+      map turn $
+        concatMap netCorners (partFaces part)
+          ++ concat (mapMaybe rimTab (partRims part))
+    (left, top) = (minimum (map fst points), minimum (map snd points))
+
+moved :: ((Double, Double) -> (Double, Double)) -> Part -> Part
+moved to (Part faces folds rims) =
+  Part
+    [face {netCorners = map to (netCorners face)} | face <- faces]
+    [one {foldEnds = both (foldEnds one)} | one <- folds]
+    [rim {rimEnds = both (rimEnds rim), rimTab = map to <$> rimTab rim} | rim <- rims]
+  where
+    both (p, q) = (to p, to q)
+
+-- | A side of a face: the face by its number, and the side's ends.
+data Side = Side Int ((Double, Double), (Double, Double))
+
+-- | All sides, by the names of their ends.
+sidesOf :: Net -> Map.Map (VertexName, VertexName) Side
+sidesOf net =
+  Map.fromList
+    [ ((v, w), Side f (p, q))
+      | (f, face) <- zip [0 ..] (netFaces net),
+        ((v, p), (w, q)) <- cyclicPairs (zip (faceVertices (netFaceName face)) (netCorners face))
+    ]
+
+-- | The folds, each with the two faces that it joins.
+hinges :: Net -> [((Int, Int), Fold)]
+hinges net =
+  [ ((f, g), one)
+    | one <- netFolds net,
+      let EdgeName v w = foldEdge one,
+      Just (Side f _) <- [Map.lookup (v, w) sides],
+      Just (Side g _) <- [Map.lookup (w, v) sides]
+  ]
+  where
+    sides = sidesOf net
+
+-- | The faces by their numbers, in groups that hang together by folds: from the first face that is
+-- left a group grows as long as it is accepted.
+groups :: ([NetFace] -> Bool) -> Net -> [[Int]]
+groups accepted net = go (IntSet.fromDistinctAscList [0 .. length (netFaces net) - 1])
+  where
+    go left = case IntSet.minView left of
+      Nothing -> []
+      Just (first, others) -> let (group, rest) = grow [first] others in group : go rest
+    grow group left =
+      case [ f
+             | f <- concatMap beside group,
+               f `IntSet.member` left,
+               accepted [face | i <- f : group, Just face <- [Map.lookup i faces]]
+           ] of
+        f : _ -> grow (group ++ [f]) (IntSet.delete f left)
+        [] -> (group, left)
+    faces = Map.fromList (zip [0 ..] (netFaces net))
+    beside f = Map.findWithDefault [] f neighbours
+    neighbours =
+      Map.fromListWith
+        (flip (++))
+        (concat [[(f, [g]), (g, [f])] | ((f, g), _) <- hinges net])
+
+-- | Groups of faces as parts: a fold between two of them is cut.
+tabbed :: Double -> Net -> [[Int]] -> [Part]
+tabbed high net grouped = zipWith part [1 ..] grouped
+  where
+    faces = zip [0 ..] (netFaces net)
+    partOf = Map.fromList [(f, k) | (k, group) <- zip [1 ..] grouped, f <- group]
+    whose f = Map.findWithDefault 0 f partOf :: Int
+    folds = [(whose f, one) | ((f, g), one) <- hinges net, whose f == whose g]
+    folded = Set.fromList (concat [[(v, w), (w, v)] | (_, Fold (EdgeName v w) _ _) <- folds])
+    sides = sidesOf net
+    -- Each edge that is cut, with its two sides.
+    cut =
+      zip
+        [1 ..]
+        [ (EdgeName v w, one, other)
+          | ((v, w), one) <- Map.toAscList sides,
+            v < w,
+            (v, w) `Set.notMember` folded,
+            Just other <- [Map.lookup (w, v) sides]
+        ]
+    tabs =
+      chosenTabs
+        high
+        (Map.fromListWith (++) [(whose f, [netCorners face]) | (f, face) <- faces])
+        [ (number, [(whose f, ends) | Side f ends <- [one, other]])
+          | (number, (_, one, other)) <- cut
+        ]
+    part k group =
+      Part
+        { partFaces = [face | f <- group, (g, face) <- faces, f == g],
+          partFolds = [one | (i, one) <- folds, i == k],
+          partRims =
+            [ Rim number edge ends (whose g) (Map.lookup (number, ends) tabs)
+              | (number, (edge, one, other)) <- cut,
+                (Side f ends, Side g _) <- [(one, other), (other, one)],
+                whose f == k
+            ]
+        }
+
+-- | A tab for each edge, by its number, on the first of its two sides that has room beside the
+-- faces and tabs of its part, as high as there is room for; none where there is none.
+chosenTabs ::
+  Double ->
+  Map.Map Int [[(Double, Double)]] ->
+  [(Int, [(Int, ((Double, Double), (Double, Double)))])] ->
+  Map.Map (Int, ((Double, Double), (Double, Double))) [(Double, Double)]
+chosenTabs high = go
+  where
+    go _ [] = Map.empty
+    go taken ((number, sides) : others) =
+      case [ (k, ends, tab)
+             | steep <- [1, 2, 4],
+               (k, ends) <- sides,
+               let tab = tabOn (high / steep) high ends,
+               not (any (meets (shrunk tab)) (Map.findWithDefault [] k taken))
+           ] of
+        (k, ends, tab) : _ ->
+          Map.insert (number, ends) tab (go (Map.insertWith (++) k [shrunk tab] taken) others)
+        [] -> go taken others
+    -- Away from its edge, which it has in common with its face, and from the ends of that.
+    shrunk tab = [(0.99 * u + 0.01 * mean fst, 0.99 * v + 0.01 * mean snd) | (u, v) <- tab]
+      where
+        mean part = sum (map part tab) / 4
+
+-- | So high, and so much shorter at either end.
+tabOn :: Double -> Double -> ((Double, Double), (Double, Double)) -> [(Double, Double)]
+tabOn high less ends@((x, y), (x', y')) =
+  [(x, y), from (x, y) 1, from (x', y') (-1), (x', y')]
+  where
+    (nx, ny) = outward ends
+    long = sqrt ((x' - x) ^ (2 :: Int) + (y' - y) ^ (2 :: Int))
+    (h, i) = (min high (0.4 * long), min less (0.35 * long))
+    from (u, v) way = (u + h * nx + way * i * ny, v + h * ny - way * i * nx)
+
+-- | A way of one millimetre out of the face that has this side; y goes down.
+outward :: ((Double, Double), (Double, Double)) -> (Double, Double)
+outward ((x, y), (x', y')) = ((y - y') / long, (x' - x) / long)
+  where
+    long = max 1e-300 (sqrt ((x' - x) ^ (2 :: Int) + (y' - y) ^ (2 :: Int)))
+
+-- | Whether two polygons have a point in common.
+meets :: [(Double, Double)] -> [(Double, Double)] -> Bool
+meets a b =
+  boxesMeet && (any (`inside` b) (take 1 a) || any (`inside` a) (take 1 b) || or crossings)
+  where
+    boxesMeet = near fst && near snd
+    near :: ((Double, Double) -> Double) -> Bool
+    near part =
+      minimum (map part a) <= maximum (map part b) && minimum (map part b) <= maximum (map part a)
+    crossings = [crossing s t | s <- cyclicPairs a, t <- cyclicPairs b]
+    crossing (p, q) (r, s) =
+      turn p q r * turn p q s <= 0 && turn r s p * turn r s q <= 0 && alongside (p, q) (r, s)
+    -- What lies on one line meets only where its boxes do.
+    alongside (p, q) (r, s) =
+      and [overlaps (part p) (part q) (part r) (part s) | part <- [fst, snd]]
+    overlaps x x' u u' = min x x' <= max u u' && min u u' <= max x x'
+    turn (x, y) (x', y') (u, v) = (x' - x) * (v - y) - (y' - y) * (u - x)
+
+inside :: (Double, Double) -> [(Double, Double)] -> Bool
+inside (x, y) corners =
+  odd . length $
+    [ ()
+      | ((x1, y1), (x2, y2)) <- cyclicPairs corners,
+        (y1 > y) /= (y2 > y),
+        x < x1 + (y - y1) * (x2 - x1) / (y2 - y1)
+    ]
