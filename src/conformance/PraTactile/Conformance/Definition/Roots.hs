@@ -37,7 +37,8 @@ times :: (Eq n, Num n) => [n] -> Number n -> Number n -> Number n
 times roots a b = case roots of
   [] -> zipWith (*) a b
   n : ns
-    | all (== 0) v && all (== 0) x -> times ns u w ++ v
+    | all (== 0) x -> times ns u w ++ (if all (== 0) v then v else times ns v w)
+    | all (== 0) v -> times ns u w ++ times ns u x
     | otherwise ->
       (times ns u w `plus` scale n (times ns v x)) ++ (times ns u x `plus` times ns v w)
     where

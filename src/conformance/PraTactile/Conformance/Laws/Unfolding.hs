@@ -128,11 +128,11 @@ unfoldable :: Gen Description
 unfoldable = do
   drawn <-
     frequency
-      [ (4, rationalTetrahedron),
+      [ (9, rationalTetrahedron),
         (1, tetrahedron),
-        (1, pure overlapping),
-        (2, namedDescription <$> (Pyramid <$> size <*> size <*> size)),
-        (1, dart),
+        (2, pure overlapping),
+        (4, namedDescription <$> (Pyramid <$> size <*> size <*> size)),
+        (3, dart),
         (1, dented),
         (1, prism),
         (1, both . labelled "a" <$> rationalTetrahedron <*> (labelled "b" . far <$> tetrahedron)),
