@@ -78,6 +78,7 @@ spec = do
           "",
           "not offered: negate; their laws were skipped",
           "1 law skipped: note <&\"",
+          "of most laws a tenth of the cases was tried; the others are once nothing fails in these",
           "offered, but not known here: x y",
           "held, but must fail: field/*",
           "offered, but no law of it held: term",
@@ -201,6 +202,7 @@ whole =
       reportUnknown = ["x", "y"],
       reportSeed = 5,
       reportPartial = False,
+      reportGlance = True,
       reportSeconds = 2.3456,
       reportUnexpected = ["field/*"],
       reportLaws =
@@ -294,6 +296,7 @@ json =
       "errored" .= (five - 3),
       "known_failures" .= (five - 4),
       "cases" .= (five + 14),
+      "at_a_glance" .= True,
       "seconds" .= (2.346 :: Double),
       "offered" .= [text "add", "term"],
       "not_offered" .= [text "negate"],

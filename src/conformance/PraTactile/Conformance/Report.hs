@@ -37,6 +37,8 @@ data Report = Report
     reportSeed :: Int,
     -- | The laws were chosen, so that what they say is not all.
     reportPartial :: Bool,
+    -- | Something failed in a tenth of the cases, so that the others were not tried.
+    reportGlance :: Bool,
     reportSeconds :: Double,
     -- | Patterns of laws that must fail, none of which did.
     reportUnexpected :: [String],

@@ -29,6 +29,11 @@ import PraTactile.Format.Error (FormatError)
 
 -- | Try all laws that were chosen on a subject, of which several may be given that are alike; then
 -- how it is spoken to. The report, and each of its parts as it is made.
+--
+-- Under the first profile all cases are tried at once, and then a glance is taken at everything else,
+-- a tenth of its cases: what only one of the last profiles shows is so told about as soon as what all
+-- of them show. If something fails, that is what there is to mend, and nothing more is tried;
+-- otherwise the other cases are.
 runSuite :: Settings -> Suite about -> (LawReport -> IO ()) -> [Subject] -> IO Report
 runSuite settings suite tell subjects = do
   start <- getMonotonicTime
@@ -40,22 +45,24 @@ runSuite settings suite tell subjects = do
   stopped <- newIORef False
   let judged one = do
         classified <- evaluate (classify settings one)
-        when (settingFailFast settings && lawReportOutcome classified `elem` [Failed, Errored]) $
-          writeIORef stopped True
+        when (settingFailFast settings && contradicts classified) $ writeIORef stopped True
         pure classified
       told one = one <$ tell one
-      tryAll plan ended =
-        inParallel subjects work $ \worker one ->
-          tryWithin budget stopped (tryWork plan suite worker one) one >>= judged >>= ended
+      try' share worker one =
+        tryWithin budget stopped (tryWork (planOf share settings) suite worker one) one >>= judged
+      soon worker one = try' (if wholeSoon suite one then Whole else AtAGlance) worker one
+      atLength worker (one, before)
+        | wholeSoon suite one || lawReportOutcome before == KnownFailure = pure before
+        | otherwise = together before <$> try' TheOthers worker one
   -- How it is spoken to comes first: it is quickly seen, and all else rests on it.
   checked <- for checks $ \check ->
     checkWithin budget stopped check >>= judged >>= told
-  -- Where the first failure ends it, a few cases of everything come first: what only one of the
-  -- last profiles shows is then told as soon as what all of them show.
-  glanced <-
-    if settingFailFast settings then tryAll (glancing . planOf settings) pure else pure []
-  over <- readIORef stopped
-  tried <- if over then traverse told glanced else tryAll (planOf settings) told
+  first <- inParallel subjects work soon
+  let glance = any contradicts (first ++ checked) && not (all (wholeSoon suite) work)
+  tried <-
+    if glance
+      then traverse told first
+      else inParallel subjects (zip work first) (\worker one -> atLength worker one >>= told)
   end <- getMonotonicTime
   pure
     Report
@@ -65,6 +72,7 @@ runSuite settings suite tell subjects = do
         reportUnknown = concatMap subjectUnknown (take 1 subjects),
         reportSeed = settingSeed settings,
         reportPartial = not (choosesAll settings),
+        reportGlance = glance,
         reportSeconds = end - start,
         reportUnexpected = unexpected settings (tried ++ checked),
         reportLaws = tried ++ checked
@@ -85,7 +93,7 @@ replay settings suite token subject = for (workFor suite token) $ \work -> do
     fromMaybe (Right (tooSlow work))
       <$> withinSeconds
         (settingLimit settings)
-        (tryToken (planOf settings) suite worker work (tokenCase token))
+        (tryToken (planOf Whole settings) suite worker work (tokenCase token))
   end <- getMonotonicTime
   let asks = operationsOf [workStage work]
   pure $ case tried of
@@ -99,24 +107,38 @@ replay settings suite token subject = for (workFor suite token) $ \work -> do
             reportUnknown = subjectUnknown subject,
             reportSeed = settingSeed settings,
             reportPartial = True,
+            reportGlance = False,
             reportSeconds = end - start,
             reportUnexpected = [],
             reportLaws = [one]
           }
 
-planOf :: Settings -> Subject -> Plan
-planOf settings subject =
+planOf :: Share -> Settings -> Subject -> Plan
+planOf share settings subject =
   Plan
     { planSeed = settingSeed settings,
       planCases = settingCases settings,
       planWindow = subjectBatch subject,
       planBrief = False,
-      planGlance = False
+      planShare = share
     }
 
--- | A tenth of the cases.
-glancing :: Plan -> Plan
-glancing plan = plan {planCases = max 1 (planCases plan `div` 10), planGlance = True}
+-- | Whether all of it is tried before a glance is taken at the rest: what is of profiles, and what
+-- is under the first one.
+wholeSoon :: Suite about -> Work -> Bool
+wholeSoon suite work = case workProfile work of
+  Just (name, _) -> name `elem` map fst (take 1 (suiteProfiles suite))
+  Nothing -> workStage work == OnProfile
+
+-- | Whether something failed that is not known to.
+contradicts :: LawReport -> Bool
+contradicts one = lawReportOutcome one `elem` [Failed, Errored]
+
+-- | What came of a law at a glance and of its other cases.
+together :: LawReport -> LawReport -> LawReport
+together before after
+  | lawReportOutcome after == Skipped = before {lawReportExhaustive = lawReportExhaustive after}
+  | otherwise = after {lawReportCases = lawReportCases before + lawReportCases after}
 
 -- | When all must be done, and whether the first failure ends it.
 data Budget = Budget Double Bool
@@ -166,7 +188,7 @@ checksChosen settings subject =
 -- | A failure of a law that must fail is a known one.
 classify :: Settings -> LawReport -> LawReport
 classify settings one
-  | lawReportOutcome one `elem` [Failed, Errored],
+  | contradicts one,
     any (`matches` lawReportId one) (mustFail settings) =
     one {lawReportOutcome = KnownFailure}
   | otherwise = one

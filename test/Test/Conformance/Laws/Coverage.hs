@@ -14,6 +14,7 @@ import PraTactile.Conformance
 import PraTactile.Conformance.Definition (expected)
 import PraTactile.Conformance.Law (Cases (..), Domain (..))
 import PraTactile.Format.Json.Codec (writeValue)
+import PraTactile.Format.Profile (profileValue)
 import PraTactile.Profile
 import Test.Conformance.Laws.Trials
 import Test.Hspec
@@ -39,7 +40,10 @@ spec = do
       (name, different cases) `shouldBe` (name, Just size)
   it "of each default profile, that it is opened" $ do
     [cases] <- pure [lawCases law (map snd defaultProfiles) | law <- take 1 openingLaws]
-    different cases `shouldBe` Just (length defaultProfiles)
+    let asked = case cases of
+          Cases form (Every every) _ -> map (writeValue form) every
+          _ -> []
+    filter (`notElem` asked) (map (profileValue . snd) defaultProfiles) `shouldBe` []
   where
     underPaper = do
       Just paper <- pure (lookup "paper" defaultProfiles)

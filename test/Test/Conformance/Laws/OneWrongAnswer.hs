@@ -22,7 +22,7 @@ import PraTactile.Conformance.Definition
 import PraTactile.Conformance.Direct
 import PraTactile.Conformance.Impostors.Score
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Run.Case (Plan (..), trialsOf)
+import PraTactile.Conformance.Run.Case (Plan (..), Share (..), trialsOf)
 import PraTactile.Conformance.Wire (answerValue, questionInput)
 import PraTactile.Format.Json.Codec (listOf, natural, readValue)
 import PraTactile.Profile
@@ -209,7 +209,7 @@ spec = do
 trialsUnder :: Known -> Law Known -> ([Ask Verdict], Int)
 trialsUnder about law = trialsOf plan (lawId law) (lawCases law about)
   where
-    plan = Plan 1 40 1 False False
+    plan = Plan 1 40 1 False Whole
 
 -- | What polynomial was asked about.
 polynomialOf :: Exchange -> Maybe [Natural]

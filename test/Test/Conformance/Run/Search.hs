@@ -172,7 +172,7 @@ tried :: Int -> Cases -> IO Tried
 tried window cases = do
   subject <- inProcess steps
   _ <- subjectProfile subject canonicalProfile
-  tryLaw (Plan 1 50 window False False) subject "some" cases
+  tryLaw (Plan 1 50 window False Whole) subject "some" cases
 
 steps :: Implementation
 steps =

@@ -15,6 +15,7 @@ import GHC.Clock (getMonotonicTime)
 import Numeric.Natural (Natural)
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Process.Reply (runRequest)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Run
@@ -103,21 +104,22 @@ runSpec = do
                 ("segment/none", Held, Nothing),
                 ("protocol/a", Held, Nothing)
               ]
-  it "tells the first failure soon, if it ends there: a few cases of everything come first" $
+  it "takes a glance at everything first: what fails under the last profile alone is soon seen" $
     -- Of a whole domain and of drawn cases; under the last of five profiles alone, at its end.
     forM_ [Every [0 .. 999], Some (fromInteger <$> chooseInteger (0, 999)) (const [])] $
       \domain -> forM_ [False, True] $ \failFast -> do
         asked <- newIORef (0 :: Int)
-        inForce <- newIORef Nothing
+        inForce <- newIORef []
         let subject =
               (answering allZero)
                 { subjectProfile = \p -> do
-                    writeIORef inForce (Just p)
+                    before <- readIORef asked
+                    modifyIORef' inForce ((p, before) :)
                     pure (Right (ResponseResult (Bool True))),
                   subjectAsk = \questions -> do
                     modifyIORef' asked (+ length questions)
-                    p <- readIORef inForce
-                    let wrong q = p == Just lastOne && beyond 850 q
+                    profiles <- map fst <$> readIORef inForce
+                    let wrong q = take 1 profiles == [lastOne] && beyond 850 q
                     pure [result (if wrong q then 1 else 0) | q <- questions]
                 }
         report <-
@@ -127,8 +129,59 @@ runSpec = do
             (const (pure ()))
             [subject]
         map lawReportOutcome (reportLaws report) `shouldBe` replicate 4 Held ++ [Failed]
-        count <- readIORef asked
-        (failFast, count) `shouldSatisfy` \_ -> if failFast then count < 200 else count > 500
+        reportGlance report `shouldBe` True
+        profiles <- readIORef inForce
+        -- All cases under the first profile, ten under three others, two sums each.
+        let all' = case domain of
+              Every every -> length every
+              Some _ _ -> 100
+        [count | (p, count) <- profiles, p == lastOne] `shouldBe` [2 * (all' + 30)]
+        case (domain, mapMaybe lawReportCounterexample (reportLaws report)) of
+          (Every _, [shown]) ->
+            drop 1 (counterRequests shown) `shouldBe` [runRequest 2 (SomeQuestion (Add 1 851))]
+          _ -> pure ()
+  it "tries all cases where the glance shows no failure, each once" $
+    -- Under the first profile at once, under the second those of the glance and the others.
+    forM_ [1, 9, 10, 25, 100, 101] $ \cases ->
+      forM_ [Every [0 .. 36], Every [], Some (sized (pure . fromIntegral)) (const [])] $
+        \domain -> do
+          numbers <- newIORef []
+          let base = answering allZero
+              subject =
+                base
+                  { subjectAsk = \questions -> do
+                      modifyIORef' numbers (mapMaybe termOf questions ++)
+                      subjectAsk base questions
+                  }
+              law = made ("sequence/all", OnSequence, []) (Cases natural domain asksTerm)
+              twice =
+                suite
+                  { suiteProfiles = [("two", two), ("one", one)],
+                    suiteLaws = [law],
+                    suiteOpenings = []
+                  }
+          report <-
+            runSuite
+              everything {settingCases = cases, settingRun = ["sequence/all"]}
+              twice
+              (const (pure ()))
+              [subject]
+          asked <- readIORef numbers
+          let wanted = case domain of
+                Every every -> every
+                Some _ _ -> [fromIntegral (i * 100 `div` cases `mod` 101) | i <- [0 .. cases - 1]]
+          sort asked `shouldBe` sort (wanted ++ wanted)
+          [ (lawReportOutcome law', lawReportCases law', lawReportExhaustive law')
+            | law' <- reportLaws report
+            ]
+            `shouldBe` replicate
+              2
+              ( case domain of
+                  Every [] -> (Skipped, 0, True)
+                  Every every -> (Held, length every, True)
+                  Some _ _ -> (Held, cases, False)
+              )
+          reportGlance report `shouldBe` False
   it "asks one case at first of a law that failed under a profile before" $ do
     asked <- newIORef []
     let base = answering (const (result 9))
@@ -332,6 +385,15 @@ beyond least (SomeQuestion question) = case question of
   Add _ n -> n > least
   _ -> False
 
+-- | The number of a question about a term.
+termOf :: SomeQuestion -> Maybe Natural
+termOf (SomeQuestion question) = case question of
+  Term n -> Just n
+  _ -> Nothing
+
+asksTerm :: Natural -> Ask Verdict
+asksTerm = fmap (const Holds) . ask . Term
+
 caseSpec :: Spec
 caseSpec = do
   it "are made smaller, unless each would take as long again" $
@@ -339,7 +401,7 @@ caseSpec = do
       let numbers = Cases natural (Some (pure 9) (\n -> [n - 1 | n > 0])) (judge' . Term)
           judge' question = Holds <$ ask question
           subject = answering (const (Left (Fault kind "")))
-      came <- tryLaw (Plan 1 3 2 False False) subject "law" numbers
+      came <- tryLaw (Plan 1 3 2 False Whole) subject "law" numbers
       let slow = kind `elem` [TimedOut, HalfLine, EndlessOutput]
       (kind, (\f -> (failureCase f, failureShrinks f)) <$> triedFailure came)
         `shouldBe` (kind, Just (if slow then (toJSON (9 :: Int), 0) else (toJSON (0 :: Int), 9)))
@@ -352,7 +414,7 @@ caseSpec = do
     forM_ [(100, 148), (207, 255), (208, 256), (209, 256), (300, 256)] $ \(count, kept) -> do
       let smaller n = if n > 0 then replicate 20 (n - 1) else []
           twenty = Cases natural (Some (pure 3) smaller) violated
-      came <- tryLaw (Plan 1 count 400 False False) (answering allZero) "law" twenty
+      came <- tryLaw (Plan 1 count 400 False Whole) (answering allZero) "law" twenty
       (count, length . failureWrong <$> triedFailure came) `shouldBe` (count, Just kept)
   it "one at a time is asked to its end and judged before the next, and none after one that fails" $
     forM_ [1, 3, 6] $ \bad -> do
@@ -372,12 +434,12 @@ caseSpec = do
         cases gen = Cases natural (Some gen (const [])) (pure . says)
     later <-
       tryLaw
-        (Plan 1 10 4 False False)
+        (Plan 1 10 4 False Whole)
         (answering allZero)
         "law"
         (cases (sized (pure . fromIntegral)))
     (triedCases later, triedExhaustive later) `shouldBe` (10, False)
-    never <- tryLaw (Plan 1 10 4 False False) (answering allZero) "law" (cases (pure 20))
+    never <- tryLaw (Plan 1 10 4 False Whole) (answering allZero) "law" (cases (pure 20))
     triedCases never `shouldBe` 0
   it "as many are asked at once as a subject takes, and of those that open profiles one" $
     forM_ [(5, [5, 5, 2]), (12, [12]), (64, [12]), (1, replicate 12 1)] $ \(batch, lengths) -> do
@@ -398,11 +460,11 @@ caseSpec = do
       run alone {suiteWithoutProfile = [twelve OnSegment]} `shouldReturn` replicate 12 1
   it "are drawn in sizes that grow to 100, ten times as many as are needed, by seed and name" $ do
     forM_ [1, 2, 7, 100, 101] $ \count ->
-      asksOf (Plan 1 count 1 False False) "law" (sized (pure . fromIntegral))
+      asksOf (Plan 1 count 1 False Whole) "law" (sized (pure . fromIntegral))
         `shouldBe` ( count,
                      [fromIntegral (i * 100 `div` count `mod` 101) | i <- [0 .. 10 * count - 1]]
                    )
-    let draws seed name = snd (asksOf (Plan seed 5 1 False False) name large)
+    let draws seed name = snd (asksOf (Plan seed 5 1 False Whole) name large)
         large = fromInteger <$> chooseInteger (0, 10 ^ (9 :: Int))
         of' = [draws seed name | seed <- [1, 2], name <- ["law", "lay", "other"]]
     length (nub of') `shouldBe` 6
@@ -412,15 +474,14 @@ caseSpec = do
     asksOf plan name gen =
       let (trials, most) =
             trialsOf plan name (Cases natural (Some gen (const [])) asksTerm)
-       in (most, mapMaybe termOf trials)
-    termOf :: Ask Verdict -> Maybe Natural
-    termOf trial = case trial of
-      Asking (Term n) _ -> Just n
+       in (most, mapMaybe termAsked trials)
+    termAsked :: Ask Verdict -> Maybe Natural
+    termAsked trial = case trial of
+      Asking question _ -> termOf (SomeQuestion question)
       _ -> Nothing
     violated n =
       Violated (Violation [Exchange (Just OfTerm) (toJSON n) (Result Null)] (Result Null) "" "")
         <$ ask (Term n)
-    asksTerm = fmap (const Holds) . ask . Term
     alone =
       suite
         { suiteProfiles = [("one", one)],

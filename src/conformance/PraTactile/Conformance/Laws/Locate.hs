@@ -117,6 +117,11 @@ acrossEdges known =
     [ kept (\r c -> r `elem` [0, n1] && c `elem` [0, n2]) shape (Position 0 0)
       | shape <- [Shape (n1 + 1) 1, Shape 1 (n2 + 1)]
     ]
+      -- A window in a corner of very many cells that were not felt.
+      ++ [ [take 190 (line ++ repeat Nothing) | line <- take 190 (window ++ repeat [])]
+           | n1 * n2 <= 100,
+             window <- [kept (\_ _ -> True) (profileWindow p) (Position 0 0)]
+         ]
       ++ [ map (map Just) (seenAt known shape place)
            | shape <- shapes,
              place <- edges shape

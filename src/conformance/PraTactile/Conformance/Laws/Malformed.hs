@@ -17,8 +17,7 @@ import PraTactile.Conformance.Question
 import PraTactile.Conformance.Wire (questionInput)
 
 -- | The inputs that are none, made of this question's. What stands in a place is taken for one of a
--- wrong type if it is no number where a number stands, and so on; null is left out, because some
--- places may hold it.
+-- wrong type if it is no number where a number stands, and so on; and null where none may stand.
 malformed :: Question a -> [SomeQuestion]
 malformed question =
   [ SomeQuestion (Raw (operationOf question) input)
@@ -37,7 +36,7 @@ wrong value = case value of
   Object fields ->
     [ Object (KeyMap.insert name other fields)
       | (name, inner) <- KeyMap.toList fields,
-        other <- instead inner
+        other <- (if name `elem` ["radius", "patch", "plane"] then id else (Null :)) (instead inner)
     ]
   _ -> []
 

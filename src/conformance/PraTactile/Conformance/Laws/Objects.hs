@@ -183,7 +183,12 @@ cellLaws =
     -- Such that there is room for a few cells.
     pitchFor corners = do
       n <- fromInteger <$> chooseInteger (2, 8)
-      (right, down) <- elements [(1, 5 / 4), (1, 1), (7 / 3, 1 / 2)]
+      -- Now and then of many columns or rows.
+      (right, down) <-
+        frequency
+          [ (8, elements [(1, 5 / 4), (1, 1), (7 / 3, 1 / 2)]),
+            (1, elements [(1 / 40, 3), (3, 1 / 80)])
+          ]
       let across part = maximum (map part corners) - minimum (map part corners)
           widest =
             maximum

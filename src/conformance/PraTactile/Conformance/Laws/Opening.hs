@@ -5,6 +5,7 @@ module PraTactile.Conformance.Laws.Opening
 where
 
 import Data.Aeson (Value (Bool))
+import Data.List (nub)
 import PraTactile.Array (Folding (..), Position (..), Shape (..), area)
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Definition (Known, known, knownProfile)
@@ -25,7 +26,12 @@ openingLaws =
       []
       "a profile that names an array is put in force"
       "the protocol: a possible profile is not refused"
-      (\profiles -> Cases profileCodec (Every profiles) (opened True "the profile names an array")),
+      ( \profiles ->
+          Cases
+            profileCodec
+            (Every (profiles ++ concatMap alike profiles ++ atTheLimits (take 1 profiles)))
+            (opened True "the profile names an array")
+      ),
     law
       OnProfile
       "polynomial-may-end-in-zeros"
@@ -48,11 +54,43 @@ openingLaws =
           let small = filter (not . isVast) profiles
            in Cases
                 (listOf profileCodec)
-                (Every [[a, b, a] | (a, b) <- take 6 (zip small (drop 1 small))])
+                ( Every $
+                    [[a, b, a] | (a, b) <- take 6 (zip small (drop 1 small))]
+                      ++ [[p] | a <- small, p <- take 1 (alike a)]
+                      ++ [[ofDegree16]]
+                )
                 (inTurns [])
       )
   ]
     ++ map impossibleLaw impossibles
+
+-- | The same array: a prime field is the integers modulo q whatever polynomial of degree 1 is stated
+-- as its modulus.
+alike :: Profile -> [Profile]
+alike p =
+  [ p {profileModulus = [c, 1]}
+    | length (profileModulus p) == 2,
+      c <- nub [0, 1, profileOrder p - 1],
+      [c, 1] /= profileModulus p
+  ]
+
+-- | With the largest windows that there are, and a polynomial of a high degree.
+atTheLimits :: [Profile] -> [Profile]
+atTheLimits profiles =
+  ofDegree16 :
+    [p {profileWindow = w} | p <- profiles, w <- [Shape 1 4096, Shape 4096 1, Shape 64 64]]
+
+-- | 65 535 cells; x^16 + x^12 + x^3 + x + 1 is primitive.
+ofDegree16 :: Profile
+ofDegree16 =
+  canonicalProfile
+    { profileOrder = 2,
+      profileModulus = [1, 1],
+      profilePolynomial = [if i `elem` [0, 1, 3, 12, 16 :: Int] then 1 else 0 | i <- [0 .. 16]],
+      profileState = replicate 15 0 ++ [1],
+      profileShape = Shape 255 257,
+      profileWindow = Shape 4 4
+    }
 
 -- | Put these in force one after the other, and ask a few questions under each; what was put in
 -- force before is told with what is wrong.
@@ -185,7 +223,10 @@ ofTheArray =
   [ Impossible "cells-are-a-period" "an array has as many cells as the sequence has terms" $ \p ->
       let Shape n1 n2 = profileShape p
        in [ p {profileShape = shape}
-            | shape <- [Shape (n1 + 1) n2, Shape n1 (n2 + 1), Shape n2 (n1 + n2), Shape 0 n2],
+            | shape <-
+                [Shape (n1 + 1) n2, Shape n1 (n2 + 1), Shape n2 (n1 + n2), Shape 0 n2, Shape 1 1]
+                  ++ [Shape (n1 - 1) n2 | n1 > 1]
+                  ++ [Shape n1 (n2 - 1) | n2 > 1],
               area shape /= area (profileShape p)
           ],
     Impossible "sides-are-coprime" "the sides of a diagonal fold are coprime" $ \p ->
@@ -197,8 +238,8 @@ ofTheArray =
                let b = area (profileShape p) `div` a,
                gcd a b > 1
            ],
-    Impossible "window-has-cells" "a window has cells" $ \p ->
-      [p {profileWindow = Shape 0 2}, p {profileWindow = Shape 2 0}]
+    Impossible "window-has-cells" "a window has from 1 to 4096 cells" $ \p ->
+      [p {profileWindow = w} | w <- [Shape 0 2, Shape 2 0, Shape 1 4097, Shape 65 64]]
   ]
 
 -- | The larger example of Petriu and others (2004): the sides are both divisible by 3.

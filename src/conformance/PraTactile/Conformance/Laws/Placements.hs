@@ -11,6 +11,7 @@ where
 import Data.List (inits, nub, tails)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Conformance.Definition.Face
+import PraTactile.Conformance.Laws.Draw (anyNatural)
 import PraTactile.Conformance.Laws.Solids
 import PraTactile.Conformance.Question
 import PraTactile.Format.Object (WhereaboutsReport)
@@ -30,7 +31,8 @@ windowOn mapped = do
     Shape high wide = mappedShape mapped
     side = fromInteger <$> frequency [(3, chooseInteger (1, 2)), (1, chooseInteger (1, 4))]
     taken = concatMap cellsTaken (mappedLayings mapped)
-    anywhere = Position <$> upTo (3 * high) <*> upTo (3 * wide)
+    anywhere =
+      oneof [Position <$> upTo (3 * high) <*> upTo (3 * wide), Position <$> anyNatural <*> anyNatural]
     upTo n = fromInteger <$> chooseInteger (0, toInteger n)
     near' cells = do
       (r, c) <- elements cells

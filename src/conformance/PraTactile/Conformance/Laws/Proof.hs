@@ -7,7 +7,8 @@ module PraTactile.Conformance.Laws.Proof
   )
 where
 
-import Data.Aeson (Value (..))
+import Data.Aeson (toJSON)
+import Data.List (intercalate)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (..), area, naturalSurface)
 import PraTactile.Conformance.Definition (Known, knownProfile)
@@ -81,6 +82,8 @@ specialMasks p =
     ++ [far 11 8 | n1 > 11 && n2 > 9]
     ++ [one 0 (n2 - 1), one (n1 - 1) 0, one (n1 - 1) (n2 - 1), one 0 n2, one n1 0, one n1 n2]
     ++ [one 0 (n2 + 1), one (n1 + 1) 0]
+    -- As many cells as a mask may have.
+    ++ [full (Shape 64 64) | n1 * n2 <= 32]
   where
     Shape n1 n2 = profileShape p
     full (Shape h w) = replicate (fromIntegral h) (replicate (fromIntegral w) '#')
@@ -182,9 +185,9 @@ invalidLaws =
 
 illFormed :: Question a -> [SomeQuestion]
 illFormed question =
-  [ rawWith question "mask" (String drawing)
+  [ rawWith question "mask" (toJSON drawing)
     | drawing <-
-        [ "",
+        [ "" :: String,
           "/",
           "#/",
           "/#",
@@ -196,7 +199,10 @@ illFormed question =
           "#\n#",
           "##//##",
           ".",
-          "../.."
+          "../..",
+          -- More than 4096 cells.
+          replicate 4097 '#',
+          intercalate "/" (replicate 65 (replicate 64 '#'))
         ]
   ]
     ++ malformed question

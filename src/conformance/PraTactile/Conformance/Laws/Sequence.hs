@@ -24,7 +24,7 @@ import PraTactile.Conformance.Laws.Order
 import PraTactile.Conformance.Laws.Smaller
 import PraTactile.Conformance.Question
 import PraTactile.Format.Json.Codec (Codec, natural)
-import PraTactile.Profile (Profile (..), Reading (..))
+import PraTactile.Profile (Profile (..), Reading (..), canonicalProfile)
 import Test.QuickCheck hiding (listOf)
 
 -- | The laws of the sequence.
@@ -54,11 +54,13 @@ definitionLaws =
       "terms-as-defined"
       OfTerms
       "s(i), ..., s(i + length - 1), of lengths and from indices up to two more than the degree; \
-      \none for the length 0"
+      \none for the length 0; and of short sequences many periods"
       recurrence
       ( \known ->
           let n = degreeOf (knownProfile known) + 2
-           in Every [SomeQuestion (Terms i count) | count <- [0 .. n], i <- [0 .. n]]
+           in Every $
+                [SomeQuestion (Terms i count) | count <- [0 .. n], i <- [0 .. n]]
+                  ++ [SomeQuestion (Terms n 65537) | p <- [knownProfile known], isPaper p || periodOf p < 25]
       ),
     defined
       OnSequence
@@ -72,6 +74,9 @@ definitionLaws =
             smaller
       )
   ]
+
+  where
+    isPaper = (== canonicalProfile)
 
 recurrence :: String
 recurrence =

@@ -9,7 +9,7 @@ module PraTactile.Conformance.Process.Checks
   )
 where
 
-import Data.Aeson (Value (..), object, (.=))
+import Data.Aeson (Value (..), object, toJSON, (.=))
 import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString as Bytes
 import Data.Foldable (traverse_)
@@ -32,7 +32,7 @@ import System.Exit (ExitCode (..))
 checkTexts :: [(String, String)]
 checkTexts =
   [ (noProfileId, "what is no profile is refused: invalid"),
-    (formsId, "the integers of a profile are JSON numbers or decimal strings"),
+    (formsId, "the integers of a profile are JSON numbers or decimal strings; other keys are ignored"),
     (answersFirstId, "what was asked before stop, in one write with it, is answered"),
     (noneInForceId, "after a refused profile none is in force, and a run is errored"),
     (inputEndsId, "at the end of its input it ends within 5 seconds and writes nothing more"),
@@ -56,13 +56,17 @@ check name = Check name (concat (lookup name checkTexts))
 sessionChecks :: Limits -> Session -> [Check]
 sessionChecks limits session =
   [ check noProfileId (profilesOf limits session "invalid" noProfiles),
-    check formsId (profilesOf limits session "" (otherForms (profileValue canonicalProfile))),
+    check formsId . profilesOf limits session "" $
+      map with (otherForms (profileValue canonicalProfile)),
     check answersFirstId (answersFirst limits session),
     check noneInForceId (noneInForce limits session),
     check inputEndsId (judged [startRequest] <$> withStarted session (endsBy closeInput)),
     check stoppedId (judged [stopRequest] <$> withStarted session (endsBy stop))
   ]
   where
+    with profile = case profile of
+      Object fields -> Object (KeyMap.insert "another" (toJSON [Null]) fields)
+      _ -> profile
     stop child = send child (requestLine stopRequest)
     judged requests = either (CheckErred requests) (const CheckHeld)
 

@@ -29,6 +29,7 @@ encodeReport report =
       <> "errored" .= countOf Errored report
       <> "known_failures" .= countOf KnownFailure report
       <> "cases" .= casesOf report
+      <> "at_a_glance" .= reportGlance report
       <> "seconds" .= rounded (reportSeconds report)
       <> "offered" .= map operationName (reportOffers report)
       <> "not_offered"

@@ -2,6 +2,7 @@
 -- one in trouble is made as small as it becomes.
 module PraTactile.Conformance.Run.Case
   ( Plan (..),
+    Share (..),
     Tried (..),
     Failure (..),
     tryLaw,
@@ -12,6 +13,7 @@ module PraTactile.Conformance.Run.Case
 where
 
 import Data.Aeson (Value)
+import Data.Bifunctor (first)
 import Data.Bits (xor)
 import Data.Char (ord)
 import Data.List (foldl', nub, (\\))
@@ -34,9 +36,20 @@ data Plan = Plan
     planWindow :: Int,
     -- | Whether a failing case is left as it is, and no others like it are looked for.
     planBrief :: Bool,
-    -- | Whether of a whole domain no more than that many cases are tried either, from all over it.
-    planGlance :: Bool
+    -- | Which of the cases.
+    planShare :: Share
   }
+
+-- | Which of a law's cases are tried. A law at which a glance was taken is tried whole by trying the
+-- others, so that a glance costs nothing.
+data Share
+  = -- | About a tenth of them, from all over the domain, or of all sizes: at least one, and no more
+    -- of a whole domain than of one from which cases are drawn.
+    AtAGlance
+  | -- | All but these.
+    TheOthers
+  | Whole
+  deriving stock (Eq)
 
 -- | What came of a law.
 data Tried = Tried
@@ -65,13 +78,22 @@ fewestAlike = 3
 tryLaw :: Plan -> Subject -> String -> Cases -> IO Tried
 tryLaw plan subject name (Cases form domain trial) = case domain of
   Every whole -> do
-    let every = if planGlance plan then spread (planCases plan) whole else whole
-    searched <- search' (map trial every)
-    let failure (i, why) =
-          Failure why (writeValue form (every !! i)) 0
-            <$> further why (searchWrong searched) (drop (i + 1) every)
-    Tried (searchCases searched) (not (planGlance plan))
-      <$> traverse failure (searchTrouble searched)
+    let indices = indicesOf plan whole
+    searched <- search' (map trial (chosen indices whole))
+    let seen = first (indices !!) <$> searchTrouble searched
+    -- The first failing case in order is told, and not the first that was seen.
+    earlier <- case seen of
+      Just (i, why)
+        | planShare plan /= Whole,
+          not (planBrief plan || timedOut why) ->
+          Just <$> search' (map trial (take i whole))
+      _ -> pure Nothing
+    let (trouble, wrong) = case earlier of
+          Just again | Just found <- searchTrouble again -> (Just found, searchWrong again)
+          _ -> (seen, searchWrong searched)
+        failure (i, why) =
+          Failure why (writeValue form (whole !! i)) 0 <$> further why wrong (drop (i + 1) whole)
+    Tried (searchCases searched) (planShare plan /= AtAGlance) <$> traverse failure trouble
   Some gen smaller -> do
     let draws = drawn plan name gen
     (cases, searched) <- drawing 0 draws
@@ -114,7 +136,7 @@ tryLaw plan subject name (Cases form domain trial) = case domain of
             | searchCases searched == 0 && null later -> pure (count', Nothing)
             | otherwise -> drawing count' later
       where
-        (now, later) = splitAt (planCases plan - count) draws
+        (now, later) = splitAt (planned plan - count) draws
     shrunk smaller steps a (why, wrong)
       | planBrief plan || timedOut why = pure (failed a)
       | otherwise = do
@@ -134,7 +156,7 @@ tryLaw plan subject name (Cases form domain trial) = case domain of
 trialsOf :: Plan -> String -> Cases -> ([Ask Verdict], Int)
 trialsOf plan name (Cases _ domain trial) = case domain of
   Every every -> (map trial every, maxBound)
-  Some gen _ -> (map trial (drawn plan name gen), planCases plan)
+  Some gen _ -> (map trial (drawn plan name gen), planned plan)
 
 -- | Whether each smaller case would cost as long again as this one.
 timedOut :: Trouble -> Bool
@@ -146,23 +168,49 @@ timedOut trouble = case trouble of
 atOnce :: Int -> Window
 atOnce window = Window window window
 
--- | So many of them at most, evenly from the first to the last.
-spread :: Int -> [a] -> [a]
-spread most every
-  | count <= most = every
-  | otherwise = go 0 every
-  where
-    count = length every
-    go _ [] = []
-    go i (one : others)
-      | i * most `mod` count < most = one : go (i + 1) others
-      | otherwise = go (i + 1) others
+-- | How many cases of a law are drawn that are judged.
+planned :: Plan -> Int
+planned plan = case planShare plan of
+  AtAGlance -> glances plan
+  TheOthers -> planCases plan - glances plan
+  Whole -> planCases plan
 
--- | Ten times as many as are needed, growing.
-drawn :: Plan -> String -> Gen a -> [a]
-drawn plan name gen = unGen (traverse sized [0 .. 10 * planCases plan - 1]) source 0
+-- | A tenth of the cases, one at least.
+glances :: Plan -> Int
+glances plan = max 1 (planCases plan `div` 10)
+
+-- | Those with these indices, which ascend.
+chosen :: [Int] -> [a] -> [a]
+chosen = go 0
   where
-    sized i = resize (i * 100 `div` max 1 (planCases plan) `mod` 101) gen
+    go i (next : others) some
+      | one : rest <- drop (next - i) some = one : go (next + 1) others rest
+    go _ _ _ = []
+
+-- | Whether a case, of so many by its index, is of the plan's share: at a glance about as far apart
+-- as they can be.
+isShared :: Plan -> Int -> Int -> Bool
+isShared plan count i = case planShare plan of
+  Whole -> True
+  AtAGlance -> seen
+  TheOthers -> not seen
+  where
+    seen = i * glances plan `mod` max 1 count < glances plan
+
+-- | Where in a domain, in order, the cases of the plan's share are.
+indicesOf :: Plan -> [a] -> [Int]
+indicesOf plan whole = filter (isShared plan count) [0 .. count - 1]
+  where
+    count = length whole
+
+-- | Ten times as many as are needed, growing, of the plan's share.
+drawn :: Plan -> String -> Gen a -> [a]
+drawn plan name gen =
+  [a | (i, a) <- zip [0 ..] draws, isShared plan most (i `mod` max 1 most)]
+  where
+    most = planCases plan
+    draws = unGen (traverse sized [0 .. 10 * most - 1]) source 0
+    sized i = resize (i * 100 `div` max 1 most `mod` 101) gen
     source = mkQCGen (foldl' mixed (planSeed plan) name)
     mixed h c = (h `xor` ord c) * 16777619
 
