@@ -71,7 +71,6 @@ import qualified Test.Common.SymmetryGroup
 import qualified Test.Conformance.Definition
 import qualified Test.Conformance.InProcess
 import qualified Test.Conformance.Laws
-import qualified Test.Conformance.Laws.Coverage
 import qualified Test.Conformance.Laws.OneWrongAnswer
 import qualified Test.Conformance.Laws.Shrinking
 import qualified Test.Conformance.Laws.Tolerances
@@ -355,7 +354,6 @@ specs = do
   describe "Limits" Test.Limits.spec
   describe "README" Test.Readme.spec
   describe "Conformance laws on this library" Test.Conformance.Laws.spec
-  describe "Conformance: what laws draw" Test.Conformance.Laws.Coverage.spec
   describe "Conformance: tolerances" Test.Conformance.Laws.Tolerances.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec
   describe "Conformance: smaller cases" Test.Conformance.Laws.Shrinking.spec

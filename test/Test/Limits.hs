@@ -2,6 +2,7 @@
 -- for what was accepted once must be accepted later.
 module Test.Limits (spec) where
 
+import Data.Maybe (isJust)
 import qualified PraTactile.Census as Census
 import qualified PraTactile.Classification.Estimate as Estimate
 import qualified PraTactile.Classification.Regimen as Regimen
@@ -55,6 +56,8 @@ spec = do
   it "of rates" $ do
     Punctured.mostErasedCells `shouldBe` 25
     Punctured.mostErasedWork `shouldBe` 8589934592
+    map (isJust . uncurry Punctured.punctured) [(25, ones 256), (25, ones 257), (26, ones 1)]
+      `shouldBe` [True, False, False]
     Formulas.mostCells `shouldBe` 1000
     Setup.largestSetup `shouldBe` 33554432
   it "of images, composites and files" $ do
@@ -68,6 +71,8 @@ spec = do
     Segment.leastSeen `shouldBe` 6
     Estimate.leastDoubt `shouldBe` 1e-7
   where
+    -- Words of which one cell is not 0.
+    ones count = replicate count 1
     -- Displacements of that standard deviation, in taxels, and a search of so many of them.
     searching sigma reach =
       Search.standardRegistration

@@ -1,6 +1,6 @@
 -- | The conformance laws: they hold of the library, and of the definition; they find every
 -- impostor, and each of them finds one.
-module Test.Conformance.Laws (spec) where
+module Test.Conformance.Laws (spec, lawsFailing) where
 
 import Data.Aeson (encode, toJSON)
 import Data.Foldable (for_)
@@ -36,9 +36,9 @@ spec = do
     for_ defaultProfiles $ \under -> it ("of this library: " ++ fst under) (failing [under] library)
     for_ small $ \under -> it ("of the definition: " ++ fst under) (failing [under] definition)
     it "of this library's stages of touch" $
-      failingWith standardSettings {settingStages = touchStages, settingCases = 25} [] library
+      failingWith standardSettings {settingStages = touchStages, settingCases = 25} library
     it "of this library's objects" $
-      failingWith standardSettings {settingStages = objectStages} [] library
+      failingWith standardSettings {settingStages = objectStages} library
   it "laws have ids of their own" $ do
     let ids = map lawId openingLaws ++ map lawId laws ++ map lawId lawsWithoutProfile
     ids \\ nub ids `shouldBe` []
@@ -87,15 +87,21 @@ spec = do
 
 -- | The laws that do not hold, which must be none.
 failing :: [(String, Profile)] -> Implementation -> Expectation
-failing = failingWith standardSettings
+failing profiles implementation = lawsFailing profiles implementation `shouldReturn` []
 
-failingWith :: Settings -> [(String, Profile)] -> Implementation -> Expectation
-failingWith settings profiles implementation = do
+failingWith :: Settings -> Implementation -> Expectation
+failingWith settings implementation = lawsFailingWith settings [] implementation `shouldReturn` []
+
+-- | The laws of the code that do not hold of an implementation under these profiles.
+lawsFailing :: [(String, Profile)] -> Implementation -> IO [String]
+lawsFailing = lawsFailingWith standardSettings
+
+lawsFailingWith :: Settings -> [(String, Profile)] -> Implementation -> IO [String]
+lawsFailingWith settings profiles implementation = do
   suite <- either (fail . noSuiteText) pure (standardSuite profiles)
   subject <- inProcess implementation
   report <- runSuite settings suite (const (pure ())) [subject]
-  [lawReportId one | one <- reportLaws report, lawReportOutcome one `notElem` [Held, Skipped]]
-    `shouldBe` []
+  pure [lawReportId one | one <- reportLaws report, lawReportOutcome one `notElem` [Held, Skipped]]
 
 -- | Each impostor is wrong in its own way: the laws that are listed for it find it, and no others
 -- do. All laws are tried under the smallest profile; those listed that find nothing there, under

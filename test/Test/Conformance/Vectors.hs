@@ -29,7 +29,6 @@ import PraTactile.Format.Profile (encodeProfile)
 import PraTactile.Profile
 import System.Directory (createDirectory, listDirectory, renameDirectory)
 import System.FilePath ((<.>), (</>))
-import System.Random (genWord64, mkStdGen)
 import Test.CommandLine.Run
 import Test.Hspec
 import Test.Schemas (spoilt, validated)
@@ -46,15 +45,6 @@ spec = do
           often = [length (filter (`testBit` i) found) | i <- [0 .. bits - 1]]
       (bits, maximum found < 2 ^ bits, [i | (i, n) <- zip [0 :: Int ..] often, n < 57 || n > 143])
         `shouldBe` (bits, True, [])
-
-  it "a number is the remainder of as many words as make it fair to 2^-32, the first one lowest" $
-    forM_ [1, 31, 32, 33, 63, 64, 95, 96, 97, 159, 160, 161 :: Int] $ \bits ->
-      forM_ [2 ^ bits - 1, 2 ^ bits, 2 ^ bits + 1] $ \n -> do
-        let count = length (takeWhile (\w -> n >= 2 ^ (64 * w - 32 :: Int)) [1 ..]) + 1
-            from g = let (w, g') = genWord64 g in toInteger w : from g'
-            drawn' = take count (from (mkStdGen 5))
-            number = sum (zipWith (*) (iterate (2 ^ (64 :: Int) *) 1) drawn')
-        (n, Draw.drawn 5 (Draw.below n)) `shouldBe` (n, fromInteger (number `mod` toInteger n))
 
 shippedSpec :: Spec
 shippedSpec = describe "those shipped" $ do

@@ -30,10 +30,10 @@ import PraTactile.Format.Error (FormatError)
 -- | Try all laws that were chosen on a subject, of which several may be given that are alike; then
 -- how it is spoken to. The report, and each of its parts as it is made.
 --
--- Under the first profile all cases are tried at once, and then a glance is taken at everything else,
--- a tenth of its cases: what only one of the last profiles shows is so told about as soon as what all
--- of them show. If something fails, that is what there is to mend, and nothing more is tried;
--- otherwise the other cases are.
+-- Under the first profile all cases are tried at once, and then a glance is taken at everything
+-- else, a tenth of its cases: what only one of the last profiles shows is so told about as soon as
+-- what all of them show. If something fails, that is what there is to mend, and nothing more is
+-- tried; otherwise the other cases are.
 runSuite :: Settings -> Suite about -> (LawReport -> IO ()) -> [Subject] -> IO Report
 runSuite settings suite tell subjects = do
   start <- getMonotonicTime

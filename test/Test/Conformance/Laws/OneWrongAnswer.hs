@@ -6,45 +6,31 @@
 -- and says what was to be expected.
 module Test.Conformance.Laws.OneWrongAnswer (spec) where
 
-import Control.Monad (unless, when)
+import Control.Monad (unless)
 import Control.Monad.Trans.State.Strict (State, get, put, runState)
-import Data.Aeson (Value (..), toJSON)
-import qualified Data.Aeson.KeyMap as KeyMap
+import Data.Aeson (toJSON)
 import Data.Foldable (for_)
-import Data.List (isPrefixOf, isSuffixOf, nub, sort)
-import Data.Maybe (mapMaybe)
+import Data.List (isPrefixOf, isSuffixOf)
 import Data.Traversable (for)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Conformance
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Definition
-import PraTactile.Conformance.Direct
 import PraTactile.Conformance.Impostors.Score
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Run.Case (Plan (..), Share (..), trialsOf)
 import PraTactile.Conformance.Wire (answerValue, questionInput)
-import PraTactile.Format.Json.Codec (listOf, natural, readValue)
+import PraTactile.Format.Json.Codec (readValue)
 import PraTactile.Profile
 import Test.Hspec
 
 spec :: Spec
 spec = do
-  describe "of trials the first that is violated is told, by its number" $ do
-    it "whatever holds before and comes after" $
-      for_ [0 .. 6] $ \first -> for_ [0 .. 2] $ \more ->
-        told 100 (replicate first Holds ++ [wrong] ++ replicate more wrong)
-          `shouldReturn` Just (first + 1)
-    it "draws of which a law says nothing have numbers, and others are judged for them" $ do
-      told 3 [Inapplicable, Holds, Inapplicable, Holds, wrong] `shouldReturn` Just 5
-      told 2 [Inapplicable, Holds, Inapplicable, Holds, wrong] `shouldReturn` Nothing
-      told 1 [Inapplicable, Inapplicable, wrong] `shouldReturn` Just 3
-      told 0 [wrong] `shouldReturn` Nothing
-      told 5 [Inapplicable, Holds] `shouldReturn` Nothing
   it "a law that exhausts its domain finds one wrong answer, at the case that asks for it" $
     for_ [about | (name, _, about) <- comparedProfiles, name == "gf2-3x5"] $ \about ->
       for_ [law | law <- laws, "-as-defined" `isSuffixOf` lawId law] $ \law -> do
-        let trials = fst (trialsUnder about law)
+        let trials = trialsUnder about law
             count = length trials
             at = filter (\i -> i >= 1 && i <= count) [1, 2, count `div` 2, count]
         for_ at $ \i -> do
@@ -53,7 +39,7 @@ spec = do
   it "another last answer than the definition's is found, in whatever part it is another one" $
     for_ [about | (name, _, about) <- comparedProfiles, name `elem` ["gf2-3x5", "gf3-2x13"]] $
       \about -> for_ laws $ \one -> do
-        let trials = take 8 (fst (trialsUnder about one))
+        let trials = take 8 (trialsUnder about one)
             meant = [asking | asking <- trials, fst (answeredBy (expected about) asking) == Holds]
         found <- for meant $ \asking -> do
           let asked = snd (answeredBy (expected about) asking)
@@ -79,7 +65,7 @@ spec = do
       let trials =
             [ (lawId one, i, asking)
               | one <- laws,
-                (i, asking) <- take 4 (zip [1 :: Int ..] (fst (trialsUnder about one)))
+                (i, asking) <- take 4 (zip [1 :: Int ..] (trialsUnder about one))
             ]
       for_ trials $ \(name, i, asking) -> do
         let asked = snd (answeredBy (expected about) asking)
@@ -89,32 +75,12 @@ spec = do
                 Violated violation -> Just (violationAsked violation, violationExpected violation)
                 _ -> Nothing
           (name, i, told') `shouldBe` (name, i, Just (lied, exchangeReply (asked !! (at - 1))))
-  it "of each polynomial that x does not divide the reciprocal is asked about too, made monic" $
-    for_ comparedProfiles $ \(_, _, about) -> do
-      [one] <- pure [one | one <- laws, lawId one == "polynomial/reciprocals-are-primitive-alike"]
-      let asked = map (snd . answeredBy (expected about)) (fst (trialsUnder about one))
-          polynomials = map (mapMaybe polynomialOf) asked
-          q = profileOrder (knownProfile about)
-          inverseOf a = [b | b <- [1 .. q - 1], expected about (Multiply a b) == Right 1]
-      for_ (filter (not . null) polynomials) $ \those -> do
-        let first = concat (take 1 those)
-        those
-          `shouldBe` [ first,
-                       [ c
-                         | a <- reverse first,
-                           b <- concatMap inverseOf (take 1 first),
-                           Right c <- [expected about (Multiply a b)]
-                       ]
-                     ]
-      -- Any constant coefficient but 0, and that is not asked about at all.
-      when (q <= 25) $
-        sort (nub (map (take 1 . concat) polynomials)) `shouldBe` [] : map pure [1 .. q - 1]
   it "what a wrong answer leads to may be refused, of which a law says nothing, for that reason" $
     for_ [about | (name, _, about) <- comparedProfiles, name == "gf2-3x5"] $ \about -> do
       [one] <- pure [one | one <- laws, lawId one == "window/unpack-inverts-pack"]
       let Shape h w = profileWindow (knownProfile about)
           tooLarge = 2 ^ (h * w) :: Natural
-      for_ (take 3 (fst (trialsUnder about one))) $ \asking -> do
+      for_ (take 3 (trialsUnder about one)) $ \asking -> do
         let answers :: String -> Question b -> Either Refusal b
             answers reason other = case other of
               Pack _ -> Right tooLarge
@@ -199,25 +165,12 @@ spec = do
     placesOf came = case came of
       Right (OneOf places) -> places
       _ -> []
-    wrong = Violated (Violation [] (RefusedFor "") "" "")
-    -- Nothing is asked.
-    told most verdicts = do
-      nobody <- openingRespondent library
-      fmap fst <$> firstViolated nobody most (map pure verdicts)
 
--- | The trials of a law, and how many are judged.
-trialsUnder :: Known -> Law Known -> ([Ask Verdict], Int)
-trialsUnder about law = trialsOf plan (lawId law) (lawCases law about)
+-- | The trials of a law.
+trialsUnder :: Known -> Law Known -> [Ask Verdict]
+trialsUnder about law = fst (trialsOf plan (lawId law) (lawCases law about))
   where
     plan = Plan 1 40 1 False Whole
-
--- | What polynomial was asked about.
-polynomialOf :: Exchange -> Maybe [Natural]
-polynomialOf one = case exchangeInput one of
-  Object fields -> KeyMap.lookup "polynomial" fields >>= readAs
-  _ -> Nothing
-  where
-    readAs = either (const Nothing) Just . readValue (listOf natural)
 
 -- | At which case somebody is found who answers as the definition does, but for one answer: the
 -- first one that this case asks for.

@@ -42,7 +42,7 @@ spec = do
   it "of touch, whatever is tried next, it comes to an end, and of objects what is tried first" $
     for_ lawsWithoutProfile $ \law -> case lawCases law () of
       Cases form (Some gen smaller) _ ->
-        for_ (draws 12 gen) $ \one -> for_ (head : [last | lawStage law /= OnObjects]) $ \choice -> do
+        for_ (draws 12 gen) $ \one -> for_ (choices (lawStage law)) $ \choice -> do
           let steps = takeWhile (not . null) (iterate (smaller . choice) [one])
           (lawId law, writeValue form one, length (take 2000 steps))
             `shouldSatisfy` \(_, _, count) -> count < 2000
@@ -60,6 +60,7 @@ spec = do
       asked `shouldBe` [Just (object smallest)]
   where
     small = ["paper", "gf3-2x13"]
+    choices stage = head : [last | stage /= OnObjects]
     failing =
       [ ( "sequence/term-of-any-index",
           \(SomeQuestion question) -> case question of

@@ -113,8 +113,8 @@ runSpec = do
         let subject =
               (answering allZero)
                 { subjectProfile = \p -> do
-                    before <- readIORef asked
-                    modifyIORef' inForce ((p, before) :)
+                    earlier <- readIORef asked
+                    modifyIORef' inForce ((p, earlier) :)
                     pure (Right (ResponseResult (Bool True))),
                   subjectAsk = \questions -> do
                     modifyIORef' asked (+ length questions)
@@ -171,16 +171,12 @@ runSpec = do
                 Every every -> every
                 Some _ _ -> [fromIntegral (i * 100 `div` cases `mod` 101) | i <- [0 .. cases - 1]]
           sort asked `shouldBe` sort (wanted ++ wanted)
-          [ (lawReportOutcome law', lawReportCases law', lawReportExhaustive law')
-            | law' <- reportLaws report
-            ]
-            `shouldBe` replicate
-              2
-              ( case domain of
-                  Every [] -> (Skipped, 0, True)
-                  Every every -> (Held, length every, True)
-                  Some _ _ -> (Held, cases, False)
-              )
+          let came = case domain of
+                Every [] -> (Skipped, 0, True)
+                Every every -> (Held, length every, True)
+                Some _ _ -> (Held, cases, False)
+              told one' = (lawReportOutcome one', lawReportCases one', lawReportExhaustive one')
+          map told (reportLaws report) `shouldBe` [came, came]
           reportGlance report `shouldBe` False
   it "asks one case at first of a law that failed under a profile before" $ do
     asked <- newIORef []

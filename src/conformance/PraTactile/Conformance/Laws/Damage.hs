@@ -251,6 +251,7 @@ invalidLaw =
     [ rawWith (Nearest Nothing [[Just 1]]) "radius" radius
       | radius <- [Number (-1), Number (scientific 10 (-1)), toJSON True, toJSON ([] :: [Int])]
     ]
+      ++ [noSymbols (Nearest radius [[Just 1]]) known | radius <- [Nothing, Just 1]]
       ++ concat
         [ illFormedPatches (Nearest radius [[Just 1, Nothing], [Just 0, Just 1]]) known
           | radius <- [Nothing, Just 1]

@@ -7,6 +7,7 @@ module PraTactile.Conformance.Laws.Locate
     zeroPatches,
     unobserved,
     acrossEdges,
+    noSymbols,
     illFormedPatches,
   )
 where
@@ -192,7 +193,15 @@ looked known place@(Position r c) = do
 invalidLaw :: Law Known
 invalidLaw =
   invalid OnLocate "locate-refuses-what-is-invalid" OfLocate $ \known ->
+    noSymbols (Locate [[Just 1]]) known :
     illFormedPatches (Locate [[Just 1, Nothing], [Just 0, Just 1]]) known
+
+-- | Probabilities where a code must stand.
+noSymbols :: Question a -> Known -> SomeQuestion
+noSymbols question known = rawWith question "patch" (toJSON [[replicate q (1 / real :: Double)]])
+  where
+    q = fromIntegral (profileOrder (knownProfile known))
+    real = fromIntegral q
 
 -- | No cells, rows of different lengths, codes that are none; and what is malformed.
 illFormedPatches :: Question a -> Known -> [SomeQuestion]

@@ -64,8 +64,8 @@ openingLaws =
   ]
     ++ map impossibleLaw impossibles
 
--- | The same array: a prime field is the integers modulo q whatever polynomial of degree 1 is stated
--- as its modulus.
+-- | The same array: a prime field is the integers modulo q whatever polynomial of degree 1 is
+-- stated as its modulus.
 alike :: Profile -> [Profile]
 alike p =
   [ p {profileModulus = [c, 1]}

@@ -32,7 +32,8 @@ windowOn mapped = do
     side = fromInteger <$> frequency [(3, chooseInteger (1, 2)), (1, chooseInteger (1, 4))]
     taken = concatMap cellsTaken (mappedLayings mapped)
     anywhere =
-      oneof [Position <$> upTo (3 * high) <*> upTo (3 * wide), Position <$> anyNatural <*> anyNatural]
+      oneof
+        [Position <$> upTo (3 * high) <*> upTo (3 * wide), Position <$> anyNatural <*> anyNatural]
     upTo n = fromInteger <$> chooseInteger (0, toInteger n)
     near' cells = do
       (r, c) <- elements cells

@@ -57,10 +57,11 @@ definitionLaws =
       \none for the length 0; and of short sequences many periods"
       recurrence
       ( \known ->
-          let n = degreeOf (knownProfile known) + 2
+          let p = knownProfile known
+              n = degreeOf p + 2
            in Every $
                 [SomeQuestion (Terms i count) | count <- [0 .. n], i <- [0 .. n]]
-                  ++ [SomeQuestion (Terms n 65537) | p <- [knownProfile known], isPaper p || periodOf p < 25]
+                  ++ [SomeQuestion (Terms n 65537) | p == canonicalProfile || periodOf p < 25]
       ),
     defined
       OnSequence
@@ -74,9 +75,6 @@ definitionLaws =
             smaller
       )
   ]
-
-  where
-    isPaper = (== canonicalProfile)
 
 recurrence :: String
 recurrence =

@@ -32,7 +32,9 @@ import System.Exit (ExitCode (..))
 checkTexts :: [(String, String)]
 checkTexts =
   [ (noProfileId, "what is no profile is refused: invalid"),
-    (formsId, "the integers of a profile are JSON numbers or decimal strings; other keys are ignored"),
+    ( formsId,
+      "the integers of a profile are JSON numbers or decimal strings; other keys are ignored"
+    ),
     (answersFirstId, "what was asked before stop, in one write with it, is answered"),
     (noneInForceId, "after a refused profile none is in force, and a run is errored"),
     (inputEndsId, "at the end of its input it ends within 5 seconds and writes nothing more"),

@@ -40,8 +40,8 @@ data Plan = Plan
     planShare :: Share
   }
 
--- | Which of a law's cases are tried. A law at which a glance was taken is tried whole by trying the
--- others, so that a glance costs nothing.
+-- | Which of a law's cases are tried. A law at which a glance was taken is tried whole by trying
+-- the others, so that a glance costs nothing.
 data Share
   = -- | About a tenth of them, from all over the domain, or of all sizes: at least one, and no more
     -- of a whole domain than of one from which cases are drawn.
