@@ -28,6 +28,7 @@ import FormatFile (readSensorFile)
 import Message (rangeText)
 import Options
 import PraTactile.Explore (defaultSpacing)
+import PraTactile.Geometry (symbolThickness)
 import PraTactile.Sensor
 import PraTactile.Sensor.Constants
 import PraTactile.Sensor.Frame (isTaxelPitch, taxelPitches)
@@ -45,6 +46,8 @@ data SensorChoice = SensorChoice
     noiseSd :: Maybe Double,
     -- | standard deviation, degrees
     rotationSigma :: Maybe Double,
+    -- | standard deviation, degrees
+    tiltSigma :: Maybe Double,
     -- | columns and rows
     frameSize :: Maybe (Int, Int),
     -- | mm
@@ -84,6 +87,10 @@ sensorOptions =
       "rotation-error"
       "SD"
       "Standard deviation of each frame's rotation, degrees (paper: 0)"
+    <*> number
+      "tilt"
+      "DEGREES"
+      "Standard deviation of each frame's two tilts, about the sensor's x and y (paper: 0)"
     <*> optional
       ( valued
           (pairReader 'x' "32x32")
@@ -115,28 +122,40 @@ chosenSensor choice
     misused "--noise is a share of full scale from 0 up"
   | not (inRange 0 180 (rotationSigma choice)) =
     misused "--rotation-error is a number of degrees from 0 to 180"
+  | not (inRange 0 60 (tiltSigma choice)) = misused "--tilt is a number of degrees from 0 to 60"
   | not (all side (concat [[w, h] | Just (w, h) <- [frameSize choice]])) =
     misused "--frame is from 4x4 to 256x256"
   | any (< 1) (spacing choice) = misused "--spacing is a number of taxels from 1 up"
   | otherwise = do
     base <- maybe (pure standardSensor) readSensor (sensorNamed choice)
     taxel <- traverse usableTaxel (taxelSize choice)
-    foldM
-      put
-      (maybe id withTaxel taxel base)
-      ( [("position_error", v) | Just v <- [positionSigma choice]]
-          ++ [("noise", v) | Just v <- [noiseSd choice]]
-          ++ [("rotation_error", v) | Just v <- [rotationSigma choice]]
-          ++ concat
-            [ [("columns", fromIntegral w), ("rows", fromIntegral h)]
-              | Just (w, h) <- [frameSize choice]
-            ]
-      )
+    tilted
+      =<< foldM
+        put
+        (maybe id withTaxel taxel base)
+        ( [("position_error", v) | Just v <- [positionSigma choice]]
+            ++ [("noise", v) | Just v <- [noiseSd choice]]
+            ++ [("rotation_error", v) | Just v <- [rotationSigma choice]]
+            ++ concat
+              [ [("columns", fromIntegral w), ("rows", fromIntegral h)]
+                | Just (w, h) <- [frameSize choice]
+              ]
+        )
   where
     inRange least most = all (\v -> v >= least && v <= most)
     side n = n >= 4 && n <= (256 :: Int)
+    tilted sensor = case tiltSigma choice of
+      Just degrees -> put sensor ("tilt_spread", tiltShare sensor degrees)
+      Nothing -> pure sensor
     put sensor (name, v) = either (misused . refusal name) pure (replaced name v sensor)
     refusal name = maybe name (rangeText name . constantRange)
+
+-- | How much nearer than its centre the farther edges of a sensor are that is tilted by so many
+-- degrees, as a share of a symbol's thickness.
+tiltShare :: Sensor -> Double -> Double
+tiltShare sensor degrees = half * tan (degrees * pi / 180) / symbolThickness
+  where
+    half = sensorTaxel sensor * fromIntegral (max (sensorColumns sensor) (sensorRows sensor)) / 2
 
 -- | The distance of neighbouring presses of a sensor, in its taxels.
 chosenSpacing :: SensorChoice -> Sensor -> Int

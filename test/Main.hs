@@ -175,6 +175,7 @@ import qualified Test.Touch.Registration.PairsRefused
 import qualified Test.Touch.Registration.ResidualAndGroups
 import qualified Test.Touch.Registration.ScenesOfKnownTruth
 import qualified Test.Touch.Registration.SearchByDefinition
+import qualified Test.Touch.Registration.TiltedPresses
 import qualified Test.Touch.Registration.WhichMethod
 import qualified Test.Touch.Segmentation.BoxesAndAxes
 import qualified Test.Touch.Segmentation.ClustersOfNeighbours
@@ -268,6 +269,7 @@ specs = do
     describe "Cosine transforms" Test.Touch.Registration.CosinesByDefinition.spec
     describe "What stitching is made of" Test.Touch.Registration.HypothesesAndNoise.spec
     describe "The search for a frame" Test.Touch.Registration.SearchByDefinition.spec
+    describe "Tilted presses" Test.Touch.Registration.TiltedPresses.spec
     describe "What registration of pairs is made of" Test.Touch.Registration.PairsInParts.spec
     describe "What is told of frames put together" Test.Touch.Registration.ResidualAndGroups.spec
     describe "Registration by its formulas" Test.Touch.Registration.ByDefinition.spec

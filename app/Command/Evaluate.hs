@@ -55,6 +55,7 @@ command =
     [ "pra-tactile evaluate --presses 12 --seed 1",
       "pra-tactile evaluate --presses 12 --seed 1 --noise 0.3 --doubt 0.0001",
       "pra-tactile evaluate --presses 12 --seed 1 --sensor real",
+      "pra-tactile evaluate --presses 12 --seed 1 --sensor real --tilt 5",
       "pra-tactile evaluate --presses 12 --seed 1 --foreign 0.5",
       "pra-tactile evaluate --presses 12 --seed 1 --foreign-arrays 0.5",
       "pra-tactile evaluate --presses 12 --seed 1 --position-error 2 --any-angle --untold",
@@ -202,6 +203,7 @@ report profile options simulated stitched unstitched poses =
         EvaluationConditions
           { conditionSensor = sensorNamed (sensor options),
             conditionRotationError = rotationSigma (sensor options),
+            conditionTilt = tiltSigma (sensor options),
             conditionTurns = turns options,
             conditionBend = bend options,
             conditionForeign = allForeign options,
@@ -236,6 +238,9 @@ headingText options simulated =
         | Just share <- [allForeign options]
       ]
         ++ [printf "on other arrays %g" share | Just share <- [foreignArrayPresses options]]
+        ++ [ printf "tilted by sigma %g degrees" degrees
+             | Just degrees <- [tiltSigma (sensor options)]
+           ]
         ++ ["position error untold" | untold options]
 
 tallyText :: String -> Tally -> String

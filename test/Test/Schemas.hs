@@ -186,7 +186,7 @@ touching =
     ( "truth",
       "pra probe --object cube --seed 7 --bend 80 --output bent --truth v.json > log; cat v.json"
     ),
-    ("evaluate", "pra evaluate --json --presses 1 --rotation-error 1 --turn 5"),
+    ("evaluate", "pra evaluate --json --presses 1 --rotation-error 1 --tilt 1 --turn 5"),
     ( "truth",
       "pra probe --object cube --seed 7 --turn 5 --output f5 --truth u.json > log; cat u.json"
     ),

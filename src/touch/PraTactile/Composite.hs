@@ -11,13 +11,14 @@ module PraTactile.Composite
     compositePosition,
     compositePixel,
     blended,
+    Worth (..),
+    inFull,
     weighted,
   )
 where
 
 import Data.List.NonEmpty (NonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
-import Data.Maybe (isNothing)
 import PraTactile.Composite.Blend (Blend (..), Taxels, blend)
 import PraTactile.Composite.Noise (readingStep)
 import PraTactile.Image (Raster, constant, mapRaster, rasterHeight, rasterWidth, zipRaster)
@@ -155,7 +156,7 @@ weighted composite =
 -- counts @interpolated@ in the mean, and @known@ in the coverage.
 blended ::
   (Double, Double) ->
-  NonEmpty ((Taxels, Raster), (Double, Maybe Raster)) ->
+  NonEmpty ((Taxels, Raster), Worth) ->
   [Taxels] ->
   Composite
 blended (left, top) images displacements =
@@ -185,18 +186,36 @@ blended (left, top) images displacements =
     onGrid ((x, y), im) = ((x - fromIntegral x0, y - fromIntegral y0), im)
     Blend allSums allWeights = laid fst
     (sums, weights, coverage)
-      | all (\(_, (count, felt)) -> count == 1 && isNothing felt) images =
+      | all ((== inFull) . snd) images =
         (allSums, allWeights, allWeights)
-      | otherwise = (total times, total inMean, total (\felt _ -> worth known felt))
-    total value = blendSums (laid (\((place, im), (count, felt)) -> (place, value felt count im)))
+      | otherwise = (total times, total inMean, total inCoverage)
+    total value = blendSums (laid (\((place, im), counts) -> (place, value counts im)))
     -- What each pixel of an image counts, if it counts that where it was not felt at all.
     worth least felt im =
       maybe (mapRaster (const 1) im) (mapRaster (\share -> share + least * (1 - share))) felt
-    inMean felt count im = mapRaster (count *) (worth interpolated felt im)
-    times felt count im = orElse im (zipRaster (*) (inMean felt count im) im)
+    inMean counts im =
+      touching counts (mapRaster (worthCount counts *) (worth interpolated (worthFelt counts) im))
+    inCoverage counts = touching counts . worth known (worthFelt counts)
+    touching counts r = maybe r (orElse r . zipRaster (*) r) (worthTouch counts)
+    times counts im = orElse im (zipRaster (*) (inMean counts im) im)
     means = orElse sums (zipRaster (\s w -> if w < leastWeight then 0 else s / w) sums weights)
     -- They are of one size.
     orElse other = either (const other) id
+
+-- | What an image counts where it is blended with others.
+data Worth = Worth
+  { -- | What it counts in the mean.
+    worthCount :: !Double,
+    -- | What each pixel's touch counts, 0 to 1: what did not touch is not known. 1 if 'Nothing'.
+    worthTouch :: !(Maybe Raster),
+    -- | The share of each pixel that living elements felt; 1 if 'Nothing'.
+    worthFelt :: !(Maybe Raster)
+  }
+  deriving stock (Eq, Show)
+
+-- | As an image counts of which all was felt.
+inFull :: Worth
+inFull = Worth 1 Nothing Nothing
 
 -- | What a value that stands for a dead element counts in a mean, beside 1 of a living one: enough
 -- to be the mean where no other frame felt the place.

@@ -51,6 +51,7 @@ import PraTactile.Composite
     Fault (..),
     Otherwise (..),
     PutFrame (..),
+    Worth (..),
     blended,
     compositeOf,
     compositePixel,
@@ -79,6 +80,8 @@ import PraTactile.Registration.Arrangement
     unarranged,
     withMisfit,
   )
+import PraTactile.Registration.Contact (evened)
+import PraTactile.Registration.Lattice.Fit (Touched)
 import PraTactile.Registration.Lattice.Template (LatticeTables, latticeTables)
 import PraTactile.Registration.Layout (layoutsLeft)
 import PraTactile.Registration.Posterior (Hypothesis (..))
@@ -147,7 +150,7 @@ withNoiseOf frames settings = settings {registrationNoise = frameNoise (map fram
 placeOnly :: [Frame] -> Either StitchError Composite
 placeOnly =
   fmap assemblyComposite
-    . assembledAs (\_ -> Right . unarranged Nominal) standardRegistration
+    . assembledAs (\_ -> Right . unarranged Nominal . map (fmap fst)) standardRegistration
 
 -- | A composite, and how it came about.
 data Assembly = Assembly
@@ -170,7 +173,7 @@ assemble :: LatticeTables -> StitchMethod -> Registration -> [Frame] -> Either S
 assemble tables method = assembledAs (arrange tables method)
 
 -- | How frames are arranged by settings, each with its nominal place in taxels.
-type Arranging = Registration -> [(Taxels, Raster)] -> Either TooMuch Arrangement
+type Arranging = Registration -> [(Taxels, Touched)] -> Either TooMuch Arrangement
 
 -- | Frames arranged so, and blended.
 assembledAs :: Arranging -> Registration -> [Frame] -> Either StitchError Assembly
@@ -187,20 +190,30 @@ compose arranging settings frames = do
   let left = minimum (fmap (fst . placedAt) given)
       top = minimum (fmap (snd . placedAt) given)
       inTaxelsFrom (x, y) = (inTaxels (x - left), inTaxels (y - top))
-      (placed, ofEach) = witnesses (\p -> (swap (inTaxelsFrom (placedAt p)), shown p)) given
-      nominal = fmap (\p -> (inTaxelsFrom (placedAt p), placedImage p)) placed
-  checkArea nominal
-  let supposed
-        | not (all isCanonical frames) = withMisfit (map snd (NonEmpty.toList nominal)) settings
-        | otherwise = settings
-  arrangement <- first TooMuchToRegister (arranging supposed (NonEmpty.toList nominal))
-  let arranged = arrangementFrames arrangement
+      (asRead, ofEach) = witnesses (\p -> (swap (inTaxelsFrom (placedAt p)), shown p)) given
+      nominalOf = fmap (\p -> (inTaxelsFrom (placedAt p), placedImage p))
+      arrangedAs ps =
+        arranging
+          (supposed ps)
+          [(inTaxelsFrom (placedAt p), (placedImage p, placedTouch p)) | p <- toList ps]
+      supposed ps
+        | all isCanonical frames = settings
+        | otherwise = withMisfit (map placedImage (toList ps)) settings
+  checkArea (nominalOf asRead)
+  (placed, arrangement) <- first TooMuchToRegister $ do
+    even' <- traverse (\ps -> (,) ps <$> arrangedAs ps) (evenedPlaced asRead)
+    case even' of
+      Just found | arrangementMethod (snd found) == ByLattice -> pure found
+      _ -> (,) asRead <$> arrangedAs asRead
+  let nominal = nominalOf placed
+      arranged = arrangementFrames arrangement
       displacements = map registeredShift arranged
       levels = arrangementLevelling arrangement
       levelled = maybe nominal (NonEmpty.zipWith onLevel nominal) (nonEmpty levels)
       onLevel (place, image) (level, _) = (place, level image)
       counts = fromMaybe (fmap (const 1) placed) (nonEmpty (map snd levels))
-      counted = NonEmpty.zip counts (fmap placedFelt placed)
+      counted = NonEmpty.zipWith worthOf counts placed
+      worthOf count p = Worth count (placedTouch p) (placedFelt p)
       at shifts = maybe levelled moved (nonEmpty shifts)
       moved = NonEmpty.zipWith movedBy levelled
       movedBy (place, image) shift = (place `plus` shift, image)
@@ -258,7 +271,9 @@ compose arranging settings frames = do
               compositeContradiction = contradiction found (NonEmpty.toList nominal),
               compositeFrames =
                 zipWith3
-                  (\one shift (_, image) -> PutFrame (placedAt one) shift image (placedFelt one))
+                  ( \one shift (_, image) ->
+                      PutFrame (placedAt one) shift image (placedTouch one <|> placedFelt one)
+                  )
                   (toList placed)
                   (if null displacements then repeat (0, 0) else displacements)
                   (toList levelled)
@@ -307,8 +322,18 @@ data Placed = Placed
     placedAt :: !Taxels,
     placedImage :: !Raster,
     -- | The share of each pixel that living elements felt, where some are dead.
-    placedFelt :: !(Maybe Raster)
+    placedFelt :: !(Maybe Raster),
+    -- | What each pixel's touch counts, where some of a tilted press hardly touch.
+    placedTouch :: !(Maybe Raster)
   }
+
+-- | The frames as even presses would read them, where they are tilted.
+evenedPlaced :: NonEmpty Placed -> Maybe (NonEmpty Placed)
+evenedPlaced placed = do
+  images <- evened (map placedImage (toList placed))
+  nonEmpty (zipWith even' (toList placed) images)
+  where
+    even' p (image, touch) = p {placedImage = image, placedTouch = Just touch}
 
 -- | All that a frame shows.
 shown :: Placed -> (Vector Double, Maybe (Vector Double))
@@ -347,7 +372,8 @@ upright i given =
   maybe (Left (FrameRotation i r)) Right $ do
     image <- seen given
     let place = (x - half (rasterWidth image), y - half (rasterHeight image))
-    Placed place image <$> traverse (seen . felt) (nonEmpty (frameDead given))
+    felt' <- traverse (seen . felt) (nonEmpty (frameDead given))
+    pure (Placed place image felt' Nothing)
   where
     Pose x y r = framePose given
     seen = uprighted . frameImage . atCanonicalPitch

@@ -50,8 +50,10 @@ import PraTactile.Image
   ( Raster,
     constant,
     generate,
+    index,
     mapRaster,
     onRaster,
+    rasterSize,
     zipRaster,
   )
 import PraTactile.Random (normal, normalPair, normals)
@@ -86,14 +88,15 @@ forwardImage sensor heights pose =
 felt :: Sensor -> HeightMap -> Pose -> Double -> (Double, Double) -> Raster
 felt sensor heights pose force tilts
   | stiffness > 0 = spread (mapRaster (stiffness *) (displacements stiffness force tilts under))
-  | sensorTab sensor > 0 = spread (either (const share) id (zipRaster (*) share height))
-  | otherwise = spread (meanHeights sensor heights pose)
+  | sensorTab sensor > 0 = spread (either (const share) id (zipRaster (*) share (shares height)))
+  | otherwise = spread (shares (meanHeights sensor heights pose))
   where
     stiffness = sensorStiffness sensor
     spread = spreadForces (sensorTaxel sensor) (sensorDepth sensor)
     under = footing (sensorTaxelGrid sensor) (sensorTab sensor) heights pose
     share = footingShare under
-    height = mapRaster (max 0 . min 1 . (/ sensorFullScale sensor)) (footingHeight under)
+    height = footingHeight under
+    shares = sharesOfScale (sensorFullScale sensor) tilts
 
 -- | The share of full scale that is read for what @felt@ says.
 reading :: Sensor -> Double -> Double
@@ -102,32 +105,36 @@ reading sensor
     conductance (sensorExponent sensor) (sensorBreakForce sensor) (sensorFullForce sensor)
   | otherwise = conductance (sensorExponent sensor) 0 1
 
--- | The mean height under each element's square aperture, as a share of full scale, clipped to
--- 0..1: exact for multiples of 90 degrees, where the aperture's overlap with each cell is a product
--- of lengths; for other angles the mean over 8 x 8 points of each aperture, as that of a bent
--- face's fall always is. Where there is nothing to touch, the height is 0.
+-- | Heights in mm as shares of full scale (mm), clipped to 0..1, of a sensor with these tilts.
+sharesOfScale :: Double -> (Double, Double) -> Raster -> Raster
+sharesOfScale full tilts heights = generate w h (\x y -> clipped (at x y + nearer (w, h) tilts x y))
+  where
+    (w, h) = rasterSize heights
+    at x y = fromMaybe 0 (index heights x y)
+    clipped height = if full > 0 then max 0 (min 1 (height / full)) else 0
+
+-- | The mean height in mm under each element's square aperture: exact for multiples of 90 degrees,
+-- where the aperture's overlap with each cell is a product of lengths; for other angles the mean
+-- over 8 x 8 points of each aperture, as that of a bent face's fall always is. Where there is
+-- nothing to touch, the height is 0.
 meanHeights :: Sensor -> HeightMap -> Pose -> Raster
 meanHeights sensor heights (Pose x y r)
-  | cell <= 0 || full <= 0 = constant columns rows 0
+  | cell <= 0 = constant columns rows 0
   | otherwise = case turnedByDegrees r of
     -- A sensor turned clockwise sees its surroundings turned counter-clockwise.
     Just symmetry
       | exchangesAxes symmetry -> onRaster (invert symmetry) (upright rows columns)
       | otherwise -> onRaster (invert symmetry) (upright columns rows)
-    Nothing -> generate columns rows (\i j -> scaled (slanted i j))
+    Nothing -> generate columns rows slanted
   where
-    full = sensorFullScale sensor
     cell = heightPitch heights
     (columns, rows) = (sensorColumns sensor, sensorRows sensor)
     taxel = sensorTaxel sensor
-    scaled height = max 0 (min 1 (height / full))
     half count = fromIntegral count / 2
     upright w h =
       generate w h $ \i j ->
-        scaled
-          ( covered (spans alongX w x i) (spans alongY h y j)
-              - (fallen alongX w i + fallen alongY h j)
-          )
+        covered (spans alongX w x i) (spans alongY h y j)
+          - (fallen alongX w i + fallen alongY h j)
     (alongX, alongY) = courses (heightBend heights)
     begin count k = taxel * (fromIntegral (k :: Int) - half count)
     -- The cells an aperture meets along one axis, each with the share of the aperture it covers.

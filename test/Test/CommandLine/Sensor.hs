@@ -184,6 +184,7 @@ bad = do
       ("probe --object cube --seed 1 --output x --taxel 30", "sensor"),
       ("probe --object cube --seed 1 --output x --spacing 0", "--spacing"),
       ("probe --object cube --seed 1 --output x --rotation-error -1", "--rotation-error"),
+      ("probe --object cube --seed 1 --output x --tilt 61", "--tilt"),
       ("probe --dark 0 --seed 1 --output x", "--dark"),
       ("probe --flat 1 --seed 1 --output x --tell", "--tell"),
       ("probe --object cube --seed 1 --output x --bend 17.9", "more than 17.96 mm"),

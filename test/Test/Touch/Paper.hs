@@ -19,6 +19,7 @@ import PraTactile.Registration (Assembly, Composite, StitchError)
 import qualified PraTactile.Registration as Registration
 import PraTactile.Registration.Arrangement (Arrangement, StitchMethod, TooMuch)
 import qualified PraTactile.Registration.Arrangement as Arrangement
+import PraTactile.Registration.Lattice.Fit (whole)
 import PraTactile.Registration.Lattice.Template (LatticeTables, latticeTables)
 import PraTactile.Registration.Search (Registration)
 import PraTactile.Registration.Stitching (Stitching)
@@ -37,7 +38,7 @@ paperTables :: LatticeTables
 paperTables = either (error . show) latticeTables paperAlphabet
 
 arrange :: StitchMethod -> Registration -> [(Taxels, Raster)] -> Either TooMuch Arrangement
-arrange = Arrangement.arrange paperTables
+arrange method settings = Arrangement.arrange paperTables method settings . map (fmap whole)
 
 assemble :: StitchMethod -> Registration -> [Frame] -> Either StitchError Assembly
 assemble = Registration.assemble paperTables

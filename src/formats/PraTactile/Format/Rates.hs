@@ -189,6 +189,8 @@ data EvaluationConditions = EvaluationConditions
     conditionSensor :: Maybe String,
     -- | standard deviation, degrees
     conditionRotationError :: Maybe Double,
+    -- | standard deviation of each of the sensor's two tilts, degrees, where it was stated
+    conditionTilt :: Maybe Double,
     conditionTurns :: Turns,
     conditionBend :: Maybe Bend,
     -- | the share of foreign presses
@@ -210,6 +212,7 @@ encodeEvaluation report =
       <> "noise" .= evaluationNoise report
       <> foldMap ("sensor" .=) (conditionSensor chosen)
       <> foldMap ("rotation_error_deg" .=) (conditionRotationError chosen)
+      <> foldMap ("tilt_deg" .=) (conditionTilt chosen)
       <> foldMap ("any_angle" .=) (if conditionTurns chosen == AnyAngle then Just True else Nothing)
       <> foldMap ("turn_deg" .=) (case conditionTurns chosen of TurnedBy t -> Just t; _ -> Nothing)
       <> foldMap (("bend" .=) . writeValue bendCodec) (conditionBend chosen)

@@ -24,7 +24,7 @@ import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Incremental (comparisons, register)
 import PraTactile.Registration.Joint
 import PraTactile.Registration.Lattice.Angle (latticeAngle)
-import PraTactile.Registration.Lattice.Fit (Fits (..), bySize, fitsAt)
+import PraTactile.Registration.Lattice.Fit (Fits (..), Touched, bySize, fitsAt)
 import PraTactile.Registration.Lattice.Glimpse
 import PraTactile.Registration.Lattice.Template (LatticeTables)
 import PraTactile.Registration.Levelling (levelling)
@@ -105,9 +105,9 @@ arrange ::
   LatticeTables ->
   StitchMethod ->
   Registration ->
-  [(Taxels, Raster)] ->
+  [(Taxels, Touched)] ->
   Either TooMuch Arrangement
-arrange tables method settings frames
+arrange tables method settings touched
   | method == Nominal || length frames < 2 || all (flat . snd) frames =
     Right (unarranged method frames)
   | otherwise = case method of
@@ -118,13 +118,14 @@ arrange tables method settings frames
     _ | compared > maxComparisons -> Left (ComparedPixels compared)
     _ -> Right (blindly Incremental correlated (register settings))
   where
+    frames = map (fmap fst) touched
     compared = comparisons settings frames
     largest = maximum (0 : map ((\(w, h) -> w * h) . rasterSize . snd) frames)
     flat image = V.all (== rasterValues image V.! 0) (rasterValues image)
     images = map snd frames
     sizes = map rasterSize images
     spectra' = bySize sizes (uncurry spectra)
-    fits = fitsAt tables images
+    fits = fitsAt tables (map snd touched)
     -- What the frames tell of the lattice, if they show it.
     lattice = do
       size <- listToMaybe sizes
@@ -145,12 +146,12 @@ arrange tables method settings frames
       (arranged frames ByLattice levels (map estimated (jointFrames found)))
         { arrangementSigma = jointSigma found,
           arrangementAngle = Just (fitsAngle fits'),
-          arrangementFrom = Just (\places -> from (registered (zip places images)))
+          arrangementFrom = Just (\places -> from (registered (zip places (map snd touched))))
         }
       where
-        levels = levelling (zip images (jointThetas found))
+        levels = levelling (zip (map snd touched) (jointThetas found))
         registered = registerJointly settings fits'
-        found = registered frames
+        found = registered touched
         from there = (jointLog there - jointLog found, map estimateShift (jointFrames there))
         estimated l =
           Registered

@@ -16,7 +16,7 @@ where
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (cosineSine, rotated)
-import PraTactile.Image (Raster, rasterHeight, rasterSize, rasterWidth)
+import PraTactile.Image (rasterHeight, rasterSize, rasterWidth)
 import PraTactile.Registration.Joint.Displacement (Displacement (..), displacementsOf)
 import PraTactile.Registration.Joint.Estimate
 import PraTactile.Registration.Joint.Grid (Grid (..), gridOf, gridSpacing)
@@ -54,22 +54,22 @@ data Joint = Joint
 
 -- | Frames registered from the nominal places (taxels) of their upper left pixels, and what they
 -- tell at the lattice's angle.
-registerJointly :: Registration -> Fits -> [(Taxels, Raster)] -> Joint
+registerJointly :: Registration -> Fits -> [(Taxels, Touched)] -> Joint
 registerJointly settings fits frames = Joint centredEstimates thetas sigma phaseLog
   where
     angle = fitsAngle fits
     onLattice =
-      [ (firstPlace (tablesOf image) (rotated (negate angle) place), image, fitted)
-        | ((place, image), fitted) <- zip frames (fitsFrames fits)
+      [ (firstPlace (tablesOf seen) (rotated (negate angle) place), seen, fitted)
+        | ((place, seen), fitted) <- zip frames (fitsFrames fits)
       ]
     grid = gridOf settings
     -- What few frames tell is kept; of many, or of large ones, it would take too much memory.
     kept (place, _, fitted) = (place, fitLikelihood fitted)
-    again (place, image, _) = (place, likelihood (tablesOf image) image)
-    tablesOf image = fitsTables fits (rasterSize image)
+    again (place, seen, _) = (place, likelihood (tablesOf seen) seen)
+    tablesOf = fitsTables fits . rasterSize . fst
     some = spacedOut phaseFrames onLattice
     small = sum (map pixelsOf some) <= phaseFrames * keptPixels
-    pixelsOf (_, image, _) = rasterWidth image * rasterHeight image
+    pixelsOf (_, (image, _), _) = rasterWidth image * rasterHeight image
     (phaseLog, (orientation, phase)) = commonPhase grid (map (if small then kept else again) some)
     (thetas, displacements) =
       unzip (map (told . (if few then kept else again)) onLattice)

@@ -27,16 +27,14 @@ module PraTactile.Registration.Levelling
   )
 where
 
-import Data.Maybe (fromMaybe)
-import qualified Data.Vector.Storable as V
-import PraTactile.Image (Raster, mapRaster, rasterValues, standardDeviation)
-import qualified PraTactile.Image as Image (mean)
+import PraTactile.Image (Raster, mapRaster)
+import PraTactile.Registration.Lattice.Fit (Touched, standardOf)
 import PraTactile.Registration.Model (Theta (..), negligible)
 import PraTactile.Registration.Search (independent)
 
 -- | What brings each frame to the scale of all, and what it then counts beside a usual one, from
 -- the frames and how each reads relief.
-levelling :: [(Raster, Theta)] -> [(Raster -> Raster, Double)]
+levelling :: [(Touched, Theta)] -> [(Raster -> Raster, Double)]
 levelling frames
   | alike gains && alike offsets = map (const (id, 1)) frames
   | otherwise = zipWith onto gains offsets
@@ -63,15 +61,13 @@ data Reading = Reading
     offsetError :: !Double
   }
 
-reading :: Raster -> Theta -> Reading
-reading image (Theta a b v) = Reading (s * a) (m + s * b) ofGain (s * s * v / (independent * n))
+reading :: Touched -> Theta -> Reading
+reading seen (Theta a b v) = Reading (s * a) (m + s * b) ofGain (s * s * v / (independent * n))
   where
     ofGain
       | n / 2 * log (1 / v) < negligible = 1 / 0
       | otherwise = v / (independent * n * (1 - v)) + unlikeGain
-    n = fromIntegral (V.length (rasterValues image))
-    m = fromMaybe 0 (Image.mean image)
-    s = fromMaybe 0 (standardDeviation image)
+    (n, m, s) = standardOf seen
 
 -- | The variances of the logarithms of gains, and of offsets as shares of the gain, that presses of
 -- one sensor may have.

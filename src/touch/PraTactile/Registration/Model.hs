@@ -22,6 +22,38 @@
 -- from more than three taxels away. Places x are those from which a symbol's taxels come within two
 -- taxels of the frame.
 --
+-- = A tilted press
+--
+-- A rigid sensor that is tilted lies nearer to the face here than there, by p x + q y, where x and
+-- y go from -1 to 1 between its edges. What it does not touch reads c, which is the mean of the
+-- lowest 1/32 of its readings, and what it touches reads the more, the nearer it lies:
+--
+-- > z = c + h_r(x, y) + noise,    h_r(x, y) = max 0 (a r + b + p x + q y)
+--
+-- where r is 0, 1/2 (on an edge) or 1, with the probabilities 0.62, 0.16 and 0.22, in each taxel by
+-- itself. (a, b, p, q, v) is maximised, from the even press and from slopes in eight directions:
+--
+-- > eStep:  rho_r(u) ~ P(r) exp (- (z(u) - c - h_r(u))^2 / (2 v))
+-- > mStep:  (a, b, p, q) = least squares of a r + b + p x + q y against z - c, by rho_r(u), over
+-- >         the taxels u and reliefs r that touch: where the argument of h_r is above 0
+-- >         v = (sum of rho_r (z - c - h_r)^2) / N
+--
+-- Presses are tilted if twelve of them show it by log 99, where slopes cost what Schwarz's
+-- criterion says, and a fifth of the taxels count, since what is left of relief goes together:
+--
+-- > sum over frames of (0.2 (log p(z) - max over p = q = 0 of log p(z)) - log N) > log 99
+--
+-- Then each frame is read as by an even press of the same depth. A taxel in which embossing would
+-- read t times as much more than what is flat as it does at the centre, and whose noise is 1/t of
+-- the centre's, counts w = min 1 t^2; below t = 1/4 it does not touch, and counts nothing:
+--
+-- > t = (h_1(x, y) - h_0(x, y)) / (h_1(0, 0) - h_0(0, 0))
+-- > z' = c + h_0(0, 0) + (z - c - h_0(x, y)) / t
+--
+-- Below, sums over the taxels of a frame are by w: its mean and variance, N, \<z, T>, sum T and sum
+-- T^2, of which the last is taken for as much less as sum T is. Frames that show no lattice so are
+-- left as they are read.
+--
 -- = The lattice
 --
 -- Symbols stand on a lattice of cells, one to each pitch of 16 x 20 taxels, of angle alpha, and of
@@ -157,6 +189,7 @@
 --
 -- = Names
 --
+-- > a, b, p, q, v     Press, of one frame that is tilted     h_r  indentation
 -- > z, N              a frame, as fitOf standardises it      a, b, v   Theta
 -- > T                 Templates     <z, T>, sum T, sum T^2   Moments, summed up: Y, S, Q
 -- > l_k, l, L         classLogs, cellLogs, phaseLogs     log p(z)  logDensity
@@ -171,6 +204,15 @@ module PraTactile.Registration.Model
     leastVariance,
     blurDeviation,
     leastShare,
+
+    -- * A tilted press
+    Press (..),
+    planeAt,
+    indentation,
+    touches,
+    reliefShare,
+    leastTouch,
+    independentShare,
 
     -- * The lattice
     placesPerTaxel,
@@ -209,6 +251,45 @@ blurDeviation = 0.75
 -- | The least share of a taxel that counts in a sum of squares.
 leastShare :: Double
 leastShare = 0.01
+
+-- | How a frame meets the face: a, b, p, q and v.
+data Press = Press
+  { pressGain :: !Double,
+    pressDepth :: !Double,
+    pressAcross :: !Double,
+    pressDown :: !Double,
+    pressVariance :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | p x + q y.
+planeAt :: Press -> Double -> Double -> Double
+planeAt (Press _ _ p q _) x y = p * x + q * y
+{-# INLINE planeAt #-}
+
+-- | h_r, from r and p x + q y.
+indentation :: Press -> Double -> Double -> Double
+indentation (Press a b _ _ _) r s = max 0 (a * r + b + s)
+{-# INLINE indentation #-}
+
+-- | Whether relief r touches, where that is p x + q y.
+touches :: Press -> Double -> Double -> Bool
+touches (Press a b _ _ _) r s = a * r + b + s > 0
+{-# INLINE touches #-}
+
+-- | P(r): a symbol covers a quarter of its cell, and its edges half as much again (assumption).
+reliefShare :: Double -> Double
+reliefShare r
+  | r <= 0 = 0.62
+  | r < 1 = 0.16
+  | otherwise = 0.22
+{-# INLINE reliefShare #-}
+
+-- | The least t of a taxel that touches, and what share of taxels counts where it is asked whether
+-- presses are tilted (assumptions).
+leastTouch, independentShare :: Double
+leastTouch = 0.25
+independentShare = 0.2
 
 -- | How finely phases and displacements are told apart, in places to the taxel.
 placesPerTaxel :: Int

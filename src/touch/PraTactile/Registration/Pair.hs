@@ -20,7 +20,7 @@ where
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image (Raster, rasterSize, rasterValues)
-import PraTactile.Registration.Lattice.Fit (likelihood)
+import PraTactile.Registration.Lattice.Fit (likelihood, whole)
 import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Template
@@ -147,7 +147,7 @@ matched tables (Pairing step search method confidence) a b =
     (w, h) = rasterSize a
     coefficients = map (coefficientsOf (tablesSpectra tables)) [a, b]
     process = processOf (tablesSpectra tables) 0 coefficients
-    evidences = map (likelihood (tablesTemplates tables)) [a, b]
+    evidences = map (likelihood (tablesTemplates tables) . whole) [a, b]
     used
       | method /= Auto = method
       | latticed = Lattice

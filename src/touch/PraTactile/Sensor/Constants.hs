@@ -81,8 +81,10 @@ traversed at sensor =
       "force_spread"
       "assumption: standard deviation as a share of the force"
       sensorForceSpread
-    <*> share
+    <*> real
       "tilt_spread"
+      "1"
+      (0, 100)
       "assumption: standard deviation of each tilt at the sensor's edge, share of 1.5875 mm"
       sensorTiltSpread
     <*> real

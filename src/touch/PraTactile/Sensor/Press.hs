@@ -1,5 +1,15 @@
 -- | The mechanics of a press: which tabs of the elastic overlay meet the face, how far a rigid
 -- sensor presses them, and how their forces spread to the elements under them.
+--
+-- Let x and y go from -1 to 1 between the edges of a rigid sensor, and let it be nearer by a at its
+-- right edge, by b at its lower one, than at its centre, which is z below the plane that it would
+-- rest on. Over a height h it is pressed in by
+--
+-- > d(x, y) = max 0 (z + a x + b y + h)
+--
+-- so that what the tilt lifts off the face reads 0. Where force is modelled, z is such that the
+-- tabs bear it. Readings in proportion to the height know no force: there z is 0, however the
+-- sensor is tilted.
 module PraTactile.Sensor.Press
   ( -- * What is touched
     HeightMap (..),
@@ -12,6 +22,7 @@ module PraTactile.Sensor.Press
     tabPoints,
 
     -- * The rigid press
+    nearer,
     forceBalance,
     displacements,
 
@@ -121,17 +132,23 @@ forceBalance stiffness force tabs =
       (_, next) : _ -> z + next <= 0
       [] -> True
 
--- | How far each tab is pressed in, mm, weighed with its share: share * max 0 (z + a x + b y + h),
--- where z follows from the force (N), and the tilts a and b say how much nearer the right and the
--- lower edge of the sensor are than its centre (mm). All 0 where nothing is under the sensor.
+-- | How much nearer than its centre the element in this column and row of a sensor of that width
+-- and height is, given the tilts a and b (mm): a x + b y.
+nearer :: (Int, Int) -> (Double, Double) -> Int -> Int -> Double
+nearer (w, h) (a, b) i j = a * across w i + b * across h j
+  where
+    across n k = (2 * fromIntegral k + 1 - fromIntegral n) / fromIntegral n :: Double
+
+-- | How far each tab is pressed in, mm, weighed with its share: share * d(x, y), given
+-- the tilts a and b (mm), where z follows from the force (N). All 0 where nothing is under the
+-- sensor.
 displacements :: Double -> Double -> (Double, Double) -> Footing -> Raster
-displacements stiffness force (a, b) (Footing shares heights) =
+displacements stiffness force tilts (Footing shares heights) =
   generate w h (\x y -> share x y * max 0 (z + rest x y))
   where
     (w, h) = rasterSize shares
     share x y = fromMaybe 0 (index shares x y)
-    rest x y = a * across w x + b * across h y + fromMaybe 0 (index heights x y)
-    across n k = (2 * fromIntegral k + 1 - fromIntegral n) / fromIntegral n :: Double
+    rest x y = nearer (w, h) tilts x y + fromMaybe 0 (index heights x y)
     -- Where no tab is reached all shares are 0, and so is what is felt.
     z =
       fromMaybe 0 $

@@ -50,7 +50,7 @@ spec =
         { fitsAngle = angle,
           fitsTables = error "no table is needed",
           fitsFrames =
-            [ Fit (r angle) (f angle) (error "nor all that is told")
+            [ Fit (r angle) (f angle) (error "nor all that is told") 1
               | (r, f) <- zip roughly finely
             ]
         }

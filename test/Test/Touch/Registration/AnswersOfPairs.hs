@@ -7,7 +7,7 @@ import Data.Maybe (fromMaybe, isJust, isNothing)
 import Data.Ord (comparing)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
-import PraTactile.Registration.Lattice.Fit (likelihood)
+import PraTactile.Registration.Lattice.Fit (likelihood, whole)
 import PraTactile.Registration.Lattice.Likelihood (logDensity)
 import PraTactile.Registration.Lattice.Template (templates)
 import PraTactile.Registration.Pair
@@ -201,7 +201,7 @@ methodSpec :: Spec
 methodSpec =
   it "by the lattice if that is likelier than other relief; if not, by it the prior alone is sure" $
     forAllBlind genAsked $ \(pairing@(Pairing _ search _ _), frames@(a, b), _) ->
-      let likely known = sum (map (logDensity . likelihood (templates known 0 9 8)) [a, b])
+      let likely known = sum (map (logDensity . likelihood (templates known 0 9 8) . whole) [a, b])
           latticed = either (const False) shown paperAlphabet
           shown known = likely known > sum (reliefLogs (reliefOf [a, b]))
           by method = answer pairing {pairingMethod = method} frames 0.99

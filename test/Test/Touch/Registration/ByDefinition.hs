@@ -121,13 +121,16 @@ frameSpec =
           hint =
             iterate (mStep 1 n few coarse) (mStep 1 n (const True) coarse start) !! 3
           hinted = Map.filterWithKey (\k _ -> few k) (phaseLogsOf 1 (classLogsOf hint coarse))
-          told = fitOf tables image
+          told = fitOf tables (whole image)
           Likelihood _ (Theta a' b' v') classes' cells' phases' logs = fitLikelihood told
           -- The tables' blur is so to 1e-7, and logarithms are large.
           close what one other = near (1e-4 * (1 + maximum (map abs other))) what one other
        in conjoin
             [ near 1e-4 "theta" [a', b', v'] [a, b, v],
-              close "classes" (V.toList classes') (concat (Map.elems classes)),
+              close
+                "classes"
+                (map classes' [0 .. 4 * V.length cells' - 1])
+                (concat (Map.elems classes)),
               close "cells" (V.toList cells') (map cellLogOf (Map.elems classes)),
               close
                 "phases"
@@ -172,7 +175,7 @@ ascentSpec =
              in density n theta (Map.size phases) (Map.elems phases)
           thetas = take 5 (iterate (mStep 1 n (const True) coarse) (firstTheta standard))
           logs = [logOf 1 theta coarse | theta <- thetas]
-          told = fitLikelihood (fitOf tables image)
+          told = fitLikelihood (fitOf tables (whole image))
        in counterexample (show logs) (and (zipWith (\a b -> b >= a - 1e-3) logs (drop 1 logs)))
             .&&. counterexample
               (show (logDensity told))
@@ -184,8 +187,8 @@ jointSpec =
     forAll (elements [0, 0, 20]) $ \angle ->
       forAllBlind genFrames $ \frames ->
         let settings = standardRegistration {registrationSigma = Just 0.4, registrationReach = 2}
-            fits = fitsAt paperTables (map snd frames) angle
-            Joint found _ sigma _ = registerJointly settings fits frames
+            fits = fitsAt paperTables (map (whole . snd) frames) angle
+            Joint found _ sigma _ = registerJointly settings fits (map (fmap whole) frames)
             (wanted, sigma') = together (Robot (0.2, 0.8) 4) angle frames
          in conjoin (zipWith alike found wanted)
               .&&. length found === length frames
@@ -258,7 +261,7 @@ pairSpec :: Spec
 pairSpec =
   it "two frames lie as probably at each place as all phases and symbols together say" $
     forAllBlind genPair $ \(step, a, b) ->
-      let told = likelihood (tablesOf 0 (12, 13))
+      let told = likelihood (tablesOf 0 (12, 13)) . whole
           Posterior origin spacing size masses = latticePosterior step 1 (told a) (told b)
           displacements =
             [ ((round (2 * fst step) + i, round (2 * snd step) + j), prior)

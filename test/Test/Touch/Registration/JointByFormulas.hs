@@ -15,7 +15,7 @@ import PraTactile.Registration.Joint.Estimate
 import PraTactile.Registration.Joint.Grid
 import PraTactile.Registration.Joint.MeanField
 import PraTactile.Registration.Joint.Phase
-import PraTactile.Registration.Lattice.Fit (likelihood)
+import PraTactile.Registration.Lattice.Fit (likelihood, whole)
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Lattice.Places (placesGrid)
 import PraTactile.Registration.Lattice.Template
@@ -38,7 +38,7 @@ spec = do
 
 -- | What a frame of nothing tells, to be told otherwise.
 blank :: Likelihood
-blank = likelihood (tablesOf 0 (16, 16)) (constant 16 16 0)
+blank = likelihood (tablesOf 0 (16, 16)) (whole (constant 16 16 0))
   where
     tablesOf = tablesAt paperTables
 
@@ -95,7 +95,7 @@ optionSpec =
       forAll (elements [0, 1]) $ \o ->
         forAll ((,) <$> choose (0, 39) <*> choose (0, 31)) $ \(y, x) ->
           let robot = standardRegistration {registrationSigma = Just sigma, registrationReach = 3}
-              told = blank {phaseLogs = phases, classLogs = classes}
+              told = blank {phaseLogs = phases, classLog = (classes V.!)}
               wanted = likely (robotOf robot) (o, y, x) (seenAt place phases classes)
               found = displacementsOf (gridOf robot) o (y, x) (place, told)
            in (map displacementShift found === [d | (d, _, _) <- wanted])
@@ -111,7 +111,7 @@ optionSpec =
     cell k = let (i, j) = (k + 524288) `divMod` 1048576 in (i, j - 524288)
     -- Numbers of which some are exactly 12 below the best, or any.
     genSeen = do
-      classes <- V.fromList <$> vectorOf (V.length (classLogs blank)) (choose (-9, 9))
+      classes <- V.fromList <$> vectorOf (4 * V.length (cellLogs blank)) (choose (-9, 9))
       let phases = fmap V.fromList . vectorOf (2 * 40 * 32)
           halves k = fromIntegral <$> choose (negate k, k :: Int)
       wide <- elements [10, 60]

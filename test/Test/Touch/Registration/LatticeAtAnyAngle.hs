@@ -162,7 +162,7 @@ templatesSpec alphabet = do
             noisy =
               generate 16 16 $ \x y ->
                 rasterValues image V.! (16 * y + x) + fst (errorsOf sigma seed !! (16 * y + x))
-            told = fitOf (templates alphabet angle 16 16) noisy
+            told = fitOf (templates alphabet angle 16 16) (whole noisy)
          in abs (fitLikely told - logDensity (fitLikelihood told)) < 1e-6
   where
     placeOf tables x y =
@@ -263,7 +263,7 @@ angled alphabet =
           tables = paperTables
           -- What symbols show of their angle is up to quarter turns.
           hint = angle - 90 * fromIntegral (round (angle / 90) :: Int)
-      case latticeAngle (fitsAt tables images) (spectra 16 16) (Just hint) images of
+      case latticeAngle (fitsAt tables (map whole images)) (spectra 16 16) (Just hint) images of
         Nothing -> expectationFailure (show (seed, angle))
         Just against -> do
           let told = fitsAngle against
@@ -365,7 +365,7 @@ pairs alphabet =
   it "may lie where they do, wherever the lattice lies under the first of them" $
     for_ [(x, y) | (x, y) <- zip [0, 0.5 .. 19.5] (cycle [0, 0.5 .. 15.5])] $ \(x, y) -> do
       let relief = scene alphabet 5 0
-          told = likelihood (templates alphabet 0 16 16)
+          told = likelihood (templates alphabet 0 16 16) . whole
           noisy k image = zipWithRaster image (take 256 (map fst (errorsOf 0.05 k)))
           a = told (noisy 1 (felt relief (x, y)))
           b = told (noisy 2 (felt relief (x + 8, y)))

@@ -6,7 +6,7 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
 import PraTactile.Random (normals)
-import PraTactile.Registration.Lattice.Fit (likelihood)
+import PraTactile.Registration.Lattice.Fit (likelihood, whole)
 import PraTactile.Registration.Lattice.Template (templates)
 import PraTactile.Registration.Pair
 import PraTactile.Registration.Pair.Lattice (latticePosterior)
@@ -182,7 +182,8 @@ byLattice =
       let (a, b) = noisyBy seed sd symbols
           tables known = templates known 0 16 16
           told known =
-            latticePosterior (8, 0) 3 (likelihood (tables known) a) (likelihood (tables known) b)
+            latticePosterior (8, 0) 3 (alone known a) (alone known b)
+          alone known = likelihood (tables known) . whole
           shifts = map hypothesisShift
        in shifts (matchHypotheses (found' Lattice (a, b)))
             === either (const []) (shifts . hypotheses 5 0.001 . told) paperAlphabet

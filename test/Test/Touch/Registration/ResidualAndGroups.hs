@@ -7,7 +7,7 @@ import Data.List (elemIndex, genericLength, nub)
 import Data.List.NonEmpty (NonEmpty (..))
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite (blended)
+import PraTactile.Composite (blended, inFull)
 import PraTactile.Composite.Blend
 import PraTactile.Image
 import PraTactile.Image.Correlate (referenceSums, referenceWeights)
@@ -98,7 +98,7 @@ restSpec =
       forAll genPlaced $ \own ->
         forAll ((,) <$> choose (-3, 3) <*> choose (-3, 3)) $ \(left, top) ->
           forAll ((,) <$> choose (8, 14) <*> choose (8, 14)) $ \(wide, high) ->
-            let composite = blended (0, 0) (fmap (\p -> (p, (1, Nothing))) (own :| others)) []
+            let composite = blended (0, 0) (fmap (\p -> (p, inFull)) (own :| others)) []
                 corner part = floor (minimum (map (part . fst) (own : others))) :: Int
                 onGrid (i, j) ((x, y), image) =
                   ((x - fromIntegral (corner fst + i), y - fromIntegral (corner snd + j)), image)

@@ -352,7 +352,7 @@ presets = do
                    ("rotation_error", (0, 180), False),
                    ("force", (0.001, 100000), False),
                    ("force_spread", (0, 1), False),
-                   ("tilt_spread", (0, 1), False),
+                   ("tilt_spread", (0, 100), False),
                    ("full_scale_height", (0.0001, 1000), False),
                    ("tab_stiffness", (0, 100000), False),
                    ("overlay_depth", (0, 50), False),

@@ -87,7 +87,7 @@ displacementsOf grid orientation (phaseY, phaseX) (place, given) =
     cells dx dy =
       [ ( cellNumber ((y + ny + dy - phaseY) `div` down) ((x + nx + dx - phaseX) `div` across),
           let start = cellIndex places orientation y x * count
-           in Unboxed.generate count (\k -> V.unsafeIndex (classLogs given) (start + k))
+           in Unboxed.generate count (\k -> classLog given (start + k))
         )
         | y <- [(phaseY - ny - dy) `mod` down, (phaseY - ny - dy) `mod` down + down .. rows - 1],
           x <-

@@ -64,7 +64,11 @@ latticeAngle at processes hint images
     usable =
       [(k, i) | one : _ <- [images], (k, i) <- zip [0 ..] images, rasterSize i == rasterSize one]
     blind =
-      sum (concat [processLogs (processOf processes misfit [coefficients i]) | (_, i) <- few])
+      sum
+        [ fitShare (fitsFrames upright !! k) * sum (processLogs process)
+          | (k, i) <- few,
+            let process = processOf processes misfit [coefficients i]
+        ]
     coefficients = coefficientsOf processes
     maximumOn score = maximumBy (comparing score)
 

@@ -4,6 +4,9 @@ module PraTactile.Registration.Lattice.Fit
   ( Fit (..),
     fitOf,
     likelihood,
+    Touched,
+    whole,
+    standardOf,
 
     -- * Many frames at one angle
     Fits (..),
@@ -23,6 +26,7 @@ import PraTactile.Image
     rasterSize,
     rasterValues,
     rasterWidth,
+    zipRaster,
   )
 import PraTactile.Registration.Lattice.Blur (areaSums)
 import PraTactile.Registration.Lattice.Glimpse
@@ -38,33 +42,47 @@ data Fit = Fit
     -- | The same at all places, over the phases that it leaves likely at whole taxels.
     fitLikely :: Double,
     -- | All, at all places.
-    fitLikelihood :: Likelihood
+    fitLikelihood :: Likelihood,
+    -- | The share of the frame's taxels that count.
+    fitShare :: !Double
   }
 
 -- | What a frame of the tables' size tells. A frame without any variation tells next to nothing.
-likelihood :: Templates -> Raster -> Likelihood
+likelihood :: Templates -> Touched -> Likelihood
 likelihood tables = fitLikelihood . fitOf tables
+
+-- | A frame, and what each of its taxels counts, 0 to 1; 'Nothing' for 1 each.
+type Touched = (Raster, Maybe Raster)
+
+-- | A frame all of whose taxels count.
+whole :: Raster -> Touched
+whole image = (image, Nothing)
 
 -- | The same by parts. Theta is found by four steps at whole taxels and one at all places, all but
 -- the first for likely phases only, or where others turn out to matter, for all.
-fitOf :: Templates -> Raster -> Fit
-fitOf tables image = Fit (logDensity coarseLikely) (logDensity fineLikely) fine
+fitOf :: Templates -> Touched -> Fit
+fitOf tables (image, shares) =
+  Fit (logDensity coarseLikely) (logDensity fineLikely) fine (n / fromIntegral (V.length values))
   where
     values = rasterValues image
-    n = fromIntegral (V.length values)
-    average = V.sum values / n
-    deviation = sqrt (V.sum (V.map (\v -> (v - average) * (v - average)) values) / n)
+    (n, average, deviation) = standardOf (image, shares)
+    feltAt places =
+      Felt
+        (areaSums places (maybe id (orElse . zipRaster (*)) shares standard))
+        (areaSums places <$> shares)
+        n
+    orElse f = either (const standard) id . f
     standard = mapRaster (\v -> if deviation > 1e-9 then (v - average) / deviation else 0) image
     step statistics = mStep statistics . eStep statistics
     -- At whole taxels.
-    coarseAll = allPhases (coarser tables) (areaSums (templatePlaces (coarser tables)) standard)
+    coarseAll = allPhases (coarser tables) (feltAt (templatePlaces (coarser tables)))
     first = eStep coarseAll (firstTheta standard)
     coarseSteps statistics =
       eStep statistics (iterate (step statistics) (mStep coarseAll first) !! 3)
     coarseLikely = coarseSteps (atPhases coarseAll (likelyPhases coarseAll first))
     coarse = overAll coarseAll coarseSteps coarseLikely
     -- At all places.
-    areas = areaSums (templatePlaces tables) standard
+    areas = feltAt (templatePlaces tables)
     fineAll = allPhases tables areas
     fineStep statistics = eStep statistics (step statistics (likelihoodTheta coarse))
     fineLikely =
@@ -76,19 +94,29 @@ fitOf tables image = Fit (logDensity coarseLikely) (logDensity fineLikely) fine
         )
     fine = overAll fineAll fineStep fineLikely
 
+-- | N, how many taxels count, and the mean and the standard deviation of their readings.
+standardOf :: Touched -> (Double, Double, Double)
+standardOf (image, shares) = (n, average, deviation)
+  where
+    values = rasterValues image
+    n = maybe (fromIntegral (V.length values)) (max 1e-6 . V.sum . rasterValues) shares
+    average = V.sum (counted values) / n
+    deviation = sqrt (V.sum (counted (V.map (\v -> (v - average) * (v - average)) values)) / n)
+    counted = maybe id (V.zipWith (*) . rasterValues) shares
+
 -- | What all phases tell, at the theta that was found by some of them; or, if others have any
 -- weight there, as it is found by all.
 overAll :: Statistics -> (Statistics -> Likelihood) -> Likelihood -> Likelihood
-overAll whole@(Statistics _ lattices _) steps some
+overAll every@(Statistics _ lattices _ _ _) steps some
   | V.length (phaseLogs some) == V.length (phaseNumbers lattices) = some
   | logDensity same - logDensity some < 1e-7 = same
-  | otherwise = steps whole
+  | otherwise = steps every
   where
-    same = eStep whole (likelihoodTheta some)
+    same = eStep every (likelihoodTheta some)
 
 -- | The phases that are not most unlikely.
 likelyPhases :: Statistics -> Likelihood -> [Int]
-likelyPhases (Statistics _ lattices _) given =
+likelyPhases (Statistics _ lattices _ _ _) given =
   map
     (phaseNumbers lattices V.!)
     (V.toList (V.findIndices (> V.maximum phases - negligible) phases))
@@ -143,17 +171,17 @@ data Fits = Fits
 
 -- | Frames of any sizes at an angle, degrees clockwise. What tells the angle, 'fitCoarse' and
 -- 'fitLikely', is of the 'glimpse' of each.
-fitsAt :: LatticeTables -> [Raster] -> Double -> Fits
+fitsAt :: LatticeTables -> [Touched] -> Double -> Fits
 fitsAt tables images angle = Fits angle at (map fit images)
   where
     at = bySize (sizes ++ map glimpseSize sizes) (tablesAt tables angle)
-    sizes = map rasterSize images
-    fit image
-      | glimpseSize (rasterSize image) == rasterSize image = whole
-      | otherwise = (fitted (glimpse image)) {fitLikelihood = fitLikelihood whole}
+    sizes = map (rasterSize . fst) images
+    fit seen@(image, _)
+      | glimpseSize (rasterSize image) == rasterSize image = all'
+      | otherwise = (fitted (whole (glimpse image))) {fitLikelihood = fitLikelihood all'}
       where
-        whole = fitted image
-    fitted image = fitOf (at (rasterSize image)) image
+        all' = fitted seen
+    fitted seen = fitOf (at (rasterSize (fst seen))) seen
 
 -- | Tables by size, each of these sizes' made once.
 bySize :: [(Int, Int)] -> ((Int, Int) -> tables) -> (Int, Int) -> tables

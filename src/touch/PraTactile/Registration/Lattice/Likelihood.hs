@@ -14,6 +14,7 @@ module PraTactile.Registration.Lattice.Likelihood
 
     -- * What theta is found from
     Statistics (..),
+    Felt (..),
     allPhases,
     atPhases,
     somePhases,
@@ -33,8 +34,9 @@ data Likelihood = Likelihood
   { likelihoodTables :: !Templates,
     likelihoodTheta :: !Theta,
     -- | How much likelier, as a natural logarithm, a symbol of a class at a place makes the frame
-    -- than nothing there: by 'cellIndex' and class.
-    classLogs :: !(Vector Double),
+    -- than nothing there: by 'cellIndex' times the number of classes, and the class. There is no
+    -- table of these, which would be most of what is kept of a frame, and few are asked for.
+    classLog :: Int -> Double,
     -- | The same for a cell whose class is not known, by 'cellIndex'.
     cellLogs :: !(Vector Double),
     -- | The same for a whole lattice: by orientation, and the row and the column of places, modulo
@@ -44,23 +46,38 @@ data Likelihood = Likelihood
     logDensity :: !Double
   }
 
--- | What theta is found from: the tables, some phases of the lattice with their cells, and the
--- moments of these.
-data Statistics = Statistics !Templates Phases Moments
+-- | What theta is found from: the tables, some phases of the lattice with their cells, the moments
+-- of these, <z, T> of a single one of them, and N, how many taxels count.
+data Statistics = Statistics !Templates Phases Moments (Int -> Double) !Double
 
--- | All phases, from the frame's 'areaSums'.
-allPhases :: Templates -> Vector Double -> Statistics
-allPhases tables areas =
+-- | A frame as it is held against templates: 'areaSums' of its readings, each times what its taxel
+-- counts; where some count less than 1, those of what they count; and how many count in all.
+data Felt = Felt
+  { feltReadings :: Vector Double,
+    feltShares :: Maybe (Vector Double),
+    feltCount :: !Double
+  }
+
+-- | All phases of a frame.
+allPhases :: Templates -> Felt -> Statistics
+allPhases tables (Felt areas shares n) =
   Statistics
     tables
     (templatePhases tables)
-    (Moments (correlationsOf tables areas) (templateSums tables) (templateSquares tables))
+    ( maybe
+        id
+        (weighed . correlationsOf tables)
+        shares
+        (Moments (correlationsOf tables areas) (templateSums tables) (templateSquares tables))
+    )
+    (correlationAt tables areas)
+    n
 
 -- | Some of all phases.
 atPhases :: Statistics -> [Int] -> Statistics
-atPhases statistics@(Statistics tables _ (Moments products sums squares)) phases
+atPhases statistics@(Statistics tables _ (Moments products sums squares) _ n) phases
   | many tables phases = statistics
-  | otherwise = Statistics tables here (Moments (at products) (at sums) (at squares))
+  | otherwise = among tables here (Moments (at products) (at sums) (at squares)) n
   where
     (here, cells) = renumbered (phasesOf (templatePlaces tables) phases)
     count = symbolsClasses (templateSymbols tables)
@@ -69,13 +86,19 @@ atPhases statistics@(Statistics tables _ (Moments products sums squares)) phases
       tabulate count (V.length cells) $ \c ->
         let !start = V.unsafeIndex cells c * count in \k -> V.unsafeIndex numbers (start + k)
 
--- | The same from the frame's 'areaSums', without looking at the numbers of all.
-somePhases :: Statistics -> Vector Double -> [Int] -> Statistics
-somePhases statistics@(Statistics tables _ _) areas phases
+-- | The same from the frame, without looking at the numbers of all.
+somePhases :: Statistics -> Felt -> [Int] -> Statistics
+somePhases statistics@(Statistics tables _ _ _ n) (Felt areas shares _) phases
   | many tables phases = statistics
-  | otherwise = Statistics tables here (momentsAt tables areas cells)
+  | otherwise = among tables here (weighedHere (momentsAt tables areas cells)) n
   where
     (here, cells) = renumbered (phasesOf (templatePlaces tables) phases)
+    weighedHere = maybe id (\of' -> weighed (productsAt tables of' cells)) shares
+
+-- | Phases with the moments of their cells.
+among :: Templates -> Phases -> Moments -> Double -> Statistics
+among tables here moments@(Moments products _ _) =
+  Statistics tables here moments (V.unsafeIndex products)
 
 -- | Whether so many phases are compared faster together with all others, as are none: then what the
 -- frame tells is no number.
@@ -90,22 +113,18 @@ renumbered phases = (phases {phaseCells = V.enumFromN 0 (V.length cells)}, cells
 
 -- | Everything at a theta.
 eStep :: Statistics -> Theta -> Likelihood
-eStep (Statistics tables lattices moments) theta@(Theta gain offset variance) =
-  Likelihood tables theta classes cells phases total
+eStep (Statistics tables lattices moments product' n) theta@(Theta _ offset variance) =
+  Likelihood tables theta (\i -> classOf weights sums squares (product' i) i) cells phases total
   where
-    Moments products sums squares = moments
-    -- Note [Bounds of classes]
-    classes = V.generate (V.length products) $ \i ->
-      ofProducts * V.unsafeIndex products i
-        - ofSums * V.unsafeIndex sums i
-        - ofSquares * V.unsafeIndex squares i
-    ofProducts = gain / variance
-    ofSums = gain * offset / variance
-    ofSquares = gain * gain / (2 * variance)
-    cells = cellsOf (symbolsClasses (templateSymbols tables)) classes
+    !(Moments products sums squares) = moments
+    !weights = weightsOf theta
+    count = symbolsClasses (templateSymbols tables)
+    cells = V.generate (V.length products `quot` count) $ \c ->
+      cellLog
+        count
+        (\k -> let i = c * count + k in classOf weights sums squares (V.unsafeIndex products i) i)
     phases = overPhases lattices cells
     top = V.maximum phases
-    n = taxelsOf tables
     total =
       top
         + log
@@ -115,18 +134,23 @@ eStep (Statistics tables lattices moments) theta@(Theta gain offset variance) =
         - n * (1 + offset * offset) / (2 * variance)
         - n / 2 * log (2 * pi * variance)
 
+-- | What <z, T> adds to l_k at a theta, and what sum T and sum T^2 take from it.
+data Weights = Weights !Double !Double !Double
+
+weightsOf :: Theta -> Weights
+weightsOf (Theta gain offset variance) =
+  Weights (gain / variance) (gain * offset / variance) (gain * gain / (2 * variance))
+
+-- | l_k, from the templates' sums and the sums of their squares, and <z, T> of one of them with its
+-- place among these.
+classOf :: Weights -> Vector Double -> Vector Double -> Double -> Int -> Double
+classOf (Weights ofProducts ofSums ofSquares) sums squares y i =
+  -- Note [Bounds of classes]
+  ofProducts * y - ofSums * V.unsafeIndex sums i - ofSquares * V.unsafeIndex squares i
+{-# INLINE classOf #-}
+
 {- Note [Bounds of classes] The correlations, the sums and the squares of a template all have one
    number for each cell and class. -}
-
--- | The number of a frame's taxels.
-taxelsOf :: Templates -> Double
-taxelsOf tables = let (w, h) = placesFrame (templatePlaces tables) in fromIntegral (w * h)
-
--- | From classes to cells.
-cellsOf :: Int -> Vector Double -> Vector Double
-cellsOf count classes = V.generate (V.length classes `quot` count) cell
-  where
-    cell i = cellLog count (\k -> V.unsafeIndex classes (i * count + k))
 
 -- | How likely something is as a share of the likeliest, from the logarithms.
 relativeTo :: Double -> Double -> Double
@@ -158,13 +182,13 @@ data Sums = Sums !Double !Double !Double
 
 -- | By what the phases and the symbols probably are at a theta, the theta that fits them best.
 mStep :: Statistics -> Likelihood -> Theta
-mStep (Statistics tables lattices moments) given = Theta gain' offset' variance'
+mStep (Statistics tables lattices moments _ n) given = Theta gain' offset' variance'
   where
     Theta gain offset _ = likelihoodTheta given
     Moments products sums squares = moments
     count = symbolsClasses (templateSymbols tables)
     share = classPrior count
-    n = taxelsOf tables
+    !ofMoments = weightsOf (likelihoodTheta given)
     phases = phaseLogs given
     top = V.maximum phases
     weights = V.map (relativeTo top) phases
@@ -181,7 +205,8 @@ mStep (Statistics tables lattices moments) given = Theta gain' offset' variance'
         go !k found@(Sums a b c)
           | k >= count = found
           | otherwise =
-            let p = share * exp (V.unsafeIndex (classLogs given) (start + k) - cell)
+            let i = start + k
+                p = share * exp (classOf ofMoments sums squares (V.unsafeIndex products i) i - cell)
              in go
                   (k + 1)
                   ( Sums

@@ -64,8 +64,8 @@ symbolsOf alphabet =
       tabulate boxWide boxHigh $ \v u ->
         squared
           ( sum
-              [ V.unsafeIndex across (j * boxWide + u) * V.unsafeIndex downShares (v - j)
-                | j <- [max 0 (v - 2 * margin) .. min (symbolHeight - 1) v]
+              [ V.unsafeIndex across (j * boxWide + u) * V.unsafeIndex downShares (v + within - j)
+                | j <- [max 0 (v + within - 2 * far) .. min (symbolHeight - 1) (v + within)]
               ]
           )
       where
@@ -73,22 +73,29 @@ symbolsOf alphabet =
         across =
           tabulate boxWide symbolHeight $ \j u ->
             sum
-              [ V.unsafeIndex acrossShares (u - i)
-                | i <- [max 0 (u - 2 * margin) .. min (symbolWidth - 1) u],
+              [ V.unsafeIndex acrossShares (u + within - i)
+                | i <- [max 0 (u + within - 2 * far) .. min (symbolWidth - 1) (u + within)],
                   embossedAt b i j
               ]
         acrossShares = sharesAround partX
         downShares = sharesAround partY
     sharesAround :: Double -> Vector Double
-    sharesAround t = V.generate (2 * margin + 1) (\d -> seenAt (fromIntegral (d - margin) - t))
+    sharesAround t = V.generate (2 * far + 1) (\d -> seenAt (fromIntegral (d - far) - t))
     squared t = if t * t > leastShare * leastShare then t * t else 0
 
-{- Note [Bounds of boxes] A taxel of the box is at most the margin from the taxels that are looked
-   at for it. -}
+{- Note [Bounds of boxes] A taxel of the box is at most three taxels from those that are looked at
+   for it. -}
 
--- | How far around a symbol its squares are summed, in taxels, and the box that this makes.
+-- | How far the taxels lie that a taxel reads something of, and how much nearer the edge of a box
+-- is to its symbol.
+far, within :: Int
+far = 3
+within = far - margin
+
+-- | How far around a symbol its squares are summed, in taxels, and the box that this makes: beyond,
+-- less than the least share is read of it.
 margin, boxWide, boxHigh :: Int
-margin = 3
+margin = 2
 boxWide = symbolWidth + 2 * margin
 boxHigh = symbolHeight + 2 * margin
 

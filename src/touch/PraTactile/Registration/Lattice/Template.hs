@@ -20,8 +20,11 @@ module PraTactile.Registration.Lattice.Template
     -- * Frames held against them
     correlations,
     correlationsOf,
+    correlationAt,
     Moments (..),
     momentsAt,
+    productsAt,
+    weighed,
   )
 where
 
@@ -35,6 +38,7 @@ import PraTactile.Image (Raster, constant)
 import PraTactile.Registration.Lattice.Blur (areaSums)
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Symbols
+import PraTactile.Registration.Loops (tabulate)
 import PraTactile.Registration.Model (placesPerTaxel)
 import PraTactile.Shape (Alphabet)
 
@@ -214,31 +218,61 @@ data Moments = Moments
 -- | The numbers of a few cells, by 'cellIndex', from a frame's 'areaSums'.
 momentsAt :: Templates -> Vector Double -> Vector Int -> Moments
 momentsAt tables areas cells =
-  Moments (outlined areas) (outlined (templateAreas tables)) (each squares)
+  Moments
+    (productsAt tables areas cells)
+    (productsAt tables (templateAreas tables) cells)
+    (eachOf tables cells squares)
   where
-    places = templatePlaces tables
-    (columns, rows) = placesGrid places
-    count = symbolsClasses (templateSymbols tables)
-    each :: (Int -> Int -> Int -> Int -> Double) -> Vector Double
-    each number =
-      V.fromList
-        [ number o y x k
-          | cell <- V.toList cells,
-            let (row, x) = cell `quotRem` columns
-                (o, y) = row `quotRem` rows,
-            k <- [0 .. count - 1]
-        ]
     squares o y x k = (if o == 0 then fst else snd) (squaresAt' y x k)
-    squaresAt' = squaresAt (templateSymbols tables) places (templateCover tables)
+    squaresAt' = squaresAt (templateSymbols tables) (templatePlaces tables) (templateCover tables)
+
+-- | The correlations alone.
+productsAt :: Templates -> Vector Double -> Vector Int -> Vector Double
+productsAt tables areas cells = eachOf tables cells (outlinedAt tables areas)
+
+-- | That of one cell and class: by 'cellIndex' times the number of classes, and the class.
+correlationAt :: Templates -> Vector Double -> Int -> Double
+correlationAt tables areas i = outlinedAt tables areas o y x k
+  where
+    (cell, k) = i `quotRem` symbolsClasses (templateSymbols tables)
+    (columns, rows) = placesGrid (templatePlaces tables)
+    (row, x) = cell `quotRem` columns
+    (o, y) = row `quotRem` rows
+
+-- | That of an orientation, a row and a column of places, and a class.
+outlinedAt :: Templates -> Vector Double -> Int -> Int -> Int -> Int -> Double
+outlinedAt tables areas !o !y !x !k = go 0 0
+  where
     -- Note [Bounds of outlines]
-    outlined :: Vector Double -> Vector Double
-    outlined sums = each $ \o y x k ->
-      let Outline steps counts = Boxed.unsafeIndex (templateOutlines tables) (o * count + k)
-          start = y * areasWidth places + x
-          go !c !s
-            | c >= V.length steps = s
-            | otherwise =
-              go
-                (c + 1)
-                (s + V.unsafeIndex counts c * V.unsafeIndex sums (start + V.unsafeIndex steps c))
-       in go 0 0
+    Outline steps counts =
+      Boxed.unsafeIndex
+        (templateOutlines tables)
+        (o * symbolsClasses (templateSymbols tables) + k)
+    start = y * areasWidth (templatePlaces tables) + x
+    go !c !s
+      | c >= V.length steps = s
+      | otherwise =
+        go
+          (c + 1)
+          (s + V.unsafeIndex counts c * V.unsafeIndex areas (start + V.unsafeIndex steps c))
+
+-- | For each of some cells, by 'cellIndex', and each class what is said of its orientation, row,
+-- column and class.
+eachOf :: Templates -> Vector Int -> (Int -> Int -> Int -> Int -> Double) -> Vector Double
+eachOf tables cells number =
+  tabulate count (V.length cells) $ \c ->
+    let (row, !x) = V.unsafeIndex cells c `quotRem` columns
+        (!o, !y) = row `quotRem` rows
+     in number o y x
+  where
+    (columns, rows) = placesGrid (templatePlaces tables)
+    count = symbolsClasses (templateSymbols tables)
+{-# INLINE eachOf #-}
+
+-- | Where taxels count w each: the correlations are those of w z, the sums of the templates those
+-- of w, which are given; and the sums of their squares as much less as these.
+weighed :: Vector Double -> Moments -> Moments
+weighed shares (Moments products sums squares) =
+  Moments products shares (V.zipWith3 less shares sums squares)
+  where
+    less w s q = if s > 1e-6 then q * w / s else q

@@ -136,5 +136,4 @@ joint a b (dx, dy) phase = go firstY firstX 0
     both :: Int -> Int -> Double
     both i j =
       cellLog count $ \k ->
-        V.unsafeIndex (classLogs a) (i * count + k)
-          + V.unsafeIndex (classLogs b) (j * count + k)
+        classLog a (i * count + k) + classLog b (j * count + k)

@@ -1,0 +1,210 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | Presses that are tilted: the plane between a rigid sensor and the face is found with the gain
+-- and the offset of each frame, and taken away; and what does not touch is told. The formulas are
+-- in "PraTactile.Registration.Model", under "A tilted press".
+module PraTactile.Registration.Contact
+  ( evened,
+
+    -- * By parts
+    Press (..),
+    Taxel (..),
+    taxelsOf,
+    eStep,
+    mStep,
+    evenedBy,
+  )
+where
+
+import Data.List (foldl', maximumBy, sort)
+import Data.Maybe (fromMaybe)
+import Data.Ord (comparing)
+import qualified Data.Vector.Storable as V
+import Numeric.LinearAlgebra (atIndex, linearSolve, (><))
+import PraTactile.Composite.Noise (spacedOut)
+import PraTactile.Image (Raster, constant, generate, rasterSize, rasterValues, standardDeviation)
+import qualified PraTactile.Image as Image (mean)
+import PraTactile.Registration.Model
+
+-- | Frames as even presses would read them, each with w, what its taxels count; 'Nothing' where the
+-- frames do not show that they are tilted.
+evened :: [Raster] -> Maybe [(Raster, Raster)]
+evened images
+  | sum (map shown (spacedOut mostAsked (filter varied images))) > log 99 = Just (map even' images)
+  | otherwise = Nothing
+  where
+    -- By Schwarz's criterion a plane costs half the logarithm of the taxels for each slope.
+    shown image =
+      let taxels = taxelsOf image
+          (level, press) = climbed Level asked taxels (usualPress taxels)
+          (tilted, _) = climbed Tilted asked taxels press
+       in independentShare * (tilted - level) - log (fromIntegral (length taxels))
+    even' image
+      | varied image = evenedBy (likeliestPress image) image
+      | otherwise = (image, uncurry constant (rasterSize image) 1)
+    varied = any (> 1e-9) . standardDeviation
+
+-- | The most frames that are asked whether they are tilted, and by how many steps.
+mostAsked, asked :: Int
+mostAsked = 12
+asked = 8
+
+-- | A frame as an even press would read it, and w.
+evenedBy :: Press -> Raster -> (Raster, Raster)
+evenedBy press image = (generate w h level, generate w h counts)
+  where
+    (w, h) = rasterSize image
+    (mean, deviation, lowest) = scaleOf image
+    plane x y = planeAt press (across w x) (across h y)
+    level x y
+      | share < leastTouch = back 0
+      | otherwise = back ((read' - indentation press 0 (plane x y)) / share)
+      where
+        share = touchAt (plane x y)
+        read' = (V.unsafeIndex (rasterValues image) (y * w + x) - mean) / deviation - lowest
+    back t = mean + deviation * (lowest + indentation press 0 0 + t)
+    counts x y =
+      let share = touchAt (plane x y) in if share < leastTouch then 0 else min 1 (share * share)
+    touchAt s = contrast s / unit
+    contrast s = indentation press 1 s - indentation press 0 s
+    -- Where the centre hardly touches, half of what there is at the corner that touches most.
+    unit = max 1e-6 (max (contrast 0) (contrast most / 2))
+    most = abs (pressAcross press) + abs (pressDown press)
+
+-- | The press that makes a frame likeliest; the frame must not be without variation.
+likeliestPress :: Raster -> Press
+likeliestPress image = snd (maximumBy (comparing fst) (map (climbed Tilted 15 taxels) starts))
+  where
+    taxels = taxelsOf image
+    usual = usualPress taxels
+    level = snd (climbed Level asked taxels usual)
+    starts =
+      level :
+        [ usual {pressAcross = 2 * cos t, pressDown = 2 * sin t}
+          | k <- [0 .. 7 :: Int],
+            let t = pi * fromIntegral k / 4
+        ]
+
+-- | A reading above c, standardised, and where it was read: x and y from -1 to 1.
+data Taxel = Taxel !Double !Double !Double
+
+-- | Those of a frame, at most 1024, evenly.
+taxelsOf :: Raster -> [Taxel]
+taxelsOf image =
+  [ Taxel ((v - mean) / deviation - lowest) (across w x) (across h y)
+    | y <- [0, every .. h - 1],
+      x <- [0, every .. w - 1],
+      let v = V.unsafeIndex (rasterValues image) (y * w + x)
+  ]
+  where
+    (w, h) = rasterSize image
+    (mean, deviation, lowest) = scaleOf image
+    every = max 1 (ceiling (sqrt (fromIntegral (w * h) / 1024 :: Double)))
+
+-- | From -1 to 1 between the edges of so many taxels.
+across :: Int -> Int -> Double
+across n k = (2 * fromIntegral k + 1 - fromIntegral n) / fromIntegral n
+
+-- | The mean and the standard deviation of a frame's readings, and c, standardised by them.
+scaleOf :: Raster -> (Double, Double, Double)
+scaleOf image = (mean, deviation, (sum few / fromIntegral (length few) - mean) / deviation)
+  where
+    mean = fromMaybe 0 (Image.mean image)
+    deviation = max 1e-9 (fromMaybe 0 (standardDeviation image))
+    values = rasterValues image
+    few = take (max 1 (V.length values `quot` 32)) (sort (V.toList values))
+
+-- | An even press as it is usual of symbols.
+usualPress :: [Taxel] -> Press
+usualPress taxels = Press gain (average - 0.3 * gain) 0 0 0.25
+  where
+    gain = 1 / 0.42
+    average = sum [t | Taxel t _ _ <- taxels] / fromIntegral (max 1 (length taxels))
+
+-- | Whether p and q are found, or stay 0.
+data Slopes = Level | Tilted
+  deriving stock (Eq)
+
+-- | log p(z) and the press after so many steps.
+climbed :: Slopes -> Int -> [Taxel] -> Press -> (Double, Press)
+climbed slopes n taxels press
+  | n <= 1 = (density, press)
+  | otherwise = climbed slopes (n - 1) taxels (mStep slopes' press expected)
+  where
+    (density, expected) = eStep press taxels
+    slopes' = if slopes == Level then 2 else 4
+
+-- | What is expected at a press: the sums over taxels and reliefs that touch, each as probable as
+-- it is, of the products of (r, 1, x, y) with each other and with the reading; the squared errors
+-- of all, and how many taxels there are.
+data Expected = Expected
+  { rr, r1, rx, ry, n1, nx, ny, xx, xy, yy, tr, t1, tx, ty, errors, total :: !Double
+  }
+
+-- | log p(z) at a press, and what is expected.
+eStep :: Press -> [Taxel] -> (Double, Expected)
+eStep press taxels = (logs - total sums / 2 * log (2 * pi * pressVariance press), sums)
+  where
+    (logs, sums) = foldl' taxel (0, Expected 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0) taxels
+    taxel (!l, !e) (Taxel t x y) = (l + top + log mass, added)
+      where
+        !s = planeAt press x y
+        !d0 = t - indentation press 0 s
+        !dh = t - indentation press 0.5 s
+        !d1 = t - indentation press 1 s
+        !l0 = logOf (reliefShare 0) d0
+        !lh = logOf (reliefShare 0.5) dh
+        !l1 = logOf (reliefShare 1) d1
+        logOf share d = log share - d * d / (2 * pressVariance press)
+        !top = max l0 (max lh l1)
+        !e0 = exp (l0 - top)
+        !eh = exp (lh - top)
+        !e1 = exp (l1 - top)
+        !mass = e0 + eh + e1
+        touching relief p = if touches press relief s then p / mass else 0
+        !p0 = touching 0 e0
+        !ph = touching 0.5 eh
+        !p1 = touching 1 e1
+        !n = p0 + ph + p1
+        !r = ph / 2 + p1
+        !added =
+          Expected
+            (rr e + ph / 4 + p1)
+            (r1 e + r)
+            (rx e + r * x)
+            (ry e + r * y)
+            (n1 e + n)
+            (nx e + n * x)
+            (ny e + n * y)
+            (xx e + n * x * x)
+            (xy e + n * x * y)
+            (yy e + n * y * y)
+            (tr e + r * t)
+            (t1 e + n * t)
+            (tx e + n * x * t)
+            (ty e + n * y * t)
+            (errors e + (e0 * d0 * d0 + eh * dh * dh + e1 * d1 * d1) / mass)
+            (total e + 1)
+
+-- | The press of least squares, of which the first so many of a, b, p and q are found; the others
+-- stay as they are.
+mStep :: Int -> Press -> Expected -> Press
+mStep slopes press e = case linearSolve system given of
+  Just found ->
+    Press
+      (max leastGain (atIndex found (0, 0)))
+      (atIndex found (1, 0))
+      (if slopes < 4 then pressAcross press else atIndex found (2, 0))
+      (if slopes < 4 then pressDown press else atIndex found (3, 0))
+      variance
+  Nothing -> press {pressVariance = variance}
+  where
+    variance = max leastVariance (errors e / max 1 (total e))
+    system = (slopes >< slopes) (concatMap (take slopes) (take slopes (ridged rows)))
+    given = (slopes >< 1) (map ($ e) (take slopes [tr, t1, tx, ty]))
+    rows = map (map ($ e)) [[rr, r1, rx, ry], [r1, n1, nx, ny], [rx, nx, xx, xy], [ry, ny, xy, yy]]
+    -- Where nothing that touches tells one of them, it is 0.
+    ridged m =
+      [ [if i == j then v + 1e-6 else v | (j, v) <- zip [0 ..] row]
+        | (i, row) <- zip [0 :: Int ..] m
+      ]

@@ -1,0 +1,206 @@
+-- | Tilted presses: the steps of their fit against the formulas summed in full, the plane of frames
+-- made by the formula, and what of a frame counts on the lattice.
+module Test.Touch.Registration.TiltedPresses (spec) where
+
+import Data.Foldable (for_)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (isNothing)
+import qualified Data.Vector.Storable as V
+import PraTactile.Image hiding (mean)
+import PraTactile.Registration.Contact
+import PraTactile.Registration.Lattice.Fit
+import PraTactile.Registration.Lattice.Likelihood hiding (eStep, mStep)
+import PraTactile.Registration.Lattice.Template (tablesAt)
+import PraTactile.Registration.Model
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (generate)
+import Test.Touch.Paper (paperTables)
+import Test.Touch.Registration.Definition (drawn)
+import Test.Touch.Sensor.MeanHeights (embossing)
+
+spec :: Spec
+spec = do
+  modifyMaxSuccess (const 60) stepSpec
+  modifyMaxSuccess (const 8) planeSpec
+  modifyMaxSuccess (const 3) weightSpec
+
+-- | The reliefs that a taxel may have.
+reliefs :: [Double]
+reliefs = [0, 1 / 2, 1]
+
+stepSpec :: Spec
+stepSpec = do
+  it "log p is the sum over taxels of that of all reliefs, each with its probability" $
+    forAll genPress $ \press -> forAllBlind genTaxels $ \taxels ->
+      near (fst (eStep press taxels)) (sum (map (log . densityAt press) taxels))
+  it "a step has least squares among the presses that the same taxels and reliefs touch" $
+    forAll genPress $ \press -> forAllBlind genTaxels $ \taxels ->
+      forAll (vectorOf 4 (choose (-0.1, 0.1))) $ \off ->
+        let next = mStep 4 press (snd (eStep press taxels))
+            other = case off of
+              [a, b, p, q] ->
+                next
+                  { pressGain = pressGain next + a,
+                    pressDepth = pressDepth next + b,
+                    pressAcross = pressAcross next + p,
+                    pressDown = pressDown next + q
+                  }
+              _ -> next
+            -- The ridge of the equations is nothing beside the taxels.
+            bound = errorsBy press taxels other + 1e-3
+         in (pressGain next > leastGain)
+              ==> counterexample (show next) (errorsBy press taxels next <= bound)
+  it "its variance is the mean square of what is left at the press before" $
+    forAll genPress $ \press -> forAllBlind genTaxels $ \taxels ->
+      let left =
+            sum
+              [ share press taxel r * (t - indentation press r (planeAt press x y)) ^ (2 :: Int)
+                | taxel@(Taxel t x y) <- taxels,
+                  r <- reliefs
+              ]
+       in near
+            (pressVariance (mStep 4 press (snd (eStep press taxels))))
+            (max leastVariance (left / fromIntegral (length taxels)))
+  where
+    near a b = counterexample (show (a, b)) (abs (a - b) < 1e-9 * max 1 (abs b))
+
+-- | P(r) N(z; c + h_r, v), summed.
+densityAt :: Press -> Taxel -> Double
+densityAt press taxel = sum (map (joint press taxel) reliefs)
+
+joint :: Press -> Taxel -> Double -> Double
+joint press (Taxel t x y) r =
+  reliefShare r * exp (negate (d * d) / (2 * v)) / sqrt (2 * pi * v)
+  where
+    d = t - indentation press r (planeAt press x y)
+    v = pressVariance press
+
+-- | rho_r.
+share :: Press -> Taxel -> Double -> Double
+share press taxel r = joint press taxel r / densityAt press taxel
+
+-- | The squared errors of a press, of the taxels and reliefs that touch at another, by which they
+-- are as probable as they are.
+errorsBy :: Press -> [Taxel] -> Press -> Double
+errorsBy by taxels (Press a b p q _) =
+  sum
+    [ share by taxel r * (t - (a * r + b + p * x + q * y)) ^ (2 :: Int)
+      | taxel@(Taxel t x y) <- taxels,
+        r <- reliefs,
+        touches by r (planeAt by x y)
+    ]
+
+genPress :: Gen Press
+genPress =
+  Press <$> choose (0.5, 3) <*> choose (-1, 1.5) <*> choose (-1, 1) <*> choose (-1, 1)
+    <*> choose (0.05, 1)
+
+genTaxels :: Gen [Taxel]
+genTaxels = do
+  count <- choose (20, 60)
+  vectorOf count (Taxel <$> choose (0, 4) <*> choose (-1, 1) <*> choose (-1, 1))
+
+planeSpec :: Spec
+planeSpec = do
+  it "frames by the formula are evened to the relief, and what does not touch counts nothing" $
+    forAllBlind (vectorOf 12 genTilted) $ \made -> case evened (map fst made) of
+      Nothing -> counterexample "not tilted" False
+      Just found ->
+        let apart = concat (zipWith differences made found)
+            right = length (filter (< 0.2) apart)
+         in counterexample (show (right, length apart)) (10 * right >= 9 * length apart)
+  it "frames of even presses are not taken for tilted" $
+    forAllBlind (vectorOf 12 (frameOf 0)) $ \made -> isNothing (evened (map fst made))
+  it "nor are frames without variation, or none" $
+    for_ [[], [constant 16 16 0.4], replicate 5 (constant 16 16 0)] $ \frames ->
+      evened frames `shouldSatisfy` isNothing
+  where
+    genTilted = frameOf 1
+    -- Of taxels that touch half as much as at the centre, how far the relief is from what is read,
+    -- as a share of the relief's own height.
+    differences (_, (relief, touch)) (level, _) =
+      [ abs ((l - base) / height - r)
+        | (i, r, t) <- zip3 [0 ..] (V.toList (rasterValues relief)) (V.toList (rasterValues touch)),
+          t > 0.5,
+          let l = rasterValues level V.! i
+      ]
+      where
+        -- The levels of flat and embossed are those of the frame's own centre.
+        (base, height) = scaleBy (rasterValues level) (rasterValues relief) (rasterValues touch)
+    -- The line of least squares through what is read over the relief.
+    scaleBy level relief touch = (my - slope * mx, slope)
+      where
+        kept =
+          [ (r, l)
+            | (r, l, t) <- zip3 (V.toList relief) (V.toList level) (V.toList touch),
+              t > 0.5
+          ]
+        n = fromIntegral (length kept)
+        (mx, my) = (sum (map fst kept) / n, sum (map snd kept) / n)
+        slope =
+          sum [(x - mx) * (y - my) | (x, y) <- kept]
+            / max 1e-9 (sum [(x - mx) * (x - mx) | (x, _) <- kept])
+
+-- | A frame of symbols by the formula, at slopes of so many times the relief, with the relief and
+-- how much each taxel touches of what the centre does.
+frameOf :: Double -> Gen (Raster, (Raster, Raster))
+frameOf slope = do
+  (dx, dy) <- (,) <$> choose (0, 15) <*> choose (0, 19)
+  kinds <- vectorOf 4 (elements embossing)
+  angle <- choose (0, 2 * pi)
+  depth <- choose (0.1, 0.6)
+  noise <- vectorOf 256 (choose (-0.05, 0.05))
+  let relief = generate 16 16 $ \x y -> reliefAt kinds (x + dx) (y + dy)
+      plane x y = slope * (cos angle * along x + sin angle * along y)
+      along k = (2 * fromIntegral k - 15) / 16
+      reading x y = max 0 (valueAt relief x y + depth + plane x y)
+      touch x y = (max 0 (1 + depth + plane x y) - max 0 (depth + plane x y)) / 1
+      image = generate 16 16 (\x y -> 0.2 + 0.5 * reading x y + 0.5 * noise !! (16 * y + x))
+  pure (image, (relief, generate 16 16 touch))
+  where
+    valueAt image x y = rasterValues image V.! (16 * y + x)
+    reliefAt kinds x y =
+      let (column, u) = x `quotRem` 16
+          (row, v) = y `quotRem` 20
+       in case drop (2 * (row `mod` 2) + column `mod` 2) kinds of
+            shape : _ | Just r <- index shape (u - 4) (v - 4) -> r
+            _ -> 0
+
+weightSpec :: Spec
+weightSpec = do
+  it "a frame all of whose taxels count in full tells what it tells without counting them" $
+    forAllBlind (fst <$> frameOf 0) $ \image ->
+      let (plain, counted) = (told image Nothing, told image (Just (constant 16 16 1)))
+          close a b = abs (a - b) < 1e-6 * (1 + abs b)
+       in conjoin
+            [ property (close (logDensity counted) (logDensity plain)),
+              property (and (zipWith close (logs phaseLogs counted) (logs phaseLogs plain)))
+            ]
+  it "of taxels that count less, symbols are as likely as sums over all of them say" $
+    forAllBlind ((,) <$> (fst <$> frameOf 0) <*> vectorOf 2 (choose (0, 1))) $ \(image, ends) ->
+      let weights = generate 16 16 (\x _ -> max 0 (min 1 (blendOf ends (fromIntegral x / 15))))
+          blendOf (from : to : _) t = from + (to - from) * t + 0.1
+          blendOf _ _ = 1 :: Double
+          likely = told image (Just weights)
+          Theta a b v = likelihoodTheta likely
+          (values, counts) = (rasterValues image, rasterValues weights)
+          n = V.sum counts
+          mean = V.sum (V.zipWith (*) counts values) / n
+          variance = V.sum (V.zipWith (\w z -> w * (z - mean) * (z - mean)) counts values) / n
+          weighed =
+            generate 16 16 $ \x y ->
+              let i = 16 * y + x in (counts V.! i) * (values V.! i - mean) / sqrt variance
+          wanted =
+            [ (a * y - a * b * s - a * a * (if s1 > 1e-6 then q * s / s1 else q) / 2) / v
+              | (ofCell, shares) <-
+                  zip (Map.elems (drawn 2 weighed)) (Map.elems (drawn 2 weights)),
+                ((y, s1, q), (s, _, _)) <- zip ofCell shares
+            ]
+          found = map (classLog likely) [0 .. length wanted - 1]
+          most = maximum (map abs wanted)
+       in counterexample (show (maximum (zipWith (\x y -> abs (x - y)) found wanted), most)) $
+            and (zipWith (\x y -> abs (x - y) < 1e-3 * (1 + most)) found wanted)
+  where
+    told image shares = fitLikelihood (fitOf (tablesAt paperTables 0 (16, 16)) (image, shares))
+    logs part = V.toList . part
