@@ -48,34 +48,26 @@ formLaws stage operations =
     | operation <- operations
   ]
 
--- | How an integer is written: as a number, or as a string, with so many zeros before its digits.
-data Form = AsNumber | AsText Int
-
--- | The value with all of its integers as strings, with all as numbers, with every other one as a
--- string, and as strings with zeros before the digits.
+-- | The value with all of its integers as strings, with all as numbers, and with every other one
+-- as a string.
 otherForms :: Value -> [Value]
-otherForms value =
-  map
-    rewritten
-    [repeat (AsText 0), repeat AsNumber, cycle [AsText 0, AsNumber], cycle (map AsText [1, 3])]
+otherForms value = map rewritten [repeat True, repeat False, cycle [True, False]]
   where
     rewritten choices = snd (inForms choices value)
 
--- | With its integers, in order, in these forms; and what is left of the forms.
-inForms :: [Form] -> Value -> ([Form], Value)
+-- | With its integers, in order, as strings where that is so chosen; and what is left of the
+-- choices.
+inForms :: [Bool] -> Value -> ([Bool], Value)
 inForms choices value = case value of
   Object fields ->
     let (rest, inner) = through choices (map snd (KeyMap.toList fields))
      in (rest, Object (KeyMap.fromList (zip (KeyMap.keys fields) inner)))
   Array items -> Array . Vector.fromList <$> through choices (toList items)
   _ -> case (readWhole value, choices) of
-    (Just i, form : rest) -> (rest, written form i)
+    (Just i, asText : rest) -> (rest, if asText then written i else Number (fromInteger i))
     _ -> (choices, value)
   where
-    written form i = case form of
-      AsNumber -> Number (fromInteger i)
-      AsText zeros ->
-        String (Text.pack (['-' | i < 0] ++ replicate zeros '0' ++ show (abs i)))
+    written = String . Text.pack . show
     through left inner = case inner of
       [] -> (left, [])
       one : others ->
