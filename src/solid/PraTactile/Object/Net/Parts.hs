@@ -212,9 +212,10 @@ chosenTabs high = go
           Map.insert (number, ends) tab (go (Map.insertWith (++) k [shrunk tab] taken) others)
         [] -> go taken others
     -- Away from its edge, which it has in common with its face, and from the ends of that.
-    shrunk tab = [(0.99 * u + 0.01 * mean fst, 0.99 * v + 0.01 * mean snd) | (u, v) <- tab]
-      where
-        mean part = sum (map part tab) / 4
+    shrunk tab = case tab of
+      [p, q, r, s] -> [p `towards` q, q, r, s `towards` r]
+      _ -> tab
+    towards (x, y) (x', y') = (x + 0.001 * (x' - x), y + 0.001 * (y' - y))
 
 -- | So high, and so much shorter at either end.
 tabOn :: Double -> Double -> ((Double, Double), (Double, Double)) -> [(Double, Double)]
