@@ -15,6 +15,7 @@ module PraTactile.Conformance.Laws.Draw
 
     -- * Patches
     surfaceCell,
+    cellAt,
     seenAt,
     places,
     shapesAround,
@@ -104,12 +105,15 @@ ofVast few p cases
 -- | The cell at a place that may lie beyond the edges, where the profile's surface continues; a
 -- sheet as the torus.
 surfaceCell :: Known -> Position -> Code
-surfaceCell known (Position r c) = either (const 0) id (expected known (Cell r' c'))
+surfaceCell known = either (const 0) id . expected known . cellAt (knownProfile known)
+
+-- | The question about the cell of the array that is there.
+cellAt :: Profile -> Position -> Question Code
+cellAt p (Position r c) = case profileSurface p of
+  TwistedTorus -> Cell ((r + c `div` n2) `mod` n1) (c `mod` n2)
+  _ -> Cell (r `mod` n1) (c `mod` n2)
   where
-    Shape n1 n2 = profileShape (knownProfile known)
-    (r', c') = case profileSurface (knownProfile known) of
-      TwistedTorus -> ((r + c `div` n2) `mod` n1, c `mod` n2)
-      _ -> (r `mod` n1, c `mod` n2)
+    Shape n1 n2 = profileShape p
 
 -- | What is seen of this shape at a place.
 seenAt :: Known -> Shape -> Position -> [[Code]]

@@ -29,12 +29,10 @@ faces = do
     part = elements [0, 0, 1, 1, -1, 2, 1 / 2]
     -- Seen from the middle its corners come one after the other.
     star = do
-      radii <-
-        vectorOf
-          8
-          (frequency [(2, pure Nothing), (5, Just . fromInteger <$> chooseInteger (2, 25))])
-      let corners = [(r * x, r * y) | (Just r, (x, y)) <- zip radii round8]
-      pure (if length corners < 3 then [(0, 0), (9, 1), (4, 7)] else corners)
+      count <- chooseInt (3, 8)
+      kept <- take count <$> shuffle [0 .. 7]
+      radii <- vectorOf 8 (fromInteger <$> chooseInteger (2, 25))
+      pure [(r * x, r * y) | (i, r, (x, y)) <- zip3 [0 :: Int ..] radii round8, i `elem` kept]
     round8 = [(2, 0), (2, 1), (0, 2), (-1, 2), (-2, 1), (-2, -1), (0, -2), (2, -1)]
 
 -- | A polygon above a staircase that goes down and comes back up.

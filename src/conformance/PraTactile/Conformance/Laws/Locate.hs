@@ -175,7 +175,7 @@ inverseOfLooking =
 
 looked :: Known -> Position -> Trial ()
 looked known place@(Position r c) = do
-  cells <- traverse (traverse (fmap Just . answer known . uncurry Cell)) offsets
+  cells <- traverse (traverse (fmap Just . answer known . cellAt (knownProfile known))) offsets
   found <- answer known (Locate cells)
   demand
     (Because "the window was read there" "each cell of the patch is the implementation's own")
@@ -188,7 +188,7 @@ looked known place@(Position r c) = do
     )
   where
     Shape h w = profileWindow (knownProfile known)
-    offsets = [[(r + i, c + j) | j <- naturalsBelow w] | i <- naturalsBelow h]
+    offsets = [[Position (r + i) (c + j) | j <- naturalsBelow w] | i <- naturalsBelow h]
 
 invalidLaw :: Law Known
 invalidLaw =

@@ -49,7 +49,8 @@ lying = do
   (c, s) <- elements [(1, 0), (3 / 5, 4 / 5), (-5 / 13, 12 / 13), (0, -1), (-8 / 17, -15 / 17)]
   (tx, ty) <- (,) <$> far <*> far
   count <- chooseInt (2, 8)
-  points <- nub <$> vectorOf count ((,) <$> (fromInteger <$> chooseInteger (0, 20)) <*> chooseFive)
+  points <- vectorOf count ((,) <$> (fromInteger <$> chooseInteger (0, 20)) <*> chooseFive)
+  twice <- frequency [(3, pure []), (1, (: []) <$> elements points)]
   turned <- rotation
   shift <- (,,) <$> far <*> far <*> far
   sd <- elements [0.05, 0.4, 1.5]
@@ -58,7 +59,7 @@ lying = do
       [(1, pure Nothing), (1, Just <$> ((,) <$> rotation <*> ((,,) <$> far <*> far <*> far)))]
   let onPlane (x, y) = (tx + c * x - s * y, ty + s * x + c * y)
       inObject p = transposed turned `on` (p `less` shift)
-      distinct = if length points < 2 then [(0, 0), (50, 5)] else points
+      felt = (if length (nub points) < 2 then [(0, 0), (50, 5)] else points) ++ twice
       truth = case inWorld of
         Nothing -> (turned, shift)
         Just (p, d) -> (p `after` turned, (p `on` shift) `more` d)
@@ -67,7 +68,7 @@ lying = do
       { lyingFelt =
           Felt
             [point (inObject (x, y, 0)) | corner <- corners, let (x, y) = onPlane corner]
-            [(double2 q, double2 (onPlane q)) | q <- distinct]
+            [(double2 q, double2 (onPlane q)) | q <- felt]
             sd
             (motion <$> inWorld),
         lyingMotion = motion truth

@@ -21,8 +21,10 @@ import PraTactile.Conformance.Wire (questionInput)
 malformed :: Question a -> [SomeQuestion]
 malformed question =
   [ SomeQuestion (Raw (operationOf question) input)
-    | input <- missing (questionInput question) ++ wrong (questionInput question)
+    | input <- noObjects ++ missing (questionInput question) ++ wrong (questionInput question)
   ]
+  where
+    noObjects = [Null, Bool True, Number 1, String "", Array Vector.empty]
 
 -- | The object without each of its keys.
 missing :: Value -> [Value]

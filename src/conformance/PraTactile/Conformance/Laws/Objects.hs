@@ -51,15 +51,17 @@ solidLaws =
       OnObjects
       "solid-of-known-measures"
       [OfSolid]
-      "solids with many sides, with others inside them, and with very large and fine coordinates \
-      \have the pieces and volumes that they were made with"
+      "solids with many sides, with many handles, with others inside them, and with very large and \
+      \fine coordinates have the pieces and volumes that they were made with"
       "how they were made"
       $ \() ->
         Cases questionForm (Every (map (SomeQuestion . SolidReport . fst) measured)) measure,
     invalid OnObjects "solid-refuses-what-is-invalid" OfSolid (const badSolids)
   ]
   where
-    polyhedra = oneof [solids, elements [minBound ..] >>= \kind -> solids >>= spoilt kind]
+    polyhedra = frequency [(1, solids), (4, eachKind >>= \kind -> solids >>= spoilt kind)]
+    -- Sizes grow by one from case to case, so that none is left to chance.
+    eachKind = sized (\size -> pure (cycle [minBound ..] !! size))
     measure :: SomeQuestion -> Ask Verdict
     measure (SomeQuestion question) = case question of
       SolidReport it
@@ -68,7 +70,7 @@ solidLaws =
             <$> ask question
       _ -> pure Inapplicable
     road = "the construction" :: String
-    why = "a prism over the points (i, i^2), or boxes in each other" :: String
+    why = "a prism over the points (i, i^2), boxes in each other, or a plate with holes" :: String
     badSolids =
       [rawWith plain "vertices" (vertex name (String "0")) | name <- ["", "a b", "a\t"]]
         ++ [rawWith plain "vertices" (vertex "A" number) | number <- notExact]
@@ -106,7 +108,41 @@ measured =
          )
          | n <- [2, 5]
        ]
+    ++ [ let (v, f) = (length (describedVertices it), length (describedFaces it))
+             e = v + f - 2 + 2 * holes
+             size = fromIntegral (6 * (5 * holes + 3))
+             alone = Component v e f (2 - 2 * holes) (Just holes) (Just size)
+          in (it, Report v e f [alone (Just False) (Just 0)] [] [])
+         | holes <- [2, 5],
+           let it = plate holes
+       ]
   where
+    -- Squares of 1 x 2 mm in three rows, every other one of the middle row a hole, 3 mm high.
+    plate :: Int -> Description
+    plate holes =
+      Description
+        ""
+        [ (corner level p, Point (fromIntegral x) (2 * fromIntegral y) z)
+          | (level, z) <- [('a', 0), ('b', 3)],
+            p@(x, y) <- (,) <$> [0 .. 2 * holes + 1] <*> [0 .. 3]
+        ]
+        ( [FaceName (map (corner 'b') s) | s <- squares]
+            ++ [FaceName (map (corner 'a') (reverse s)) | s <- squares]
+            ++ [ FaceName [corner 'b' q, corner 'b' p, corner 'a' p, corner 'a' q]
+                 | (p, q) <- sides,
+                   (q, p) `notElem` sides
+               ]
+        )
+      where
+        sides = concatMap cyclicPairs squares
+        squares =
+          [ [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]
+            | x <- [0 .. 2 * holes],
+              y <- [0 .. 2],
+              even x || y /= 1
+          ]
+    corner :: Char -> (Int, Int) -> VertexName
+    corner level (x, y) = VertexName (level : show x ++ "." ++ show y)
     piece (v, e, f) size = Component v e f 2 (Just 0) (Just size) (Just True) . Just
     volume m = let n = fromIntegral m in 7 * n * (n - 1) * (n - 2) / 6
     prism :: Int -> Description

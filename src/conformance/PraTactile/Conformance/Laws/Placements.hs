@@ -133,10 +133,18 @@ impossible mapped =
     ]
       ++ [ do
              (before, laid, after) <- elements (eachOf layings)
+             let (rs, cs) = unzip (cellsTaken laid)
+                 byRows i = laid {drawnRow = drawnRow laid + i}
+                 byColumns i = laid {drawnColumn = drawnColumn laid + i}
              changed <-
                elements
-                 [ laid {drawnRow = toInteger (rowsOf mapped)},
+                 [ laid {drawnRow = rowsOf mapped},
                    laid {drawnColumn = -20},
+                   -- By a single row or column.
+                   byRows (-1 - minimum rs),
+                   byRows (rowsOf mapped - maximum rs),
+                   byColumns (-1 - minimum cs),
+                   byColumns (columnsOf mapped - maximum cs),
                    laid {drawnFace = (drawnFace laid) {faceObject = "nobody's"}},
                    laid {drawnFace = backwards (drawnFace laid)},
                    laid
@@ -162,6 +170,7 @@ impossible mapped =
   where
     layings = mappedLayings mapped
     eachOf xs = [(before, x, after) | (before, x : after) <- zip (inits xs) (tails xs)]
-    rowsOf it = let Shape high _ = mappedShape it in high
+    rowsOf it = let Shape high _ = mappedShape it in toInteger high
+    columnsOf it = let Shape _ wide = mappedShape it in toInteger wide
     backwards (Face name (FaceName walk)) = Face name (FaceName (reverse walk))
     begunLater (Face name (FaceName walk)) = Face name (FaceName (drop 1 walk ++ take 1 walk))

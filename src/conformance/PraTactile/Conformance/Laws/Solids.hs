@@ -147,12 +147,19 @@ spoilt kind it = case kind of
     i <- choose (0, length vertices - 1)
     d <- anyShift
     pure (setPoint i (snd (vertices !! i) `shiftedBy` d) it)
-  FaceCrossesItself -> changeFace $ \walk ->
-    if length walk < 4
-      then pure walk
+  FaceCrossesItself -> do
+    -- Of five corners at least: crossed, a parallelogram has no area. Without such a face a prism
+    -- that has some is put beside.
+    let long = [f | (f, walk) <- zip [0 ..] faces, length (faceVertices walk) > 4]
+        beside = labelled "o." (moved (shiftedBy (Point 10000 0 0)) pentagonal)
+        pentagonal = namedDescription (Prism 5 40 60)
+    if null long
+      then spoilt kind (both it beside)
       else do
-        k <- choose (0, length walk - 2)
-        pure (take k walk ++ [walk !! (k + 1), walk !! k] ++ drop (k + 2) walk)
+        f <- elements long
+        k <- choose (0, length (faceVertices (faces !! f)) - 2)
+        let crossed walk = take k walk ++ [walk !! (k + 1), walk !! k] ++ drop (k + 2) walk
+        changed f (pure . crossed)
   EdgeWithoutTwoFaces -> do
     k <- choose (0, length faces - 1)
     pure it {describedFaces = take k faces ++ drop (k + 1) faces}
@@ -206,8 +213,8 @@ spoilt kind it = case kind of
       i <- choose (0, length vertices - 1)
       j <- choose (0, length vertices - 1) `suchThat` (/= i)
       pure (i, j)
-    changeFace f = do
-      k <- choose (0, length faces - 1)
+    changeFace f = choose (0, length faces - 1) >>= (`changed` f)
+    changed k f = do
       new <- f (faceVertices (faces !! k))
       pure it {describedFaces = take k faces ++ [FaceName new] ++ drop (k + 1) faces}
     grown walk =

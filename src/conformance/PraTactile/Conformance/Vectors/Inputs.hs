@@ -229,13 +229,13 @@ patchEdges k =
          -- The upper left is beyond the edge, or not observed.
          unseen (patchAt k (n1 - 1) (n2 - 1) larger),
          unseen (patchAt k 1 1 larger),
-         [[Just 0]],
-         [[Just (q - 1)]],
          [],
          [[]],
          [[Just 0, Nothing], [Just 0]],
          [[Just q]]
        ]
+    -- Of larger arrays such lists of places are long.
+    ++ [[[Just a]] | area (profileShape profile) <= 1024, a <- [0, q - 1]]
   where
     profile = knownProfile k
     q = profileOrder profile
