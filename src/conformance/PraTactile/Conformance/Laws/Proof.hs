@@ -83,7 +83,7 @@ specialMasks p =
     ++ [one 0 (n2 - 1), one (n1 - 1) 0, one (n1 - 1) (n2 - 1), one 0 n2, one n1 0, one n1 n2]
     ++ [one 0 (n2 + 1), one (n1 + 1) 0]
     -- As many cells as a mask may have.
-    ++ [full (Shape 64 64) | n1 * n2 <= 32]
+    ++ [full (Shape 64 64) | n1 * n2 <= 16]
   where
     Shape n1 n2 = profileShape p
     full (Shape h w) = replicate (fromIntegral h) (replicate (fromIntegral w) '#')
