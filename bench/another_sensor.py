@@ -66,6 +66,8 @@ CONDITIONS = {
     "noise-10": ({"noise": 0.1}, []),
     "offset-10": ({"offset": 0.1}, []),
     "tilted": ({"force": 0.3, "tilt": 0.3}, []),
+    "tilted-3": ({"tilt": 0.419}, []),
+    "tilted-5": ({"tilt": 0.7}, []),
     "saturated": ({"saturation": 0.5, "full": 0.8}, []),
     "dim": ({"full": 8.0}, []),
     "all": (

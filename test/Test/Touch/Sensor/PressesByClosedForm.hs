@@ -108,6 +108,36 @@ scaleSpec = do
 
 pressSpec :: Spec
 pressSpec = do
+  it "tilted on a flat face, a sensor without force reads a plane through its centre, or nothing" $
+    forAll (choose (0, 10000)) $ \seed -> forAll (elements [0, 1.1]) $ \tab ->
+      let sensor = idealSensor {sensorTiltSpread = 0.3, sensorTab = tab}
+          flat = heightMap 1 (constant 100 100 0)
+          (image, _) = press sensor flat (Pose 50 50 0) (mkStdGen seed)
+          value = at image
+          touched =
+            [ (x, y)
+              | x <- [1 .. 14],
+                y <- [1 .. 14],
+                all inside [(x - 1, y), (x, y), (x + 1, y), (x, y - 1), (x, y + 1)]
+            ]
+          inside (x, y) = value x y > 0 && value x y < 1
+       in conjoin
+            [ property (V.any (> 0) (rasterValues image)),
+              property
+                ( and
+                    [ value x y * value (15 - x) (15 - y) == 0
+                      | x <- [0 .. 15],
+                        y <- [0 .. 15]
+                    ]
+                ),
+              property
+                ( and
+                    [ abs (value (x - 1) y + value (x + 1) y - 2 * value x y) < 1e-9
+                        && abs (value x (y - 1) + value x (y + 1) - 2 * value x y) < 1e-9
+                      | (x, y) <- touched
+                    ]
+                )
+            ]
   it "forces and what is left of the press before conduct; gains, drift, crosstalk, dead, code" $
     forAll ((,,) <$> choose (0, 0.4) <*> elements [1, 0.7] <*> choose (0, 0.1)) $
       \(hysteresis, k, drift) ->
