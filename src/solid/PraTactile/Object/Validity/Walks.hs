@@ -1,5 +1,5 @@
--- | What is wrong with the names of a polyhedron's vertices and with the walks of its faces, wherever
--- the vertices are.
+-- | What is wrong with the names of a polyhedron's vertices and with the walks of its faces,
+-- wherever the vertices are.
 module PraTactile.Object.Validity.Walks
   ( repeatedNames,
     coincident,
