@@ -172,6 +172,7 @@ import qualified Test.Touch.Registration.OtherLayouts
 import qualified Test.Touch.Registration.PairsByFormulas
 import qualified Test.Touch.Registration.PairsInParts
 import qualified Test.Touch.Registration.PairsRefused
+import qualified Test.Touch.Registration.PairsTogether
 import qualified Test.Touch.Registration.ResidualAndGroups
 import qualified Test.Touch.Registration.ScenesOfKnownTruth
 import qualified Test.Touch.Registration.SearchByDefinition
@@ -271,6 +272,7 @@ specs = do
     describe "The search for a frame" Test.Touch.Registration.SearchByDefinition.spec
     describe "Tilted presses" Test.Touch.Registration.TiltedPresses.spec
     describe "What registration of pairs is made of" Test.Touch.Registration.PairsInParts.spec
+    describe "Frames put together by all their pairs" Test.Touch.Registration.PairsTogether.spec
     describe "What is told of frames put together" Test.Touch.Registration.ResidualAndGroups.spec
     describe "Registration by its formulas" Test.Touch.Registration.ByDefinition.spec
     describe

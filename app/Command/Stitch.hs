@@ -52,7 +52,7 @@ command =
               "lattice (by the lattice of symbols), joint (by all pairs that overlap, \
               \whatever they show), incremental (by the paper's correlation), \
               \nominal (not at all), or auto: by the lattice where the frames show symbols, at \
-              \whatever angle, else incremental (default)"
+              \whatever angle, else joint (default)"
               mempty
           )
         <*> pathArgument (metavar "FOLDER" <> action "directory")

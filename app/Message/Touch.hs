@@ -29,6 +29,7 @@ import PraTactile.Registration
     maxComparisons,
     maxFramePixels,
     maxLatticePixels,
+    maxPairPixels,
   )
 import PraTactile.Registration.Pair (PairError (..))
 import PraTactile.Sensor.Calibration (CalibrationError (..))
@@ -139,6 +140,11 @@ stitchMessage e = case e of
     "so many frames lie so near each other that they would be compared in " ++ show n
       ++ " pixels; at most "
       ++ show maxComparisons
+      ++ " are"
+  TooMuchToRegister (PairPixels n) ->
+    "so many frames overlap that their pairs would be compared in " ++ show n
+      ++ " pixels; at most "
+      ++ show maxPairPixels
       ++ " are"
   TooMuchToRegister (LatticePixels n) ->
     "a frame has " ++ show n ++ " pixels of 1.5875 mm; at most "

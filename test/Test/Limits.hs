@@ -63,7 +63,8 @@ spec = do
   it "of images, composites and files" $ do
     [Pgm.maxPixels, Stitch.maxCompositePixels, Stitch.maxFrames, Stitch.maxFramePixels]
       `shouldBe` [16777216, 4194304, 10000, 8388608]
-    [Stitch.maxComparisons, Stitch.maxLatticePixels] `shouldBe` [536870912, 65536]
+    [Stitch.maxComparisons, Stitch.maxPairPixels, Stitch.maxLatticePixels]
+      `shouldBe` [536870912, 4294967296, 65536]
     Files.largestInput `shouldBe` 268435456
     map (Search.usable . uncurry searching) [(1, 64), (16, 4), (1, 64.001), (16, 4.001)]
       `shouldBe` [True, True, False, False]

@@ -44,6 +44,7 @@ module PraTactile.Recognise
   )
 where
 
+import Data.List (partition)
 import Data.Maybe (isJust, isNothing, mapMaybe)
 import PraTactile.Classification.Network (NetworkError)
 import PraTactile.Classification.Part (Pixels (..))
@@ -85,19 +86,15 @@ recogniseWith tolerance reader composites = do
     (contradiction : _, _) ->
       pure shown {recognisedAnswer = Left (FramesContradict contradiction)}
     ([], Right (Found _)) -> do
-      others <- traverse beside (putOtherwise tolerance (recognisedTilt shown) composites)
-      pure (doubting tolerance (doubtsElsewhere shown others) shown)
+      let (frames, layouts) =
+            partition
+              ((== OneFrame) . elsewhereFault)
+              (putOtherwise tolerance (recognisedTilt shown) composites)
+      others <- traverse (recogniseAsPut tolerance reader . elsewhereComposites) frames
+      let oneFrame = sum [elsewhereOdds f | (f, other) <- zip frames others, differs shown other]
+          misplaced = layoutDoubts reader tolerance composites shown oneFrame layouts
+      pure (doubting tolerance misplaced shown)
     _ -> pure shown
-  where
-    -- What has next to no probability counts in full, whatever it shows.
-    beside other
-      | elsewhereFault other /= OneFrame && elsewhereOdds other < leastOdds = pure (other, Nothing)
-      | otherwise =
-        (,) other . Just <$> recogniseAsPut tolerance reader (elsewhereComposites other)
-
--- | The least odds of a hypothesis that is looked at.
-leastOdds :: Double
-leastOdds = 1e-4
 
 -- | 'recogniseWith' of composites as their frames were put together. Where the symbols are not
 -- nearly upright by their 'tilt', they are read both as they are and from the composites set
@@ -203,6 +200,7 @@ answered tolerance reader rotation views dissenters
        in Recognition
             everything
             parts
+            (gridCells whole)
             (locationSupport location)
             (gridTilt (angleLeft rotation) grid)
             (identificationAt reader location)

@@ -29,6 +29,7 @@ module PraTactile.Registration
     maxFramePixels,
     TooMuch (..),
     maxComparisons,
+    maxPairPixels,
     maxLatticePixels,
   )
 where
@@ -37,7 +38,7 @@ import Control.Applicative ((<|>))
 import Control.Monad (unless, when)
 import Data.Bifunctor (first)
 import Data.Foldable (toList, traverse_)
-import Data.List (sortOn)
+import Data.List (sortOn, zipWith4)
 import Data.List.NonEmpty (NonEmpty (..), nonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
 import Data.Maybe (fromMaybe, isJust)
@@ -77,6 +78,7 @@ import PraTactile.Registration.Arrangement
     arrange,
     maxComparisons,
     maxLatticePixels,
+    maxPairPixels,
     unarranged,
     withMisfit,
   )
@@ -245,15 +247,16 @@ compose arranging settings frames = do
                 found
                 (arrangementAngle arrangement)
                 [(place `plus` robot, image) | (place, image) <- toList nominal]
-                (putFrom from . map (`minus` robot))
+                (from . map (`minus` robot))
+                laidAt
         ]
-      putFrom from places = do
-        there <- nonEmpty (zip places (map snd (toList levelled)))
-        let corner = (minimum (map fst places), minimum (map snd places))
-            (likelier, shifts) = from places
-            laid = maybe there (NonEmpty.zipWith movedBy there) (nonEmpty shifts)
-        either (const Nothing) Just (checkArea (fmap (first (`minus` corner)) there))
-        pure (likelier, blended (left, top) (NonEmpty.zip laid counted) (ofEach shifts))
+      laidAt places shifts =
+        made {compositeFrames = putAs (map inMillimetres places) (fromMaybe displacements shifts)}
+      inMillimetres (x, y) = (taxelPitch * x, taxelPitch * y)
+      -- The frames as they were put, from where the robot would have them.
+      putAs ats shifts =
+        zipWith4 PutFrame ats shifts (map snd (toList levelled)) (map touchOf (toList placed))
+      touchOf one = placedTouch one <|> placedFelt one
       sigma = registrationSigma settings <|> arrangementSigma arrangement
       found = settings {registrationSigma = sigma}
       with k shift shifts = take k shifts ++ shift : drop (k + 1) shifts
@@ -270,13 +273,9 @@ compose arranging settings frames = do
             { compositeOthers = oneElsewhere ++ allElsewhere,
               compositeContradiction = contradiction found (NonEmpty.toList nominal),
               compositeFrames =
-                zipWith3
-                  ( \one shift (_, image) ->
-                      PutFrame (placedAt one) shift image (placedTouch one <|> placedFelt one)
-                  )
-                  (toList placed)
+                putAs
+                  (map placedAt (toList placed))
                   (if null displacements then repeat (0, 0) else displacements)
-                  (toList levelled)
             },
         assemblyMethod = arrangementMethod arrangement,
         assemblyFrames = ofEach arranged,

@@ -7,6 +7,7 @@ module Test.App.RecognitionsDrawn (spec) where
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (for_)
 import Data.List (isInfixOf, tails)
+import qualified Data.Map.Strict as Map
 import Data.Maybe (mapMaybe)
 import Data.Text (Text)
 import Drawing
@@ -149,7 +150,14 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
               page =
                 pageOf
                   (compositeOf (constant w h 0.2))
-                  (Recognition (numbered symbols) (numbered others) Nothing 0 (Left SymbolsUnclear))
+                  ( Recognition
+                      (numbered symbols)
+                      (numbered others)
+                      Map.empty
+                      Nothing
+                      0
+                      (Left SymbolsUnclear)
+                  )
            in length (named "symbol" (pageComposite page)) === length symbols + length others
                 .&&. apart page
   modifyMaxSuccess (const 20) $
@@ -292,7 +300,9 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
         quickCheckWith stdArgs {maxSuccess = 1, chatty = False} (apart page)
   it "no answer, no face: the reason is told" $ do
     let page =
-          pageOf (compositeOf (constant 40 52 0)) (Recognition [] [] Nothing 0 (Left NoSymbols))
+          pageOf
+            (compositeOf (constant 40 52 0))
+            (Recognition [] [] Map.empty Nothing 0 (Left NoSymbols))
     pageFace page `shouldBe` []
     concat [content | Mark _ (Words _ _ _ content) <- pageAnswer page]
       `shouldSatisfy` ("no complete symbol" `isInfixOf`)

@@ -21,6 +21,7 @@ import PraTactile.Registration
     Contradiction (..),
     Fault (..),
     Otherwise (..),
+    PutFrame (..),
     compositeOf,
     compositePosition,
   )
@@ -116,7 +117,8 @@ preferredSpec =
       doubts <- choose (0, 4) >>= (`vectorOf` elements [1e-7, 1e-3, 0.1, 0.5])
       answer <- elements [Left NoSymbols, Right (Several identity [])]
       pure (doubts :: [Double], answer)
-    reading (doubts, answer) = Recognition (zipWith doubtful [0 ..] doubts) [] Nothing 0 answer
+    reading (doubts, answer) =
+      Recognition (zipWith doubtful [0 ..] doubts) [] Map.empty Nothing 0 answer
     doubtful n doubt =
       (readSymbol identity n (0, 0))
         { readChances = [((identity, 0), 1 - doubt), ((identity, 1), doubt)]
@@ -283,22 +285,58 @@ foreignSpec array reader alphabetOfAll = do
       map (fmap isFound . among) [[], [oneFrame 0.004 there], [oneFrame 0.2 there]]
         `shouldBe` [Just True, Just True, Just False]
   it "other axes weigh as their odds are beforehand, where the array has them as likely" $ do
-    let here = compositeOf (drawing (ours 3 4 (Position 6 5)))
-        there = compositeOf (drawing (ours 3 4 (Position 2 9)))
-        blank = compositeOf (constant 60 60 0)
-        told stated composite =
+    -- Six columns by frames of two, and as many rows; told along other axes whole frames move.
+    let frames high wide flipped =
+          [ PutFrame (25.4 * 2 * fromIntegral x, 31.75 * 2 * fromIntegral y) (0, 0) image Nothing
+            | y <- [0 .. high - 1],
+              x <- [0 .. wide - 1 :: Int]
+          ]
+            `along` flipped
+        image = constant 32 40 0
+        along told' flipped = [f {putAt = flipped (putAt f)} | f <- told']
+        acrossFlipped (x, y) = (negate x, y)
+        downFlipped (x, y) = (x, negate y)
+        told stated flipped =
           axesDoubt
-            [ here
-                { compositeDisplacements = [(0, 0), (0, 0)],
+            [ (compositeOf (drawing (ours 4 6 (Position 6 5))))
+                { compositeDisplacements = replicate 6 (0, 0),
                   compositeAxesStated = stated,
-                  compositeOthers = [Otherwise (OtherAxes acrossNegated) 0.4 1 composite]
+                  compositeFrames = frames 2 3 id,
+                  compositeOthers =
+                    [ Otherwise
+                        (OtherAxes acrossNegated)
+                        0.4
+                        1
+                        (compositeOf (constant 8 8 0)) {compositeFrames = frames 2 3 flipped}
+                    ]
                 }
             ]
-    told False there `shouldSatisfy` near' 1e-9 (0.004 / 1.004)
-    told True there `shouldSatisfy` near' 1e-9 (0.001 / 1.001)
-    told False here `shouldBe` Just 0
-    -- It would show the array's symbols, and shows none: 4^(12 - 4) random contents to one.
-    told False blank `shouldSatisfy` maybe False (\p -> p > 0 && p < 0.004 * 1e-2)
+    -- The symbols of a frame stay beside each other, which no column mirror of the array has.
+    told False downFlipped `shouldSatisfy` maybe False (< 1e-6)
+    told False acrossFlipped `shouldSatisfy` maybe False (< 1e-6)
+    told False id `shouldBe` Just 0
+    -- One frame across, of a column each: the array is its own column mirror.
+    let columns stated =
+          axesDoubt
+            [ (compositeOf (drawing (ours 4 3 (Position 6 5))))
+                { compositeDisplacements = replicate 3 (0, 0),
+                  compositeAxesStated = stated,
+                  compositeFrames = narrow id,
+                  compositeOthers =
+                    [ Otherwise
+                        (OtherAxes acrossNegated)
+                        0.4
+                        1
+                        (compositeOf (constant 8 8 0)) {compositeFrames = narrow acrossFlipped}
+                    ]
+                }
+            ]
+        narrow flipped =
+          [ PutFrame (flipped (25.4 * fromIntegral x, 0)) (0, 0) (constant 16 80 0) Nothing
+            | x <- [0 .. 2 :: Int]
+          ]
+    columns False `shouldSatisfy` near' 1e-6 (0.004 / 1.004)
+    columns True `shouldSatisfy` near' 1e-6 (0.001 / 1.001)
   it "a strip may have slipped by a cell, unless the array tells that it has not" $ do
     let strip classes x = (compositeOf (drawing classes)) {compositeOrigin = (x * 25.4, 0)}
         between a b = map (take (b - a) . drop a) (ours 5 4 (Position 6 5))

@@ -1,22 +1,42 @@
 -- | What composites show if their frames do not lie where the robot has them, and what that takes
 -- from an answer: hypotheses beside the one that was put together, each with its probability
 -- beforehand, its likelihood by overlaps and lattice, and by what the array makes of it.
+--
+-- If the robot is wrong as a whole, whole frames lie elsewhere, and the symbols that were read with
+-- them. So each layout is weighed by the same symbols, with the same probabilities, in other cells:
+-- none is likelier because more symbols can be read in it.
 module PraTactile.Recognise.Elsewhere
   ( Elsewhere (..),
     putOtherwise,
-    doubtsElsewhere,
+    laidOtherwise,
+    layoutDoubts,
   )
 where
 
-import Data.List (find, inits, tails)
-import Data.Maybe (fromMaybe)
-import PraTactile.Geometry (taxelPitch)
-import PraTactile.Image (rasterSize)
-import PraTactile.Locate (doubtOfForeign)
+import Data.List (find, inits, minimumBy, tails)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe, listToMaybe)
+import Data.Ord (comparing)
+import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Field (KnownField)
+import PraTactile.Geometry (columnPitch, rotated, rowPitch, taxelPitch)
+import PraTactile.Image (rasterHeight, rasterSize, rasterWidth)
+import PraTactile.Recognise.FaceGrid (Cells, fromZero)
 import PraTactile.Recognise.GridLocation
+import PraTactile.Recognise.Reading
+import PraTactile.Recognise.Recogniser (Recogniser)
 import PraTactile.Recognise.Recognition
-import PraTactile.Registration (Composite (..), Fault (..), Otherwise (..))
+import PraTactile.Recognise.SymbolBelief (axisOf)
+import PraTactile.Registration
+  ( Composite (..),
+    Fault (..),
+    Otherwise (..),
+    PutFrame (..),
+    compositePosition,
+  )
 import PraTactile.Registration.Layout (cellsAround, faultAt)
+import PraTactile.Segmentation (SymbolImage (..))
+import PraTactile.Symmetry
 
 -- | Composites put together otherwise.
 data Elsewhere = Elsewhere
@@ -67,9 +87,7 @@ putOtherwise tolerance angle composites =
     ofAll =
       concat . take 1 . filter (not . null) $
         map (filter (not . ofOne) . compositeOthers) composites
-    moved (i, j) composite =
-      let (x, y) = compositeOrigin composite
-       in composite {compositeOrigin = (x + taxelPitch * i, y + taxelPitch * j)}
+    moved (i, j) = movedBy (taxelPitch * i, taxelPitch * j)
     under fault composite
       | length (compositeDisplacements composite) < 2 = Just (1, displaced fault composite)
       | otherwise =
@@ -78,7 +96,7 @@ putOtherwise tolerance angle composites =
 
 -- | One image, whose centre lies elsewhere by a fault.
 displaced :: Fault -> Composite -> Composite
-displaced fault composite = composite {compositeOrigin = (x' - halfWidth, y' - halfHeight)}
+displaced fault composite = movedBy (x' - left - halfWidth, y' - top - halfHeight) composite
   where
     (left, top) = compositeOrigin composite
     (w, h) = rasterSize (compositeImage composite)
@@ -86,40 +104,84 @@ displaced fault composite = composite {compositeOrigin = (x' - halfWidth, y' - h
     half side = taxelPitch * fromIntegral (side - 1) / 2
     (x', y') = faultAt fault (left + halfWidth, top + halfHeight)
 
--- | What hypotheses with what they show leave of an answer: how probable it is that one frame lies
--- elsewhere, that axes or scale are others, and that frames slipped, and they show something else.
-doubtsElsewhere :: Recognition -> [(Elsewhere, Maybe Recognition)] -> (Double, Double, Double)
-doubtsElsewhere shown others = (sum (map snd (of' oneFrame)), share axes, share slip)
+-- | A composite and its frames that many millimetres right and down.
+movedBy :: (Double, Double) -> Composite -> Composite
+movedBy (dx, dy) composite =
+  composite
+    { compositeOrigin = moved (compositeOrigin composite),
+      compositeFrames = [f {putAt = moved (putAt f)} | f <- compositeFrames composite]
+    }
   where
-    weighed =
-      [ (fault, odds other recognition, maybe True (differs fault shown) recognition)
-        | (other, recognition) <- others,
-          let fault = elsewhereFault other
-      ]
-    odds other recognition
-      | oneFrame (elsewhereFault other) = elsewhereOdds other
-      | otherwise = elsewhereOdds other * maybe 1 likelierByArray recognition
-    of' kind = [(fault, o) | (fault, o, True) <- weighed, kind fault]
-    share kind = sum (map snd (of' kind)) / total
-    -- That what was put together is right has odds of 1.
-    total = 1 + sum [o | (fault, o, _) <- weighed, not (oneFrame fault)]
-    likelierByArray recognition =
-      let l = byArray recognition - byArray shown
-       in exp (signum l * max 0 (min 30 (abs l) - unsure))
-    -- A certain symbol more, which the one shows and the other does not, is no evidence.
-    unsure = 2
-    oneFrame = (== OneFrame)
-    axes fault = case fault of
-      OtherAxes _ -> True
-      OtherScale _ _ -> True
-      _ -> False
-    slip = (== Slip)
+    moved (x, y) = (x + dx, y + dy)
 
--- | How much likelier, as a natural logarithm, what was recognised is as the array's than as
--- anything else's, but for what is the same for all hypotheses.
-byArray :: Recognition -> Double
-byArray recognition = case recognisedSupport recognition of
-  Nothing -> 0
-  Just support ->
-    let foreign' = doubtOfForeign (doubtsOfOrigin (supportDoubts support))
-     in log (max 1e-13 (1 - foreign')) - log (max 1e-300 foreign')
+-- | The cells of the symbols that were read in composites, if these lie as in others: each moves
+-- with the frame that felt most of it. Given is by how many degrees the symbols are turned.
+laidOtherwise :: Double -> [Composite] -> [Composite] -> Cells -> Cells
+laidOtherwise angle composites others cells =
+  fromZero . Map.fromListWith (flip (++)) $
+    [(moved cell (moveOf s), [s]) | (cell, here) <- Map.toList cells, s <- here]
+  where
+    pairs = zip composites others
+    moveOf s = case drop (readSource s) pairs of
+      (own, other) : _ -> moveIn own other s
+      [] -> (0, 0)
+    -- From the first symbol, by whole cells, as the lattice has it.
+    (baseX, baseY) = maybe (0, 0) moveOf (listToMaybe (concat (Map.elems cells)))
+    moved (i, j) (x, y) = (i + cellsIn rowPitch down, j + cellsIn columnPitch across)
+      where
+        (across, down) =
+          onOffset (invert (axisOf cells)) (rotated (negate angle) (x - baseX, y - baseY))
+    cellsIn pitch t = round (t / pitch)
+
+-- | By how much a symbol of a composite lies further right and down in another one, taxels.
+moveIn :: Composite -> Composite -> ReadSymbol -> Taxels
+moveIn own other s = case zip (compositeFrames own) (compositeFrames other) of
+  [] -> apart (compositeOrigin own) (compositeOrigin other)
+  both -> let (a, b) = minimumBy (comparing (fromCentre . fst)) both in apart (liesAt a) (liesAt b)
+  where
+    apart (x, y) (x', y') = ((x' - x) / taxelPitch, (y' - y) / taxelPitch)
+    (atX, atY) = compositePosition own (symbolCentre (readImage s))
+    liesAt (PutFrame (x, y) (dx, dy) _ _) = (x + taxelPitch * dx, y + taxelPitch * dy)
+    fromCentre frame =
+      let (x, y) = liesAt frame
+          off at from side = abs ((at - from) / taxelPitch - fromIntegral (side - 1) / 2)
+       in max (off atX x (rasterWidth (putImage frame))) (off atY y (rasterHeight (putImage frame)))
+
+-- | What layouts leave of an answer, given how likely it is that one frame lies elsewhere, and by
+-- how many degrees the symbols are turned.
+layoutDoubts ::
+  KnownField k =>
+  Recogniser k ->
+  Tolerance ->
+  [Composite] ->
+  Recognition ->
+  Double ->
+  [Elsewhere] ->
+  Misplaced
+layoutDoubts reader tolerance composites shown oneFrame others =
+  Misplaced oneFrame (share (/= Slip)) (share (== Slip))
+  where
+    cells = recognisedCells shown
+    given = likeliestOf reader tolerance cells
+    weighed =
+      [ (elsewhereFault other, odds, differ)
+        | other <- others,
+          let (odds, differ) = weigh other
+      ]
+    share kind = sum [odds | (fault, odds, True) <- weighed, kind fault] / total
+    -- That what was put together is right has odds of 1.
+    total = 1 + sum [odds | (_, odds, _) <- weighed]
+    weigh other
+      | relaid == cellsOf cells = (elsewhereOdds other, False)
+      | otherwise = (elsewhereOdds other * exp (max (-30) (min 30 likelier)), different)
+      where
+        laid = laidOtherwise (recognisedTilt shown) composites (elsewhereComposites other) cells
+        relaid = cellsOf laid
+        there = likeliestOf reader tolerance laid
+        likelier = maybe 0 likeliestOdds there - maybe 0 likeliestOdds given
+        (these, those) = (places given, places there)
+        same = Map.filter id (Map.intersectionWith (==) these those)
+        -- Three quarters of the symbols at their places are the same answer.
+        different = 4 * Map.size same < 3 * Map.size these
+    places = maybe Map.empty likeliestPlaces
+    cellsOf = Map.map (map readNumber)

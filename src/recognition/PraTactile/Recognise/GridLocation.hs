@@ -14,6 +14,10 @@ module PraTactile.Recognise.GridLocation
     GridLocation (..),
     GridOutcome (..),
 
+    -- * Where it lies most probably
+    Likeliest (..),
+    likeliestOf,
+
     -- * What it rests on
     Support (..),
     Doubts (..),
@@ -24,6 +28,7 @@ where
 
 import Control.Monad (join)
 import Data.List (maximumBy, partition)
+import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, isJust, mapMaybe)
 import Data.Ord (comparing)
@@ -149,16 +154,8 @@ locateGrid reader tolerance dissenters grid =
   GridLocation orientation cells (join (supportFrom reader witnesses <$> seen <*> answer)) outcome
   where
     axis = axisOf (gridCells grid)
-    seen = rightOnly (patch (map (map (>>= beliefAlong axis)) (gridRows (gridCells grid))))
-    answered = locate (recogniserLocator reader) . asked <$> seen
+    (seen, answered) = locatedCells reader tolerance (gridCells grid)
     answer = answered >>= rightOnly
-    asked beliefs =
-      (onePatch (Probabilities <$> beliefs))
-        { querySymmetries = waysUp,
-          queryDoubt = toleratedDoubt tolerance,
-          queryForeign = Just (foreignPrior tolerance),
-          queryUnlike = sum [readUnlike s | here <- Map.elems (gridCells grid), s <- here]
-        }
     likeliest' = answer >>= answerPosterior >>= posteriorBest
     orientation =
       axis <> maybe (wayUpAlone (map snd (foldMap observedCells seen))) candidateSymmetry likeliest'
@@ -189,6 +186,51 @@ locateGrid reader tolerance dissenters grid =
         where
           wrong = counted (snd (standing reader witnesses (candidatePosition candidate)))
       _ -> unclear findings witnesses
+
+-- | What is seen of cells, and what comes of locating it.
+locatedCells ::
+  KnownField k =>
+  Recogniser k ->
+  Tolerance ->
+  Cells ->
+  (Maybe (Patch (Belief k)), Maybe (Either LocatorError Answer))
+locatedCells reader tolerance cells = (seen, locate (recogniserLocator reader) . asked <$> seen)
+  where
+    seen = rightOnly (patch (map (map (>>= beliefAlong (axisOf cells))) (gridRows cells)))
+    asked beliefs =
+      (onePatch (Probabilities <$> beliefs))
+        { querySymmetries = waysUp,
+          queryDoubt = toleratedDoubt tolerance,
+          queryForeign = Just (foreignPrior tolerance),
+          queryUnlike = sum [readUnlike s | here <- Map.elems cells, s <- here]
+        }
+
+-- | What cells make of the array, whether or not that is enough for an answer.
+data Likeliest = Likeliest
+  { -- | the logarithm of the odds that they are the array's
+    likeliestOdds :: Double,
+    -- | by the symbols' numbers, their cells in the array, and how the face is seen
+    likeliestPlaces :: Map Int (Symmetry, Position)
+  }
+
+-- | Where cells lie most probably; 'Nothing' where nothing is possible.
+likeliestOf :: KnownField k => Recogniser k -> Tolerance -> Cells -> Maybe Likeliest
+likeliestOf reader tolerance cells = do
+  answer <- snd (locatedCells reader tolerance cells) >>= rightOnly
+  candidate <- answerPosterior answer >>= posteriorBest
+  alien <- doubtOfForeign . doubtsOfForeign <$> answerDoubts answer
+  let orientation = axisOf cells <> candidateSymmetry candidate
+  pure
+    Likeliest
+      { likeliestOdds = log (max 1e-300 (1 - alien)) - log (max 1e-300 alien),
+        likeliestPlaces =
+          Map.fromList
+            [ (readNumber s, (orientation, place))
+              | (cell, here) <- Map.toList (seenOnFace orientation cells),
+                Just (place, _) <- [cellFrom reader (candidatePosition candidate) cell],
+                s <- here
+            ]
+      }
 
 -- | The way up that cells show by themselves, where no position is possible.
 wayUpAlone :: [Belief k] -> Symmetry

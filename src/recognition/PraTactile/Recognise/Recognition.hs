@@ -12,6 +12,7 @@ module PraTactile.Recognise.Recognition
     -- * The answer
     Identification (..),
     differs,
+    Misplaced (..),
     doubting,
 
     -- * Refusals
@@ -22,13 +23,15 @@ module PraTactile.Recognise.Recognition
 where
 
 import Data.Either (isRight)
+import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import PraTactile.Array (Position (..))
 import PraTactile.Locate (LocatorError (..), Reason (..), foreignBut, reasonName, reasons)
+import PraTactile.Recognise.FaceGrid (Cells)
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
-import PraTactile.Registration (Contradiction (..), Fault (..))
+import PraTactile.Registration (Contradiction (..))
 import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Symmetry
 
@@ -39,6 +42,8 @@ data Recognition = Recognition
     -- | symbols beside them that are not complete, or were not cut out, as far as they tell
     -- anything
     recognisedParts :: [ReadSymbol],
+    -- | symbols and parts by their cells, along the symbols' axes, where they lie on one grid
+    recognisedCells :: Cells,
     -- | for the likeliest position, where there is one
     recognisedSupport :: Maybe Support,
     -- | by how many degrees, clockwise, the symbols' axes are turned from the composites', beside
@@ -107,7 +112,7 @@ refusalName refusal = case refusal of
 
 -- | Symbols without an answer, and why.
 unanswered :: [ReadSymbol] -> Refusal -> Recognition
-unanswered symbols = Recognition symbols [] Nothing 0 . Left
+unanswered symbols = Recognition symbols [] Map.empty Nothing 0 . Left
 
 -- | How much the symbols say together, in nats: the fewer doubts they leave, the better they were
 -- cut out.
@@ -138,6 +143,7 @@ relocated angle places recognition =
   recognition
     { recognisedSymbols = map symbol (recognisedSymbols recognition),
       recognisedParts = map symbol (recognisedParts recognition),
+      recognisedCells = Map.map (map symbol) (recognisedCells recognition),
       recognisedTilt = angle + recognisedTilt recognition,
       recognisedAnswer = answer <$> recognisedAnswer recognition
     }
@@ -187,28 +193,33 @@ recognisedAngle recognition orientation
   where
     angle = degreesClockwise orientation + recognisedTilt recognition
 
--- | Whether the second shows something else than the first found: another orientation, or fewer
--- than three quarters of the windows that either has; of frames one of which was moved, none of
--- them. What shows nothing is something else, but where one frame was moved.
-differs :: Fault -> Recognition -> Recognition -> Bool
-differs fault shown other = case (recognisedAnswer shown, recognisedAnswer other) of
+-- | Whether the second found something else than the first: another orientation, or none of its
+-- windows. What shows nothing is not something else.
+differs :: Recognition -> Recognition -> Bool
+differs shown other = case (recognisedAnswer shown, recognisedAnswer other) of
   (Right (Found this), Right (Found that)) ->
-    foundOrientation this /= foundOrientation that || apart (windows this) (windows that)
-  _ -> fault /= OneFrame
+    foundOrientation this /= foundOrientation that
+      || Set.null (Set.intersection (windows this) (windows that))
+  _ -> False
   where
-    apart these those
-      | fault == OneFrame = common == 0
-      | otherwise = 4 * common < 3 * min (Set.size these) (Set.size those)
-      where
-        common = Set.size (Set.intersection these those)
     windows found = Set.fromList (map windowPosition (foundWindow found : foundWindows found))
 
--- | The recognition where its frames lie otherwise, and then show something else, with these
--- probabilities: one of them, all along other axes, or some by a slip. Beyond the doubt that is
--- tolerated, it is refused.
-doubting :: Tolerance -> (Double, Double, Double) -> Recognition -> Recognition
-doubting _ (0, 0, 0) recognition = recognition
-doubting tolerance (stitched, axes, slip) recognition =
+-- | How probable it is that frames lie otherwise, and then show something else.
+data Misplaced = Misplaced
+  { -- | one of them
+    oneMisplaced :: !Double,
+    -- | all, along other axes or at another scale
+    axesMisplaced :: !Double,
+    -- | some, by a slip
+    slipped :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | The recognition where its frames may lie otherwise. Beyond the doubt that is tolerated, it is
+-- refused.
+doubting :: Tolerance -> Misplaced -> Recognition -> Recognition
+doubting _ (Misplaced 0 0 0) recognition = recognition
+doubting tolerance (Misplaced stitched axes slip) recognition =
   recognition
     { recognisedSupport = weighed <$> recognisedSupport recognition,
       recognisedAnswer =

@@ -3,12 +3,16 @@
 module PraTactile.Registration.Agreement
   ( contradiction,
     evidenceAt,
+    tiedGroups,
   )
 where
 
-import Data.List (foldl', maximumBy, partition)
+import Data.IntMap.Strict (IntMap)
+import qualified Data.IntMap.Strict as IntMap
+import qualified Data.IntSet as IntSet
+import Data.List (foldl', maximumBy, partition, sortOn)
 import qualified Data.Map.Lazy as Map
-import Data.Ord (comparing)
+import Data.Ord (Down (..), comparing)
 import qualified Data.Set as Set
 import qualified Data.Vector as Boxed
 import PraTactile.Composite (Contradiction (..))
@@ -16,7 +20,7 @@ import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (frameNoise, spacedOut)
 import PraTactile.Image (Raster)
 import PraTactile.Image.Correlate (Overlap (..), overlapAt, referenceOf)
-import PraTactile.Registration.Neighbours (Neighbours (..), neighboursAround)
+import PraTactile.Registration.Neighbours (Neighbours (..), neighbours, neighboursAround)
 import PraTactile.Registration.Search
 import PraTactile.Sensor.Frame (Pose (..))
 import PraTactile.Sensor.Manifest (alongAxes, axesNamed, straight)
@@ -34,24 +38,23 @@ contradiction settings frames
     Just AgreeingNowhere
   | otherwise = Nothing
   where
-    (given, others) = case map (agreement noise) shared of
+    (given, others) = case map (agreement (noiseOf settings (map snd frames))) shared of
       told : rest -> (told, rest)
       [] -> (Agreement 0 0, [])
-    shared = sharings settings images (map pairsAlong ordered)
-    images = map snd frames
-    noise = max (registrationNoise settings) (frameNoise images)
+    shared = sharings settings (map snd frames) (map pairsAlong ordered)
     (best, axes) = maximumBy (comparing (agreed . fst)) (zip others (drop 1 ordered))
     ordered = straight : filter (/= straight) (map snd axesNamed)
     pairsAlong a = telling mostPairs (overlapping (map (along a) frames))
     along a ((x, y), image) = let Pose x' y' _ = alongAxes a (Pose x y 0) in ((x', y'), image)
 
 -- | How much likelier, as a natural logarithm, the images' overlaps make each of some lists of
--- places than the frames' own: by the pairs that lie otherwise to each other.
+-- places than the frames' own: by the pairs that lie otherwise to each other. No list of places is
+-- made likelier, for symbols resemble each other.
 evidenceAt :: Registration -> [(Taxels, Raster)] -> [[Taxels]] -> [Double]
-evidenceAt settings frames others = zipWith evidence (told asGiven) (told asOthers)
+evidenceAt settings frames others = zipWith (\a b -> min 0 (b - a)) (told asGiven) (told asOthers)
   where
     told = map (sum . map (tie settings noise)) . sharings settings images
-    noise = max (registrationNoise settings) (frameNoise images)
+    noise = noiseOf settings images
     asGiven = [telling mostOfLayout (filter (moved places) here) | places <- others]
     asOthers =
       [ telling mostOfLayout (filter (moved given) (overlapping (zip places images)))
@@ -63,11 +66,6 @@ evidenceAt settings frames others = zipWith evidence (told asGiven) (told asOthe
     unlike places (Neighbours k l (x, y) _) =
       let ((x1, y1), (x2, y2)) = (places Boxed.! k, places Boxed.! l)
        in abs (x2 - x1 - x) > 1 || abs (y2 - y1 - y) > 1
-    -- Overlaps that show one relief tie their frames to each other. Frames that would overlap may
-    -- be alike by chance, since symbols resemble each other, but may not be unlike.
-    evidence a b
-      | a > 0 = negate a
-      | otherwise = min 0 (b - a)
 
 -- | How much likelier, as a natural logarithm, what two frames share is if they show one relief
 -- there, and are as alike as noise of that standard deviation lets them be, than if each shows its
@@ -84,6 +82,36 @@ tie settings noise (Shared n total unlike)
     p = expectedAlike noise n total
     like = sqrt (max 0 (1 - unlike / total))
     cost = max 0 (log (4 * pi * supposedSigma settings * supposedSigma settings))
+
+-- | For each image at its place its group: images that overlap, directly or through others, where
+-- they show one relief ('tie' in odds of 99) are of one group. Groups are numbered as they come.
+tiedGroups :: Registration -> [(Taxels, Raster)] -> [Int]
+tiedGroups settings frames
+  | length frames > mostTied = map (const 0) frames
+  | otherwise = map (rank IntMap.!) roots
+  where
+    roots = [rootIn joined k | (k, _) <- zip [0 ..] frames]
+    rank = IntMap.fromList (zip (IntSet.toAscList (IntSet.fromList roots)) [0 ..])
+    images = Boxed.fromList (map snd frames)
+    noise = noiseOf settings (map snd frames)
+    joined = foldl' join IntMap.empty (sortOn (Down . neighboursShare) (neighbours frames))
+    -- A group points to one that begins earlier.
+    join groups (Neighbours k l step _)
+      | a /= b && tie settings noise (sharedBy settings images (k, l, step)) > log 99 =
+        IntMap.insert (max a b) (min a b) groups
+      | otherwise = groups
+      where
+        (a, b) = (rootIn groups k, rootIn groups l)
+    rootIn :: IntMap Int -> Int -> Int
+    rootIn groups k = maybe k (rootIn groups) (IntMap.lookup k groups)
+
+-- | The most frames of which it is asked which ones relief ties; more are one group.
+mostTied :: Int
+mostTied = 256
+
+-- | The standard deviation of the noise: the one told, or what images show if that is more.
+noiseOf :: Registration -> [Raster] -> Double
+noiseOf settings images = max (registrationNoise settings) (frameNoise images)
 
 -- | What the pairs of some lists of pairs share, as pairs from 'telling'.
 sharings :: Registration -> [Raster] -> [[(Int, Int, Taxels)]] -> [[Shared]]

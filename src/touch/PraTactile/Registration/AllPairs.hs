@@ -1,100 +1,140 @@
 {-# LANGUAGE BangPatterns #-}
 
 -- | Many frames registered by all their pairs together, whatever they show: each pair that
--- overlaps, diagonal ones too, says by its images alone where the second may lie, and the
--- displacements are those that fit all pairs and the robot's error best. Pairs that are wrong come
--- to count for nothing.
+-- overlaps, diagonal ones too, says how likely every displacement of its frames against each other
+-- is, and the robot's error how likely each of these is. A pair that is wrong is outvoted, for it
+-- denies nothing to the others.
+--
+-- The cost is that of the pairs, of which each frame has at most @mostPairs@ of its own choice.
 module PraTactile.Registration.AllPairs
-  ( registerPairwise,
-    Link (..),
-    solved,
+  ( Pairwise (..),
+    registerPairwise,
+    comparedPixels,
   )
 where
 
-import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
+import qualified Data.IntSet as IntSet
 import Data.List (foldl')
 import qualified Data.Vector as Boxed
 import PraTactile.Composite.Blend (Taxels)
-import PraTactile.Image (Raster, rasterSize)
+import PraTactile.Composite.Noise (spacedOut)
+import PraTactile.Image (Raster, rasterHeight, rasterWidth)
+import PraTactile.Registration.AllPairs.Field
+import PraTactile.Registration.AllPairs.Pair
+import PraTactile.Registration.Joint.Estimate (Estimate (..))
+import PraTactile.Registration.Joint.Grid
 import PraTactile.Registration.Model (eighth)
 import PraTactile.Registration.Neighbours (Neighbours (..), neighbours)
-import PraTactile.Registration.Pair.Blind (blindPosterior)
-import PraTactile.Registration.Pair.Straight (alongStraight)
 import PraTactile.Registration.Posterior
-import PraTactile.Registration.Search (Registration, supposedSigma)
-import PraTactile.Registration.Spectrum
+import PraTactile.Registration.Search (Registration)
 
--- | What the pair of two frames, by their numbers, says: by how much the second's displacement
--- exceeds the first's, in a few hypotheses with their probabilities.
-data Link = Link !Int !Int ![Hypothesis]
-  deriving stock (Eq, Show)
+-- | Frames put together by their pairs.
+data Pairwise = Pairwise
+  { -- | Where each frame is, in their order. The displacements have mean 0, since a shift common to
+    -- all cannot be seen.
+    pairwiseFrames :: [Estimate],
+    -- | The standard deviation of the robot's position error, taxels, where pairs tell it.
+    pairwiseSigma :: Maybe Double
+  }
 
--- | The displacement of each image, x and y in taxels, given the tables by the images' width and
--- height and the nominal places (taxels) of their upper left pixels; and the standard deviation of
--- each along either axis. The mean of the displacements is 0.
-registerPairwise ::
-  Registration -> ((Int, Int) -> Spectra) -> [(Taxels, Raster)] -> [(Taxels, Double)]
-registerPairwise settings tables frames = map less placed
+-- | Frames registered from the nominal places (taxels) of their upper left pixels.
+registerPairwise :: Registration -> [(Taxels, Raster)] -> Pairwise
+registerPairwise settings frames = Pairwise (zipWith estimated fields places) sigma
   where
-    links = concatMap (linkOf settings tables (Boxed.fromList (map snd frames))) pairs
-    pairs = [pair | pair <- neighbours frames, neighboursShare pair >= leastShare]
-    placed = IntMap.elems (solved (supposedSigma settings) (length frames) links)
-    n = fromIntegral (max 1 (length placed))
-    mean part = sum (map (part . fst) placed) / n
-    less ((x, y), sd) = ((eighth (x - mean fst), eighth (y - mean snd)), sd)
+    pairs = map (pairOf settings nodes) (compared frames)
+    nodes = Boxed.fromList (map nodeOf frames)
+    fields = pairwiseField settings [rest place | (place, _) <- frames] pairs
+    told = foldMap momentsOf fields
+    sigma
+      | null pairs = Nothing
+      | otherwise =
+        let shares = sigmaShares grid (squaresAbout told)
+         in Just (exp (sum (zipWith (*) shares (map log (gridSigmas grid)))) / gridSpacing)
+    grid = gridOf settings
+    places =
+      between settings told nodes pairs $
+        [(place, probabilityAround field place) | field <- fields, let place = likeliest field]
+    n = fromIntegral (max 1 (length places))
+    mean part = sum (map part places) / n
+    less (x, y) = (eighth (x - mean fst), eighth (y - mean snd))
+    estimated field place =
+      Estimate
+        { estimateShift = less place,
+          estimateDeviation = deviations field,
+          estimateProbability = probabilityAround field place,
+          estimateOthers =
+            take
+              2
+              [ h {hypothesisShift = less (hypothesisShift h)}
+                | h <- hypotheses 5 0.001 field,
+                  let (x, y) = hypothesisShift h,
+                  max (abs (x - fst place)) (abs (y - snd place)) >= 2
+              ]
+        }
 
--- | The least share of a frame that an overlap must have: a quarter, as diagonal ones have whose
--- steps are half a frame.
-leastShare :: Double
-leastShare = 0.2
-
--- | What a pair says; nothing if its frames differ in size.
-linkOf ::
-  Registration -> ((Int, Int) -> Spectra) -> Boxed.Vector Raster -> Neighbours -> [Link]
-linkOf settings tables images (Neighbours k l step@(x, y) _)
-  | rasterSize a /= rasterSize b = []
-  | otherwise = [Link k l (map relative (hypotheses 4 0.02 found))]
+-- | The pairs that are compared: those that share at least a fifth of a frame, as diagonal ones
+-- have whose steps are half a frame; of each frame's pairs at most 'mostPairs', evenly.
+compared :: [(Taxels, Raster)] -> [Neighbours]
+compared frames = [pair | (n, pair) <- numbered, n `IntSet.member` chosen]
   where
-    (a, b) = (images Boxed.! k, images Boxed.! l)
-    known = tables (rasterSize a)
-    process = processOf known 0 (map (coefficientsOf known) [a, b])
-    -- The prior of a pair is normal, of half the search as standard deviation.
-    search = min 12 (2 * sqrt 2 * supposedSigma settings)
-    found = alongStraight step search (a, b) (blindPosterior known process step search (a, b))
-    relative g = let (u, v) = hypothesisShift g in g {hypothesisShift = (u - x, v - y)}
+    numbered = zip [0 ..] [pair | pair <- neighbours frames, neighboursShare pair >= 0.2]
+    chosen = IntSet.fromList (concatMap (spacedOut mostPairs) (IntMap.elems ofEach))
+    ofEach =
+      IntMap.fromListWith
+        (flip (++))
+        [ (k, [n])
+          | (n, Neighbours first second _ _) <- numbered,
+            k <- [first, second]
+        ]
 
--- | The displacements that fit best, with their standard deviations, of that many frames with
--- errors of that standard deviation: each in turn the mean of what its pairs and the prior say,
--- each hypothesis weighed by how well it fits, first generously, then ever more strictly.
-solved :: Double -> Int -> [Link] -> IntMap (Taxels, Double)
-solved sigma count links = foldl' sweep start (concatMap (replicate 6) [2, 1.4, 1, 0.7, 0.5])
+-- | The most pairs that a frame chooses: as many as it has where steps are half a frame.
+mostPairs :: Int
+mostPairs = 8
+
+-- | In how many pixels 'registerPairwise' compares frames, at all displacements of its grid.
+comparedPixels :: Registration -> [(Taxels, Raster)] -> Int
+comparedPixels settings frames = sum (map pixels (compared frames))
   where
-    start = IntMap.fromList [(k, ((0, 0), sigma)) | k <- [0 .. count - 1]]
-    -- By frame: the other one of a pair, and what is to be added to its displacement.
-    around =
-      IntMap.fromListWith (++) $
-        concat
-          [ [ (l, [(k, [(p, e) | Hypothesis e p <- found])]),
-              (k, [(l, [(p, (-x, -y)) | Hypothesis (x, y) p <- found])])
-            ]
-            | Link k l found <- links
-          ]
-    sweep now width = foldl' (update width) now [0 .. count - 1]
-    update width now k = IntMap.insert k (meanOf width now k) now
-    meanOf width now k =
-      let (here, _) = at now k
-          terms = concatMap (termsOf width now here) (IntMap.findWithDefault [] k around)
-          (total, x, y) = foldl' added (1 / (sigma * sigma), 0, 0) terms
-       in ((x / total, y / total), sqrt (1 / total))
-    added (!t, !x, !y) (m, (u, v)) = (t + m, x + m * u, y + m * v)
-    at now k = IntMap.findWithDefault ((0, 0), sigma) k now
-    termsOf width now here (other, hypotheses') =
-      [(share / total / (width * width), place) | (share, place) <- shares]
+    pixels pair = displacements * ceiling (neighboursShare pair * fromIntegral area)
+    area = maximum (1 : [rasterWidth image * rasterHeight image | (_, image) <- frames])
+    displacements = length [() | y <- line, x <- line, within reach (x, y)]
+    line = [negate reach .. reach]
+    reach = pairReach settings
+
+-- | Displacements between grid points, from the likeliest ones on these and how probable each is
+-- there: those that fit the pairs best by least squares. What a pair says is the highest place of L
+-- near where its frames lie, and how steeply L falls from there, as far as both frames are there.
+between ::
+  Registration -> Moments -> Boxed.Vector Node -> [Pair] -> [(Taxels, Double)] -> [Taxels]
+between settings told nodes pairs start = zip (solved fst) (solved snd)
+  where
+    places = Boxed.fromList (map fst start)
+    probable = Boxed.fromList (map snd start)
+    count = length start
+    around = byFrame count (concatMap springs pairs)
+    springs (Pair k l _ _) =
+      [ (l, (k, weight, e)),
+        (k, (l, weight, (negate ex, negate ey)))
+      ]
       where
-        ((ox, oy), _) = at now other
-        shares = [(p * exp (negate (apart here place)), place) | (p, place) <- places]
-        places = [(p, (ox + ex, oy + ey)) | (p, (ex, ey)) <- hypotheses']
-        apart (x, y) (u, v) = ((x - u) * (x - u) + (y - v) * (y - v)) / (2 * width * width)
-        -- A pair may be wrong altogether.
-        total = sum (map fst shares) + 0.02
+        weight = (certain * wx, certain * wy)
+        certain = probable Boxed.! k * probable Boxed.! l
+        (e@(ex, ey), (wx, wy)) = peak settings nodes (k, l) apart
+        apart = (places Boxed.! l) `minus` (places Boxed.! k)
+    -- Each frame in turn is where its pairs and the robot have it in the mean.
+    solved part =
+      let from = IntMap.fromList (zip [0 ..] (map (part . fst) start))
+       in IntMap.elems (iterate (sweep part) from !! mostSteps)
+    sweep part now = foldl' (\at k -> IntMap.insert k (mean part at k) at) now [0 .. count - 1]
+    mean part at k = along / weight
+      where
+        (weight, along) = foldl' add (robot, robot * part common) (around Boxed.! k)
+        add (!w, !t) (l, ws, e) =
+          let v = part ws in (w + v, t + v * (IntMap.findWithDefault 0 l at + part e))
+    robot = robotPrecision (gridOf settings) told
+    common = let Moments n x y _ = told in (x / (n * gridSpacing), y / (n * gridSpacing))
+
+-- | How often least squares look at each frame.
+mostSteps :: Int
+mostSteps = 40

@@ -7,6 +7,7 @@ module PraTactile.Registration.Arrangement
     unarranged,
     TooMuch (..),
     maxComparisons,
+    maxPairPixels,
     maxLatticePixels,
     withMisfit,
   )
@@ -19,12 +20,12 @@ import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Composite.Tilt (tilt)
 import PraTactile.Image (Raster, rasterSize, rasterValues, standardDeviation)
-import PraTactile.Registration.AllPairs (registerPairwise)
+import PraTactile.Registration.AllPairs
 import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Incremental (comparisons, register)
 import PraTactile.Registration.Joint
 import PraTactile.Registration.Lattice.Angle (latticeAngle)
-import PraTactile.Registration.Lattice.Fit (Fits (..), Touched, bySize, fitsAt)
+import PraTactile.Registration.Lattice.Fit (Fits (..), Touched, fitsAt)
 import PraTactile.Registration.Lattice.Glimpse
 import PraTactile.Registration.Lattice.Template (LatticeTables)
 import PraTactile.Registration.Levelling (levelling)
@@ -35,7 +36,7 @@ import PraTactile.Registration.Spectrum (spectra)
 
 -- | How frames are registered.
 data StitchMethod
-  = -- | by the lattice if the frames show it, else incrementally
+  = -- | by the lattice if the frames show it, else by all pairs that overlap
     Automatic
   | -- | by the lattice of cells
     ByLattice
@@ -74,9 +75,8 @@ data Arrangement = Arrangement
     arrangementResidual :: Maybe Double,
     -- | The angle of the lattice, in degrees clockwise, where the method tells it.
     arrangementAngle :: Maybe Double,
-    -- | The displacements from other nominal places, registered by the same method, and how much
-    -- likelier, as a natural logarithm, these make the lattice than the given ones; 'Nothing' where
-    -- nothing is registered.
+    -- | The displacements from other nominal places, and how much likelier, as a natural logarithm,
+    -- these make the lattice than the given ones; 'Nothing' where nothing is registered.
     arrangementFrom :: Maybe ([Taxels] -> (Double, [Taxels]))
   }
 
@@ -90,10 +90,17 @@ maxComparisons = 536870912
 maxLatticePixels :: Int
 maxLatticePixels = 65536
 
+-- | The most pixels that all pairs of frames are compared in, at all displacements that they may
+-- have: some fifteen seconds of computing.
+maxPairPixels :: Int
+maxPairPixels = 4294967296
+
 -- | Why frames are not registered: it would take too much.
 data TooMuch
   = -- | They would be compared in so many pixels, more than 'maxComparisons'.
     ComparedPixels !Int
+  | -- | Their pairs would be compared in so many pixels, more than 'maxPairPixels'.
+    PairPixels !Int
   | -- | A frame has so many pixels, more than 'maxLatticePixels'.
     LatticePixels !Int
   deriving stock (Eq, Show)
@@ -113,18 +120,20 @@ arrange tables method settings touched
   | otherwise = case method of
     ByLattice | largest > maxLatticePixels -> Left (LatticePixels largest)
     ByLattice -> Right (byLattice (fromMaybe (fits 0) lattice))
-    Jointly -> Right (blindly Jointly fitted (registerPairwise settings spectra'))
     Automatic | largest <= maxLatticePixels, Just fits' <- lattice -> Right (byLattice fits')
-    _ | compared > maxComparisons -> Left (ComparedPixels compared)
-    _ -> Right (blindly Incremental correlated (register settings))
+    Incremental
+      | compared > maxComparisons -> Left (ComparedPixels compared)
+      | otherwise -> Right oneByOne
+    _ | paired > maxPairPixels -> Left (PairPixels paired)
+    _ -> Right byPairs
   where
     frames = map (fmap fst) touched
     compared = comparisons settings frames
+    paired = comparedPixels settings frames
     largest = maximum (0 : map ((\(w, h) -> w * h) . rasterSize . snd) frames)
     flat image = V.all (== rasterValues image V.! 0) (rasterValues image)
     images = map snd frames
     sizes = map rasterSize images
-    spectra' = bySize sizes (uncurry spectra)
     fits = fitsAt tables (map snd touched)
     -- What the frames tell of the lattice, if they show it.
     lattice = do
@@ -134,14 +143,17 @@ arrange tables method settings touched
         (uncurry spectra (glimpseSize size))
         (tilt (map compositeOf (spacedOut tiltFrames images)))
         (map glimpse images)
-    correlated (d, instead) = Registered d Nothing Nothing instead
-    fitted (d, sd) = Registered d (Just (sd, sd)) Nothing []
-    blindly used told way =
-      (arranged frames used (asRead frames) (map told (way frames)))
-        { arrangementFrom = Just (\places -> (0, map (shift . told) (way (zip places images))))
+    oneByOne =
+      arranged frames Incremental (asRead frames) $
+        [Registered d Nothing Nothing [] | d <- register settings frames]
+    byPairs =
+      (arranged frames Jointly (asRead frames) (map estimated (pairwiseFrames found)))
+        { arrangementSigma = pairwiseSigma found,
+          arrangementFrom =
+            Just (const (0, map estimateShift (pairwiseFrames found)))
         }
       where
-        shift one = registeredShift (one 0)
+        found = registerPairwise settings frames
     byLattice fits' =
       (arranged frames ByLattice levels (map estimated (jointFrames found)))
         { arrangementSigma = jointSigma found,
@@ -151,21 +163,21 @@ arrange tables method settings touched
       where
         levels = levelling (zip (map snd touched) (jointThetas found))
         registered = registerJointly settings fits'
-        found = registered touched
         from there = (jointLog there - jointLog found, map estimateShift (jointFrames there))
-        estimated l =
-          Registered
-            (estimateShift l)
-            (Just (estimateDeviation l))
-            (Just (estimateProbability l))
-            (estimateOthers l)
+        found = registered touched
+    estimated l =
+      Registered
+        (estimateShift l)
+        (Just (estimateDeviation l))
+        (Just (estimateProbability l))
+        (estimateOthers l)
 
 -- | The frames where they nominally are.
 unarranged :: StitchMethod -> [(Taxels, Raster)] -> Arrangement
 unarranged method frames =
   arranged frames used (asRead frames) (map (const stays) frames)
   where
-    used = if method == Automatic then Incremental else method
+    used = if method == Automatic then Jointly else method
     stays = Registered (0, 0) Nothing Nothing []
 
 -- | Frames on the scale that they are read on, each counted in full.

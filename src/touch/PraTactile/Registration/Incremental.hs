@@ -15,7 +15,7 @@ import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
 import Data.IntSet (IntSet)
 import qualified Data.IntSet as IntSet
-import Data.List (foldl', sortOn)
+import Data.List (foldl')
 import qualified Data.Map.Strict as Map
 import Data.Ord (Down (..))
 import Data.Set (Set)
@@ -26,26 +26,22 @@ import PraTactile.Composite.Blend (Blend (..), Taxels, blend)
 import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Overlap (..), Reference, overlapAt, reference, referenceOf)
 import PraTactile.Registration.Model (eighth)
-import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search
   ( Prior (..),
     Registration (..),
     Window (..),
     mostProbable,
-    probabilities,
     searchRadius,
     supposedSigma,
   )
 
 -- | The displacement of each image, x and y in taxels, given the nominal places (taxels) of the
--- images' upper left pixels, and other displacements that it may have instead. The mean of the
--- first is zero, to a sixteenth of a taxel, since a shift common to all frames cannot be seen.
-register :: Registration -> [(Taxels, Raster)] -> [(Taxels, [Hypothesis])]
-register settings images =
-  zip (IntMap.elems displacements) (map (others settings displacements) nodes)
+-- images' upper left pixels. Their mean is zero, to a sixteenth of a taxel, since a shift common to
+-- all frames cannot be seen.
+register :: Registration -> [(Taxels, Raster)] -> [Taxels]
+register settings images = IntMap.elems (sweeps settings nodes (grown settings nodes))
   where
     nodes = linked (linkReach settings) images
-    displacements = sweeps settings nodes (grown settings nodes)
 
 -- | A frame, and the other frames that may touch it once they are displaced.
 data Node = Node
@@ -231,27 +227,6 @@ located settings displacements node prior window start =
     Just (known, onGrid) ->
       mostProbable settings known (nodeImage node) onGrid prior window start
     Nothing -> start
-
--- | The displacements that a frame may have instead of its own, at least two taxels away, with
--- their probabilities, the most probable first: at most two, each of at least a thousandth.
-others :: Registration -> IntMap Taxels -> Node -> [Hypothesis]
-others settings displacements node = case seenByOthers displacements node reach start of
-  Just (known, onGrid) ->
-    take 2 . apart . sortOn (negate . hypothesisProbability) $
-      [ Hypothesis d p
-        | (d, p) <- probabilities settings known (nodeImage node) onGrid prior reach start,
-          p >= 0.001,
-          far d start
-      ]
-  Nothing -> []
-  where
-    start = IntMap.findWithDefault (0, 0) (nodeKey node) displacements
-    prior = Prior (0, 0) (supposedSigma settings ^ (2 :: Int))
-    reach = max 2 (ceiling (2 / 3 * searchRadius settings))
-    far (x, y) (x', y') = max (abs (x - x')) (abs (y - y')) >= 2
-    apart found = case found of
-      [] -> []
-      h : rest -> h : apart (filter (far (hypothesisShift h) . hypothesisShift) rest)
 
 -- | The other frames at their displacements, and where a displacement of a frame, of up to that
 -- many taxels from the start, puts its upper left pixel on them.

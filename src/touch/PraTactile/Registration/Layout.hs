@@ -16,9 +16,10 @@ import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import PraTactile.Composite (Composite, Fault (..), Otherwise (..))
 import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (columnPitch, rotated, rowPitch)
 import PraTactile.Image (Raster)
-import PraTactile.Registration.Agreement (evidenceAt)
+import PraTactile.Registration.Agreement (evidenceAt, tiedGroups)
 import PraTactile.Registration.Search (Registration)
 import PraTactile.Sensor.Frame (Pose (..))
 import PraTactile.Sensor.Manifest (Axes, alongAxes, axesNamed, straight)
@@ -33,9 +34,9 @@ data Layout = Layout
   }
 
 -- | All of them beside the places that are told, given the angle of the lattice of symbols, in
--- degrees clockwise.
-layouts :: Double -> [Taxels] -> [Layout]
-layouts angle places =
+-- degrees clockwise, and for each place the group of frames that relief ties to each other.
+layouts :: Double -> [Int] -> [Taxels] -> [Layout]
+layouts angle groups places =
   [ ofAll (OtherAxes axes) (axesShare axes)
     | (_, axes) <- axesNamed,
       axes /= straight
@@ -43,14 +44,20 @@ layouts angle places =
     ++ [ ofAll (OtherScale across down) 0.25
          | (across, down) <- [(0.5, 1), (2, 1), (1, 0.5), (1, 2)]
        ]
-    ++ [ Layout Slip (1 / fromIntegral (4 * length slips)) (map (slipped beyond cell) places)
-         | beyond <- slips,
-           cell <- cellsAround angle
-       ]
+    ++ slips 1 (beyond fst ++ beyond snd)
+    ++ slips groupShare [map (== g) groups | several > 1, g <- some]
   where
     ofAll fault share = Layout fault share (map (faultAt fault) places)
-    slips = map (\t -> (> t) . fst) (lines' fst) ++ map (\t -> (> t) . snd) (lines' snd)
-    slipped beyond (dx, dy) (x, y) = if beyond (x, y) then (x + dx, y + dy) else (x, y)
+    -- That one of some sets of frames has slipped, by any cell.
+    slips share sets =
+      [ Layout Slip (share / fromIntegral (4 * length sets)) (zipWith (slipped cell) set places)
+        | set <- sets,
+          cell <- cellsAround angle
+      ]
+    slipped (dx, dy) moved (x, y) = if moved then (x + dx, y + dy) else (x, y)
+    several = 1 + maximum (-1 : groups)
+    some = spacedOut mostGroups [0 .. several - 1]
+    beyond part = [map ((> t) . part) places | t <- lines' part]
     -- Between neighbouring rows or columns of frames.
     lines' part =
       take mostLines . map snd . sortOn (Down . fst) $
@@ -86,6 +93,14 @@ axesShare axes
 mostLines :: Int
 mostLines = 8
 
+-- | Of slips, how probable that of a single group is beside those beyond lines.
+groupShare :: Double
+groupShare = 0.5
+
+-- | The most groups of which each is supposed to have slipped.
+mostGroups :: Int
+mostGroups = 16
+
 -- | How far rows of frames are at least from each other, taxels; nearer ones are one row.
 leastGap :: Double
 leastGap = 2
@@ -93,26 +108,30 @@ leastGap = 2
 -- | The layouts that the frames at these nominal places do not refute, each with its composite: by
 -- their overlaps, and by how much likelier, as a natural logarithm, the places of a layout make the
 -- lattice, on which a slip by a cell leaves them. Given are the lattice's angle, where it is known,
--- and what the frames make at other places: that likelihood, and the composite, where there is room
--- for it.
+-- that likelihood with the displacements from there, and the composite with its frames so displaced
+-- from other places.
 layoutsLeft ::
   Registration ->
   Maybe Double ->
   [(Taxels, Raster)] ->
-  ([Taxels] -> Maybe (Double, Composite)) ->
+  ([Taxels] -> (Double, [Taxels])) ->
+  ([Taxels] -> Maybe [Taxels] -> Composite) ->
   [Otherwise]
-layoutsLeft settings angle frames putAt =
-  [ Otherwise (layoutFault layout) (layoutShare layout) (exp byBoth) composite
+layoutsLeft settings angle frames registeredAt laidAt =
+  [ Otherwise fault (layoutShare layout) (exp byBoth) (laidAt (layoutPlaces layout) shifts)
     | (layout, byOverlaps) <-
         zip hypotheses (evidenceAt settings frames (map layoutPlaces hypotheses)),
       byOverlaps > refuted,
-      Just (likelier, composite) <- [putAt (layoutPlaces layout)],
-      let byLattice = if layoutFault layout == Slip then 0 else min 0 (likelier + unsure),
+      let fault = layoutFault layout
+          (likelier, there) = registeredAt (layoutPlaces layout)
+          (byLattice, shifts)
+            | fault == Slip = (0, Nothing)
+            | otherwise = (min 0 (likelier + unsure), Just there),
       let byBoth = byOverlaps + byLattice,
       byBoth > refuted
   ]
   where
-    hypotheses = layouts (fromMaybe 0 angle) (map fst frames)
+    hypotheses = layouts (fromMaybe 0 angle) (tiedGroups settings frames) (map fst frames)
     -- Seams through symbols, which the frames' own blur and gain make uncertain.
     unsure = 20
 

@@ -179,6 +179,33 @@
 --
 -- > P(d) ~ pi(d) (1 - rho^2) ^ (-0.4 n / 2),    rho > 0
 --
+-- = Many frames that show no lattice
+--
+-- Of each frame at most eight overlaps are looked at. A pair overlaps in n pixels, no more than at
+-- the nominal displacement, with correlation rho > 0, the noise's variance added to both. Then
+--
+-- > L_fg(e) = - (n / 2) log (1 - rho^2) / root B_fg,    e = d_g - d_f, whole taxels
+-- > B_fg = sum over all lags of the product of the two frames' autocorrelations, at least 1
+--
+-- By chance two reliefs correlate as if pixels were B times fewer (Bartlett, 1946); one relief
+-- under white noise is told by every pixel; root B is between the two. A pair tells nothing as
+-- probably as it is right, and what is common to all displacements is free:
+--
+-- > P(d_1 .. d_F, sigma) ~ product of pi_sigma(d_f - c)
+-- >                        * product over pairs of (1 + exp L_fg(d_g - d_f))
+--
+-- with pi and sigma as above, and c uniform. The mean of m frames tells c to sigma^2 / m, so that
+-- each frame has for prior the others' mean and shares of sigma, with sigma^2 (1 + 1 / m):
+--
+-- > q_f(d) ~ pi(d) * product over the pairs of f of (1 + sum over d' of q_g(d') exp L_fg(d' - d))
+--
+-- At first one frame after the other by those before it, the first where the robot has it, next the
+-- one whose pairs with those placed have the highest L; then each by all, until none changes its
+-- likeliest displacement or ten sweeps are done. What q_g has below 0.002 tells nothing. Between
+-- the grid's points the displacements are those of least squares: of a pair the highest place of L
+-- within a taxel of where the field has it, to an eighth, its second derivatives for weights, as
+-- far as both frames are there; and the robot's mean 1 / sigma^2.
+--
 -- = What is left over
 --
 -- A frame without variation, z = 0, tells next to nothing. Where two frames do not show a lattice,

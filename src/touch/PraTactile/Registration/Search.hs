@@ -17,7 +17,6 @@ module PraTactile.Registration.Search
     -- * The search
     Window (..),
     mostProbable,
-    probabilities,
     independent,
     finestStep,
   )
@@ -147,41 +146,11 @@ mostProbable settings ref image placeOf prior (Window (cx, cy) radius) start@(x0
     along best@(_, (x, y)) (i, j) = foldl' better best [(x - i, y - j), (x + i, y + j)]
     better best@(score, _) candidate =
       let score' = posterior candidate in if score' > score then (score', candidate) else best
-    posterior d = evidenceFor settings ref image placeOf start d + logPrior prior d
-
--- | What an overlap at a displacement tells, given that at the start: Note [No reward for overlap]
-evidenceFor ::
-  Registration -> Reference -> Raster -> (Taxels -> Taxels) -> Taxels -> Taxels -> Double
-evidenceFor settings ref image placeOf start = \d -> logLikelihood settings (capped (at d))
-  where
+    posterior d = logLikelihood settings (capped (at d)) + logPrior prior d
     at d = let (px, py) = placeOf d in overlapAt ref image px py
+    -- Note [No reward for overlap]
     capped overlap = overlap {overlapWeight = min startWeight (overlapWeight overlap)}
     startWeight = overlapWeight (at start)
-
--- | The displacements that lie whole taxels from the start, up to so many along each axis, with
--- their probabilities; each pixel of the overlap counts as 'independent' pixels.
-probabilities ::
-  Registration ->
-  Reference ->
-  Raster ->
-  (Taxels -> Taxels) ->
-  Prior ->
-  Int ->
-  Taxels ->
-  [(Taxels, Double)]
-probabilities settings ref image placeOf prior reach start@(x0, y0) =
-  [(d, exp (score - top) / total) | (d, score) <- scored]
-  where
-    scored =
-      [ (d, independent * likelihood d + logPrior prior d)
-        | j <- line,
-          i <- line,
-          let d = (x0 + i, y0 + j)
-      ]
-    line = map fromIntegral [negate reach .. reach] :: [Double]
-    likelihood = evidenceFor settings ref image placeOf start
-    top = maximum (map snd scored)
-    total = sum [exp (score - top) | (_, score) <- scored]
 
 -- | How many independent pairs of values a pixel of an overlap counts for where probabilities are
 -- told: neighbouring pixels of relief resemble each other. Found so that of pairs that are given at

@@ -2,31 +2,28 @@
 -- robot have it most probably, at first of those placed before it, in the end of all others.
 module Test.Touch.Registration.GrownAndSwept (spec) where
 
-import Data.List (sortOn, (\\))
+import Data.List ((\\))
 import Data.Maybe (fromMaybe)
-import Data.Ord (Down (..))
 import PraTactile.Composite.Blend
 import PraTactile.Image hiding (mean)
 import PraTactile.Image.Correlate
 import PraTactile.Registration.Incremental
-import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
-import Test.Touch.Registration.Definition (shares)
 
 spec :: Spec
 spec = modifyMaxSuccess (const 200) $ do
   it "frames are displaced by eighths of a taxel, in the mean by less than one" $
     forAllBlind genFrames $ \frames -> forAll (genSettings [0, 1, 5]) $ \settings ->
-      let moves = map fst (register settings frames)
+      let moves = register settings frames
        in counterexample (show moves) $
             map eighths moves == moves && nearBy (1 / 16) (meanOf moves) (0, 0)
   it "without sweeps each frame is as probable as at any whole taxel, by those placed before it" $
     forAllBlind genFrames $ \frames -> forAll (genSettings [0]) $ \settings ->
-      let moves = map fst (register settings frames)
+      let moves = register settings frames
           orders = growing frames
           grown order = and (zipWith (lying order) [0 ..] order)
           lying order n k =
@@ -52,31 +49,6 @@ spec = modifyMaxSuccess (const 200) $ do
       let lying (Seen moved d old told) =
             (d == old && not moved) || best told (windowed (Window old 1) old) d
        in all lying (swept settings frames)
-  it "other places are the two most probable by all others, two taxels off or more" $
-    forAllBlind genFrames $ \frames -> forAll (genSettings [0, 2]) $ \settings ->
-      let found = register settings frames
-          moves = map fst found
-          reach = fromIntegral (max 2 (ceiling (2 / 3 * searchRadius settings) :: Int))
-          listed k (d@(x, y), hypotheses) =
-            let told = others settings frames moves k d
-                places = [(x + i, y + j) | j <- [-reach .. reach], i <- [-reach .. reach]]
-                known = zip places (shares [0.4 * l + p | (l, p) <- map told places])
-                these = [(e, p) | Hypothesis e p <- hypotheses]
-                far e = all (not . nearBy (2 - 1e-9) e)
-                likelier p = [e | (e, q) <- these, q >= p - 1e-9]
-             in counterexample (show (d, these, filter ((>= 0.001) . snd) known)) $
-                  and [maybe False ((< 1e-6) . abs . subtract p) (lookup e known) | (e, p) <- these]
-                    && and [far e (d : map fst (take n these)) | (n, (e, _)) <- zip [0 ..] these]
-                    && all ((>= 0.001) . snd) these
-                    && sortOn (Down . snd) these == these
-                    && length these <= 2
-                    -- What is left out is less probable.
-                    && and
-                      [ length (likelier p) == 2 || not (far e (d : likelier p))
-                        | (e, p) <- known,
-                          p >= 0.001 + 1e-9
-                      ]
-       in conjoin (zipWith listed [0 ..] found)
 
 -- | Whether a displacement is as probable as others, one of which it is refined from by a half, a
 -- quarter and an eighth.
@@ -103,7 +75,7 @@ swept settings given = [seen (take n order) k | (n, k) <- zip [0 ..] order, k > 
       where
         next = results !! (n + 1)
         lone = if n == 0 then (0, 0) else head (results !! n)
-    results = [map fst (register settings {registrationSweeps = n} frames) | n <- [0 ..]]
+    results = [register settings {registrationSweeps = n} frames | n <- [0 ..]]
     movedIn n l = let (from, to) = sweep n in n >= 0 && from !! l /= to !! l
     seen earlier k = Seen moved (news !! k) (olds !! k) (others settings frames placed k from)
       where

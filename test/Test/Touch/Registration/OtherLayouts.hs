@@ -3,8 +3,9 @@ module Test.Touch.Registration.OtherLayouts (spec) where
 
 import Data.Foldable (for_)
 import Data.List (nub)
-import PraTactile.Image (mapRaster)
+import PraTactile.Image (constant, mapRaster)
 import PraTactile.Registration hiding (assemble)
+import PraTactile.Registration.Agreement (tiedGroups)
 import PraTactile.Registration.Layout
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
 import PraTactile.Sensor.Manifest (axesName, axesNamed, straight)
@@ -18,26 +19,35 @@ spec :: Spec
 spec = do
   prop "are the seven other axes, four other scales, and slips, which share their probability" $
     forAll (choose (1, 5)) $ \columns -> forAll (choose (1, 5)) $ \rows ->
-      let places = [(x * 12, y * 9) | y <- upTo rows, x <- upTo columns]
-          all' = layouts 0 places
-          shareOf which = sum [layoutShare l | l <- all', which (layoutFault l)]
-          -- A share of all that is no slip, and of slips as far as there are lines.
-          slips = if columns + rows > 2 then 1 else 0
-          alike a b = abs (a - b) < 1e-9 :: Bool
-       in zipWith alike (map shareOf [isAxes, isScale, (== Slip)]) [1, 1, slips]
-            === [True, True, True]
-            .&&. length (filter (isAxes . layoutFault) all')
-            === 7
-            .&&. length (filter ((== Slip) . layoutFault) all')
-            === 4 * (columns + rows - 2)
+      forAll (choose (1, 4)) $ \several ->
+        let places = [(x * 12, y * 9) | y <- upTo rows, x <- upTo columns]
+            tied = [k `mod` several | (k, _) <- zip [0 ..] places]
+            groups = 1 + maximum tied
+            all' = layouts 0 tied places
+            shareOf which = sum [layoutShare l | l <- all', which (layoutFault l)]
+            -- A share of all that is no slip, and of slips as far as there are lines, and half of
+            -- that for groups where there are several.
+            slips = (if columns + rows > 2 then 1 else 0) + (if groups > 1 then 0.5 else 0)
+            alike a b = abs (a - b) < 1e-9 :: Bool
+         in zipWith alike (map shareOf [isAxes, isScale, (== Slip)]) [1, 1, slips]
+              === [True, True, True]
+              .&&. length (filter (isAxes . layoutFault) all')
+              === 7
+              .&&. length (filter ((== Slip) . layoutFault) all')
+              === 4 * (columns + rows - 2 + if groups > 1 then groups else 0)
   it "slips move what is beyond a line by a cell of the lattice, at its angle" $
-    nub [layoutPlaces l | l <- layouts 90 [(0, 0), (16, 0)], layoutFault l == Slip]
+    nub [layoutPlaces l | l <- layouts 90 [0, 0] [(0, 0), (16, 0)], layoutFault l == Slip]
       `shouldSatisfy` all
         ( \moved ->
             any
               (closeTo moved)
               [[(0, 0), (16 + dx, dy)] | (dx, dy) <- [(0, 16), (0, -16), (-20, 0), (20, 0)]]
         )
+  it "are of one group what relief ties, and of others what it does not" $ do
+    let frames = [((x, 20), frameAt (16, 16) (x, 20)) | x <- [20, 24, 28, 52, 56, 60]]
+        blank = [((x, 0), constant 16 16 0.5) | x <- [0, 8, 16]]
+    tiedGroups standardRegistration frames `shouldBe` [0, 0, 0, 1, 1, 1]
+    tiedGroups standardRegistration blank `shouldBe` [0, 1, 2]
   it "are refuted by overlaps that show relief, but for some slips, whatever gain and offset" $ do
     let places = [(x, y) | y <- [20, 28 .. 52], x <- [20, 28 .. 44]]
         faults (gain, offset) = map otherwiseFault (left gain offset places)

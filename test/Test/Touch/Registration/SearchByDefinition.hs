@@ -127,28 +127,6 @@ searchSpec = do
             (soughtWindow sought)
             start
             === wanted
-  it
-    "of those at whole taxels from the start each is as probable as the posterior has it, of\
-    \ whose likelihood each pixel counts four tenths"
-    $ forAllBlind genSought $ \sought -> forAll (elements [1, 2]) $ \reach ->
-      let settings = standardRegistration {registrationNoise = 0.3}
-          (x0, y0) = soughtStart sought
-          line = map fromIntegral [negate reach .. reach :: Int]
-          places = [(x0 + i, y0 + j) | j <- line, i <- line]
-          weight d = let (told, prior) = terms settings sought d in exp (0.4 * told + prior)
-          found =
-            probabilities
-              settings
-              (soughtReference sought)
-              (soughtImage sought)
-              id
-              (soughtPrior sought)
-              reach
-              (soughtStart sought)
-          wanted = [(d, weight d / sum (map weight places)) | d <- places]
-       in counterexample (show (found, wanted)) $
-            map fst found == places
-              && and (zipWith (\(_, p) (_, w) -> abs (p - w) < 1e-9) found wanted)
   where
     -- The first of the greatest.
     maximumOfFirst score ds =
@@ -176,7 +154,7 @@ otherSpec = do
               []
           settings = standardRegistration {registrationSigma = Just 2, registrationNoise = 0.05}
           frames = [frame (k, j) | k <- [0 .. 4 :: Int], j <- [0, 1]]
-       in case assemble Incremental settings frames of
+       in case assemble Jointly settings frames of
             Left e -> counterexample (show e) False
             Right made ->
               let others = concatMap registeredOthers (assemblyFrames made)

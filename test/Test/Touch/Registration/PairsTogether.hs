@@ -1,0 +1,188 @@
+-- | Frames put together by all their pairs: the field of their displacements against its formulas
+-- on lists, laws of it, and scenes of known truth whose error nobody told.
+module Test.Touch.Registration.PairsTogether (spec) where
+
+import Data.List (foldl', genericLength, sortOn)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
+import Data.Ord (Down (..))
+import qualified Data.Vector.Storable as V
+import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Image
+import PraTactile.Registration.AllPairs
+import PraTactile.Registration.AllPairs.Field
+import PraTactile.Registration.AllPairs.Pair
+import PraTactile.Registration.Joint.Estimate (Estimate (..))
+import PraTactile.Registration.Posterior
+import PraTactile.Registration.Search
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (generate)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
+
+spec :: Spec
+spec = do
+  modifyMaxSuccess (const 30) fieldSpec
+  modifyMaxSuccess (const 20) truthSpec
+
+-- | An error of half a taxel, told: from a quarter to one; a frame lies three taxels off at most,
+-- and a pair three.
+told :: Registration
+told = standardRegistration {registrationSigma = Just 0.5}
+
+line :: [Int]
+line = [-3 .. 3]
+
+square :: [(Int, Int)]
+square = [(x, y) | y <- line, x <- line]
+
+-- | L of two frames by the difference of their displacements.
+type Said = ((Int, Int), Map.Map (Int, Int) Double)
+
+pairOfLogs :: Said -> Pair
+pairOfLogs ((k, l), logs) =
+  Pair k l most (V.fromList [realToFrac (exp (logs Map.! e - most)) | e <- square])
+  where
+    most = maximum logs
+
+-- | The formulas: the fields of so many frames, that lie on grid points, after ten sweeps or when
+-- none changes its likeliest displacement.
+fieldByFormulas :: Int -> [Said] -> [Map.Map (Int, Int) Double]
+fieldByFormulas count said = Map.elems (go (10 :: Int) Map.empty)
+  where
+    go n now
+      | n <= 1 || Map.map top new == Map.map top now = new
+      | otherwise = go (n - 1) new
+      where
+        new = foldl' (\at k -> Map.insert k (fieldOf at k) at) now order
+    top = fst . foldl' (\a b -> if snd b > snd a then b else a) ((0, 0), -1) . rowByRow
+    rowByRow q = sortOn (\((x, y), _) -> (y, x)) (Map.toList q)
+    fieldOf at k
+      | null heard, Map.notMember k at = Map.fromList [(d, sure (d == best)) | d <- square]
+      | otherwise = priors
+      where
+        best = top priors
+        sure there = if there then 1 else 0
+        -- A pair that tells nothing is as likely as one that does.
+        heard =
+          [ \d -> log (1 + sum [q * exp (logs (apart d d')) | (d', q) <- seen])
+            | ((i, j), table) <- said,
+              (sign, other) <- [(1, i) | j == k] ++ [(-1, j) | i == k],
+              Just q' <- [Map.lookup other at],
+              let seen = filter ((> 0.002) . snd) (Map.toList q'),
+              let apart (x, y) (u, v) = (sign * (x - u), sign * (y - v)),
+              let logs e = fromMaybe (-1 / 0) (Map.lookup e table)
+          ]
+        priors = normalised (Map.fromList [(d, robot d + sum (map ($ d) heard)) | d <- square])
+        others = [q | (i, q) <- Map.toList at, i /= k]
+        m = genericLength others :: Double
+        middle part = if null others then 0 else sum (map (expected part) others) / m
+        expected f q = sum [p * f d | (d, p) <- Map.toList q]
+        (mx, my) = (middle (real . fst), middle (real . snd))
+        squares = sum (map (expected squared) others) - m * (mx * mx + my * my)
+        squared (x, y) = real x * real x + real y * real y
+        -- Of one standard deviation out of 13, those of a frame and of the mean of m others.
+        variances = [s * s + 1 / 12 | i <- [0 .. 12 :: Int], let s = 0.25 * 2 ** (real i / 6)]
+        -- Places are half taxels, and the cell of one is counted in them.
+        shares v =
+          let w = byPlaces v
+           in exp (negate (max 0 squares) / (2 * w) - max 0 (m - 1) * log (4 * w))
+        byPlaces v = v - 1 / 12 + 1 / 48
+        robot (x, y) =
+          let t = (real x - mx) ^ (2 :: Int) + (real y - my) ^ (2 :: Int)
+              f = if m > 0 then m / (m + 1) else 1
+           in log (sum [shares v / both / v * exp (negate f * t / (2 * v)) | v <- variances])
+        both = sum (map shares variances)
+    normalised logs =
+      let most = maximum logs
+          masses = Map.map (exp . subtract most) logs
+       in Map.map (/ sum masses) masses
+    real = fromIntegral :: Int -> Double
+    order = growingOf [0 .. count - 1] []
+    growingOf [] _ = []
+    growingOf waiting placed = next : growingOf (filter (/= next) waiting) (next : placed)
+      where
+        next = snd (minimum [(map (Down . (`gain` k)) [placed, everyone], k) | k <- waiting])
+    everyone = [0 .. count - 1]
+    gain others k =
+      sum
+        [ maximum logs
+          | ((i, j), logs) <- said,
+            (i == k && j `elem` others) || (j == k && i `elem` others)
+        ]
+
+fieldSpec :: Spec
+fieldSpec = do
+  it "displacements are as probable as what pairs and the robot say together" $
+    forAll (choose (2, 4)) $ \count -> forAllBlind (genSaid count) $ \said ->
+      let found = pairwiseField told (replicate count (0, 0)) (map pairOfLogs said)
+          wanted = fieldByFormulas count said
+          masses q = [q Map.! d | d <- square]
+          apart' f w = maximum (map abs (zipWith (-) (V.toList (posteriorMasses f)) (masses w)))
+          off = zipWith apart' found wanted
+       in counterexample (show off) (length found == count && maximum off < 1e-3)
+  it "mirrored, or with the axes exchanged, they lie where that has them" $
+    forAll (choose (2, 4)) $ \count -> forAllBlind (genTrue count) $ \(_, said) ->
+      conjoin
+        [ map (turn . likeliest) (fieldsOf count said)
+            === map likeliest (fieldsOf count (map (turned turn) said))
+          | turn <- [\(x, y) -> (x, negate y), \(x, y) -> (y, x)]
+        ]
+  it "where all pairs say one thing, frames lie so; and beside them one that is wrong is nothing" $
+    forAllBlind (genTrue 4) $ \(truth, said) -> forAll (elements said) $ \(which, _) ->
+      forAll (elements square) $ \off ->
+        let stray = (which, spike 8 off)
+            others = [one | one <- said, fst one /= which]
+            steps = map likeliest . fieldsOf 4
+            relative ds = [d `minus` head ds | d <- ds]
+         in relative (steps said) === relative (map both truth)
+              .&&. relative (steps (stray : others)) === relative (map both truth)
+  it "without pairs they are where the robot has them" $
+    map likeliest (fieldsOf 3 []) `shouldBe` replicate 3 (0, 0)
+  where
+    fieldsOf count said = pairwiseField told (replicate count (0, 0)) (map pairOfLogs said)
+    turned :: (Taxels -> Taxels) -> Said -> Said
+    turned turn (which, logs) = (which, Map.mapKeys (whole . turn . both) logs)
+    whole (x, y) = (round x, round y)
+    both (x, y) = (fromIntegral x, fromIntegral y)
+    spike height at = Map.fromList [(d, if d == at then height else 0) | d <- square]
+    genSaid :: Int -> Gen [Said]
+    genSaid count =
+      sequence
+        [ do
+            logs <- vectorOf 49 (choose (0, 1))
+            at <- elements square
+            height <- choose (0, 8)
+            pure ((k, l), Map.insertWith (+) at height (Map.fromList (zip square logs)))
+          | l <- [1 .. count - 1],
+            k <- [0 .. l - 1]
+        ]
+    -- Frames a taxel off at most, and pairs that say so.
+    genTrue :: Int -> Gen ([(Int, Int)], [Said])
+    genTrue count = do
+      truth <- vectorOf count ((,) <$> choose (-1, 1) <*> choose (-1, 1))
+      pure
+        ( truth,
+          [ ((k, l), spike 20 (u - x, v - y))
+            | (l, (u, v)) <- zip [0 ..] truth,
+              (k, (x, y)) <- zip [0 ..] truth,
+              k < l
+          ]
+        )
+
+truthSpec :: Spec
+truthSpec =
+  it "of white relief and errors that nobody told, which are up to three taxels, all is found" $
+    forAll (genRasterOf 50 50) $ \relief ->
+      forAll (vectorOf 9 ((,) <$> choose (-3, 3) <*> choose (-3, 3))) $ \errors ->
+        let places = [(10 + 8 * i, 10 + 8 * j) | j <- [0 .. 2], i <- [0 .. 2 :: Int]]
+            frames =
+              [ ((fromIntegral x, fromIntegral y), seen (x + dx) (y + dy))
+                | ((x, y), (dx, dy)) <- zip places errors
+              ]
+            seen x y = generate 16 16 (\u v -> fromMaybe 0 (index relief (x + u) (y + v)))
+            Pairwise found sigma = registerPairwise standardRegistration frames
+            truth = [(fromIntegral x, fromIntegral y) | (x, y) <- errors]
+            less ds = [d `minus` head ds | d <- ds]
+         in less (map estimateShift found) === less truth
+              .&&. counterexample (show sigma) (maybe False (\s -> s >= 0.5 && s <= 4) sigma)
