@@ -144,7 +144,8 @@ moveIn own other s = case zip (compositeFrames own) (compositeFrames other) of
     liesAt (PutFrame (x, y) (dx, dy) _ _) = (x + taxelPitch * dx, y + taxelPitch * dy)
     fromCentre frame =
       let (x, y) = liesAt frame
-          off at from side = abs ((at - from) / taxelPitch - fromIntegral (side - 1) / 2)
+          off at from side = abs ((at - from) / taxelPitch - half side) / fromIntegral side
+          half side = fromIntegral (side - 1) / 2
        in max (off atX x (rasterWidth (putImage frame))) (off atY y (rasterHeight (putImage frame)))
 
 -- | What layouts leave of an answer, given how likely it is that one frame lies elsewhere, and by
