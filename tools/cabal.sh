@@ -89,8 +89,7 @@ if [ "${1:-}" = doctests ]; then
 fi
 
 # Everything that builds is given the same configuration, or cabal would build it all again when a build follows a test;
-# modules are compiled side by side, with room enough that the compiler seldom collects garbage. With WERROR=yes a warning is an
-# error, as in CI: another compiler may warn of more.
+# modules are compiled side by side, with room enough that the compiler seldom collects garbage.
 cores=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 [ "$cores" -le 4 ] || cores=4
 command=${1:-}
@@ -98,7 +97,7 @@ case $command in
   build | test | bench | run | exec | list-bin | repl)
     shift
     set -- "$command" --enable-tests --enable-benchmarks \
-      "--ghc-options=-j$cores +RTS -A64m -RTS" ${WERROR:+-fwerror} "$@" ;;
+      "--ghc-options=-j$cores +RTS -A64m -RTS" "$@" ;;
 esac
 
 if libraries_installed; then

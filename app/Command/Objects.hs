@@ -16,7 +16,7 @@ import ExitStatus
 import Json
 import Lines
 import Message
-import Options hiding (action)
+import Options
 import PlacementChoice
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Format (encodeObjects, encodeWhereabouts)
@@ -126,13 +126,13 @@ run choice options = do
 -- | Go on with the profile and what tells where a window is, in memory or by the database alone.
 asking ::
   ArrayChoice -> PlacementChoice -> (Profile -> (Position -> IO Whereabouts) -> IO a) -> IO a
-asking choice from action = case ofDatabase from of
+asking choice from ask = case ofDatabase from of
   Just file -> withDatabase choice file $ \profile store ->
-    action profile $ \position ->
+    ask profile $ \position ->
       storedWhereabouts store (profileWindow profile) position >>= orUnusable storeMessage
   Nothing -> do
     (profile, layout) <- chosenPlacement choice from
-    action profile (pure . whereabouts layout (profileWindow profile))
+    ask profile (pure . whereabouts layout (profileWindow profile))
 
 -- | What lies at a position.
 lookUp :: Options -> Position -> Profile -> (Position -> IO Whereabouts) -> IO ExitStatus

@@ -13,7 +13,6 @@ import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Recognition
 import PraTactile.Recognise.Summary
-import PraTactile.Registration (Fault (..))
 import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Symmetry
 import Test.Hspec

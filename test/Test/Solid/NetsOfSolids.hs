@@ -108,7 +108,7 @@ spec = do
       forAllSolids smaller $ \it_ ->
         forAll ((,) <$> choose (0.4, 3) <*> choose (0.4, 3)) $ \(a, b) ->
           let net = either (const Nothing) (Just . layOut it_) (pickNet 100000 it_)
-              largest = maximum (0 : [far | f <- solidFaces it_, far <- distances it_ f])
+              largest = maximum (0 : concatMap (distances it_) (solidFaces it_))
            in maybe (property True) (onPages it_ (a * largest, b * largest)) net
     it "is none of several pieces" $
       pickNet 10 (whole (both (labelled "a" far) (labelled "b" (namedDescription Cube))))
@@ -285,7 +285,7 @@ onPages it_ room@(wide, high) net = case partsFor room net of
                            ]
                      ]
                  | k <- numbers,
-                   [one, other] <- [[rim | rim <- rims, rimNumber rim == k]]
+                   [one, other] <- [filter ((== k) . rimNumber) rims]
                ]
             ++ [sort (map rimNumber rims) === sort (numbers ++ numbers)]
             ++ [ counterexample "a tab on what is there" (common tab other < 1e-6 * common tab tab)

@@ -27,9 +27,9 @@ import PraTactile.Object.Vector (floorRoot)
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
 import PraTactile.Relief (classOn)
-import PraTactile.Shape hiding (alphabet)
+import PraTactile.Shape
 import PraTactile.Shape.Outline (outlines)
-import Test.Hspec hiding (before, it)
+import Test.Hspec hiding (before)
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (within)
 import Test.Support
@@ -40,10 +40,10 @@ spec = do
   it "of the cube and the parallelepiped: 6480 and 5840 taxels, one closed surface each" $
     withArray $ \array -> do
       layout <- right canonicalPlacement
-      alphabet <- right paperAlphabet
+      paper <- right paperAlphabet
       for_ [("cube", 6480, 13275570223 % 6400), ("parallelepiped", 5840, 11161638967 % 6400)] $
         \(name, taxels, size) -> do
-          made <- right (embossed alphabet array layout (WholeObject name))
+          made <- right (embossed paper array layout (WholeObject name))
           embossedTaxels made `shouldBe` taxels
           embossedVolume made `shouldBe` Volume size 0
           it' <- right (rounded Fractions made)
@@ -236,7 +236,7 @@ slotted wide =
     slot = [(50 + wide, 80), (50 + wide, 20), (50, 20), (50, 80)]
 
 shifted :: Rational -> Description -> Description
-shifted by it = it {describedVertices = map (fmap moved) (describedVertices it)}
+shifted by body = body {describedVertices = map (fmap moved) (describedVertices body)}
   where
     moved (Point x y z) = Point (x + by) y z
 
@@ -317,7 +317,8 @@ type Triangle = [(Double, Double, Double)]
 
 -- | The triangles of a polyhedron, right of, below and above the first corner of a face.
 onFace :: [Point] -> Mesh -> [Triangle]
-onFace corners it = [map (placed . pointAt it) (U.toList walk) | walk <- V.toList (meshWalks it)]
+onFace corners mesh =
+  [map (placed . pointAt mesh) (U.toList walk) | walk <- V.toList (meshWalks mesh)]
   where
     placed p = let v = way p in (v `along` right', v `along` down, v `along` up)
     way (Point x y z) = case corners of

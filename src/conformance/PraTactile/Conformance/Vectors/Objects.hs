@@ -58,9 +58,11 @@ objectGroups operation = case operation of
     ]
   OfWhereabouts ->
     [ chosen
-        "Every position of a small array, and beyond."
+        "Every other position of a small array, and beyond."
         [ Whereabouts mapped (Shape 2 2) at
-          | at <- shapeCells (mappedShape mapped) ++ [Position 7 9, Position 20 1]
+          | at@(Position r c) <-
+              shapeCells (mappedShape mapped) ++ [Position 7 9, Position 20 2],
+            even (r + c)
         ],
       chosen
         "Other windows."
