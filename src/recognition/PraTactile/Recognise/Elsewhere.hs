@@ -137,16 +137,21 @@ laidOtherwise angle composites others cells =
 moveIn :: Composite -> Composite -> ReadSymbol -> Taxels
 moveIn own other s = case zip (compositeFrames own) (compositeFrames other) of
   [] -> apart (compositeOrigin own) (compositeOrigin other)
-  both -> let (a, b) = minimumBy (comparing (fromCentre . fst)) both in apart (liesAt a) (liesAt b)
+  both -> let (a, b) = minimumBy (comparing (off . fst)) both in apart (liesAt a) (liesAt b)
   where
     apart (x, y) (x', y') = ((x' - x) / taxelPitch, (y' - y) / taxelPitch)
     (atX, atY) = compositePosition own (symbolCentre (readImage s))
     liesAt (PutFrame (x, y) (dx, dy) _ _) = (x + taxelPitch * dx, y + taxelPitch * dy)
-    fromCentre frame =
+    -- How far the symbol's centre is from the frame, and then from the frame's centre by its sides.
+    off frame =
       let (x, y) = liesAt frame
-          off at from side = abs ((at - from) / taxelPitch - half side) / fromIntegral side
-          half side = fromIntegral (side - 1) / 2
-       in max (off atX x (rasterWidth (putImage frame))) (off atY y (rasterHeight (putImage frame)))
+          (beyondX, fromX) = along atX x (rasterWidth (putImage frame))
+          (beyondY, fromY) = along atY y (rasterHeight (putImage frame))
+       in (beyondX * beyondX + beyondY * beyondY, max fromX fromY)
+    along :: Double -> Double -> Int -> (Double, Double)
+    along at from side =
+      let t = abs ((at - from) / taxelPitch - fromIntegral (side - 1) / 2)
+       in (max 0 (t - fromIntegral side / 2), t / fromIntegral side)
 
 -- | What layouts leave of an answer, given how likely it is that one frame lies elsewhere, and by
 -- how many degrees the symbols are turned.

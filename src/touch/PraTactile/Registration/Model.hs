@@ -367,11 +367,12 @@ normalLog :: Double -> Double -> Double
 normalLog variance square = negate square / (2 * variance)
 {-# INLINE normalLog #-}
 
--- | delta, the probability that a frame shows something else in a cell than all others do there,
--- because one of them is not where it is supposed to be (assumption). So however clear frames are,
--- a stray one has a place.
+-- | delta, the probability that a frame shows something else in a cell than all others do there
+-- (assumption): it is not where it is supposed to be, or has but an edge of the symbol, which was
+-- felt otherwise than the relief here supposes. Where that is thought next to impossible, a frame
+-- that is at odds with its neighbours over an edge goes a whole cell away from them.
 outlier :: Double
-outlier = 1e-12
+outlier = 1e-3
 
 -- | How near to the truth a displacement counts as right, along each axis, taxels.
 tolerance :: Double

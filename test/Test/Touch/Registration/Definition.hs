@@ -244,7 +244,7 @@ commonPhase robot frames =
     all' = [(o, y, x) | o <- [0, 1], y <- [0 .. 39], x <- [0 .. 31]]
     bySigma = [map (ofFrame sigma) frames | sigma <- sigmas 1 robot]
     ofFrame sigma (Seen place phases _) = \phase ->
-      log . (\p -> 1e-12 + (1 - 1e-12) * p) . sum $
+      log . (\p -> 1e-3 + (1 - 1e-3) * p) . sum $
         [exp (prior + onFrame phases place d phase - top) | (d, prior) <- displacements]
       where
         top = maximum phases
@@ -326,7 +326,7 @@ cellGiven others mine = top + log (sum (zipWith (\m l -> m * exp (l - top)) mixe
   where
     prior = 0.01 : map (const (0.99 / fromIntegral (length mine))) mine
     known = shares (zipWith (+) (map log prior) (0 : fromMaybe (map (const 0) mine) others))
-    mixed = zipWith (\p m -> 1e-12 * p + (1 - 1e-12) * m) prior known
+    mixed = zipWith (\p m -> 1e-3 * p + (1 - 1e-3) * m) prior known
     top = maximum (0 : mine)
 
 -- | Where a frame is, from its nominal place and its displacements in half taxels from the grid
