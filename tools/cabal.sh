@@ -89,14 +89,15 @@ if [ "${1:-}" = doctests ]; then
 fi
 
 # Everything that builds is given the same configuration, or cabal would build it all again when a build follows a test;
-# modules are compiled side by side, with room enough that the compiler seldom collects garbage.
+# modules are compiled side by side, with room enough that the compiler seldom collects garbage. With WERROR=yes warnings of
+# the compiler are errors.
 cores=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 [ "$cores" -le 4 ] || cores=4
 command=${1:-}
 case $command in
   build | test | bench | run | exec | list-bin | repl)
     shift
-    set -- "$command" --enable-tests --enable-benchmarks \
+    set -- "$command" --enable-tests --enable-benchmarks ${WERROR:+-fwerror} \
       "--ghc-options=-j$cores +RTS -A64m -RTS" "$@" ;;
 esac
 

@@ -58,7 +58,7 @@ import PraTactile.Composite
     compositePixel,
     compositePosition,
   )
-import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Composite.Blend (Taxels, minus, plus)
 import PraTactile.Composite.Noise (frameNoise)
 import PraTactile.Image
   ( Raster,
@@ -219,8 +219,6 @@ compose arranging settings frames = do
       at shifts = maybe levelled moved (nonEmpty shifts)
       moved = NonEmpty.zipWith movedBy levelled
       movedBy (place, image) shift = (place `plus` shift, image)
-      plus (x, y) (dx, dy) = (x + dx, y + dy)
-      minus (x, y) (dx, dy) = (x - dx, y - dy)
       together shifts =
         (blended (left, top) (NonEmpty.zip (at shifts) counted) (ofEach shifts))
           { compositeCompared = length placed == 1 || compared,

@@ -3,6 +3,8 @@
 -- | Blending: images at real places laid onto one grid of pixels.
 module PraTactile.Composite.Blend
   ( Taxels,
+    plus,
+    minus,
     Blend (..),
     blend,
   )
@@ -17,6 +19,10 @@ import PraTactile.Image (Raster, constant, raster, rasterHeight, rasterValues, r
 
 -- | A place or a displacement in the plane of the face, x and y in taxels.
 type Taxels = (Double, Double)
+
+plus, minus :: Taxels -> Taxels -> Taxels
+plus (x, y) (dx, dy) = (x + dx, y + dy)
+minus (x, y) (dx, dy) = (x - dx, y - dy)
 
 -- | What each pixel of a grid got: the weights times the values, summed, and the weights, summed.
 data Blend = Blend

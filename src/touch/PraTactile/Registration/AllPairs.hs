@@ -17,7 +17,7 @@ import qualified Data.IntMap.Strict as IntMap
 import qualified Data.IntSet as IntSet
 import Data.List (foldl')
 import qualified Data.Vector as Boxed
-import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Composite.Blend (Taxels, minus)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Image (Raster, rasterHeight, rasterWidth)
 import PraTactile.Registration.AllPairs.Field

@@ -5,13 +5,13 @@ module PraTactile.Segmentation.Reading
     readingsAt,
     misfit,
     offAxis,
-    minus,
     cellOffset,
   )
 where
 
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite (Composite (..))
+import PraTactile.Composite.Blend (minus)
 import PraTactile.Composite.Tilt (setUpright)
 import PraTactile.Geometry
 import PraTactile.Image (rasterHeight, rasterValues, rasterWidth)
@@ -101,9 +101,6 @@ misfit reading = places + sum [square (w - wide) + square (h - high) | (w, h) <-
     (angle, distances) = offAxis reading
     places = distances * square angle / 2
     square t = t * t
-
-minus :: (Double, Double) -> (Double, Double) -> (Double, Double)
-minus (x, y) (x', y') = (x - x', y - y')
 
 -- | How far a cell lies from the upper left one, in pixels right and down.
 cellOffset :: Cell -> (Double, Double)

@@ -14,6 +14,7 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite (Composite (..))
+import PraTactile.Composite.Blend (minus)
 import PraTactile.Composite.Tilt (leastTilt, tilt)
 import PraTactile.Geometry
 import PraTactile.Image (rasterValues)

@@ -11,8 +11,6 @@ module PraTactile.Registration.AllPairs.Pair
     peak,
     byFrame,
     rest,
-    plus,
-    minus,
   )
 where
 
@@ -20,7 +18,7 @@ import Data.List (foldl')
 import qualified Data.Vector as Boxed
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Composite.Blend (Taxels, minus, plus)
 import PraTactile.Image (Raster, rasterSize, rasterValues)
 import PraTactile.Image.Correlate (Overlap (..), overlapAt, referenceOf)
 import PraTactile.Registration.Loops (dot, dotWithin, tabulate)
@@ -145,7 +143,3 @@ nearest t = fromIntegral (round t :: Int)
 -- | What is said of frames, by frame.
 byFrame :: Int -> [(Int, a)] -> Boxed.Vector [a]
 byFrame count said = Boxed.accumulate (flip (:)) (Boxed.replicate count []) (Boxed.fromList said)
-
-plus, minus :: Taxels -> Taxels -> Taxels
-plus (x, y) (u, v) = (x + u, y + v)
-minus (x, y) (u, v) = (x - u, y - v)
