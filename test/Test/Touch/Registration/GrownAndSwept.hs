@@ -212,10 +212,6 @@ windowed (Window middle radius) start =
   where
     distance (x, y) = sqrt (x * x + y * y)
 
-plus, minus :: Taxels -> Taxels -> Taxels
-plus (x, y) (u, v) = (x + u, y + v)
-minus (x, y) (u, v) = (x - u, y - v)
-
 nearBy :: Double -> Taxels -> Taxels -> Bool
 nearBy most (x, y) (u, v) = max (abs (x - u)) (abs (y - v)) <= most
 
