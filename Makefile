@@ -70,9 +70,9 @@ bench: setup ## the benchmarks
 	@$(CABAL) bench -v1
 
 # EXPLORATIONS=150 at each of four noises, some minutes for each field; a fit takes some thousands.
-calibration: setup ## how many symbols are told and counted wrong with each shipped alphabet, and the doubts fitted anew
+calibration: setup ## how many symbols are told and counted wrong with each shipped alphabet, by decade of doubt
 	@tools/build.sh bench:calibrate
-	@"$$(tools/cabal.sh list-bin -v0 bench:calibrate)" $(or $(EXPLORATIONS),150)
+	@"$$(tools/cabal.sh list-bin -v0 bench:calibrate)" $(or $(SYMBOLS),300)
 
 # SEEDS=20; about ten minutes. Which laws find which is kept in data/impostors.txt.
 mutants: setup ## which laws find which impostor, and whether each is found with each of 20 seeds
@@ -96,17 +96,18 @@ shapes: build ## design the shipped shapes again from their seed (minutes for ea
 	for q in 2 3 5 7 8 9; do bin/pra-tactile shapes --design --q $$q --output data/alphabets/gf$$q/shapes.txt || exit 1; done
 
 network: build ## train the shipped networks again from their seed
-	bin/pra-tactile train --output data/network.txt
-	for q in 2 3 5 7 8 9; do bin/pra-tactile train --q $$q --output data/alphabets/gf$$q/network.txt || exit 1; done
+	bin/pra-tactile train --output data/network.txt --calibration data/calibration.txt
+	for q in 2 3 5 7 8 9; do \
+	  bin/pra-tactile train --q $$q --output data/alphabets/gf$$q/network.txt --calibration data/alphabets/gf$$q/calibration.txt || exit 1; \
+	done
 
 # One to three minutes each; with the reference BLAS.
-check-network: build ## check that the trained weights are reproduced to the bit
-	bin/pra-tactile train --output dist-newstyle/network-again.txt
-	cmp data/network.txt dist-newstyle/network-again.txt && echo "data/network.txt is reproduced to the bit"
-	for q in 2 3 5 7 8 9; do \
-	  bin/pra-tactile train --q $$q --output dist-newstyle/network-again.txt \
-	    && cmp data/alphabets/gf$$q/network.txt dist-newstyle/network-again.txt \
-	    && echo "data/alphabets/gf$$q/network.txt is reproduced to the bit" || exit 1; \
+check-network: build ## check that weights and calibrations are reproduced to the bit
+	for q in 4 2 3 5 7 8 9; do \
+	  folder=data/alphabets/gf$$q; [ $$q != 4 ] || folder=data; \
+	  bin/pra-tactile train --q $$q --output dist-newstyle/network.txt --calibration dist-newstyle/calibration.txt \
+	    && cmp $$folder/network.txt dist-newstyle/network.txt && cmp $$folder/calibration.txt dist-newstyle/calibration.txt \
+	    && echo "$$folder/network.txt and its calibration are reproduced to the bit" || exit 1; \
 	done
 
 check-newer-ghc: ## demo and tests on a bare Debian with a newer GHC, in a chroot (root; SUITE=trixie)

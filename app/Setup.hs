@@ -31,7 +31,7 @@ import Files (readBytes, readBytesUpTo)
 import Message
 import Numeric.Natural (Natural)
 import Options
-import PraTactile.Classification.Estimate (Regression, standardRegression)
+import PraTactile.Classification.Calibration (Calibration, standardCalibration)
 import PraTactile.Classification.Network.File (decodeNetwork)
 import PraTactile.Classification.Reader
 import PraTactile.Classification.Regimen (shippedSeed)
@@ -130,12 +130,14 @@ readerFor (ReaderChoice drawn weights) profile =
 readerWith :: Alphabet -> Maybe FilePath -> IO Reader
 readerWith alphabet weights = do
   file <- networkFor alphabet weights
-  pure (readerOf alphabet (fileNetwork file)) {readerRegression = fileCalibration file}
+  pure (readerOf alphabet (fileNetwork file)) {readerCalibration = fileCalibration file}
 
 -- | How sure estimates of an alphabet's symbols are, where no file says it: as of the shipped
 -- alphabet of as many.
-calibrationFor :: Alphabet -> Regression
-calibrationFor = either (const standardRegression) id . shippedRegression . alphabetSize
+calibrationFor :: Alphabet -> Calibration
+calibrationFor alphabet = either (const (standardCalibration q)) id (shippedCalibration q)
+  where
+    q = alphabetSize alphabet
 
 -- | All alphabets that are shipped.
 shippedAlphabets :: [Alphabet]

@@ -9,7 +9,7 @@ import qualified Data.ByteString.Char8 as Bytes
 import Data.Foldable (toList)
 import Data.List.NonEmpty (NonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
-import PraTactile.Classification.Estimate (standardRegression)
+import PraTactile.Classification.Calibration (standardCalibration)
 import PraTactile.Classification.Experiment
 import PraTactile.Classification.Network
 import PraTactile.Classification.NguyenWidrow
@@ -48,7 +48,7 @@ compared folder python = do
   Bytes.writeFile
     (folder </> "first.json")
     ( encodeNetwork
-        (NetworkFile first (alphabetDigest alphabet) standardRegression (Just 1) Nothing)
+        (NetworkFile first (alphabetDigest alphabet) (standardCalibration 4) (Just 1) Nothing)
     )
   let two = materialFirst clean
       images = middleImages Stated Noisy two (two ++ two) (mkStdGen 2)

@@ -75,8 +75,8 @@ run choice options
     alphabet <- chosenAlphabet choice
     -- The others need no network, and so there may be none.
     classifier <- case method options of
-      ByMeans -> pure (meansClassifier alphabet)
-      ByLogistic -> pure (logisticClassifier alphabet)
+      ByMeans -> pure (meansClassifier (calibrationFor alphabet) alphabet)
+      ByLogistic -> pure (logisticClassifier (calibrationFor alphabet) alphabet)
       ByNetwork -> networkClassifier <$> readerWith alphabet (weights options)
     let ask path = (>>= answered path) <$> imageIn (levels options) path
         answered path =

@@ -15,10 +15,12 @@ import ExitStatus
 import Message
 import Options
 import Output
+import PraTactile.Classification.Calibration (renderCalibration)
 import PraTactile.Classification.Experiment
-import PraTactile.Classification.Network (Network)
+import PraTactile.Classification.Network (Network, outputs)
 import PraTactile.Classification.Network.File (renderNetwork)
 import PraTactile.Classification.Regimen
+import PraTactile.Classification.Templates (templates)
 import PraTactile.Classification.Traingdx (Epoch (..), Trace, lastEpoch)
 import PraTactile.Experiment (material)
 import PraTactile.Explore (Turns (..), halfTurns)
@@ -27,6 +29,7 @@ import PraTactile.Format.Network
 import PraTactile.Sensor (Preset (..), presetName, presetSensor)
 import PraTactile.Shape (Alphabet, alphabetSize)
 import PraTactile.Steps (counted, stepsDone)
+import PraTactile.SymbolCalibration (calibrated)
 import PraTactile.SymbolImages (ImageSource (..), symbolsOf)
 import Progress
 import Setup
@@ -44,6 +47,8 @@ data Options = Options
     noise :: Bool,
     seed :: Int,
     trace :: Maybe FilePath,
+    calibrating :: Bool,
+    sureness :: Maybe FilePath,
     output :: FilePath
   }
 
@@ -75,15 +80,44 @@ command =
           (long "without-noise" <> help "No noisy images: the paper's middle stage is left out")
         <*> seedOption (value shippedSeed <> showDefault)
         <*> optionalFile "trace" "FILE.csv" "Write every epoch: error, gradient, rate and step"
+        <*> flag
+          True
+          False
+          ( long "uncalibrated"
+              <> help
+                "Do not press symbols to find how sure the network is: it is as sure as the \
+                \shipped one"
+          )
+        <*> optionalFile
+          "calibration"
+          "FILE"
+          "Write how sure the network is, as JSON has it, for weights as text"
         <*> fileOption "output" "FILE" "The file of weights: JSON if its name ends in .json"
 
 run :: AlphabetChoice -> Options -> IO ExitStatus
 run symbols options = do
   alphabet <- chosenAlphabet symbols
   for_ (trace options) orUnwritable
+  for_ (sureness options) orUnwritable
   (network, done) <- trainedAs (how options) alphabet options
   for_ (trace options) (`writeWhole` Lazy8.pack (traceCsv done))
-  writeWhole (output options) (weights alphabet network)
+  -- It takes presses, and so is found only where it is written.
+  let sure
+        | calibrating options =
+          orUnusable imagesMessage (calibrated alphabet (templates alphabet) (outputs network) own)
+            >>= orUnusable networkMessage
+        | otherwise = pure (calibrationFor alphabet)
+      own = seed options
+  for_ (sureness options) $ \file ->
+    sure >>= writeWhole file . Lazy.fromStrict . Text.encodeUtf8 . renderCalibration
+  written <-
+    if takeExtension (output options) == ".json"
+      then do
+        calibration <- sure
+        let file = described alphabet network calibration
+        pure (Lazy.fromStrict (encodeNetwork file) <> Lazy.singleton 10)
+      else pure (Lazy.fromStrict (Text.encodeUtf8 (renderNetwork network)))
+  writeWhole (output options) written
   forM_ (zip [1 :: Int ..] (map snd done)) $ \(i, descent) ->
     putStrLn
       ( printf
@@ -96,15 +130,11 @@ run symbols options = do
   sayWritten (output options) ""
   pure Answered
   where
-    weights alphabet network
-      | takeExtension (output options) == ".json" =
-        Lazy.fromStrict (encodeNetwork (described alphabet network)) <> Lazy.singleton 10
-      | otherwise = Lazy.fromStrict (Text.encodeUtf8 (renderNetwork network))
-    described alphabet network =
+    described alphabet network calibration =
       NetworkFile
         { fileNetwork = network,
           fileAlphabet = alphabetDigest alphabet,
-          fileCalibration = calibrationFor alphabet,
+          fileCalibration = calibration,
           fileSeed = Just (seed options),
           fileRegimen = Just (regimenName options)
         }

@@ -122,7 +122,7 @@ spec = describe "the house" $
               -- the protocol, which names the file
               "PraTactile.Conformance.Shapes"
             ]
-          fetching = words "shippedAlphabet shippedNetwork shippedRegression shippedReader"
+          fetching = words "shippedAlphabet shippedNetwork shippedCalibration shippedReader"
           fetched one = filter (`elem` fetching) (wordsOf (sourceText one))
           embeds line =
             "embed" `isInfixOf` line

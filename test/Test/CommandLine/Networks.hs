@@ -91,13 +91,26 @@ spec = do
             [] -> -1
           labels = map (\name -> read (takeWhile (/= '_') name)) names
       map greatest (lines told) `shouldBe` labels
+      let probabilities = "examples/python/probabilities.py"
+          pressed = map (images </>) names
+      likely <- readProcess "python3" (probabilities : json : "data/shapes.txt" : pressed) ""
+      (_, classified, _) <- pra (words "classify --levels 0.25,0.75 --json" ++ pressed)
+      let all' line = case (key ["probabilities"] line, key ["none"] line) of
+            (Just (Array ps), Just none) ->
+              [realToFrac n :: Double | Number n <- toList ps ++ [none]]
+            _ -> []
+          numbers line = map read (drop 1 (words line)) :: [Double]
+      for_ (zip (lines likely) (lines classified)) $ \(theirs, ours) -> do
+        length (all' ours) `shouldBe` 5
+        maximum (zipWith (\a b -> abs (a - b)) (numbers theirs) (all' ours))
+          `shouldSatisfy` (< 1e-6)
   it "a training by the paper's stages: each ends at its goal, and every epoch is in the trace" $
     inFolder $ \folder -> do
       let trace = folder </> "trace.csv"
           json = folder </> "n.json"
           train more =
             pra
-              ( words "train --regimen stopped --seed 2 --output"
+              ( words "train --uncalibrated --regimen stopped --seed 2 --output"
                   ++ [json, "--trace", trace]
                   ++ more
               )

@@ -7,7 +7,7 @@ import Control.Monad (forM_)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Either (isLeft)
 import Numeric.LinearAlgebra (fromLists)
-import PraTactile.Classification.Estimate (Regression (..), standardRegression)
+import PraTactile.Classification.Calibration (Calibration (..), standardCalibration)
 import PraTactile.Classification.Network
 import PraTactile.Format.Digest (digestOf)
 import PraTactile.Format.Error
@@ -28,7 +28,7 @@ spec = do
     forM_
       [ ("\"seed\":7", "\"seed\":8"),
         ("\"regimen\":\"stated\"", "\"regimen\":\"Stated\""),
-        ("\"intercept\":11.3", "\"intercept\":11.4"),
+        ("\"per_likeness\":4.7", "\"per_likeness\":4.8"),
         ("[[0.5,", "[[0.25,"),
         ("\"alphabet\":\"a", "\"alphabet\":\"b")
       ]
@@ -83,7 +83,7 @@ sampleFile = do
           (fromLists [0.5 : replicate 95 0 ++ [-1e-7]])
           (fromLists [[1 / 3, 2], [-1 / 3, 1e300]])
       )
-  pure (NetworkFile n (replicate 64 'a') standardRegression (Just 7) (Just "stated"))
+  pure (NetworkFile n (replicate 64 'a') (standardCalibration 2) (Just 7) (Just "stated"))
 
 genFile :: Gen NetworkFile
 genFile = do
@@ -91,7 +91,7 @@ genFile = do
   q <- choose (1, 3)
   let weights r c = fromLists <$> vectorOf r (vectorOf c genWeight)
   n <- suchThatMap (network <$> weights h 97 <*> weights q (h + 1)) (either (const Nothing) Just)
-  sure <- Regression <$> genWeight <*> genWeight <*> genWeight
+  sure <- Calibration <$> genWeight <*> genWeight <*> vectorOf q genWeight <*> vectorOf 4 genWeight
   seed <- arbitrary
   regimen <- elements [Nothing, Just "shipped"]
   pure (NetworkFile n (replicate 64 '0') sure seed regimen)

@@ -40,7 +40,7 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Census (census, censusSize, standardScope)
 import PraTactile.Certificate
-import PraTactile.Classification.Estimate (standardRegression)
+import PraTactile.Classification.Calibration (standardCalibration)
 import PraTactile.Classification.Network
 import PraTactile.Classification.Network.File
 import PraTactile.Conformance.Process.Reply (oneShotRequest)
@@ -245,7 +245,7 @@ networks = [encodeUtf8 (renderNetwork found) | found <- smallNetworks]
 -- | The same in the other form.
 jsonNetworks :: [ByteString]
 jsonNetworks =
-  [ encodeNetwork (NetworkFile found (replicate 64 '0') standardRegression (Just 1) Nothing)
+  [ encodeNetwork (NetworkFile found (replicate 64 '0') (standardCalibration 2) (Just 1) Nothing)
     | found <- smallNetworks
   ]
 

@@ -10,6 +10,7 @@ import Data.Maybe (catMaybes, fromMaybe)
 import qualified Data.Set as Set
 import Numeric.Natural (Natural)
 import PraTactile.Array
+import PraTactile.Classification.Calibration (standardCalibration)
 import PraTactile.Classification.Estimate
 import PraTactile.Classification.Network (Network)
 import PraTactile.Classification.Part
@@ -469,7 +470,7 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
       forAll (vectorOf 96 (choose (-1, 2))) $ \values ->
         case fromRows (rowsOf values) of
           Left e -> counterexample (show e) False
-          Right image -> case estimate standardRegression (templates alphabetOfAll) net image of
+          Right image -> case estimate sure (templates alphabetOfAll) net image of
             Left e -> counterexample (show e) False
             Right e ->
               counterexample
@@ -482,7 +483,7 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
     for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) ->
       for_ [identity, turned 2] $ \symmetry ->
         case estimate
-          standardRegression
+          sure
           (templates alphabetOfAll)
           net
           (onRaster symmetry (toRaster shape)) of
@@ -506,6 +507,7 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
     rowsOf values = case splitAt 8 values of
       ([], _) -> []
       (line, rest) -> line : rowsOf rest
+    sure = standardCalibration 4
     -- Of each symbol the doubt, and whether the likeliest is wrong.
     judged noise t = case stitch standardRegistration {registrationNoise = noise} (trialFrames t) of
       Left _ -> []
@@ -513,7 +515,7 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
         [ (estimateDoubt e, estimateLikeliest e /= (truth, regionSymmetry (trialRegion t)))
           | symbol <- segmentedSymbols (segment composite),
             Right e <-
-              [estimate standardRegression (templates alphabetOfAll) net (symbolPixels symbol)],
+              [estimate sure (templates alphabetOfAll) net (symbolPixels symbol)],
             Just truth <-
               [ classAt
                   t

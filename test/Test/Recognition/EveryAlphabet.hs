@@ -8,6 +8,7 @@ import Data.List (elemIndex)
 import qualified Data.Text as T
 import Numeric.LinearAlgebra (fromRows, toRows)
 import PraTactile.Array hiding (toRows)
+import PraTactile.Classification.Calibration (Calibration (..))
 import PraTactile.Classification.Estimate
 import PraTactile.Classification.Network hiding (classify)
 import PraTactile.Classification.Reader
@@ -60,8 +61,9 @@ spec = do
       moved <-
         right . network (hiddenUnits network') . fromRows $
           map (toRows (outputUnits network') !!) order
-      let with = (readerOf exchanged moved) {readerRegression = readerRegression symbols}
-          told (Reader {readerRegression = sure, readerTemplates = seen, readerNetwork = net}) =
+      let with = (readerOf exchanged moved) {readerCalibration = alike (readerCalibration symbols)}
+          alike c = c {classOffsets = map (classOffsets c !!) order}
+          told (Reader {readerCalibration = sure, readerTemplates = seen, readerNetwork = net}) =
             estimate sure seen net
           back (c, symmetry) = (order !! c, symmetry)
       for_ (zip [1 ..] (concat (replicate 3 (shapes given)))) $ \(seed, shape) -> do

@@ -256,6 +256,20 @@ refusalSpec array reader = do
   it "symbols that the network does not know, without a likely place: no-complete-window" $
     locationOutcome (locateGrid reader standardTolerance [] (gridOf unknown []))
       `shouldBe` Unplaced NoCompleteWindow
+  it "no complete symbol that is certain, however sure the parts: below-threshold" $
+    property $
+      forAll ((,) <$> choose (0, 12) <*> choose (0, 13)) $ \(r, c) ->
+        forAll (sublistOf [0 .. 11]) $ \complete ->
+          let at = Position (fromIntegral r) (fromIntegral c)
+              part n s
+                | n `elem` complete = s
+                | otherwise = s {readSeen = 0.9, readClass = Nothing}
+              seen =
+                [ (cell, part n (clear n what))
+                  | (n, (cell, what)) <- zip [0 ..] (blockOf array 3 4 (r, c))
+                ]
+           in locationOutcome (locateGrid reader standardTolerance [] (gridOf seen []))
+                === (if null complete then Unplaced BelowThreshold else Placed at)
   it "several places that have all complete windows, where windows are too small: Undecided" $ do
     window <- right (rectangle (Shape 1 2))
     reader' <- recogniserWith array window

@@ -19,7 +19,7 @@ import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Scientific (toRealFloat)
-import PraTactile.Classification.Estimate (Regression (..))
+import PraTactile.Classification.Calibration (Calibration (..))
 import PraTactile.Classification.Network
 import PraTactile.Format.Digest
 import PraTactile.Format.Error
@@ -33,7 +33,7 @@ data NetworkFile = NetworkFile
     -- | 'alphabetDigest' of the shapes that it was trained on
     fileAlphabet :: String,
     -- | how sure its estimates are
-    fileCalibration :: Regression,
+    fileCalibration :: Calibration,
     -- | the seed of its training, and how that was made, where they are known
     fileSeed :: Maybe Int,
     fileRegimen :: Maybe String
@@ -85,6 +85,7 @@ data Written = Written
     writtenHidden :: Int,
     writtenOutputs :: Int,
     writtenUnits :: ([[Double]], [[Double]]),
+    writtenCalibration :: Calibration,
     -- | of this network
     writtenOf :: Network -> NetworkFile
   }
@@ -105,30 +106,34 @@ networkKeys =
     <*> key "regimen" (nullable text) fileRegimen
   where
     written q shapesOf inputs hidden outs _ w1 w2 sure seed regimen =
-      Written q inputs hidden outs (w1, w2) (\n -> NetworkFile n shapesOf sure seed regimen)
+      Written q inputs hidden outs (w1, w2) sure (\n -> NetworkFile n shapesOf sure seed regimen)
     sigmoidAlone = such (== "sigmoid") (NotAmong ["sigmoid"] "another activation") text
     -- A zero has no sign here: readers differ in whether they keep it.
     unsigned = map (map (+ 0))
 
--- | The regression that says how sure estimates are.
-calibration :: Codec Regression
+-- | How outputs and likenesses become probabilities.
+calibration :: Codec Calibration
 calibration =
   object $
-    Regression
-      <$> key "intercept" real regressionIntercept
-      <*> key "per_lead" real regressionPerLead
-      <*> key "per_likeness" real regressionPerLikeness
+    Calibration
+      <$> key "per_logit" real perLogit
+      <*> key "per_likeness" real perLikeness
+      <*> key "classes" (listOf real) classOffsets
+      <*> key "none" (listOf real) ofOthers
 
 asNetwork :: Written -> Either FormatError NetworkFile
 asNetwork given = do
   at "q" (writtenClasses given == writtenOutputs given) (OtherCount (writtenOutputs given))
   at "inputs" (writtenInputs given == inputCount) (OtherCount inputCount)
+  at "calibration" (counts == (writtenOutputs given, 4)) (OtherCount (writtenOutputs given))
   units "hidden_units" (writtenHidden given) (inputCount + 1) w1
   units "output_units" (writtenOutputs given) (writtenHidden given + 1) w2
   n <- either (const (refuse NotReal)) Right (networkOfRows w1 w2)
   pure (writtenOf given n)
   where
     (w1, w2) = writtenUnits given
+    counts = (length (classOffsets sure), length (ofOthers sure))
+    sure = writtenCalibration given
     at name holds why = unless holds (Left (Misfit [Key name] why))
     units name r c rows' =
       at name (r > 0 && length rows' == r && all ((== c) . length) rows') (NotMatrix r c)

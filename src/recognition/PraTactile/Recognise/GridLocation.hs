@@ -6,6 +6,7 @@
 -- network knows, and
 -- of the parts that leave hardly a doubt, no more may contradict it than the minimum distance of
 -- their cells lets be wrong: probabilities rest on a model of the sensor, the distance does not.
+-- At least one that agrees is complete: of parts it is not asked whether they may be another shape.
 module PraTactile.Recognise.GridLocation
   ( -- * Locating a grid
     Tolerance (..),
@@ -181,10 +182,12 @@ locateGrid reader tolerance dissenters grid =
     outcome = case fmap answerOutcome <$> answered of
       Just (Left why) -> Undecoded why
       Just (Right (Unique candidate _))
-        | wrong <= witnessesRadius witnesses -> Placed (candidatePosition candidate)
-        | otherwise -> contradicted findings witnesses wrong
+        | counted wrong > witnessesRadius witnesses ->
+          contradicted findings witnesses (counted wrong)
+        | any ((>= 1) . readSeen) agreeing -> Placed (candidatePosition candidate)
+        | otherwise -> Unplaced BelowThreshold
         where
-          wrong = counted (snd (standing reader witnesses (candidatePosition candidate)))
+          (agreeing, wrong) = standing reader witnesses (candidatePosition candidate)
       _ -> unclear findings witnesses
 
 -- | What is seen of cells, and what comes of locating it.

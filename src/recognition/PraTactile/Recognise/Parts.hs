@@ -86,5 +86,5 @@ readPart view (x, y) seen estimated =
       readLikeliest = alongAxis (viewAxis view) (estimateLikeliest estimated),
       readChances = map (first (alongAxis (viewAxis view))) (estimateChances estimated),
       -- Of a part it is not asked whether it may be one of another shape.
-      readUnlike = 0
+      readUnlike = estimateUnlike estimated
     }

@@ -33,7 +33,6 @@ import PraTactile.Classification.Network
     standardThresholds,
   )
 import PraTactile.Classification.Reader (Reader (..))
-import PraTactile.Classification.Unlike
 import PraTactile.Geometry (columnPitch, rowPitch, taxelPitch)
 import PraTactile.Image (onRaster, rasterHeight, rasterWidth)
 import PraTactile.Registration (Composite (..))
@@ -140,7 +139,7 @@ readSymbol reader axis source (dx, dy) image = do
   upsideDown <- outputs (readerNetwork reader) (onRaster (turned 2) (symbolPixels image))
   let likeliest =
         estimateFrom
-          (readerRegression reader)
+          (readerCalibration reader)
           (readerTemplates reader)
           (symbolPixels image)
           upright
@@ -158,12 +157,7 @@ readSymbol reader axis source (dx, dy) image = do
         readSeen = 1,
         readLikeliest = alongAxis axis (estimateLikeliest likeliest),
         readChances = map (first (alongAxis axis)) (estimateChances likeliest),
-        readUnlike =
-          unlikeAny
-            standardUnlikeness
-            (readerTemplates reader)
-            (estimateLikeliest likeliest)
-            (symbolPixels image)
+        readUnlike = estimateUnlike likeliest
       }
   where
     known values = case decide standardThresholds values of

@@ -18,8 +18,8 @@ import PraTactile.Recognise.Reading
 import PraTactile.Symbol (elementOfClass)
 import PraTactile.Symmetry
 
--- | What a symbol is, if that is certain: the network knows it and its shape leaves less than a
--- tenth of doubt, also that it is none of ours, or it is a part of at least a third that leaves
+-- | What a symbol is, if that is certain: the network knows it, and that leaves less than a tenth
+-- of doubt, also that it is none of ours, or it is a part of at least a third that leaves
 -- less than a thousandth: of less, frames that were put together a taxel wrong may make another
 -- symbol. What else lies on a face, a symbol's rest beside an edge or one that two frames show in
 -- two places, the network may know all the same: such a symbol stands against no others.
@@ -27,7 +27,7 @@ certain :: ReadSymbol -> Maybe (Symmetry, Int)
 certain s
   | readSeen s < 1 =
     if readSeen s >= 1 / 3 && readDoubt s < 0.001 then Just (readLikeliest s) else Nothing
-  | readDoubt s < 0.1 && readNone s < 0.1 = readClass s
+  | readDoubt s < 0.1 && readNone s < 0.1 && readClass s == Just (readLikeliest s) = readClass s
   | otherwise = Nothing
 
 -- | How the symbols' axis lies: 'identity', or @turned 1@.

@@ -17,6 +17,7 @@ module PraTactile.Classification.Classifier
   )
 where
 
+import PraTactile.Classification.Calibration (Calibration)
 import PraTactile.Classification.Estimate
 import PraTactile.Classification.Logistic
 import PraTactile.Classification.Means
@@ -30,7 +31,6 @@ import PraTactile.Classification.Network
 import qualified PraTactile.Classification.Network as Network
 import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Classification.Templates (Templates, templateCount, templates)
-import PraTactile.Classification.Unlike
 import PraTactile.Image (Raster, onRaster)
 import PraTactile.Shape (Alphabet)
 import PraTactile.Symmetry
@@ -57,26 +57,27 @@ data Classifier = Classifier
   { -- | the output of each class for an upright image, between 0 and 1
     classifierOutputs :: Raster -> Either NetworkError [Double],
     -- | how sure its estimates are
-    classifierRegression :: Regression,
+    classifierCalibration :: Calibration,
     classifierTemplates :: Templates
   }
 
 -- | A reader's network, as sure as the reader says.
 networkClassifier :: Reader -> Classifier
 networkClassifier reader =
-  Classifier (outputs (readerNetwork reader)) (readerRegression reader) (readerTemplates reader)
+  Classifier (outputs (readerNetwork reader)) (readerCalibration reader) (readerTemplates reader)
 
--- | The nearest of an alphabet's class means, as sure as the network of GF(4): what an estimate's
--- doubt rests on most is the likeness to the shape, which is the same for every classifier.
-meansClassifier :: Alphabet -> Classifier
-meansClassifier alphabet = Classifier (meanOutputs learnt) standardRegression (templates alphabet)
+-- | The nearest of an alphabet's class means, calibrated like its network: what an estimate rests
+-- on most is the likeness to the shape, which is the same for every classifier.
+meansClassifier :: Calibration -> Alphabet -> Classifier
+meansClassifier calibration alphabet =
+  Classifier (meanOutputs learnt) calibration (templates alphabet)
   where
     learnt = means alphabet
 
 -- | Logistic regression, likewise.
-logisticClassifier :: Alphabet -> Classifier
-logisticClassifier alphabet =
-  Classifier (logisticOutputs learnt) standardRegression (templates alphabet)
+logisticClassifier :: Calibration -> Alphabet -> Classifier
+logisticClassifier calibration alphabet =
+  Classifier (logisticOutputs learnt) calibration (templates alphabet)
   where
     learnt = logistic alphabet
 
@@ -111,9 +112,8 @@ verdictName verdict = case verdict of
 
 -- | What an 8 x 12 image shows that is upright or turned by 180 degrees: the verdict by
 -- 'standardThresholds' of the outputs in both orientations, and the probabilities by the
--- classifier's regression; one of the shapes and another ('unlikeAny') are equally likely
--- beforehand. Refuses what the classifier refuses, and outputs that are not one a
--- shape.
+-- classifier's calibration; one of the shapes and another are equally likely beforehand. Refuses
+-- what the classifier refuses, and outputs that are not one a shape.
 classified :: Classifier -> Raster -> Either NetworkError Classification
 classified classifier image = do
   upright <- classifierOutputs classifier image
@@ -121,20 +121,14 @@ classified classifier image = do
   let classes = templateCount (classifierTemplates classifier)
       shown =
         estimateFrom
-          (classifierRegression classifier)
+          (classifierCalibration classifier)
           (classifierTemplates classifier)
           image
           upright
           upsideDown
       (verdict, symbol) =
         combined (decide standardThresholds upright) (decide standardThresholds upsideDown)
-      none =
-        sigmoid
-          . unlikeAny
-            standardUnlikeness
-            (classifierTemplates classifier)
-            (estimateLikeliest shown)
-          $ image
+      none = sigmoid (estimateUnlike shown)
   if length upright /= classes
     then Left (Network.WrongOutputCount (length upright) classes)
     else

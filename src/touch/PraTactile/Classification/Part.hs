@@ -31,7 +31,7 @@ data Pixels
 -- symbols only. What was touched is taken for a shape, in either orientation and not quite in its
 -- place, or for a flat face, with normal noise; see Note [Parts].
 estimatePart :: Templates -> Pixels -> Part -> Estimate
-estimatePart shapesSeen pixels part = Estimate best [(what, chance l) | (what, l) <- likelihoods]
+estimatePart shapesSeen pixels part = Estimate best [(what, chance l) | (what, l) <- likelihoods] 0
   where
     -- What is flat, or rubbish, is any of the shapes alike.
     chance l = (1 - rubbish) * (l + flatLikelihood / n) / total + rubbish / n

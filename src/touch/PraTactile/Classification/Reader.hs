@@ -5,8 +5,8 @@ module PraTactile.Classification.Reader
   )
 where
 
-import PraTactile.Classification.Estimate (Regression, standardRegression)
-import PraTactile.Classification.Network (Network)
+import PraTactile.Classification.Calibration (Calibration, standardCalibration)
+import PraTactile.Classification.Network (Network, outputCount)
 import PraTactile.Classification.Templates (Templates, templates)
 import PraTactile.Registration.Lattice.Template (LatticeTables, latticeTables)
 import PraTactile.Shape (Alphabet)
@@ -24,11 +24,11 @@ data Reader = Reader
     -- | the network that was trained on the shapes, with an output a class
     readerNetwork :: Network,
     -- | how sure its estimates are
-    readerRegression :: Regression
+    readerCalibration :: Calibration
   }
 
--- | A reader of an alphabet by a network that was trained on it, as sure as that of GF(4)'s shapes
--- ('standardRegression'). Whether they have as many classes is for who uses them to ask.
+-- | A reader of an alphabet by a network that was trained on it, as sure as 'standardCalibration'
+-- has it. Whether they have as many classes is for who uses them to ask.
 readerOf :: Alphabet -> Network -> Reader
 readerOf alphabet network =
   Reader
@@ -36,5 +36,5 @@ readerOf alphabet network =
       readerTables = latticeTables alphabet,
       readerTemplates = templates alphabet,
       readerNetwork = network,
-      readerRegression = standardRegression
+      readerCalibration = standardCalibration (outputCount network)
     }

@@ -7,7 +7,7 @@ module PraTactile.Classification.Shipped
   ( shippedSizes,
     shippedAlphabet,
     shippedNetwork,
-    shippedRegression,
+    shippedCalibration,
     shippedReader,
     ShippedError (..),
   )
@@ -16,7 +16,7 @@ where
 import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import Data.FileEmbed (embedFile)
-import PraTactile.Classification.Estimate (Regression, standardRegression)
+import PraTactile.Classification.Calibration (Calibration, decodeCalibration)
 import PraTactile.Classification.Network (Network, NetworkError)
 import PraTactile.Classification.Network.File (decodeNetwork)
 import PraTactile.Classification.Reader
@@ -28,15 +28,15 @@ data ShippedError
     NotShipped Int
   | -- | The drawings cannot be read.
     ShippedShapes ShapeError
-  | -- | The weights cannot be read.
+  | -- | The weights or their calibration cannot be read.
     ShippedWeights NetworkError
   deriving stock (Eq, Show)
 
--- | An alphabet as files, and how sure its estimates are.
+-- | An alphabet, its network and how sure that is, as files.
 data Shipped = Shipped
   { shippedDrawings :: ByteString,
     shippedWeights :: ByteString,
-    shippedDoubts :: Regression
+    shippedDoubts :: ByteString
   }
 
 -- | By the number of classes. Where a file is changed, this module must be compiled again.
@@ -46,38 +46,43 @@ shipped =
       Shipped
         $(embedFile "data/alphabets/gf2/shapes.txt")
         $(embedFile "data/alphabets/gf2/network.txt")
-        standardRegression
+        $(embedFile "data/alphabets/gf2/calibration.txt")
     ),
     ( 3,
       Shipped
         $(embedFile "data/alphabets/gf3/shapes.txt")
         $(embedFile "data/alphabets/gf3/network.txt")
-        standardRegression
+        $(embedFile "data/alphabets/gf3/calibration.txt")
     ),
-    (4, Shipped $(embedFile "data/shapes.txt") $(embedFile "data/network.txt") standardRegression),
+    ( 4,
+      Shipped
+        $(embedFile "data/shapes.txt")
+        $(embedFile "data/network.txt")
+        $(embedFile "data/calibration.txt")
+    ),
     ( 5,
       Shipped
         $(embedFile "data/alphabets/gf5/shapes.txt")
         $(embedFile "data/alphabets/gf5/network.txt")
-        standardRegression
+        $(embedFile "data/alphabets/gf5/calibration.txt")
     ),
     ( 7,
       Shipped
         $(embedFile "data/alphabets/gf7/shapes.txt")
         $(embedFile "data/alphabets/gf7/network.txt")
-        standardRegression
+        $(embedFile "data/alphabets/gf7/calibration.txt")
     ),
     ( 8,
       Shipped
         $(embedFile "data/alphabets/gf8/shapes.txt")
         $(embedFile "data/alphabets/gf8/network.txt")
-        standardRegression
+        $(embedFile "data/alphabets/gf8/calibration.txt")
     ),
     ( 9,
       Shipped
         $(embedFile "data/alphabets/gf9/shapes.txt")
         $(embedFile "data/alphabets/gf9/network.txt")
-        standardRegression
+        $(embedFile "data/alphabets/gf9/calibration.txt")
     )
   ]
 
@@ -97,12 +102,12 @@ shippedNetwork :: Int -> Either ShippedError Network
 shippedNetwork q = ofSize q >>= first ShippedWeights . decodeNetwork . shippedWeights
 
 -- | How sure its estimates are.
-shippedRegression :: Int -> Either ShippedError Regression
-shippedRegression = fmap shippedDoubts . ofSize
+shippedCalibration :: Int -> Either ShippedError Calibration
+shippedCalibration q = ofSize q >>= first ShippedWeights . decodeCalibration . shippedDoubts
 
 -- | All of it.
 shippedReader :: Int -> Either ShippedError Reader
 shippedReader q = do
   made <- readerOf <$> shippedAlphabet q <*> shippedNetwork q
-  sure <- shippedRegression q
-  pure made {readerRegression = sure}
+  sure <- shippedCalibration q
+  pure made {readerCalibration = sure}

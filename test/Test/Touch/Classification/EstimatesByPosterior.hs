@@ -2,16 +2,21 @@
 -- image is, how sure an estimate; and how a frame is turned against what it should show.
 module Test.Touch.Classification.EstimatesByPosterior (spec) where
 
+import Data.Bifunctor (first)
 import Data.Foldable (for_)
-import Data.List (sortOn)
+import Data.List (unfoldr)
 import Data.Maybe (fromMaybe, isJust)
-import Data.Ord (Down (..))
+import Data.Text.Encoding (encodeUtf8)
+import qualified Data.Vector.Storable as V
+import PraTactile.Classification.Calibration
 import PraTactile.Classification.Estimate
 import PraTactile.Classification.Part
 import PraTactile.Classification.Regimen
 import PraTactile.Classification.Specimens
 import PraTactile.Classification.Templates
+import PraTactile.Classification.Unlike
 import PraTactile.Image hiding (mean)
+import PraTactile.Random (uniform)
 import PraTactile.Registration.Rotation
 import PraTactile.Segmentation (Part (..))
 import PraTactile.Shape
@@ -131,38 +136,77 @@ correlation us vs = product' a b / sqrt (product' a a * product' b b)
     product' p q = sum (zipWith (*) p q)
 
 estimateSpec :: Spec
-estimateSpec =
-  it "are of the greatest output, and as doubtful as the lead and the likeness say" $ do
+estimateSpec = do
+  it "are as probable as outputs, likenesses and offsets say" $ do
     known <- drawnAlphabet
     let seen = templates known
         drawnOutput = oneof [choose (0, 1), choose (0.9, 1), elements [0, 1, 1e-20, 1 - 1e-16]]
+        calibrations =
+          Calibration <$> choose (0, 1) <*> choose (0, 9) <*> vectorOf 4 (choose (-2, 2))
+            <*> vectorOf 4 (choose (-2, 2))
     holds 200 $
-      forAll ((,,) <$> genRasterOf 8 12 <*> vectorOf 4 drawnOutput <*> vectorOf 4 drawnOutput) $
-        \(image, upright, upsideDown) ->
-          let logit o = let p = max 1e-15 (min (1 - 1e-15) o) in log (p / (1 - p))
-              all' =
-                [((c, identity), logit o) | (c, o) <- zip [0 ..] upright]
-                  ++ [((c, turned 2), logit o) | (c, o) <- zip [0 ..] upsideDown]
-              ordered = sortOn (Down . snd) all'
-              lead = sum (zipWith (*) [1, -1] (map snd ordered))
-              best = fst (head' ordered)
-              likeness = match seen (fst best) (onRaster (snd best) image)
-              odds = 11.3 - 0.11 * lead - 21.9 * likeness
-              doubt = max 1e-7 (min (7 / 8) (1 / (1 + exp (negate odds))))
-              e = estimateFrom standardRegression seen image upright upsideDown
-           in conjoin
-                [ estimateLikeliest e === best,
-                  near doubt (estimateDoubt e),
-                  near 1 (sum (map snd (estimateChances e))),
-                  conjoin
-                    [ near (if what == best then 1 - doubt else doubt / 7) (estimateChance e what)
-                      | (what, _) <- all'
-                    ],
-                  near 0 (estimateChance e (4, identity)),
-                  leastDoubt === 1e-7
+      forAll
+        ( (,,,) <$> calibrations <*> genRasterOf 8 12 <*> vectorOf 4 drawnOutput
+            <*> vectorOf 4 drawnOutput
+        )
+        $ \(fitted', image, upright, upsideDown) ->
+          let Calibration alpha beta gammas deltas = fitted'
+              odds o = let p = max 1e-15 (min (1 - 1e-15) o) in p / (1 - p)
+              unlike r = max 0.01 (1 - max 0 r ** 2)
+              -- Without logarithms: odds and unlikenesses to the powers alpha and - beta.
+              worth =
+                [ ( (c, turn),
+                    (odds o ** alpha * exp gamma / unlike s ** beta, o, s)
+                  )
+                  | (turn, values) <- [(identity, upright), (turned 2, upsideDown)],
+                    (c, (o, gamma)) <- zip [0 ..] (zip values gammas),
+                    let s = match seen c (onRaster turn image)
                 ]
+              whole = sum [w | (_, (w, _, _)) <- worth]
+              e = estimateFrom fitted' seen image upright upsideDown
+              likeliest = estimateLikeliest e
+              ofFree = unlike (freeLikeness image)
+              ratio =
+                sum
+                  [ sum (zipWith (*) deltas [1, log (unlike s / ofFree), s, log (odds o)])
+                    | (what, (_, o, s)) <- worth,
+                      what == likeliest
+                  ]
+           in conjoin
+                [ conjoin
+                    [ counterexample (show what) $
+                        let p = estimateChance e what in p > 0 .&&. abs (w / whole - p) < 2e-7
+                      | (what, (w, _, _)) <- worth
+                    ],
+                  near 1 (sum (map snd (estimateChances e))),
+                  estimateChance e likeliest === maximum (map snd (estimateChances e)),
+                  property (estimateDoubt e >= leastDoubt * 0.999),
+                  near 0 (estimateChance e (4, identity)),
+                  near (max (-6) (min 4 ratio)) (estimateUnlike e)
+                ]
+  it "a calibration is found again from choices that are drawn by it" $ do
+    let true = [0.8, -1.5]
+        drawnChoice g =
+          let (xs, g') = drawnMany 6 g
+              rows' = [V.fromList [a, b] | (a, b) <- pairsOf xs]
+              powers = [exp (sum (zipWith (*) true (V.toList r))) | r <- rows']
+              (u, g'') = uniform g'
+              place = length (takeWhile (< u * sum powers) (scanl1 (+) powers))
+           in ((rows' !! min 2 place, rows'), g'')
+        choices = take 4000 (unfoldr (Just . drawnChoice) (mkStdGen 3))
+        found = V.toList (conditionalLogit (V.fromList [0, 0]) (V.fromList [0.01, 0.01]) choices)
+    for_ (zip true found) $ \(wanted, came) -> abs (wanted - came) `shouldSatisfy` (< 0.1)
+  it "is read as it is written" $
+    forAll ((,) <$> choose (1, 9) <*> vectorOf 20 arbitrary) $ \(q, numbers) ->
+      let some from count = take count (drop from numbers)
+          written = Calibration (numbers !! 0) (numbers !! 1) (some 6 q) (some 2 4)
+       in decodeCalibration (encodeUtf8 (renderCalibration written)) === Right written
   where
-    head' = foldr const ((0, identity), 0)
+    drawnMany n g = case n :: Int of
+      0 -> ([], g)
+      _ -> let (u, g') = uniform g in first ((2 * u - 1) * 2 :) (drawnMany (n - 1) g')
+    pairsOf (a : b : rest) = (a, b) : pairsOf rest
+    pairsOf _ = []
 
 rotationSpec :: Spec
 rotationSpec = do

@@ -9,7 +9,8 @@ import qualified Data.Text as T
 import qualified Data.Text.IO as T
 import qualified Data.Vector.Storable as V
 import Numeric.LinearAlgebra (fromLists, toLists)
-import PraTactile.Classification.Estimate (estimate, standardRegression)
+import PraTactile.Classification.Calibration (standardCalibration)
+import PraTactile.Classification.Estimate (estimate)
 import PraTactile.Classification.Network
 import PraTactile.Classification.Network.File
 import PraTactile.Classification.Samples (withNoise)
@@ -221,7 +222,7 @@ spec = do
     it "with another number of classes than the alphabet a network gives no estimate" $
       onShipped $ \_ a -> do
         single <- right (network (fromLists [replicate 97 0]) (fromLists [[0, 0]]))
-        (() <$ estimate standardRegression (templates a) single (constant 8 12 0))
+        (() <$ estimate (standardCalibration 4) (templates a) single (constant 8 12 0))
           `shouldBe` Left (WrongOutputCount 1 4)
 
 -- | What became of a number of images.

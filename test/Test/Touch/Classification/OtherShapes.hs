@@ -3,7 +3,9 @@ module Test.Touch.Classification.OtherShapes (spec) where
 
 import Data.Foldable (for_)
 import qualified Data.Vector.Storable as V
-import PraTactile.Classification.Templates (templates)
+import PraTactile.Classification.Estimate
+import PraTactile.Classification.Reader
+import PraTactile.Classification.Shipped
 import PraTactile.Classification.Unlike
 import PraTactile.Image
 import PraTactile.Shape
@@ -13,7 +15,6 @@ import Test.Hspec
 import Test.QuickCheck hiding (generate)
 import Test.Support
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
-import Test.Touch.Paper (paperAlphabet)
 
 spec :: Spec
 spec = do
@@ -28,21 +29,18 @@ spec = do
         let free = freeLikeness (mapRaster (\v -> gain * v + offset) (drawn blocks))
          in counterexample (show free) (abs (free - 1) < 1e-9)
   it "a symbol's own image is surely none of another shape; one of another shape is" $ do
-    known <- right paperAlphabet
+    reader <- right (shippedReader 4)
+    let known = readerAlphabet reader
+        unlike =
+          fmap estimateUnlike
+            . estimate (readerCalibration reader) (readerTemplates reader) (readerNetwork reader)
     others <- right (foreignShapes 5 24 12 known)
-    for_ (zip [0 ..] (shapes known)) $ \(c, shape) ->
+    for_ (shapes known) $ \shape ->
       for_ [identity, turned 2] $ \turn ->
-        unlike known (c, turn) (onRaster turn (toRaster shape)) `shouldSatisfy` (< -3)
+        unlike (onRaster turn (toRaster shape)) `shouldSatisfy` either (const False) (< -3)
     for_ (shapes others) $ \shape ->
-      -- Whichever of ours it is taken for.
-      minimum
-        [ unlike known (c, turn) (toRaster shape)
-          | c <- [0 .. alphabetSize known - 1],
-            turn <- [identity, turned 2]
-        ]
-        `shouldSatisfy` (> 0)
+      unlike (toRaster shape) `shouldSatisfy` either (const False) (> 0)
   where
-    unlike known = unlikeAny standardUnlikeness (templates known)
     genDrawing = do
       count <- choose (8, 16)
       take count <$> shuffle [0 .. 23 :: Int]

@@ -6,6 +6,7 @@ import Data.List (group, sort, tails)
 import qualified Data.List.NonEmpty as NonEmpty
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
+import PraTactile.Classification.Calibration (standardCalibration)
 import PraTactile.Classification.Classifier
 import PraTactile.Classification.Experiment
 import PraTactile.Classification.Logistic
@@ -218,7 +219,8 @@ meansSpec = do
        in counterexample (show (found, wanted)) (abs (found - wanted) < 1e-9 * (1 + wanted))
   it "tells every shape either way up, by the same interface as the network" $ do
     known <- right paperAlphabet
-    let learnt = [meansClassifier known, logisticClassifier known]
+    let learnt = [meansClassifier sure known, logisticClassifier sure known]
+        sure = standardCalibration 4
     forM_ [(c, b, t) | (c, b) <- zip [0 ..] (shapes known), t <- [identity, turned 2]] $
       \(c, b, turn) -> forM_ learnt $ \classifier -> do
         shown <- right (classified classifier (onRaster turn (toRaster b)))

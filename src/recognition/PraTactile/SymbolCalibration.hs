@@ -1,0 +1,97 @@
+-- | How sure a network is, found where the truth is known: on presses by several sensors, upright
+-- and at any angle, of its alphabet's symbols and of other shapes.
+module PraTactile.SymbolCalibration
+  ( Condition (..),
+    conditions,
+    conditionName,
+    knownImages,
+    seenBy,
+    calibrated,
+  )
+where
+
+import PraTactile.Classification.Calibration
+import PraTactile.Classification.Network (NetworkError)
+import PraTactile.Classification.Templates (Templates)
+import PraTactile.Explore (Turns (..), halfTurns)
+import PraTactile.Image (Raster, onRaster)
+import PraTactile.Sensor (Preset (..), presetName, presetSensor)
+import PraTactile.Shape (Alphabet, alphabetSize)
+import PraTactile.Shape.Design (foreignShapes)
+import PraTactile.SymbolImages
+import PraTactile.Symmetry
+
+-- | What is pressed by what: another seed for each.
+data Condition = Condition
+  { conditionSensor :: Preset,
+    conditionAnyAngle :: Bool,
+    -- | other shapes than the alphabet's
+    conditionOthers :: Bool
+  }
+  deriving stock (Eq, Show)
+
+-- | The sensors @paper@, @real@ and @hard@, each upright and at any angle; and other shapes at any
+-- angle.
+conditions :: [Condition]
+conditions =
+  [ Condition sensor anyAngle others
+    | sensor <- [Paper, Real, Hard],
+      (anyAngle, others) <- [(False, False), (True, False), (True, True)]
+  ]
+
+-- | As options of the command line.
+conditionName :: Condition -> String
+conditionName (Condition sensor anyAngle others) =
+  presetName sensor ++ (if anyAngle then " --any-angle" else "")
+    ++ (if others then " --foreign 24" else "")
+
+-- | Images of about so many symbols of each condition, by a seed, with what each truly shows:
+-- 'Nothing' of other shapes, which are at least 24 taxels from all of the alphabet's; none where
+-- there are no such shapes. Refuses what 'labelledImages' does.
+knownImages ::
+  Alphabet -> Int -> Int -> Condition -> Either ImagesError [(Maybe (Int, Symmetry), Raster)]
+knownImages known count seed (Condition sensor anyAngle others)
+  | not others = map (\(image, c) -> (Just (c, identity), image)) <$> pressed (symbolsOf known)
+  | Right drawn <- foreignShapes seed 24 kinds known =
+    map (\(image, _) -> (Nothing, image)) <$> pressed (symbolsOf known) {symbolShapes = drawn}
+  | otherwise = Right []
+  where
+    kinds = 16
+    pressed symbols =
+      labelledAs
+        <$> labelledImages symbols source (share (alphabetSize (symbolShapes symbols))) seed
+    share classes = max 1 ((count + classes - 1) `div` classes)
+    source =
+      Presses
+        (presetName sensor)
+        (presetSensor sensor)
+        (if anyAngle then AnyAngle else AmongTurns halfTurns)
+
+-- | Such images as a classifier, of which the outputs are given, sees them.
+seenBy ::
+  Templates ->
+  (Raster -> Either NetworkError [Double]) ->
+  [(Maybe (Int, Symmetry), Raster)] ->
+  Either NetworkError [Seen]
+seenBy shapesSeen told = traverse seen
+  where
+    seen (truth, image) =
+      Seen truth <$> (look shapesSeen image <$> told image <*> told (onRaster (turned 2) image))
+
+-- | The calibration of a classifier of an alphabet on 300 symbols and 100 others of each condition,
+-- from a seed; what they are drawn from no other draw has.
+calibrated ::
+  Alphabet ->
+  Templates ->
+  (Raster -> Either NetworkError [Double]) ->
+  Int ->
+  Either ImagesError (Either NetworkError Calibration)
+calibrated known shapesSeen told seed = do
+  images <-
+    sequenceA
+      [ knownImages known (if conditionOthers c then 100 else 300) (own + k) c
+        | (k, c) <- zip [0 ..] conditions
+      ]
+  pure (fitted (alphabetSize known) . concat <$> traverse (seenBy shapesSeen told) images)
+  where
+    own = 1000000 + 100 * seed
