@@ -188,6 +188,7 @@ reportText it passed moved grids report =
   where
     verdict
       | reportValid report = "a solid"
+      | null (reportDefects report) = "not examined everywhere"
       | otherwise = counted (length (reportDefects report)) "defect" "defects"
     reason kind cause = if cause == kind then "how many there are" else kindName cause
     listed most what given =

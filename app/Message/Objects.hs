@@ -64,6 +64,7 @@ objectMessage (Defect kind faces vertices measure) = case kind of
   PinchedVertex -> "the faces at " ++ names ++ " are more than one ring"
   InsideOut -> "the piece of " ++ face ++ " is inside out"
   FacesIntersect
+    | null faces -> "so many faces lie close together that they were not all compared"
     | measure == Just 0 -> theFaces ++ " have a point in common that is no vertex of both"
     | otherwise -> theFaces ++ " cut each other, over " ++ measured ++ " mm"
   where

@@ -40,7 +40,7 @@ import PraTactile.Geometry (columnPitch, rowPitch, symbolThickness, taxelPitch)
 import PraTactile.Object.Chart
 import PraTactile.Object.Mesh hiding (named)
 import PraTactile.Object.Placement
-import PraTactile.Object.Radical (fraction, roots)
+import PraTactile.Object.Radicals (fraction)
 import PraTactile.Object.Triangles (triangles)
 import PraTactile.Object.Vector (cross, dot, exactRoot, squareRoot)
 import PraTactile.Object.WingedEdge
@@ -288,7 +288,7 @@ plate height thickness symbols object walk chart =
 
 -- | A point that the object has.
 fixed :: Point -> ExactPoint
-fixed (Point x y z) = ExactPoint (roots 1 1) (fraction x) (fraction y) (fraction z)
+fixed (Point x y z) = ExactPoint (fraction x) (fraction y) (fraction z)
 
 -- | A sixth of the sum of the determinants of the triangles with the origin.
 solidVolume :: Solid -> Volume

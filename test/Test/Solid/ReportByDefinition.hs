@@ -30,11 +30,68 @@ spec = describe "the report on a polyhedron, beside the definition" $ do
       it ("says all and no more where something is made wrong: " ++ kindName kind) $
         forAllBlind (solids >>= spoilt kind) $ \drawn ->
           counterexample (show drawn) (judged drawn)
+    it "says all and no more of polygons that may cross themselves" $
+      forAllBlind polygons $ \drawn -> counterexample (show drawn) (judged drawn)
+  it "finds no two sides that meet on a star of 10 000 spikes, and those of a part turned" $ do
+    let kinds = [FaceCrossesItself, VertexOnEdge]
+        found = filter ((`elem` kinds) . defectKind) . reportDefects . said . polygon
+        (spikes, end) = splitAt 19990 (star 10000)
+    found (spikes ++ end) `shouldBe` []
+    map defectVertices (found (spikes ++ reverse end))
+      `shouldBe` [map VertexName ["19989", "19990", "19991", "19992"]]
   it "looks for 100 000 pairs of faces that intersect, and says that there are more" $ do
     let report = said (bundle 450)
     length (filter ((== FacesIntersect) . defectKind) (reportDefects report)) `shouldBe` 100000
     filter ((== FacesIntersect) . unexaminedKind) (reportNotExamined report)
       `shouldBe` [Unexamined FacesIntersect [FacesIntersect]]
+
+-- | A polygon with these corners in a plane that leans.
+polygon :: [(Integer, Integer)] -> Description
+polygon corners =
+  Description
+    (ObjectName "polygon")
+    [ (name k, Point (fromInteger x) (fromInteger y) (fromInteger (x + 2 * y)))
+      | (k, (x, y)) <- zip [0 ..] corners
+    ]
+    [FaceName (map name [0 .. length corners - 1])]
+  where
+    name k = VertexName (show (k :: Int))
+
+-- | A polygon with so many spikes.
+star :: Int -> [(Integer, Integer)]
+star spikes =
+  [ (round (r * cos t), round (r * sin t))
+    | k <- [0 .. 2 * spikes - 1],
+      let r = if odd k then 1e9 else 1e7 :: Double
+          t = pi * fromIntegral k / fromIntegral spikes
+  ]
+
+-- | Polygons of few places, which cross themselves soon; and stars, of which two corners may have
+-- changed places, or one lie where another side does.
+polygons :: Gen Description
+polygons =
+  polygon
+    <$> oneof
+      [ (`vectorOf` ((,) <$> choose (0, 5) <*> choose (0, 5))) =<< choose (4, 12),
+        spoiling . map millionth . star =<< choose (2, 12)
+      ]
+  where
+    millionth (x, y) = (x `div` 1000000, y `div` 1000000)
+    spoiling corners = do
+      (i, j) <- (,) <$> place <*> place
+      elements
+        [ corners,
+          exchanged i j,
+          put j (corners !! i),
+          put j (between (corners !! i) (corners !! ((i + 1) `mod` count)))
+        ]
+      where
+        count = length corners
+        place = choose (0, count - 1)
+        put k corner = put' k corner corners
+        put' k corner others = [if i == k then corner else other | (i, other) <- zip [0 ..] others]
+        exchanged i j = put' i (corners !! j) (put j (corners !! i))
+        between (x, y) (x', y') = ((x + x') `div` 2, (y + y') `div` 2)
 
 -- | So many triangles, each of which cuts every other one in a part of the z axis.
 bundle :: Int -> Description

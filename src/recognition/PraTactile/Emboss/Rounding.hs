@@ -9,7 +9,6 @@ module PraTactile.Emboss.Rounding
   )
 where
 
-import Data.List (find)
 import Data.Maybe (isJust)
 import qualified Data.Set as Set
 import qualified Data.Vector as V
@@ -18,10 +17,11 @@ import PraTactile.Emboss
 import PraTactile.Object.Chart (ExactPoint (..))
 import PraTactile.Object.Defect
 import PraTactile.Object.Description
+import PraTactile.Object.Enclosure (nearest)
 import PraTactile.Object.Mesh
-import PraTactile.Object.Radical
+import PraTactile.Object.Radicals
 import PraTactile.Object.Validity
-import PraTactile.Object.Vector hiding (plus)
+import PraTactile.Object.Vector
 import PraTactile.Object.WingedEdge (Solid, solidMesh)
 
 -- | Which numbers coordinates may be.
@@ -95,18 +95,18 @@ roundedBy way made = mesh (subjectName (embossedSubject made)) names over points
         (filter (`Set.notMember` own) [VertexName ('E' : show k) | k <- [1 :: Int ..]])
 
 rational :: ExactPoint -> Bool
-rational (ExactPoint _ x y z) = all (isJust . asFraction) [x, y, z]
+rational (ExactPoint x y z) = all (isJust . asFraction) [x, y, z]
 
 nearPoint :: Way -> ExactPoint -> Point
-nearPoint (Way ofFractions ofOthers) (ExactPoint over x y z) = Point (near x) (near y) (near z)
+nearPoint (Way ofFractions ofOthers) (ExactPoint x y z) = Point (near x) (near y) (near z)
   where
-    near number = maybe (nearest ofOthers over number) ofFractions (asFraction number)
+    near number = maybe (nearest ofOthers number) ofFractions (asFraction number)
 
 -- | How far a point was moved along an axis at most, millimetres.
 furthest :: ExactPoint -> Point -> Double
-furthest (ExactPoint over x y z) (Point a b c) = maximum [off x a, off y b, off z c]
+furthest (ExactPoint x y z) (Point a b c) = maximum [off x a, off y b, off z c]
   where
-    off number near = abs (nearest (fromRational . subtract near) over number)
+    off number near = abs (nearest (fromRational . subtract near) number)
 
 -- | The first two triangles that have something in common beside a corner or a side, as where
 -- symbols on faces that look at each other run into one another, to within the rounding of numbers
@@ -114,7 +114,4 @@ furthest (ExactPoint over x y z) (Point a b c) = maximum [off x a, off y b, off 
 collision :: Solid -> Embossed -> Maybe Defect
 collision object made = case reportComponents (examine (solidMesh object)) of
   [piece] | componentConvex piece == Just True -> Nothing
-  _ ->
-    find
-      ((== FacesIntersect) . defectKind)
-      (reportDefects (examine (roundedBy (Way double double) made)))
+  _ -> intersecting (examine (roundedBy (Way double double) made))

@@ -1,7 +1,7 @@
--- | Which of many boxes meet a given one, without asking each: a tree of boxes whose leaves are
--- sorted along a curve that keeps neighbours together (Morton 1966), so that it is made by one
--- sort. A box of it holds what lies in it for certain, and more: corners are rounded down, which
--- keeps their order.
+-- | Which of many boxes meet a given one or a segment, without asking each: a tree of boxes whose
+-- leaves are sorted along a curve that keeps neighbours together (Morton 1966), so that it is made
+-- by one sort. A box of it holds what lies in it for certain, and more: corners are rounded down,
+-- which keeps their order.
 module PraTactile.Object.Boxes
   ( Box (..),
     Rounding,
@@ -12,6 +12,7 @@ module PraTactile.Object.Boxes
     Boxes,
     boxes,
     meeting,
+    along,
   )
 where
 
@@ -117,11 +118,46 @@ interleaved (x, y, z) = spread x .|. (spread y `shiftL` 1) .|. (spread z `shiftL
 -- | The boxes that meet this one, by their places in what 'boxes' was given. O(log n) and what is
 -- found, where boxes are compact.
 meeting :: Boxes -> Box -> [Int]
-meeting tree (Box a b c d e f) = visit 1 []
+meeting tree = descended tree . meetsNode tree
+
+-- | Those that the segment between two points, each the box round it, may meet, and perhaps more;
+-- likewise, however slanted it is: no box that it passes by in the shadow on a plane of two axes.
+along :: Boxes -> Box -> Box -> [Int]
+along tree p@(Box a b c _ _ _) q@(Box a' b' c' _ _ _) =
+  descended tree $ \k ->
+    whole k && shadow k 0 x 1 y && shadow k 1 y 2 z && shadow k 2 z 0 x
+  where
+    whole = meetsNode tree (p `around` q)
+    (x, y, z) = ((a, double (a' - a)), (b, double (b' - b)), (c, double (c' - c)))
+    double = fromIntegral :: Int -> Double
+    -- Coordinates are rounded, and so are machine numbers.
+    shadow k i (u, du) j (v, dv) =
+      abs (du * t - dv * s) <= abs du * (high + off) + abs dv * (wide + off) + 2 * (abs s + abs t)
+      where
+        (s, wide) = placed u i
+        (t, high) = placed v j
+        off = 4 + (abs s + abs t + wide + high + abs du + abs dv) / 2 ^ (40 :: Int)
+        placed from axis =
+          (double (least + most - from), double (most - least))
+          where
+            least = at axis `shiftR` 1
+            most = at (axis + 3) `shiftR` 1
+        at n = U.unsafeIndex (bounds tree) (6 * k + n)
+
+-- | Whether the box meets that of a node.
+meetsNode :: Boxes -> Box -> Int -> Bool
+meetsNode tree (Box a b c d e f) k =
+  a <= at 3 && at 0 <= d && b <= at 4 && at 1 <= e && c <= at 5 && at 2 <= f
+  where
+    at i = U.unsafeIndex (bounds tree) (6 * k + i)
+{-# INLINE meetsNode #-}
+
+-- | The leaves to which nodes lead that are all so.
+descended :: Boxes -> (Int -> Bool) -> [Int]
+descended tree holds = visit 1 []
   where
     visit k rest
-      | a > at 3 || at 0 > d || b > at 4 || at 1 > e || c > at 5 || at 2 > f = rest
+      | not (holds k) = rest
       | k >= leaves tree = U.unsafeIndex (items tree) (k - leaves tree) : rest
       | otherwise = visit (2 * k) (visit (2 * k + 1) rest)
-      where
-        at i = U.unsafeIndex (bounds tree) (6 * k + i)
+{-# INLINE descended #-}

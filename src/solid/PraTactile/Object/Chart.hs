@@ -42,8 +42,9 @@ import qualified Data.Vector as V
 import PraTactile.Object.Cells (Anchor (..))
 import PraTactile.Object.Frame
 import PraTactile.Object.Mesh
+import PraTactile.Object.Number (plus, times)
 import PraTactile.Object.Polygon (V2 (..), turn)
-import PraTactile.Object.Radical
+import PraTactile.Object.Radicals
 import PraTactile.Object.Triangulation (Metric (..))
 import PraTactile.Object.Vector hiding (plus)
 
@@ -65,8 +66,8 @@ data Chart = Chart
     corners :: V.Vector ExactPoint
   }
 
--- | A point or a way in space: millimetres along x, y and z, over these roots.
-data ExactPoint = ExactPoint !Roots !Radical !Radical !Radical
+-- | A point or a way in space: millimetres along x, y and z.
+data ExactPoint = ExactPoint !Radicals !Radicals !Radicals
 
 -- | The chart of a face, whose walk is of vertices that there are, with a lattice of steps of so
 -- many millimetres. Its origin is where the anchor has the upper left corner of a block of so many
@@ -116,11 +117,15 @@ chartOf it walk t (wide, high) anchor (rows, columns) = charted <$> frameOf it w
     e = V.foldl (\_ p -> p) o points `minus` o
     normal = doubleArea points
     f = cross e normal
-    over = roots (dot e e) (dot normal normal)
-    (a, c) = (fromInteger (dot e e), fromInteger (dot normal normal)) :: (Rational, Rational)
-    vector p q r s = ExactPoint over (number 0) (number 1) (number 2)
+    (ee, nn) = (dot e e, dot normal normal)
+    (a, c) = (fromInteger ee, fromInteger nn) :: (Rational, Rational)
+    base = coprimeBase [ee, nn]
+    rooted n = let (before, under) = rootIn base n in \k -> radical (k * before) under
+    (root1, root2, root12) = (rooted ee, rooted nn, rooted (ee * nn))
+    -- p + q sqrt a + r sqrt c + s sqrt (a c)
+    vector p q r s = ExactPoint (number 0) (number 1) (number 2)
       where
-        number i = radical over (p i) (q i) (r i) (s i)
+        number i = fraction (p i) `plus` root1 (q i) `plus` root2 (r i) `plus` root12 (s i)
     part :: Int -> V3 -> Integer
     part i (V3 x y z) = case i of
       0 -> x
@@ -219,8 +224,8 @@ pointOn chart height spot
           `further` scaledWay (fromInteger j) (stepDown chart)
 
 further :: ExactPoint -> ExactPoint -> ExactPoint
-further (ExactPoint over x y z) (ExactPoint _ x' y' z') =
-  ExactPoint over (plus x x') (plus y y') (plus z z')
+further (ExactPoint x y z) (ExactPoint x' y' z') =
+  ExactPoint (plus x x') (plus y y') (plus z z')
 
 scaledWay :: Rational -> ExactPoint -> ExactPoint
-scaledWay k (ExactPoint over x y z) = ExactPoint over (times k x) (times k y) (times k z)
+scaledWay k (ExactPoint x y z) = ExactPoint (times k x) (times k y) (times k z)

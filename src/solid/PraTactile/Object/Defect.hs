@@ -34,7 +34,7 @@ data Kind
     -- plane of the face's area vector through its mean
     NotPlanar
   | -- | two sides of the face share more than a vertex at which one follows the other; located are
-    -- the ends of the first two that do
+    -- the ends of the first side that does with one before it, and of the first of those
     FaceCrossesItself
   | -- | the faces that have a side between these vertices are not two
     EdgeWithoutTwoFaces

@@ -1,4 +1,4 @@
--- | Polygons in a plane, exactly: whether one crosses itself, what it holds.
+-- | Polygons in a plane, exactly: whether sides cross, what one holds.
 module PraTactile.Object.Polygon
   ( -- * Points of a plane
     V2 (..),
@@ -9,7 +9,6 @@ module PraTactile.Object.Polygon
 
     -- * Sides
     crossing,
-    firstCrossing,
 
     -- * What a polygon holds
     Standing (..),
@@ -20,11 +19,9 @@ where
 
 import Data.Foldable (toList)
 import Data.List (find)
-import Data.Maybe (listToMaybe)
 import qualified Data.Vector as V
-import PraTactile.Object.Boxes
 import PraTactile.Object.Description (cyclicPairs)
-import PraTactile.Object.Vector
+import PraTactile.Object.Vector (V3 (..))
 
 -- | A point of a plane.
 data V2 = V2 !Integer !Integer
@@ -64,32 +61,6 @@ crossing (a, b) (c, d) =
 -- | The place after this one, going round.
 following :: V.Vector a -> Int -> Int
 following walk i = if i + 1 == V.length walk then 0 else i + 1
-
--- | The first two sides of a closed walk, each by the place where it begins, that share more than
--- a vertex at which one follows the other. O(n log n) where few boxes round sides meet.
-firstCrossing :: V.Vector V2 -> Maybe (Int, Int)
-firstCrossing walk
-  | count <= 3 = Nothing
-  | count <= 12 = search (\i -> [i + 1 .. count - 1])
-  | otherwise = search near
-  where
-    count = V.length walk
-    side i = (walk V.! i, walk V.! following walk i)
-    search others =
-      listToMaybe
-        [(i, j) | i <- [0 .. count - 1], Just j <- [least [j | j <- others i, share i j]]]
-    least found = if null found then Nothing else Just (minimum found)
-    share i j
-      | following walk i == j = back (walk V.! i) (walk V.! j) (snd (side j))
-      | following walk j == i = back (walk V.! j) (walk V.! i) (snd (side i))
-      | otherwise = crossing (side i) (side j)
-    back a b c = turn a b c == 0 && inner b a c > 0
-    near i = filter (> i) (meeting tree (boxed V.! i))
-    tree = boxes boxed
-    boxed = V.generate count (\i -> let (a, b) = side i in around (box a) (box b))
-    box = boxOf rounding . raised
-    rounding = roundingOf (V.map raised walk)
-    raised (V2 x y) = V3 x y 0
 
 -- | Where a point is.
 data Standing = Outside | OnRim | Inside

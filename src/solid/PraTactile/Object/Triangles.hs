@@ -7,6 +7,7 @@ where
 import Data.Maybe (isJust)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
+import PraTactile.Object.Crossing
 import PraTactile.Object.Mesh
 import PraTactile.Object.Polygon
 import PraTactile.Object.Triangulation

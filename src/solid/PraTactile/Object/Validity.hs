@@ -9,10 +9,12 @@ module PraTactile.Object.Validity
   ( Report (..),
     Component (..),
     reportValid,
+    intersecting,
     examine,
   )
 where
 
+import Data.List (find)
 import qualified Data.Set as Set
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
@@ -39,12 +41,22 @@ data Report = Report
   }
   deriving stock (Eq, Show)
 
--- | Whether nothing is wrong.
+-- | Whether nothing is wrong, and all was looked for.
 reportValid :: Report -> Bool
-reportValid = null . reportDefects
+reportValid report = null (reportDefects report) && null (reportNotExamined report)
 
--- | Examine a polyhedron. O(n log n), but for what 'Boxes' cannot tell apart, and no more than
--- 'mostMeetings' of 'FacesIntersect'.
+-- | Two faces that intersect; or none, where there may be two, and too many were to be compared.
+intersecting :: Report -> Maybe Defect
+intersecting report = find ((== FacesIntersect) . defectKind) (reportDefects report ++ undecided)
+  where
+    undecided =
+      [ Defect FacesIntersect [] [] Nothing
+        | FacesIntersect `elem` concatMap unexaminedBecause (reportNotExamined report)
+      ]
+
+-- | Examine a polyhedron. O(n log n), but for pairs of faces that 'Boxes' cannot tell apart. Where
+-- too many of these intersect or are to be compared, 'FacesIntersect' is told as not examined
+-- because of itself.
 examine :: Mesh -> Report
 examine it =
   Report
@@ -85,8 +97,7 @@ examine it =
     good = Set.toList (Set.fromList flatFaces Set.\\ Set.fromList (map fst crossed))
     onEdges = verticesOnEdges subject
     -- However often a face comes, it is compared with the others once.
-    (meetings, more) =
-      splitAt mostMeetings (intersections subject (filter (`Set.notMember` again) good))
+    (meetings, more) = intersections subject (filter (`Set.notMember` again) good)
     again = Set.fromList (concatMap (drop 1) alike)
     alike = facesAlike it
     sound = null (present everything)
@@ -131,11 +142,6 @@ examine it =
         ( FacesIntersect,
           formless
             ++ [RepeatedFace, NoArea, NotPlanar, FaceCrossesItself]
-            ++ [FacesIntersect | some more]
+            ++ [FacesIntersect | more]
         )
       ]
-
--- | How many pairs of faces that intersect are looked for. Where there are more, n faces can have
--- n^2 / 2 of them, and 'FacesIntersect' is told as not examined because of itself.
-mostMeetings :: Int
-mostMeetings = 100000

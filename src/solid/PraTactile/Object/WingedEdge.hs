@@ -38,7 +38,7 @@ where
 
 import Data.List (sort, sortOn)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (listToMaybe)
+import Data.Maybe (listToMaybe, maybeToList)
 import Data.Ratio ((%))
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
@@ -109,13 +109,14 @@ edgeName edge = EdgeName (edgeStart edge) (edgeEnd edge)
 examineDescription :: Description -> Report
 examineDescription = examine . fromDescription
 
--- | The solid of this description; refuses with the first defect of 'examineDescription'.
+-- | The solid of this description; refuses as 'solidOf' does.
 solid :: Description -> Either Defect Solid
 solid = solidOf . fromDescription
 
--- | The solid that a polyhedron is; refuses with the first defect of 'examine'.
+-- | The solid that a polyhedron is; refuses with the first defect of 'examine', or as
+-- 'intersecting' does.
 solidOf :: Mesh -> Either Defect Solid
-solidOf it = case reportDefects (examine it) of
+solidOf it = case reportDefects report ++ maybeToList (intersecting report) of
   defect : _ -> Left defect
   [] ->
     Right
@@ -131,6 +132,7 @@ solidOf it = case reportDefects (examine it) of
               [(sideStart sides s, s) | s <- [sideCount sides - 1, sideCount sides - 2 .. 0]]
         }
   where
+    report = examine it
     walks = meshWalks it
     vertices = V.length (meshPoints it)
     sides = surface walks

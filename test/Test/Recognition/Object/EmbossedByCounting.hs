@@ -18,10 +18,12 @@ import PraTactile.Explore (insidePolygon)
 import PraTactile.Field (KnownField)
 import PraTactile.Object.Canonical
 import PraTactile.Object.Cells (Grid (..), bestGrid)
+import PraTactile.Object.Enclosure (nearest)
 import PraTactile.Object.Mesh hiding (named)
 import PraTactile.Object.Named
+import PraTactile.Object.Number (plus)
 import PraTactile.Object.Placement hiding (corner)
-import PraTactile.Object.Radical
+import PraTactile.Object.Radicals
 import PraTactile.Object.Validity
 import PraTactile.Object.Vector (floorRoot)
 import PraTactile.Object.WingedEdge
@@ -98,9 +100,11 @@ spec = do
         [p, q, r, s] ->
           let long n = floorRoot (fromInteger (n * 10 ^ (800 :: Int))) % 10 ^ (400 :: Int)
               value = p + q * long a + r * long c + s * long (a * c)
-              number = radical (roots a c) p q r s
+              base = coprimeBase [a, c]
+              term k n = let (before, under) = rootIn base n in radical (k * before) under
+              number = fraction p `plus` term q a `plus` term r c `plus` term s (a * c)
            in conjoin
-                [ nearest (fromRational :: Rational -> Double) (roots a c) number
+                [ nearest (fromRational :: Rational -> Double) number
                     === fromRational (if abs value < tiny then 0 else value),
                   maybe True (\exact -> abs (exact - value) < tiny) (asFraction number) === True
                 ]

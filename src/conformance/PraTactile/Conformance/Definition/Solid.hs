@@ -117,8 +117,9 @@ reportOf it =
     planar = filter (\(_, face) -> all (== 0) (flatness face)) withArea
     crossings face =
       [ [a, b, c, d]
-        | (i, (a, b)) : others <- tails (zip [0 :: Int ..] (sidesOf face)),
-          (j, (c, d)) <- others,
+        | let numbered = zip [0 :: Int ..] (sidesOf face),
+          (j, (c, d)) <- numbered,
+          (i, (a, b)) <- take j numbered,
           meetTooMuch (length (sidesOf face)) i j (at a, at b) (at c, at d)
       ]
     simple = filter (null . crossings . snd) planar

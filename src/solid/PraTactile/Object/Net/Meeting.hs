@@ -28,18 +28,18 @@ where
 import Data.List (foldl')
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.List.NonEmpty as NonEmpty
-import Data.Maybe (fromMaybe, isJust, listToMaybe, mapMaybe)
+import Data.Maybe (fromMaybe, isJust)
 import Data.Ratio ((%))
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Description (cyclicPairs)
+import PraTactile.Object.Enclosure
 import PraTactile.Object.Mesh
-import PraTactile.Object.Net.Enclosure
-import PraTactile.Object.Net.Number
-import PraTactile.Object.Net.Radicals
 import PraTactile.Object.Net.Template
 import PraTactile.Object.Net.Unfolder
+import PraTactile.Object.Number
 import PraTactile.Object.Polygon
+import PraTactile.Object.Radicals
 import PraTactile.Object.Triangles
 import PraTactile.Object.Vector (dot)
 import qualified PraTactile.Object.Vector as Space
@@ -51,7 +51,7 @@ data Meeting = Apart | Open | Overlapping
 
 -- | How the plane of a face comes to that of another one.
 data Lying = Lying
-  { lyingExactly :: Similarity Radicals,
+  { lyingExactly :: Similarity (Maybe Radicals),
     lyingRungs :: NonEmpty (Similarity Enclosure)
   }
 
@@ -89,7 +89,7 @@ data Corner = Corner
   { cornerVertex :: Int,
     -- | what equals that of another face's corner where they are one because of what is glued
     cornerGlued :: Maybe Int,
-    cornerExactly :: Planar Radicals,
+    cornerExactly :: Planar (Maybe Radicals),
     cornerRungs :: NonEmpty (Planar Enclosure)
   }
 
@@ -142,9 +142,8 @@ sideOf it f = SideOf quick careful
       | first :| _ <- turnings line c = verdict <$> signKnown first
     careful line c
       | Just told <- quick line c = told
-      | otherwise = case terms (turning cornerExactly line c) of
-        Just [] -> Apart
-        Just sums -> verdict (signOfSum sums)
+      | otherwise = case turning cornerExactly line c of
+        Just sums -> verdict (nearest (truncate . signum) sums)
         Nothing -> maybe Open verdict (refined line (NonEmpty.toList (turnings line c)))
     verdict sign = if sign > 0 then Overlapping else Apart
     onEnd (p, q) c = isJust (cornerGlued c) && cornerGlued c `elem` map cornerGlued [p, q]
@@ -175,13 +174,6 @@ turned :: Number n => Planar n -> Planar n -> Planar n -> n
 turned a b c = imaginary
   where
     Planar _ imaginary = multiplied (conjugate (b `subtracted` a)) (c `subtracted` a)
-
--- | The sign of a sum of multiples of roots that is not 0.
-signOfSum :: [(Rational, Integer)] -> Int
-signOfSum sums =
-  fromMaybe 0 (listToMaybe (mapMaybe (signKnown . value) (NonEmpty.toList rungPlaces)))
-  where
-    value digits = foldl' plus (enclosed digits 0 1) [enclosed digits q under | (q, under) <- sums]
 
 -- | How two convex polygons lie.
 convexMeeting :: SideOf -> V.Vector Corner -> V.Vector Corner -> Meeting

@@ -38,12 +38,12 @@ import Data.Ratio ((%))
 import qualified Data.Set as Set
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
+import PraTactile.Object.Enclosure
 import PraTactile.Object.Mesh
-import PraTactile.Object.Net.Enclosure
-import PraTactile.Object.Net.Number
-import PraTactile.Object.Net.Radicals
 import PraTactile.Object.Net.Template
 import PraTactile.Object.Net.Unfolder
+import PraTactile.Object.Number
+import PraTactile.Object.Radicals
 import PraTactile.Object.Surface
 import PraTactile.Object.Vector (cross, dot, squareRoot)
 import qualified PraTactile.Object.Vector as Space
@@ -61,7 +61,7 @@ data Outliner = Outliner
 
 -- | The numbers that lengths have; sides that are one because they go straight on may have new
 -- ones.
-type Lengths = Map.Map (Maybe [(Rational, Integer)]) Int
+type Lengths = Map.Map [(Rational, Integer)] Int
 
 -- | The sides of an outline in their order, the inside on their left: the length of each and the
 -- angle at its end, both by their numbers, in one.
@@ -105,7 +105,7 @@ alongSide it s = point (sideEnd sides s) `Space.minus` point (sideStart sides s)
 data Angle = Angle
   { angleAbout :: !Double,
     angleOf :: [(Rational, Rational, Integer)],
-    angleExactly :: Planar Radicals,
+    angleExactly :: Planar (Maybe Radicals),
     angleEnclosed :: Planar Enclosure
   }
 
@@ -117,7 +117,7 @@ cornerAngle it s =
       angleOf = [(real, imaginary, n)],
       angleExactly =
         let (before, under) = unfolderRoot it n
-         in Planar (radical real 1) (radical (imaginary * before) under),
+         in Planar (Just (fraction real)) (Just (radical (imaginary * before) under)),
       angleEnclosed = Planar (enclosed 256 real 1) (enclosed 256 imaginary n)
     }
   where
@@ -140,7 +140,7 @@ cornerAngle it s =
 
 -- | A half turn.
 halfTurn :: Angle
-halfTurn = Angle pi [] (Planar (radical 1 1) (radical 0 1)) (Planar (one 1) (one 0))
+halfTurn = Angle pi [] (Planar (Just (fraction 1)) (Just (fraction 0))) (Planar (one 1) (one 0))
   where
     one q = enclosed 256 q 1
 
@@ -185,7 +185,7 @@ sameAngle a b = case (exact a, exact b) of
   (Just known, Just known') -> known == known'
   _ -> sort (angleOf a) == sort (angleOf b) || isNothing (signKnown between)
   where
-    exact angle = let Planar x y = angleExactly angle in (,) <$> terms x <*> terms y
+    exact angle = let Planar x y = angleExactly angle in (,) <$> fmap terms x <*> fmap terms y
     Planar _ between = multiplied (angleEnclosed a) (conjugate (angleEnclosed b))
 
 -- | The outline of an unfolding, given both sides of each edge that is glued, and the numbers of
@@ -219,7 +219,7 @@ outline it known glued = U.fromList <$> mapAccumL number known (joined (rotated 
         Just n -> (lengths, packed n angle)
         Nothing -> (Map.insert long (Map.size lengths) lengths, packed (Map.size lengths) angle)
         where
-          long = terms (foldl' plus (radical 0 1) [outlinerLengths it V.! s | s <- one])
+          long = terms (foldl' plus (fraction 0) [outlinerLengths it V.! s | s <- one])
 
 -- | A length and an angle in one number.
 packed :: Int -> Int -> Int

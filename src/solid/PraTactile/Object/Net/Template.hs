@@ -26,7 +26,7 @@ import Data.Ratio ((%))
 import qualified Data.Vector as V
 import Math.NumberTheory.Logarithms (integerLog2)
 import PraTactile.Object.Mesh
-import PraTactile.Object.Net.Number
+import PraTactile.Object.Number
 import PraTactile.Object.Surface
 import PraTactile.Object.Vector hiding (minus, plus)
 import qualified PraTactile.Object.Vector as Space

@@ -17,11 +17,11 @@ import qualified Data.List.NonEmpty as NonEmpty
 import qualified Data.Map.Lazy as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector as V
+import PraTactile.Object.Enclosure
 import PraTactile.Object.Mesh
-import PraTactile.Object.Net.Enclosure
-import PraTactile.Object.Net.Number
-import PraTactile.Object.Net.Radicals
 import PraTactile.Object.Net.Template
+import PraTactile.Object.Number
+import PraTactile.Object.Radicals
 import PraTactile.Object.Surface
 import PraTactile.Object.WingedEdge (Solid, solidMesh)
 
@@ -33,7 +33,7 @@ data Unfolder = Unfolder
     -- | the roots of the templates, each a multiple of another
     unfolderRoot :: Integer -> (Rational, Integer),
     -- | in the exact numbers
-    unfolderExactly :: Rung Radicals,
+    unfolderExactly :: Rung (Maybe Radicals),
     -- | in enclosures of 'rungPlaces'
     unfolderRungs :: NonEmpty (Rung Enclosure)
   }
@@ -58,7 +58,7 @@ unfolder whole =
       unfolderSides = sides,
       unfolderTemplates = flats,
       unfolderRoot = root,
-      unfolderExactly = rung (\q n -> let (k, under) = root n in radical (q * k) under),
+      unfolderExactly = rung (\q n -> let (k, under) = root n in Just (radical (q * k) under)),
       unfolderRungs = NonEmpty.map (rung . enclosed) rungPlaces
     }
   where

@@ -16,12 +16,12 @@ import qualified Data.List.NonEmpty as NonEmpty
 import qualified Data.Map.Strict as Map
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
-import PraTactile.Object.Net.Enclosure
+import PraTactile.Object.Enclosure
 import PraTactile.Object.Net.Meeting
-import PraTactile.Object.Net.Number
-import PraTactile.Object.Net.Radicals
 import PraTactile.Object.Net.Template
 import PraTactile.Object.Net.Unfolder
+import PraTactile.Object.Number
+import PraTactile.Object.Radicals
 import PraTactile.Object.Surface
 import PraTactile.Object.Vector (squareRoot)
 
@@ -52,7 +52,7 @@ placed it tree = V.generate (faceCount it) (\f -> Map.findWithDefault still f pl
         there
     still =
       Lying
-        (identity (`radical` 1))
+        (identity (Just . fraction))
         (NonEmpty.map (\digits -> identity (\q -> enclosed digits q 1)) rungPlaces)
     identity make = Similarity (Planar (make 1) (make 0)) (Planar (make 0) (make 0))
 

@@ -9,8 +9,8 @@ where
 
 import Data.List (sort)
 import Data.Maybe (isJust)
-import qualified Data.Set as Set
 import qualified Data.Vector as V
+import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Boxes
 import PraTactile.Object.Defect
@@ -69,34 +69,27 @@ pinchedVertices subject =
         (U.replicate (V.length (meshPoints (whole subject))) True)
         [(v, False) | s <- every, not (isJust (mateOf it s)), v <- endsOf subject s]
 verticesOnEdges subject =
-  [ Defect VertexOnEdge [] (map (vertexAt it) (v : endsOf subject s)) Nothing
-    | v <- Set.toAscList (Set.fromList (U.toList (U.concat (V.toList (formed subject))))),
-      let p = points V.! v,
-      (_, s) <-
+  [ Defect VertexOnEdge [] (map (vertexAt it) (v : ends)) Nothing
+    | (v, ends) <-
         sort
-          [ (endsOf subject s, s)
-            | e <-
-                meeting tree (boxOf round' p),
-              let s = first V.! e
-          ],
-      let (a, b) = (points V.! sideStart (sides subject) s, points V.! sideEnd (sides subject) s),
-      dot (a `minus` p) (b `minus` p) < 0,
-      cross (a `minus` p) (b `minus` p) == zero
+          [ (v, endsOf subject s)
+            | e <- [0 .. edgeCount (sides subject) - 1],
+              s <- take 1 (edgeSides (sides subject) e),
+              let (a, b) = (place (sideStart (sides subject) s), place (sideEnd (sides subject) s)),
+              i <- along tree (box a) (box b),
+              let v = used U.! i
+                  p = place v,
+              dot (a `minus` p) (b `minus` p) < 0,
+              cross (a `minus` p) (b `minus` p) == zero
+          ]
   ]
   where
     it = whole subject
-    points = meshPoints it
-    round' = rounding subject
-    tree = boxes (V.map (boxOfSide subject) first)
-    first =
-      V.fromList
-        [s | e <- [0 .. edgeCount (sides subject) - 1], s <- take 1 (edgeSides (sides subject) e)]
+    place = (meshPoints it V.!)
+    box = boxOf (rounding subject)
+    used = U.uniq (U.modify Intro.sort (U.concat (V.toList (formed subject))))
+    tree = boxes (V.map (box . place) (V.convert used))
 
 -- | The ends of a side, the one with the lesser index first.
 endsOf :: Subject -> Int -> [Int]
 endsOf subject s = sort [sideStart (sides subject) s, sideEnd (sides subject) s]
-
-boxOfSide :: Subject -> Int -> Box
-boxOfSide subject s = box (sideStart (sides subject) s) `around` box (sideEnd (sides subject) s)
-  where
-    box v = boxOf (rounding subject) (meshPoints (whole subject) V.! v)

@@ -12,6 +12,7 @@ import Data.Ratio ((%))
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Boxes
+import PraTactile.Object.Crossing
 import PraTactile.Object.Defect
 import PraTactile.Object.Intersection
 import PraTactile.Object.Mesh
@@ -56,21 +57,42 @@ crossingSelf subject flatFaces =
   where
     it = whole subject
 
--- | What faces have in common that do not cross themselves.
-intersections :: Subject -> [Int] -> [Defect]
-intersections subject good =
-  [ Defect FacesIntersect (map (faceAt it . (faces V.!)) [i, j]) [] (Just (measure square))
-    | i <- [0 .. V.length faces - 1],
-      j <- sort (filter (> i) (meeting tree (around' V.! i))),
-      Just square <- [overlap (plates V.! i) (plates V.! j)]
-  ]
+-- | What faces have in common that do not cross themselves; and whether not all pairs were
+-- compared.
+intersections :: Subject -> [Int] -> ([Defect], Bool)
+intersections subject good = look mostFound mostCompared near
   where
+    near =
+      [ (i, j)
+        | i <- [0 .. V.length faces - 1],
+          j <- sort (filter (> i) (meeting tree (around' V.! i)))
+      ]
+    look :: Int -> Int -> [(Int, Int)] -> ([Defect], Bool)
+    look _ _ [] = ([], False)
+    look toFind toCompare ((i, j) : others)
+      | toFind == 0 || toCompare == 0 = ([], True)
+      | otherwise = case overlap (plates V.! i) (plates V.! j) of
+        Nothing -> look toFind (toCompare - 1) others
+        Just square ->
+          let (found, more) = look (toFind - 1) (toCompare - 1) others
+           in (defect i j square : found, more)
+    defect i j square =
+      Defect FacesIntersect (map (faceAt it . (faces V.!)) [i, j]) [] (Just (measure square))
     it = whole subject
     faces = V.fromList good
     around' = V.map (boxOfFace subject) faces
     tree = boxes around'
-    plates = V.map (\f -> plateOf subject f) faces
+    plates = V.map (plateOf subject) faces
     measure square = squareRoot (square / fromInteger (meshDenominator it) ^ (2 :: Int))
+
+-- | How many pairs of faces that intersect are looked for: n faces can have n^2 / 2 of them.
+mostFound :: Int
+mostFound = 100000
+
+-- | How many pairs of faces are compared, whose boxes meet: as many there can be of long faces that
+-- lie side by side, each at an angle to all axes. For surfaces of triangles it is about 10 n.
+mostCompared :: Int
+mostCompared = 50000000
 
 plateOf :: Subject -> Int -> Plate
 plateOf subject f = plate walk (cornersOf (whole subject) walk) (normals subject V.! f)

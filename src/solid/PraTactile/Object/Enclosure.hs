@@ -1,17 +1,21 @@
 -- | Intervals that hold a real number for certain, at a stated number of binary places.
-module PraTactile.Object.Net.Enclosure
+module PraTactile.Object.Enclosure
   ( Enclosure,
     enclosed,
-    bounds,
     middle,
     radius,
     signKnown,
+
+    -- * Numbers enclosed
+    nearest,
   )
 where
 
 import Data.Bits (shiftL, shiftR)
+import Data.List (foldl')
 import Data.Ratio (denominator, numerator, (%))
-import PraTactile.Object.Net.Number
+import PraTactile.Object.Number
+import PraTactile.Object.Radicals
 import PraTactile.Object.Vector (floorRoot)
 
 -- | All numbers that are no further from the middle than the radius, both in units of 2^-places.
@@ -26,14 +30,11 @@ data Enclosure = Enclosure
 -- the same in all that is put together.
 enclosed :: Int -> Rational -> Integer -> Enclosure
 enclosed digits q under
-  | under == 1 = Enclosure digits (floor (q * fromInteger (1 `shiftL` digits))) 1
-  | otherwise = Enclosure digits (if q < 0 then negate root else root) 1
+  | under == 1 = Enclosure digits ((n `shiftL` digits) `div` d) 1
+  | otherwise = Enclosure digits (signum n * root) 1
   where
-    root = floorRoot (q * q * fromInteger under * fromInteger (1 `shiftL` (2 * digits)))
-
--- | The least and the greatest number.
-bounds :: Enclosure -> (Rational, Rational)
-bounds it = (middle it - radius it, middle it + radius it)
+    (n, d) = (numerator q, denominator q)
+    root = floorRoot (fromInteger (((n * n * under) `shiftL` (2 * digits)) `quot` (d * d)))
 
 middle, radius :: Enclosure -> Rational
 middle it = centre it % (1 `shiftL` places it)
@@ -58,3 +59,16 @@ instance Number Enclosure where
       p
       ((m * numerator k) `div` denominator k)
       ((r * abs (numerator k)) `div` denominator k + 2)
+
+-- | The number rounded by a function that does not fall and is constant between some fractions,
+-- such as to the nearest machine number, or to its sign.
+nearest :: Eq a => (Rational -> a) -> Radicals -> a
+nearest rounding number = maybe (decided 64) rounding (asFraction number)
+  where
+    -- It lies between two of the fractions at which the rounded number changes.
+    decided digits
+      | below == rounding (middle it + radius it) = below
+      | otherwise = decided (2 * digits)
+      where
+        below = rounding (middle it - radius it)
+        it = foldl' plus (enclosed digits 0 1) (map (uncurry (enclosed digits)) (terms number))

@@ -1,6 +1,6 @@
 -- | Numbers of the plane, a pair of reals each, whatever stands for reals: what is common to exact
 -- ones and to enclosures.
-module PraTactile.Object.Net.Number
+module PraTactile.Object.Number
   ( Number (..),
 
     -- * The plane

@@ -1,10 +1,12 @@
--- | Sums of rational multiples of square roots, exactly: what the corners of an unfolded polyhedron
--- have for coordinates. Any whole numbers are products of the elements of a 'coprimeBase' of
--- theirs, and the root of one is a whole multiple of the root of a product of such elements, each
--- once, of those that are no squares. The roots of different products of that kind are linearly
--- independent over the rationals (Besicovitch 1940), so that a sum is 0 only where all its
--- coefficients are.
-module PraTactile.Object.Net.Radicals
+{-# LANGUAGE FlexibleInstances #-}
+
+-- | Sums of rational multiples of square roots, exactly: what points on slanted faces and corners
+-- of an unfolded polyhedron have for coordinates. Any whole numbers are products of the elements of
+-- a 'coprimeBase' of theirs, and the root of one is a whole multiple of the root of a product of
+-- such elements, each once, of those that are no squares. The roots of different products of that
+-- kind are linearly independent over the rationals (Besicovitch 1940), so that a sum is 0 only
+-- where all its coefficients are.
+module PraTactile.Object.Radicals
   ( -- * Bases
     Base,
     coprimeBase,
@@ -13,13 +15,17 @@ module PraTactile.Object.Net.Radicals
     -- * Sums
     Radicals,
     radical,
+    fraction,
     terms,
+    asFraction,
   )
 where
 
+import Control.Applicative (liftA2)
+import Control.Monad (guard)
 import Data.List (foldl')
 import qualified Data.Map.Strict as Map
-import PraTactile.Object.Net.Number
+import PraTactile.Object.Number
 import PraTactile.Object.Vector (exactRoot)
 
 -- | Whole numbers above 1, no two of which have a divisor in common, each with its root where it is
@@ -58,35 +64,35 @@ rootIn (Base base) number = foldl' split (1, 1) base
           (q, 0) -> 1 + exponentOf q
           _ -> 0 :: Int
 
--- | A sum of rational multiples of the roots of products of elements of one base; or one that is
--- not known, because it would have had too many terms. Sums over different bases have nothing to
--- do with each other.
-data Radicals
-  = Radicals !(Map.Map Integer Rational)
-  | TooMany
+-- | A sum of rational multiples of the roots of products of elements of one base. Sums over
+-- different bases have nothing to do with each other.
+newtype Radicals = Radicals (Map.Map Integer Rational)
 
 -- | So many times the root of a number that 'rootIn' has under the root.
 radical :: Rational -> Integer -> Radicals
 radical q under = Radicals (if q == 0 then Map.empty else Map.singleton under q)
 
--- | The coefficients, none of which is 0, each with what is under its root; 'Nothing' of a sum that
--- is not known. Two sums are equal if and only if these are.
-terms :: Radicals -> Maybe [(Rational, Integer)]
-terms it = case it of
-  Radicals sums -> Just [(q, under) | (under, q) <- Map.toAscList sums]
-  TooMany -> Nothing
+-- | A rational number.
+fraction :: Rational -> Radicals
+fraction q = radical q 1
 
--- | No product is made of sums that have more pairs of terms.
-mostPairs :: Int
-mostPairs = 4096
+-- | The coefficients, none of which is 0, each with what is under its root. Two sums are equal if
+-- and only if these are.
+terms :: Radicals -> [(Rational, Integer)]
+terms (Radicals sums) = [(q, under) | (under, q) <- Map.toAscList sums]
+
+-- | The number, where it is rational.
+asFraction :: Radicals -> Maybe Rational
+asFraction it = case terms it of
+  [] -> Just 0
+  [(q, 1)] -> Just q
+  _ -> Nothing
 
 instance Number Radicals where
   plus (Radicals a) (Radicals b) = Radicals (summed a b)
-  plus _ _ = TooMany
   minus a b = plus a (times (-1) b)
-  product' (Radicals a) (Radicals b)
-    | Map.size a * Map.size b > mostPairs = TooMany
-    | otherwise = Radicals (foldl' summed Map.empty [part m p | (m, p) <- Map.toList a])
+  product' (Radicals a) (Radicals b) =
+    Radicals (foldl' summed Map.empty [part m p | (m, p) <- Map.toList a])
     where
       -- Products of elements of the base: what both have leaves the root.
       part m p =
@@ -95,9 +101,21 @@ instance Number Radicals where
             | (n, q) <- Map.toList b,
               let g = gcd m n
           ]
-  product' _ _ = TooMany
   times k (Radicals a) = Radicals (if k == 0 then Map.empty else Map.map (k *) a)
-  times _ TooMany = TooMany
 
 summed :: Map.Map Integer Rational -> Map.Map Integer Rational -> Map.Map Integer Rational
 summed = Map.mergeWithKey (\_ p q -> if p + q == 0 then Nothing else Just (p + q)) id id
+
+-- | 'Nothing' of a product that would be one of too many pairs of terms, and of what comes of it.
+instance Number (Maybe Radicals) where
+  plus = liftA2 plus
+  minus = liftA2 minus
+  product' a b = do
+    (Radicals few, Radicals others) <- (,) <$> a <*> b
+    guard (Map.size few * Map.size others <= mostPairs)
+    pure (product' (Radicals few) (Radicals others))
+  times k = fmap (times k)
+
+-- | No product is made of sums that have more pairs of terms.
+mostPairs :: Int
+mostPairs = 4096
