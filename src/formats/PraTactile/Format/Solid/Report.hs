@@ -4,7 +4,7 @@
 module PraTactile.Format.Solid.Report
   ( Moved (..),
     encodeReport,
-    mostOfAKind,
+    defectValue,
   )
 where
 
@@ -28,9 +28,11 @@ import PraTactile.Object.Validity
 data Moved = Moved {movedVertices :: Int, movedMost :: Double}
   deriving stock (Eq, Show)
 
--- | No more defects of a kind are listed; all are counted.
-mostOfAKind :: Int
+-- | No more defects of a kind are listed, and none after so many names of vertices; all are
+-- counted.
+mostOfAKind, mostNames :: Int
 mostOfAKind = 1000
+mostNames = 100000
 
 -- | A polyhedron's report, on one line, without its end: what a file had beside, how many vertices
 -- were moved, its grids and what was found.
@@ -51,13 +53,18 @@ encodeReport it passed moved grids report =
           [ fromString (kindName kind) .= Map.findWithDefault 0 kind counts
             | kind <- [minBound .. maxBound]
           ]
-      <> "defects" .= map defectValue (concatMap (take mostOfAKind) byKind)
+      <> "defects" .= map defectValue (concatMap listed byKind)
       <> "not_examined"
         .= [ object ["kind" .= kindName kind, "because" .= map kindName causes]
              | Unexamined kind causes <- reportNotExamined report
            ]
   where
     byKind = groupBy ((==) `on` defectKind) (reportDefects report)
+    listed defects =
+      map fst . takeWhile ((<= mostNames) . snd) $
+        zip (take mostOfAKind defects) (scanl (+) 0 (map names defects))
+    names (Defect _ faces vertices _) =
+      length vertices + sum (map (length . faceVertices) faces)
     counts = Map.fromListWith (+) [(defectKind defect, 1 :: Int) | defect <- reportDefects report]
     gridValue grid =
       object
@@ -66,6 +73,7 @@ encodeReport it passed moved grids report =
           "cells" .= fmap integerValue (gridCount grid)
         ]
 
+-- | One defect.
 defectValue :: Defect -> Value
 defectValue (Defect kind faces vertices measure) =
   object
