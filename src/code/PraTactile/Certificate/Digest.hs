@@ -3,6 +3,7 @@
 module PraTactile.Certificate.Digest
   ( -- * SHA-256
     sha256,
+    sha256Bytes,
     sha256OfText,
 
     -- * Of the windows of an array
@@ -30,7 +31,11 @@ import PraTactile.Window.Visit
 
 -- | The SHA-256 of a message, as 64 hexadecimal digits in lower case.
 sha256 :: ByteString -> String
-sha256 = hexadecimal . SHA256.hash
+sha256 = hexadecimal . sha256Bytes
+
+-- | The SHA-256 of a message, as 32 bytes.
+sha256Bytes :: ByteString -> ByteString
+sha256Bytes = SHA256.hash
 
 -- | The SHA-256 of a text of ASCII characters, a byte each.
 --

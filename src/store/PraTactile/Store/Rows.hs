@@ -150,7 +150,13 @@ changeRows old new = mapM_ fst (reverse steps) >> mapM_ snd steps
 -- | The first table of which the rows are not the same.
 disagreement :: Rows -> Rows -> Maybe Table
 disagreement one other =
-  listToMaybe [table | Part table part <- parts, keyed (part one) /= keyed (part other)]
+  listToMaybe
+    [ table
+      | Part table part <- parts,
+        -- Rows that are made mostly come in the order of those that are read.
+        part one /= part other,
+        keyed (part one) /= keyed (part other)
+    ]
 
 -- Every table's key is made of its columns.
 keyed :: PersistEntity row => [row] -> Map.Map (Key row) row

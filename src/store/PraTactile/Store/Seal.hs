@@ -9,14 +9,15 @@ module PraTactile.Store.Seal
   )
 where
 
+import Data.Bits (shiftL, shiftR, (.|.))
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Bytes8
 import Data.Int (Int64)
 import Data.Maybe (listToMaybe)
 import Data.Text.Encoding (encodeUtf8)
+import Data.Word (Word64)
 import Database.Persist.Sql
-import Numeric (readHex)
-import PraTactile.Certificate.Digest (sha256)
+import PraTactile.Certificate.Digest (sha256Bytes)
 
 -- | A row with its seal, given the row by any.
 sealed :: PersistEntity row => (Int64 -> row) -> row
@@ -31,10 +32,12 @@ isSealed row =
 
 sealOf :: PersistEntity row => row -> Int64
 sealOf row =
-  maybe 0 fst . listToMaybe . readHex . take 15 . sha256 . Bytes8.unlines $
+  first60 . sha256Bytes . Bytes8.unlines $
     encodeUtf8 (unEntityNameDB (getEntityDBName (entityDef (Just row)))) :
     map (spelt . toPersistValue) (init' (toPersistFields row))
   where
+    first60 = fromIntegral . (`shiftR` 4) . Bytes.foldl' shifted (0 :: Word64) . Bytes.take 8
+    shifted bits byte = (bits `shiftL` 8) .|. fromIntegral byte
     init' fields = zipWith const fields (drop 1 fields)
 
 spelt :: PersistValue -> Bytes.ByteString

@@ -115,7 +115,7 @@ bandsIn places given = for (runBands given) $ \it ->
     <*> natural BandTable (storedBandToRow it)
     <*> traverse stretch (Map.findWithDefault [] (storedBandFromRow it) ofBand)
   where
-    ofBand = Map.fromListWith (flip (++)) [(storedRunBand run, [run]) | run <- runs given]
+    ofBand = Map.fromListWith (++) [(storedRunBand run, [run]) | run <- reverse (runs given)]
     stretch run =
       Stretch
         <$> natural RunTable (storedRunFromColumn run)
