@@ -8,9 +8,9 @@ where
 
 import ArrayChoice
 import Control.Monad (unless, when)
+import Data.Either (fromRight)
 import Data.Foldable (for_)
 import Data.List.NonEmpty (nonEmpty)
-import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, isJust, listToMaybe, mapMaybe)
 import Data.Traversable (for)
 import ExitStatus
@@ -267,14 +267,11 @@ decodeWith ::
   [Composite] ->
   IO ExitStatus
 decodeWith profile array near world options bare from composites = do
-  located <- recognised bare
   -- Where it is on the array is known without the objects; of a database those that lie there are
   -- read then.
-  objects' <- case recognisedAnswer located of
-    Right (Found found) -> near (map symbolCell (Map.elems (foundPlaces found)))
-    _ -> pure Nothing
+  objects' <- near (fromRight [] (cellsShown (tolerance options) bare composites))
   let reader = maybe bare (\there -> bare {recogniserPlacement = there}) objects'
-  recognition <- if isJust objects' then recognised reader else pure located
+  recognition <- orUnusable networkMessage (recogniseWith (tolerance options) reader composites)
   for_ ((,) <$> picture options <*> listToMaybe composites) $ \(file, composite) ->
     writeWhole file (pageSvg (page reader composite recognition))
   unless (picture options == Just standardOutput) $
@@ -286,8 +283,6 @@ decodeWith profile array near world options bare from composites = do
   where
     alphabet = readerAlphabet (recogniserReader bare)
     nameOf = elementNames bare
-    recognised reader =
-      orUnusable networkMessage (recogniseWith (tolerance options) reader composites)
     page reader composite recognition =
       recognitionPage
         alphabet

@@ -18,6 +18,7 @@ module PraTactile.Recognise
     Recognition (..),
     recognise,
     recogniseWith,
+    cellsShown,
     recognisedAngle,
     leastTilt,
 
@@ -45,7 +46,9 @@ module PraTactile.Recognise
 where
 
 import Data.List (partition)
+import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust, isNothing, mapMaybe)
+import PraTactile.Array (Position)
 import PraTactile.Classification.Network (NetworkError)
 import PraTactile.Classification.Part (Pixels (..))
 import PraTactile.Composite.Tilt (leastTilt, setUpright, tilt)
@@ -95,6 +98,17 @@ recogniseWith tolerance reader composites = do
           misplaced = layoutDoubts reader tolerance composites shown oneFrame layouts
       pure (doubting tolerance misplaced shown)
     _ -> pure shown
+
+-- | The cells of the array that composites show as their frames were put together, whatever lies
+-- there; none where they are not located. It is what 'recogniseWith' begins with.
+cellsShown ::
+  KnownField k => Tolerance -> Recogniser k -> [Composite] -> Either NetworkError [Position]
+cellsShown tolerance reader composites = cells . recognisedAnswer <$> shown
+  where
+    shown = recogniseAsPut tolerance reader composites
+    cells answer = case answer of
+      Right (Found found) -> map symbolCell (Map.elems (foundPlaces found))
+      _ -> []
 
 -- | 'recogniseWith' of composites as their frames were put together. Where the symbols are not
 -- nearly upright by their 'tilt', they are read both as they are and from the composites set
