@@ -1,5 +1,7 @@
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# LANGUAGE RankNTypes #-}
+{-# LANGUAGE TypeOperators #-}
 
 -- | Mistakes in solids, cells of faces, places on them, poses, nets and plates.
 module PraTactile.Conformance.Impostors.Objects
@@ -9,8 +11,9 @@ where
 
 import Control.Monad.Trans.Except (catchE)
 import Data.Aeson (Value (..))
-import Numeric.Natural (Natural)
-import PraTactile.Array (Shape (Shape))
+import Data.Type.Equality ((:~:) (..))
+import PraTactile.Array (Position, Shape (Shape))
+import PraTactile.Conformance.Implementation (Wire)
 import PraTactile.Conformance.Impostors.Impostor
 import PraTactile.Conformance.Question
 import PraTactile.Format.Object
@@ -41,14 +44,14 @@ objectImpostors =
 
 solidImpostors :: [Impostor]
 solidImpostors =
-  [ reported "takes-handles-for-defects" "tells every solid by V - E + F = 2" $ \_ it ->
+  [ told ofSolids "takes-handles-for-defects" "tells every solid by V - E + F = 2" $ \_ it ->
       it
         { reportComponents =
             [piece {componentGenus = 0 <$ componentGenus piece} | piece <- reportComponents it]
         },
-    reported "sees-no-faces-that-cut" "never asks whether faces cut each other" $ \_ it ->
+    told ofSolids "sees-no-faces-that-cut" "never asks whether faces cut each other" $ \_ it ->
       it {reportDefects = filter ((/= FacesIntersect) . defectKind) (reportDefects it)},
-    reported "takes-cavities-for-faults" "wants every piece outward" $ \it found ->
+    told ofSolids "takes-cavities-for-faults" "wants every piece outward" $ \it found ->
       found
         { reportDefects =
             reportDefects found
@@ -58,7 +61,7 @@ solidImpostors =
                      face <- take 1 (describedFaces it)
                  ]
         },
-    asked "rounds-coordinates" "takes coordinates to a thousandth" $ \it ->
+    asked ofSolids "rounds-coordinates" "takes coordinates to a thousandth" $ \it ->
       it
         { describedVertices =
             [ (v, Point (thousandth x) (thousandth y) (thousandth z))
@@ -66,7 +69,7 @@ solidImpostors =
                   describedVertices it
             ]
         },
-    asked "knows-vertices-by-their-places" "takes equal points for one vertex" $ \it ->
+    asked ofSolids "knows-vertices-by-their-places" "takes equal points for one vertex" $ \it ->
       let first p = head [v | (v, q) <- describedVertices it, p == q]
           known v = maybe v first (lookup v (describedVertices it))
        in it
@@ -76,102 +79,61 @@ solidImpostors =
   ]
   where
     thousandth x = fromInteger (round (1000 * x)) / 1000 :: Rational
-    reported :: String -> String -> (Description -> Report -> Report) -> Impostor
-    reported name mistake change =
-      withoutProfileOtherwise name mistake $ \right question -> case question of
-        SolidReport it -> change it <$> right question
-        _ -> right question
-    asked :: String -> String -> (Description -> Description) -> Impostor
-    asked name mistake change =
-      withoutProfileOtherwise name mistake $ \right question -> case question of
-        SolidReport it -> right (SolidReport (change it))
-        _ -> right question
 
 cellImpostors :: [Impostor]
 cellImpostors =
-  [ found "counts-the-whole-box" "counts all cells of the box round a face" $ map (map (const '#')),
-    found "leaves-the-rim" "leaves cells at the edges of the box" $ \rows ->
+  [ told ofCells "counts-the-whole-box" "counts all cells of the box round a face" $ \_ ->
+      map (map (const '#')),
+    told ofCells "leaves-the-rim" "leaves cells at the edges of the box" $ \_ rows ->
       [ [ if i `elem` [0, length rows - 1] || j `elem` [0, length line - 1] then '.' else mark
           | (j, mark) <- zip [0 ..] line
         ]
         | (i, line) <- zip [0 ..] rows
       ],
-    withoutProfileOtherwise "takes-any-corners" "finds no cell on what is no face" $
-      \right
-       question ->
-          case question of
-            FaceCells _ _ -> right question `catchE` const (pure [])
-            _ -> right question,
-    asked "measures-from-the-first-side" "takes x along the walk's first side" $ \corners pitch ->
-      (drop 1 corners ++ take 1 corners, pitch),
-    asked "exchanges-the-pitches" "takes the distance along a row for that along a column" $
-      \corners (right, down) -> (corners, (down, right))
+    unrefused ofCells "takes-any-corners" "finds no cell on what is no face" [],
+    asked ofCells "measures-from-the-first-side" "takes x along the walk's first side" $
+      \(corners, pitch) ->
+        (drop 1 corners ++ take 1 corners, pitch),
+    asked ofCells "exchanges-the-pitches" "takes the distance along a row for that along a column" $
+      \(corners, (right, down)) -> (corners, (down, right))
   ]
-  where
-    found :: String -> String -> ([String] -> [String]) -> Impostor
-    found name mistake change =
-      withoutProfileOtherwise name mistake $ \right question -> case question of
-        FaceCells _ _ -> change <$> right question
-        _ -> right question
-    asked ::
-      String ->
-      String ->
-      ([Point] -> (Rational, Rational) -> ([Point], (Rational, Rational))) ->
-      Impostor
-    asked name mistake change =
-      withoutProfileOtherwise name mistake $ \right question -> case question of
-        FaceCells corners pitch -> right (uncurry FaceCells (change corners pitch))
-        _ -> right question
 
 placeImpostors :: [Impostor]
 placeImpostors =
-  [ placed "names-one-corner" "names one vertex where several are as near" $ \_ it ->
+  [ told ofPlaces "names-one-corner" "names one vertex where several are as near" $ \_ it ->
       it {whereCorner = first it, whereCorners = take 1 (whereCorners it)},
-    placed "forgets-the-size-of-windows" "tells the middle of a window's upper left cell" $
-      \question it -> case question of
-        (mapped, Shape high wide) ->
-          let (right, down) = mappedPitch mapped
-              less size along = fromRational (along * (fromIntegral size - 1) / 2)
-           in it
-                { whereMillimetres =
-                    (\(x, y) -> (x - less wide right, y - less high down))
-                      <$> whereMillimetres it
-                },
-    placed "needs-one-cell" "is content with one cell of a face" $ \_ it ->
+    told ofPlaces "forgets-the-size-of-windows" "tells the middle of a window's upper left cell" $
+      \(mapped, Shape high wide, _) it ->
+        let (right, down) = mappedPitch mapped
+            less size along = fromRational (along * (fromIntegral size - 1) / 2)
+            before (x, y) = (x - less wide right, y - less high down)
+         in it {whereMillimetres = before <$> whereMillimetres it},
+    told ofPlaces "needs-one-cell" "is content with one cell of a face" $ \_ it ->
       case (whereOn it, whereFaces it) of
         (Just SeveralFaces, face : _) ->
           it {whereOn = Just OneFace, whereFace = Just face, whereFaces = [face]}
         _ -> it,
-    mapping "centres-whatever-margin" "centres every block on its face" $ \mapped ->
-      mapped {mappedLayings = [laid {drawnMargin = Nothing} | laid <- mappedLayings mapped]}
+    asked ofPlaces "centres-whatever-margin" "centres every block on its face" $
+      \(mapped, window, at) ->
+        let centred = [laid {drawnMargin = Nothing} | laid <- mappedLayings mapped]
+         in (mapped {mappedLayings = centred}, window, at)
   ]
   where
     first it = case whereCorners it of
       one : _ -> Just one
       [] -> Nothing
-    placed ::
-      String ->
-      String ->
-      ((Mapped, Shape) -> WhereaboutsReport -> WhereaboutsReport) ->
-      Impostor
-    placed name mistake change =
-      withoutProfileOtherwise name mistake $ \right question -> case question of
-        Whereabouts mapped window _ -> change (mapped, window) <$> right question
-        _ -> right question
-    mapping :: String -> String -> (Mapped -> Mapped) -> Impostor
-    mapping name mistake change =
-      withoutProfileOtherwise name mistake $ \right question -> case question of
-        Whereabouts mapped window at -> right (Whereabouts (change mapped) window at)
-        _ -> right question
 
 poseImpostors :: [Impostor]
 poseImpostors =
-  [ posed "turns-the-other-way" "tells the motion from the robot's frame to the object's" $
-      \(Pose (RigidMotion rows by) c) ->
+  [ told
+      ofPoses
+      "turns-the-other-way"
+      "tells the motion from the robot's frame to the object's"
+      $ \_ (Pose (RigidMotion rows by) c) ->
         let back = foldr (zipWith (:)) [[], [], []] rows
          in Pose (RigidMotion back (map (negate . sum . zipWith (*) by) back)) c,
-    posed "knows-no-lever" "leaves out what an error of the angle does to the translation" $
-      \(Pose motion c) ->
+    told ofPoses "knows-no-lever" "leaves out what an error of the angle does to the translation" $
+      \_ (Pose motion c) ->
         Pose
           motion
           [ [ if i == j || (i < 3 && j < 3) then x else 0
@@ -182,87 +144,55 @@ poseImpostors =
             ]
             | (i, line) <- zip [0 ..] c
           ],
-    withoutProfileOtherwise
-      "guesses-poses"
-      "tells that nothing moved where a pose is undetermined"
-      $ \right question -> case question of
-        FacePose _ ->
-          right question
-            `catchE` const (pure (Pose (RigidMotion (one 3) [0, 0, 0]) (one 6)))
-        _ -> right question,
-    felt "leaves-the-plane" "tells poses in the robot's frame, whatever the plane" $ \it ->
+    unrefused ofPoses "guesses-poses" "tells that nothing moved where a pose is undetermined" $
+      Pose (RigidMotion (one 3) [0, 0, 0]) (one 6),
+    asked ofPoses "leaves-the-plane" "tells poses in the robot's frame, whatever the plane" $ \it ->
       it
         { feltPlane = Nothing
         },
-    felt "sees-y-upwards" "takes the face's y for upwards" $ \it ->
+    asked ofPoses "sees-y-upwards" "takes the face's y for upwards" $ \it ->
       it {feltSeen = [((x, negate y), p) | ((x, y), p) <- feltSeen it]}
   ]
   where
     one n = [[if i == j then 1 else 0 | j <- [1 .. n]] | i <- [1 .. n :: Int]]
-    posed :: String -> String -> (Pose -> Pose) -> Impostor
-    posed name mistake change =
-      withoutProfileOtherwise name mistake $ \right question -> case question of
-        FacePose _ -> change <$> right question
-        _ -> right question
-    felt :: String -> String -> (Felt -> Felt) -> Impostor
-    felt name mistake change =
-      withoutProfileOtherwise name mistake $ \right question -> case question of
-        FacePose it -> right (FacePose (change it))
-        _ -> right question
 
 unfoldImpostors :: [Impostor]
 unfoldImpostors =
-  [ told "overlooks-overlaps" "counts what overlaps among the nets" $ \_ (bad, nets, rotated) ->
+  [ counted "overlooks-overlaps" "counts what overlaps among the nets" $ \_ (bad, nets, rotated) ->
       (0, nets + bad, rotated + bad),
-    told "turns-no-net-over" "counts mirror images as two nets" $ \_ (bad, _, rotated) ->
+    counted "turns-no-net-over" "counts mirror images as two nets" $ \_ (bad, _, rotated) ->
       (bad, rotated, rotated),
-    told "takes-every-way-for-a-net" "takes no two unfoldings for congruent" $
+    counted "takes-every-way-for-a-net" "takes no two unfoldings for congruent" $
       \trees (bad, _, _) -> (bad, trees - bad, trees - bad),
-    withoutProfileOtherwise "gives-up-early" "tells nothing of nets beyond 100 unfoldings" $
-      \right question -> case question of
-        Unfold _ -> do
-          it <- right question
-          pure (if unfoldedTrees it > 100 then it {unfoldedNets = Nothing} else it)
-        _ -> right question,
-    withoutProfileOtherwise "unfolds-anything" "finds no unfolding of what is no solid" $
-      \right question -> case question of
-        Unfold _ -> right question `catchE` const (pure (Unfolded 0 (Just (0, 0, 0))))
-        _ -> right question
+    told ofNets "gives-up-early" "tells nothing of nets beyond 100 unfoldings" $ \_ it ->
+      if unfoldedTrees it > 100 then it {unfoldedNets = Nothing} else it,
+    unrefused ofNets "unfolds-anything" "finds no unfolding of what is no solid" $
+      Unfolded 0 (Just (0, 0, 0))
   ]
   where
-    told ::
-      String ->
-      String ->
-      (Natural -> (Natural, Natural, Natural) -> (Natural, Natural, Natural)) ->
-      Impostor
-    told name mistake change =
-      withoutProfileOtherwise name mistake $ \right question -> case question of
-        Unfold _ -> do
-          Unfolded trees others <- right question
-          pure (Unfolded trees (change trees <$> others))
-        _ -> right question
+    counted name mistake change =
+      told ofNets name mistake $ \_ (Unfolded trees others) ->
+        Unfolded trees (change trees <$> others)
 
 plateImpostors :: [Impostor]
 plateImpostors =
-  [ asked "fills-holes" "raises all between the first and the last taxel of a row" $ \it ->
+  [ asked ofPlates "fills-holes" "raises all between the first and the last taxel of a row" $ \it ->
       it {plateShapes = map (map filled) (plateShapes it)},
-    asked "raises-one-symbol" "raises every symbol in the first one's shape" $ \it ->
+    asked ofPlates "raises-one-symbol" "raises every symbol in the first one's shape" $ \it ->
       it {plateSymbols = map (map (0 <$)) (plateSymbols it)},
-    made "leaves-out-the-relief" "tells the volume of the plate without its symbols" $ \plate it ->
-      let raised = length (filter (== '#') (concat [s | k <- used plate, s <- shape plate k]))
-          cubes = fromIntegral raised * plateTaxel plate ^ (3 :: Int)
-       in it {platedVolume = let (r, s) = platedVolume it in (r - cubes, s)},
-    made "forgets-the-back" "has no triangles below" $ \plate it ->
+    told ofPlates "leaves-out-the-relief" "tells the volume of the plate without its symbols" $
+      \plate it ->
+        let raised = length (filter (== '#') (concat [s | k <- used plate, s <- shape plate k]))
+            cubes = fromIntegral raised * plateTaxel plate ^ (3 :: Int)
+         in it {platedVolume = let (r, s) = platedVolume it in (r - cubes, s)},
+    told ofPlates "forgets-the-back" "has no triangles below" $ \plate it ->
       let corners = fromIntegral (length (plateCorners plate))
        in it
             { platedFaces = platedFaces it - (corners - 2),
               platedEdges = platedEdges it - (corners - 3)
             },
-    withoutProfileOtherwise "makes-it-thick-enough" "makes a plate that is too thin thicker" $
-      \right question -> case question of
-        Emboss it ->
-          right (Emboss it {plateThickness = max (plateThickness it) (2 * plateTaxel it)})
-        _ -> right question
+    asked ofPlates "makes-it-thick-enough" "makes a plate that is too thin thicker" $ \it ->
+      it {plateThickness = max (plateThickness it) (2 * plateTaxel it)}
   ]
   where
     filled line = case (break (== '#') line, break (== '#') (reverse line)) of
@@ -271,13 +201,80 @@ plateImpostors =
       _ -> line
     used plate = [fromIntegral k | Just k <- concat (plateSymbols plate)]
     shape plate k = concat (take 1 (drop k (plateShapes plate)))
-    asked :: String -> String -> (Plate -> Plate) -> Impostor
-    asked name mistake change =
-      withoutProfileOtherwise name mistake $ \right question -> case question of
-        Emboss it -> right (Emboss (change it))
-        _ -> right question
-    made :: String -> String -> (Plate -> Plated -> Plated) -> Impostor
-    made name mistake change =
-      withoutProfileOtherwise name mistake $ \right question -> case question of
-        Emboss it -> change it <$> right question
-        _ -> right question
+
+-- | The questions of an operation: what one of them asks, and the one that asks it.
+data Questions asked answer
+  = Questions
+      (forall other. Question other -> Maybe (asked, other :~: answer))
+      (asked -> Question answer)
+
+-- | Telling something else, given what is asked and what is to be told.
+told :: Questions asked answer -> String -> String -> (asked -> answer -> answer) -> Impostor
+told those name mistake change = edited those name mistake (\it -> fmap (change it))
+
+-- | Telling this instead of a refusal.
+unrefused :: Questions asked answer -> String -> String -> answer -> Impostor
+unrefused those name mistake instead =
+  edited those name mistake (\_ right -> right `catchE` const (pure instead))
+
+edited ::
+  Questions asked answer -> String -> String -> (asked -> Wire answer -> Wire answer) -> Impostor
+edited (Questions only _) name mistake change =
+  withoutProfileOtherwise name mistake $ \right question -> case only question of
+    Just (it, Refl) -> change it (right question)
+    Nothing -> right question
+
+-- | Answering another question.
+asked :: Questions asked answer -> String -> String -> (asked -> asked) -> Impostor
+asked (Questions only asking) name mistake change =
+  withoutProfileOtherwise name mistake $ \right question -> case only question of
+    Just (it, Refl) -> right (asking (change it))
+    Nothing -> right question
+
+ofSolids :: Questions Description Report
+ofSolids = Questions only SolidReport
+  where
+    only :: Question other -> Maybe (Description, other :~: Report)
+    only question = case question of
+      SolidReport it -> Just (it, Refl)
+      _ -> Nothing
+
+ofCells :: Questions ([Point], (Rational, Rational)) [String]
+ofCells = Questions only (uncurry FaceCells)
+  where
+    only :: Question other -> Maybe (([Point], (Rational, Rational)), other :~: [String])
+    only question = case question of
+      FaceCells corners pitch -> Just ((corners, pitch), Refl)
+      _ -> Nothing
+
+ofPlaces :: Questions (Mapped, Shape, Position) WhereaboutsReport
+ofPlaces = Questions only (\(mapped, window, at) -> Whereabouts mapped window at)
+  where
+    only :: Question other -> Maybe ((Mapped, Shape, Position), other :~: WhereaboutsReport)
+    only question = case question of
+      Whereabouts mapped window at -> Just ((mapped, window, at), Refl)
+      _ -> Nothing
+
+ofPoses :: Questions Felt Pose
+ofPoses = Questions only FacePose
+  where
+    only :: Question other -> Maybe (Felt, other :~: Pose)
+    only question = case question of
+      FacePose it -> Just (it, Refl)
+      _ -> Nothing
+
+ofNets :: Questions Description Unfolded
+ofNets = Questions only Unfold
+  where
+    only :: Question other -> Maybe (Description, other :~: Unfolded)
+    only question = case question of
+      Unfold it -> Just (it, Refl)
+      _ -> Nothing
+
+ofPlates :: Questions Plate Plated
+ofPlates = Questions only Emboss
+  where
+    only :: Question other -> Maybe (Plate, other :~: Plated)
+    only question = case question of
+      Emboss it -> Just (it, Refl)
+      _ -> Nothing

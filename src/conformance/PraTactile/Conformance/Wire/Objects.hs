@@ -44,6 +44,7 @@ import PraTactile.Format.Json.Codec (readKeys, readValue, writeObject, writeValu
 import PraTactile.Format.Object
 import PraTactile.Format.Placement (Drawing (..))
 import PraTactile.Format.Pose (motionCodec, poseCodec)
+import PraTactile.Format.Solid.Report (defectValue)
 import PraTactile.Object.Defect
 import PraTactile.Object.Description
 import PraTactile.Object.Placement (Face (..))
@@ -244,13 +245,6 @@ reportValue it =
           "volume_mm3" .= fmap exactValue (componentVolume piece),
           "convex" .= componentConvex piece,
           "inside" .= componentInside piece
-        ]
-    defectValue (Defect kind faces vertices measure) =
-      object
-        [ "kind" .= kindName kind,
-          "faces" .= map walkValue faces,
-          "vertices" .= map vertexText vertices,
-          "measure_mm" .= measure
         ]
 
 -- | Whether it is valid is said twice, and both must say the same.
