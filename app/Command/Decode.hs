@@ -11,7 +11,7 @@ import Control.Monad (unless, when)
 import Data.Either (fromRight)
 import Data.Foldable (for_)
 import Data.List.NonEmpty (nonEmpty)
-import Data.Maybe (fromMaybe, isJust, listToMaybe, mapMaybe)
+import Data.Maybe (fromMaybe, listToMaybe, mapMaybe)
 import Data.Traversable (for)
 import ExitStatus
 import FormatFile (readPlane)
