@@ -124,25 +124,23 @@ meeting tree = descended tree . meetsNode tree
 -- likewise, however slanted it is: no box that it passes by in the shadow on a plane of two axes.
 along :: Boxes -> Box -> Box -> [Int]
 along tree p@(Box a b c _ _ _) q@(Box a' b' c' _ _ _) =
-  descended tree $ \k ->
-    whole k && shadow k 0 x 1 y && shadow k 1 y 2 z && shadow k 2 z 0 x
+  descended tree (\k -> whole k && (k >= leaves tree || mayMeet k))
   where
+    mayMeet k = shadow k 0 a dx 1 b dy && shadow k 1 b dy 2 c dz && shadow k 2 c dz 0 a dx
     whole = meetsNode tree (p `around` q)
-    (x, y, z) = ((a, double (a' - a)), (b, double (b' - b)), (c, double (c' - c)))
+    (dx, dy, dz) = (double (a' - a), double (b' - b), double (c' - c))
     double = fromIntegral :: Int -> Double
     -- Coordinates are rounded, and so are machine numbers.
-    shadow k i (u, du) j (v, dv) =
+    shadow :: Int -> Int -> Int -> Double -> Int -> Int -> Double -> Bool
+    shadow k i u du j v dv =
       abs (du * t - dv * s) <= abs du * (high + off) + abs dv * (wide + off) + 2 * (abs s + abs t)
       where
-        (s, wide) = placed u i
-        (t, high) = placed v j
-        off = 4 + (abs s + abs t + wide + high + abs du + abs dv) / 2 ^ (40 :: Int)
-        placed from axis =
-          (double (least + most - from), double (most - least))
-          where
-            least = at axis `shiftR` 1
-            most = at (axis + 3) `shiftR` 1
-        at n = U.unsafeIndex (bounds tree) (6 * k + n)
+        (s, wide) = (double (most k i + least k i - u), double (most k i - least k i))
+        (t, high) = (double (most k j + least k j - v), double (most k j - least k j))
+        off = 4 + (abs s + abs t + wide + high + abs du + abs dv) * 2 ** (-40)
+    -- Halves of them, whose sum is a machine integer.
+    least k axis = U.unsafeIndex (bounds tree) (6 * k + axis) `shiftR` 1
+    most k axis = U.unsafeIndex (bounds tree) (6 * k + axis + 3) `shiftR` 1
 
 -- | Whether the box meets that of a node.
 meetsNode :: Boxes -> Box -> Int -> Bool

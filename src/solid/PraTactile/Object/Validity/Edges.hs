@@ -75,10 +75,12 @@ verticesOnEdges subject =
           [ (v, endsOf subject s)
             | e <- [0 .. edgeCount (sides subject) - 1],
               s <- take 1 (edgeSides (sides subject) e),
-              let (a, b) = (place (sideStart (sides subject) s), place (sideEnd (sides subject) s)),
-              i <- along tree (box a) (box b),
-              let v = used U.! i
-                  p = place v,
+              let (from, to) = (sideStart (sides subject) s, sideEnd (sides subject) s)
+                  (a, b) = (place from, place to),
+              v <- map (used U.!) (along tree (box a) (box b)),
+              v /= from,
+              v /= to,
+              let p = place v,
               dot (a `minus` p) (b `minus` p) < 0,
               cross (a `minus` p) (b `minus` p) == zero
           ]
