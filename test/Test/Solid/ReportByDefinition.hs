@@ -10,6 +10,7 @@ import PraTactile.Conformance.Laws.Solids
 import PraTactile.Object.Defect
 import PraTactile.Object.Description
 import PraTactile.Object.Mesh (fromDescription)
+import PraTactile.Object.Named (Named (..), namedDescription)
 import PraTactile.Object.Validity
 import System.Environment (lookupEnv)
 import Test.Hspec
@@ -39,10 +40,16 @@ spec = describe "the report on a polyhedron, beside the definition" $ do
     found (spikes ++ end) `shouldBe` []
     map defectVertices (found (spikes ++ reverse end))
       `shouldBe` [map VertexName ["19989", "19990", "19991", "19992"]]
-  it "looks for 100 000 pairs of faces that intersect, and says that there are more" $ do
-    let report = said (bundle 450)
-    length (filter ((== FacesIntersect) . defectKind) (reportDefects report)) `shouldBe` 100000
+  it "looks for so many pairs of faces that intersect, and says that there may be more" $ do
+    let report = examineUpTo 100 1000 (fromDescription (bundle 20))
+    length (filter ((== FacesIntersect) . defectKind) (reportDefects report)) `shouldBe` 100
     filter ((== FacesIntersect) . unexaminedKind) (reportNotExamined report)
+      `shouldBe` [Unexamined FacesIntersect [FacesIntersect]]
+  it "compares so many pairs of faces, and takes none for a solid of which there are more" $ do
+    let four = fromDescription (namedDescription (Tetrahedron 2))
+        told most = let it_ = examineUpTo 100 most four in (reportValid it_, reportDefects it_)
+    map told [5, 6] `shouldBe` [(False, []), (True, [])]
+    reportNotExamined (examineUpTo 100 5 four)
       `shouldBe` [Unexamined FacesIntersect [FacesIntersect]]
 
 -- | A polygon with these corners in a plane that leans.

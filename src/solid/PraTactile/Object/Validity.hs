@@ -11,6 +11,7 @@ module PraTactile.Object.Validity
     reportValid,
     intersecting,
     examine,
+    examineUpTo,
   )
 where
 
@@ -58,7 +59,13 @@ intersecting report = find ((== FacesIntersect) . defectKind) (reportDefects rep
 -- too many of these intersect or are to be compared, 'FacesIntersect' is told as not examined
 -- because of itself.
 examine :: Mesh -> Report
-examine it =
+examine = examineUpTo 100000 50000000
+
+-- | The same, given how many pairs of faces that intersect are looked for (n faces can have
+-- n^2 / 2), and how many are compared, whose boxes meet: as many there can be of long faces that
+-- lie side by side, each at an angle to all axes. For surfaces of triangles it is about 10 n.
+examineUpTo :: Int -> Int -> Mesh -> Report
+examineUpTo mostFound mostCompared it =
   Report
     { reportVertices = V.length (meshPoints it),
       reportEdges = edgeCount (sides subject),
@@ -69,7 +76,7 @@ examine it =
         [ Unexamined kind causes
           | (kind, reasons) <-
               rest,
-            let causes = present reasons,
+            let causes = present reasons ++ [kind | kind == FacesIntersect, more],
             some causes
         ]
     }
@@ -97,7 +104,8 @@ examine it =
     good = Set.toList (Set.fromList flatFaces Set.\\ Set.fromList (map fst crossed))
     onEdges = verticesOnEdges subject
     -- However often a face comes, it is compared with the others once.
-    (meetings, more) = intersections subject (filter (`Set.notMember` again) good)
+    (meetings, more) = intersections mostFound mostCompared subject once
+    once = filter (`Set.notMember` again) good
     again = Set.fromList (concatMap (drop 1) alike)
     alike = facesAlike it
     sound = null (present everything)
@@ -142,6 +150,5 @@ examine it =
         ( FacesIntersect,
           formless
             ++ [RepeatedFace, NoArea, NotPlanar, FaceCrossesItself]
-            ++ [FacesIntersect | more]
         )
       ]

@@ -57,10 +57,10 @@ crossingSelf subject flatFaces =
   where
     it = whole subject
 
--- | What faces have in common that do not cross themselves; and whether not all pairs were
--- compared.
-intersections :: Subject -> [Int] -> ([Defect], Bool)
-intersections subject good = look mostFound mostCompared near
+-- | What faces have in common that do not cross themselves, so many times at most and of so many
+-- pairs; and whether not all pairs were compared.
+intersections :: Int -> Int -> Subject -> [Int] -> ([Defect], Bool)
+intersections mostFound mostCompared subject good = look mostFound mostCompared near
   where
     near =
       [ (i, j)
@@ -84,15 +84,6 @@ intersections subject good = look mostFound mostCompared near
     tree = boxes around'
     plates = V.map (plateOf subject) faces
     measure square = squareRoot (square / fromInteger (meshDenominator it) ^ (2 :: Int))
-
--- | How many pairs of faces that intersect are looked for: n faces can have n^2 / 2 of them.
-mostFound :: Int
-mostFound = 100000
-
--- | How many pairs of faces are compared, whose boxes meet: as many there can be of long faces that
--- lie side by side, each at an angle to all axes. For surfaces of triangles it is about 10 n.
-mostCompared :: Int
-mostCompared = 50000000
 
 plateOf :: Subject -> Int -> Plate
 plateOf subject f = plate walk (cornersOf (whole subject) walk) (normals subject V.! f)
