@@ -63,8 +63,8 @@ selectCells between down across = do
   found <- bandsOver down
   counts <- for found $ \band -> do
     high <- common BandTable down (storedBandFromRow band, storedBandToRow band)
-    runs <- runsOver (storedBandFromRow band) across
-    for [(run, n) | run <- runs, Just n <- [storedRunLaying run]] $ \(run, laying) -> do
+    crossed <- runsOver (storedBandFromRow band) across
+    for [(run, n) | run <- crossed, Just n <- [storedRunLaying run]] $ \(run, laying) -> do
       wide <- common RunTable across (storedRunFromColumn run, storedRunToColumn run)
       pure (fromIntegral laying, (high * wide, selectSeat between laying))
   pure (Map.fromListWith more (concat counts))
