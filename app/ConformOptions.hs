@@ -85,7 +85,7 @@ conformOptions =
         ++ [(name, own) | (name, own@(_ : _ : _), _) <- stagesApart]
     stageHelp =
       "Try only the laws of a stage; may be repeated (default: all stages of the code); touch: \
-      \register, stitch and segment"
+      \register, stitch, segment and network"
     runHelp = "Try only the laws whose id fits, as in 'field/*' or commutes; may be repeated"
     knownHelp = "Laws that are known to fail: an id or a pattern a line, # before a comment"
     profileHelp =

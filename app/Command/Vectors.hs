@@ -18,7 +18,7 @@ import PraTactile.Conformance.Profiles (profileNamed)
 import PraTactile.Conformance.Question
   ( Operation,
     codeOperations,
-    objectOperations,
+    definedOperations,
     operationName,
   )
 import PraTactile.Conformance.Vectors
@@ -54,7 +54,7 @@ command =
     ]
     (run <$> (making <|> Check <$> folderOption "check" "Check the vectors in this folder"))
   where
-    operations = [(operationName one, one) | one <- codeOperations ++ objectOperations]
+    operations = [(operationName one, one) | one <- codeOperations ++ definedOperations]
     making =
       Make
         <$> folderOption "output" "Write the vectors here; files of the same name are replaced"
@@ -77,7 +77,7 @@ make folder chosen file seed = do
         [(name, prepare profile, among codeOperations) | (name, profile) <- profiles]
           ++ [ ("exact", pure (Right withoutAProfile), operations)
                | isNothing file,
-                 operations@(_ : _) <- [among objectOperations]
+                 operations@(_ : _) <- [among definedOperations]
              ]
   counts <- forM (filter (\(_, _, operations) -> not (null operations)) sets) $
     \(name, preparing, operations) -> do

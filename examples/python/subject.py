@@ -5,6 +5,7 @@ import json
 import os
 import sys
 
+import network
 from locate import Refused
 from operations import OPERATIONS, Errored
 from reading import array_of
@@ -25,8 +26,12 @@ def replied(compute):
 
 def run(array, request):
     operation = request.get("operation")
-    if type(operation) is not str or operation not in OPERATIONS:
+    if type(operation) is not str or operation not in {**OPERATIONS, **network.OPERATIONS}:
         return {"skipped": "no such operation", "link": "docs/conformance.md"}
+    if operation in network.OPERATIONS:
+        return replied(lambda: network.OPERATIONS[operation](request.get("input")))
+    if array is None:
+        return {"errored": "no profile is in force"}
     return replied(lambda: OPERATIONS[operation](array, request.get("input")))
 
 
@@ -77,7 +82,7 @@ class Session:
             return {
                 "protocol": 1,
                 "name": NAME,
-                "operations": list(OPERATIONS),
+                "operations": [*OPERATIONS, *network.OPERATIONS],
                 "in_flight": IN_FLIGHT,
             }
         if command == "profile":
@@ -85,8 +90,6 @@ class Session:
             return replied(lambda: self.open(request.get("profile")))
         if command == "run":
             sequence = {"sequence": request["sequence"]} if "sequence" in request else {}
-            if self.array is None:
-                return {**sequence, "errored": "no profile is in force"}
             return {**sequence, **run(self.array, request)}
         if command == "stop":
             return None

@@ -32,6 +32,9 @@ spec = do
   describe "in Python" $ do
     it "is certified" $
       withPython $ \python -> certified ["--cases", "8"] [python, "examples/python/subject.py"]
+    it "holds the laws of the network" $
+      withPython $ \python ->
+        heldAll (words "--stage network --cases 25") [python, "examples/python/subject.py"]
     it "is right in one-shot mode" $
       withPython $ \python ->
         heldAll

@@ -26,7 +26,7 @@
 --
 -- > for_ (lawProperties yours) (\(name, property) -> prop name property)
 --
--- The stages of touch, registration, stitching and segmentation, have laws of their own,
+-- The stages of touch, registration to the network, and of objects have laws of their own,
 -- 'runLawsWithoutProfile' and 'propertiesWithoutProfile'. The project's own test suite runs all of
 -- them on this library.
 module PraTactile.Conformance

@@ -29,6 +29,17 @@ spec = do
   for_ strangers $ \(name, laws', wrong) ->
     it ("of what errs as no impostor there is none: " ++ name) $
       causes laws' wrong `shouldReturn` []
+  for_ [(1e-13 :: Double, ["leaves-out-biases"]), (1e-6, [])] $ \(by, cause) ->
+    it ("of answers that part from an impostor's by " ++ show by ++ " it is " ++ show cause) $ do
+      Just one <- pure (impostorNamed "leaves-out-biases")
+      let right :: Question a -> Wire a
+          right = answerTo (withoutProfile (impostorMade one))
+          off :: Question a -> Wire a
+          off question = case question of
+            Outputs _ _ -> map (+ by) <$> right question
+            _ -> right question
+      causes ["network/outputs-as-defined"] (impostorMade one) {withoutProfile = answering off}
+        `shouldReturn` cause
   it "is told of three failing cases that agree, not of two, and not if one differs" $ do
     let (first', second, third) = (agreeing 2, agreeing 3, agreeing 4)
         agreeing rows' =
@@ -63,7 +74,10 @@ named =
     ("transposes-the-fold", "array/cell-as-defined"),
     ("packs-in-the-other-order", "window/pack-as-defined"),
     ("counts-places-from-one", "locate/every-window"),
-    ("takes-no-radius-for-none", "damage/guaranteed-radius")
+    ("takes-no-radius-for-none", "damage/guaranteed-radius"),
+    ("reads-images-by-columns", "network/outputs-as-defined"),
+    ("keeps-momentum-after-undoing", "network/descend-undoes-steps"),
+    ("stops-at-the-mean", "network/descend-ends")
   ]
 
 -- | Implementations that are wrong in another way than each impostor, and laws that find them.
@@ -149,7 +163,8 @@ causesIn :: [(String, Profile)] -> [String] -> Implementation -> IO [String]
 causesIn profiles names wrong = do
   suite <- either (fail . noSuiteText) pure (standardSuite profiles)
   subject <- inProcess wrong
-  report <- runSuite standardSettings {settingRun = names} suite (const (pure ())) [subject]
+  let settings = standardSettings {settingStages = [minBound ..], settingRun = names}
+  report <- runSuite settings suite (const (pure ())) [subject]
   let failed = [one | one <- reportLaws report, lawReportOutcome one == Failed]
   failed `shouldSatisfy` not . null
   pure (Set.toList (Set.fromList (mapMaybe lawReportLikely failed)))

@@ -19,7 +19,7 @@ import PraTactile.Array (Shape (..), area, naturalsBelow)
 import PraTactile.Conformance.Question
   ( Operation (..),
     codeOperations,
-    objectOperations,
+    definedOperations,
     operationName,
   )
 import PraTactile.Conformance.Vectors
@@ -55,7 +55,7 @@ shippedSpec = describe "those shipped" $ do
         made <- makeVectors 1 prepared operation >>= right
         bytes <- Lazy.readFile (shipped operation name)
         (name, operation, bytes == vectorsText made) `shouldBe` (name, operation, True)
-    forM_ objectOperations $ \operation -> do
+    forM_ definedOperations $ \operation -> do
       made <- makeVectors 1 withoutAProfile operation >>= right
       bytes <- Lazy.readFile (shipped operation "exact")
       (operation, bytes == vectorsText made) `shouldBe` (operation, True)
@@ -67,7 +67,7 @@ shippedSpec = describe "those shipped" $ do
       pure (map unbroken (Bytes8.unpack (minimumBy (comparing Bytes.length) files)))
     others <-
       forM
-        objectOperations
+        definedOperations
         (fmap (map unbroken . Bytes8.unpack) . Bytes.readFile . (`shipped` "exact"))
     let lines' = map ((,) "vectors") (texts ++ others)
     validated lines' >>= mapM_ (`shouldSatisfy` all ((== "good") . snd))
@@ -103,7 +103,7 @@ shippedSpec = describe "those shipped" $ do
   where
     everyFile =
       [shipped operation name | (name, _) <- vectorProfiles, operation <- codeOperations]
-        ++ [shipped operation "exact" | operation <- objectOperations]
+        ++ [shipped operation "exact" | operation <- definedOperations]
     exhaustive test
       | at ["proof", "kind"] test == Just "exhaustive" = at ["input"] test
       | otherwise = Nothing

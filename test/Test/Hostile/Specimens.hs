@@ -207,8 +207,12 @@ requests =
         SomeQuestion (Distance ["###", "###"]),
         SomeQuestion (Register (Pair (ramp 0) (ramp 1) (1, 0) 2)),
         SomeQuestion (Stitch 1 [Placed (ramp 0) (0, 0), Placed (ramp 2) (2, 0)]),
-        SomeQuestion (Segment (ramp 0))
+        SomeQuestion (Segment (ramp 0)),
+        SomeQuestion (Outputs weights image),
+        SomeQuestion (Descend weights (Training [(image, 1)] 3 0.5 0.5 0.1 1e-3))
       ]
+    weights = Weights (replicate 2 (replicate 97 0.25)) [[1, -1, 0.5], [0, 2, -0.5]]
+    image = replicate 12 (replicate 8 0.5)
     ramp from = [[1000 * (from + x) * (y + 1) `mod` 65536 | x <- [0 .. 7]] | y <- [0 .. 7]]
 
 -- | The truth of an exploration of the cube's face.

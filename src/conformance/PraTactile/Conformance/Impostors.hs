@@ -12,6 +12,7 @@ import Data.List (find)
 import PraTactile.Conformance.Impostors.Arrays
 import PraTactile.Conformance.Impostors.Fields
 import PraTactile.Conformance.Impostors.Impostor
+import PraTactile.Conformance.Impostors.Network
 import PraTactile.Conformance.Impostors.Objects
 import PraTactile.Conformance.Impostors.Openings
 import PraTactile.Conformance.Impostors.Places
@@ -36,6 +37,7 @@ impostors =
       [OnRegister] `touchedBy` registerImpostors,
       [OnStitch] `touchedBy` stitchImpostors,
       [OnSegment] `touchedBy` segmentImpostors,
+      [OnNetwork] `touchedBy` networkImpostors,
       [OnObjects] `touchedBy` objectImpostors
     ]
   where

@@ -66,6 +66,8 @@ data Stage
     OnRegister
   | OnStitch
   | OnSegment
+  | -- | What a network says of images, and how it is trained.
+    OnNetwork
   | -- | Solids, faces laid on an array, and poses.
     OnObjects
   deriving stock (Eq, Ord, Show, Enum, Bounded)
@@ -87,6 +89,7 @@ stageName stage = case stage of
   OnRegister -> "register"
   OnStitch -> "stitch"
   OnSegment -> "segment"
+  OnNetwork -> "network"
   OnObjects -> "objects"
 
 -- | The stages of the code, with the protocol that carries them.
@@ -95,7 +98,7 @@ codeStages = [OnProtocol .. OnChances]
 
 -- | The stages of touch.
 touchStages :: [Stage]
-touchStages = [OnRegister .. OnSegment]
+touchStages = [OnRegister .. OnNetwork]
 
 -- | The stage of objects.
 objectStages :: [Stage]

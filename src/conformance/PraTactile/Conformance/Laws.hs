@@ -14,6 +14,7 @@ import PraTactile.Conformance.Laws.Damage
 import PraTactile.Conformance.Laws.Draw (isVast)
 import PraTactile.Conformance.Laws.Field
 import PraTactile.Conformance.Laws.Locate
+import PraTactile.Conformance.Laws.Network
 import PraTactile.Conformance.Laws.Objects
 import PraTactile.Conformance.Laws.Opening
 import PraTactile.Conformance.Laws.Polynomials
@@ -45,4 +46,4 @@ notDrawnOfVast one = one {lawCases = \about -> few about (lawCases one about)}
 
 -- | The laws of touch and of objects, which know no profile, in the order of the stages.
 lawsWithoutProfile :: [Law ()]
-lawsWithoutProfile = registerLaws ++ stitchLaws ++ segmentLaws ++ objectLaws
+lawsWithoutProfile = registerLaws ++ stitchLaws ++ segmentLaws ++ networkLaws ++ objectLaws

@@ -21,6 +21,7 @@ import PraTactile.Array
     cellAt,
   )
 import PraTactile.Conformance.Implementation
+import PraTactile.Conformance.Library.Network
 import PraTactile.Conformance.Library.Objects
 import PraTactile.Conformance.Library.Touch
 import PraTactile.Conformance.Question hiding (Symbol (..))
@@ -54,10 +55,12 @@ library =
     { implementationName = "pra-tactile",
       offered = [minBound .. maxBound],
       open = \p -> either (refuse . unopened) pure (withProfile p (session p)),
-      withoutProfile = answering $ \question ->
-        if operationOf question `elem` touchOperations
-          then libraryTouch question
-          else libraryObjects question
+      withoutProfile = answering $ \question -> case question of
+        Outputs _ _ -> libraryNetwork question
+        Descend _ _ -> libraryNetwork question
+        _
+          | operationOf question `elem` touchOperations -> libraryTouch question
+          | otherwise -> libraryObjects question
     }
 
 -- | Why a profile is not opened: it is no array's, or that is not known.

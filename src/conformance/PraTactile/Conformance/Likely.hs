@@ -10,6 +10,7 @@ import Data.List (nub)
 import Data.Maybe (isJust)
 import PraTactile.Array (area)
 import PraTactile.Conformance.Ask
+import PraTactile.Conformance.Definition (agreesWithoutProfile)
 import PraTactile.Conformance.Direct
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Impostors
@@ -57,7 +58,20 @@ allAlike answers exchanges = case exchanges of
   [] -> pure True
   Exchange (Just operation) input wanted : rest -> do
     got <- verdictBy answers (ask (Raw operation input))
-    if either (RefusedFor . refusalReason) Result got == wanted
+    let reply = either (RefusedFor . refusalReason) Result got
+    if isAlike (someQuestion operation input) wanted reply
       then allAlike answers rest
       else pure False
   Exchange Nothing _ _ : rest -> allAlike answers rest
+
+-- | Whether two replies to a question are the same, or answers of which each would do for the
+-- other: numbers may part in their last digits.
+isAlike :: Maybe SomeQuestion -> Reply -> Reply -> Bool
+isAlike asked one other = one == other || agree
+  where
+    agree = case (asked, one, other) of
+      (Just (SomeQuestion question), Result a, Result b)
+        | Just a' <- readAnswer question a,
+          Just b' <- readAnswer question b ->
+          agreesWithoutProfile question a' b'
+      _ -> False

@@ -16,6 +16,7 @@ module PraTactile.Conformance.Question
     codeOperations,
     touchOperations,
     objectOperations,
+    definedOperations,
 
     -- * What they are about
     Code,
@@ -32,6 +33,9 @@ module PraTactile.Conformance.Question
     -- * Of touch
     module PraTactile.Conformance.Question.Touch,
 
+    -- * Of networks
+    module PraTactile.Conformance.Question.Network,
+
     -- * Of objects
     module PraTactile.Conformance.Question.Objects,
   )
@@ -40,6 +44,7 @@ where
 import Data.Aeson (Value)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Conformance.Question.Network
 import PraTactile.Conformance.Question.Objects
 import PraTactile.Conformance.Question.Touch
 import PraTactile.Format.Object (WhereaboutsReport)
@@ -182,6 +187,14 @@ data Question a where
   -- | the symbols of the shipped alphabet that lie wholly in a composite, in any order, each where
   -- its box of 8 x 12 taxels has its centre
   Segment :: Rows -> Question [Symbol]
+  -- | the values of a network's output units. Layers that do not fit each other and an image, an
+  -- image that is not 12 rows of 8 values, and a number above 10^15 in size are @invalid@
+  Outputs :: Weights -> Values -> Question [Double]
+  -- | where a training of a network ends. Refuses as 'Outputs' does, and no image, a class that is
+  -- none, more than 50 epochs, a rate that is not positive, a momentum that is not from 0 to 1, and
+  -- a negative goal or least gradient; and as @too-many-steps@ more than there is time for, which
+  -- no law asks
+  Descend :: Weights -> Training -> Question Descended
   -- | what there is to say of a polyhedron: its pieces, and all that is wrong with it. A name that
   -- is empty or has a space is @invalid@
   SolidReport :: Description -> Question Report
@@ -242,6 +255,8 @@ data Operation
   | OfRegister
   | OfStitch
   | OfSegment
+  | OfOutputs
+  | OfDescend
   | OfSolid
   | OfCells
   | OfWhereabouts
@@ -275,6 +290,8 @@ operationName operation = case operation of
   OfRegister -> "register"
   OfStitch -> "stitch"
   OfSegment -> "segment"
+  OfOutputs -> "outputs"
+  OfDescend -> "descend"
   OfSolid -> "solid"
   OfCells -> "cells"
   OfWhereabouts -> "whereabouts"
@@ -288,11 +305,15 @@ codeOperations = [OfAdd .. OfDistance]
 
 -- | The operations of touch.
 touchOperations :: [Operation]
-touchOperations = [OfRegister .. OfSegment]
+touchOperations = [OfRegister .. OfDescend]
 
 -- | The operations of objects.
 objectOperations :: [Operation]
 objectOperations = [OfSolid ..]
+
+-- | The operations that need no profile, and have a definition: those of networks and of objects.
+definedOperations :: [Operation]
+definedOperations = [OfOutputs ..]
 
 -- | The operation that a question asks for.
 operationOf :: Question a -> Operation
@@ -319,6 +340,8 @@ operationOf question = case question of
   Register _ -> OfRegister
   Stitch _ _ -> OfStitch
   Segment _ -> OfSegment
+  Outputs _ _ -> OfOutputs
+  Descend _ _ -> OfDescend
   SolidReport _ -> OfSolid
   FaceCells _ _ -> OfCells
   Whereabouts {} -> OfWhereabouts
@@ -352,6 +375,8 @@ exampleOf operation = case operation of
   OfRegister -> SomeQuestion (Register (Pair blank blank (0, 0) 1))
   OfStitch -> SomeQuestion (Stitch 1 [Placed blank (0, 0)])
   OfSegment -> SomeQuestion (Segment blank)
+  OfOutputs -> SomeQuestion (Outputs weights image)
+  OfDescend -> SomeQuestion (Descend weights (Training [(image, 0)] 1 1 0.5 0 0))
   OfSolid -> SomeQuestion (SolidReport (Description (ObjectName "") [] []))
   OfCells -> SomeQuestion (FaceCells [] (1, 1))
   OfWhereabouts ->
@@ -362,3 +387,5 @@ exampleOf operation = case operation of
   OfEmboss -> SomeQuestion (Emboss (Plate [] 1 2 [] []))
   where
     blank = replicate 4 (replicate 4 0)
+    image = replicate 12 (replicate 8 0)
+    weights = Weights [replicate 97 0] [[1, 0]]

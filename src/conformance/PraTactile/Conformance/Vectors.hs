@@ -34,6 +34,7 @@ import PraTactile.Conformance.Question
 import PraTactile.Conformance.Vectors.Canonical
 import PraTactile.Conformance.Vectors.Flag
 import PraTactile.Conformance.Vectors.Inputs
+import PraTactile.Conformance.Vectors.Network
 import PraTactile.Conformance.Vectors.Objects
 import PraTactile.Conformance.Wire
 import PraTactile.Format.Digest (digestOf)
@@ -113,13 +114,14 @@ makeVectors seed prepared operation = runExceptT (vectorsOf seed prepared operat
 
 vectorsOf :: Int -> Prepared -> Operation -> ExceptT String IO Vectors
 vectorsOf seed prepared@(Prepared about session) operation = do
-  groups <- traverse tested (maybe objectGroups (groupsOf seed) about operation)
+  groups <- traverse tested (maybe withoutProfileGroups (groupsOf seed) about operation)
   digest <-
     traverse
       (\(k, of') -> digested k session of')
       (about >>= \k -> (,) k <$> table k operation)
   pure (Vectors operation (knownProfile <$> about) digest (withoutRepeated groups))
   where
+    withoutProfileGroups one = networkGroups one ++ objectGroups one
     tested group =
       TestGroup (groupSource group)
         <$> traverse (testOf prepared operation (proofOf group)) (groupQuestions group)
@@ -166,11 +168,14 @@ testOf (Prepared about session) operation proof (SomeQuestion question) = do
     -- depend on the machine's logarithms in their last digits.
     shown wanted given = case question of
       Posterior _ -> answerValue question wanted
-      -- Far finer than poses are compared, and free of the last digits of sines.
+      -- Far finer than they are compared, and free of the last digits of sines and exponentials.
       FacePose _ -> answerValue question (toTenPlaces wanted)
+      Outputs _ _ -> answerValue question (map places wanted)
+      Descend _ _ -> answerValue question (descendedPlaces wanted)
       _ -> answerValue question given
     toTenPlaces (Pose (RigidMotion rows' by) covariance) =
       Pose (RigidMotion (map (map places) rows') (map places by)) (map (map places) covariance)
+    descendedPlaces (Descended e rate step) = Descended (places e) (places rate) step
     places x = fromInteger (round (x * 1e10)) / 1e10 :: Double
 
 -- | The two ways to an answer: the library's, and that of the definition.
@@ -195,6 +200,8 @@ roads operation = case operation of
   OfPosterior -> ("sums of logarithms", "products of exact fractions")
   OfProve -> ("visit and rank of powers of alpha", "counting contents, elimination of windows")
   OfDistance -> ("search among information sets", "the lightest of all windows")
+  OfOutputs -> ("products of matrices", "sums on lists")
+  OfDescend -> ("products of matrices", "sums on lists")
   OfSolid -> ("sweeps and trees of boxes", "everything compared with everything")
   OfCells -> ("lines that separate sides and cells", "strips between corners")
   OfWhereabouts -> ("runs of cells", "lists of cells")

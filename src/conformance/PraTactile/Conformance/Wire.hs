@@ -31,6 +31,7 @@ import qualified Data.Text as Text
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..))
 import PraTactile.Conformance.Question
+import PraTactile.Conformance.Wire.Network
 import PraTactile.Conformance.Wire.Objects
 import PraTactile.Conformance.Wire.Read
 import PraTactile.Conformance.Wire.Touch
@@ -62,6 +63,8 @@ questionInput question = case question of
   Register pair' -> pairValue pair'
   Stitch search frames -> framesValue search frames
   Segment rows -> compositeValue rows
+  Outputs weights rows -> outputsValue weights rows
+  Descend weights training -> descentValue weights training
   SolidReport it -> polyhedronValue it
   FaceCells corners pitch -> faceValue corners pitch
   Whereabouts mapped window at -> windowValue mapped window at
@@ -113,6 +116,8 @@ someQuestion operation input = case operation of
   OfRegister -> SomeQuestion . Register <$> (readObject input >>= readPair)
   OfStitch -> SomeQuestion . uncurry Stitch <$> (readObject input >>= readFrames)
   OfSegment -> SomeQuestion . Segment <$> (readObject input >>= readComposite)
+  OfOutputs -> SomeQuestion . uncurry Outputs <$> (readObject input >>= readOutputs)
+  OfDescend -> SomeQuestion . uncurry Descend <$> (readObject input >>= readDescent)
   OfSolid -> SomeQuestion . SolidReport <$> (readObject input >>= readPolyhedron)
   OfCells -> SomeQuestion . uncurry FaceCells <$> (readObject input >>= readFace)
   OfWhereabouts -> windowQuestion <$> (readObject input >>= readWindow)
@@ -162,6 +167,8 @@ answerValue question answer = case question of
   Register _ -> registeredValue answer
   Stitch _ _ -> correctionsValue answer
   Segment _ -> symbolsValue answer
+  Outputs _ _ -> toJSON answer
+  Descend _ _ -> descendedValue answer
   SolidReport _ -> reportValue answer
   FaceCells _ _ -> toJSON answer
   Whereabouts {} -> whereaboutsValue answer
@@ -223,6 +230,8 @@ readAnswer question = case question of
   Register _ -> readObject >=> readRegistered
   Stitch _ _ -> readObject >=> readCorrections
   Segment _ -> readObject >=> readSymbols
+  Outputs _ _ -> readItems readReal
+  Descend _ _ -> readObject >=> readDescended
   SolidReport _ -> readObject >=> readReport
   FaceCells _ _ -> readCells
   Whereabouts {} -> readObject >=> readWhereabouts

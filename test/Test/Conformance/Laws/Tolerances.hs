@@ -2,8 +2,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# LANGUAGE RankNTypes #-}
 
--- | For each scene of touch, and for poses, an answer just within its tolerance passes, and one
--- just beyond does not.
+-- | For each scene of touch, for networks and for poses, an answer just within its tolerance
+-- passes, and one just beyond does not.
 module Test.Conformance.Laws.Tolerances (spec) where
 
 import Data.Foldable (for_)
@@ -52,6 +52,14 @@ variants trial question wanted = case question of
   Segment _ -> Just (Answered (\a -> passes (segmenting a) trial) within' beyond')
     where
       (within', beyond') = aroundSymbols wanted
+  Outputs _ _ ->
+    let by size = [drop 1 wanted | size > 1e-9] ++ nearby (const size) wanted
+     in Just (Answered (\a -> passes (telling a) trial) (by 0.9e-9) (by 1.1e-9))
+  Descend _ _ ->
+    let Descended e rate step = wanted
+        by size = [Descended e' rate' step | [e', rate'] <- nearby ((* size) . (1 +)) [e, rate]]
+        others = [Descended e rate other | other <- [minBound ..], other /= step]
+     in Just (Answered (\a -> passes (ending a) trial) (by 0.9e-6) (by 1.1e-6 ++ others))
   FacePose _ ->
     let by size = aroundPose size wanted
      in Just (Answered (\a -> passes (posing a) trial) (by 0.9e-9) (by 1.1e-9))
@@ -71,10 +79,26 @@ variants trial question wanted = case question of
     segmenting answer asked = case asked of
       Segment _ -> Right answer
       _ -> Left (Refusal "not-offered")
+    telling :: [Double] -> Question b -> Either Refusal b
+    telling answer asked = case asked of
+      Outputs _ _ -> Right answer
+      _ -> Left (Refusal "not-offered")
+    ending :: Descended -> Question b -> Either Refusal b
+    ending answer asked = case asked of
+      Descend _ _ -> Right answer
+      _ -> Left (Refusal "not-offered")
     posing :: Pose -> Question b -> Either Refusal b
     posing answer asked = case asked of
       FacePose _ -> Right answer
       _ -> Left (Refusal "not-offered")
+
+-- | With one of the numbers so much larger, or smaller.
+nearby :: (Double -> Double) -> [Double] -> [[Double]]
+nearby by values =
+  [ before ++ (x + sign * by x) : after
+    | (before, x : after) <- map (`splitAt` values) [0 .. length values - 1],
+      sign <- [1, -1]
+  ]
 
 -- | With one number of the motion so many times itself and a millimetre further off.
 aroundPose :: Double -> Pose -> [Pose]

@@ -14,6 +14,7 @@ import Data.List (nub, sort)
 import qualified Data.Text as Text
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Classification.Traingdx (Outcome (Lower))
 import PraTactile.Conformance
 import PraTactile.Conformance.Law (Cases (..))
 import PraTactile.Conformance.Wire
@@ -48,7 +49,8 @@ spec = do
         for_ (otherTypes value) $ \other -> do
           let nullable =
                 name `elem` ["radius", "plane"] && other == Null
-                  || name == "sd_mm" && other == Number 1.5
+                  || name `elem` ["sd_mm", "rate", "momentum", "goal", "least_gradient"]
+                  && other == Number 1.5
           (operation, name, other, reads' (KeyMap.insert name other keys))
             `shouldBe` (operation, name, other, nullable)
   it "whole numbers of questions are not negative, but for exponents and displacements" $
@@ -147,6 +149,9 @@ questions =
          SomeQuestion (Register (Pair [[1, 2], [3, 4]] [[5, 6], [7, 8]] (9, -10) 11)),
          SomeQuestion (Stitch 3 [Placed [[1]] (2, -3), Placed [[4], [5]] (-6, 7)]),
          SomeQuestion (Segment [[1, 2, 3], [4, 5, 6]]),
+         SomeQuestion (Outputs (Weights [[1.5, -2], []] [[0.1]]) [[3, 0.25], [1e-3]]),
+         SomeQuestion
+           (Descend (Weights [] [[0.1]]) (Training [([[1.5]], large), ([], 2)] 7 0.5 0.25 1 1e-6)),
          SomeQuestion
            (SolidReport (Description "" [("A", Point (1 / 3) (-large'') 0)] [FaceName ["A", "B"]])),
          SomeQuestion (FaceCells [Point 0 (1 / 7) 2] (1 / 3, large'')),
@@ -202,6 +207,9 @@ keysOf operation = case operation of
   OfRegister -> ["a", "b", "step", "search"]
   OfStitch -> ["frames", "search"]
   OfSegment -> ["rows"]
+  OfOutputs -> ["hidden", "output", "rows"]
+  OfDescend ->
+    ["hidden", "output", "images", "epochs", "rate", "momentum", "goal", "least_gradient"]
   OfSolid -> ["vertices", "faces"]
   OfCells -> ["corners", "pitch_mm"]
   OfWhereabouts -> ["shape", "pitch_mm", "objects", "layings", "window", "row", "column"]
@@ -252,6 +260,10 @@ answers =
     Answered (Register (Pair [] [] (0, 0) 0)) (Registered (Just "blank") (0.5, 3) (False, False)),
     Answered (Stitch 0 []) [(1.5, -2), (0.25, 0)],
     Answered (Segment []) [Symbol (1.5, 2) 3, Symbol (4, 5.25) 179.5],
+    Answered (Outputs (Weights [] []) []) [0.25, 0, 1],
+    Answered
+      (Descend (Weights [] []) (Training [] 0 1 0 0 0))
+      (Descended 0.5 0.735 Lower),
     Answered
       (SolidReport (Description "" [] []))
       ( Report

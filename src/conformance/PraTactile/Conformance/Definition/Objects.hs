@@ -1,7 +1,7 @@
 {-# LANGUAGE GADTs #-}
 
--- | What the answers to questions about objects are, by definition: exactly, on lists, and sharing
--- no code with the library.
+-- | What the answers to questions about networks and objects are, by definition: on lists, those
+-- about objects exactly, and sharing no code with the library.
 module PraTactile.Conformance.Definition.Objects
   ( expectedWithoutProfile,
     agreesWithoutProfile,
@@ -12,6 +12,7 @@ import Data.List (genericLength, nub, sort, sortOn)
 import Data.Maybe (isNothing)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Conformance.Definition.Face
+import PraTactile.Conformance.Definition.Network
 import PraTactile.Conformance.Definition.Plate
 import PraTactile.Conformance.Definition.Pose
 import PraTactile.Conformance.Definition.Solid
@@ -27,9 +28,12 @@ import PraTactile.Object.Validity (Report (..))
 import PraTactile.Pose (Pose (..), RigidMotion (..))
 
 -- | The answer to a question that needs no profile, or the reason of its refusal. 'Nothing' for one
--- that needs a profile, and for one about touch, whose definition is in the scene that a law draws.
+-- that needs a profile, for one about frames, whose definition is in the scene that a law draws,
+-- and where two numbers are compared that are equal but for rounding.
 expectedWithoutProfile :: Question a -> Maybe (Either Refusal a)
 expectedWithoutProfile question = case question of
+  Outputs weights image -> Just (outputsOf weights image)
+  Descend weights training -> descendedTo weights training
   SolidReport it -> Just (Right (reportOf it))
   FaceCells corners pitch -> Just (cellsOf corners pitch)
   Whereabouts mapped window at -> Just (whereaboutsOf mapped window at)
@@ -135,9 +139,16 @@ whereaboutsOf (Mapped (Shape high wide) pitch objects layings) (Shape k1 k2) (Po
 
 -- | Whether an answer, the last argument, is as good as the expected one. Defects, and the faces
 -- and vertices of each, may come in any order, and so may faces and vertices of a place; lengths
--- are held to 10^-9 of themselves and of a millimetre.
+-- are held to 10^-9 of themselves and of a millimetre, outputs of a network to 10^-9, and error and
+-- rate of a training to 10^-6 of themselves and of 1.
 agreesWithoutProfile :: Question a -> a -> a -> Bool
 agreesWithoutProfile question wanted got = case question of
+  Outputs _ _ ->
+    length wanted == length got && and (zipWith (\a b -> abs (a - b) <= 1e-9) wanted got)
+  Descend _ _ ->
+    within 1e-6 (descendedError wanted) (descendedError got)
+      && within 1e-6 (descendedRate wanted) (descendedRate got)
+      && descendedStep wanted == descendedStep got
   SolidReport _ -> sameReport wanted got
   Whereabouts {} -> sameWhereabouts wanted got
   FacePose _ -> samePose wanted got
@@ -147,7 +158,10 @@ agreesWithoutProfile question wanted got = case question of
   _ -> False
 
 near :: Double -> Double -> Bool
-near a b = abs (a - b) <= 1e-9 * (1 + abs a)
+near = within 1e-9
+
+within :: Double -> Double -> Double -> Bool
+within most a b = abs (a - b) <= most * (1 + abs a)
 
 sameReport :: Report -> Report -> Bool
 sameReport wanted got =

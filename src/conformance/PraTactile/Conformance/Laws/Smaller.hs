@@ -17,8 +17,8 @@ import PraTactile.Conformance.Question
 import PraTactile.Object.Description (Description (..), FaceName (..), Point (..))
 import Test.QuickCheck (shrinkIntegral)
 
--- | The smaller questions, the smallest first. A raw one has none, and neither has one about touch,
--- whose scene is made smaller instead.
+-- | The smaller questions, the smallest first. A raw one has none, and neither has one about
+-- frames, whose scene is made smaller instead.
 smaller :: SomeQuestion -> [SomeQuestion]
 smaller (SomeQuestion question) = case question of
   Add a b -> [SomeQuestion (Add c d) | (c, d) <- pairs a b]
@@ -65,6 +65,18 @@ smaller (SomeQuestion question) = case question of
            | less <- smallerList (const []) (feltSeen felt),
              length less > 1
          ]
+  Outputs weights rows -> [SomeQuestion (Outputs less rows) | less <- smallerNetwork weights]
+  Descend weights it ->
+    [ SomeQuestion (Descend weights it {trainingEpochs = less})
+      | less <- smallerNatural (trainingEpochs it)
+    ]
+      ++ [ SomeQuestion (Descend weights it {trainingImages = less})
+           | less <- fewer (trainingImages it)
+         ]
+      ++ [ SomeQuestion (Descend less it)
+           | less <- smallerNetwork weights,
+             all ((< fromIntegral (length (weightsOutput less))) . snd) (trainingImages it)
+         ]
   Unfold it -> SomeQuestion . Unfold <$> smallerSolid it
   Emboss it ->
     [ SomeQuestion (Emboss it {plateSymbols = less})
@@ -84,6 +96,17 @@ smallerSolid it =
     ++ [it {describedVertices = less} | less <- each (traverse simpler) (describedVertices it)]
   where
     used = filter ((`elem` concatMap faceVertices (describedFaces it)) . fst) (describedVertices it)
+
+-- | Without one of the hidden units, or without the last output unit.
+smallerNetwork :: Weights -> [Weights]
+smallerNetwork (Weights hidden output) =
+  [ Weights (without j hidden) (map (without j) output)
+    | length hidden > 1,
+      j <- [0 .. length hidden - 1]
+  ]
+    ++ [Weights hidden (init output) | length output > 1]
+  where
+    without j xs = take j xs ++ drop (j + 1) xs
 
 -- | A point with whole coordinates.
 simpler :: Point -> [Point]
