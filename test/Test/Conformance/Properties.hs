@@ -60,7 +60,7 @@ spec = do
       let relief x y = sin (x * x / 40 + y / 3) + cos (y * y / 37 - x / 2) :: Double
           grey x y = round (30000 + 12000 * relief (fromInteger x) (fromInteger y))
           frame (dx, dy) = [[grey (x + dx) (y + dy) | x <- [1 .. w]] | y <- [1 .. h]]
-      let asked = Register (Pair (frame (0, 0)) (frame (5, 1)) (4, 0) 3)
+      let asked = Register Nothing (Pair (frame (0, 0)) (frame (5, 1)) (4, 0) 3)
       found <- runExceptT (answerTo (withoutProfile library) asked)
       let near (x, y) = max (abs (x - 5)) (abs (y - 1)) <= 0.5
       ((w, h), near . registeredBest <$> either (const Nothing) Just found)

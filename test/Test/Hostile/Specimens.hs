@@ -205,8 +205,8 @@ requests =
         SomeQuestion (Posterior [[Certainly 3, Probably [0, 0, 0.9, 0.1]], [Unfelt, Certainly 1]]),
         SomeQuestion (Prove ["##", ".#"]),
         SomeQuestion (Distance ["###", "###"]),
-        SomeQuestion (Register (Pair (ramp 0) (ramp 1) (1, 0) 2)),
-        SomeQuestion (Stitch 1 [Placed (ramp 0) (0, 0), Placed (ramp 2) (2, 0)]),
+        SomeQuestion (Register Nothing (Pair (ramp 0) (ramp 1) (1, 0) 2)),
+        SomeQuestion (Stitch Nothing 1 [Placed (ramp 0) (0, 0), Placed (ramp 2) (2, 0)]),
         SomeQuestion (Segment (ramp 0)),
         SomeQuestion (Outputs weights image),
         SomeQuestion (Descend weights (Training [(image, 1)] 3 0.5 0.5 0.1 1e-3))

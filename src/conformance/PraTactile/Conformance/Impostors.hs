@@ -34,6 +34,7 @@ impostors =
       [OnLocate .. OnChances] `touchedBy` locateImpostors,
       [OnDamage] `touchedBy` damageImpostors,
       [OnChances] `touchedBy` chanceImpostors,
+      [OnRegister, OnStitch] `touchedBy` alphabetImpostors,
       [OnRegister] `touchedBy` registerImpostors,
       [OnStitch] `touchedBy` stitchImpostors,
       [OnSegment] `touchedBy` segmentImpostors,

@@ -174,16 +174,19 @@ data Question a where
   Distance :: MaskRows -> Question Natural
   -- | where the second of two frames lies in the first: the only displacement of whole or broken
   -- taxels within the search at which both show the same relief, whatever is affine in their grey
-  -- values. Refused, with the most probable one all the same: @no-overlap@ if the frames meet at
+  -- values; where they show symbols of these shapes, 16 taxels apart along a row and 20 along a
+  -- column, the only one at which both belong to one lattice. 'Nothing' are the shapes for GF(4).
+  -- Refused, with the most probable one all the same: @no-overlap@ if the frames meet at
   -- none of them; @blank@ if one of them shows nothing; @one-axis@ if the displacement along one
   -- axis is fixed and that along the other is not; @ambiguous@ otherwise. Frames that differ in
   -- size, or are not of 4 x 4 to 256 x 256 taxels, are @invalid@. So are, here and below, rows of
-  -- different lengths, no row, none in a row, and a grey value above 'fullScale'
-  Register :: Pair -> Question Registered
+  -- different lengths, no row, none in a row, and a grey value above 'fullScale'; and shapes of
+  -- which there are none or more than 256, one is blank, or two are the same
+  Register :: Maybe Drawings -> Pair -> Question Registered
   -- | how far each frame is from where it should be, in the order of the frames, each at most so
   -- many taxels along each axis; a shift that is common to all of them means nothing. No frame, and
   -- frames as above, are @invalid@
-  Stitch :: Natural -> [Placed] -> Question [Taxels]
+  Stitch :: Maybe Drawings -> Natural -> [Placed] -> Question [Taxels]
   -- | the symbols of the shipped alphabet that lie wholly in a composite, in any order, each where
   -- its box of 8 x 12 taxels has its centre
   Segment :: Rows -> Question [Symbol]
@@ -337,8 +340,8 @@ operationOf question = case question of
   Posterior _ -> OfPosterior
   Prove _ -> OfProve
   Distance _ -> OfDistance
-  Register _ -> OfRegister
-  Stitch _ _ -> OfStitch
+  Register _ _ -> OfRegister
+  Stitch {} -> OfStitch
   Segment _ -> OfSegment
   Outputs _ _ -> OfOutputs
   Descend _ _ -> OfDescend
@@ -372,8 +375,8 @@ exampleOf operation = case operation of
   OfPosterior -> SomeQuestion (Posterior [[Certainly 1]])
   OfProve -> SomeQuestion (Prove ["#"])
   OfDistance -> SomeQuestion (Distance ["#"])
-  OfRegister -> SomeQuestion (Register (Pair blank blank (0, 0) 1))
-  OfStitch -> SomeQuestion (Stitch 1 [Placed blank (0, 0)])
+  OfRegister -> SomeQuestion (Register Nothing (Pair blank blank (0, 0) 1))
+  OfStitch -> SomeQuestion (Stitch Nothing 1 [Placed blank (0, 0)])
   OfSegment -> SomeQuestion (Segment blank)
   OfOutputs -> SomeQuestion (Outputs weights image)
   OfDescend -> SomeQuestion (Descend weights (Training [(image, 0)] 1 1 0.5 0 0))

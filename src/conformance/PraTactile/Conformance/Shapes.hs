@@ -1,12 +1,25 @@
 -- | The shapes that the questions of touch are about, and that scenes are drawn with.
 module PraTactile.Conformance.Shapes
   ( agreedAlphabet,
+    knownAlphabets,
+    drawingsOf,
   )
 where
 
-import PraTactile.Classification.Shipped (ShippedError, shippedAlphabet)
-import PraTactile.Shape (Alphabet)
+import PraTactile.Classification.Shipped (ShippedError, shippedAlphabet, shippedSizes)
+import PraTactile.Conformance.Question (Drawings)
+import PraTactile.Shape (Alphabet, bitmapRows, shapes)
 
 -- | Those for GF(4): the protocol names them by their file, @data/shapes.txt@.
 agreedAlphabet :: Either ShippedError Alphabet
 agreedAlphabet = shippedAlphabet 4
+
+-- | All that are shipped, by the number of classes.
+knownAlphabets :: [(Int, Alphabet)]
+knownAlphabets = [(q, known) | q <- shippedSizes, Right known <- [shippedAlphabet q]]
+
+-- | As a question has them.
+drawingsOf :: Alphabet -> Drawings
+drawingsOf = map (map (map mark) . bitmapRows) . shapes
+  where
+    mark raised = if raised then '#' else '.'

@@ -60,8 +60,8 @@ questionInput question = case question of
   Posterior chances -> object ["patch" .= map (map chanceValue) chances]
   Prove mask -> maskValue mask
   Distance mask -> maskValue mask
-  Register pair' -> pairValue pair'
-  Stitch search frames -> framesValue search frames
+  Register shapes pair' -> pairValue shapes pair'
+  Stitch shapes search frames -> framesValue shapes search frames
   Segment rows -> compositeValue rows
   Outputs weights rows -> outputsValue weights rows
   Descend weights training -> descentValue weights training
@@ -113,8 +113,8 @@ someQuestion operation input = case operation of
   OfPosterior -> SomeQuestion . Posterior <$> patch readChance
   OfProve -> SomeQuestion . Prove <$> at "mask" readMask
   OfDistance -> SomeQuestion . Distance <$> at "mask" readMask
-  OfRegister -> SomeQuestion . Register <$> (readObject input >>= readPair)
-  OfStitch -> SomeQuestion . uncurry Stitch <$> (readObject input >>= readFrames)
+  OfRegister -> SomeQuestion . uncurry Register <$> (readObject input >>= readPair)
+  OfStitch -> framesQuestion <$> (readObject input >>= readFrames)
   OfSegment -> SomeQuestion . Segment <$> (readObject input >>= readComposite)
   OfOutputs -> SomeQuestion . uncurry Outputs <$> (readObject input >>= readOutputs)
   OfDescend -> SomeQuestion . uncurry Descend <$> (readObject input >>= readDescent)
@@ -125,6 +125,7 @@ someQuestion operation input = case operation of
   OfUnfold -> SomeQuestion . Unfold <$> (readObject input >>= readPolyhedron)
   OfEmboss -> SomeQuestion . Emboss <$> (readObject input >>= readPlate)
   where
+    framesQuestion (shapes, search, frames) = SomeQuestion (Stitch shapes search frames)
     windowQuestion (mapped, window, place) = SomeQuestion (Whereabouts mapped window place)
     at :: Key -> (Value -> Maybe a) -> Maybe a
     at name reader = readObject input >>= readKey name reader
@@ -164,8 +165,8 @@ answerValue question answer = case question of
   Posterior _ -> toJSON (map likely answer)
   Prove _ -> proofValue answer
   Distance _ -> naturalValue answer
-  Register _ -> registeredValue answer
-  Stitch _ _ -> correctionsValue answer
+  Register _ _ -> registeredValue answer
+  Stitch {} -> correctionsValue answer
   Segment _ -> symbolsValue answer
   Outputs _ _ -> toJSON answer
   Descend _ _ -> descendedValue answer
@@ -227,8 +228,8 @@ readAnswer question = case question of
   Posterior _ -> readItems readLikely
   Prove _ -> readObject >=> readProof
   Distance _ -> readNatural
-  Register _ -> readObject >=> readRegistered
-  Stitch _ _ -> readObject >=> readCorrections
+  Register _ _ -> readObject >=> readRegistered
+  Stitch {} -> readObject >=> readCorrections
   Segment _ -> readObject >=> readSymbols
   Outputs _ _ -> readItems readReal
   Descend _ _ -> readObject >=> readDescended

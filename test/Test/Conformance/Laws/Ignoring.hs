@@ -226,8 +226,8 @@ anyAnswer question = case question of
   Posterior _ -> Just [(Position 0 0, 1)]
   Prove _ -> Just (Proof False Nothing 0)
   Distance _ -> Just 0
-  Register _ -> Just (Registered Nothing (0, 0) (True, True))
-  Stitch _ frames -> Just (map (const (0, 0)) frames)
+  Register _ _ -> Just (Registered Nothing (0, 0) (True, True))
+  Stitch _ _ frames -> Just (map (const (0, 0)) frames)
   Segment _ -> Just []
   Raw _ _ -> Just Null
   _ -> Nothing

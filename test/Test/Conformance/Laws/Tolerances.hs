@@ -43,10 +43,10 @@ data Answered = forall a. Answered (a -> Bool) [a] [a]
 -- | Answers around the one that is wanted, of the same question.
 variants :: Ask Verdict -> Question a -> a -> Maybe Answered
 variants trial question wanted = case question of
-  Register _ -> Just (Answered (\a -> passes (registering a) trial) within' beyond')
+  Register _ _ -> Just (Answered (\a -> passes (registering a) trial) within' beyond')
     where
       (within', beyond') = aroundRegistered wanted
-  Stitch _ _ -> Just (Answered (\a -> passes (stitching a) trial) within' beyond')
+  Stitch {} -> Just (Answered (\a -> passes (stitching a) trial) within' beyond')
     where
       (within', beyond') = aroundCorrections (toleranceOf wanted) wanted
   Segment _ -> Just (Answered (\a -> passes (segmenting a) trial) within' beyond')
@@ -69,11 +69,11 @@ variants trial question wanted = case question of
     toleranceOf corrections = if all (== (0, 0)) corrections then 0.25 else 0.5
     registering :: Registered -> Question b -> Either Refusal b
     registering answer asked = case asked of
-      Register _ -> Right answer
+      Register _ _ -> Right answer
       _ -> Left (Refusal "not-offered")
     stitching :: [Taxels] -> Question b -> Either Refusal b
     stitching answer asked = case asked of
-      Stitch _ _ -> Right answer
+      Stitch {} -> Right answer
       _ -> Left (Refusal "not-offered")
     segmenting :: [Symbol] -> Question b -> Either Refusal b
     segmenting answer asked = case asked of

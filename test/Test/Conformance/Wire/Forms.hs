@@ -53,9 +53,25 @@ spec = do
                   && other == Number 1.5
           (operation, name, other, reads' (KeyMap.insert name other keys))
             `shouldBe` (operation, name, other, nullable)
+  it "the shapes of a question about frames may be missing, but are nothing else than drawings" $
+    for_
+      [ SomeQuestion (Register (Just [["#.", ".#"], []]) (Pair [[1]] [[2]] (0, 0) 1)),
+        SomeQuestion (Stitch (Just [["#"]]) 1 [Placed [[1]] (0, 0)])
+      ]
+      $ \(SomeQuestion question) -> do
+        Object keys <- pure (questionInput question)
+        let with other = KeyMap.insert "alphabet" other keys
+            read' = fmap show . someQuestion (operationOf question) . Object
+        read' keys `shouldBe` Just (show (SomeQuestion question))
+        read' (KeyMap.delete "alphabet" keys) `shouldSatisfy` (/= Nothing)
+        for_ [Null, Bool True, String "#", toJSON [1 :: Int], toJSON ["#" :: String]] $ \other ->
+          (other, read' (with other)) `shouldBe` (other, Nothing)
   it "whole numbers of questions are not negative, but for exponents and displacements" $
-    for_ [SomeQuestion (Power 1 (-3)), SomeQuestion (Register (Pair [[1]] [[2]] (-4, -5) 6))] $
-      \(SomeQuestion question) ->
+    for_
+      [ SomeQuestion (Power 1 (-3)),
+        SomeQuestion (Register Nothing (Pair [[1]] [[2]] (-4, -5) 6))
+      ]
+      $ \(SomeQuestion question) ->
         (show <$> someQuestion (operationOf question) (questionInput question))
           `shouldBe` Just (show (SomeQuestion question))
   it "answers are read as they are written, and not with a part missing or of another type" $ do
@@ -108,7 +124,7 @@ spec = do
   it "whether frames were registered is said twice, alike; axes are x and y" $ do
     let registered outcome reason axes =
           readAnswer
-            (Register (Pair [] [] (0, 0) 0))
+            (Register Nothing (Pair [] [] (0, 0) 0))
             ( object
                 [ "outcome" .= (outcome :: String),
                   "reason" .= (reason :: Maybe String),
@@ -146,8 +162,8 @@ questions =
          SomeQuestion (Posterior [[Unfelt, Certainly 3], [Probably [0.25, 0.75], Probably []]]),
          SomeQuestion (Prove ["#.", "##"]),
          SomeQuestion (Distance ["#", "."]),
-         SomeQuestion (Register (Pair [[1, 2], [3, 4]] [[5, 6], [7, 8]] (9, -10) 11)),
-         SomeQuestion (Stitch 3 [Placed [[1]] (2, -3), Placed [[4], [5]] (-6, 7)]),
+         SomeQuestion (Register Nothing (Pair [[1, 2], [3, 4]] [[5, 6], [7, 8]] (9, -10) 11)),
+         SomeQuestion (Stitch Nothing 3 [Placed [[1]] (2, -3), Placed [[4], [5]] (-6, 7)]),
          SomeQuestion (Segment [[1, 2, 3], [4, 5, 6]]),
          SomeQuestion (Outputs (Weights [[1.5, -2], []] [[0.1]]) [[3, 0.25], [1e-3]]),
          SomeQuestion
@@ -256,9 +272,11 @@ answers =
     Answered (Prove []) (Proof True (Just 4) large),
     Answered (Prove []) (Proof False Nothing 3),
     Answered (Distance []) 2,
-    Answered (Register (Pair [] [] (0, 0) 0)) (Registered Nothing (0.5, -3) (True, True)),
-    Answered (Register (Pair [] [] (0, 0) 0)) (Registered (Just "blank") (0.5, 3) (False, False)),
-    Answered (Stitch 0 []) [(1.5, -2), (0.25, 0)],
+    Answered (Register Nothing (Pair [] [] (0, 0) 0)) (Registered Nothing (0.5, -3) (True, True)),
+    Answered
+      (Register Nothing (Pair [] [] (0, 0) 0))
+      (Registered (Just "blank") (0.5, 3) (False, False)),
+    Answered (Stitch Nothing 0 []) [(1.5, -2), (0.25, 0)],
     Answered (Segment []) [Symbol (1.5, 2) 3, Symbol (4, 5.25) 179.5],
     Answered (Outputs (Weights [] []) []) [0.25, 0, 1],
     Answered

@@ -3,7 +3,7 @@ module Test.Touch.Classification.GradientByDifferences (spec) where
 import Data.List (sort)
 import qualified Data.List.NonEmpty as NonEmpty
 import qualified Data.Vector.Storable as V
-import Numeric.LinearAlgebra (Matrix, accum, atIndex, fromLists, scale)
+import Numeric.LinearAlgebra (Matrix, accum, atIndex, fromLists)
 import PraTactile.Classification.Network
 import PraTactile.Classification.Regimen
 import PraTactile.Classification.Samples
@@ -15,7 +15,7 @@ import PraTactile.Shape
 import PraTactile.Symmetry (onRows, turned)
 import System.Random (mkStdGen)
 import Test.Hspec
-import Test.QuickCheck hiding (classify, generate, label, output, scale)
+import Test.QuickCheck hiding (classify, generate, label, output)
 import Test.Touch.Paper (paperAlphabet)
 
 spec :: Spec
@@ -85,38 +85,6 @@ spec = do
         `shouldBe` Left (WrongOutputCount 3 2)
 
   describe "Descent" $ do
-    it "its first step is -(1 - momentum) rate times the gradient" $
-      property $
-        withMaxSuccess 20 $
-          forAll problemGen $ \(n, images) ->
-            let stepped = do
-                  b <- batch (outputCount n) images
-                  (n', progress) <- train shippedDescent {initialRate = 1e-4, epochs = 1} b n
-                  (g1, g2) <- gradient n b
-                  expected <-
-                    network
-                      (hiddenUnits n - scale (0.05 * 1e-4) g1)
-                      (outputUnits n - scale (0.05 * 1e-4) g2)
-                  pure (greatestDifference n' expected, epochRate (lastEpoch progress))
-             in case stepped of
-                  Right (Just d, rate) -> (d < 1e-15, abs (rate - 1.05e-4) < 1e-15) === (True, True)
-                  other -> counterexample (show other) False
-    it "undoes an epoch in which the error grew by more than 4 %, and slows down" $ do
-      -- The output starts at a half for all six images, error 6/4; a step of that size along the
-      -- slope saturates it at 1, error 2.
-      let tried = do
-            n <- network (fromLists [replicate 97 0]) (fromLists [[0, 0]])
-            b <-
-              batch
-                1
-                ( (toRaster <$> replicate 6 shape)
-                    `zip` (replicate 4 (Just 0) ++ replicate 2 Nothing)
-                )
-            (n', progress) <- train shippedDescent {initialRate = 1e6, epochs = 1} b n
-            let end = lastEpoch progress
-            pure (n' == n, epochRate end, epochError end == errorBefore progress)
-          shape = head' (either (const []) shapes paperAlphabet)
-      tried `shouldBe` Right (True, 0.7e6, True)
     it "lessens the error within 50 epochs" $
       property $
         withMaxSuccess 10 $
@@ -255,9 +223,6 @@ greatest :: Double -> [Double] -> Maybe Int
 greatest least ys = case [k | (k, y) <- zip [0 ..] ys, y >= least, y == maximum ys] of
   [k] -> Just k
   _ -> Nothing
-
-head' :: [Bitmap] -> Bitmap
-head' = foldr const (bitmapWhere (\_ _ -> True))
 
 bit :: Bool -> Double
 bit e = if e then 1 else 0

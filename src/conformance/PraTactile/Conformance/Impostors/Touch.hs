@@ -2,7 +2,8 @@
 
 -- | Mistakes in registering, stitching and segmenting what was touched.
 module PraTactile.Conformance.Impostors.Touch
-  ( registerImpostors,
+  ( alphabetImpostors,
+    registerImpostors,
     stitchImpostors,
     segmentImpostors,
   )
@@ -12,6 +13,16 @@ import Data.List (minimumBy)
 import Data.Ord (comparing)
 import PraTactile.Conformance.Impostors.Impostor
 import PraTactile.Conformance.Question
+
+-- | In which shapes symbols have.
+alphabetImpostors :: [Impostor]
+alphabetImpostors =
+  [ withoutProfileOtherwise "knows-one-alphabet" "takes all shapes for the usual ones" $
+      \right question -> case question of
+        Register _ pair -> right (Register Nothing pair)
+        Stitch _ search frames -> right (Stitch Nothing search frames)
+        _ -> right question
+  ]
 
 -- | In where a frame lies, and in why that is not told.
 registerImpostors :: [Impostor]
@@ -26,19 +37,19 @@ registerImpostors =
       found {registeredReason = Nothing, registeredFixed = (True, True)},
     withoutProfileOtherwise "takes-the-least-frame" "cuts frames of two sizes to what both have" $
       \right question -> case question of
-        Register pair ->
+        Register shapes pair ->
           let (a, b) = (pairFirst pair, pairSecond pair)
               cut rows = map (take (least width)) (take (least length) rows)
               least f = min (f a) (f b)
               width rows = length (concat (take 1 rows))
-           in right (Register pair {pairFirst = cut a, pairSecond = cut b})
+           in right (Register shapes pair {pairFirst = cut a, pairSecond = cut b})
         _ -> right question
   ]
   where
     registered :: String -> String -> (Pair -> Registered -> Registered) -> Impostor
     registered name mistake change =
       withoutProfileOtherwise name mistake $ \right question -> case question of
-        Register pair -> change pair <$> right question
+        Register _ pair -> change pair <$> right question
         _ -> right question
 
 -- | The whole displacement within the search at which the mean squared difference is least.
@@ -67,18 +78,18 @@ stitchImpostors =
       \(Placed _ (px, py)) (x, y) -> (x + 0.05 * fromInteger px, y + 0.05 * fromInteger py),
     withoutProfileOtherwise "stitches-frames-of-any-size" "cuts frames of two sizes alike" $
       \right question -> case question of
-        Stitch search frames ->
+        Stitch shapes search frames ->
           let high = minimum (256 : [length rows | Placed rows _ <- frames])
               wide = minimum (256 : [length row | Placed rows _ <- frames, row <- rows])
               cut (Placed rows place) = Placed (map (take wide) (take high rows)) place
-           in right (Stitch search (map cut frames))
+           in right (Stitch shapes search (map cut frames))
         _ -> right question
   ]
   where
     stitched :: String -> String -> (Placed -> Taxels -> Taxels) -> Impostor
     stitched name mistake change =
       withoutProfileOtherwise name mistake $ \right question -> case question of
-        Stitch _ frames -> zipWith change frames <$> right question
+        Stitch _ _ frames -> zipWith change frames <$> right question
         _ -> right question
 
 -- | In where symbols are, and in what is one.

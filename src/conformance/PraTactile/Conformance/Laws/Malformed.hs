@@ -5,6 +5,7 @@
 module PraTactile.Conformance.Laws.Malformed
   ( malformed,
     rawWith,
+    noShapes,
   )
 where
 
@@ -59,6 +60,25 @@ inOne :: Array -> [Array]
 inOne items = case Vector.uncons items of
   Nothing -> []
   Just (first, rest) -> [Vector.cons other rest | other <- instead first]
+
+-- | Shapes that are none: no drawing, one of another size or with other marks, a blank one, the
+-- same one twice, and too many.
+noShapes :: [Drawings]
+noShapes =
+  [ [],
+    [drop 1 corner],
+    [corner ++ take 1 corner],
+    [map (drop 1) corner],
+    [map ('.' :) corner],
+    ["x......." : drop 1 corner],
+    [replicate 12 "........"],
+    [corner, corner],
+    [bits i : bits (i `div` 256) : drop 2 corner | i <- [0 .. 256]]
+  ]
+  where
+    corner = "##......" : replicate 11 "#......."
+    bits :: Int -> String
+    bits i = [if i `div` (2 ^ k) `mod` 2 == 1 then '#' else '.' | k <- [0 .. 7 :: Int]]
 
 -- | A question whose input has another value under a key.
 rawWith :: Question a -> Key -> Value -> SomeQuestion

@@ -7,28 +7,31 @@ module PraTactile.Conformance.Laws.Register
   )
 where
 
+import Data.Aeson (Value (Null))
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
 import PraTactile.Conformance.Laws.Relief
 import PraTactile.Conformance.Question
-import PraTactile.Format.Json.Codec (Codec, int, integer, key, object, pairOf)
+import PraTactile.Format.Json.Codec (Codec, int, integer, key, nullable, object, pairOf)
 import PraTactile.Symmetry (onOffset)
 import Test.QuickCheck (Gen, chooseInt, elements, shrinkIntegral)
 
 -- | The laws of registration.
 registerLaws :: [Law ()]
-registerLaws = placeLaws ++ refusalLaws ++ [invalidLaw]
+registerLaws = placeLaws ++ [latticeLaw] ++ refusalLaws ++ [invalidLaw]
 
 -- | Two frames of a relief: from which seed it is, the frames' width and height, the step that the
--- robot was to make, its error, and a number that says how the frames are changed.
+-- robot was to make, its error, a number that says how the frames are changed, and for how many
+-- classes shapes are stated.
 data Press = Press
   { pressSeed :: Int,
     pressSize :: WholeTaxels,
     pressStep :: WholeTaxels,
     pressError :: WholeTaxels,
-    pressChange :: Int
+    pressChange :: Int,
+    pressShapes :: Maybe Int
   }
 
 pressForm :: Codec Press
@@ -40,6 +43,7 @@ pressForm =
       <*> key "step" (pairOf integer) pressStep
       <*> key "error" (pairOf integer) pressError
       <*> key "change" int pressChange
+      <*> key "shapes" (nullable int) pressShapes
 
 genPress :: Gen Press
 genPress =
@@ -48,6 +52,7 @@ genPress =
     <*> elements [(8, 0), (0, 8), (8, 2), (3, 8)]
     <*> genError 2
     <*> chooseInt (0, 999)
+    <*> genShapes
 
 -- | Less of an error, a frame of 16 x 16, a step to the right, less of a change.
 smallerPress :: Press -> [Press]
@@ -56,13 +61,14 @@ smallerPress press =
     ++ [press {pressSize = (16, 16)} | pressSize press /= (16, 16)]
     ++ [press {pressStep = (8, 0)} | pressStep press /= (8, 0)]
     ++ [press {pressChange = c} | c <- shrinkIntegral (pressChange press), c >= 0]
+    ++ [press {pressShapes = Nothing} | Just _ <- [pressShapes press]]
 
 -- | The displacement, and the pair with a search of 3 taxels.
 pressed :: Press -> (WholeTaxels, Pair)
-pressed (Press seed size (sx, sy) (ex, ey) _) =
-  (shift, Pair (cut (0, 0)) (cut shift) (sx, sy) 3)
+pressed (Press seed size step by _ _) =
+  (shift, Pair (cut (0, 0)) (cut shift) step 3)
   where
-    shift = (sx + ex, sy + ey)
+    shift = moved step by
     cut = frameOf size (bumpy seed)
 
 placeLaws :: [Law ()]
@@ -121,15 +127,47 @@ placed what sentence reason change =
             registeredReason got == Nothing
               && registeredFixed got == (True, True)
               && near 0.5 shift (registeredBest got)
-       in if telling pair shift then asking pair wanted fits reason else pure Inapplicable
+       in if telling pair shift
+            then asking (fst (shapesFor (pressShapes press))) pair wanted fits reason
+            else pure Inapplicable
+
+-- | The law of frames that have hardly anything in common but the lattice.
+latticeLaw :: Law ()
+latticeLaw =
+  law
+    OnRegister
+    "by-the-lattice"
+    [OfRegister]
+    "two frames of symbols of the alphabet lie where the lattice of both lies, to half a taxel, \
+    \also where they have hardly anything in common"
+    theCut
+    $ \() -> Cases pressForm (Some genPress smallerPress) $ \press ->
+      let (stated, shapes) = shapesFor (pressShapes press)
+          cut = frameOf (16, 16) (lattice shapes (pressSeed press))
+          step = if even (pressChange press) then (14, 0) else (0, 14)
+          shift@(x, y) = moved step (pressError press)
+          wanted = Registered Nothing (fromInteger x, fromInteger y) (True, True)
+          fits got = registeredReason got == Nothing && near 0.5 shift (registeredBest got)
+       in asking
+            stated
+            (Pair (cut (0, 0)) (cut shift) step 3)
+            wanted
+            fits
+            "symbols stand 16 taxels apart along a row, and 20 along a column"
+
+moved :: WholeTaxels -> WholeTaxels -> WholeTaxels
+moved (x, y) (i, j) = (x + i, y + j)
 
 -- | Where all of this is from.
 theCut :: String
 theCut = "how the frames were cut; the protocol, register"
 
-asking :: Pair -> Registered -> (Registered -> Bool) -> String -> Ask Verdict
-asking pair wanted fits reason =
-  judge (Register pair) (Right wanted) fits "the scene" reason <$> ask (Register pair)
+asking ::
+  Maybe Drawings -> Pair -> Registered -> (Registered -> Bool) -> String -> Ask Verdict
+asking shapes pair wanted fits reason =
+  judge question (Right wanted) fits "the scene" reason <$> ask question
+  where
+    question = Register shapes pair
 
 near :: Double -> WholeTaxels -> Taxels -> Bool
 near most (x, y) (x', y') = max (abs (fromInteger x - x')) (abs (fromInteger y - y')) <= most
@@ -143,7 +181,8 @@ refusal what sentence reason scene =
       case scene press of
         Nothing -> pure Inapplicable
         Just (pair, wanted, fits) ->
-          asking pair wanted (\c -> registeredReason c == registeredReason wanted && fits c) reason
+          let same c = registeredReason c == registeredReason wanted
+           in asking Nothing pair wanted (\c -> same c && fits c) reason
 
 refusalLaws :: [Law ()]
 refusalLaws =
@@ -197,7 +236,6 @@ refusalLaws =
   ]
   where
     unknown reason (x, y) = Registered (Just reason) (fromInteger x, fromInteger y)
-    moved (x, y) (i, j) = (x + i, y + j)
 
 -- | Up to three edges that both frames show wherever within the search they lie.
 oneAxis :: Press -> Maybe (Pair, Registered, Registered -> Bool)
@@ -234,7 +272,7 @@ oneAxis press
 invalidLaw :: Law ()
 invalidLaw =
   invalid OnRegister "refuses-what-is-invalid" OfRegister $ \() ->
-    [ SomeQuestion (Register pair)
+    [ SomeQuestion (Register Nothing pair)
       | pair <-
           [ Pair a (frameOf (16, 15) relief (8, 0)) (8, 0) 3,
             Pair (take 3 a) (take 3 b) (0, 0) 1,
@@ -245,7 +283,9 @@ invalidLaw =
             Pair a (drop 1 b ++ [replicate 16 (fullScale + 1)]) (8, 0) 3
           ]
     ]
-      ++ malformed (Register (Pair a b (8, 0) 3))
+      ++ [SomeQuestion (Register (Just shapes) (Pair a b (8, 0) 3)) | shapes <- noShapes]
+      ++ [rawWith (Register Nothing (Pair a b (8, 0) 3)) "alphabet" other | other <- [Null, "#"]]
+      ++ malformed (Register Nothing (Pair a b (8, 0) 3))
   where
     relief = bumpy 1
     a = frameOf (16, 16) relief (0, 0)

@@ -6,6 +6,7 @@ module PraTactile.Conformance.Laws.Relief
     bumpy,
     edged,
     periodic,
+    lattice,
     frameOf,
 
     -- * Whether frames tell where they are
@@ -19,16 +20,20 @@ module PraTactile.Conformance.Laws.Relief
     -- * Drawn cases
     genSeed,
     genError,
+    genShapes,
+    shapesFor,
     smallerWhole,
   )
 where
 
 import Data.List (foldl')
+import Data.Maybe (fromMaybe)
 import Numeric.Natural (Natural)
 import PraTactile.Conformance.Question
+import PraTactile.Conformance.Shapes
 import PraTactile.Symmetry (Symmetry, onRows, symmetries)
-import System.Random (mkStdGen, randomRs)
-import Test.QuickCheck (Gen, chooseInt, chooseInteger, shrinkIntegral)
+import System.Random (mkStdGen, randomR, randomRs)
+import Test.QuickCheck (Gen, chooseInt, chooseInteger, elements, frequency, shrinkIntegral)
 
 -- | The grey value at a whole place of a surface without end: 0 to @highest@.
 type Relief = WholeTaxels -> Natural
@@ -74,6 +79,25 @@ periodic (p, q) (i, j) (x, y) = grey (wave p i x + wave q j y)
   where
     wave :: Integer -> Int -> Integer -> Double
     wave period at t = cos (2 * pi * (fromInteger t - fromIntegral at / 10) / fromInteger period)
+
+-- | Symbols 16 taxels apart along a row and 20 along a column, which one where by chance, sharp or
+-- blurred by 1, 2, 1 along both axes; from a seed, and so is where the lattice lies.
+lattice :: Drawings -> Int -> Relief
+lattice shapes seed (x, y)
+  | even seed = 4000 + 12000 * raised x y
+  | otherwise = 4000 + 750 * sum [by i * by j * raised (x + i) (y + j) | i <- side, j <- side]
+  where
+    side = [-1, 0, 1]
+    by i = if i == 0 then 2 else 1
+    (x0, y0) = (toInteger seed `div` 2 `mod` 16, toInteger seed `div` 32 `mod` 20)
+    raised u v
+      | i < 8 && j < 12 && shape !! fromInteger j !! fromInteger i == '#' = 1 :: Natural
+      | otherwise = 0
+      where
+        (column, i) = (u - x0) `divMod` 16
+        (row, j) = (v - y0) `divMod` 20
+        cell = mkStdGen (seed + fromInteger (7919 * column + 104729 * row))
+        shape = shapes !! fst (randomR (0, length shapes - 1) cell)
 
 -- | The frame of a width and height whose upper left taxel is at a place.
 frameOf :: (Integer, Integer) -> Relief -> WholeTaxels -> Rows
@@ -131,6 +155,17 @@ seen number = (symmetry, onRows symmetry)
 -- | A seed of a relief.
 genSeed :: Gen Int
 genSeed = chooseInt (0, 999999)
+
+-- | For how many classes a question states the shapes, if it does.
+genShapes :: Gen (Maybe Int)
+genShapes = frequency [(1, pure Nothing), (1, Just . fst <$> elements knownAlphabets)]
+
+-- | The shapes for so many classes; where nothing is stated, none are, but scenes have the usual
+-- ones.
+shapesFor :: Maybe Int -> (Maybe Drawings, Drawings)
+shapesFor stated = (known <$ stated, known)
+  where
+    known = concat [drawingsOf one | (q, one) <- knownAlphabets, q == fromMaybe 4 stated]
 
 -- | An error of at most so many taxels along each axis.
 genError :: Integer -> Gen WholeTaxels

@@ -7,6 +7,7 @@ module PraTactile.Conformance.Laws.Stitch
   )
 where
 
+import Data.Aeson (Value (Null))
 import Data.List (sortOn)
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Law
@@ -14,19 +15,20 @@ import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
 import PraTactile.Conformance.Laws.Relief
 import PraTactile.Conformance.Question
-import PraTactile.Format.Json.Codec (Codec, int, integer, key, listOf, object, pairOf)
+import PraTactile.Format.Json.Codec (Codec, int, integer, key, listOf, nullable, object, pairOf)
 import PraTactile.Symmetry (onOffset)
 import System.Random (mkStdGen, randoms)
 import Test.QuickCheck (Gen, chooseInt, elements, shrinkIntegral, vectorOf)
 
 -- | A survey of a relief: from which seed that is, how many frames across and down, each 8 taxels
--- from the next, the robot's error for each, row by row, and a number that says how the survey is
--- changed.
+-- from the next, the robot's error for each, row by row, a number that says how the survey is
+-- changed, and for how many classes shapes are stated.
 data Survey = Survey
   { surveySeed :: Int,
     surveySize :: WholeTaxels,
     surveyErrors :: [WholeTaxels],
-    surveyChange :: Int
+    surveyChange :: Int,
+    surveyShapes :: Maybe Int
   }
 
 surveyForm :: Codec Survey
@@ -37,6 +39,7 @@ surveyForm =
       <*> key "size" (pairOf integer) surveySize
       <*> key "errors" (listOf (pairOf integer)) surveyErrors
       <*> key "change" int surveyChange
+      <*> key "shapes" (nullable int) surveyShapes
 
 genSurvey :: Gen Survey
 genSurvey = do
@@ -45,6 +48,7 @@ genSurvey = do
     <*> pure size
     <*> vectorOf (fromInteger (columns * rows)) (genError 1)
     <*> chooseInt (0, 999)
+    <*> genShapes
 
 -- | Fewer frames, smaller errors, and less of a change.
 smallerSurvey :: Survey -> [Survey]
@@ -58,6 +62,7 @@ smallerSurvey survey =
            less <- smallerWhole one
        ]
     ++ [survey {surveyChange = c} | c <- shrinkIntegral (surveyChange survey), c >= 0]
+    ++ [survey {surveyShapes = Nothing} | Just _ <- [surveyShapes survey]]
   where
     errors = surveyErrors survey
 
@@ -65,13 +70,16 @@ smallerSurvey survey =
 type Truth = [(Placed, WholeTaxels)]
 
 surveyed :: Survey -> Truth
-surveyed (Survey seed (columns, rows) errors _) =
+surveyed survey = cutFrom (bumpy (surveySeed survey)) 8 survey
+
+-- | Cut from a relief, so many taxels apart.
+cutFrom :: Relief -> Integer -> Survey -> Truth
+cutFrom relief apart (Survey _ (columns, rows) errors _ _) =
   [ (Placed (frameOf (16, 16) relief (x + i, y + j)) (x, y), (i, j))
     | ((x, y), (i, j)) <- zip places errors
   ]
   where
-    places = [(8 * c, 8 * r) | r <- [0 .. rows - 1], c <- [0 .. columns - 1]]
-    relief = bumpy seed
+    places = [(apart * c, apart * r) | r <- [0 .. rows - 1], c <- [0 .. columns - 1]]
 
 -- | The laws of stitching.
 stitchLaws :: [Law ()]
@@ -130,6 +138,7 @@ stitchLaws =
                 | (Placed rows place, e) <- truth
               ]
       ),
+    latticeLaw,
     invalidLaw
   ]
 
@@ -147,14 +156,32 @@ found what sentence reason most before change =
   law OnStitch what [OfStitch] sentence "how the frames were cut; the protocol, stitch" $ \() ->
     Cases surveyForm (Some genSurvey smallerSurvey) $ \survey ->
       let truth = change (surveyChange survey) (surveyed (before survey))
-          errors = map (real . snd) truth
-          question = Stitch 2 (map fst truth)
-          fits got = length got == length errors && alike most errors got
        in if allTelling truth
-            then judge question (Right errors) fits "the scene" reason <$> ask question
+            then asking (fst (shapesFor (surveyShapes survey))) truth most reason
             else pure Inapplicable
+
+-- | The law of frames that have hardly anything in common but the lattice.
+latticeLaw :: Law ()
+latticeLaw =
+  law
+    OnStitch
+    "by-the-lattice"
+    [OfStitch]
+    "frames of symbols of the alphabet lie where the lattice of all lies, to half a taxel, also \
+    \where they have hardly anything in common"
+    "how the frames were cut; the protocol, stitch"
+    $ \() -> Cases surveyForm (Some genSurvey smallerSurvey) $ \survey ->
+      let (stated, shapes) = shapesFor (surveyShapes survey)
+          truth = cutFrom (lattice shapes (surveySeed survey)) 14 survey
+       in asking stated truth 0.5 "symbols stand 16 taxels apart along a row, and 20 along a column"
+
+asking :: Maybe Drawings -> Truth -> Double -> String -> Ask Verdict
+asking shapes truth most reason =
+  judge question (Right errors) fits "the scene" reason <$> ask question
   where
-    real (x, y) = (fromInteger x, fromInteger y)
+    question = Stitch shapes 2 (map fst truth)
+    errors = [(fromInteger x, fromInteger y) | (_, (x, y)) <- truth]
+    fits got = length got == length errors && alike most errors got
 
 -- | Whether displacements are the same to so many taxels, up to a shift of all.
 alike :: Double -> [Taxels] -> [Taxels] -> Bool
@@ -179,7 +206,7 @@ allTelling truth =
 invalidLaw :: Law ()
 invalidLaw =
   invalid OnStitch "refuses-what-is-invalid" OfStitch $ \() ->
-    [ SomeQuestion (Stitch 2 frames)
+    [ SomeQuestion (Stitch Nothing 2 frames)
       | frames <-
           [ [],
             [a, Placed (frameOf (16, 15) relief (8, 0)) (8, 0)],
@@ -189,7 +216,10 @@ invalidLaw =
             [a, Placed (replicate 16 (replicate 16 (fullScale + 1))) (8, 0)]
           ]
     ]
-      ++ malformed (Stitch 2 [a, Placed (frameOf (16, 16) relief (8, 0)) (8, 0)])
+      ++ [SomeQuestion (Stitch (Just shapes) 2 [a, b]) | shapes <- noShapes]
+      ++ [rawWith (Stitch Nothing 2 [a, b]) "alphabet" other | other <- [Null, "#"]]
+      ++ malformed (Stitch Nothing 2 [a, b])
   where
     relief = bumpy 1
     a = Placed (frameOf (16, 16) relief (0, 0)) (0, 0)
+    b = Placed (frameOf (16, 16) relief (8, 0)) (8, 0)

@@ -6,26 +6,27 @@ module PraTactile.Conformance.Library.Touch
   )
 where
 
-import Control.Applicative ((<|>))
 import Control.Monad (unless)
 import Data.Maybe (isNothing)
+import qualified Data.Text as Text
 import qualified Data.Vector as Vector
 import Numeric.Natural (Natural)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Question
-import PraTactile.Conformance.Shapes (agreedAlphabet)
+import PraTactile.Conformance.Shapes
 import PraTactile.Image (Raster, fromRows, mapRaster, rasterHeight, rasterWidth)
 import qualified PraTactile.Registration as Stitch
 import PraTactile.Registration.Pair
 import PraTactile.Segmentation.Turned (Featured (..), TurnedSegmentation (..), segmentTurned)
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
+import PraTactile.Shape (Alphabet, ShapeError (UnreadableLine), alphabet, bitmap)
 
 -- | Registration by the better of its methods, stitching as for an exact sensor, and segmentation
 -- at any angle.
 libraryTouch :: Question a -> Wire a
 libraryTouch question = case question of
-  Register pair -> registered pair
-  Stitch search frames -> stitched search frames
+  Register shapes pair -> tablesOf shapes >>= (`registered` pair)
+  Stitch shapes search frames -> tablesOf shapes >>= \made -> stitched made search frames
   Segment rows -> segmented rows
   _ -> notOffered
 
@@ -38,12 +39,12 @@ image rows = do
     then pure (mapRaster (/ fromIntegral fullScale) made)
     else refuse "invalid"
 
-registered :: Pair -> Wire Registered
-registered (Pair a b (x, y) search) = do
+registered :: AlphabetTables -> Pair -> Wire Registered
+registered known (Pair a b (x, y) search) = do
   a' <- image a
   b' <- image b
   match <- do
-    tables <- maybe (refuse "invalid") pure (tablesOf (rasterWidth a', rasterHeight a'))
+    tables <- maybe (refuse "invalid") pure (tablesOfPairs known (rasterWidth a', rasterHeight a'))
     either (const (refuse "invalid")) pure $
       registerPair
         tables
@@ -64,39 +65,53 @@ registered (Pair a b (x, y) search) = do
       Ambiguous -> "ambiguous"
       NoOverlap -> "no-overlap"
 
--- | The tables for frames of a width and height, if these are possible; those of small frames are
--- made once.
-tablesOf :: (Int, Int) -> Maybe Tables
-tablesOf (w, h)
-  | min w h < 4 || max w h > 256 = Nothing
-  | otherwise = small <|> made
+-- | What is made of an alphabet once.
+data AlphabetTables = AlphabetTables
+  { -- | for pairs of frames of a width and height, if these are possible; those of small frames are
+    -- made once
+    tablesOfPairs :: (Int, Int) -> Maybe Tables,
+    tablesOfFrames :: Stitch.LatticeTables
+  }
+
+alphabetTables :: Alphabet -> AlphabetTables
+alphabetTables known = AlphabetTables ofSize (Stitch.latticeTables known)
   where
-    made = either (const Nothing) (\known -> Just (tablesFor known w h)) agreedAlphabet
-    small
-      | max w h < 4 + smallSides = smallTables Vector.!? ((w - 4) * smallSides + h - 4)
-      | otherwise = Nothing
+    ofSize (w, h)
+      | min w h < 4 || max w h > 256 = Nothing
+      | max w h < 4 + smallSides = small Vector.!? ((w - 4) * smallSides + h - 4)
+      | otherwise = Just (tablesFor known w h)
+    -- Those of frames of 4 to 31 taxels a side, by width and then height.
+    small = Vector.generate (smallSides * smallSides) $ \i ->
+      let (w, h) = i `quotRem` smallSides in tablesFor known (4 + w) (4 + h)
+    smallSides = 28
 
--- | Those of frames of 4 to 31 taxels a side, by width and then height.
-smallTables :: Vector.Vector Tables
-smallTables = case agreedAlphabet of
-  Left _ -> Vector.empty
-  Right known -> Vector.generate (smallSides * smallSides) $ \i ->
-    let (w, h) = i `quotRem` smallSides in tablesFor known (4 + w) (4 + h)
+-- | Those of shapes, or of the usual ones; of shipped ones they are made once.
+tablesOf :: Maybe Drawings -> Wire AlphabetTables
+tablesOf shapes = case shapes of
+  Nothing -> maybe (refuse "invalid") pure (lookup 4 [(q, made) | (q, _, made) <- shippedTables])
+  Just drawings -> case [made | (_, known, made) <- shippedTables, known == drawings] of
+    made : _ -> pure made
+    [] -> either (const (refuse "invalid")) (pure . alphabetTables) (readDrawings drawings)
 
-smallSides :: Int
-smallSides = 28
+shippedTables :: [(Int, Drawings, AlphabetTables)]
+shippedTables = [(q, drawingsOf known, alphabetTables known) | (q, known) <- knownAlphabets]
 
--- | The tables that frames are stitched by, made once.
-agreedTables :: Maybe Stitch.LatticeTables
-agreedTables = either (const Nothing) (Just . Stitch.latticeTables) agreedAlphabet
+readDrawings :: Drawings -> Either ShapeError Alphabet
+readDrawings drawings = traverse one (zip [1 :: Int ..] drawings) >>= alphabet
+  where
+    one (i, rows) = (,) (Text.pack (show i)) <$> (traverse (traverse marked) rows >>= bitmap)
+    marked c = case c of
+      '#' -> Right True
+      '.' -> Right False
+      _ -> Left (UnreadableLine 1 (Text.singleton c))
 
 -- | The search is taken for two standard deviations of the robot's error.
-stitched :: Natural -> [Placed] -> Wire [Taxels]
-stitched search frames = do
+stitched :: AlphabetTables -> Natural -> [Placed] -> Wire [Taxels]
+stitched known search frames = do
   placed <- traverse frame frames
-  tables <- maybe (refuse "invalid") pure agreedTables
   made <-
-    either (const (refuse "invalid")) pure (Stitch.assemble tables Stitch.Automatic settings placed)
+    either (const (refuse "invalid")) pure $
+      Stitch.assemble (tablesOfFrames known) Stitch.Automatic settings placed
   pure (map Stitch.registeredShift (Stitch.assemblyFrames made))
   where
     settings =

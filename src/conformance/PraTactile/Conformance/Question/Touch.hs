@@ -5,6 +5,7 @@ module PraTactile.Conformance.Question.Touch
   ( Rows,
     WholeTaxels,
     Taxels,
+    Drawings,
     Pair (..),
     Registered (..),
     Placed (..),
@@ -23,6 +24,10 @@ type WholeTaxels = (Integer, Integer)
 
 -- | Taxels to the right and down.
 type Taxels = (Double, Double)
+
+-- | The shapes of symbols, a class each: 12 rows of 8 taxels, @#@ for one that is raised and @.@
+-- for one that is not.
+type Drawings = [[String]]
 
 -- | Two frames of one size.
 data Pair = Pair

@@ -24,38 +24,52 @@ where
 
 import Control.Monad (guard, (>=>))
 import Data.Aeson (Object, Value, object, toJSON, (.=))
+import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Maybe (isNothing)
 import Numeric.Natural (Natural)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Wire.Read
 import PraTactile.Format.Json (integerValue, naturalValue)
 
-pairValue :: Pair -> Value
-pairValue (Pair a b step search) =
-  object
+pairValue :: Maybe Drawings -> Pair -> Value
+pairValue shapes (Pair a b step search) =
+  object $
     [ "a" .= rowsValue a,
       "b" .= rowsValue b,
       "step" .= wholeValue step,
       "search" .= naturalValue search
     ]
+      ++ ["alphabet" .= some | Just some <- [shapes]]
 
-readPair :: Object -> Maybe Pair
-readPair fields =
-  Pair
-    <$> readKey "a" readRows fields
-    <*> readKey "b" readRows fields
-    <*> readKey "step" (readTwo readWhole) fields
-    <*> readKey "search" readNatural fields
+readPair :: Object -> Maybe (Maybe Drawings, Pair)
+readPair fields = (,) <$> readAlphabet fields <*> pair
+  where
+    pair =
+      Pair
+        <$> readKey "a" readRows fields
+        <*> readKey "b" readRows fields
+        <*> readKey "step" (readTwo readWhole) fields
+        <*> readKey "search" readNatural fields
 
-framesValue :: Natural -> [Placed] -> Value
-framesValue search frames =
-  object ["frames" .= map placed frames, "search" .= naturalValue search]
+-- | A key that may be missing.
+readAlphabet :: Object -> Maybe (Maybe Drawings)
+readAlphabet fields
+  | KeyMap.member "alphabet" fields =
+    Just <$> readKey "alphabet" (readItems (readItems readText)) fields
+  | otherwise = Just Nothing
+
+framesValue :: Maybe Drawings -> Natural -> [Placed] -> Value
+framesValue shapes search frames =
+  object $
+    ["frames" .= map placed frames, "search" .= naturalValue search]
+      ++ ["alphabet" .= some | Just some <- [shapes]]
   where
     placed (Placed rows place) = object ["rows" .= rowsValue rows, "place" .= wholeValue place]
 
-readFrames :: Object -> Maybe (Natural, [Placed])
+readFrames :: Object -> Maybe (Maybe Drawings, Natural, [Placed])
 readFrames fields =
-  (,) <$> readKey "search" readNatural fields
+  (,,) <$> readAlphabet fields
+    <*> readKey "search" readNatural fields
     <*> readKey "frames" (readItems (readObject >=> placed)) fields
   where
     placed frame =
