@@ -121,15 +121,20 @@ placed ::
 placed what sentence reason change =
   law OnRegister what [OfRegister] sentence theCut $ \() ->
     Cases pressForm (Some genPress smallerPress) $ \press ->
-      let (shift@(x, y), pair) = change (pressChange press) (pressed press)
-          wanted = Registered Nothing (fromInteger x, fromInteger y) (True, True)
-          fits got =
-            registeredReason got == Nothing
-              && registeredFixed got == (True, True)
-              && near 0.5 shift (registeredBest got)
+      let (shift, pair) = change (pressChange press) (pressed press)
        in if telling pair shift
-            then asking (fst (shapesFor (pressShapes press))) pair wanted fits reason
+            then lying (fst (shapesFor (pressShapes press))) shift pair reason
             else pure Inapplicable
+
+-- | Ask, and judge by where the second frame lies.
+lying :: Maybe Drawings -> WholeTaxels -> Pair -> String -> Ask Verdict
+lying shapes shift@(x, y) pair = asking shapes pair wanted fits
+  where
+    wanted = Registered Nothing (fromInteger x, fromInteger y) (True, True)
+    fits got =
+      registeredReason got == Nothing
+        && registeredFixed got == (True, True)
+        && near 0.5 shift (registeredBest got)
 
 -- | The law of frames that have hardly anything in common but the lattice.
 latticeLaw :: Law ()
@@ -145,14 +150,11 @@ latticeLaw =
       let (stated, shapes) = shapesFor (pressShapes press)
           cut = frameOf (16, 16) (lattice shapes (pressSeed press))
           step = if even (pressChange press) then (14, 0) else (0, 14)
-          shift@(x, y) = moved step (pressError press)
-          wanted = Registered Nothing (fromInteger x, fromInteger y) (True, True)
-          fits got = registeredReason got == Nothing && near 0.5 shift (registeredBest got)
-       in asking
+          shift = moved step (pressError press)
+       in lying
             stated
+            shift
             (Pair (cut (0, 0)) (cut shift) step 3)
-            wanted
-            fits
             "symbols stand 16 taxels apart along a row, and 20 along a column"
 
 moved :: WholeTaxels -> WholeTaxels -> WholeTaxels
