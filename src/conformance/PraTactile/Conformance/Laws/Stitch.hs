@@ -22,7 +22,7 @@ import Test.QuickCheck (Gen, chooseInt, elements, shrinkIntegral, vectorOf)
 
 -- | A survey of a relief: from which seed that is, how many frames across and down, each 8 taxels
 -- from the next, the robot's error for each, row by row, a number that says how the survey is
--- changed, and for how many classes shapes are stated.
+-- changed, and, where it is of symbols, for how many classes their shapes are stated.
 data Survey = Survey
   { surveySeed :: Int,
     surveySize :: WholeTaxels,
@@ -157,7 +157,7 @@ found what sentence reason most before change =
     Cases surveyForm (Some genSurvey smallerSurvey) $ \survey ->
       let truth = change (surveyChange survey) (surveyed (before survey))
        in if allTelling truth
-            then asking (fst (shapesFor (surveyShapes survey))) truth most reason
+            then asking Nothing truth most reason
             else pure Inapplicable
 
 -- | The law of frames that have hardly anything in common but the lattice.
