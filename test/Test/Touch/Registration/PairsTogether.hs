@@ -7,7 +7,7 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Composite.Blend (Taxels, minus)
 import PraTactile.Image
 import PraTactile.Registration.AllPairs
 import PraTactile.Registration.AllPairs.Field
