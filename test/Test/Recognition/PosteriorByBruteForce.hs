@@ -124,15 +124,17 @@ foreignBy share onArray cells every best
         + 0.01 * anyOf (wayUp best) here
     there = onArray (beginning best) . onFace cells (wayUp best)
 
--- | What is certain of a symbol: what the network knows where less than a tenth is in doubt, and of
--- a third of a symbol at least, where less than a thousandth is.
+-- | What is certain of a symbol: what the network knows where that is likeliest and less than a
+-- tenth is in doubt, and of a third of a symbol at least, where less than a thousandth is.
 certainly :: ReadSymbol -> Maybe (Symmetry, Int)
 certainly s
-  | readSeen s >= 1 = if doubt < 0.1 then readClass s else Nothing
-  | readSeen s >= 1 / 3 && doubt < 0.001 = Just (readLikeliest s)
+  | readSeen s >= 1 =
+    if doubt < 0.1 && readClass s == Just likeliest then Just likeliest else Nothing
+  | readSeen s >= 1 / 3 && doubt < 0.001 = Just likeliest
   | otherwise = Nothing
   where
-    doubt = sum [p | (what, p) <- readChances s, what /= readLikeliest s]
+    likeliest = readLikeliest s
+    doubt = sum [p | (what, p) <- readChances s, what /= likeliest]
 
 -- | The least number of these cells that are not zero anywhere on the torus: the code is linear.
 distanceOf :: (Position -> (Int, Int) -> Int) -> [(Int, Int)] -> Int
@@ -184,7 +186,15 @@ judged onArray others locating tolerance seen = case hypotheses onArray cells of
       beside = filter (isJust . certainly) (seenStrays seen ++ seenDissenters seen)
       wrong = length (filter (not . agrees) certain') + length beside
       own = nub [there at | (at, (o, _)) <- certain', o == wayUp best]
-      fitting = wrong <= radius
+      -- A complete one must be among those that agree.
+      fitting =
+        wrong <= radius
+          && or
+            [ readSeen s >= 1 && agrees (at, what)
+              | (at, here) <- Map.toList cells,
+                s <- here,
+                Just what <- [certainly s]
+            ]
       radius = case toleratedErrors tolerance of
         UpTo n -> fromIntegral n
         Guaranteed -> max 0 ((distanceOf torus own - 1) `div` 2)
