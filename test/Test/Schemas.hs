@@ -191,7 +191,9 @@ touching =
       "pra probe --object cube --seed 7 --turn 5 --output f5 --truth u.json > log; cat u.json"
     ),
     ("network", "pra network --json; pra network --q 9 data/alphabets/gf9/network.txt --json"),
-    ("network", "pra train --uncalibrated --regimen manual --seed 5 --output n.json > log; cat n.json"),
+    ( "network",
+      "pra train --uncalibrated --regimen manual --seed 5 --output n.json > log; cat n.json"
+    ),
     ( "classify",
       "pra images --set bitmap --count 1 --seed 1 --output bits > log; "
         ++ "pra classify bits/2_0.pgm --levels 0.25,0.75 --json; "
