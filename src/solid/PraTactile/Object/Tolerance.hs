@@ -198,13 +198,13 @@ common p = go p []
     -- (Gram and Schmidt), which leaves the point on them.
     go q _ [] = Just q
     go q before (Plane n d : others)
-      | norm along > 0 =
-        go (q `plusTimes` (missing / inner along normal, along)) (along : before) others
+      | norm off > 0 =
+        go (q `plusTimes` (missing / inner off normal, off)) (off : before) others
       | missing == 0 = go q before others
       | otherwise = Nothing
       where
         normal = exact n
-        along = foldl' (\u v -> u `plusTimes` (negate (inner normal v / norm v), v)) normal before
+        off = foldl' (\u v -> u `plusTimes` (negate (inner normal v / norm v), v)) normal before
         missing = d - inner normal q
     inner (a, b, c) (a', b', c') = a * a' + b * b' + c * c'
     plusTimes (a, b, c) (k, (x, y, z)) = (a + k * x, b + k * y, c + k * z)

@@ -321,8 +321,8 @@ type Triangle = [(Double, Double, Double)]
 
 -- | The triangles of a polyhedron, right of, below and above the first corner of a face.
 onFace :: [Point] -> Mesh -> [Triangle]
-onFace corners mesh =
-  [map (placed . pointAt mesh) (U.toList walk) | walk <- V.toList (meshWalks mesh)]
+onFace corners made =
+  [map (placed . pointAt made) (U.toList walk) | walk <- V.toList (meshWalks made)]
   where
     placed p = let v = way p in (v `along` right', v `along` down, v `along` up)
     way (Point x y z) = case corners of

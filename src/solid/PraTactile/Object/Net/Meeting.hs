@@ -145,6 +145,7 @@ sideOf it f = SideOf quick careful
       | otherwise = case turning cornerExactly line c of
         Just sums -> verdict (nearest (truncate . signum) sums)
         Nothing -> maybe Open verdict (refined line (NonEmpty.toList (turnings line c)))
+    verdict :: Int -> Meeting
     verdict sign = if sign > 0 then Overlapping else Apart
     onEnd (p, q) c = isJust (cornerGlued c) && cornerGlued c `elem` map cornerGlued [p, q]
     turnings (p, q) c =

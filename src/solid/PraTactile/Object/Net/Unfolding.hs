@@ -102,13 +102,13 @@ planarCorners it lying = V.imap (\f at -> V.imap (\i _ -> corner f i at) (corner
     corners f = templateCorners (unfolderTemplates it V.! f)
     unit = maybe 1 (squareRoot . templateUnit) (unfolderTemplates it V.!? 0)
     corner f i at =
-      nearest
+      fineEnough
         ( NonEmpty.zipWith
             (\to rung -> onPoint to (rungCorners rung V.! f V.! i))
             (lyingRungs at)
             (unfolderRungs it)
         )
-    nearest rungs = case NonEmpty.dropWhile rough rungs of
+    fineEnough rungs = case NonEmpty.dropWhile rough rungs of
       Planar x y : _ -> (unit * fromRational (middle x), unit * fromRational (middle y))
       [] -> (0, 0)
     rough (Planar x y) = radius x > tiny || radius y > tiny
