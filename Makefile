@@ -69,7 +69,7 @@ bench: setup ## the benchmarks
 	@tools/build.sh bench:bench
 	@$(CABAL) bench -v1
 
-# EXPLORATIONS=150 at each of four noises, some minutes for each field; a fit takes some thousands.
+# SYMBOLS=300 of each sensor and angle; about two minutes for each field.
 calibration: setup ## how many symbols are told and counted wrong with each shipped alphabet, by decade of doubt
 	@tools/build.sh bench:calibrate
 	@"$$(tools/cabal.sh list-bin -v0 bench:calibrate)" $(or $(SYMBOLS),300)

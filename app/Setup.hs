@@ -26,6 +26,7 @@ where
 
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Char (isSpace)
+import Data.Either (fromRight)
 import ExitStatus
 import Files (readBytes, readBytesUpTo)
 import Message
@@ -135,7 +136,7 @@ readerWith alphabet weights = do
 -- | How sure estimates of an alphabet's symbols are, where no file says it: as of the shipped
 -- alphabet of as many.
 calibrationFor :: Alphabet -> Calibration
-calibrationFor alphabet = either (const (standardCalibration q)) id (shippedCalibration q)
+calibrationFor alphabet = fromRight (standardCalibration q) (shippedCalibration q)
   where
     q = alphabetSize alphabet
 

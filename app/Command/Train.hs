@@ -101,13 +101,12 @@ run symbols options = do
   for_ (sureness options) orUnwritable
   (network, done) <- trainedAs (how options) alphabet options
   for_ (trace options) (`writeWhole` Lazy8.pack (traceCsv done))
-  -- It takes presses, and so is found only where it is written.
-  let sure
+  -- It takes presses, and so is found only where it is written, and once.
+  let found
         | calibrating options =
-          orUnusable imagesMessage (calibrated alphabet (templates alphabet) (outputs network) own)
-            >>= orUnusable networkMessage
-        | otherwise = pure (calibrationFor alphabet)
-      own = seed options
+          calibrated alphabet (templates alphabet) (outputs network) (seed options)
+        | otherwise = Right (Right (calibrationFor alphabet))
+      sure = orUnusable imagesMessage found >>= orUnusable networkMessage
   for_ (sureness options) $ \file ->
     sure >>= writeWhole file . Lazy.fromStrict . Text.encodeUtf8 . renderCalibration
   written <-

@@ -6,9 +6,10 @@ module PraTactile.Conformance.Shapes
   )
 where
 
+import qualified Data.Text as Text
 import PraTactile.Classification.Shipped (ShippedError, shippedAlphabet, shippedSizes)
 import PraTactile.Conformance.Question (Drawings)
-import PraTactile.Shape (Alphabet, bitmapRows, shapes)
+import PraTactile.Shape (Alphabet, drawBitmap, shapes)
 
 -- | Those for GF(4): the protocol names them by their file, @data/shapes.txt@.
 agreedAlphabet :: Either ShippedError Alphabet
@@ -20,6 +21,4 @@ knownAlphabets = [(q, known) | q <- shippedSizes, Right known <- [shippedAlphabe
 
 -- | As a question has them.
 drawingsOf :: Alphabet -> Drawings
-drawingsOf = map (map (map mark) . bitmapRows) . shapes
-  where
-    mark raised = if raised then '#' else '.'
+drawingsOf = map (map Text.unpack . Text.lines . drawBitmap) . shapes

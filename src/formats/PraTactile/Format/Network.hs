@@ -16,16 +16,17 @@ import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Aeson.Types (JSONPathElement (..))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Builder as Builder
-import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Scientific (toRealFloat)
+import qualified Data.Text as Text
+import Data.Text.Encoding (encodeUtf8)
 import PraTactile.Classification.Calibration (Calibration (..))
 import PraTactile.Classification.Network
 import PraTactile.Format.Digest
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Canonical
 import PraTactile.Format.Json.Codec
-import PraTactile.Shape (Alphabet, bitmapRows, shapes)
+import PraTactile.Shape (Alphabet, drawBitmap, shapes)
 
 -- | A network and where it comes from.
 data NetworkFile = NetworkFile
@@ -44,9 +45,7 @@ data NetworkFile = NetworkFile
 -- where it is embossed and @.@ elsewhere. Names do not matter. It is that of what @grep '^[#.]'@
 -- prints of a drawing file.
 alphabetDigest :: Alphabet -> String
-alphabetDigest = digestOf . Char8.pack . unlines . concatMap (map line . bitmapRows) . shapes
-  where
-    line = map (\embossed -> if embossed then '#' else '.')
+alphabetDigest = digestOf . encodeUtf8 . Text.concat . map drawBitmap . shapes
 
 -- | A network on one line, without its end.
 encodeNetwork :: NetworkFile -> ByteString

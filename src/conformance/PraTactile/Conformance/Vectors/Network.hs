@@ -42,7 +42,7 @@ networkGroups operation = case operation of
         ],
       chosen
         "What is no training."
-        [ Descend one (short {trainingImages = images, trainingEpochs = most})
+        [ Descend one (training {trainingImages = images, trainingEpochs = most})
           | (images, most) <-
               [([], 1), ([(flat, 1)], 1), ([(drop 1 flat, 0)], 1), ([(flat, 0)], 51)]
         ]
@@ -58,7 +58,6 @@ networkGroups operation = case operation of
         ]
         [[1, -1, 0.5], [-2, 0.5, 0], [0.5, 1, -1]]
     training = Training [(stroke, 0), (corner, 1), (noisy, 2)] 1 0.25 0.5 0 0
-    short = Training [(flat, 0)] 1 0.25 0.5 0 0
     flat = image (\_ _ -> 0)
     stroke = image (\_ c -> if c `elem` [2, 3] then 1 else 0)
     corner = image (\r c -> if r < 4 || c > 5 then 1 else 0)

@@ -15,7 +15,7 @@ module PraTactile.Conformance.Wire.Network
 where
 
 import Control.Monad ((>=>))
-import Data.Aeson (Object, Value, object, toJSON, (.=))
+import Data.Aeson (Object, Value, object, (.=))
 import PraTactile.Classification.Traingdx (outcomeName)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Wire.Read
@@ -66,7 +66,7 @@ readDescent fields = (,) <$> readWeights fields <*> training
 
 descendedValue :: Descended -> Value
 descendedValue (Descended e rate step) =
-  object ["error" .= e, "rate" .= rate, "step" .= toJSON (outcomeName step)]
+  object ["error" .= e, "rate" .= rate, "step" .= outcomeName step]
 
 readDescended :: Object -> Maybe Descended
 readDescended fields =
