@@ -288,7 +288,7 @@ foreignSpec array reader alphabetOfAll = do
     -- Six columns by frames of two, and as many rows; told along other axes whole frames move.
     let frames high wide flipped =
           [ PutFrame (25.4 * 2 * fromIntegral x, 31.75 * 2 * fromIntegral y) (0, 0) image Nothing
-            | y <- [0 .. high - 1],
+            | y <- [0 .. high - 1 :: Int],
               x <- [0 .. wide - 1 :: Int]
           ]
             `along` flipped
@@ -316,7 +316,7 @@ foreignSpec array reader alphabetOfAll = do
     told False acrossFlipped `shouldSatisfy` maybe False (< 1e-6)
     told False id `shouldBe` Just 0
     -- One frame across, of a column each: the array is its own column mirror.
-    let columns stated =
+    let ofColumns stated =
           axesDoubt
             [ (compositeOf (drawing (ours 4 3 (Position 6 5))))
                 { compositeDisplacements = replicate 3 (0, 0),
@@ -335,8 +335,8 @@ foreignSpec array reader alphabetOfAll = do
           [ PutFrame (flipped (25.4 * fromIntegral x, 0)) (0, 0) (constant 16 80 0) Nothing
             | x <- [0 .. 2 :: Int]
           ]
-    columns False `shouldSatisfy` near' 1e-6 (0.004 / 1.004)
-    columns True `shouldSatisfy` near' 1e-6 (0.001 / 1.001)
+    ofColumns False `shouldSatisfy` near' 1e-6 (0.004 / 1.004)
+    ofColumns True `shouldSatisfy` near' 1e-6 (0.001 / 1.001)
   it "a strip may have slipped by a cell, unless the array tells that it has not" $ do
     let strip classes x = (compositeOf (drawing classes)) {compositeOrigin = (x * 25.4, 0)}
         between a b = map (take (b - a) . drop a) (ours 5 4 (Position 6 5))

@@ -187,8 +187,8 @@ pitches = do
     forAll ((,,) <$> oneof [choose (0.05, 1), choose (1, 4)] <*> choose (1, 9) <*> choose (1, 30)) $
       \(ratio, w, h) ->
         let image = generate w h (\x y -> fromIntegral ((7 * x + 13 * y * y) `mod` 11))
-            exchanged raster =
-              generate (rasterHeight raster) (rasterWidth raster) (\x y -> at raster y x)
+            exchanged whole =
+              generate (rasterHeight whole) (rasterWidth whole) (\x y -> at whole y x)
             (one, other) = (exchanged (resampled ratio image), resampled ratio (exchanged image))
             apart = V.zipWith (\u v -> abs (u - v)) (rasterValues one) (rasterValues other)
          in rasterSize one === rasterSize other
