@@ -64,18 +64,26 @@ registerJointly settings fits frames = Joint centredEstimates thetas sigma phase
       ]
     grid = gridOf settings
     -- What few frames tell is kept; of many, or of large ones, it would take too much memory.
-    kept (place, _, fitted) = (place, fitLikelihood fitted)
-    again (place, seen, _) = (place, likelihood (tablesOf seen) seen)
+    kept (place, _, fitted) = (place, fitted)
+    again (place, seen, _) = (place, fitOf (tablesOf seen) seen)
     tablesOf = fitsTables fits . rasterSize . fst
     some = spacedOut phaseFrames onLattice
     small = sum (map pixelsOf some) <= phaseFrames * keptPixels
     pixelsOf (_, (image, _), _) = rasterWidth image * rasterHeight image
-    (phaseLog, (orientation, phase)) = commonPhase grid (map (if small then kept else again) some)
+    (phaseLog, (orientation, phase)) =
+      commonPhase grid (map (fmap fitSome . if small then kept else again) some)
     (thetas, displacements) =
       unzip (map (told . (if few then kept else again)) onLattice)
     few = small && length onLattice <= phaseFrames
-    told seen@(_, given) =
-      let !theta = likelihoodTheta given in (theta, displacementsOf grid orientation phase seen)
+    told (place, fitted) =
+      let !theta = likelihoodTheta (fitSome fitted)
+          displacements' = displacementsOf grid orientation phase . (,) place
+       in ( theta,
+            -- A frame that is at odds with the others.
+            case displacements' (fitSome fitted) of
+              [] -> displacements' (fitLikelihood fitted)
+              some' -> some'
+          )
     (posteriors, sigmas) = meanField grid displacements
     sigma
       | length onLattice < 2 = Nothing

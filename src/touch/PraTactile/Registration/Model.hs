@@ -16,11 +16,10 @@
 -- > T(u) = sum over the embossed taxels j of class k, turned by o, of g(u - x - j)
 -- > g(t) = G(t_x) G(t_y),    G(t) = Phi((t + 1/2) / beta) - Phi((t - 1/2) / beta)
 --
--- where Phi is the normal distribution function. On a lattice at an angle the taxels j are turned
--- with it, and g, which is nearly the same in all directions, is not. In the sum of the squares of
--- T a taxel of which a symbol brings less than a hundredth counts for nothing, nor does what comes
--- from more than three taxels away. Places x are those from which a symbol's taxels come within two
--- taxels of the frame.
+-- where Phi is the normal distribution function, and G is 0 from three taxels on. On a lattice at
+-- an angle the taxels j are turned with it, and g, which is nearly the same in all directions, is
+-- not. In the sum of the squares of T a taxel of which a symbol brings less than a hundredth counts
+-- for nothing. Places x are those from which a symbol's taxels come within two taxels of the frame.
 --
 -- = A tilted press
 --
@@ -74,7 +73,7 @@
 -- = One frame: expectation and maximisation
 --
 -- Phases and classes are summed; theta is maximised, by steps each of which makes p(z) no smaller
--- (phases of w below 10^-6 are left out of a step):
+-- (phases of w, and symbols of exp (l_k - l), below 10^-6 are left out of a step):
 --
 -- > eStep:  w(lambda) ~ exp L(lambda),    p_k(x) = P(k) exp (l_k(x) - l(x))
 -- > mStep:  Y, S, Q = sum of w(lambda) p_k(x) times <z, T>, sum T, sum T^2,
@@ -88,8 +87,8 @@
 --
 -- From coarse to fine: four steps at whole taxels, the first over all phases, the others over those
 -- that it leaves likely (within e^30 of the best); then one at half taxels, over the phases less
--- than a taxel from one that is likely still. Where a phase that was left out turns out to matter,
--- the steps are taken over all.
+-- than a taxel from one that is likely still. No other phase is looked at, unless all of these have
+-- the frame where the robot's error does not let it be.
 --
 -- The angle alpha is maximised too, over the sum of log p(z) of a few frames: at whole taxels over
 -- the circle, then by two degrees, and by a parabola's vertex
@@ -333,6 +332,7 @@ classPrior count = (1 - absence) / fromIntegral count
 -- | l from l_k, given the number of classes. What is less likely by 'negligible' does not count.
 cellLog :: Int -> (Int -> Double) -> Double
 cellLog count at
+  | m < negate negligible = none
   | m <= 0 = sumOf 0 absence
   | m > negligible = sumOf m 0
   | otherwise = sumOf m (absence * exp (negate m))

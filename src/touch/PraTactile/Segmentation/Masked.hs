@@ -139,13 +139,12 @@ beside pixels p (i, j)
 -- | The pixels whose distance from some, the larger one of that in columns and that in rows, is at
 -- most this.
 around :: Masked -> Int -> [Int] -> IntSet
-around pixels distance some =
-  IntSet.fromList
-    [ p'
-      | p <- some,
-        by <- [(i, j) | j <- [-distance .. distance], i <- [-distance .. distance]],
-        Just p' <- [beside pixels p by]
-    ]
+around pixels distance =
+  IntSet.fromList . widened [(0, j) | j <- near] . IntSet.toAscList . IntSet.fromList
+    . widened [(i, 0) | i <- near]
+  where
+    near = [-distance .. distance]
+    widened steps some = [p' | p <- some, by <- steps, Just p' <- [beside pixels p by]]
 
 -- | Whether a pixel is one of some: by a table of all where these are many of them.
 among :: Masked -> [Int] -> Int -> Bool

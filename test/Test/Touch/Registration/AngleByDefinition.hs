@@ -50,7 +50,7 @@ spec =
         { fitsAngle = angle,
           fitsTables = error "no table is needed",
           fitsFrames =
-            [ Fit (r angle) (f angle) (error "nor all that is told") 1
+            [ Fit (r angle) (f angle) (error "nor what is told") (error "nor all of it") 1
               | (r, f) <- zip roughly finely
             ]
         }
@@ -89,11 +89,15 @@ defined ::
   [Double -> Double] ->
   Maybe Double
 defined processes hint images roughly finely
-  | shown 0 && fine 0 > fine 3 && fine 0 > fine (-3) = Just 0
-  | otherwise = find shown (map best [0 : nearHint, [-90, -81 .. 81]])
+  | shown 0 && fine 5 0 > fine 5 3 && fine 5 0 > fine 5 (-3) = Just 0
+  | otherwise =
+    find
+      shown
+      [ best (likeliest (0 : concat [[a, a + 90] | Just a <- [hint]])),
+        best (settled (likeliest [-90, -81 .. 81]))
+      ]
   where
-    nearHint = concat [[a, a + 90] | Just a <- [hint]]
-    best = nearly0 . folded . settled . likeliest
+    best = nearly0 . folded . uphill (3 :: Int)
     nearly0 a = if abs a <= 1 then 0 else a
     folded a
       | a < -90 = folded (a + 180)
@@ -106,7 +110,7 @@ defined processes hint images roughly finely
     telling = sortOn (Down . standardDeviation . (images !!)) ofSize
     summed told ks a = sum [(told !! k) a | k <- ks]
     coarse count = summed roughly (take count telling)
-    fine = summed finely (take 8 telling)
+    fine count = summed finely (take count telling)
     -- So much likelier that the posterior of a lattice is 0.99; of a frame's 25 pixels two more
     -- numbers are found than of other relief.
     shown a = summed finely few a - genericLength few * log 25 > others + log 99
@@ -114,17 +118,15 @@ defined processes hint images roughly finely
     others = sum (concatMap (processLogs . processOf processes 0.1 . pure . coefficients) few)
     coefficients k = coefficientsOf processes (images !! k)
     likeliest angles = maximumBy (comparing (\a -> (coarse 5 a, a))) angles
-    -- From there by two degrees, at most three of them, at whole taxels; then uphill at all places,
-    -- three times at most; then to the vertex of a parabola.
-    settled a = a + 2 * uphill (3 :: Int) (foldl looked 0 [2, 1])
+    -- From there by two degrees, at most three of them, at whole taxels.
+    settled a = foldl looked a [4, 2]
+    looked a by = maximumBy (comparing (\b -> (coarse 8 b, b))) [a - by, a, a + by]
+    -- By two degrees at all places, three times at most; then to the vertex of a parabola.
+    uphill left a
+      | left > 0 && below > here = uphill (left - 1) (a - 2)
+      | left > 0 && above > here = uphill (left - 1) (a + 2)
+      | curve < 0 = a + 2 * max (-0.5) (min 0.5 ((below - above) / (2 * curve)))
+      | otherwise = a
       where
-        score told k = told (a + 2 * fromIntegral (k :: Int))
-        looked k by = maximumBy (comparing (\j -> (score (coarse 8) j, j))) [k - by, k, k + by]
-        uphill left k
-          | left > 0 && below > here = uphill (left - 1) (k - 1)
-          | left > 0 && above > here = uphill (left - 1) (k + 1)
-          | curve < 0 = fromIntegral k + max (-0.5) (min 0.5 ((below - above) / (2 * curve)))
-          | otherwise = fromIntegral k
-          where
-            (below, here, above) = (score fine (k - 1), score fine k, score fine (k + 1))
-            curve = below + above - 2 * here
+        (below, here, above) = (fine 8 (a - 2), fine 8 a, fine 8 (a + 2))
+        curve = below + above - 2 * here

@@ -67,54 +67,50 @@ drawn q image =
     (w, h) = rasterSize image
     momentsAt shape y x =
       let readings =
-            [ (t, near, fromMaybe 0 (index image u v))
+            [ (t, fromMaybe 0 (index image u v))
               | v <- [0 .. h - 1],
                 u <- [0 .. w - 1],
-                let (t, near) = shape (2 * u - halves x) (2 * v - halves y),
+                let t = shape (2 * u - halves x) (2 * v - halves y),
                 t > 0
             ]
           halves k = 2 * k `div` q
-       in ( sum [t * z | (t, _, z) <- readings],
-            sum [t | (t, _, _) <- readings],
+       in ( sum [t * z | (t, z) <- readings],
+            sum (map fst readings),
             -- Less than a hundredth counts for nothing.
-            sum [t * t | (_, t, _) <- readings, t > 0.01]
+            sum [t * t | (t, _) <- readings, t > 0.01]
           )
 
 -- | What a symbol brings to a taxel that lies so many half taxels right and down of its upper left
--- one, for both orientations and all classes: from all of it, and from three taxels around.
-drawings :: [[Int -> Int -> (Double, Double)]]
+-- one, for both orientations and all classes.
+drawings :: [[Int -> Int -> Double]]
 drawings = [map drawing upright, map (drawing . halfTurned) upright]
   where
     upright = either (error . show) shapes paperAlphabet
     drawing shape = \x y ->
-      if inside x 8 && inside y 12 then table Boxed.! ((y + 8) * across + x + 8) else (0, 0)
+      if inside x 8 && inside y 12 then table Boxed.! ((y + 8) * across + x + 8) else 0
       where
         inside t side = t >= -8 && t < 2 * side + 8
         across = 2 * 8 + 16
         table =
           Boxed.fromList
-            [ (brought (const True) x y, brought (\n -> n >= -7 && n <= 6) x y)
+            [ sum
+                [ blurred (x - 2 * i) * blurred (y - 2 * j)
+                  | j <- [0 .. 11],
+                    i <- [0 .. 7],
+                    embossedAt shape i j
+                ]
               | y <- [-8 .. 2 * 12 + 7],
                 x <- [-8 .. 2 * 8 + 7]
             ]
-        brought counts x y =
-          sum
-            [ blurred (x - 2 * i) * blurred (y - 2 * j)
-              | j <- [0 .. 11],
-                counts (y - 2 * j),
-                i <- [0 .. 7],
-                counts (x - 2 * i),
-                embossedAt shape i j
-            ]
 
 -- | The share of a unit taxel, blurred by a normal distribution of deviation 0.75, so many half
--- taxels from its centre: Simpson's rule on the density.
+-- taxels from its centre, less than six: Simpson's rule on the density.
 blurred :: Int -> Double
 blurred n
-  | abs n > 40 = 0
-  | otherwise = known Boxed.! (n + 40)
+  | abs n >= 6 = 0
+  | otherwise = known Boxed.! (n + 5)
   where
-    known = Boxed.fromList [share (fromIntegral k / 2) | k <- [-40 .. 40 :: Int]]
+    known = Boxed.fromList [share (fromIntegral k / 2) | k <- [-5 .. 5 :: Int]]
     share t = sum [c * normal (t - 0.5 + s / 40) | (c, s) <- zip simpson [0 .. 40]] / 120
     simpson = 1 : concat (replicate 19 [4, 2]) ++ [4, 1]
     normal d = exp (-(d * d) / (2 * 0.75 * 0.75)) / sqrt (2 * pi * 0.75 * 0.75)

@@ -95,7 +95,7 @@ optionSpec =
       forAll (elements [0, 1]) $ \o ->
         forAll ((,) <$> choose (0, 39) <*> choose (0, 31)) $ \(y, x) ->
           let robot = standardRegistration {registrationSigma = Just sigma, registrationReach = 3}
-              told = blank {phaseLogs = phases, classLog = (classes V.!)}
+              told = blank {phaseLogs = phases, classLog = \c k -> classes V.! (4 * c + k)}
               wanted = likely (robotOf robot) (o, y, x) (seenAt place phases classes)
               found = displacementsOf (gridOf robot) o (y, x) (place, told)
            in (map displacementShift found === [d | (d, _, _) <- wanted])

@@ -50,12 +50,13 @@ displacementCells (Displacement _ _ numbers logs) =
     classes = Unboxed.length logs `quot` max 1 (Unboxed.length numbers)
 
 -- | The displacements of a frame that may matter: those not more than 12 below the likeliest, as
--- natural logarithms, by the frame alone. Given are the lattice's orientation and phase, the place
--- of the frame's first one, in taxels, and what the frame tells.
+-- natural logarithms, by the frame alone; none where none has a phase that was looked at. Given are
+-- the lattice's orientation and phase, the place of the frame's first one, in taxels, and what the
+-- frame tells.
 displacementsOf :: Grid -> Int -> (Int, Int) -> (Taxels, Likelihood) -> [Displacement]
 displacementsOf grid orientation (phaseY, phaseX) (place, given) =
   [ displacementOf (dx, dy) (squared dx rx + squared dy ry) (cells dx dy)
-    | k <- V.toList (V.findIndices (>= V.maximum scores - margin) scores),
+    | k <- V.toList (V.findIndices (>= max least (V.maximum scores - margin)) scores),
       let (j, i) = k `quotRem` side,
       let (dx, dy) = (i - reach, j - reach)
   ]
@@ -73,8 +74,14 @@ displacementsOf grid orientation (phaseY, phaseX) (place, given) =
     scores = tabulate side side $ \j ->
       let !row = (orientation * down + (phaseY - ny - j + reach) `mod` down) * across
        in \i ->
-            log (dotWithin octaves (priorsAcross, i * octaves) (priorsDown, j * octaves))
-              + V.unsafeIndex (phaseLogs given) (row + (phaseX - nx - i + reach) `mod` across)
+            let !l = V.unsafeIndex (phaseLogs given) (row + (phaseX - nx - i + reach) `mod` across)
+             in if l < least
+                  then l
+                  else
+                    l
+                      + log
+                        ( dotWithin octaves (priorsAcross, i * octaves) (priorsDown, j * octaves)
+                        )
     octaves = length (gridOctaves grid)
     (priorsAcross, priorsDown) = (priorsAlong rx, priorsAlong ry)
     priorsAlong rest =
@@ -84,10 +91,11 @@ displacementsOf grid orientation (phaseY, phaseX) (place, given) =
             sigma <- gridOctaves grid
         ]
     margin = 12
+    -- Of what was looked at.
+    least = -1e300
     cells dx dy =
       [ ( cellNumber ((y + ny + dy - phaseY) `div` down) ((x + nx + dx - phaseX) `div` across),
-          let start = cellIndex places orientation y x * count
-           in Unboxed.generate count (\k -> classLog given (start + k))
+          Unboxed.generate count (classLog given (cellAt given (cellIndex places orientation y x)))
         )
         | y <- [(phaseY - ny - dy) `mod` down, (phaseY - ny - dy) `mod` down + down .. rows - 1],
           x <-

@@ -6,7 +6,6 @@ where
 
 import Data.List (find, foldl', maximumBy, sortOn)
 import Data.Ord (Down (..), comparing)
-import qualified Data.Vector as Boxed
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (parabolaVertex)
 import PraTactile.Image (Raster, rasterSize, standardDeviation)
@@ -21,38 +20,38 @@ import PraTactile.Registration.Spectrum
 -- something else.
 latticeAngle :: (Double -> Fits) -> Spectra -> Maybe Double -> [Raster] -> Maybe Fits
 latticeAngle at processes hint images
-  | shown upright && all (\a -> finely (at a) < finely upright) [-3, 3] = Just upright
+  | shown upright && all (\a -> finely 5 (at a) < finely 5 upright) [-3, 3] = Just upright
   | otherwise = find shown angles
   where
     angles =
       map
-        (atOrUpright . folded . refined . likeliest)
-        [upright : concat [[at a, at (a + 90)] | Just a <- [hint]], map at [-90, -81 .. 81]]
+        (atOrUpright . folded)
+        [ climbed (likeliest (upright : concat [[at a, at (a + 90)] | Just a <- [hint]])),
+          climbed (nearby (likeliest (map at [-90, -81 .. 81])))
+        ]
     upright = at 0
     atOrUpright angle = if abs angle <= 1 then upright else at angle
     -- At whole taxels only it is told to a few degrees.
     likeliest = maximumOn (\fits -> (coarsely 5 fits, fitsAngle fits))
-    refined fits = fitsAngle fits + 2 * climbed (3 :: Int) nearby
+    nearby fits = foldl' nearer fits [4, 2]
+    nearer fits by =
+      maximumOn
+        (\f -> (coarsely 8 f, fitsAngle f))
+        [turnedBy (negate by) fits, fits, turnedBy by fits]
+    turnedBy by fits = at (fitsAngle fits + by)
+    -- Uphill by two degrees a step, and to a parabola's vertex.
+    climbed fits = climb (3 :: Int) (turnedBy (-2) fits) fits (turnedBy 2 fits)
+    climb n before here after
+      | n > 0 && by before > by here = climb (n - 1) (turnedBy (-2) before) before here
+      | n > 0 && by after > by here = climb (n - 1) here after (turnedBy 2 after)
+      | otherwise =
+        fitsAngle here
+          + 2 * maybe 0 (max (-0.5) . min 0.5) (parabolaVertex (by before) (by here) (by after))
       where
-        -- By two degrees a step, as far as it is looked around.
-        step k = steps Boxed.! (k + most)
-        steps = Boxed.generate (2 * most + 1) (stepped . subtract most)
-        stepped k = if k == 0 then fits else at (fitsAngle fits + 2 * fromIntegral k)
-        most = 7
-        nearby = foldl' nearer 0 [2, 1]
-        nearer k by = maximumOn (\j -> (coarsely 8 (step j), j)) [k, k - by, k + by]
-        climbed n k
-          | n > 0 && before > here = climbed (n - 1) (k - 1)
-          | n > 0 && after > here = climbed (n - 1) (k + 1)
-          | otherwise =
-            fromIntegral k + maybe 0 (max (-0.5) . min 0.5) (parabolaVertex before here after)
-          where
-            before = finely (step (k - 1))
-            here = finely (step k)
-            after = finely (step (k + 1))
+        by = finely 8
     -- By so many frames, those that show most.
     coarsely count fits = summed fitCoarse (take count telling) fits
-    finely fits = summed fitLikely (take 8 telling) fits
+    finely count fits = summed fitLikely (take count telling) fits
     folded angle = angle - 180 * fromIntegral (floor ((angle + 90) / 180) :: Int)
     shown fits = summed fitLikely few fits - sum (map (found . snd) few) > blind + sure
     -- The gain and the offset of a frame, which other relief does not have, are found from it: by

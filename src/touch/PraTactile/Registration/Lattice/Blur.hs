@@ -18,9 +18,12 @@ import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Loops (tabulate)
 import PraTactile.Registration.Model (blurDeviation)
 
--- | The share of a unit taxel, blurred, that is seen at this distance from its centre.
+-- | The share of a unit taxel, blurred, that is seen at this distance from its centre: nothing from
+-- three taxels on.
 seenAt :: Double -> Double
-seenAt u = cumulative ((u + 0.5) / blurDeviation) - cumulative ((u - 0.5) / blurDeviation)
+seenAt u
+  | abs u >= 3 = 0
+  | otherwise = cumulative ((u + 0.5) / blurDeviation) - cumulative ((u - 0.5) / blurDeviation)
 
 -- | The normal distribution function, to 1e-7 (Abramowitz and Stegun, formula 26.2.17).
 cumulative :: Double -> Double
@@ -74,7 +77,7 @@ spread places image
     tabulate wide high $ \y ->
       let (_, v) = place 0 y
           !near = parted v
-       in \x -> if beyond h v then 0 else eight across (x * edgedHigh) near
+       in \x -> if beyond h v then 0 else six across (x * edgedHigh) near
   | otherwise =
     tabulate wide high $ \y x ->
       let (u, v) = place x y
@@ -84,18 +87,18 @@ spread places image
     wide = paddedWidth places
     high = paddedHeight places
     place = onFrame places
-    -- None of the eight taxels around it is on the frame.
-    beyond n t = t < -4 || t >= fromIntegral (n + 3)
+    -- None of the six taxels around it is on the frame.
+    beyond n t = t < -3 || t >= fromIntegral (n + 2)
     alone !u (Parted first share) = go 0 0
       where
         -- Note [Bounds of shares]
         go :: Int -> Double -> Double
         go !t !s
-          | t >= 8 = s
+          | t >= 6 = s
           | otherwise =
             go
               (t + 1)
-              (s + V.unsafeIndex shares (share + t) * eight edged ((first + t) * edgedWide) u)
+              (s + V.unsafeIndex shares (share + t) * six edged ((first + t) * edgedWide) u)
     -- The frame with nothing around it.
     edged =
       tabulate edgedWide edgedHigh $ \y x ->
@@ -109,45 +112,45 @@ spread places image
       tabulate edgedHigh wide $ \x ->
         let (u, _) = place x 0
             !near = parted u
-         in \v -> if beyond w u then 0 else eight edged (v * edgedWide) near
+         in \v -> if beyond w u then 0 else six edged (v * edgedWide) near
 
--- | How many taxels of nothing are put around a frame: as far as the eight around a place reach, if
+-- | How many taxels of nothing are put around a frame: as far as the six around a place reach, if
 -- any of them is on the frame.
 edge :: Int
-edge = 7
+edge = 5
 
--- | A place along an axis as the first of the eight taxels around it, counted from the edge on, and
+-- | A place along an axis as the first of the six taxels around it, counted from the edge on, and
 -- where their shares begin.
 data Parted = Parted !Int !Int
 
 parted :: Double -> Parted
-parted t = Parted (whole - 3 + edge) (8 * round (fromIntegral partsOfTaxel * beyond))
+parted t = Parted (whole - 2 + edge) (6 * round (fromIntegral partsOfTaxel * beyond))
   where
     whole = floor t :: Int
     beyond = t - fromIntegral whole
 {-# INLINE parted #-}
 
--- | What a place reads of the eight taxels around it in a line that begins there.
-eight :: Vector Double -> Int -> Parted -> Double
-eight values start (Parted first share) =
-  at 0 + at 1 + at 2 + at 3 + at 4 + at 5 + at 6 + at 7
+-- | What a place reads of the six taxels around it in a line that begins there.
+six :: Vector Double -> Int -> Parted -> Double
+six values start (Parted first share) =
+  at 0 + at 1 + at 2 + at 3 + at 4 + at 5
   where
     -- Note [Bounds of shares]
     at t = V.unsafeIndex shares (share + t) * V.unsafeIndex values (start + first + t)
-{-# INLINE eight #-}
+{-# INLINE six #-}
 
--- | The shares of the eight taxels around a place, by the part of a taxel that it lies beyond the
--- fourth of them.
+-- | The shares of the six taxels around a place, by the part of a taxel that it lies beyond the
+-- third of them.
 shares :: Vector Double
 shares =
-  V.generate (8 * (partsOfTaxel + 1)) $ \i ->
-    let (part, u) = i `quotRem` 8
-     in seenAt (fromIntegral (u - 3) - fromIntegral part / fromIntegral partsOfTaxel)
+  V.generate (6 * (partsOfTaxel + 1)) $ \i ->
+    let (part, u) = i `quotRem` 6
+     in seenAt (fromIntegral (u - 2) - fromIntegral part / fromIntegral partsOfTaxel)
 
 -- | How finely the place between two taxels is told for that.
 partsOfTaxel :: Int
 partsOfTaxel = 32
 
-{- Note [Bounds of shares] A place that is not beyond the frame lies from 4 before its first taxel
-   to less than 4 behind its last, so that the eight around it are within 7 of the frame, as far as
-   there is nothing put around it. The shares of each of the 33 parts are eight. -}
+{- Note [Bounds of shares] A place that is not beyond the frame lies from 3 before its first taxel
+   to less than 3 behind its last, so that the six around it are within 5 of the frame, as far as
+   there is nothing put around it. The shares of each of the 33 parts are six. -}

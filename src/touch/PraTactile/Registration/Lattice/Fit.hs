@@ -41,7 +41,9 @@ data Fit = Fit
     fitCoarse :: Double,
     -- | The same at all places, over the phases that it leaves likely at whole taxels.
     fitLikely :: Double,
-    -- | All, at all places.
+    -- | All that it tells of these phases.
+    fitSome :: Likelihood,
+    -- | All, of all phases.
     fitLikelihood :: Likelihood,
     -- | The share of the frame's taxels that count.
     fitShare :: !Double
@@ -58,11 +60,16 @@ type Touched = (Raster, Maybe Raster)
 whole :: Raster -> Touched
 whole image = (image, Nothing)
 
--- | The same by parts. Theta is found by four steps at whole taxels and one at all places, all but
--- the first for likely phases only, or where others turn out to matter, for all.
+-- | The same by parts. Theta is found by four steps at whole taxels, all but the first for likely
+-- phases only, and by one at all places, for the phases around those.
 fitOf :: Templates -> Touched -> Fit
 fitOf tables (image, shares) =
-  Fit (logDensity coarseLikely) (logDensity fineLikely) fine (n / fromIntegral (V.length values))
+  Fit
+    (logDensity coarse)
+    (logDensity fine)
+    fine
+    (eStep (allPhases tables felt) (likelihoodTheta fine))
+    (n / fromIntegral (V.length values))
   where
     values = rasterValues image
     (n, average, deviation) = standardOf (image, shares)
@@ -77,22 +84,15 @@ fitOf tables (image, shares) =
     -- At whole taxels.
     coarseAll = allPhases (coarser tables) (feltAt (templatePlaces (coarser tables)))
     first = eStep coarseAll (firstTheta standard)
-    coarseSteps statistics =
-      eStep statistics (iterate (step statistics) (mStep coarseAll first) !! 3)
-    coarseLikely = coarseSteps (atPhases coarseAll (likelyPhases coarseAll first))
-    coarse = overAll coarseAll coarseSteps coarseLikely
+    coarseLikely = atPhases coarseAll (likelyPhases first)
+    coarse =
+      eStep coarseLikely (iterate (step coarseLikely) (mStep coarseAll first) !! 3)
     -- At all places.
-    areas = feltAt (templatePlaces tables)
-    fineAll = allPhases tables areas
-    fineStep statistics = eStep statistics (step statistics (likelihoodTheta coarse))
+    felt = feltAt (templatePlaces tables)
     fineLikely =
-      fineStep
-        ( somePhases
-            fineAll
-            areas
-            (finePhases (coarser tables) tables (likelyPhases coarseAll coarse))
-        )
-    fine = overAll fineAll fineStep fineLikely
+      somePhases tables felt (finePhases (coarser tables) tables (likelyPhases then'))
+    then' = eStep coarseAll (likelihoodTheta coarse)
+    fine = eStep fineLikely (step fineLikely (likelihoodTheta coarse))
 
 -- | N, how many taxels count, and the mean and the standard deviation of their readings.
 standardOf :: Touched -> (Double, Double, Double)
@@ -104,22 +104,9 @@ standardOf (image, shares) = (n, average, deviation)
     deviation = sqrt (V.sum (counted (V.map (\v -> (v - average) * (v - average)) values)) / n)
     counted = maybe id (V.zipWith (*) . rasterValues) shares
 
--- | What all phases tell, at the theta that was found by some of them; or, if others have any
--- weight there, as it is found by all.
-overAll :: Statistics -> (Statistics -> Likelihood) -> Likelihood -> Likelihood
-overAll every@(Statistics _ lattices _ _ _) steps some
-  | V.length (phaseLogs some) == V.length (phaseNumbers lattices) = some
-  | logDensity same - logDensity some < 1e-7 = same
-  | otherwise = steps every
-  where
-    same = eStep every (likelihoodTheta some)
-
 -- | The phases that are not most unlikely.
-likelyPhases :: Statistics -> Likelihood -> [Int]
-likelyPhases (Statistics _ lattices _ _ _) given =
-  map
-    (phaseNumbers lattices V.!)
-    (V.toList (V.findIndices (> V.maximum phases - negligible) phases))
+likelyPhases :: Likelihood -> [Int]
+likelyPhases given = V.toList (V.findIndices (> V.maximum phases - negligible) phases)
   where
     phases = phaseLogs given
 
@@ -178,7 +165,11 @@ fitsAt tables images angle = Fits angle at (map fit images)
     sizes = map (rasterSize . fst) images
     fit seen@(image, _)
       | glimpseSize (rasterSize image) == rasterSize image = all'
-      | otherwise = (fitted (whole (glimpse image))) {fitLikelihood = fitLikelihood all'}
+      | otherwise =
+        (fitted (whole (glimpse image)))
+          { fitSome = fitSome all',
+            fitLikelihood = fitLikelihood all'
+          }
       where
         all' = fitted seen
     fitted seen = fitOf (at (rasterSize (fst seen))) seen

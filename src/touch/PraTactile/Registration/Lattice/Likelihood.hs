@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | What one frame tells of the lattice of cells under it: the likelihood of every phase of the
--- lattice and of each cell's class. The alphabet and the pitch of the cells are known; the array,
+-- | What one frame tells of the lattice of cells under it: the likelihood of phases of the lattice
+-- and of each cell's class. The alphabet and the pitch of the cells are known; the array,
 -- the gain, the offset and the noise of the frame are not.
 --
 -- The symbols do not overlap, so the squared error of a whole lattice is a sum over its cells, and
@@ -21,6 +21,7 @@ module PraTactile.Registration.Lattice.Likelihood
   )
 where
 
+import qualified Data.IntMap.Strict as IntMap
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Registration.Lattice.Places
@@ -33,22 +34,24 @@ import PraTactile.Registration.Model
 data Likelihood = Likelihood
   { likelihoodTables :: !Templates,
     likelihoodTheta :: !Theta,
-    -- | How much likelier, as a natural logarithm, a symbol of a class at a place makes the frame
-    -- than nothing there: by 'cellIndex' times the number of classes, and the class. There is no
-    -- table of these, which would be most of what is kept of a frame, and few are asked for.
-    classLog :: Int -> Double,
-    -- | The same for a cell whose class is not known, by 'cellIndex'.
+    -- | Where what is told of a cell stands, by 'cellIndex', where any phase that it is of was
+    -- looked at.
+    cellAt :: Int -> Int,
+    -- | How much likelier, as a natural logarithm, a symbol of a class makes the frame than nothing
+    -- in a cell: by where it stands, and the class.
+    classLog :: Int -> Int -> Double,
+    -- | The same for a cell whose class is not known, by where it stands.
     cellLogs :: !(Vector Double),
     -- | The same for a whole lattice: by orientation, and the row and the column of places, modulo
-    -- the pitch, of its cells.
+    -- the pitch, of its cells; minus infinity for phases that were not looked at.
     phaseLogs :: !(Vector Double),
     -- | The logarithm of the frame's probability density, standardised to variance 1.
     logDensity :: !Double
   }
 
--- | What theta is found from: the tables, some phases of the lattice with their cells, the moments
--- of these, <z, T> of a single one of them, and N, how many taxels count.
-data Statistics = Statistics !Templates Phases Moments (Int -> Double) !Double
+-- | What theta is found from: the tables, some phases of the lattice with where their cells stand
+-- among the moments, where others do by 'cellIndex', the moments, and N, how many taxels count.
+data Statistics = Statistics !Templates Phases (Int -> Int) Moments !Double
 
 -- | A frame as it is held against templates: 'areaSums' of its readings, each times what its taxel
 -- counts; where some count less than 1, those of what they count; and how many count in all.
@@ -64,71 +67,76 @@ allPhases tables (Felt areas shares n) =
   Statistics
     tables
     (templatePhases tables)
+    id
     ( maybe
         id
         (weighed . correlationsOf tables)
         shares
         (Moments (correlationsOf tables areas) (templateSums tables) (templateSquares tables))
     )
-    (correlationAt tables areas)
     n
 
 -- | Some of all phases.
 atPhases :: Statistics -> [Int] -> Statistics
-atPhases statistics@(Statistics tables _ (Moments products sums squares) _ n) phases
+atPhases statistics@(Statistics tables _ _ (Moments products sums squares) n) phases
   | many tables phases = statistics
-  | otherwise = among tables here (Moments (at products) (at sums) (at squares)) n
+  | otherwise = among tables phases momentsOf n
   where
-    (here, cells) = renumbered (phasesOf (templatePlaces tables) phases)
+    momentsOf cells = Moments (at cells products) (at cells sums) (at cells squares)
     count = symbolsClasses (templateSymbols tables)
     -- Note [Bounds of cells]
-    at numbers =
+    at cells numbers =
       tabulate count (V.length cells) $ \c ->
         let !start = V.unsafeIndex cells c * count in \k -> V.unsafeIndex numbers (start + k)
 
 -- | The same from the frame, without looking at the numbers of all.
-somePhases :: Statistics -> Felt -> [Int] -> Statistics
-somePhases statistics@(Statistics tables _ _ _ n) (Felt areas shares _) phases
-  | many tables phases = statistics
-  | otherwise = among tables here (weighedHere (momentsAt tables areas cells)) n
+somePhases :: Templates -> Felt -> [Int] -> Statistics
+somePhases tables felt@(Felt areas shares n) phases
+  | many tables phases = allPhases tables felt
+  | otherwise = among tables phases momentsOf n
   where
-    (here, cells) = renumbered (phasesOf (templatePlaces tables) phases)
-    weighedHere = maybe id (\of' -> weighed (productsAt tables of' cells)) shares
+    momentsOf cells =
+      maybe id (\of' -> weighed (productsAt tables of' cells)) shares (momentsAt tables areas cells)
 
--- | Phases with the moments of their cells.
-among :: Templates -> Phases -> Moments -> Double -> Statistics
-among tables here moments@(Moments products _ _) =
-  Statistics tables here moments (V.unsafeIndex products)
+-- | Phases with the moments of their cells, which are given by 'cellIndex'.
+among :: Templates -> [Int] -> (Vector Int -> Moments) -> Double -> Statistics
+among tables phases momentsOf =
+  Statistics
+    tables
+    here {phaseCells = V.enumFromN 0 (V.length cells)}
+    (numbers IntMap.!)
+    (momentsOf cells)
+  where
+    here = phasesOf (templatePlaces tables) phases
+    cells = phaseCells here
+    numbers = IntMap.fromList (zip (V.toList cells) [0 ..])
 
 -- | Whether so many phases are compared faster together with all others, as are none: then what the
 -- frame tells is no number.
 many :: Templates -> [Int] -> Bool
 many tables phases = null phases || 4 * length phases > phaseTotal (templatePlaces tables)
 
--- | The cells of phases numbered from 0 on, as they come, and what they were.
-renumbered :: Phases -> (Phases, Vector Int)
-renumbered phases = (phases {phaseCells = V.enumFromN 0 (V.length cells)}, cells)
-  where
-    cells = phaseCells phases
-
 -- | Everything at a theta.
 eStep :: Statistics -> Theta -> Likelihood
-eStep (Statistics tables lattices moments product' n) theta@(Theta _ offset variance) =
-  Likelihood tables theta (\i -> classOf weights sums squares (product' i) i) cells phases total
+eStep (Statistics tables lattices at moments n) theta@(Theta _ offset variance) =
+  Likelihood tables theta at (\cell k -> classAt (cell * count + k)) cells phases total
   where
-    !(Moments products sums squares) = moments
-    !weights = weightsOf theta
+    classAt = classOf (weightsOf theta) moments
     count = symbolsClasses (templateSymbols tables)
-    cells = V.generate (V.length products `quot` count) $ \c ->
-      cellLog
-        count
-        (\k -> let i = c * count + k in classOf weights sums squares (V.unsafeIndex products i) i)
-    phases = overPhases lattices cells
-    top = V.maximum phases
+    cells =
+      V.generate (V.length (momentsProducts moments) `quot` count) $ \c ->
+        cellLog count (\k -> classAt (c * count + k))
+    looked = overPhases lattices cells
+    phases =
+      V.unsafeUpdate_
+        (V.replicate (phaseTotal (templatePlaces tables)) (-1 / 0))
+        (phaseNumbers lattices)
+        looked
+    top = V.maximum looked
     total =
       top
         + log
-          ( V.sum (V.map (relativeTo top) phases)
+          ( V.sum (V.map (relativeTo top) looked)
               / fromIntegral (phaseTotal (templatePlaces tables))
           )
         - n * (1 + offset * offset) / (2 * variance)
@@ -141,12 +149,12 @@ weightsOf :: Theta -> Weights
 weightsOf (Theta gain offset variance) =
   Weights (gain / variance) (gain * offset / variance) (gain * gain / (2 * variance))
 
--- | l_k, from the templates' sums and the sums of their squares, and <z, T> of one of them with its
--- place among these.
-classOf :: Weights -> Vector Double -> Vector Double -> Double -> Int -> Double
-classOf (Weights ofProducts ofSums ofSquares) sums squares y i =
+-- | l_k of a cell and class by their place among the moments.
+classOf :: Weights -> Moments -> Int -> Double
+classOf (Weights ofProducts ofSums ofSquares) (Moments products sums squares) i =
   -- Note [Bounds of classes]
-  ofProducts * y - ofSums * V.unsafeIndex sums i - ofSquares * V.unsafeIndex squares i
+  ofProducts * V.unsafeIndex products i - ofSums * V.unsafeIndex sums i
+    - ofSquares * V.unsafeIndex squares i
 {-# INLINE classOf #-}
 
 {- Note [Bounds of classes] The correlations, the sums and the squares of a template all have one
@@ -174,7 +182,11 @@ overCells (Phases _ begins cells) i start step = go (V.unsafeIndex begins i) sta
 {-# INLINE overCells #-}
 
 {- Note [Bounds of cells] The beginnings have an end, and each lies within the cells; these have
-   their numbers in the tables that they are cells of. -}
+   their numbers in the tables that they are cells of, as phases have theirs among all. -}
+
+-- | What is less probable is left out of a step.
+leastWeight :: Double
+leastWeight = 1e-6
 
 -- | Sums over symbols, each as probable as it is: of their correlations, of the templates and of
 -- the templates' squares.
@@ -182,20 +194,21 @@ data Sums = Sums !Double !Double !Double
 
 -- | By what the phases and the symbols probably are at a theta, the theta that fits them best.
 mStep :: Statistics -> Likelihood -> Theta
-mStep (Statistics tables lattices moments _ n) given = Theta gain' offset' variance'
+mStep (Statistics tables lattices _ moments n) given = Theta gain' offset' variance'
   where
     Theta gain offset _ = likelihoodTheta given
     Moments products sums squares = moments
     count = symbolsClasses (templateSymbols tables)
     share = classPrior count
     !ofMoments = weightsOf (likelihoodTheta given)
-    phases = phaseLogs given
+    -- Note [Bounds of cells]
+    phases = V.map (V.unsafeIndex (phaseLogs given)) (phaseNumbers lattices)
     top = V.maximum phases
     weights = V.map (relativeTo top) phases
     total = V.sum weights
     Sums sumY sumT sumTT = V.ifoldl' phase (Sums 0 0 0) weights
     phase found i weight
-      | weight < 1e-6 * total = found
+      | weight < leastWeight * total = found
       | otherwise = overCells lattices i found $ \(Sums a b c) cell ->
         let Sums a' b' c' = symbols (cell * count) (V.unsafeIndex (cellLogs given) cell)
          in Sums (a + weight * a') (b + weight * b') (c + weight * c')
@@ -204,16 +217,19 @@ mStep (Statistics tables lattices moments _ n) given = Theta gain' offset' varia
         go :: Int -> Sums -> Sums
         go !k found@(Sums a b c)
           | k >= count = found
+          | l < log leastWeight = go (k + 1) found
           | otherwise =
-            let i = start + k
-                p = share * exp (classOf ofMoments sums squares (V.unsafeIndex products i) i - cell)
-             in go
-                  (k + 1)
-                  ( Sums
-                      (a + p * V.unsafeIndex products (start + k))
-                      (b + p * V.unsafeIndex sums (start + k))
-                      (c + p * V.unsafeIndex squares (start + k))
-                  )
+            go
+              (k + 1)
+              ( Sums
+                  (a + p * V.unsafeIndex products i)
+                  (b + p * V.unsafeIndex sums i)
+                  (c + p * V.unsafeIndex squares i)
+              )
+          where
+            i = start + k
+            l = classOf ofMoments moments i - cell
+            p = share * exp l
     -- The regression of the frame, of mean 0 and variance 1, on the relief.
     product' = sumY / total
     sum' = sumT / total

@@ -9,13 +9,16 @@ module PraTactile.Registration.Lattice.Symbols
     -- * Squares over a frame
     Cover,
     coverOf,
-    squaresAt,
+    writeSquares,
   )
 where
 
+import Control.Monad (when)
+import Control.Monad.ST (ST)
 import Data.Maybe (fromMaybe)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
+import qualified Data.Vector.Storable.Mutable as M
 import PraTactile.Registration.Lattice.Blur (seenAt)
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Loops (tabulate)
@@ -37,24 +40,32 @@ data Symbols = Symbols
     -- up to there counts, so that what remains is the sum over the shape. That is the second
     -- difference of the shape's bitmap, across and down.
     symbolsCorners :: [[(Int, Int, Double)]],
-    -- | For each orientation and class, and each part of a taxel, down and across, by which it lies
-    -- further: the squares of what taxels read of it, in a box that begins the margin before it.
+    -- | For each orientation, and each part of a taxel, down and across, by which a symbol lies
+    -- further: what taxels read of each class, squared, in a box that begins the margin before it.
     symbolsSquares :: !(Vector Double)
   }
 
 -- | The symbols of an alphabet.
 symbolsOf :: Alphabet -> Symbols
 symbolsOf alphabet =
-  Symbols (length (shapes alphabet)) (map corners bitmaps) (V.concat (map drawn bitmaps))
+  Symbols count (map corners (upright ++ turned)) (V.concat (map squares [upright, turned]))
   where
-    bitmaps = shapes alphabet ++ map halfTurned (shapes alphabet)
+    count = length upright
+    upright = shapes alphabet
+    turned = map halfTurned upright
+    -- The classes beside one another.
+    squares bitmaps =
+      let byClass = V.concat (map drawn bitmaps)
+          size = V.length byClass `quot` max 1 count
+       in tabulate (inFours count) size $ \i k ->
+            if k < count then V.unsafeIndex byClass (k * size + i) else 0
     corners b =
-      [ (x, y, count)
+      [ (x, y, often)
         | y <- [0 .. symbolHeight],
           x <- [0 .. symbolWidth],
           let before = covered (x - 1) (y - 1) - covered x (y - 1)
-              count = before - covered (x - 1) y + covered x y,
-          count /= 0
+              often = before - covered (x - 1) y + covered x y,
+          often /= 0
       ]
       where
         covered x y = if embossedAt b x y then 1 else 0
@@ -130,46 +141,62 @@ coverWidth, coverHeight :: Places -> Int
 coverWidth places = fst (placesGrid places) `quot` placesFineness places + boxWide - 1
 coverHeight places = snd (placesGrid places) + (boxHigh - 1) * placesFineness places
 
--- | The sum over the frame of the squares of a class's template at a row and a column of places,
--- upright and half turned. Along the frame's axes it is that at its pixels. Turned, it is that at
--- whole taxels from the template's place, each counted for as much of a taxel as the frame has
--- there, which differs at the frame's edge only. Unchecked: there must be that class and place.
-squaresAt :: Symbols -> Places -> Cover -> Int -> Int -> Int -> (Double, Double)
-squaresAt symbols places (Cover there begins ends) = at
+-- | The sums over the frame of the squares of all classes' templates in a cell of an orientation,
+-- a row and a column of places, written from an index on. Along the frame's axes they are those at
+-- its pixels. Turned, they are those at whole taxels from the template's place, each counted for as
+-- much of a taxel as the frame has there, which differs at the frame's edge only. Unchecked: there
+-- must be that cell, and room.
+writeSquares ::
+  Symbols -> Places -> Cover -> M.MVector s Double -> Int -> Int -> Int -> Int -> ST s ()
+writeSquares symbols places (Cover there begins ends) sums = at
   where
     boxes = symbolsSquares symbols
+    count = symbolsClasses symbols
+    places4 = inFours count
     q = placesFineness places
     wide = coverWidth places
     high = coverHeight places
     -- Then each of the places within a taxel has a box by itself.
     upright = placesAngle places == 0
-    boxSize = boxWide * boxHigh
-    shapeSize = boxSize * placesPerTaxel * placesPerTaxel
-    halfTurnedAfter = symbolsClasses symbols * shapeSize
-    at !y !x !k = down 0 line 0 0
+    boxSize = boxWide * boxHigh * places4
+    halfTurnedAfter = boxSize * placesPerTaxel * placesPerTaxel
+    at !start !o !y !x = four 0
       where
         (!x', !partX) = x `quotRem` q
         !partY = y `rem` q
-        !box = k * shapeSize + (if upright then boxSize * (partY * placesPerTaxel + partX) else 0)
+        !box =
+          o * halfTurnedAfter + (if upright then boxSize * (partY * placesPerTaxel + partX) else 0)
         !line = if upright then y - partY else partX * high + y
+        four !k
+          | k >= count = pure ()
+          | otherwise = down k 0 line 0 0 0 0 >> four (k + 4)
         -- Note [Bounds of squares]
-        down :: Int -> Int -> Double -> Double -> (Double, Double)
-        down !b !i !s !t
-          | b >= boxHigh = (s, t)
-          | otherwise = along (max 0 (V.unsafeIndex begins i - x')) s t
+        down !k !b !i !s0 !s1 !s2 !s3
+          | b >= boxHigh = do
+            M.unsafeWrite sums (start + k) s0
+            when (k + 1 < count) (M.unsafeWrite sums (start + k + 1) s1)
+            when (k + 2 < count) (M.unsafeWrite sums (start + k + 2) s2)
+            when (k + 3 < count) (M.unsafeWrite sums (start + k + 3) s3)
+          | otherwise = along (max 0 (V.unsafeIndex begins i - x')) s0 s1 s2 s3
           where
-            end = min boxWide (V.unsafeIndex ends i - x')
-            along :: Int -> Double -> Double -> (Double, Double)
-            along !a !s' !t'
-              | a >= end = down (b + 1) (i + q) s' t'
+            !end = min boxWide (V.unsafeIndex ends i - x')
+            along !a !t0 !t1 !t2 !t3
+              | a >= end = down k (b + 1 :: Int) (i + q) t0 t1 t2 t3
               | otherwise =
                 let share = V.unsafeIndex there (i * wide + x' + a)
-                    j = box + b * boxWide + a
+                    j = box + (b * boxWide + a) * places4 + k
                  in along
                       (a + 1)
-                      (s' + V.unsafeIndex boxes j * share)
-                      (t' + V.unsafeIndex boxes (j + halfTurnedAfter) * share)
+                      (t0 + share * V.unsafeIndex boxes j)
+                      (t1 + share * V.unsafeIndex boxes (j + 1))
+                      (t2 + share * V.unsafeIndex boxes (j + 2))
+                      (t3 + share * V.unsafeIndex boxes (j + 3))
+
+-- | Classes are summed four at a time: so many of which some may be none.
+inFours :: Int -> Int
+inFours count = 4 * ((count + 3) `quot` 4)
 
 {- Note [Bounds of squares] A place's column, in taxels, is below the grid's width and a step
    reaches at most the box's width less one further, which the lines of what the frame covers hold;
-   likewise for rows. There are as many boxes as classes, orientations and parts. -}
+   likewise for rows. There are as many boxes as orientations and parts, each of as many numbers as
+   taxels and classes in fours. -}

@@ -20,7 +20,6 @@ module PraTactile.Registration.Lattice.Template
     -- * Frames held against them
     correlations,
     correlationsOf,
-    correlationAt,
     Moments (..),
     momentsAt,
     productsAt,
@@ -94,7 +93,8 @@ tabled symbols places = tables
           templateCover = coverOf places,
           templateAreas = areaSums places (uncurry constant (placesFrame places) 1),
           templateSums = correlationsOf tables (templateAreas tables),
-          templateSquares = squaresOf tables,
+          templateSquares =
+            squaresOf tables (V.enumFromN 0 (2 * uncurry (*) (placesGrid places))),
           templatePhases = phasesOf places [0 .. phaseTotal places - 1],
           templateCoarse = Nothing
         }
@@ -181,31 +181,21 @@ correlationsOf tables areas = V.create $ do
    2 * count outlines, and one sum for each cell and class. A row has more than four places, as a
    symbol is wider. -}
 
--- | The sum over the frame of the squares of each template at each place.
-squaresOf :: Templates -> Vector Double
-squaresOf tables = V.create $ do
-  sums <- M.unsafeNew (2 * half)
-  let row !y !i
-        | y >= rows = pure ()
-        | otherwise = column y 0 i >>= row (y + 1)
-      column !y !x !i
-        | x >= columns = pure i
-        | otherwise = class' y x 0 i >>= column y (x + 1)
-      class' !y !x !k !i
-        | k >= count = pure i
+-- | The sum over the frame of the squares of each template of some cells, by 'cellIndex'.
+squaresOf :: Templates -> Vector Int -> Vector Double
+squaresOf tables cells = V.create $ do
+  sums <- M.unsafeNew (count * V.length cells)
+  let write = writeSquares (templateSymbols tables) places (templateCover tables) sums
+      cell !c
+        | c >= V.length cells = pure ()
         | otherwise = do
-          let (s, t) = at y x k
-          M.unsafeWrite sums i s
-          M.unsafeWrite sums (half + i) t
-          class' y x (k + 1) (i + 1)
-  row 0 (0 :: Int)
+          placeOf tables (V.unsafeIndex cells c) (write (c * count))
+          cell (c + 1)
+  cell (0 :: Int)
   pure sums
   where
     places = templatePlaces tables
-    (columns, rows) = placesGrid places
     count = symbolsClasses (templateSymbols tables)
-    half = rows * columns * count
-    at = squaresAt (templateSymbols tables) places (templateCover tables)
 
 -- | For some cells and all classes, in this order: the correlations of a frame, the sums of the
 -- templates and those of their squares.
@@ -221,23 +211,13 @@ momentsAt tables areas cells =
   Moments
     (productsAt tables areas cells)
     (productsAt tables (templateAreas tables) cells)
-    (eachOf tables cells squares)
-  where
-    squares o y x k = (if o == 0 then fst else snd) (squaresAt' y x k)
-    squaresAt' = squaresAt (templateSymbols tables) (templatePlaces tables) (templateCover tables)
+    (squaresOf tables cells)
 
 -- | The correlations alone.
 productsAt :: Templates -> Vector Double -> Vector Int -> Vector Double
-productsAt tables areas cells = eachOf tables cells (outlinedAt tables areas)
-
--- | That of one cell and class: by 'cellIndex' times the number of classes, and the class.
-correlationAt :: Templates -> Vector Double -> Int -> Double
-correlationAt tables areas i = outlinedAt tables areas o y x k
-  where
-    (cell, k) = i `quotRem` symbolsClasses (templateSymbols tables)
-    (columns, rows) = placesGrid (templatePlaces tables)
-    (row, x) = cell `quotRem` columns
-    (o, y) = row `quotRem` rows
+productsAt tables areas cells =
+  tabulate (symbolsClasses (templateSymbols tables)) (V.length cells) $ \c ->
+    placeOf tables (V.unsafeIndex cells c) (outlinedAt tables areas)
 
 -- | That of an orientation, a row and a column of places, and a class.
 outlinedAt :: Templates -> Vector Double -> Int -> Int -> Int -> Int -> Double
@@ -256,18 +236,14 @@ outlinedAt tables areas !o !y !x !k = go 0 0
           (c + 1)
           (s + V.unsafeIndex counts c * V.unsafeIndex areas (start + V.unsafeIndex steps c))
 
--- | For each of some cells, by 'cellIndex', and each class what is said of its orientation, row,
--- column and class.
-eachOf :: Templates -> Vector Int -> (Int -> Int -> Int -> Int -> Double) -> Vector Double
-eachOf tables cells number =
-  tabulate count (V.length cells) $ \c ->
-    let (row, !x) = V.unsafeIndex cells c `quotRem` columns
-        (!o, !y) = row `quotRem` rows
-     in number o y x
+-- | What is made of the orientation, the row and the column of a cell that is given by 'cellIndex'.
+placeOf :: Templates -> Int -> (Int -> Int -> Int -> a) -> a
+placeOf tables cell made = made o y x
   where
     (columns, rows) = placesGrid (templatePlaces tables)
-    count = symbolsClasses (templateSymbols tables)
-{-# INLINE eachOf #-}
+    (row, !x) = cell `quotRem` columns
+    (!o, !y) = row `quotRem` rows
+{-# INLINE placeOf #-}
 
 -- | Where taxels count w each: the correlations are those of w z, the sums of the templates those
 -- of w, which are given; and the sums of their squares as much less as these.

@@ -126,14 +126,14 @@ joint a b (dx, dy) phase = go firstY firstX 0
       | x >= lastX = go (y + down) firstX s
       | otherwise = go y (x + across) (s + cell y x)
     cell y x
-      | inA && inB = both (cellIndex places o y x) (cellIndex places o (y - dy) (x - dx))
-      | inA = V.unsafeIndex (cellLogs a) (cellIndex places o y x)
-      | inB = V.unsafeIndex (cellLogs b) (cellIndex places o (y - dy) (x - dx))
+      | inA && inB = both ofA ofB
+      | inA = V.unsafeIndex (cellLogs a) ofA
+      | inB = V.unsafeIndex (cellLogs b) ofB
       | otherwise = 0
       where
         inA = y >= 0 && y < rows && x >= 0 && x < columns
+        ofA = cellAt a (cellIndex places o y x)
+        ofB = cellAt b (cellIndex places o (y - dy) (x - dx))
         inB = y - dy >= 0 && y - dy < rows && x - dx >= 0 && x - dx < columns
     both :: Int -> Int -> Double
-    both i j =
-      cellLog count $ \k ->
-        classLog a (i * count + k) + classLog b (j * count + k)
+    both i j = cellLog count (\k -> classLog a i k + classLog b j k)
