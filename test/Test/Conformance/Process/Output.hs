@@ -218,11 +218,12 @@ outputSpec = do
           pure (map said lines')
         let ls = replicate count ("line", size) ++ [("no more", 3)]
         (size, found) `shouldBe` (size, ls)
-  describe "is without end where it goes on for more than a mebibyte, though it has few lines" $
+  describe "is without end where it is more than sixteen mebibytes, though it has few lines" $
     forM_
       [ ("zeros without end", "cat /dev/zero", EndlessOutput),
         ("a few bytes without end", "while :; do printf x; sleep 0.05; done", NotJson),
-        ("three mebibytes", "head -c " ++ show (3 * longestLine) ++ " /dev/zero", NotJson)
+        ("sixteen mebibytes", zeros longestFlood, NotJson),
+        ("sixteen mebibytes and a byte", zeros (longestFlood + 1), EndlessOutput)
       ]
       $ \(what, script, kind) -> it what $ do
         fault <- child script $ \running -> flooded running 1 (Fault NotJson "detail")
@@ -235,8 +236,7 @@ outputSpec = do
           `shouldReturn` Fault kind "detail"
   it "is told by its first hundred bytes where it goes on for more than that" $ do
     let text' = take 200 (cycle ['a' .. 'z'])
-    let zeros = "head -c " ++ show (longestLine - 199) ++ " /dev/zero"
-    found <- child ("printf '%s' " ++ text' ++ "; " ++ zeros) $ \running -> do
+    found <- child ("printf '%s' " ++ text' ++ "; " ++ zeros (longestLine - 199)) $ \running -> do
       line <- getMonotonicTime >>= nextLine running . (+ 20)
       pure $ case line of
         Oversized bytes -> Just bytes
@@ -254,9 +254,8 @@ outputSpec = do
     forM_ [1, 4, 5, 6, 100] $ \most -> do
       flood <- child "printf 'ab\\nc\\n\\n\\ndef\\ngh'" $ \running -> do
         _ <- waitExit running 1e9
-        drain running 5 most
-      (most, floodLines flood, floodBytes flood, floodGoesOn flood)
-        `shouldBe` (most, 5, 13, most <= 5)
+        drain running 0.2 5 most
+      (most, floodLines flood, floodBytes flood) `shouldBe` (most, 5, 13)
   describe "is no line in time, of which is told" $
     forM_
       [ ( "a part",
@@ -283,6 +282,11 @@ outputSpec = do
     child letters (`awaitLine` 20)
       `shouldReturn` Left
         (Fault LineTooLong ("a line of more than 1 MiB: " ++ replicate 100 'a' ++ " ..."))
+  it "is without end where sixteen mebibytes more come of it, in whatever time" $
+    forM_ [(0, LineTooLong), (longestFlood, EndlessOutput)] $ \(more, kind) -> do
+      found <-
+        child (zeros (longestLine + 1) ++ "; sleep 0.4; " ++ zeros (more + 1)) (`awaitLine` 20)
+      (more, either faultKind (const TooSlow) found) `shouldBe` (more, kind)
   it "is not waited for beyond a time" $ do
     found <- child "printf ab; sleep 20" $ \running -> do
       now <- getMonotonicTime
@@ -402,6 +406,10 @@ instead flight before' first =
       "  esac",
       "done"
     ]
+
+-- | So many bytes of value zero.
+zeros :: Int -> String
+zeros count = "head -c " ++ show count ++ " /dev/zero"
 
 -- | Where @a@ is that number.
 onceAsked :: Int -> String -> String

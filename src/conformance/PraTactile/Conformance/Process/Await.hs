@@ -16,7 +16,6 @@ import PraTactile.Conformance.Process.Child
 import PraTactile.Conformance.Process.Lines
 import PraTactile.Conformance.Process.Reply (excerpt)
 import PraTactile.Conformance.Subject
-import PraTactile.Conformance.Wire.Line (longestLine)
 import System.Exit (ExitCode (..))
 
 -- | The next line, if it comes within so many seconds.
@@ -28,7 +27,7 @@ awaitLine child seconds = do
     Line bytes -> pure (Right bytes)
     NoMore partial -> Left <$> (endOf child partial >>= withErrors child)
     Unfinished partial -> Left <$> (late partial >>= withErrors child)
-    Oversized beginning -> Left <$> oversized child beginning
+    Oversized beginning -> Left <$> oversized child seconds beginning
   where
     late partial
       | not (Bytes.null partial) =
@@ -42,12 +41,13 @@ awaitLine child seconds = do
             then Fault ClosedPipe "it closed its standard input and did not answer"
             else Fault TimedOut ("no reply within " ++ secondsText seconds)
 
--- | A line that is too long: it ends, or it never does.
-oversized :: Child -> ByteString -> IO Fault
-oversized child beginning = do
-  flood <- drain child 2 1
+-- | A line that is too long: it ends, or more than a flood has come of it. Of one that neither ends
+-- nor goes on within so many seconds, its length is known alone.
+oversized :: Child -> Double -> ByteString -> IO Fault
+oversized child seconds beginning = do
+  flood <- drain child seconds seconds 1
   pure $
-    if floodGoesOn flood && floodLines flood == 0
+    if floodLines flood == 0 && floodBytes flood > longestFlood
       then Fault EndlessOutput ("a line without end: " ++ excerpt beginning ++ " ...")
       else Fault LineTooLong ("a line of more than 1 MiB: " ++ excerpt beginning ++ " ...")
 
@@ -57,12 +57,13 @@ flooded :: Child -> Int -> Fault -> IO Fault
 flooded child outstanding fault
   | faultKind fault `notElem` [NotJson, NotAReply, OutOfOrder, AnsweredTwice] = pure fault
   | otherwise = do
-    flood <- drain child 0.5 (2 * outstanding + 1000)
+    flood <- drain child 0.2 2 most
     pure $
-      if floodLines flood >= 2 * outstanding + 1000
-        || (floodGoesOn flood && floodBytes flood > longestLine)
+      if floodLines flood >= most || floodBytes flood > longestFlood
         then Fault EndlessOutput ("more output than was asked for: " ++ faultDetail fault)
         else fault
+  where
+    most = 2 * outstanding + 1000
 
 -- | Why the standard output ended, after this part of a line.
 endOf :: Child -> ByteString -> IO Fault

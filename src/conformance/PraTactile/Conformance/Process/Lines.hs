@@ -5,6 +5,7 @@ module PraTactile.Conformance.Process.Lines
 
     -- * What nobody asked for
     Flood (..),
+    longestFlood,
     drain,
   )
 where
@@ -55,34 +56,34 @@ nextLine child deadline = do
 -- | How much came that nobody asked for.
 data Flood = Flood
   { floodLines :: Int,
-    floodBytes :: Int,
-    -- | It had not ended when it was no longer read.
-    floodGoesOn :: Bool
+    floodBytes :: Int
   }
 
--- | Read and forget what a process still writes, for so many seconds at most, until so many lines
--- have come, or nothing comes for a fifth of a second.
-drain :: Child -> Double -> Int -> IO Flood
-drain child seconds mostLines = do
+-- | The bytes after which output that nobody asked for counts as endless: what decides is how much
+-- comes, not how fast.
+longestFlood :: Int
+longestFlood = 16 * longestLine
+
+-- | Read and forget what a process still writes, until so many lines or more than 'longestFlood'
+-- bytes have come, nothing comes for so many seconds, or so many have passed.
+drain :: Child -> Double -> Double -> Int -> IO Flood
+drain child silence seconds mostLines = do
   there <- readIORef (unread child)
   writeIORef (unread child) Bytes.empty
   now <- getMonotonicTime
-  go (now + seconds) (Flood 0 0 False) there
+  go (now + seconds) (Flood 0 0) there
   where
     go deadline before bytes
-      | floodLines flood >= mostLines = pure flood {floodGoesOn = True}
+      | floodLines flood >= mostLines || floodBytes flood > longestFlood = pure flood
       | otherwise = do
         now <- getMonotonicTime
-        if now >= deadline
-          then pure flood {floodGoesOn = True}
-          else do
-            more <- receive child (min deadline (now + 0.2))
-            case more of
-              Received piece -> go deadline flood piece
-              _ -> pure flood
+        more <- receive child (min deadline (now + silence))
+        case more of
+          Received piece | now < deadline -> go deadline flood piece
+          _ -> pure flood
       where
         flood =
-          before
+          Flood
             { floodLines = floodLines before + Bytes.count '\n' bytes,
               floodBytes = floodBytes before + Bytes.length bytes
             }
