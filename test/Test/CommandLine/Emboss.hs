@@ -174,7 +174,13 @@ spec = do
       status `shouldBe` 0
       text <- readFile (folder ++ "/n.svg")
       let numbers mark = map read . words . map spaced . takeWhile (/= '"') <$> after mark text
-          symbols = map inPairs (numbers "class=\"symbol\" points=\"")
+          -- The order of attributes is no promise of the library that writes them.
+          symbols =
+            [ inPairs (numbersOf points)
+              | element <- after "<" text,
+                "class=\"symbol\"" `isInfixOf` takeWhile (/= '>') element,
+                points <- take 1 (after "points=\"" (takeWhile (/= '>') element))
+            ]
           turnedBack = drop 1 . cycle
           area loop =
             abs (sum [x * y' - x' * y | ((x, y), (x', y')) <- zip loop (turnedBack loop)]) / 2
