@@ -137,6 +137,7 @@ import qualified Test.Solid.PackedByDefinition
 import qualified Test.Solid.RegionsTriangulated
 import qualified Test.Solid.ReportByDefinition
 import qualified Test.Solid.SeenByRays
+import qualified Test.Solid.SumsOfRoots
 import qualified Test.Store.Answers
 import qualified Test.Store.Changes
 import qualified Test.Store.DrawnPlacements
@@ -312,6 +313,7 @@ specs = do
     describe "Solids seen, by rays" Test.Solid.SeenByRays.spec
     describe "Cells of faces" Test.Solid.CellsOfFaces.spec
     describe "Merged and settled" Test.Solid.MergedAndSettled.spec
+    describe "Sums of roots" Test.Solid.SumsOfRoots.spec
     describe "Nets of solids" Test.Solid.NetsOfSolids.spec
     describe "Packing" Test.Solid.PackedByDefinition.spec
     describe "Files of solids" Test.Solid.FilesOfSolids.spec

@@ -33,6 +33,19 @@ spec = do
       map rowsOf (take 1 (grids (Tetrahedron 200))) `shouldBe` [[9, 7, 5, 3, 3, 1, 0]]
   it "of the L face of l:200x100x200, 30 of 6 x 7" $
     take 1 (gridsOf (LShape 200 100 200)) `shouldBe` [(6, 7, Just 30)]
+  prop "are counted where that takes so many tests of a side and a cell" $
+    forAll (elements [LShape 200 100 200, Tetrahedron 200, Prism 7 150 40, Octahedron 90]) $
+      \solid -> forAll (elements (walks solid)) $ \walk ->
+        let upTo most = gridWithin most (fromDescription (namedDescription solid)) pitch walk
+            whole = upTo 1000000
+            count = toInteger (length (gridCells whole))
+            tests = gridRows whole * gridColumns whole * toInteger (U.length walk)
+            few = upTo (tests - 1)
+            -- A rectangle has all cells of its grid, without a test.
+            full = count == gridRows whole * gridColumns whole
+         in map gridCount [whole, upTo tests, few]
+              === [Just count, Just count, if full then Just count else Nothing]
+              .&&. counterexample (show (gridAtLeast few, count)) (gridAtLeast few <= count)
   prop "are as many wherever the object is and however it is turned" $
     forAll (elements [LShape 200 100 200, Tetrahedron 200, Prism 7 150 40, Frame 300 250 90]) $
       \solid -> forAllBlind rotation $ \turn ->

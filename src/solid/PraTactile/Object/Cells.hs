@@ -15,6 +15,7 @@ module PraTactile.Object.Cells
     -- * Grids
     Grid (..),
     gridOf,
+    gridWithin,
     bestGrid,
     triedFirst,
   )

@@ -8,6 +8,7 @@ import Data.Either (fromLeft)
 import Data.Foldable (for_)
 import Data.List (nub)
 import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust)
 import qualified Data.Set as Set
 import PraTactile.Array (ArrayOn (..), Position (..), Shape (..), Surface (..))
 import PraTactile.Classification.Reader (readerOf)
@@ -186,6 +187,12 @@ countSpec = do
                       (length [() | OnSeveral _ <- kinds])
                       (length [() | None <- kinds])
                   )
+  it "up to 2^26 cells, and no more" $ do
+    body <- right (solid (namedDescription (Box 60 90 40)))
+    for_ [(Shape 8192 8192, True), (Shape 8192 8193, False), (Shape 8193 8192, False)] $
+      \(whole, counted) -> do
+        place <- right (placement whole canonicalPitch [body] [])
+        (whole, isJust (windowCounts place (Shape 2 2))) `shouldBe` (whole, counted)
   it "the least press of 2 x 2 windows is 40 x 52 taxels" $
     leastPress (Shape 2 2) `shouldBe` (40, 48 + 4)
 
@@ -275,7 +282,7 @@ touchSpec = do
               }
           experiment =
             (standardExperiment idealSensor)
-              { experimentPresses = 12,
+              { experimentPresses = 8,
                 experimentExploration = exploration idealSensor AnyAngle (40, 72)
               }
       results <-
@@ -294,4 +301,4 @@ touchSpec = do
             either (Left . show) Right (evaluated experiment array reader)
       outcomes <- map withStitching <$> right results
       [() | Mistaken _ <- outcomes] `shouldBe` []
-      length [() | Correct _ <- outcomes] `shouldSatisfy` (>= 9)
+      length [() | Correct _ <- outcomes] `shouldSatisfy` (>= 6)

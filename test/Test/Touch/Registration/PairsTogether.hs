@@ -24,6 +24,14 @@ spec :: Spec
 spec = do
   modifyMaxSuccess (const 30) fieldSpec
   modifyMaxSuccess (const 20) truthSpec
+  it "each frame chooses eight pairs at most: of nine at one place all, of more not" $ do
+    let compared count = comparedPixels told (replicate count ((0, 0), constant 16 16 0.5))
+        pairs count = compared count `div` compared 2
+        all' count = count * (count - 1) `div` 2
+        -- A pair that both frames have chosen counts once.
+        few count = pairs count >= 4 * count && pairs count <= min (8 * count) (all' count - 1)
+    map pairs [2 .. 9] `shouldBe` map all' [2 .. 9]
+    map few [10 .. 14] `shouldBe` replicate 5 True
 
 -- | An error of half a taxel, told: from a quarter to one; a frame lies three taxels off at most,
 -- and a pair three.

@@ -105,6 +105,7 @@ displacementsOf grid orientation (phaseY, phaseX) (place, given) =
             ]
       ]
 
--- | One number for a cell's row and column.
+-- | One number for a cell's row and column: in an area that can be put together there are fewer
+-- than 2^20 columns.
 cellNumber :: Int -> Int -> Int
 cellNumber row column = row * 1048576 + column
