@@ -52,7 +52,7 @@ evaluate: build ## the figure that matters: 1000 simulated presses, with and wit
 figures: build ## run the commands that README and docs show, and put there what they print
 	@PATH="$(CURDIR)/bin:$$PATH" runghc $$(tools/extensions.sh) -itest tools/Figures.hs $(FILES)
 
-# About half an hour; the test suite has 40 000 and 400 of them. What is found is printed with the seed that finds it again.
+# About half an hour; the test suite has 25 000 and 250 of them. What is found is printed with the seed that finds it again.
 fuzz: setup ## a million hostile inputs through the parsers, ten thousand through the program
 	@tools/build.sh test:spec
 	@PRA_TACTILE_HOSTILE=1000000 tools/test.sh --match "/Hostile inputs/"

@@ -2,7 +2,7 @@
 
 -- | Hostile inputs: whatever is put in, there is an answer or a refusal in words, soon and in
 -- little memory; and what is accepted obeys the laws. The number of inputs is PRA_TACTILE_HOSTILE,
--- 40 000 without it; a hundredth of it are runs of the program.
+-- 25 000 without it; a hundredth of it are runs of the program.
 module Test.Hostile (spec) where
 
 import Control.Monad (forM_)

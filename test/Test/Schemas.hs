@@ -256,7 +256,7 @@ conforming =
     ("suite", "tr -d '\\n' < data/suite.json"),
     ("impostors", "pra serve --impostors --json"),
     ("conform", conform ("--run window/pack" ++ paper) "pra-tactile serve"),
-    ("conform", conform ("--one-shot --run array/cell-at-the-edges" ++ paper) adapter),
+    ("conform", conform ("--one-shot --run field/negation-as-defined" ++ paper) adapter),
     ("conform", conform "--stage touch --run displacement --cases 2" "pra-tactile serve"),
     ("conform-laws", "pra conform --list --stage touch --json"),
     ( "badge",

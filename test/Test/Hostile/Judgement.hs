@@ -189,9 +189,9 @@ internals =
     "this should not have happened"
   ]
 
--- | A count in thousandths of all hostile inputs, of which there are 40 000 unless
+-- | A count in thousandths of all hostile inputs, of which there are 25 000 unless
 -- PRA_TACTILE_HOSTILE says how many.
 shareOf :: Int -> IO Int
 shareOf thousandths = do
   given <- lookupEnv "PRA_TACTILE_HOSTILE"
-  pure (max 1 (maybe 40000 (max 1) (given >>= readMaybe) * thousandths `div` 1000))
+  pure (max 1 (maybe 25000 (max 1) (given >>= readMaybe) * thousandths `div` 1000))

@@ -83,7 +83,7 @@ kinds =
     kind "profiles" 80 profiles judgedProfile,
     kind "sensors" 60 sensors judgedSensor,
     kind "calibrations" 70 calibrations judgedCalibration,
-    Kind "requests of serve" 30 requests judgedRequest,
+    Kind "requests of serve" 15 requests judgedRequest,
     kind "truths" 20 truths judgedTruth,
     kind "answers to compare" 20 claims judgedClaim,
     kind "arrays as CSV" 60 grids judgedGrid,

@@ -167,7 +167,7 @@ shown = either (Left . show) Right
 decoderSpec :: Spec
 decoderSpec = do
   for_ arrays $ \(name, profile, surfaces) ->
-    modifyMaxSuccess (const 150) $
+    modifyMaxSuccess (const 60) $
       it ("a grid is where comparing with all positions has it: " ++ name) $
         forAll (elements surfaces) $ \surface ->
           onBothRoads profile surface $ \array reader without ->

