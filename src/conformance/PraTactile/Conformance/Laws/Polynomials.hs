@@ -98,17 +98,22 @@ smallPolynomials p =
   where
     q = profileOrder p
 
--- | Of the least degrees for which q^n - 1 has a prime above 100, and, of small fields, above
--- 2^16: a primitive polynomial, and those of which the root's order is too small by one of these
--- primes.
+-- | Of the least degrees for which q^n - 1 has a prime above 100, or of small fields above 2^16,
+-- and of large fields is above 2^53 itself, where its primes are soon told: a primitive polynomial,
+-- and those of which the root's order is too small by one of these primes.
 highDegrees :: Known -> [[Code]]
 highDegrees known =
   [ map fromIntegral h
-    | bound <- 100 : [2 ^ (16 :: Int) | q <= 9],
-      n <- take 1 [n | n <- [2 .. 20], any (> bound) (primeDivisors (q ^ n - 1))],
+    | n <-
+        withPrimeAbove 100
+          ++ (if q <= 9 then withPrimeAbove (2 ^ (16 :: Int)) else [])
+          ++ filter soonTold (take 1 [n | q >= 25, n <- [2 ..], q ^ n > 2 ^ (53 :: Int)]),
       h <- primitiveAndShort (knownField known) n
   ]
   where
+    soonTold n = all (< 2 ^ (26 :: Int)) (primeDivisors (q ^ n - 1))
+    withPrimeAbove bound =
+      take 1 [n | n <- [2 .. 20 :: Int], any (> bound) (primeDivisors (q ^ n - 1))]
     q = toInteger (profileOrder (knownProfile known))
 
 -- | Monic, of a degree for which q^n is at most 5000.
