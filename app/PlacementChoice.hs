@@ -10,6 +10,7 @@ module PlacementChoice
     chosenPlacement,
     chosenWith,
     chosenNear,
+    chosenFirst,
     withDatabase,
     shownWith,
     feltPlacement,
@@ -23,7 +24,7 @@ import ExitStatus
 import FormatFile (readPlacement)
 import Message
 import Options
-import PraTactile.Array (Position)
+import PraTactile.Array (Position, Shape)
 import PraTactile.Format (decodeProfile)
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
@@ -132,6 +133,16 @@ chosenNear array choice = case choice of
   where
     near file cells = withDatabase array file $ \profile store ->
       storedNear store (profileWindow profile) cells >>= orUnusable storeMessage
+
+-- | The same for who presses the first so many faces and asks nothing that is further away on the
+-- array than so many rows and columns, by the array's window: of a database no more is read.
+chosenFirst ::
+  ArrayChoice -> PlacementChoice -> Int -> (Shape -> Shape) -> IO (Profile, Placement)
+chosenFirst array choice count reach = case choice of
+  InDatabase file -> withDatabase array file $ \profile store ->
+    (,) profile
+      <$> (storedFirst store count (reach (profileWindow profile)) >>= orUnusable storeMessage)
+  _ -> chosenPlacement array choice
 
 -- | An open database and the profile of its array. Leaves with status 2 where it is none, or where
 -- the array options describe another array.

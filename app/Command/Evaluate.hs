@@ -121,7 +121,8 @@ run choice options
     misused "--foreign-arrays is a share from 0 to that of --foreign"
   | otherwise = do
     real <- chosenSensor (sensor options)
-    (profile, laid) <- chosenPlacement choice (objects options)
+    (profile, laid) <-
+      chosenFirst choice (objects options) (presses options) (restingOn (size options))
     (scale, layout) <- feltPlacement laid
     let simulated = feltBySymbols scale real
     symbols <- readerFor (symbolReader options) profile

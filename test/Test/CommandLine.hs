@@ -137,6 +137,14 @@ touchSpec = describe "touch" $ do
       expected <- pra ["decode", "--json", "data/worked-example/composite.pgm"]
       pra ["decode", "--json", "data/worked-example/composite.pgm", "--database", file]
         `shouldReturn` expected
+  it "evaluate --database: the same counts from the few objects that are read" $
+    inFolder $ \folder -> do
+      let (placed, file) = (folder </> "placement.json", folder </> "mapping.sqlite")
+          counts source = pra (words "evaluate --presses 2 --seed 2 --json" ++ source)
+      void (pra (words "place --output" ++ placed : words "a=cube b=box:60x70x70"))
+      void (pra ["objects", "--placement", placed, "--write", file])
+      expected <- counts ["--placement", placed]
+      counts ["--database", file] `shouldReturn` expected
   it "probe, stitch, decode: a place that is told is found, upright and turned" $
     inFolder $ \folder ->
       for_ [("--upright", 0), ("--turned", 180)] $ \(way, degrees) -> do

@@ -7,6 +7,7 @@ module PraTactile.Evaluate
     standardExperiment,
     evaluated,
     evaluatedPoses,
+    restingOn,
     assumedStitching,
     ExperimentError (..),
 
@@ -54,6 +55,7 @@ import PraTactile.Array
 import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
+import PraTactile.Geometry (columnPitch, rowPitch)
 import PraTactile.Object.Placement
 import PraTactile.Polynomial (primitiveDegree, primitivePolynomials)
 import PraTactile.Pose (poseApart, poseDistance)
@@ -172,6 +174,18 @@ evaluatedPoses experiment array reader = do
       | told = assumedStitching sensor
       | otherwise = (assumedStitching sensor) {stitchingPositionError = Nothing}
     weighing = tolerance {foreignPrior = fromMaybe (foreignPrior tolerance) share}
+
+-- | How many rows and columns of the array beyond a face's block what comes of a press on it rests
+-- on, given the region's size in taxels and the array's window. An answer with another face is wrong
+-- whatever lies there, and refusals know nothing of the objects. One with the true face is right
+-- where the composite shows it, so that all cells that were felt are within the region's diagonal,
+-- and what lies at windows with them tells whether it is right.
+restingOn :: (Int, Int) -> Shape -> Shape
+restingOn (wide, high) window =
+  Shape (rows window + across rowPitch) (columns window + across columnPitch)
+  where
+    across pitch = 1 + ceiling (diagonal / pitch)
+    diagonal = sqrt (fromIntegral (wide * wide + high * high)) :: Double
 
 -- | The arrays of the same shape by the other primitive polynomials of the degree, the first 1024.
 byOtherPolynomials :: KnownField k => PseudorandomArray k -> [PseudorandomArray k]

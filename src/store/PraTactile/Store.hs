@@ -18,6 +18,7 @@ module PraTactile.Store
     storedPlacement,
     storedObjects,
     storedNear,
+    storedFirst,
 
     -- * Look-ups
     storedWhereabouts,
@@ -218,6 +219,16 @@ storedNear store window cells = case storeContents store of
   Loaded place -> pure (Right place)
   Tables connection ->
     query store connection (selectNear (storedShape store) (storedPitch store) window cells)
+
+-- | The placement of those objects alone that have cells of the first so many laid faces, or within
+-- so many rows and columns of their blocks on the array. Those faces are the first of it.
+storedFirst :: Store -> Int -> Shape -> IO (Either StoreError Placement)
+storedFirst store count reach = case storeContents store of
+  Loaded place -> pure (Right place)
+  Tables connection -> do
+    some <-
+      query store connection (selectFirstLaid (storedShape store) (storedPitch store) count reach)
+    either (pure . Left) (maybe (storedPlacement store) (pure . Right)) some
 
 -- | Where the window of the given shape at the given position is; as 'whereabouts' answers.
 storedWhereabouts :: Store -> Shape -> Position -> IO (Either StoreError Whereabouts)

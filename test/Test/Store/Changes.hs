@@ -20,7 +20,7 @@ import Data.Text.Encoding (decodeUtf8)
 import Data.Traversable (for)
 import Database.Persist.Sqlite (PersistValue (..), runSqlConn, withSqliteConn)
 import qualified Database.Sqlite as Sqlite
-import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Array (Position (..), Shape (..), shapeCells)
 import PraTactile.Object.Canonical
 import PraTactile.Object.Named (Named (..), namedDescription)
 import PraTactile.Object.Placement hiding (more)
@@ -56,6 +56,7 @@ spec = describe "change" $ do
         let name = solidName body
             others = [solidName other | other <- placementSolids place, solidName other /= name]
         storedObjects store [name] `shouldReturn` first (error . show) (removing others place)
+      for_ [0 .. length (laidFaces place) + 1] (firstRead store place)
       storedObjects store ["cube", "sphere"]
         `shouldReturn` Left (NotInStore (UnknownObject "sphere"))
   it "writers of one store wait for each other" $
@@ -103,7 +104,22 @@ spec = describe "change" $ do
         for_ (laidFaces now) $ \laid ->
           storedPosition store (laidFace laid) (Position 0 0)
             `shouldReturn` first NotInStore (arrayPosition now (laidFace laid) (Position 0 0))
+        generate (choose (0, length (laidFaces now) + 1)) >>= firstRead store now
       walk path now others
+    -- The first faces are the first of all, and what lies within reach of them is the same.
+    firstRead store place count = do
+      let reach = Shape 1 2
+      found <- storedFirst store count reach
+      for_ found $ \some -> do
+        take count (laidFaces some) `shouldBe` take count (laidFaces place)
+        for_ (take count (laidFaces place)) $ \laid ->
+          for_ (near reach (placementShape place) (laidAt laid) (laidGrid laid)) $ \at ->
+            whereabouts some (Shape 1 1) at `shouldBe` whereabouts place (Shape 1 1) at
+      either (expectationFailure . show) (const (pure ())) found
+    near (Shape down across) (Shape high wide) (Position r c) (Shape tall broad) =
+      [ Position ((r + high - down + i) `mod` high) ((c + wide - across + j) `mod` wide)
+        | Position i j <- shapeCells (Shape (tall + 2 * down) (broad + 2 * across))
+      ]
 
 -- | What is promised of files alone.
 inFiles :: Spec
@@ -125,6 +141,7 @@ inFiles = describe "change of a file" $ do
           _ <- runExceptT selectSheet
           forM_ [Position 6 5, Position 14 16, Position 3 3] $ \at ->
             runExceptT (selectWhereabouts (Shape 15 17) canonicalPitch canonicalWindow at)
+          _ <- runExceptT (selectFirstLaid (Shape 15 17) canonicalPitch 2 (Shape 1 1))
           forM_ (map laidFace (laidFaces place)) $ \face ->
             runExceptT (selectPosition (Shape 15 17) face (Position 1 1))
           let unknown = Face "sphere" (readFaceName "A B C")

@@ -251,6 +251,7 @@ strangers = do
         void (storedPosition store (Face "sphere" (readFaceName "A B C")) (Position 1 1))
         void (storedObjects store ["cube"])
         void (storedNear store canonicalWindow [Position 6 5])
+        void (storedFirst store 2 (Shape 1 1))
       opened `shouldBe` Right ()
       said <- logged server "heard"
       let asked =

@@ -16,6 +16,7 @@ module PraTactile.Store.Query
     -- * Some of the objects
     selectObjects,
     selectNear,
+    selectFirstLaid,
 
     -- * The array
     selectSheet,
@@ -36,7 +37,7 @@ import qualified Data.Text as Text
 import Data.Traversable (for)
 import Database.Persist.Sql hiding (count)
 import Numeric.Natural (Natural)
-import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Array (Position (..), Shape (..), area)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Store.Error
@@ -224,17 +225,44 @@ selectObjects shape between names = do
 -- | The placement of those objects alone that have cells of any window of this shape that has one
 -- of these cells of the array; the array's shape and pitch come first.
 selectNear :: MonadIO m => Shape -> Pitch -> Shape -> [Position] -> Query m Placement
-selectNear shape@(Shape high wide) between (Shape tall broad) cells = do
-  under <- for cells $ \(Position r c) ->
-    facesUnder mapping reach (Position (back high tall r) (back wide broad c))
+selectNear shape between window@(Shape tall broad) cells =
+  selectUnder
+    shape
+    between
+    [ widened shape (Shape (tall - 1) (broad - 1)) (cell, Shape 1 1)
+      | area window > 0,
+        cell <- cells
+    ]
+
+-- | The placement of those objects alone that have cells within so many rows and columns of the
+-- blocks of the first so many laid faces; the array's shape and pitch come first. 'Nothing' where
+-- there are not so many, or one of these numbers has gone: whether rows are missing says the whole.
+selectFirstLaid :: MonadIO m => Shape -> Pitch -> Int -> Shape -> Query m (Maybe Placement)
+selectFirstLaid shape between count reach = do
+  found <-
+    selected LayingTable [StoredLayingNumber >=. 0] [Asc StoredLayingNumber, LimitTo count]
+  if map storedLayingNumber found == take count [1 ..]
+    then do
+      blocks <- for found $ \laying -> except ((,) <$> atIn laying <*> gridIn laying)
+      Just <$> selectUnder shape between (map (widened shape reach) blocks)
+    else pure Nothing
+
+-- | A block of the array's cells with so many rows and columns more on each side, round the torus.
+widened :: Shape -> Shape -> (Position, Shape) -> (Position, Shape)
+widened (Shape high wide) (Shape down across) (Position r c, Shape tall broad) =
+  (Position (back high down r) (back wide across c), Shape (tall + 2 * down) (broad + 2 * across))
+  where
+    back size by at = (at + size - by `mod` size) `mod` size
+
+-- | The placement of those objects alone that have cells of these blocks of the array, each by its
+-- upper left cell and its shape; the array's shape and pitch come first.
+selectUnder :: MonadIO m => Shape -> Pitch -> [(Position, Shape)] -> Query m Placement
+selectUnder shape between blocks = do
+  under <- for blocks $ \(at, block) -> facesUnder mapping block at
   seats <- traverse snd (Map.elems (Map.unions under))
   selectObjects shape between (Set.toList (Set.fromList (map (faceObject . seatFace) seats)))
   where
     mapping = Mapping shape between (selectCells between)
-    reach = Shape (upTo tall) (upTo broad)
-    upTo size = if size == 0 then 0 else 2 * size - 1
-    -- So many cells before, round the torus.
-    back size by at = if by == 0 then at else (at + size - (by - 1) `mod` size) `mod` size
 
 -- | The object of a name. Names are parted: that there is none of a name says the one before it.
 selectObject :: MonadIO m => ObjectName -> Query m StoredObject
