@@ -13,6 +13,9 @@ module PraTactile.Object.Boxes
     boxes,
     meeting,
     along,
+
+    -- * Sorting
+    sortedPairs,
   )
 where
 
@@ -75,7 +78,7 @@ boxes given = Boxes width sorted (U.create filled)
   where
     count = V.length given
     width = 1 `shiftL` (64 - countLeadingZeros (max 1 count - 1))
-    sorted = U.map snd (U.modify Intro.sort (U.generate count (\i -> (curve (given V.! i), i))))
+    sorted = U.map snd (sortedPairs (U.generate count (\i -> (curve (given V.! i), i))))
     whole = foldl' around nothing (V.toList given)
     curve box = interleaved (middle box)
     middle (Box a b c d e f) = (place 0 a d, place 1 b e, place 2 c f)
@@ -137,7 +140,7 @@ along tree p@(Box a b c _ _ _) q@(Box a' b' c' _ _ _) =
       where
         (s, wide) = (double (most k i + least k i - u), double (most k i - least k i))
         (t, high) = (double (most k j + least k j - v), double (most k j - least k j))
-        off = 4 + (abs s + abs t + wide + high + abs du + abs dv) * 2 ** (-40)
+        off = 4 + (abs s + abs t + wide + high + abs du + abs dv) / 0x10000000000
     -- Halves of them, whose sum is a machine integer.
     least k axis = U.unsafeIndex (bounds tree) (6 * k + axis) `shiftR` 1
     most k axis = U.unsafeIndex (bounds tree) (6 * k + axis + 3) `shiftR` 1
@@ -159,3 +162,7 @@ descended tree holds = visit 1 []
       | k >= leaves tree = U.unsafeIndex (items tree) (k - leaves tree) : rest
       | otherwise = visit (2 * k) (visit (2 * k + 1) rest)
 {-# INLINE descended #-}
+
+-- | Pairs in ascending order. (The sort is compiled for them only where it has all its arguments.)
+sortedPairs :: U.Vector (Int, Int) -> U.Vector (Int, Int)
+sortedPairs = U.modify (\pairs -> Intro.sortByBounds compare pairs 0 (M.length pairs))

@@ -199,6 +199,10 @@ pointAt it i = Point (part x) (part y) (part z)
 
 -- | For each item the first one that equals it. O(n log n).
 firstAlike :: Ord a => V.Vector a -> U.Vector Int
-firstAlike items = U.generate (V.length items) (\i -> Map.findWithDefault i (items V.! i) firsts)
+firstAlike items = U.fromListN (V.length items) (go Map.empty (zip [0 ..] (V.toList items)))
   where
-    firsts = V.ifoldl' (\seen i item -> Map.insertWith (\_ old -> old) item i seen) Map.empty items
+    go seen ((i, item) : others) = case Map.lookup item seen of
+      Just first -> first : go seen others
+      Nothing -> i : go (Map.insert item i seen) others
+    go _ [] = []
+{-# INLINEABLE firstAlike #-}

@@ -91,15 +91,8 @@ pieces subject told =
     members = Map.fromListWith (++) [(pieceOf f, [f]) | f <- reverse formedFaces]
     count pairs = Map.fromListWith (+) [(piece, 1 :: Int) | piece <- pairs]
     vertices =
-      count
-        ( map
-            fst
-            ( Set.toList
-                ( Set.fromList
-                    [(pieceOf f, v) | f <- formedFaces, v <- U.toList (formed subject V.! f)]
-                )
-            )
-        )
+      count . map fst . U.toList . U.uniq . sortedPairs $
+        U.fromList [(pieceOf f, v) | f <- formedFaces, v <- U.toList (formed subject V.! f)]
     edges =
       count
         [ pieceOf (sideFace (sides subject) s)

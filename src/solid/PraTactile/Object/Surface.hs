@@ -28,9 +28,9 @@ import Control.Monad (forM_, when)
 import Control.Monad.ST (ST, runST)
 import Data.Bits (shiftL, (.|.))
 import qualified Data.Vector as V
-import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
+import PraTactile.Object.Boxes (sortedPairs)
 import PraTactile.Object.Mesh (Walk)
 
 -- | All sides of some walks, in their order.
@@ -70,7 +70,7 @@ surface walks =
     begun = U.concat (V.toList walks)
     from = U.fromList (scanl (+) 0 (map U.length (V.toList walks)))
     ends = U.concat (V.toList (V.map (\walk -> U.drop 1 walk U.++ U.take 1 walk) walks))
-    keyed = U.modify Intro.sort (U.imap (\s a -> (key a (ends U.! s), s)) begun)
+    keyed = sortedPairs (U.imap (\s a -> (key a (ends U.! s), s)) begun)
     key a b = (min a b `shiftL` 32) .|. max a b
     sides = U.map snd keyed
     bounds =

@@ -10,7 +10,6 @@ where
 import Data.List (sort)
 import Data.Maybe (isJust)
 import qualified Data.Vector as V
-import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Boxes
 import PraTactile.Object.Defect
@@ -89,7 +88,9 @@ verticesOnEdges subject =
     it = whole subject
     place = (meshPoints it V.!)
     box = boxOf (rounding subject)
-    used = U.uniq (U.modify Intro.sort (U.concat (V.toList (formed subject))))
+    used = U.findIndices id (U.update_ none visited (U.map (const True) visited))
+    none = U.replicate (V.length (meshPoints it)) False
+    visited = U.concat (V.toList (formed subject))
     tree = boxes (V.map (box . place) (V.convert used))
 
 -- | The ends of a side, the one with the lesser index first.

@@ -11,11 +11,10 @@ module PraTactile.Object.Validity.Walks
   )
 where
 
-import Data.List (sortOn)
+import Data.List (sort, sortOn)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import qualified Data.Vector as V
-import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Defect
 import PraTactile.Object.Mesh
@@ -61,7 +60,7 @@ twice it =
 
 -- | The faces that have the same vertices, those that are more than one.
 facesAlike :: Mesh -> [[Int]]
-facesAlike = alikeGroups . V.map (U.modify Intro.sort) . meshWalks
+facesAlike = alikeGroups . V.map (U.fromList . sort . U.toList) . meshWalks
 
 -- | The places of equal things, those that are more than one; by the first of each.
 alikeGroups :: Ord a => V.Vector a -> [[Int]]
