@@ -8,6 +8,7 @@ where
 import ArrayChoice
 import Control.Monad (unless, when)
 import Counted
+import qualified Data.ByteString.Char8 as Bytes
 import Data.Char (isSpace)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, isNothing)
@@ -18,6 +19,7 @@ import ExitStatus
 import Files (readBytes)
 import FormatFile (readPlacement, writePlacement)
 import Json (shapeText)
+import Lines (largestLine)
 import Message
 import Message.Advice (adviceErrorMessage)
 import NamedSolid
@@ -250,6 +252,8 @@ ground choice options = case onto options of
 objectLines :: FilePath -> IO [String]
 objectLines file = do
   bytes <- readBytes file
+  when (any ((> largestLine) . Bytes.length) (Bytes.lines bytes)) . unusable $
+    visibleName file ++ " has a line of more than " ++ show largestLine ++ " bytes"
   text <- orUnusable (const (visibleName file ++ " is no text in UTF-8")) (decodeUtf8' bytes)
   pure [line | line <- map Text.unpack (Text.lines text), not (all isSpace line)]
 

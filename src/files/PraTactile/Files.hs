@@ -195,7 +195,7 @@ readSource source = case source of
 -- | A file's bytes, if there are not more than so many; of a pipe or a device as well. @-@ is the
 -- standard input.
 readUpTo :: Int -> FilePath -> IO (Either FilesError ByteString)
-readUpTo limit "-" = maybe (Left (TooLarge "the standard input" limit)) Right <$> most limit stdin
+readUpTo limit "-" = maybe (Left (TooLarge "the standard input" limit)) Right <$> most limit 0 stdin
 readUpTo limit file = do
   isFolder <- doesDirectoryExist file
   if isFolder
@@ -207,7 +207,7 @@ readUpTo limit file = do
     bytesOf handle = do
       -- A pipe has no size to be asked for; it is read as far as it may go.
       size <- either unknown id <$> try (hFileSize handle)
-      if size > toInteger limit then pure Nothing else most limit handle
+      if size > toInteger limit then pure Nothing else most limit (fromInteger size) handle
     unknown :: IOException -> Integer
     unknown _ = 0
     -- The system's own words, without the names of the library's functions.
@@ -220,11 +220,16 @@ readUpTo limit file = do
       | isPermissionError problem = NotPermitted file
       | otherwise = Unreadable file (reason (ioe_description problem))
 
--- | All that there is to be read, if it is not more than so many bytes.
-most :: Int -> Handle -> IO (Maybe ByteString)
-most limit handle = do
-  bytes <- Lazy.hGet handle (limit + 1)
-  pure (if Lazy.length bytes <= fromIntegral limit then Just (Lazy.toStrict bytes) else Nothing)
+-- | All that there is to be read, if it is not more than so many bytes. Of them so many are known to
+-- be there, and are in memory once.
+most :: Int -> Int -> Handle -> IO (Maybe ByteString)
+most limit known handle = do
+  begin <- Bytes.hGet handle known
+  others <- Lazy.hGet handle (limit + 1 - Bytes.length begin)
+  pure $
+    if Bytes.length begin + fromIntegral (Lazy.length others) > limit
+      then Nothing
+      else Just (if Lazy.null others then begin else begin <> Lazy.toStrict others)
 
 -- | One reading after the other, if the first succeeds.
 andThen :: IO (Either e a) -> (a -> IO (Either e b)) -> IO (Either e b)

@@ -110,6 +110,10 @@ spec = do
       [ "on no object: the window straddles cube, face C2 C6 C7 C3 and parallelepiped, face P1 P2 \
         \P3 P4 and parallelepiped, face P3 P7 P8 P4"
       ]
+  it "place --objects: a line that is longer than any name" $
+    inFolder $ \folder -> do
+      writeFile (folder </> "list") (replicate (2 * 1024 * 1024) '1')
+      atOnce (complains ["place", "--objects", folder </> "list"] "a line of more than")
   where
     -- Generous: other work may go on beside the tests.
     atOnce action =
