@@ -6,7 +6,6 @@ intersections of faces included; trimesh whether the surface is closed and its v
 in floating point.
 """
 
-import json
 import math
 import os
 import resource
@@ -36,8 +35,8 @@ def torus(file, triangles):
 
 
 def ours(file):
-    said = json.loads(subprocess.run(["pra-tactile", "solid", "--json", file], capture_output=True, check=True).stdout)
-    return f"valid: {said['valid']}, genus {said['components'][0]['genus']}"
+    said = subprocess.run(["pra-tactile", "solid", file], capture_output=True, text=True, check=True).stdout.splitlines()
+    return f"{said[0].split(': ')[1]}, {next(line.strip() for line in said if 'piece: ' in line)}"
 
 
 def trimesh(file):
