@@ -220,8 +220,8 @@ readUpTo limit file = do
       | isPermissionError problem = NotPermitted file
       | otherwise = Unreadable file (reason (ioe_description problem))
 
--- | All that there is to be read, if it is not more than so many bytes. Of them so many are known to
--- be there, and are in memory once.
+-- | All that there is to be read, if it is not more than so many bytes. Those that are known to be
+-- there, so many, are in memory once.
 most :: Int -> Int -> Handle -> IO (Maybe ByteString)
 most limit known handle = do
   begin <- Bytes.hGet handle known

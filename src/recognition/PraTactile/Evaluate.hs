@@ -176,10 +176,10 @@ evaluatedPoses experiment array reader = do
     weighing = tolerance {foreignPrior = fromMaybe (foreignPrior tolerance) share}
 
 -- | How many rows and columns of the array beyond a face's block what comes of a press on it rests
--- on, given the region's size in taxels and the array's window. An answer with another face is wrong
--- whatever lies there, and refusals know nothing of the objects. One with the true face is right
--- where the composite shows it, so that all cells that were felt are within the region's diagonal,
--- and what lies at windows with them tells whether it is right.
+-- on, given the region's size in taxels and the array's window. An answer with another face is
+-- wrong whatever lies there, and refusals know nothing of the objects. One with the true face is
+-- right where the composite shows it, so that all cells that were felt are within the region's
+-- diagonal, and what lies at windows with them tells whether it is right.
 restingOn :: (Int, Int) -> Shape -> Shape
 restingOn (wide, high) window =
   Shape (rows window + across rowPitch) (columns window + across columnPitch)
