@@ -9,12 +9,11 @@ module PraTactile.Segmentation.Reading
   )
 where
 
-import qualified Data.Vector.Storable as V
 import PraTactile.Composite (Composite (..))
 import PraTactile.Composite.Blend (minus)
 import PraTactile.Composite.Tilt (setUpright)
 import PraTactile.Geometry
-import PraTactile.Image (rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Segmentation
 import PraTactile.Segmentation.Lattice
 import PraTactile.Symmetry
@@ -41,13 +40,12 @@ readingsAt composite forParts angle =
       { readingAxis = angle + degreesClockwise axis,
         readingView = view,
         readingForParts = onComposite (invert axis) (fst (atAngle forParts)),
-        readingFound = whole,
-        readingSteps = steps (segmentedSymbols whole),
+        readingFound = found,
+        readingSteps = steps (segmentedSymbols found),
         readingBack = back . onPixel axis (sizeOf view)
       }
     | axis <- [identity, turned 1],
-      let (view, found, _) = segmentAlong axis upright,
-      let whole = if angle == 0 then found else wholeOnly view found
+      let (view, found, _) = segmentAlong axis upright
   ]
   where
     (upright, back) = atAngle composite
@@ -56,16 +54,6 @@ readingsAt composite forParts angle =
       ( fromIntegral (rasterWidth (compositeImage view)),
         fromIntegral (rasterHeight (compositeImage view))
       )
-
--- | The symbols most of whose box was touched: at an angle, what the composite's edge leaves of one
--- may be as wide and as tall as a whole one.
-wholeOnly :: Composite -> Segmentation -> Segmentation
-wholeOnly view found = found {segmentedSymbols = filter mostly (segmentedSymbols found)}
-  where
-    look = partAt view found
-    mostly s = maybe False ((>= leastTouched) . touchedOf) (look (symbolCentre s))
-    touchedOf = V.sum . rasterValues . partSeen
-    leastTouched = 0.85 * fromIntegral (symbolWidth * symbolHeight)
 
 -- | Each symbol with each of its neighbours, and the cell where that is beside it.
 steps :: [SymbolImage] -> [(SymbolImage, Cell, SymbolImage)]
@@ -88,14 +76,18 @@ offAxis reading = (atan2 (total across) (total along), total expected / 2)
     across (x, y) (x', y') = x * y' - y * x'
     expected (x, y) _ = x * x + y * y
 
--- | How little a reading's symbols agree with its angle, as twice the negative logarithm of a
--- likelihood: by how much their neighbours lie off it, and how far their boxes are from a symbol's
--- size, which only along its own axes it has. The standard deviation of a symbol's place is a
--- pixel, as symbols need not stand on the lattice, that of a side a quarter of one (assumptions).
+-- | How little a reading's symbols agree with its angle, as twice the negative logarithm of how
+-- many times as likely they are symbols at it as anything else: by how much their neighbours lie
+-- off it, and how far their boxes are from a symbol's size, which only along its own axes it has.
+-- The standard deviation of a symbol's place is a pixel, as symbols need not stand on the lattice,
+-- that of a side half of one; other boxes are of any size to 16 by 16 pixels (assumptions).
+-- One that is likelier anything else tells nothing.
 misfit :: Reading -> Double
-misfit reading = places + sum [square (w - wide) + square (h - high) | (w, h) <- sizes] / side
+misfit reading = places + sum (map (min 0 . subtract chance . off) sizes)
   where
-    side = square 0.25
+    off (w, h) = square ((w - wide) / side) + square ((h - high) / side)
+    side = 0.5
+    chance = 2 * log (square 16 / (2 * pi * square side))
     sizes = map symbolSize (segmentedSymbols (readingFound reading))
     (wide, high) = (fromIntegral symbolWidth, fromIntegral symbolHeight)
     (angle, distances) = offAxis reading

@@ -37,7 +37,8 @@ data Reject = Reject !(Double, Double, Double, Double) !Cause
 
 -- | Why something is no complete symbol.
 data Cause
-  = -- | It is too small and reaches the edge of what was touched.
+  = -- | It reaches the edge of what was touched, and is too small, or too little of its box was
+    -- touched.
     CutOff
   | -- | Its box is not of a symbol's size.
     WrongSize

@@ -60,18 +60,17 @@ data Incomplete = Incomplete
   deriving stock (Eq, Show)
 
 -- | The symbols of a composite at any angle: as they lie at the angle that the image's gradients
--- show, or along the composite's own axes. The one is taken that shows more symbols, of as many the
--- one with more neighbours, and of as many the one with less @misfit@. One or two symbols alone, at
--- an angle, may be told at another one.
+-- show, or along the composite's own axes. The one is taken with the least @misfit@; if both have
+-- the same, the one that shows more symbols, and of as many the one with more neighbours.
 segmentTurned :: Composite -> TurnedSegmentation
 segmentTurned composite = maybe (TurnedSegmentation [] [] foreign') segmented best
   where
     Cleaned own forParts foreign' = cleaned composite
     best = listToMaybe (sortOn rank readings)
     rank r =
-      ( negate (length (segmentedSymbols (readingFound r))),
-        negate (length (readingSteps r)),
-        misfit r
+      ( misfit r,
+        negate (length (segmentedSymbols (readingFound r))),
+        negate (length (readingSteps r))
       )
     readings = concatMap (readingsAt own (fromMaybe own forParts)) (angles (tilt [own]))
     angles found = case found of

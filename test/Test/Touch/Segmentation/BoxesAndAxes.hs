@@ -185,7 +185,8 @@ along = do
                       ]
             _ -> counterexample (show found) False
   where
-    size full = choose (full - 1.2, full + 1.2)
+    -- If more than half a pixel were missing, a column or row would not have been touched.
+    size full = choose (full - 0.5, full + 1.2)
     near a b = abs (a - b) < (1e-9 :: Double)
     -- How much of a pixel, from i to i + 1, is covered.
     share from to i = max 0 (min to (fromIntegral i + 1) - max from (fromIntegral i)) :: Double

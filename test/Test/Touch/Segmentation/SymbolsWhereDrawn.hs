@@ -152,9 +152,9 @@ rejected = do
             ]
         | bitmap <- solid : embossing
       ]
-  it "a symbol that the edge cuts off by less than a taxel is found where it is" $
+  it "a symbol is found where it is while a row at its edge, or half a column, was not touched" $
     conjoin
-      [ forAll (choose (0, 0.9)) $ \cut ->
+      [ forAll ((,) <$> choose (0, 0.5) <*> choose (0, 0.9)) $ \(columns, rows') ->
           conjoin
             [ alone (compositeOf (embossedAt 40 52 [(place, bitmap)])) $ \symbol ->
                 let (cx, cy) = symbolCentre symbol
@@ -164,7 +164,17 @@ rejected = do
                           && abs (cy - y - 5.5) < 0.5
                           && likeness (symbolPixels symbol) bitmap > 0.7
                       )
-              | place@(x, y) <- [(-cut, 20), (32 + cut, 20), (15, -cut), (15, 40 + cut)]
+              | place@(x, y) <-
+                  [(-columns, 20), (32 + columns, 20), (15, -rows'), (15, 40 + rows')]
+            ]
+        | bitmap <- embossing
+      ]
+  it "one of which less than nine tenths was touched is cut off, though its box fits" $
+    conjoin
+      [ forAll (choose (0.7, 1.5)) $ \cut ->
+          conjoin
+            [ nothingBut CutOff (segment (compositeOf (embossedAt 40 52 [(place, bitmap)])))
+              | place <- [(-cut, 20), (32 + cut, 20), (15, -1 - cut), (15, 41 + cut)]
             ]
         | bitmap <- embossing
       ]
