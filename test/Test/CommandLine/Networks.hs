@@ -8,8 +8,9 @@ import Data.Aeson (Value (..))
 import Data.Foldable (for_, toList)
 import Data.List (isInfixOf, isPrefixOf)
 import System.Directory (doesPathExist, listDirectory)
+import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
-import System.Process (readProcess)
+import System.Process (readProcess, readProcessWithExitCode)
 import Test.CommandLine.Run
 import Test.Hspec
 import Test.Support
@@ -104,6 +105,33 @@ spec = do
         length (all' ours) `shouldBe` 5
         maximum (zipWith (\a b -> abs (a - b)) (numbers theirs) (all' ours))
           `shouldSatisfy` (< 1e-6)
+  it "as ONNX the weights give the same outputs" $
+    inFolder $ \folder -> do
+      (present, _, _) <- readProcessWithExitCode "python3" ["-c", "import onnx.reference"] ""
+      if present /= ExitSuccess
+        then pendingWith "Python's package onnx is not installed here"
+        else do
+          let json = folder </> "n.json"
+              onnx = folder </> "n.onnx"
+              images = folder </> "images"
+          _ <- pra ["network", "--q", "3", "--output", json]
+          _ <- pra (words "images --q 3 --set bitmap --count 2 --seed 5 --output" ++ [images])
+          names <- map (images </>) . filter (".pgm" `isInfixOf`) <$> listDirectory images
+          ours <- readProcess "python3" ("examples/python/outputs.py" : json : names) ""
+          _ <- readProcess "python3" ["examples/python/to_onnx.py", json, onnx] ""
+          let script =
+                [ "import sys, numpy, onnx.reference",
+                  "files = [open(name, 'rb').read()[-192:] for name in sys.argv[2:]]",
+                  "images = numpy.array([numpy.frombuffer(f, '>u2') for f in files]) / 65535",
+                  "network = onnx.reference.ReferenceEvaluator(sys.argv[1])",
+                  "for row in network.run(None, {'image': (images - 0.25) / 0.5})[0]:",
+                  "    print(*map(float, row))"
+                ]
+          theirs <- readProcess "python3" ("-c" : unlines script : onnx : names) ""
+          let numbers own = map read . concatMap (own . words) . lines :: String -> [Double]
+              apart = zipWith (-) (numbers (drop 1) ours) (numbers id theirs)
+          length apart `shouldBe` 18
+          maximum (map abs apart) `shouldSatisfy` (< 1e-12)
   it "a training by the paper's stages: each ends at its goal, and every epoch is in the trace" $
     inFolder $ \folder -> do
       let trace = folder </> "trace.csv"
