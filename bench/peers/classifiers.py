@@ -1,7 +1,7 @@
 """Which symbol an image shows: `pra-tactile classify` beside scikit-learn's MLPClassifier, PyTorch, logistic regression and class mean, all on
 images that `pra-tactile images --set press` wrote. Peers are trained with images of one seed, and all are tried on images of another, at the
-eleven levels of noise of the paper's experiment; what counts is the class with most errors over all levels. The peers have as many hidden
-units as our network, and every seed of theirs is a row of the spread.
+eleven levels of noise of the paper's experiment; what counts is the class with most errors, of its images at all levels together. The peers
+have as many hidden units as our network, and every seed of theirs is a row of the spread.
 
 usage: bench/peers/classifiers.py [--program bin/pra-tactile] [--q 4] [--sensor real] [--train 100] [--test 300] [--seeds 8]
 needs: numpy, scikit-learn; torch where its row is wanted
@@ -104,8 +104,8 @@ def by_torch(x, y, seed):
 
 
 def worst(told, labels):
-    """The greatest share of a class that is told wrong at any level, per cent."""
-    return max(100 * numpy.mean(level[labels == k] != k) for level in told for k in range(options.q))
+    """The share that is told wrong of the images of a class at all levels together, per cent, of the class where it is greatest."""
+    return max(100 * numpy.mean([level[labels == k] != k for level in told]) for k in range(options.q))
 
 
 with tempfile.TemporaryDirectory() as place:
