@@ -94,11 +94,11 @@ data Calibration = Calibration
   }
   deriving stock (Eq, Show)
 
--- | Of a network for so many classes of which nothing else is known: near what 7200 symbols of
--- GF(4)'s and 1800 others make likeliest without a prior, pressed by three sensors, upright and at
+-- | Of a network for so many classes of which nothing else is known: near what 6900 symbols of
+-- GF(4)'s and 1700 others make likeliest without a prior, pressed by three sensors, upright and at
 -- any angle.
 standardCalibration :: Int -> Calibration
-standardCalibration classes = Calibration 0.13 4.7 (replicate classes 0) [0, 5.7, -5.8, -0.27]
+standardCalibration classes = Calibration 0.09 5.1 (replicate classes 0) [2.6, 6.8, -9.2, -0.27]
 
 -- | What an image tells of each thing that it may show, z and s; and u.
 data Look = Look ![((Int, Symmetry), (Double, Double))] !Double
