@@ -43,7 +43,7 @@ spec = beforeAll (library <$> readText "README.md") $ do
             "cd '" ++ folder ++ "'\n" ++ unlines commands
           ]
       (code, take 1 (lines out), err)
-        `shouldBe` (ExitSuccess, ["cube, face C1 C2 C3 C4, as near to C1 as to C2"], "")
+        `shouldBe` (ExitSuccess, ["cube, face C1 C2 C3 C4, corner C2"], "")
   it "a package with the lines for cabal.project is planned with these libraries" $
     \text -> inFolder $ \folder -> do
       here <- getCurrentDirectory
