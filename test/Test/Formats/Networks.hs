@@ -28,7 +28,7 @@ spec = do
     forM_
       [ ("\"seed\":7", "\"seed\":8"),
         ("\"regimen\":\"stated\"", "\"regimen\":\"Stated\""),
-        ("\"per_likeness\":4.7", "\"per_likeness\":4.8"),
+        ("\"per_likeness\":", "\"per_likeness\":1"),
         ("[[0.5,", "[[0.25,"),
         ("\"alphabet\":\"a", "\"alphabet\":\"b")
       ]
