@@ -15,7 +15,8 @@ spec=${TESTED:+$TESTED/spec}
 
 # One shows its tests as they end, the other once it has ended. They are parted so that both take about as long.
 part() {
-  exec "$spec" --seed "${SEED:-20041}" "$1" "/The code/" "$1" "/Touch/" "$1" "/Hostile inputs/"
+  exec "$spec" --seed "${SEED:-20041}" "$1" "/The code/" "$1" "/Touch/" "$1" "/Objects/" "$1" "/Store/" "$1" "/Recognition" \
+    "$1" "/Hostile inputs/"
 }
 logs=$(mktemp -d)
 second=
