@@ -113,8 +113,7 @@ chosenPlacement array choice = case choice of
 -- | The same with one object alone, as far as that saves reading: of a database no other is read.
 chosenWith :: ArrayChoice -> PlacementChoice -> ObjectName -> IO (Profile, Placement)
 chosenWith array choice named = case choice of
-  InDatabase file -> withDatabase array file $ \profile store ->
-    (,) profile <$> (storedObjects store [named] >>= orUnusable storeMessage)
+  InDatabase file -> chosenStored array file (\_ store -> storedObjects store [named])
   _ -> chosenPlacement array choice
 
 -- | The same for who looks positions up: of a database without an object, and with what reads the
@@ -139,10 +138,19 @@ chosenNear array choice = case choice of
 chosenFirst ::
   ArrayChoice -> PlacementChoice -> Int -> (Shape -> Shape) -> IO (Profile, Placement)
 chosenFirst array choice count reach = case choice of
-  InDatabase file -> withDatabase array file $ \profile store ->
-    (,) profile
-      <$> (storedFirst store count (reach (profileWindow profile)) >>= orUnusable storeMessage)
+  InDatabase file ->
+    chosenStored array file $ \profile store ->
+      storedFirst store count (reach (profileWindow profile))
   _ -> chosenPlacement array choice
+
+-- | A part of what a database holds, with the profile of its array.
+chosenStored ::
+  ArrayChoice ->
+  FilePath ->
+  (Profile -> Store -> IO (Either StoreError Placement)) ->
+  IO (Profile, Placement)
+chosenStored array file part = withDatabase array file $ \profile store ->
+  (,) profile <$> (part profile store >>= orUnusable storeMessage)
 
 -- | An open database and the profile of its array. Leaves with status 2 where it is none, or where
 -- the array options describe another array.

@@ -61,7 +61,8 @@ whole :: Raster -> Touched
 whole image = (image, Nothing)
 
 -- | The same by parts. Theta is found by four steps at whole taxels, all but the first for likely
--- phases only, and by one at all places, for the phases around those.
+-- phases only; and by one at all places, for the phases around those that are likely at whole
+-- taxels by the theta that was found there.
 fitOf :: Templates -> Touched -> Fit
 fitOf tables (image, shares) =
   Fit
@@ -90,8 +91,8 @@ fitOf tables (image, shares) =
     -- At all places.
     felt = feltAt (templatePlaces tables)
     fineLikely =
-      somePhases tables felt (finePhases (coarser tables) tables (likelyPhases then'))
-    then' = eStep coarseAll (likelihoodTheta coarse)
+      somePhases tables felt (finePhases (coarser tables) tables (likelyPhases coarsely))
+    coarsely = eStep coarseAll (likelihoodTheta coarse)
     fine = eStep fineLikely (step fineLikely (likelihoodTheta coarse))
 
 -- | N, how many taxels count, and the mean and the standard deviation of their readings.

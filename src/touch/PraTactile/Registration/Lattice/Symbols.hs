@@ -152,13 +152,13 @@ writeSquares symbols places (Cover there begins ends) sums = at
   where
     boxes = symbolsSquares symbols
     count = symbolsClasses symbols
-    places4 = inFours count
+    fours = inFours count
     q = placesFineness places
     wide = coverWidth places
     high = coverHeight places
     -- Then each of the places within a taxel has a box by itself.
     upright = placesAngle places == 0
-    boxSize = boxWide * boxHigh * places4
+    boxSize = boxWide * boxHigh * fours
     halfTurnedAfter = boxSize * placesPerTaxel * placesPerTaxel
     at !start !o !y !x = four 0
       where
@@ -184,7 +184,7 @@ writeSquares symbols places (Cover there begins ends) sums = at
               | a >= end = down k (b + 1 :: Int) (i + q) t0 t1 t2 t3
               | otherwise =
                 let share = V.unsafeIndex there (i * wide + x' + a)
-                    j = box + (b * boxWide + a) * places4 + k
+                    j = box + (b * boxWide + a) * fours + k
                  in along
                       (a + 1)
                       (t0 + share * V.unsafeIndex boxes j)
