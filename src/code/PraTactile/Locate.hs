@@ -27,6 +27,9 @@ module PraTactile.Locate
   ( -- * The question
     Query (..),
     onePatch,
+    Beforehand (..),
+    nothingBeforehand,
+    weighable,
     Patch,
     patch,
     patchShape,
@@ -97,6 +100,7 @@ module PraTactile.Locate
 where
 
 import PraTactile.Locate.Answer
+import PraTactile.Locate.Beforehand
 import PraTactile.Locate.Belief
 import PraTactile.Locate.Chance (Chance (..))
 import PraTactile.Locate.Checks (Checks (..), Split (..), noneAcross)

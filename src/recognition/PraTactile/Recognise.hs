@@ -46,7 +46,6 @@ module PraTactile.Recognise
 where
 
 import Data.List (partition)
-import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust, isNothing, mapMaybe)
 import PraTactile.Array (Position)
 import PraTactile.Classification.Network (NetworkError)
@@ -99,16 +98,13 @@ recogniseWith tolerance reader composites = do
       pure (doubting tolerance misplaced shown)
     _ -> pure shown
 
--- | The cells of the array that composites show as their frames were put together, whatever lies
--- there; none where they are not located. It is what 'recogniseWith' begins with.
+-- | The cells of the array that composites may show as their frames were put together, whatever
+-- lies there: of all places that are likely by the symbols alone. It is what 'recogniseWith' begins
+-- with.
 cellsShown ::
   KnownField k => Tolerance -> Recogniser k -> [Composite] -> Either NetworkError [Position]
-cellsShown tolerance reader composites = cells . recognisedAnswer <$> shown
-  where
-    shown = recogniseAsPut tolerance reader composites
-    cells answer = case answer of
-      Right (Found found) -> map symbolCell (Map.elems (foundPlaces found))
-      _ -> []
+cellsShown tolerance reader composites =
+  likelyCells reader tolerance . recognisedCells <$> recogniseAsPut tolerance reader composites
 
 -- | 'recogniseWith' of composites as their frames were put together. Where the symbols are not
 -- nearly upright by their 'tilt', they are read both as they are and from the composites set

@@ -198,7 +198,7 @@ patchJudge possible = (`asText` answered)
     located array mask made written = do
       let asked = Asked possible (writtenDisplaced written)
           displacements = map fst (writtenPatches written)
-          query = Query (writtenPatches written) possible Guaranteed 0.001 Nothing (-1 / 0)
+          query = Query (writtenPatches written) possible Guaranteed 0.001 Nothing (-1 / 0) Nothing
       answer <- either (Left . locatorMessage) Right (locate made query)
       seen <- either (Left . locatorMessage) Right (agreedSymbols query)
       let explained = explainAnswer array mask asked displacements seen 0.001 answer

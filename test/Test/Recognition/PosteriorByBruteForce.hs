@@ -8,6 +8,7 @@ import Data.Maybe (isJust, isNothing)
 import Data.Ord (comparing)
 import PraTactile.Array
 import PraTactile.Locate (Radius (..))
+import PraTactile.Object.Placement
 import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.GridLocation
@@ -35,6 +36,7 @@ spec = onRecognisers $ \array readers ->
             seen = Seen (scattered scene) strays dissenters
         pure $
           judged
+            (laidFaces (recogniserPlacement reader))
             (cellOf surface array)
             (if whole then Just (map (cellOf surface) (byOtherPolynomials array)) else Nothing)
             (\limits -> locateGrid reader limits dissenters (FaceGrid (seenCells seen) [] strays))
@@ -52,23 +54,51 @@ data Seen = Seen
   }
 
 -- | That it is the array's, lies that way up, and begins at that position; with the product of the
--- probabilities of what the array then has in the observed cells.
+-- probabilities of what the array then has in the observed cells, of those that say nothing the
+-- mean of all, and of how probable it is beforehand.
 data Hypothesis = Hypothesis
   { wayUp :: Symmetry,
     beginning :: Position,
-    likelihood :: Double
+    likelihood :: Double,
+    silent :: [(Int, Int)]
   }
 
--- | All that are possible, likely or not; beforehand each is as probable as any other.
-hypotheses :: OnArray -> Cells -> [Hypothesis]
-hypotheses onArray cells =
-  [ Hypothesis o place (product (zipWith (chance o) codes (map snd known)))
+-- | All that are possible, likely or not, where these faces are laid. Beforehand each is as probable
+-- as any other by which one face has all cells that the network knows, and then cells beyond that
+-- face say nothing; and 200 times as probable as any by which none has.
+hypotheses :: [LaidFace] -> OnArray -> Cells -> [Hypothesis]
+hypotheses faces onArray cells =
+  [ Hypothesis o place (prior * product (zipWith said (observed cells) codes)) beyond
     | o <- waysUp cells,
       place <- Position <$> [0 .. 14] <*> [0 .. 16],
-      Just codes <- [traverse (fmap snd . onArray place . onFace cells o . fst) known]
+      Just codes <- [traverse (fmap snd . onArray place . onFace cells o . fst) (observed cells)],
+      let under =
+            [ off
+              | first' : _ <- [known],
+                Just (at, _) <- [onArray place (onFace cells o first')],
+                laid <- faces,
+                cell <- blockCells (laidBlock laid),
+                onBoth (+) (laidAt laid) cell == at,
+                let off = filter (not . hasCell' laid . from first' cell o) (Map.keys cells),
+                all (`notElem` off) known
+            ]
+          (prior, beyond) = case under of
+            off : _ -> (1, off)
+            [] -> (if null faces || null known then 1 else 0.005, [])
+          said (at, here) code
+            | at `elem` beyond =
+              sum [chance o' c here | o' <- waysUp cells, c <- [0 .. 3]] / 8
+            | otherwise = chance o code here
   ]
   where
-    known = observed cells
+    known = [at | (at, here) <- Map.toList cells, any (isJust . readClass) here]
+    onBoth f (Position r c) (Position r' c') = Position (f r r') (f c c')
+    hasCell' laid (r, c) =
+      r >= 0 && c >= 0 && Position (fromIntegral r) (fromIntegral c) `elem` blockCells (laidBlock laid)
+    -- A cell's row and column in the block where the first one has these.
+    from first' (Position r c) o at =
+      let ((i0, j0), (i, j)) = (onFace cells o first', onFace cells o at)
+       in (fromIntegral r + i - i0, fromIntegral c + j - j0) :: (Int, Int)
 
 -- | The cells of which the symbols read there say something.
 observed :: Cells -> [((Int, Int), [ReadSymbol])]
@@ -113,11 +143,13 @@ foreignBy share onArray cells every best
     probability = likelihood best / sum (map likelihood every)
     alien others =
       share / 2 / fromIntegral count
-        * sum [likelihood one' | other <- others, one' <- hypotheses other cells]
+        * sum [likelihood one' | other <- others, one' <- hypotheses [] other speaking]
         / fromIntegral (length others)
     theirs = share / 4 * sum [product (map (anyOf o . snd) known) | o <- waysUp cells]
     ours = (1 - share) / fromIntegral count * product (map mixed known) / probability
-    known = observed cells
+    -- They are cells of the same grid.
+    speaking = Map.mapWithKey (\at here -> if at `elem` silent best then [] else here) cells
+    known = observed speaking
     anyOf o here = sum [chance o c here | c <- [0 .. 3]] / 4
     mixed (at, here) =
       0.99 * maybe 0 (\(_, c) -> chance (wayUp best) c here) (there at)
@@ -147,8 +179,8 @@ distanceOf codeAt cells =
 -- | What is located, given what is tolerated, against the hypotheses; those of other arrays are
 -- added up where these are given, and else what is told of them is taken.
 judged ::
-  OnArray -> Maybe [OnArray] -> (Tolerance -> GridLocation) -> Tolerance -> Seen -> Property
-judged onArray others locating tolerance seen = case hypotheses onArray cells of
+  [LaidFace] -> OnArray -> Maybe [OnArray] -> (Tolerance -> GridLocation) -> Tolerance -> Seen -> Property
+judged faces onArray others locating tolerance seen = case hypotheses faces onArray cells of
   every
     | null (observed cells) || total every <= 0 ->
       label "nowhere" (isNothing (locationSupport found) && not (isPlaced found))
@@ -180,7 +212,8 @@ judged onArray others locating tolerance seen = case hypotheses onArray cells of
         Nothing -> told (doubtOfOtherArrays . doubtsOfOrigin)
       random = alone * (1 - alien)
       there = onFace cells (wayUp best)
-      certain' = [(at, what) | (at, here) <- Map.toList cells, Just what <- map certainly here]
+      certain' = [(at, what) | (at, here) <- heard, Just what <- map certainly here]
+      heard = filter ((`notElem` silent best) . fst) (Map.toList cells)
       agrees (at, (o, c)) =
         o == wayUp best && fmap snd (onArray (beginning best) (there at)) == Just c
       beside = filter (isJust . certainly) (seenStrays seen ++ seenDissenters seen)
@@ -191,7 +224,7 @@ judged onArray others locating tolerance seen = case hypotheses onArray cells of
         wrong <= radius
           && or
             [ readSeen s >= 1 && agrees (at, what)
-              | (at, here) <- Map.toList cells,
+              | (at, here) <- heard,
                 s <- here,
                 Just what <- [certainly s]
             ]

@@ -19,6 +19,7 @@ module PraTactile.Locate.Belief
     probabilitiesIn,
     possibleIn,
     likeliestIn,
+    relativeChance,
   )
 where
 
@@ -155,6 +156,14 @@ probabilitiesIn :: Symmetry -> Belief k -> Vector Double
 probabilitiesIn o known = case known of
   Unoriented numbers -> numbers
   Oriented joint -> fromMaybe (noneOf joint) (lookup o joint)
+
+-- | How many times as probable a symbol is together with a symmetry as all of them are on average.
+relativeChance :: Symmetry -> GF k -> Belief k -> Double
+relativeChance o a known = count * fromMaybe 0 (probabilitiesIn o known Primitive.!? toCode a)
+  where
+    count = case known of
+      Unoriented numbers -> fromIntegral (Primitive.length numbers)
+      Oriented joint -> fromIntegral (sum (map (Primitive.length . snd) joint))
 
 -- | Whether a symbol has a probability above 0 in a symmetry.
 possibleIn :: Symmetry -> GF k -> Belief k -> Bool

@@ -10,6 +10,7 @@ module PraTactile.Locate.Patch
     observedOffsets,
     patchRows,
     patchOf,
+    withoutCells,
     uprightAs,
     completeWindows,
     windowsWithout,
@@ -82,6 +83,10 @@ patchRows (Patch (Shape h w) cells) =
   [[Map.lookup (Position i j) known | j <- [0 .. w - 1]] | i <- [0 .. h - 1]]
   where
     known = Map.fromDistinctAscList cells
+
+-- | The patch of which the cells at these offsets were not observed.
+withoutCells :: [Position] -> Patch a -> Patch a
+withoutCells gone (Patch shape cells) = Patch shape (filter ((`notElem` gone) . fst) cells)
 
 -- | The patch upright again that is seen in this symmetry, row by row.
 uprightAs :: Symmetry -> Patch a -> Patch a

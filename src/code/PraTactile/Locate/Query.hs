@@ -13,6 +13,8 @@ where
 
 import Numeric.Natural (Natural)
 import PraTactile.Field
+import PraTactile.Locate.Answer (Candidate)
+import PraTactile.Locate.Beforehand
 import PraTactile.Locate.Belief
 import PraTactile.Locate.Patch
 import PraTactile.Symmetry
@@ -73,13 +75,15 @@ data Query (k :: Field) = Query
     queryForeign :: Maybe Double,
     -- | The logarithm of how many times as likely what was seen is if it shows other symbols than
     -- the array's; minus infinity where nobody says so. It counts where 'queryForeign' does.
-    queryUnlike :: Double
+    queryUnlike :: Double,
+    -- | What is known of each candidate beside the cells; it counts where any cell has
+    -- probabilities. 'Nothing' where nothing is.
+    queryBeforehand :: Maybe (Candidate -> Beforehand)
   }
-  deriving stock (Show)
 
 type role Query nominal
 
 -- | The question for one upright patch: of symbols as many may be wrong as can be
 -- corrected for certain, a doubt of a thousandth is tolerated, and nothing foreign is thought of.
 onePatch :: Patch (Cell k) -> Query k
-onePatch seen = Query [((0, 0), seen)] [identity] Guaranteed 0.001 Nothing (-1 / 0)
+onePatch seen = Query [((0, 0), seen)] [identity] Guaranteed 0.001 Nothing (-1 / 0) Nothing

@@ -12,11 +12,13 @@ module PraTactile.Locate.Weighing
   )
 where
 
+import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Primitive as Primitive
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Grid (displaced)
 import PraTactile.Locate.Answer
+import PraTactile.Locate.Beforehand
 import PraTactile.Locate.Belief
 import PraTactile.Locate.Chance
 import PraTactile.Locate.Decoder
@@ -38,26 +40,35 @@ weighedPosterior ::
   Patch (Belief k) ->
   Either LocatorError (Maybe PlaceDoubts, Posterior Candidate)
 weighedPosterior theLocator query decoder possible seen = do
-  found <- beliefPosterior decoder possible seen
+  byCells <- beliefPosterior decoder possible seen
   let symbolIn = symbolAt (locatorArray theLocator) (patchShape seen)
+      beforehand = fromMaybe (const nothingBeforehand) (queryBeforehand query)
+      weight candidate =
+        beforehandWeight (symbolIn candidate) seen candidate (beforehand candidate)
+      found = maybe id (const (reweighed weight)) (queryBeforehand query) byCells
       chanceAt candidate (offset, b) =
         let o = candidateSymmetry candidate
             given a = probabilitiesIn o b Primitive.! toCode a / symmetryChance o b
          in maybe 0 given (symbolIn candidate offset)
+      asked = query {querySymmetries = possible}
       alien = do
         best <- posteriorBest found
+        let speaking = withoutCells (beforehandSilent (beforehand best)) seen
+        places <- spheresOf theLocator asked seen
         foreignGiven
           theLocator
-          query {querySymmetries = possible}
-          seen
+          asked
+          places
+          speaking
           Expected
-            { expectedChances = map (chanceAt best) (observedCells seen),
+            { expectedChances = map (chanceAt best) (observedCells speaking),
               expectedSymmetry =
-                shownSymmetry possible (map snd (observedCells seen)) (candidateSymmetry best),
+                shownSymmetry possible (map snd (observedCells speaking)) (candidateSymmetry best),
               expectedLikeliest =
                 maybe (log (1 - posteriorDoubt found)) (const 0) (posteriorUnlisted found),
               expectedShown =
-                sum [log (symmetryChance (candidateSymmetry best) b) | (_, b) <- observedCells seen]
+                sum
+                  [log (symmetryChance (candidateSymmetry best) b) | (_, b) <- observedCells speaking]
             }
       doubts p = PlaceDoubts (Just ((1 - doubtOfForeign p) * posteriorDoubt found)) p
   pure (doubts <$> alien, maybe found ((`weighed` found) . doubtOfForeign) alien)
@@ -77,9 +88,11 @@ foreignSymbolsAt theLocator query seen outcome = do
       Just (map (chanceAt first') (observedCells seen), fromIntegral (length candidates))
     AmbiguousMany count _ -> Just (map (const 1) (observedCells seen), count)
     _ -> Nothing
+  places <- spheresOf theLocator query seen
   foreignGiven
     theLocator
     query
+    places
     (fmap certainly seen)
     (Expected expected 0 (negate (naturalLogarithm count)) 0)
   where
@@ -104,18 +117,22 @@ data Expected = Expected
     expectedShown :: Double
   }
 
--- | The probabilities that a patch is foreign, if the question weighs that.
+-- | The probabilities that a patch is foreign, if the question weighs that, given its candidates.
 foreignGiven ::
-  KnownField k => Locator k -> Query k -> Patch (Belief k) -> Expected -> Maybe ForeignDoubts
-foreignGiven theLocator query seen expected = do
-  share <- queryForeign query
-  places <- sphereCentres <$> spheresOf theLocator query seen
-  Just $
+  KnownField k =>
+  Locator k ->
+  Query k ->
+  Spheres ->
+  Patch (Belief k) ->
+  Expected ->
+  Maybe ForeignDoubts
+foreignGiven theLocator query candidates seen expected =
+  flip fmap (queryForeign query) $ \share ->
     foreignChances
       ForeignComparison
         { foreignShare = share,
           foreignSymbols = fieldOrder (arrayItself (locatorArray theLocator)),
-          foreignPlaces = places,
+          foreignPlaces = sphereCentres candidates,
           foreignExpected = expectedChances expected,
           foreignLikeliest = expectedLikeliest expected,
           foreignSymmetry = expectedSymmetry expected,

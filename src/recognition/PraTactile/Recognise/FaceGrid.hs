@@ -8,6 +8,7 @@ module PraTactile.Recognise.FaceGrid
     fromZero,
     seenOnFace,
     gridRows,
+    offsetOf,
   )
 where
 
@@ -17,6 +18,7 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
 import Data.Set (Set)
 import qualified Data.Set as Set
+import PraTactile.Array (Position (..))
 import PraTactile.Geometry (columnPitch, rowPitch, toDegrees)
 import PraTactile.Recognise.Reading
 import PraTactile.Segmentation.Lattice (Cell, halfTurned, pitchTolerance)
@@ -136,3 +138,7 @@ gridRows :: Map Cell a -> [[Maybe a]]
 gridRows cells = [[Map.lookup (i, j) cells | j <- extent snd] | i <- extent fst]
   where
     extent part = [0 .. maximum (-1 : map part (Map.keys cells))]
+
+-- | A cell of the grid, which has no rows and columns before 0, as an offset.
+offsetOf :: Cell -> Position
+offsetOf (i, j) = Position (fromIntegral i) (fromIntegral j)

@@ -7,6 +7,9 @@
 -- of the parts that leave hardly a doubt, no more may contradict it than the minimum distance of
 -- their cells lets be wrong: probabilities rest on a model of the sensor, the distance does not.
 -- At least one that agrees is complete: of parts it is not asked whether they may be another shape.
+--
+-- What is touched is one face of the placement, and beyond its edge nothing of the array's lies, as
+-- "PraTactile.Recognise.OneFace" has it.
 module PraTactile.Recognise.GridLocation
   ( -- * Locating a grid
     Tolerance (..),
@@ -18,6 +21,7 @@ module PraTactile.Recognise.GridLocation
     -- * Where it lies most probably
     Likeliest (..),
     likeliestOf,
+    likelyCells,
 
     -- * What it rests on
     Support (..),
@@ -42,6 +46,7 @@ import PraTactile.Locate hiding (Cell)
 import PraTactile.Locate.Chance
 import PraTactile.Locate.Checks (checksAmong)
 import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.OneFace
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
 import PraTactile.Recognise.SymbolBelief
@@ -160,7 +165,12 @@ locateGrid reader tolerance dissenters grid =
     likeliest' = answer >>= answerPosterior >>= posteriorBest
     orientation =
       axis <> maybe (wayUpAlone (map snd (foldMap observedCells seen))) candidateSymmetry likeliest'
-    cells = seenOnFace orientation (gridCells grid)
+    silent = maybe [] (beforehandSilent . beforehandOf reader (gridCells grid)) likeliest'
+    -- Cells that say nothing stay, without what was seen in them: so the grid keeps its extent.
+    cells =
+      seenOnFace
+        orientation
+        (Map.mapWithKey (\c here -> if offsetOf c `elem` silent then [] else here) (gridCells grid))
     witnesses = witnessesOf reader tolerance orientation (dissenters, gridStrays grid) cells
 
     exactly some = case knownPatch some orientation of
@@ -205,7 +215,8 @@ locatedCells reader tolerance cells = (seen, locate (recogniserLocator reader) .
         { querySymmetries = waysUp,
           queryDoubt = toleratedDoubt tolerance,
           queryForeign = Just (foreignPrior tolerance),
-          queryUnlike = sum [readUnlike s | here <- Map.elems cells, s <- here]
+          queryUnlike = sum [readUnlike s | here <- Map.elems cells, s <- here],
+          queryBeforehand = Just (beforehandOf reader cells)
         }
 
 -- | What cells make of the array, whether or not that is enough for an answer.
@@ -234,6 +245,18 @@ likeliestOf reader tolerance cells = do
                 s <- here
             ]
       }
+
+-- | The cells of the array that may lie under these, in their likely places: the first thousand.
+likelyCells :: KnownField k => Recogniser k -> Tolerance -> Cells -> [Position]
+likelyCells reader tolerance cells =
+  Set.toAscList . Set.fromList $
+    [ place
+      | Just answer <- [snd (locatedCells reader tolerance cells) >>= rightOnly],
+        candidate <- maybe [] (map fst . fst . weighable . posteriorRanking) (answerPosterior answer),
+        (cell, _) <-
+          Map.toList (seenOnFace (axisOf cells <> candidateSymmetry candidate) cells),
+        Just (place, _) <- [cellFrom reader (candidatePosition candidate) cell]
+    ]
 
 -- | The way up that cells show by themselves, where no position is possible.
 wayUpAlone :: [Belief k] -> Symmetry
@@ -405,7 +428,3 @@ cellFrom reader (Position r c) (i, j) = (\place -> (place, cellAt array place)) 
         (arrayShape array)
         (toInteger r + toInteger i)
         (toInteger c + toInteger j)
-
--- | A cell of the grid, which has no rows and columns before 0, as an offset.
-offsetOf :: Cell -> Position
-offsetOf (i, j) = Position (fromIntegral i) (fromIntegral j)

@@ -43,7 +43,7 @@ ask ::
 ask decoder (surface, array, mask) =
   let theLocator = locator decoder MostSignificantFirst (ArrayOn surface array) mask
    in \possible radius tolerated patches ->
-        locate theLocator (Query patches possible radius tolerated Nothing (-1 / 0))
+        locate theLocator (Query patches possible radius tolerated Nothing (-1 / 0) Nothing)
 
 -- | One patch alone.
 alone :: a -> [((Integer, Integer), a)]

@@ -235,7 +235,7 @@ spec = do
           (locator Nothing MostSignificantFirst (naturally array) window)
           (asking seen tolerated share)
     asking seen tolerated share =
-      Query [((0, 0), seen)] [identity] Guaranteed tolerated share (-1 / 0)
+      Query [((0, 0), seen)] [identity] Guaranteed tolerated share (-1 / 0) Nothing
     -- Which symbol was seen; it is that one with this probability.
     sure p a =
       either (error . show) id $

@@ -96,7 +96,7 @@ shownSpec = do
       window <- paperWindow
       let asked patches =
             right . locate (locator Nothing MostSignificantFirst (naturally array) window) $
-              Query patches rotations Guaranteed 0.01 Nothing (-1 / 0)
+              Query patches rotations Guaranteed 0.01 Nothing (-1 / 0) Nothing
       pure (array, \patches -> mapM (traverse (right . patch)) patches >>= asked)
     lying o = map (map (>>= either (const Nothing) (Just . Probabilities) . oriented . sure o))
     sure o a =

@@ -78,10 +78,11 @@ ranked placeAt logs
         posteriorMany = Nothing,
         posteriorEqualDoubt = less / (fromIntegral (length equal) + less),
         posteriorMargin = if count == 1 then Nothing else Just (best - next),
-        -- By their indices: there may be a million places.
+        -- By their indices, and the likely ones first: there may be a million places.
         posteriorRanking =
           [ (placeAt i, (relative Primitive.! i) / (1 + others))
-            | i <- sortBy likeliestFirst [0 .. count - 1]
+            | few <- [(>= 1e-60), (< 1e-60)],
+              i <- sortBy likeliestFirst (filter (few . (relative Primitive.!)) [0 .. count - 1])
           ],
         posteriorUnlisted = Nothing,
         posteriorWords = 0

@@ -1,0 +1,65 @@
+-- | What the placement says of where a grid of symbols may lie, before the array is asked.
+--
+-- A sensor touches one face. So the symbols that the network knows are cells of one face; and what
+-- is seen beyond that face's edge, where nothing of the array's lies, is a smear: other cells there
+-- say nothing. Something that carries the array otherwise, a plate or a face that the placement does
+-- not have, is touched now and then: then the array goes on in every direction. docs/locating.md has
+-- the formulas.
+module PraTactile.Recognise.OneFace
+  ( beforehandOf,
+  )
+where
+
+import Data.List (partition)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust)
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Grid (displaced)
+import PraTactile.Locate hiding (Cell)
+import PraTactile.Object.Placement
+import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.Reading
+import PraTactile.Recognise.Recogniser
+import PraTactile.Symmetry
+
+-- | What the placement says of a candidate for cells, whose offsets are rows and columns from 0 on.
+beforehandOf :: Recogniser k -> Cells -> Candidate -> Beforehand
+beforehandOf reader cells candidate = case known of
+  anchor : others
+    | not (null (laidFaces (recogniserPlacement reader))) -> case faceFrom anchor of
+      Just has | all has others -> Beforehand 0 (filter (not . has) unsure)
+      _ -> Beforehand (log otherwiseCarried) []
+  _ -> nothingBeforehand
+  where
+    (known, unsure) = both (map (offsetOf . fst)) (partition (isKnown . snd) (Map.toList cells))
+    isKnown = any (isJust . readClass)
+    -- The face that has the cell at an offset: which of the others it has as well.
+    faceFrom anchor = do
+      at <- displaced surface (arrayShape array) (candidatePosition candidate) (upright anchor)
+      on <- case whereabouts (recogniserPlacement reader) (Shape 1 1) at of
+        OnFace there -> Just there
+        _ -> Nothing
+      laid <- placementLaid (recogniserPlacement reader) (placeFace on)
+      pure $ \offset ->
+        maybe
+          False
+          (hasCell (laidBlock laid))
+          (Position <$> beside row on anchor offset <*> beside column on anchor offset)
+    beside :: (Position -> Natural) -> Place -> Position -> Position -> Maybe Natural
+    beside part on anchor offset =
+      natural (int (placeCell on) + int (upright offset) - int (upright anchor))
+      where
+        int = toInteger . part
+    natural :: Integer -> Maybe Natural
+    natural n = if n < 0 then Nothing else Just (fromInteger n)
+    upright = onPosition (invert (candidateSymmetry candidate)) shape
+    shape = Shape (extent fst) (extent snd)
+    extent part = fromIntegral (1 + maximum (-1 : map part (Map.keys cells)))
+    ArrayOn surface array = locatorArray (recogniserLocator reader)
+    both f (x, y) = (f x, f y)
+
+-- | How probable it is beforehand, as many times as that it is one face of the placement, that what
+-- carries the array is something else (assumption): one of 200 things that are touched.
+otherwiseCarried :: Double
+otherwiseCarried = 0.005
