@@ -63,9 +63,9 @@ data Hypothesis = Hypothesis
     silent :: [(Int, Int)]
   }
 
--- | All that are possible, likely or not, where these faces are laid. Beforehand each is as probable
--- as any other by which one face has all cells that the network knows, and then cells beyond that
--- face say nothing; and 200 times as probable as any by which none has.
+-- | All that are possible, likely or not, where these faces are laid. Beforehand each is as
+-- probable as any other by which one face has all cells that the network knows, and then cells
+-- beyond that face say nothing; and 200 times as probable as any by which none has.
 hypotheses :: [LaidFace] -> OnArray -> Cells -> [Hypothesis]
 hypotheses faces onArray cells =
   [ Hypothesis o place (prior * product (zipWith said (observed cells) codes)) beyond
@@ -94,7 +94,9 @@ hypotheses faces onArray cells =
     known = [at | (at, here) <- Map.toList cells, any (isJust . readClass) here]
     onBoth f (Position r c) (Position r' c') = Position (f r r') (f c c')
     hasCell' laid (r, c) =
-      r >= 0 && c >= 0 && Position (fromIntegral r) (fromIntegral c) `elem` blockCells (laidBlock laid)
+      r >= 0
+        && c >= 0
+        && Position (fromIntegral r) (fromIntegral c) `elem` blockCells (laidBlock laid)
     -- A cell's row and column in the block where the first one has these.
     from first' (Position r c) o at =
       let ((i0, j0), (i, j)) = (onFace cells o first', onFace cells o at)
@@ -179,7 +181,13 @@ distanceOf codeAt cells =
 -- | What is located, given what is tolerated, against the hypotheses; those of other arrays are
 -- added up where these are given, and else what is told of them is taken.
 judged ::
-  [LaidFace] -> OnArray -> Maybe [OnArray] -> (Tolerance -> GridLocation) -> Tolerance -> Seen -> Property
+  [LaidFace] ->
+  OnArray ->
+  Maybe [OnArray] ->
+  (Tolerance -> GridLocation) ->
+  Tolerance ->
+  Seen ->
+  Property
 judged faces onArray others locating tolerance seen = case hypotheses faces onArray cells of
   every
     | null (observed cells) || total every <= 0 ->

@@ -54,8 +54,8 @@ beforehandWeight symbolIn seen candidate known =
 
 -- | The posterior where each candidate is so many times as probable, by the logarithm, as it was
 -- found to be. The first thousand are weighed that are at least 1e-60 times as probable as the
--- likeliest; all others, and places that are not listed, count as they were
--- found: of a list, the doubt is no bound of that.
+-- likeliest; all others, and places that are not listed, count as they were found: of a list, the
+-- doubt is no bound of that.
 reweighed :: (Candidate -> Double) -> Posterior Candidate -> Posterior Candidate
 reweighed weightOf found
   | isJust (posteriorMany found) || all (== 0) weights = found

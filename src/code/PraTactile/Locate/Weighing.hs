@@ -68,7 +68,9 @@ weighedPosterior theLocator query decoder possible seen = do
                 maybe (log (1 - posteriorDoubt found)) (const 0) (posteriorUnlisted found),
               expectedShown =
                 sum
-                  [log (symmetryChance (candidateSymmetry best) b) | (_, b) <- observedCells speaking]
+                  [ log (symmetryChance (candidateSymmetry best) b)
+                    | (_, b) <- observedCells speaking
+                  ]
             }
       doubts p = PlaceDoubts (Just ((1 - doubtOfForeign p) * posteriorDoubt found)) p
   pure (doubts <$> alien, maybe found ((`weighed` found) . doubtOfForeign) alien)

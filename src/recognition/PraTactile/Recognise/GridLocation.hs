@@ -252,7 +252,8 @@ likelyCells reader tolerance cells =
   Set.toAscList . Set.fromList $
     [ place
       | Just answer <- [snd (locatedCells reader tolerance cells) >>= rightOnly],
-        candidate <- maybe [] (map fst . fst . weighable . posteriorRanking) (answerPosterior answer),
+        Just found <- [answerPosterior answer],
+        (candidate, _) <- fst (weighable (posteriorRanking found)),
         (cell, _) <-
           Map.toList (seenOnFace (axisOf cells <> candidateSymmetry candidate) cells),
         Just (place, _) <- [cellFrom reader (candidatePosition candidate) cell]

@@ -2,9 +2,9 @@
 --
 -- A sensor touches one face. So the symbols that the network knows are cells of one face; and what
 -- is seen beyond that face's edge, where nothing of the array's lies, is a smear: other cells there
--- say nothing. Something that carries the array otherwise, a plate or a face that the placement does
--- not have, is touched now and then: then the array goes on in every direction. docs/locating.md has
--- the formulas.
+-- say nothing. Something that carries the array otherwise, a plate or a face that the placement
+-- does not have, is touched now and then: then the array goes on in every direction.
+-- docs/locating.md has the formulas.
 module PraTactile.Recognise.OneFace
   ( beforehandOf,
   )
