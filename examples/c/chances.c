@@ -25,7 +25,7 @@ static int32_t least;
 static void multiply_by(const array *a, extent e, const felt *cell, const tiny *chances)
 {
     for (uint32_t k = 0; k < e.rows * e.columns; k++) {
-        position at = {(uint16_t)(k / e.columns), (uint16_t)(k % e.columns)};
+        position at = {k / e.columns, k % e.columns};
         tiny chance = chances[cell_from(a, a->beyond, at, cell)];
         weight[k].fraction *= chance.fraction;
         weight[k].k += chance.k;

@@ -80,7 +80,7 @@ static bool within(array *a, const patch *p, uint64_t radius, places *found)
     for (uint32_t k = 0; k < e.rows * e.columns; k++)
         if (counts[k] == least)
             found->at[found->count++] =
-                (position){(uint16_t)(k / e.columns), (uint16_t)(k % e.columns)};
+                (position){k / e.columns, k % e.columns};
     return true;
 }
 

@@ -20,7 +20,7 @@ typedef struct {
 } patch;
 
 typedef struct {
-    uint16_t row, column;
+    uint32_t row, column;
 } position;
 
 typedef struct {

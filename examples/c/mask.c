@@ -7,7 +7,7 @@ static uint32_t order[2][MAX_CELLS]; /* positions, sorted and being sorted */
 
 static position position_of(uint32_t k, extent e)
 {
-    return (position){(uint16_t)(k / e.columns), (uint16_t)(k % e.columns)};
+    return (position){k / e.columns, k % e.columns};
 }
 
 /* Sort the positions by one cell's content, keeping the order of those that have the same. */
