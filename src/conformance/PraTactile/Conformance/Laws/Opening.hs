@@ -57,7 +57,7 @@ openingLaws =
                 ( Every $
                     [[a, b, a] | (a, b) <- take 6 (zip small (drop 1 small))]
                       ++ [[p] | a <- small, p <- take 1 (alike a)]
-                      ++ [[ofDegree16]]
+                      ++ [[ofDegree16], [long]]
                 )
                 (inTurns [])
       )
@@ -92,6 +92,19 @@ ofDegree16 =
       profileWindow = Shape 4 4
     }
 
+-- | 177 146 cells, with a side so long that the number of a term has no room in 32 bits before it
+-- is reduced: it grows by that of the cell (0, 1), 88 574, with each step along it.
+long :: Profile
+long =
+  canonicalProfile
+    { profileOrder = 3,
+      profileModulus = [1, 1],
+      profilePolynomial = [1, 1, 0, 1, 2, 0, 1, 2, 2, 2, 0, 1],
+      profileState = replicate 10 0 ++ [1],
+      profileShape = Shape 2 88573,
+      profileWindow = Shape 2 6
+    }
+
 -- | Put these in force one after the other, and ask a few questions under each; what was put in
 -- force before is told with what is wrong.
 inTurns :: [Exchange] -> [Profile] -> Ask Verdict
@@ -116,11 +129,14 @@ fewOf about =
     SomeQuestion (Cell n1 (n2 - 1)),
     SomeQuestion (Pack (take (fromIntegral (area (profileWindow p))) (cycle [1, 0, 0]))),
     SomeQuestion (Distance ["##", "##"]),
-    SomeQuestion (Locate (map (map Just) (seenAt about (profileWindow p) (Position 0 0))))
+    SomeQuestion (Locate (map (map Just) (seenAt about (profileWindow p) lastPlace)))
   ]
   where
     p = knownProfile about
     Shape n1 n2 = profileShape p
+    Shape h w = profileWindow p
+    -- The last one at which a window does not go beyond the edges, where there is one.
+    lastPlace = Position (n1 - min n1 h) (n2 - min n2 w)
 
 -- | What makes a profile impossible, and some that are so.
 data Impossible = Impossible String String (Profile -> [Profile])
