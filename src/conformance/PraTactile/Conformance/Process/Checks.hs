@@ -12,6 +12,7 @@ where
 import Data.Aeson (Value (..), object, toJSON, (.=))
 import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString as Bytes
+import Data.Char (toUpper)
 import Data.Foldable (traverse_)
 import Data.Scientific (scientific)
 import GHC.Clock (getMonotonicTime)
@@ -63,7 +64,8 @@ sessionChecks limits session =
     check answersFirstId (answersFirst limits session),
     check noneInForceId (noneInForce limits session),
     check inputEndsId (judged [startRequest] <$> withStarted session (endsBy closeInput)),
-    check stoppedId (judged [stopRequest] <$> withStarted session (endsBy stop))
+    check stoppedId (judged [stopRequest] <$> withStarted session (endsBy stop)),
+    check unknownId (unknownInSession limits session)
   ]
   where
     with profile = case profile of
@@ -96,22 +98,28 @@ endsBy ask child = do
 
 -- | Put these in force, one after the other; each is refused so, or taken where no reason is given.
 profilesOf :: Limits -> Session -> String -> [Value] -> IO Checked
-profilesOf limits session reason profiles = do
-  got <- withStarted session (\child -> Right <$> upToFault (map (asked child) profiles))
-  pure $ case got of
-    Left why -> CheckErred [startRequest] why
-    Right replies -> foldr worse CheckHeld (zip profiles replies)
+profilesOf limits session reason profiles =
+  eachReplied limits session [(profileRequestOf one, (== wanted), wanted) | one <- profiles]
   where
     wanted = if null reason then ResponseResult (Bool True) else ResponseRefused reason
-    asked child profile = do
-      send child (requestLine (profileRequestOf profile))
+
+-- | Ask these, one after the other, each with what will do as its reply, and one that would.
+eachReplied :: Limits -> Session -> [(Value, Response -> Bool, Response)] -> IO Checked
+eachReplied limits session requests = do
+  got <- withStarted session $ \child ->
+    Right <$> upToFault [send child (requestLine one) >> reply child | (one, _, _) <- requests]
+  pure $ case got of
+    Left why -> CheckErred [startRequest] why
+    Right replies -> foldr worse CheckHeld (zip requests replies)
+  where
+    reply child = do
       line <- awaitLine child (limitReply limits)
       pure (line >>= fmap replyResponse . readReply)
-    worse (profile, reply) others = case reply of
-      Left why -> CheckErred [profileRequestOf profile] why
+    worse ((request, does, wanted), came) others = case came of
+      Left why -> CheckErred [request] why
       Right response
-        | response == wanted -> others
-        | otherwise -> CheckFailed [profileRequestOf profile] wanted response
+        | does response -> others
+        | otherwise -> CheckFailed [request] wanted response
 
 -- | The paper's profile with a key missing, with a value of another type, with an unknown word, as
 -- another schema, and with one or three numbers where two stand.
@@ -144,10 +152,17 @@ answersFirst limits session = case startedQuestions session of
         offered = startedOperations (sessionStarted session)
         last' = if operationName OfTerms `elem` offered then long else question
         runs = zipWith runRequest [1 ..] (replicate 2000 question ++ [last', last'])
+        requests = profileRequest canonicalProfile : runs
     got <- withStarted session $ \child -> do
-      send child (foldMap requestLine (profileRequest canonicalProfile : runs ++ [stopRequest]))
-      sequence <$> upToFault (replicate (1 + length runs) (awaitLine child (limitReply limits)))
-    pure (either (CheckErred (drop 2001 runs ++ [stopRequest])) (const CheckHeld) got)
+      send child (foldMap requestLine (requests ++ [stopRequest]))
+      Right <$> upToFault (map (const (awaitLine child (limitReply limits))) requests)
+    pure $ case got of
+      Left why -> CheckErred [startRequest] why
+      Right replies ->
+        foldr
+          const
+          CheckHeld
+          [CheckErred [one, stopRequest] why | (one, Left why) <- zip requests replies]
 
 -- | A possible profile, an impossible one, and a question.
 noneInForce :: Limits -> Session -> IO Checked
@@ -177,6 +192,47 @@ noneInForce limits session = case startedQuestions session of
       line <- awaitLine child (limitReply limits)
       pure (line >>= fmap replyResponse . readReply)
 
+-- | Words that are no operation's name, between two questions: such as a look-up by name finds in
+-- many languages though nobody put them there, and names as nobody spells them.
+unknownInSession :: Limits -> Session -> IO Checked
+unknownInSession limits session =
+  eachReplied limits session $
+    (profileRequest canonicalProfile, (== inForce), inForce) :
+    zipWith ($) (known ++ map unknown (inherited ++ misspelt) ++ known) [1 ..]
+  where
+    inForce = ResponseResult (Bool True)
+    offered = startedOperations (sessionStarted session)
+    example = take 1 (startedQuestions session)
+    known = [\i -> (runRequest i one, const True, notKnown) | one <- example]
+    unknown name i = (unknownRequest i name, isSkipped, notKnown)
+    inherited =
+      filter
+        (`notElem` offered)
+        ["no-such-operation", "", "length", "toString", "constructor", "__proto__", "__class__"]
+    misspelt =
+      [ change (operationName (operationOf one))
+        | SomeQuestion one <- example,
+          change <- [(++ " "), (++ "s"), map toUpper]
+      ]
+
+isSkipped :: Response -> Bool
+isSkipped response = case response of
+  ResponseSkipped _ -> True
+  _ -> False
+
+notKnown :: Response
+notKnown = ResponseSkipped "not known"
+
+-- | A request for what is no operation.
+unknownRequest :: Int -> String -> Value
+unknownRequest number name =
+  object
+    [ "command" .= ("run" :: String),
+      "sequence" .= number,
+      "operation" .= name,
+      "input" .= object []
+    ]
+
 -- | Questions of the operations of the code that are offered.
 startedQuestions :: Session -> [SomeQuestion]
 startedQuestions session =
@@ -191,18 +247,15 @@ oneShotChecks :: Limits -> Command -> [Check]
 oneShotChecks limits command =
   [check unknownId (judged <$> runOnce limits command request)]
   where
-    request = unknownRequest canonicalProfile
+    request = case unknownRequest 1 "no-such-operation" of
+      Object keys ->
+        Object
+          ( KeyMap.insert "profile" (profileValue canonicalProfile) $
+              KeyMap.delete "command" keys
+          )
+      other -> other
     judged got = case replyResponse <$> got of
       Left why -> CheckErred [request] why
-      Right (ResponseSkipped _) -> CheckHeld
-      Right other -> CheckFailed [request] (ResponseSkipped "not known") other
-
--- | A one-shot request for what is no operation.
-unknownRequest :: Profile -> Value
-unknownRequest profile =
-  object
-    [ "profile" .= profileValue profile,
-      "sequence" .= (1 :: Int),
-      "operation" .= ("no-such-operation" :: String),
-      "input" .= object []
-    ]
+      Right response
+        | isSkipped response -> CheckHeld
+        | otherwise -> CheckFailed [request] notKnown response
