@@ -8,6 +8,7 @@ module PraTactile.Conformance.Run
   )
 where
 
+import Control.Applicative ((<|>))
 import Control.Concurrent
 import Control.Exception
 import Control.Monad (forM, when)
@@ -23,6 +24,7 @@ import PraTactile.Conformance.Run.Case
 import PraTactile.Conformance.Run.One
 import PraTactile.Conformance.Run.Pattern
 import PraTactile.Conformance.Run.Token
+import PraTactile.Conformance.Run.Unanswered
 import PraTactile.Conformance.Run.Work
 import PraTactile.Conformance.Subject
 import PraTactile.Format.Error (FormatError)
@@ -43,20 +45,31 @@ runSuite settings suite tell subjects = do
       work = workOf settings offers suite
       checks = concatMap (checksChosen settings) (take 1 subjects)
   stopped <- newIORef False
+  unanswered <- newIORef nothingUnanswered
   let judged one = do
         classified <- evaluate (classify settings one)
-        when (settingFailFast settings && contradicts classified) $ writeIORef stopped True
+        when (contradicts classified) $ do
+          atomicModifyIORef' unanswered (\before -> (noted classified before, ()))
+          when (settingFailFast settings) $ writeIORef stopped True
         pure classified
       told one = one <$ tell one
-      try' share worker one =
-        tryWithin budget stopped (tryWork (planOf share settings) suite worker one) one >>= judged
+      try' share worker one = do
+        notAsked <- (`whyNotAsked` workNeeds one) <$> readIORef unanswered
+        tryWithin
+          budget
+          stopped
+          (tryWork (planOf share settings) suite worker one)
+          one {workLeftOut = workLeftOut one <|> notAsked}
+          >>= judged
       soon worker one = try' (if wholeSoon suite one then Whole else AtAGlance) worker one
       atLength worker (one, before)
         | wholeSoon suite one || lawReportOutcome before == KnownFailure = pure before
         | otherwise = together before <$> try' TheOthers worker one
   -- How it is spoken to comes first: it is quickly seen, and all else rests on it.
-  checked <- for checks $ \check ->
-    checkWithin budget stopped check >>= judged >>= told
+  checked <- for checks $ \check -> do
+    notAsked <- (`whyNotAsked` []) <$> readIORef unanswered
+    let leftOut why = pure (checkReport check) {lawReportNote = Just why}
+    maybe (checkWithin budget stopped check) leftOut notAsked >>= judged >>= told
   first <- inParallel subjects work soon
   let glance = any contradicts (first ++ checked) && not (all (wholeSoon suite) work)
   tried <-

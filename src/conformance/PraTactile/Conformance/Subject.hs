@@ -10,6 +10,7 @@ module PraTactile.Conformance.Subject
     Fault (..),
     FaultKind (..),
     faultName,
+    takesItsTime,
     upToFault,
 
     -- * The time for all of it
@@ -132,6 +133,10 @@ faultName kind = case kind of
   DoesNotStop -> "does-not-stop"
   ClosedPipe -> "closed-pipe"
   TooSlow -> "too-slow"
+
+-- | Whether such a fault is known only when the time for a reply is over, or after much output.
+takesItsTime :: FaultKind -> Bool
+takesItsTime = (`elem` [TimedOut, HalfLine, EndlessOutput])
 
 -- | What comes of these actions, the first fault being the last of it.
 upToFault :: [IO (Either Fault a)] -> IO [Either Fault a]

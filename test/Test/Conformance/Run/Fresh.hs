@@ -47,7 +47,7 @@ dependsWithin most errs earlier = do
           wrong <- errs <$> readIORef asked
           pure (result (if i == 100 && wrong then 1 else 0))
         _ -> pure (result 0)
-  (subject, past, _) <-
+  (subject, past, _, _) <-
     remembering
       (answering allZero)
         { subjectAsk = traverse answer,

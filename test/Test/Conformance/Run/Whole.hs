@@ -9,7 +9,7 @@ import Control.Concurrent (threadDelay)
 import Control.Monad (forM_, forever, void)
 import Data.Aeson (Value (..), toJSON)
 import Data.IORef
-import Data.List (nub, sort)
+import Data.List (isInfixOf, nub, sort)
 import Data.Maybe (mapMaybe)
 import GHC.Clock (getMonotonicTime)
 import Numeric.Natural (Natural)
@@ -104,6 +104,39 @@ runSpec = do
                 ("segment/none", Held, Nothing),
                 ("protocol/a", Held, Nothing)
               ]
+  it "what gets no reply is not asked again, unless that is known; after three waits nothing is" $
+    forM_
+      [ (Crashed, [], [Errored, Errored, Errored, Errored], "no reply to"),
+        (TimedOut, [], [Errored, Errored, Errored, Skipped], "the time for a reply was over"),
+        (TimedOut, ["*"], replicate 8 KnownFailure, "")
+      ]
+      $ \(kind, known, outcomes, why) -> do
+        asked <- newIORef (0 :: Int)
+        let asks (name, operation, question) =
+              made (name, OnField, [operation]) (Cases natural (Every [0]) (const question))
+            four =
+              [ asks ("field/a", OfAdd, Holds <$ ask (Add 0 0)),
+                asks ("field/b", OfTerm, Holds <$ ask (Term 0)),
+                asks ("field/c", OfTerms, Holds <$ ask (Terms 0 1)),
+                asks ("field/d", OfCell, Holds <$ ask (Cell 0 0))
+              ]
+            silent = answering (const (Left (Fault kind "")))
+            subject =
+              silent
+                { subjectOffers = codeOperations,
+                  subjectAsk = \some -> modifyIORef' asked (+ 1) >> subjectAsk silent some
+                }
+        report <-
+          runSuite
+            everything {settingKnown = known}
+            suite {suiteLaws = four, suiteOpenings = [], suiteWithoutProfile = []}
+            (const (pure ()))
+            [subject]
+        let came = map lawReportOutcome (reportLaws report)
+        (kind, came) `shouldBe` (kind, take 8 (outcomes ++ repeat Skipped))
+        readIORef asked `shouldReturn` length (filter (/= Skipped) came)
+        mapMaybe lawReportNote (reportLaws report)
+          `shouldSatisfy` all (isInfixOf why)
   it "takes a glance at everything first: what fails under the last profile alone is soon seen" $
     -- Of a whole domain and of drawn cases; under the last of five profiles alone, at its end.
     forM_ [Every [0 .. 999], Some (fromInteger <$> chooseInteger (0, 999)) (const [])] $

@@ -161,7 +161,7 @@ trialsOf plan name (Cases _ domain trial) = case domain of
 -- | Whether each smaller case would cost as long again as this one.
 timedOut :: Trouble -> Bool
 timedOut trouble = case trouble of
-  Broke _ _ (Left fault) -> faultKind fault `elem` [TimedOut, HalfLine, EndlessOutput]
+  Broke _ _ (Left fault) -> takesItsTime (faultKind fault)
   _ -> False
 
 -- | So many from the first on.

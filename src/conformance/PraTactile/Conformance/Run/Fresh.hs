@@ -13,6 +13,7 @@ module PraTactile.Conformance.Run.Fresh
 where
 
 import Control.Applicative ((<|>))
+import Data.Either (rights)
 import Data.Foldable (toList)
 import Data.IORef
 import Data.Sequence (Seq, (|>))
@@ -36,10 +37,12 @@ longReply = 2000
 mostRemembered :: Int
 mostRemembered = 1000
 
--- | The same subject, how to ask what it was asked, and how many of its replies were long.
-remembering :: Subject -> IO (Subject, IO [Asked], IO Int)
+-- | The same subject, how to ask what it was asked, how many questions it has replied to, and how
+-- many of these replies were long.
+remembering :: Subject -> IO (Subject, IO [Asked], IO Int, IO Int)
 remembering subject = do
   held <- newIORef (Past Seq.empty False)
+  replied <- newIORef 0
   long <- newIORef 0
   let noted asked got = do
         modifyIORef' held (\past -> Past (added past asked) (any faulty got))
@@ -55,11 +58,14 @@ remembering subject = do
         { subjectProfile = \profile -> do
             got <- subjectProfile subject profile
             got <$ noted [AskedProfile profile] [got],
-          subjectAsk = \questions ->
-            subjectAsk subject questions >>= noted (map AskedQuestion questions),
+          subjectAsk = \questions -> do
+            got <- subjectAsk subject questions
+            modifyIORef' replied (+ length (rights got))
+            noted (map AskedQuestion questions) got,
           subjectFresh = (>> writeIORef held (Past Seq.empty False)) <$> subjectFresh subject
         },
       toList . pastAsked <$> readIORef held,
+      readIORef replied,
       readIORef long
     )
 

@@ -44,7 +44,8 @@ data Worker = Worker
   { workerSubject :: Subject,
     -- | What it was asked.
     workerPast :: IO [Asked],
-    -- | How many of its replies were long.
+    -- | How many questions it has replied to, and how many of these replies were long.
+    workerReplied :: IO Int,
     workerLong :: IO Int,
     -- | The profile that was put in force last, with what came instead of that.
     workerForce :: IORef (Maybe (Profile, Maybe Counterexample)),
@@ -59,8 +60,8 @@ data Worker = Worker
 -- | Of a subject with no profile in force.
 newWorker :: Subject -> IO Worker
 newWorker subject = do
-  (noting, past, long) <- remembering subject
-  Worker noting past long <$> newIORef Nothing
+  (noting, past, replied, long) <- remembering subject
+  Worker noting past replied long <$> newIORef Nothing
     <*> newIORef Map.empty
     <*> newIORef 100000
     <*> newIORef 20000
@@ -120,8 +121,11 @@ keptBy worker report = do
 
 -- | What a failure depends on.
 dependenceOf :: Plan -> Worker -> Work -> Failure -> IO Dependence
-dependenceOf plan worker work failure =
+dependenceOf plan worker work failure = do
+  replied <- workerReplied worker
   case tryCase plan subject (workCases work) (failureCase failure) of
+    -- Who has never replied does not depend on what was asked before.
+    _ | replied == 0 -> pure OnItself
     Left _ -> pure OnItself
     Right again -> do
       asked <- workerPast worker

@@ -20,6 +20,7 @@ import Control.Monad (void)
 import Data.Aeson (Value (..), encode)
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.IntSet as IntSet
+import Data.List (sortOn)
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Process.Reply (excerpt)
@@ -146,10 +147,11 @@ found state =
 bound :: State -> Int
 bound = maybe maxBound ((+ 1) . fst) . trouble
 
--- | With as many trials that ask as may be, those that ask nothing being settled.
+-- | With as many trials that ask as may be, those that ask nothing being settled. They ask in
+-- order: the first one at fault is then known at once, where each may cost a process.
 refilled :: Int -> State -> State
 refilled window before
-  | null new = state
+  | null new = state {active = sortOn (\(Active i _ _) -> i) (active state)}
   | otherwise = refilled window (foldr (settle . Right) state {waiting = later} new)
   where
     state = before {active = filter inTime (active before)}
