@@ -1,7 +1,7 @@
 -- | From bytes to frames and recognition, and the reading of folders.
 module Test.Recognition.FromBytesToAnswers (spec) where
 
-import Control.Exception (IOException, try)
+import Control.Exception (IOException, finally, try)
 import Control.Monad (filterM, forM_, zipWithM_)
 import Data.Bifunctor (first)
 import qualified Data.ByteString as Bytes
@@ -31,9 +31,10 @@ import PraTactile.Source
 import PraTactile.Truth (Claim (..), compared)
 import System.Directory (createDirectory)
 import System.FilePath ((</>))
-import System.IO (IOMode (..), hSetFileSize, withBinaryFile)
+import System.IO (IOMode (..), hClose, hSetFileSize, withBinaryFile)
 import System.IO.Error (isPermissionError)
 import System.Posix.Files (setFileMode)
+import System.Posix.IO (closeFd, createPipe, fdToHandle)
 import Test.Hspec
 import Test.QuickCheck hiding (generate)
 import qualified Test.QuickCheck as QuickCheck
@@ -242,14 +243,20 @@ diskSpec = do
       Bytes.writeFile (frames </> "manifest.json") Bytes.empty
       problem (sourcePaths [frames </> "c.pgm"])
         `shouldReturn` Just (JsonManifestRefused (frames </> "manifest.json") (JsonRefused NoText))
-  it "a file is read if it is no longer than the limit" $
+  it "a file is read if it is no longer than the limit, and a pipe, which has no size, as well" $
     inFolder $ \folder ->
       forM_ [0 .. 5] $ \size -> forM_ [0 .. 5] $ \limit -> do
         let bytes = Bytes.replicate size 80
             file = folder </> "some"
+            isRead name =
+              readUpTo limit name
+                `shouldReturn` if size <= limit then Right bytes else Left (TooLarge name limit)
         Bytes.writeFile file bytes
-        readUpTo limit file
-          `shouldReturn` if size <= limit then Right bytes else Left (TooLarge file limit)
+        isRead file
+        (out, into) <- createPipe
+        written <- fdToHandle into
+        Bytes.hPut written bytes >> hClose written
+        isRead ("/dev/fd/" ++ show out) `finally` closeFd out
   it "a folder is read if its images together are no longer than the limit" $
     inFolder $ \folder -> do
       let inside name = folder </> name
