@@ -8,7 +8,7 @@ MATCH =
 # What random cases are drawn from, as in: make test SEED=7
 SEED =
 export PREFIX DESTDIR SEED
-.PHONY: all help setup build demo test lint format fuzz defects mutants calibration archive prove bench evaluate figures docs house shapes network \
+.PHONY: all help setup build demo test lint format fuzz defects mutants calibration archive types prove bench evaluate figures docs house shapes network \
         check-network check-newer-ghc install uninstall clean
 # cabal holds one build at a time in dist-newstyle.
 .NOTPARALLEL:
@@ -78,6 +78,9 @@ calibration: setup ## how many symbols are told and counted wrong with each ship
 mutants: setup ## which laws find which impostor, and whether each is found with each of 20 seeds
 	@tools/build.sh bench:mutants
 	@"$$(tools/cabal.sh list-bin -v0 bench:mutants)" $(or $(SEEDS),20)
+
+types: ## types from the schemas in Python, TypeScript and Go, compiled (FOLDER=... keeps them)
+	@tools/types.sh $(FOLDER)
 
 archive: ## vectors, schemas, the list of laws and their sums as one reproducible file, for tests without a network
 	@tools/archive.sh
