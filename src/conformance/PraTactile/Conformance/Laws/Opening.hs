@@ -92,17 +92,18 @@ ofDegree16 =
       profileWindow = Shape 4 4
     }
 
--- | 177 146 cells, with a side so long that the number of a term has no room in 32 bits before it
--- is reduced: it grows by that of the cell (0, 1), 88 574, with each step along it.
+-- | 205 378 cells, with a side so long that the number of a term has no room in 32 bits before it
+-- is reduced: it grows by that of the cell (0, 1), 102 690, with each step along it; and no more
+-- has the product of two numbers below that side.
 long :: Profile
 long =
   canonicalProfile
-    { profileOrder = 3,
+    { profileOrder = 59,
       profileModulus = [1, 1],
-      profilePolynomial = [1, 1, 0, 1, 2, 0, 1, 2, 2, 2, 0, 1],
-      profileState = replicate 10 0 ++ [1],
-      profileShape = Shape 2 88573,
-      profileWindow = Shape 2 6
+      profilePolynomial = [49, 42, 47, 1],
+      profileState = [0, 0, 1],
+      profileShape = Shape 2 102689,
+      profileWindow = Shape 2 3
     }
 
 -- | Put these in force one after the other, and ask a few questions under each; what was put in
