@@ -4,7 +4,7 @@
 -- known to be, and what is no such file is refused with its place.
 module Test.Solid.FilesOfSolids (spec) where
 
-import Control.Monad (forM_)
+import Control.Monad (forM_, when)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Builder as Builder
@@ -109,6 +109,31 @@ spec = do
       facesOf Ply (header "binary_big_endian" <> big) `shouldBe` Right [["V1", "V2", "V3"]]
       fmap contentsPassed (readSolid Ply (ObjectName "x") (header "binary_big_endian" <> big))
         `shouldBe` Right [Passed "vertex.red", Passed "thing.w"]
+    it "PLY: integers of each type are in bytes what they are in words, up to both ends" $
+      forM_ integerTypes $ \(kind, size, least, largest) ->
+        forM_ [least, -1, 1, largest `div` 2 + 1, largest] $ \n -> do
+          let header coding =
+                "ply\nformat " <> coding <> " 1.0\nelement vertex 3\nproperty " <> kind
+                  <> " x\nproperty uchar y\nproperty uchar z\nelement face 1\n"
+                  <> "property list uchar uchar vertex_index\nend_header\n"
+              meshOf = fmap contentsMesh . readSolid Ply (ObjectName "x")
+              words' = Char8.unlines [Char8.pack (show n) <> " 0 0", "0 1 0", "0 0 1", "3 0 1 2"]
+              little = [fromInteger (n `div` 256 ^ k `mod` 256) | k <- [0 .. size - 1]]
+              body number = Bytes.pack (number <> [0, 0] <> nought <> [1, 0] <> nought <> [0, 1])
+              nought = replicate size 0
+              file number = body number <> Bytes.pack [3, 0, 1, 2]
+          when (n >= least) $
+            forM_ [("binary_little_endian", little), ("binary_big_endian", reverse little)] $
+              \(coding, number) ->
+                (kind, n, meshOf (header coding <> file number))
+                  `shouldBe` (kind, n, meshOf (header "ascii" <> words'))
+    it "STL: attributes in either of their two bytes are told" $ do
+      bytes <- Bytes.readFile (folder </> "cube-binary.stl")
+      forM_ [[0, 0], [1, 0], [0, 1]] $ \pair -> do
+        let changed = Bytes.take 132 bytes <> Bytes.pack pair <> Bytes.drop 134 bytes
+            told = contentsPassed <$> readSolid Stl (ObjectName "x") changed
+        (pair, elem (Passed "attributes of triangles") <$> told)
+          `shouldBe` (pair, Right (pair /= [0, 0]))
     it "JSON: names, and fractions that are what they say" $
       fmap
         (describedVertices . toDescription . contentsMesh)
@@ -193,6 +218,23 @@ refusals =
       Bytes.replicate 80 32
         <> Lazy.toStrict (Builder.toLazyByteString (Builder.word32LE (fromIntegral count)))
         <> Bytes.replicate (50 * there) 0
+
+-- | The names that PLY has for types of integers, with how many bytes they have, and the least and
+-- the largest of them.
+integerTypes :: [(ByteString, Int, Integer, Integer)]
+integerTypes =
+  [ (name, size, if signed then negate half else 0, if signed then half - 1 else 2 * half - 1)
+    | (names, size, signed) <-
+        [ (["char", "int8"], 1, True),
+          (["uchar", "uint8"], 1, False),
+          (["short", "int16"], 2, True),
+          (["ushort", "uint16"], 2, False),
+          (["int", "int32"], 4, True),
+          (["uint", "uint32"], 4, False)
+        ],
+      name <- names,
+      let half = 2 ^ (8 * size - 1)
+  ]
 
 folder :: FilePath
 folder = "test" </> "data" </> "solids"
