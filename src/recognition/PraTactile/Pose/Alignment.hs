@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | How a face lies under frames, by all their pixels: the relief that is known to be there is
 -- aligned with what each frame felt.
 --
@@ -103,25 +105,30 @@ heightAt (Ground (left, top) known) (x, y) =
 -- | The same from the upper left corner of a shape: each of its taxels is seen as the product of a
 -- share across and one down.
 height :: Bitmap -> Double -> Double -> (Double, Double, Double)
-height shape u v = foldl' add (0, 0, 0) (near symbolHeight v)
+height shape u v = down 0 0 0 (near symbolHeight v)
   where
     columns = near symbolWidth u
-    add sums (j, share, slope) = foldl' (one j share slope) sums columns
-    one j share slope sums@(a, b, c) (i, share', slope')
-      | embossedAt shape i j =
-        let a' = a + share * share'
-            b' = b + share * slope'
-            c' = c + slope * share'
-         in a' `seq` b' `seq` c' `seq` (a', b', c')
-      | otherwise = sums
+    down !a !b !c rows = case rows of
+      Near j share slope : others -> across a b c columns
+        where
+          across !a' !b' !c' ahead = case ahead of
+            Near i share' slope' : further
+              | embossedAt shape i j ->
+                across (a' + share * share') (b' + share * slope') (c' + slope * share') further
+              | otherwise -> across a' b' c' further
+            [] -> down a' b' c' others
+      [] -> (a, b, c)
     near side t =
       let k = floor t
-       in [ (n, cumulative before - cumulative after, (density before - density after) / blur)
-            | n <- [max 0 (k - 2) .. min (side - 1) (k + 2)] :: [Int],
+       in [ Near n (cumulative before - cumulative after) ((density before - density after) / blur)
+            | n <- [max 0 (k - 2) .. min (side - 1) (k + 2)],
               let before = (t - fromIntegral n) / blur
                   after = before - 1 / blur
           ]
     density t = exp (negate (t * t) / 2) / sqrt (2 * pi)
+
+-- | A column or a row of taxels near a place, the share of it that is seen there, and its slope.
+data Near = Near !Int !Double !Double
 
 -- | A frame, in taxels of the grid that the motion is sought on.
 data Touch = Touch
@@ -213,6 +220,12 @@ data Normal = Normal
     normalBefore :: !Double
   }
 
+-- | A pixel: where it is from the pivot, and where from its frame's middle, which is turned; its
+-- reading; and the relief's height there and how much that rises along the grid's axes.
+data Felt = Felt
+  { feltX, feltY, feltU, feltW, feltReading, feltHeight, feltAcross, feltDown :: !Double
+  }
+
 normalOf ::
   Ground ->
   (Double, Double) ->
@@ -239,33 +252,35 @@ normalOf ground (cx, cy) motion r strongest common touch (Own own v) =
       [a, b, angle, low, factor] -> (a, b, angle, low, factor)
       _ -> (0, 0, 0, 0, 0)
     (mx, my) = touchMiddle touch
-    back = Frame.inverse motion
+    Motion turnBack backX backY = Frame.inverse motion
     (c, s) = cosineSine (motionRotation motion)
     around = rotated (toDegrees turn)
+    -- Not 'movePoint', which would ask for the sine and the cosine at each pixel.
+    onFace = rotated turnBack
     found =
-      U.mapMaybe
-        ( \(i, j, value) ->
-            let (u, w) = around (i, j)
-                (x, y) = (mx + ex + u, my + ey + w)
-             in (\(h, a, b) -> ((x - cx, y - cy), (u, w), value, (h, c * a - s * b, s * a + c * b)))
-                  <$> heightAt ground (movePoint back (x, y))
-        )
-        (touchPixels touch)
-    column part = U.map part found
-    across = column (\(_, _, _, (_, a, _)) -> gain * a)
-    down = column (\(_, _, _, (_, _, b)) -> gain * b)
-    heights = column (\(_, _, _, (h, _, _)) -> h)
+      [ Felt (x - cx) (y - cy) u w value h (c * a - s * b) (s * a + c * b)
+        | (i, j, value) <- U.toList (touchPixels touch),
+          let (u, w) = around (i, j)
+              (x, y) = (mx + ex + u, my + ey + w)
+              (x', y') = onFace (x, y),
+          Just (h, a, b) <- [heightAt ground (x' + backX, y' + backY)]
+      ]
+    column :: (Felt -> Double) -> U.Vector Double
+    column part = U.fromList (map part found)
+    across = column (\p -> gain * feltAcross p)
+    down = column (\p -> gain * feltDown p)
+    heights = column feltHeight
     columns =
       [ U.map negate across,
         U.map negate down,
-        column (\((x, y), _, _, (_, a, b)) -> gain * (a * y - b * x)),
+        column (\p -> gain * (feltAcross p * feltY p - feltDown p * feltX p)),
         across,
         down,
-        column (\(_, (u, w), _, (_, a, b)) -> gain * (b * u - a * w)),
+        column (\p -> gain * (feltDown p * feltU p - feltAcross p * feltW p)),
         U.map (const 1) heights,
         heights
       ]
-    readings = column (\(_, _, value, _) -> value)
+    readings = column feltReading
     rests = U.zipWith (\value h -> value - offset - gain * h) readings heights
     slopes' = U.zipWith (\a b -> a * a + b * b) across down
     -- What is known of the frame's own beforehand.
@@ -280,8 +295,14 @@ normalOf ground (cx, cy) motion r strongest common touch (Own own v) =
     pull i = if i < 3 then 0 else informations !! i * (expected !! (i - 3) - own !! (i - 3))
     expected = [0, 0, 0] ++ common
 
+-- | The sum of the products of two columns' elements.
 product' :: U.Vector Double -> U.Vector Double -> Double
-product' a b = U.sum (U.zipWith (*) a b)
+product' !a !b = go 0 0
+  where
+    !n = min (U.length a) (U.length b)
+    go !i !total
+      | i >= n = total
+      | otherwise = go (i + 1) (total + U.unsafeIndex a i * U.unsafeIndex b i)
 
 -- | The products of each column with each, which are symmetric.
 gram :: [U.Vector Double] -> Matrix
