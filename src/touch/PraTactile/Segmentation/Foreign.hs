@@ -16,7 +16,6 @@ module PraTactile.Segmentation.Foreign
   )
 where
 
-import qualified Data.IntSet as IntSet
 import Data.Maybe (fromMaybe)
 import PraTactile.Composite (Composite (..))
 import PraTactile.Composite.Level
@@ -75,10 +74,10 @@ removed composite pixels regions
           compositeCoverage = blank (compositeCoverage composite)
         }
       where
-        gone = around pixels 0 (concatMap foreignPixels some)
+        gone = among pixels (concatMap foreignPixels some)
         blank image =
           generate (maskedWidth pixels) (maskedHeight pixels) $ \x y ->
-            if IntSet.member (y * maskedWidth pixels + x) gone
+            if gone (y * maskedWidth pixels + x)
               then 0
               else fromMaybe 0 (index image x y)
 
@@ -99,15 +98,15 @@ foreignIn pixels own symbols =
     ++ [ForeignRegion (widened 1 region) TooLarge False | region <- raised]
     ++ [ForeignRegion (widened 2 region) Hollow True | region <- holes]
   where
-    kept = around pixels 1 (concat symbols)
+    kept = among pixels (around pixels 1 (concat symbols))
     high = map (widened 2) (filter (tooLong pixels) (found (free (>= share 1.5 own))))
-    gone = around pixels 0 (concat high)
-    level = filter (`IntSet.notMember` gone) (free (>= share 0.35 own))
+    gone = among pixels (concat high)
+    level = filter (not . gone) (free (>= share 0.35 own))
     raised = concatMap (straight pixels) (filter (tooLong pixels) (found level))
     holes = filter ((>= leastHollow) . length) (found (free (<= share (-0.35) own)))
-    free test = filter (`IntSet.notMember` kept) (touchedWhere test pixels)
+    free test = filter (not . kept) (touchedWhere test pixels)
     found = components pixels 0
-    widened by region = IntSet.toAscList (around pixels by region `IntSet.difference` kept)
+    widened by = filter (not . kept) . around pixels by
 
 -- | Fewer sunken pixels are noise.
 leastHollow :: Int

@@ -23,7 +23,6 @@ module PraTactile.Segmentation.Masked
 where
 
 import Control.Monad (forM_)
-import Data.IntSet (IntSet)
 import qualified Data.IntSet as IntSet
 import Data.List (foldl')
 import Data.Maybe (isJust)
@@ -136,15 +135,16 @@ beside pixels p (i, j)
     (x, y) = (u + i, v + j)
 {-# INLINE beside #-}
 
--- | The pixels whose distance from some, the larger one of that in columns and that in rows, is at
--- most this.
-around :: Masked -> Int -> [Int] -> IntSet
-around pixels distance =
-  IntSet.fromList . widened [(0, j) | j <- near] . IntSet.toAscList . IntSet.fromList
-    . widened [(i, 0) | i <- near]
+-- | The pixels, ascending, whose distance from some, the larger one of that in columns and that in
+-- rows, is at most this.
+around :: Masked -> Int -> [Int] -> [Int]
+around pixels distance some = widened down (widened across some)
   where
-    near = [-distance .. distance]
-    widened steps some = [p' | p <- some, by <- steps, Just p' <- [beside pixels p by]]
+    widened along = eachOnce pixels some . concatMap along
+    across p = let x = p `rem` w in [p + max (-distance) (-x) .. p + min distance (w - 1 - x)]
+    down p = filter within [p - distance * w, p - (distance - 1) * w .. p + distance * w]
+    within p = p >= 0 && p < w * maskedHeight pixels
+    w = maskedWidth pixels
 
 -- | Whether a pixel is one of some: by a table of all where these are many of them.
 among :: Masked -> [Int] -> Int -> Bool

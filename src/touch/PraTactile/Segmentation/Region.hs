@@ -90,9 +90,10 @@ extentAlong pixels region angle
   | null region = 0
   | otherwise = let (least, most) = foldl' reaching (1 / 0, -1 / 0) region in most - least + 1
   where
-    (c, s) = cosineSine angle
+    !(!c, !s) = cosineSine angle
+    !w = max 1 (maskedWidth pixels)
     reaching (!least, !most) p =
-      let (y, x) = p `quotRem` max 1 (maskedWidth pixels)
+      let (y, x) = p `quotRem` w
           t = c * fromIntegral x + s * fromIntegral y
        in (min least t, max most t)
 

@@ -2,7 +2,6 @@
 -- how high symbols stand, and what is foreign beside them: each against its definition.
 module Test.Touch.Segmentation.ForeignThingsFound (spec) where
 
-import qualified Data.IntSet as IntSet
 import Data.List (nub, sort)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite (Composite (..), compositeOf)
@@ -186,11 +185,11 @@ genComposite = do
 
 -- | Of some pixels those that are none of others.
 without :: Masked -> [Int] -> [Int] -> [Int]
-without scene others = filter (`IntSet.notMember` around scene 0 others)
+without scene others = filter (not . among scene others)
 
 -- | The pixels of the field no further than that from some.
 near :: Int -> [Int] -> [Int]
-near distance = IntSet.toAscList . around field distance
+near = around field
 
 -- | The field with these values, and nothing else touched.
 showing :: [(Int, Double)] -> Masked

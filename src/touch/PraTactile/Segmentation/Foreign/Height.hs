@@ -4,7 +4,6 @@ module PraTactile.Segmentation.Foreign.Height
   )
 where
 
-import qualified Data.IntSet as IntSet
 import Data.List (sort, sortOn)
 import Data.Maybe (mapMaybe)
 import qualified Data.Set as Set
@@ -83,7 +82,7 @@ candidate pixels t region
     ring =
       mapMaybe
         (valueOf pixels)
-        (IntSet.toAscList (around pixels 3 region `IntSet.difference` around pixels 2 region))
+        (filter (not . among pixels (around pixels 2 region)) (around pixels 3 region))
     low = middle ring
     high = ranked 0.7 (mapMaybe (valueOf pixels) region)
 
