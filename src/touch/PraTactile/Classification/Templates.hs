@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | The shapes of an alphabet as they are seen when misplaced a little, and how much an image is
 -- like them.
 module PraTactile.Classification.Templates
@@ -74,9 +76,16 @@ squaredDistances (Templates classes) c image weight = case classes Boxed.!? c of
   Just (_, placed) -> map (fmap apart) placed
   Nothing -> []
   where
-    apart =
-      V.sum
-        . V.zipWith3 (\w v t -> w * (v - t) * (v - t)) (rasterValues weight) (rasterValues image)
+    apart !shape = go 0 0
+      where
+        !n = minimum (map V.length [shape, values, weights])
+        go !i !total
+          | i >= n = total
+          | otherwise =
+            let d = V.unsafeIndex values i - V.unsafeIndex shape i
+             in go (i + 1) (total + V.unsafeIndex weights i * d * d)
+    !values = rasterValues image
+    !weights = rasterValues weight
 
 -- | Less the mean, and of length 1; zero where all values are the same.
 standardised :: V.Vector Double -> V.Vector Double

@@ -14,7 +14,6 @@ module PraTactile.Composite.Tilt
   )
 where
 
-import Control.Monad (forM_)
 import qualified Data.IntMap.Strict as IntMap
 import qualified Data.IntSet as IntSet
 import Data.List (foldl', sort)
@@ -40,7 +39,8 @@ tilt composites
   | otherwise = Just (quarter (vertex (finest (best [-45, -43.5 .. 44]))))
   where
     found = map gradients composites
-    score angle = sum [sharpness places across down angle | (places, across, down) <- found]
+    score angle = sum (map ($ angle) sharpnesses)
+    sharpnesses = [sharpness places across down | (places, across, down) <- found]
     best = snd . maximum . map (\angle -> (score angle, angle))
     finest angle = best [angle - 1, angle - 0.5 .. angle + 1]
     -- To the vertex of the parabola through three scores, a degree away at most.
@@ -64,32 +64,39 @@ quarter angle = angle - 90 * fromIntegral (floor ((angle + 45) / 90) :: Int)
 -- across those at right angles to them: the sum of the squares of both. Given are the places of
 -- pixels, x and y in turn, and the image's gradient there along x and along y.
 sharpness :: Vector Double -> Vector Double -> Vector Double -> Double -> Double
-sharpness places across down angle = summed c s + summed (negate s) c
+sharpness !places !across !down = \angle ->
+  let lines' = sums (cosineSine angle)
+   in squares (V.take side lines') + squares (V.drop side lines')
   where
-    (c, s) = cosineSine angle
-    count = V.length across
-    reach = 2 + ceiling (sqrt 2 * V.foldl' (\m t -> max m (abs t)) 0 places) :: Int
-    -- Along the direction (u, v): each pixel's gradient in that direction is added to the line on
-    -- which it lies, or in parts to the two lines between which it lies.
-    summed :: Double -> Double -> Double
-    summed u v = V.sum (V.map (\t -> t * t) sums)
-      where
-        sums = V.create $ do
-          lines' <- M.replicate (2 * reach + 2) 0
-          forM_ [0 .. count - 1] $ \i -> do
+    squares = V.sum . V.map (\t -> t * t)
+    !count = V.length across
+    !reach = 2 + ceiling (sqrt 2 * V.foldl' (\m t -> max m (abs t)) 0 places) :: Int
+    !side = 2 * reach + 2
+    -- The lines across (c, s), then those across (-s, c).
+    sums (!c, !s) = V.create $ do
+      lines' <- M.replicate (2 * side) 0
+      let pixel !i
+            | i >= count = pure lines'
+            | otherwise = do
+              along c s i reach
+              along (negate s) c i (side + reach)
+              pixel (i + 1)
+          -- A pixel's gradient along (u, v) is added to the line on which it lies, or in parts to
+          -- the two lines between which it lies; the line through the middle has this number.
+          along !u !v !i !middle = do
             -- Note [Bounds]
             let !at = u * V.unsafeIndex places (2 * i) + v * V.unsafeIndex places (2 * i + 1)
                 !slope = u * V.unsafeIndex across i + v * V.unsafeIndex down i
                 !line = floor at :: Int
                 !share = at - fromIntegral line
-            add lines' (line + reach) ((1 - share) * slope)
-            add lines' (line + reach + 1) (share * slope)
-          pure lines'
-    add lines' i x = M.unsafeRead lines' i >>= M.unsafeWrite lines' i . (+ x)
+            add (line + middle) ((1 - share) * slope)
+            add (line + middle + 1) (share * slope)
+          add !i !x = M.unsafeRead lines' i >>= M.unsafeWrite lines' i . (+ x)
+      pixel 0
 
 {- Note [Bounds] i < count, and places has two numbers for each pixel. |u| and |v| are at most 1 and
    u^2 + v^2 = 1, so that |at| <= sqrt 2 max |place| <= reach - 2, and both lines lie in 0 .. 2
-   reach. -}
+   reach, of each direction's side. -}
 
 -- | The touched pixels whose eight neighbours were touched too: their places from the composite's
 -- middle, x and y in turn, and the gradient there along x and along y, by differences of smoothed
