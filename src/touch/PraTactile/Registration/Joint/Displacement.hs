@@ -63,18 +63,19 @@ displacementsOf grid orientation (phaseY, phaseX) (place, given) =
   where
     tables = likelihoodTables given
     places = templatePlaces tables
-    (across, down) = phaseCount (placesFineness places)
+    !(!across, !down) = phaseCount (placesFineness places)
     (columns, rows) = placesGrid places
     count = symbolsClasses (templateSymbols tables)
-    ((nx, ny), (rx, ry)) = onGrid place
-    reach = gridReach grid
+    !((!nx, !ny), (!rx, !ry)) = onGrid place
+    !reach = gridReach grid
     side = 2 * reach + 1
+    !phases = phaseLogs given
     squared d rest = let t = fromIntegral d - rest in t * t
     -- By row and column of displacements; pi is the mean over one sigma an octave.
     scores = tabulate side side $ \j ->
       let !row = (orientation * down + (phaseY - ny - j + reach) `mod` down) * across
        in \i ->
-            let !l = V.unsafeIndex (phaseLogs given) (row + (phaseX - nx - i + reach) `mod` across)
+            let !l = V.unsafeIndex phases (row + (phaseX - nx - i + reach) `mod` across)
              in if l < least
                   then l
                   else
@@ -82,8 +83,9 @@ displacementsOf grid orientation (phaseY, phaseX) (place, given) =
                       + log
                         ( dotWithin octaves (priorsAcross, i * octaves) (priorsDown, j * octaves)
                         )
-    octaves = length (gridOctaves grid)
-    (priorsAcross, priorsDown) = (priorsAlong rx, priorsAlong ry)
+    !octaves = length (gridOctaves grid)
+    !priorsAcross = priorsAlong rx
+    !priorsDown = priorsAlong ry
     priorsAlong rest =
       V.fromList
         [ priorAlong sigma (fromIntegral d - rest)

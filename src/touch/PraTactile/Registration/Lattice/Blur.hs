@@ -61,10 +61,10 @@ areaSums places image = V.create $ do
   row q
   pure sums
   where
-    q = placesFineness places
-    wide = areasWidth places
-    high = paddedHeight places + q
-    values = spread places image
+    !q = placesFineness places
+    !wide = areasWidth places
+    !high = paddedHeight places + q
+    !values = spread places image
 
 {- Note [Bounds of areas] Rows and columns begin with q, a taxel, so that what lies a taxel before
    is in the grid; the values lack the first taxel's rows and columns. -}
@@ -75,18 +75,20 @@ spread :: Places -> Raster -> Vector Double
 spread places image
   | placesAngle places == 0 =
     tabulate wide high $ \y ->
-      let (_, v) = place 0 y
+      let (_, v) = onFrame axes 0 y
           !near = parted v
-       in \x -> if beyond h v then 0 else six across (x * edgedHigh) near
+       in \x -> if beyond h v then 0 else six parts across (x * edgedHigh) near
   | otherwise =
     tabulate wide high $ \y x ->
-      let (u, v) = place x y
+      let (u, v) = onFrame axes x y
        in if beyond w u || beyond h v then 0 else alone (parted u) (parted v)
   where
-    (w, h) = placesFrame places
+    !(!w, !h) = placesFrame places
     wide = paddedWidth places
     high = paddedHeight places
-    place = onFrame places
+    !axes = axesOf places
+    -- Evaluated here rather than at each place.
+    !parts = shares
     -- None of the six taxels around it is on the frame.
     beyond n t = t < -3 || t >= fromIntegral (n + 2)
     alone !u (Parted first share) = go 0 0
@@ -98,21 +100,21 @@ spread places image
           | otherwise =
             go
               (t + 1)
-              (s + V.unsafeIndex shares (share + t) * six edged ((first + t) * edgedWide) u)
+              (s + V.unsafeIndex parts (share + t) * six parts edged ((first + t) * edgedWide) u)
     -- The frame with nothing around it.
-    edged =
+    !edged =
       tabulate edgedWide edgedHigh $ \y x ->
         if x < edge || x >= edge + w || y < edge || y >= edge + h
           then 0
           else V.unsafeIndex (rasterValues image) ((y - edge) * w + x - edge)
-    edgedWide = w + 2 * edge
-    edgedHigh = h + 2 * edge
+    !edgedWide = w + 2 * edge
+    !edgedHigh = h + 2 * edge
     -- By columns.
     across =
       tabulate edgedHigh wide $ \x ->
-        let (u, _) = place x 0
+        let (u, _) = onFrame axes x 0
             !near = parted u
-         in \v -> if beyond w u then 0 else six edged (v * edgedWide) near
+         in \v -> if beyond w u then 0 else six parts edged (v * edgedWide) near
 
 -- | How many taxels of nothing are put around a frame: as far as the six around a place reach, if
 -- any of them is on the frame.
@@ -130,13 +132,13 @@ parted t = Parted (whole - 2 + edge) (6 * round (fromIntegral partsOfTaxel * bey
     beyond = t - fromIntegral whole
 {-# INLINE parted #-}
 
--- | What a place reads of the six taxels around it in a line that begins there.
-six :: Vector Double -> Int -> Parted -> Double
-six values start (Parted first share) =
+-- | What a place reads of the six taxels around it in a line that begins there, given 'shares'.
+six :: Vector Double -> Vector Double -> Int -> Parted -> Double
+six !parts !values !start (Parted first share) =
   at 0 + at 1 + at 2 + at 3 + at 4 + at 5
   where
     -- Note [Bounds of shares]
-    at t = V.unsafeIndex shares (share + t) * V.unsafeIndex values (start + first + t)
+    at t = V.unsafeIndex parts (share + t) * V.unsafeIndex values (start + first + t)
 {-# INLINE six #-}
 
 -- | The shares of the six taxels around a place, by the part of a taxel that it lies beyond the

@@ -118,11 +118,12 @@ many tables phases = null phases || 4 * length phases > phaseTotal (templatePlac
 
 -- | Everything at a theta.
 eStep :: Statistics -> Theta -> Likelihood
-eStep (Statistics tables lattices at moments n) theta@(Theta _ offset variance) =
+eStep (Statistics tables lattices at !moments n) theta@(Theta _ offset variance) =
   Likelihood tables theta at (\cell k -> classAt (cell * count + k)) cells phases total
   where
-    classAt = classOf (weightsOf theta) moments
-    count = symbolsClasses (templateSymbols tables)
+    !weights = weightsOf theta
+    classAt = classOf weights moments
+    !count = symbolsClasses (templateSymbols tables)
     cells =
       V.generate (V.length (momentsProducts moments) `quot` count) $ \c ->
         cellLog count (\k -> classAt (c * count + k))
@@ -166,15 +167,15 @@ relativeTo top l = if l - top < negate negligible then 0 else exp (l - top)
 
 -- | From cells to lattices: the sum over the cells of each.
 overPhases :: Phases -> Vector Double -> Vector Double
-overPhases lattices values = V.generate (V.length (phaseBegins lattices) - 1) phase
+overPhases lattices !values = V.generate (V.length (phaseBegins lattices) - 1) phase
   where
     phase i = overCells lattices i 0 (\s cell -> s + V.unsafeIndex values cell)
 
 -- | Over the cells of a phase, which are given by their numbers, from a start.
 overCells :: Phases -> Int -> s -> (s -> Int -> s) -> s
-overCells (Phases _ begins cells) i start step = go (V.unsafeIndex begins i) start
+overCells (Phases _ !begins !cells) i start step = go (V.unsafeIndex begins i) start
   where
-    end = V.unsafeIndex begins (i + 1)
+    !end = V.unsafeIndex begins (i + 1)
     -- Note [Bounds of cells]
     go !c !s
       | c >= end = s
@@ -197,9 +198,10 @@ mStep :: Statistics -> Likelihood -> Theta
 mStep (Statistics tables lattices _ moments n) given = Theta gain' offset' variance'
   where
     Theta gain offset _ = likelihoodTheta given
-    Moments products sums squares = moments
-    count = symbolsClasses (templateSymbols tables)
-    share = classPrior count
+    !(Moments products sums squares) = moments
+    !count = symbolsClasses (templateSymbols tables)
+    !share = classPrior count
+    !ofCells = cellLogs given
     !ofMoments = weightsOf (likelihoodTheta given)
     -- Note [Bounds of cells]
     phases = V.map (V.unsafeIndex (phaseLogs given)) (phaseNumbers lattices)
@@ -210,9 +212,9 @@ mStep (Statistics tables lattices _ moments n) given = Theta gain' offset' varia
     phase found i weight
       | weight < leastWeight * total = found
       | otherwise = overCells lattices i found $ \(Sums a b c) cell ->
-        let Sums a' b' c' = symbols (cell * count) (V.unsafeIndex (cellLogs given) cell)
+        let Sums a' b' c' = symbols (cell * count) (V.unsafeIndex ofCells cell)
          in Sums (a + weight * a') (b + weight * b') (c + weight * c')
-    symbols start cell = go 0 (Sums 0 0 0)
+    symbols !start !cell = go 0 (Sums 0 0 0)
       where
         go :: Int -> Sums -> Sums
         go !k found@(Sums a b c)

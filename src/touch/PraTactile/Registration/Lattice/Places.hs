@@ -5,6 +5,8 @@ module PraTactile.Registration.Lattice.Places
     Places (..),
     placesAt,
     cellIndex,
+    Axes,
+    axesOf,
     onFrame,
 
     -- * The padded grid
@@ -77,14 +79,23 @@ cellIndex places orientation y x = (orientation * rows + y) * columns + x
     (columns, rows) = placesGrid places
 {-# INLINE cellIndex #-}
 
--- | Where a column and a row of places lie on the frame, taxels.
-onFrame :: Places -> Int -> Int -> (Double, Double)
-onFrame places = \x y -> turned' (firstX + fromIntegral x / q) (firstY + fromIntegral y / q)
+-- | How places lie on the frame: the first one along the axes, places to the taxel, and the cosine
+-- and the sine of the axes' angle.
+data Axes = Axes !Double !Double !Double !Double !Double
+
+-- | Those of some places.
+axesOf :: Places -> Axes
+axesOf places = Axes (fromIntegral x) (fromIntegral y) (fromIntegral (placesFineness places)) c s
   where
-    q = fromIntegral (placesFineness places)
-    (firstX, firstY) = let (x, y) = placesFirst places in (fromIntegral x, fromIntegral y)
+    (x, y) = placesFirst places
     (c, s) = cosineSine (placesAngle places)
-    turned' x y = (c * x - s * y, s * x + c * y)
+
+-- | Where a column and a row of places lie on the frame, taxels.
+onFrame :: Axes -> Int -> Int -> (Double, Double)
+onFrame (Axes firstX firstY q c s) column row = (c * x - s * y, s * x + c * y)
+  where
+    x = firstX + fromIntegral column / q
+    y = firstY + fromIntegral row / q
 {-# INLINE onFrame #-}
 
 -- | The width of the grid of places, padded so that a symbol at any place lies on it.

@@ -123,15 +123,16 @@ coverOf places =
     (V.fromList [fromMaybe wide (V.findIndex (> 0) l) | l <- rows])
     (V.fromList [wide - fromMaybe wide (V.findIndex (> 0) (V.reverse l)) | l <- rows])
   where
-    (w, h) = placesFrame places
-    q = placesFineness places
+    !(!w, !h) = placesFrame places
+    !q = placesFineness places
     wide = coverWidth places
-    high = coverHeight places
+    !high = coverHeight places
+    !axes = axesOf places
     there =
       tabulate wide (q * high) $ \line ->
         let (part, y) = line `quotRem` high
          in \x ->
-              let (u, v) = onFrame places ((x - margin) * q + part) (y - margin * q)
+              let (u, v) = onFrame axes ((x - margin) * q + part) (y - margin * q)
                in covered w u * covered h v
     covered n t = max 0 (min 1 (min (t + 1) (fromIntegral n - t)))
     rows = [V.slice (wide * i) wide there | i <- [0 .. q * high - 1]]
@@ -148,18 +149,18 @@ coverHeight places = snd (placesGrid places) + (boxHigh - 1) * placesFineness pl
 -- must be that cell, and room.
 writeSquares ::
   Symbols -> Places -> Cover -> M.MVector s Double -> Int -> Int -> Int -> Int -> ST s ()
-writeSquares symbols places (Cover there begins ends) sums = at
+writeSquares symbols places (Cover !there !begins !ends) !sums = at
   where
-    boxes = symbolsSquares symbols
-    count = symbolsClasses symbols
-    fours = inFours count
-    q = placesFineness places
-    wide = coverWidth places
-    high = coverHeight places
+    !boxes = symbolsSquares symbols
+    !count = symbolsClasses symbols
+    !fours = inFours count
+    !q = placesFineness places
+    !wide = coverWidth places
+    !high = coverHeight places
     -- Then each of the places within a taxel has a box by itself.
-    upright = placesAngle places == 0
-    boxSize = boxWide * boxHigh * fours
-    halfTurnedAfter = boxSize * placesPerTaxel * placesPerTaxel
+    !upright = placesAngle places == 0
+    !boxSize = boxWide * boxHigh * fours
+    !halfTurnedAfter = boxSize * placesPerTaxel * placesPerTaxel
     at !start !o !y !x = four 0
       where
         (!x', !partX) = x `quotRem` q

@@ -129,7 +129,7 @@ correlations tables = correlationsOf tables . areaSums (templatePlaces tables)
 
 -- | The same from the frame's 'areaSums'.
 correlationsOf :: Templates -> Vector Double -> Vector Double
-correlationsOf tables areas = V.create $ do
+correlationsOf tables !areas = V.create $ do
   sums <- M.unsafeNew (2 * rows * columns * count)
   let orientation !o
         | o >= 2 = pure ()
@@ -139,7 +139,7 @@ correlationsOf tables areas = V.create $ do
         | otherwise = do
           row (Boxed.unsafeIndex outlines (o * count + k)) 0 (cellIndex places o 0 0 * count + k)
           class' o (k + 1)
-      row shape !y !i
+      row !shape !y !i
         | y >= rows = pure ()
         | otherwise = four shape y i 0 >> row shape (y + 1) (i + columns * count)
       -- Four places at a time, the last of which may be among those before.
@@ -171,10 +171,10 @@ correlationsOf tables areas = V.create $ do
   pure sums
   where
     places = templatePlaces tables
-    outlines = templateOutlines tables
-    (columns, rows) = placesGrid places
-    count = symbolsClasses (templateSymbols tables)
-    wide = areasWidth places
+    !outlines = templateOutlines tables
+    !(!columns, !rows) = placesGrid places
+    !count = symbolsClasses (templateSymbols tables)
+    !wide = areasWidth places
 
 {- Note [Bounds of outlines] A place's column is below the grid's width and a step reaches at most 8
    taxels further, which the width of the sums of areas holds; likewise for rows, 12. There are
@@ -221,14 +221,14 @@ productsAt tables areas cells =
 
 -- | That of an orientation, a row and a column of places, and a class.
 outlinedAt :: Templates -> Vector Double -> Int -> Int -> Int -> Int -> Double
-outlinedAt tables areas !o !y !x !k = go 0 0
+outlinedAt tables !areas !o !y !x !k = go 0 0
   where
     -- Note [Bounds of outlines]
-    Outline steps counts =
+    !(Outline !steps !counts) =
       Boxed.unsafeIndex
         (templateOutlines tables)
         (o * symbolsClasses (templateSymbols tables) + k)
-    start = y * areasWidth (templatePlaces tables) + x
+    !start = y * areasWidth (templatePlaces tables) + x
     go !c !s
       | c >= V.length steps = s
       | otherwise =
