@@ -55,7 +55,7 @@ data Seen = Seen
 
 -- | That it is the array's, lies that way up, and begins at that position; with the product of the
 -- probabilities of what the array then has in the observed cells, of those that say nothing the
--- mean of all, and of how probable it is beforehand.
+-- least of all, and of how probable it is beforehand.
 data Hypothesis = Hypothesis
   { wayUp :: Symmetry,
     beginning :: Position,
@@ -87,7 +87,7 @@ hypotheses faces onArray cells =
             [] -> (if null faces || null known then 1 else 0.005, [])
           said (at, here) code
             | at `elem` beyond =
-              sum [chance o' c here | o' <- waysUp cells, c <- [0 .. 3]] / 8
+              minimum [chance o' c here | o' <- waysUp cells, c <- [0 .. 3]]
             | otherwise = chance o code here
   ]
   where

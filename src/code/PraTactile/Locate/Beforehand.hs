@@ -1,13 +1,13 @@
 -- | What is known of candidates beside the observed cells: how probable each is beforehand, and
 -- which of the cells then show something that is not the array's.
 --
--- If b are the probabilities of a cell's symbols, of as many numbers as symmetries and symbols are
--- possible, n, the cell that holds the array's symbol a counts as b(a). A cell in which something
--- else lies shows every symbol alike: it counts as 1 / n. So a candidate is
+-- If b are the probabilities of a cell, the cell that holds the array's symbol a counts as b(a). A
+-- cell in which something else lies shows none of the symbols: what is left to that is no more than
+-- b leaves to the least probable one, and it counts as that. So a candidate is
 --
--- > prior * product over silent cells of 1 / (n b(a))
+-- > prior * product over silent cells of (minimum of b) / b(a)
 --
--- times as probable as the cells alone make it.
+-- times as probable as the cells alone make it, which is at most 1 where no prior is more.
 module PraTactile.Locate.Beforehand
   ( Beforehand (..),
     nothingBeforehand,
@@ -20,6 +20,7 @@ where
 import Data.List (sortOn)
 import Data.Maybe (isJust)
 import Data.Ord (Down (..))
+import qualified Data.Vector.Primitive as Primitive
 import PraTactile.Field
 import PraTactile.Locate.Answer
 import PraTactile.Locate.Belief
@@ -28,7 +29,7 @@ import PraTactile.Position
 
 -- | What is known of a candidate.
 data Beforehand = Beforehand
-  { -- | the logarithm of how probable it is beforehand, to a factor that all candidates have
+  { -- | the logarithm of how probable it is beforehand, at most 0
     beforehandPrior :: !Double,
     -- | the offsets, as they are seen, of the cells that say nothing if it is right
     beforehandSilent :: [Position]
@@ -45,17 +46,17 @@ beforehandWeight ::
   (Position -> Maybe (GF k)) -> Patch (Belief k) -> Candidate -> Beforehand -> Double
 beforehandWeight symbolIn seen candidate known =
   beforehandPrior known
-    - sum
-      [ log (relativeChance (candidateSymmetry candidate) a b)
+    + sum
+      [ log (leastChance b / probabilitiesIn (candidateSymmetry candidate) b Primitive.! toCode a)
         | (offset, b) <- observedCells seen,
           offset `elem` beforehandSilent known,
           Just a <- [symbolIn offset]
       ]
 
--- | The posterior where each candidate is so many times as probable, by the logarithm, as it was
--- found to be. The first thousand are weighed that are at least 1e-60 times as probable as the
--- likeliest; all others, and places that are not listed, count as they were found: of a list, the
--- doubt is no bound of that.
+-- | The posterior where each candidate is so many times as probable, by the logarithm, at most 0,
+-- as it was found to be. The first thousand are weighed that are at least 1e-60 times as probable
+-- as the likeliest; all others, and places that are not listed, count as they were found: so what
+-- is told of doubt is a bound where it was one.
 reweighed :: (Candidate -> Double) -> Posterior Candidate -> Posterior Candidate
 reweighed weightOf found
   | isJust (posteriorMany found) || all (== 0) weights = found

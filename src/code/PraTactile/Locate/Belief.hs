@@ -19,7 +19,7 @@ module PraTactile.Locate.Belief
     probabilitiesIn,
     possibleIn,
     likeliestIn,
-    relativeChance,
+    leastChance,
   )
 where
 
@@ -157,13 +157,11 @@ probabilitiesIn o known = case known of
   Unoriented numbers -> numbers
   Oriented joint -> fromMaybe (noneOf joint) (lookup o joint)
 
--- | How many times as probable a symbol is together with a symmetry as all of them are on average.
-relativeChance :: Symmetry -> GF k -> Belief k -> Double
-relativeChance o a known = count * fromMaybe 0 (probabilitiesIn o known Primitive.!? toCode a)
-  where
-    count = case known of
-      Unoriented numbers -> fromIntegral (Primitive.length numbers)
-      Oriented joint -> fromIntegral (sum (map (Primitive.length . snd) joint))
+-- | The probability of the least probable symbol, in whichever symmetry.
+leastChance :: Belief k -> Double
+leastChance known = case known of
+  Unoriented numbers -> Primitive.minimum numbers
+  Oriented joint -> minimum (1 : map (Primitive.minimum . snd) joint)
 
 -- | Whether a symbol has a probability above 0 in a symmetry.
 possibleIn :: Symmetry -> GF k -> Belief k -> Bool
