@@ -126,13 +126,15 @@ layoutsLeft settings angle frames registeredAt laidAt =
           (likelier, there) = registeredAt (layoutPlaces layout)
           (byLattice, shifts)
             | fault == Slip = (0, Nothing)
+            | likelier >= 0 = (likelier, Just there)
             | otherwise = (min 0 (likelier + unsure), Just there),
       let byBoth = byOverlaps + byLattice,
       byBoth > refuted
   ]
   where
     hypotheses = layouts (fromMaybe 0 angle) (tiedGroups settings frames) (map fst frames)
-    -- Seams through symbols, which the frames' own blur and gain make uncertain.
+    -- What another layout makes less likely, seams through symbols, frames' own blur and gain make
+    -- uncertain; of the right one none was more than 1.5 likelier.
     unsure = 20
 
 -- | What is so much less likely, as a natural logarithm, is no hypothesis any more.
