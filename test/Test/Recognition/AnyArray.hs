@@ -16,7 +16,7 @@ import PraTactile.Field (KnownField, toCode)
 import PraTactile.Grid (canonicalPosition)
 import PraTactile.Image (crop, rasterSize, toRows)
 import PraTactile.Locate (AlgebraError (..), LocateError (..), LocatorError (..), Radius (..))
-import PraTactile.Object.Canonical (canonicalPlacement)
+import PraTactile.Object.Canonical (canonicalPitch, canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.Plate
 import PraTactile.Object.WingedEdge
@@ -240,18 +240,18 @@ onBothRoads ::
   (forall k. KnownField k => PseudorandomArray k -> Recogniser k -> Recogniser k -> p) ->
   Property
 onBothRoads profile surface test =
-  whenRight parts $ \(plate, alphabet, net) ->
+  whenRight parts $ \(nothingLaid, alphabet, net) ->
     whenRight
       ( withProfile profile $ \array mask ->
           let made most =
-                recogniserUpTo most (ArrayOn surface array) mask plate (readerOf alphabet net)
+                recogniserUpTo most (ArrayOn surface array) mask nothingLaid (readerOf alphabet net)
            in whenRight ((,) <$> made (2 ^ (20 :: Int)) <*> made 0) (uncurry (test array))
       )
       id
   where
     parts =
       (,,)
-        <$> shown (platePlacement (profileShape profile))
+        <$> shown (placement (profileShape profile) canonicalPitch [] [])
         <*> shown paperAlphabet
         <*> shown paperNetwork
 

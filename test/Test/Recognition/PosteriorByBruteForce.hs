@@ -54,8 +54,8 @@ data Seen = Seen
   }
 
 -- | That it is the array's, lies that way up, and begins at that position; with the product of the
--- probabilities of what the array then has in the observed cells, of those that say nothing the
--- least of all, and of how probable it is beforehand.
+-- probabilities of what the array then has in the observed cells, of those that say nothing 30
+-- times the least of all, at most their mean, and of how probable it is beforehand.
 data Hypothesis = Hypothesis
   { wayUp :: Symmetry,
     beginning :: Position,
@@ -87,7 +87,8 @@ hypotheses faces onArray cells =
             [] -> (if null faces || null known then 1 else 0.005, [])
           said (at, here) code
             | at `elem` beyond =
-              minimum [chance o' c here | o' <- waysUp cells, c <- [0 .. 3]]
+              let every = [chance o' c here | o' <- waysUp cells, c <- [0 .. 3]]
+               in min (30 * minimum every) (sum every / 8)
             | otherwise = chance o code here
   ]
   where

@@ -2,12 +2,12 @@
 -- which of the cells then show something that is not the array's.
 --
 -- If b are the probabilities of a cell, the cell that holds the array's symbol a counts as b(a). A
--- cell in which something else lies shows none of the symbols: what is left to that is no more than
--- b leaves to the least probable one, and it counts as that. So a candidate is
+-- cell in which something else lies shows none of the symbols, and counts as 'silentChance' has it,
+-- s(b). So a candidate is
 --
--- > prior * product over silent cells of (minimum of b) / b(a)
+-- > prior * product over silent cells of s(b) / b(a)
 --
--- times as probable as the cells alone make it, which is at most 1 where no prior is more.
+-- times as probable as the cells alone make it.
 module PraTactile.Locate.Beforehand
   ( Beforehand (..),
     nothingBeforehand,
@@ -47,16 +47,16 @@ beforehandWeight ::
 beforehandWeight symbolIn seen candidate known =
   beforehandPrior known
     + sum
-      [ log (leastChance b / probabilitiesIn (candidateSymmetry candidate) b Primitive.! toCode a)
+      [ log (silentChance b / probabilitiesIn (candidateSymmetry candidate) b Primitive.! toCode a)
         | (offset, b) <- observedCells seen,
           offset `elem` beforehandSilent known,
           Just a <- [symbolIn offset]
       ]
 
--- | The posterior where each candidate is so many times as probable, by the logarithm, at most 0,
--- as it was found to be. The first thousand are weighed that are at least 1e-60 times as probable
--- as the likeliest; all others, and places that are not listed, count as they were found: so what
--- is told of doubt is a bound where it was one.
+-- | The posterior where each candidate is so many times as probable, by the logarithm, as it was
+-- found to be. The first thousand are weighed that are at least 1e-60 times as probable as the
+-- likeliest; all others, and places that are not listed, count as they were found: of a list, the
+-- doubt is no bound of that.
 reweighed :: (Candidate -> Double) -> Posterior Candidate -> Posterior Candidate
 reweighed weightOf found
   | isJust (posteriorMany found) || all (== 0) weights = found

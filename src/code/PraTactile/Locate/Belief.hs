@@ -19,7 +19,7 @@ module PraTactile.Locate.Belief
     probabilitiesIn,
     possibleIn,
     likeliestIn,
-    leastChance,
+    silentChance,
   )
 where
 
@@ -157,11 +157,16 @@ probabilitiesIn o known = case known of
   Unoriented numbers -> numbers
   Oriented joint -> fromMaybe (noneOf joint) (lookup o joint)
 
--- | The probability of the least probable symbol, in whichever symmetry.
-leastChance :: Belief k -> Double
-leastChance known = case known of
-  Unoriented numbers -> Primitive.minimum numbers
-  Oriented joint -> minimum (1 : map (Primitive.minimum . snd) joint)
+-- | What a cell counts as that shows none of the symbols: 30 times the probability of the least
+-- probable one, in whichever symmetry, but no more than the mean of all. So where a symbol leaves
+-- less than a thirtieth of doubt, it is rarely nothing (assumption).
+silentChance :: Belief k -> Double
+silentChance known = min (30 * minimum (1 : map Primitive.minimum all')) (1 / count)
+  where
+    count = fromIntegral (sum (map Primitive.length all'))
+    all' = case known of
+      Unoriented numbers -> [numbers]
+      Oriented joint -> map snd joint
 
 -- | Whether a symbol has a probability above 0 in a symmetry.
 possibleIn :: Symmetry -> GF k -> Belief k -> Bool
