@@ -240,8 +240,7 @@ likeliestOf reader tolerance cells = do
         likeliestPlaces =
           Map.fromList
             [ (readNumber s, (orientation, place))
-              | (cell, here) <- Map.toList (seenOnFace orientation cells),
-                Just (place, _) <- [cellFrom reader (candidatePosition candidate) cell],
+              | (place, here) <- lyingAt reader cells candidate,
                 s <- here
             ]
       }
@@ -254,10 +253,16 @@ likelyCells reader tolerance cells =
       | Just answer <- [snd (locatedCells reader tolerance cells) >>= rightOnly],
         Just found <- [answerPosterior answer],
         (candidate, _) <- fst (weighable (posteriorRanking found)),
-        (cell, _) <-
-          Map.toList (seenOnFace (axisOf cells <> candidateSymmetry candidate) cells),
-        Just (place, _) <- [cellFrom reader (candidatePosition candidate) cell]
+        (place, _) <- lyingAt reader cells candidate
     ]
+
+-- | Where on the array the cells are, if the candidate is right, with what was read there.
+lyingAt :: KnownField k => Recogniser k -> Cells -> Candidate -> [(Position, [ReadSymbol])]
+lyingAt reader cells candidate =
+  [ (place, here)
+    | (cell, here) <- Map.toList (seenOnFace (axisOf cells <> candidateSymmetry candidate) cells),
+      Just (place, _) <- [cellFrom reader (candidatePosition candidate) cell]
+  ]
 
 -- | The way up that cells show by themselves, where no position is possible.
 wayUpAlone :: [Belief k] -> Symmetry

@@ -11,6 +11,7 @@ where
 
 import Data.Aeson (Value (..), object, toJSON, (.=))
 import qualified Data.Aeson.KeyMap as KeyMap
+import qualified Data.Aeson.Types as Aeson (Pair)
 import qualified Data.ByteString as Bytes
 import Data.Char (toUpper)
 import Data.Foldable (traverse_)
@@ -204,7 +205,8 @@ unknownInSession limits session =
     offered = startedOperations (sessionStarted session)
     example = take 1 (startedQuestions session)
     known = [\i -> (runRequest i one, const True, notKnown) | one <- example]
-    unknown name i = (unknownRequest i name, isSkipped, notKnown)
+    unknown name i = (inSession (unknownQuestion i name), isSkipped, notKnown)
+    inSession keys = object (("command" .= ("run" :: String)) : keys)
     inherited =
       filter
         (`notElem` offered)
@@ -223,15 +225,10 @@ isSkipped response = case response of
 notKnown :: Response
 notKnown = ResponseSkipped "not known"
 
--- | A request for what is no operation.
-unknownRequest :: Int -> String -> Value
-unknownRequest number name =
-  object
-    [ "command" .= ("run" :: String),
-      "sequence" .= number,
-      "operation" .= name,
-      "input" .= object []
-    ]
+-- | The keys of a question about what is no operation, in either mode.
+unknownQuestion :: Int -> String -> [Aeson.Pair]
+unknownQuestion number name =
+  ["sequence" .= number, "operation" .= name, "input" .= object []]
 
 -- | Questions of the operations of the code that are offered.
 startedQuestions :: Session -> [SomeQuestion]
@@ -247,13 +244,9 @@ oneShotChecks :: Limits -> Command -> [Check]
 oneShotChecks limits command =
   [check unknownId (judged <$> runOnce limits command request)]
   where
-    request = case unknownRequest 1 "no-such-operation" of
-      Object keys ->
-        Object
-          ( KeyMap.insert "profile" (profileValue canonicalProfile) $
-              KeyMap.delete "command" keys
-          )
-      other -> other
+    request =
+      object
+        (("profile" .= profileValue canonicalProfile) : unknownQuestion 1 "no-such-operation")
     judged got = case replyResponse <$> got of
       Left why -> CheckErred [request] why
       Right response
