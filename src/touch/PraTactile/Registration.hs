@@ -85,7 +85,7 @@ import PraTactile.Registration.Arrangement
 import PraTactile.Registration.Contact (evened)
 import PraTactile.Registration.Lattice.Fit (Touched)
 import PraTactile.Registration.Lattice.Template (LatticeTables, latticeTables)
-import PraTactile.Registration.Layout (layoutsLeft)
+import PraTactile.Registration.Layout (Layout (..), layoutsLeft)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Rest (alignedToRest)
 import PraTactile.Registration.Rotation (certainRotation, rotationPrior)
@@ -239,17 +239,24 @@ compose arranging settings frames = do
       robot = (inTaxels left, inTaxels top)
       allElsewhere =
         [ otherwise'
-          | Just from <- [arrangementFrom arrangement],
+          | Just elsewhere <- [arrangementElsewhere arrangement],
             otherwise' <-
               layoutsLeft
                 found
                 (arrangementAngle arrangement)
                 [(place `plus` robot, image) | (place, image) <- toList nominal]
-                (from . map (`minus` robot))
+                (elsewhere . map fromRobot)
                 laidAt
         ]
+      -- Other axes, if they are that much likelier than any other layout, that of the robot too.
+      likelierAxes = case sortOn (negate . otherwiseLikelier) allElsewhere of
+        Otherwise (OtherAxes axes) _ likelier _ : rest
+          | likelier > exp decisive * maximum (1 : map otherwiseLikelier (take 1 rest)) ->
+            Just (AgreeingAlong axes)
+        _ -> Nothing
+      fromRobot layout = layout {layoutPlaces = map (`minus` robot) (layoutPlaces layout)}
       laidAt places shifts =
-        made {compositeFrames = putAs (map inMillimetres places) (fromMaybe displacements shifts)}
+        made {compositeFrames = putAs (map inMillimetres places) shifts}
       inMillimetres (x, y) = (taxelPitch * x, taxelPitch * y)
       -- The frames as they were put, from where the robot would have them.
       putAs ats shifts =
@@ -269,7 +276,8 @@ compose arranging settings frames = do
       { assemblyComposite =
           made
             { compositeOthers = oneElsewhere ++ allElsewhere,
-              compositeContradiction = contradiction found (NonEmpty.toList nominal),
+              compositeContradiction =
+                contradiction found (NonEmpty.toList nominal) <|> likelierAxes,
               compositeFrames =
                 putAs
                   (map placedAt (toList placed))
@@ -290,6 +298,10 @@ witnesses key given = (fmap (\((_, one) :| _) -> one) groups, ofEach)
     groups = NonEmpty.groupAllWith1 (key . snd) (NonEmpty.zip (0 :| [1 :: Int ..]) given)
     ofEach told =
       map snd (sortOn fst [(k, b) | (same, b) <- zip (toList groups) told, (k, _) <- toList same])
+
+-- | How much likelier, as a natural logarithm, other axes are than all else if they are named.
+decisive :: Double
+decisive = 20
 
 -- | The most other ways to put frames together that are told.
 mostOthers :: Int

@@ -13,13 +13,15 @@ module PraTactile.Registration.Arrangement
   )
 where
 
+import Control.Applicative ((<|>))
 import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite (compositeOf)
+import PraTactile.Composite (Fault (..), compositeOf)
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Composite.Tilt (tilt)
 import PraTactile.Image (Raster, rasterSize, rasterValues, standardDeviation)
+import PraTactile.Registration.Agreement (evidenceAt)
 import PraTactile.Registration.AllPairs
 import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Incremental (comparisons, register)
@@ -28,6 +30,7 @@ import PraTactile.Registration.Lattice.Angle (latticeAngle)
 import PraTactile.Registration.Lattice.Fit (Fits (..), Touched, fitsAt)
 import PraTactile.Registration.Lattice.Glimpse
 import PraTactile.Registration.Lattice.Template (LatticeTables)
+import PraTactile.Registration.Layout (Layout (..))
 import PraTactile.Registration.Levelling (levelling)
 import PraTactile.Registration.Posterior (Hypothesis)
 import PraTactile.Registration.Residual (residual)
@@ -75,9 +78,9 @@ data Arrangement = Arrangement
     arrangementResidual :: Maybe Double,
     -- | The angle of the lattice, in degrees clockwise, where the method tells it.
     arrangementAngle :: Maybe Double,
-    -- | The displacements from other nominal places, and how much likelier, as a natural logarithm,
-    -- these make the lattice than the given ones; 'Nothing' where nothing is registered.
-    arrangementFrom :: Maybe ([Taxels] -> (Double, [Taxels]))
+    -- | How much likelier, as a natural logarithm, what the frames show is if they lie otherwise,
+    -- and their displacements from there; 'Nothing' where nothing is registered.
+    arrangementElsewhere :: Maybe ([Layout] -> [(Double, [Taxels])])
   }
 
 -- | The most pixels that frames are compared in for a first look at which of them tell most of
@@ -149,22 +152,47 @@ arrange tables method settings touched
     byPairs =
       (arranged frames Jointly (asRead frames) (map estimated (pairwiseFrames found)))
         { arrangementSigma = pairwiseSigma found,
-          arrangementFrom =
-            Just (const (0, map estimateShift (pairwiseFrames found)))
+          arrangementElsewhere = Just $ \others ->
+            map (flip (,) (map estimateShift (pairwiseFrames found))) (byOverlaps sigma others)
         }
       where
         found = registerPairwise settings frames
+        sigma = pairwiseSigma found
+    byOverlaps sigma others =
+      evidenceAt
+        settings {registrationSigma = registrationSigma settings <|> sigma}
+        frames
+        (map layoutPlaces others)
     byLattice fits' =
       (arranged frames ByLattice levels (map estimated (jointFrames found)))
         { arrangementSigma = jointSigma found,
           arrangementAngle = Just (fitsAngle fits'),
-          arrangementFrom = Just (\places -> from (registered (zip places (map snd touched))))
+          arrangementElsewhere = Just elsewhere
         }
       where
         levels = levelling (zip (map snd touched) (jointThetas found))
-        registered = registerJointly settings fits'
-        from there = (jointLog there - jointLog found, map estimateShift (jointFrames there))
-        found = registered touched
+        registered lying =
+          registerJointly settings fits' {fitsFrames = map snd lying} (map fst lying)
+        lyingAt places = zip (zip places (map snd touched)) (fitsFrames fits')
+        asTold = lyingAt (map fst touched)
+        found = registered asTold
+        -- A slip leaves frames on the lattice.
+        elsewhere others =
+          map (asLaid . lyingAt . layoutPlaces) ofAll
+            ++ map (flip (,) (shiftsOf found)) (byOverlaps (jointSigma found) slips)
+          where
+            (ofAll, slips) = span ((/= Slip) . layoutFault) others
+        shiftsOf = map estimateShift . jointFrames
+        asLaid lying
+          | byPhase < hopeless = (byPhase, [])
+          | otherwise = (jointBound there - jointBound here, shiftsOf (whole lying there))
+          where
+            byPhase = jointGlimpse there - jointGlimpse here
+            there = registered (spacedOut mostOfLayout lying)
+        -- By some of the frames, where there are very many.
+        few = length touched <= mostOfLayout
+        here = if few then found else registered (spacedOut mostOfLayout asTold)
+        whole lying there = if few then there else registered lying
     estimated l =
       Registered
         (estimateShift l)
@@ -199,7 +227,7 @@ arranged frames used levels frameOf =
       arrangementSigma = Nothing,
       arrangementResidual = residual places,
       arrangementAngle = Nothing,
-      arrangementFrom = Nothing
+      arrangementElsewhere = Nothing
     }
   where
     places =
@@ -211,6 +239,14 @@ arranged frames used levels frameOf =
 -- the lattice: more would take memory for nothing.
 tiltFrames :: Int
 tiltFrames = 256
+
+-- | The most frames that are asked where all may lie instead.
+mostOfLayout :: Int
+mostOfLayout = 256
+
+-- | Where the lattice is so much less likely, as a natural logarithm, nobody asks for the symbols.
+hopeless :: Double
+hopeless = -30
 
 -- | Settings for frames of another pitch, brought to the canonical one: their noise has, beside the
 -- sensor's, what two frames differ by because their pixels are interpolated: as variance, a share

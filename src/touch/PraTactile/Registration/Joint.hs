@@ -20,8 +20,8 @@ import PraTactile.Image (rasterHeight, rasterSize, rasterWidth)
 import PraTactile.Registration.Joint.Displacement (Displacement (..), displacementsOf)
 import PraTactile.Registration.Joint.Estimate
 import PraTactile.Registration.Joint.Grid (Grid (..), gridOf, gridSpacing)
-import PraTactile.Registration.Joint.MeanField (meanField)
-import PraTactile.Registration.Joint.Phase (commonPhase)
+import PraTactile.Registration.Joint.MeanField (MeanField (..), fieldBound, meanField)
+import PraTactile.Registration.Joint.Phase (commonPhase, glimpsedLog)
 import PraTactile.Registration.Lattice.Fit
 import PraTactile.Registration.Lattice.Likelihood (likelihoodTheta)
 import PraTactile.Registration.Lattice.Places
@@ -48,14 +48,17 @@ data Joint = Joint
     -- | The standard deviation of the robot's position error, taxels, where two frames or more tell
     -- it.
     jointSigma :: Maybe Double,
-    -- | log P of the lattice's likeliest phase, up to what does not depend on the places.
-    jointLog :: Double
+    -- | log P of the lattice at a glance, up to what does not depend on the places.
+    jointGlimpse :: Double,
+    -- | What log P of all that the frames show is at least, likewise.
+    jointBound :: Double
   }
 
 -- | Frames registered from the nominal places (taxels) of their upper left pixels, and what they
 -- tell at the lattice's angle.
 registerJointly :: Registration -> Fits -> [(Taxels, Touched)] -> Joint
-registerJointly settings fits frames = Joint centredEstimates thetas sigma phaseLog
+registerJointly settings fits frames =
+  Joint centredEstimates thetas sigma (glimpsedLog grid phases) (fieldBound grid field)
   where
     angle = fitsAngle fits
     onLattice =
@@ -70,8 +73,8 @@ registerJointly settings fits frames = Joint centredEstimates thetas sigma phase
     some = spacedOut phaseFrames onLattice
     small = sum (map pixelsOf some) <= phaseFrames * keptPixels
     pixelsOf (_, (image, _), _) = rasterWidth image * rasterHeight image
-    (phaseLog, (orientation, phase)) =
-      commonPhase grid (map (fmap fitSome . if small then kept else again) some)
+    phases = map (fmap fitSome . if small then kept else again) some
+    (_, (orientation, phase)) = commonPhase grid phases
     (thetas, displacements) =
       unzip (map (told . (if few then kept else again)) onLattice)
     few = small && length onLattice <= phaseFrames
@@ -84,7 +87,7 @@ registerJointly settings fits frames = Joint centredEstimates thetas sigma phase
               [] -> displacements' (fitLikelihood fitted)
               some' -> some'
           )
-    (posteriors, sigmas) = meanField grid displacements
+    field@(MeanField posteriors sigmas) = meanField grid displacements
     sigma
       | length onLattice < 2 = Nothing
       | otherwise = Just (exp (sum (zipWith (*) sigmas (map log (gridSigmas grid)))) / gridSpacing)

@@ -19,7 +19,7 @@ import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (columnPitch, rotated, rowPitch)
 import PraTactile.Image (Raster)
-import PraTactile.Registration.Agreement (evidenceAt, tiedGroups)
+import PraTactile.Registration.Agreement (tiedGroups)
 import PraTactile.Registration.Search (Registration)
 import PraTactile.Sensor.Frame (Pose (..))
 import PraTactile.Sensor.Manifest (Axes, alongAxes, axesNamed, straight)
@@ -105,37 +105,25 @@ mostGroups = 16
 leastGap :: Double
 leastGap = 2
 
--- | The layouts that the frames at these nominal places do not refute, each with its composite: by
--- their overlaps, and by how much likelier, as a natural logarithm, the places of a layout make the
--- lattice, on which a slip by a cell leaves them. Given are the lattice's angle, where it is known,
--- that likelihood with the displacements from there, and the composite with its frames so displaced
--- from other places.
+-- | The layouts that the frames at these nominal places do not refute, each with its composite.
+-- Given are the lattice's angle, where it is known; how much likelier, as a natural logarithm, what
+-- the frames show is by each of some layouts, with the displacements from there; and the composite
+-- of frames that are so displaced from other places.
 layoutsLeft ::
   Registration ->
   Maybe Double ->
   [(Taxels, Raster)] ->
-  ([Taxels] -> (Double, [Taxels])) ->
-  ([Taxels] -> Maybe [Taxels] -> Composite) ->
+  ([Layout] -> [(Double, [Taxels])]) ->
+  ([Taxels] -> [Taxels] -> Composite) ->
   [Otherwise]
-layoutsLeft settings angle frames registeredAt laidAt =
-  [ Otherwise fault (layoutShare layout) (exp byBoth) (laidAt (layoutPlaces layout) shifts)
-    | (layout, byOverlaps) <-
-        zip hypotheses (evidenceAt settings frames (map layoutPlaces hypotheses)),
-      byOverlaps > refuted,
-      let fault = layoutFault layout
-          (likelier, there) = registeredAt (layoutPlaces layout)
-          (byLattice, shifts)
-            | fault == Slip = (0, Nothing)
-            | likelier >= 0 = (likelier, Just there)
-            | otherwise = (min 0 (likelier + unsure), Just there),
-      let byBoth = byOverlaps + byLattice,
-      byBoth > refuted
+layoutsLeft settings angle frames elsewhere laidAt =
+  [ Otherwise fault share (exp (min certain likelier)) (laidAt places shifts)
+    | (Layout fault share places, (likelier, shifts)) <- zip hypotheses (elsewhere hypotheses),
+      likelier > refuted
   ]
   where
     hypotheses = layouts (fromMaybe 0 angle) (tiedGroups settings frames) (map fst frames)
-    -- What another layout makes less likely, seams through symbols, frames' own blur and gain make
-    -- uncertain; of the right one none was more than 1.5 likelier.
-    unsure = 20
+    certain = 60
 
 -- | What is so much less likely, as a natural logarithm, is no hypothesis any more.
 refuted :: Double

@@ -138,6 +138,24 @@
 -- more from there and from each other. The mean of all displacements is 0, for a shift of all
 -- cannot be seen.
 --
+-- How likely nominal places make what all frames show is told by a bound: log P is at least F, if
+-- one taxel in five is independent of its neighbours, and each frame shows with probability delta
+-- something of its own in a cell (<.> is the mean over q_f, and h_fc0 = 0). Otherwise a sliver of a
+-- symbol that is felt a little otherwise than supposed would count as much as a symbol.
+--
+-- > h_fck(d) = l_fck(d) / 5
+-- > h_fc(d)  = log (epsilon + sum over k of P(k) exp h_fck(d))
+-- > g_fck(d) = log ((1 - delta) exp h_fck(d) + delta exp h_fc(d))
+-- > F = sum over c of log (epsilon exp (sum over f of <g_fc0>)
+-- >                        + sum over k of P(k) exp (sum over f of <g_fck>))
+-- >     + log (sum over sigma of exp (sum over f of <log pi_sigma(d_f)>))
+-- >     - sum over f, d of q_f(d) log q_f(d)
+--
+-- So other axes and scales have against them the robot's errors that they need, symbols that frames
+-- have in common and see otherwise, and those that a seam cuts into parts that do not fit. They are
+-- not asked for F where P(lambda) is less likely by e^30 at a glance, each frame in its likeliest
+-- phase; and of more than 256 frames so many are asked, evenly.
+--
 -- = Two frames
 --
 -- By the lattice, a displacement d of the second against the first is summed over all phases and
@@ -222,7 +240,7 @@
 -- > epsilon, P(k)     absence, classPrior                  beta      blurDeviation
 -- > log P(lambda)     phasePosterior                         log pi    priorAlong
 -- > d, with l_fck     Displacement                           delta     outlier
--- > q_f               meanField                              e^30      negligible
+-- > q_f, F            meanField, fieldBound                  e^30      negligible
 module PraTactile.Registration.Model
   ( -- * What a frame reads
     Theta (..),
@@ -312,7 +330,7 @@ reliefShare r
 {-# INLINE reliefShare #-}
 
 -- | The least t of a taxel that touches, and what share of taxels counts where it is asked whether
--- presses are tilted (assumptions).
+-- presses are tilted, and how likely a layout is (assumptions).
 leastTouch, independentShare :: Double
 leastTouch = 0.25
 independentShare = 0.2

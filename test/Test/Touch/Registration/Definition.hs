@@ -20,6 +20,7 @@ module Test.Touch.Registration.Definition
     likely,
     sigmas,
     meanField,
+    togetherLog,
     estimate,
 
     -- * Two frames
@@ -31,7 +32,7 @@ module Test.Touch.Registration.Definition
   )
 where
 
-import Data.List (maximumBy, sortOn)
+import Data.List (maximumBy, sortOn, transpose)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..), comparing)
@@ -314,6 +315,32 @@ meanField bySigma frames = (qs', shares (robot (const True) qs'))
             ((_, _, cells), p) <- zip told ps,
             p > 0.02
         ]
+
+-- | log P of what frames show, up to a constant for each, from the displacements that each may
+-- have: over all of these and all sigma, if each shows with probability delta something of its own
+-- in a cell.
+togetherLog :: Ord cell => [Double] -> [[(d, Double, Map.Map cell [Double])]] -> Double
+togetherLog bySigma frames =
+  logOfSum
+    [ sum [logPi sigma square + log (2 * pi) | (_, square, _) <- taken]
+        + sum (map ofCell (Map.elems cells))
+      | taken <- sequence frames,
+        let cells = Map.unionsWith (++) [fmap (: []) told | (_, _, told) <- taken],
+        sigma <- bySigma
+    ]
+  where
+    ofCell told =
+      logOfSum
+        [ log p + sum [logOfSum [log 0.999 + l, log 1e-3 + cellGiven Nothing ls] | (l, ls) <- here]
+          | (p, here) <- zip (0.01 : repeat (0.99 / classes)) (transpose (map each told))
+        ]
+      where
+        each ls = [(l, ls) | l <- 0 : ls]
+        classes = fromIntegral (length (head told))
+
+-- | The logarithm of the sum of exponentials.
+logOfSum :: [Double] -> Double
+logOfSum ls = let top = maximum ls in top + log (sum [exp (l - top) | l <- ls])
 
 -- | The logarithm of how much likelier a cell is than nothing there, from l_k of one frame and what
 -- the others expect of it.

@@ -22,7 +22,7 @@ import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search (Registration (..), standardRegistration, supposedSigma)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (classes, scale, tables, total)
 import Test.Touch.Paper (paperTables)
 import Test.Touch.Registration.Definition (Robot (..), Seen (..), estimate, likely)
@@ -135,18 +135,28 @@ consensusSpec = do
             displacementOf (4, 0) (square second) [(1, Unboxed.fromList [0, 10, 0])]
           ]
         likeliest = map (displacementShift . fst . maximumBy (comparing snd))
-    likeliest (fst (meanField robot [either' 1 0, either' 0 1])) `shouldBe` [(4, 0), (0, 0)]
+    likeliest (fieldFrames (meanField robot [either' 1 0, either' 0 1])) `shouldBe` [(4, 0), (0, 0)]
   it "frames weigh their displacements by what all others say, until none changes its mind" $
     forAll (choose (1, 4) >>= (`vectorOf` genTold)) $ \frames ->
-      let (found, bySigma) = meanField (Grid 5 sigmas) (map (map option) frames)
+      let MeanField found bySigma = meanField (Grid 5 sigmas) (map (map option) frames)
           (wanted, bySigma') = Definition.meanField sigmas frames
           close a b = abs (a - b) < 1e-9
        in counterexample (show (map (map snd) found, wanted)) $
             map (map (displacementShift . fst)) found === map (map (\(d, _, _) -> d)) frames
               .&&. property (and (zipWith (\f w -> and (zipWith close (map snd f) w)) found wanted))
               .&&. property (and (zipWith close bySigma bySigma'))
+  prop "the bound is never above log P of what frames show, and is it where nothing is open" $
+    forAll (choose (1, 3) >>= (`vectorOf` genTold)) $ \frames ->
+      forAll (elements [[2], [1, 3, 8]]) $ \some ->
+        let grid = Grid 5 some
+            bound = fieldBound grid (meanField grid (map (map option) frames))
+            exact = Definition.togetherLog some (map (map fifth) frames)
+            sure = length some == 1 && all ((== 1) . length) frames
+         in counterexample (show (bound, exact)) $
+              bound <= exact + 1e-9 * max 1 (abs exact) && (not sure || abs (bound - exact) < 1e-6)
   where
     sigmas = [1, 1.3, 2, 5, 8]
+    fifth (d, square, cells) = (d, square, fmap (map (/ 5)) cells)
     option (d, square, cells) =
       displacementOf d square [(c, Unboxed.fromList l) | (c, l) <- Map.toList cells]
     genTold :: Gen [((Int, Int), Double, Map.Map Int [Double])]

@@ -1,6 +1,8 @@
 -- | What each frame's displacement is, by itself and by what all others say of the symbols.
 module PraTactile.Registration.Joint.MeanField
-  ( meanField,
+  ( MeanField (..),
+    meanField,
+    fieldBound,
   )
 where
 
@@ -14,13 +16,20 @@ import PraTactile.Registration.Joint.Displacement
     displacementCells,
   )
 import PraTactile.Registration.Joint.Grid
-import PraTactile.Registration.Model (absence, classPrior, outlier)
+import PraTactile.Registration.Model (absence, cellLog, classPrior, independentShare, outlier)
 
--- | q of each frame over its displacements, and that of the grid's sigmas: begun from each frame
--- alone, all frames anew in each sweep, until none changes its likeliest displacement or five
--- sweeps are done.
-meanField :: Grid -> [[Displacement]] -> ([[(Displacement, Double)]], [Double])
-meanField grid frames = (found, sigmaShares grid (foldMap squaresOf found))
+-- | What is found of the displacements of all frames, and of sigma.
+data MeanField = MeanField
+  { -- | q_f of each frame, over its displacements.
+    fieldFrames :: [[(Displacement, Double)]],
+    -- | q of the grid's sigmas.
+    fieldSigmas :: [Double]
+  }
+
+-- | Begun from each frame alone, all frames anew in each sweep, until none changes its likeliest
+-- displacement or five sweeps are done.
+meanField :: Grid -> [[Displacement]] -> MeanField
+meanField grid frames = MeanField found (sigmaShares grid (foldMap squaresOf found))
   where
     found = go mostSweeps alone (expectedOf alone)
     alone =
@@ -49,14 +58,31 @@ meanField grid frames = (found, sigmaShares grid (foldMap squaresOf found))
           | (d, _) <- ds
         ]
       where
-        own = expected ds
+        own = heard ds
     less total (Just mine) = Unboxed.zipWith (-) total mine
     less total Nothing = total
     likeliest ds = fmap (displacementShift . fst) (foldl' larger Nothing ds)
     larger Nothing d = Just d
     larger (Just a) b = Just (if snd b > snd a then b else a)
-    expectedOf :: [[(Displacement, Double)]] -> IntMap ClassLogs
-    expectedOf = foldl' (\m -> IntMap.unionWith (Unboxed.zipWith (+)) m . expected) IntMap.empty
+    expectedOf = together heard
+    heard = expected 0.02 id
+
+-- | F, which log P of what the frames show is at least, up to what does not depend on their places.
+fieldBound :: Grid -> MeanField -> Double
+fieldBound grid (MeanField frames _) =
+  sum (map cell (IntMap.elems (together (expected 0 told) frames)))
+    + logSum (sigmaLogs grid (foldMap squaresOf frames))
+    - sum [p * log p | ds <- frames, (_, p) <- ds, p > 0]
+  where
+    -- g of nothing there, and then of the classes.
+    told logs = Unboxed.map mixed (Unboxed.cons 0 l)
+      where
+        l = Unboxed.map (independentShare *) logs
+        own = cellGiven Nothing l
+        mixed x = logSum [log (1 - outlier) + x, log outlier + own]
+    cell g = cellLog (Unboxed.length g - 1) (\k -> g Unboxed.! (k + 1) - nothing) + nothing
+      where
+        nothing = Unboxed.head g
 
 -- | What a frame's displacements tell of sigma.
 squaresOf :: [(Displacement, Double)] -> Squares
@@ -70,13 +96,17 @@ allButOne ms = zipWith (<>) (scanl (<>) mempty ms) (drop 1 (scanr (<>) mempty ms
 mostSweeps :: Int
 mostSweeps = 5
 
--- | The log likelihoods of the cells' classes that are expected of a frame, over its displacements;
--- those that are not likely by a fiftieth say nothing.
-expected :: [(Displacement, Double)] -> IntMap ClassLogs
-expected ds =
+-- | What is expected of the cells that a frame sees, over its displacements of more than that
+-- probability, given what each makes of the log likelihoods of a cell's classes.
+expected :: Double -> (ClassLogs -> ClassLogs) -> [(Displacement, Double)] -> IntMap ClassLogs
+expected least of' ds =
   IntMap.fromListWith
     (Unboxed.zipWith (+))
-    [(c, Unboxed.map (* p) l) | (d, p) <- ds, p > 0.02, (c, l) <- displacementCells d]
+    [(c, Unboxed.map (* p) (of' l)) | (d, p) <- ds, p > least, (c, l) <- displacementCells d]
+
+-- | What all frames say of each cell.
+together :: (frame -> IntMap ClassLogs) -> [frame] -> IntMap ClassLogs
+together told = foldl' (\m -> IntMap.unionWith (Unboxed.zipWith (+)) m . told) IntMap.empty
 
 -- | How much likelier a cell is than nothing there: by what one frame says of its classes, and
 -- where there is any by what the others say.

@@ -3,6 +3,7 @@
 -- | Where the lattice lies under all frames together.
 module PraTactile.Registration.Joint.Phase
   ( commonPhase,
+    glimpsedLog,
   )
 where
 
@@ -26,6 +27,31 @@ commonPhase grid frames = (logs V.! best, (o, (y, x)))
     best = V.maxIndex logs
     (row, x) = best `quotRem` across
     (o, y) = row `quotRem` down
+
+-- | log P(lambda) of the likeliest lattice up to a constant, at a glance: each frame has its
+-- likeliest phase, and so the lattice has one of these.
+glimpsedLog :: Grid -> [(Taxels, Likelihood)] -> Double
+glimpsedLog grid frames =
+  maximum [logSum [sum (map (given lambda) told) | told <- bySigma] | lambda <- map fst seen]
+  where
+    (across, down) = phaseCount placesPerTaxel
+    seen =
+      [ ((o, (y + ny) `mod` down, (x + nx) `mod` across), rest)
+        | (place, told) <- frames,
+          let ((nx, ny), rest) = onGrid place
+              (row, x) = V.maxIndex (phaseLogs told) `quotRem` across
+              (o, y) = row `quotRem` down
+      ]
+    bySigma =
+      [ [ (lambda, kernel grid sigma across rx, kernel grid sigma down ry)
+          | (lambda, (rx, ry)) <- seen
+        ]
+        | sigma <- gridOctaves grid
+      ]
+    given (o, y, x) ((o', y', x'), alongX, alongY)
+      | o /= o' = log outlier
+      | otherwise =
+        log (outlier + (1 - outlier) * alongX V.! (across + x' - x) * alongY V.! (down + y' - y))
 
 -- | log P(lambda) up to a constant, by orientation, row and column: each frame anywhere that the
 -- robot's error lets it be, for one error to each octave.
@@ -65,19 +91,21 @@ phasePosterior grid frames =
             downs = tabulate n down $ \py ->
               let !y = (py - ny) `mod` down
                in \i -> kernelDown V.! (down - y + (rows V.! i `quot` across) `mod` down)
-        kernelAcross = kernel across rx
-        kernelDown = kernel down ry
-        -- The prior of the displacements from one phase to another, by their difference, twice
-        -- around.
-        kernel period rest =
-          let once =
-                V.accum
-                  (+)
-                  (V.replicate period 0)
-                  [ (negate d `mod` period, priorAlong sigma (fromIntegral d - rest))
-                    | d <- [negate (gridReach grid) .. gridReach grid]
-                  ]
-           in once <> once
+        kernelAcross = kernel grid sigma across rx
+        kernelDown = kernel grid sigma down ry
+
+-- | The prior of the displacements from one phase to another, along an axis of so many phases, by
+-- their difference, twice around, given sigma and what is left of the place.
+kernel :: Grid -> Double -> Int -> Double -> Vector Double
+kernel grid sigma period rest = once <> once
+  where
+    once =
+      V.accum
+        (+)
+        (V.replicate period 0)
+        [ (negate d `mod` period, priorAlong sigma (fromIntegral d - rest))
+          | d <- [negate (gridReach grid) .. gridReach grid]
+        ]
 
 -- | The sum of the logarithms of vectors of numbers, of which so many, multiplied, are not too
 -- small for a number.
