@@ -10,6 +10,7 @@ import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
+import Data.List (transpose)
 import qualified Data.Vector as V
 import PraTactile.Conformance.Laws.Solids
 import PraTactile.Format.Solid
@@ -148,6 +149,21 @@ spec = do
     forM_ refusals $ \(what, format, bytes, fault) ->
       it (formatName format ++ ": " ++ what) $
         fmap contentsMesh (readSolid format (ObjectName "x") bytes) `shouldBe` Left fault
+  prop "OBJ: it is told where a line begins, after however many, over however many it goes on" $
+    forAll (elements [(file, n, why) | (_, Obj, file, SolidFileError (AtLine n) why) <- brief]) $
+      \(bytes, n, why) ->
+        forAll (resize 4 (listOf (elements ["", "# \\", "g one", "g one \\\nand another"]))) $
+          \above ->
+            forAll (vectorOf 9 (elements [" ", "\t", "  \\\n", "\\\n \\\n"])) $ \gaps ->
+              let (good, others) = splitAt (n - 1) (Char8.lines bytes)
+                  spread line = Bytes.concat (concat (transpose [Char8.words line, tail' line]))
+                  tail' line = take (length (Char8.words line) - 1) gaps
+                  file = Char8.unlines (above ++ good ++ map spread others)
+                  at = n + Char8.count '\n' (Char8.unlines above)
+               in fmap contentsMesh (readSolid Obj (ObjectName "x") file)
+                    === Left (SolidFileError (AtLine at) why)
+  where
+    brief = filter (\(_, _, file, _) -> Bytes.length file < 99) refusals
 
 refusals :: [(String, SolidFormat, ByteString, SolidFileError)]
 refusals =
