@@ -42,6 +42,7 @@ spec = do
         `shouldBe` []
   describe "on larger sheets" $ do
     prop "equal blocks are as many as those of a grid, at most" blocksOfAGrid
+    prop "single cells fill what a block of any length leaves" besideALongBlock
     modifyMaxSuccess (const 200) . prop "is not impossible of what a sheet was cut into" $ cutUp
     prop "does not depend on the order of pieces and alternatives" anyOrder
   describe "puzzles" $ do
@@ -234,6 +235,15 @@ blocksOfAGrid =
      in (outcomeOf question == "packed") === (n <= most)
   where
     size k = (,) <$> choose (1, k) <*> choose (1, k)
+
+-- | Of two rows, one with a block that lies already.
+besideALongBlock :: Property
+besideALongBlock =
+  forAll ((,,) <$> choose (1, 300) <*> choose (0, 70) <*> choose (0, 70)) $
+    \(long, left, right) ->
+      let columns = left + long + right
+          singles = replicate (2 * columns - long) [rectangle 1 1]
+       in outcomeOf (Question (2, columns) [(rectangle 1 long, (0, left))] singles) === "packed"
 
 -- | A sheet cut into pieces, some of which lie already and some of which are left out.
 cutUp :: Property
