@@ -85,15 +85,12 @@ reliefSpec :: Spec
 reliefSpec = do
   modifyMaxSuccess (const 60) $
     it "a region is felt by the relief under it as by the whole face's, to the bit" $
-      forAll ((,) <$> elements sensors <*> choose (1, 99999)) $ \(sensor, seed) ->
-        forAll ((,) <$> choose (18, 70) <*> choose (18, 90)) $ \size ->
-          forAll genTurns $ \turns -> withParts $ \array _ alphabet _ ->
-            onAnyFace $ \layout face ->
-              whenRight (relief array layout alphabet face) $ \whole ->
-                let (region, g) = drawnRegion turns size face (mkStdGen seed)
-                    moved = onRelief whole region
-                    frames heights = fst <$> exploreWith sensor 13 (flawless sensor) heights moved g
-                 in frames (heightsUnder sensor region whole) === frames (reliefHeights whole)
+      forAll ((,) <$> elements sensors <*> pure Nothing) $
+        feltAlike ((,) <$> choose (18, 70) <*> choose (18, 90))
+  modifyMaxSuccess (const 40) $
+    it "so also bent, by a narrow sensor that is turned anyhow and comes down on all of it" $
+      forAll ((,) soft . Just <$> (Bend (1.001 * leastRadius soft) <$> elements [minBound ..])) $
+        feltAlike ((,) <$> choose (18, 40) <*> choose (30, 60))
   it "what is drawn is the whole's rows and columns" $
     withParts $ \array _ alphabet _ ->
       whenRight (platePlacement (Shape 15 17)) $ \plate ->
@@ -112,6 +109,16 @@ reliefSpec = do
                 (w, h) = rasterSize (heightValues (heightsUnder standardSensor region whole))
              in counterexample (show (w, h)) (w <= 160 && h <= 160)
   where
+    feltAlike sizes (sensor, bend) =
+      forAll ((,) <$> choose (1, 99999) <*> sizes) $ \(seed, size) ->
+        forAll genTurns $ \turns -> withParts $ \array _ alphabet _ ->
+          onAnyFace $ \layout face ->
+            whenRight (relief array layout alphabet face) $ \flat ->
+              let whole = flat {reliefBend = bend}
+                  (region, g) = drawnRegion turns size face (mkStdGen seed)
+                  moved = onRelief whole region
+                  frames heights = fst <$> exploreWith sensor 13 (flawless sensor) heights moved g
+               in frames (heightsUnder sensor region whole) === frames (reliefHeights whole)
     genTurns = oneof [AmongTurns . pure <$> elements rotations, TurnedBy <$> choose (0, 360)]
     onAnyFace test =
       whenRight (sequence [canonicalPlacement, platePlacement (Shape 15 17)]) $ \layouts ->
@@ -122,6 +129,14 @@ reliefSpec = do
         presetSensor Real,
         (presetSensor Hard) {sensorPositionError = 2}
       ]
+    soft =
+      (presetSensor Real)
+        { sensorColumns = 2,
+          sensorRows = 30,
+          sensorPositionError = 0,
+          sensorRotationError = 90,
+          sensorStiffness = 0.001
+        }
 
 -- | The paper's array with its window, the shapes and the network.
 withParts ::
