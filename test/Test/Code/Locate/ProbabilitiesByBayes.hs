@@ -4,6 +4,7 @@ module Test.Code.Locate.ProbabilitiesByBayes (spec) where
 
 import Control.Monad (forM_)
 import Data.List (sortOn)
+import qualified Data.Map.Strict as Map
 import Data.Maybe (catMaybes, fromMaybe, listToMaybe)
 import Data.Ord (Down (..))
 import Data.Proxy (Proxy (..))
@@ -106,6 +107,28 @@ codebookSpec = do
     map snd (take 2 (posteriorRanking found)) `shouldSatisfy` and . zipWith close [0.9, 0.1]
     decide 0.11 found `shouldBe` Unique (Position 6 5) []
     decide 0.09 found `shouldBe` Refused BelowThreshold
+  it "what is known beforehand makes places as much likelier as it says, and loses none" $ do
+    array <- paperArray
+    located <-
+      locate . locator (Just PosteriorDecoder) MostSignificantFirst (ArrayOn Torus array)
+        <$> paperWindow
+    holds 200 $
+      forAll ((,) <$> genChancesOver array <*> vectorOf 7 (choose (-5, 0))) $
+        \(chances, priors) -> softly chances $ \p ->
+          let question = onePatch (Probabilities <$> p)
+              prior (Candidate _ (Position r c)) = cycle priors !! fromIntegral (r + 3 * c)
+              known = Just (\place -> Beforehand (prior place) [])
+              ranking = fmap (Map.fromList . maybe [] posteriorRanking . answerPosterior) . located
+           in whenRight (ranking question) $ \alone' ->
+                whenRight (ranking question {queryBeforehand = known}) $ \found ->
+                  -- Places a 10^60th as likely as the likeliest are not weighed.
+                  let weighed place x
+                        | x >= 1e-60 * maximum alone' = x * exp (prior place)
+                        | otherwise = x
+                      wanted = Map.mapWithKey weighed alone'
+                      close x w = abs (x - w / sum wanted) <= 1e-9 * x
+                   in Map.keys found === Map.keys alone'
+                        .&&. property (and (Map.intersectionWith close found wanted))
   it "certainty is the belief that gives one symbol all of the probability" $
     forM_ everyField $ \(q, SomeField (_ :: Proxy k)) ->
       forM_ (elements :: [GF k]) $ \a ->
