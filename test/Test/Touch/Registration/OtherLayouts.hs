@@ -29,12 +29,17 @@ spec = do
             -- that for groups where there are several.
             slips = (if columns + rows > 2 then 1 else 0) + (if groups > 1 then 0.5 else 0)
             alike a b = abs (a - b) < 1e-9 :: Bool
+            extent part ps = maximum (map part ps) - minimum (map part ps)
+            scales = [((x, y), ps) | Layout (OtherScale x y) _ ps <- all']
          in zipWith alike (map shareOf [isAxes, isScale, (== Slip)]) [1, 1, slips]
               === [True, True, True]
               .&&. length (filter (isAxes . layoutFault) all')
               === 7
               .&&. length (filter ((== Slip) . layoutFault) all')
               === 4 * (columns + rows - 2 + if groups > 1 then groups else 0)
+              -- As much further from each other, across and down, as is told.
+              .&&. [(extent fst ps, extent snd ps) | (_, ps) <- scales]
+              === [(x * extent fst places, y * extent snd places) | ((x, y), _) <- scales]
   it "slips move what is beyond a line by a cell of the lattice, at its angle" $
     nub [layoutPlaces l | l <- layouts 90 [0, 0] [(0, 0), (16, 0)], layoutFault l == Slip]
       `shouldSatisfy` all
