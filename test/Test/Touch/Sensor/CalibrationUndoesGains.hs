@@ -265,8 +265,12 @@ sizes = do
   where
     planned (w, h, ratio) (spacing, wide, high) =
       case planScanOf (TaxelGrid w h (ratio * taxelPitch)) spacing (0, 0) (wide, high) of
-        Left RegionBelowSensor {} ->
+        Left (RegionBelowSensor wide' high' across' down') ->
           property (2 * across > fromIntegral wide || 2 * down > fromIntegral high)
+            .&&. (wide', high') === (wide, high)
+            .&&. counterexample
+              (show (across', down'))
+              (near across' (2 * across) && near down' (2 * down))
         Left e -> counterexample (show e) False
         Right poses -> covering across wide poseX poses .&&. covering down high poseY poses
       where
