@@ -24,7 +24,7 @@ import Test.QuickCheck hiding (generate, sample)
 
 spec :: Spec
 spec = do
-  modifyMaxSuccess (const 5) rasterSpec
+  modifyMaxSuccess (const 3) rasterSpec
   modifyMaxSuccess (const 4) turnedSpec
   it "six frames of stripes, one of them thirty metres away, take no more than six" $ do
     composite <- composed [(0, 0), (12.7, 0), (25.4, 0), (0, 12.7), (12.7, 12.7), (3e4, 0)]
@@ -46,25 +46,24 @@ rasterSpec :: Spec
 rasterSpec =
   it "of a large image of which few pixels are kept, all is as if each were" $
     forAll (IntSet.fromList <$> listOf (choose (0, w * h - 1))) $ \some ->
-      forAll (elements (map turned [0 .. 3] ++ [mirror])) $ \symmetry ->
-        let numbers = V.fromList (IntSet.toAscList some)
-            value x y = fromIntegral (x + 2 * y + 1)
-            few = generateAt w h numbers value
-            full = generate w h (\x y -> if IntSet.member (y * w + x) some then value x y else 0)
-            places = [(x + 0.25, y - 0.5) | x <- [-1, 7, fromIntegral w - 1], y <- [0, 9]]
-         in conjoin
-              [ few === full,
-                onRaster symmetry few === onRaster symmetry full,
-                mapRaster (+ 1) few === mapRaster (+ 1) full,
-                zipRaster (\a b -> a - 2 * b + 1) few few
-                  === zipRaster (\a b -> a - 2 * b + 1) full full,
-                zipRaster (-) few full === Right (constant w h 0),
-                map (uncurry (sample few)) places === map (uncurry (sample full)) places,
-                pixelsWhere (> 0) few === numbers,
-                pixelsWhere (<= 0) few === pixelsWhere (<= 0) full,
-                valuesAt few numbers === valuesAt full numbers,
-                toRows few === toRows full
-              ]
+      let numbers = V.fromList (IntSet.toAscList some)
+          value x y = fromIntegral (x + 2 * y + 1)
+          few = generateAt w h numbers value
+          full = generate w h (\x y -> if IntSet.member (y * w + x) some then value x y else 0)
+          places = [(x + 0.25, y - 0.5) | x <- [-1, 7, fromIntegral w - 1], y <- [0, 9]]
+       in conjoin
+            [ few === full,
+              conjoin [onRaster o few === onRaster o full | o <- symmetries],
+              mapRaster (+ 1) few === mapRaster (+ 1) full,
+              zipRaster (\a b -> a - 2 * b + 1) few few
+                === zipRaster (\a b -> a - 2 * b + 1) full full,
+              zipRaster (-) few full === Right (constant w h 0),
+              map (uncurry (sample few)) places === map (uncurry (sample full)) places,
+              pixelsWhere (> 0) few === numbers,
+              pixelsWhere (<= 0) few === pixelsWhere (<= 0) full,
+              valuesAt few numbers === valuesAt full numbers,
+              toRows few === toRows full
+            ]
   where
     (w, h) = (1500, 800)
 
