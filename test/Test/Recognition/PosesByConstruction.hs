@@ -47,18 +47,29 @@ genRotation = do
   a <- number
   b <- number
   c <- number
-  d <- (fromInteger <$> choose (-9, 9)) `suchThat` \d -> any (/= 0) [a, b, c, d]
-  let n = a * a + b * b + c * c + d * d
-  pure
-    ( map
-        (map (/ n))
-        [ [a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)],
-          [2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)],
-          [2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d]
-        ]
-    )
+  d <- number `suchThat` \d -> any (/= 0) [a, b, c, d]
+  pure (rotationBy a (b, c, d))
   where
     number = fromInteger <$> choose (-9, 9)
+
+-- | The rotation of the quaternion with this real part and vector, not all 0.
+rotationBy :: Rational -> (Rational, Rational, Rational) -> [[Rational]]
+rotationBy a (b, c, d) =
+  map
+    (map (/ (a * a + b * b + c * c + d * d)))
+    [ [a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)],
+      [2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)],
+      [2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d]
+    ]
+
+-- | A quaternion's positive real part and its vector, so many times those of small numbers.
+genPart :: Integer -> Integer -> Gen (Rational, (Rational, Rational, Rational))
+genPart real imaginary =
+  (,)
+    <$> (fromInteger . (real *) <$> choose (1, 9))
+    <*> ((,,) <$> part <*> part <*> part) `suchThat` (/= (0, 0, 0))
+  where
+    part = fromInteger . (imaginary *) <$> choose (-9, 9)
 
 -- | A turn of the robot's plane, from x to y.
 genTurn :: Gen [[Rational]]
@@ -180,6 +191,21 @@ spec = do
                     property (farthest (concat c) (concat (transpose c)) < 1e-9),
                     fmap (< 1e-9) (poseDistance (poseMotion pose) pose) === Just True
                   ]
+  prop "two poses differ by a way and a rotation vector, of all but no and all but half a turn" $
+    forAll ((,,) <$> genRotation <*> replicateM 3 genLength <*> replicateM 3 genLength) $
+      \(rows, from, to) ->
+        forAll (elements [(1, 1), (1, 100000), (100000, 1)] >>= \(s, c) -> genPart s c) $
+          \(real, axis@(x, y, z)) ->
+            let further = rotationBy real axis
+                turned = [[sum (zipWith (*) line c) | c <- transpose rows] | line <- further]
+                motion lines' at = RigidMotion (map (map fromRational) lines') (map fromRational at)
+                size = sqrt (fromRational (x * x + y * y + z * z)) :: Double
+                angle = 2 * atan2 size (fromRational real)
+                wanted =
+                  zipWith (\a b -> fromRational (a - b)) to from
+                    ++ [angle * fromRational part / size | part <- [x, y, z]]
+             in farthest wanted (poseDifference (motion turned to) (Pose (motion rows from) []))
+                  < 1e-9 * min 1 angle
   prop "another origin of the robot moves the translation alone, a turned robot turns all" $
     forAll genLying $ \lying ->
       forAll ((,) <$> genRotation <*> replicateM 3 genLength) $ \(turn, by) ->
