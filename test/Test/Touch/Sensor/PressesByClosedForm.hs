@@ -296,19 +296,21 @@ calibrationSpec = do
     correctedImage calibration (row [0.125, 0.75, 1, 0.5])
       `shouldBe` Right (row [0, 0.25, 1, 0.25])
   it "a dead element has the mean of the nearest ring with living ones; 0 where none lives" $
-    forAll (sublistOf [(y, x) | y <- [0 .. 3], x <- [0 .. 4]]) $ \dead ->
-      let image = generate 5 4 (\x y -> fromIntegral ((3 * x + 5 * y) `mod` 8) / 8)
-          living = [(y, x) | y <- [0 .. 3], x <- [0 .. 4], (y, x) `notElem` dead]
-          wanted x y
-            | null living = 0
-            | otherwise =
-              let far (v, u) = max (abs (u - x)) (abs (v - y))
-                  least = minimum (map far living)
-                  ring = [at image u v | p@(v, u) <- living, far p == least]
-               in sum ring / fromIntegral (length ring)
-       in case correctedImage (plain dead) image of
-            Right found -> closeTo found (generate 5 4 wanted)
-            Left e -> counterexample (show e) False
+    forAll ((,) <$> choose (1, 9) <*> choose (1, 9)) $ \(w, h) ->
+      forAll (shuffle [(y, x) | y <- [0 .. h - 1], x <- [0 .. w - 1]]) $ \places ->
+        forAll (flip splitAt places <$> oneof [choose (0, 3), choose (0, w * h)]) $
+          \(living, dead) ->
+            let image = generate w h (\x y -> fromIntegral ((3 * x + 5 * y) `mod` 8) / 8)
+                wanted x y
+                  | null living = 0
+                  | otherwise =
+                    let far (v, u) = max (abs (u - x)) (abs (v - y))
+                        least = minimum (map far living)
+                        ring = [at image u v | p@(v, u) <- living, far p == least]
+                     in sum ring / fromIntegral (length ring)
+             in case correctedImage (plain w h dead) image of
+                  Right found -> closeTo found (generate w h wanted)
+                  Left e -> counterexample (show e) False
   it "elements are stuck that are above the middle in six frames or more, 8 elements apart" $
     forAll ((,) <$> choose (5, 7) <*> elements [7.9, 8, 8.1]) $ \(count, far) ->
       forAll ((,) <$> choose (0, 6) <*> elements [0.5, 0.501]) $ \(stuck, level) ->
@@ -339,5 +341,5 @@ calibrationSpec = do
   where
     darks = [0, 0, 0.125, 0.5, 0.5625]
     rises = [0, 0.0625, 0.125, 0.25, 0.25, 0.5, 0.875]
-    plain = Calibration (constant 5 4 0) (constant 5 4 1)
-    none = Calibration (constant 4 4 0) (constant 4 4 1)
+    plain w h = Calibration (constant w h 0) (constant w h 1)
+    none = plain 4 4
