@@ -2,7 +2,7 @@
 module Test.Touch.Registration.OtherLayouts (spec) where
 
 import Data.Foldable (for_)
-import Data.List (nub)
+import Data.List (nub, sort)
 import PraTactile.Image (constant, mapRaster)
 import PraTactile.Registration hiding (assemble)
 import PraTactile.Registration.Agreement (tiedGroups)
@@ -40,6 +40,18 @@ spec = do
               -- As much further from each other, across and down, as is told.
               .&&. [(extent fst ps, extent snd ps) | (_, ps) <- scales]
               === [(x * extent fst places, y * extent snd places) | ((x, y), _) <- scales]
+  prop "slips are beyond the lines between the rows that are furthest apart, eight at most" $
+    forAll (choose (0, 14) >>= \count -> take count <$> shuffle [3 .. 20]) $ \gaps ->
+      forAll arbitrary $ \upright ->
+        let places = [if upright then (0, t) else (t, 0) | t <- scanl (+) 0 gaps]
+            gapBefore moved =
+              [b - a | ((same, a), (changed, b)) <- zip moved (drop 1 moved), same /= changed]
+            told =
+              [ gapBefore [(p == p', uncurry (+) p) | (p, p') <- zip places (layoutPlaces l)]
+                | l <- layouts 0 (map (const 0) places) places,
+                  layoutFault l == Slip
+              ]
+         in sort (nub (concat told)) === drop (length gaps - 8) (sort gaps)
   it "slips move what is beyond a line by a cell of the lattice, at its angle" $
     nub [layoutPlaces l | l <- layouts 90 [0, 0] [(0, 0), (16, 0)], layoutFault l == Slip]
       `shouldSatisfy` all
