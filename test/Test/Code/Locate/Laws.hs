@@ -119,14 +119,15 @@ outcomeHolds decoder symbols windows every found distances =
     radius = correctionRadius distances
     reached = any (<= radius) least
     beyond = nearestDistance distances == Just (AtLeast (radius + 1))
+    nearZeros = fromIntegral (length (filter (/= zero) symbols)) <= radius
     refuses why = case why of
       TooFewCells -> False
       BelowThreshold -> False
       NoCompleteWindow -> decoder == Just TableDecoder
-      BeyondRadius -> radius > 0
+      BeyondRadius -> radius > 0 && not nearZeros
       -- Where nothing may be corrected, zeros in every complete window are enough.
       ZeroWindow ->
-        fromIntegral (length (filter (/= zero) symbols)) <= radius
+        nearZeros
           || radius == 0 && any (\inOne -> not (null inOne) && all (all (== zero)) inOne) windows
       _ -> radius == 0
     -- What is said of a number is so, or is as much as is known.
