@@ -6,6 +6,7 @@ import Data.Bits (popCount, shiftL, (.&.), (.|.))
 import Data.List (foldl')
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
+import Data.Ratio ((%))
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
@@ -36,6 +37,22 @@ spec = do
           counted =
             sum [chance e | e <- vectors, length (filter id (zipWith (/=) e word)) <= t] :: Double
       abs (reachProbability (BoundedDistance q n t p) w - counted) `shouldSatisfy` (< 1e-12)
+  it "of many cells as often as cell by cell says, relatively, whatever powers leave doubles" $ do
+    -- Of 4 symbols one is wrong with probability 3 / 48, one of three others.
+    let apart n w =
+          foldl'
+            (\ds (near, far) -> zipWith (+) (map (near *) ds ++ [0]) (0 : map (far *) ds))
+            [1]
+            (replicate w (1, 47) ++ replicate (n - w) (45, 3))
+        share n ds = fromRational (sum ds % 48 ^ n) :: Double
+        close a b = abs (a - b) <= 1e-9 * b
+        decoding n t = BoundedDistance 4 n t (1 / 16)
+    forM_ [(600, 300, 100), (600, 0, 30), (40, 9, 3)] $ \(n, w, t) ->
+      reachProbability (decoding n t) w `shouldSatisfy` close (share n (take (t + 1) (apart n w)))
+    forM_ [(600, 300), (600, 30), (40, 3)] $ \(n, t) ->
+      -- There is one window alone, so that none is mistaken for another.
+      rateRefused (decodingRates (decoding n t) (Map.fromList [(0, 1), (fromIntegral n, 1)]))
+        `shouldSatisfy` close (share n (drop (t + 1) (apart n 0)))
   it "of two symbols one is misread as often as a normal variable is beyond 1 / (sqrt 2 sigma)" $
     -- The upper tails of the normal distribution, from tables.
     forM_

@@ -91,12 +91,16 @@ reachProbability (BoundedDistance q n t p) w =
   where
     hit = p / fromIntegral (q - 1)
 
--- | That of n independent events of probability p, k happen.
+-- | That of n independent events of probability p, k happen. A power of p may be less than any
+-- double where the whole is not: so powers are taken of significands, which leaves 2^-n at least,
+-- and the exponents are added last.
 binomialProbability :: Int -> Double -> Int -> Double
 binomialProbability n p k =
-  fromInteger (choices `div` product [1 .. toInteger k]) * p ^ k * (1 - p) ^ (n - k)
+  scaleFloat
+    (exponent p * k + exponent (1 - p) * (n - k))
+    (fromInteger choices * significand p ^ k * significand (1 - p) ^ (n - k))
   where
-    choices = product [toInteger (n - k + 1) .. toInteger n]
+    choices = product [toInteger (n - k + 1) .. toInteger n] `div` product [1 .. toInteger k]
 
 -- | How far words with erasures are decoded.
 data ErasureRule
