@@ -175,7 +175,20 @@ genStep = do
   let new = case sides of
         [x, y, z] -> [box name x y z]
         _ -> []
-  elements [adding 1 new, removing [ObjectName name], removing [ObjectName name] >=> adding 1 new]
+  elements
+    [ adding 1 new,
+      removing [ObjectName name],
+      removing [ObjectName name] >=> adding 1 new,
+      first NotChanged . turnedRound
+    ]
+  where
+    -- The same objects and faces, the last ones first.
+    turnedRound place =
+      placement
+        (placementShape place)
+        (placementPitch place)
+        (reverse (placementSolids place))
+        (reverse (map layingOf (laidFaces place)))
 
 box :: String -> Integer -> Integer -> Integer -> Solid
 box name x y z =
