@@ -198,10 +198,11 @@ refusals =
       "abc",
       SolidFileError (AtByte 3) (Ends "84 bytes of a binary file")
     ),
-    ( "a NaN in a triangle",
+    -- After the header and two triangles, the normal and five numbers: 84 + 2 * 50 + 12 + 5 * 4.
+    ( "a NaN in the third triangle",
       Stl,
-      Bytes.take 100 (binary 1 1) <> Bytes.pack [0, 0, 192, 127] <> Bytes.drop 104 (binary 1 1),
-      SolidFileError (AtByte 100) NotFinite
+      Bytes.take 216 (binary 3 3) <> Bytes.pack [0, 0, 192, 127] <> Bytes.drop 220 (binary 3 3),
+      SolidFileError (AtByte 216) NotFinite
     ),
     ( "text that ends early",
       Stl,
