@@ -135,6 +135,21 @@ spec = do
           some <- someRows home path table
           for_ some $ \at ->
             toldOf place home path (Text.unwords ["DELETE FROM", table, "WHERE", at])
+    it "the first of faces gone, each of them its object's only one that is laid" $ \home ->
+      thePlacement $ \place -> do
+        let bodies = placementSolids place
+            firstOf body =
+              take 1 [it_ | it_ <- laidFaces place, faceObject (laidFace it_) == solidName body]
+            layings = map layingOf (concatMap firstOf bodies)
+        path <- newName home
+        few <-
+          either (fail . show) pure $
+            placement (placementShape place) (placementPitch place) bodies layings
+        create path profileText few `shouldReturn` Right ()
+        execute home path ["DELETE FROM laying WHERE number = 1"]
+        found <- withStore path Nothing (\store -> storedFirst store 1 (Shape 0 0))
+        for_ (found >>= id) $ \some ->
+          take 1 (laidFaces some) `shouldBe` take 1 (laidFaces few)
     it "rows that are sealed, and say something else" $
       withCanonical $ \_ home path ->
         for_ contradictions $ \(statements, expected) -> do
