@@ -185,8 +185,10 @@ arrange tables method settings touched
         shiftsOf = map estimateShift . jointFrames
         asLaid lying
           | byPhase < hopeless = (byPhase, [])
-          | otherwise = (jointBound there - jointBound here, shiftsOf (whole lying there))
+          | otherwise = (if likelier < 0 then min 0 (likelier + unsure) else likelier, shifts)
           where
+            likelier = jointBound there - jointBound here
+            shifts = shiftsOf (whole lying there)
             byPhase = jointGlimpse there - jointGlimpse here
             there = registered (spacedOut mostOfLayout lying)
         -- By some of the frames, where there are very many.
@@ -247,6 +249,11 @@ mostOfLayout = 256
 -- | Where the lattice is so much less likely, as a natural logarithm, nobody asks for the symbols.
 hopeless :: Double
 hopeless = -30
+
+-- | By how much a layout must be less likely, as a natural logarithm, before that counts: where
+-- frames share no symbol, rounding and slivers make a difference of one or two.
+unsure :: Double
+unsure = 3
 
 -- | Settings for frames of another pitch, brought to the canonical one: their noise has, beside the
 -- sensor's, what two frames differ by because their pixels are interpolated: as variance, a share
