@@ -74,7 +74,17 @@ gridSpec =
       `shouldBe` [18, 2, 5, 36, 63, 64, 2]
 
 phaseSpec :: Spec
-phaseSpec =
+phaseSpec = do
+  prop "at a glance it is no likelier than at its likeliest, and as likely where one frame tells" $
+    forAllBlind (choose (1, 4) >>= (`vectorOf` ((,) <$> genPlace <*> choose (0, 2559)))) $ \frames ->
+      forAll (elements [0.5, 1, 2]) $ \sigma ->
+        let grid = gridOf standardRegistration {registrationSigma = Just sigma}
+            phases only = V.generate 2560 (\i -> if i == only then 0 else -1000)
+            seen = [(place, blank {phaseLogs = phases only}) | (place, only) <- frames]
+            (glimpsed, likeliest) = (glimpsedLog grid seen, fst (commonPhase grid seen))
+         in counterexample (show (glimpsed, likeliest)) $
+              glimpsed <= likeliest + 1e-9
+                && (length frames > 1 || abs (glimpsed - likeliest) < 1e-9)
   it "the lattice lies where all frames, each where its prior lets it be, have it likeliest" $
     forAllBlind (choose (2, 3) >>= (`vectorOf` ((,) <$> genPlace <*> genPhases))) $ \frames ->
       forAll (choose (0.2, 0.5)) $ \sigma ->

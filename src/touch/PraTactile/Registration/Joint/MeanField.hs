@@ -82,7 +82,7 @@ fieldBound grid (MeanField frames _) =
         mixed x = logSum [log (1 - outlier) + x, log outlier + own]
     cell g = cellLog (Unboxed.length g - 1) (\k -> g Unboxed.! (k + 1) - nothing) + nothing
       where
-        nothing = Unboxed.head g
+        nothing = g Unboxed.! 0
 
 -- | What a frame's displacements tell of sigma.
 squaresOf :: [(Displacement, Double)] -> Squares
