@@ -76,7 +76,7 @@ gridSpec =
 phaseSpec :: Spec
 phaseSpec = do
   prop "at a glance it is no likelier than at its likeliest, and as likely where one frame tells" $
-    forAllBlind (choose (1, 4) >>= (`vectorOf` ((,) <$> genPlace <*> choose (0, 2559)))) $ \frames ->
+    forAllBlind (choose (1, 4) >>= (`vectorOf` genOnePhase)) $ \frames ->
       forAll (elements [0.5, 1, 2]) $ \sigma ->
         let grid = gridOf standardRegistration {registrationSigma = Just sigma}
             phases only = V.generate 2560 (\i -> if i == only then 0 else -1000)
@@ -94,6 +94,7 @@ phaseSpec = do
          in snd (commonPhase (gridOf settings) [(p, blank {phaseLogs = v}) | (p, v) <- frames])
               === (o, (y, x))
   where
+    genOnePhase = (,) <$> genPlace <*> choose (0, 2559)
     genPhases = do
       wide <- elements [6, 5000, 20000, 20000]
       V.fromList <$> vectorOf (2 * 40 * 32) (choose (negate wide, 0))
