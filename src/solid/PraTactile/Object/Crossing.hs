@@ -67,13 +67,14 @@ meetingAmong walk order sides =
     met = if whole then order else filter (<= sides) order
     firstOf = find (uncurry (share walk))
     atOnePoint v w
-      | walk V.! v == walk V.! w = [(number s, number t) | s <- sidesAt v, t <- sidesAt w]
+      | walk V.! v == walk V.! w = [(i, j) | i <- endingAt v, j <- endingAt w, i /= j]
       | otherwise = []
-    -- Those that end or begin at a place of the walk, but for a side that is a point.
+    -- Those that end or begin at a place of the walk.
+    endingAt v = filter (< sides) [if v == 0 then V.length walk - 1 else v - 1, v]
+    -- A side that is a point meets what its neighbours meet.
     sidesAt v =
       [ Side i (min a b) (max a b)
-        | i <- [if v == 0 then V.length walk - 1 else v - 1, v],
-          i < sides,
+        | i <- endingAt v,
           let (a, b) = (walk V.! i, walk V.! following walk i),
           a /= b
       ]
@@ -83,8 +84,9 @@ meetingAmong walk order sides =
     close crossed s = do
       apart (Set.lookupLT s crossed) (Set.lookupGT s crossed)
       pure (Set.delete s crossed)
+    -- One along which it lies is equal to it.
     open crossed s = do
-      apart (Set.lookupLT s crossed) (Just s)
+      apart (Set.lookupLE s crossed) (Just s)
       apart (Just s) (Set.lookupGT s crossed)
       pure (Set.insert s crossed)
     apart below above = case (,) <$> below <*> above of
