@@ -185,7 +185,7 @@ arrange tables method settings touched
         shiftsOf = map estimateShift . jointFrames
         asLaid lying
           | byPhase < hopeless = (byPhase, [])
-          | otherwise = (if likelier < 0 then min 0 (likelier + unsure) else likelier, shifts)
+          | otherwise = (signum likelier * max 0 (abs likelier - unsure), shifts)
           where
             likelier = jointBound there - jointBound here
             shifts = shiftsOf (whole lying there)
@@ -250,10 +250,10 @@ mostOfLayout = 256
 hopeless :: Double
 hopeless = -30
 
--- | By how much a layout must be less likely, as a natural logarithm, before that counts: where
--- frames share no symbol, rounding and slivers make a difference of one or two.
+-- | By how much a layout must be more or less likely, as a natural logarithm, before that counts:
+-- where frames share no symbol, slivers of them make a difference of some four either way.
 unsure :: Double
-unsure = 3
+unsure = 6
 
 -- | Settings for frames of another pitch, brought to the canonical one: their noise has, beside the
 -- sensor's, what two frames differ by because their pixels are interpolated: as variance, a share
