@@ -65,10 +65,10 @@ spec = do
         blank = [((x, 0), constant 16 16 0.5) | x <- [0, 8, 16]]
     tiedGroups standardRegistration frames `shouldBe` [0, 0, 0, 1, 1, 1]
     tiedGroups standardRegistration blank `shouldBe` [0, 1, 2]
-  it "are unlikely by what frames have in common, but for some slips, whatever gain and offset" $ do
+  it "are refuted by overlaps that show relief, but for some slips, whatever gain and offset" $ do
     let places = [(x, y) | y <- [20, 28 .. 52], x <- [20, 28 .. 44]]
         faults (gain, offset) = map otherwiseFault (left gain offset places)
-    [l | Otherwise fault _ l _ <- left 1 0 places, fault /= Slip] `shouldSatisfy` all (< 1e-3)
+    nub (faults (1, 0)) `shouldSatisfy` all (== Slip)
     for_ [(0.1, 0.45), (0.02, 0.3)] $ \read' -> faults read' `shouldBe` faults (1, 0)
   it "stay, where frames side by side do not overlap and lie on the same lattice" $ do
     -- Beginning with a cell, whole cells in every frame across, half of its overlap down.
