@@ -36,7 +36,7 @@ codeLength :: LinearCode k -> Int
 codeLength (LinearCode size _) = size
 
 -- | Independent codewords that span the code.
-codeBasis :: LinearCode k -> [Row k]
+codeBasis :: KnownField k => LinearCode k -> [Row k]
 codeBasis (LinearCode _ basis) = map snd (basisRows basis)
 
 -- | The vectors that are orthogonal to every codeword. If the basis is the unit matrix at the

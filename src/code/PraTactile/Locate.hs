@@ -55,6 +55,7 @@ module PraTactile.Locate
     Locator,
     locator,
     locatorUpTo,
+    withListing,
     locatorArray,
     locatorMask,
     locate,

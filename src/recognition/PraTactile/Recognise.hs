@@ -45,6 +45,7 @@ module PraTactile.Recognise
   )
 where
 
+import Data.Foldable (toList)
 import Data.List (partition)
 import Data.Maybe (isJust, isNothing, mapMaybe)
 import PraTactile.Array (Position)
@@ -99,31 +100,47 @@ recogniseWith tolerance reader composites = do
     _ -> pure shown
 
 -- | The cells of the array that composites may show as their frames were put together, whatever
--- lies there: of all places that are likely by the symbols alone. It is what 'recogniseWith' begins
--- with.
+-- lies there: of all places that are likely by the symbols alone, in each way in which
+-- 'recogniseWith' reads them.
 cellsShown ::
   KnownField k => Tolerance -> Recogniser k -> [Composite] -> Either NetworkError [Position]
 cellsShown tolerance reader composites =
-  likelyCells reader tolerance . recognisedCells <$> recogniseAsPut tolerance reader composites
+  foldMap (likelyCells reader tolerance . recognisedCells) . bothWays
+    <$> readAsPut tolerance reader composites
+  where
+    bothWays (asGiven, setRight) = asGiven : map snd (toList setRight)
 
--- | 'recogniseWith' of composites as their frames were put together. Where the symbols are not
--- nearly upright by their 'tilt', they are read both as they are and from the composites set
--- upright, and what leaves less doubt about the symbols holds; where both may be read, an answer
--- before a refusal.
+-- | 'recogniseWith' of composites as their frames were put together. Where they are read both as
+-- they are and set upright, what leaves less doubt about the symbols holds; where both may be read,
+-- an answer before a refusal.
 recogniseAsPut ::
   KnownField k =>
   Tolerance ->
   Recogniser k ->
   [Composite] ->
   Either NetworkError Recognition
-recogniseAsPut tolerance reader given = case tilt (map cleanedComposite composites) of
+recogniseAsPut tolerance reader composites = do
+  (asGiven, setRight) <- readAsPut tolerance reader composites
+  pure (maybe asGiven (\(angle, other) -> preferred angle asGiven other) setRight)
+
+-- | What is recognised in composites as they are; and, where the symbols are not nearly upright by
+-- their 'tilt', that angle and what is recognised in the composites set upright.
+readAsPut ::
+  KnownField k =>
+  Tolerance ->
+  Recogniser k ->
+  [Composite] ->
+  Either NetworkError (Recognition, Maybe (Double, Recognition))
+readAsPut tolerance reader given = case tilt (map cleanedComposite composites) of
   Just angle
     | abs angle > leastTilt -> do
       asGiven <- axesTilted <$> recogniseUpright tolerance reader (NotRotated Nothing) composites
       let (upright, places) = unzip (map (cleanedUpright angle) composites)
       turnedBack <- recogniseUpright tolerance reader RotatedBack upright
-      pure (preferred angle asGiven (relocated angle places turnedBack))
-  shown -> recogniseUpright tolerance reader (NotRotated shown) composites
+      pure (asGiven, Just (angle, relocated angle places turnedBack))
+  shown -> do
+    asGiven <- recogniseUpright tolerance reader (NotRotated shown) composites
+    pure (asGiven, Nothing)
   where
     composites = map cleaned given
 
@@ -212,6 +229,7 @@ answered tolerance reader rotation views dissenters
             parts
             (gridCells whole)
             (locationSupport location)
+            (locationLikeliest location)
             (gridTilt (angleLeft rotation) grid)
             (identificationAt reader location)
 

@@ -7,7 +7,6 @@ module Test.App.RecognitionsDrawn (spec) where
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (for_)
 import Data.List (isInfixOf, tails)
-import qualified Data.Map.Strict as Map
 import Data.Maybe (mapMaybe)
 import Data.Text (Text)
 import Drawing
@@ -28,6 +27,7 @@ import PraTactile.Object.WingedEdge (FaceName (..), VertexName (..))
 import PraTactile.Pose (faceFrameOf)
 import PraTactile.Profile
 import PraTactile.Recognise
+import PraTactile.Recognise.Recognition (unanswered)
 import PraTactile.Recognise.Summary (shownTilt)
 import PraTactile.Registration hiding (stitch)
 import PraTactile.Relief
@@ -150,14 +150,9 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
               page =
                 pageOf
                   (compositeOf (constant w h 0.2))
-                  ( Recognition
-                      (numbered symbols)
-                      (numbered others)
-                      Map.empty
-                      Nothing
-                      0
-                      (Left SymbolsUnclear)
-                  )
+                  (unanswered (numbered symbols) SymbolsUnclear)
+                    { recognisedParts = numbered others
+                    }
            in length (named "symbol" (pageComposite page)) === length symbols + length others
                 .&&. apart page
   modifyMaxSuccess (const 20) $
@@ -302,7 +297,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
     let page =
           pageOf
             (compositeOf (constant 40 52 0))
-            (Recognition [] [] Map.empty Nothing 0 (Left NoSymbols))
+            (unanswered [] NoSymbols)
     pageFace page `shouldBe` []
     concat [content | Mark _ (Words _ _ _ content) <- pageAnswer page]
       `shouldSatisfy` ("no complete symbol" `isInfixOf`)

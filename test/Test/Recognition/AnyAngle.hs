@@ -118,7 +118,7 @@ preferredSpec =
       answer <- elements [Left NoSymbols, Right (Several identity [])]
       pure (doubts :: [Double], answer)
     reading (doubts, answer) =
-      Recognition (zipWith doubtful [0 ..] doubts) [] Map.empty Nothing 0 answer
+      Recognition (zipWith doubtful [0 ..] doubts) [] Map.empty Nothing Nothing 0 answer
     doubtful n doubt =
       (readSymbol identity n (0, 0))
         { readChances = [((identity, 0), 1 - doubt), ((identity, 1), doubt)]

@@ -210,7 +210,7 @@ saidSpec = do
     alone <- saying (compositeOf (boxes [(1, 0)]))
     alone `shouldBe` Left SymbolsUnclear
   it "a refusal, or several places that fit, are said with the doubt if there is one" $ do
-    let said answer support = summary (Recognition [] [] Map.empty support 0 answer)
+    let said answer support = summary (Recognition [] [] Map.empty support Nothing 0 answer)
         several = Right (Several identity [Position 1 2, Position 3 4])
         alien = ForeignDoubts 0.03 0.02 True 0
         unsure = Just (Support (Doubts 0.2 0 0 0 alien) 4 [] [] (Exactly 3) 1 Nothing Nothing)

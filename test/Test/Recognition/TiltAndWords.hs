@@ -99,7 +99,7 @@ recognitionSpec = do
             (whole, parts) = splitAt 2 symbols
             windows = [windowAt (Position 0 n) place | (n, place) <- zip [0 ..] places]
             found = Finding (turned 2) (windowAt (Position 9 9) (4, 5)) windows Map.empty
-            given = Recognition whole parts Map.empty Nothing tilt' (Right (Found found))
+            given = Recognition whole parts Map.empty Nothing Nothing tilt' (Right (Found found))
             -- Of the third composite on nothing is known.
             moved = relocated angle [back 0, back 1, back 2] given
             placed n = if n < 3 then back (fromIntegral n) else id
@@ -132,13 +132,10 @@ recognitionSpec = do
     let axis n s = s {readImage = (readImage s) {symbolAxis = n}}
         one = symbolOf 0 (0, 0) (identity, 0)
         given =
-          Recognition
-            [axis 90 one, axis 1 one]
-            [axis (-3) one]
-            Map.empty
-            Nothing
-            2.5
-            (Left NoSymbols)
+          (unanswered [axis 90 one, axis 1 one] NoSymbols)
+            { recognisedParts = [axis (-3) one],
+              recognisedTilt = 2.5
+            }
     axesTilted given
       `shouldBe` given
         { recognisedSymbols = [axis 92.5 one, axis 3.5 one],
@@ -147,7 +144,7 @@ recognitionSpec = do
   it "turn the face by the orientation and the tilt, from 0 up to 360 degrees" $
     for_ [-90, -45, -10, -0.25, 0, 0.25, 44, 90, 100] $ \tilt' -> for_ [0 .. 3] $ \quarters -> do
       let whole = 90 * fromIntegral quarters + tilt'
-          recognition = Recognition [] [] Map.empty Nothing tilt' (Left NoSymbols)
+          recognition = (unanswered [] NoSymbols) {recognisedTilt = tilt'}
       recognisedAngle recognition (turned quarters)
         `shouldBe` head' [a | a <- [whole, whole + 360, whole - 360], a >= 0, a < 360]
   prop "show something else where another way up, or no window that was found, is found" $
@@ -155,7 +152,7 @@ recognitionSpec = do
       let at f = nub (map windowPosition (foundWindow f : foundWindows f))
           turnedElse = foundOrientation found /= foundOrientation other
           none' = not (any (`elem` at found) (at other))
-          showing answer = Recognition [] [] Map.empty Nothing 0 answer
+          showing answer = Recognition [] [] Map.empty Nothing Nothing 0 answer
           against = differs (showing (Right (Found found))) . showing
        in map against [Right (Found other), several, none]
             === [turnedElse || none', False, False]
@@ -179,7 +176,7 @@ recognitionSpec = do
             wanted =
               [position * put, robot * stitching, axes, slip]
                 ++ [part * origin / 4 * put | part <- [1, 3]]
-            given = Recognition [] [] Map.empty (Just support) 0 several
+            given = Recognition [] [] Map.empty (Just support) Nothing 0 several
             asked tolerated =
               doubting
                 (standardTolerance {toleratedDoubt = tolerated})
@@ -202,14 +199,14 @@ recognitionSpec = do
             { readChances = [((identity, 0), 1 - p), ((identity, 1), p / 2), ((turned 2, 0), p / 2)]
             }
         of' doubts =
-          certainty (Recognition (map doubtful doubts) [doubtful 0.5] Map.empty Nothing 0 none)
+          certainty (unanswered (map doubtful doubts) NoSymbols) {recognisedParts = [doubtful 0.5]}
     abs (of' [0.1, 0.02] - negate (log 0.002)) `shouldSatisfy` (< 1e-9)
     abs (of' [0] - 300 * log 10) `shouldSatisfy` (< 1e-9)
     of' [] `shouldBe` 0
   it "that lead to nothing have their symbols, the refusal, and no tilt" $ do
     let symbols = [symbolOf n (1, 2) (identity, n) | n <- [0, 1]]
     unanswered symbols Mirrored
-      `shouldBe` Recognition symbols [] Map.empty Nothing 0 (Left Mirrored)
+      `shouldBe` Recognition symbols [] Map.empty Nothing Nothing 0 (Left Mirrored)
   it "have each refusal in the list of them once" $
     for_ ([NoSymbols, SymbolsUnclear, Mirrored, OrientationContradicts] ++ later) $ \refusal ->
       length (filter ((== refusalName refusal) . refusalName) refusals) `shouldBe` 1
@@ -229,7 +226,7 @@ wordSpec :: Spec
 wordSpec = do
   it "a tilt is said where it is more than three degrees" $
     for_ [0, 2.999, 3, 3.001, -3, -3.001, 30] $ \tilt' -> do
-      let recognition = Recognition [] [] Map.empty Nothing tilt' (Left NoSymbols)
+      let recognition = (unanswered [] NoSymbols) {recognisedTilt = tilt'}
           said = abs tilt' > 3
       leastTilt `shouldBe` 3
       shownTilt recognition `shouldBe` (if said then tilt' else 0)

@@ -28,7 +28,7 @@ foundSpec array readers =
         let found =
               findingAt
                 reader
-                (GridLocation (sceneOrientation scene) (sceneCells scene) Nothing GroupsApart)
+                (GridLocation (sceneOrientation scene) (sceneCells scene) Nothing Nothing GroupsApart)
                 (scenePosition scene)
          in foundAsDefined (recogniserPlacement reader) (cellOf surface array) scene found
 

@@ -14,6 +14,7 @@ import Data.List (foldl')
 import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Field
+import PraTactile.Field.Vector (addScaled)
 import PraTactile.LinearCode.Elimination
 
 -- | A monic polynomial of degree n >= 1 with a constant term: its n lower coefficients, the

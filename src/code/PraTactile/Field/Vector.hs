@@ -5,6 +5,7 @@ module PraTactile.Field.Vector
     subtractVectors,
     multiplyVectors,
     scaleVector,
+    addScaled,
   )
 where
 
@@ -34,6 +35,13 @@ multiplyVectors = elementwise (*)
 -- | The multiple of a vector by an element.
 scaleVector :: KnownField k => GF k -> Vector (GF k) -> Vector (GF k)
 scaleVector c a = generated (Primitive.length a) (\i -> c * unsafeIndex a i)
+
+-- | @addScaled a x y@ is a x + y, as long as the shorter one.
+addScaled :: KnownField k => GF k -> Vector (GF k) -> Vector (GF k) -> Vector (GF k)
+addScaled a
+  | a == zero = \_ y -> y
+  | a == one = addVectors
+  | otherwise = elementwise (\x y -> a * x + y)
 
 elementwise :: (GF k -> GF k -> GF k) -> Vector (GF k) -> Vector (GF k) -> Vector (GF k)
 elementwise f a b = generated n (\i -> f (unsafeIndex a i) (unsafeIndex b i))

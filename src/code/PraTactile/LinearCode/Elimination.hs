@@ -5,8 +5,6 @@ module PraTactile.LinearCode.Elimination
     Row,
     rowFromList,
     rowToList,
-    scaleRow,
-    addScaled,
 
     -- * Reduction
     Basis,
@@ -26,6 +24,7 @@ import Data.List (foldl')
 import Data.Vector.Primitive (Vector)
 import qualified Data.Vector.Primitive as Primitive
 import PraTactile.Field
+import PraTactile.Field.Vector
 
 -- | A vector over GF(q).
 type Row k = Vector (GF k)
@@ -36,20 +35,9 @@ rowFromList = Primitive.fromList
 rowToList :: Row k -> [GF k]
 rowToList = Primitive.toList
 
--- | Every element times a scalar.
-scaleRow :: KnownField k => GF k -> Row k -> Row k
-scaleRow a = Primitive.map (a *)
-
--- | @addScaled a x y@ is a x + y, as long as the shorter one.
-addScaled :: KnownField k => GF k -> Row k -> Row k -> Row k
-addScaled a
-  | a == zero = \_ y -> y
-  | a == one = Primitive.zipWith (+)
-  | otherwise = Primitive.zipWith (\x y -> a * x + y)
-
--- | Independent rows in reduced echelon form: each has a 1 where all the others have 0, its pivot.
+-- | Independent rows in echelon form, the one that was included last first: each has a 1 where all
+-- that follow it in the order of inclusion have 0, its pivot.
 newtype Basis (k :: Field) = Basis [(Int, Row k)]
-  deriving stock (Eq)
 
 type role Basis nominal
 
@@ -61,17 +49,21 @@ emptyBasis = Basis []
 basisSize :: Basis k -> Int
 basisSize (Basis pivoted) = length pivoted
 
--- | The rows with their pivots, the one that was included last first.
-basisRows :: Basis k -> [(Int, Row k)]
-basisRows (Basis pivoted) = pivoted
+-- | The rows in reduced echelon form, where all others have 0 at a row's pivot, with their pivots,
+-- the one that was included last first. O(r^2 n) for r rows of n elements.
+basisRows :: KnownField k => Basis k -> [(Int, Row k)]
+basisRows (Basis pivoted) = reverse (foldl' clear [] pivoted)
+  where
+    clear later (pivot, x) = (pivot, foldl' clearedAt x later) : later
+
+-- | The row less its component along a row with a pivot.
+clearedAt :: KnownField k => Row k -> (Int, Row k) -> Row k
+clearedAt x (pivot, b) = addScaled (negate (Primitive.unsafeIndex x pivot)) b x
 
 -- | The row less its components along the basis: zero at every pivot, and all zeros exactly when
 -- the basis spans the row.
 reduced :: KnownField k => Basis k -> Row k -> Row k
-reduced (Basis pivoted) given = foldl' without given pivoted
-  where
-    -- Every row has the same length, so that a pivot is an index of all of them.
-    without x (pivot, b) = addScaled (negate (Primitive.unsafeIndex x pivot)) b x
+reduced (Basis pivoted) given = foldl' clearedAt given (reverse pivoted)
 
 -- | Include a row, if the basis does not span it already. Its pivot is the first index that is
 -- preferred, or else the first of all, where what is left of it is not zero.
@@ -79,9 +71,7 @@ extend :: KnownField k => (Int -> Bool) -> Basis k -> Row k -> Maybe (Basis k)
 extend preferred basis@(Basis pivoted) given = case filter preferred support ++ support of
   [] -> Nothing
   pivot : _ ->
-    let new = scaleRow (inverted (Primitive.unsafeIndex rest pivot)) rest
-        cleared b = addScaled (negate (Primitive.unsafeIndex b pivot)) new b
-     in Just (Basis ((pivot, new) : map (fmap cleared) pivoted))
+    Just (Basis ((pivot, scaleVector (inverted (Primitive.unsafeIndex rest pivot)) rest) : pivoted))
   where
     rest = reduced basis given
     support = [i | (i, a) <- zip [0 ..] (Primitive.toList rest), a /= zero]
@@ -101,8 +91,8 @@ inverseMatrix :: KnownField k => [[GF k]] -> Maybe [[GF k]]
 inverseMatrix matrix = do
   -- Beside each row the same row of the unit matrix: when the left half has become the unit matrix,
   -- up to the order of the rows, the right half is the inverse.
-  Basis pivoted <- foldl' include (Just emptyBasis) (zipWith beside [0 ..] matrix)
-  traverse (\i -> drop n . rowToList <$> lookup i pivoted) [0 .. n - 1]
+  basis <- foldl' include (Just emptyBasis) (zipWith beside [0 ..] matrix)
+  traverse (\i -> drop n . rowToList <$> lookup i (basisRows basis)) [0 .. n - 1]
   where
     n = length matrix
     beside i x = rowFromList (take n x ++ [if j == i then one else zero | j <- [0 .. n - 1 :: Int]])

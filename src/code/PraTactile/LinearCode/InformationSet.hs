@@ -24,6 +24,7 @@ import Data.Maybe (fromMaybe)
 import Data.Vector.Primitive (Vector, unsafeIndex)
 import qualified Data.Vector.Primitive as Primitive
 import PraTactile.Field
+import PraTactile.Field.Vector (addScaled, scaleVector)
 import PraTactile.LinearCode.Elimination
 import PraTactile.LinearCode.Packed
 
@@ -62,7 +63,7 @@ informationSets size rows = go (IntSet.fromDistinctAscList [0 .. size - 1])
             (Primitive.fromList pivots)
             rest
             (Primitive.concat parity)
-            (packed [scaleRow a x | x <- parity, a <- drop 1 elements])
+            (packed [scaleVector a x | x <- parity, a <- drop 1 elements])
         parity = map (parityOf . snd) (basisRows basis)
         rest =
           Primitive.fromList

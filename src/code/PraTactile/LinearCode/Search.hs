@@ -23,7 +23,7 @@ import Data.Vector.Primitive (Vector, unsafeIndex)
 import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Field
-import PraTactile.LinearCode.Elimination
+import PraTactile.Field.Vector (addScaled)
 import PraTactile.LinearCode.InformationSet
 import PraTactile.LinearCode.Packed
 

@@ -14,6 +14,7 @@ import qualified Data.Vector.Primitive as Primitive
 import qualified Data.Vector.Primitive.Mutable as Mutable
 import Numeric.Natural (Natural)
 import PraTactile.Field
+import PraTactile.Field.Vector (addScaled)
 import PraTactile.LinearCode
 import PraTactile.LinearCode.Elimination
 

@@ -64,7 +64,7 @@ checksAmong (ArrayOn surface array) given
       where
         ranks = sum (map rank groups)
     size group = fromIntegral (length group) :: Natural
-    vectors = Map.fromList (zip cells (map rowFromList (cellVectors array cells)))
+    vectors = Map.fromList (zip cells (cellVectors array cells))
     rank group =
       fromIntegral (length (independentRows n (mapMaybe (`Map.lookup` vectors) group))) :: Natural
     n = primitiveDegree (arrayPrimitive array)

@@ -4,6 +4,7 @@ module PraTactile.Locate.Decoder
     Locator,
     locator,
     locatorUpTo,
+    withListing,
     locatorArray,
     locatorMask,
     locatorCodebook,
@@ -72,6 +73,8 @@ data Locator (k :: Field) = Locator
     -- | Its window, by which the support of an answer and a refusal are named.
     locatorMask :: !Mask,
     locatorChoice :: !(Maybe DecoderName),
+    -- | How many words a list has looked at, at most.
+    locatorListing :: !Int,
     locatorPrepared :: Prepared k
   }
 
@@ -101,7 +104,13 @@ locator = locatorUpTo largestSearchedArray
 -- are decoded as those beyond are.
 locatorUpTo ::
   KnownField k => Natural -> Maybe DecoderName -> Packing -> ArrayOn k -> Mask -> Locator k
-locatorUpTo most choice packing on mask = Locator on mask choice (prepared most packing on mask)
+locatorUpTo most choice packing on mask =
+  Locator on mask choice standardListing (prepared most packing on mask)
+
+-- | The same where lists look at so many words at most, of 'standardListing'. Where fewer are
+-- listed, more may be unlisted: a doubt is no less.
+withListing :: Int -> Locator k -> Locator k
+withListing most theLocator = theLocator {locatorListing = most}
 
 -- | The array's codebook, the one that its decoders use; refused where the array is too large for
 -- one.
@@ -261,7 +270,8 @@ beliefDecoder theLocator tolerated = case locatorChoice theLocator of
     byList algebra =
       BeliefDecoder
         ListDecoder
-        (\possible -> first LocatorAlgebra . listPatch standardListing tolerated algebra possible)
+        (\possible -> first LocatorAlgebra . listPatch words' tolerated algebra possible)
+    words' = locatorListing theLocator
 
 -- | Whether the decoder asked for takes symbols as probabilities.
 decodesProbabilities :: Locator k -> Bool

@@ -7,6 +7,7 @@ module PraTactile.Locate.Locator
   ( Locator,
     locator,
     locatorUpTo,
+    withListing,
     locatorArray,
     locatorMask,
     cellsDistance,

@@ -30,8 +30,11 @@ where
 
 import Data.Bits (shiftL, (.|.))
 import Data.List (foldl', genericLength, sortOn)
+import Data.Map (Map)
+import qualified Data.Map as Map
 import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
+import qualified Data.Set as Set
 import qualified Data.Vector.Primitive as Primitive
 import Data.Word (Word64)
 import Numeric (log1mexp)
@@ -212,13 +215,16 @@ worthAtMost others possible seen = logSumOf (map inSymmetry possible)
     ArrayOn _ array = ownArray others
     h = arrayPrimitive array
     size = naturalLogarithm (period h + 1)
+    -- By the draws, what their arrays have in the cells that are seen in any symmetry.
+    contents = map (vectorsOf h places) (drawnOthers others)
+    places = Set.toAscList (Set.fromList [at | o <- possible, (at, _) <- seenIn o seen])
     inSymmetry o
       | isInfinite shown = shown
       | otherwise = shown + size + largest + log (upperLimit (length relative) (mean relative))
       where
         cells = sortOn (Down . cellBest) (map (cellIn o) (seenIn o seen))
         shown = sum [log (symmetryChance o b) | (_, b) <- observedCells seen]
-        bounds = [boundedBy h draw cells | draw <- drawnOthers others]
+        bounds = [boundedBy h vectors cells | vectors <- contents]
         -- Relative to the most that an array of those ranks could have.
         largest = maximum [negate rank | (rank, _) <- bounds]
         relative = [exp (share - rank - largest) | (rank, share) <- bounds]
@@ -241,34 +247,43 @@ cellIn o (at, b) = CellIn at (either (const zero) id (fromCode best)) (given Pri
     given = Primitive.map (/ symmetryChance o b) (probabilitiesIn o b)
     best = Primitive.maxIndex given
 
+-- | Where cells of an array that was drawn lie in GF(q^n), by the cells.
+vectorsOf :: KnownField k => Primitive k -> [Position] -> Drawn k -> Map Position (Row k)
+vectorsOf h places (Drawn down right') =
+  Map.fromDistinctAscList
+    (zip places (gridVectors h (powerOfResidue h down) (powerOfResidue h right') places))
+
 -- | Of an array that was drawn: the logarithm of q to the rank of the cells, and a bound of how
 -- probable its contents are that agree, at most 1, as a logarithm.
-boundedBy :: KnownField k => Primitive k -> Drawn k -> [CellIn k] -> (Double, Double)
-boundedBy h (Drawn down right') cells =
+boundedBy :: KnownField k => Primitive k -> Map Position (Row k) -> [CellIn k] -> (Double, Double)
+boundedBy h vectors cells =
   (fromIntegral (basisSize basis) * log (fromIntegral (fieldOrder h)), logSumOf [agreeing, others])
   where
     n = primitiveDegree h
-    vectors =
-      gridVectors h (powerOfResidue h down) (powerOfResidue h right') (map cellAt' cells)
-    Walked basis sure told most = foldl' include (Walked emptyBasis 0 0 0) (zip cells vectors)
+    Walked basis sure told most =
+      foldl' include (Walked emptyBasis 0 0 0) [(c, v) | c <- cells, Just v <- [vectorOf c]]
+    vectorOf cell = Map.lookup (cellAt' cell) vectors
     agreeing = sure + told
     -- 1 less the probability of the likeliest content of the independent cells.
     others = log1mexp sure + most
     include (Walked known sureSoFar toldSoFar mostSoFar) (cell, vector)
-      | Primitive.all (== zero) (Primitive.take n rest) =
+      -- No row is independent any more, and what agrees is nothing in the sum, nor becomes more in
+      -- it: a cell is as probable as its best symbol at most.
+      | basisSize known == n
+          && sureSoFar + toldSoFar < log1mexp sureSoFar + mostSoFar - 40 =
+        Walked known sureSoFar toldSoFar (mostSoFar + log (cellBest cell))
+      | Primitive.all (== zero) (Primitive.init rest) =
         Walked known sureSoFar (toldSoFar + log predicted) (mostSoFar + log (cellBest cell))
       | otherwise =
         Walked
-          (fromMaybe known (extend (< n) known row'))
+          (fromMaybe known (extend (< n) known rest))
           (sureSoFar + log (cellBest cell))
           toldSoFar
           mostSoFar
       where
-        row' = rowFromList (vector ++ [cellLikeliest cell])
-        rest = reduced known row'
+        rest = reduced known (Primitive.snoc vector (cellLikeliest cell))
         -- The last element is the likeliest symbol less the one that the others tell.
-        predicted =
-          cellChances cell Primitive.! toCode (cellLikeliest cell - rest Primitive.! n)
+        predicted = cellChances cell Primitive.! toCode (cellLikeliest cell - Primitive.last rest)
 
 -- | The cells that were gone through: those that are independent, the logarithm of the product of
 -- their best probabilities, that of what the others have as these tell, and of the best that they

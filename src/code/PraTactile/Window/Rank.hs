@@ -28,7 +28,7 @@ import PraTactile.Window
 -- 'windowVectors'.
 windowRank :: KnownField k => PseudorandomArray k -> Mask -> Natural
 windowRank array mask =
-  fromIntegral (length (independentRows n (map rowFromList (windowVectors array mask))))
+  fromIntegral (length (independentRows n (cellVectors array (maskOffsets mask))))
   where
     n = primitiveDegree (arrayPrimitive array)
 
@@ -40,10 +40,10 @@ windowRank array mask =
 -- a rectangle. O(m n^2 + g (n^3 + q n^2)) operations in GF(q) for m cells and g different gaps
 -- between their rows and columns, of which a rectangle has two.
 windowVectors :: KnownField k => PseudorandomArray k -> Mask -> [[GF k]]
-windowVectors array = cellVectors array . maskOffsets
+windowVectors array = map rowToList . cellVectors array . maskOffsets
 
 -- | The same for the cells with these offsets, in their order, any number of them.
-cellVectors :: KnownField k => PseudorandomArray k -> [Position] -> [[GF k]]
+cellVectors :: KnownField k => PseudorandomArray k -> [Position] -> [Row k]
 cellVectors array = gridVectors h (alphaTo . (`Position` 0)) (alphaTo . Position 0)
   where
     h = arrayPrimitive array
@@ -57,9 +57,9 @@ gridVectors ::
   (Natural -> Residue k) ->
   (Natural -> Residue k) ->
   [Position] ->
-  [[GF k]]
+  [Row k]
 gridVectors h byRows byColumns offsets =
-  [ residueCoefficients h (multiplyModulo h a b)
+  [ residueVector h (multiplyModulo h a b)
     | Position i j <- offsets,
       Just a <- [Map.lookup i down],
       Just b <- [Map.lookup j right]

@@ -168,7 +168,7 @@ layoutDoubts reader tolerance composites shown oneFrame others =
   Misplaced oneFrame (share (/= Slip)) (share (== Slip))
   where
     cells = recognisedCells shown
-    given = likeliestOf reader tolerance cells
+    given = recognisedLikeliest shown
     weighed =
       [ (elsewhereFault other, odds, differ)
         | other <- others,
@@ -183,7 +183,7 @@ layoutDoubts reader tolerance composites shown oneFrame others =
       where
         laid = laidOtherwise (recognisedTilt shown) composites (elsewhereComposites other) cells
         relaid = cellsOf laid
-        there = likeliestOf reader tolerance laid
+        there = likeliestElsewhere reader tolerance laid
         likelier = maybe 0 likeliestOdds there - maybe 0 likeliestOdds given
         (these, those) = (places given, places there)
         same = Map.filter id (Map.intersectionWith (==) these those)

@@ -20,7 +20,7 @@ module PraTactile.Recognise.GridLocation
 
     -- * Where it lies most probably
     Likeliest (..),
-    likeliestOf,
+    likeliestElsewhere,
     likelyCells,
 
     -- * What it rests on
@@ -133,6 +133,7 @@ data GridLocation = GridLocation
     locationCells :: Cells,
     -- | for the likeliest position, accepted or not
     locationSupport :: Maybe Support,
+    locationLikeliest :: Maybe Likeliest,
     locationOutcome :: GridOutcome
   }
 
@@ -157,7 +158,12 @@ data GridOutcome
 locateGrid ::
   KnownField k => Recogniser k -> Tolerance -> [ReadSymbol] -> FaceGrid -> GridLocation
 locateGrid reader tolerance dissenters grid =
-  GridLocation orientation cells (join (supportFrom reader witnesses <$> seen <*> answer)) outcome
+  GridLocation
+    orientation
+    cells
+    (join (supportFrom reader witnesses <$> seen <*> answer))
+    (answer >>= likeliestFrom reader (gridCells grid))
+    outcome
   where
     axis = axisOf (gridCells grid)
     (seen, answered) = locatedCells reader tolerance (gridCells grid)
@@ -207,17 +213,25 @@ locatedCells ::
   Tolerance ->
   Cells ->
   (Maybe (Patch (Belief k)), Maybe (Either LocatorError Answer))
-locatedCells reader tolerance cells = (seen, locate (recogniserLocator reader) . asked <$> seen)
+locatedCells reader tolerance cells =
+  (seen, locate (recogniserLocator reader) . whereAre reader tolerance cells <$> seen)
   where
-    seen = rightOnly (patch (map (map (>>= beliefAlong (axisOf cells))) (gridRows cells)))
-    asked beliefs =
-      (onePatch (Probabilities <$> beliefs))
-        { querySymmetries = waysUp,
-          queryDoubt = toleratedDoubt tolerance,
-          queryForeign = Just (foreignPrior tolerance),
-          queryUnlike = sum [readUnlike s | here <- Map.elems cells, s <- here],
-          queryBeforehand = Just (beforehandOf reader cells)
-        }
+    seen = seenOf cells
+
+-- | What is seen of cells; 'Nothing' where that is not a patch.
+seenOf :: KnownField k => Cells -> Maybe (Patch (Belief k))
+seenOf cells = rightOnly (patch (map (map (>>= beliefAlong (axisOf cells))) (gridRows cells)))
+
+-- | Where are cells, given what is seen of them?
+whereAre :: Recogniser k -> Tolerance -> Cells -> Patch (Belief k) -> Query k
+whereAre reader tolerance cells seen =
+  (onePatch (Probabilities <$> seen))
+    { querySymmetries = waysUp,
+      queryDoubt = toleratedDoubt tolerance,
+      queryForeign = Just (foreignPrior tolerance),
+      queryUnlike = sum [readUnlike s | here <- Map.elems cells, s <- here],
+      queryBeforehand = Just (beforehandOf reader cells)
+    }
 
 -- | What cells make of the array, whether or not that is enough for an answer.
 data Likeliest = Likeliest
@@ -226,11 +240,20 @@ data Likeliest = Likeliest
     -- | by the symbols' numbers, their cells in the array, and how the face is seen
     likeliestPlaces :: Map Int (Symmetry, Position)
   }
+  deriving stock (Eq, Show)
 
--- | Where cells lie most probably; 'Nothing' where nothing is possible.
-likeliestOf :: KnownField k => Recogniser k -> Tolerance -> Cells -> Maybe Likeliest
-likeliestOf reader tolerance cells = do
-  answer <- snd (locatedCells reader tolerance cells) >>= rightOnly
+-- | Where cells lie most probably if frames lie elsewhere; 'Nothing' where nothing is possible. Of
+-- a large array, where most such cells agree with no place, 2^10 words are looked at: what is
+-- likely is among the first, and what is not listed counts as doubt of the answer.
+likeliestElsewhere :: KnownField k => Recogniser k -> Tolerance -> Cells -> Maybe Likeliest
+likeliestElsewhere reader tolerance cells =
+  snd (locatedCells briefly tolerance cells) >>= rightOnly >>= likeliestFrom reader cells
+  where
+    briefly = reader {recogniserLocator = withListing 1024 (recogniserLocator reader)}
+
+-- | Where cells lie most probably by the answer for them.
+likeliestFrom :: KnownField k => Recogniser k -> Cells -> Answer -> Maybe Likeliest
+likeliestFrom reader cells answer = do
   candidate <- answerPosterior answer >>= posteriorBest
   alien <- doubtOfForeign . doubtsOfForeign <$> answerDoubts answer
   let orientation = axisOf cells <> candidateSymmetry candidate
@@ -246,11 +269,13 @@ likeliestOf reader tolerance cells = do
       }
 
 -- | The cells of the array that may lie under these, in their likely places: the first thousand.
+-- That they may be foreign makes none of these likelier than another.
 likelyCells :: KnownField k => Recogniser k -> Tolerance -> Cells -> [Position]
 likelyCells reader tolerance cells =
   Set.toAscList . Set.fromList $
     [ place
-      | Just answer <- [snd (locatedCells reader tolerance cells) >>= rightOnly],
+      | Just question <- [whereAre reader tolerance cells <$> seenOf cells],
+        Right answer <- [locate (recogniserLocator reader) question {queryForeign = Nothing}],
         Just found <- [answerPosterior answer],
         (candidate, _) <- fst (weighable (posteriorRanking found)),
         (place, _) <- lyingAt reader cells candidate

@@ -46,6 +46,8 @@ data Recognition = Recognition
     recognisedCells :: Cells,
     -- | for the likeliest position, where there is one
     recognisedSupport :: Maybe Support,
+    -- | that position
+    recognisedLikeliest :: Maybe Likeliest,
     -- | by how many degrees, clockwise, the symbols' axes are turned from the composites', beside
     -- quarter turns: the orientations of symbols and answer come on top of it
     recognisedTilt :: Double,
@@ -112,7 +114,7 @@ refusalName refusal = case refusal of
 
 -- | Symbols without an answer, and why.
 unanswered :: [ReadSymbol] -> Refusal -> Recognition
-unanswered symbols = Recognition symbols [] Map.empty Nothing 0 . Left
+unanswered symbols = Recognition symbols [] Map.empty Nothing Nothing 0 . Left
 
 -- | How much the symbols say together, in nats: the fewer doubts they leave, the better they were
 -- cut out.

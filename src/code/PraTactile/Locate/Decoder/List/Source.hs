@@ -18,6 +18,7 @@ import Data.Ord (Down (..))
 import qualified Data.Vector as Boxed
 import qualified Data.Vector.Primitive as Primitive
 import PraTactile.Field
+import PraTactile.Field.Vector (addScaled)
 import PraTactile.LinearCode.BestFirst
 import PraTactile.LinearCode.Elimination
 import PraTactile.LinearCode.InformationSet
