@@ -1,8 +1,9 @@
 -- | A face of symbols, all four of the shipped alphabet on their lattice, and frames of it.
-module Test.Touch.Registration.Face (frameAt, arranged) where
+module Test.Touch.Registration.Face (frameAt, frameTurned, arranged) where
 
 import Data.Maybe (fromMaybe)
 import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Geometry (rotated)
 import PraTactile.Image
 import PraTactile.Registration.Arrangement hiding (arrange)
 import PraTactile.Registration.Search (Registration)
@@ -11,8 +12,16 @@ import Test.Touch.Sensor.MeanHeights (embossing)
 
 -- | A frame of this width and height, whose upper left taxel lies there on the face, in taxels.
 frameAt :: (Int, Int) -> (Double, Double) -> Raster
-frameAt (wide, high) (x, y) =
-  generate wide high $ \i j -> sample face (x + fromIntegral i) (y + fromIntegral j)
+frameAt = frameTurned 0
+
+-- | One that is turned about its middle by so many degrees clockwise.
+frameTurned :: Double -> (Int, Int) -> (Double, Double) -> Raster
+frameTurned angle (wide, high) (x, y) =
+  generate wide high $ \i j ->
+    let (u, v) = rotated angle (fromIntegral i - middle wide, fromIntegral j - middle high)
+     in sample face (x + middle wide + u) (y + middle high + v)
+  where
+    middle side = fromIntegral (side - 1) / 2
 
 face :: Raster
 face = generate 96 80 $ \x y ->

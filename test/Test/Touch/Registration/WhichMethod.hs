@@ -17,7 +17,7 @@ import Test.Hostile.Judgement (withinBounds)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample, tables)
 import Test.Touch.Paper (arrange)
-import Test.Touch.Registration.Face (arranged, frameAt)
+import Test.Touch.Registration.Face (arranged, frameAt, frameTurned)
 
 spec :: Spec
 spec = do
@@ -107,10 +107,16 @@ waySpec = do
     refusal (arrange Incremental standardRegistration apart) `shouldBe` Nothing
   it "the lattice's angle is told from a part of a large frame, the one that shows most" $ do
     let strong x y = fromIntegral ((7 * x + 3 * y) `mod` 5) - 2
-        image = generate 200 100 $ \x y -> strong x y * (if x >= 136 && y >= 36 then 1 else 0.1)
-    (Right (glimpse image) == crop (136, 36) (64, 64) image) `shouldBe` True
-    for_ [(64, 64), (16, 256), (256, 4)] $ \(w, h) ->
+        image = generate 200 100 $ \x y -> strong x y * (if x >= 168 && y >= 68 then 1 else 0.1)
+    (Right (glimpse image) == crop (168, 68) (32, 32) image) `shouldBe` True
+    for_ [(32, 32), (4, 256), (128, 8)] $ \(w, h) ->
       let small = generate w h strong in (glimpse small == small) `shouldBe` True
+  it "the lattice is seen in large frames, too, each turned a little in itself" $ do
+    let frames =
+          [ ((x, y), frameTurned angle (48, 48) (x, y))
+            | (angle, x, y) <- [(2, 8, 8), (-1.5, 24, 8), (1, 8, 24), (-2, 24, 22)]
+          ]
+    arrangementMethod (arranged Automatic standardRegistration frames) `shouldBe` ByLattice
   it "two large frames that show no lattice are known for such in little memory" $ do
     let settings = standardRegistration {registrationSigma = Just 2}
         rough k = generate 200 200 (\x y -> grey (x + 200 * (y + 200 * k)))

@@ -25,10 +25,10 @@ glimpse image = case sortOn (Down . standardDeviation) (rights parts) of
       ]
     places whole part = [0, part .. whole - part - 1] ++ [whole - part]
 
--- | The width and height of the part of a frame of that size: all of up to 4096 pixels.
+-- | The width and height of the part of a frame of that size: all of up to 1024 pixels.
 glimpseSize :: (Int, Int) -> (Int, Int)
 glimpseSize (w, h)
   | w * h <= side * side = (w, h)
   | otherwise = (min w side, min h side)
   where
-    side = 64
+    side = 32
