@@ -143,4 +143,4 @@ everywhere use =
       forM_ [minBound ..] $ \decoder ->
         use
           (AnswerContext canonicalProfile possible displacements "message" Nothing)
-          (Answer (Refused ZeroWindow) decoder Nothing Nothing Nothing Nothing Nothing [] [])
+          (Answer (Refused ZeroWindow) decoder Nothing Nothing Nothing Nothing Nothing Nothing [] [])

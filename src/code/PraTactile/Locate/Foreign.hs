@@ -13,6 +13,7 @@
 module PraTactile.Locate.Foreign
   ( ForeignComparison (..),
     foreignChances,
+    evidence,
     foreignByChance,
     misleading,
     weighed,
@@ -66,30 +67,48 @@ foreignByChance = 0.5
 -- >>> doubtOfRandom (chances (replicate 9 1)) < 1e-5
 -- True
 foreignChances :: ForeignComparison -> ForeignDoubts
-foreignChances (ForeignComparison share symbols places expected likeliest shown others unlike)
+foreignChances comparison
   | share <= 0 = ForeignDoubts 0 0 exact 0
   | otherwise = ForeignDoubts (part byChance) (part byOthers) exact (part byShapes)
   where
-    q = fromIntegral symbols :: Double
+    share = foreignShare comparison
     byChance = log (share * random) + contents
-    byShapes = log share + contents + unlike
-    -- Every content alike.
-    contents = negate (fromIntegral (length expected)) * log q
-    (random, byOthers, exact) = case others of
+    byShapes = log share + contents + foreignUnlike comparison
+    contents = contentsByChance comparison
+    (random, byOthers, exact) = case foreignOthers comparison of
       NoOthers -> (1, -1 / 0, True)
       WorthExactly worth -> (foreignByChance, ofOthers worth, True)
       WorthAtMost worth -> (foreignByChance, ofOthers worth, False)
-    ofOthers worth = log (share * (1 - foreignByChance)) + worth - naturalLogarithm places
-    ours =
-      log (1 - share) + sum (map seen expected)
-        + shown
-        - likeliest
-        - naturalLogarithm places
+    ofOthers worth =
+      log (share * (1 - foreignByChance)) + worth - naturalLogarithm (foreignPlaces comparison)
+    ours = log (1 - share) + contents + evidence comparison
     -- Of what is impossible nothing, whatever the others are.
     part one'
       | isInfinite one' = 0
       | otherwise = 1 / sum [exp (other - one') | other <- [ours, byChance, byOthers, byShapes]]
+
+-- | The logarithm of how probable observed cells are by chance, every content alike.
+contentsByChance :: ForeignComparison -> Double
+contentsByChance comparison =
+  negate (fromIntegral (length (foreignExpected comparison)))
+    * log (fromIntegral (foreignSymbols comparison))
+
+-- | The logarithm of how many times as probable the observed cells are if they are the array's,
+-- anywhere, as they are by chance. It says nothing of how probable either is beforehand.
+--
+-- >>> let comparison cells = ForeignComparison 0.005 4 255 cells 0 0 NoOthers (-1 / 0)
+-- >>> round (evidence (comparison (replicate 9 1)))
+-- 7
+evidence :: ForeignComparison -> Double
+evidence comparison =
+  sum (map seen (foreignExpected comparison))
+    + foreignSymmetry comparison
+    - foreignLikeliest comparison
+    - naturalLogarithm (foreignPlaces comparison)
+    - contentsByChance comparison
+  where
     seen chance = log ((1 - misleading) * chance + misleading / q)
+    q = fromIntegral (foreignSymbols comparison)
 
 -- | The share of symbols that are not what they seem, where the array's are compared with foreign
 -- ones.

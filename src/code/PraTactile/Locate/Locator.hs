@@ -116,6 +116,7 @@ locateSymbols theLocator query given = do
         answerDistances = Just distances,
         answerPosterior = Nothing,
         answerDoubts = PlaceDoubts Nothing <$> alien,
+        answerEvidence = Nothing,
         answerChance =
           (if windowless decoder seen then atMost else id) . share
             <$> spheresOf theLocator query seen,
@@ -235,7 +236,7 @@ locateBeliefs theLocator query given = do
   decoder <- beliefDecoder theLocator (queryDoubt query)
   let seen = jointPatch joined
       certain = [offset | (offset, b) <- observedCells seen, isCertain b]
-  (alien, found) <- weighedPosterior theLocator query decoder (querySymmetries query) seen
+  (alien, speaking, found) <- weighedPosterior theLocator query decoder (querySymmetries query) seen
   let outcome = outcomeOf query seen found
   pure
     Answer
@@ -244,6 +245,7 @@ locateBeliefs theLocator query given = do
         answerDistances = Nothing,
         answerPosterior = Just found,
         answerDoubts = alien,
+        answerEvidence = speaking,
         -- Only a cell that leaves no doubt keeps out a position.
         answerChance =
           chance . amongCells (fromIntegral (length certain)) <$> spheresOf theLocator query seen,
@@ -284,7 +286,7 @@ beliefsBelong theLocator query decoder shape =
     decided possible seen =
       either
         (const Nothing)
-        (Just . outcomeOf query seen . snd)
+        (\(_, _, found) -> Just (outcomeOf query seen found))
         (weighedPosterior theLocator query decoder possible seen)
 
 -- | What the probabilities of candidates come to, with the doubt that the question tolerates.

@@ -29,8 +29,9 @@ import PraTactile.Locate.Patch
 import PraTactile.Locate.Query
 import PraTactile.Symmetry
 
--- | How likely candidates are in these symmetries, and what makes them wrong if the question weighs
--- that it may be foreign. Where candidates are unlisted, the listed ones alone speak for the array.
+-- | How likely candidates are in these symmetries; what makes them wrong if the question weighs
+-- that it may be foreign; and the 'evidence' for the array, where any is possible. Where candidates
+-- are unlisted, the listed ones alone speak for the array.
 weighedPosterior ::
   KnownField k =>
   Locator k ->
@@ -38,10 +39,11 @@ weighedPosterior ::
   BeliefDecoder k ->
   [Symmetry] ->
   Patch (Belief k) ->
-  Either LocatorError (Maybe PlaceDoubts, Posterior Candidate)
+  Either LocatorError (Maybe PlaceDoubts, Maybe Double, Posterior Candidate)
 weighedPosterior theLocator query decoder possible seen = do
   byCells <- beliefPosterior decoder possible seen
-  let symbolIn = symbolAt (locatorArray theLocator) (patchShape seen)
+  let symbols = fieldOrder (arrayItself (locatorArray theLocator))
+      symbolIn = symbolAt (locatorArray theLocator) (patchShape seen)
       beforehand = fromMaybe (const nothingBeforehand) (queryBeforehand query)
       weight candidate =
         beforehandWeight (symbolIn candidate) seen candidate (beforehand candidate)
@@ -51,29 +53,45 @@ weighedPosterior theLocator query decoder possible seen = do
             given a = probabilitiesIn o b Primitive.! toCode a / symmetryChance o b
          in maybe 0 given (symbolIn candidate offset)
       asked = query {querySymmetries = possible}
-      alien = do
+      compared = do
         best <- posteriorBest found
         let speaking = withoutCells (beforehandSilent (beforehand best)) seen
         places <- spheresOf theLocator asked seen
-        foreignGiven
-          theLocator
-          asked
-          places
-          speaking
-          Expected
-            { expectedChances = map (chanceAt best) (observedCells speaking),
-              expectedSymmetry =
-                shownSymmetry possible (map snd (observedCells speaking)) (candidateSymmetry best),
-              expectedLikeliest =
-                maybe (log (1 - posteriorDoubt found)) (const 0) (posteriorUnlisted found),
-              expectedShown =
-                sum
-                  [ log (symmetryChance (candidateSymmetry best) b)
-                    | (_, b) <- observedCells speaking
-                  ]
-            }
+        pure $
+          comparedWith
+            theLocator
+            asked
+            places
+            speaking
+            Expected
+              { expectedChances = map (chanceAt best) (observedCells speaking),
+                expectedSymmetry =
+                  shownSymmetry possible (map snd (observedCells speaking)) (candidateSymmetry best),
+                expectedLikeliest =
+                  maybe (log (1 - posteriorDoubt found)) (const 0) (posteriorUnlisted found),
+                expectedShown =
+                  sum
+                    [ log (symmetryChance (candidateSymmetry best) b)
+                      | (_, b) <- observedCells speaking
+                    ]
+              }
+      alien = foreignChances <$> (queryForeign query *> compared)
+      -- What is known beside the cells that speak.
+      beside candidate =
+        let Beforehand prior silent = beforehand candidate
+            o = candidateSymmetry candidate
+         in prior
+              + sum
+                [ log (silentChance b * fromIntegral symbols / symmetryChance o b)
+                  | (offset, b) <- observedCells seen,
+                    offset `elem` silent
+                ]
       doubts p = PlaceDoubts (Just ((1 - doubtOfForeign p) * posteriorDoubt found)) p
-  pure (doubts <$> alien, maybe found ((`weighed` found) . doubtOfForeign) alien)
+  pure
+    ( doubts <$> alien,
+      (+) . evidence <$> compared <*> (beside <$> posteriorBest found),
+      maybe found ((`weighed` found) . doubtOfForeign) alien
+    )
 
 -- | The probabilities that symbols which are located so are foreign, if the question weighs that.
 foreignSymbolsAt ::
@@ -90,13 +108,14 @@ foreignSymbolsAt theLocator query seen outcome = do
       Just (map (chanceAt first') (observedCells seen), fromIntegral (length candidates))
     AmbiguousMany count _ -> Just (map (const 1) (observedCells seen), count)
     _ -> Nothing
-  places <- spheresOf theLocator query seen
-  foreignGiven
-    theLocator
-    query
-    places
-    (fmap certainly seen)
-    (Expected expected 0 (negate (naturalLogarithm count)) 0)
+  places <- queryForeign query *> spheresOf theLocator query seen
+  pure . foreignChances $
+    comparedWith
+      theLocator
+      query
+      places
+      (fmap certainly seen)
+      (Expected expected 0 (negate (naturalLogarithm count)) 0)
   where
     chanceAt candidate (offset, a) = if symbolIn candidate offset == Just a then 1 else 0
     symbolIn = symbolAt (locatorArray theLocator) (patchShape seen)
@@ -119,30 +138,28 @@ data Expected = Expected
     expectedShown :: Double
   }
 
--- | The probabilities that a patch is foreign, if the question weighs that, given its candidates.
-foreignGiven ::
+-- | A patch compared with foreign things, given its candidates.
+comparedWith ::
   KnownField k =>
   Locator k ->
   Query k ->
   Spheres ->
   Patch (Belief k) ->
   Expected ->
-  Maybe ForeignDoubts
-foreignGiven theLocator query candidates seen expected =
-  flip fmap (queryForeign query) $ \share ->
-    foreignChances
-      ForeignComparison
-        { foreignShare = share,
-          foreignSymbols = fieldOrder (arrayItself (locatorArray theLocator)),
-          foreignPlaces = sphereCentres candidates,
-          foreignExpected = expectedChances expected,
-          foreignLikeliest = expectedLikeliest expected,
-          foreignSymmetry = expectedSymmetry expected,
-          foreignOthers =
-            relativeTo (expectedShown expected - expectedSymmetry expected) $
-              worthOfOthers (locatorOthers theLocator) (querySymmetries query) seen,
-          foreignUnlike = queryUnlike query
-        }
+  ForeignComparison
+comparedWith theLocator query candidates seen expected =
+  ForeignComparison
+    { foreignShare = fromMaybe 0 (queryForeign query),
+      foreignSymbols = fieldOrder (arrayItself (locatorArray theLocator)),
+      foreignPlaces = sphereCentres candidates,
+      foreignExpected = expectedChances expected,
+      foreignLikeliest = expectedLikeliest expected,
+      foreignSymmetry = expectedSymmetry expected,
+      foreignOthers =
+        relativeTo (expectedShown expected - expectedSymmetry expected) $
+          worthOfOthers (locatorOthers theLocator) (querySymmetries query) seen,
+      foreignUnlike = queryUnlike query
+    }
 
 -- | The candidates of a patch as spheres of radius 0; 'Nothing' where no cell was observed.
 spheresOf :: KnownField k => Locator k -> Query k -> Patch a -> Maybe Spheres

@@ -184,7 +184,10 @@ layoutDoubts reader tolerance composites shown oneFrame others =
         laid = laidOtherwise (recognisedTilt shown) composites (elsewhereComposites other) cells
         relaid = cellsOf laid
         there = likeliestElsewhere reader tolerance laid
-        likelier = maybe 0 likeliestOdds there - maybe 0 likeliestOdds given
+        -- That the answer's place is unlikely beforehand speaks for another layout; that the other
+        -- one's is does not speak for the answer.
+        likelier = maybe 0 anywhere there - maybe 0 likeliestEvidence given
+        anywhere l = likeliestEvidence l - likeliestPrior l
         (these, those) = (places given, places there)
         same = Map.filter id (Map.intersectionWith (==) these those)
         -- Three quarters of the symbols at their places are the same answer.

@@ -235,8 +235,10 @@ whereAre reader tolerance cells seen =
 
 -- | What cells make of the array, whether or not that is enough for an answer.
 data Likeliest = Likeliest
-  { -- | the logarithm of the odds that they are the array's
-    likeliestOdds :: Double,
+  { -- | the logarithm of how many times as probable they are if they are the array's as by chance
+    likeliestEvidence :: Double,
+    -- | of that what is known of the place beforehand, at most 0
+    likeliestPrior :: Double,
     -- | by the symbols' numbers, their cells in the array, and how the face is seen
     likeliestPlaces :: Map Int (Symmetry, Position)
   }
@@ -246,20 +248,23 @@ data Likeliest = Likeliest
 -- a large array, where most such cells agree with no place, 2^10 words are looked at: what is
 -- likely is among the first, and what is not listed counts as doubt of the answer.
 likeliestElsewhere :: KnownField k => Recogniser k -> Tolerance -> Cells -> Maybe Likeliest
-likeliestElsewhere reader tolerance cells =
-  snd (locatedCells briefly tolerance cells) >>= rightOnly >>= likeliestFrom reader cells
+likeliestElsewhere reader tolerance cells = do
+  question <- whereAre reader tolerance cells <$> seenOf cells
+  answer <- rightOnly (locate briefly question {queryForeign = Nothing})
+  likeliestFrom reader cells answer
   where
-    briefly = reader {recogniserLocator = withListing 1024 (recogniserLocator reader)}
+    briefly = withListing 1024 (recogniserLocator reader)
 
 -- | Where cells lie most probably by the answer for them.
 likeliestFrom :: KnownField k => Recogniser k -> Cells -> Answer -> Maybe Likeliest
 likeliestFrom reader cells answer = do
   candidate <- answerPosterior answer >>= posteriorBest
-  alien <- doubtOfForeign . doubtsOfForeign <$> answerDoubts answer
+  speaking <- answerEvidence answer
   let orientation = axisOf cells <> candidateSymmetry candidate
   pure
     Likeliest
-      { likeliestOdds = log (max 1e-300 (1 - alien)) - log (max 1e-300 alien),
+      { likeliestEvidence = speaking,
+        likeliestPrior = beforehandPrior (beforehandOf reader cells candidate),
         likeliestPlaces =
           Map.fromList
             [ (readNumber s, (orientation, place))

@@ -38,33 +38,35 @@ spec = do
                 ]
           together = sum (map likely placed)
           best = maximumBy (comparing likely) placed
-          ours = (1 - share) * together / fromIntegral (length placed)
+          ours = (1 - share) * byArray
           mean = sum (map fst symmetries') / fromIntegral (length symmetries')
           count = fromIntegral (length placed)
           (ofChance, ofOthers) = case others of
             NoOthers -> (share, 0)
             WorthExactly w -> (share / 2, share / 2 * exp w * mean / count)
             WorthAtMost w -> (share / 2, share / 2 * exp w * mean / count)
-          theirs = ofChance * mean / fromIntegral q ^^ cells
+          theirs = ofChance * random
           whole = ours + theirs + ofOthers
           highest = log (likely best / together)
           shownBest = log (fst best / mean)
-          found =
-            foreignChances
-              ( ForeignComparison
-                  share
-                  q
-                  (places placed)
-                  (snd best)
-                  highest
-                  shownBest
-                  others
-                  (-1 / 0)
-              )
+          comparison =
+            ForeignComparison
+              share
+              q
+              (places placed)
+              (snd best)
+              highest
+              shownBest
+              others
+              (-1 / 0)
+          found = foreignChances comparison
+          byArray = together / count
+          random = mean / fromIntegral q ^^ cells
        in counterexample (show (found, theirs / whole, ofOthers / whole)) $
             conjoin
               [ property (abs (doubtOfRandom found - theirs / whole) < 1e-9),
                 property (abs (doubtOfOtherArrays found - ofOthers / whole) < 1e-9),
+                property (abs (evidence comparison - log (byArray / random)) < 1e-9),
                 otherArraysExact found === case others of
                   WorthAtMost _ -> False
                   _ -> True
