@@ -1,21 +1,14 @@
-// The array of a profile: its sequence, how it is folded, and what lies where on its surface.
+// The array of a profile: its sequence, and which code lies where on a surface.
 import { gcd } from "./factors.mjs";
 import { fieldOf } from "./field.mjs";
 import { isPrimitive, powerOfX, timesX, trimmed } from "./polynomial.mjs";
 import { refuse } from "./reading.mjs";
 
-const largestTable = 2n ** 20n; // Arrays up to this many cells are written out, where all positions are compared.
-
 const possible = (holds) => holds || refuse("impossible-profile");
-
-const modulo = (a, n) => ((a % n) + n) % n;
-
-// Of a modulo n, which has no divisor in common with it.
-const inverse = (a, n) => (n === 1n ? 0n : a === 1n ? 1n : modulo((1n - n * inverse(n % a, a)) / a, n));
 
 const fields = new Map();
 
-function fieldOfProfile(q, modulus) {
+function fieldOfProfile({ q, modulus }) {
   possible(q >= 2n && q <= 256n);
   let p = 2;
   while (q % BigInt(p) !== 0n) p++;
@@ -26,52 +19,71 @@ function fieldOfProfile(q, modulus) {
   return fields.get(key) ?? refuse("impossible-profile");
 }
 
-export function arrayOf({ q, modulus, polynomial, reading, state, folding, shape, window, surface, packing }) {
-  const field = fieldOfProfile(q, modulus);
-  possible([...polynomial, ...state].every((c) => c < q));
-  const stated = trimmed(polynomial.map(Number));
+const modulo = (a, n) => ((a % n) + n) % n;
+
+// Of a modulo n, which have no divisor in common.
+function inverse(a, n) {
+  if (n === 1n) return 0n;
+  return a === 1n ? 1n : modulo((1n - n * inverse(n % a, a)) / a, n);
+}
+
+// The number, in reading order, of the cell at a row and a column; -1 where there is none.
+const surfaces = {
+  torus: (rows, columns, r, c) => modulo(r, rows) * columns + modulo(c, columns),
+  "twisted-torus": (rows, columns, r, c) => modulo(r * columns + c, rows * columns),
+  sheet: (rows, columns, r, c) =>
+    r >= 0 && c >= 0 && r < rows && c < columns ? r * columns + c : -1,
+};
+
+export function arrayOf(profile) {
+  const field = fieldOfProfile(profile);
+  possible([...profile.polynomial, ...profile.state].every((c) => c < profile.q));
+  const stated = trimmed(profile.polynomial.map(Number));
   possible(isPrimitive(field, stated));
-  const n = stated.length - 1;
-  possible(state.length === n && state.some((c) => c > 0n));
+  const state = profile.state.map(Number);
+  possible(state.length === stated.length - 1 && state.some((c) => c > 0));
+  const period = profile.q ** BigInt(state.length) - 1n;
+  const [n1, n2] = profile.shape;
+  const isDiagonal = profile.folding === "diagonal";
+  possible(n1 * n2 === period && (!isDiagonal || gcd(n1, n2) === 1n));
+  const window = profile.window.map(Number);
+  possible(window[0] >= 1 && window[1] >= 1 && window[0] * window[1] <= 4096);
 
-  const period = q ** BigInt(n) - 1n;
-  const [n1, n2] = shape;
-  possible(n1 * n2 === period && (folding === "row-major" || gcd(n1, n2) === 1n));
-  possible(window[0] >= 1n && window[1] >= 1n && window[0] * window[1] <= 4096n);
+  // The reciprocal, x^n h(1/x), made monic.
+  const unit = field.inverse(stated[0]);
+  const reciprocal = stated.toReversed().map((c) => field.multiply(c, unit));
+  const h = profile.reading === "characteristic" ? stated : reciprocal;
 
-  // The reciprocal, x^n h(1/x), is made monic.
-  const start = state.map(Number);
-  const backwards = stated.toReversed().map((c) => field.multiply(c, field.inverse(stated[0])));
-  const h = reading === "characteristic" ? stated : backwards;
-  const sum = (factors, terms) => terms.reduce((total, term, i) => field.add(total, field.multiply(factors[i], term)), 0);
+  // If x^i is the sum of the r(j) x^j modulo h, then s(i) is that of the r(j) s(j).
   const terms = (from, count) => {
-    let residue = powerOfX(field, h, from % period);
-    return Array.from({ length: count }, () => {
-      const term = sum(residue, start);
-      residue = timesX(field, h, residue);
-      return term;
-    });
+    const found = [];
+    let r = powerOfX(field, h, from % period);
+    for (; found.length < count; r = timesX(field, h, r)) {
+      found.push(r.map((c, j) => field.multiply(c, state[j])).reduce(field.add));
+    }
+    return found;
+  };
+  // What lies at a row and a column is s(i): i is the column modulo n2, and n2 times a number more,
+  // which is the row, or makes i the row modulo n1.
+  const unfolded = isDiagonal && inverse(n2 % n1, n1);
+  const cell = (row, column) => {
+    const times = isDiagonal ? modulo((row - column) * unfolded, n1) : row;
+    return terms(column + n2 * times, 1)[0];
   };
 
-  // The cell r rows down and c columns to the right is the term at r down + c right: in the diagonal folding the index
-  // that is r modulo n1 and c modulo n2.
-  const [down, right] = folding === "row-major" ? [n2, 1n] : [n2 * inverse(n2 % n1, n1), n1 * inverse(n1 % n2, n2)];
-  const cell = (row, column) => terms(row * down + column * right, 1)[0];
-
-  // A period of terms; and where in it a cell is found on a surface, -1 where there is none.
+  const own = isDiagonal ? "torus" : "twisted-torus";
+  const on = (surface) => surfaces[surface].bind(null, Number(n1), Number(n2));
   let written;
-  const all = (reason) => (written ??= period > largestTable ? refuse(reason) : Uint8Array.from(terms(0n, Number(period))));
-  const own = folding === "diagonal" ? "torus" : "twisted-torus";
-  const indexOn = (where) => {
-    const [rows, columns, size, byRow, byColumn] = [n1, n2, period, down % period, right % period].map(Number);
-    const inside = (r, c) => (r * byRow + c * byColumn) % size;
-    const twisted = (r, c) => {
-      const i = (r * columns + c) % size;
-      return inside(Math.floor(i / columns), i % columns);
-    };
-    if (where === own) return inside;
-    if (where === "sheet") return (r, c) => (r >= 0 && c >= 0 && r < rows && c < columns ? inside(r, c) : -1);
-    return where === "torus" ? (r, c) => inside(r % rows, c % columns) : twisted;
+  const codes = (reason) => {
+    if (period > 2n ** 20n) refuse(reason);
+    if (!written) {
+      const at = on(own);
+      written = new Uint8Array(Number(period));
+      for (const [i, code] of terms(0n, written.length).entries()) {
+        written[at(isDiagonal ? i : 0, i)] = code;
+      }
+    }
+    return written;
   };
-  return { field, n, period, own, surface, packing, rows: Number(n1), columns: Number(n2), window: window.map(Number), terms, cell, all, indexOn };
+  return { ...profile, field, window, columns: Number(n2), terms, cell, own, on, codes };
 }

@@ -1,4 +1,5 @@
-// Polynomials over GF(q), lists of codes with the constant term first; powers of x modulo a monic one; which are primitive.
+// Polynomials over a field, lists of codes with the constant term first; their residues modulo a
+// monic one, h; and which of them are primitive.
 import { primeFactors } from "./factors.mjs";
 
 export function timesX(field, h, a) {
@@ -6,9 +7,10 @@ export function timesX(field, h, a) {
   return a.map((_, i) => field.add(i === 0 ? 0 : a[i - 1], field.multiply(top, h[i])));
 }
 
-function times(field, h, a, b) {
-  const step = (total, digit) => timesX(field, h, total).map((c, i) => field.add(c, field.multiply(digit, a[i])));
-  return b.reduceRight(step, a.map(() => 0));
+export function times(field, h, a, b) {
+  const step = (total, digit) =>
+    timesX(field, h, total).map((c, i) => field.add(c, field.multiply(digit, a[i])));
+  return b.reduceRight(step, new Array(a.length).fill(0));
 }
 
 export function powerOfX(field, h, exponent) {
@@ -23,16 +25,15 @@ export function powerOfX(field, h, exponent) {
 // Without the coefficients of 0 at its end.
 export const trimmed = (h) => h.slice(0, h.findLastIndex((c) => c !== 0) + 1);
 
-const isOne = (a) => a.every((c, i) => c === (i === 0 ? 1 : 0));
-
-// Where the powers of x are all q^n - 1 residues but 0, each of these has an inverse: h is irreducible as well.
+// Where the powers of x are all q^n - 1 residues but 0, each of these has an inverse: h is
+// irreducible as well.
 export function isPrimitive(field, stated) {
   const h = trimmed(stated);
   const n = h.length - 1;
   if (n < 1 || h[n] !== 1 || h[0] === 0) return false;
+  const isOne = (exponent) => powerOfX(field, h, exponent).every((c, i) => c === Number(i === 0));
   const order = BigInt(field.q) ** BigInt(n) - 1n;
-  if (!isOne(powerOfX(field, h, order))) return false;
-  return primeFactors(BigInt(field.p), field.m * n).every((r) => !isOne(powerOfX(field, h, order / r)));
+  return isOne(order) && primeFactors(field.p, field.m * n).every((r) => !isOne(order / r));
 }
 
 export function firstPrimitive(field, n) {

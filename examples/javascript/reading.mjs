@@ -1,5 +1,6 @@
-// What a line of the protocol says. JSON.parse reads 2.0, 2e0 and 2 as one number and rounds integers above 2^53, so that
-// numbers are kept here as they were written, until it is known whether an integer or a probability is wanted.
+// What a line of the protocol says. JSON.parse reads 2.0, 2e0 and 2 as one number and rounds
+// integers above 2^53, so that a number is kept here as a string of how it was written, with a
+// mark that no line can know, until it is clear whether an integer or a probability is wanted.
 
 class Refused extends Error {}
 
@@ -18,49 +19,25 @@ export function reply(action) {
 
 const demand = (holds) => holds || refuse("invalid");
 
-class Written {
-  constructor(text) {
-    this.text = text;
-  }
-}
-
-// Each number becomes an object with a key that no line can know, and that a Written.
-const tag = crypto.randomUUID();
+const mark = crypto.randomUUID();
 const stringOrNumber = /"(?:[^"\\]|\\.)*"|-?\d[\d.eE+-]*/g;
 
 export function parse(line) {
   JSON.parse(line);
-  const tagged = line.replace(stringOrNumber, (token) => (token[0] === '"' ? token : `{"${tag}":"${token}"}`));
-  return JSON.parse(tagged, (_, value) => (isObject(value) && tag in value ? new Written(value[tag]) : value));
+  const marked = (token) => (token[0] === '"' ? token : `"${mark}${token}"`);
+  return JSON.parse(line.replace(stringOrNumber, marked));
 }
 
 // And back: integers above 2^53 - 1 as strings, and what is repeated as it came.
 export function print(value) {
-  if (value instanceof Written) return value.text;
-  if (typeof value === "bigint") return value > Number.MAX_SAFE_INTEGER ? `"${value}"` : `${value}`;
-  if (Array.isArray(value)) return `[${value.map(print)}]`;
-  if (!isObject(value)) return JSON.stringify(value);
-  return `{${Object.entries(value).map(([key, inner]) => `"${key}":${print(inner)}`)}}`;
+  const plain = (number) => (number > Number.MAX_SAFE_INTEGER ? String(number) : Number(number));
+  const text = JSON.stringify(value, (_, each) => (typeof each === "bigint" ? plain(each) : each));
+  return text.replace(new RegExp(`"${mark}([^"]*)"`, "g"), "$1");
 }
 
-export const isObject = (value) => typeof value === "object" && value !== null && !Array.isArray(value);
-
-export function integer(value) {
-  const text = value instanceof Written ? value.text : value;
-  demand(typeof text === "string" && /^-?\d{1,4096}$/.test(text));
-  return BigInt(text);
-}
-
-export function natural(value) {
-  const number = integer(value);
-  demand(number >= 0n);
-  return number;
-}
-
-export function codeBelow(q, value) {
-  const number = natural(value);
-  demand(number < q);
-  return Number(number);
+export function object(value) {
+  demand(typeof value === "object" && value !== null && !Array.isArray(value));
+  return value;
 }
 
 export function list(value, item) {
@@ -68,50 +45,65 @@ export function list(value, item) {
   return value.map((each) => item(each));
 }
 
-function chances(q, value) {
-  const given = list(value, (each) => (demand(each instanceof Written), Number(each.text)));
-  const sum = given.reduce((a, b) => a + b, 0);
-  demand(given.length === q && given.every((each) => each >= 0) && Math.abs(sum - 1) <= 0.001);
-  return given.map((each) => each / sum);
+export function integer(value) {
+  demand(typeof value === "string");
+  const text = value.replace(mark, "");
+  demand(/^-?\d{1,4096}$/.test(text));
+  return BigInt(text);
 }
 
-// Rows of one length, as the offsets of those cells of which something is known.
-function cellsOf(rows, known) {
-  demand(rows.length > 0 && rows[0].length > 0 && rows.every((row) => row.length === rows[0].length));
-  return rows.flatMap((row, r) => row.flatMap((cell, c) => (known(cell) ? [{ row: r, column: c, value: cell }] : [])));
+export function natural(value, below = Infinity) {
+  const number = integer(value);
+  demand(number >= 0n && number < below);
+  return number;
+}
+
+function chances(q, value) {
+  const given = list(value, (each) => {
+    demand(typeof each === "string" && each.startsWith(mark));
+    return Number(each.replace(mark, ""));
+  });
+  const sum = given.reduce((a, b) => a + b, 0);
+  demand(given.length === Number(q) && given.every((p) => p >= 0) && Math.abs(sum - 1) <= 0.001);
+  return given.map((p) => p / sum);
+}
+
+// Rows of one length, as those of their cells of which something is known.
+function cellsOf(rows, unknown) {
+  demand(rows.length > 0 && rows[0].length > 0);
+  demand(rows.every((row) => row.length === rows[0].length));
+  const cells = rows.flatMap((row, r) => row.map((value, c) => ({ row: r, column: c, value })));
+  return cells.filter(({ value }) => value !== unknown);
 }
 
 export function patch(q, value, mayBeChances = false) {
   const cell = (given) => {
     if (given === null) return null;
-    return mayBeChances && Array.isArray(given) ? chances(q, given) : codeBelow(q, given);
+    return mayBeChances && Array.isArray(given) ? chances(q, given) : Number(natural(given, q));
   };
-  const rows = list(value, (row) => list(row, cell));
-  return { rows, cells: cellsOf(rows, (given) => given !== null) };
+  return cellsOf(list(value, (row) => list(row, cell)), null);
 }
 
 export function mask(value) {
   demand(typeof value === "string" && /^[#./]*$/.test(value));
-  const cells = cellsOf(value.split("/").map((row) => [...row]), (mark) => mark === "#");
+  const cells = cellsOf(value.split("/").map((row) => [...row]), ".");
   demand(cells.length >= 1 && cells.length <= 4096);
   return cells;
 }
 
+const words = {
+  schema: ["pra-tactile/profile/1"],
+  reading: ["characteristic", "reciprocal"],
+  folding: ["diagonal", "row-major"],
+  surface: ["torus", "twisted-torus", "sheet"],
+  packing: ["most-significant-first", "least-significant-first"],
+};
+const lists = ["modulus", "polynomial", "state", "shape", "window"];
+
 export function profile(value) {
-  demand(isObject(value) && value.schema === "pra-tactile/profile/1");
-  const word = (key, ...words) => (demand(words.includes(value[key])), value[key]);
-  const naturals = (key) => list(value[key], natural);
-  const pair = (key) => (demand(naturals(key).length === 2), naturals(key));
-  return {
-    q: natural(value.q),
-    modulus: naturals("modulus"),
-    polynomial: naturals("polynomial"),
-    reading: word("reading", "characteristic", "reciprocal"),
-    state: naturals("state"),
-    folding: word("folding", "diagonal", "row-major"),
-    shape: pair("shape"),
-    window: pair("window"),
-    surface: word("surface", "torus", "twisted-torus", "sheet"),
-    packing: word("packing", "most-significant-first", "least-significant-first"),
-  };
+  const { q } = object(value);
+  demand(Object.entries(words).every(([key, some]) => some.includes(value[key])));
+  const read = Object.fromEntries(lists.map((key) => [key, list(value[key], natural)]));
+  demand(read.shape.length === 2 && read.window.length === 2);
+  return { ...value, ...read, q: natural(q) };
 }
