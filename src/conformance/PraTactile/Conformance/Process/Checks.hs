@@ -14,7 +14,6 @@ import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.Aeson.Types as Aeson (Pair)
 import qualified Data.ByteString as Bytes
 import Data.Char (toUpper)
-import Data.Foldable (traverse_)
 import Data.Scientific (scientific)
 import GHC.Clock (getMonotonicTime)
 import PraTactile.Conformance.Laws.Forms (otherForms)
@@ -165,33 +164,23 @@ answersFirst limits session = case startedQuestions session of
           CheckHeld
           [CheckErred [one, stopRequest] why | (one, Left why) <- zip requests replies]
 
--- | A possible profile, an impossible one, and a question.
+-- | A possible profile, an impossible one, and a question, which are told together.
 noneInForce :: Limits -> Session -> IO Checked
 noneInForce limits session = case startedQuestions session of
   [] -> pure CheckHeld
-  question : _ -> do
-    let requests =
-          [profileRequest canonicalProfile, profileRequest impossible, runRequest 1 question]
-    got <- withStarted session $ \child -> do
-      traverse_ (send child . requestLine) (take 2 requests)
-      first <- reply child
-      second <- reply child
-      case (first, second) of
-        (Right _, Right (ResponseRefused _)) -> do
-          send child (requestLine (runRequest 1 question))
-          reply child
-        (Right _, Right other) -> pure (Right other)
-        (Left why, _) -> pure (Left why)
-        (_, Left why) -> pure (Left why)
-    pure $ case got of
-      Left why -> CheckErred requests why
-      Right (ResponseErrored _) -> CheckHeld
-      Right other -> CheckFailed requests (ResponseErrored "no profile is in force") other
-  where
-    impossible = canonicalProfile {profileOrder = 6}
-    reply child = do
-      line <- awaitLine child (limitReply limits)
-      pure (line >>= fmap replyResponse . readReply)
+  question : _ -> together <$> eachReplied limits session requests
+    where
+      requests =
+        [ (profileRequest canonicalProfile, const True, none),
+          (profileRequest canonicalProfile {profileOrder = 6}, isRefused, none),
+          (runRequest 1 question, isErrored, none)
+        ]
+      together checked = case checked of
+        CheckHeld -> CheckHeld
+        CheckFailed _ wanted came -> CheckFailed asked wanted came
+        CheckErred _ why -> CheckErred asked why
+      asked = [request | (request, _, _) <- requests]
+      none = ResponseErrored "no profile is in force"
 
 -- | Words that are no operation's name, between two questions: such as a look-up by name finds in
 -- many languages though nobody put them there, and names as nobody spells them.
@@ -217,9 +206,15 @@ unknownInSession limits session =
           change <- [(++ " "), (++ "s"), map toUpper]
       ]
 
-isSkipped :: Response -> Bool
+isSkipped, isRefused, isErrored :: Response -> Bool
 isSkipped response = case response of
   ResponseSkipped _ -> True
+  _ -> False
+isRefused response = case response of
+  ResponseRefused _ -> True
+  _ -> False
+isErrored response = case response of
+  ResponseErrored _ -> True
   _ -> False
 
 notKnown :: Response
