@@ -7,6 +7,7 @@
 module PraTactile.Conformance.Profiles
   ( defaultProfiles,
     profileNamed,
+    over,
     apartMask,
   )
 where

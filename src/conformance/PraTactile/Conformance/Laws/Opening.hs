@@ -6,12 +6,14 @@ where
 
 import Data.Aeson (Value (Bool))
 import Data.List (nub)
+import Numeric.Natural (Natural)
 import PraTactile.Array (Folding (..), Position (..), Shape (..), area)
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Definition (Known, known, knownProfile)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Draw (characteristicOf, degreeOf, isVast, periodOf, seenAt)
 import PraTactile.Conformance.Laws.Judge
+import PraTactile.Conformance.Profiles (over)
 import PraTactile.Conformance.Question
 import PraTactile.Format.Json.Codec (listOf)
 import PraTactile.Format.Profile (profileCodec, profileValue)
@@ -82,29 +84,15 @@ atTheLimits profiles =
 
 -- | 65 535 cells; x^16 + x^12 + x^3 + x + 1 is primitive.
 ofDegree16 :: Profile
-ofDegree16 =
-  canonicalProfile
-    { profileOrder = 2,
-      profileModulus = [1, 1],
-      profilePolynomial = [if i `elem` [0, 1, 3, 12, 16 :: Int] then 1 else 0 | i <- [0 .. 16]],
-      profileState = replicate 15 0 ++ [1],
-      profileShape = Shape 255 257,
-      profileWindow = Shape 4 4
-    }
+ofDegree16 = over 2 [1, 1] h (Shape 255 257) (Shape 4 4)
+  where
+    h = [if i `elem` [0, 1, 3, 12, 16 :: Int] then 1 else 0 | i <- [0 .. 16]]
 
 -- | 205 378 cells, with a side so long that the number of a term has no room in 32 bits before it
 -- is reduced: it grows by that of the cell (0, 1), 102 690, with each step along it; and no more
 -- has the product of two numbers below that side.
 long :: Profile
-long =
-  canonicalProfile
-    { profileOrder = 59,
-      profileModulus = [1, 1],
-      profilePolynomial = [49, 42, 47, 1],
-      profileState = [0, 0, 1],
-      profileShape = Shape 2 102689,
-      profileWindow = Shape 2 3
-    }
+long = over 59 [1, 1] [49, 42, 47, 1] (Shape 2 102689) (Shape 2 3)
 
 -- | Put these in force one after the other, and ask a few questions under each; what was put in
 -- force before is told with what is wrong.
@@ -178,7 +166,7 @@ impossibles = ofTheField ++ ofTheSequence ++ ofTheArray
 ofTheField :: [Impossible]
 ofTheField =
   [ Impossible "order-is-a-prime-power" "q is a power of a prime" $ \p ->
-      [p {profileOrder = q} | q <- [0, 1, 6, 10, 12]],
+      [p {profileOrder = q} | q <- [0, 1, 6, 10, 12, 257] ++ beyond 8 (profileOrder p)],
     Impossible "modulus-has-the-degree" "the modulus of GF(p^m) has degree m" $ \p ->
       [ p {profileModulus = 1 : profileModulus p},
         p {profileModulus = [1]},
@@ -198,7 +186,10 @@ ofTheField =
         ++ [p {profileModulus = [1, 1, 1, 1]} | profileOrder p == 8]
         ++ [p {profileModulus = [2, 0, 1]} | profileOrder p == 9],
     Impossible "modulus-is-over-the-prime-field" "the modulus has coefficients below p" $ \p ->
-      [p {profileModulus = (c + profileOrder p) : rest} | c : rest <- [profileModulus p]]
+      [ p {profileModulus = c' : rest}
+        | c : rest <- [profileModulus p],
+          c' <- (c + profileOrder p) : beyond 8 c
+      ]
   ]
   where
     init' xs = take (length xs - 1) xs
@@ -219,15 +210,19 @@ ofTheSequence =
                ]
             ++ imprimitive p,
     Impossible "coefficients-are-elements" "the coefficients are codes below q" $ \p ->
-      [ p {profilePolynomial = (c + profileOrder p) : rest}
-        | c : rest <- [profilePolynomial p]
+      [ p {profilePolynomial = c' : rest}
+        | c : rest <- [profilePolynomial p],
+          c' <- (c + profileOrder p) : beyond 8 c
       ],
     Impossible "state-is-not-zero" "the state is not all zeros" $ \p ->
       [p {profileState = map (const 0) (profileState p)}],
     Impossible "state-has-n-terms" "the state has as many terms as the polynomial's degree" $ \p ->
       [p {profileState = 0 : profileState p}, p {profileState = drop 1 (profileState p)}],
     Impossible "state-has-elements" "the terms of the state are codes below q" $ \p ->
-      [p {profileState = (s + profileOrder p) : rest} | s : rest <- [profileState p]]
+      [ p {profileState = s' : rest}
+        | s : rest <- [profileState p],
+          s' <- (s + profileOrder p) : beyond 8 s
+      ]
   ]
 
 -- | Irreducible, but not primitive: x^4 + x^3 + x^2 + x + 1 over GF(2) has roots of order 5.
@@ -243,7 +238,8 @@ ofTheArray =
             | shape <-
                 [Shape (n1 + 1) n2, Shape n1 (n2 + 1), Shape n2 (n1 + n2), Shape 0 n2, Shape 1 1]
                   ++ [Shape (n1 - 1) n2 | n1 > 1]
-                  ++ [Shape n1 (n2 - 1) | n2 > 1],
+                  ++ [Shape n1 (n2 - 1) | n2 > 1]
+                  ++ wider (profileShape p),
               area shape /= area (profileShape p)
           ],
     Impossible "sides-are-coprime" "the sides of a diagonal fold are coprime" $ \p ->
@@ -256,15 +252,17 @@ ofTheArray =
                gcd a b > 1
            ],
     Impossible "window-has-cells" "a window has from 1 to 4096 cells" $ \p ->
-      [p {profileWindow = w} | w <- [Shape 0 2, Shape 2 0, Shape 1 4097, Shape 65 64]]
+      [ p {profileWindow = w}
+        | w <- [Shape 0 2, Shape 2 0, Shape 1 4097, Shape 65 64] ++ wider (profileWindow p)
+      ]
   ]
+  where
+    wider (Shape a b) = map (`Shape` b) (beyond 16 a) ++ map (Shape a) (beyond 16 b)
+
+-- | What is the same number in so many bits, and in more of the widths that machines have.
+beyond :: Int -> Natural -> [Natural]
+beyond least n = [n + 2 ^ bits | bits <- [8, 16, 32, 64], bits >= least]
 
 -- | The larger example of Petriu and others (2004): the sides are both divisible by 3.
 noncoprime :: Profile
-noncoprime =
-  canonicalProfile
-    { profilePolynomial = [2, 1, 1, 0, 0, 0, 1],
-      profileState = [0, 0, 0, 0, 0, 1],
-      profileShape = Shape 15 273,
-      profileWindow = Shape 2 3
-    }
+noncoprime = over 4 [1, 1, 1] [2, 1, 1, 0, 0, 0, 1] (Shape 15 273) (Shape 2 3)
