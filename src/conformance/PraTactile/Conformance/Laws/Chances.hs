@@ -103,7 +103,7 @@ unlikely known =
       ]
       | (i, line) <- zip [0 ..] (seenAt known (Shape high wide) place)
     ]
-    | share <- [0.3, 1e-7, 1e-60],
+    | share <- [0.3, 1e-7, 1e-60, 5e-324],
       Shape high wide <- [Shape (h + 1) w, Shape h (w + 1), Shape (h + 3) (w + 3)],
       place <- take 2 (places p (Shape high wide)),
       area (Shape high wide) <= 128,
