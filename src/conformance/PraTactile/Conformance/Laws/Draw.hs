@@ -197,14 +197,15 @@ genDamaged known damage = frequency [(9, around), (1, wide)]
       damaged p damage (seenAt known shape place)
     wide = genWide known >>= traverse (traverse (maybe (pure Nothing) (suffered p damage)))
 
--- | Of up to 30 rows and 40 columns a window somewhere, mostly whole, and a few cells far from it;
--- it may be larger than the array, but on the sheet hardly.
+-- | Of up to 30 rows and 40 columns a window somewhere, mostly whole, and other cells anywhere; it
+-- may be larger than the array, but on the sheet hardly.
 genWide :: Known -> Gen Patch
 genWide known = do
   Shape high wide <- Shape <$> side 30 n1 h <*> side 40 n2 w
   place <- genPlace p (Shape high wide)
   (i, j) <- (,) <$> upTo (high - h) <*> upTo (wide - w)
-  far <- vectorOf 5 ((,) <$> upTo (high - 1) <*> upTo (wide - 1))
+  others <- choose (0, 60)
+  far <- vectorOf others ((,) <$> upTo (high - 1) <*> upTo (wide - 1))
   let felt = far ++ [(i + a, j + b) | a <- naturalsBelow h, b <- naturalsBelow w]
       corner = (high - 1, wide - 1)
   pure
