@@ -22,17 +22,18 @@ import PraTactile.Profile (Profile (..))
 
 -- | The name of the impostor that gives every one of these answers under the profile, or without
 -- one, if one alone does; given what was asked in at least three cases that fail, for in one or two
--- many err alike. None is looked for on arrays of more than 300 cells, where to make all of them
--- takes long.
+-- many err alike. None is looked for on arrays of more than 300 cells or over fields of more than 100
+-- elements, where to make all of them takes long.
 likely :: Maybe Profile -> [[Exchange]] -> IO (Maybe String)
 likely p failures
-  | maybe False ((> 300) . area . profileShape) p || different < fewestAlike = pure Nothing
+  | maybe False large p || different < fewestAlike = pure Nothing
   | otherwise = do
     alike <- filterM (errsAlike p (concat asked)) impostors
     pure $ case alike of
       [one] -> Just (impostorName one)
       _ -> Nothing
   where
+    large under = area (profileShape under) > 300 || profileOrder under > 100
     asked = filter (not . null) (map (filter (isJust . exchangeOperation)) (nub failures))
     -- A question in another form is the same question.
     different = length (nub (map (map plain) asked))
