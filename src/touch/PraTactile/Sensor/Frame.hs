@@ -187,8 +187,9 @@ planScanOf grid spacing (left, top) (width, height)
       | grid == standardTaxelGrid = RegionTooSmall width height
       | otherwise = RegionBelowSensor width height (across / ratio) (down / ratio)
     step = fromIntegral spacing :: Double
-    presses size side = 2 + fromIntegral (floor ((size - side) / step) :: Integer)
+    -- As many as there are offsets.
+    presses size side = 1 + fromIntegral (max 0 (ceiling (inside size side / step) :: Integer))
     offsets size side =
-      takeWhile (< size - side - 1e-9) (map ((step *) . fromIntegral) [0 :: Int ..])
-        ++ [size - side]
+      takeWhile (< inside size side) (map ((step *) . fromIntegral) [0 :: Int ..]) ++ [size - side]
+    inside size side = size - side - 1e-9
     centre edge side offset = edge + taxel * (offset + side / 2)

@@ -163,6 +163,10 @@ plans = do
     planScan 8 (0, 0) (15, 40) `shouldBe` Left (RegionTooSmall 15 40)
     planScan 8 (0, 0) (40, -1) `shouldBe` Left (RegionTooSmall 40 (-1))
     planScan 1 (0, 0) (maxBound, maxBound) `shouldBe` Left (RegionTooLarge maxBound maxBound)
+  it "has 100000 presses at most" $ do
+    let columnsAndRows (a, b) = planScan 1 (0, 0) (a + sensorSide - 1, b + sensorSide - 1)
+    map (fmap length . columnsAndRows) [(250, 400), (11, 9091)]
+      `shouldBe` [Right 100000, Left (RegionTooLarge 26 9106)]
   where
     unique :: [Int] -> [Int]
     unique = foldr (\a seen -> if a `elem` seen then seen else insertInOrder a seen) []
