@@ -13,7 +13,7 @@ import Data.Aeson.Types (JSONPathElement (..))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
-import Data.Either (isLeft)
+import Data.Either (isLeft, isRight)
 import Data.Foldable (fold, toList)
 import Numeric.Natural (Natural)
 import PraTactile
@@ -225,13 +225,15 @@ refusals = do
         Left why ->
           (quarter, degrees, why, degrees < 0 || degrees >= 360 || apart > 45)
             `shouldBe` (quarter, degrees, Misfit [Key "angle_deg"] NotAngle, True)
-  it "a truth's region has sides of up to 100000 taxels" $ do
+  it "a truth's region has sides of up to 100000 taxels, its cylinder a radius of 10^9 mm" $ do
     truth <- encodeTruth <$> generate someTruth
     forM_ [(w, h) | w <- [0, 1, 99999, 100000], h <- [0, 1, 99999, 100000]] $ \(w, h) ->
       fmap
         (\read' -> (regionWidth (truthRegion read'), regionHeight (truthRegion read')))
         (decodeTruth (changed "region_taxels" (toJSON [w, h :: Int]) truth))
         `shouldBe` Right (w, h)
+    let widest = object ["radius_mm" .= (1e9 :: Double), "axis" .= ("x" :: String)]
+    decodeTruth (changed "bend" widest truth) `shouldSatisfy` isRight
   it "what is no JSON, and no census file" $ do
     decodeProfile "{" `shouldBe` Left (JsonRefused NotJson)
     decodeTruth " " `shouldBe` Left (JsonRefused NoText)
@@ -284,6 +286,7 @@ refusals = do
         ("region_taxels", toJSON [1, 100001 :: Int], [Index 1], RegionTooLarge 100000),
         ("face", toJSON [String "C1", Null], [Index 1], NotText),
         ("bend", bend 0 "x", [Key "radius_mm"], OutOfRange "radius_mm" (0, 1e9)),
+        ("bend", bend 1000000000.001 "x", [Key "radius_mm"], OutOfRange "radius_mm" (0, 1e9)),
         ("bend", bend 80 "z", [Key "axis"], NotAmong ["x", "y"] "z")
       ]
     bend radius axis =

@@ -178,12 +178,15 @@ inputSpec = describe "the standard input" $ do
       (status, out, _) <-
         scripted
           folder
-          "(echo '3 2 / 3 1'; head -c 1048577 /dev/zero | tr '\\0' '?'; echo; head -c 3000000 \
+          "(echo '3 2 / 3 1'; for n in 1048576 1048577; do head -c $n /dev/zero | tr '\\0' '?'; \
+          \echo; done; head -c 3000000 \
           \/dev/zero | tr '\\0' ' '; echo; echo '3 2 / 3 1'; head -c 2000000 /dev/zero) | pra \
           \locate --batch"
       status `shouldBe` 2
       map (key ["outcome"]) (lines out)
-        `shouldBe` map (Just . String) ["located", "invalid", "invalid", "located", "invalid"]
+        `shouldBe` map
+          (Just . String)
+          ["located", "invalid", "invalid", "invalid", "located", "invalid"]
       let found =
             [ message
               | Just (String message) <- map (key ["message"]) (lines out),

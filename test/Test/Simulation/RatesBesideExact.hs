@@ -210,6 +210,17 @@ spec = do
     either Left (const (Right ())) (trialSetup array (Shape 0 2)) `shouldBe` Left SetupEmpty
     either Left (const (Right ())) (trialSetup array (Shape 1000 1000))
       `shouldBe` Left (SetupTooLarge 255000000 largestSetup)
+    -- At 8 positions, so that patches of 2^22 cells have 2^25 together.
+    eight <- naturally <$> arrayOver gf3 2 Diagonal (Shape 1 8)
+    map (either Just (const Nothing) . trialSetup eight . Shape 1) [4194304, 4194305]
+      `shouldBe` [Nothing, Just (SetupTooLarge 33554440 largestSetup)]
+  it "patches of up to 1000 cells have exact rates, which add up to 1" $ do
+    array <- arrayOver gf2 4 Diagonal (Shape 3 5)
+    forM_ [(Shape 25 40, True), (Shape 7 143, False)] $ \(size, known) -> do
+      m <- right (rectangle size)
+      let rates = exactOn Guaranteed (naturally array) m (Damage 0.2 0)
+      (size, fmap (\(Rates a b c) -> abs (a + b + c - 1) < 1e-9) rates)
+        `shouldBe` (size, if known then Just True else Nothing)
   where
     trials = 5000 :: Int
     trialsOf setup damage seed =

@@ -1,18 +1,24 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- | What the library says of polyhedra against what their defects mean, on random ones with random
 -- defects. @PRA_TACTILE_DEFECTS@ says how many of each kind (10000; a hundredth without it).
 module Test.Solid.ReportByDefinition (spec) where
 
+import Data.Aeson (Value (..), toJSON)
+import Data.ByteString.Char8 (unpack)
 import Data.Foldable (for_)
 import Data.List (sortOn)
 import Data.Maybe (fromMaybe)
 import PraTactile.Conformance.Definition.Solid
 import PraTactile.Conformance.Laws.Solids
+import PraTactile.Format.Solid.Report
 import PraTactile.Object.Defect
 import PraTactile.Object.Description
 import PraTactile.Object.Mesh (fromDescription)
 import PraTactile.Object.Named (Named (..), namedDescription)
 import PraTactile.Object.Validity
 import System.Environment (lookupEnv)
+import Test.CommandLine.Run (key)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck
@@ -51,6 +57,15 @@ spec = describe "the report on a polyhedron, beside the definition" $ do
     map told [5, 6] `shouldBe` [(False, []), (True, [])]
     reportNotExamined (examineUpTo 100 5 four)
       `shouldBe` [Unexamined FacesIntersect [FacesIntersect]]
+
+  it "1000 defects of a kind are listed, and more are counted" $
+    for_ [1000, 1001] $ \count -> do
+      let Description name points faces = namedDescription (Tetrahedron 2)
+          idle = [(VertexName ("idle" ++ show k), Point (fromInteger k) 0 9) | k <- [1 .. count]]
+          it_ = fromDescription (Description name (points ++ idle) faces)
+          told path = key path (unpack (encodeReport it_ [] (Moved 0 0) [] (examine it_)))
+      told ["counts", "unused-vertex"] `shouldBe` Just (toJSON count)
+      [length listed | Just (Array listed) <- [told ["defects"]]] `shouldBe` [1000]
 
 -- | A polygon with these corners in a plane that leans.
 polygon :: [(Integer, Integer)] -> Description

@@ -213,6 +213,12 @@ spec = do
     advise (Request 4 1 1 (Just (Shape 0 2))) `shouldBe` Left AdviceWindowEmpty
     advise (Request 4 (2 ^ (70 :: Int)) (2 ^ (70 :: Int)) Nothing)
       `shouldBe` Left (AdviceTooLarge (2 ^ (140 :: Int)))
+    let most = 2 ^ (128 :: Int)
+        refusal = either Just (const Nothing)
+    refusal (advise (Request 4 most 1 Nothing)) `shouldBe` Nothing
+    refusal (singleArrays 4 most) `shouldBe` Nothing
+    refusal (advise (Request 4 1 (most + 1) Nothing)) `shouldBe` Just (AdviceTooLarge (most + 1))
+    refusal (singleArrays 4 (most + 1)) `shouldBe` Just (AdviceTooLarge (most + 1))
   where
     isField e = case e of
       AdviceField _ -> True

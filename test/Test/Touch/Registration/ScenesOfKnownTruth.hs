@@ -3,7 +3,7 @@ module Test.Touch.Registration.ScenesOfKnownTruth (spec) where
 
 import Control.Monad (forM_)
 import qualified Data.ByteString as B
-import Data.Either (isLeft)
+import Data.Either (isLeft, isRight)
 import Data.List (genericLength)
 import Data.Maybe (fromMaybe)
 import PraTactile.Composite.Blend (Taxels)
@@ -401,6 +401,10 @@ refusals = do
   it "an area too large to hold" $ do
     stitched [good, at 1e9 1e9 0] `shouldSatisfy` tooLarge
     stitched [at 1e308 0 0, at (-1e308) 0 0] `shouldSatisfy` tooLarge
+    -- 16 rows, of 2^18 pixels at most.
+    let apart taxels = placeOnly [good, at (taxels * taxelPitch) 0 0]
+    apart 262128 `shouldSatisfy` isRight
+    apart 262129 `shouldSatisfy` tooLarge
   it "too many frames" $
     forM_ [(10000, Nothing), (10001, Just (TooManyFrames 10001))] $ \(count, refused) ->
       (count, either Just (const Nothing) (placeOnly (replicate count good)))

@@ -3,6 +3,7 @@
 module Test.Touch.Shape.DesignAndDistance (spec) where
 
 import Control.Monad (replicateM)
+import Data.Bits (testBit)
 import Data.List (nub, sort, tails, transpose)
 import qualified Data.Set as Set
 import qualified Data.Text as T
@@ -85,6 +86,10 @@ spec = do
         `shouldBe` map
           Just
           [EmptyAlphabet, BlankShape "a", RepeatedName "a", RepeatedShape "a" "b", BadName "a\nb"]
+    it "has at most 256 shapes" $ do
+      let drawn n = bitmapWhere (\x y -> y == 2 || y < 2 && testBit n (x + 8 * y))
+          alphabetOf count = alphabet [(T.pack (show n), drawn n) | n <- [1 .. count :: Int]]
+      map (fmap alphabetSize . alphabetOf) [256, 257] `shouldBe` [Right 256, Left TooManyShapes]
     it "has a shape for each class and no other" $
       property $
         forAll alphabetGen $ \a ->
