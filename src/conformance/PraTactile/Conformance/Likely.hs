@@ -22,8 +22,8 @@ import PraTactile.Profile (Profile (..))
 
 -- | The name of the impostor that gives every one of these answers under the profile, or without
 -- one, if one alone does; given what was asked in at least three cases that fail, for in one or two
--- many err alike. None is looked for on arrays of more than 300 cells or over fields of more than 100
--- elements, where to make all of them takes long.
+-- many err alike. None is looked for on arrays of more than 300 cells or over fields of more than
+-- 100 elements, where to make all of them takes long.
 likely :: Maybe Profile -> [[Exchange]] -> IO (Maybe String)
 likely p failures
   | maybe False large p || different < fewestAlike = pure Nothing
