@@ -57,15 +57,23 @@ spec = describe "the report on a polyhedron, beside the definition" $ do
     map told [5, 6] `shouldBe` [(False, []), (True, [])]
     reportNotExamined (examineUpTo 100 5 four)
       `shouldBe` [Unexamined FacesIntersect [FacesIntersect]]
-
-  it "1000 defects of a kind are listed, and more are counted" $
-    for_ [1000, 1001] $ \count -> do
-      let Description name points faces = namedDescription (Tetrahedron 2)
-          idle = [(VertexName ("idle" ++ show k), Point (fromInteger k) 0 9) | k <- [1 .. count]]
-          it_ = fromDescription (Description name (points ++ idle) faces)
-          told path = key path (unpack (encodeReport it_ [] (Moved 0 0) [] (examine it_)))
-      told ["counts", "unused-vertex"] `shouldBe` Just (toJSON count)
-      [length listed | Just (Array listed) <- [told ["defects"]]] `shouldBe` [1000]
+  it "1000 defects of a kind are listed, or as many as name 100 000 vertices; all are counted" $ do
+    let Description name points faces = namedDescription (Tetrahedron 2)
+        numbered what most = [VertexName (what ++ show k) | k <- [1 .. most :: Int]]
+        idle most = Description name (points ++ zip (numbered "idle" most) places) faces
+        places = [Point x 9 9 | x <- iterate (+ 1) 9]
+        -- Each of its vertices is unknown, which names the face and the vertex: 400 names.
+        unknown = Description name points (FaceName (numbered "no" 399) : faces)
+    for_
+      [ ("unused-vertex", idle 1000, 1000, 1000),
+        ("unused-vertex", idle 1001, 1001, 1000),
+        ("unknown-vertex", unknown, 399 :: Int, 250)
+      ]
+      $ \(kind, given, all', wanted) -> do
+        let it_ = fromDescription given
+            told path = key path (unpack (encodeReport it_ [] (Moved 0 0) [] (examine it_)))
+        told ["counts", kind] `shouldBe` Just (toJSON all')
+        [length listed | Just (Array listed) <- [told ["defects"]]] `shouldBe` [wanted]
 
 -- | A polygon with these corners in a plane that leans.
 polygon :: [(Integer, Integer)] -> Description

@@ -61,7 +61,7 @@ encodeReport it passed moved grids report =
   where
     byKind = groupBy ((==) `on` defectKind) (reportDefects report)
     listed defects =
-      map fst . takeWhile ((<= mostNames) . snd) $
+      map fst . takeWhile ((< mostNames) . snd) $
         zip (take mostOfAKind defects) (scanl (+) 0 (map names defects))
     names (Defect _ faces vertices _) =
       length vertices + sum (map (length . faceVertices) faces)
