@@ -145,6 +145,17 @@ spec = do
             \\"at\":[\"127/4\",\"31.75\",\"0\"]}],\"faces\":[]}"
         )
         `shouldBe` Right [(VertexName "A", Point (127 / 4) (127 / 4) 0)]
+    it "OBJ: numbers below 10^300, of up to 400 decimal places and 1000 characters" $
+      forM_
+        [ ("-999e297", -999 * 10 ^ (297 :: Int)),
+          ("10.1e-399", 101 / 10 ^ (400 :: Int)),
+          (Char8.replicate 999 '0' <> "7", 7)
+        ]
+        $ \(text, number) ->
+          fmap
+            (map snd . describedVertices . toDescription . contentsMesh)
+            (readSolid Obj (ObjectName "x") ("v 0 0 " <> text <> "\n"))
+            `shouldBe` Right [Point 0 0 number]
   describe "what is no such file is refused where it ceases to be one" $
     forM_ refusals $ \(what, format, bytes, fault) ->
       it (formatName format ++ ": " ++ what) $
@@ -179,6 +190,14 @@ refusals =
     ("NaN", Obj, "v 0 nan 0\n", at 1 NotFinite),
     ("1e999999999", Obj, "v 0 0 1e999999999\n", at 1 TooLargeOrFine),
     ("1e-999999999", Obj, "v 0 0 1e-999999999\n", at 1 TooLargeOrFine),
+    ("10^300", Obj, "v 0 0 1e300\n", at 1 TooLargeOrFine),
+    ("-10^300", Obj, "v 0 0 -0.01e302\n", at 1 TooLargeOrFine),
+    ("401 decimal places", Obj, "v 0 0 10.1e-400\n", at 1 TooLargeOrFine),
+    ( "a number of 1001 characters",
+      Obj,
+      "v 0 0 " <> Char8.replicate 1000 '0' <> "7\n",
+      at 1 TooLargeOrFine
+    ),
     ( "a number of a megabyte",
       Obj,
       "v 0 0 "

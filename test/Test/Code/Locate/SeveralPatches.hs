@@ -86,6 +86,12 @@ joiningSpec = do
     fmap (length . jointOffsets) (joint agreedSymbol (many 100)) `shouldSatisfy` (== Right 100)
     either Just (const Nothing) (joint agreedSymbol (many 101))
       `shouldBe` Just (PatchesTooMany 101 100)
+  it "takes patches within a rectangle of 2^20 cells, and no more" $ do
+    let single = patchOf (Shape 1 1) [(Position 0 0, 'a')]
+        framed far =
+          patchShape . jointPatch <$> joint agreedSymbol [((0, 0), single), (far, single)]
+    framed (1023, 1023) `shouldBe` Right (Shape 1024 1024)
+    framed (0, 1048576) `shouldBe` Left (PatchTooLarge 1048577 1048576)
   where
     plus i d = fromInteger (toInteger i + d)
     genDisplaced = do

@@ -64,7 +64,6 @@ longest = 1000
 machine :: RealFloat a => a -> Either Fault Number
 machine value
   | isNaN value || isInfinite value = Left NotFinite
-  | exponent' > 1000 = Left TooLargeOrFine
   | otherwise = Right (Number mantissa exponent')
   where
     (mantissa, exponent') = decodeFloat value
