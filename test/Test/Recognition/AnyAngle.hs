@@ -108,10 +108,14 @@ preferredSpec =
       forAll ((,) <$> genReading <*> genReading) $ \(asGiven, setRight) ->
         let answers = map (either (const False) (const True) . snd) [asGiven, setRight]
             surer = product (fst setRight) < product (fst asGiven)
+            -- Up to rounding neither is: 1e-3 is 0.1 three times.
+            alike = abs (product (fst setRight) / product (fst asGiven) - 1) < 1e-9
             oneAlone = abs angle <= 7 && or answers && not (and answers)
             second = if oneAlone then answers == [False, True] else surer
-         in preferred angle (reading asGiven) (reading setRight)
-              === reading (if second then setRight else asGiven)
+            found = preferred angle (reading asGiven) (reading setRight)
+         in if alike && not oneAlone
+              then property (found `elem` map reading [asGiven, setRight])
+              else found === reading (if second then setRight else asGiven)
   where
     genReading = do
       doubts <- choose (0, 4) >>= (`vectorOf` elements [1e-7, 1e-3, 0.1, 0.5])
@@ -318,7 +322,7 @@ foreignSpec array reader alphabetOfAll = do
     -- One frame across, of a column each: the array is its own column mirror.
     let ofColumns stated =
           axesDoubt
-            [ (compositeOf (drawing (ours 4 3 (Position 6 5))))
+            [ (compositeOf (drawing (ours 4 3 (Position 4 0))))
                 { compositeDisplacements = replicate 3 (0, 0),
                   compositeAxesStated = stated,
                   compositeFrames = narrow id,
@@ -339,7 +343,7 @@ foreignSpec array reader alphabetOfAll = do
     ofColumns True `shouldSatisfy` near' 1e-6 (0.001 / 1.001)
   it "a strip may have slipped by a cell, unless the array tells that it has not" $ do
     let strip classes x = (compositeOf (drawing classes)) {compositeOrigin = (x * 25.4, 0)}
-        between a b = map (take (b - a) . drop a) (ours 5 4 (Position 6 5))
+        between a b = map (take (b - a) . drop a) (ours 4 4 (Position 4 0))
         slip composites = do
           found <- either (const Nothing) Just (recogniseWith standardTolerance reader composites)
           doubtOfSlip . supportDoubts <$> recognisedSupport found
