@@ -143,4 +143,7 @@ everywhere use =
       forM_ [minBound ..] $ \decoder ->
         use
           (AnswerContext canonicalProfile possible displacements "message" Nothing)
-          (Answer (Refused ZeroWindow) decoder Nothing Nothing Nothing Nothing Nothing Nothing [] [])
+          (refusedBy decoder)
+  where
+    refusedBy decoder =
+      Answer (Refused ZeroWindow) decoder Nothing Nothing Nothing Nothing Nothing Nothing [] []

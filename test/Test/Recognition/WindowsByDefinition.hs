@@ -25,11 +25,14 @@ foundSpec array readers =
   it "what is found are the windows whose symbols are the array's, or where most of them are" $
     forAllBlind (elements readers) $ \(surface, reader) ->
       forAllBlind (genScene (cellOf surface array) [0]) $ \scene ->
-        let found =
-              findingAt
-                reader
-                (GridLocation (sceneOrientation scene) (sceneCells scene) Nothing Nothing GroupsApart)
-                (scenePosition scene)
+        let location =
+              GridLocation
+                (sceneOrientation scene)
+                (sceneCells scene)
+                Nothing
+                Nothing
+                GroupsApart
+            found = findingAt reader location (scenePosition scene)
          in foundAsDefined (recogniserPlacement reader) (cellOf surface array) scene found
 
 -- | Whether what is found at a scene's position is what the definition says.
