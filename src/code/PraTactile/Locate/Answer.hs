@@ -111,9 +111,9 @@ data Answer = Answer
     -- | What would make the place wrong, if the question weighs that it may be foreign; the
     -- posterior has both then.
     answerDoubts :: Maybe PlaceDoubts,
-    -- | The logarithm of how many times as probable what was seen is if it is the array's, each
-    -- place as probable as it is beforehand, as it is by chance; if probabilities were observed, and
-    -- any place is possible.
+    -- | The logarithm of how many times as probable the cells that speak are if they are the
+    -- array's, each place as probable as it is beforehand, as they are by chance; if probabilities
+    -- were observed, and any place is possible.
     answerEvidence :: Maybe Double,
     -- | Of all contents of the observed cells, the share that would be located.
     answerChance :: Maybe Chance,

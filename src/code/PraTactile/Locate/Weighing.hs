@@ -42,8 +42,7 @@ weighedPosterior ::
   Either LocatorError (Maybe PlaceDoubts, Maybe Double, Posterior Candidate)
 weighedPosterior theLocator query decoder possible seen = do
   byCells <- beliefPosterior decoder possible seen
-  let symbols = fieldOrder (arrayItself (locatorArray theLocator))
-      symbolIn = symbolAt (locatorArray theLocator) (patchShape seen)
+  let symbolIn = symbolAt (locatorArray theLocator) (patchShape seen)
       beforehand = fromMaybe (const nothingBeforehand) (queryBeforehand query)
       weight candidate =
         beforehandWeight (symbolIn candidate) seen candidate (beforehand candidate)
@@ -76,20 +75,10 @@ weighedPosterior theLocator query decoder possible seen = do
                     ]
               }
       alien = foreignChances <$> (queryForeign query *> compared)
-      -- What is known beside the cells that speak.
-      beside candidate =
-        let Beforehand prior silent = beforehand candidate
-            o = candidateSymmetry candidate
-         in prior
-              + sum
-                [ log (silentChance b * fromIntegral symbols / symmetryChance o b)
-                  | (offset, b) <- observedCells seen,
-                    offset `elem` silent
-                ]
       doubts p = PlaceDoubts (Just ((1 - doubtOfForeign p) * posteriorDoubt found)) p
   pure
     ( doubts <$> alien,
-      (+) . evidence <$> compared <*> (beside <$> posteriorBest found),
+      (+) . evidence <$> compared <*> (beforehandPrior . beforehand <$> posteriorBest found),
       maybe found ((`weighed` found) . doubtOfForeign) alien
     )
 
