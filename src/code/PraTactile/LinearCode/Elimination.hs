@@ -56,8 +56,8 @@ basisRows (Basis pivoted) = reverse (foldl' clear [] pivoted)
   where
     clear later (pivot, x) = (pivot, foldl' clearedAt x later) : later
 
--- | The row less its component along a row with a pivot. All have one length, so that the pivot is an
--- index of each.
+-- | The row less its component along a row with a pivot. All have one length, so that the pivot is
+-- an index of each.
 clearedAt :: KnownField k => Row k -> (Int, Row k) -> Row k
 clearedAt x (pivot, b) = addScaled (negate (Primitive.unsafeIndex x pivot)) b x
 

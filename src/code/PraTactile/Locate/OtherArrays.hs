@@ -272,7 +272,7 @@ boundedBy h vectors cells =
       | basisSize known == n
           && sureSoFar + toldSoFar < log1mexp sureSoFar + mostSoFar - 40 =
         Walked known sureSoFar toldSoFar (mostSoFar + log (cellBest cell))
-      | Primitive.all (== zero) (Primitive.init rest) =
+      | Primitive.all (== zero) (Primitive.take n rest) =
         Walked known sureSoFar (toldSoFar + log predicted) (mostSoFar + log (cellBest cell))
       | otherwise =
         Walked
@@ -283,7 +283,7 @@ boundedBy h vectors cells =
       where
         rest = reduced known (Primitive.snoc vector (cellLikeliest cell))
         -- The last element is the likeliest symbol less the one that the others tell.
-        predicted = cellChances cell Primitive.! toCode (cellLikeliest cell - Primitive.last rest)
+        predicted = cellChances cell Primitive.! toCode (cellLikeliest cell - rest Primitive.! n)
 
 -- | The cells that were gone through: those that are independent, the logarithm of the product of
 -- their best probabilities, that of what the others have as these tell, and of the best that they

@@ -55,6 +55,7 @@ weighedPosterior theLocator query decoder possible seen = do
       compared = do
         best <- posteriorBest found
         let speaking = withoutCells (beforehandSilent (beforehand best)) seen
+            o = candidateSymmetry best
         places <- spheresOf theLocator asked seen
         pure $
           comparedWith
@@ -64,15 +65,10 @@ weighedPosterior theLocator query decoder possible seen = do
             speaking
             Expected
               { expectedChances = map (chanceAt best) (observedCells speaking),
-                expectedSymmetry =
-                  shownSymmetry possible (map snd (observedCells speaking)) (candidateSymmetry best),
+                expectedSymmetry = shownSymmetry possible (map snd (observedCells speaking)) o,
                 expectedLikeliest =
                   maybe (log (1 - posteriorDoubt found)) (const 0) (posteriorUnlisted found),
-                expectedShown =
-                  sum
-                    [ log (symmetryChance (candidateSymmetry best) b)
-                      | (_, b) <- observedCells speaking
-                    ]
+                expectedShown = sum [log (symmetryChance o b) | (_, b) <- observedCells speaking]
               }
       alien = foreignChances <$> (queryForeign query *> compared)
       doubts p = PlaceDoubts (Just ((1 - doubtOfForeign p) * posteriorDoubt found)) p
