@@ -30,8 +30,8 @@ where
 
 import Data.Bits (shiftL, (.|.))
 import Data.List (foldl', genericLength, sortOn)
-import Data.Map (Map)
-import qualified Data.Map as Map
+import Data.Map.Lazy (Map)
+import qualified Data.Map.Lazy as Map
 import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import qualified Data.Set as Set
