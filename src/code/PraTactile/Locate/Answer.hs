@@ -112,8 +112,7 @@ data Answer = Answer
     -- posterior has both then.
     answerDoubts :: Maybe PlaceDoubts,
     -- | The logarithm of how many times as probable the cells that speak are if they are the
-    -- array's, each place as probable as it is beforehand, as they are by chance; if probabilities
-    -- were observed, and any place is possible.
+    -- array's as they are by chance; if probabilities were observed, and any place is possible.
     answerEvidence :: Maybe Double,
     -- | Of all contents of the observed cells, the share that would be located.
     answerChance :: Maybe Chance,

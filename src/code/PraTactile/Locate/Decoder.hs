@@ -107,8 +107,8 @@ locatorUpTo ::
 locatorUpTo most choice packing on mask =
   Locator on mask choice standardListing (prepared most packing on mask)
 
--- | The same where lists look at so many words at most, of 'standardListing'. Where fewer are
--- listed, more may be unlisted: a doubt is no less.
+-- | The same where lists look at so many words at most, in place of 'standardListing'. Where fewer
+-- are listed, more may be unlisted: a doubt is no less.
 withListing :: Int -> Locator k -> Locator k
 withListing most theLocator = theLocator {locatorListing = most}
 
@@ -270,8 +270,8 @@ beliefDecoder theLocator tolerated = case locatorChoice theLocator of
     byList algebra =
       BeliefDecoder
         ListDecoder
-        (\possible -> first LocatorAlgebra . listPatch words' tolerated algebra possible)
-    words' = locatorListing theLocator
+        (\possible -> first LocatorAlgebra . listPatch most tolerated algebra possible)
+    most = locatorListing theLocator
 
 -- | Whether the decoder asked for takes symbols as probabilities.
 decodesProbabilities :: Locator k -> Bool

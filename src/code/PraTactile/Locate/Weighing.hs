@@ -74,7 +74,7 @@ weighedPosterior theLocator query decoder possible seen = do
       doubts p = PlaceDoubts (Just ((1 - doubtOfForeign p) * posteriorDoubt found)) p
   pure
     ( doubts <$> alien,
-      (+) . evidence <$> compared <*> (beforehandPrior . beforehand <$> posteriorBest found),
+      evidence <$> compared,
       maybe found ((`weighed` found) . doubtOfForeign) alien
     )
 

@@ -184,11 +184,12 @@ layoutDoubts reader tolerance composites shown oneFrame others =
         laid = laidOtherwise (recognisedTilt shown) composites (elsewhereComposites other) cells
         relaid = cellsOf laid
         there = likeliestElsewhere reader tolerance laid
-        likelier = maybe 0 byCells there - maybe 0 byCells given + max 0 (prior there - prior given)
+        likelier =
+          maybe 0 likeliestEvidence there - maybe 0 likeliestEvidence given
+            + max 0 (prior there - prior given)
         -- That the other place is likelier beforehand speaks for its layout; that the answer's is
         -- does not speak for the answer.
         prior = maybe 0 likeliestPrior
-        byCells l = likeliestEvidence l - likeliestPrior l
         (these, those) = (places given, places there)
         same = Map.filter id (Map.intersectionWith (==) these those)
         -- Three quarters of the symbols at their places are the same answer.

@@ -218,6 +218,12 @@ locatedCells reader tolerance cells =
   where
     seen = seenOf cells
 
+-- | What comes of locating cells where it is not asked whether they are foreign.
+locatedAsOurs :: KnownField k => Recogniser k -> Tolerance -> Cells -> Maybe Answer
+locatedAsOurs reader tolerance cells = do
+  question <- whereAre reader tolerance cells <$> seenOf cells
+  rightOnly (locate (recogniserLocator reader) question {queryForeign = Nothing})
+
 -- | What is seen of cells; 'Nothing' where that is not a patch.
 seenOf :: KnownField k => Cells -> Maybe (Patch (Belief k))
 seenOf cells = rightOnly (patch (map (map (>>= beliefAlong (axisOf cells))) (gridRows cells)))
@@ -237,7 +243,7 @@ whereAre reader tolerance cells seen =
 data Likeliest = Likeliest
   { -- | the logarithm of how many times as probable they are if they are the array's as by chance
     likeliestEvidence :: Double,
-    -- | of that what is known of the place beforehand, at most 0
+    -- | that of how probable the place is beforehand, at most 0
     likeliestPrior :: Double,
     -- | by the symbols' numbers, their cells in the array, and how the face is seen
     likeliestPlaces :: Map Int (Symmetry, Position)
@@ -248,12 +254,10 @@ data Likeliest = Likeliest
 -- a large array, where most such cells agree with no place, 2^10 words are looked at: what is
 -- likely is among the first, and what is not listed counts as doubt of the answer.
 likeliestElsewhere :: KnownField k => Recogniser k -> Tolerance -> Cells -> Maybe Likeliest
-likeliestElsewhere reader tolerance cells = do
-  question <- whereAre reader tolerance cells <$> seenOf cells
-  answer <- rightOnly (locate briefly question {queryForeign = Nothing})
-  likeliestFrom reader cells answer
+likeliestElsewhere reader tolerance cells =
+  locatedAsOurs briefly tolerance cells >>= likeliestFrom reader cells
   where
-    briefly = withListing 1024 (recogniserLocator reader)
+    briefly = reader {recogniserLocator = withListing 1024 (recogniserLocator reader)}
 
 -- | Where cells lie most probably by the answer for them.
 likeliestFrom :: KnownField k => Recogniser k -> Cells -> Answer -> Maybe Likeliest
@@ -279,8 +283,7 @@ likelyCells :: KnownField k => Recogniser k -> Tolerance -> Cells -> [Position]
 likelyCells reader tolerance cells =
   Set.toAscList . Set.fromList $
     [ place
-      | Just question <- [whereAre reader tolerance cells <$> seenOf cells],
-        Right answer <- [locate (recogniserLocator reader) question {queryForeign = Nothing}],
+      | Just answer <- [locatedAsOurs reader tolerance cells],
         Just found <- [answerPosterior answer],
         (candidate, _) <- fst (weighable (posteriorRanking found)),
         (place, _) <- lyingAt reader cells candidate
