@@ -21,10 +21,13 @@ tabulate columns rows at = V.create $ do
   -- Note [Bounds of tables]
   let row !y
         | y >= rows = pure ()
-        | otherwise = column (at y) (y * columns) 0 >> row (y + 1)
-      column here !start !x
-        | x >= columns = pure ()
-        | otherwise = M.unsafeWrite table (start + x) (here x) >> column here start (x + 1)
+        | otherwise = column 0 >> row (y + 1)
+        where
+          here = at y
+          start = y * columns
+          column !x
+            | x >= columns = pure ()
+            | otherwise = M.unsafeWrite table (start + x) (here x) >> column (x + 1)
   row 0
   pure table
 {-# INLINE tabulate #-}

@@ -77,18 +77,17 @@ phasePosterior grid frames =
        in (masses, map (V.fromList . rowsOf) [0, 1])
     -- At each phase on the composite, what the frame says of its own, over the displacements with
     -- their prior: rows of phases in which it shows something are blurred across, and then down.
-    ofFrame sigma (((nx, ny), (rx, ry)), (masses, shown)) =
-      V.map (\m -> outlier + (1 - outlier) * m) (V.concat (map blurred shown))
+    ofFrame sigma (((nx, ny), (rx, ry)), (masses, shown)) = V.concat (map blurred shown)
       where
         blurred :: Vector Int -> Vector Double
-        blurred rows =
-          tabulate across down (\y x -> dotWithin n (blurredAcross, x * n) (downs, y * n))
+        blurred rows = tabulate across down $ \y x ->
+          outlier + (1 - outlier) * dotWithin n (blurredAcross, x * n) (downs, y * n)
           where
-            n = V.length rows
-            blurredAcross = tabulate n across $ \px ->
+            !n = V.length rows
+            !blurredAcross = tabulate n across $ \px ->
               let !x = (px - nx) `mod` across
                in \i -> dotWithin across (masses, rows V.! i) (kernelAcross, across - x)
-            downs = tabulate n down $ \py ->
+            !downs = tabulate n down $ \py ->
               let !y = (py - ny) `mod` down
                in \i -> kernelDown V.! (down - y + (rows V.! i `quot` across) `mod` down)
         kernelAcross = kernel grid sigma across rx
