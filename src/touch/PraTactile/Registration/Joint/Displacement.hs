@@ -11,6 +11,7 @@ module PraTactile.Registration.Joint.Displacement
   )
 where
 
+import Data.List (transpose)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Composite.Blend (Taxels)
@@ -84,14 +85,11 @@ displacementsOf grid orientation (phaseY, phaseX) (place, given) =
                         ( dotWithin octaves (priorsAcross, i * octaves) (priorsDown, j * octaves)
                         )
     !octaves = length (gridOctaves grid)
-    !priorsAcross = priorsAlong rx
-    !priorsDown = priorsAlong ry
-    priorsAlong rest =
-      V.fromList
-        [ priorAlong sigma (fromIntegral d - rest)
-          | d <- [negate reach .. reach],
-            sigma <- gridOctaves grid
-        ]
+    !priorsAcross = priors rx
+    !priorsDown = priors ry
+    priors rest = V.fromList (concat (transpose (map told (gridOctaves grid))))
+      where
+        told sigma = V.toList (priorsAlong grid sigma rest)
     margin = 12
     -- Of what was looked at.
     least = -1e300

@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | The displacements that a frame may have from its nominal place, and how probable the robot's
 -- error makes each.
 module PraTactile.Registration.Joint.Grid
@@ -8,7 +10,7 @@ module PraTactile.Registration.Joint.Grid
     onGrid,
 
     -- * The robot's error
-    priorAlong,
+    priorsAlong,
     Squares (..),
     sigmaLogs,
     sigmaShares,
@@ -17,6 +19,8 @@ module PraTactile.Registration.Joint.Grid
   )
 where
 
+import Data.Vector.Storable (Vector)
+import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Registration.Model (normalLog, placesPerTaxel, sigmasPerOctave)
 import PraTactile.Registration.Search (Registration (..), sigmasFor)
@@ -65,10 +69,20 @@ onGrid (x, y) = ((round x', round y'), (x' - whole x', y' - whole y'))
 displacementVariance :: Double -> Double
 displacementVariance sigma = sigma * sigma + 1 / 12
 
--- | pi_sigma along one axis, of a displacement in places.
-priorAlong :: Double -> Double -> Double
-priorAlong sigma t = exp (normalLog v (t * t)) / sqrt (2 * pi * v)
+-- | pi_sigma along one axis, of the displacements of a place that lies so far beyond its grid point,
+-- in places: from @-gridReach@ to @gridReach@, each from the one nearer to the grid point by a
+-- ratio, which shrinks from one to the next as those of normal densities do.
+priorsAlong :: Grid -> Double -> Double -> Vector Double
+priorsAlong grid sigma rest = V.reverse (V.drop 1 (outward (negate rest))) <> outward rest
   where
+    outward beyond =
+      V.unfoldrN
+        (gridReach grid + 1)
+        (\(!p, !ratio) -> Just (p, (p * ratio, ratio * shrink)))
+        ( exp (normalLog v (beyond * beyond)) / sqrt (2 * pi * v),
+          exp (normalLog v (1 - 2 * beyond))
+        )
+    shrink = exp (normalLog v 2)
     v = displacementVariance sigma
 
 -- | What displacements tell of sigma: how many there are, and the sum of their squares, as it is

@@ -7,7 +7,7 @@ module PraTactile.Registration.Joint.Phase
   )
 where
 
-import Data.List (foldl')
+import Data.List (foldl', foldl1')
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
@@ -18,13 +18,13 @@ import PraTactile.Registration.Loops (dotWithin, tabulate)
 import PraTactile.Registration.Model (outlier, placesPerTaxel)
 
 -- | log P(lambda) of the lattice on the composite that the frames make likeliest, up to a constant,
--- and its orientation and phase, row and column.
+-- and its orientation and phase, row and column; of no more than 100 frames.
 commonPhase :: Grid -> [(Taxels, Likelihood)] -> (Double, (Int, (Int, Int)))
-commonPhase grid frames = (logs V.! best, (o, (y, x)))
+commonPhase grid frames = (log (probable V.! best), (o, (y, x)))
   where
     (across, down) = phaseCount placesPerTaxel
-    logs = phasePosterior grid frames
-    best = V.maxIndex logs
+    probable = phasePosterior grid frames
+    best = V.maxIndex probable
     (row, x) = best `quotRem` across
     (o, y) = row `quotRem` down
 
@@ -53,17 +53,15 @@ glimpsedLog grid frames =
       | otherwise =
         log (outlier + (1 - outlier) * alongX V.! (across + x' - x) * alongY V.! (down + y' - y))
 
--- | log P(lambda) up to a constant, by orientation, row and column: each frame anywhere that the
--- robot's error lets it be, for one error to each octave.
+-- | P(lambda) up to a constant, by orientation, row and column: each frame anywhere that the
+-- robot's error lets it be, for one error to each octave. None tells less than delta, so that what
+-- a hundred tell, multiplied, is a number.
 phasePosterior :: Grid -> [(Taxels, Likelihood)] -> Vector Double
-phasePosterior grid frames =
-  V.generate (2 * across * down) (\i -> logSum (map (V.! i) bySigma))
+phasePosterior grid frames = foldl1' (V.zipWith (+)) (map phasesGiven (gridOctaves grid))
   where
     (across, down) = phaseCount placesPerTaxel
-    bySigma = map phasesGiven (gridOctaves grid)
-    -- What so many frames tell has one logarithm: none of them tells less than delta.
-    phasesGiven sigma = logsOfProducts 20 (map (ofFrame sigma) told)
-    told = [(onGrid place, massesOf (phaseLogs given)) | (place, given) <- frames]
+    phasesGiven sigma = foldl' (given sigma) (V.replicate (2 * across * down) 1) told
+    told = [(onGrid place, massesOf (phaseLogs given')) | (place, given') <- frames]
     -- What is too small for delta is nothing.
     massesOf phases =
       let !top = V.maximum phases
@@ -75,13 +73,17 @@ phasePosterior grid frames =
                 V.any (> 0) (V.slice start across masses)
             ]
        in (masses, map (V.fromList . rowsOf) [0, 1])
-    -- At each phase on the composite, what the frame says of its own, over the displacements with
-    -- their prior: rows of phases in which it shows something are blurred across, and then down.
-    ofFrame sigma (((nx, ny), (rx, ry)), (masses, shown)) = V.concat (map blurred shown)
+    -- Times what a frame says, at each phase on the composite, of its own, over the displacements
+    -- with their prior: rows of phases in which it shows something are blurred across, then down.
+    given sigma before (((nx, ny), (rx, ry)), (masses, shown)) =
+      V.concat [blurred (o * across * down) rows | (o, rows) <- zip [0, 1] shown]
       where
-        blurred :: Vector Int -> Vector Double
-        blurred rows = tabulate across down $ \y x ->
-          outlier + (1 - outlier) * dotWithin n (blurredAcross, x * n) (downs, y * n)
+        blurred :: Int -> Vector Int -> Vector Double
+        blurred start rows = tabulate across down $ \y ->
+          let !row = start + y * across
+           in \x ->
+                V.unsafeIndex before (row + x)
+                  * (outlier + (1 - outlier) * dotWithin n (blurredAcross, x * n) (downs, y * n))
           where
             !n = V.length rows
             !blurredAcross = tabulate n across $ \px ->
@@ -98,21 +100,8 @@ phasePosterior grid frames =
 kernel :: Grid -> Double -> Int -> Double -> Vector Double
 kernel grid sigma period rest = once <> once
   where
-    once =
-      V.accum
-        (+)
-        (V.replicate period 0)
-        [ (negate d `mod` period, priorAlong sigma (fromIntegral d - rest))
-          | d <- [negate (gridReach grid) .. gridReach grid]
-        ]
-
--- | The sum of the logarithms of vectors of numbers, of which so many, multiplied, are not too
--- small for a number.
-logsOfProducts :: Int -> [Vector Double] -> Vector Double
-logsOfProducts count vectors = case splitAt count vectors of
-  (first : more, rest)
-    | null rest -> logs
-    | otherwise -> V.zipWith (+) logs (logsOfProducts count rest)
-    where
-      logs = V.map log (foldl' (V.zipWith (*)) first more)
-  ([], _) -> V.empty
+    once = V.generate period (\c -> every ((gridReach grid - c) `mod` period))
+    every i
+      | i < V.length priors = V.unsafeIndex priors i + every (i + period)
+      | otherwise = 0
+    priors = priorsAlong grid sigma rest
