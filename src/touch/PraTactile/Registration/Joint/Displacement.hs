@@ -57,7 +57,8 @@ displacementCells (Displacement _ _ numbers logs) =
 displacementsOf :: Grid -> Int -> (Int, Int) -> (Taxels, Likelihood) -> [Displacement]
 displacementsOf grid orientation (phaseY, phaseX) (place, given) =
   [ displacementOf (dx, dy) (squared dx rx + squared dy ry) (cells dx dy)
-    | k <- V.toList (V.findIndices (>= max least (V.maximum scores - margin)) scores),
+    | k <- [0 .. side * side - 1],
+      V.unsafeIndex scores k >= likely,
       let (j, i) = k `quotRem` side,
       let (dx, dy) = (i - reach, j - reach)
   ]
@@ -69,14 +70,15 @@ displacementsOf grid orientation (phaseY, phaseX) (place, given) =
     count = symbolsClasses (templateSymbols tables)
     !((!nx, !ny), (!rx, !ry)) = onGrid place
     !reach = gridReach grid
-    side = 2 * reach + 1
+    !side = 2 * reach + 1
     !phases = phaseLogs given
     squared d rest = let t = fromIntegral d - rest in t * t
+    !likely = max least (V.maximum scores - margin)
     -- By row and column of displacements; pi is the mean over one sigma an octave.
-    scores = tabulate side side $ \j ->
-      let !row = (orientation * down + (phaseY - ny - j + reach) `mod` down) * across
+    !scores = tabulate side side $ \j ->
+      let !row = (orientation * down + V.unsafeIndex phasesDown j) * across
        in \i ->
-            let !l = V.unsafeIndex phases (row + (phaseX - nx - i + reach) `mod` across)
+            let !l = V.unsafeIndex phases (row + V.unsafeIndex phasesAcross i)
              in if l < least
                   then l
                   else
@@ -84,6 +86,10 @@ displacementsOf grid orientation (phaseY, phaseX) (place, given) =
                       + log
                         ( dotWithin octaves (priorsAcross, i * octaves) (priorsDown, j * octaves)
                         )
+    !phasesAcross = phasesAlong (phaseX - nx) across
+    !phasesDown = phasesAlong (phaseY - ny) down
+    phasesAlong :: Int -> Int -> V.Vector Int
+    phasesAlong phase period = V.generate side (\i -> (phase - i + reach) `mod` period)
     !octaves = length (gridOctaves grid)
     !priorsAcross = priors rx
     !priorsDown = priors ry
