@@ -9,6 +9,7 @@ module PraTactile.Registration.Loops
   )
 where
 
+import Control.Monad (when)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Storable.Mutable as M
@@ -19,15 +20,13 @@ tabulate :: Int -> Int -> (Int -> Int -> Double) -> Vector Double
 tabulate columns rows at = V.create $ do
   table <- M.unsafeNew (columns * rows)
   -- Note [Bounds of tables]
-  let row !y
-        | y >= rows = pure ()
-        | otherwise = column 0 >> row (y + 1)
-        where
-          here = at y
-          start = y * columns
-          column !x
-            | x >= columns = pure ()
-            | otherwise = M.unsafeWrite table (start + x) (here x) >> column (x + 1)
+  let row !y = when (y < rows) $ do
+        let !here = at y
+            !start = y * columns
+            column !x =
+              when (x < columns) $ M.unsafeWrite table (start + x) (here x) >> column (x + 1)
+        column 0
+        row (y + 1)
   row 0
   pure table
 {-# INLINE tabulate #-}
