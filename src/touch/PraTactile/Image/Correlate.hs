@@ -49,13 +49,22 @@ import PraTactile.Image
 -- Between its pixels it is interpolated as a whole: the weight at a place is the bilinear mean of
 -- the weights around it, and the value the mean of the values around it with those shares times
 -- their weights.
-data Reference = Reference
-  { -- | The weight times the value at each pixel.
-    referenceSums :: !Raster,
-    -- | The weight at each pixel. The two are of one size.
-    referenceWeights :: !Raster
-  }
-  deriving stock (Eq, Show)
+data Reference
+  = -- | The weight times the value at each pixel, and the weight, of one size.
+    Weighted !Raster !Raster
+  | -- | Of weight 1 everywhere.
+    Whole !Raster
+  deriving stock (Show)
+
+-- | The weight times the value at each pixel.
+referenceSums :: Reference -> Raster
+referenceSums (Weighted sums _) = sums
+referenceSums (Whole image) = image
+
+-- | The weight at each pixel.
+referenceWeights :: Reference -> Raster
+referenceWeights (Weighted _ weights) = weights
+referenceWeights (Whole image) = constant (rasterWidth image) (rasterHeight image) 1
 
 -- | A reference from the weights times the values, and the weights. Refuses ('SizesDiffer') rasters
 -- of different size.
@@ -63,24 +72,24 @@ reference :: Raster -> Raster -> Either ImageError Reference
 reference sums weights
   | rasterSize sums /= rasterSize weights =
     Left (SizesDiffer (rasterSize sums) (rasterSize weights))
-  | otherwise = Right (Reference sums weights)
+  | otherwise = Right (Weighted sums weights)
 
 -- | A whole image as a reference, of weight 1 everywhere.
 referenceOf :: Raster -> Reference
-referenceOf image = Reference image (constant (rasterWidth image) (rasterHeight image) 1)
+referenceOf = Whole
 
 -- | The value and the weight at a place, x and y in pixels; pixels that do not exist have weight 0.
 -- 'Nothing' where the weight is.
 referenceAt :: Reference -> Double -> Double -> Maybe (Double, Double)
-referenceAt (Reference sums weights) x y
-  | near x && near y && m > 0 = Just (at sums / m, m)
+referenceAt there x y
+  | near x && near y && m > 0 = Just (at (referenceSums there) / m, m)
   | otherwise = Nothing
   where
     bx = floor x :: Int
     by = floor y :: Int
     fx = x - fromIntegral bx
     fy = y - fromIntegral by
-    m = at weights
+    m = at (referenceWeights there)
     at image =
       (1 - fy) * ((1 - fx) * pixel 0 0 + fx * pixel 1 0)
         + fy * ((1 - fx) * pixel 0 1 + fx * pixel 1 1)
@@ -110,12 +119,19 @@ zncc (Overlap n vf vc cov)
 -- | The overlap of an image with a reference at a displacement, x and y in pixels. Image pixels
 -- between reference pixels not all of which exist are left out.
 overlapAt :: Reference -> Raster -> Double -> Double -> Overlap
-overlapAt there@(Reference sums _) image dx dy
+overlapAt there image dx dy
   | not (near dx && near dy) = Overlap 0 0 0 0
-  | fx > 0 || fy > 0 = moments (interpolated fx fy stepX (stepY * w)) meeting there image
-  | otherwise = moments V.unsafeIndex meeting there image
+  | otherwise = case there of
+    Weighted sums weights
+      | fx > 0 || fy > 0 -> moments (between weights) (between sums) w meeting image
+      | otherwise -> moments (pixel weights) (pixel sums) w meeting image
+    Whole sums
+      | fx > 0 || fy > 0 -> moments (const 1) (between sums) w meeting image
+      | otherwise -> moments (const 1) (pixel sums) w meeting image
   where
-    w = rasterWidth sums
+    pixel = V.unsafeIndex . rasterValues
+    between = interpolated fx fy stepX (stepY * w) . rasterValues
+    (!w, !h) = rasterSize (referenceSums there)
     bx = floor dx :: Int
     by = floor dy :: Int
     fx = dx - fromIntegral bx
@@ -127,7 +143,7 @@ overlapAt there@(Reference sums _) image dx dy
         { meetingLeft = max 0 (negate bx),
           meetingRight = min (rasterWidth image) (w - stepX - bx),
           meetingTop = max 0 (negate by),
-          meetingBottom = min (rasterHeight image) (rasterHeight sums - stepY - by),
+          meetingBottom = min (rasterHeight image) (h - stepY - by),
           meetingStart = by * w + bx
         }
 
@@ -149,15 +165,12 @@ interpolated fx fy right below v i =
     + fy * ((1 - fx) * V.unsafeIndex v (i + below) + fx * V.unsafeIndex v (i + below + right))
 {-# INLINE interpolated #-}
 
--- | The overlap, with a way to read the reference's rasters at an index.
-moments :: (Vector Double -> Int -> Double) -> Meeting -> Reference -> Raster -> Overlap
-moments at (Meeting x0 x1 y0 y1 start) (Reference sums weights) image = row y0 0 0 0 0 0 0
+-- | The overlap, with ways to read the reference's weights and its sums at an index, and its width.
+moments :: (Int -> Double) -> (Int -> Double) -> Int -> Meeting -> Raster -> Overlap
+moments weightAt sumAt w (Meeting x0 x1 y0 y1 start) image = row y0 0 0 0 0 0 0
   where
     !values = rasterValues image
-    !sumValues = rasterValues sums
-    !weightValues = rasterValues weights
     iw = rasterWidth image
-    w = rasterWidth sums
     row !y !n !sf !sc !sff !scc !sfc
       | y >= y1 = overlapOf n sf sc sff scc sfc
       | otherwise = column (y * iw) (y * w + start) y x0 n sf sc sff scc sfc
@@ -167,7 +180,7 @@ moments at (Meeting x0 x1 y0 y1 start) (Reference sums weights) image = row y0 0
       | otherwise =
         let f = V.unsafeIndex values (f0 + x)
             mf = m * f
-            mc = at sumValues (r0 + x)
+            mc = sumAt (r0 + x)
          in column
               f0
               r0
@@ -180,7 +193,7 @@ moments at (Meeting x0 x1 y0 y1 start) (Reference sums weights) image = row y0 0
               (scc + mc * mc / m)
               (sfc + mc * f)
       where
-        m = at weightValues (r0 + x)
+        m = weightAt (r0 + x)
 {-# INLINE moments #-}
 
 {- Note [Bounds] 0 <= x < iw and 0 <= y < image height, so the image's index y * iw + x is good. x
