@@ -9,6 +9,7 @@ module PraTactile.Classification.Network.File
   )
 where
 
+import Data.Attoparsec.Text (double, endOfInput, parseOnly)
 import Data.ByteString (ByteString)
 import Data.Text (Text)
 import qualified Data.Text as T
@@ -86,7 +87,7 @@ units count weights = go count []
     expected = T.pack (show weights) <> " weights and a bias"
     decimal t =
       if T.length t <= 32 && T.all (`elem` ("0123456789.-e" :: String)) t
-        then readMaybe (T.unpack t)
+        then either (const Nothing) Just (parseOnly (double <* endOfInput) t)
         else Nothing
 
 heading :: Text
