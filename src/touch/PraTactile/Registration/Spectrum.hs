@@ -52,14 +52,14 @@ spectra w h =
     (cosinesUpTo (max w h))
     (Boxed.generate ((w + 1) * (h + 1)) bySize)
     ( Boxed.fromList
-        [whole s (noiseShares !! n) | s <- [0 .. shapeCount - 1], n <- [0 .. noiseCount - 1]]
+        [whole alone noise | alone <- map (powers w h) [0 .. shapeCount - 1], noise <- noiseShares]
     )
   where
     bySize i =
       let (y, x) = i `quotRem` (w + 1)
        in (Boxed.generate shapeCount (powers x y), coherence x y)
-    whole s noise =
-      let variances = V.map (+ noise) (powers w h s)
+    whole alone noise =
+      let variances = V.map (+ noise) alone
        in (V.map (1 /) variances, V.sum (V.map log variances))
 
 -- | A frame's coefficients.
@@ -111,13 +111,15 @@ density :: Double -> Double -> Double -> Double -> Double
 density nu range fx fy =
   range * range * (1 + range * range * (fx * fx + fy * fy) / (2 * nu - 1)) ** negate nu
 
--- | The variance of each process before it is made 1.
+-- | The variance of each process before it is made 1: the mean over both frequencies, of which one
+-- as well as the other may be the greater.
 normalisers :: Vector Double
 normalisers =
   V.fromList
-    [ sum [density nu range (f u) (f v) | u <- [0 .. n - 1], v <- [0 .. n - 1]]
+    [ (2 * sum [at u v | v <- [1 .. n - 1], u <- [0 .. v - 1]] + sum [at u u | u <- [0 .. n - 1]])
         / fromIntegral (n * n)
-      | (nu, range) <- shapesOfSpectrum
+      | (nu, range) <- shapesOfSpectrum,
+        let at u v = density nu range (f u) (f v)
     ]
   where
     n = 64 :: Int

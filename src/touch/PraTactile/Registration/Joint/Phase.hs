@@ -61,7 +61,7 @@ phasePosterior grid frames = foldl1' (V.zipWith (+)) (map phasesGiven (gridOctav
   where
     (across, down) = phaseCount placesPerTaxel
     phasesGiven sigma = foldl' (given sigma) (V.replicate (2 * across * down) 1) told
-    told = [(onGrid place, massesOf (phaseLogs given')) | (place, given') <- frames]
+    told = [(onGrid place, massesOf (phaseLogs seen)) | (place, seen) <- frames]
     -- What is too small for delta is nothing.
     massesOf phases =
       let !top = V.maximum phases
@@ -79,11 +79,13 @@ phasePosterior grid frames = foldl1' (V.zipWith (+)) (map phasesGiven (gridOctav
       V.concat [blurred (o * across * down) rows | (o, rows) <- zip [0, 1] shown]
       where
         blurred :: Int -> Vector Int -> Vector Double
-        blurred start rows = tabulate across down $ \y ->
-          let !row = start + y * across
-           in \x ->
-                V.unsafeIndex before (row + x)
-                  * (outlier + (1 - outlier) * dotWithin n (blurredAcross, x * n) (downs, y * n))
+        blurred start rows
+          | n == 0 = V.map (outlier *) (V.slice start (across * down) before)
+          | otherwise = tabulate across down $ \y ->
+            let !row = start + y * across
+             in \x ->
+                  V.unsafeIndex before (row + x)
+                    * (outlier + (1 - outlier) * dotWithin n (blurredAcross, x * n) (downs, y * n))
           where
             !n = V.length rows
             !blurredAcross = tabulate n across $ \px ->
