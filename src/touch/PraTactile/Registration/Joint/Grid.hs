@@ -69,8 +69,8 @@ onGrid (x, y) = ((round x', round y'), (x' - whole x', y' - whole y'))
 displacementVariance :: Double -> Double
 displacementVariance sigma = sigma * sigma + 1 / 12
 
--- | pi_sigma along one axis, of the displacements of a place that lies so far beyond its grid point,
--- in places: from @-gridReach@ to @gridReach@, each from the one nearer to the grid point by a
+-- | pi_sigma along one axis, of the displacements of a place that lies so many places beyond its
+-- grid point: from @-gridReach@ to @gridReach@, each from the one nearer to the grid point by a
 -- ratio, which shrinks from one to the next as those of normal densities do.
 priorsAlong :: Grid -> Double -> Double -> Vector Double
 priorsAlong grid sigma rest = V.reverse (V.drop 1 (outward (negate rest))) <> outward rest
