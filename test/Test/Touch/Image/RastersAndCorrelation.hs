@@ -226,7 +226,7 @@ correlation = do
       `shouldBe` replicate 5 Nothing
   it "refuses sums and weights of different size" $
     either Just (const Nothing) (reference (constant 2 2 1) (constant 2 3 1))
-        `shouldBe` Just (SizesDiffer (2, 2) (2, 3))
+      `shouldBe` Just (SizesDiffer (2, 2) (2, 3))
   it "referenceAt interpolates by weight, and knows nothing outside" $ do
     let ref =
           either
