@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | The arrays that are not ours but as ours: of the same field, degree, folding and shape, by each
 -- other primitive polynomial. What the observed cells are worth if one of them was touched is
 -- summed over all of these arrays, or bounded from some that are drawn; docs/locating.md has the
@@ -162,17 +164,18 @@ decimatedGrids :: KnownField k => PseudorandomArray k -> [Natural] -> [Grid]
 decimatedGrids array rs =
   [ grid
     | r <- rs,
-      Right grid <- [gridFromVector (fieldOrder array) shape (cellCodes r)]
+      -- The remainder is below the size.
+      Right grid <- [gridFromVector (fieldOrder array) shape (cellCodes (fromIntegral r))]
   ]
   where
     shape = arrayShape array
     size = fromIntegral (area shape) :: Int
-    terms = sequenceVector (arrayPrimitive array) (arrayState array) size
-    indices =
+    terms = codes (sequenceVector (arrayPrimitive array) (arrayState array) size)
+    -- Evaluated once for all arrays.
+    !indices =
       Primitive.generate size (fromIntegral . sequenceIndex array . positionAt shape) ::
         Primitive.Vector Int
-    cellCodes r =
-      codes (Primitive.map (\e -> terms Primitive.! (e * fromIntegral r `mod` size)) indices)
+    cellCodes r = Primitive.map (\e -> Primitive.unsafeIndex terms (e * r `mod` size)) indices
 
 -- | 'worthOfOthers' by comparing with every position of these arrays.
 worthOfAll :: Surface -> [Grid] -> [Symmetry] -> Patch (Belief k) -> Double
