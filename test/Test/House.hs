@@ -239,7 +239,7 @@ allowances =
           -- Bytes are what SHA-256 is taken of; nothing else in the code reads or writes them.
           (Code, "pra-tactile:common bytestring containers cryptohash-sha256 reflection vector"),
           ( Touch,
-            "pra-tactile:common bytestring cassava containers file-embed hmatrix \
+            "pra-tactile:common attoparsec bytestring cassava containers file-embed hmatrix \
             \JuicyPixels random svg-builder text vector"
           ),
           (Simulation, "pra-tactile:common pra-tactile:code-internal containers random vector"),

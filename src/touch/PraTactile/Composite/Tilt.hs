@@ -87,16 +87,17 @@ sharpness !places !across !down = \angle ->
             -- Note [Bounds]
             let !at = u * V.unsafeIndex places (2 * i) + v * V.unsafeIndex places (2 * i + 1)
                 !slope = u * V.unsafeIndex across i + v * V.unsafeIndex down i
-                !line = floor at :: Int
-                !share = at - fromIntegral line
-            add (line + middle) ((1 - share) * slope)
-            add (line + middle + 1) (share * slope)
+                !beyond = at + fromIntegral middle
+                !line = truncate beyond :: Int
+                !share = beyond - fromIntegral line
+            add line ((1 - share) * slope)
+            add (line + 1) (share * slope)
           add !i !x = M.unsafeRead lines' i >>= M.unsafeWrite lines' i . (+ x)
       pixel 0
 
 {- Note [Bounds] i < count, and places has two numbers for each pixel. |u| and |v| are at most 1 and
    u^2 + v^2 = 1, so that |at| <= sqrt 2 max |place| <= reach - 2, and both lines lie in 0 .. 2
-   reach, of each direction's side. -}
+   reach, of each direction's side; and beyond is above 0, where to truncate is to round down. -}
 
 -- | The touched pixels whose eight neighbours were touched too: their places from the composite's
 -- middle, x and y in turn, and the gradient there along x and along y, by differences of smoothed
