@@ -152,8 +152,27 @@ spec = do
       ]
       $ \(unknown, wanted) -> do
         came <- session (shell (answering unknown)) $ \subject ->
-          forM (drop 6 (subjectChecks subject)) (fmap (== CheckHeld) . checkTry)
+          forM (take 1 (drop 6 (subjectChecks subject))) (fmap (== CheckHeld) . checkTry)
         (unknown, came) `shouldBe` (unknown, Right [wanted])
+  it "a request is the same however it is written: who looks for words in its text is told" $
+    forM_
+      [ ("*", True),
+        ("*'\"add\"'*", False),
+        ("*'\"a\":'*", False),
+        ("'{\"'*", False),
+        ("*'\"input\"'*'\"operation\"'*", False)
+      ]
+      $ \(sought, wanted) -> do
+        let script =
+              unlines
+                [ "read -r line; " ++ started "\"add\"",
+                  "read -r line; echo '{\"result\":true}'; read -r line; case $line in",
+                  "  " ++ sought ++ ") echo '{\"sequence\":1,\"result\":1}' ;;",
+                  "  *) echo '{\"sequence\":1,\"skipped\":\"\"}' ;; esac"
+                ]
+        came <- session (shell script) $ \subject ->
+          forM (drop 7 (subjectChecks subject)) (fmap (== CheckHeld) . checkTry)
+        (sought, came) `shouldBe` (sought, Right [wanted])
   it "each thing that must hold of the exchange itself says so in a sentence" $ do
     let ids = map checkId
         once' = "echo '{\"sequence\":1,\"result\":0}'"
@@ -165,6 +184,7 @@ spec = do
         ++ ["protocol/answers-before-it-stops"]
         ++ ["protocol/none-in-force-after-a-refusal", "protocol/ends-with-its-input"]
         ++ ["protocol/ends-when-stopped", "protocol/unknown-operation-is-skipped"]
+        ++ ["protocol/reads-any-json-text"]
     Right alone <-
       withProcess OneShot (Limits 20 60) (shell once') $ \subject -> do
         (subjectBatch subject, subjectUnknown subject) `shouldBe` (32, [])

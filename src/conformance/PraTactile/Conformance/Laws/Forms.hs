@@ -1,18 +1,24 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | An integer is the same in either form that it may have, a JSON number or a decimal string,
--- whether it is small or large.
+-- whether it is small or large; and a value, however its JSON text is written.
 module PraTactile.Conformance.Laws.Forms
   ( formLaws,
     otherForms,
+    otherText,
     typical,
   )
 where
 
-import Data.Aeson (Value (..))
+import Data.Aeson (Value (..), encode, fromEncoding, toEncoding)
+import qualified Data.Aeson.Key as Key
 import qualified Data.Aeson.KeyMap as KeyMap
+import Data.Bifunctor (first)
+import Data.ByteString.Builder (Builder, lazyByteString, word16HexFixed)
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Char (ord)
 import Data.Foldable (toList)
-import Data.List (nub)
+import Data.List (intersperse, nub)
 import qualified Data.Text as Text
 import qualified Data.Vector as Vector
 import Numeric.Natural (Natural)
@@ -73,6 +79,24 @@ inForms choices value = case value of
       one : others ->
         let (left', one') = inForms left one
          in (one' :) <$> through left' others
+
+-- | A JSON text of the value as no program writes it: with white space round everything, the keys
+-- from last to first, and each string, keys too, begun by an escape.
+otherText :: Value -> Builder
+otherText value = case value of
+  Object fields ->
+    listed "{" "}" [text key <> " :\t" <> otherText inner | (key, inner) <- reverse (keyed fields)]
+  Array items -> listed "[" "]" (map otherText (toList items))
+  String string -> text string
+  _ -> fromEncoding (toEncoding value)
+  where
+    keyed = map (first Key.toText) . KeyMap.toAscList
+    listed opened closed inner = opened <> "\t" <> mconcat (intersperse " , " inner) <> "  " <> closed
+    text string = case Text.uncons string of
+      Just (begin, rest)
+        | begin <= '\xFFFF' ->
+          "\"\\u" <> word16HexFixed (fromIntegral (ord begin)) <> lazyByteString (Lazy.drop 1 (encode rest))
+      _ -> lazyByteString (encode string)
 
 -- | Questions of an operation to which every profile has an answer: with small numbers, and where
 -- these may be of any size with large ones.

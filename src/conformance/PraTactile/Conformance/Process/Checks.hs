@@ -13,10 +13,12 @@ import Data.Aeson (Value (..), object, toJSON, (.=))
 import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.Aeson.Types as Aeson (Pair)
 import qualified Data.ByteString as Bytes
+import Data.ByteString.Builder (toLazyByteString)
+import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toUpper)
 import Data.Scientific (scientific)
 import GHC.Clock (getMonotonicTime)
-import PraTactile.Conformance.Laws.Forms (otherForms)
+import PraTactile.Conformance.Laws.Forms (otherForms, otherText)
 import PraTactile.Conformance.Process.Await
 import PraTactile.Conformance.Process.Child
 import PraTactile.Conformance.Process.Lines
@@ -40,7 +42,8 @@ checkTexts =
     (noneInForceId, "after a refused profile none is in force, and a run is errored"),
     (inputEndsId, "at the end of its input it ends within 5 seconds and writes nothing more"),
     (stoppedId, "after stop it ends within 5 seconds and writes nothing more"),
-    (unknownId, "an operation that is not known is skipped")
+    (unknownId, "an operation that is not known is skipped"),
+    (textId, "white space, the order of keys and escapes in strings change nothing of a request")
   ]
 
 noProfileId, formsId, answersFirstId, noneInForceId, inputEndsId, stoppedId, unknownId :: String
@@ -51,6 +54,9 @@ noneInForceId = "protocol/none-in-force-after-a-refusal"
 inputEndsId = "protocol/ends-with-its-input"
 stoppedId = "protocol/ends-when-stopped"
 unknownId = "protocol/unknown-operation-is-skipped"
+
+textId :: String
+textId = "protocol/reads-any-json-text"
 
 check :: String -> IO Checked -> Check
 check name = Check name (concat (lookup name checkTexts))
@@ -65,7 +71,8 @@ sessionChecks limits session =
     check noneInForceId (noneInForce limits session),
     check inputEndsId (judged [startRequest] <$> withStarted session (endsBy closeInput)),
     check stoppedId (judged [stopRequest] <$> withStarted session (endsBy stop)),
-    check unknownId (unknownInSession limits session)
+    check unknownId (unknownInSession limits session),
+    check textId (otherwiseWritten limits session)
   ]
   where
     with profile = case profile of
@@ -106,20 +113,45 @@ profilesOf limits session reason profiles =
 -- | Ask these, one after the other, each with what will do as its reply, and one that would.
 eachReplied :: Limits -> Session -> [(Value, Response -> Bool, Response)] -> IO Checked
 eachReplied limits session requests = do
-  got <- withStarted session $ \child ->
-    Right <$> upToFault [send child (requestLine one) >> reply child | (one, _, _) <- requests]
+  got <- repliesTo limits session [requestLine one | (one, _, _) <- requests]
   pure $ case got of
     Left why -> CheckErred [startRequest] why
     Right replies -> foldr worse CheckHeld (zip requests replies)
   where
-    reply child = do
-      line <- awaitLine child (limitReply limits)
-      pure (line >>= fmap replyResponse . readReply)
     worse ((request, does, wanted), came) others = case came of
       Left why -> CheckErred [request] why
       Right response
         | does response -> others
         | otherwise -> CheckFailed [request] wanted response
+
+-- | The replies to these lines in one process, each sent when the one before it was answered, up to
+-- the first fault.
+repliesTo :: Limits -> Session -> [Lazy.ByteString] -> IO (Either Fault [Either Fault Response])
+repliesTo limits session requests =
+  withStarted session $ \child ->
+    Right <$> upToFault [send child request >> reply child | request <- requests]
+  where
+    reply child = do
+      line <- awaitLine child (limitReply limits)
+      pure (line >>= fmap replyResponse . readReply)
+
+-- | A profile and a question of each operation, as they are usually written and as nobody does, are
+-- answered alike.
+otherwiseWritten :: Limits -> Session -> IO Checked
+otherwiseWritten limits session = compared <$> mapM (repliesTo limits session . (`map` requests)) texts
+  where
+    texts = [requestLine, \request -> toLazyByteString (otherText request <> "\n")]
+    requests = profileRequest canonicalProfile : zipWith runRequest [1 ..] (startedQuestions session)
+    compared got = case sequence got of
+      Right [usual, others] -> foldr worse CheckHeld (zip3 requests usual others)
+      Right _ -> CheckHeld
+      Left why -> CheckErred [startRequest] why
+    worse (request, usual, other) rest = case (usual, other) of
+      (Right wanted, Right came)
+        | wanted == came -> rest
+        | otherwise -> CheckFailed [request] wanted came
+      (Left why, _) -> CheckErred [request] why
+      (_, Left why) -> CheckErred [request] why
 
 -- | The paper's profile with a key missing, with a value of another type, with an unknown word, as
 -- another schema, and with one or three numbers where two stand.
