@@ -14,7 +14,7 @@ import Data.Aeson (Value (..), encode, fromEncoding, toEncoding)
 import qualified Data.Aeson.Key as Key
 import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Bifunctor (first)
-import Data.ByteString.Builder (Builder, lazyByteString, word16HexFixed)
+import Data.ByteString.Builder (Builder, lazyByteString, toLazyByteString, word16HexFixed)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (ord)
 import Data.Foldable (toList)
@@ -91,12 +91,12 @@ otherText value = case value of
   _ -> fromEncoding (toEncoding value)
   where
     keyed = map (first Key.toText) . KeyMap.toAscList
-    listed opened closed inner = opened <> "\t" <> mconcat (intersperse " , " inner) <> "  " <> closed
-    text string = case Text.uncons string of
-      Just (begin, rest)
-        | begin <= '\xFFFF' ->
-          "\"\\u" <> word16HexFixed (fromIntegral (ord begin)) <> lazyByteString (Lazy.drop 1 (encode rest))
-      _ -> lazyByteString (encode string)
+    listed opened closed inner =
+      opened <> "\t" <> mconcat (intersperse " , " inner) <> "  " <> closed
+    text string = lazyByteString $ case Text.uncons string of
+      Just (begin, rest) | begin <= '\xFFFF' -> "\"" <> escape begin <> Lazy.drop 1 (encode rest)
+      _ -> encode string
+    escape = ("\\u" <>) . toLazyByteString . word16HexFixed . fromIntegral . ord
 
 -- | Questions of an operation to which every profile has an answer: with small numbers, and where
 -- these may be of any size with large ones.

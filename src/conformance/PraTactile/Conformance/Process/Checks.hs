@@ -138,17 +138,19 @@ repliesTo limits session requests =
 -- | A profile and a question of each operation, as they are usually written and as nobody does, are
 -- answered alike.
 otherwiseWritten :: Limits -> Session -> IO Checked
-otherwiseWritten limits session = compared <$> mapM (repliesTo limits session . (`map` requests)) texts
+otherwiseWritten limits session = compared <$> told usual <*> told other
   where
-    texts = [requestLine, \request -> toLazyByteString (otherText request <> "\n")]
-    requests = profileRequest canonicalProfile : zipWith runRequest [1 ..] (startedQuestions session)
-    compared got = case sequence got of
-      Right [usual, others] -> foldr worse CheckHeld (zip3 requests usual others)
-      Right _ -> CheckHeld
-      Left why -> CheckErred [startRequest] why
-    worse (request, usual, other) rest = case (usual, other) of
+    told = repliesTo limits session
+    usual = map requestLine requests
+    other = [toLazyByteString (otherText one <> "\n") | one <- requests]
+    requests =
+      profileRequest canonicalProfile : zipWith runRequest [1 ..] (startedQuestions session)
+    compared here there =
+      either (CheckErred [startRequest]) (foldr worse CheckHeld . zip requests) $
+        zip <$> here <*> there
+    worse (request, answers) others = case answers of
       (Right wanted, Right came)
-        | wanted == came -> rest
+        | wanted == came -> others
         | otherwise -> CheckFailed [request] wanted came
       (Left why, _) -> CheckErred [request] why
       (_, Left why) -> CheckErred [request] why
