@@ -171,7 +171,7 @@ decimatedGrids array rs =
     shape = arrayShape array
     size = fromIntegral (area shape) :: Int
     terms = codes (sequenceVector (arrayPrimitive array) (arrayState array) size)
-    -- Evaluated once for all arrays.
+    -- Evaluated before any array is made: else it is made again for each.
     !indices =
       Primitive.generate size (fromIntegral . sequenceIndex array . positionAt shape) ::
         Primitive.Vector Int

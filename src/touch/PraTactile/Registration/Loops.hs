@@ -21,6 +21,7 @@ tabulate columns rows at = V.create $ do
   table <- M.unsafeNew (columns * rows)
   -- Note [Bounds of tables]
   let row !y = when (y < rows) $ do
+        -- Evaluated here, the function of columns is part of the loop, and no call of it.
         let !here = at y
             !start = y * columns
             column !x =
