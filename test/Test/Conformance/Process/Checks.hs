@@ -35,18 +35,13 @@ spec = do
               "while read -r line; do case $line in *start*) " ++ started ""
                 ++ (" ;; *stop*) " ++ ending ++ " ;; esac; done; ")
                 ++ ending
-        came <- session (shell script) $ \subject ->
-          forM (take 3 (drop 3 (subjectChecks subject))) $ \one ->
-            (,) (checkId one) <$> checkTry one
-        let judged request = maybe CheckHeld (CheckErred [request]) fault
+            judged request = maybe CheckHeld (CheckErred [request]) fault
+        came <-
+          tried
+            script
+            ["none-in-force-after-a-refusal", "ends-with-its-input", "ends-when-stopped"]
         (ending, came)
-          `shouldBe` ( ending,
-                       Right
-                         [ ("protocol/none-in-force-after-a-refusal", CheckHeld),
-                           ("protocol/ends-with-its-input", judged startRequest),
-                           ("protocol/ends-when-stopped", judged stopRequest)
-                         ]
-                     )
+          `shouldBe` (ending, Right [CheckHeld, judged startRequest, judged stopRequest])
     _ <- installHandler sigHUP before' Nothing
     pure ()
   it "after a refused profile none is in force: what is answered all the same is told" $ do
@@ -83,18 +78,15 @@ spec = do
         (answers yes no ends, CheckErred requests gone)
       ]
       $ \(script, wanted) -> do
-        came <- session (shell script) $ \subject ->
-          forM (take 1 (drop 3 (subjectChecks subject))) $ \one ->
-            (,) (checkId one) <$> checkTry one
-        came `shouldBe` Right [("protocol/none-in-force-after-a-refusal", wanted)]
+        came <- tried script ["none-in-force-after-a-refusal"]
+        came `shouldBe` Right [wanted]
   it "what is no profile is refused, and one that is is taken in either form" $
     forM_ [("{\"result\":true}", [False, True]), ("{\"refused\":\"invalid\"}", [True, False])] $
       \(reply, wanted) -> do
         let script =
               ("read -r line; " ++ started "")
                 ++ ("; while read -r line; do echo '" ++ reply ++ "'; done")
-        came <- session (shell script) $ \subject ->
-          forM (take 2 (subjectChecks subject)) (fmap (== CheckHeld) . checkTry)
+        came <- held script ["refuses-what-is-no-profile", "takes-profiles-in-either-form"]
         (reply, came) `shouldBe` (reply, Right wanted)
   it "what was asked before stop is answered, by whoever does not end first" $
     forM_ [("2002", True), ("2001", False), ("0", False)] $ \(count, wanted) -> do
@@ -105,8 +97,7 @@ spec = do
                 "i=1; while [ $i -le " ++ count ++ " ]; do",
                 "  echo \"{\\\"sequence\\\":$i,\\\"result\\\":0}\"; i=$((i+1)); done"
               ]
-      came <- session (shell script) $ \subject ->
-        forM (take 1 (drop 2 (subjectChecks subject))) (fmap (== CheckHeld) . checkTry)
+      came <- held script ["answers-before-it-stops"]
       (count, came) `shouldBe` (count, Right [wanted])
   it "an operation that there is not is skipped by a process a request; all else is told" $ do
     let request =
@@ -151,8 +142,7 @@ spec = do
         ("*ADD*) exit 3", False)
       ]
       $ \(unknown, wanted) -> do
-        came <- session (shell (answering unknown)) $ \subject ->
-          forM (take 1 (drop 6 (subjectChecks subject))) (fmap (== CheckHeld) . checkTry)
+        came <- held (answering unknown) ["unknown-operation-is-skipped"]
         (unknown, came) `shouldBe` (unknown, Right [wanted])
   it "a request is the same however it is written: who looks for words in its text is told" $
     forM_
@@ -170,8 +160,7 @@ spec = do
                   "  " ++ sought ++ ") echo '{\"sequence\":1,\"result\":1}' ;;",
                   "  *) echo '{\"sequence\":1,\"skipped\":\"\"}' ;; esac"
                 ]
-        came <- session (shell script) $ \subject ->
-          forM (drop 7 (subjectChecks subject)) (fmap (== CheckHeld) . checkTry)
+        came <- held script ["reads-any-json-text"]
         (sought, came) `shouldBe` (sought, Right [wanted])
   it "each thing that must hold of the exchange itself says so in a sentence" $ do
     let ids = map checkId
@@ -192,6 +181,16 @@ spec = do
     ids alone `shouldBe` ["protocol/unknown-operation-is-skipped"]
     nub (texts (inSession ++ alone)) `shouldBe` checkTexts
     map snd checkTexts `shouldSatisfy` notElem ""
+
+-- | What comes of the checks of these names, after @protocol/@, with a script as the subject; and
+-- whether they hold.
+tried :: String -> [String] -> IO (Either Fault [Checked])
+tried script names = session (shell script) $ \subject ->
+  sequence
+    [checkTry one | name <- names, one <- subjectChecks subject, checkId one == "protocol/" ++ name]
+
+held :: String -> [String] -> IO (Either Fault [Bool])
+held script = fmap (fmap (map (== CheckHeld))) . tried script
 
 -- | A subject that is a shell script.
 session :: Command -> (Subject -> IO a) -> IO (Either Fault a)
