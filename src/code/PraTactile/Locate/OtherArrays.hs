@@ -164,7 +164,6 @@ decimatedGrids :: KnownField k => PseudorandomArray k -> [Natural] -> [Grid]
 decimatedGrids array rs =
   [ grid
     | r <- rs,
-      -- The remainder is below the size.
       Right grid <- [gridFromVector (fieldOrder array) shape (cellCodes (fromIntegral r))]
   ]
   where
@@ -175,6 +174,7 @@ decimatedGrids array rs =
     !indices =
       Primitive.generate size (fromIntegral . sequenceIndex array . positionAt shape) ::
         Primitive.Vector Int
+    -- There are so many terms, and the remainder is below that.
     cellCodes r = Primitive.map (\e -> Primitive.unsafeIndex terms (e * r `mod` size)) indices
 
 -- | 'worthOfOthers' by comparing with every position of these arrays.

@@ -82,19 +82,22 @@ referenceOf = Whole
 -- 'Nothing' where the weight is.
 referenceAt :: Reference -> Double -> Double -> Maybe (Double, Double)
 referenceAt there x y
-  | near x && near y && m > 0 = Just (at (referenceSums there) / m, m)
+  | near x && near y && m > 0 = Just (at sums / m, m)
   | otherwise = Nothing
   where
     bx = floor x :: Int
     by = floor y :: Int
     fx = x - fromIntegral bx
     fy = y - fromIntegral by
-    m = at (referenceWeights there)
-    at image =
+    m = at weights
+    (sums, weights) = case there of
+      Weighted sums' weights' -> (index sums', index weights')
+      Whole image -> (index image, \i j -> 1 <$ index image i j)
+    at known =
       (1 - fy) * ((1 - fx) * pixel 0 0 + fx * pixel 1 0)
         + fy * ((1 - fx) * pixel 0 1 + fx * pixel 1 1)
       where
-        pixel i j = fromMaybe 0 (index image (bx + i) (by + j))
+        pixel i j = fromMaybe 0 (known (bx + i) (by + j))
 
 -- | What an image and a reference have in common at one displacement: see the module's head.
 data Overlap = Overlap

@@ -238,7 +238,7 @@
 -- > T                 Templates     <z, T>, sum T, sum T^2   Moments, summed up: Y, S, Q
 -- > l_k, l, L         classLogs, cellLogs, phaseLogs     log p(z)  logDensity
 -- > epsilon, P(k)     absence, classPrior                  beta      blurDeviation
--- > P(lambda)         phasePosterior                         log pi    priorAlong
+-- > P(lambda)         phasePosterior                         pi        priorsAlong
 -- > d, with l_fck     Displacement                           delta     outlier
 -- > q_f, F            meanField, fieldBound                  e^30      negligible
 module PraTactile.Registration.Model
