@@ -25,35 +25,32 @@ import PraTactile.Symmetry
 
 -- | What the placement says of a candidate for cells, whose offsets are rows and columns from 0 on.
 beforehandOf :: Recogniser k -> Cells -> Candidate -> Beforehand
-beforehandOf reader cells candidate = case known of
+beforehandOf reader cells = case known of
   anchor : others
-    | not (null (laidFaces (recogniserPlacement reader))) -> case faceFrom anchor of
-      Just has | all has others -> Beforehand 0 (filter (not . has) unsure)
-      _ -> Beforehand (log otherwiseCarried) []
-  _ -> nothingBeforehand
+    | not (null (laidFaces (recogniserPlacement reader))) -> \candidate ->
+      let upright = onPosition (invert (candidateSymmetry candidate)) shape
+       in case faceFrom (candidatePosition candidate) upright anchor of
+            Just has | all has others -> Beforehand 0 (filter (not . has) unsure)
+            _ -> Beforehand (log otherwiseCarried) []
+  _ -> const nothingBeforehand
   where
     (known, unsure) = both (map (offsetOf . fst)) (partition (isKnown . snd) (Map.toList cells))
     isKnown = any (isJust . readClass)
     -- The face that has the cell at an offset: which of the others it has as well.
-    faceFrom anchor = do
-      at <- displaced surface (arrayShape array) (candidatePosition candidate) (upright anchor)
-      on <- case whereabouts (recogniserPlacement reader) (Shape 1 1) at of
-        OnFace there -> Just there
-        _ -> Nothing
-      laid <- placementLaid (recogniserPlacement reader) (placeFace on)
+    faceFrom begin upright anchor = do
+      at <- displaced surface (arrayShape array) begin (upright anchor)
+      (laid, here) <- laidOver (recogniserPlacement reader) at
+      let beside part offset =
+            natural (int part here + int part (upright offset) - int part (upright anchor))
       pure $ \offset ->
         maybe
           False
           (hasCell (laidBlock laid))
-          (Position <$> beside row on anchor offset <*> beside column on anchor offset)
-    beside :: (Position -> Natural) -> Place -> Position -> Position -> Maybe Natural
-    beside part on anchor offset =
-      natural (int (placeCell on) + int (upright offset) - int (upright anchor))
-      where
-        int = toInteger . part
+          (Position <$> beside row offset <*> beside column offset)
+    int :: (Position -> Natural) -> Position -> Integer
+    int part = toInteger . part
     natural :: Integer -> Maybe Natural
     natural n = if n < 0 then Nothing else Just (fromInteger n)
-    upright = onPosition (invert (candidateSymmetry candidate)) shape
     shape = Shape (extent fst) (extent snd)
     extent part = fromIntegral (1 + maximum (-1 : map part (Map.keys cells)))
     ArrayOn surface array = locatorArray (recogniserLocator reader)

@@ -17,7 +17,7 @@ where
 import qualified Data.IntMap.Strict as IntMap
 import qualified Data.IntSet as IntSet
 import Data.List (foldl', sort)
-import Data.Maybe (fromMaybe, isJust)
+import Data.Maybe (isJust)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Storable.Mutable as M
@@ -108,28 +108,28 @@ gradients Composite {compositeImage = image, compositeCoverage = coverage} =
       let (i, part) = k `quotRem` 2
           (x, y) = placeOf (inner V.! i)
        in if part == 0 then fromIntegral x - midX else fromIntegral y - midY,
-    V.map (slope fst) inner,
-    V.map (slope snd) inner
+    slope fst,
+    slope snd
   )
   where
     (width, height) = rasterSize image
     (midX, midY) = (fromIntegral width / 2, fromIntegral height / 2) :: (Double, Double)
     placeOf p = let (y, x) = p `quotRem` width in (x, y)
-    inner = V.filter (surrounded . placeOf) (pixelsWhere (>= leastCoverage) coverage)
-    surrounded (x, y) =
-      x >= 1 && y >= 1 && x <= width - 2 && y <= height - 2
-        && and [touched (x + i) (y + j) | (i, j) <- around]
-    slope along p =
-      foldl' (\total step -> total + weight along step * value (x, y) step) 0 around
-      where
-        (x, y) = placeOf p
-    value (x, y) (i, j) = at (x + i) (y + j)
+    inner = foldl' felt (V.filter (within . placeOf) (pixelsWhere isFelt coverage)) around
+    within (x, y) = x >= 1 && y >= 1 && x <= width - 2 && y <= height - 2
+    isFelt = (>= leastCoverage)
+    felt some by =
+      let there = besides coverage some by in V.ifilter (\k _ -> isFelt (there V.! k)) some
+    besides from some (i, j) = valuesAt from (V.map (+ (j * width + i)) some)
+    slope along =
+      foldl'
+        (V.zipWith (+))
+        (V.replicate (V.length inner) 0)
+        [V.map (weight along by *) (besides image inner by) | by <- around]
     around = [(i, j) | j <- [-1, 0, 1], i <- [-1, 0, 1], (i, j) /= (0, 0)] :: [(Int, Int)]
     -- Pixels beside count less than half as much as those straight ahead (Scharr).
     weight along (i, j) =
       fromIntegral (along (i, j)) * (if i == 0 || j == 0 then 10 else 3) / 32
-    at x y = fromMaybe 0 (index image x y)
-    touched x y = maybe False (>= leastCoverage) (index coverage x y)
 
 -- | The composite in coordinates that are turned clockwise by an angle (degrees) about the origin
 -- of the robot's, so that what lay at that angle lies along its axes; its pixels are interpolated

@@ -351,24 +351,28 @@ classPrior count = (1 - absence) / fromIntegral count
 cellLog :: Int -> (Int -> Double) -> Double
 cellLog count at
   | m < negate negligible = none
-  | m <= 0 = sumOf 0 absence
-  | m > negligible = sumOf m 0
-  | otherwise = sumOf m (absence * exp (negate m))
+  | otherwise =
+    let !top = max 0 m
+        !rest
+          | m <= 0 = absence
+          | m > negligible = 0
+          | otherwise = absence * exp (negate m)
+        terms :: Int -> Double -> Double
+        terms !k !s
+          | k >= count = s
+          | at k - top < negate negligible = terms (k + 1) s
+          | at k == top = terms (k + 1) (s + share)
+          | otherwise = terms (k + 1) (s + share * exp (at k - top))
+        !s' = terms 0 rest
+     in if s' == absence then top + none else top + log s'
   where
-    sumOf top rest = let s = terms top 0 rest in if s == absence then top + none else top + log s
-    share = classPrior count
+    !share = classPrior count
     none = log absence
-    m = highest 0 0
+    !m = highest 0 0
     highest :: Int -> Double -> Double
     highest !k !best
       | k >= count = best
       | otherwise = highest (k + 1) (max best (at k))
-    terms :: Double -> Int -> Double -> Double
-    terms !top !k !s
-      | k >= count = s
-      | at k - top < negate negligible = terms top (k + 1) s
-      | at k == top = terms top (k + 1) (s + share)
-      | otherwise = terms top (k + 1) (s + share * exp (at k - top))
 {-# INLINE cellLog #-}
 
 -- | What is so much less likely, as a natural logarithm, does not count.

@@ -74,7 +74,7 @@ removed composite pixels regions
           compositeCoverage = blank (compositeCoverage composite)
         }
       where
-        gone = among pixels (concatMap foreignPixels some)
+        gone = among (concatMap foreignPixels some)
         blank image =
           generate (maskedWidth pixels) (maskedHeight pixels) $ \x y ->
             if gone (y * maskedWidth pixels + x)
@@ -98,9 +98,9 @@ foreignIn pixels own symbols =
     ++ [ForeignRegion (widened 1 region) TooLarge False | region <- raised]
     ++ [ForeignRegion (widened 2 region) Hollow True | region <- holes]
   where
-    kept = among pixels (around pixels 1 (concat symbols))
+    kept = among (around pixels 1 (concat symbols))
     high = map (widened 2) (filter (tooLong pixels) (found (free (>= share 1.5 own))))
-    gone = among pixels (concat high)
+    gone = among (concat high)
     level = filter (not . gone) (free (>= share 0.35 own))
     raised = concatMap (straight pixels) (filter (tooLong pixels) (found level))
     holes = filter ((>= leastHollow) . length) (found (free (<= share (-0.35) own)))

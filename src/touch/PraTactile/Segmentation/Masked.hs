@@ -16,19 +16,12 @@ module PraTactile.Segmentation.Masked
     -- * Pixels by their numbers
     placeOf,
     beside,
-    around,
-    among,
-    eachOnce,
   )
 where
 
-import Control.Monad (forM_)
-import qualified Data.IntSet as IntSet
-import Data.List (foldl')
 import Data.Maybe (isJust)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
-import qualified Data.Vector.Storable.Mutable as M
 import PraTactile.Composite (Composite (..), leastCoverage)
 import PraTactile.Composite.Level (noiseFrom)
 import PraTactile.Image
@@ -122,7 +115,8 @@ pixelNoise pixels = max (noiseFrom (differences 1 0)) (noiseFrom (differences 0 
 
 -- | The column and the row of a pixel.
 placeOf :: Masked -> Int -> (Int, Int)
-placeOf pixels p = (p `mod` max 1 (maskedWidth pixels), p `div` max 1 (maskedWidth pixels))
+placeOf pixels p = let (y, x) = p `quotRem` max 1 (maskedWidth pixels) in (x, y)
+{-# INLINE placeOf #-}
 
 -- | The number of the pixel so far right of and below another one.
 beside :: Masked -> Int -> (Int, Int) -> Maybe Int
@@ -134,37 +128,3 @@ beside pixels p (i, j)
     (v, u) = p `quotRem` w
     (x, y) = (u + i, v + j)
 {-# INLINE beside #-}
-
--- | The pixels, ascending, whose distance from some, the larger one of that in columns and that in
--- rows, is at most this.
-around :: Masked -> Int -> [Int] -> [Int]
-around pixels distance some = widened down (widened across some)
-  where
-    widened along = eachOnce pixels some . concatMap along
-    across p = let x = p `rem` w in [p + max (-distance) (-x) .. p + min distance (w - 1 - x)]
-    down p = filter within [p - distance * w, p - (distance - 1) * w .. p + distance * w]
-    within p = p >= 0 && p < w * maskedHeight pixels
-    w = maskedWidth pixels
-
--- | Whether a pixel is one of some: by a table of all where these are many of them.
-among :: Masked -> [Int] -> Int -> Bool
-among pixels some
-  | areMany pixels some =
-    let table = tableOf pixels some in \p -> p >= 0 && p < V.length table && table V.! p
-  | otherwise = (`IntSet.member` IntSet.fromList some)
-
--- | Numbers of pixels, each once, ascending: such as are beside some of the pixels.
-eachOnce :: Masked -> [Int] -> [Int] -> [Int]
-eachOnce pixels some numbers
-  | areMany pixels some = V.toList (V.elemIndices True (tableOf pixels numbers))
-  | otherwise = IntSet.toAscList (foldl' (flip IntSet.insert) IntSet.empty numbers)
-
--- | Are they so many that a table of all pixels takes no more than a few times as much?
-areMany :: Masked -> [Int] -> Bool
-areMany pixels some = 64 * length some >= maskedWidth pixels * maskedHeight pixels
-
-tableOf :: Masked -> [Int] -> Vector Bool
-tableOf pixels numbers = V.create $ do
-  table <- M.replicate (maskedWidth pixels * maskedHeight pixels) False
-  forM_ numbers $ \p -> M.write table p True
-  pure table

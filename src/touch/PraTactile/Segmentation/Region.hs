@@ -1,10 +1,17 @@
 {-# LANGUAGE BangPatterns #-}
 
 -- | Regions of an image's pixels: connected components (Jain, Kasturi and Schunck, Machine Vision,
--- chapter 2; the paper's [15]), and how far they extend.
+-- chapter 2; the paper's [15]), what lies around them, and how far they extend.
 module PraTactile.Segmentation.Region
   ( Region,
     components,
+
+    -- * As sets
+    around,
+    among,
+    eachOnce,
+
+    -- * Their extent
     extentAlong,
     regionBox,
   )
@@ -14,8 +21,9 @@ import Control.Monad (forM_, when)
 import Control.Monad.ST (ST, runST)
 import qualified Data.IntSet as IntSet
 import Data.List (foldl')
-import qualified Data.Vector.Storable as V
-import qualified Data.Vector.Storable.Mutable as M
+import Data.Maybe (fromMaybe)
+import qualified Data.Vector.Unboxed as V
+import qualified Data.Vector.Unboxed.Mutable as M
 import PraTactile.Geometry (cosineSine)
 import PraTactile.Segmentation.Masked
 
@@ -29,21 +37,21 @@ type Region = [Int]
 components :: Masked -> Int -> Region -> [Region]
 components _ _ [] = []
 components pixels gap some
-  | wide * high > largestBox = apart (IntSet.fromList (map inside places))
+  | wide * high > largestBox = apart (IntSet.fromList (map inside some))
   | otherwise = runST $ do
     left <- M.replicate (wide * high) False
-    forM_ places $ \place -> M.write left (inside place) True
+    forM_ some $ \p -> M.write left (inside p) True
     go left 0
   where
-    places = map (placeOf pixels) some
     -- The box around them with a margin of pixels that are none of them, as wide as what is looked
     -- at from one. Its places are numbered row by row.
     margin = gap + 1
-    (x0, top) = (minimum (map fst places) - margin, minimum (map snd places) - margin)
-    wide = maximum (map fst places) + margin + 1 - x0
-    high = maximum (map snd places) + margin + 1 - top
-    inside (x, y) = (y - top) * wide + x - x0
-    pixel i = let (y, x) = i `quotRem` wide in (y + top) * maskedWidth pixels + x + x0
+    Box left' top right bottom = boxOf pixels some
+    (!x0, !y0) = (left' - margin, top - margin)
+    !wide = right + margin + 1 - x0
+    !high = bottom + margin + 1 - y0
+    inside p = let (x, y) = placeOf pixels p in (y - y0) * wide + x - x0
+    pixel i = let (y, x) = i `quotRem` wide in (y + y0) * maskedWidth pixels + x + x0
     steps = V.fromList [j * wide + i | j <- [-margin .. margin], i <- [-margin .. margin]]
     go :: M.MVector s Bool -> Int -> ST s [Region]
     go left !p
@@ -83,26 +91,72 @@ components pixels gap some
 largestBox :: Int
 largestBox = 8388608
 
+-- | The pixels, ascending, whose distance from some, the larger one of that in columns and that in
+-- rows, is at most this.
+around :: Masked -> Int -> Region -> Region
+around pixels distance = eachOnce . concatMap down . eachOnce . concatMap across
+  where
+    across p = let x = p `rem` w in [p + max (-distance) (-x) .. p + min distance (w - 1 - x)]
+    down p = filter within [p - distance * w, p - (distance - 1) * w .. p + distance * w]
+    within p = p >= 0 && p < w * maskedHeight pixels
+    w = maskedWidth pixels
+
+-- | Whether a number is one of some.
+among :: [Int] -> Int -> Bool
+among some = case tableOf some of
+  Just (least, table) -> \p -> fromMaybe False (table V.!? (p - least))
+  Nothing -> (`IntSet.member` IntSet.fromList some)
+
+-- | Numbers, each once, ascending.
+eachOnce :: [Int] -> [Int]
+eachOnce some = case tableOf some of
+  Just (least, table) -> map (least +) (V.toList (V.elemIndices True table))
+  Nothing -> IntSet.toAscList (IntSet.fromList some)
+
+-- | Some numbers as a table from the least to the greatest, unless these are far more.
+tableOf :: [Int] -> Maybe (Int, V.Vector Bool)
+tableOf some
+  | most - least > 64 * length some = Nothing
+  | otherwise = Just (least, marked)
+  where
+    (!least, !most) = foldl' (\(!low, !high) p -> (min low p, max high p)) (maxBound, 0) some
+    marked = V.create $ do
+      table <- M.replicate (max 0 (most - least + 1)) False
+      forM_ some $ \p -> M.write table (p - least) True
+      pure table
+
 -- | How far a region extends along a direction, in degrees clockwise from the x axis, in pixels. 0
 -- for an empty one.
 extentAlong :: Masked -> Region -> Double -> Double
-extentAlong pixels region angle
-  | null region = 0
-  | otherwise = let (least, most) = foldl' reaching (1 / 0, -1 / 0) region in most - least + 1
+extentAlong pixels region
+  | null region = const 0
+  | otherwise = \angle ->
+    let (c, s) = cosineSine angle
+        reaching (Span least most) (x, y) =
+          let t = c * x + s * y in Span (min least t) (max most t)
+        Span first end = V.foldl' reaching (Span (1 / 0) (-1 / 0)) places
+     in end - first + 1
   where
-    !(!c, !s) = cosineSine angle
-    !w = max 1 (maskedWidth pixels)
-    reaching (!least, !most) p =
-      let (y, x) = p `quotRem` w
-          t = c * fromIntegral x + s * fromIntegral y
-       in (min least t, max most t)
+    !places = V.fromList [(fromIntegral x, fromIntegral y) | (x, y) <- map (placeOf pixels) region]
+
+-- | From where to where.
+data Span = Span !Double !Double
 
 -- | The box around a region's pixels: left, top, right, bottom. At the origin for an empty one.
 regionBox :: Masked -> Region -> (Double, Double, Double, Double)
 regionBox pixels region
   | null region = (0, 0, 0, 0)
-  | otherwise = (least fst - 0.5, least snd - 0.5, most fst + 0.5, most snd + 0.5)
+  | otherwise = (before x0, before y0, before (x1 + 1), before (y1 + 1))
   where
-    places = map (placeOf pixels) region
-    least part = fromIntegral (minimum (map part places))
-    most part = fromIntegral (maximum (map part places))
+    Box x0 y0 x1 y1 = boxOf pixels region
+    before t = fromIntegral t - 0.5
+
+-- | Columns and rows: the first ones, and the last.
+data Box = Box !Int !Int !Int !Int
+
+-- | The box around a region, which must have pixels.
+boxOf :: Masked -> Region -> Box
+boxOf pixels = foldl' wider (Box maxBound maxBound minBound minBound)
+  where
+    wider (Box x0 y0 x1 y1) p =
+      let (x, y) = placeOf pixels p in Box (min x0 x) (min y0 y) (max x1 x) (max y1 y)

@@ -148,7 +148,7 @@ frameSpec =
             [ near 1e-4 "theta" [a', b', v'] [a, b, v],
               close
                 "classes"
-                [classes' c k | c <- [0 .. V.length cells' - 1], k <- [0 .. 3]]
+                (V.toList classes')
                 (concat (Map.elems classes)),
               close "cells" (V.toList cells') (map cellLogOf (Map.elems classes)),
               close

@@ -252,13 +252,13 @@ onFrame ::
 onFrame phases (px, py) (dx, dy) (o, y, x) =
   Map.findWithDefault 0 (phaseOf 2 (o, y - fst (nearest py) - dy, x - fst (nearest px) - dx)) phases
 
--- | The displacements that are at most e^12 less likely than a frame's best by itself: each with
--- its square, and, by row and column from the phase's first, the l_k of the cells that the frame
--- sees.
+-- | The displacements that are less likely than a frame's best by itself by at most this, as a
+-- logarithm: each with its square, and, by row and column from the phase's first, the l_k of the
+-- cells that the frame sees.
 likely ::
-  Robot -> (Int, Int, Int) -> Seen -> [((Int, Int), Double, Map.Map (Int, Int) [Double])]
-likely robot phase@(o, y0, x0) (Seen place@(px, py) phases classes) =
-  [(d, squares Map.! d, cells d) | d <- displacements, score d >= best - 12]
+  Double -> Robot -> (Int, Int, Int) -> Seen -> [((Int, Int), Double, Map.Map (Int, Int) [Double])]
+likely margin robot phase@(o, y0, x0) (Seen place@(px, py) phases classes) =
+  [(d, squares Map.! d, cells d) | d <- displacements, score d >= best - margin]
   where
     displacements = [(dx, dy) | dy <- [-reach .. reach], dx <- [-reach .. reach]]
     Robot _ reach = robot

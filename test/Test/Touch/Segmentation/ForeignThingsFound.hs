@@ -184,8 +184,8 @@ genComposite = do
   pure (compositeOf (generate wide high value)) {compositeCoverage = generate wide high coverage}
 
 -- | Of some pixels those that are none of others.
-without :: Masked -> [Int] -> [Int] -> [Int]
-without scene others = filter (not . among scene others)
+without :: [Int] -> [Int] -> [Int]
+without others = filter (not . among others)
 
 -- | The pixels of the field no further than that from some.
 near :: Int -> [Int] -> [Int]
@@ -201,13 +201,13 @@ heightSpec :: Spec
 heightSpec = do
   it "the highest of 23 cuts counts: a symbol beside a hole ten times as deep as it is high" $
     let symbol = regionOf (bar (15.5, 14.5) 0 (12, 8))
-        rest = without field symbol [1 .. wide * high - 1]
+        rest = without symbol [1 .. wide * high - 1]
         found = symbolLevels (showing ((0, -10) : [(p, 0) | p <- rest] ++ [(p, 1) | p <- symbol])) 0
      in fmap (length . snd) found `shouldBe` Just 1
   it "of what lies three pixels from a symbol twelve must be touched" $
     [ snd <$> symbolLevels (showing ([(p, 1) | p <- symbol] ++ [(p, 0) | p <- take n ring])) 0
       | let symbol = regionOf (bar (15.5, 14.5) 0 (12, 8)),
-        let ring = without field (near 2 symbol) (near 3 symbol),
+        let ring = without (near 2 symbol) (near 3 symbol),
         n <- [11, 12]
     ]
       `shouldSatisfy` \found -> map (fmap length) found == [Nothing, Just 1]

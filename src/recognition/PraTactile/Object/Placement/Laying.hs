@@ -17,6 +17,7 @@ module PraTactile.Object.Placement.Laying
     placementObject,
     placementLaid,
     laidFaces,
+    laidOver,
 
     -- * Runs of cells
     Run (..),
@@ -30,7 +31,7 @@ import Data.Foldable (toList)
 import Data.List (sortOn)
 import Data.List.NonEmpty (NonEmpty (..), groupWith)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (isNothing)
+import Data.Maybe (isNothing, listToMaybe)
 import qualified Data.Set as Set
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..), naturalsBelow)
@@ -194,6 +195,15 @@ runsBetween place r (from, to) =
   where
     runs = placementRuns place
     within = fst (Map.split (r, to) (snd (Map.split (r, from) runs)))
+
+-- | The laid face that has a cell of the array's sheet, and which of its block's cells that is.
+laidOver :: Placement -> Position -> Maybe (LaidFace, Position)
+laidOver place (Position r c) =
+  listToMaybe
+    [ (laid, Position (r - row (laidAt laid)) (c - column (laidAt laid)))
+      | run <- runsBetween place r (c, c + 1),
+        let laid = runFace run
+    ]
 
 -- | All rows of the array in which a face has cells, each with its runs from left to right.
 runsByRow :: Placement -> [(Natural, [Run])]

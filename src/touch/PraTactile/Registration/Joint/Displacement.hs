@@ -96,12 +96,13 @@ displacementsOf grid orientation (phaseY, phaseX) (place, given) =
     priors rest = V.fromList (concat (transpose (map told (gridOctaves grid))))
       where
         told sigma = V.toList (priorsAlong grid sigma rest)
+    classesFrom start = Unboxed.generate count (\k -> classLogs given V.! (start + k))
     margin = 12
     -- Of what was looked at.
     least = -1e300
     cells dx dy =
       [ ( cellNumber ((y + ny + dy - phaseY) `div` down) ((x + nx + dx - phaseX) `div` across),
-          Unboxed.generate count (classLog given (cellAt given (cellIndex places orientation y x)))
+          classesFrom (count * cellAt given (cellIndex places orientation y x))
         )
         | y <- [(phaseY - ny - dy) `mod` down, (phaseY - ny - dy) `mod` down + down .. rows - 1],
           x <-

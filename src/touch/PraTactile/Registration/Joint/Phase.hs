@@ -8,6 +8,7 @@ module PraTactile.Registration.Joint.Phase
 where
 
 import Data.List (foldl', foldl1')
+import Data.Maybe (mapMaybe)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
@@ -66,20 +67,25 @@ phasePosterior grid frames = foldl1' (V.zipWith (+)) (map phasesGiven (gridOctav
     massesOf phases =
       let !top = V.maximum phases
           !masses = V.map (\l -> if l - top < -60 then 0 else exp (l - top)) phases
-          rowsOf o =
-            [ start
-              | y <- [0 .. down - 1],
-                let start = (o * down + y) * across,
-                V.any (> 0) (V.slice start across masses)
-            ]
-       in (masses, map (V.fromList . rowsOf) [0, 1])
+       in (masses, map (shownIn masses) [0, 1])
+    -- The rows of an orientation that show something, and from which column to which, by fours.
+    shownIn masses o = (V.fromList (map fst some), from id, across - from V.reverse)
+      where
+        some =
+          [ (start, row)
+            | y <- [0 .. down - 1],
+              let start = (o * down + y) * across,
+              let row = V.slice start across masses,
+              V.any (> 0) row
+          ]
+        from end = minimum (across : mapMaybe (V.findIndex (> 0) . end . snd) some) `quot` 4 * 4
     -- Times what a frame says, at each phase on the composite, of its own, over the displacements
     -- with their prior: rows of phases in which it shows something are blurred across, then down.
     given sigma before (((nx, ny), (rx, ry)), (masses, shown)) =
       V.concat [blurred (o * across * down) rows | (o, rows) <- zip [0, 1] shown]
       where
-        blurred :: Int -> Vector Int -> Vector Double
-        blurred start rows
+        blurred :: Int -> (Vector Int, Int, Int) -> Vector Double
+        blurred start (rows, from, to)
           | n == 0 = V.map (outlier *) (V.slice start (across * down) before)
           | otherwise = tabulate across down $ \y ->
             let !row = start + y * across
@@ -90,7 +96,8 @@ phasePosterior grid frames = foldl1' (V.zipWith (+)) (map phasesGiven (gridOctav
             !n = V.length rows
             !blurredAcross = tabulate n across $ \px ->
               let !x = (px - nx) `mod` across
-               in \i -> dotWithin across (masses, rows V.! i) (kernelAcross, across - x)
+                  !start' = across - x + from
+               in \i -> dotWithin (to - from) (masses, rows V.! i + from) (kernelAcross, start')
             !downs = tabulate n down $ \py ->
               let !y = (py - ny) `mod` down
                in \i -> kernelDown V.! (down - y + (rows V.! i `quot` across) `mod` down)

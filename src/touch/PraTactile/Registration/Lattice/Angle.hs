@@ -20,16 +20,24 @@ import PraTactile.Registration.Spectrum
 -- something else.
 latticeAngle :: (Double -> Fits) -> Spectra -> Maybe Double -> [Raster] -> Maybe Fits
 latticeAngle at processes hint images
+  | turned = find shown (angles ++ [upright])
   | shown upright && all (\a -> finely 5 (at a) < finely 5 upright) [-3, 3] = Just upright
   | otherwise = find shown angles
   where
     angles =
       map
         (atOrUpright . folded)
-        [ climbed (likeliest (upright : concat [[at a, at (a + 90)] | Just a <- [hint]])),
+        [ climbed hinted,
           climbed (nearby (likeliest (map at [-90, -81 .. 81])))
         ]
     upright = at 0
+    hinted = likeliest (upright : concat [[at a, at (a + 90)] | Just a <- [hint]])
+    -- Before more frames are asked: five do not show it upright, and at the hint's angle show it
+    -- rather than upright.
+    turned =
+      not (shownBy fitCoarse (take 5 telling) upright)
+        && any ((> 3) . abs) hint
+        && coarsely 5 hinted - coarsely 5 upright > sure
     atOrUpright angle = if abs angle <= 1 then upright else at angle
     -- At whole taxels only it is told to a few degrees.
     likeliest = maximumOn (\fits -> (coarsely 5 fits, fitsAngle fits))
@@ -53,7 +61,10 @@ latticeAngle at processes hint images
     coarsely count fits = summed fitCoarse (take count telling) fits
     finely count fits = summed fitLikely (take count telling) fits
     folded angle = angle - 180 * fromIntegral (floor ((angle + 90) / 180) :: Int)
-    shown fits = summed fitLikely few fits - sum (map (found . snd) few) > blind + sure
+    shown = shownBy fitLikely few
+    shownBy told some fits =
+      summed told some fits - sum (map (found . snd) some)
+        > sum [blind !! k | (k, _) <- some] + sure
     -- The gain and the offset of a frame, which other relief does not have, are found from it: by
     -- Schwarz's criterion they cost half the logarithm of its pixels each.
     found image = let (w, h) = rasterSize image in log (fromIntegral (w * h))
@@ -63,11 +74,9 @@ latticeAngle at processes hint images
     usable =
       [(k, i) | one : _ <- [images], (k, i) <- zip [0 ..] images, rasterSize i == rasterSize one]
     blind =
-      sum
-        [ fitShare (fitsFrames upright !! k) * sum (processLogs process)
-          | (k, i) <- few,
-            let process = processOf processes misfit [coefficients i]
-        ]
+      [ fitShare fit * sum (processLogs (processOf processes misfit [coefficients image]))
+        | (fit, image) <- zip (fitsFrames upright) images
+      ]
     coefficients = coefficientsOf processes
     maximumOn score = maximumBy (comparing score)
 

@@ -7,6 +7,7 @@ module PraTactile.Registration.Lattice.Blur
   ( seenAt,
     cumulative,
     areaSums,
+    areaSumsGiven,
   )
 where
 
@@ -42,65 +43,64 @@ cumulative x
 -- across and down, up to its own, their sum over the rectangle that ends there. The grid begins a
 -- taxel before the padded one; that first row and column of taxels are 0.
 areaSums :: Places -> Raster -> Vector Double
-areaSums places image = V.create $ do
-  sums <- M.replicate (wide * high) 0
-  let row !y
-        | y >= high = pure ()
-        | otherwise = column y q >> row (y + 1)
-      -- Note [Bounds of areas]
-      column !y !x
-        | x >= wide = pure ()
-        | otherwise = do
-          let i = y * wide + x
-          left <- M.unsafeRead sums (i - q)
-          above <- M.unsafeRead sums (i - q * wide)
-          both <- M.unsafeRead sums (i - q * wide - q)
-          let value = V.unsafeIndex values ((y - q) * (wide - q) + x - q)
-          M.unsafeWrite sums i (value + left + above - both)
-          column y (x + 1)
-  row q
-  pure sums
-  where
-    !q = placesFineness places
-    !wide = areasWidth places
-    !high = paddedHeight places + q
-    !values = spread places image
+areaSums = areaSumsGiven Nothing
 
-{- Note [Bounds of areas] Rows and columns begin with q, a taxel, so that what lies a taxel before
-   is in the grid; the values lack the first taxel's rows and columns. -}
-
--- | What each place of the padded grid would read of the frame, blurred: along the frame's axes by
--- rows first and then by columns, else at each place by itself.
-spread :: Places -> Raster -> Vector Double
-spread places image
+-- | The same, given those at whole taxels only. Along the frame's axes it is blurred by rows first
+-- and then by columns, else at each place by itself.
+areaSumsGiven :: Maybe (Vector Double) -> Places -> Raster -> Vector Double
+areaSumsGiven coarse places image
   | placesAngle places == 0 =
-    tabulate wide high $ \y ->
+    summed $ \y ->
       let (_, v) = onFrame axes 0 y
           !near = parted v
        in \x -> if beyond h v then 0 else six parts across (x * edgedHigh) near
   | otherwise =
-    tabulate wide high $ \y x ->
+    summed $ \y x ->
       let (u, v) = onFrame axes x y
-       in if beyond w u || beyond h v then 0 else alone (parted u) (parted v)
+       in if beyond w u || beyond h v then 0 else alone parts edged edgedWide (parted u) (parted v)
   where
+    summed at = V.create $ do
+      sums <- M.replicate (wide * high) 0
+      -- From a part of a taxel, down and across.
+      let parts' !py !px
+            | py >= q = pure ()
+            | px >= q = parts' (py + 1) 0
+            | otherwise = row px (q + py) >> parts' py (px + 1)
+          row !px !y
+            | y >= high = pure ()
+            | otherwise = do
+              -- Note [Bounds of areas]
+              let !here = at (y - q)
+                  column !x
+                    | x >= wide = pure ()
+                    | otherwise = do
+                      let i = y * wide + x
+                      left <- M.unsafeRead sums (i - q)
+                      above <- M.unsafeRead sums (i - q * wide)
+                      both <- M.unsafeRead sums (i - q * wide - q)
+                      M.unsafeWrite sums i (here (x - q) + left + above - both)
+                      column (x + q)
+                  whole !from !x !i
+                    | x >= wide = pure ()
+                    | otherwise = do
+                      M.unsafeWrite sums (y * wide + x) (V.unsafeIndex from i)
+                      whole from (x + q) (i + 1)
+              case coarse of
+                Just from | px == 0 && y `rem` q == 0 -> whole from 0 (y `quot` q * (wide `quot` q))
+                _ -> column (q + px)
+              row px (y + q)
+      parts' 0 0
+      pure sums
+    {-# INLINE summed #-}
+    !q = placesFineness places
+    !wide = areasWidth places
+    !high = paddedHeight places + q
     !(!w, !h) = placesFrame places
-    wide = paddedWidth places
-    high = paddedHeight places
     !axes = axesOf places
     -- Evaluated here rather than at each place.
     !parts = shares
     -- None of the six taxels around it is on the frame.
     beyond n t = t < -3 || t >= fromIntegral (n + 2)
-    alone !u (Parted first share) = go 0 0
-      where
-        -- Note [Bounds of shares]
-        go :: Int -> Double -> Double
-        go !t !s
-          | t >= 6 = s
-          | otherwise =
-            go
-              (t + 1)
-              (s + V.unsafeIndex parts (share + t) * six parts edged ((first + t) * edgedWide) u)
     -- The frame with nothing around it.
     !edged =
       tabulate edgedWide edgedHigh $ \y x ->
@@ -111,10 +111,13 @@ spread places image
     !edgedHigh = h + 2 * edge
     -- By columns.
     across =
-      tabulate edgedHigh wide $ \x ->
+      tabulate edgedHigh (wide - q) $ \x ->
         let (u, _) = onFrame axes x 0
             !near = parted u
          in \v -> if beyond w u then 0 else six parts edged (v * edgedWide) near
+
+{- Note [Bounds of areas] Rows and columns begin with q, a taxel, so that what lies a taxel before
+   is in the grid. The sums at whole taxels are every q-th of these, across and down. -}
 
 -- | How many taxels of nothing are put around a frame: as far as the six around a place reach, if
 -- any of them is on the frame.
@@ -126,7 +129,7 @@ edge = 5
 data Parted = Parted !Int !Int
 
 parted :: Double -> Parted
-parted t = Parted (whole - 2 + edge) (6 * round (fromIntegral partsOfTaxel * beyond))
+parted t = Parted (whole - 2 + edge) (6 * truncate (fromIntegral partsOfTaxel * beyond + 0.5))
   where
     whole = floor t :: Int
     beyond = t - fromIntegral whole
@@ -138,8 +141,25 @@ six !parts !values !start (Parted first share) =
   at 0 + at 1 + at 2 + at 3 + at 4 + at 5
   where
     -- Note [Bounds of shares]
-    at t = V.unsafeIndex parts (share + t) * V.unsafeIndex values (start + first + t)
+    at t = V.unsafeIndex shares' t * V.unsafeIndex values' t
+    !shares' = V.unsafeDrop share parts
+    !values' = V.unsafeDrop (start + first) values
 {-# INLINE six #-}
+
+-- | What a place reads of the six times six taxels around it, of rows of so many values: by its
+-- places across and down. A function of its own, as in a loop over places the processor's registers
+-- would not do.
+alone :: Vector Double -> Vector Double -> Int -> Parted -> Parted -> Double
+alone !parts !values !wide across (Parted first share) = go 0 0
+  where
+    -- Note [Bounds of shares]
+    !shares' = V.unsafeDrop share parts
+    go :: Int -> Double -> Double
+    go !t !s
+      | t >= 6 = s
+      | otherwise =
+        go (t + 1) (s + V.unsafeIndex shares' t * six parts values ((first + t) * wide) across)
+{-# NOINLINE alone #-}
 
 -- | The shares of the six taxels around a place, by the part of a taxel that it lies beyond the
 -- third of them.

@@ -17,6 +17,7 @@ where
 
 import qualified Data.IntSet as IntSet
 import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
@@ -28,7 +29,7 @@ import PraTactile.Image
     rasterWidth,
     zipRaster,
   )
-import PraTactile.Registration.Lattice.Blur (areaSums)
+import PraTactile.Registration.Lattice.Blur (areaSumsGiven)
 import PraTactile.Registration.Lattice.Glimpse
 import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Places
@@ -74,22 +75,25 @@ fitOf tables (image, shares) =
   where
     values = rasterValues image
     (n, average, deviation) = standardOf (image, shares)
-    feltAt places =
+    feltAt coarser' places =
       Felt
-        (areaSums places (maybe id (orElse . zipRaster (*)) shares standard))
-        (areaSums places <$> shares)
+        (areas feltReadings (maybe id (orElse . zipRaster (*)) shares standard))
+        (areas (fromMaybe V.empty . feltShares) <$> shares)
         n
+      where
+        areas part = areaSumsGiven (part <$> coarser') places
     orElse f = either (const standard) id . f
     standard = mapRaster (\v -> if deviation > 1e-9 then (v - average) / deviation else 0) image
     step statistics = mStep statistics . eStep statistics
     -- At whole taxels.
-    coarseAll = allPhases (coarser tables) (feltAt (templatePlaces (coarser tables)))
+    atWhole = feltAt Nothing (templatePlaces (coarser tables))
+    coarseAll = allPhases (coarser tables) atWhole
     first = eStep coarseAll (firstTheta standard)
     coarseLikely = atPhases coarseAll (likelyPhases first)
     coarse =
       eStep coarseLikely (iterate (step coarseLikely) (mStep coarseAll first) !! 3)
     -- At all places.
-    felt = feltAt (templatePlaces tables)
+    felt = feltAt (Just atWhole) (templatePlaces tables)
     fineLikely =
       somePhases tables felt (finePhases (coarser tables) tables (likelyPhases coarsely))
     coarsely = eStep coarseAll (likelihoodTheta coarse)

@@ -38,8 +38,8 @@ data Likelihood = Likelihood
     -- looked at.
     cellAt :: Int -> Int,
     -- | How much likelier, as a natural logarithm, a symbol of a class makes the frame than nothing
-    -- in a cell: by where it stands, and the class.
-    classLog :: Int -> Int -> Double,
+    -- in a cell: by where it stands, and then the class.
+    classLogs :: !(Vector Double),
     -- | The same for a cell whose class is not known, by where it stands.
     cellLogs :: !(Vector Double),
     -- | The same for a whole lattice: by orientation, and the row and the column of places, modulo
@@ -118,15 +118,22 @@ many tables phases = null phases || 4 * length phases > phaseTotal (templatePlac
 
 -- | Everything at a theta.
 eStep :: Statistics -> Theta -> Likelihood
-eStep (Statistics tables lattices at !moments n) theta@(Theta _ offset variance) =
-  Likelihood tables theta at (\cell k -> classAt (cell * count + k)) cells phases total
+eStep (Statistics tables lattices at (Moments products sums squares) n) theta =
+  Likelihood tables theta at classes cells phases total
   where
-    !weights = weightsOf theta
-    classAt = classOf weights moments
+    Theta gain offset variance = theta
     !count = symbolsClasses (templateSymbols tables)
+    !ofProducts = gain / variance
+    !ofSums = gain * offset / variance
+    !ofSquares = gain * gain / (2 * variance)
+    -- Note [Bounds of classes]
+    !classes =
+      tabulate (V.length products) 1 $ \_ i ->
+        ofProducts * V.unsafeIndex products i - ofSums * V.unsafeIndex sums i
+          - ofSquares * V.unsafeIndex squares i
     cells =
-      V.generate (V.length (momentsProducts moments) `quot` count) $ \c ->
-        cellLog count (\k -> classAt (c * count + k))
+      tabulate (V.length products `quot` count) 1 $ \_ c ->
+        cellLog count (\k -> V.unsafeIndex classes (c * count + k))
     looked = overPhases lattices cells
     phases =
       V.unsafeUpdate_
@@ -142,21 +149,6 @@ eStep (Statistics tables lattices at !moments n) theta@(Theta _ offset variance)
           )
         - n * (1 + offset * offset) / (2 * variance)
         - n / 2 * log (2 * pi * variance)
-
--- | What <z, T> adds to l_k at a theta, and what sum T and sum T^2 take from it.
-data Weights = Weights !Double !Double !Double
-
-weightsOf :: Theta -> Weights
-weightsOf (Theta gain offset variance) =
-  Weights (gain / variance) (gain * offset / variance) (gain * gain / (2 * variance))
-
--- | l_k of a cell and class by their place among the moments.
-classOf :: Weights -> Moments -> Int -> Double
-classOf (Weights ofProducts ofSums ofSquares) (Moments products sums squares) i =
-  -- Note [Bounds of classes]
-  ofProducts * V.unsafeIndex products i - ofSums * V.unsafeIndex sums i
-    - ofSquares * V.unsafeIndex squares i
-{-# INLINE classOf #-}
 
 {- Note [Bounds of classes] The correlations, the sums and the squares of a template all have one
    number for each cell and class. -}
@@ -202,7 +194,7 @@ mStep (Statistics tables lattices _ moments n) given = Theta gain' offset' varia
     !count = symbolsClasses (templateSymbols tables)
     !share = classPrior count
     !ofCells = cellLogs given
-    !ofMoments = weightsOf (likelihoodTheta given)
+    !ofClasses = classLogs given
     -- Note [Bounds of cells]
     phases = V.map (V.unsafeIndex (phaseLogs given)) (phaseNumbers lattices)
     top = V.maximum phases
@@ -230,7 +222,7 @@ mStep (Statistics tables lattices _ moments n) given = Theta gain' offset' varia
               )
           where
             i = start + k
-            l = classOf ofMoments moments i - cell
+            l = V.unsafeIndex ofClasses i - cell
             p = share * exp l
     -- The regression of the frame, of mean 0 and variance 1, on the relief.
     product' = sumY / total

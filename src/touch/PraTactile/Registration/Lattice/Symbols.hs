@@ -185,13 +185,13 @@ writeSquares symbols places (Cover !there !begins !ends) !sums = at
               | a >= end = down k (b + 1 :: Int) (i + q) t0 t1 t2 t3
               | otherwise =
                 let share = V.unsafeIndex there (i * wide + x' + a)
-                    j = box + (b * boxWide + a) * fours + k
+                    from = V.unsafeDrop (box + (b * boxWide + a) * fours + k) boxes
                  in along
                       (a + 1)
-                      (t0 + share * V.unsafeIndex boxes j)
-                      (t1 + share * V.unsafeIndex boxes (j + 1))
-                      (t2 + share * V.unsafeIndex boxes (j + 2))
-                      (t3 + share * V.unsafeIndex boxes (j + 3))
+                      (t0 + share * V.unsafeIndex from 0)
+                      (t1 + share * V.unsafeIndex from 1)
+                      (t2 + share * V.unsafeIndex from 2)
+                      (t3 + share * V.unsafeIndex from 3)
 
 -- | Classes are summed four at a time: so many of which some may be none.
 inFours :: Int -> Int

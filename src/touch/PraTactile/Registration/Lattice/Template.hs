@@ -156,14 +156,14 @@ correlationsOf tables !areas = V.create $ do
                   M.unsafeWrite sums (j + 2 * count) s2
                   M.unsafeWrite sums (j + 3 * count) s3
                 | otherwise =
-                  let j = start + V.unsafeIndex steps c
+                  let from = V.unsafeDrop (start + V.unsafeIndex steps c) areas
                       n = V.unsafeIndex counts c
                    in summed
                         (c + 1)
-                        (s0 + n * V.unsafeIndex areas j)
-                        (s1 + n * V.unsafeIndex areas (j + 1))
-                        (s2 + n * V.unsafeIndex areas (j + 2))
-                        (s3 + n * V.unsafeIndex areas (j + 3))
+                        (s0 + n * V.unsafeIndex from 0)
+                        (s1 + n * V.unsafeIndex from 1)
+                        (s2 + n * V.unsafeIndex from 2)
+                        (s3 + n * V.unsafeIndex from 3)
           summed 0 0 0 0 0
           four shape y i (x + 4)
   -- Note [Bounds of outlines]

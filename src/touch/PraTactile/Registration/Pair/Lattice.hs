@@ -136,4 +136,6 @@ joint a b (dx, dy) phase = go firstY firstX 0
         ofB = cellAt b (cellIndex places o (y - dy) (x - dx))
         inB = y - dy >= 0 && y - dy < rows && x - dx >= 0 && x - dx < columns
     both :: Int -> Int -> Double
-    both i j = cellLog count (\k -> classLog a i k + classLog b j k)
+    both i j =
+      cellLog count $ \k ->
+        V.unsafeIndex (classLogs a) (i * count + k) + V.unsafeIndex (classLogs b) (j * count + k)

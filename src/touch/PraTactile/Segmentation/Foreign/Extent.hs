@@ -31,7 +31,7 @@ leastWhole = 36
 -- | Is a region longer than a symbol at any angle?
 tooLong :: Masked -> Region -> Bool
 tooLong pixels region =
-  or [extentAlong pixels region angle > longest | angle <- [0, 22.5 .. 157.5]]
+  any ((> longest) . extentAlong pixels region) [0, 22.5 .. 157.5]
 
 -- | More than a symbol's diagonal, in pixels.
 longest :: Double
@@ -44,10 +44,11 @@ symbolSized pixels region =
     && or
       [ fits long short || fits short long
         | angle <- [0, 5 .. 85],
-          let long = extentAlong pixels region angle,
-          let short = extentAlong pixels region (angle + 90)
+          let long = extent angle,
+          let short = extent (angle + 90)
       ]
   where
+    extent = extentAlong pixels region
     fits long short =
       abs (long - fromIntegral symbolHeight) <= 1.8
         && abs (short - fromIntegral symbolWidth) <= 1.8
@@ -56,9 +57,9 @@ symbolSized pixels region =
 -- | The parts of a region that lie on straight lines inside it, longer than any symbol has: of a
 -- symbol that touches a bar only what lies on lines through both.
 straight :: Masked -> Region -> [Region]
-straight pixels region = components pixels 0 (eachOnce pixels region onLines)
+straight pixels region = components pixels 0 (eachOnce onLines)
   where
-    inside = among pixels region
+    inside = among region
     onLines =
       [ p'
         | p <- region,

@@ -82,7 +82,7 @@ candidate pixels t region
     ring =
       mapMaybe
         (valueOf pixels)
-        (filter (not . among pixels (around pixels 2 region)) (around pixels 3 region))
+        (filter (not . among (around pixels 2 region)) (around pixels 3 region))
     low = middle ring
     high = ranked 0.7 (mapMaybe (valueOf pixels) region)
 
