@@ -126,11 +126,11 @@ overlapAt there image dx dy
   | not (near dx && near dy) = Overlap 0 0 0 0
   | otherwise = case there of
     Weighted sums weights
-      | fx > 0 || fy > 0 -> moments (between weights) (between sums) w meeting image
-      | otherwise -> moments (pixel weights) (pixel sums) w meeting image
+      | fx > 0 || fy > 0 -> moments (between weights) (/) (between sums) w meeting image
+      | otherwise -> moments (pixel weights) (/) (pixel sums) w meeting image
     Whole sums
-      | fx > 0 || fy > 0 -> moments (const 1) (between sums) w meeting image
-      | otherwise -> moments (const 1) (pixel sums) w meeting image
+      | fx > 0 || fy > 0 -> moments (const 1) const (between sums) w meeting image
+      | otherwise -> moments (const 1) const (pixel sums) w meeting image
   where
     pixel = V.unsafeIndex . rasterValues
     between = interpolated fx fy stepX (stepY * w) . rasterValues
@@ -168,9 +168,17 @@ interpolated fx fy right below v i =
     + fy * ((1 - fx) * V.unsafeIndex v (i + below) + fx * V.unsafeIndex v (i + below + right))
 {-# INLINE interpolated #-}
 
--- | The overlap, with ways to read the reference's weights and its sums at an index, and its width.
-moments :: (Int -> Double) -> (Int -> Double) -> Int -> Meeting -> Raster -> Overlap
-moments weightAt sumAt w (Meeting x0 x1 y0 y1 start) image = row y0 0 0 0 0 0 0
+-- | The overlap, with ways to read the reference's weights at an index, to divide by them, and to
+-- read its sums; and its width.
+moments ::
+  (Int -> Double) ->
+  (Double -> Double -> Double) ->
+  (Int -> Double) ->
+  Int ->
+  Meeting ->
+  Raster ->
+  Overlap
+moments weightAt by sumAt w (Meeting x0 x1 y0 y1 start) image = row y0 0 0 0 0 0 0
   where
     !values = rasterValues image
     iw = rasterWidth image
@@ -193,7 +201,7 @@ moments weightAt sumAt w (Meeting x0 x1 y0 y1 start) image = row y0 0 0 0 0 0 0
               (sf + mf)
               (sc + mc)
               (sff + mf * f)
-              (scc + mc * mc / m)
+              (scc + (mc * mc) `by` m)
               (sfc + mc * f)
       where
         m = weightAt (r0 + x)

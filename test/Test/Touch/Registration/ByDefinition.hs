@@ -138,7 +138,7 @@ frameSpec =
           phases = phaseLogsOf 2 classes
           hinted = Map.filterWithKey (\k _ -> few k) (phaseLogsOf 1 (classLogsOf hint coarse))
           told = fitOf tables (whole image)
-          Likelihood _ (Theta a' b' v') _ classes' cells' phases' logs = fitLikelihood told
+          Likelihood _ (Theta a' b' v') _ classes' cells' phases' _ logs = fitLikelihood told
           some = phaseLogs (fitSome told)
           -- What is told of some phases is that, and what is left out matters next to nothing.
           told' k l = let l' = some V.! phaseNumber tables k in if isInfinite l' then l else l'
@@ -247,7 +247,7 @@ together robot angle frames =
           let (_, classes, _) = fitted angle image
       ]
     phase = commonPhase robot seen
-    options = map (likely robot phase) seen
+    options = map (likely 12 robot phase) seen
     (fields, qs) = meanField bySigma options
     located =
       [ turn (estimate (seenPlace one) (zip [d | (d, _, _) <- told] ps))

@@ -80,7 +80,10 @@ phaseSpec = do
       forAll (elements [0.5, 1, 2]) $ \sigma ->
         let grid = gridOf standardRegistration {registrationSigma = Just sigma}
             phases only = V.generate 2560 (\i -> if i == only then 0 else -1000)
-            seen = [(place, blank {phaseLogs = phases only}) | (place, only) <- frames]
+            seen =
+              [ (place, blank {phaseLogs = phases only, likeliestPhase = only})
+                | (place, only) <- frames
+              ]
             (glimpsed, likeliest) = (glimpsedLog grid seen, fst (commonPhase grid seen))
          in counterexample (show (glimpsed, likeliest)) $
               glimpsed <= likeliest + 1e-9

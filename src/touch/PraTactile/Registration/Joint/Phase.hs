@@ -8,7 +8,6 @@ module PraTactile.Registration.Joint.Phase
 where
 
 import Data.List (foldl', foldl1')
-import Data.Maybe (mapMaybe)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
@@ -40,7 +39,7 @@ glimpsedLog grid frames =
       [ ((o, (y + ny) `mod` down, (x + nx) `mod` across), rest)
         | (place, told) <- frames,
           let ((nx, ny), rest) = onGrid place
-              (row, x) = V.maxIndex (phaseLogs told) `quotRem` across
+              (row, x) = likeliestPhase told `quotRem` across
               (o, y) = row `quotRem` down
       ]
     bySigma =
@@ -66,19 +65,18 @@ phasePosterior grid frames = foldl1' (V.zipWith (+)) (map phasesGiven (gridOctav
     -- What is too small for delta is nothing.
     massesOf phases =
       let !top = V.maximum phases
-          !masses = V.map (\l -> if l - top < -60 then 0 else exp (l - top)) phases
-       in (masses, map (shownIn masses) [0, 1])
-    -- The rows of an orientation that show something, and from which column to which, by fours.
-    shownIn masses o = (V.fromList (map fst some), from id, across - from V.reverse)
+          likely = V.toList (V.findIndices (\l -> l - top >= -60) phases)
+          !masses =
+            V.replicate (V.length phases) 0 V.// [(i, exp (phases V.! i - top)) | i <- likely]
+       in (masses, [shownIn [i | i <- likely, i `quot` (across * down) == o] | o <- [0, 1]])
+    -- The rows that show something, and from which column to which, by fours.
+    shownIn likely =
+      ( V.uniq (V.fromList [i - i `rem` across | i <- likely]),
+        minimum (across : columns) `quot` 4 * 4,
+        maximum (0 : columns) `quot` 4 * 4 + 4
+      )
       where
-        some =
-          [ (start, row)
-            | y <- [0 .. down - 1],
-              let start = (o * down + y) * across,
-              let row = V.slice start across masses,
-              V.any (> 0) row
-          ]
-        from end = minimum (across : mapMaybe (V.findIndex (> 0) . end . snd) some) `quot` 4 * 4
+        columns = map (`rem` across) likely
     -- Times what a frame says, at each phase on the composite, of its own, over the displacements
     -- with their prior: rows of phases in which it shows something are blurred across, then down.
     given sigma before (((nx, ny), (rx, ry)), (masses, shown)) =

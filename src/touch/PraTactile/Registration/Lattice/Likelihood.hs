@@ -45,6 +45,8 @@ data Likelihood = Likelihood
     -- | The same for a whole lattice: by orientation, and the row and the column of places, modulo
     -- the pitch, of its cells; minus infinity for phases that were not looked at.
     phaseLogs :: !(Vector Double),
+    -- | Which of these is likeliest.
+    likeliestPhase :: Int,
     -- | The logarithm of the frame's probability density, standardised to variance 1.
     logDensity :: !Double
   }
@@ -119,7 +121,7 @@ many tables phases = null phases || 4 * length phases > phaseTotal (templatePlac
 -- | Everything at a theta.
 eStep :: Statistics -> Theta -> Likelihood
 eStep (Statistics tables lattices at (Moments products sums squares) n) theta =
-  Likelihood tables theta at classes cells phases total
+  Likelihood tables theta at classes cells phases (V.maxIndex phases) total
   where
     Theta gain offset variance = theta
     !count = symbolsClasses (templateSymbols tables)
