@@ -94,9 +94,9 @@
 -- the circle, then by two degrees, and by a parabola's vertex
 -- ("PraTactile.Registration.Lattice.Angle"). Upright is asked first, unless symbols seem to lie at
 -- another angle, and five frames at whole taxels show the lattice there, and not upright. There is
--- a lattice at all if its posterior is 0.99, against the likeliest other relief, which is the normal
--- process below: if that sum, less log N of each frame (the gain and the offset, by Schwarz's
--- criterion), is above the process's by log 99.
+-- a lattice at all if its posterior is 0.99, against the likeliest other relief, which is the
+-- normal process below: if that sum, less log N of each frame (the gain and the offset, by
+-- Schwarz's criterion), is above the process's by log 99.
 --
 -- = Many frames
 --
