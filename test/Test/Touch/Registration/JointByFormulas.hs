@@ -110,13 +110,13 @@ optionSpec =
         forAll ((,) <$> choose (0, 39) <*> choose (0, 31)) $ \(y, x) ->
           let robot = standardRegistration {registrationSigma = Just sigma, registrationReach = 3}
               told = blank {phaseLogs = phases, classLogs = classes}
-              within margin = likely margin (robotOf robot) (o, y, x) (seenAt place phases classes)
+              upTo margin = likely margin (robotOf robot) (o, y, x) (seenAt place phases classes)
               found = displacementsOf (gridOf robot) o (y, x) (place, told)
               shifts = map displacementShift found
               -- At the edge itself rounding decides.
-              wanted = [one | one@(d, _, _) <- within (12 + 1e-9), d `elem` shifts]
+              wanted = [one | one@(d, _, _) <- upTo (12 + 1e-9), d `elem` shifts]
            in (shifts === [d | (d, _, _) <- wanted])
-                .&&. property (all (`elem` shifts) [d | (d, _, _) <- within (12 - 1e-9)])
+                .&&. property (all (`elem` shifts) [d | (d, _, _) <- upTo (12 - 1e-9)])
                 .&&. conjoin
                   [ property (close (displacementSquare option) square)
                       .&&. [(cell c, Unboxed.toList ls) | (c, ls) <- displacementCells option]
