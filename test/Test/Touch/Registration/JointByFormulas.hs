@@ -103,7 +103,15 @@ phaseSpec = do
       V.fromList <$> vectorOf (2 * 40 * 32) (choose (negate wide, 0))
 
 optionSpec :: Spec
-optionSpec =
+optionSpec = do
+  it "exactly e^12 less likely than the best is not too little, and a little less is" $
+    -- A place to the right of the nominal one, and one to the left, are as probable beforehand.
+    [ map displacementShift (displacementsOf (gridOf robot) 0 (0, 0) ((0, 0), seen l))
+      | let robot = standardRegistration {registrationSigma = Just 1},
+        let seen l = blank {phaseLogs = V.replicate 2560 (-1000) V.// [(31, 0), (1, l)]},
+        l <- [-12, -12.000001]
+    ]
+      `shouldBe` [[(-1, 0), (1, 0)], [(1, 0)]]
   it "a frame may lie where that is not less likely than its best by e^12, and sees cells there" $
     forAllBlind genSeen $ \(phases, classes, place, sigma) ->
       forAll (elements [0, 1]) $ \o ->

@@ -17,7 +17,6 @@ where
 
 import qualified Data.IntSet as IntSet
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
@@ -75,13 +74,15 @@ fitOf tables (image, shares) =
   where
     values = rasterValues image
     (n, average, deviation) = standardOf (image, shares)
-    feltAt coarser' places =
+    feltAt given places =
       Felt
-        (areas feltReadings (maybe id (orElse . zipRaster (*)) shares standard))
-        (areas (fromMaybe V.empty . feltShares) <$> shares)
+        ( areaSumsGiven
+            (feltReadings <$> given)
+            places
+            (maybe id (orElse . zipRaster (*)) shares standard)
+        )
+        (areaSumsGiven (given >>= feltShares) places <$> shares)
         n
-      where
-        areas part = areaSumsGiven (part <$> coarser') places
     orElse f = either (const standard) id . f
     standard = mapRaster (\v -> if deviation > 1e-9 then (v - average) / deviation else 0) image
     step statistics = mStep statistics . eStep statistics
