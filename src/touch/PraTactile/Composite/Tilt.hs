@@ -8,6 +8,7 @@
 -- direction more gradually: as when a scanned page is set upright by its lines of text.
 module PraTactile.Composite.Tilt
   ( tilt,
+    tilts,
     leastTilt,
     sharpness,
     setUpright,
@@ -16,8 +17,9 @@ where
 
 import qualified Data.IntMap.Strict as IntMap
 import qualified Data.IntSet as IntSet
-import Data.List (foldl', sort)
-import Data.Maybe (isJust)
+import Data.List (foldl', sort, sortOn)
+import Data.Maybe (isJust, listToMaybe)
+import Data.Ord (Down (..))
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Storable.Mutable as M
@@ -34,14 +36,26 @@ import PraTactile.Sensor.Frame (Motion (..), movePoint, taxelPitch)
 -- Of simulated presses of 40 x 52 taxels, with position errors of one taxel and noise of 0.1 of
 -- full scale, the median error is 0.3 degrees, and one in a hundred is off by 1.5.
 tilt :: [Composite] -> Maybe Double
-tilt composites
-  | and [V.all (== 0) slopes | (_, across, down) <- found, slopes <- [across, down]] = Nothing
-  | otherwise = Just (quarter (vertex (finest (best [-45, -43.5 .. 44]))))
+tilt = listToMaybe . tilts
+
+-- | 'tilt', and after it the angles that come next: those where the sums change more abruptly than
+-- at angles a little less or more, the most abrupt first.
+tilts :: [Composite] -> [Double]
+tilts composites
+  | and [V.all (== 0) slopes | (_, across, down) <- found, slopes <- [across, down]] = []
+  | otherwise = map (quarter . vertex . finest . snd) (sortOn Down peaks)
   where
     found = map gradients composites
     score angle = sum (map ($ angle) sharpnesses)
     sharpnesses = [sharpness places across down | (places, across, down) <- found]
-    best = snd . maximum . map (\angle -> (score angle, angle))
+    scored = map (\angle -> (score angle, angle))
+    round' = scored [-45, -43.5 .. 44]
+    peaks =
+      [ here
+        | (before, here, after) <- zip3 (drop 59 (cycle round')) round' (drop 1 (cycle round')),
+          fst here >= max (fst before) (fst after)
+      ]
+    best = snd . maximum . scored
     finest angle = best [angle - 1, angle - 0.5 .. angle + 1]
     -- To the vertex of the parabola through three scores, a degree away at most.
     vertex angle =

@@ -19,7 +19,7 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite (Fault (..), compositeOf)
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (spacedOut)
-import PraTactile.Composite.Tilt (tilt)
+import PraTactile.Composite.Tilt (tilts)
 import PraTactile.Image (Raster, rasterSize, rasterValues, standardDeviation)
 import PraTactile.Registration.Agreement (evidenceAt)
 import PraTactile.Registration.AllPairs
@@ -144,7 +144,7 @@ arrange tables method settings touched
       latticeAngle
         fits
         (uncurry spectra (glimpseSize size))
-        (tilt (map compositeOf (spacedOut tiltFrames images)))
+        (tilts (map compositeOf (spacedOut tiltFrames images)))
         (map glimpse images)
     oneByOne =
       arranged frames Incremental (asRead frames) $

@@ -18,14 +18,14 @@ spec =
   modifyMaxSuccess (const 200) $
     it "the angle is found as defined, whatever frames tell, to where there is none" $
       forAllBlind genTold $ \(images, roughly, finely) ->
-        forAll (oneof [pure Nothing, Just <$> choose (-45, 45)]) $ \hint ->
-          let wanted level = defined (spectra 5 5) hint images roughly (map (above level) finely)
+        forAll (choose (0, 4) >>= \n -> vectorOf n (choose (-45, 45))) $ \hints ->
+          let wanted level = defined (spectra 5 5) hints images roughly (map (above level) finely)
               found level =
                 fitsAngle
                   <$> latticeAngle
                     (toldAt roughly (map (above level) finely))
                     (spectra 5 5)
-                    hint
+                    hints
                     images
               above level told a = level + told a
               levels = closer (40 :: Int) wanted (-200, 200)
@@ -62,13 +62,14 @@ genTold = do
   count <- choose (1, 16)
   images <- (:) <$> genRasterOf 5 5 <*> vectorOf (count - 1) frame
   centre <- oneof [choose (-90, 90), choose (-5, 5)]
+  level <- choose (-100, 0)
   tells <- vectorOf count $ do
     own <- (centre +) <$> choose (-6, 6)
     share <- choose (0.1, 1)
     wave <- choose (0, 6)
     depth <- elements [0, 3, 30]
     pure
-      ( \a -> share * 10 * cos ((a - own) * pi / 90) + depth * sin (a + wave),
+      ( \a -> level + share * 10 * cos ((a - own) * pi / 90) + depth * sin (a + wave),
         \a -> depth / 9 * sin (a + wave) - share * (min 12 (turns (a - own)) ^ (2 :: Int)) / 8
       )
   pure (images, map fst tells, map snd tells)
@@ -79,24 +80,28 @@ genTold = do
     turns a = let b = a / 180 in 180 * abs (b - fromIntegral (round b :: Int))
 
 -- | Upright, if that is likelier than other relief and than three degrees to either side; else near
--- the hint or upright, or at nine degrees' distances wherever it is likeliest, if that is likelier
--- than other relief.
+-- one of three hints, the first that is far likelier than upright or else the likeliest, upright
+-- too; or at nine degrees' distances wherever it is likeliest; if that is likelier than other
+-- relief. Upright comes last where a hint is far likelier at whole taxels, and five frames there do
+-- not show it.
 defined ::
   Spectra ->
-  Maybe Double ->
+  [Double] ->
   [Raster] ->
   [Double -> Double] ->
   [Double -> Double] ->
   Maybe Double
-defined processes hint images roughly finely
+defined processes hints images roughly finely
+  | not (null far) && not (shownBy roughly (take 5 telling) 0) = find shown (angles ++ [0])
   | shown 0 && fine 5 0 > fine 5 3 && fine 5 0 > fine 5 (-3) = Just 0
-  | otherwise =
-    find
-      shown
-      [ best (likeliest (0 : concat [[a, a + 90] | Just a <- [hint]])),
+  | otherwise = find shown angles
+  where
+    angles =
+      [ best (head (far ++ [likeliest (0 : asked)])),
         best (settled (likeliest [-90, -81 .. 81]))
       ]
-  where
+    asked = [likeliest [a, a + 90] | a <- take 3 hints]
+    far = [a | a <- asked, abs a > 3, coarse 5 a > coarse 5 0 + log 99]
     best = nearly0 . folded . uphill (3 :: Int)
     nearly0 a = if abs a <= 1 then 0 else a
     folded a
@@ -113,11 +118,12 @@ defined processes hint images roughly finely
     fine count = summed finely (take count telling)
     -- So much likelier that the posterior of a lattice is 0.99; of a frame's 25 pixels two more
     -- numbers are found than of other relief.
-    shown a = summed finely few a - genericLength few * log 25 > others + log 99
+    shown = shownBy finely few
+    shownBy told ks a = summed told ks a - genericLength ks * log 25 > others ks + log 99
     -- Any other relief, of which a tenth at least is noise.
-    others = sum (concatMap (processLogs . processOf processes 0.1 . pure . coefficients) few)
+    others = sum . concatMap (processLogs . processOf processes 0.1 . pure . coefficients)
     coefficients k = coefficientsOf processes (images !! k)
-    likeliest angles = maximumBy (comparing (\a -> (coarse 5 a, a))) angles
+    likeliest = maximumBy (comparing (\a -> (coarse 5 a, a)))
     -- From there by two degrees, at most three of them, at whole taxels.
     settled a = foldl looked a [4, 2]
     looked a by = maximumBy (comparing (\b -> (coarse 8 b, b))) [a - by, a, a + by]

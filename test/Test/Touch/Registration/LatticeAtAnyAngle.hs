@@ -263,7 +263,7 @@ angled alphabet =
           tables = paperTables
           -- What symbols show of their angle is up to quarter turns.
           hint = angle - 90 * fromIntegral (round (angle / 90) :: Int)
-      case latticeAngle (fitsAt tables (map whole images)) (spectra 16 16) (Just hint) images of
+      case latticeAngle (fitsAt tables (map whole images)) (spectra 16 16) [hint] images of
         Nothing -> expectationFailure (show (seed, angle))
         Just against -> do
           let told = fitsAngle against

@@ -11,7 +11,7 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Array
-import PraTactile.Composite.Tilt (tilt)
+import PraTactile.Composite.Tilt (tilt, tilts)
 import PraTactile.Decode
 import PraTactile.Field (toCode)
 import PraTactile.Image
@@ -168,6 +168,13 @@ anyAngle = do
           (k, angle, 90 * abs (off - fromIntegral (round off :: Int)))
             `shouldSatisfy` (\(_, _, t) -> t < 1)
         Nothing -> expectationFailure (show (k, angle))
+  it "the tilts of two scenes together are each one's, before any other" $
+    for_ [(k, angle) | k <- [1 .. 6], angle <- [-40, -20 .. 40]] $ \(k, angle) -> do
+      let own = [drawnWith k 0.05 (const Nothing) (sceneOf k a) | a <- [angle, angle + 30]]
+          off = \a b -> let t = (a - b) / 90 in 90 * abs (t - fromIntegral (round t :: Int))
+          found = tilts own
+      (k, angle, found)
+        `shouldSatisfy` (\(_, _, ts) -> and [any ((< 1) . off a) (take 2 ts) | a <- [angle, angle + 30]])
   it "what is not whole beside them is told as a part, with the share that is seen" $
     for_ scenes $ \(k, scene) -> do
       let segmented = segmentTurned (drawnWith k 0.05 (const Nothing) scene)

@@ -5,6 +5,7 @@ module PraTactile.Registration.Lattice.Angle
 where
 
 import Data.List (find, foldl', maximumBy, sortOn)
+import Data.Maybe (fromMaybe, isJust)
 import Data.Ord (Down (..), comparing)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (parabolaVertex)
@@ -13,31 +14,27 @@ import PraTactile.Registration.Lattice.Fit
 import PraTactile.Registration.Spectrum
 
 -- | What frames tell at the angle in [-90, 90), in degrees clockwise, at which a lattice lies under
--- them, given what they tell at any angle, and perhaps the angle, up to quarter turns, at which
--- symbols seem to lie: near that angle or upright, if the frames show that rather than any
--- other relief, else wherever they make it likeliest. To a degree, by a few of the frames that have
--- the first one's size, which the spectra must be for. 'Nothing' where they are likelier to show
--- something else.
-latticeAngle :: (Double -> Fits) -> Spectra -> Maybe Double -> [Raster] -> Maybe Fits
-latticeAngle at processes hint images
+-- them, given what they tell at any angle, and the angles, up to quarter turns, at which symbols
+-- seem to lie, the likeliest first: near one of the first three or upright, if the frames show that
+-- rather than any other relief, else wherever they make it likeliest. To a degree, by a few of the
+-- frames that have the first one's size, which the spectra must be for. 'Nothing' where they are
+-- likelier to show something else.
+latticeAngle :: (Double -> Fits) -> Spectra -> [Double] -> [Raster] -> Maybe Fits
+latticeAngle at processes hints images
   | turned = find shown (angles ++ [upright])
   | shown upright && all (\a -> finely 5 (at a) < finely 5 upright) [-3, 3] = Just upright
   | otherwise = find shown angles
   where
-    angles =
-      map
-        (atOrUpright . folded)
-        [ climbed hinted,
-          climbed (nearby (likeliest (map at [-90, -81 .. 81])))
-        ]
+    angles = map (atOrUpright . folded . climbed) [hinted, nearby (likeliest circle)]
     upright = at 0
-    hinted = likeliest (upright : concat [[at a, at (a + 90)] | Just a <- [hint]])
-    -- Before more frames are asked: five do not show it upright, and at the hint's angle show it
+    hinted = fromMaybe (likeliest (upright : asked)) leading
+    -- The likeliest at each hint, and of these the first that is far likelier than upright.
+    asked = [likeliest [at a, at (a + 90)] | a <- take 3 hints]
+    leading = find (\f -> abs (fitsAngle f) > 3 && coarsely 5 f - coarsely 5 upright > sure) asked
+    circle = map at [-90, -81 .. 81]
+    -- Before more frames are asked: five do not show it upright, and at a hint's angle show it
     -- rather than upright.
-    turned =
-      not (shownBy fitCoarse (take 5 telling) upright)
-        && any ((> 3) . abs) hint
-        && coarsely 5 hinted - coarsely 5 upright > sure
+    turned = not (shownBy fitCoarse (take 5 telling) upright) && isJust leading
     atOrUpright angle = if abs angle <= 1 then upright else at angle
     -- At whole taxels only it is told to a few degrees.
     likeliest = maximumOn (\fits -> (coarsely 5 fits, fitsAngle fits))
