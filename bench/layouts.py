@@ -4,14 +4,13 @@
 Presses of 48 x 60 taxels of the cube, at several spacings, every second of them with its corner at that of a symbol's cell. Of each the frames
 are decoded as they are and along other axes (`axes`); with one coordinate told twice as far, as two strips of which the second is told one cell
 off, and with the right half from a press on another face (`layouts`); and with each frame 2, 3, 5 and 20 times (`repeats`). Right is what names
-a face that was touched and the place where it was.
+a face that was touched and, to less than half a cell, the place that the sensor touched where the answer says that the robot was.
 
 usage: bench/layouts.py [--presses N] [--first SEED] [--spacings 8,12,16] [--program PATH] [axes] [layouts] [repeats]
 """
 import argparse
 import csv
 import json
-import math
 import shutil
 import subprocess
 import tempfile
@@ -58,10 +57,13 @@ def decoded(*asked):
     return json.loads(out.stdout)
 
 
-def at(answer, truth, shift=0.0):
-    """Whether that is the place on the face that was touched, for coordinates that are told so far to the right."""
-    asked = [a + b for a, b in zip(truth["region_mm"], answer["robot_mm"])]
-    return answer["face"] == truth["face"] and math.dist((asked[0] - shift, asked[1]), answer["place_mm"]) < 8
+def at(answer, truth, shift=0.0, scale=(1, 1)):
+    """Whether that is the place on the face that was touched, for coordinates that are told so far to the right, or so many times as far."""
+    if answer["place_mm"] is None:
+        return False
+    touched = [corner + robot / times for corner, robot, times in zip(truth["region_mm"], answer["robot_mm"], scale)]
+    off = [abs(touched[0] - shift - answer["place_mm"][0]), abs(touched[1] - answer["place_mm"][1])]
+    return answer["face"] == truth["face"] and all(o < pitch / 2 for o, pitch in zip(off, PITCH))
 
 
 def cases(place, seed, sensor, spacing):
@@ -79,9 +81,9 @@ def cases(place, seed, sensor, spacing):
         for axes in ["-x,y", "x,-y", "y,x"]:
             yield axes, decoded(str(frames), "--axes=" + axes), same
     if "layouts" in options.kinds:
-        for axis in ["x_mm", "y_mm"]:
+        for axis, scale in [("x_mm", (2, 1)), ("y_mm", (1, 2))]:
             doubled = laid(place / axis, [({**row, axis: 2 * row[axis]}, frames) for row in rows])
-            yield axis[0] + " doubled", decoded(doubled), same
+            yield axis[0] + " doubled", decoded(doubled), lambda a: at(a, truth, scale=scale)
         middle = sorted(row["x_mm"] for row in rows)[len(rows) // 2]
         left, right = [row for row in rows if row["x_mm"] < middle], [row for row in rows if row["x_mm"] >= middle]
         strips = [

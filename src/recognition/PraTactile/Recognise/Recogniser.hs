@@ -57,9 +57,10 @@ data RecogniserError
     PitchesDiffer Pitch Pitch
   deriving stock (Eq, Show)
 
--- | A recogniser for rectangular windows on an array and its surface. Up to 'largestSearchedArray'
--- cells what is seen is compared with all positions; beyond, it is decoded as "PraTactile.Locate"
--- has it. Refuses larger arrays whose logarithms cannot be taken or that lie on a foreign surface,
+-- | A recogniser for rectangular windows on an array and its surface. Up to 2^16 cells what is seen
+-- is compared with all positions; beyond, it is decoded as "PraTactile.Locate" has it, so that a
+-- press costs what was touched, not the array. Arrays whose logarithms cannot be taken or that lie
+-- on a foreign surface are compared up to 'largestSearchedArray' cells. Refuses larger ones of these,
 -- classes that are not one an element, and a placement on an array of another shape or with symbols
 -- at other distances than the paper's times a factor, at which they are read.
 recogniser ::
@@ -69,7 +70,11 @@ recogniser ::
   Placement ->
   Reader ->
   Either RecogniserError (Recogniser k)
-recogniser = recogniserUpTo largestSearchedArray
+recogniser on window layout reader = case upTo (2 ^ (16 :: Int)) of
+  Left (RecogniserArray _) -> upTo largestSearchedArray
+  made -> made
+  where
+    upTo most = recogniserUpTo most on window layout reader
 
 -- | The same that compares with all positions of arrays up to so many cells only.
 recogniserUpTo ::
