@@ -80,10 +80,10 @@ genTold = do
     turns a = let b = a / 180 in 180 * abs (b - fromIntegral (round b :: Int))
 
 -- | Upright, if that is likelier than other relief and than three degrees to either side; else near
--- one of three hints, the first that is far likelier than upright or else the likeliest, upright
--- too; or at nine degrees' distances wherever it is likeliest; if that is likelier than other
--- relief. Upright comes last where a hint is far likelier at whole taxels, and five frames there do
--- not show it.
+-- the likeliest of three hints and upright; or at nine degrees' distances wherever it is likeliest;
+-- if that is likelier than other relief. Where five frames at whole taxels do not show it upright,
+-- and the first hint at which they show it, or else the likeliest, is far likelier there, near that
+-- hint, and upright last.
 defined ::
   Spectra ->
   [Double] ->
@@ -92,16 +92,19 @@ defined ::
   [Double -> Double] ->
   Maybe Double
 defined processes hints images roughly finely
-  | not (null far) && not (shownBy roughly (take 5 telling) 0) = find shown (angles ++ [0])
+  | turned = find shown [best lead, elsewhere, 0]
   | shown 0 && fine 5 0 > fine 5 3 && fine 5 0 > fine 5 (-3) = Just 0
-  | otherwise = find shown angles
+  | otherwise = find shown [best (likeliest (0 : asked)), elsewhere]
   where
-    angles =
-      [ best (head (far ++ [likeliest (0 : asked)])),
-        best (settled (likeliest [-90, -81 .. 81]))
-      ]
+    turned =
+      not (null hints)
+        && not (coarselyShown 0)
+        && abs lead > 3
+        && coarse 5 lead > coarse 5 0 + log 99
+    lead = head (filter coarselyShown asked ++ [likeliest asked])
+    coarselyShown = shownBy roughly (take 5 telling)
     asked = [likeliest [a, a + 90] | a <- take 3 hints]
-    far = [a | a <- asked, abs a > 3, coarse 5 a > coarse 5 0 + log 99]
+    elsewhere = best (settled (likeliest [-90, -81 .. 81]))
     best = nearly0 . folded . uphill (3 :: Int)
     nearly0 a = if abs a <= 1 then 0 else a
     folded a

@@ -5,7 +5,7 @@ module PraTactile.Registration.Lattice.Angle
 where
 
 import Data.List (find, foldl', maximumBy, sortOn)
-import Data.Maybe (fromMaybe, isJust)
+import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..), comparing)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (parabolaVertex)
@@ -27,14 +27,18 @@ latticeAngle at processes hints images
   where
     angles = map (atOrUpright . folded . climbed) [hinted, nearby (likeliest circle)]
     upright = at 0
-    hinted = fromMaybe (likeliest (upright : asked)) leading
-    -- The likeliest at each hint, and of these the first that is far likelier than upright.
+    hinted = if turned then leading else likeliest (upright : asked)
+    -- The likeliest at each hint, and of these the first that five frames show.
     asked = [likeliest [at a, at (a + 90)] | a <- take 3 hints]
-    leading = find (\f -> abs (fitsAngle f) > 3 && coarsely 5 f - coarsely 5 upright > sure) asked
+    leading = fromMaybe (likeliest asked) (find shownCoarsely asked)
     circle = map at [-90, -81 .. 81]
     -- Before more frames are asked: five do not show it upright, and at a hint's angle show it
     -- rather than upright.
-    turned = not (shownBy fitCoarse (take 5 telling) upright) && isJust leading
+    turned =
+      not (shownCoarsely upright || null hints)
+        && abs (fitsAngle leading) > 3
+        && coarsely 5 leading - coarsely 5 upright > sure
+    shownCoarsely = shownBy fitCoarse (take 5 telling)
     atOrUpright angle = if abs angle <= 1 then upright else at angle
     -- At whole taxels only it is told to a few degrees.
     likeliest = maximumOn (\fits -> (coarsely 5 fits, fitsAngle fits))
