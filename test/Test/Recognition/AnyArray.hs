@@ -15,7 +15,14 @@ import PraTactile.Explore
 import PraTactile.Field (KnownField, toCode)
 import PraTactile.Grid (canonicalPosition)
 import PraTactile.Image (crop, rasterSize, toRows)
-import PraTactile.Locate (AlgebraError (..), LocateError (..), LocatorError (..), Radius (..))
+import PraTactile.Locate
+  ( AlgebraError (..),
+    DecoderName (..),
+    LocateError (..),
+    LocatorError (..),
+    Radius (..),
+    decoderOfProbabilities,
+  )
 import PraTactile.Object.Canonical (canonicalPitch, canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.Plate
@@ -150,31 +157,33 @@ withParts test =
       id
 
 -- | An array of 2047 x 2049 cells with its window of 3 x 4, likewise, and its plate.
-withLarge ::
-  Testable p =>
-  ( forall k.
-    KnownField k =>
-    PseudorandomArray k ->
-    Mask ->
-    Alphabet ->
-    Network ->
-    Placement ->
-    p
-  ) ->
-  Property
-withLarge test =
-  whenRight ((,,) <$> shown paperAlphabet <*> shown paperNetwork <*> shown large) $
+withLarge :: Testable p => OnPlate p -> Property
+withLarge = withPlate (profileChoice 4 polynomial (Shape 2047 2049)) {chosenWindow = Just (Shape 3 4)}
+  where
+    polynomial = [2, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1]
+
+type OnPlate p =
+  forall k.
+  KnownField k =>
+  PseudorandomArray k ->
+  Mask ->
+  Alphabet ->
+  Network ->
+  Placement ->
+  p
+
+-- | An array over GF(4), likewise, and its plate.
+withPlate :: Testable p => ProfileChoice -> OnPlate p -> Property
+withPlate choice test =
+  whenRight ((,,) <$> shown paperAlphabet <*> shown paperNetwork <*> shown plated) $
     \(alphabet, net, (profile, plate)) ->
       whenRight
         (withProfile profile (\array mask -> property (test array mask alphabet net plate)))
         id
   where
-    large = do
-      let choice = profileChoice 4 polynomial (Shape 2047 2049)
-      (,)
-        <$> shown (chooseProfile choice {chosenWindow = Just (Shape 3 4)})
-        <*> shown (platePlacement (Shape 2047 2049))
-    polynomial = [2, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1]
+    plated = do
+      profile <- shown (chooseProfile choice)
+      (,) profile <$> shown (platePlacement (profileShape profile))
 
 shown :: Show e => Either e a -> Either String a
 shown = either (Left . show) Right
@@ -224,7 +233,20 @@ decoderSpec = do
               === [ Nothing,
                     Just (RecogniserArray (LocatorPatch (TooManyPlaces 255 254)))
                   ]
+  it "a press costs what was touched from 2^16 cells on, unless nothing but comparing leads there" $
+    once . conjoin $
+      [ withPlate choice $ \array mask alphabet net plate ->
+          let made = recogniser (ArrayOn surface array) mask plate (readerOf alphabet net)
+           in (shown made >>= shown . decoderOfProbabilities . recogniserLocator) === Right decoder
+        | (choice, surface, decoder) <- decoders
+      ]
   where
+    decoders =
+      [ (profileChoice 4 [2, 1, 1, 0, 0, 0, 1] (Shape 63 65), Torus, PosteriorDecoder),
+        (large, Torus, ListDecoder),
+        (large, TwistedTorus, PosteriorDecoder)
+      ]
+    large = profileChoice 4 [3, 0, 2, 1, 0, 0, 0, 0, 0, 0, 1] (Shape 1023 1025)
     real = fromIntegral :: Int -> Double
     arrays =
       [ ("15 x 17", canonicalProfile, [Torus, Sheet]),

@@ -60,9 +60,9 @@ data RecogniserError
 -- | A recogniser for rectangular windows on an array and its surface. Up to 2^16 cells what is seen
 -- is compared with all positions; beyond, it is decoded as "PraTactile.Locate" has it, so that a
 -- press costs what was touched, not the array. Arrays whose logarithms cannot be taken or that lie
--- on a foreign surface are compared up to 'largestSearchedArray' cells. Refuses larger ones of these,
--- classes that are not one an element, and a placement on an array of another shape or with symbols
--- at other distances than the paper's times a factor, at which they are read.
+-- on a foreign surface are compared up to 'largestSearchedArray' cells. Refuses larger ones of
+-- these, classes that are not one an element, and a placement on an array of another shape or with
+-- symbols at other distances than the paper's times a factor, at which they are read.
 recogniser ::
   KnownField k =>
   ArrayOn k ->

@@ -49,10 +49,10 @@ tilts composites
     score angle = sum (map ($ angle) sharpnesses)
     sharpnesses = [sharpness places across down | (places, across, down) <- found]
     scored = map (\angle -> (score angle, angle))
-    round' = scored [-45, -43.5 .. 44]
+    circle = cycle (scored [-45, -43.5 .. 44])
     peaks =
       [ here
-        | (before, here, after) <- zip3 (drop 59 (cycle round')) round' (drop 1 (cycle round')),
+        | (before, here, after) <- take 60 (zip3 circle (drop 1 circle) (drop 2 circle)),
           fst here >= max (fst before) (fst after)
       ]
     best = snd . maximum . scored

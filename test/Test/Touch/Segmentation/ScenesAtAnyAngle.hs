@@ -169,12 +169,11 @@ anyAngle = do
             `shouldSatisfy` (\(_, _, t) -> t < 1)
         Nothing -> expectationFailure (show (k, angle))
   it "the tilts of two scenes together are each one's, before any other" $
-    for_ [(k, angle) | k <- [1 .. 6], angle <- [-40, -20 .. 40]] $ \(k, angle) -> do
-      let own = [drawnWith k 0.05 (const Nothing) (sceneOf k a) | a <- [angle, angle + 30]]
-          off = \a b -> let t = (a - b) / 90 in 90 * abs (t - fromIntegral (round t :: Int))
-          found = tilts own
-      (k, angle, found)
-        `shouldSatisfy` (\(_, _, ts) -> and [any ((< 1) . off a) (take 2 ts) | a <- [angle, angle + 30]])
+    for_ ((,) <$> [1 .. 6] <*> [-40, -20 .. 40]) $ \(k, angle) -> do
+      let own = [angle, angle + 30]
+          found = take 2 (tilts [drawnWith k 0.05 (const Nothing) (sceneOf k a) | a <- own])
+          apart' a b = let t = (a - b) / 90 in 90 * abs (t - fromIntegral (round t :: Int))
+      (k, angle, found) `shouldSatisfy` (\(_, _, ts) -> and [any ((< 1) . apart' a) ts | a <- own])
   it "what is not whole beside them is told as a part, with the share that is seen" $
     for_ scenes $ \(k, scene) -> do
       let segmented = segmentTurned (drawnWith k 0.05 (const Nothing) scene)
