@@ -158,8 +158,9 @@ withParts test =
 
 -- | An array of 2047 x 2049 cells with its window of 3 x 4, likewise, and its plate.
 withLarge :: Testable p => OnPlate p -> Property
-withLarge = withPlate (profileChoice 4 polynomial (Shape 2047 2049)) {chosenWindow = Just (Shape 3 4)}
+withLarge = withPlate choice {chosenWindow = Just (Shape 3 4)}
   where
+    choice = profileChoice 4 polynomial (Shape 2047 2049)
     polynomial = [2, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1]
 
 type OnPlate p =
