@@ -163,6 +163,7 @@ withLarge = withPlate choice {chosenWindow = Just (Shape 3 4)}
     choice = profileChoice 4 polynomial (Shape 2047 2049)
     polynomial = [2, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1]
 
+-- | What is tried with an array, its window, the shipped alphabet and network, and the plate.
 type OnPlate p =
   forall k.
   KnownField k =>
