@@ -49,6 +49,7 @@ tilts composites
     score angle = sum (map ($ angle) sharpnesses)
     sharpnesses = [sharpness places across down | (places, across, down) <- found]
     scored = map (\angle -> (score angle, angle))
+    -- The 60 angles up to a quarter turn, around and around.
     circle = cycle (scored [-45, -43.5 .. 44])
     peaks =
       [ here

@@ -163,17 +163,15 @@ anyAngle = do
     for_ ((,) <$> [1, 2] <*> ([-46, -45.4 .. -44] ++ [44, 44.6 .. 46])) $ \(k, angle) ->
       case tilt [drawnWith k 0.05 (const Nothing) (sceneOf k angle)] of
         Just found -> do
-          let off = (found - angle) / 90
           (k, angle, found) `shouldSatisfy` (\(_, _, t) -> t >= -45 && t < 45)
-          (k, angle, 90 * abs (off - fromIntegral (round off :: Int)))
-            `shouldSatisfy` (\(_, _, t) -> t < 1)
+          (k, angle, upToQuarters found angle) `shouldSatisfy` (\(_, _, t) -> t < 1)
         Nothing -> expectationFailure (show (k, angle))
   it "the tilts of two scenes together are each one's, before any other" $
     for_ ((,) <$> [1 .. 6] <*> [-40, -20 .. 40]) $ \(k, angle) -> do
       let own = [angle, angle + 30]
           found = take 2 (tilts [drawnWith k 0.05 (const Nothing) (sceneOf k a) | a <- own])
-          apart' a b = let t = (a - b) / 90 in 90 * abs (t - fromIntegral (round t :: Int))
-      (k, angle, found) `shouldSatisfy` (\(_, _, ts) -> and [any ((< 1) . apart' a) ts | a <- own])
+      (k, angle, found)
+        `shouldSatisfy` (\(_, _, ts) -> and [any ((< 1) . upToQuarters a) ts | a <- own])
   it "what is not whole beside them is told as a part, with the share that is seen" $
     for_ scenes $ \(k, scene) -> do
       let segmented = segmentTurned (drawnWith k 0.05 (const Nothing) scene)
@@ -187,6 +185,8 @@ anyAngle = do
   where
     scenes = [(k, sceneOf k (fromIntegral (k * 67 `mod` 720) / 2)) | k <- [1 .. 12]]
     plus (x, y) (x', y') = (x + x', y + y')
+    -- How far two angles are apart, but for quarter turns.
+    upToQuarters a b = let t = (a - b) / 90 in 90 * abs (t - fromIntegral (round t :: Int))
     directions' beside =
       [ (neighbourRight beside, (16, 0)),
         (neighbourLeft beside, (-16, 0)),
