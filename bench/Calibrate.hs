@@ -4,7 +4,8 @@
 module Main (main) where
 
 import Control.Monad (forM_)
-import Data.List (sort)
+import Data.List (sort, transpose)
+import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
 import PraTactile.Classification.Calibration
 import PraTactile.Classification.Classifier
@@ -13,8 +14,14 @@ import PraTactile.Classification.Network (outputs)
 import PraTactile.Classification.Reader
 import PraTactile.Classification.Regimen (shippedSeed)
 import PraTactile.Classification.Shipped
+import PraTactile.Explore (Turns (AnyAngle))
 import PraTactile.Image (Raster, onRaster)
+import PraTactile.Sensor (Preset (..), presetName, presetSensor)
+import PraTactile.Shape (Bitmap, alphabet, shapes)
+import PraTactile.Shape.Design (admissible, parametersFor)
+import PraTactile.Shape.Distance (nearest, nearestDistance)
 import PraTactile.SymbolCalibration
+import PraTactile.SymbolImages
 import PraTactile.Symmetry
 import System.Environment (getArgs)
 import System.IO (BufferMode (LineBuffering), hSetBuffering, stdout)
@@ -44,39 +51,109 @@ main = do
               shippedSeed
           )
 
+-- | An image, and what it truly shows.
+type Known = (Maybe (Int, Symmetry), Raster)
+
 -- | A symbol: what is told of it, and what it truly is.
 type Told = (Estimate, Maybe (Int, Symmetry))
 
 counted :: Int -> Int -> Reader -> IO ()
 counted count q reader = do
-  images <-
+  ours <-
     sequenceA
-      [ (,) c <$> orFail (knownImages alphabet count (9000000 + k) c)
-        | (k, c) <- zip [0 ..] conditions
+      [ (,) (conditionName c) <$> orFail (knownImages known count (7000000 + k) c)
+        | (k, c) <- zip [0 ..] conditions,
+          not (conditionOthers c)
       ]
-  forM_
-    [ ("network", networkClassifier reader),
-      ("means", meansClassifier (readerCalibration reader) alphabet),
-      ("logistic", logisticClassifier (readerCalibration reader) alphabet)
-    ]
-    $ \(name, classifier) -> do
-      judged <- traverse (traverse (traverse (toldBy classifier))) images
-      printf "GF(%d), %s\n" q (name :: String)
-      forM_ [(c, these) | (c, these) <- judged, not (conditionOthers c)] $ \(c, these) ->
-        decades (conditionName c) these
-      decades "all of them" (concat [these | (c, these) <- judged, not (conditionOthers c)])
-      forM_ [(c, these) | (c, these) <- judged, conditionOthers c] $ \(c, these) ->
-        passing
-          (conditionName c)
-          (concat [ours | (o, ours) <- judged, o == c {conditionOthers = False}])
-          these
+  let network = networkClassifier reader
+      calibration = readerCalibration reader
+  told <- traverse (traverse (traverse (toldBy network))) ours
+  heading ["q", "symbols", "presses"] (decades ++ ["loss", "by three numbers"])
+  forM_ (told ++ [("all", concatMap snd told)]) $ \(name, these) -> do
+    let images = concat [is | (n, is) <- ours, n == name || name == "all"]
+    old <- traverse (lossOfThree network) images
+    row
+      [show q, "network", name]
+      (byDecade (map wrongClass these) ++ [mean (map loss these), mean old])
+  forM_ [("means", meansClassifier), ("logistic", logisticClassifier)] $ \(name, classifier) -> do
+    these <- traverse (toldBy (classifier calibration known)) (concatMap snd ours)
+    row [show q, name, "all"] (byDecade (map wrongClass these) ++ [mean (map loss these), ""])
+  let drawn = [(b, distanceFrom b) | b <- spread (admissible (parametersFor []))]
+  others <-
+    sequenceA
+      [ (,) (presetName sensor)
+          <$> sequenceA
+            [ (,) bound . concat
+                <$> sequenceA
+                  [ otherImages sensor some (7100000 + 1000 * k + j)
+                    | (j, some) <- zip [0 ..] (portions bound [b | (b, d) <- drawn, d `within` bound])
+                  ]
+              | (k, bound) <- zip [0 ..] bounds
+            ]
+        | sensor <- [Paper, Real, Hard]
+      ]
+  toldOthers <- traverse (traverse (traverse (traverse (traverse (toldBy network))))) others
+  heading ["q", "ours or not", "presses"] decades
+  forM_ toldOthers $ \(sensor, byDistance) -> do
+    let mine = ofAnyAngle sensor told
+        far = concat (take 1 (map snd (reverse byDistance)))
+        n = min (length mine) (length far)
+    row
+      [show q, "network", sensor ++ " --any-angle"]
+      (byDecade (map wrongKind (take n mine ++ take n far)))
+  heading ["q", "where so many of ours pass", "presses"] (map distances bounds)
+  forM_ [0.97, 0.99] $ \share -> forM_ toldOthers $ \(sensor, byDistance) ->
+    row
+      [show q, printf "%.0f %%" (100 * share :: Double), sensor ++ " --any-angle"]
+      [passing share (ofAnyAngle sensor told) these | (_, these) <- byDistance]
   where
-    alphabet = readerAlphabet reader
+    known = readerAlphabet reader
+    ofAnyAngle sensor told = concat [these | (n, these) <- told, n == sensor ++ " --any-angle"]
+    distanceFrom b = minimum [nearestDistance (nearest symmetries a b) | a <- shapes known]
+    -- Eight shapes a plate, of each 50 images; of those that are near, a tenth as many plates.
+    portions (_, to) = take (if to > 96 then plates else max 1 (plates `div` 10)) . eights
+    plates = max 1 (3 * count `div` 400)
+    otherImages :: Preset -> [Bitmap] -> Int -> IO [Known]
+    otherImages sensor some seed
+      | null some = pure []
+      | otherwise = do
+        these <- orFail (alphabet (zip (map (Text.pack . show) [0 :: Int ..]) some))
+        labelled <-
+          orFail
+            ( labelledImages
+                (symbolsOf known) {symbolShapes = these}
+                (Presses (presetName sensor) (presetSensor sensor) AnyAngle)
+                (max 1 (min 50 (count `div` length some)))
+                seed
+            )
+        pure [(Nothing, image) | (image, _) <- labelledAs labelled]
 
-toldBy :: Classifier -> (Maybe (Int, Symmetry), Raster) -> IO Told
+-- | Every 101st, then every 101st from the next on: far apart in the order of drawings.
+spread :: [a] -> [a]
+spread = concat . transpose . hundreds
+  where
+    hundreds [] = []
+    hundreds list = let (now, later) = splitAt 101 list in now : hundreds later
+
+eights :: [a] -> [[a]]
+eights [] = []
+eights list = let (now, later) = splitAt 8 list in now : eights later
+
+-- | Distances from the nearest of ours, in taxels: at least, and less than.
+bounds :: [(Int, Int)]
+bounds = [(4, 12), (12, 16), (16, 20), (20, 24), (24, 97)]
+
+within :: Int -> (Int, Int) -> Bool
+within d (from, to) = d >= from && d < to
+
+distances :: (Int, Int) -> String
+distances (from, to)
+  | to > 96 = printf "%d taxels or more" from
+  | otherwise = printf "%d to %d" from (to - 1)
+
+toldBy :: Classifier -> Known -> IO Told
 toldBy classifier (truth, image) = do
-  upright <- orFail (classifierOutputs classifier image)
-  upsideDown <- orFail (classifierOutputs classifier (onRaster (turned 2) image))
+  (upright, upsideDown) <- outputsOf classifier image
   pure
     ( estimateFrom
         (classifierCalibration classifier)
@@ -87,45 +164,71 @@ toldBy classifier (truth, image) = do
       truth
     )
 
--- | By decade of doubt, from 1e-4 up: symbols, told and counted wrong; and the mean loss, - log of
--- the probability of the truth.
-decades :: String -> [Told] -> IO ()
-decades name these = do
-  printf "  %-20s" name
-  forM_ (zip bounds (drop 1 bounds)) $ \(from, to) -> do
-    let here = [t | t@(e, _) <- these, estimateDoubt e >= from, estimateDoubt e < to]
-    printf " | %5d %6.2f %3d" (length here) (sum (map (estimateDoubt . fst) here)) (wrong here)
-  printf " | loss %.5f\n" (sum (map loss these) / fromIntegral (max 1 (length these)))
-  where
-    bounds = [0, 1e-4, 1e-3, 1e-2, 1e-1, 1.1] :: [Double]
-    wrong here = length [() | (e, truth) <- here, Just (estimateLikeliest e) /= truth]
-    loss (e, truth) = negate (log (maybe 1 (estimateChance e) truth))
+outputsOf :: Classifier -> Raster -> IO ([Double], [Double])
+outputsOf classifier image =
+  (,) <$> orFail (classifierOutputs classifier image)
+    <*> orFail (classifierOutputs classifier (onRaster (turned 2) image))
 
--- | How many others pass where 97 and 99 % of ours do, and how many of either are likelier another
--- shape than they are told to be.
-passing :: String -> [Told] -> [Told] -> IO ()
-passing name ours others =
-  printf
-    "  %-20s pass where 97 %% of ours do: %.1f %%, 99 %%: %.1f %%; \
-    \likelier others: of ours %d of %d, of others %d of %d\n"
-    name
-    (share 0.97)
-    (share 0.99)
-    (likelier ours)
-    (length ours)
-    (likelier others)
-    (length others)
+-- | The doubt, and whether it was right to doubt: of the class and the turn,
+wrongClass :: Told -> (Double, Bool)
+wrongClass (e, truth) = (estimateDoubt e, Just (estimateLikeliest e) /= truth)
+
+-- | and of whether it is one of ours at all, which is as probable beforehand as not.
+wrongKind :: Told -> (Double, Bool)
+wrongKind (e, truth) = (1 / (1 + exp (abs u)), (u > 0) /= (truth == Nothing))
   where
+    u = estimateUnlike e
+
+loss :: Told -> Double
+loss (e, truth) = negate (log (maybe 1 (estimateChance e) truth))
+
+-- | The loss where doubt is a regression on the lead of the greatest logit and on the likeness to
+-- its shape, of three numbers, and all others share it alike: what preceded the calibration.
+lossOfThree :: Classifier -> Known -> IO Double
+lossOfThree classifier (truth, image) = do
+  (upright, upsideDown) <- outputsOf classifier image
+  let Look told _ = look (classifierTemplates classifier) image upright upsideDown
+      (greatest, (best, likeness)) = maximum [(z, (what, s)) | (what, (z, s)) <- told]
+      lead = minimum [greatest - z | (what, (z, _)) <- told, what /= best]
+      others = fromIntegral (length told - 1)
+      told' = 1 / (1 + exp (0.11 * lead + 21.9 * likeness - 11.3))
+      doubt = max 1e-7 (min (others / (others + 1)) told')
+  pure (negate (log (if Just best == truth then 1 - doubt else doubt / others)))
+
+-- | By decade of doubt, from 1e-4 up: how many, and how many told and counted wrong.
+byDecade :: [(Double, Bool)] -> [String]
+byDecade these =
+  [ printf "%d: %.2f, %d" (length here) (sum (map fst here)) (length (filter snd here))
+    | (from, to) <- zip edges (drop 1 edges),
+      let here = [t | t@(doubt, _) <- these, doubt >= from, doubt < to]
+  ]
+  where
+    edges = [0, 1e-4, 1e-3, 1e-2, 1e-1, 1.1]
+
+decades :: [String]
+decades = ["below 1e-4", "1e-4 to 1e-3", "to 1e-2", "to 0.1", "above"]
+
+-- | How many others pass where such a share of ours does, of how many.
+passing :: Double -> [Told] -> [Told] -> String
+passing share ours others = printf "%d of %d" (length passed) (length others)
+  where
+    passed = filter (< limit) (unlike others)
     unlike = map (estimateUnlike . fst)
-    before part = floor (part * fromIntegral (length ours)) :: Int
-    limit part = case drop (before part) (sort (unlike ours)) of
+    before = floor (share * fromIntegral (length ours)) :: Int
+    limit = case drop before (sort (unlike ours)) of
       u : _ -> u
       [] -> 1 / 0
-    share :: Double -> Double
-    share part =
-      100 * fromIntegral (length (filter (< limit part) (unlike others)))
-        / fromIntegral (max 1 (length others))
-    likelier = length . filter (> 0) . unlike
+
+mean :: [Double] -> String
+mean these = printf "%.5f" (sum these / fromIntegral (max 1 (length these)))
+
+heading, row :: [String] -> [String] -> IO ()
+heading names numbers = do
+  putStrLn ""
+  row names numbers
+  putStrLn ("|" ++ concatMap (const "---|") names ++ concatMap (const "--:|") numbers)
+row names numbers =
+  putStrLn ("| " ++ concatMap (++ " | ") names ++ unwords (map (++ " |") numbers))
 
 orFail :: Show e => Either e a -> IO a
 orFail = either (fail . show) pure

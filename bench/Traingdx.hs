@@ -59,7 +59,7 @@ compared folder python = do
   b <- orFail (batch 4 [(image, Just c) | (_, image, c) <- read'])
   printf "%d images\n" (batchSize b)
   same first b 0.01
-  same first b 0.5
+  same first b 0.05
   timed first b
   where
     pressedByReal = Presses "real" (presetSensor Real) (AmongTurns halfTurns)
@@ -100,6 +100,8 @@ compared folder python = do
         "5000 epochs, the best of 5, seconds of the processor: ours %.3f, numpy %.3f\n"
         (minimum (map fst rounds))
         (minimum (map snd rounds))
+      readProcess python ["bench/peers/epochs.py", folder </> "first.json", folder </> "images"] ""
+        >>= putStr
     cells line = case break (== ',') line of
       (cell, _ : rest) -> cell : cells rest
       (cell, []) -> [cell]

@@ -43,6 +43,6 @@ for name in sys.argv[3:]:
     scores = [sure["per_logit"] * z + sure["per_likeness"] * weight(s) + sure["classes"][c] for z, s, c in told]
     z, s, _ = told[scores.index(max(scores))]
     ratio = sum(map(float.__mul__, map(float, sure["none"]), [1.0, weight(free(centred(image))) - weight(s), s, z]))
-    none = 1 / (1 + math.exp(-max(-6, min(4, ratio))))
+    none = 1 / (1 + math.exp(-max(-9, min(9, ratio))))
     powers = [math.exp(score - max(scores)) for score in scores]
     print(name, *((1 - none) * sum(p for p, t in zip(powers, told) if t[2] == c) / sum(powers) for c in range(len(shapes))), none)

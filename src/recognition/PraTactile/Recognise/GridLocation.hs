@@ -228,14 +228,16 @@ locatedAsOurs reader tolerance cells = do
 seenOf :: KnownField k => Cells -> Maybe (Patch (Belief k))
 seenOf cells = rightOnly (patch (map (map (>>= beliefAlong (axisOf cells))) (gridRows cells)))
 
--- | Where are cells, given what is seen of them?
+-- | Where are cells, given what is seen of them? How unlike ours a single symbol is counts for less
+-- than on the sensors that it was calibrated with, from -6 to 4: one that is spoilt, as beside an
+-- edge, does not outweigh many.
 whereAre :: Recogniser k -> Tolerance -> Cells -> Patch (Belief k) -> Query k
 whereAre reader tolerance cells seen =
   (onePatch (Probabilities <$> seen))
     { querySymmetries = waysUp,
       queryDoubt = toleratedDoubt tolerance,
       queryForeign = Just (foreignPrior tolerance),
-      queryUnlike = sum [readUnlike s | here <- Map.elems cells, s <- here],
+      queryUnlike = sum [max (-6) (min 4 (readUnlike s)) | here <- Map.elems cells, s <- here],
       queryBeforehand = Just (beforehandOf reader cells)
     }
 

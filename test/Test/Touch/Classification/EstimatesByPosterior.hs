@@ -182,7 +182,7 @@ estimateSpec = do
                   estimateChance e likeliest === maximum (map snd (estimateChances e)),
                   property (estimateDoubt e >= leastDoubt * 0.999),
                   near 0 (estimateChance e (4, identity)),
-                  near (max (-6) (min 4 ratio)) (estimateUnlike e)
+                  near (max (-9) (min 9 ratio)) (estimateUnlike e)
                 ]
   it "a calibration is found again from choices that are drawn by it" $ do
     let true = [0.8, -1.5]
