@@ -17,7 +17,7 @@ import PraTactile.Classification.Shipped
 import PraTactile.Explore (Turns (AnyAngle))
 import PraTactile.Image (Raster, onRaster)
 import PraTactile.Sensor (Preset (..), presetName, presetSensor)
-import PraTactile.Shape (Bitmap, alphabet, shapes)
+import PraTactile.Shape (alphabet, shapes)
 import PraTactile.Shape.Design (admissible, parametersFor)
 import PraTactile.Shape.Distance (nearest, nearestDistance)
 import PraTactile.SymbolCalibration
@@ -57,6 +57,7 @@ type Known = (Maybe (Int, Symmetry), Raster)
 -- | A symbol: what is told of it, and what it truly is.
 type Told = (Estimate, Maybe (Int, Symmetry))
 
+-- | The tables of a field: of symbols; of whether they are any; and of others, how many pass.
 counted :: Int -> Int -> Reader -> IO ()
 counted count q reader = do
   ours <-
@@ -65,55 +66,48 @@ counted count q reader = do
         | (k, c) <- zip [0 ..] conditions,
           not (conditionOthers c)
       ]
-  let network = networkClassifier reader
-      calibration = readerCalibration reader
   told <- traverse (traverse (traverse (toldBy network))) ours
   heading ["q", "symbols", "presses"] (decades ++ ["loss", "by three numbers"])
-  forM_ (told ++ [("all", concatMap snd told)]) $ \(name, these) -> do
-    let images = concat [is | (n, is) <- ours, n == name || name == "all"]
-    old <- traverse (lossOfThree network) images
-    row
-      [show q, "network", name]
-      (byDecade (map wrongClass these) ++ [mean (map loss these), mean old])
+  forM_ (zip (ours ++ [("all", concatMap snd ours)]) (told ++ [("all", concatMap snd told)])) $
+    \((name, images), (_, these)) -> do
+      old <- traverse (lossOfThree network) images
+      row
+        [show q, "network", name]
+        (byDecade (map wrongClass these) ++ [mean (map loss these), mean old])
   forM_ [("means", meansClassifier), ("logistic", logisticClassifier)] $ \(name, classifier) -> do
-    these <- traverse (toldBy (classifier calibration known)) (concatMap snd ours)
+    these <- traverse (toldBy (classifier (readerCalibration reader) known)) (concatMap snd ours)
     row [show q, name, "all"] (byDecade (map wrongClass these) ++ [mean (map loss these), ""])
-  let drawn = [(b, distanceFrom b) | b <- spread (admissible (parametersFor []))]
-  others <-
-    sequenceA
-      [ (,) (presetName sensor)
-          <$> sequenceA
-            [ (,) bound . concat
-                <$> sequenceA
-                  [ otherImages sensor some (7100000 + 1000 * k + j)
-                    | (j, some) <- zip [0 ..] (portions bound [b | (b, d) <- drawn, d `within` bound])
-                  ]
-              | (k, bound) <- zip [0 ..] bounds
-            ]
-        | sensor <- [Paper, Real, Hard]
-      ]
-  toldOthers <- traverse (traverse (traverse (traverse (traverse (toldBy network))))) others
+  others <- traverse othersBy [Paper, Real, Hard]
+  let anyAngle = [(name, these) | (c, (name, these)) <- zip ordinary told, conditionAnyAngle c]
+      beside = zip anyAngle others
   heading ["q", "ours or not", "presses"] decades
-  forM_ toldOthers $ \(sensor, byDistance) -> do
-    let mine = ofAnyAngle sensor told
-        far = concat (take 1 (map snd (reverse byDistance)))
+  forM_ beside $ \((name, mine), byDistance) -> do
+    let far = concat (take 1 (reverse byDistance))
         n = min (length mine) (length far)
-    row
-      [show q, "network", sensor ++ " --any-angle"]
-      (byDecade (map wrongKind (take n mine ++ take n far)))
+    row [show q, "network", name] (byDecade (map wrongKind (take n mine ++ take n far)))
   heading ["q", "where so many of ours pass", "presses"] (map distances bounds)
-  forM_ [0.97, 0.99] $ \share -> forM_ toldOthers $ \(sensor, byDistance) ->
-    row
-      [show q, printf "%.0f %%" (100 * share :: Double), sensor ++ " --any-angle"]
-      [passing share (ofAnyAngle sensor told) these | (_, these) <- byDistance]
+  forM_ [0.97, 0.99] $ \share -> forM_ beside $ \((name, mine), byDistance) ->
+    row [show q, printf "%.0f %%" (100 * share), name] (map (passing share mine) byDistance)
   where
     known = readerAlphabet reader
-    ofAnyAngle sensor told = concat [these | (n, these) <- told, n == sensor ++ " --any-angle"]
+    network = networkClassifier reader
+    ordinary = filter (not . conditionOthers) conditions
+    -- Of each distance what is told of other shapes, at any angle.
+    othersBy :: Preset -> IO [[Told]]
+    othersBy sensor =
+      sequenceA
+        [ concat
+            <$> sequenceA
+              [ otherImages sensor some (7100000 + 1000 * k + j) >>= traverse (toldBy network)
+                | (j, some) <- zip [0 ..] (portions bound [b | (b, d) <- drawn, d `within` bound])
+              ]
+          | (k, bound) <- zip [0 ..] bounds
+        ]
+    drawn = [(b, distanceFrom b) | b <- spread (admissible (parametersFor []))]
     distanceFrom b = minimum [nearestDistance (nearest symmetries a b) | a <- shapes known]
     -- Eight shapes a plate, of each 50 images; of those that are near, a tenth as many plates.
     portions (_, to) = take (if to > 96 then plates else max 1 (plates `div` 10)) . eights
     plates = max 1 (3 * count `div` 400)
-    otherImages :: Preset -> [Bitmap] -> Int -> IO [Known]
     otherImages sensor some seed
       | null some = pure []
       | otherwise = do
