@@ -141,10 +141,11 @@ softmax scores = map (/ sum powers) powers
     powers = map (\e -> exp (e - maximum scores)) scores
 
 -- | The logarithm of how many times as likely an image is of another shape as of the alphabet's,
--- the likeliest of which is given; from -6 to 4: no sensor is known so well.
+-- the likeliest of which is given; from -9 to 9: more than ten thousand images would be needed to
+-- show that it is more.
 unlikeness :: Calibration -> (Int, Symmetry) -> Look -> Double
 unlikeness calibration likeliest =
-  max (-6) . min 4 . sum . zipWith (*) (ofOthers calibration) . otherRegressors likeliest
+  max (-9) . min 9 . sum . zipWith (*) (ofOthers calibration) . otherRegressors likeliest
 
 -- | What stands at delta_0 to delta_3.
 otherRegressors :: (Int, Symmetry) -> Look -> [Double]
