@@ -59,7 +59,7 @@ compared folder python = do
   b <- orFail (batch 4 [(image, Just c) | (_, image, c) <- read'])
   printf "%d images\n" (batchSize b)
   same first b 0.01
-  same first b 0.05
+  same first b 0.2
   timed first b
   where
     pressedByReal = Presses "real" (presetSensor Real) (AmongTurns halfTurns)
