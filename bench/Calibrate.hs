@@ -4,7 +4,8 @@
 module Main (main) where
 
 import Control.Monad (forM_)
-import Data.List (sort, transpose)
+import Data.List (sort, transpose, unfoldr)
+import Data.Maybe (isNothing)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
 import PraTactile.Classification.Calibration
@@ -54,8 +55,8 @@ main = do
 -- | An image, and what it truly shows.
 type Known = (Maybe (Int, Symmetry), Raster)
 
--- | A symbol: what is told of it, and what it truly is.
-type Told = (Estimate, Maybe (Int, Symmetry))
+-- | A symbol: what is told of it, and what it truly is, as it is seen.
+type Told = (Estimate, Seen)
 
 -- | The tables of a field: of symbols; of whether they are any; and of others, how many pass.
 counted :: Int -> Int -> Reader -> IO ()
@@ -68,12 +69,10 @@ counted count q reader = do
       ]
   told <- traverse (traverse (traverse (toldBy network))) ours
   heading ["q", "symbols", "presses"] (decades ++ ["loss", "by three numbers"])
-  forM_ (zip (ours ++ [("all", concatMap snd ours)]) (told ++ [("all", concatMap snd told)])) $
-    \((name, images), (_, these)) -> do
-      old <- traverse (lossOfThree network) images
-      row
-        [show q, "network", name]
-        (byDecade (map wrongClass these) ++ [mean (map loss these), mean old])
+  forM_ (told ++ [("all", concatMap snd told)]) $ \(name, these) ->
+    row
+      [show q, "network", name]
+      (byDecade (map wrongClass these) ++ map (\of' -> mean (map of' these)) [loss, lossOfThree])
   forM_ [("means", meansClassifier), ("logistic", logisticClassifier)] $ \(name, classifier) -> do
     these <- traverse (toldBy (classifier (readerCalibration reader) known)) (concatMap snd ours)
     row [show q, name, "all"] (byDecade (map wrongClass these) ++ [mean (map loss these), ""])
@@ -106,7 +105,7 @@ counted count q reader = do
     drawn = [(b, distanceFrom b) | b <- spread (admissible (parametersFor []))]
     distanceFrom b = minimum [nearestDistance (nearest symmetries a b) | a <- shapes known]
     -- Eight shapes a plate, of each 50 images; of those that are near, a tenth as many plates.
-    portions (_, to) = take (if to > 96 then plates else max 1 (plates `div` 10)) . eights
+    portions (_, to) = take (if to > 96 then plates else max 1 (plates `div` 10)) . parts 8
     plates = max 1 (3 * count `div` 400)
     otherImages sensor some seed
       | null some = pure []
@@ -124,14 +123,11 @@ counted count q reader = do
 
 -- | Every 101st, then every 101st from the next on: far apart in the order of drawings.
 spread :: [a] -> [a]
-spread = concat . transpose . hundreds
-  where
-    hundreds [] = []
-    hundreds list = let (now, later) = splitAt 101 list in now : hundreds later
+spread = concat . transpose . parts 101
 
-eights :: [a] -> [[a]]
-eights [] = []
-eights list = let (now, later) = splitAt 8 list in now : eights later
+-- | So many at a time.
+parts :: Int -> [a] -> [[a]]
+parts n = takeWhile (not . null) . unfoldr (Just . splitAt n)
 
 -- | Distances from the nearest of ours, in taxels: at least, and less than.
 bounds :: [(Int, Int)]
@@ -147,47 +143,38 @@ distances (from, to)
 
 toldBy :: Classifier -> Known -> IO Told
 toldBy classifier (truth, image) = do
-  (upright, upsideDown) <- outputsOf classifier image
+  upright <- orFail (classifierOutputs classifier image)
+  upsideDown <- orFail (classifierOutputs classifier (onRaster (turned 2) image))
+  let shapesSeen = classifierTemplates classifier
   pure
-    ( estimateFrom
-        (classifierCalibration classifier)
-        (classifierTemplates classifier)
-        image
-        upright
-        upsideDown,
-      truth
+    ( estimateFrom (classifierCalibration classifier) shapesSeen image upright upsideDown,
+      Seen truth (look shapesSeen image upright upsideDown)
     )
-
-outputsOf :: Classifier -> Raster -> IO ([Double], [Double])
-outputsOf classifier image =
-  (,) <$> orFail (classifierOutputs classifier image)
-    <*> orFail (classifierOutputs classifier (onRaster (turned 2) image))
 
 -- | The doubt, and whether it was right to doubt: of the class and the turn,
 wrongClass :: Told -> (Double, Bool)
-wrongClass (e, truth) = (estimateDoubt e, Just (estimateLikeliest e) /= truth)
+wrongClass (e, Seen truth _) = (estimateDoubt e, Just (estimateLikeliest e) /= truth)
 
 -- | and of whether it is one of ours at all, which is as probable beforehand as not.
 wrongKind :: Told -> (Double, Bool)
-wrongKind (e, truth) = (1 / (1 + exp (abs u)), (u > 0) /= (truth == Nothing))
+wrongKind (e, Seen truth _) = (1 / (1 + exp (abs u)), (u > 0) /= isNothing truth)
   where
     u = estimateUnlike e
 
 loss :: Told -> Double
-loss (e, truth) = negate (log (maybe 1 (estimateChance e) truth))
+loss (e, Seen truth _) = negate (log (maybe 1 (estimateChance e) truth))
 
 -- | The loss where doubt is a regression on the lead of the greatest logit and on the likeness to
 -- its shape, of three numbers, and all others share it alike: what preceded the calibration.
-lossOfThree :: Classifier -> Known -> IO Double
-lossOfThree classifier (truth, image) = do
-  (upright, upsideDown) <- outputsOf classifier image
-  let Look told _ = look (classifierTemplates classifier) image upright upsideDown
-      (greatest, (best, likeness)) = maximum [(z, (what, s)) | (what, (z, s)) <- told]
-      lead = minimum [greatest - z | (what, (z, _)) <- told, what /= best]
-      others = fromIntegral (length told - 1)
-      told' = 1 / (1 + exp (0.11 * lead + 21.9 * likeness - 11.3))
-      doubt = max 1e-7 (min (others / (others + 1)) told')
-  pure (negate (log (if Just best == truth then 1 - doubt else doubt / others)))
+lossOfThree :: Told -> Double
+lossOfThree (_, Seen truth (Look told _)) =
+  negate (log (if Just best == truth then 1 - doubt else doubt / others))
+  where
+    (greatest, (best, likeness)) = maximum [(z, (what, s)) | (what, (z, s)) <- told]
+    lead = minimum [greatest - z | (what, (z, _)) <- told, what /= best]
+    others = fromIntegral (length told - 1)
+    regressed = 1 / (1 + exp (0.11 * lead + 21.9 * likeness - 11.3))
+    doubt = max 1e-7 (min (others / (others + 1)) regressed)
 
 -- | By decade of doubt, from 1e-4 up: how many, and how many told and counted wrong.
 byDecade :: [(Double, Bool)] -> [String]

@@ -9,7 +9,7 @@ import numpy as np
 first = json.loads(pathlib.Path(sys.argv[1]).read_text())
 folder = pathlib.Path(sys.argv[2])
 names = [line.split(",")[0] for line in (folder / "labels.csv").read_text().split()[1:]]
-x = np.array([np.frombuffer((folder / name).read_bytes()[-192:], ">u2") / 65535 for name in names])
+x = (np.array([np.frombuffer((folder / name).read_bytes()[-192:], ">u2") / 65535 for name in names]) - 0.25) / 0.5
 labels = np.array([int(name.split("_")[0]) for name in names])
 units = [np.array(first[which]) for which in ("hidden_units", "output_units")]
 EPOCHS = 5000
