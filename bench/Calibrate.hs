@@ -105,7 +105,7 @@ counted count q reader = do
     drawn = [(b, distanceFrom b) | b <- spread (admissible (parametersFor []))]
     distanceFrom b = minimum [nearestDistance (nearest symmetries a b) | a <- shapes known]
     -- Eight shapes a plate, of each 50 images; of those that are near, a tenth as many plates.
-    portions (_, to) = take (if to > 96 then plates else max 1 (plates `div` 10)) . parts 8
+    portions (_, to) = take (maybe plates (const (max 1 (plates `div` 10))) to) . parts 8
     plates = max 1 (3 * count `div` 400)
     otherImages sensor some seed
       | null some = pure []
@@ -129,17 +129,15 @@ spread = concat . transpose . parts 101
 parts :: Int -> [a] -> [[a]]
 parts n = takeWhile (not . null) . unfoldr (Just . splitAt n)
 
--- | Distances from the nearest of ours, in taxels: at least, and less than.
-bounds :: [(Int, Int)]
-bounds = [(4, 12), (12, 16), (16, 20), (20, 24), (24, 97)]
+-- | Distances from the nearest of ours, in taxels: at least, and at most.
+bounds :: [(Int, Maybe Int)]
+bounds = [(4, Just 11), (12, Just 15), (16, Just 19), (20, Just 23), (24, Nothing)]
 
-within :: Int -> (Int, Int) -> Bool
-within d (from, to) = d >= from && d < to
+within :: Int -> (Int, Maybe Int) -> Bool
+within d (from, to) = d >= from && all (d <=) to
 
-distances :: (Int, Int) -> String
-distances (from, to)
-  | to > 96 = printf "%d taxels or more" from
-  | otherwise = printf "%d to %d" from (to - 1)
+distances :: (Int, Maybe Int) -> String
+distances (from, to) = maybe (printf "%d taxels or more" from) (printf "%d to %d" from) to
 
 toldBy :: Classifier -> Known -> IO Told
 toldBy classifier (truth, image) = do
