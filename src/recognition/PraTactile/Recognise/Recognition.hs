@@ -122,12 +122,12 @@ certainty :: Recognition -> Double
 certainty = sum . map (negate . log . max 1e-300 . readDoubt) . recognisedSymbols
 
 -- | Of what was recognised as the composites are, whose symbols lie at an angle (degrees), and of
--- what was recognised from them set upright: what leaves less doubt about the symbols; but where
--- both may be read, an answer before a refusal.
+-- what was recognised from them set upright: an answer before a refusal, but as the composites are
+-- only where that may be read; else what leaves less doubt about the symbols.
 preferred :: Double -> Recognition -> Recognition -> Recognition
 preferred angle asGiven setRight
-  | abs angle <= mostTilt && isAnswered asGiven /= isAnswered setRight =
-    if isAnswered asGiven then asGiven else setRight
+  | isAnswered setRight && not (isAnswered asGiven) = setRight
+  | isAnswered asGiven && not (isAnswered setRight) && abs angle <= mostTilt = asGiven
   | certainty setRight > certainty asGiven = setRight
   | otherwise = asGiven
   where
