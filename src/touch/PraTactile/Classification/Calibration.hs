@@ -95,9 +95,9 @@ data Calibration = Calibration
   deriving stock (Eq, Show)
 
 -- | Of a network for so many classes of which nothing else is known: near what 23000 symbols over
--- all seven fields and 6000 others make likeliest without a prior, pressed by three sensors, upright
--- and at any angle. Of those 23000 seven are told wrong, so that alpha and beta are known only
--- roughly, and one for the other: with 0.1 and 9, or 0.03 and 13, they are hardly less likely.
+-- all seven fields and 6000 others make likeliest without a prior, pressed by three sensors,
+-- upright and at any angle. Of those 23000 seven are told wrong, so that alpha and beta are known
+-- only roughly, and one for the other: with 0.1 and 9, or 0.03 and 13, they are hardly less likely.
 standardCalibration :: Int -> Calibration
 standardCalibration classes = Calibration 0.06 11 (replicate classes 0) [14.4, 6.9, -22.9, -0.26]
 
