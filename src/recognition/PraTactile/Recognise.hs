@@ -111,8 +111,7 @@ cellsShown tolerance reader composites =
     bothWays (asGiven, setRight) = asGiven : map snd (toList setRight)
 
 -- | 'recogniseWith' of composites as their frames were put together. Where they are read both as
--- they are and set upright, an answer holds before a refusal, if as they are only at a small angle;
--- else what leaves less doubt about the symbols.
+-- they are and set upright, what is 'preferred' holds.
 recogniseAsPut ::
   KnownField k =>
   Tolerance ->
