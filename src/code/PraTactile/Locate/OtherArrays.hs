@@ -48,7 +48,7 @@ import PraTactile.Field
 import PraTactile.Grid
 import PraTactile.LinearCode.Elimination
 import PraTactile.Locate.Belief
-import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Decoder.Total
 import PraTactile.Locate.Logarithm
 import PraTactile.Locate.Patch
 import PraTactile.Polynomial
@@ -174,19 +174,18 @@ decimatedGrids array rs =
     !indices =
       Primitive.generate size (fromIntegral . sequenceIndex array . positionAt shape) ::
         Primitive.Vector Int
-    -- There are so many terms, and the remainder is below that.
-    cellCodes r = Primitive.map (\e -> Primitive.unsafeIndex terms (e * r `mod` size)) indices
+    cellCodes r = Primitive.backpermute (decimated r) indices
+    -- Terms 0, r, 2 r and so on of the sequence, which has so many.
+    decimated r =
+      Primitive.map (Primitive.unsafeIndex terms) (Primitive.iterateN size (further r) 0)
+    further r e = if e + r >= size then e + r - size else e + r
 
 -- | 'worthOfOthers' by comparing with every position of these arrays.
 worthOfAll :: Surface -> [Grid] -> [Symmetry] -> Patch (Belief k) -> Double
 worthOfAll surface grids possible seen =
-  logSumOf
-    [ logSum (comparedTotals (compareOn surface grid scored))
-      | o <- possible,
-        let scored = [(at, Primitive.map log (probabilitiesIn o b)) | (at, b) <- seenIn o seen],
-        grid <- grids
-    ]
-    - log (genericLength grids)
+  totalLikelihood surface grids (map likely possible) - log (genericLength grids)
+  where
+    likely o = [(at, probabilitiesIn o b) | (at, b) <- seenIn o seen]
 
 logSumOf :: [Double] -> Double
 logSumOf = logSum . Primitive.fromList

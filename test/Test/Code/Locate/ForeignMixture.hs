@@ -132,15 +132,15 @@ askedOf scene =
       queryForeign = Just (sceneShare scene)
     }
 
--- | A patch of up to three rows and columns, of which each cell is not observed, beyond doubt,
--- doubtful, or doubtful together with how the patch lies.
+-- | A patch of up to three rows and seven columns, of which each cell is not observed, beyond
+-- doubt, doubtful, or doubtful together with how the patch lies.
 genScene :: KnownField k => PseudorandomArray k -> Gen (Scene k)
 genScene array = do
   surface <- arbitraryBoundedEnum
   possible <- sublistOf symmetries `suchThat` (not . null)
   share <- choose (0.01, 0.9)
   high <- choose (1, 3)
-  wide <- choose (1, 3)
+  wide <- choose (1, 7)
   cells <- vectorOf high (vectorOf wide (genCell possible))
   let given = [(Position i j, c) | (i, line) <- zip [0 ..] cells, (j, Just c) <- zip [0 ..] line]
   case patch (map (map (fmap fst)) cells) of

@@ -16,7 +16,6 @@ module PraTactile.Locate.Decoder.Codebook
     Scores,
     Comparison,
     compareWith,
-    compareOn,
     comparedTotals,
     comparedPosition,
 
@@ -92,16 +91,13 @@ comparedPosition (Comparison shape _) = positionAt shape
 
 -- | The total score at every position, of cells given by their offsets, each with its scores.
 compareWith :: (Prim a, Num a) => Codebook k -> [(Position, Scores a)] -> Comparison a
-compareWith codebook = compareOn (codebookSurface codebook) (codebookGrid codebook)
-{-# INLINE compareWith #-}
-
--- | The same of any array on a surface.
-compareOn :: (Prim a, Num a) => Surface -> Grid -> [(Position, Scores a)] -> Comparison a
-compareOn surface grid cells =
+compareWith codebook cells =
   Comparison (admissible surface (gridShape grid) extent) (totals surface grid extent cells)
   where
+    surface = codebookSurface codebook
+    grid = codebookGrid codebook
     extent = extentOf (map fst cells)
-{-# INLINE compareOn #-}
+{-# INLINE compareWith #-}
 
 -- | The minimum distance of the contents of the cells with these offsets, as they are on the
 -- array's 'naturalSurface', where they are a linear code, so that it is the least number of them
