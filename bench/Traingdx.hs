@@ -1,5 +1,6 @@
 -- | Our traingdx beside one of numpy (@bench/peers/traingdx.py@): from the same first weights and
--- images, are the errors and the steps of 200 epochs the same, and how long do 5000 take?
+-- images, are the errors and the steps of 200 epochs the same, and how long do 5000 take? And how
+-- long do the outputs for 10^5 images (@bench/peers/outputs.py@)?
 --
 -- usage: traingdx FOLDER [PYTHON]; what both read and write is left in the folder.
 module Main (main) where
@@ -9,6 +10,7 @@ import qualified Data.ByteString.Char8 as Bytes
 import Data.Foldable (toList)
 import Data.List.NonEmpty (NonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
+import Numeric.LinearAlgebra (sumElements, (><))
 import PraTactile.Classification.Calibration (standardCalibration)
 import PraTactile.Classification.Experiment
 import PraTactile.Classification.Network
@@ -28,7 +30,7 @@ import System.Directory (createDirectoryIfMissing)
 import System.Environment (getArgs)
 import System.FilePath ((</>))
 import System.Process (readProcess)
-import System.Random (mkStdGen)
+import System.Random (mkStdGen, randoms)
 import Text.Printf (printf)
 
 main :: IO ()
@@ -61,6 +63,7 @@ compared folder python = do
   same first b 0.01
   same first b 0.2
   timed first b
+  answered first
   where
     pressedByReal = Presses "real" (presetSensor Real) (AmongTurns halfTurns)
     unitRanges = NguyenWidrow (replicate inputCount (0, 1)) 1
@@ -102,6 +105,19 @@ compared folder python = do
         (minimum (map snd rounds))
       readProcess python ["bench/peers/epochs.py", folder </> "first.json", folder </> "images"] ""
         >>= putStr
+    answered n = do
+      rounds <- forM [1 .. 5] $ \seed -> do
+        let images = (inputCount >< many) (take (inputCount * many) (randoms (mkStdGen seed)))
+        start <- sumElements images `seq` getCPUTime
+        end <- sumElements (outputsOfAll n images) `seq` getCPUTime
+        theirs <- readProcess python ["bench/peers/outputs.py", folder </> "first.json", show many] ""
+        pure (fromIntegral (end - start) / 1e12, read theirs) :: IO (Double, Double)
+      printf
+        "outputs for %d images, the best of 5, seconds of the processor: ours %.3f, numpy %.3f\n"
+        many
+        (minimum (map fst rounds))
+        (minimum (map snd rounds))
+    many = 100000 :: Int
     cells line = case break (== ',') line of
       (cell, _ : rest) -> cell : cells rest
       (cell, []) -> [cell]

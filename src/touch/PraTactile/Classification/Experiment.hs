@@ -244,7 +244,6 @@ wrongOf :: Network -> TestImages -> [[(Int, Int)]]
 wrongOf n (TestImages byLevel) = map (zipWith ofClass [0 ..]) byLevel
   where
     ofClass c images =
-      ( length (filter ((/= c) . V.maxIndex) (toColumns (outputsOf images))),
+      ( length (filter ((/= c) . V.maxIndex) (toColumns (outputsOfAll n images))),
         length (toColumns images)
       )
-    outputsOf = layer (outputUnits n) . layer (hiddenUnits n)

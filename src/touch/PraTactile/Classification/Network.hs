@@ -18,15 +18,13 @@ module PraTactile.Classification.Network
     -- * Classifying
     classify,
     outputs,
+    outputsOfAll,
     decide,
     Verdict (..),
     Thresholds (..),
     standardThresholds,
 
-    -- * Layers
-    layer,
-    activations,
-    withOnes,
+    -- * Units
     sigmoid,
   )
 where
@@ -44,13 +42,13 @@ import Numeric.LinearAlgebra
     asColumn,
     cmap,
     cols,
+    dropColumns,
     flatten,
     fromLists,
-    konst,
     rows,
+    takeColumns,
     toLists,
     (<>),
-    (===),
   )
 import PraTactile.Image (Raster, rasterHeight, rasterSize, rasterValues, rasterWidth)
 import PraTactile.Shape (symbolHeight, symbolWidth)
@@ -153,23 +151,19 @@ outputs n image
   | rasterSize image /= (symbolWidth, symbolHeight) =
     Left (WrongImageSize (rasterWidth image) (rasterHeight image))
   | not (finite (rasterValues image)) = Left NotFinite
-  | otherwise =
-    Right
-      ( V.toList
-          (flatten (layer (outputUnits n) (layer (hiddenUnits n) (asColumn (rasterValues image)))))
-      )
+  | otherwise = Right (V.toList (flatten (outputsOfAll n (asColumn (rasterValues image)))))
 
--- | The values of a layer's units, a unit a row, for a batch of inputs, an image a column.
+-- | The same for many images, each a column of 96 values, row by row of the image: a unit a row, an
+-- image a column. Values must be finite.
+outputsOfAll :: Network -> Matrix Double -> Matrix Double
+outputsOfAll n = layer (outputUnits n) . layer (hiddenUnits n)
+
+-- | The values of a layer's units, a unit a row, for inputs, an image a column. The last weight of a
+-- unit is its bias.
 layer :: Matrix Double -> Matrix Double -> Matrix Double
-layer units = activations units . withOnes
-
--- | The same for inputs that have their row of ones already.
-activations :: Matrix Double -> Matrix Double -> Matrix Double
-activations units inputs = cmap sigmoid (units <> inputs)
-
--- | A last row of ones, which the biases are the weights of.
-withOnes :: Matrix Double -> Matrix Double
-withOnes x = x === konst 1 (1, cols x)
+layer units inputs = cmap sigmoid (takeColumns n units <> inputs + dropColumns n units)
+  where
+    n = rows inputs
 
 -- | What the outputs say of an image.
 data Verdict
