@@ -110,7 +110,8 @@ compared folder python = do
         let images = (inputCount >< many) (take (inputCount * many) (randoms (mkStdGen seed)))
         start <- sumElements images `seq` getCPUTime
         end <- sumElements (outputsOfAll n images) `seq` getCPUTime
-        theirs <- readProcess python ["bench/peers/outputs.py", folder </> "first.json", show many] ""
+        theirs <-
+          readProcess python ["bench/peers/outputs.py", folder </> "first.json", show many] ""
         pure (fromIntegral (end - start) / 1e12, read theirs) :: IO (Double, Double)
       printf
         "outputs for %d images, the best of 5, seconds of the processor: ours %.3f, numpy %.3f\n"

@@ -153,13 +153,13 @@ outputs n image
   | not (finite (rasterValues image)) = Left NotFinite
   | otherwise = Right (V.toList (flatten (outputsOfAll n (asColumn (rasterValues image)))))
 
--- | The same for many images, each a column of 96 values, row by row of the image: a unit a row, an
--- image a column. Values must be finite.
+-- | The same for many images, each a column of 96 finite values, row by row of the image: a unit a
+-- row, an image a column.
 outputsOfAll :: Network -> Matrix Double -> Matrix Double
 outputsOfAll n = layer (outputUnits n) . layer (hiddenUnits n)
 
--- | The values of a layer's units, a unit a row, for inputs, an image a column. The last weight of a
--- unit is its bias.
+-- | The values of a layer's units, a unit a row, for inputs, an image a column. The last weight of
+-- a unit is its bias.
 layer :: Matrix Double -> Matrix Double -> Matrix Double
 layer units inputs = cmap sigmoid (takeColumns n units <> inputs + dropColumns n units)
   where
