@@ -8,8 +8,9 @@ module PraTactile.Locate.Decoder.Total
   )
 where
 
+import Data.Bifunctor (first)
 import Data.List (foldl', genericLength, sortOn)
-import Data.Maybe (listToMaybe)
+import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Ord (Down (..))
 import Data.Vector.Primitive (Vector)
 import qualified Data.Vector.Primitive as Primitive
@@ -24,8 +25,11 @@ import PraTactile.Grid
 totalLikelihood :: Surface -> [Grid] -> [[(Position, Vector Double)]] -> Double
 totalLikelihood surface grids ways = maybe (-1 / 0) total $ do
   grid <- listToMaybe grids
-  let plate = plateOf surface grid (extentOf (map fst (concat ways)))
-      seen = sortOn (Down . wayMost) (filter possible (map (wayOn plate) ways))
+  let -- However far apart cells are, on a torus none is further than all around.
+      around at = fromMaybe at (displaced surface (gridShape grid) (Position 0 0) at)
+      near = map (map (first around)) ways
+      plate = plateOf surface grid (extentOf (map fst (concat near)))
+      seen = sortOn (Down . wayMost) (filter possible (map (wayOn plate) near))
   likeliest <- listToMaybe seen
   pure (plate, seen, wayMost likeliest)
   where
