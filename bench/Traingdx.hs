@@ -97,12 +97,8 @@ compared folder python = do
         -- One more each time, or it would be known already.
         ours <- run first b toolboxDescent {leastGradient = 0, epochs = count}
         end <- epochNumber (NonEmpty.last ours) `seq` getCPUTime
-        theirs <- peer ["--least", "0"]
-        pure (fromIntegral (end - start) / 1e12, read theirs) :: IO (Double, Double)
-      printf
-        "5000 epochs, the best of 5, seconds of the processor: ours %.3f, numpy %.3f\n"
-        (minimum (map fst rounds))
-        (minimum (map snd rounds))
+        (,) (end - start) <$> peer ["--least", "0"]
+      bestOf rounds "5000 epochs"
       readProcess python ["bench/peers/epochs.py", folder </> "first.json", folder </> "images"] ""
         >>= putStr
     answered n = do
@@ -110,14 +106,16 @@ compared folder python = do
         let images = (inputCount >< many) (take (inputCount * many) (randoms (mkStdGen seed)))
         start <- sumElements images `seq` getCPUTime
         end <- sumElements (outputsOfAll n images) `seq` getCPUTime
-        theirs <-
-          readProcess python ["bench/peers/outputs.py", folder </> "first.json", show many] ""
-        pure (fromIntegral (end - start) / 1e12, read theirs) :: IO (Double, Double)
+        (,) (end - start)
+          <$> readProcess python ["bench/peers/outputs.py", folder </> "first.json", show many] ""
+      bestOf rounds ("outputs for " ++ show many ++ " images")
+    bestOf rounds what =
       printf
-        "outputs for %d images, the best of 5, seconds of the processor: ours %.3f, numpy %.3f\n"
-        many
-        (minimum (map fst rounds))
-        (minimum (map snd rounds))
+        "%s, the best of %d, seconds of the processor: ours %.3f, numpy %.3f\n"
+        (what :: String)
+        (length rounds)
+        (fromIntegral (minimum (map fst rounds)) / 1e12 :: Double)
+        (minimum (map (read . snd) rounds) :: Double)
     many = 100000 :: Int
     cells line = case break (== ',') line of
       (cell, _ : rest) -> cell : cells rest
