@@ -40,14 +40,15 @@ import Numeric.LinearAlgebra
   ( Matrix,
     Vector,
     asColumn,
-    cmap,
     cols,
     dropColumns,
     flatten,
     fromLists,
+    reshape,
     rows,
     takeColumns,
     toLists,
+    toRows,
     (<>),
   )
 import PraTactile.Image (Raster, rasterHeight, rasterSize, rasterValues, rasterWidth)
@@ -161,9 +162,12 @@ outputsOfAll n = layer (outputUnits n) . layer (hiddenUnits n)
 -- | The values of a layer's units, a unit a row, for inputs, an image a column. The last weight of
 -- a unit is its bias.
 layer :: Matrix Double -> Matrix Double -> Matrix Double
-layer units inputs = cmap sigmoid (takeColumns n units <> inputs + dropColumns n units)
+layer units inputs = reshape (cols inputs) (V.concat (zipWith unit sums biases))
   where
     n = rows inputs
+    sums = toRows (takeColumns n units <> inputs)
+    biases = V.toList (flatten (dropColumns n units))
+    unit row bias = V.map (\s -> sigmoid (s + bias)) row
 
 -- | What the outputs say of an image.
 data Verdict
