@@ -20,7 +20,6 @@ module PraTactile.Locate.OtherArrays
 
     -- * All of them
     decimations,
-    decimatedGrids,
     worthOfAll,
 
     -- * Some of them
@@ -45,7 +44,6 @@ import PraTactile.Array
 import PraTactile.Array.Fill (codes)
 import PraTactile.Extension
 import PraTactile.Field
-import PraTactile.Grid
 import PraTactile.LinearCode.Elimination
 import PraTactile.Locate.Belief
 import PraTactile.Locate.Decoder.Total
@@ -61,8 +59,10 @@ import PraTactile.Window.Rank
 data OtherArrays (k :: Field) = OtherArrays
   { -- | ours
     ownArray :: ArrayOn k,
-    -- | all others, if our array is small
-    allOthers :: Maybe [Grid],
+    -- | the decimations that are all others, if our array is small
+    allOthers :: Maybe [Natural],
+    -- | our sequence as it is folded
+    ownFold :: Folded,
     -- | some others
     drawnOthers :: [Drawn k]
   }
@@ -76,11 +76,19 @@ type role Drawn nominal
 
 -- | The others of an array. O(1).
 otherArrays :: KnownField k => ArrayOn k -> OtherArrays k
-otherArrays on@(ArrayOn _ array) =
+otherArrays on@(ArrayOn surface array) =
   OtherArrays
     { ownArray = on,
       allOthers =
-        if terms <= smallPeriod then Just (decimatedGrids array (decimations q terms)) else Nothing,
+        if terms <= smallPeriod then Just (decimations q terms) else Nothing,
+      ownFold =
+        Folded
+          { foldedSurface = surface,
+            foldedShape = arrayShape array,
+            foldedAlphabet = fieldOrder array,
+            foldedTerms = codes (sequenceVector h (arrayState array) (fromIntegral terms)),
+            foldedIndex = fromIntegral . sequenceIndex array
+          },
       drawnOthers =
         [ Drawn (alphaTo (Position 1 0) r) (alphaTo (Position 0 1) r)
           | r <- take (drawsOf h) (drawnDecimations q terms)
@@ -131,12 +139,12 @@ relativeTo unit others = case others of
 worthOfOthers :: KnownField k => OtherArrays k -> [Symmetry] -> Patch (Belief k) -> Others
 worthOfOthers others possible seen = case allOthers others of
   Just [] -> NoOthers
-  Just grids
-    | genericLength grids * area (arrayShape array) * genericLength possible <= mostCompared ->
-      WorthExactly (worthOfAll surface grids possible seen)
+  Just rs
+    | genericLength rs * area (arrayShape array) * genericLength possible <= mostCompared ->
+      WorthExactly (worthOfAll others rs possible seen)
   _ -> WorthAtMost (worthAtMost others possible seen)
   where
-    ArrayOn surface array = ownArray others
+    ArrayOn _ array = ownArray others
 
 -- | The cells as they lie upright if they are seen in this symmetry.
 seenIn :: Symmetry -> Patch a -> [(Position, a)]
@@ -159,31 +167,12 @@ decimations q terms = map fromIntegral (filter leads [2 .. n - 1])
 conjugates :: Integral a => a -> a -> a -> [a]
 conjugates q terms r = r : takeWhile (/= r) (drop 1 (iterate (\x -> x * q `mod` terms) r))
 
--- | The arrays by these decimations, each from its cell of s(0) on. O(N) each.
-decimatedGrids :: KnownField k => PseudorandomArray k -> [Natural] -> [Grid]
-decimatedGrids array rs =
-  [ grid
-    | r <- rs,
-      Right grid <- [gridFromVector (fieldOrder array) shape (cellCodes (fromIntegral r))]
-  ]
-  where
-    shape = arrayShape array
-    size = fromIntegral (area shape) :: Int
-    terms = codes (sequenceVector (arrayPrimitive array) (arrayState array) size)
-    -- Evaluated before any array is made: else it is made again for each.
-    !indices =
-      Primitive.generate size (fromIntegral . sequenceIndex array . positionAt shape) ::
-        Primitive.Vector Int
-    cellCodes r = Primitive.backpermute (decimated r) indices
-    -- Terms 0, r, 2 r and so on of the sequence, which has so many.
-    decimated r =
-      Primitive.map (Primitive.unsafeIndex terms) (Primitive.iterateN size (further r) 0)
-    further r e = if e + r >= size then e + r - size else e + r
-
--- | 'worthOfOthers' by comparing with every position of these arrays.
-worthOfAll :: Surface -> [Grid] -> [Symmetry] -> Patch (Belief k) -> Double
-worthOfAll surface grids possible seen =
-  totalLikelihood surface grids (map likely possible) - log (genericLength grids)
+-- | 'worthOfOthers' by comparing with every position of the arrays by these decimations, each from
+-- its cell of s(0) on.
+worthOfAll :: OtherArrays k -> [Natural] -> [Symmetry] -> Patch (Belief k) -> Double
+worthOfAll others rs possible seen =
+  totalLikelihood (ownFold others) (map fromIntegral rs) (map likely possible)
+    - log (genericLength rs)
   where
     likely o = [(at, probabilitiesIn o b) | (at, b) <- seenIn o seen]
 

@@ -63,13 +63,9 @@ spec = do
           let surface = sceneSurface scene
               natural = naturalSurface (arrayFolding array)
               rs = decimations (fromIntegral (fieldOrder array)) (period (arrayPrimitive array))
-              exactly =
-                worthOfAll surface (decimatedGrids array rs) (scenePossible scene) (sceneSeen scene)
-              bound =
-                worthAtMost
-                  (otherArrays (ArrayOn surface array))
-                  (scenePossible scene)
-                  (sceneSeen scene)
+              others = otherArrays (ArrayOn surface array)
+              exactly = worthOfAll others rs (scenePossible scene) (sceneSeen scene)
+              bound = worthAtMost others (scenePossible scene) (sceneSeen scene)
            in null rs || surface `notElem` [Sheet, natural] || exactly <= bound + 1e-9
   it "of 2^16 cells others are drawn; where none has the cells, the limit of none is told" $ do
     array <- arrayOver gf2 16 Diagonal (Shape 255 257)
