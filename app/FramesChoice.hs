@@ -65,24 +65,32 @@ preparation choice =
     <*> traverse readCalibration (calibrationFile choice)
     <*> pure 1
 
--- | @--no-stitching@, or what the robot and the sensor are like.
+-- | @--no-stitching@, and what the robot and the sensor are like.
 stitchingOptions :: Parser Stitching
 stitchingOptions =
-  flag' nominalStitching (long "no-stitching" <> help "Take the nominal positions as they are")
-    <|> Stitching (stitchingMethod standardStitching)
-      <$> optional
-        ( valued
-            decimalReader
-            "position-error"
-            "SIGMA"
-            "Standard deviation of each frame's position that the robot is known for, taxels \
-            \(default: 1; by the lattice, what the frames show of 0.5 to 4)"
-        )
-      <*> optional
-        ( valued
-            decimalReader
-            "noise"
-            "SD"
-            "Standard deviation of the sensor's noise, as a share of full scale (default: as the \
-            \frames show it)"
-        )
+  known
+    <$> switch (long "no-stitching" <> help "Take the nominal positions as they are")
+    <*> optional
+      ( valued
+          decimalReader
+          "position-error"
+          "SIGMA"
+          "Standard deviation of each frame's position that the robot is known for, taxels \
+          \(default: 1; by the lattice, what the frames show of 0.5 to 4)"
+      )
+    <*> optional
+      ( valued
+          decimalReader
+          "noise"
+          "SD"
+          "Standard deviation of the sensor's noise, as a share of full scale (default: as the \
+          \frames show it)"
+      )
+  where
+    known asTheyAre position noise =
+      way
+        { stitchingPositionError = position <|> stitchingPositionError way,
+          stitchingNoise = noise <|> stitchingNoise way
+        }
+      where
+        way = if asTheyAre then nominalStitching else standardStitching

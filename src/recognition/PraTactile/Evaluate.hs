@@ -64,10 +64,9 @@ import PraTactile.Recognise
 import PraTactile.Recognise.FoundPose (foundPose)
 import PraTactile.Registration
   ( Composite,
-    Registration,
+    Registration (..),
     StitchMethod (..),
     compositePosition,
-    placeOnly,
     stitch,
   )
 import PraTactile.Registration.Stitching
@@ -346,10 +345,13 @@ ranTrial ::
   Trial ->
   (TrialResult, Maybe RightAnswer)
 ranTrial tolerance reader registration t =
-  (TrialResult (fst stitched) (fst (judge (placeOnly frames))), snd stitched)
+  (TrialResult (fst stitched) (fst (judge nominal)), snd stitched)
   where
     frames = trialFrames t
-    stitched = judge (stitch (readerTables (recogniserReader reader)) registration frames)
+    tables = readerTables (recogniserReader reader)
+    stitched = judge (stitch tables registration frames)
+    nominal = stitchedBy tables nominalStitching {stitchingPositionError = exact} frames
+    exact = registrationSigma registration
     judge = either (const (NoAnswer "not-stitched", Nothing)) (result tolerance reader t)
 
 -- | What was recognised, where that is right.

@@ -50,7 +50,6 @@ import Data.List (partition)
 import Data.Maybe (isJust, isNothing, mapMaybe)
 import PraTactile.Array (Position)
 import PraTactile.Classification.Network (NetworkError)
-import PraTactile.Classification.Part (Pixels (..))
 import PraTactile.Composite.Tilt (leastTilt, setUpright, tilt)
 import PraTactile.Field (KnownField)
 import PraTactile.Locate (ForeignDoubts (..), Reason (..), doubtOfForeign)
@@ -133,12 +132,12 @@ readAsPut ::
 readAsPut tolerance reader given = case tilt (map cleanedComposite composites) of
   Just angle
     | abs angle > leastTilt -> do
-      asGiven <- axesTilted <$> recogniseUpright tolerance reader (NotRotated Nothing) composites
+      asGiven <- axesTilted <$> recogniseUpright tolerance reader Nothing composites
       let (upright, places) = unzip (map (cleanedUpright angle) composites)
-      turnedBack <- recogniseUpright tolerance reader RotatedBack upright
+      turnedBack <- recogniseUpright tolerance reader (Just 0) upright
       pure (asGiven, Just (angle, relocated angle places turnedBack))
   shown -> do
-    asGiven <- recogniseUpright tolerance reader (NotRotated shown) composites
+    asGiven <- recogniseUpright tolerance reader shown composites
     pure (asGiven, Nothing)
   where
     composites = map cleaned given
@@ -150,37 +149,16 @@ cleanedUpright angle (Cleaned composite forParts foreignThings) =
   where
     (upright, back) = setUpright angle composite
 
--- | How the composites that are read were made.
-data Rotation
-  = -- | As their frames were put together; the symbols' axes are turned by that angle, in degrees
-    -- clockwise, as far as the images show it.
-    NotRotated !(Maybe Double)
-  | -- | Turned back by the angle of the symbols' axes.
-    RotatedBack
-
--- | The angle that is left, as far as the images show it.
-angleLeft :: Rotation -> Maybe Double
-angleLeft rotation = case rotation of
-  NotRotated shown -> shown
-  RotatedBack -> Just 0
-
--- | How a composite's pixels were made.
-pixelsOf :: Rotation -> Composite -> Pixels
-pixelsOf rotation composite
-  | not (compositeCompared composite) = Unregistered
-  | otherwise = case rotation of
-    NotRotated _ -> AsPut
-    RotatedBack -> Resampled
-
--- | 'recogniseWith' of composites whose symbols' axes are nearly theirs.
+-- | 'recogniseWith' of composites whose symbols' axes are nearly theirs: turned from them by the
+-- angle, in degrees clockwise, as far as the images show it.
 recogniseUpright ::
   KnownField k =>
   Tolerance ->
   Recogniser k ->
-  Rotation ->
+  Maybe Double ->
   [Cleaned] ->
   Either NetworkError Recognition
-recogniseUpright tolerance reader rotation composites = do
+recogniseUpright tolerance reader angle composites = do
   upright <- readSymbols symbolReader identity 0 composites
   -- A composite whose upright symbols are known has no others, and one that is flat has none.
   let flat = all ((<= 0) . segmentedContrast . viewSegmentation) upright
@@ -197,7 +175,7 @@ recogniseUpright tolerance reader rotation composites = do
   pure $
     if isMirrored
       then unanswered (concatMap viewSymbols views ++ known others) Mirrored
-      else answered tolerance reader rotation views (known others)
+      else answered tolerance reader angle views (known others)
   where
     symbolReader = recogniserReader reader
     known = filter (isJust . readClass) . concatMap viewSymbols
@@ -207,11 +185,11 @@ answered ::
   KnownField k =>
   Tolerance ->
   Recogniser k ->
-  Rotation ->
+  Maybe Double ->
   [View] ->
   [ReadSymbol] ->
   Recognition
-answered tolerance reader rotation views dissenters
+answered tolerance reader angle views dissenters
   | null symbols = unanswered everything NoSymbols
   | all (isNothing . readClass) symbols = unanswered everything SymbolsUnclear
   | otherwise = maybe (unanswered everything GridContradicts) located (faceGrid (groups symbols))
@@ -220,7 +198,7 @@ answered tolerance reader rotation views dissenters
     everything = symbols ++ dissenters
     next = 1 + maximum (-1 : map readNumber everything)
     located grid =
-      let (whole, parts) = withParts (recogniserReader reader) (pixelsOf rotation) views next grid
+      let (whole, parts) = withParts (recogniserReader reader) views next grid
           location =
             locateGrid reader tolerance dissenters whole
        in Recognition
@@ -229,7 +207,7 @@ answered tolerance reader rotation views dissenters
             (gridCells whole)
             (locationSupport location)
             (locationLikeliest location)
-            (gridTilt (angleLeft rotation) grid)
+            (gridTilt angle grid)
             (identificationAt reader location)
 
 -- | The answer where a grid is located.

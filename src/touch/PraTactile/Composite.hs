@@ -42,9 +42,10 @@ data Composite = Composite
     -- | The standard deviation of the robot's position error along each axis, taxels, where
     -- registration told it.
     compositePositionError :: Maybe Double,
-    -- | Whether somebody compared the frames with each other; 'False' where several lie at their
-    -- nominal places as the robot has them, or none overlaps another.
-    compositeCompared :: !Bool,
+    -- | The standard deviation of the robot's position error along each axis, in taxels, with which
+    -- several frames lie because nobody compared them: at their nominal places, or where none
+    -- overlaps another. 0 of frames that were compared, and of one.
+    compositeUncompared :: !Double,
     -- | The step of what the frames read ('readingStep'): less is no contrast.
     compositeStep :: Double,
     -- | Whether somebody said what the robot's axes are.
@@ -117,7 +118,7 @@ compositeOf image =
       compositeOrigin = (0, 0),
       compositeDisplacements = [],
       compositePositionError = Nothing,
-      compositeCompared = True,
+      compositeUncompared = 0,
       compositeStep = readingStep [image],
       compositeAxesStated = False,
       compositeOthers = [],
@@ -166,7 +167,7 @@ blended (left, top) images displacements =
       compositeOrigin = origin,
       compositeDisplacements = displacements,
       compositePositionError = Nothing,
-      compositeCompared = True,
+      compositeUncompared = 0,
       compositeStep = readingStep (map (snd . fst) (NonEmpty.toList images)),
       compositeAxesStated = False,
       compositeOthers = [],

@@ -89,7 +89,12 @@ import PraTactile.Registration.Layout (Layout (..), layoutsLeft)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Rest (alignedToRest)
 import PraTactile.Registration.Rotation (certainRotation, rotationPrior)
-import PraTactile.Registration.Search (Registration (..), standardRegistration, usable)
+import PraTactile.Registration.Search
+  ( Registration (..),
+    standardRegistration,
+    supposedSigma,
+    usable,
+  )
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), isTaxelPitch, taxelPitch)
 import PraTactile.Sensor.Resample (atCanonicalPitch, canonicalSize, isCanonical, turnedBack)
 import PraTactile.Symmetry
@@ -221,7 +226,8 @@ compose arranging settings frames = do
       movedBy (place, image) shift = (place `plus` shift, image)
       together shifts =
         (blended (left, top) (NonEmpty.zip (at shifts) counted) (ofEach shifts))
-          { compositeCompared = length placed == 1 || compared,
+          { compositeUncompared =
+              if length placed == 1 || compared then 0 else supposedSigma settings,
             compositePositionError = arrangementSigma arrangement
           }
       compared =

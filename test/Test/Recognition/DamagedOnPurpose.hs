@@ -249,7 +249,7 @@ damageSpec alphabetOfAll layout net array mask = do
                       12
                       (\x y -> fromMaybe 0 (index image x y) * fromMaybe 0 (index seen x y))
                   part = Part masked seen
-                  e = estimatePart (templates alphabetOfAll) AsPut part
+                  e = estimatePart (templates alphabetOfAll) 0 part
                   (distances, _) = partDistances (templates alphabetOfAll) part
                   inPlace = lookup (c, symmetry) distances >>= lookup (0, 0)
                   bestInPlace = lookup (estimateLikeliest e) distances >>= lookup (0, 0)

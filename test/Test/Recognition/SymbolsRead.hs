@@ -194,14 +194,14 @@ partSpec known seen reader =
     forAll (elements [identity, turned 1]) $ \axis ->
       forAll (genDrawn False (3, 3)) $ \drawn ->
         forAll (vectorOf 2 ((,) <$> choose (0, 14) <*> choose (0, 16))) $ \corners ->
-          forAll (elements [AsPut, Resampled, Unregistered]) $ \pixels ->
+          forAll (elements [0, 1.5]) $ \sigma ->
             let whole = picture known False (3, 3) drawn
-                composites = map (cleanly . cut axis whole) corners
+                composites = map (cleanly . cut sigma axis whole) corners
              in case readSymbols reader axis 0 composites of
                   Right views
                     | Just grid <- faceGrid (groups (concatMap viewSymbols views)) ->
-                      let (more, parts) = withParts reader (const pixels) views 50 grid
-                          wanted = concatMap (partsIn seen pixels grid) views
+                      let (more, parts) = withParts reader views 50 grid
+                          wanted = concatMap (partsIn seen sigma grid) views
                        in label (show (length parts)) $
                             conjoin
                               [ map readNumber parts === take (length wanted) [50 ..],
@@ -213,14 +213,15 @@ partSpec known seen reader =
                   _ -> property True
   where
     -- What of an image lies right of and below a place, turned about the robot's origin.
-    cut axis whole (left, top) =
+    cut sigma axis whole (left, top) =
       let (w, h) = (48 - left, 60 - top)
           part = generate w h (\x y -> fromMaybe 0 (index whole (x + left) (y + top)))
           (x0, y0)
             | axis == identity = (left, top)
             | otherwise = (negate (top + h - 1), left)
        in (compositeOf (onRaster axis part))
-            { compositeOrigin = (taxelPitch * fromIntegral x0, taxelPitch * fromIntegral y0)
+            { compositeOrigin = (taxelPitch * fromIntegral x0, taxelPitch * fromIntegral y0),
+              compositeUncompared = sigma
             }
     alike a b =
       counterexample (show (a, b)) $
@@ -251,8 +252,8 @@ partSpec known seen reader =
        in Map.mapKeys (\(i, j) -> (i - low fst, j - low snd)) ordered
 
 -- | What each free cell around a composite's symbols shows, where they have its middle in the mean.
-partsIn :: Templates -> Pixels -> FaceGrid -> View -> [((Int, Int), ReadSymbol)]
-partsIn seen pixels grid view =
+partsIn :: Templates -> Double -> FaceGrid -> View -> [((Int, Int), ReadSymbol)]
+partsIn seen sigma grid view =
   [ (cell, found)
     | cell@(i, j) <- Map.keys (Map.fromList [(c, ()) | c <- free]),
       let (x, y) =
@@ -268,7 +269,7 @@ partsIn seen pixels grid view =
                           (16 * fromIntegral (j - j'), 20 * fromIntegral (i - i'))
               ],
       Just part <- [partAt (viewComposite view) (viewSegmentation view) (onView view (x, y))],
-      let estimated = estimatePart seen pixels part,
+      let estimated = estimatePart seen sigma part,
       estimateDoubt estimated < 0.5,
       let along (c, way) = (viewAxis view <> way, c),
       let (shiftX, shiftY) = viewShift view,

@@ -16,38 +16,36 @@ import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth)
 import PraTactile.Image (rasterValues)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
-import PraTactile.Registration (Composite)
+import PraTactile.Registration (Composite (..))
 import PraTactile.Segmentation
 import PraTactile.Segmentation.Lattice (Cell)
 import PraTactile.Symmetry
 
 -- | The grid with the parts of symbols that each composite shows in the cells around its own
--- symbols, given how a composite's pixels came about, and the parts. Numbers them from the one
--- given.
-withParts ::
-  Reader -> (Composite -> Pixels) -> [View] -> Int -> FaceGrid -> (FaceGrid, [ReadSymbol])
-withParts reader pixels views from grid =
+-- symbols, and the parts. Numbers them from the one given.
+withParts :: Reader -> [View] -> Int -> FaceGrid -> (FaceGrid, [ReadSymbol])
+withParts reader views from grid =
   (grid {gridCells = fromZero (Map.unionWith (++) (gridCells grid) cells)}, map snd found)
   where
     found =
       zipWith
         (\n (cell, part) -> (cell, part {readNumber = n}))
         [from ..]
-        (concatMap (partsOf reader pixels (gridCells grid)) views)
+        (concatMap (partsOf reader (gridCells grid)) views)
     cells = Map.fromListWith (++) [(cell, [part]) | (cell, part) <- found]
 
 -- | Of one composite, the parts that are more likely one symbol than all others together.
-partsOf :: Reader -> (Composite -> Pixels) -> Cells -> View -> [(Cell, ReadSymbol)]
-partsOf reader pixels cells view =
+partsOf :: Reader -> Cells -> View -> [(Cell, ReadSymbol)]
+partsOf reader cells view =
   [ (cell, part)
     | (cell, centres) <- Map.toList expected,
       let at = centroid centres,
       Just seen <- [look (onView view at)],
-      let part = readPart view at seen (estimatePart (readerTemplates reader) cameAbout seen),
+      let part = readPart view at seen (estimatePart (readerTemplates reader) sigma seen),
       readDoubt part < 0.5
   ]
   where
-    cameAbout = pixels (viewComposite view)
+    sigma = compositeUncompared (viewComposite view)
     look = partAt (viewComposite view) (viewSegmentation view)
     own = [(cell, s) | (cell, here) <- Map.toList cells, s <- here, readSource s == viewSource view]
     taken = Set.fromList (map fst own)

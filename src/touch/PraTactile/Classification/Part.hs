@@ -1,7 +1,22 @@
 -- | The likeliest symbol of which only a part was touched.
+--
+-- What a part shows is N taxels. From a shape in a place they are d off, as squares added up, and
+-- every two of them err alike, as one, by a normal law whose variance is not known. Any variance is
+-- as likely as one of another size beforehand (H. Jeffreys 1961), so that the shape in that place
+-- has the likelihood
+--
+-- > integral of v^(-n/2) exp (-d / (2 k v)) dv / v ~ d^(-n/2),    n = N / k, k = 2
+--
+-- A part may lie a little beside its place: a shape's likelihood is the mean over places, whose
+-- distances are normal with the standard deviation m = 1/4 of a taxel. And what was touched may be
+-- flat, or with the probability r nothing of the kind.
+--
+-- Where frames lie as the robot has them and nobody compared them, strokes in several of them do
+-- not meet. With s taxels, the standard deviation of the robot's error along each axis,
+--
+-- > m^2 = 1/16 + s^2,    k = 2 + 3/4 s^2,    r >= 50^(s - 1) / 1000
 module PraTactile.Classification.Part
   ( estimatePart,
-    Pixels (..),
     partDistances,
   )
 where
@@ -15,40 +30,31 @@ import PraTactile.Image
 import PraTactile.Segmentation (Part (..))
 import PraTactile.Symmetry
 
--- | How the pixels of a composite came about.
-data Pixels
-  = -- | As the frames were put together.
-    AsPut
-  | -- | Interpolated once more, to set the composite upright: then the errors of neighbouring ones
-    -- are more alike.
-    Resampled
-  | -- | Of several frames at their nominal places, which nobody has compared: parts of strokes may
-    -- lie anywhere.
-    Unregistered
-  deriving stock (Eq, Show)
-
 -- | The estimate for a part of a symbol, by the shapes themselves, because the network knows whole
--- symbols only. What was touched is taken for a shape, in either orientation and not quite in its
--- place, or for a flat face, with normal noise; see Note [Parts].
-estimatePart :: Templates -> Pixels -> Part -> Estimate
-estimatePart shapesSeen pixels part = Estimate best [(what, chance l) | (what, l) <- likelihoods] 0
+-- symbols only: of each shape, in either orientation, the posterior by the formulas above. Given
+-- are the standard deviation of the robot's position error along each axis, in taxels, that is left
+-- in the part because frames were not compared, or 0; and the part. Note [Parts]
+estimatePart :: Templates -> Double -> Part -> Estimate
+estimatePart shapesSeen sigma part = Estimate best [(what, chance l) | (what, l) <- likelihoods] 0
   where
-    -- What is flat, or rubbish, is any of the shapes alike.
+    -- What is flat, or nothing of the kind, is any of the shapes alike.
     chance l = (1 - rubbish) * (l + flatLikelihood / n) / total + rubbish / n
     taxels = V.sum (rasterValues (partSeen part))
-    rubbish = nothingOfTheKind taxels
+    rubbish = nothingOfTheKind sigma taxels
     (distances, flat) = partDistances shapesSeen part
     likelihoods = map (fmap moved) distances
-    moved moves = sum [misplacement move * likelihood d | (move, d) <- moves] / allMoves moves
-    allMoves = sum . map (misplacement . fst)
-    likelihood d = exp ((least - d) / (2 * variance))
+    moved moves = sum [misplaced move * likelihood d | (move, d) <- moves] / allMoves moves
+    allMoves = sum . map (misplaced . fst)
+    misplaced (x, y) = exp (negate (x * x + y * y) / (2 * (0.25 * 0.25 + sigma * sigma)))
+    likelihood d = ((least + leastOff) / (d + leastOff)) ** (taxels / (2 * alike))
+    alike = 2 + 0.75 * sigma * sigma
+    leastOff = leastVariance * taxels
     flatLikelihood = likelihood flat
     best = case sortOn (Down . snd) likelihoods of
       (what, _) : _ -> what
       [] -> (0, identity)
     n = fromIntegral (length distances)
     least = minimum (flat : concatMap (map snd . snd) distances)
-    variance = alike pixels * max leastVariance (least / max 1 taxels)
     total = sum (map snd likelihoods) + flatLikelihood
 
 -- | The sum of squared differences over the taxels seen: from each class upright, and from each
@@ -68,35 +74,21 @@ partDistances shapesSeen part =
         (onRaster symmetry (partPixels part))
         (onRaster symmetry (partSeen part))
 
--- How likely a part lies so many taxels right and down of where its neighbours have it: a normal
--- law, but for a factor.
-misplacement :: (Double, Double) -> Double
-misplacement (x, y) = exp (negate (x * x + y * y) / (2 * 0.35 * 0.35))
-
--- The least variance of a taxel.
+-- What a taxel is off by in any case, squared: so no likelihood is infinite.
 leastVariance :: Double
-leastVariance = 0.01
-
--- How many taxels err alike, as one.
-alike :: Pixels -> Double
-alike pixels = case pixels of
-  AsPut -> 2.25
-  Resampled -> 3
-  Unregistered -> 5
+leastVariance = 0.003
 
 -- The probability of an image that is nothing of the kind, where so many taxels were seen. Of less
--- than a third of a symbol, frames that were put together a taxel wrong may make another symbol.
-nothingOfTheKind :: Double -> Double
-nothingOfTheKind taxels = if taxels < 32 then 0.006 else 0.001
+-- than a third of a symbol, frames that were put together a taxel wrong may make another symbol;
+-- those that nobody compared make anything, if they are several taxels wrong.
+nothingOfTheKind :: Double -> Double -> Double
+nothingOfTheKind sigma taxels =
+  min 1 (max (0.001 * 50 ** (sigma - 1)) (if taxels < 32 then 0.006 else 0.001))
 
-{- Note [Parts] Errors of neighbouring taxels are not independent: misplacement and blur spoil whole
-   strokes. So a part may lie a little beside its place, in every direction alike, and the variance
-   of what then still differs, that of the best of the shapes or the square of a tenth of the
-   contrast if that is more, counts for several taxels at once. With the numbers here the 7900 parts
-   of 2400 presses by every sensor, upright and at any angle, with noise to 0.5 and position errors
-   to three taxels, are nearly likeliest, and about as many of them wrong as are told to be under
-   each condition. Likeliest of all would be that next to nothing is nothing of the kind: of 3000
-   parts with no other doubt none was wrong (assumption: of another sensor some are).
-   bench/calibration.py counts other presses, and docs/evaluation.md has what it counted. At nominal
-   places, which may be several taxels wrong, no number of taxels is right for every robot
-   (assumption). -}
+{- Note [Parts] The numbers k, m and the least variance, and what becomes of them with a robot's
+   error, are nearly likeliest for the 4900 parts of 1600 presses by `paper`, `real` and `hard` over
+   GF(2) to GF(9), compared and not, with position errors of one to two taxels; about as many of
+   these parts are wrong as are told to be under each condition. Likeliest of all would be that next
+   to nothing is nothing of the kind: of 1800 parts with no other doubt none was wrong (assumption:
+   of another sensor some are). bench/calibration.py counts other presses, and docs/evaluation.md
+   has what it counted. -}

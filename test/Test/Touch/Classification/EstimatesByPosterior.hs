@@ -270,21 +270,28 @@ partSpec = do
   it "is each shape moved a little, flat, or nothing of the kind: the posterior of all these" $ do
     known <- drawnAlphabet
     holds 60 $
-      forAll (elements [AsPut, Resampled, Unregistered]) $ \pixels ->
+      forAll (elements [0, 0.5, 1, 2]) $ \sigma ->
         forAll (choose (1, 12) >>= \rows -> (,) rows <$> genRasterOf 8 rows) $ \(rows, image) ->
           let part = upper rows image
               taxels = 8 * fromIntegral rows
               (distances, flat) = partDistances (templates known) part
               least = minimum (flat : concatMap (map snd . snd) distances)
-              variance = asOne pixels * max 0.01 (least / taxels)
-              normal d = exp (negate d / (2 * variance))
-              prior (x, y) = exp (negate (x * x + y * y) / (2 * 0.35 * 0.35))
+              asOne = 2 + 0.75 * sigma ** 2
+              -- By a normal law of each variance of a taxel, e^u times the likeliest one's.
+              byVariance d =
+                sum
+                  [ exp (taxels / (2 * asOne) * (1 - u - ratio * exp (negate u)))
+                    | u <- [-8, -7.95 .. 40],
+                      let ratio = (d + 0.003 * taxels) / (least + 0.003 * taxels)
+                  ]
+              normal d = byVariance d / byVariance least
+              prior (x, y) = exp (negate (x * x + y * y) / (2 * (0.25 ** 2 + sigma ** 2)))
               whole = sum [prior (x, y) | x <- line, y <- line]
               ofShape moves = sum [prior m * normal d | (m, d) <- moves] / whole
-              rubbish = nothingOfTheKind taxels
+              rubbish = max (50 ** (sigma - 1) / 1000) (nothingOfTheKind taxels)
               everything = normal flat + sum (map (ofShape . snd) distances)
               chance l = (1 - rubbish) * (l + normal flat / 8) / everything + rubbish / 8
-              e = estimatePart (templates known) pixels part
+              e = estimatePart (templates known) sigma part
            in conjoin $
                 near (1 - estimateChance e (estimateLikeliest e)) (estimateDoubt e) :
                 (maximum (map snd (estimateChances e)) === estimateChance e (estimateLikeliest e)) :
@@ -295,14 +302,9 @@ partSpec = do
     line = [-1, -0.5, 0, 0.5, 1]
     nothingOfTheKind :: Double -> Double
     nothingOfTheKind taxels = if taxels < 32 then 0.006 else 0.001
-    -- How many taxels count as one.
-    asOne pixels = case pixels of
-      AsPut -> 2.25
-      Resampled -> 3
-      Unregistered -> 5
     doubtOf known rows c =
       let part = upper rows (toRaster (shapes known !! c))
-       in estimateDoubt (estimatePart (templates known) AsPut part)
+       in estimateDoubt (estimatePart (templates known) 0 part)
     -- Only the upper rows are seen, of which the image has at least as many.
     upper rows image =
       Part
