@@ -1,5 +1,3 @@
-{-# LANGUAGE BangPatterns #-}
-
 -- | The arrays that are not ours but as ours: of the same field, degree, folding and shape, by each
 -- other primitive polynomial. What the observed cells are worth if one of them was touched is
 -- summed over all of these arrays, or bounded from some that are drawn; docs/locating.md has the

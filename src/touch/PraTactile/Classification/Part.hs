@@ -1,11 +1,15 @@
 -- | The likeliest symbol of which only a part was touched.
 --
 -- What a part shows is N taxels. From a shape in a place they are d off, as squares added up, and
--- every two of them err alike, as one, by a normal law whose variance is not known. Any variance is
+-- every k of them err alike, as one, by a normal law whose variance is not known. Any variance is
 -- as likely as one of another size beforehand (H. Jeffreys 1961), so that the shape in that place
 -- has the likelihood
 --
--- > integral of v^(-n/2) exp (-d / (2 k v)) dv / v ~ d^(-n/2),    n = N / k, k = 2
+-- > integral of v^(-n/2) exp (-d / (2 k v)) dv / v ~ d^(-n/2),    n = N / k
+--
+-- The nearer to each other shapes are, the sooner errors make another of one: with D taxels, the
+-- alphabet's separation, k = 3500 / D^2, which is 1.5 for the least and 2.2 for the most of the
+-- shipped alphabets.
 --
 -- A part may lie a little beside its place: a shape's likelihood is the mean over places, whose
 -- distances are normal with the standard deviation m = 1/4 of a taxel. And what was touched may be
@@ -14,7 +18,7 @@
 -- Where frames lie as the robot has them and nobody compared them, strokes in several of them do
 -- not meet. With s taxels, the standard deviation of the robot's error along each axis,
 --
--- > m^2 = 1/16 + s^2,    k = 2 + 3/4 s^2,    r >= 50^(s - 1) / 1000
+-- > m^2 = 1/16 + s^2,    k = 3500 / D^2 + 3/4 s^2,    r >= 50^(s - 1) / 1000
 module PraTactile.Classification.Part
   ( estimatePart,
     partDistances,
@@ -47,7 +51,8 @@ estimatePart shapesSeen sigma part = Estimate best [(what, chance l) | (what, l)
     allMoves = sum . map (misplaced . fst)
     misplaced (x, y) = exp (negate (x * x + y * y) / (2 * (0.25 * 0.25 + sigma * sigma)))
     likelihood d = ((least + leastOff) / (d + leastOff)) ** (taxels / (2 * alike))
-    alike = 2 + 0.75 * sigma * sigma
+    alike = 3500 / (apart * apart) + 0.75 * sigma * sigma
+    apart = fromIntegral (templateSeparation shapesSeen)
     leastOff = leastVariance * taxels
     flatLikelihood = likelihood flat
     best = case sortOn (Down . snd) likelihoods of

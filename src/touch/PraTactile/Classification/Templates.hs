@@ -6,6 +6,7 @@ module PraTactile.Classification.Templates
   ( Templates,
     templates,
     templateCount,
+    templateSeparation,
     match,
     squaredDistances,
   )
@@ -16,19 +17,25 @@ import qualified Data.Vector as Boxed
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
 import PraTactile.Shape
+import PraTactile.Shape.Distance (separation)
 
 -- | The shapes of an alphabet as they are seen when misplaced a little: to be correlated with, and
 -- to be subtracted.
-newtype Templates = Templates (Vector ([V.Vector Double], [((Double, Double), V.Vector Double)]))
+data Templates = Templates
+  { -- | the alphabet's 'separation', taxels
+    templateSeparation :: Int,
+    templateClasses :: !(Vector ([V.Vector Double], [((Double, Double), V.Vector Double)]))
+  }
 
 -- | The number of classes.
 templateCount :: Templates -> Int
-templateCount (Templates classes) = Boxed.length classes
+templateCount = Boxed.length . templateClasses
 
 -- | Each shape of the alphabet at its place and moved by half a taxel in each direction; parts,
 -- whose place is known less well, by a whole one.
 templates :: Alphabet -> Templates
-templates alphabetOfAll = Templates (Boxed.fromList (map seen (shapes alphabetOfAll)))
+templates alphabetOfAll =
+  Templates (separation alphabetOfAll) (Boxed.fromList (map seen (shapes alphabetOfAll)))
   where
     seen shape =
       ( map (standardised . snd) (placed [-0.5, 0, 0.5] shape),
@@ -58,7 +65,7 @@ templates alphabetOfAll = Templates (Boxed.fromList (map seen (shapes alphabetOf
 -- the two, the shape moved by up to half a taxel; from -1 to 1. 0 for an image all of whose values
 -- are the same, for one of another size, and for a class that there is not.
 match :: Templates -> Int -> Raster -> Double
-match (Templates classes) c image = case classes Boxed.!? c of
+match known c image = case templateClasses known Boxed.!? c of
   Just (placed@(_ : _), _)
     | rasterSize image == (symbolWidth, symbolHeight) ->
       maximum (map (V.sum . V.zipWith (*) seen) placed)
@@ -72,7 +79,7 @@ match (Templates classes) c image = case classes Boxed.!? c of
 -- taxel along both axes, in taxels right and down. The image has background 0 and embossing 1. None
 -- for a class that there is not.
 squaredDistances :: Templates -> Int -> Raster -> Raster -> [((Double, Double), Double)]
-squaredDistances (Templates classes) c image weight = case classes Boxed.!? c of
+squaredDistances known c image weight = case templateClasses known Boxed.!? c of
   Just (_, placed) -> map (fmap apart) placed
   Nothing -> []
   where

@@ -20,6 +20,7 @@ import PraTactile.Random (uniform)
 import PraTactile.Registration.Rotation
 import PraTactile.Segmentation (Part (..))
 import PraTactile.Shape
+import PraTactile.Shape.Distance (separation)
 import PraTactile.Steps
 import PraTactile.Symmetry
 import System.Random (mkStdGen)
@@ -276,7 +277,7 @@ partSpec = do
               taxels = 8 * fromIntegral rows
               (distances, flat) = partDistances (templates known) part
               least = minimum (flat : concatMap (map snd . snd) distances)
-              asOne = 2 + 0.75 * sigma ** 2
+              asOne = 3500 / fromIntegral (separation known) ** 2 + 0.75 * sigma ** 2
               -- By a normal law of each variance of a taxel, e^u times the likeliest one's.
               byVariance d =
                 sum
