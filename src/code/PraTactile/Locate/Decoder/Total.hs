@@ -87,8 +87,9 @@ waysOn folded unsorted =
     -- However far apart cells are, on a torus none is further than all around.
     offsets = mapMaybe (displaced surface shape (Position 0 0) . fst) cells
     -- Of the columns between two of these the same cells lie beyond the last one.
-    cuts = Set.fromList (0 : wide : filter (< wide) [columns shape - j | Position _ j <- offsets])
-    allBands = [band | high > 0, band <- zip (Set.toAscList cuts) (drop 1 (Set.toAscList cuts))]
+    cuts = Set.toAscList (Set.fromList (0 : wide : filter (< wide) beyond))
+    beyond = [columns shape - j | Position _ j <- offsets]
+    allBands = [band | high > 0, band <- zip cuts (drop 1 cuts)]
     from (first, _) =
       [ (foldedIndex folded at - foldedIndex folded here) `mod` size
         | offset <- offsets,
