@@ -94,7 +94,7 @@ house: setup ## draw the module graph (house.dot; house.svg where Graphviz is in
 	 else echo "wrote house.dot (install Graphviz to have house.svg drawn)"; fi
 
 # Of GF(4) the files are data/shapes.txt and data/network.txt, of every other field data/alphabets/gfQ.
-shapes: build ## design the shipped shapes again from their seed (minutes for each field of five elements or more)
+shapes: build ## design the shipped shapes again from their seed (some five minutes)
 	bin/pra-tactile shapes --design --output data/shapes.txt
 	for q in 2 3 5 7 8 9; do bin/pra-tactile shapes --design --q $$q --output data/alphabets/gf$$q/shapes.txt || exit 1; done
 

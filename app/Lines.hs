@@ -4,6 +4,7 @@ module Lines
   ( Line (..),
     forLines,
     lineText,
+    linePath,
     largestLine,
   )
 where
@@ -11,14 +12,17 @@ where
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import Data.Text (Text)
+import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8')
+import GHC.Foreign (peekCStringLen)
+import GHC.IO.Encoding (getFileSystemEncoding)
 import System.IO (stdin)
 
 -- | A line, without its end.
 data Line
   = Line Text
-  | -- | it holds bytes that are no UTF-8
-    NotUtf8
+  | -- | it holds bytes that are no UTF-8; these
+    NotUtf8 ByteString
   | -- | it has this many bytes, more than 'largestLine'
     TooLong Integer
   deriving stock (Eq, Show)
@@ -31,9 +35,18 @@ largestLine = 1024 * 1024
 lineText :: Line -> Either String Text
 lineText given = case given of
   Line text -> Right text
-  NotUtf8 -> Left "the line is not UTF-8 text"
+  NotUtf8 _ -> Left "the line is not UTF-8 text"
   TooLong size ->
     Left ("the line has " ++ show size ++ " bytes; at most " ++ show largestLine ++ " are read")
+
+-- | The file that a line names, whatever its bytes; no name where it is too long for one.
+linePath :: Line -> IO FilePath
+linePath given = case given of
+  Line text -> pure (Text.unpack text)
+  NotUtf8 bytes -> do
+    encoding <- getFileSystemEncoding
+    Bytes.useAsCStringLen bytes (peekCStringLen encoding)
+  TooLong _ -> pure ""
 
 -- | Go through the lines of the standard input as they come. What follows the last end of line is a
 -- line if it is not empty.
@@ -69,6 +82,6 @@ forLines step = awaited [] 0
 line :: [ByteString] -> Line
 line chunks
   | Bytes.length whole > largestLine = TooLong (toInteger (Bytes.length whole))
-  | otherwise = either (const NotUtf8) Line (decodeUtf8' whole)
+  | otherwise = either (const (NotUtf8 whole)) Line (decodeUtf8' whole)
   where
     whole = Bytes.concat chunks

@@ -7,13 +7,16 @@ module Output
   ( -- * Files
     writeWhole,
     orUnwritable,
+    orUnwritableAmong,
     writtenTo,
+    sayBeside,
     sayWritten,
     Target (..),
     targetOf,
 
     -- * Folders
     writeFolder,
+    orTaken,
 
     -- * Complaints
     writeMessage,
@@ -25,12 +28,15 @@ import Control.Monad (forM_, unless, void, when)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
+import Data.Foldable (for_, traverse_)
+import Data.List (nub, (\\))
+import Data.Maybe (listToMaybe)
 import ExitStatus
 import GHC.IO.Handle (LockMode (..), hTryLock)
 import Interrupt
 import System.Directory
 import System.FilePath (dropTrailingPathSeparator, isRelative, takeDirectory, (</>))
-import System.IO (Handle, IOMode (..), hClose, hFlush, hSetFileSize, openBinaryFile, stdout)
+import System.IO
 import System.IO.Error
   ( doesNotExistErrorType,
     ioeSetErrorString,
@@ -124,6 +130,11 @@ writtenTo name write = do
   where
     guarded action = try action >>= either (unusable . writeMessage name) pure
 
+-- | Say something of what is written there: on the standard output, or where that has what is
+-- written, on the standard error.
+sayBeside :: FilePath -> String -> IO ()
+sayBeside name = hPutStr (if name == "-" then stderr else stdout)
+
 -- | Say on the standard output that a file was written, and what is in it; nothing where the file
 -- is the standard output.
 sayWritten :: FilePath -> String -> IO ()
@@ -164,6 +175,18 @@ keepingMode part status = do
   where
     permissions = 0o7777 :: FileMode
 
+-- | Leave with status 2 if something cannot be written to where these names say, or two of them say
+-- the same, before the work that would be lost; nothing stays behind.
+orUnwritableAmong :: [FilePath] -> IO ()
+orUnwritableAmong names = do
+  places <- traverse (\name -> if name == "-" then pure name else canonicalizePath name) names
+  for_ (listToMaybe (places \\ nub places)) $ \twice ->
+    misused
+      ( "two outputs go to "
+          ++ if twice == "-" then "the standard output" else visibleName twice
+      )
+  traverse_ orUnwritable names
+
 -- | Leave with status 2 if nothing can be written there, before the work that would be lost;
 -- nothing stays behind.
 orUnwritable :: FilePath -> IO ()
@@ -180,7 +203,7 @@ orUnwritable name = do
 -- refused. Nothing else is left, but by a run that was killed.
 writeFolder :: FilePath -> [(FilePath, ByteString)] -> IO ()
 writeFolder path files = do
-  refuseUnlessFree
+  orTaken path
   outcome <- try . endingInOrder $ do
     folder <- resolved asked
     createDirectoryIfMissing True (takeDirectory folder)
@@ -194,14 +217,19 @@ writeFolder path files = do
       renameDirectory building folder
   case outcome of
     Right () -> pure ()
-    Left problem -> refuseUnlessFree >> unusable (writeMessage path problem)
+    Left problem -> orTaken path >> unusable (writeMessage path problem)
   where
     asked = dropTrailingPathSeparator path
-    refuseUnlessFree = do
-      taken <-
-        either (const False) (const True)
-          <$> (try (getSymbolicLinkStatus asked) :: IO (Either IOException FileStatus))
-      when taken refuseUnlessEmpty
+
+-- | Leave with status 2 if something is there that is no empty folder.
+orTaken :: FilePath -> IO ()
+orTaken path = do
+  taken <-
+    either (const False) (const True)
+      <$> (try (getSymbolicLinkStatus asked) :: IO (Either IOException FileStatus))
+  when taken refuseUnlessEmpty
+  where
+    asked = dropTrailingPathSeparator path
     needed = "; name a folder that is new or empty"
     refuseUnlessEmpty = do
       content <- try (listDirectory asked) :: IO (Either IOException [FilePath])

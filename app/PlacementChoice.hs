@@ -52,7 +52,7 @@ placementChoice ofDatabase' =
       "placement"
       "FILE"
       "The objects and the places of their faces, as 'place' writes them, with their array \
-      \(default: the cube and the parallelepiped on the paper's array, and of any other array the \
+      \(default: the cube and the parallelepiped on arrays of 15 x 17, and of any other array the \
       \whole of it as a flat plate)"
     <|> InDatabase
     <$> fileOption "database" "FILE" (ofDatabase' ++ "; on a server: postgresql://...")
@@ -66,7 +66,7 @@ plateOr others =
         plate
         "object"
         "sheet"
-        "The object is the whole array as a flat plate (default of arrays other than the paper's)"
+        "The object is the whole array as a flat plate (default of arrays that are not 15 x 17)"
   )
     <|> others
   where

@@ -43,7 +43,7 @@ class Decimal a where
 instance Decimal Natural where
   readDecimal text
     | not (null text), all isDigit text = Right (read text)
-    | otherwise = Left (quoted text ++ " is not a number 0, 1, 2, ...")
+    | otherwise = Left (quoted text ++ " is not a whole number from 0 on")
 
 -- | ..., -1, 0, 1, ...
 instance Decimal Integer where

@@ -33,6 +33,7 @@ import Message
 import Numeric.Natural (Natural)
 import Options
 import PraTactile.Classification.Calibration (Calibration, standardCalibration)
+import PraTactile.Classification.Network (NetworkError (WrongOutputCount), outputCount)
 import PraTactile.Classification.Network.File (decodeNetwork)
 import PraTactile.Classification.Reader
 import PraTactile.Classification.Regimen (shippedSeed)
@@ -175,8 +176,11 @@ networkFor alphabet weights = case weights of
     inFile file why = visibleName file ++ ": " ++ why
     stated seed regimen n = NetworkFile n own sure seed regimen
     sure = calibrationFor alphabet
-    asText file bytes =
-      stated Nothing Nothing <$> orUnusable (inFile file . networkMessage) (decodeNetwork bytes)
+    asText file bytes = do
+      n <- orUnusable (inFile file . networkMessage) (decodeNetwork bytes)
+      if outputCount n == q
+        then pure (stated Nothing Nothing n)
+        else unusable (inFile file (networkMessage (WrongOutputCount (outputCount n) q)))
     asJson file bytes = do
       given <-
         orUnusable

@@ -1,6 +1,6 @@
 -- | Our traingdx beside one of numpy (@bench/peers/traingdx.py@): from the same first weights and
 -- images, are the errors and the steps of 200 epochs the same, and how long do 5000 take? And how
--- long do the outputs for 10^5 images (@bench/peers/outputs.py@)?
+-- long do the outputs for 10^5 images, the same on both sides (@bench/peers/outputs.py@)?
 --
 -- usage: traingdx FOLDER [PYTHON]; what both read and write is left in the folder.
 module Main (main) where
@@ -10,7 +10,7 @@ import qualified Data.ByteString.Char8 as Bytes
 import Data.Foldable (toList)
 import Data.List.NonEmpty (NonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
-import Numeric.LinearAlgebra (sumElements, (><))
+import Numeric.LinearAlgebra (Matrix, sumElements, (><))
 import PraTactile.Classification.Calibration (standardCalibration)
 import PraTactile.Classification.Experiment
 import PraTactile.Classification.Network
@@ -30,7 +30,7 @@ import System.Directory (createDirectoryIfMissing)
 import System.Environment (getArgs)
 import System.FilePath ((</>))
 import System.Process (readProcess)
-import System.Random (mkStdGen, randoms)
+import System.Random (mkStdGen)
 import Text.Printf (printf)
 
 main :: IO ()
@@ -103,12 +103,19 @@ compared folder python = do
         >>= putStr
     answered n = do
       rounds <- forM [1 .. 5] $ \seed -> do
-        let images = (inputCount >< many) (take (inputCount * many) (randoms (mkStdGen seed)))
+        let images = generated seed
         start <- sumElements images `seq` getCPUTime
-        end <- sumElements (outputsOfAll n images) `seq` getCPUTime
-        (,) (end - start)
-          <$> readProcess python ["bench/peers/outputs.py", folder </> "first.json", show many] ""
+        let total = sumElements (outputsOfAll n images)
+        end <- total `seq` getCPUTime
+        told <- readProcess python ("bench/peers/outputs.py" : asked seed) ""
+        case words told of
+          [took, theirs] | abs (read theirs / total - 1) < 1e-12 -> pure (end - start, took)
+          _ -> fail ("outputs add up to " ++ show total ++ ", and by numpy: " ++ told)
       bestOf rounds ("outputs for " ++ show many ++ " images")
+    asked seed = [folder </> "first.json", show many, show seed]
+    generated :: Int -> Matrix Double
+    generated seed = (inputCount >< many) (map value [seed .. seed + inputCount * many - 1])
+    value k = fromIntegral (k * 2654435761 `mod` 4294967296) / 4294967296
     bestOf rounds what =
       printf
         "%s, the best of %d, seconds of the processor: ours %.3f, numpy %.3f\n"

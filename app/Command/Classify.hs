@@ -7,7 +7,6 @@ where
 import Control.Monad (when)
 import Data.Bifunctor (first)
 import qualified Data.ByteString.Char8 as Bytes
-import qualified Data.Text as Text
 import ExitStatus
 import Lines
 import Message
@@ -21,7 +20,7 @@ import PraTactile.Symmetry
 import Setup
 import System.IO (hFlush, stdout)
 import Text.Printf (printf)
-import Visible (visibleName)
+import Visible (nameInJson, visibleName)
 
 data Options = Options
   { weights :: Maybe FilePath,
@@ -84,7 +83,7 @@ run choice options
         how = form options
         one path = ask path >>= orUnusable id >>= told how path
         next worst line = do
-          let path = either (const "") Text.unpack (lineText line)
+          path <- linePath line
           answer <- ask path
           status <- either (const (invalid how path)) (told how path) answer
           hFlush stdout
@@ -112,7 +111,7 @@ imageIn (low, high) path
 told :: AnswerForm -> FilePath -> Classification -> IO ExitStatus
 told form' path shown = do
   case form' of
-    AsJson -> Bytes.putStrLn (encodeClassification path shown)
+    AsJson -> Bytes.putStrLn (encodeClassification (nameInJson path) shown)
     AsText -> putStrLn (visibleName path ++ ": " ++ text)
   pure (if classifiedVerdict shown == Recognised then Answered else NotAnswered)
   where
@@ -129,6 +128,6 @@ told form' path shown = do
 invalid :: AnswerForm -> FilePath -> IO ExitStatus
 invalid form' path = do
   case form' of
-    AsJson -> Bytes.putStrLn (encodeNoImage path)
+    AsJson -> Bytes.putStrLn (encodeNoImage (nameInJson path))
     AsText -> putStrLn (visibleName path ++ ": invalid")
   pure Unusable

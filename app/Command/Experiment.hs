@@ -18,7 +18,7 @@ import Drawing (hundredths)
 import ExitStatus
 import Message
 import Options
-import Output (sayWritten, writeFolder)
+import Output (orTaken, sayWritten, writeFolder)
 import PraTactile.Classification.Experiment
 import PraTactile.Classification.Network (NetworkError)
 import PraTactile.Classification.Traingdx (Epoch (..), Trace)
@@ -86,6 +86,7 @@ run :: AlphabetChoice -> Options -> IO ExitStatus
 run choice options
   | seeds options < 1 || seeds options > 10000 = misused "--seeds is a number from 1 to 10000"
   | otherwise = do
+    for_ (output options) orTaken
     source <- chosenImages (images options)
     symbols <- symbolsOf <$> chosenAlphabet choice
     let rows = plan (trainings options) (nub (variations options)) shippedAlphabets source symbols

@@ -12,9 +12,10 @@ import Data.Maybe (fromMaybe)
 import ExitStatus
 import Message
 import Options
-import Output (writeFolder)
+import Output (orTaken, writeFolder)
 import PraTactile.Classification.Experiment (allWithNoise)
 import PraTactile.Explore (Turns (..), halfTurns)
+import PraTactile.Geometry (symbolHeight, symbolWidth)
 import PraTactile.Image (Raster, mapRaster)
 import PraTactile.Image.Error (ImageError)
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity)
@@ -104,7 +105,10 @@ run choice options
   | count options < 1 || count options > 100000 = misused "--count is a number from 1 to 100000"
   | not (noise options >= 0 && noise options <= 100) =
     misused "--noise is a standard deviation from 0 to 100"
+  | any (\d -> d < 0 || d > symbolWidth * symbolHeight) (foreignTo options) =
+    misused "--foreign is a number of taxels from 0 to 96"
   | otherwise = do
+    orTaken (output options)
     source <- chosenImages (images options)
     alphabet <- chosenAlphabet choice
     drawn <- maybe (ours alphabet) (others alphabet) (foreignTo options) >>= found source

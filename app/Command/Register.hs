@@ -103,7 +103,7 @@ run asked pairing symbols calibrationFile form = do
       pure (number + 1, Just tables', max worst (statusOf match))
     requested number line = case line of
       Line text -> first (formatMessage name "a request") (decodePairRequest (encodeUtf8 text))
-      NotUtf8 -> Left (name ++ " is not UTF-8 text")
+      NotUtf8 _ -> Left (name ++ " is not UTF-8 text")
       TooLong size ->
         Left (name ++ " has " ++ show size ++ " bytes; at most " ++ show largestLine ++ " are read")
       where

@@ -5,7 +5,6 @@ module Command.Shapes
   )
 where
 
-import Control.Monad (when)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
 import Data.Proxy (Proxy)
@@ -18,7 +17,7 @@ import FieldChoice
 import Message
 import Numeric.Natural (Natural)
 import Options
-import Output (writeWhole)
+import Output
 import PraTactile.Field (GF, KnownField, elements, showElement)
 import PraTactile.Format.Shapes (encodeShapes)
 import PraTactile.Shape
@@ -32,16 +31,19 @@ import Visible (visibleName)
 data Options = Options
   { symbols :: AlphabetChoice,
     work :: Work,
-    form :: AnswerForm,
+    form :: Form,
     output :: Maybe FilePath
   }
 
 data Work
   = Draw
-  | DrawSvg
   | -- | from a seed
     Design Int
   | Check FilePath
+
+-- | How shapes are shown.
+data Form = Plain | AsSvg | Reported
+  deriving stock (Eq)
 
 command :: Mod CommandFields (IO ExitStatus)
 command =
@@ -60,8 +62,12 @@ command =
       Options
         <$> alphabetChoice
         <*> workOption
-        <*> jsonSwitch "Print the distances and the faults as JSON"
+        <*> formOption
         <*> outputFileOption
+    formOption =
+      flag' AsSvg (long "svg" <> help "Draw the shapes as SVG")
+        <|> (shown <$> jsonSwitch "Print the distances and the faults as JSON")
+    shown given = if given == AsJson then Reported else Plain
 
 workOption :: Parser Work
 workOption =
@@ -78,22 +84,18 @@ workOption =
                     \and write the alphabet it finds"
               )
             <*> defaulting paperSeed intReader "seed" "N" "Seed of the search"
-            <*> switch (long "svg" <> help "Draw the shapes as SVG")
         )
   where
-    designing design' seed svg
-      | design' = Design seed
-      | svg = DrawSvg
-      | otherwise = Draw
+    designing design' seed = if design' then Design seed else Draw
 
 run :: Options -> IO ExitStatus
 run options = case work options of
   Check file -> do
     drawn <- readAlphabet file
-    told (checkText (visibleName file) drawn) drawn
+    shown (checkText (visibleName file) drawn) drawn
     pure (if null (faults drawn) then Answered else NotAnswered)
   Design seed -> do
-    when (form options == AsJson) (misused "--design writes drawings; leave out --json")
+    for_ (output options) orUnwritable
     q <-
       maybe (misused "--design makes shapes; leave out --shapes") pure (orderOf (symbols options))
     names <- elementNames q
@@ -103,21 +105,18 @@ run options = case work options of
           (toInteger searchLength)
           0
           (`follow` designSteps seed (parametersFor names))
-    write (renderAlphabet found)
-    for_ (output options) (const (Text.putStr (renderReport found report)))
-    pure Answered
-  DrawSvg -> do
-    chosen <- chosenAlphabet (symbols options)
-    write (alphabetSvg chosen)
+    shown (renderAlphabet found) found
+    for_ (output options) (`sayBeside` Text.unpack (renderReport found report))
     pure Answered
   Draw -> do
     chosen <- chosenAlphabet (symbols options)
-    told (drawAlphabet chosen <> Text.singleton '\n' <> distanceTable chosen) chosen
+    shown (drawAlphabet chosen <> Text.singleton '\n' <> distanceTable chosen) chosen
     pure Answered
   where
-    told text drawn = case form options of
-      AsText -> write text
-      AsJson -> write (Text.decodeUtf8 (encodeShapes drawn) <> Text.singleton '\n')
+    shown text drawn = case form options of
+      Plain -> write text
+      AsSvg -> write (alphabetSvg drawn)
+      Reported -> write (Text.decodeUtf8 (encodeShapes drawn) <> Text.singleton '\n')
     write :: Text -> IO ()
     write text =
       maybe

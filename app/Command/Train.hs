@@ -10,6 +10,7 @@ import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (for_)
 import qualified Data.List.NonEmpty as NonEmpty
+import Data.Maybe (catMaybes)
 import qualified Data.Text.Encoding as Text
 import ExitStatus
 import Message
@@ -77,7 +78,9 @@ command =
         <*> flag
           True
           False
-          (long "without-noise" <> help "No noisy images: the paper's middle stage is left out")
+          ( long "without-noise"
+              <> help "No noisy images: of the paper's stages the middle one is left out"
+          )
         <*> seedOption (value shippedSeed <> showDefault)
         <*> optionalFile "trace" "FILE.csv" "Write every epoch: error, gradient, rate and step"
         <*> flag
@@ -97,8 +100,7 @@ command =
 run :: AlphabetChoice -> Options -> IO ExitStatus
 run symbols options = do
   alphabet <- chosenAlphabet symbols
-  for_ (trace options) orUnwritable
-  for_ (sureness options) orUnwritable
+  orUnwritableAmong (output options : catMaybes [trace options, sureness options])
   (network, done) <- trainedAs (how options) alphabet options
   for_ (trace options) (`writeWhole` Lazy8.pack (traceCsv done))
   -- It takes presses, and so is found only where it is written, and once.
@@ -117,10 +119,11 @@ run symbols options = do
         pure (Lazy.fromStrict (encodeNetwork file) <> Lazy.singleton 10)
       else pure (Lazy.fromStrict (Text.encodeUtf8 (renderNetwork network)))
   writeWhole (output options) written
-  forM_ (zip [1 :: Int ..] (map snd done)) $ \(i, descent) ->
-    putStrLn
+  forM_ done $ \(i, descent) ->
+    sayBeside
+      (output options)
       ( printf
-          "stage %d: %d epochs, squared error %.4f -> %.4f"
+          "stage %d: %d epochs, squared error %.4f -> %.4f\n"
           i
           (epochNumber (lastEpoch descent))
           (epochError (NonEmpty.head descent))
@@ -146,13 +149,14 @@ regimenName options = named ++ (if noise options then "" else "-without-noise")
       AsShipped -> "shipped"
       ByPaper training -> trainingName training
 
--- | The network, and its stages: rounds, where it is trained as shipped.
+-- | The network, and its stages, each with its number: rounds, where it is trained as shipped.
 trainedAs :: How -> Alphabet -> Options -> IO (Network, [(Int, Trace)])
 trainedAs AsShipped alphabet options = do
   network <-
     orUnusable networkMessage
       =<< withProgress (toInteger (regimenRounds regimen)) 0 (`follow` counted training)
-  pure (network, stepsDone training)
+  -- Each round is a stage of its own, for its batch is.
+  pure (network, zip [1 ..] (map snd (stepsDone training)))
   where
     training = trainingRounds regimen alphabet (seed options)
     regimen

@@ -63,6 +63,7 @@ misfitMessage misfit = case misfit of
   NotInteger -> "a whole number is needed"
   NaturalTooLong limit -> "a number has at most " ++ show limit ++ " digits"
   NotReal -> "a number is needed"
+  BeyondMillion -> "a number of at most a million is needed"
   NotPair -> "a list of two is needed"
   NotShape -> "a shape is a list of two numbers, rows and columns"
   NotCell -> "a cell of the mask is a list of two numbers, row and column"

@@ -179,7 +179,12 @@ touching =
     ("truth", "pra probe --object cube --seed 7 --output frames --truth t.json > log; cat t.json"),
     ("compare", "pra decode --json frames > a.json; pra compare a.json t.json --json"),
     ("compare", "pra decode --json " ++ worked ++ " > b.json; pra compare b.json t.json --json"),
+    ( "decode",
+      "pra probe --profile data/profiles/gf9.json --object sheet --seed 4 --output f9 > log; "
+        ++ "pra decode --profile data/profiles/gf9.json --json f9"
+    ),
     ("evaluate", "pra evaluate --json --presses 2 --seed 1"),
+    ("evaluate", "pra evaluate --json --object sheet --presses 1"),
     ("evaluate", "pra evaluate --json --presses 1 --sensor real --any-angle --foreign 0.5"),
     ("evaluate", "pra evaluate --json --presses 1 --foreign-arrays 0.5"),
     ("evaluate", "pra evaluate --json --presses 1 --bend 80 --bend-axis x"),
@@ -323,10 +328,23 @@ inputs =
     ("distance", "{\"mask\": \"###/###/###\"}"),
     ("register", "{\"a\": " ++ rows ++ ", \"b\": " ++ rows ++ ", \"step\": [2, 0], \"search\": 1}"),
     ("stitch", "{\"frames\": [{\"rows\": " ++ rows ++ ", \"place\": [-3, \"4\"]}], \"search\": 1}"),
+    ( "register",
+      "{\"a\": " ++ rows ++ ", \"b\": " ++ rows ++ ", \"step\": [2, 0], \"search\": 1, "
+        ++ ("\"alphabet\": " ++ drawings ++ "}")
+    ),
     ("segment", "{\"rows\": " ++ rows ++ "}"),
-    ("segment", "{\"rows\": [[65536]]}")
+    ("segment", "{\"rows\": [[65536]]}"),
+    ("outputs", "{" ++ weights ++ ", \"rows\": " ++ image ++ "}"),
+    ( "descend",
+      "{" ++ weights ++ ", \"images\": [{\"rows\": " ++ image ++ ", \"class\": 1}], "
+        ++ "\"epochs\": 3, \"rate\": 0.1, \"momentum\": 0.5, \"goal\": 0, \"least_gradient\": 0}"
+    )
   ]
   where
+    weights = "\"hidden\": " ++ show [hidden] ++ ", \"output\": [[1, 0], [0, 1]]"
+    hidden = replicate 97 (0.1 :: Double)
+    image = show (replicate 12 (replicate 8 (0.5 :: Double)))
+    drawings = show [replicate 12 "####....", replicate 12 "....####"]
     rows = show [[1000 * (i * i + 2 * j) | i <- [0 .. 3]] | j <- [0 .. 3 :: Int]]
 
 -- | The names of the forms of output in the sources: what stands between @pra-tactile/@ and a

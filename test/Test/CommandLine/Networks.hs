@@ -27,7 +27,10 @@ spec = do
       ("images --set bitmap --count 1 --noise -1 --seed 1 --output x", "--noise"),
       ("images --set bitmap --sensor real --count 1 --seed 1 --output x", "--set press"),
       ("images --set press --sensor nonsense --count 1 --seed 1 --output x", "nonsense"),
-      ("images --set bitmap --foreign 97 --count 1 --seed 1 --output x", "no alphabet"),
+      ("images --set bitmap --foreign 97 --count 1 --seed 1 --output x", "--foreign"),
+      ("images --set bitmap --foreign -1 --count 1 --seed 1 --output x", "--foreign"),
+      ("network --q 9 data/network.txt", "4 classes"),
+      ("classify --q 9 --network data/network.txt --batch", "4 classes"),
       ("classify no-such-file", "no-such-file"),
       ("classify README.md", "PGM"),
       ("classify data/worked-example/composite.pgm", "8 x 12"),
@@ -39,7 +42,10 @@ spec = do
       ("experiment --vary stated,weights", "stated"),
       ("experiment --set bitmap --sensor real", "--set press"),
       ("train --regimen many --output x", "many"),
-      ("train --regimen stated --output no-such-folder/x", "no-such-folder")
+      ("train --output no-such-folder/x", "no-such-folder"),
+      ("train --output x.txt --trace ./x.txt", "two outputs"),
+      ("train --output - --calibration -", "two outputs"),
+      ("experiment --output data", "not empty")
     ]
     $ \(arguments, about) -> it arguments (words arguments `complains` about)
   it "weights as JSON are read wherever weights are, and of other shapes refused" $
@@ -101,10 +107,27 @@ spec = do
               [realToFrac n :: Double | Number n <- toList ps ++ [none]]
             _ -> []
           numbers line = map read (drop 1 (words line)) :: [Double]
-      for_ (zip (lines likely) (lines classified)) $ \(theirs, ours) -> do
-        length (all' ours) `shouldBe` 5
+      map (length . numbers) (lines likely) `shouldBe` replicate 8 5
+      map (length . all') (lines classified) `shouldBe` replicate 8 5
+      for_ (zip (lines likely) (lines classified)) $ \(theirs, ours) ->
         maximum (zipWith (\a b -> abs (a - b)) (numbers theirs) (all' ours))
           `shouldSatisfy` (< 1e-6)
+  it "a shipped network is trained again to the bit" $
+    inFolder $ \folder -> do
+      blas <-
+        readProcess
+          "sh"
+          [ "-c",
+            "ldd \"$(command -v pra-tactile)\" | grep -o '/[^ ]*blas[^ ]*' | xargs -r readlink -f"
+          ]
+          ""
+      if any (`isInfixOf` blas) ["openblas", "mkl", "atlas", "blis"]
+        then pendingWith ("weights are to the bit those of the reference BLAS; here it is " ++ blas)
+        else do
+          let again = folder </> "again.txt"
+          (status, _, _) <- pra ["train", "--q", "2", "--uncalibrated", "--output", again]
+          (trained, shipped) <- (,) <$> readFile again <*> readFile "data/alphabets/gf2/network.txt"
+          (status, trained == shipped) `shouldBe` (0, True)
   it "as ONNX the weights give the same outputs" $
     inFolder $ \folder -> do
       (present, _, _) <- readProcessWithExitCode "python3" ["-c", "import onnx.reference"] ""
@@ -156,6 +179,26 @@ spec = do
         `shouldBe` (Just "stopped", Just (Number 2))
       (_, without, _) <- train ["--without-noise"]
       length (filter ("stage " `isPrefixOf`) (lines without)) `shouldBe` 2
+  it "weights on the standard output are nothing else" $
+    inFolder $ \folder -> do
+      let file = folder </> "n.txt"
+          train to =
+            pra (words "train --uncalibrated --regimen manual --seed 1 --output" ++ [to])
+      (_, stages, _) <- train file
+      weights <- readFile file
+      train "-" `shouldReturn` (0, weights, unlines (take 3 (lines stages)))
+  it "a file's name may have any bytes, also a line of a batch" $
+    inFolder $ \folder -> do
+      _ <- pra (words "images --set bitmap --count 1 --seed 1 --output" ++ [folder </> "i"])
+      let classify how = "pra classify --levels 0.25,0.75 --json " ++ how
+          name = "$(printf 'caf\\351.pgm')"
+          script =
+            "cp i/0_0.pgm \"" ++ name ++ "\"; " ++ classify ("\"" ++ name ++ "\"")
+              ++ "; printf 'caf\\351.pgm\\n' | "
+              ++ classify "--batch"
+      (status, out, err) <- scripted folder script
+      (status, err) `shouldBe` (0, "")
+      map (key ["file"]) (lines out) `shouldBe` replicate 2 (Just (String "caf\\xe9.pgm"))
   it "images say what they are, and are taken for it, either way up" $
     inFolder $ \folder -> do
       let images = folder </> "images"

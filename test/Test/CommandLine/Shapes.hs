@@ -31,7 +31,8 @@ spec = do
       ("shapes --check data/network.txt", "line 1"),
       ("shapes --check no-such-file", "no-such-file"),
       ("shapes --design --shapes data/shapes.txt", "--design"),
-      ("shapes --design --json", "--json")
+      ("shapes --svg --json", "--json"),
+      ("shapes --design --output no-such-folder/x", "no-such-folder")
     ]
     $ \(arguments, about) -> it arguments (words arguments `complains` about)
   it "drawings of more than 256 shapes, of other sizes, twice the same: one line" $

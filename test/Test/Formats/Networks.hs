@@ -5,7 +5,7 @@ module Test.Formats.Networks (spec) where
 
 import Control.Monad (forM_)
 import qualified Data.ByteString.Char8 as Bytes
-import Data.Either (isLeft)
+import Data.Either (isLeft, isRight)
 import Numeric.LinearAlgebra (fromLists)
 import PraTactile.Classification.Calibration (Calibration (..), standardCalibration)
 import PraTactile.Classification.Network
@@ -61,6 +61,20 @@ spec = do
         (old, decodeNetworkFile changed) `shouldSatisfy` \(_, read') -> case read' of
           Left (Misfit _ OtherDigest) -> False
           other -> isLeft other
+  it "a calibration has numbers of at most a million, so that probabilities are numbers" $ do
+    file <- sampleFile
+    let with f = decodeNetworkFile (encodeNetwork file {fileCalibration = f (fileCalibration file)})
+    forM_
+      [ ("per_logit", \x c -> c {perLogit = x}),
+        ("per_likeness", \x c -> c {perLikeness = x}),
+        ("classes", \x c -> c {classOffsets = [0, x]}),
+        ("none", \x c -> c {ofOthers = [0, x, 0, 0]})
+      ]
+      $ \(name, change) -> forM_ [1, -1] $ \sign -> do
+        (name :: String, with (change (1e6 * sign))) `shouldSatisfy` (isRight . snd)
+        (name, with (change (1.001e6 * sign))) `shouldSatisfy` \(_, read') -> case read' of
+          Left (Misfit _ BeyondMillion) -> True
+          _ -> False
   it "cut off anywhere, it is refused" $ do
     file <- sampleFile
     let line = encodeNetwork file
@@ -91,11 +105,12 @@ genFile = do
   q <- choose (1, 3)
   let weights r c = fromLists <$> vectorOf r (vectorOf c genWeight)
   n <- suchThatMap (network <$> weights h 97 <*> weights q (h + 1)) (either (const Nothing) Just)
-  sure <- Calibration <$> genWeight <*> genWeight <*> vectorOf q genWeight <*> vectorOf 4 genWeight
+  sure <- Calibration <$> genNumber <*> genNumber <*> vectorOf q genNumber <*> vectorOf 4 genNumber
   seed <- arbitrary
   regimen <- elements [Nothing, Just "shipped"]
   pure (NetworkFile n (replicate 64 '0') sure seed regimen)
   where
+    genNumber = oneof [elements [0, 1e6, -1e6], choose (-1e6, 1e6), (* 1e-12) <$> arbitrary]
     genWeight = oneof [pure 0, arbitrary, (* 1e-12) <$> arbitrary, (* 1e200) <$> arbitrary]
 
 -- | The first occurrence of a text replaced by another.

@@ -19,6 +19,7 @@ import PraTactile.Explore
 import PraTactile.Field (KnownField)
 import PraTactile.Format (decodeProfile)
 import PraTactile.Geometry (taxelPitch)
+import PraTactile.Image (onRaster)
 import PraTactile.Object.Placement
 import PraTactile.Object.Plate
 import PraTactile.Pressing
@@ -74,34 +75,54 @@ spec = do
         for_ (estimateChances after) $ \(what, chance) ->
           estimateChance before (back what) `shouldSatisfy` \p -> abs (p - chance) < 1e-12
         elemIndex shape (shapes given) `shouldBe` Just (fst (estimateLikeliest before))
-  it "what was pressed with other shapes is not told as certain" $ do
-    let profile = canonicalProfile
-    plate <- right (platePlacement (profileShape profile))
-    nine <- right (shippedAlphabet 9)
-    four <- right (alphabet (take 4 (zip (shapeNames nine) (shapes nine))))
-    symbols <- right (shippedReader 4)
-    outcomes <-
-      right
-        ( withProfile
-            profile
-            ( \array mask -> do
-                reader <-
-                  either (Left . show) Right (recogniser (naturally array) mask plate symbols)
-                pure
-                  [ withStitching (runTrial standardTolerance reader standardRegistration trial')
-                    | seed <- [1 .. 6],
-                      let how = pressingWith standardSensor seed,
-                      Right (frames, truth) <- [pressed how four array plate plateName],
-                      face <- laidFaces plate,
-                      let trial' = Trial face (truthRegion truth) frames Nothing True
-                  ]
-            )
-        )
-    found <- right outcomes
-    length found `shouldBe` 6
-    [doubt | Mistaken doubt <- found, doubt < 1e-3] `shouldBe` []
+  it "an image turned by 180 degrees is told turned, each class and both ways up" $
+    for_ shippedSizes $ \q -> do
+      symbols <- right (shippedReader q)
+      let given = readerAlphabet symbols
+          told =
+            estimate (readerCalibration symbols) (readerTemplates symbols) (readerNetwork symbols)
+          over (c, way) = (c, if way == identity then turned 2 else identity)
+          shown = [(kind, shape) | kind <- [Upright, Displaced, Halves], shape <- shapes given]
+      for_ shown $ \(kind, shape) -> do
+        let (image, _) = specimen given kind shape (mkStdGen 7)
+        before <- right (told image)
+        after <- right (told (onRaster (turned 2) image))
+        over (estimateLikeliest after) `shouldBe` estimateLikeliest before
+        abs (estimateUnlike after - estimateUnlike before) `shouldSatisfy` (< 1e-6)
+        for_ (estimateChances after) $ \(what, chance) ->
+          estimateChance before (over what) `shouldSatisfy` \p -> abs (p - chance) < 1e-9
+  for_ [(4, 9), (3, 4), (5, 8)] $ \(q, other) ->
+    it (pressedWith q other ++ " is not told as certain") $ do
+      profile <- if q == 4 then pure canonicalProfile else shippedProfile q
+      plate <- right (platePlacement (profileShape profile))
+      theirs <- right (shippedAlphabet other)
+      pressed' <- right (alphabet (take q (zip (shapeNames theirs) (shapes theirs))))
+      symbols <- right (shippedReader q)
+      outcomes <-
+        right
+          ( withProfile
+              profile
+              ( \array mask -> do
+                  reader <-
+                    either (Left . show) Right (recogniser (naturally array) mask plate symbols)
+                  pure
+                    [ withStitching (runTrial standardTolerance reader standardRegistration trial')
+                      | seed <- [1 .. 6],
+                        let how = pressingWith standardSensor seed,
+                        Right (frames, truth) <- [pressed how pressed' array plate plateName],
+                        face <- laidFaces plate,
+                        let trial' = Trial face (truthRegion truth) frames Nothing True
+                    ]
+              )
+          )
+      found <- right outcomes
+      length found `shouldBe` 6
+      [doubt | Mistaken doubt <- found, doubt < 1e-3] `shouldBe` []
   where
     others = filter (/= 4) shippedSizes
+    pressedWith q other =
+      unwords ["an array over", field q, "pressed with shapes of", field other]
+    field q = "GF(" ++ show (q :: Int) ++ ")"
 
 shippedProfile :: Int -> IO Profile
 shippedProfile q =

@@ -58,6 +58,8 @@ data Misfit
     NaturalTooLong Int
   | -- | No number that a double can have.
     NotReal
+  | -- | A number of more than a million.
+    BeyondMillion
   | -- | No list of two.
     NotPair
   | -- | No shape: a list of two numbers, rows and columns.

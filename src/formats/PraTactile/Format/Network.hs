@@ -110,15 +110,18 @@ networkKeys =
     -- A zero has no sign here: readers differ in whether they keep it.
     unsigned = map (map (+ 0))
 
--- | How outputs and likenesses become probabilities.
+-- | How outputs and likenesses become probabilities: by numbers of at most a million, so that no
+-- sum of their multiples is too large for a double.
 calibration :: Codec Calibration
 calibration =
   object $
     Calibration
-      <$> key "per_logit" real perLogit
-      <*> key "per_likeness" real perLikeness
-      <*> key "classes" (listOf real) classOffsets
-      <*> key "none" (listOf real) ofOthers
+      <$> key "per_logit" number perLogit
+      <*> key "per_likeness" number perLikeness
+      <*> key "classes" (listOf number) classOffsets
+      <*> key "none" (listOf number) ofOthers
+  where
+    number = such ((<= 1e6) . abs) BeyondMillion real
 
 asNetwork :: Written -> Either FormatError NetworkFile
 asNetwork given = do

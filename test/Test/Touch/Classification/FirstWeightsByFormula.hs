@@ -31,6 +31,15 @@ spec = do
       let rows' = layerOf s (ranges ++ [(0.3, 0.3)]) seed
        in map (take (length ranges)) rows' === map (take (length ranges)) (layerOf s ranges seed)
             .&&. map (take 1 . drop (length ranges)) rows' === replicate s [0]
+  it "where every range is a point there are biases alone, equally far apart around 0" $
+    forAll (choose (2, 9)) $ \s -> forAll arbitrary $ \seed ->
+      let rows' = layerOf s [(0.3, 0.3), (-1, -1)] seed
+          biases = concatMap (drop 2) rows'
+          greatest = maximum biases
+          place i = 2 * fromIntegral i / fromIntegral (s - 1) - 1
+       in map (take 2) rows' === replicate s [0, 0]
+            .&&. greatest > 0
+            .&&. conjoin [near b (greatest * place i) | (i, b) <- zip [0 :: Int ..] biases]
   it "its directions are those of uniform draws: on all sides, and different" $ do
     let rows' = layerOf 2000 [(-1, 1), (-1, 1)] 3
         turns = [atan2 b a | a : b : _ <- rows']

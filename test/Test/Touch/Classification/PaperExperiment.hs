@@ -2,7 +2,7 @@
 module Test.Touch.Classification.PaperExperiment (spec) where
 
 import Control.Monad (forM_)
-import Data.List (group, sort, tails)
+import Data.List (group, sort, tails, transpose)
 import qualified Data.List.NonEmpty as NonEmpty
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
@@ -217,6 +217,26 @@ meansSpec = do
           two = 2 :: Int
           found = fst (logisticObjective 2 images (V.fromList w))
        in counterexample (show (found, wanted)) (abs (found - wanted) < 1e-9 * (1 + wanted))
+  it "the fit is where the error is nearly least, and its outputs are 1 / (1 + exp (-w x))" $ do
+    images <- learningImages <$> right paperAlphabet
+    let told = logisticOutputs (logisticOf 4 images)
+        -- Of an image of 0 a class tells its bias, of one with a single 1 a weight more.
+        single i = generate 8 12 (\x y -> if Just (8 * y + x) == i then 1 else 0)
+        odds i = map (\y -> log (y / (1 - y))) <$> right (told (single i))
+    biases <- odds Nothing
+    ones <- traverse (odds . Just) [0 .. 95]
+    let rows' = transpose (map (zipWith subtract biases) ones ++ [biases])
+        w = V.fromList (concat rows')
+        (least, slope) = logisticObjective 4 images w
+        (begun, _) = logisticObjective 4 images (V.map (const 0) w)
+        -- The error bends upwards by 1 at least, so that no weights have less than this.
+        bound = least - V.sum (V.map (^ (2 :: Int)) slope) / 2
+    (begun, least, bound) `shouldSatisfy` \_ -> least - bound < 0.01 * (begun - bound)
+    forM_ (take 9 images) $ \(image, _) -> do
+      found <- right (told image)
+      let values = V.toList (rasterValues image) ++ [1]
+          wanted = [1 / (1 + exp (-sum (zipWith (*) row values))) | row <- rows']
+      zipWith (-) found wanted `shouldSatisfy` \off -> length off == 4 && all ((< 1e-9) . abs) off
   it "tells every shape either way up, by the same interface as the network" $ do
     known <- right paperAlphabet
     let learnt = [meansClassifier sure known, logisticClassifier sure known]

@@ -36,10 +36,10 @@ spec = do
     it "is found by the checker in Python to be as the program says" $ do
       a <- right (shippedAlphabet q)
       checkedInPython a >>= mapM_ (`shouldBe` ExitSuccess)
-  it "each fault is found where it is the only one, by both" $
-    for_ drawnFaults $ \(kind, rows) -> do
+  it "each fault is found where it is the only one that can be, by both" $
+    for_ drawnFaults $ \(kinds, rows) -> do
       a <- right (drawing [("x", rows)])
-      faults a `shouldBe` [Fault "x" kind]
+      faults a `shouldBe` map (Fault "x") kinds
       checkedInPython a >>= mapM_ (`shouldBe` ExitFailure 1)
   it "two shapes are too near below 32 taxels, each however it is turned, mirrored or shifted" $ do
     four <- right (shippedAlphabet 4)
@@ -124,17 +124,19 @@ drawing named = parseAlphabet (T.unlines (concatMap one named))
     twice row = if length row == 8 then [T.pack row] else [doubled row, doubled row]
     doubled = T.pack . concatMap (\c -> [c, c])
 
--- | Drawings with one fault each: a row of 4 blocks, or of 8 taxels.
-drawnFaults :: [(Kind, [String])]
+-- | Drawings with one fault each: a row of 4 blocks, or of 8 taxels. Where whole blocks meet at a
+-- corner only, of those in one piece two flat ones are parted as well.
+drawnFaults :: [([Kind], [String])]
 drawnFaults =
-  [ (Side, ["...#", "#.##", "#.#.", "###.", "..##", "###."]),
-    ( Stroke,
+  [ ([Side], ["...#", "#.##", "#.#.", "###.", "..##", "###."]),
+    ( [Stroke],
       concatMap (replicate 2) ["######..", "..##....", "########"]
         ++ ["##......", ".#......"]
         ++ concatMap (replicate 2) ["####....", "..######"]
     ),
-    (Pieces, ["#..#", "..##", "#.#.", "###.", "..#.", ".##."]),
-    (Hole, ["#..#", "####", "#.#.", "###.", "..#.", ".##."]),
-    (Area, ["###.", "####", "#.##", "#..#", "##..", "##.."]),
-    (OwnImage, ["###.", "##..", ".##.", "..##", "...#", ".###"])
+    ([Stroke, Hole], ["..##", "..#.", "###.", "#..#", "####", "#..#"]),
+    ([Pieces], ["#..#", "..##", "#.#.", "###.", "..#.", ".##."]),
+    ([Hole], ["#..#", "####", "#.#.", "###.", "..#.", ".##."]),
+    ([Area], ["###.", "####", "#.##", "#..#", "##..", "##.."]),
+    ([OwnImage], ["###.", "##..", ".##.", "..##", "...#", ".###"])
   ]

@@ -58,6 +58,8 @@ parseNetwork text = case zip [1 ..] (T.lines text) of
             (w1, others) <- units hidden inputs body
             (w2, end) <- units outs hidden others
             case end of
+              -- Without it the last number may be cut off.
+              [] | not ("\n" `T.isSuffixOf` text) -> Left (NetworkFileEnds "an end of line")
               [] -> network w1 w2
               (k, line) : _ -> Left (UnexpectedNetworkLine k "the end of the file" (excerpt line))
         _ -> Left (UnexpectedNetworkLine j sizesForm (excerpt sizes))
