@@ -9,9 +9,11 @@ import qualified Data.Text as T
 import Numeric.LinearAlgebra (fromRows, toRows)
 import PraTactile.Array hiding (toRows)
 import PraTactile.Classification.Calibration (Calibration (..))
+import PraTactile.Classification.Classifier
 import PraTactile.Classification.Estimate
-import PraTactile.Classification.Network hiding (classify)
+import PraTactile.Classification.Network hiding (Verdict (..), classify)
 import PraTactile.Classification.Reader
+import PraTactile.Classification.Samples (withNoise)
 import PraTactile.Classification.Shipped
 import PraTactile.Classification.Specimens
 import PraTactile.Evaluate
@@ -91,6 +93,16 @@ spec = do
         abs (estimateUnlike after - estimateUnlike before) `shouldSatisfy` (< 1e-6)
         for_ (estimateChances after) $ \(what, chance) ->
           estimateChance before (over what) `shouldSatisfy` \p -> abs (p - chance) < 1e-9
+  it "a mirror image of a symbol is not recognised, clean or with noise" $
+    for_ shippedSizes $ \q -> do
+      symbols <- right (shippedReader q)
+      let given = readerAlphabet symbols
+          images = [across shape | shape <- shapes given, across <- [mirroredColumns, mirroredRows]]
+      for_ [(shape, noise) | shape <- images, noise <- [0, 0.1, 0.3]] $ \(shape, noise) -> do
+        let (image, g) = specimen given Upright shape (mkStdGen 11)
+            (spoilt, _) = withNoise noise image g
+        shown <- right (classified (networkClassifier symbols) spoilt)
+        (q, noise, classifiedVerdict shown) `shouldSatisfy` \(_, _, v) -> v /= Recognised
   for_ [(4, 9), (3, 4), (5, 8)] $ \(q, other) ->
     it (pressedWith q other ++ " is not told as certain") $ do
       profile <- if q == 4 then pure canonicalProfile else shippedProfile q
