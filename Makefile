@@ -104,7 +104,7 @@ network: build ## train the shipped networks again from their seed
 	  bin/pra-tactile train --q $$q --output data/alphabets/gf$$q/network.txt --calibration data/alphabets/gf$$q/calibration.txt || exit 1; \
 	done
 
-# One to three minutes each; with the reference BLAS.
+# One to nine minutes each, by the machine and the number of shapes; with the reference BLAS.
 check-network: build ## check that weights and calibrations are reproduced to the bit
 	for q in 4 2 3 5 7 8 9; do \
 	  folder=data/alphabets/gf$$q; [ $$q != 4 ] || folder=data; \
