@@ -5,7 +5,7 @@ module Setup
     AlphabetChoice,
     alphabetChoice,
     chosenAlphabet,
-    readAlphabet,
+    readDrawings,
     orderOf,
 
     -- * Shapes for an array
@@ -24,6 +24,7 @@ module Setup
   )
 where
 
+import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Char (isSpace)
 import Data.Either (fromRight)
@@ -41,7 +42,7 @@ import PraTactile.Classification.Shipped
 import PraTactile.Field.Named (conwayModulus)
 import PraTactile.Format.Network
 import PraTactile.Profile (Profile (..))
-import PraTactile.Shape (Alphabet, alphabetSize, decodeAlphabet, shapes)
+import PraTactile.Shape hiding (alphabet)
 import Visible (visibleName)
 
 -- | Which shapes are meant where no array says it.
@@ -76,9 +77,16 @@ orderOf choice = case choice of
 
 -- | The shapes of a drawing file.
 readAlphabet :: FilePath -> IO Alphabet
-readAlphabet file =
+readAlphabet = readShapes decodeAlphabet
+
+-- | The same, of shapes that an alphabet could not have as well.
+readDrawings :: FilePath -> IO Drawings
+readDrawings = readShapes decodeDrawings
+
+readShapes :: (ByteString -> Either ShapeError a) -> FilePath -> IO a
+readShapes decoded file =
   readBytes file
-    >>= orUnusable (\e -> visibleName file ++ ": " ++ shapeMessage e) . decodeAlphabet
+    >>= orUnusable (\e -> visibleName file ++ ": " ++ shapeMessage e) . decoded
 
 -- | The shapes shipped for a field's elements.
 alphabetOfOrder :: Natural -> IO Alphabet

@@ -55,9 +55,8 @@ def main():
             measured([options.program, "probe", *nine, "--seed", pathlib.Path(press).name, "--sensor", "real", "--output", press])
         row("24 frames over GF(9), nominal positions", "0.1 s", [["decode", *nine, "--no-stitching", press] for press in presses])
         row("24 frames over GF(9), by the lattice", "0.4 s", [["decode", *nine, press] for press in presses])
-        places = iter(range(1000))
         for size in ("40x52", "100x100"):
-            presses = [["probe", *large, "--size", size, "--output", f"{folder}/large{next(places)}"] for _ in range(options.rounds)]
+            presses = [["probe", *large, "--size", size, "--output", f"{folder}/{size}-{k}"] for k in range(options.rounds)]
             row(f"a press of {size} taxels on 2^20 cells", "1 s, 150 MiB", presses, rounds=1)
         measured([options.program, *"images --set bitmap --count 5000 --noise 0.3 --seed 1 --output".split(), folder + "/images"])
         paths = "\n".join(map(str, sorted(pathlib.Path(folder, "images").glob("*.pgm")))) + "\n"

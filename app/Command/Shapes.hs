@@ -5,6 +5,7 @@ module Command.Shapes
   )
 where
 
+import Counted (counted)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
 import Data.Proxy (Proxy)
@@ -31,7 +32,8 @@ import Visible (visibleName)
 data Options = Options
   { symbols :: AlphabetChoice,
     work :: Work,
-    form :: Form,
+    -- | How shapes are shown, if not as text.
+    form :: Maybe (Drawings -> Text),
     output :: Maybe FilePath
   }
 
@@ -40,10 +42,6 @@ data Work
   | -- | from a seed
     Design Int
   | Check FilePath
-
--- | How shapes are shown.
-data Form = Plain | AsSvg | Reported
-  deriving stock (Eq)
 
 command :: Mod CommandFields (IO ExitStatus)
 command =
@@ -65,9 +63,11 @@ command =
         <*> formOption
         <*> outputFileOption
     formOption =
-      flag' AsSvg (long "svg" <> help "Draw the shapes as SVG")
-        <|> (shown <$> jsonSwitch "Print the distances and the faults as JSON")
-    shown given = if given == AsJson then Reported else Plain
+      flag' (Just alphabetSvg) (long "svg" <> help "Draw the shapes as SVG")
+        <|> (reported <$> jsonSwitch "Print the distances and the faults as JSON")
+    reported given
+      | given == AsJson = Just (\a -> Text.decodeUtf8 (encodeShapes a) <> Text.singleton '\n')
+      | otherwise = Nothing
 
 workOption :: Parser Work
 workOption =
@@ -91,9 +91,9 @@ workOption =
 run :: Options -> IO ExitStatus
 run options = case work options of
   Check file -> do
-    drawn <- readAlphabet file
-    shown (checkText (visibleName file) drawn) drawn
-    pure (if null (faults drawn) then Answered else NotAnswered)
+    given <- readDrawings file
+    shown (checkText (visibleName file) given) given
+    pure (if null (faults given) then Answered else NotAnswered)
   Design seed -> do
     for_ (output options) orUnwritable
     q <-
@@ -105,18 +105,17 @@ run options = case work options of
           (toInteger searchLength)
           0
           (`follow` designSteps seed (parametersFor names))
-    shown (renderAlphabet found) found
+    shown (renderAlphabet found) (alphabetDrawings found)
     for_ (output options) (`sayBeside` Text.unpack (renderReport found report))
     pure Answered
   Draw -> do
     chosen <- chosenAlphabet (symbols options)
-    shown (drawAlphabet chosen <> Text.singleton '\n' <> distanceTable chosen) chosen
+    shown
+      (drawAlphabet chosen <> Text.singleton '\n' <> distanceTable chosen)
+      (alphabetDrawings chosen)
     pure Answered
   where
-    shown text drawn = case form options of
-      Plain -> write text
-      AsSvg -> write (alphabetSvg drawn)
-      Reported -> write (Text.decodeUtf8 (encodeShapes drawn) <> Text.singleton '\n')
+    shown text given = write (maybe text ($ given) (form options))
     write :: Text -> IO ()
     write text =
       maybe
@@ -132,13 +131,14 @@ elementNames q = inConwayField q named
     named _ = map (Text.pack . showElement) (elements :: [GF k])
 
 -- | What is wrong, a line each, and the distances.
-checkText :: String -> Alphabet -> Text
-checkText name drawn =
-  Text.unlines (Text.pack (name ++ ": " ++ apart) : map line (faults drawn))
+checkText :: String -> Drawings -> Text
+checkText name given =
+  Text.unlines (Text.pack (name ++ ": " ++ apart) : map line (faults given))
   where
-    q = alphabetSize drawn
+    q = length given
     apart =
-      show q ++ " shapes, least distance " ++ show (leastDistance drawn) ++ " of 96 taxels"
+      counted q "shape" "shapes"
+        ++ (", least distance " ++ show (leastDistance given) ++ " of 96 taxels")
         ++ maybe
           ""
           (\d -> "; the greatest that so many can have is " ++ show d)

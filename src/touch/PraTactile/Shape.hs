@@ -31,9 +31,14 @@ module PraTactile.Shape
     maxShapes,
 
     -- * Drawings
+    Drawings,
+    toDrawings,
+    alphabetDrawings,
+    decodeDrawings,
     decodeAlphabet,
     parseAlphabet,
     renderAlphabet,
+    renderDrawings,
     drawBitmap,
 
     -- * What can be wrong
@@ -41,11 +46,13 @@ module PraTactile.Shape
   )
 where
 
-import Control.Monad (zipWithM_)
+import Control.Monad (foldM, zipWithM_, (>=>))
 import Data.Bits (popCount, setBit, testBit)
 import Data.ByteString (ByteString)
 import Data.Char (isSpace)
+import Data.Foldable (toList)
 import Data.List (foldl')
+import Data.List.NonEmpty (NonEmpty, nonEmpty)
 import Data.Text (Text)
 import qualified Data.Text as T
 import Data.Text.Encoding (decodeUtf8')
@@ -153,26 +160,38 @@ seenAs symmetry = fromRows . onRows symmetry . bitmapRows
 fromRows :: [[Bool]] -> Bitmap
 fromRows rows = Bitmap (foldl' setBit 0 [i | (i, True) <- zip [0 ..] (concat rows)])
 
--- | The shapes of the classes 0, 1, ... with a name for each; all different, none blank.
-newtype Alphabet = Alphabet [(Text, Bitmap)]
-  deriving stock (Eq, Show)
+-- | Shapes with a name for each, whatever they show, in order of class.
+type Drawings = NonEmpty (Text, Bitmap)
 
--- | An alphabet from its names and shapes, class by class. Refuses no shapes at all, a blank one, a
--- repeated shape or name, a name that a drawing file could not hold, and more than 'maxShapes'.
-alphabet :: [(Text, Bitmap)] -> Either ShapeError Alphabet
-alphabet [] = Left EmptyAlphabet
-alphabet named
-  | not (null (drop maxShapes named)) = Left TooManyShapes
-  | otherwise = go [] named
+-- | Drawings from their names and shapes. Refuses none at all, more than 'maxShapes', a repeated
+-- name, and one that a drawing file could not hold.
+toDrawings :: [(Text, Bitmap)] -> Either ShapeError Drawings
+toDrawings given
+  | not (null (drop maxShapes given)) = Left TooManyShapes
+  | otherwise = maybe (Left EmptyAlphabet) Right (nonEmpty given) <* foldM named [] (map fst given)
   where
-    go _ [] = Right (Alphabet named)
-    go seen ((name, shape) : rest)
+    named seen name
       | T.null name || name /= T.strip name || T.any (\c -> isSpace c && c /= ' ') name =
         Left (BadName name)
+      | name `elem` seen = Left (RepeatedName name)
+      | otherwise = Right (name : seen)
+
+-- | The shapes of the classes 0, 1, ... with a name for each; all different, none blank.
+newtype Alphabet = Alphabet Drawings
+  deriving stock (Eq, Show)
+
+-- | An alphabet from its names and shapes, class by class. Refuses what 'toDrawings' does, a blank
+-- shape and a repeated one.
+alphabet :: [(Text, Bitmap)] -> Either ShapeError Alphabet
+alphabet = toDrawings >=> distinct
+
+distinct :: Drawings -> Either ShapeError Alphabet
+distinct given = Alphabet given <$ foldM shown [] given
+  where
+    shown seen (name, shape)
       | area shape == 0 = Left (BlankShape name)
-      | any ((== name) . fst) seen = Left (RepeatedName name)
-      | (other, _) : _ <- filter ((== shape) . snd) seen = Left (RepeatedShape other name)
-      | otherwise = go ((name, shape) : seen) rest
+      | Just other <- lookup shape seen = Left (RepeatedShape other name)
+      | otherwise = Right ((shape, name) : seen)
 
 -- | The most shapes of an alphabet, 256: as many as the largest field has elements.
 maxShapes :: Int
@@ -180,15 +199,19 @@ maxShapes = 256
 
 -- | The number of classes.
 alphabetSize :: Alphabet -> Int
-alphabetSize (Alphabet named) = length named
+alphabetSize = length . alphabetDrawings
+
+-- | Its drawings.
+alphabetDrawings :: Alphabet -> Drawings
+alphabetDrawings (Alphabet given) = given
 
 -- | The shapes, in order of class.
 shapes :: Alphabet -> [Bitmap]
-shapes (Alphabet named) = map snd named
+shapes = map snd . toList . alphabetDrawings
 
 -- | The names, in order of class.
 shapeNames :: Alphabet -> [Text]
-shapeNames (Alphabet named) = map fst named
+shapeNames = map fst . toList . alphabetDrawings
 
 -- | The name of a class's shape; nothing of a class that the alphabet does not have.
 shapeName :: Alphabet -> Int -> String
@@ -207,17 +230,29 @@ drawBitmap = T.unlines . map (T.pack . map (\e -> if e then '#' else '.')) . bit
 -- | The drawing file of an alphabet: for each class in order a line @symbol NAME@ and its drawing,
 -- with an empty line between.
 renderAlphabet :: Alphabet -> Text
-renderAlphabet (Alphabet named) =
-  T.intercalate "\n" ["symbol " <> name <> "\n" <> drawBitmap shape | (name, shape) <- named]
+renderAlphabet = renderDrawings . alphabetDrawings
+
+-- | The same of any drawings.
+renderDrawings :: Drawings -> Text
+renderDrawings given =
+  T.intercalate "\n" ["symbol " <> name <> "\n" <> drawBitmap shape | (name, shape) <- toList given]
 
 -- | Reads the bytes of a drawing file, UTF-8, as 'parseAlphabet' does.
 decodeAlphabet :: ByteString -> Either ShapeError Alphabet
-decodeAlphabet = either (const (Left NotText)) parseAlphabet . decodeUtf8'
+decodeAlphabet = decodeDrawings >=> distinct
+
+-- | The same, but of shapes that an alphabet could not have as well.
+decodeDrawings :: ByteString -> Either ShapeError Drawings
+decodeDrawings = either (const (Left NotText)) parseDrawings . decodeUtf8'
 
 -- | Reads a drawing file as 'renderAlphabet' writes it. Lines that begin with @;@ are comments;
 -- empty lines and spaces at the end of a line do not count.
 parseAlphabet :: Text -> Either ShapeError Alphabet
-parseAlphabet text = mapM classify (zip [1 ..] (T.lines text)) >>= collect [] . concat >>= alphabet
+parseAlphabet = parseDrawings >=> distinct
+
+parseDrawings :: Text -> Either ShapeError Drawings
+parseDrawings text =
+  mapM classify (zip [1 ..] (T.lines text)) >>= collect [] . concat >>= toDrawings
   where
     classify :: (Int, Text) -> Either ShapeError [(Int, DrawingLine)]
     classify (n, raw)

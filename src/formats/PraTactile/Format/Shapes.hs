@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of how far the shapes of an alphabet are apart, and what is wrong with them.
+-- | The JSON of how far shapes are apart, and what is wrong with them.
 module PraTactile.Format.Shapes
   ( encodeShapes,
     faultName,
@@ -10,19 +10,20 @@ where
 
 import Data.Aeson (Value, object, (.=))
 import Data.ByteString (ByteString)
+import Data.Foldable (toList)
 import Data.Text (Text)
 import PraTactile.Format.Json (encodeSchema)
-import PraTactile.Shape (Alphabet, alphabetSize, shapeNames)
+import PraTactile.Shape (Drawings)
 import PraTactile.Shape.Check
 import PraTactile.Shape.Distance (Nearest (..))
 import PraTactile.Symmetry
 
 -- | On one line, without its end; all keys always. Shapes stand there by their names.
-encodeShapes :: Alphabet -> ByteString
+encodeShapes :: Drawings -> ByteString
 encodeShapes a =
   encodeSchema "shapes/1" $
     "least_distance" .= leastDistance a
-      <> "greatest_possible" .= greatestPossible (alphabetSize a)
+      <> "greatest_possible" .= greatestPossible (length a)
       <> "pairs" .= map pairValue (pairs a)
       <> "faults" .= map faultValue (faults a)
   where
@@ -36,7 +37,7 @@ encodeShapes a =
           "distance" .= d
         ]
     named :: Int -> [Text]
-    named i = take 1 (drop i (shapeNames a))
+    named i = take 1 (drop i (map fst (toList a)))
     faultValue :: Fault -> Value
     faultValue (Fault name kind) = object ["shape" .= name, "kind" .= faultName kind]
 

@@ -56,10 +56,10 @@ leastTolerated :: Int
 leastTolerated = 32
 
 -- | All faults, shape by shape, each kind once.
-faults :: Alphabet -> [Fault]
+faults :: Drawings -> [Fault]
 faults a =
   [ Fault name kind
-    | (i, (name, b)) <- zip [0 ..] (zip (shapeNames a) (shapes a)),
+    | (i, (name, b)) <- zip [0 ..] (toList a),
       (kind, True) <- ofShape b ++ ofDistances i
   ]
   where
@@ -129,17 +129,17 @@ data Pair = Pair
   deriving stock (Eq, Show)
 
 -- | All pairs. O(q^2).
-pairs :: Alphabet -> [Pair]
+pairs :: Drawings -> [Pair]
 pairs a =
   [ Pair i j (nearest (if i == j then drop 1 symmetries else symmetries) b c)
     | (i, b) : others <- tails numbered,
       (j, c) <- (i, b) : others
   ]
   where
-    numbered = zip [0 ..] (shapes a)
+    numbered = zip [0 ..] (map snd (toList a))
 
--- | The least distance of all pairs: the 'separation' of the alphabet.
-leastDistance :: Alphabet -> Int
+-- | The least distance of all pairs: the 'separation' of an alphabet.
+leastDistance :: Drawings -> Int
 leastDistance = minimum . map (nearestDistance . pairNearest) . pairs
 
 -- | The greatest separation that so many shapes by the rules can have, as far as it is known: what

@@ -9,6 +9,7 @@ module PraTactile.Shape.Report
   )
 where
 
+import Data.Foldable (toList)
 import Data.Text (Text)
 import qualified Data.Text as T
 import qualified Data.Text.Lazy as LazyText
@@ -102,15 +103,15 @@ renderReport a r =
     <> distanceTable a
 
 -- | The shapes side by side as an SVG picture, 10 units a taxel, the box of each outlined.
-alphabetSvg :: Alphabet -> Text
+alphabetSvg :: Drawings -> Text
 alphabetSvg a = LazyText.toStrict (renderText root) <> "\n"
   where
     root =
       with
         ( svg11_
-            (foldMap ("\n" <>) (concat (zipWith placed [0 ..] (zip (shapeNames a) (shapes a)))))
+            (foldMap ("\n" <>) (concat (zipWith placed [0 ..] (toList a))))
         )
-        [ ViewBox_ <<- T.unwords (map number [0, 0, alphabetSize a * step + 40, 200]),
+        [ ViewBox_ <<- T.unwords (map number [0, 0, length a * step + 40, 200]),
           Font_family_ <<- "sans-serif",
           Font_size_ <<- "20"
         ]

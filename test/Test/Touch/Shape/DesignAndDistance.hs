@@ -235,11 +235,11 @@ spec = do
         fmap (T.count "#" . drawAlphabet) paperAlphabet `shouldBe` Right (sum (map area these))
     it "the SVG picture has a square for every taxel, and a frame for every shape" $
       onShipped $ \these ->
-        fmap (T.count "<rect" . alphabetSvg) paperAlphabet
+        fmap (T.count "<rect" . alphabetSvg . alphabetDrawings) paperAlphabet
           `shouldBe` Right (sum (map area these) + length these)
     it "the SVG picture has the taxels of each shape in its frame, its name below, equal margins" $
       onShipped $ \these -> do
-        picture <- either (fail . show) (pure . alphabetSvg) paperAlphabet
+        picture <- either (fail . show) (pure . alphabetSvg . alphabetDrawings) paperAlphabet
         let rectangles = map rectangleOf (drop 1 (T.splitOn "<rect" picture))
             frames = [r | (r, True) <- rectangles]
             inFrame (x, y, w, h) =
