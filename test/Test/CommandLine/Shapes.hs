@@ -47,13 +47,13 @@ spec = do
           bits n = [if odd (n `div` 2 ^ k) then '#' else '.' | k <- [0 .. 7 :: Int]]
           full = replicate 12 "########"
       for_
-        [ ("many", many, "256"),
-          ("small", drawn "a" (drop 1 full), "12 rows"),
-          ("twice", drawn "a" full ++ drawn "b" full, "the same")
+        [ (["--check", "--shapes"], "many", many, "256"),
+          (["--check", "--shapes"], "small", drawn "a" (drop 1 full), "12 rows"),
+          (["--shapes"], "twice", drawn "a" full ++ drawn "b" full, "the same")
         ]
-        $ \(name, text, about) -> do
+        $ \(options, name, text, about) -> do
           writeFile (folder </> name) text
-          ["shapes", "--check", folder </> name] `complains` about
+          for_ options $ \option -> ["shapes", option, folder </> name] `complains` about
   it "what is wrong with drawings is an answer: exit status 1" $
     inFolder $ \folder -> do
       writeFile (folder </> "full") (unlines ("symbol a" : replicate 12 "########"))

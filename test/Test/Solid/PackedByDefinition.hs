@@ -90,10 +90,10 @@ spec = do
         let others = concatMap facesOf [Tetrahedron 200, LShape 200 100 200, Prism 6 150 40]
             layings =
               [ (piece !! i, at)
-                | (piece, Laid i at) <- zip faces (laidBy (Question (63, 65) [] faces))
+                | (piece, Laid i at) <- zip faces (laidBy (Question (80, 65) [] faces))
               ]
          in not (null layings)
-              .&&. outcomeOf (Question (127, 65) layings (concat (replicate 4 others)))
+              .&&. outcomeOf (Question (144, 65) layings (concat (replicate 4 others)))
                 === "packed"
     it "ten thousand cubes on 2047 x 2049" $
       filled (Question (2047, 2049) [] (replicate 60000 [rectangle 4 5])) `shouldSatisfy` (>= 0.99)
