@@ -9,10 +9,11 @@ module FramesChoice
   )
 where
 
+import Data.Maybe (fromMaybe)
 import FormatFile (readCalibration)
 import Options
 import PraTactile.Decode (Stitching (..), nominalStitching, standardStitching)
-import PraTactile.Sensor.Manifest (Axes, axesNamed)
+import PraTactile.Sensor.Manifest (Axes, axesNamed, straight)
 import PraTactile.Source (Preparation (..))
 import SensorChoice (usableTaxel)
 
@@ -21,6 +22,9 @@ data FramesChoice = FramesChoice
   { -- | mm
     chosenTaxel :: Maybe Double,
     chosenAxes :: Maybe Axes,
+    chosenImageAxes :: Maybe Axes,
+    chosenPositionScale :: Maybe (Double, Double),
+    chosenInverted :: Bool,
     calibrationFile :: Maybe FilePath
   }
 
@@ -47,7 +51,34 @@ framesOptions =
           \manifest.json says, or x,y)"
           mempty
       )
+    <*> optional
+      ( choosing
+          "pair of axes"
+          axesNamed
+          "image-axes"
+          "AXES"
+          "Where the images' columns and rows go, seen from outside the face, x to the right and y \
+          \down: -x,y is mirrored, y,x transposed, -x,-y turned by half a turn (default: x,y)"
+          mempty
+      )
+    <*> optional
+      ( valued
+          scaleReader
+          "position-scale"
+          "FACTOR[,FACTOR]"
+          "Multiply the positions, or x and y each by its own factor, as in 1000 for metres \
+          \(default: 1)"
+      )
+    <*> switch
+      (long "inverted" <> help "No contact is white in the images, and full contact black")
     <*> calibrationOption
+  where
+    scaleReader = do
+      (across, down) <- pairReader ',' "1000 or 1000,1" <|> ((\s -> (s, s)) <$> decimalReader)
+      if all (\s -> s > 0 && s <= 1e9) [across, down]
+        then pure (across, down)
+        else readerError "a scale is a number above 0, up to 10^9"
+
 
 -- | @--calibration@.
 calibrationOption :: Parser (Maybe FilePath)
@@ -60,7 +91,11 @@ calibrationOption =
 -- | What is known of the frames; leaves with status 2 where it cannot be.
 preparation :: FramesChoice -> IO Preparation
 preparation choice =
-  Preparation (chosenAxes choice)
+  Preparation
+    (chosenAxes choice)
+    (fromMaybe straight (chosenImageAxes choice))
+    (fromMaybe (1, 1) (chosenPositionScale choice))
+    (chosenInverted choice)
     <$> traverse usableTaxel (chosenTaxel choice)
     <*> traverse readCalibration (calibrationFile choice)
     <*> pure 1

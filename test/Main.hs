@@ -123,6 +123,7 @@ import qualified Test.Recognition.PosesByConstruction
 import qualified Test.Recognition.PosteriorByBruteForce
 import qualified Test.Recognition.SupportByConstruction
 import qualified Test.Recognition.SymbolsRead
+import qualified Test.Recognition.TakenOtherwise
 import qualified Test.Recognition.TiltAndWords
 import qualified Test.Recognition.WhereItIsPressed
 import qualified Test.Recognition.WindowsByDefinition
@@ -338,6 +339,7 @@ specs = do
   describe "Recognition with damage" Test.Recognition.DamagedOnPurpose.spec
   describe "Recognition: grids, room and words" Test.Recognition.GridsAndRefusals.spec
   describe "Recognition: what is read" Test.Recognition.SymbolsRead.spec
+  describe "Recognition: taken otherwise" Test.Recognition.TakenOtherwise.spec
   describe "Recognition step by step" Test.Recognition.TiltAndWords.spec
   describe "Recognition: what is found" Test.Recognition.WindowsByDefinition.spec
   describe "Poses" Test.Recognition.PosesByConstruction.spec

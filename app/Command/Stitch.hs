@@ -16,6 +16,7 @@ import Message
 import Options
 import Output
 import Picture.Assembly (assemblySvg)
+import PraTactile.Composite (asTaken)
 import PraTactile.Format.Registration (encodeAssembly, stitchMethodName)
 import PraTactile.Image (Raster, rasterHeight, rasterWidth)
 import PraTactile.Image.Error (ImageError)
@@ -24,7 +25,7 @@ import PraTactile.Registration
 import PraTactile.Registration.Stitching
 import PraTactile.Sensor.Frame (Frame (..))
 import PraTactile.Sensor.Manifest (Entry (..), Manifest (..))
-import PraTactile.Source (Folder (..), preparedFrames)
+import PraTactile.Source (Folder (..), preparedFrames, takingOf)
 import Setup
 import SvgFile (orNotSvg, standardOutput)
 import System.FilePath (takeExtension)
@@ -91,7 +92,10 @@ run symbols stitching choice asked folder output report form = do
   let composite = assemblyComposite made
       names = map entryFile (manifestEntries (folderManifest contents))
   for_ (compositeContradiction composite) $ \contradiction ->
-    warn ("warning: " ++ folder ++ ": " ++ contradictionMessage contradiction)
+    warn
+      ( "warning: " ++ folder ++ ": "
+          ++ contradictionMessage (asTaken (takingOf known contents) Nothing contradiction)
+      )
   sequence_ (written composite <$> output <*> encoder)
   for_ report $ \file -> do
     writeWhole file (assemblySvg (visibleName folder) (zip names frames) made)

@@ -19,7 +19,7 @@ import Drawing (hundredths)
 import Json (shapeText)
 import Message.Format (formatMessage)
 import Message.Locate (locatorMessage, reasonMessage)
-import Message.Touch (contradictionMessage, probeMessage, shapeMessage)
+import Message.Touch (contradictionMessage, probeMessage, remediesText, shapeMessage)
 import PraTactile.Array (Position (..))
 import PraTactile.Evaluate (ExperimentError (..))
 import PraTactile.Format.Placement (PlacementFileError (..))
@@ -28,7 +28,7 @@ import PraTactile.Locate (Reason (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Pressing (PressError (..))
-import PraTactile.Recognise (RecogniserError (..), Refusal (..))
+import PraTactile.Recognise (RecogniserError (..), Refusal (..), Instead (..))
 import PraTactile.Relief (ReliefError (..))
 import PraTactile.Relief.Mesh (MeshError (..))
 import PraTactile.Store
@@ -39,6 +39,7 @@ import PraTactile.Store
     tableName,
   )
 import PraTactile.SymbolImages (ImagesError (..))
+import Text.Printf (printf)
 import Visible (visible)
 
 -- | What is wrong with an object, where, and by how much.
@@ -272,9 +273,11 @@ refusalMessage refusal = case refusal of
     "no complete symbol was found in the composite; probe a larger region, at least 40 x 52 \
     \taxels to hold a window at every phase"
   SymbolsUnclear -> "the network recognised none of the symbols"
-  Mirrored ->
-    "the symbols are recognised in the mirror image only: the composite is mirrored; give the \
-    \face as it is seen from outside"
+  ShownInstead seen why -> seenMessage why seen
+  Mirrored others ->
+    "the symbols are recognised in the mirror image only"
+      ++ (if null others then "" else "; give " ++ remediesText others)
+      ++ ", or press the face from outside"
   OrientationContradicts -> "the symbols disagree about which way up the grid is"
   GridContradicts -> "the symbols do not lie on one grid of the array's pitch"
   WindowsContradict ->
@@ -288,6 +291,29 @@ refusalMessage refusal = case refusal of
     \--doubt"
   NotLocated reason -> reasonMessage reason
   NotDecoded why -> "what was recognised cannot be decoded: " ++ locatorMessage why
+
+-- | What was seen where no symbol was recognised, and what to do about it.
+seenMessage :: Refusal -> Instead -> String
+seenMessage why seen = case seen of
+  InsteadFlat -> "every taxel reads the same: nothing was touched, or the face is flat there"
+  InsteadInverted -> "the symbols are recognised with light and dark exchanged; give --inverted"
+  InsteadScaled factor taxel ->
+    printf
+      "the symbols are recognised at %s times the size expected; give --taxel %.4g if that is the \
+      \sensor's, or the --placement of objects with such symbols"
+      (ratio factor)
+      taxel
+  InsteadUnknown across down
+    | min across down < 40 || max across down < 52 -> refusalMessage why
+    | otherwise ->
+      printf
+        "no symbol of the alphabet is recognised in %d x %d taxels; check the images, the distance \
+        \of taxels (--taxel), the size of the symbols (--placement) and their shapes (--shapes)"
+        across
+        down
+  where
+    ratio :: Double -> String
+    ratio factor = printf "%.3g" factor
 
 imagesMessage :: ImagesError -> String
 imagesMessage e = case e of

@@ -5,6 +5,7 @@ module Message.Touch
     probeMessage,
     stitchMessage,
     contradictionMessage,
+    remediesText,
     calibrationMessage,
     pairMessage,
     shapeMessage,
@@ -15,10 +16,11 @@ where
 
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
-import Data.List (intercalate)
+import Data.List (find, intercalate)
 import qualified Data.Text as Text
 import Message.Format (rangeText)
 import PraTactile.Classification.Network (NetworkError (..))
+import PraTactile.Composite (asTaken)
 import PraTactile.Classification.Shipped (ShippedError (..), shippedSizes)
 import PraTactile.Image.Error
 import PraTactile.Image.Pgm (formatName, maxPixels)
@@ -34,7 +36,13 @@ import PraTactile.Registration
 import PraTactile.Registration.Pair (PairError (..))
 import PraTactile.Sensor.Calibration (CalibrationError (..))
 import PraTactile.Sensor.Frame (ProbeError (..), taxelPitches)
-import PraTactile.Sensor.Manifest (ManifestError (..), axesName, manifestHeader)
+import PraTactile.Sensor.Manifest
+  ( ManifestError (..),
+    Remedy (..),
+    axesName,
+    manifestHeader,
+    standardTaking,
+  )
 import PraTactile.Shape (ShapeError (..), maxShapes)
 import Text.Printf (printf)
 
@@ -166,15 +174,79 @@ stitchMessage e = case e of
 
 -- | That frames contradict each other, and what would mend it.
 contradictionMessage :: Contradiction -> String
-contradictionMessage contradiction =
-  "the frames show different things where their positions make them overlap; " ++ mended
+contradictionMessage contradiction = case contradiction of
+  AgreeingAlong axes ->
+    contradictionMessage (asTaken standardTaking Nothing (AgreeingAlong axes))
+  AgreeingBy others -> overlapping ++ "they agree with " ++ remediesText others
+  AgreeingAtScale across down ->
+    overlapping ++ "they agree if the positions are multiplied by " ++ scaleText across down
+      ++ ": give --position-scale "
+      ++ scaleOption across down
+  AgreeingAnywhere count across down
+    | max across down < samePlace ->
+      printf
+        "%d frames within %.3g mm of each other show different relief: give each frame's own \
+        \position, in millimetres"
+        count
+        (max across down)
+    | across < samePlace -> oneCoordinate "to the right" across
+    | down < samePlace -> oneCoordinate "down" down
+    | otherwise ->
+      "the frames show different relief from what their positions say; check that each position is \
+      \that of its own frame's centre, in millimetres"
+    where
+      oneCoordinate :: String -> Double -> String
+      oneCoordinate along extent =
+        printf
+          "%d frames lie within %.3g mm of each other %s and show different relief; check that \
+          \coordinate"
+          count
+          extent
+          along
+  AgreeingNowhere ->
+    overlapping ++ "check the positions, and that all frames are of one object"
   where
-    mended = case contradiction of
-      AgreeingAlong axes ->
-        "they agree if the positions are taken along " ++ axesName axes ++ ": give --axes "
-          ++ axesName axes
-          ++ " if none is given yet"
-      AgreeingNowhere -> "check the positions, and that all frames are of one object"
+    overlapping = "the frames show different things where their positions make them overlap; "
+    samePlace = 2 :: Double
+
+-- | The options of remedies, any of which will do.
+remediesText :: [Remedy] -> String
+remediesText = intercalate " or " . map options
+  where
+    options (Remedy positions images) =
+      unwords
+        ( ["--axes " ++ axesName axes | Just axes <- [positions]]
+            ++ ["--image-axes " ++ axesName axes | Just axes <- [images]]
+        )
+
+-- | A scale of positions in words, with the unit that it is of, if it is one's.
+scaleText :: Double -> Double -> String
+scaleText across down
+  | across == down = printf "%.3g" across ++ maybe "" of' (unitOf across)
+  | otherwise = printf "%.3g across and %.3g down" across down
+  where
+    of' (_, unit) = " (are they in " ++ unit ++ "?)"
+
+-- | The same as the option takes it.
+scaleOption :: Double -> Double -> String
+scaleOption across down
+  | across == down = factor across
+  | otherwise = factor across ++ "," ++ factor down
+  where
+    factor :: Double -> String
+    factor s = printf "%.4g" (maybe s fst (unitOf s))
+
+-- | The unit that has so many millimetres, to three hundredths.
+unitOf :: Double -> Maybe (Double, String)
+unitOf scale = find (\(millimetres, _) -> abs (scale / millimetres - 1) < 0.03) units
+  where
+    units =
+      [ (1000, "metres"),
+        (25.4, "inches"),
+        (10, "centimetres"),
+        (1.5875, "taxels of 1.5875 mm"),
+        (0.001, "micrometres")
+      ]
 
 calibrationMessage :: CalibrationError -> String
 calibrationMessage e = case e of

@@ -111,16 +111,20 @@ standardDecoding = Decoding asStated standardStitching standardTolerance
 
 -- | The composite of a source: the frames of a folder, prepared and put together, or the image that
 -- is one. The tables are those of the symbols that may have been felt. Refuses what
--- 'preparedFrames', 'stitchedBy' and 'imageComposite' refuse.
+-- 'preparedFrames', 'stitchedBy' and 'preparedImage' refuse.
 sourceComposite ::
   LatticeTables -> Preparation -> Stitching -> Source -> Either DecodeError Composite
 sourceComposite tables known stitching source = case source of
   FrameFolder folder ->
     first FolderRefused (preparedFrames known folder)
       >>= fmap (stated folder) . first FramesRefused . stitchedBy tables stitching
-  WholeImage bytes -> first FileRefused (imageComposite bytes)
+  WholeImage bytes -> first FileRefused (preparedImage known bytes)
   where
-    stated folder composite = composite {compositeAxesStated = axesStated known folder}
+    stated folder composite =
+      composite
+        { compositeAxesStated = axesStated known folder,
+          compositeTaking = takingOf known folder
+        }
 
 -- | What sources of one face show together. Refuses what 'sourceComposite' refuses.
 decodeSources :: Decoding -> SomeRecogniser -> [Source] -> Either DecodeError Recognition

@@ -40,6 +40,7 @@ module PraTactile.Recognise
     doubtOfForeign,
     supportDoubt,
     Refusal (..),
+    Instead (..),
     refusals,
     refusalName,
   )
@@ -47,9 +48,10 @@ where
 
 import Data.Foldable (toList)
 import Data.List (partition)
-import Data.Maybe (isJust, isNothing, mapMaybe)
+import Data.Maybe (isJust, isNothing)
 import PraTactile.Array (Position)
 import PraTactile.Classification.Network (NetworkError)
+import PraTactile.Composite (asTaken)
 import PraTactile.Composite.Tilt (leastTilt, setUpright, tilt)
 import PraTactile.Field (KnownField)
 import PraTactile.Locate (ForeignDoubts (..), Reason (..), doubtOfForeign)
@@ -61,8 +63,10 @@ import PraTactile.Recognise.Parts
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
 import PraTactile.Recognise.Recognition
+import PraTactile.Recognise.Instead (Instead (..), seenInstead)
 import PraTactile.Registration (Composite (..), Fault (..))
 import PraTactile.Segmentation (Cleaned (..), Segmentation (..), cleaned)
+import PraTactile.Sensor.Manifest (Remedy (..), remedies, straight)
 import PraTactile.Symmetry
 
 -- | Recognise what a composite image shows, with 'standardTolerance'. Refuses, through 'Either',
@@ -84,8 +88,11 @@ recogniseWith ::
   Either NetworkError Recognition
 recogniseWith tolerance reader composites = do
   shown <- recogniseAsPut tolerance reader composites
-  case (mapMaybe compositeContradiction composites, recognisedAnswer shown) of
-    (contradiction : _, _) ->
+  case ([(c, found) | c <- composites, Just found <- [compositeContradiction c]], recognisedAnswer shown) of
+    ((composite, found) : _, _) -> do
+      agreeing <- traverse (recogniseAsPut tolerance reader . pure) (compositeAgreeing composite)
+      let contradiction =
+            asTaken (compositeTaking composite) (agreeing >>= shownMirrored) found
       pure shown {recognisedAnswer = Left (FramesContradict contradiction)}
     ([], Right (Found _)) -> do
       let (frames, layouts) =
@@ -96,7 +103,34 @@ recogniseWith tolerance reader composites = do
       let oneFrame = sum [elsewhereOdds f | (f, other) <- zip frames others, differs shown other]
           misplaced = layoutDoubts reader tolerance composites shown oneFrame layouts
       pure (doubting tolerance misplaced shown)
+    (_, Left refusal)
+      | refusal `elem` [NoSymbols, SymbolsUnclear] -> do
+        seen <- seenInstead (fmap mostly . recogniseAsPut tolerance reader) composites
+        pure shown {recognisedAnswer = Left (ShownInstead seen refusal)}
     _ -> pure shown
+  where
+    mostly found = case recognisedAnswer found of
+      Right _ -> True
+      Left _ -> mostRecognised (recognisedSymbols found)
+
+
+-- | Whether what is recognised is mirrored, as far as that is known.
+shownMirrored :: Recognition -> Maybe Bool
+shownMirrored shown = case recognisedAnswer shown of
+  Left (Mirrored _) -> Just True
+  _
+    | any (isJust . readClass) (recognisedSymbols shown) -> Just False
+    | otherwise -> Nothing
+
+-- | What undoes the mirroring of composites.
+unmirroring :: [Cleaned] -> [Remedy]
+unmirroring composites = case map cleanedComposite composites of
+  composite : _
+    | null (compositeFrames composite) -> [remedy {remedyPositions = Nothing} | remedy <- found]
+    | otherwise -> found
+    where
+      found = remedies (compositeTaking composite) straight (Just True)
+  [] -> []
 
 -- | The cells of the array that composites may show as their frames were put together, whatever
 -- lies there: of all places that are likely by the symbols alone, in each way in which
@@ -174,7 +208,7 @@ recogniseUpright tolerance reader angle composites = do
     if null (known views) && not flat then readMirrored symbolReader composites else pure False
   pure $
     if isMirrored
-      then unanswered (concatMap viewSymbols views ++ known others) Mirrored
+      then unanswered (concatMap viewSymbols views ++ known others) (Mirrored (unmirroring composites))
       else answered tolerance reader angle views (known others)
   where
     symbolReader = recogniserReader reader

@@ -12,9 +12,11 @@ module PraTactile.Source
     asStated,
     preparedFrames,
     axesStated,
+    takingOf,
 
     -- * Whole images
     imageComposite,
+    preparedImage,
 
     -- * Either
     Source (..),
@@ -33,13 +35,15 @@ import Data.Maybe (fromMaybe, isJust)
 import qualified Data.Set as Set
 import Data.Word (Word16)
 import PraTactile.FileName (isFileName)
-import PraTactile.Image (Raster, rasterSize)
+import PraTactile.Image (Raster, mapRaster, onRaster, rasterSize)
 import PraTactile.Image.Error (ImageError)
 import PraTactile.Image.Pgm (PgmFormat (..), decodePgm, encodePgm, pgmFromIntensity, pgmIntensity)
-import PraTactile.Registration (Composite, compositeOf)
+import PraTactile.Registration (Composite (..), compositeOf)
 import PraTactile.Sensor.Calibration (Calibration, CalibrationError, corrected, withoutStuck)
-import PraTactile.Sensor.Frame (Frame (..), scaledFrame)
+import PraTactile.Sensor.Frame (Frame (..), Pose (..), scaledFrame, taxelPitch)
 import PraTactile.Sensor.Manifest
+import PraTactile.Sensor.Resample (resampled)
+import PraTactile.Symmetry (onPixel)
 import System.FilePath (isAbsolute, splitDirectories)
 import Text.Printf (printf)
 
@@ -99,7 +103,13 @@ folderFrames (Folder manifest images) = traverse frame (manifestEntries manifest
 data Preparation = Preparation
   { -- | what the manifest's two coordinates are, in place of what it says
     preparedAxes :: Maybe Axes,
-    -- | the distance of neighbouring taxels in millimetres, likewise
+    -- | what the images' columns and rows are: where the first one points, and the second
+    preparedImageAxes :: Axes,
+    -- | what the positions are multiplied by, across and down
+    preparedPositionScale :: (Double, Double),
+    -- | whether no contact is full scale in the images, and full contact 0
+    preparedInverted :: Bool,
+    -- | the distance of neighbouring taxels in millimetres, in place of what the manifest says
     preparedTaxel :: Maybe Double,
     -- | what the frames are corrected by
     preparedCalibration :: Maybe Calibration,
@@ -110,14 +120,15 @@ data Preparation = Preparation
 
 -- | Frames as their manifest has them, not corrected, of symbols of the paper's size.
 asStated :: Preparation
-asStated = Preparation Nothing Nothing Nothing 1
+asStated = Preparation Nothing straight (1, 1) False Nothing Nothing 1
 
 -- | The frames of a folder as they are put together: prepared, and elements that are stuck not felt
 -- ('withoutStuck'). Refuses what 'folderFrames' refuses, and a calibration that does not fit them.
 preparedFrames :: Preparation -> Folder -> Either SourceError [Frame]
 preparedFrames known folder = do
   frames <- folderFrames folder {folderManifest = stated}
-  withoutStuck . map nominal <$> first CalibrationRefused (traverse calibrated frames)
+  withoutStuck . map (nominal . placed . seen)
+    <$> first CalibrationRefused (traverse (calibrated . onImage (asContact known)) frames)
   where
     manifest = folderManifest folder
     stated =
@@ -127,6 +138,32 @@ preparedFrames known folder = do
         }
     calibrated = maybe Right corrected (preparedCalibration known)
     nominal = scaledFrame (1 / preparedScale known)
+    placed frame =
+      let Pose x y r = framePose frame
+          (across, down) = preparedPositionScale known
+       in frame {framePose = Pose (across * x) (down * y) r}
+    symmetry = axesSymmetry (preparedImageAxes known)
+    seen frame =
+      (onImage (onRaster symmetry) frame) {frameDead = map (onTaxel frame) (frameDead frame)}
+    onTaxel frame (i, j) = let (x, y) = onPixel symmetry (rasterSize (frameImage frame)) (j, i) in (y, x)
+    onImage change frame = frame {frameImage = change (frameImage frame)}
+
+-- | An image with 0 for no contact.
+asContact :: Preparation -> Raster -> Raster
+asContact known
+  | preparedInverted known = mapRaster (1 -)
+  | otherwise = id
+
+-- | How the positions and images of a folder are taken.
+takingOf :: Preparation -> Folder -> Taking
+takingOf known folder =
+  Taking
+    { takenPositions =
+        fromMaybe straight (preparedAxes known <|> manifestAxes (folderManifest folder)),
+      takenImages = preparedImageAxes known,
+      takenScale = preparedPositionScale known,
+      takenTaxel = fromMaybe (manifestTaxel (folderManifest folder)) (preparedTaxel known)
+    }
 
 -- | Whether somebody said what the coordinates of a folder's manifest are.
 axesStated :: Preparation -> Folder -> Bool
@@ -152,7 +189,19 @@ data Source
 
 -- | The composite that a PGM file is. Refuses what is no PGM.
 imageComposite :: ByteString -> Either ImageError Composite
-imageComposite = fmap compositeOf . intensities
+imageComposite = preparedImage asStated
+
+-- | The composite that a PGM file is, prepared as far as that concerns an image.
+preparedImage :: Preparation -> ByteString -> Either ImageError Composite
+preparedImage known bytes = do
+  image <- intensities bytes
+  let taken = preparedImageAxes known
+      taxel = fromMaybe taxelPitch (preparedTaxel known)
+      scaled = if taxel == taxelPitch then id else resampled (taxel / taxelPitch)
+  pure
+    (compositeOf (scaled (onRaster (axesSymmetry taken) (asContact known image))))
+      { compositeTaking = standardTaking {takenImages = taken, takenTaxel = taxel}
+      }
 
 intensities :: ByteString -> Either ImageError Raster
 intensities = fmap pgmIntensity . decodePgm

@@ -6,6 +6,8 @@ module PraTactile.Composite
     Otherwise (..),
     Fault (..),
     Contradiction (..),
+    contradictionBy,
+    asTaken,
     leastCoverage,
     compositeOf,
     compositePosition,
@@ -24,7 +26,13 @@ import PraTactile.Composite.Noise (readingStep)
 import PraTactile.Image (Raster, constant, mapRaster, rasterHeight, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Reference, reference, referenceOf)
 import PraTactile.Sensor.Frame (taxelPitch)
-import PraTactile.Sensor.Manifest (Axes)
+import PraTactile.Sensor.Manifest
+  ( Axes,
+    Remedy,
+    Taking (..),
+    remedies,
+    standardTaking,
+  )
 
 -- | An image larger than the sensor, on a grid of one taxel's pitch whose axes are the robot's.
 data Composite = Composite
@@ -50,11 +58,15 @@ data Composite = Composite
     compositeStep :: Double,
     -- | Whether somebody said what the robot's axes are.
     compositeAxesStated :: !Bool,
+    -- | How the positions and images of its frames are taken.
+    compositeTaking :: !Taking,
     -- | What the frames would show if they were put together otherwise: with one frame elsewhere,
     -- the most probable first, or all where they would be if what the robot told is wrong.
     compositeOthers :: [Otherwise],
     -- | Whether the frames contradict each other where they should overlap.
     compositeContradiction :: Maybe Contradiction,
+    -- | The same frames along the axes of 'AgreeingAlong', where these are named.
+    compositeAgreeing :: Maybe Composite,
     -- | The frames themselves, each that was seen once; none of a whole image.
     compositeFrames :: [PutFrame]
   }
@@ -94,6 +106,8 @@ data Fault
     OtherScale !Double !Double
   | -- | beyond a line all of them lie a whole cell further along the face
     Slip
+  | -- | each lies anywhere, whatever position was told
+    Anywhere
   deriving stock (Eq, Show)
 
 -- | The least sensor weight with which a pixel counts as touched.
@@ -104,9 +118,41 @@ leastCoverage = 0.4
 data Contradiction
   = -- | If their positions were along these axes instead, they would show the same.
     AgreeingAlong !Axes
+  | -- | They would show the same by any of these remedies.
+    AgreeingBy [Remedy]
+  | -- | If their positions were so many times as far apart across and down, they would show the
+    -- same.
+    AgreeingAtScale !Double !Double
+  | -- | They fit their positions less well than any others: how many frames, and how far apart
+    -- these are across and down, millimetres.
+    AgreeingAnywhere !Int !Double !Double
   | -- | Along no axes they do.
     AgreeingNowhere
   deriving stock (Eq, Show)
+
+-- | That such a fault makes frames likelier, given their places in millimetres; 'Nothing' of faults
+-- that not all frames share.
+contradictionBy :: [(Double, Double)] -> Fault -> Maybe Contradiction
+contradictionBy places fault = case fault of
+  OtherAxes axes -> Just (AgreeingAlong axes)
+  OtherScale across down -> Just (AgreeingAtScale across down)
+  Anywhere -> Just (AgreeingAnywhere (length places) (extent fst) (extent snd))
+  OneFrame -> Nothing
+  Slip -> Nothing
+  where
+    extent part = case map part places of
+      [] -> 0
+      values -> maximum values - minimum values
+
+-- | A contradiction of frames that were so taken, as what to take otherwise, given whether what
+-- agrees is mirrored, where that is known.
+asTaken :: Taking -> Maybe Bool -> Contradiction -> Contradiction
+asTaken taking mirroredThen found = case found of
+  AgreeingAlong axes -> AgreeingBy (remedies taking axes mirroredThen)
+  AgreeingAtScale across down -> AgreeingAtScale (sx * across) (sy * down)
+  _ -> found
+  where
+    (sx, sy) = takenScale taking
 
 -- | A single image, such as one read from a file, as a composite that was touched once everywhere,
 -- with its pixel (0, 0) at the origin.
@@ -121,8 +167,10 @@ compositeOf image =
       compositeUncompared = 0,
       compositeStep = readingStep [image],
       compositeAxesStated = False,
+      compositeTaking = standardTaking,
       compositeOthers = [],
       compositeContradiction = Nothing,
+      compositeAgreeing = Nothing,
       compositeFrames = []
     }
 
@@ -170,8 +218,10 @@ blended (left, top) images displacements =
       compositeUncompared = 0,
       compositeStep = readingStep (map (snd . fst) (NonEmpty.toList images)),
       compositeAxesStated = False,
+      compositeTaking = standardTaking,
       compositeOthers = [],
       compositeContradiction = Nothing,
+      compositeAgreeing = Nothing,
       compositeFrames = []
     }
   where

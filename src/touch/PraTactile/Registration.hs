@@ -57,6 +57,7 @@ import PraTactile.Composite
     compositeOf,
     compositePixel,
     compositePosition,
+    contradictionBy,
   )
 import PraTactile.Composite.Blend (Taxels, minus, plus)
 import PraTactile.Composite.Noise (frameNoise)
@@ -96,6 +97,7 @@ import PraTactile.Registration.Search
     usable,
   )
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), isTaxelPitch, taxelPitch)
+import PraTactile.Sensor.Manifest (alongAxes)
 import PraTactile.Sensor.Resample (atCanonicalPitch, canonicalSize, isCanonical, turnedBack)
 import PraTactile.Symmetry
 
@@ -250,16 +252,29 @@ compose arranging settings frames = do
               layoutsLeft
                 found
                 (arrangementAngle arrangement)
+                (arrangementScales arrangement)
                 [(place `plus` robot, image) | (place, image) <- toList nominal]
                 (elsewhere . map fromRobot)
                 laidAt
         ]
-      -- Other axes, if they are that much likelier than any other layout, that of the robot too.
-      likelierAxes = case sortOn (negate . otherwiseLikelier) allElsewhere of
-        Otherwise (OtherAxes axes) _ likelier _ : rest
-          | likelier > exp decisive * maximum (1 : map otherwiseLikelier (take 1 rest)) ->
-            Just (AgreeingAlong axes)
+      -- Where another layout is that much likelier than the one that was told, the likeliest is
+      -- named if no layout of another kind comes near it.
+      likelierLayout = case sortOn (negate . otherwiseLikelier) allElsewhere of
+        Otherwise fault _ likelier _ : rest
+          | likelier > exp decisive && fault /= Slip ->
+            contradictionBy
+              (map placedAt (toList placed))
+              (if all beyond (filter (not . bothScales fault . otherwiseFault) rest) then fault else Anywhere)
+          where
+            beyond other = likelier > exp decisive * otherwiseLikelier other
         _ -> Nothing
+      bothScales (OtherScale _ _) (OtherScale _ _) = True
+      bothScales _ _ = False
+      contradicting = contradiction found (NonEmpty.toList nominal) <|> likelierLayout
+      agreeingAlong axes =
+        either (const Nothing) (Just . assemblyComposite) $
+          compose arranging settings (fmap (along axes) frames)
+      along axes frame = frame {framePose = alongAxes axes (framePose frame)}
       fromRobot layout = layout {layoutPlaces = map (`minus` robot) (layoutPlaces layout)}
       laidAt places shifts =
         made {compositeFrames = putAs (map inMillimetres places) shifts}
@@ -282,8 +297,10 @@ compose arranging settings frames = do
       { assemblyComposite =
           made
             { compositeOthers = oneElsewhere ++ allElsewhere,
-              compositeContradiction =
-                contradiction found (NonEmpty.toList nominal) <|> likelierAxes,
+              compositeContradiction = contradicting,
+              compositeAgreeing = case contradicting of
+                Just (AgreeingAlong axes) -> agreeingAlong axes
+                _ -> Nothing,
               compositeFrames =
                 putAs
                   (map placedAt (toList placed))

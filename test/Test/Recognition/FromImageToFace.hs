@@ -33,6 +33,7 @@ import PraTactile.Relief
 import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Sensor (HeightMap (..), standardSensor)
 import PraTactile.Sensor.Frame (movePoint, taxelPitch)
+import PraTactile.Sensor.Manifest (Remedy (..), axesNamed)
 import PraTactile.Shape
 import PraTactile.Symmetry
 import PraTactile.Window (Mask)
@@ -261,10 +262,12 @@ recogniseSpec parts array reader = describe "recognition" $ do
           found (turn image)
             `shouldBe` Right
               (orientation, Position (r + i) (c + j), Just (laidFace face, Position i j))
-  it "nothing at all is refused: no-symbols" $ refusal (constant 40 52 0) `shouldBe` Just NoSymbols
-  it "uniform contact is refused: no-symbols" $ refusal (constant 40 52 1) `shouldBe` Just NoSymbols
+  it "nothing at all is refused: no-symbols" $
+    refusal (constant 40 52 0) `shouldBe` Just (ShownInstead InsteadFlat NoSymbols)
+  it "uniform contact is refused: no-symbols" $
+    refusal (constant 40 52 1) `shouldBe` Just (ShownInstead InsteadFlat NoSymbols)
   it "an image of no size is refused: no-symbols" $
-    refusal (constant 0 0 0) `shouldBe` Just NoSymbols
+    refusal (constant 0 0 0) `shouldBe` Just (ShownInstead InsteadFlat NoSymbols)
   it "three symbols are too few" $
     refusal (pasted [(4, 4, 0, id), (20, 4, 1, id), (4, 24, 2, id)])
       `shouldBe` Just (NotLocated NoCompleteWindow)
@@ -275,7 +278,8 @@ recogniseSpec parts array reader = describe "recognition" $ do
   it "a mirror image is refused as one, whichever way up" $
     for_ [symmetry <> mirror | symmetry <- rotations] $ \symmetry -> do
       let window = pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, id)]
-      refusal (onRaster symmetry window) `shouldBe` Just Mirrored
+      refusal (onRaster symmetry window)
+        `shouldBe` Just (Mirrored [Remedy Nothing (lookup "-x,y" axesNamed)])
   it "every refusal has a name of its own" $
     length (nub (map refusalName refusals)) `shouldBe` length refusals
   it "the names of refusals are those that are promised" $

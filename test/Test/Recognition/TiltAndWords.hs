@@ -180,7 +180,7 @@ recognitionSpec = do
             asked tolerated =
               doubting
                 (standardTolerance {toleratedDoubt = tolerated})
-                (Misplaced stitching axes slip)
+                (Misplaced stitching axes slip Nothing)
             close a b = abs (a - b) < 1e-12
             doubt = maybe 0 supportDoubt (recognisedSupport (asked 1 given))
          in if sum elsewhere == 0
@@ -205,10 +205,10 @@ recognitionSpec = do
     of' [] `shouldBe` 0
   it "that lead to nothing have their symbols, the refusal, and no tilt" $ do
     let symbols = [symbolOf n (1, 2) (identity, n) | n <- [0, 1]]
-    unanswered symbols Mirrored
-      `shouldBe` Recognition symbols [] Map.empty Nothing Nothing 0 (Left Mirrored)
+    unanswered symbols (Mirrored [])
+      `shouldBe` Recognition symbols [] Map.empty Nothing Nothing 0 (Left (Mirrored []))
   it "have each refusal in the list of them once" $
-    for_ ([NoSymbols, SymbolsUnclear, Mirrored, OrientationContradicts] ++ later) $ \refusal ->
+    for_ ([NoSymbols, SymbolsUnclear, Mirrored [], OrientationContradicts] ++ later) $ \refusal ->
       length (filter ((== refusalName refusal) . refusalName) refusals) `shouldBe` 1
   where
     head' = foldr const (-1)

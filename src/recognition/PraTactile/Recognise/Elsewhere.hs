@@ -13,10 +13,11 @@ module PraTactile.Recognise.Elsewhere
   )
 where
 
-import Data.List (find, inits, minimumBy, tails)
+import Data.List (find, inits, minimumBy, sortOn, tails)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Ord (comparing)
+import PraTactile.Composite (contradictionBy)
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Field (KnownField)
 import PraTactile.Geometry (columnPitch, rotated, rowPitch, taxelPitch)
@@ -54,6 +55,7 @@ faultPrior tolerance stated fault = case fault of
   OtherAxes _ -> fromMaybe (if stated then 0.0025 else 0.01) (axesPrior tolerance)
   OtherScale _ _ -> 0.004
   Slip -> slipPrior tolerance
+  Anywhere -> 0.002
 
 -- | The composites of one face put together otherwise, given by how many degrees the symbols are
 -- turned in them: one of them with one frame elsewhere or with a slip in it; one of them but the
@@ -82,7 +84,7 @@ putOtherwise tolerance angle composites =
     elsewhereBy (Otherwise fault share likelier _) =
       Elsewhere fault (faultPrior tolerance stated fault * share * likelier)
     stated = any compositeAxesStated composites
-    ofOne other = otherwiseFault other `elem` [OneFrame, Slip]
+    ofOne other = otherwiseFault other `elem` [OneFrame, Slip, Anywhere]
     -- As the first composite of several frames has them: one image alone would show the same.
     ofAll =
       concat . take 1 . filter (not . null) $
@@ -165,8 +167,12 @@ layoutDoubts ::
   [Elsewhere] ->
   Misplaced
 layoutDoubts reader tolerance composites shown oneFrame others =
-  Misplaced oneFrame (share (/= Slip)) (share (== Slip))
+  Misplaced oneFrame (share (/= Slip)) (share (== Slip)) likelier
   where
+    likelier = case sortOn (\(_, odds, _) -> negate odds) weighed of
+      (fault, odds, _) : _
+        | odds > 1 -> contradictionBy (map putAt (concatMap compositeFrames composites)) fault
+      _ -> Nothing
     cells = recognisedCells shown
     given = recognisedLikeliest shown
     weighed =
@@ -178,13 +184,15 @@ layoutDoubts reader tolerance composites shown oneFrame others =
     -- That what was put together is right has odds of 1.
     total = 1 + sum [odds | (_, odds, _) <- weighed]
     weigh other
+      -- Frames that lie anywhere show nothing together.
+      | elsewhereFault other == Anywhere = (elsewhereOdds other, True)
       | relaid == cellsOf cells = (elsewhereOdds other, False)
-      | otherwise = (elsewhereOdds other * exp (max (-30) (min 30 likelier)), different)
+      | otherwise = (elsewhereOdds other * exp (max (-30) (min 30 likelierThere)), different)
       where
         laid = laidOtherwise (recognisedTilt shown) composites (elsewhereComposites other) cells
         relaid = cellsOf laid
         there = likeliestElsewhere reader tolerance laid
-        likelier =
+        likelierThere =
           maybe 0 likeliestEvidence there - maybe 0 likeliestEvidence given
             + max 0 (prior there - prior given)
         -- That the other place is likelier beforehand speaks for its layout; that the answer's is

@@ -8,6 +8,7 @@ module PraTactile.Recognise.Reading
     readNone,
     readSymbols,
     mostKnown,
+    mostRecognised,
     readMirrored,
     alongAxis,
     onView,
@@ -170,9 +171,12 @@ alongAxis axis (c, symmetry) = (axis <> symmetry, c)
 
 -- | Does the network know most of the symbols, and at least three?
 mostKnown :: [View] -> Bool
-mostKnown views = known >= 3 && 2 * known > length symbols
+mostKnown = mostRecognised . concatMap viewSymbols
+
+-- | Whether most of some symbols are known, and at least three.
+mostRecognised :: [ReadSymbol] -> Bool
+mostRecognised symbols = known >= 3 && 2 * known > length symbols
   where
-    symbols = concatMap viewSymbols views
     known = length (filter (isJust . readClass) symbols)
 
 -- | Does it know them so in the composites' mirror images? Then the images are mirrored.

@@ -31,8 +31,10 @@ import PraTactile.Recognise.FaceGrid (Cells)
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
+import PraTactile.Recognise.Instead (Instead)
 import PraTactile.Registration (Contradiction (..))
 import PraTactile.Segmentation (SymbolImage (..))
+import PraTactile.Sensor.Manifest (Remedy)
 import PraTactile.Symmetry
 
 -- | What was recognised, whether or not it led to an answer.
@@ -69,8 +71,11 @@ data Refusal
     NoSymbols
   | -- | there are symbols, but the network recognised none
     SymbolsUnclear
-  | -- | the network recognises most symbols in the composite's mirror image, and none as it is
-    Mirrored
+  | -- | no symbols or unclear ones, and what the composites show instead
+    ShownInstead Instead Refusal
+  | -- | the network recognises most symbols in the composite's mirror image, and none as it is;
+    -- what undoes that
+    Mirrored [Remedy]
   | -- | symbols disagree about the orientation of the grid
     OrientationContradicts
   | -- | the symbols do not lie on one grid of the array's pitch
@@ -90,7 +95,7 @@ refusals :: [Refusal]
 refusals =
   [ NoSymbols,
     SymbolsUnclear,
-    Mirrored,
+    Mirrored [],
     OrientationContradicts,
     GridContradicts,
     WindowsContradict,
@@ -104,7 +109,8 @@ refusalName :: Refusal -> String
 refusalName refusal = case refusal of
   NoSymbols -> "no-symbols"
   SymbolsUnclear -> "symbols-unclear"
-  Mirrored -> "mirrored"
+  ShownInstead _ why -> refusalName why
+  Mirrored _ -> "mirrored"
   OrientationContradicts -> "orientation-contradiction"
   GridContradicts -> "grid-contradiction"
   WindowsContradict -> "windows-contradiction"
@@ -213,20 +219,22 @@ data Misplaced = Misplaced
     -- | all, along other axes or at another scale
     axesMisplaced :: !Double,
     -- | some, by a slip
-    slipped :: !Double
+    slipped :: !Double,
+    -- | the likeliest other layout of all frames, where it is more probable than the robot's
+    likelierLayout :: Maybe Contradiction
   }
   deriving stock (Eq, Show)
 
 -- | The recognition where its frames may lie otherwise. Beyond the doubt that is tolerated, it is
 -- refused.
 doubting :: Tolerance -> Misplaced -> Recognition -> Recognition
-doubting _ (Misplaced 0 0 0) recognition = recognition
-doubting tolerance (Misplaced stitched axes slip) recognition =
+doubting _ (Misplaced 0 0 0 _) recognition = recognition
+doubting tolerance (Misplaced stitched axes slip layout) recognition =
   recognition
     { recognisedSupport = weighed <$> recognisedSupport recognition,
       recognisedAnswer =
         if maybe True (tooDoubtful . weighed) (recognisedSupport recognition)
-          then Left (NotLocated BelowThreshold)
+          then Left (maybe (NotLocated BelowThreshold) FramesContradict layout)
           else recognisedAnswer recognition
     }
   where

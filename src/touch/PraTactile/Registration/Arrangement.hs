@@ -34,6 +34,7 @@ import PraTactile.Registration.Layout (Layout (..))
 import PraTactile.Registration.Levelling (levelling)
 import PraTactile.Registration.Posterior (Hypothesis)
 import PraTactile.Registration.Residual (residual)
+import PraTactile.Registration.Scale (likelyScales)
 import PraTactile.Registration.Search (Registration (..))
 import PraTactile.Registration.Spectrum (spectra)
 
@@ -78,6 +79,9 @@ data Arrangement = Arrangement
     arrangementResidual :: Maybe Double,
     -- | The angle of the lattice, in degrees clockwise, where the method tells it.
     arrangementAngle :: Maybe Double,
+    -- | Scales of the positions across and down that make the lattice likelier than the positions
+    -- as told.
+    arrangementScales :: [(Double, Double)],
     -- | How much likelier, as a natural logarithm, what the frames show is if they lie otherwise,
     -- and their displacements from there; 'Nothing' where nothing is registered.
     arrangementElsewhere :: Maybe ([Layout] -> [(Double, [Taxels])])
@@ -167,6 +171,7 @@ arrange tables method settings touched
       (arranged frames ByLattice levels (map estimated (jointFrames found)))
         { arrangementSigma = jointSigma found,
           arrangementAngle = Just (fitsAngle fits'),
+          arrangementScales = scales,
           arrangementElsewhere = Just elsewhere
         }
       where
@@ -176,18 +181,27 @@ arrange tables method settings touched
         lyingAt places = zip (zip places (map snd touched)) (fitsFrames fits')
         asTold = lyingAt (map fst touched)
         found = registered asTold
+        scales
+          | maybe False (> largeError) (jointSigma found) =
+            likelyScales
+              (jointGlimpse . registered . spacedOut scaleFrames . lyingAt)
+              (map fst touched)
+          | otherwise = []
         -- A slip leaves frames on the lattice.
         elsewhere others =
-          map (asLaid . lyingAt . layoutPlaces) ofAll
+          map laidAs ofAll
             ++ map (flip (,) (shiftsOf found)) (byOverlaps (jointSigma found) slips)
           where
             (ofAll, slips) = span ((/= Slip) . layoutFault) others
         shiftsOf = map estimateShift . jointFrames
+        laidAs layout = case layoutFault layout of
+          Anywhere -> (beyondUnsure (jointAnywhere here - jointEvidence here), [])
+          _ -> asLaid (lyingAt (layoutPlaces layout))
+        beyondUnsure likelier = signum likelier * max 0 (abs likelier - unsure)
         asLaid lying
           | byPhase < hopeless = (byPhase, [])
-          | otherwise = (signum likelier * max 0 (abs likelier - unsure), shifts)
+          | otherwise = (beyondUnsure (jointBound there - jointBound here), shifts)
           where
-            likelier = jointBound there - jointBound here
             shifts = shiftsOf (whole lying there)
             byPhase = jointGlimpse there - jointGlimpse here
             there = registered (spacedOut mostOfLayout lying)
@@ -229,6 +243,7 @@ arranged frames used levels frameOf =
       arrangementSigma = Nothing,
       arrangementResidual = residual places,
       arrangementAngle = Nothing,
+      arrangementScales = [],
       arrangementElsewhere = Nothing
     }
   where
@@ -245,6 +260,14 @@ tiltFrames = 256
 -- | The most frames that are asked where all may lie instead.
 mostOfLayout :: Int
 mostOfLayout = 256
+
+-- | The position error, taxels, beyond which the frames are asked for another scale.
+largeError :: Double
+largeError = 1.5
+
+-- | The most frames that are asked for a scale.
+scaleFrames :: Int
+scaleFrames = 32
 
 -- | Where the lattice is so much less likely, as a natural logarithm, nobody asks for the symbols.
 hopeless :: Double

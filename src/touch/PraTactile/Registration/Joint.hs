@@ -17,16 +17,20 @@ import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (cosineSine, rotated)
 import PraTactile.Image (rasterHeight, rasterSize, rasterWidth)
-import PraTactile.Registration.Joint.Displacement (Displacement (..), displacementsOf)
+import PraTactile.Registration.Joint.Displacement
+  ( Displacement (..),
+    cellsOfPhases,
+    displacementsOf,
+  )
 import PraTactile.Registration.Joint.Estimate
-import PraTactile.Registration.Joint.Grid (Grid (..), gridOf, gridSpacing)
-import PraTactile.Registration.Joint.MeanField (MeanField (..), fieldBound, meanField)
-import PraTactile.Registration.Joint.Phase (commonPhase, glimpsedLog)
+import PraTactile.Registration.Joint.Grid (Grid (..), gridOf, gridSpacing, logSum)
+import PraTactile.Registration.Joint.MeanField (MeanField (..), cellsAlone, fieldBound, meanField)
+import PraTactile.Registration.Joint.Phase (CommonPhase (..), commonPhase, glimpsedLog)
 import PraTactile.Registration.Lattice.Fit
 import PraTactile.Registration.Lattice.Likelihood (likelihoodTheta)
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Template
-import PraTactile.Registration.Model (Theta, eighth)
+import PraTactile.Registration.Model (Theta, eighth, outlier, placesPerTaxel)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search (Registration (..))
 
@@ -50,16 +54,41 @@ data Joint = Joint
     jointSigma :: Maybe Double,
     -- | log P of the lattice at a glance, up to what does not depend on the places.
     jointGlimpse :: Double,
-    -- | What log P of all that the frames show is at least, likewise.
-    jointBound :: Double
+    -- | F: what log P of all that the frames show is at least, likewise.
+    jointBound :: Double,
+    -- | E, the log evidence of the nominal places, and E_0, that of frames which lie anywhere.
+    jointEvidence :: Double,
+    jointAnywhere :: Double
   }
 
 -- | Frames registered from the nominal places (taxels) of their upper left pixels, and what they
 -- tell at the lattice's angle.
 registerJointly :: Registration -> Fits -> [(Taxels, Touched)] -> Joint
 registerJointly settings fits frames =
-  Joint centredEstimates thetas sigma (glimpsedLog grid phases) (fieldBound grid field)
+  Joint
+    { jointFrames = centredEstimates,
+      jointThetas = thetas,
+      jointSigma = sigma,
+      jointGlimpse = glimpsedLog grid phases,
+      jointBound = bound,
+      jointEvidence =
+        bound - log (commonShare common) - log (2 * phasesOfOne)
+          - fromIntegral (length onLattice) * log (2 * pi)
+          - log (fromIntegral (length (gridSigmas grid))),
+      jointAnywhere = logSum (map (subtract (log 2)) (foldr1 (zipWith (+)) (map anywhere onLattice)))
+    }
   where
+    bound = fieldBound grid field
+    (across, down) = phaseCount placesPerTaxel
+    phasesOfOne = fromIntegral (across * down)
+    -- What a frame tells that may lie at any phase of either orientation.
+    anywhere (_, _, fitted) = map (max least) logs
+      where
+        logs =
+          [ if null there then -1e300 else logSum (map cellsAlone there) - log phasesOfOne
+            | there <- cellsOfPhases (fitSome fitted)
+          ]
+        least = maximum logs + log outlier
     angle = fitsAngle fits
     onLattice =
       [ (firstPlace (tablesOf seen) (rotated (negate angle) place), seen, fitted)
@@ -74,13 +103,13 @@ registerJointly settings fits frames =
     small = sum (map pixelsOf some) <= phaseFrames * keptPixels
     pixelsOf (_, (image, _), _) = rasterWidth image * rasterHeight image
     phases = map (fmap fitSome . if small then kept else again) some
-    (_, (orientation, phase)) = commonPhase grid phases
+    common = commonPhase grid phases
     (thetas, displacements) =
       unzip (map (told . (if few then kept else again)) onLattice)
     few = small && length onLattice <= phaseFrames
     told (place, fitted) =
       let !theta = likelihoodTheta (fitSome fitted)
-          displacements' = displacementsOf grid orientation phase . (,) place
+          displacements' = displacementsOf grid (commonOrientation common) (commonRowColumn common) . (,) place
        in ( theta,
             -- A frame that is at odds with the others.
             case displacements' (fitSome fitted) of

@@ -33,17 +33,18 @@ data Layout = Layout
     layoutPlaces :: [Taxels]
   }
 
--- | All of them beside the places that are told, given the angle of the lattice of symbols, in
--- degrees clockwise, and for each place the group of frames that relief ties to each other.
-layouts :: Double -> [Int] -> [Taxels] -> [Layout]
-layouts angle groups places =
+-- | All layouts beside the places that are told. Given are the angle of the lattice of symbols in
+-- degrees clockwise, the scales across and down that the frames make likely, and for each place
+-- the group of frames that relief ties to each other.
+layouts :: Double -> [(Double, Double)] -> [Int] -> [Taxels] -> [Layout]
+layouts angle scales groups places =
   [ ofAll (OtherAxes axes) (axesShare axes)
     | (_, axes) <- axesNamed,
       axes /= straight
   ]
-    ++ [ ofAll (OtherScale across down) 0.25
-         | (across, down) <- [(0.5, 1), (2, 1), (1, 0.5), (1, 2)]
-       ]
+    ++ [ofAll (uncurry OtherScale scale) 0.125 | scale <- [(0.5, 1), (2, 1), (1, 0.5), (1, 2)]]
+    ++ [ofAll (uncurry OtherScale scale) (0.5 / fromIntegral (length scales)) | scale <- scales]
+    ++ [ofAll Anywhere 1]
     ++ slips 1 (beyond fst ++ beyond snd)
     ++ slips groupShare [map (== g) groups | several > 1, g <- some]
   where
@@ -106,24 +107,26 @@ leastGap :: Double
 leastGap = 2
 
 -- | The layouts that the frames at these nominal places do not refute, each with its composite.
--- Given are the lattice's angle, where it is known; how much likelier, as a natural logarithm, what
+-- Given are the lattice's angle, where it is known; the scales that the frames make likely; how much likelier, as a natural logarithm, what
 -- the frames show is by each of some layouts, with the displacements from there; and the composite
 -- of frames that are so displaced from other places.
 layoutsLeft ::
   Registration ->
   Maybe Double ->
+  [(Double, Double)] ->
   [(Taxels, Raster)] ->
   ([Layout] -> [(Double, [Taxels])]) ->
   ([Taxels] -> [Taxels] -> Composite) ->
   [Otherwise]
-layoutsLeft settings angle frames elsewhere laidAt =
+layoutsLeft settings angle scales frames elsewhere laidAt =
   [ Otherwise fault share (exp (min certain likelier)) (laidAt places shifts)
     | (Layout fault share places, (likelier, shifts)) <- zip hypotheses (elsewhere hypotheses),
       likelier > refuted
   ]
   where
-    hypotheses = layouts (fromMaybe 0 angle) (tiedGroups settings frames) (map fst frames)
-    certain = 60
+    hypotheses = layouts (fromMaybe 0 angle) scales (tiedGroups settings frames) (map fst frames)
+    -- So that products of probabilities are numbers.
+    certain = 300
 
 -- | What is so much less likely, as a natural logarithm, is no hypothesis any more.
 refuted :: Double

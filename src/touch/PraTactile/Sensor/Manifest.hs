@@ -11,11 +11,17 @@ module PraTactile.Sensor.Manifest
     jsonManifestName,
 
     -- * Axes
-    Axes,
+    Axes (..),
     straight,
     axesNamed,
     axesName,
     alongAxes,
+
+    -- * Other ways to take positions and images
+    Taking (..),
+    standardTaking,
+    Remedy (..),
+    remedies,
 
     -- * As CSV
     parseManifest,
@@ -52,6 +58,7 @@ import Data.Text.Encoding (decodeUtf8')
 import qualified Data.Vector as V
 import PraTactile.FileName (isFileName)
 import PraTactile.Sensor.Frame (Pose (..), taxelPitch)
+import PraTactile.Symmetry
 
 -- | One line: the frame's PGM file, relative to the manifest's folder; the pose and the force of
 -- the press.
@@ -85,48 +92,90 @@ manifestName = "manifest.csv"
 jsonManifestName :: FilePath
 jsonManifestName = "manifest.json"
 
--- | What the two coordinates of a manifest are: each x to the right or y down, or its negative.
--- Rotations are clockwise as seen from outside the face, whatever the axes are.
-data Axes = Axes
-  { -- | whether the first is y and the second x
-    axesSwapped :: !Bool,
-    firstNegated :: !Bool,
-    secondNegated :: !Bool
+-- | What two coordinates of positions or of pixels are, seen from outside the face: each x to the
+-- right or y down, or its negative. Rotations are clockwise, whatever the axes are.
+newtype Axes = Axes
+  { -- | Carries what the coordinates say to what lies to the right and down.
+    axesSymmetry :: Symmetry
   }
   deriving stock (Eq, Ord, Show)
 
 -- | First x, then y.
 straight :: Axes
-straight = Axes False False False
+straight = Axes identity
 
 -- | All axes by their names: @x,y@, @x,-y@, @y,x@ and so on.
 axesNamed :: [(String, Axes)]
 axesNamed =
   [ (axesName axes, axes)
-    | swapped <- [False, True],
-      a <- [False, True],
-      b <- [False, True],
-      let axes = Axes swapped a b
+    | swapped <- [identity, turned 3 <> mirror],
+      negated <- [identity, turned 2 <> mirror, mirror, turned 2],
+      let axes = Axes (swapped <> negated)
   ]
 
 -- | The name of axes.
 axesName :: Axes -> String
-axesName (Axes swapped a b) = sign a ++ one ++ "," ++ sign b ++ other
+axesName axes = coordinate (1, 0) ++ "," ++ coordinate (0, 1)
   where
-    (one, other) = if swapped then ("y", "x") else ("x", "y")
-    sign negated = if negated then "-" else ""
+    coordinate :: (Int, Int) -> String
+    coordinate along = case onOffset (axesSymmetry axes) along of
+      (x, 0) -> ['-' | x < 0] ++ "x"
+      (_, y) -> ['-' | y < 0] ++ "y"
 
 -- | A pose whose two coordinates are along these axes, to the right and down.
 --
 -- >>> alongAxes <$> lookup "x,-y" axesNamed <*> pure (Pose 1 2 0)
 -- Just (Pose {poseX = 1.0, poseY = -2.0, poseRotation = 0.0})
 alongAxes :: Axes -> Pose -> Pose
-alongAxes (Axes swapped a b) (Pose first second r)
-  | swapped = Pose v u r
-  | otherwise = Pose u v r
+alongAxes axes (Pose first second r) = Pose x y r
   where
-    u = if a then negate first else first
-    v = if b then negate second else second
+    (x, y) = onOffset (axesSymmetry axes) (first, second)
+
+-- | What the two coordinates of the positions and of the images are taken to be, and what the
+-- positions are multiplied by, across and down; and the distance of taxels.
+data Taking = Taking
+  { takenPositions :: !Axes,
+    takenImages :: !Axes,
+    takenScale :: !(Double, Double),
+    -- | the distance of neighbouring taxels, millimetres
+    takenTaxel :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | Positions in millimetres and images seen from outside the face, x to the right and y down.
+standardTaking :: Taking
+standardTaking = Taking straight straight (1, 1) taxelPitch
+
+-- | What to take otherwise; 'Nothing' where the taking stays.
+data Remedy = Remedy
+  { remedyPositions :: !(Maybe Axes),
+    remedyImages :: !(Maybe Axes)
+  }
+  deriving stock (Eq, Show)
+
+-- | All the remedies that differ by more than a turn of the whole, where frames agree if positions,
+-- as they are taken now, are taken along axes A besides, and what the frames then show is mirrored
+-- or not, or that is not known.
+--
+-- Frames agree if A is applied to the positions, or if the inverse of A is applied to the images;
+-- and any symmetry applied to both keeps them agreeing. What is mirrored takes a symmetry of both
+-- that mirrors.
+remedies :: Taking -> Axes -> Maybe Bool -> [Remedy]
+remedies (Taking (Axes positions) (Axes images) _ _) (Axes a) mirroredThen =
+  map remedy $ case mirroredThen of
+    Just True
+      | mirrored a -> [ofImages]
+      | otherwise -> [both]
+    Just False
+      | mirrored a -> [ofPositions]
+    _ -> [ofPositions, ofImages]
+  where
+    ofPositions = (a <> positions, images)
+    ofImages = (positions, invert a <> images)
+    both = (h <> a <> positions, h <> images)
+    h = if mirrored (a <> positions) then invert (a <> positions) else mirror
+    remedy (positions', images') = Remedy (changed positions positions') (changed images images')
+    changed old new = if new == old then Nothing else Just (Axes new)
 
 -- | Why a manifest is refused. Lines count from 1, the header's.
 data ManifestError

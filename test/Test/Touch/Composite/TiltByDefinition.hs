@@ -6,6 +6,7 @@ import Data.Maybe (fromMaybe)
 import PraTactile.Composite
 import PraTactile.Composite.Tilt
 import PraTactile.Image
+import PraTactile.Sensor.Manifest (standardTaking)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)
@@ -33,8 +34,10 @@ genComposite sides = do
         compositePositionError = Nothing,
         compositeUncompared = 0,
         compositeAxesStated = False,
+        compositeTaking = standardTaking,
         compositeOthers = [],
         compositeContradiction = Nothing,
+        compositeAgreeing = Nothing,
         compositeFrames = []
       }
 

@@ -209,7 +209,8 @@ jointSpec =
       forAllBlind genFrames $ \frames ->
         let settings = standardRegistration {registrationSigma = Just 0.4, registrationReach = 2}
             fits = fitsAt paperTables (map (whole . snd) frames) angle
-            Joint found _ sigma _ _ = registerJointly settings fits (map (fmap whole) frames)
+            joint = registerJointly settings fits (map (fmap whole) frames)
+            (found, sigma) = (jointFrames joint, jointSigma joint)
             (wanted, sigma') = together (Robot (0.2, 0.8) 4) angle frames
          in conjoin (zipWith alike found wanted)
               .&&. length found === length frames

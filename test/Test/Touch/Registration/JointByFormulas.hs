@@ -84,7 +84,7 @@ phaseSpec = do
               [ (place, blank {phaseLogs = phases only, likeliestPhase = only})
                 | (place, only) <- frames
               ]
-            (glimpsed, likeliest) = (glimpsedLog grid seen, fst (commonPhase grid seen))
+            (glimpsed, likeliest) = (glimpsedLog grid seen, commonLog (commonPhase grid seen))
          in counterexample (show (glimpsed, likeliest)) $
               glimpsed <= likeliest + 1e-9
                 && (length frames > 1 || abs (glimpsed - likeliest) < 1e-9)
@@ -94,8 +94,8 @@ phaseSpec = do
         let settings = standardRegistration {registrationSigma = Just sigma, registrationReach = 3}
             robot = robotOf settings
             (o, y, x) = Definition.commonPhase robot [seenAt p v V.empty | (p, v) <- frames]
-         in snd (commonPhase (gridOf settings) [(p, blank {phaseLogs = v}) | (p, v) <- frames])
-              === (o, (y, x))
+            found = commonPhase (gridOf settings) [(p, blank {phaseLogs = v}) | (p, v) <- frames]
+         in (commonOrientation found, commonRowColumn found) === (o, (y, x))
   where
     genOnePhase = (,) <$> genPlace <*> choose (0, 2559)
     genPhases = do

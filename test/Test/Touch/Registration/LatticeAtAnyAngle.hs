@@ -291,7 +291,7 @@ contradicting alphabet = do
           order = map snd (sortOn fst (zip (randomRs (0, 1 :: Double) (mkStdGen seed)) frames))
        in contradictionOf (zipWith (\f g -> f {frameImage = frameImage g}) frames order)
             `shouldBe` Just AgreeingNowhere
-  it "do not where they show nothing, or there is one, or they do not overlap" $ do
+  it "do not where they show nothing, or there is one; and show the scale at which they overlap" $ do
     let blank = [f {frameImage = constant 16 16 0.4} | f <- scan 1]
         apart =
           [ f
@@ -300,10 +300,14 @@ contradicting alphabet = do
               }
             | f <- scan 2
           ]
-    for_ [blank, take 1 (scan 3), apart] $ \frames ->
+    for_ [blank, take 1 (scan 3)] $ \frames ->
       contradictionOf frames `shouldSatisfy` isNothing
+    contradictionOf apart `shouldSatisfy` maybe False (isScale 0.2)
   where
     scan seed = scanned (scene alphabet seed (fromIntegral (17 * seed))) (errorsOf 0.8 seed)
+    isScale s found = case found of
+      AgreeingAtScale across down -> all ((< 0.03) . abs . subtract 1 . (/ s)) [across, down]
+      _ -> False
     contradictionOf =
       either (const (Just AgreeingNowhere)) compositeContradiction
         . (\frames -> stitch (withNoiseOf frames known) frames)

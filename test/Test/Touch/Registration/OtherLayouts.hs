@@ -23,7 +23,7 @@ spec = do
         let places = [(x * 12, y * 9) | y <- upTo rows, x <- upTo columns]
             tied = [k `mod` several | (k, _) <- zip [0 ..] places]
             groups = 1 + maximum tied
-            all' = layouts 0 tied places
+            all' = layouts 0 [] tied places
             shareOf which = sum [layoutShare l | l <- all', which (layoutFault l)]
             -- A share of all that is no slip, and of slips as far as there are lines, and half of
             -- that for groups where there are several.
@@ -48,12 +48,12 @@ spec = do
               [b - a | ((same, a), (changed, b)) <- zip moved (drop 1 moved), same /= changed]
             told =
               [ gapBefore [(p == p', uncurry (+) p) | (p, p') <- zip places (layoutPlaces l)]
-                | l <- layouts 0 (map (const 0) places) places,
+                | l <- layouts 0 [] (map (const 0) places) places,
                   layoutFault l == Slip
               ]
          in sort (nub (concat told)) === drop (length gaps - 8) (sort gaps)
   it "slips move what is beyond a line by a cell of the lattice, at its angle" $
-    nub [layoutPlaces l | l <- layouts 90 [0, 0] [(0, 0), (16, 0)], layoutFault l == Slip]
+    nub [layoutPlaces l | l <- layouts 90 [] [0, 0] [(0, 0), (16, 0)], layoutFault l == Slip]
       `shouldSatisfy` all
         ( \moved ->
             any

@@ -8,6 +8,7 @@ module PraTactile.Registration.Joint.Displacement
     displacementCells,
     ClassLogs,
     displacementsOf,
+    cellsOfPhases,
   )
 where
 
@@ -64,10 +65,7 @@ displacementsOf grid orientation (phaseY, phaseX) (place, given) =
   ]
   where
     tables = likelihoodTables given
-    places = templatePlaces tables
-    !(!across, !down) = phaseCount (placesFineness places)
-    (columns, rows) = placesGrid places
-    count = symbolsClasses (templateSymbols tables)
+    !(!across, !down) = phaseCount (placesFineness (templatePlaces tables))
     !((!nx, !ny), (!rx, !ry)) = onGrid place
     !reach = gridReach grid
     !side = 2 * reach + 1
@@ -96,20 +94,49 @@ displacementsOf grid orientation (phaseY, phaseX) (place, given) =
     priors rest = V.fromList (concat (transpose (map told (gridOctaves grid))))
       where
         told sigma = V.toList (priorsAlong grid sigma rest)
-    classesFrom start = Unboxed.generate count (\k -> classLogs given V.! (start + k))
-    margin = 12
     -- Of what was looked at.
     least = -1e300
     cells dx dy =
-      [ ( cellNumber ((y + ny + dy - phaseY) `div` down) ((x + nx + dx - phaseX) `div` across),
-          classesFrom (count * cellAt given (cellIndex places orientation y x))
-        )
-        | y <- [(phaseY - ny - dy) `mod` down, (phaseY - ny - dy) `mod` down + down .. rows - 1],
-          x <-
-            [ (phaseX - nx - dx) `mod` across,
-              (phaseX - nx - dx) `mod` across + across
-              .. columns - 1
-            ]
+      [ (cellNumber ((y + ny + dy - phaseY) `div` down) ((x + nx + dx - phaseX) `div` across), l)
+        | ((y, x), l) <- cellsOf given orientation (phaseY - ny - dy, phaseX - nx - dx)
+      ]
+
+-- | How much less likely than a frame's likeliest displacement or phase another one is, as a
+-- natural logarithm, before it is left out.
+margin :: Double
+margin = 12
+
+-- | The cells that a frame sees at a phase of an orientation, modulo the pitch: the row and column
+-- of each among the frame's places, and l_k of its classes.
+cellsOf :: Likelihood -> Int -> (Int, Int) -> [((Int, Int), ClassLogs)]
+cellsOf given orientation (phaseY, phaseX) =
+  [ ((y, x), classesFrom (count * cellAt given (cellIndex places orientation y x)))
+    | y <- every (phaseY `mod` down) down rows,
+      x <- every (phaseX `mod` across) across columns
+  ]
+  where
+    places = templatePlaces (likelihoodTables given)
+    (across, down) = phaseCount (placesFineness places)
+    (columns, rows) = placesGrid places
+    count = symbolsClasses (templateSymbols (likelihoodTables given))
+    every first period end = [first, first + period .. end - 1]
+    classesFrom start = Unboxed.generate count (\k -> classLogs given V.! (start + k))
+
+-- | What a frame says of the cells that it sees, at each phase that may matter, by orientation:
+-- upright and half turned. Phases more than 'margin' below the likeliest are left out.
+cellsOfPhases :: Likelihood -> [[[ClassLogs]]]
+cellsOfPhases given =
+  [ [map snd (cellsOf given o (y, x)) | (o', (y, x)) <- likely, o' == o]
+    | o <- [0, 1]
+  ]
+  where
+    phases = phaseLogs given
+    (across, down) = phaseCount (placesFineness (templatePlaces (likelihoodTables given)))
+    likely =
+      [ (o, (y, x))
+        | i <- V.toList (V.findIndices (>= V.maximum phases - margin) phases),
+          let (row, x) = i `quotRem` across
+              (o, y) = row `quotRem` down
       ]
 
 -- | One number for a cell's row and column: in an area that can be put together there are fewer

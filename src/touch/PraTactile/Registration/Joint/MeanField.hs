@@ -3,6 +3,7 @@ module PraTactile.Registration.Joint.MeanField
   ( MeanField (..),
     meanField,
     fieldBound,
+    cellsAlone,
   )
 where
 
@@ -77,12 +78,20 @@ fieldBound grid (MeanField frames _) =
     -- g of nothing there, and then of the classes.
     told logs = Unboxed.map mixed (Unboxed.cons 0 l)
       where
-        l = Unboxed.map (independentShare *) logs
+        l = tempered logs
         own = cellGiven Nothing l
         mixed x = logSum [log (1 - outlier) + x, log outlier + own]
     cell g = cellLog (Unboxed.length g - 1) (\k -> g Unboxed.! (k + 1) - nothing) + nothing
       where
         nothing = g Unboxed.! 0
+
+-- | The sum of h_fc over the cells that one frame sees at a phase.
+cellsAlone :: [ClassLogs] -> Double
+cellsAlone = sum . map (cellGiven Nothing . tempered)
+
+-- | h_fck: log-likelihoods of a cell's classes by the share of taxels that are independent.
+tempered :: ClassLogs -> ClassLogs
+tempered = Unboxed.map (independentShare *)
 
 -- | What a frame's displacements tell of sigma.
 squaresOf :: [(Displacement, Double)] -> Squares

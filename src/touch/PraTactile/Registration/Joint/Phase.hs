@@ -2,7 +2,8 @@
 
 -- | Where the lattice lies under all frames together.
 module PraTactile.Registration.Joint.Phase
-  ( commonPhase,
+  ( CommonPhase (..),
+    commonPhase,
     glimpsedLog,
   )
 where
@@ -17,11 +18,22 @@ import PraTactile.Registration.Lattice.Places (phaseCount)
 import PraTactile.Registration.Loops (dotWithin, tabulate)
 import PraTactile.Registration.Model (outlier, placesPerTaxel)
 
--- | log P(lambda) of the lattice on the composite that the frames make likeliest, up to a constant,
--- and its orientation and phase, row and column; of no more than 100 frames.
-commonPhase :: Grid -> [(Taxels, Likelihood)] -> (Double, (Int, (Int, Int)))
-commonPhase grid frames = (log (probable V.! best), (o, (y, x)))
+-- | The likeliest phase of the lattice under all frames.
+data CommonPhase = CommonPhase
+  { -- | log P(lambda), up to a constant.
+    commonLog :: !Double,
+    -- | The posterior probability of this phase among all phases.
+    commonShare :: !Double,
+    commonOrientation :: !Int,
+    -- | Row and column of places.
+    commonRowColumn :: !(Int, Int)
+  }
+
+-- | The phase of the lattice on the composite that at most 100 frames make likeliest.
+commonPhase :: Grid -> [(Taxels, Likelihood)] -> CommonPhase
+commonPhase grid frames = CommonPhase (log most) (most / V.sum probable) o (y, x)
   where
+    most = probable V.! best
     (across, down) = phaseCount placesPerTaxel
     probable = phasePosterior grid frames
     best = V.maxIndex probable

@@ -1,0 +1,59 @@
+-- | The scales at which positions would fit what the frames show: positions in another unit, or
+-- counted in steps, differ from the true ones by a factor across and down.
+module PraTactile.Registration.Scale
+  ( likelyScales,
+  )
+where
+
+import Data.List (sortOn)
+import Data.Ord (Down (..))
+import PraTactile.Composite.Blend (Taxels)
+
+-- | The scales across and down, of both axes alike or of one, that make nominal places (taxels)
+-- likelier than they are. Given is the log-likelihood of places. At most 'mostScales', the
+-- likeliest first.
+--
+-- Scales are tried on a grid that moves the outermost frame by less than a taxel from one to the
+-- next, as far as all frames then lie within 'greatestExtent'.
+likelyScales :: ([Taxels] -> Double) -> [Taxels] -> [(Double, Double)]
+likelyScales likely places =
+  map snd . take mostScales . sortOn (Down . fst) $
+    concatMap (peaks . map scored) [both, across, down]
+  where
+    asTold = likely places
+    scored scale = (likely (map (scaled scale) places), scale)
+    scaled (sx, sy) (x, y) = (centreX + sx * (x - centreX), centreY + sy * (y - centreY))
+    (centreX, extentX) = spread (map fst places)
+    (centreY, extentY) = spread (map snd places)
+    both = [(s, s) | s <- scalesOf (max extentX extentY)]
+    across = [(s, 1) | extentY > 0, s <- scalesOf extentX]
+    down = [(1, s) | extentX > 0, s <- scalesOf extentY]
+    -- Scores above both neighbours.
+    peaks found =
+      [ b
+        | ((a, _), b@(here, _), (c, _)) <- zip3 found (drop 1 found) (drop 2 found),
+          here > asTold,
+          here >= a,
+          here > c
+      ]
+
+-- | The scales for places of an extent, ascending: none where all places are the same.
+scalesOf :: Double -> [Double]
+scalesOf extent
+  | extent <= 0 = []
+  | otherwise = [t / extent | t <- takeWhile (< greatestExtent) (iterate (+ 1) leastExtent)]
+
+-- | The middle of some numbers, and how far apart the outermost two are.
+spread :: [Double] -> (Double, Double)
+spread ts = ((least + most) / 2, most - least)
+  where
+    (least, most) = (minimum ts, maximum ts)
+
+-- | How far apart the outermost frames are at least and at most at a scale that is tried, taxels.
+leastExtent, greatestExtent :: Double
+leastExtent = 8
+greatestExtent = 256
+
+-- | The most scales whose evidence is weighed in full.
+mostScales :: Int
+mostScales = 4

@@ -1,0 +1,186 @@
+-- | The worked example's frames, whose positions or images are not what they are taken for. Each
+-- kind is refused with what is wrong. Every advice that a refusal gives, followed to its end, leads
+-- to the worked example's window.
+module Test.Recognition.TakenOtherwise (spec) where
+
+import Data.ByteString (ByteString)
+import qualified Data.ByteString as Bytes
+import Data.Foldable (for_)
+import Data.Maybe (fromMaybe)
+import PraTactile.Array (Position (..))
+import PraTactile.Composite (Contradiction (..))
+import PraTactile.Decode
+import PraTactile.Files (readFolder)
+import PraTactile.Image (Raster, constant, generate, mapRaster, onRaster)
+import PraTactile.Image.Pgm
+import PraTactile.Recognise
+import PraTactile.Sensor.Frame (Pose (..))
+import PraTactile.Sensor.Manifest
+import PraTactile.Sensor.Resample (resampled)
+import PraTactile.Source
+import PraTactile.Symmetry
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  describe "axes of positions and images" axesSpec
+  describe "scales of positions" scaleSpec
+  describe "what is seen where no symbol is" seenSpec
+  describe "positions that tell nothing" nothingSpec
+
+-- A robot with y up, a sensor mounted turned, a camera that sees the overlay from behind.
+axesSpec :: Spec
+axesSpec = do
+  it "are named so that the advice leads to the window" $ do
+    folder <- exampleFolder
+    for_ (alone ++ together) $ \(positions, images) -> do
+      let written = onImages (invert (axesSymmetry images)) (onPositions (unalong positions) folder)
+      ended <- followed 3 asStated written
+      (axesName positions, axesName images, ended)
+        `shouldBe` (axesName positions, axesName images, Right (Just exampleWindow))
+  it "of a whole image that is mirrored are named" $ do
+    image <- reencoded (onRaster mirror) <$> Bytes.readFile "data/worked-example/composite.pgm"
+    refused <- decoded asStated (WholeImage image)
+    refused `shouldBe` Left (Mirrored [Remedy Nothing (lookup "-x,y" axesNamed)])
+    let known = asStated {preparedImageAxes = fromMaybe straight (lookup "-x,y" axesNamed)}
+    decoded known (WholeImage image) `shouldReturn` Right (Just exampleWindow)
+  where
+    axes = map snd axesNamed
+    alone = [(a, straight) | a <- axes] ++ [(straight, a) | a <- drop 1 axes]
+    together = zip (drop 1 axes) (drop 3 axes)
+    unalong (Axes symmetry) = onOffset (invert symmetry)
+    onImages symmetry folder =
+      folder {folderImages = reencoded (onRaster symmetry) <$> folderImages folder}
+
+-- Light that is no contact, and a camera with more pixels than there are taxels.
+seenSpec :: Spec
+seenSpec = do
+  it "is light and dark exchanged" $ do
+    image <- changed (mapRaster (1 -))
+    decoded asStated (WholeImage image)
+      `shouldReturn` Left (ShownInstead InsteadInverted NoSymbols)
+    decoded asStated {preparedInverted = True} (WholeImage image)
+      `shouldReturn` Right (Just exampleWindow)
+  it "is symbols of another size" $ do
+    image <- changed (resampled 2)
+    decoded asStated (WholeImage image) >>= \refused -> case refused of
+      Left (ShownInstead (InsteadScaled factor taxel) _) -> do
+        factor `shouldBe` 2
+        decoded asStated {preparedTaxel = Just taxel} (WholeImage image)
+          `shouldReturn` Right (Just exampleWindow)
+      other -> expectationFailure (show other)
+  it "is nothing, or no symbol in a region that would hold some" $ do
+    decoded asStated (WholeImage (imageFile (constant 60 60 0)))
+      `shouldReturn` Left (ShownInstead InsteadFlat NoSymbols)
+    decoded asStated (WholeImage (imageFile (generate 60 60 stripes)))
+      >>= (`shouldSatisfy` isUnknown)
+  where
+    changed f = reencoded f <$> Bytes.readFile "data/worked-example/composite.pgm"
+    stripes x _ = if x `mod` 7 < 3 then 1 else 0
+    isUnknown refused = case refused of
+      Left (ShownInstead (InsteadUnknown 60 60) _) -> True
+      _ -> False
+
+-- Robots that log metres, inches, centimetres or taxels, and ones that are calibrated wrongly.
+scaleSpec :: Spec
+scaleSpec =
+  it "are named, to three hundredths, and lead to the window" $ do
+    folder <- exampleFolder
+    for_ [(1000, 1000), (25.4, 25.4), (10, 10), (1.5875, 1.5875), (4 / 3, 4 / 3), (0.7, 0.7)] $
+      \(across, down) -> do
+        let written = onPositions (\(x, y) -> (x / across, y / down)) folder
+        refused <- decoded asStated (FrameFolder written)
+        case refused of
+          Left (FramesContradict (AgreeingAtScale x y)) ->
+            (x / across, y / down)
+              `shouldSatisfy` \(a, b) -> abs (a - 1) < 0.03 && abs (b - 1) < 0.03
+          other -> expectationFailure (show (across, other))
+        followed 1 asStated written `shouldReturn` Right (Just exampleWindow)
+
+-- Logs of a robot that was not connected, of one coordinate twice, of another press, of steps.
+nothingSpec :: Spec
+nothingSpec = do
+  refusedAs "all are the same" (map (const (0, 0))) $ \c ->
+    case c of AgreeingAnywhere 24 0 0 -> True; _ -> False
+  refusedAs "one coordinate is missing" (map (\(x, _) -> (x, 0))) anywhere
+  refusedAs "one coordinate stands in both columns" (map (\(x, _) -> (x, x))) anywhere
+  refusedAs "they are another order's" (\ps -> drop 7 ps ++ take 7 ps) anywhere
+  refusedAs "they are steps from one frame to the next" steps anywhere
+  where
+    refusedAs named change expected =
+      it named $ do
+        folder <- exampleFolder
+        refused <- decoded asStated (FrameFolder (withPositions change folder))
+        refused `shouldSatisfy` either (named' expected) (const False)
+    named' expected refusal = case refusal of
+      FramesContradict contradiction -> expected contradiction
+      _ -> False
+    anywhere c = case c of
+      AgreeingAnywhere 24 _ _ -> True
+      AgreeingNowhere -> True
+      _ -> False
+    steps ps = zipWith (\(x, y) (x', y') -> (x' - x, y' - y)) ((0, 0) : ps) ps
+
+-- | The window of the paper's worked example.
+exampleWindow :: Position
+exampleWindow = Position 6 5
+
+exampleFolder :: IO Folder
+exampleFolder = readFolder "data/worked-example/frames" >>= either (fail . show) pure
+
+-- | The window that a source shows, if one is complete.
+decoded :: Preparation -> Source -> IO (Either Refusal (Maybe Position))
+decoded known source = do
+  reader <- either (fail . show) pure canonicalRecogniser
+  recognition <-
+    either
+      (fail . show)
+      pure
+      (decodeSources standardDecoding {decodingPreparation = known} reader [source])
+  pure (placeOf <$> recognisedAnswer recognition)
+  where
+    placeOf answer = case answer of
+      Found found -> Just (windowPosition (foundWindow found))
+      Several _ _ -> Nothing
+
+-- | What comes of following the first advice, at most so many times.
+followed :: Int -> Preparation -> Folder -> IO (Either Refusal (Maybe Position))
+followed times known folder = do
+  ended <- decoded known (FrameFolder folder)
+  case ended of
+    Left refusal | times > 0, Just next <- advised refusal -> followed (times - 1) next folder
+    _ -> pure ended
+  where
+    advised refusal = case refusal of
+      FramesContradict (AgreeingBy (remedy : _)) -> Just (remedied remedy)
+      FramesContradict (AgreeingAtScale across down) ->
+        Just known {preparedPositionScale = (across, down)}
+      Mirrored (remedy : _) -> Just (remedied remedy)
+      _ -> Nothing
+    remedied (Remedy positions images) =
+      known
+        { preparedAxes = maybe (preparedAxes known) Just positions,
+          preparedImageAxes = fromMaybe (preparedImageAxes known) images
+        }
+
+-- | A folder whose positions are changed, each by itself or all together.
+onPositions :: ((Double, Double) -> (Double, Double)) -> Folder -> Folder
+onPositions = withPositions . map
+
+withPositions :: ([(Double, Double)] -> [(Double, Double)]) -> Folder -> Folder
+withPositions change folder = folder {folderManifest = manifest {manifestEntries = changed}}
+  where
+    manifest = folderManifest folder
+    entries = manifestEntries manifest
+    changed =
+      [ entry {entryPose = (entryPose entry) {poseX = x, poseY = y}}
+        | (entry, (x, y)) <- zip entries (change (map (placeOf . entryPose) entries))
+      ]
+    placeOf (Pose x y _) = (x, y)
+
+-- | The file of an image that is changed.
+reencoded :: (Raster -> Raster) -> ByteString -> ByteString
+reencoded change = either (const Bytes.empty) (imageFile . change . pgmIntensity) . decodePgm
+
+imageFile :: Raster -> ByteString
+imageFile = either (const Bytes.empty) (encodePgm Binary) . pgmFromIntensity 255
