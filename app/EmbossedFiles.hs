@@ -1,6 +1,8 @@
 -- | Objects with their symbols raised as files: surfaces, nets, and drawings of faces.
 module EmbossedFiles
-  ( surfaceFile,
+  ( SurfaceFormat (..),
+    surfaceFormats,
+    surfaceFile,
     netFiles,
     drawnFiles,
   )
@@ -25,32 +27,54 @@ import PraTactile.Emboss.Rounding
 import PraTactile.Field (KnownField)
 import PraTactile.Format.Emboss
 import PraTactile.Format.Solid (SolidFormat (..), Written (..), writeSolid)
+import PraTactile.Format.Solid.ThreeMf (writeThreeMf)
 import PraTactile.Geometry (taxelPitch)
 import PraTactile.Object.Chart (Spot (..))
-import PraTactile.Object.Mesh (meshPoints, meshWalks)
+import PraTactile.Object.Mesh (Mesh, meshPoints, meshWalks)
 import PraTactile.Object.Net
 import PraTactile.Object.Placement hiding (Spot (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Shape (Alphabet)
 import Visible
 
+-- | A format that surfaces are written in.
+data SurfaceFormat = SurfaceFormat
+  { -- | as @--format@ names it
+    surfaceName :: String,
+    -- | of the names of its files, from the dot on
+    surfaceEnding :: String,
+    -- | which coordinates it has
+    surfacePrecision :: Precision,
+    surfaceWriter :: Mesh -> Written Builder.Builder
+  }
+
+-- | The formats of surfaces. Of those with the same ending, a name stands for the first.
+surfaceFormats :: [SurfaceFormat]
+surfaceFormats =
+  [ SurfaceFormat "stl" ".stl" Binary32 (writeSolid Stl),
+    SurfaceFormat "ascii-stl" ".stl" Decimals (writeSolid StlText),
+    SurfaceFormat "obj" ".obj" Decimals (writeSolid Obj),
+    SurfaceFormat "3mf" ".3mf" Decimals writeThreeMf,
+    SurfaceFormat "json" ".json" Fractions (writeSolid Json)
+  ]
+
 -- | An object or a plate as a file, which is called after the object.
 surfaceFile ::
   KnownField k =>
-  SolidFormat ->
+  SurfaceFormat ->
   Alphabet ->
   PseudorandomArray k ->
   Placement ->
   Subject ->
   Either String (MadeFile, Lazy.ByteString)
-surfaceFile format' alphabet array layout subject = do
+surfaceFile format alphabet array layout subject = do
   made <- first embossMessage (embossed alphabet array layout subject)
   object <- first placementMessage (findObject layout named)
-  maybe (Right ()) (const (Left (collisionMessage named))) (collision object made)
-  Rounded it most <- first misshapenMessage (rounded precision made)
+  found@(Rounded it most) <- first why (rounded precision made)
+  first why (uncut object made found)
   Right
     ( MadeFile
-        { madeFile = fileName (objectText named) ++ "." ++ ending,
+        { madeFile = fileName (objectText named) ++ surfaceEnding format,
           madeObject = named,
           madeFace = embossedFace made,
           madeVertices = Just (V.length (meshPoints it)),
@@ -61,14 +85,12 @@ surfaceFile format' alphabet array layout subject = do
           madeHeight = Just (embossedHeight made),
           madeMostRounded = most
         },
-      Builder.toLazyByteString (writtenBytes (writeSolid format' it))
+      Builder.toLazyByteString (writtenBytes (surfaceWriter format it))
     )
   where
     named = subjectName subject
-    (precision, ending) = case format' of
-      StlText -> (Binary64, "stl")
-      Json -> (Fractions, "json")
-      _ -> (Binary32, "stl")
+    precision = surfacePrecision format
+    why = misshapenMessage named precision
 
 -- | An object unfolded, as a drawing, or as one for each page of this size.
 netFiles ::

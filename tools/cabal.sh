@@ -20,7 +20,7 @@ suitable_tools() {
 
 libraries="aeson attoparsec base64-bytestring cassava criterion cryptohash-sha256 file-embed hmatrix hspec
            integer-logarithms JuicyPixels optparse-applicative parallel persistent persistent-sqlite QuickCheck
-           random reflection svg-builder temporary vector vector-algorithms"
+           random reflection svg-builder temporary vector vector-algorithms zip-archive"
 
 # Are all these libraries in GHC's own package database?
 beside_ghc() {

@@ -9,8 +9,8 @@ import Control.Monad (unless, when)
 import Counted
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
-import Data.List (intercalate)
-import Data.Maybe (fromMaybe, isJust)
+import Data.List (intercalate, nub)
+import Data.Maybe (isJust, listToMaybe)
 import EmbossedFiles
 import ExitStatus
 import Message
@@ -20,7 +20,6 @@ import PlacementChoice
 import Polyhedra (positiveReader)
 import PraTactile.Emboss
 import PraTactile.Format.Emboss
-import PraTactile.Format.Solid (SolidFormat (..), formatOfFile)
 import PraTactile.Object.Placement hiding (Spot (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
@@ -40,9 +39,8 @@ data Options = Options
 
 -- | What files are.
 data Making
-  = Surface SolidFormat
+  = Surface SurfaceFormat
   | Drawn
-  deriving stock (Eq)
 
 command :: Mod CommandFields (IO ExitStatus)
 command =
@@ -52,6 +50,7 @@ command =
     \or one face as a plate; or faces at true scale, as drawings."
     [ "pra-tactile emboss --object cube --output cube.stl",
       "pra-tactile emboss --object cube --face 'C1 C2 C3 C4' --thickness 5 --output top.stl",
+      "pra-tactile emboss --object cube --output cube.3mf",
       "pra-tactile emboss --format svg --object cube --output cube-faces",
       "pra-tactile emboss --net --object cube --output cube-net.svg",
       "pra-tactile emboss --net --page 210x297 --object cube --output cube-pages",
@@ -117,12 +116,22 @@ formatOption :: Parser Making
 formatOption =
   choosing
     "format"
-    [("stl", Surface Stl), ("ascii-stl", Surface StlText), ("json", Surface Json), ("svg", Drawn)]
+    (map (fmap fst) makings)
     "format"
     "FORMAT"
-    "Binary STL, ASCII STL, exact JSON, or SVG, a drawing of each face (default: what the end of \
-    \the file's name says, or else stl)"
+    "Binary STL, ASCII STL, OBJ, 3MF, exact JSON, or SVG, a drawing of each face (default: what the \
+    \end of the file's name says; stl where it has none)"
     mempty
+
+-- | What can be made, by its name, and the ending of its files' names.
+makings :: [(String, (Making, String))]
+makings =
+  [(surfaceName it, (Surface it, surfaceEnding it)) | it <- surfaceFormats]
+    ++ [("svg", (Drawn, ".svg"))]
+
+-- | The endings of all files that are made, each once.
+endings :: [String]
+endings = nub (map (snd . snd) makings)
 
 outputOption :: Parser FilePath
 outputOption =
@@ -135,10 +144,11 @@ outputOption =
 
 run :: Options -> IO ExitStatus
 run options = do
-  when (kind == Drawn && isJust (asked options >>= snd >>= snd)) $
+  kind <- kindOf options
+  when (drawn kind && isJust (asked options >>= snd >>= snd)) $
     misused "a drawing has no thickness; leave out --thickness"
-  when (isJust (asNet options) && (isJust (asked options >>= snd) || kind /= Drawn)) $
-    misused "a net is a drawing of a whole object; leave out --face, and any --format but svg"
+  let oneFile = isOneFile options kind
+  orMisnamed oneFile kind (output options)
   when oneFile (orUnwritable (output options))
   (profile, layout) <- case asked options of
     Just (named, _) -> chosenWith unsaid (holding named (objects options)) named
@@ -164,21 +174,11 @@ run options = do
         [(madeFile told, Lazy.toStrict bytes) | (told, bytes) <- files]
   -- What stands on the standard output is the file alone.
   unless (oneFile && output options == "-") $ do
-    let told = [made {madeFile = placed (madeFile made)} | (made, _) <- files]
+    let placed name = if oneFile then output options else output options </> name
+        told = [made {madeFile = placed (madeFile made)} | (made, _) <- files]
     printAs (form options) (unlines (map fileText told)) (encodeEmbossed told)
   pure Answered
   where
-    kind = fromMaybe (toldBy (output options)) (format options)
-    toldBy file
-      | isJust (asNet options) = Drawn
-      | map toLower (takeExtension file) == ".svg" = Drawn
-      | formatOfFile file == Just Json = Surface Json
-      | otherwise = Surface Stl
-    oneFile = case asked options of
-      Nothing -> False
-      Just (_, Nothing) -> kind /= Drawn || asNet options == Just Nothing
-      Just (_, Just _) -> True
-    placed name = if oneFile then output options else output options </> name
     subjects layout = case asked options of
       Nothing -> map (WholeObject . solidName) (placementSolids layout)
       Just (named, Nothing) -> [WholeObject named]
@@ -190,6 +190,61 @@ run options = do
         _ <- findObject layout named
         Right [laid | laid <- laidFaces layout, faceObject (laidFace laid) == named]
       Just (named, Just (face, _)) -> (: []) <$> findFace layout named face
+
+-- | What is made: a net is a drawing; else what @--format@ says, or the ending of the file's name,
+-- or STL.
+kindOf :: Options -> IO Making
+kindOf options = case (asNet options, format options) of
+  (Just _, given)
+    | isJust (asked options >>= snd) || not (all drawn given) ->
+      misused "a net is a drawing of a whole object; leave out --face, and any --format but svg"
+    | otherwise -> pure Drawn
+  (Nothing, Just given) -> pure given
+  (Nothing, Nothing) ->
+    maybe (misused none) pure . listToMaybe $
+      [ kind
+        | (kind, ending) <- map snd makings,
+          ending == endingOf (output options) || null (endingOf (output options))
+      ]
+  where
+    none =
+      visibleName (output options) ++ " ends in none of "
+        ++ intercalate ", " endings
+        ++ ", which are what emboss writes"
+
+-- | Whether one file is made, and not a folder of some.
+isOneFile :: Options -> Making -> Bool
+isOneFile options kind = case asked options of
+  Nothing -> False
+  Just (_, Nothing) -> not (drawn kind) || asNet options == Just Nothing
+  Just (_, Just _) -> True
+
+-- | Leaves with status 2 where a file's name ends as those of another format do, or a folder's as a
+-- file's.
+orMisnamed :: Bool -> Making -> FilePath -> IO ()
+orMisnamed oneFile kind name
+  | oneFile =
+    unless (null ending || ending == own) . misused $
+      visibleName name ++ " does not end in " ++ own ++ ", which is the format that is written"
+  | otherwise =
+    when (ending `elem` endings) . misused $
+      visibleName name
+        ++ " is the name of a file, and several may be written: name a folder, or one --object or \
+           \--face"
+  where
+    ending = endingOf name
+    own = case kind of
+      Surface format' -> surfaceEnding format'
+      Drawn -> ".svg"
+
+-- | From the last dot of a name on.
+endingOf :: FilePath -> String
+endingOf = map toLower . takeExtension
+
+drawn :: Making -> Bool
+drawn kind = case kind of
+  Surface _ -> False
+  Drawn -> True
 
 -- | What was made, on one line.
 fileText :: MadeFile -> String

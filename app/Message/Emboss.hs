@@ -2,7 +2,6 @@
 module Message.Emboss
   ( embossMessage,
     misshapenMessage,
-    collisionMessage,
     noNetMessage,
     pageMessage,
   )
@@ -39,25 +38,44 @@ embossMessage e = case e of
     "the symbols are " ++ exactText height ++ " mm high; a plate of " ++ exactText thickness
       ++ " mm is not thicker than that: choose another --thickness"
 
--- | Why it cannot be written with such coordinates.
-misshapenMessage :: Misshapen -> String
-misshapenMessage e = case e of
+-- | Why an object cannot be written with coordinates of this precision.
+misshapenMessage :: ObjectName -> Precision -> Misshapen -> String
+misshapenMessage object precision e = case e of
   Melted points cut ->
-    "with coordinates of 32 bits " ++ counted points "point" "points"
-      ++ " would become others, and "
+    held ++ counted points "point" "points" ++ " would become others, and "
       ++ counted cut "triangle" "triangles"
-      ++ " lose their area: lay larger symbols, or choose --format ascii-stl"
+      ++ " lose their area or turn: "
+      ++ instead
+  Shifted most height ->
+    held ++ "a point would move by " ++ show most ++ " mm, of a relief of " ++ exactText height
+      ++ " mm, and no more than a hundredth is accepted: "
+      ++ instead
+  Deflated found true ->
+    held ++ "the " ++ visible (objectText object) ++ " would have a volume of "
+      ++ show (fromRational found :: Double)
+      ++ " mm^3 in place of "
+      ++ show (nearestVolume true)
+      ++ ": "
+      ++ instead
+  Cut -> held ++ "triangles would cut each other: " ++ instead
+  Collided ->
+    "symbols raised on the " ++ visible (objectText object)
+      ++ " would run into another of its faces, or into the symbols there; lay other faces, or \
+         \smaller symbols"
   Irrational points ->
     "coordinates of " ++ counted points "point" "points"
-      ++ " are no fractions, and the format json has fractions alone; choose --format stl or \
-         \ascii-stl"
-
--- | Why the symbols of an object have no room.
-collisionMessage :: ObjectName -> String
-collisionMessage object =
-  "symbols raised on the " ++ visible (objectText object)
-    ++ " would run into another of its faces, or into the symbols there; lay other faces, or \
-       \smaller symbols"
+      ++ " are no fractions, and the format json has fractions alone; choose another --format, or \
+         \another end of the file's name"
+  where
+    (held, instead) = case precision of
+      Binary32 ->
+        ( "with coordinates of 32 bits ",
+          "lay larger symbols, move the object nearer to the origin, or choose --format ascii-stl"
+        )
+      _ ->
+        ( "with coordinates of 64 bits ",
+          "lay larger symbols, or move the object nearer to the origin"
+        )
 
 -- | Why an object is not drawn unfolded.
 noNetMessage :: ObjectName -> NoNet -> String

@@ -13,6 +13,7 @@ module PraTactile.Emboss
     Volume (..),
     volume,
     nearestVolume,
+    enclosedBy,
     embossed,
     embossedPlate,
     usualThickness,
@@ -145,7 +146,7 @@ embossed alphabet array layout subject = do
             scale
             (concatMap (map snd . symbols) laid)
             (whole (scale * taxelPitch) (scale * symbolThickness) symbols layout object)
-            (solidVolume object)
+            (Volume (enclosedBy (solidMesh object)) 0)
         )
   where
     named = subjectName subject
@@ -290,11 +291,11 @@ plate height thickness symbols object walk chart =
 fixed :: Point -> ExactPoint
 fixed (Point x y z) = ExactPoint (fraction x) (fraction y) (fraction z)
 
--- | A sixth of the sum of the determinants of the triangles with the origin.
-solidVolume :: Solid -> Volume
-solidVolume object = Volume (sixfold % (6 * meshDenominator it ^ (3 :: Int))) 0
+-- | The volume that a closed surface encloses, cubic millimetres: a sixth of the sum of the
+-- determinants of its triangles with the origin.
+enclosedBy :: Mesh -> Rational
+enclosedBy it = sixfold % (6 * meshDenominator it ^ (3 :: Int))
   where
-    it = solidMesh object
     sixfold = sum (map (fan . V.toList . cornersOf it) (V.toList (meshWalks it)))
     fan corners = case corners of
       o : others -> sum (zipWith (\p q -> dot o (cross p q)) others (drop 1 others))

@@ -8,6 +8,7 @@ module PraTactile.Format.Solid.Stl
   ( readStl,
     writeStlText,
     writeStlBinary,
+    allTriangles,
   )
 where
 
