@@ -118,6 +118,7 @@ import qualified Test.Recognition.GridsAndRefusals
 import qualified Test.Recognition.Object.EmbossedByCounting
 import qualified Test.Recognition.Object.FacesOnTheArray
 import qualified Test.Recognition.Object.PlacementsOfAnyFaces
+import qualified Test.Recognition.Object.RoundedSurfaces
 import qualified Test.Recognition.Object.SolidsAreClosed
 import qualified Test.Recognition.PosesByConstruction
 import qualified Test.Recognition.PosteriorByBruteForce
@@ -322,6 +323,7 @@ specs = do
     describe "Placement of any faces" Test.Recognition.Object.PlacementsOfAnyFaces.spec
     describe "Regions triangulated" Test.Solid.RegionsTriangulated.spec
     describe "Embossing" Test.Recognition.Object.EmbossedByCounting.spec
+    describe "Surfaces as files hold them" Test.Recognition.Object.RoundedSurfaces.spec
   describe "Store" . Test.Store.Homes.inEachHome $ do
     Test.Store.Answers.spec
     Test.Store.DrawnPlacements.spec

@@ -119,8 +119,8 @@ formatOption =
     (map (fmap fst) makings)
     "format"
     "FORMAT"
-    "Binary STL, ASCII STL, OBJ, 3MF, exact JSON, or SVG, a drawing of each face (default: what the \
-    \end of the file's name says; stl where it has none)"
+    "Binary STL, ASCII STL, OBJ, 3MF, exact JSON, or SVG, a drawing of each face (default: what \
+    \the end of the file's name says; stl where it has none)"
     mempty
 
 -- | What can be made, by its name, and the ending of its files' names.

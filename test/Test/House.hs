@@ -251,7 +251,7 @@ allowances =
           ( Formats,
             recognising
               ++ "pra-tactile:simulation aeson attoparsec binary bytestring containers \
-                 \integer-logarithms scientific text vector"
+                 \integer-logarithms scientific text vector zip-archive"
           ),
           (Files, recognising ++ "pra-tactile:formats bytestring containers directory filepath"),
           ( Store,

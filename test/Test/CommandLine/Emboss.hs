@@ -20,19 +20,48 @@ spec :: Spec
 spec = do
   it "every format has the same of the cube, and is read as a solid" $
     inFolder $ \folder ->
-      for_ [("stl", "c.stl"), ("ascii-stl", "d.stl"), ("json", "c.json")] $ \(format, file) -> do
+      for_ [("", "c.stl"), ("--format ascii-stl ", "d.stl"), ("", "c.OBJ"), ("", "c.json")] $
+        \(format, file) -> do
+          (status, out, _) <-
+            scripted folder $
+              "pra emboss --object cube " ++ format ++ "--output " ++ file
+                ++ (" && pra solid " ++ file ++ " | head -1")
+          (status, lines out)
+            `shouldBe` ( 0,
+                         [ "wrote " ++ file
+                             ++ ": 4192 vertices, 8380 triangles, 2074307.84734375 mm^3, 6480 "
+                             ++ "raised taxels, strokes from 3.175 mm, 1.5875 mm high",
+                           (if file == "c.json" then "cube" else take 1 file) ++ ": a solid"
+                         ]
+                       )
+  it "a 3MF is an archive whose model has the closed surface and its volume, each time alike" $
+    findExecutable "python3" >>= \there -> case there of
+      Nothing -> pendingWith "python3 is not installed here, which reads the archive"
+      Just python -> inFolder $ \folder -> do
+        (status, _, err) <-
+          scripted folder $
+            "pra emboss --object cube --output c.3mf > log; mkdir later; sleep 2; "
+              ++ "TZ=Asia/Tokyo pra-tactile emboss --object cube --output later/c.3mf > log; "
+              ++ "cmp c.3mf later/c.3mf"
+        (status, err) `shouldBe` (0, "")
+        readProcessWithExitCode python ["-c", readModel, folder ++ "/c.3mf"] ""
+          `shouldReturn` (ExitSuccess, "millimeter cube 4192 8380 0 13275570223/6400\n", "")
+  it "a tilted block far away is refused in 32 bits, and written in decimal numbers" $
+    -- Along x alone no two points became one: it was written as a plane figure.
+    inFolder $ \folder ->
+      for_ [[0], [2], [0, 1], [0, 1, 2]] $ \axes -> do
+        writeFile (folder ++ "/part.obj") (tiltedBlock axes)
+        outcome <-
+          scripted folder $
+            "pra place part=part.obj --output p.json > log; "
+              ++ "pra emboss --placement p.json --object part --output x"
+        outcome `refuses` "with coordinates of 32 bits"
         (status, out, _) <-
           scripted folder $
-            "pra emboss --object cube --format " ++ format ++ " --output " ++ file
-              ++ (" && pra solid " ++ file ++ " | head -1")
-        (status, lines out)
-          `shouldBe` ( 0,
-                       [ "wrote " ++ file
-                           ++ ": 4192 vertices, 8380 triangles, 2074307.84734375 mm^3, 6480 raised "
-                           ++ "taxels, strokes from 3.175 mm, 1.5875 mm high",
-                         (if format == "json" then "cube" else take 1 file) ++ ": a solid"
-                       ]
-                     )
+            "pra emboss --placement p.json --object part --output made.obj && "
+              ++ "pra solid made.obj | head -1"
+        status `shouldBe` 0
+        drop 1 (lines out) `shouldBe` ["made: a solid"]
   it "objects and drawings go to a folder, each under a name of its own" $
     inFolder $ \folder -> do
       (status, _, _) <-
@@ -123,6 +152,26 @@ spec = do
         ( "a folder that holds files",
           "is not empty",
           "mkdir x; touch x/y; pra emboss --output x"
+        ),
+        ( "an ending that stands for no format",
+          "c.step ends in none of .stl, .obj, .3mf, .json, .svg",
+          "pra emboss --object cube --output c.step"
+        ),
+        ( "an ending of another format than is asked for",
+          "c.obj does not end in .stl",
+          "pra emboss --object cube --format stl --output c.obj"
+        ),
+        ( "a net that ends as a surface",
+          "c.stl does not end in .svg",
+          "pra emboss --net --object cube --output c.stl"
+        ),
+        ( "a folder that is called as a file",
+          "out.3mf is the name of a file",
+          "pra emboss --output out.3mf"
+        ),
+        ( "drawings of several faces as one file",
+          "c.svg is the name of a file",
+          "pra emboss --object cube --output c.svg"
         ),
         ("a full device", "no space left", "pra emboss --object cube --output /dev/full"),
         ( "a point that is no fraction, as one",
@@ -263,6 +312,42 @@ spec = do
     inPairs given = case given of
       x : y : others -> (x, y) : inPairs others
       _ -> [] :: [(Double, Double)]
+
+-- | A block of 110 mm, turned by the quaternion (7, 1, 2, 1), whose matrix has fractions over 55,
+-- and moved by 10^12 mm along some axes.
+tiltedBlock :: [Int] -> String
+tiltedBlock axes =
+  unlines $
+    [ unwords ("v" : zipWith (\axis c -> show (c + away axis)) [0 ..] point)
+      | (x, y, z) <- corners,
+        let point = [90 * x - 20 * y + 60 * z, 36 * x + 102 * y - 20 * z, 36 * y + 90 * z - 52 * x]
+    ]
+      ++ ["f 4 3 2 1", "f 1 2 6 5", "f 2 3 7 6", "f 3 4 8 7", "f 4 1 5 8", "f 5 6 7 8"]
+  where
+    away axis = if axis `elem` axes then 10 ^ (12 :: Int) else 0 :: Integer
+    corners = [(x, y, z) | z <- [1, 0], (x, y) <- [(0, 0), (0, 1), (1, 1), (1, 0)]]
+
+-- | The program that reads a 3MF by Python's own libraries: the unit, the object's name, how many
+-- vertices and triangles there are, how many sides have no other way back, and the volume.
+readModel :: String
+readModel =
+  unlines
+    [ "import sys, zipfile, collections, xml.etree.ElementTree as tree",
+      "from fractions import Fraction",
+      "model = tree.fromstring(zipfile.ZipFile(sys.argv[1]).read('3D/3dmodel.model'))",
+      "space = '{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}'",
+      "points = [[Fraction(v.get(k)) for k in 'xyz'] for v in model.iter(space + 'vertex')]",
+      "triangles = model.iter(space + 'triangle')",
+      "walks = [[int(t.get(k)) for k in ('v1', 'v2', 'v3')] for t in triangles]",
+      "sides = collections.Counter((w[i], w[i - 2]) for w in walks for i in range(3))",
+      "open_ = [s for s in sides if sides[s] != 1 or sides[s[::-1]] != 1]",
+      "def determinant(a, b, c):",
+      "    return (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])",
+      "            + a[2] * (b[0] * c[1] - b[1] * c[0]))",
+      "volume = sum(determinant(*(points[i] for i in w)) for w in walks) / 6",
+      "named = next(model.iter(space + 'object')).get('name')",
+      "print(model.get('unit'), named, len(points), len(walks), len(open_), volume)"
+    ]
 
 -- | The script ends with a refusal that says this, and writes nothing called x or f.
 refusedWith :: String -> String -> Expectation

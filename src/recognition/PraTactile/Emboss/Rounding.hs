@@ -1,5 +1,5 @@
--- | What was embossed as a polyhedron with the coordinates that a format has, held against the exact
--- surface.
+-- | What was embossed as a polyhedron with the coordinates that a format has, held against the
+-- exact surface.
 --
 -- With A the exact area vector of a triangle and A' that of its rounded corners, V and V' the
 -- volumes, and h the height of the relief, a rounded surface is accepted where

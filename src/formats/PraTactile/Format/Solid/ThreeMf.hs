@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Files of the 3D Manufacturing Format (3MF Consortium, core specification 1.3): a zip archive of a
--- model in XML, of what the archive has, and of where the model is.
+-- | Files of the 3D Manufacturing Format (3MF Consortium, core specification 1.3): a zip archive of
+-- a model in XML, a list of the kinds of files in it, and the model's place.
 module PraTactile.Format.Solid.ThreeMf
   ( writeThreeMf,
   )
@@ -10,7 +10,6 @@ where
 import Codec.Archive.Zip
 import qualified Data.ByteString.Builder as Builder
 import Data.Char (ord)
-import qualified Data.Vector as V
 import PraTactile.Format.Solid.Contents
 import PraTactile.Format.Solid.Stl (allTriangles)
 import PraTactile.Object.Description (objectText)
@@ -70,11 +69,12 @@ model it = texts {writtenBytes = beginning <> vertices <> middle <> triangles <>
       \<resources><object id=\"1\" type=\"model\" name=\""
         <> foldMap escaped (objectText (meshName it))
         <> "\"><mesh>\n<vertices>\n"
-    vertices = foldMap (element "vertex" . zip ["x", "y", "z"]) (writtenBytes texts :: V.Vector [String])
+    vertices = foldMap (element "vertex" . zip ["x", "y", "z"]) (writtenBytes texts)
     middle = "</vertices>\n<triangles>\n"
     triangles = foldMap (element "triangle" . zip ["v1", "v2", "v3"] . map show) (allTriangles it)
     end =
-      "</triangles>\n</mesh></object></resources>\n<build><item objectid=\"1\"/></build>\n</model>\n"
+      "</triangles>\n</mesh></object></resources>\n\
+      \<build><item objectid=\"1\"/></build>\n</model>\n"
 
 -- | An element without contents, of these attributes, on a line.
 element :: Builder.Builder -> [(Builder.Builder, String)] -> Builder.Builder
@@ -90,7 +90,7 @@ escaped c = case c of
   '<' -> "&lt;"
   '"' -> "&quot;"
   _
-    | c >= ' ' && not (surrogate (ord c)) && ord c /= 0xFFFE && ord c /= 0xFFFF -> Builder.charUtf8 c
+    | has (ord c) -> Builder.charUtf8 c
     | otherwise -> Builder.char7 '?'
   where
-    surrogate k = k >= 0xD800 && k <= 0xDFFF
+    has k = k >= 0x20 && (k < 0xD800 || k > 0xDFFF) && k /= 0xFFFE && k /= 0xFFFF
