@@ -1,81 +1,158 @@
+{-# LANGUAGE RankNTypes #-}
+
 -- | A progress bar on the standard error, where that is a terminal; nothing anywhere else.
+--
+-- Its line is drawn again as time goes by, so that it lives during a long step too. It says how long
+-- the rest takes only where all steps take about as long as each other.
 module Progress
-  ( withProgress,
+  ( -- * Work
+    Work,
+    evenly,
+    unevenly,
+    openly,
+    doneBefore,
+
+    -- * Looking on
+    Bar (..),
+    withProgress,
     follow,
+    followWhile,
+    whileWorking,
     tellingAsRead,
     Meanwhile (..),
     besideOutput,
+
+    -- * The line
+    lineAt,
   )
 where
 
-import Control.Exception (finally)
-import Control.Monad (when)
+import Control.Concurrent
+import Control.Exception (bracket, evaluate)
+import Control.Monad (forever)
 import qualified Data.ByteString.Lazy as Lazy
-import Data.IORef
 import GHC.Clock (getMonotonicTime)
 import PraTactile.Steps (Steps (..))
 import System.IO (hFlush, hIsTerminalDevice, hPutStr, stderr, stdout)
 import System.IO.Unsafe (unsafeInterleaveIO)
 
--- | Run an action, which calls its argument with how much is done each time something more is;
--- given how much there is to do in all, and how much was done before.
-withProgress :: Integer -> Integer -> ((Integer -> IO ()) -> IO a) -> IO a
-withProgress total before action = do
+-- | Work in steps: what is drawn of it.
+data Work
+  = -- | how many steps were done before this run, and what is drawn
+    Work Integer Drawn
+
+data Drawn
+  = -- | so many steps, by what one is called where there are many
+    Counted Pace Integer String
+  | -- | nobody knows how many; what is said of each
+    Open (Integer -> String)
+
+-- | Whether steps take about as long as each other.
+data Pace = Even | Uneven
+  deriving stock (Eq)
+
+-- | So many steps that take about as long as each other, and what they are called.
+evenly :: Integral n => n -> String -> Work
+evenly total = Work 0 . Counted Even (toInteger total)
+
+-- | So many steps, some of which may take much longer than others.
+unevenly :: Integral n => n -> String -> Work
+unevenly total = Work 0 . Counted Uneven (toInteger total)
+
+-- | Nobody knows how many steps; what is said of each.
+openly :: (Integer -> String) -> Work
+openly = Work 0 . Open
+
+-- | The same work, of which so many steps were done before.
+doneBefore :: Integer -> Work -> Work
+doneBefore before (Work _ drawn) = Work before drawn
+
+-- | A bar in use.
+data Bar = Bar
+  { -- | so many steps are done
+    tell :: Integer -> IO (),
+    -- | print something else to the terminal meanwhile
+    aside :: forall a. IO a -> IO a
+  }
+
+-- | Run an action beside a bar that shows its work.
+withProgress :: Work -> (Bar -> IO a) -> IO a
+withProgress work@(Work before _) action = do
   shown <- hIsTerminalDevice stderr
-  start <- getMonotonicTime
-  drawn <- newIORef (start - 1)
-  let tell done = when shown $ do
-        now <- getMonotonicTime
-        last' <- readIORef drawn
-        -- Ten times a second is often enough for an eye.
-        when (now - last' > 0.1 || done >= total) $ do
-          writeIORef drawn now
-          draw (bar total before done (now - start))
-      draw line = hPutStr stderr ('\r' : line ++ "\ESC[K") >> hFlush stderr
-  when shown (draw (bar total before before 0))
-  action tell `finally` when shown (draw "")
+  if shown then beside else action (Bar (const (pure ())) id)
+  where
+    beside = do
+      start <- getMonotonicTime
+      state <- newMVar before
+      let draw done = do
+            now <- getMonotonicTime
+            put (lineAt work done (now - start))
+          put line = hPutStr stderr ('\r' : line ++ "\ESC[K") >> hFlush stderr
+          bar =
+            Bar
+              { tell = \done -> modifyMVar_ state (\_ -> pure $! done),
+                aside = \other -> withMVar state (\done -> put "" *> other <* draw done)
+              }
+          -- Five times a second is often enough for an eye.
+          redrawn = forever (threadDelay 200000 >> withMVar state draw)
+          over thread = killThread thread >> readMVar state >>= draw >> put ""
+      readMVar state >>= draw
+      bracket (forkIO redrawn) over (\_ -> action bar)
 
 -- | Whether lines go to the standard output at the same time.
 data Meanwhile = Printing | NotPrinting
   deriving stock (Eq)
 
--- | Likewise, but without a bar where lines are printed to a terminal: they and the bar would run
--- into each other.
-besideOutput :: Meanwhile -> Integer -> ((Integer -> IO ()) -> IO a) -> IO a
-besideOutput meanwhile total action = do
+-- | 'withProgress', but without a bar where lines are printed to a terminal one after the other.
+besideOutput :: Meanwhile -> Work -> (Bar -> IO a) -> IO a
+besideOutput meanwhile work action = do
   mixed <- (meanwhile == Printing &&) <$> hIsTerminalDevice stdout
-  if mixed then action (const (pure ())) else withProgress total 0 action
+  if mixed then action (Bar (const (pure ())) id) else withProgress work action
 
 -- | Pieces of output as one, each telling how much is done when it comes to be written.
-tellingAsRead :: (Integer -> IO ()) -> [(Integer, Lazy.ByteString)] -> IO Lazy.ByteString
-tellingAsRead tell = fmap Lazy.concat . go
+tellingAsRead :: Bar -> [(Integer, Lazy.ByteString)] -> IO Lazy.ByteString
+tellingAsRead bar = fmap Lazy.concat . go
   where
     go pieces = case pieces of
       [] -> pure []
-      (done, bytes) : more -> unsafeInterleaveIO (tell done >> (bytes :) <$> go more)
+      (done, bytes) : more -> unsafeInterleaveIO (tell bar done >> (bytes :) <$> go more)
 
 -- | The result of a computation in steps, each of which is how much is done.
-follow :: Integral n => (Integer -> IO ()) -> Steps n a -> IO a
-follow tell steps = case steps of
-  Step done more -> tell (toInteger done) >> follow tell more
+follow :: Integral n => Bar -> Steps n a -> IO a
+follow bar steps = case steps of
+  Step done more -> tell bar (toInteger done) >> follow bar more
   Done a -> pure a
 
--- | One line of less than 80 characters.
-bar :: Integer -> Integer -> Integer -> Double -> String
-bar total before done seconds =
-  "["
-    ++ replicate full '#'
-    ++ replicate (40 - full) '.'
-    ++ "] "
-    ++ show done
-    ++ "/"
-    ++ show total
-    ++ left
+-- | What is left of a computation after the first steps that are so much of some work.
+followWhile :: (s -> Maybe Integer) -> Bar -> Steps s a -> IO (Steps s a)
+followWhile part bar steps = case steps of
+  Step s more | Just done <- part s -> tell bar done >> followWhile part bar more
+  _ -> pure steps
+
+-- | Evaluate something that tells no steps, to its head; what is being done stands on the line.
+whileWorking :: String -> a -> IO a
+whileWorking what a = withProgress (openly (const what)) (\_ -> evaluate a)
+
+-- | The line for so many steps done in so many seconds: less than 80 characters.
+lineAt :: Work -> Integer -> Double -> String
+lineAt (Work before drawn) done seconds = take 79 $ case drawn of
+  Open say -> say done ++ soFar
+  Counted pace total what ->
+    let full = fromInteger (30 * max 0 (min total done) `div` max 1 total)
+     in concat
+          [ '[' : replicate full '#',
+            replicate (30 - full) '.' ++ "] ",
+            show done ++ "/" ++ show total ++ ' ' : what,
+            rest pace total
+          ]
   where
-    full = fromInteger (40 * done `div` max 1 total)
     fresh = done - before
-    left
-      | fresh <= 0 || done >= total = ""
+    soFar = if seconds < 1 then "" else ", " ++ duration (floor seconds) ++ " so far"
+    rest pace total
+      | done >= total = ""
+      | pace == Uneven = soFar
+      -- One step tells little: it may hold what comes before the first one.
+      | fresh < 2 || seconds < 1 = ""
       | otherwise =
         ", "
           ++ duration (round (seconds * fromInteger (total - done) / fromInteger fresh))

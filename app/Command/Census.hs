@@ -178,11 +178,11 @@ append file kept write = do
 rowsAfter :: Integer -> Kept -> [Either String (Bool, ByteString)] -> Handle -> IO Int
 rowsAfter total kept made handle = do
   when (keptBytes kept == 0) (Bytes.hPutStr handle (headerOf (keptForm kept) <> "\n"))
-  withProgress total (toInteger (keptCount kept)) $ \tell -> do
+  withProgress (doneBefore (toInteger (keptCount kept)) (evenly total "polynomials")) $ \bar -> do
     let put (done, provedOnes) row = do
           (yes, text) <- orUnusable id row
           Bytes.hPutStr handle (text <> "\n")
           hFlush handle
-          tell (done + 1)
+          tell bar (done + 1)
           pure $! ((,) $! done + 1) $! if yes then provedOnes + 1 else provedOnes
     snd <$> foldM put (toInteger (keptCount kept), keptProved kept) made

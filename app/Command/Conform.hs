@@ -109,12 +109,12 @@ notStarted subject fault = case faultKind fault of
 -- | Try all that was chosen.
 whole :: Settings -> Suite Known -> [Subject] -> IO Report
 whole settings suite started =
-  withProgress total 0 $ \tick -> do
+  withProgress (unevenly total "cases") $ \bar -> do
     done <- newIORef 0
-    let tell _ = atomicModifyIORef' done (\n -> (n + 1, n + 1)) >>= tick
-    runSuite settings suite tell started
+    let counting _ = atomicModifyIORef' done (\n -> (n + 1, n + 1)) >>= tell bar
+    runSuite settings suite counting started
   where
-    total = toInteger (sum (map (countWork settings suite) (take 1 started)))
+    total = sum (map (countWork settings suite) (take 1 started))
 
 -- | Try the case of a token.
 replayed :: Settings -> Suite Known -> Token -> Subject -> IO Report

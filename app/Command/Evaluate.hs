@@ -161,23 +161,23 @@ run choice options
 tallied ::
   Bool -> Int -> [(TrialResult, Maybe PoseError)] -> IO ((Tally, Tally), [PoseError])
 tallied withPoses count results =
-  withProgress (toInteger count) 0 $ \tell ->
+  withProgress (evenly count "presses") $ \bar ->
     foldM
-      (include tell)
+      (include bar)
       ((noResults, noResults), [])
       (zip [1 ..] (withStrategy (parBuffer 32 (evalTuple2 rseq rseq)) (map wanted results)))
   where
     wanted (outcome, pose)
       | withPoses = (outcome, (\found -> found `seq` pose) =<< pose)
       | otherwise = (outcome, Nothing)
-    include tell ((stitched, unstitched), poses) (i, (outcome, pose)) =
+    include bar ((stitched, unstitched), poses) (i, (outcome, pose)) =
       let stitched' = counting stitched (withStitching outcome)
           unstitched' = counting unstitched (withoutStitching outcome)
           poses' = maybe poses (: poses) pose
        in stitched'
             `seq` unstitched'
             `seq` poses'
-            `seq` tell (i :: Integer) >> pure ((stitched', unstitched'), poses')
+            `seq` tell bar (i :: Integer) >> pure ((stitched', unstitched'), poses')
 
 printed :: Profile -> Options -> Sensor -> (Tally, Tally) -> Maybe PoseTally -> IO ()
 printed profile options simulated (stitched, unstitched) poses =

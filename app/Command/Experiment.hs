@@ -16,6 +16,7 @@ import Data.List (nub)
 import Data.Maybe (fromMaybe)
 import Drawing (hundredths)
 import ExitStatus
+import Memory (orTooMuch)
 import Message
 import Options
 import Output (orTaken, sayWritten, writeFolder)
@@ -90,6 +91,10 @@ run choice options
     source <- chosenImages (images options)
     symbols <- symbolsOf <$> chosenAlphabet choice
     let rows = plan (trainings options) (nub (variations options)) shippedAlphabets source symbols
+    orTooMuch
+      "the experiment"
+      "take fewer shapes, or fewer --seeds"
+      (experimentBytes trialsAtOnce (seeds options) rows)
     made <- traverse (imagesOf rows) (nub (map keyOf rows))
     table <- carriedOut rows made [1 .. seeds options]
     let results = [(row, o) | (row, kept) <- table, o <- outcomes (map (map fst) kept)]
@@ -104,10 +109,16 @@ run choice options
     imagesOf rows key =
       (,) key <$> case [row | row <- rows, keyOf row == key] of
         row : _ ->
-          orUnusable
-            imagesMessage
-            (imagesFor (rowSymbols row) (rowSource row) [1 .. seeds options])
+          orUnusable imagesMessage
+            =<< withProgress
+              (unevenly (imagesCount (sizeOf row) (seeds options)) "images")
+              (`follow` imagesSteps (rowSymbols row) (rowSource row) [1 .. seeds options])
         [] -> pure (Images [] (Labelled [] 0 0))
+    sizeOf = alphabetSize . symbolShapes . rowSymbols
+
+-- | How many trials are made at once.
+trialsAtOnce :: Int
+trialsAtOnce = 2
 
 -- | Rows with the same key have the same images.
 keyOf :: Row -> (String, Maybe String, Int)
@@ -121,11 +132,11 @@ keyOf row =
 carriedOut ::
   [Row] -> [((String, Maybe String, Int), Images)] -> [Int] -> IO [(Row, [Kept])]
 carriedOut rows made chosen =
-  withProgress (toInteger (length cells)) 0 $ \tell -> do
-    (_, done) <- foldM (include tell) (0 :: Integer, []) (withStrategy strategy cells)
+  withProgress (unevenly (length cells) "trainings") $ \bar -> do
+    (_, done) <- foldM (include bar) (0 :: Integer, []) (withStrategy strategy cells)
     pure (zip rows (chunks (length chosen) (reverse done)))
   where
-    strategy = parBuffer 2 (evalTraversable rdeepseq)
+    strategy = parBuffer trialsAtOnce (evalTraversable rdeepseq)
     cells = [kept row seed | row <- rows, seed <- chosen] :: [Either NetworkError Kept]
     kept row seed = case lookup (keyOf row) made of
       Just there -> map (part seed) <$> trial row there seed
@@ -133,13 +144,13 @@ carriedOut rows made chosen =
     part seed (how, counts) =
       (counts, if take 1 chosen == [seed] then map (fmap curve) (runStages how) else [])
     include ::
-      (Integer -> IO ()) ->
+      Bar ->
       (Integer, [Kept]) ->
       Either NetworkError Kept ->
       IO (Integer, [Kept])
-    include tell (i, done) cell = do
+    include bar (i, done) cell = do
       one <- orUnusable networkMessage cell
-      tell (i + 1)
+      tell bar (i + 1)
       pure (i + 1, one : done)
     chunks n list = case splitAt n list of
       ([], _) -> []

@@ -10,6 +10,7 @@ where
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Maybe (fromMaybe)
 import ExitStatus
+import Memory (orTooMuch)
 import Message
 import Options
 import Output (orTaken, writeFolder)
@@ -20,8 +21,10 @@ import PraTactile.Image (Raster, mapRaster)
 import PraTactile.Image.Error (ImageError)
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity)
 import PraTactile.Sensor (Preset (..), presetName)
+import PraTactile.Shape (alphabetSize)
 import PraTactile.Shape.Design (foreignShapes)
 import PraTactile.SymbolImages
+import Progress
 import SensorChoice (readSensor, sensorOption)
 import Setup
 import Visible (visibleName)
@@ -131,8 +134,19 @@ run choice options
           (count options + kinds - 1) `div` kinds
         )
     kinds = 16
+    -- An image as it is made, and as a file with its name and its line of labels.
+    bytesEach = 1500
     found source (symbols, label, each) = do
-      made <- orUnusable imagesMessage (labelledImages symbols source each (seed options))
+      let wantedCount = each * alphabetSize (symbolShapes symbols)
+      orTooMuch
+        (show wantedCount ++ " images")
+        "take a smaller --count"
+        (bytesEach * toInteger wantedCount)
+      made <-
+        orUnusable imagesMessage
+          =<< withProgress
+            (unevenly wantedCount "images")
+            (`follow` labelledSteps symbols source each (seed options))
       let all' = [(image, label c) | (image, c) <- labelledAs made]
           wanted = if foreignTo options == Nothing then all' else take (count options) all'
       pure (wanted, lost source made)

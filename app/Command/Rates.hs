@@ -128,10 +128,11 @@ table profile options theLocator = do
   let total = toInteger (length settings) * perLine
       say = unless drawnOnly . putStr
   say (opening options)
-  made <- besideOutput printing total $ \tick ->
+  -- Large patches take longer than small ones.
+  made <- withProgress (unevenly total "trials") $ \bar ->
     for (zip [0 ..] settings) $ \(i, setting) -> do
-      l <- line options setting (\n -> tick (i * perLine + toInteger n))
-      say (lineAs (format options) l) >> hFlush stdout
+      l <- line options setting (\n -> tell bar (i * perLine + toInteger n))
+      aside bar (say (lineAs (format options) l) >> hFlush stdout)
       pure l
   case format options of
     Text -> say (checksHeading ++ unlines (map checksText made) ++ checksOfAll made)
@@ -142,7 +143,6 @@ table profile options theLocator = do
   where
     drawnOnly = plot options == Just standardOutput
     perLine = toInteger (trials options)
-    printing = if format options == Json then NotPrinting else Printing
     report made =
       RatesReport
         { ratesProfile = profile,

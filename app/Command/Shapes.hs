@@ -25,7 +25,8 @@ import PraTactile.Shape
 import PraTactile.Shape.Check
 import PraTactile.Shape.Design
 import PraTactile.Shape.Report
-import Progress
+import PraTactile.Steps (result)
+import Progress hiding (Work)
 import Setup
 import Visible (visibleName)
 
@@ -99,12 +100,13 @@ run options = case work options of
     q <-
       maybe (misused "--design makes shapes; leave out --shapes") pure (orderOf (symbols options))
     names <- elementNames q
-    (found, report) <-
-      orUnusable shapeMessage
-        =<< withProgress
-          (toInteger searchLength)
-          0
-          (`follow` designSteps seed (parametersFor names))
+    measured <-
+      withProgress (unevenly drawings "drawings") $ \bar ->
+        followWhile measuring bar (designSteps seed (parametersFor names))
+    -- To prove that no shapes are as far apart may take any time.
+    searched <-
+      withProgress (openly sought) $ \bar -> followWhile trying bar measured
+    (found, report) <- orUnusable shapeMessage (result searched)
     shown (renderAlphabet found) (alphabetDrawings found)
     for_ (output options) (`sayBeside` Text.unpack (renderReport found report))
     pure Answered
@@ -115,6 +117,15 @@ run options = case work options of
       (alphabetDrawings chosen)
     pure Answered
   where
+    measuring step = case step of
+      Measured i -> Just (toInteger i)
+      Trying _ -> Nothing
+    trying step = case step of
+      Trying d -> Just (toInteger d)
+      Measured _ -> Nothing
+    sought d
+      | d == 0 = "looking for shapes"
+      | otherwise = "looking for shapes " ++ show d ++ " taxels apart"
     shown text given = write (maybe text ($ given) (form options))
     write :: Text -> IO ()
     write text =

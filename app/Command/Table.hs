@@ -62,8 +62,8 @@ run choice chosen format output = do
     orUnusable locateMessage =<< orUnusable profileMessage (withProfile profile built)
   (heading, body, end) <- maybe (unusable repeated) pure rendering
   let meanwhile = if output `elem` [Nothing, Just "-"] then Printing else NotPrinting
-  besideOutput meanwhile (toInteger size) $ \tell -> do
-    pieces <- tellingAsRead tell (inPieces body)
+  besideOutput meanwhile (evenly size "addresses") $ \bar -> do
+    pieces <- tellingAsRead bar (inPieces body)
     let text = Builder.toLazyByteString heading <> pieces <> Builder.toLazyByteString end
     maybe (Lazy.hPutStr stdout) writeWhole output text
   pure Answered

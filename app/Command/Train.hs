@@ -5,36 +5,40 @@ module Command.Train
   )
 where
 
-import Control.Monad (forM_)
+import Control.Monad (forM_, when)
+import Counted (counted)
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (for_)
 import qualified Data.List.NonEmpty as NonEmpty
-import Data.Maybe (catMaybes)
+import Data.Maybe (catMaybes, isJust)
 import qualified Data.Text.Encoding as Text
 import ExitStatus
+import Memory
 import Message
 import Options
 import Output
-import PraTactile.Classification.Calibration (renderCalibration)
+import PraTactile.Classification.Calibration (Calibration, renderCalibration)
 import PraTactile.Classification.Experiment
 import PraTactile.Classification.Network (Network, outputs)
 import PraTactile.Classification.Network.File (renderNetwork)
 import PraTactile.Classification.Regimen
 import PraTactile.Classification.Templates (templates)
+import PraTactile.Classification.Train (Demand (..))
 import PraTactile.Classification.Traingdx (Epoch (..), Trace, lastEpoch)
-import PraTactile.Experiment (material)
+import PraTactile.Experiment (materialSteps, trainedEach)
 import PraTactile.Explore (Turns (..), halfTurns)
 import PraTactile.Format.Experiment (traceCsv)
 import PraTactile.Format.Network
 import PraTactile.Sensor (Preset (..), presetName, presetSensor)
 import PraTactile.Shape (Alphabet, alphabetSize)
-import PraTactile.Steps (counted, stepsDone)
-import PraTactile.SymbolCalibration (calibrated)
+import PraTactile.Steps (summed)
+import PraTactile.SymbolCalibration
 import PraTactile.SymbolImages (ImageSource (..), symbolsOf)
 import Progress
 import Setup
 import System.FilePath (takeExtension)
+import System.IO (hFlush, stdout)
 import Text.Printf (printf)
 
 -- | How a network is trained.
@@ -101,24 +105,21 @@ run :: AlphabetChoice -> Options -> IO ExitStatus
 run symbols options = do
   alphabet <- chosenAlphabet symbols
   orUnwritableAmong (output options : catMaybes [trace options, sureness options])
+  announced options (alphabetSize alphabet)
   (network, done) <- trainedAs (how options) alphabet options
   for_ (trace options) (`writeWhole` Lazy8.pack (traceCsv done))
-  -- It takes presses, and so is found only where it is written, and once.
-  let found
-        | calibrating options =
-          calibrated alphabet (templates alphabet) (outputs network) (seed options)
-        | otherwise = Right (Right (calibrationFor alphabet))
-      sure = orUnusable imagesMessage found >>= orUnusable networkMessage
+  calibration <-
+    if pressing options
+      then calibratedWith alphabet network (seed options)
+      else pure (calibrationFor alphabet)
   for_ (sureness options) $ \file ->
-    sure >>= writeWhole file . Lazy.fromStrict . Text.encodeUtf8 . renderCalibration
-  written <-
-    if takeExtension (output options) == ".json"
-      then do
-        calibration <- sure
-        let file = described alphabet network calibration
-        pure (Lazy.fromStrict (encodeNetwork file) <> Lazy.singleton 10)
-      else pure (Lazy.fromStrict (Text.encodeUtf8 (renderNetwork network)))
-  writeWhole (output options) written
+    writeWhole file (Lazy.fromStrict (Text.encodeUtf8 (renderCalibration calibration)))
+  writeWhole (output options) $
+    if asJson options
+      then
+        Lazy.fromStrict (encodeNetwork (described alphabet network calibration))
+          <> Lazy.singleton 10
+      else Lazy.fromStrict (Text.encodeUtf8 (renderNetwork network))
   forM_ done $ \(i, descent) ->
     sayBeside
       (output options)
@@ -141,6 +142,74 @@ run symbols options = do
           fileRegimen = Just (regimenName options)
         }
 
+-- | Whether weights are written as JSON, which has their calibration.
+asJson :: Options -> Bool
+asJson options = takeExtension (output options) == ".json"
+
+-- | Whether symbols are pressed to find how sure the network is: only where that is written.
+pressing :: Options -> Bool
+pressing options = calibrating options && (asJson options || isJust (sureness options))
+
+-- | Say what a training for so many classes takes, before it begins; leaves with status 2 where
+-- that is too much.
+announced :: Options -> Int -> IO ()
+announced options classes = do
+  orTooMuch
+    ("training " ++ shapes')
+    "train fewer shapes, or by another --regimen"
+    (demandBytes demand)
+  when (pressing options) $
+    orTooMuch
+      ("calibrating the network of " ++ shapes')
+      "train fewer shapes, or leave its calibration out (--uncalibrated)"
+      (calibrationBytes classes)
+  sayBeside (output options) $
+    "training " ++ shapes' ++ ": "
+      ++ counted (demandImages demand) "image" "images"
+      ++ " at once, "
+      ++ counted (demandEpochs demand) "epoch" "epochs"
+      ++ " at most, about "
+      ++ bytesText (maximum (demandBytes demand : [calibrationBytes classes | pressing options]))
+      ++ (", " ++ atOneRate (fromInteger (demandProducts demand) / 1e9))
+      ++ concat
+        [ "; then " ++ counted (calibrationImages classes) "pressed image" "pressed images"
+            ++ " to calibrate it"
+          | pressing options
+        ]
+      ++ "\n"
+  hFlush stdout
+  where
+    shapes' = counted classes "shape" "shapes"
+    demand = demandFor options classes
+    atOneRate seconds = timeText seconds ++ " at 10^9 multiplications a second"
+
+-- | A time in words, to two digits or so.
+timeText :: Double -> String
+timeText seconds
+  | seconds < 100 = whole' seconds "second" "seconds"
+  | seconds < 6000 = whole' (seconds / 60) "minute" "minutes"
+  | seconds < 360000 = whole' (seconds / 3600) "hour" "hours"
+  | otherwise = whole' (seconds / 86400) "day" "days"
+  where
+    whole' n = counted (max 1 (round n :: Int))
+
+-- | What the training of so many classes takes.
+demandFor :: Options -> Int -> Demand
+demandFor options classes = case how options of
+  AsShipped -> regimenDemand (regimenOf options classes) classes
+  ByPaper training ->
+    trainingDemand standardConditions training (middleOf options) classes
+
+-- | How sure a network is, found on presses.
+calibratedWith :: Alphabet -> Network -> Int -> IO Calibration
+calibratedWith alphabet network seed' = do
+  found <-
+    withProgress (unevenly total "images to calibrate with") $ \bar ->
+      follow bar (calibratedSteps alphabet (templates alphabet) (outputs network) seed')
+  orUnusable imagesMessage found >>= orUnusable networkMessage
+  where
+    total = calibrationImages (alphabetSize alphabet)
+
 -- | How the network was trained, as its file has it.
 regimenName :: Options -> String
 regimenName options = named ++ (if noise options then "" else "-without-noise")
@@ -154,19 +223,41 @@ trainedAs :: How -> Alphabet -> Options -> IO (Network, [(Int, Trace)])
 trainedAs AsShipped alphabet options = do
   network <-
     orUnusable networkMessage
-      =<< withProgress (toInteger (regimenRounds regimen)) 0 (`follow` counted training)
+      =<< withProgress
+        (evenly (demandEpochs (demandFor options classes)) "epochs")
+        (`follow` summed epochsIn training)
   -- Each round is a stage of its own, for its batch is.
-  pure (network, zip [1 ..] (map snd (stepsDone training)))
+  pure (network, zip [1 ..] (map snd (roundsOf training)))
   where
-    training = trainingRounds regimen alphabet (seed options)
-    regimen
-      | noise options = regimenFor alphabet
-      | otherwise = withoutNoise (regimenFor alphabet)
-    withoutNoise r = r {stages = [s {stageNoise = [0]} | s <- stages r]}
+    epochsIn step = if step == EpochDone then 1 else 0
+    classes = alphabetSize alphabet
+    training = trainingSteps (regimenOf options classes) alphabet (seed options)
 trainedAs (ByPaper training) alphabet options = do
-  images <- orUnusable imagesMessage (material (symbolsOf alphabet) source (seed options))
-  let go = trainedBy standardConditions training (alphabetSize alphabet) images (seed options)
-  done <- orUnusable networkMessage (go (if noise options then Noisy else NoMiddle))
+  images <-
+    orUnusable imagesMessage
+      =<< withProgress
+        (unevenly (trainedEach * classes) "images")
+        (`follow` materialSteps (symbolsOf alphabet) source (seed options))
+  let go = trainedBySteps standardConditions training classes images (seed options)
+  -- A stage may reach its goal at any epoch.
+  done <-
+    orUnusable networkMessage
+      =<< withProgress
+        (openly (\n -> show n ++ " epochs of at most " ++ show most))
+        (`follow` summed (const 1) (go (middleOf options)))
   pure (runNetwork done, runStages done)
   where
+    classes = alphabetSize alphabet
+    most = demandEpochs (demandFor options classes)
     source = Presses (presetName Real) (presetSensor Real) (AmongTurns halfTurns)
+
+-- | The regimen of the shipped networks, for so many classes.
+regimenOf :: Options -> Int -> Regimen
+regimenOf options classes
+  | noise options = it
+  | otherwise = it {stages = [s {stageNoise = [0]} | s <- stages it]}
+  where
+    it = regimenFor classes
+
+middleOf :: Options -> Middle
+middleOf options = if noise options then Noisy else NoMiddle

@@ -11,7 +11,12 @@ module PraTactile.Experiment
     -- * Carrying it out
     Images (..),
     imagesFor,
+    imagesSteps,
+    imagesCount,
+    experimentBytes,
     material,
+    materialSteps,
+    trainedEach,
     testSeed,
     Trial,
     trial,
@@ -25,14 +30,16 @@ module PraTactile.Experiment
   )
 where
 
-import Data.List (sort, transpose)
+import Data.List (nub, sort, transpose)
 import Data.Maybe (fromMaybe)
 import PraTactile.Classification.Experiment
 import PraTactile.Classification.Network (NetworkError (..))
+import PraTactile.Classification.Train (Demand (..))
 import PraTactile.Classification.Traingdx (Descent (..), Momentum (..))
 import PraTactile.Explore (Turns (..), halfTurns)
 import PraTactile.Sensor (presetName, presetSensor)
 import PraTactile.Shape (Alphabet, alphabetSize)
+import PraTactile.Steps (Steps, countingOn, inTurn, result)
 import PraTactile.SymbolImages
 
 -- | Three rows of the table, one for each 'Middle': what is trained, and how.
@@ -146,14 +153,47 @@ data Images = Images
 
 -- | The images for trainings with these seeds.
 imagesFor :: Symbols -> ImageSource -> [Int] -> Either ImagesError Images
-imagesFor symbols source seeds =
-  Images
-    <$> traverse (\seed -> (,) seed <$> material symbols source seed) seeds
-    <*> labelledImages symbols source 100 testSeed
+imagesFor symbols source seeds = result (imagesSteps symbols source seeds)
+
+-- | The steps of 'imagesFor', a press each.
+imagesSteps :: Symbols -> ImageSource -> [Int] -> Steps Int (Either ImagesError Images)
+imagesSteps symbols source seeds = do
+  (n, trained) <- countingOn 0 (inTurn (map (materialSteps symbols source) seeds))
+  (_, tried) <- countingOn n (labelledSteps symbols source triedEach testSeed)
+  pure (Images . zip seeds <$> sequenceA trained <*> tried)
+
+-- | How many images those are, of so many classes and seeds.
+imagesCount :: Int -> Int -> Int
+imagesCount classes seeds = classes * (trainedEach * seeds + triedEach)
+
+-- | About how many bytes the rows of a plan take, so many trials of which are made at once, each
+-- with this many seeds.
+experimentBytes :: Int -> Int -> [Row] -> Integer
+experimentBytes atOnce seeds rows = imageBytes + toInteger atOnce * maximum (0 : map ofRow rows)
+  where
+    imageBytes =
+      sum
+        [ 1000 * toInteger (imagesCount classes seeds)
+          | classes <- nub (map classesOf rows)
+        ]
+    ofRow row =
+      testBytes (classesOf row) triedEach
+        + demandBytes (trainingDemand (rowConditions row) (rowTraining row) Noisy (classesOf row))
+    classesOf = alphabetSize . symbolShapes . rowSymbols
+
+-- | How many images there are of each class to train with from a seed, and to try networks with.
+trainedEach, triedEach :: Int
+trainedEach = 4
+triedEach = 100
 
 -- | The images to train with from a seed: of each class the first two and the next two.
 material :: Symbols -> ImageSource -> Int -> Either ImagesError Material
-material symbols source seed = halves . labelledAs <$> labelledImages symbols source 4 seed
+material symbols source seed = result (materialSteps symbols source seed)
+
+-- | The steps of 'material', a press each.
+materialSteps :: Symbols -> ImageSource -> Int -> Steps Int (Either ImagesError Material)
+materialSteps symbols source seed =
+  fmap (halves . labelledAs) <$> labelledSteps symbols source trainedEach seed
   where
     halves images = Material (part (take 2) images) (part (drop 2) images)
     part some images =

@@ -6,7 +6,9 @@ module PraTactile.SymbolCalibration
     conditionName,
     knownImages,
     seenBy,
-    calibrated,
+    calibratedSteps,
+    calibrationImages,
+    calibrationBytes,
   )
 where
 
@@ -18,6 +20,7 @@ import PraTactile.Image (Raster, onRaster)
 import PraTactile.Sensor (Preset (..), presetName, presetSensor)
 import PraTactile.Shape (Alphabet, alphabetSize)
 import PraTactile.Shape.Design (foreignShapes)
+import PraTactile.Steps
 import PraTactile.SymbolImages
 import PraTactile.Symmetry
 
@@ -50,22 +53,37 @@ conditionName (Condition sensor anyAngle others) =
 -- there are no such shapes. Refuses what 'labelledImages' does.
 knownImages ::
   Alphabet -> Int -> Int -> Condition -> Either ImagesError [(Maybe (Int, Symmetry), Raster)]
-knownImages known count seed (Condition sensor anyAngle others)
-  | not others = map (\(image, c) -> (Just (c, identity), image)) <$> pressed (symbolsOf known)
-  | Right drawn <- foreignShapes seed 24 kinds known =
-    map (\(image, _) -> (Nothing, image)) <$> pressed (symbolsOf known) {symbolShapes = drawn}
-  | otherwise = Right []
+knownImages known count seed condition = result (knownSteps known count seed condition)
+
+-- | The steps of 'knownImages', a press each: how many images there are so far.
+knownSteps ::
+  Alphabet ->
+  Int ->
+  Int ->
+  Condition ->
+  Steps Int (Either ImagesError [(Maybe (Int, Symmetry), Raster)])
+knownSteps known count seed (Condition sensor anyAngle others)
+  | not others = seenAs (\c -> Just (c, identity)) (symbolsOf known)
+  | Right drawn <- foreignShapes seed 24 foreignKinds known =
+    seenAs (const Nothing) (symbolsOf known) {symbolShapes = drawn}
+  | otherwise = Done (Right [])
   where
-    kinds = 16
-    pressed symbols =
-      labelledAs
-        <$> labelledImages symbols source (share (alphabetSize (symbolShapes symbols))) seed
-    share classes = max 1 ((count + classes - 1) `div` classes)
+    seenAs truth symbols =
+      fmap (map (\(image, c) -> (truth c, image)) . labelledAs)
+        <$> labelledSteps symbols source (share count (alphabetSize (symbolShapes symbols))) seed
     source =
       Presses
         (presetName sensor)
         (presetSensor sensor)
         (if anyAngle then AnyAngle else AmongTurns halfTurns)
+
+-- | How many other shapes are drawn.
+foreignKinds :: Int
+foreignKinds = 16
+
+-- | How many images of each class make about so many.
+share :: Int -> Int -> Int
+share count classes = max 1 ((count + classes - 1) `div` classes)
 
 -- | Such images as a classifier, of which the outputs are given, sees them.
 seenBy ::
@@ -79,19 +97,34 @@ seenBy shapesSeen told = traverse seen
       Seen truth <$> (look shapesSeen image <$> told image <*> told (onRaster (turned 2) image))
 
 -- | The calibration of a classifier of an alphabet on 300 symbols and 100 others of each condition,
--- from a seed; what they are drawn from no other draw has.
-calibrated ::
+-- from a seed; what they are drawn from no other draw has. The steps are presses: how many of the
+-- 'calibrationImages' there are so far.
+calibratedSteps ::
   Alphabet ->
   Templates ->
   (Raster -> Either NetworkError [Double]) ->
   Int ->
-  Either ImagesError (Either NetworkError Calibration)
-calibrated known shapesSeen told seed = do
+  Steps Int (Either ImagesError (Either NetworkError Calibration))
+calibratedSteps known shapesSeen told seed = do
   images <-
-    sequenceA
-      [ knownImages known (if conditionOthers c then 100 else 300) (own + k) c
-        | (k, c) <- zip [0 ..] conditions
-      ]
-  pure (fitted (alphabetSize known) . concat <$> traverse (seenBy shapesSeen told) images)
+    inTurn [knownSteps known (wanted c) (own + k) c | (k, c) <- zip [0 ..] conditions]
+  pure (fit <$> sequenceA images)
   where
     own = 1000000 + 100 * seed
+    fit images = fitted (alphabetSize known) . concat <$> traverse (seenBy shapesSeen told) images
+
+-- | About how many images of a condition a calibration has.
+wanted :: Condition -> Int
+wanted condition = if conditionOthers condition then 100 else 300
+
+-- | About how many bytes 'calibratedSteps' holds at once for so many classes.
+calibrationBytes :: Int -> Integer
+calibrationBytes classes = fittedBytes classes (calibrationImages classes)
+
+-- | How many images a calibration of so many classes has, where there are other shapes.
+calibrationImages :: Int -> Int
+calibrationImages classes = sum (map ofCondition conditions)
+  where
+    ofCondition c =
+      let kinds = if conditionOthers c then foreignKinds else classes
+       in kinds * share (wanted c) kinds

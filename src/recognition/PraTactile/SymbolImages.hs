@@ -11,6 +11,7 @@ module PraTactile.SymbolImages
     sourceName,
     sourceSensor,
     labelledImages,
+    labelledSteps,
     Labelled (..),
     ImagesError (..),
 
@@ -40,6 +41,7 @@ import PraTactile.Sensor (Sensor, drawSpecimen)
 import PraTactile.Sensor.Calibration (withoutStuck)
 import PraTactile.Sensor.Frame (inverse, movePoint)
 import PraTactile.Shape (Alphabet, alphabetSize, shapes, toRaster)
+import PraTactile.Steps
 import PraTactile.Symmetry
 import System.Random (StdGen, mkStdGen, split)
 
@@ -93,36 +95,42 @@ data Labelled = Labelled
 -- | So many images of each class, by class and in the order in which they were found, from a seed.
 -- Refuses sensors by which hardly any symbol is found.
 labelledImages :: Symbols -> ImageSource -> Int -> Int -> Either ImagesError Labelled
-labelledImages symbols source count seed = case source of
+labelledImages symbols source count seed = result (labelledSteps symbols source count seed)
+
+-- | The steps of 'labelledImages', a press each: how many images there are so far, of as many as
+-- are wanted of all classes together.
+labelledSteps ::
+  Symbols -> ImageSource -> Int -> Int -> Steps Int (Either ImagesError Labelled)
+labelledSteps symbols source count seed = case source of
   Bitmaps ->
-    Right
-      ( Labelled
-          [(toRaster b, c) | (c, b) <- zip [0 ..] (shapes alphabet), _ <- [1 .. count]]
-          0
-          0
-      )
-  Presses _ sensor turns -> do
-    pressed <- take most <$> cuts symbols sensor turns seed
-    let enough = takeUntil pressed
-        found = concatMap cutImages enough
-        ofClass c = take count [it | it <- found, snd it == c]
-        chosen = map ofClass [0 .. classes - 1]
-        -- An image that is not made yet keeps the frames it is made of.
-        made = foldr (\(image, _) -> seq image) () (concat chosen)
-    if made `seq` all ((== count) . length) chosen
-      then Right (Labelled (concat chosen) (sum (map cutLost enough)) (length enough))
-      else Left (TooFewFound most)
+    Done . Right $
+      Labelled
+        [(toRaster b, c) | (c, b) <- zip [0 ..] (shapes alphabet), _ <- [1 .. count]]
+        0
+        0
+  Presses _ sensor turns -> case cuts symbols sensor turns seed of
+    Left why -> Done (Left why)
+    Right pressed -> go (replicate classes 0) [] (take most pressed)
   where
+    -- How many there are of each class, and the presses so far, the last one first.
+    go have before pressed
+      | all (>= count) have = Done (Right (chosenFrom (reverse before)))
+      | one : others <- pressed =
+        let have' = zipWith (plus one) [0 ..] have
+         in made one `seq` Step (sum (map (min count) have')) (go have' (one : before) others)
+      | otherwise = Done (Left (TooFewFound most))
+    -- An image that is not made yet keeps the frames it is made of.
+    made one = foldr (\(image, _) -> seq image) () (cutImages one)
+    chosenFrom enough =
+      Labelled
+        (concatMap (ofClass (concatMap cutImages enough)) [0 .. classes - 1])
+        (sum (map cutLost enough))
+        (length enough)
+    ofClass found c = take count [it | it <- found, snd it == c]
     alphabet = symbolShapes symbols
     classes = alphabetSize alphabet
     -- Some five symbols are found in a press.
     most = 100 + 4 * classes * count
-    takeUntil = go (replicate classes 0)
-    go have pressed = case pressed of
-      one : others
-        | any (< count) have ->
-          one : go (zipWith (plus one) [0 ..] have) others
-      _ -> []
     plus one c n = n + length (filter ((== c) . snd) (cutImages one))
 
 -- | What came of a press.

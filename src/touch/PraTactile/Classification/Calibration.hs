@@ -39,6 +39,7 @@ module PraTactile.Classification.Calibration
     -- * Fitting
     Seen (..),
     fitted,
+    fittedBytes,
     conditionalLogit,
 
     -- * As text
@@ -190,6 +191,12 @@ fitted classes images =
     ofOurs = Calibration alpha beta gammas []
     prior = standardCalibration classes
     rounded x = fromIntegral (round (1000 * x) :: Int) / 1000
+
+-- | About how many bytes 'fitted' holds at once, of so many classes and images of them: for each
+-- image the regressors of each class either way up.
+fittedBytes :: Int -> Int -> Integer
+fittedBytes classes images =
+  12 * toInteger images * 2 * toInteger classes * (2 + toInteger classes)
 
 -- | The weights w that make choices likeliest, each choice an alternative's regressors x and those
 -- of all alternatives, of which one is chosen with a probability in proportion to exp (w x); times

@@ -27,12 +27,15 @@ module PraTactile.Classification.Experiment
     Material (..),
     Run (..),
     trainedBy,
+    trainedBySteps,
+    trainingDemand,
     middleImages,
 
     -- * Its errors
     noiseLevels,
     TestImages,
     testImages,
+    testBytes,
     wrongOf,
     withWhiteNoise,
     allWithNoise,
@@ -49,6 +52,7 @@ import PraTactile.Classification.Train
 import PraTactile.Classification.Traingdx
 import PraTactile.Image (Raster, generate, rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Random (normals)
+import PraTactile.Steps
 import System.Random (StdGen, mkStdGen, split)
 
 -- | A training in three stages, by the error at which each ends.
@@ -155,18 +159,32 @@ data Run = Run
 -- alone; and trainings of one seed share their noise. Refuses what 'batch' and 'train' refuse.
 trainedBy ::
   Conditions -> Training -> Int -> Material -> Int -> Middle -> Either NetworkError Run
-trainedBy conditions training classes material seed = \middle -> begun >>= middleAndLast middle
+trainedBy conditions training classes material seed = result . steps
+  where
+    steps = trainedBySteps conditions training classes material seed
+
+-- | The steps of 'trainedBy', an epoch each.
+trainedBySteps ::
+  Conditions ->
+  Training ->
+  Int ->
+  Material ->
+  Int ->
+  Middle ->
+  Steps (Epoch ()) (Either NetworkError Run)
+trainedBySteps conditions training classes material seed = \middle ->
+  begun `onwards` middleAndLast middle
   where
     (weightsFrom, noiseFrom) = split (mkStdGen seed)
     (cleanGoal, middleGoal) = stageGoals training
-    begun = do
-      (n, _) <- firstNetwork weights (hiddenFor classes) classes weightsFrom
-      stage 1 cleanGoal first (Run n [])
-    middleAndLast middle run = do
-      again <- case middleImages training middle first four noiseFrom of
-        [] -> Right run
-        images -> stage 2 middleGoal images run
-      stage 3 cleanGoal final again
+    begun =
+      Done (firstNetwork weights (hiddenFor classes) classes weightsFrom)
+        `onwards` \(n, _) -> stage 1 cleanGoal first (Run n [])
+    middleAndLast middle run =
+      middleStage middle run `onwards` stage 3 cleanGoal final
+    middleStage middle run = case middleImages training middle first four noiseFrom of
+      [] -> Done (Right run)
+      images -> stage 2 middleGoal images run
     (first, four, final) = case conditionSharing conditions of
       TwoAndTwo -> let two = materialFirst material in (two, two ++ two, materialLast material)
       AllInEach -> let all' = materialFirst material ++ materialLast material in (all', all', all')
@@ -177,11 +195,33 @@ trainedBy conditions training classes material seed = \middle -> begun >>= middl
         NguyenWidrow
           (rangesOf [V.toList (rasterValues image) | (image, _) <- first])
           factor
-    stage :: Int -> Double -> [(Raster, Int)] -> Run -> Either NetworkError Run
-    stage i enough images (Run n before) = do
-      b <- batch classes (map (fmap Just) images)
-      (n', trace) <- train (conditionDescent conditions) {goal = enough} b n
-      Right (length trace `seq` Run n' (before ++ [(i, trace)]))
+    stage ::
+      Int -> Double -> [(Raster, Int)] -> Run -> Steps (Epoch ()) (Either NetworkError Run)
+    stage i enough images (Run n before) =
+      Done (batch classes (map (fmap Just) images))
+        `onwards` (\b -> trainSteps (conditionDescent conditions) {goal = enough} b n)
+        `onwards` (\(n', trace) -> Done (Right (Run n' (before ++ [(i, trace)]))))
+    onwards ::
+      Steps s (Either e a) -> (a -> Steps s (Either e b)) -> Steps s (Either e b)
+    onwards steps next = steps >>= either (Done . Left) next
+
+-- | What such a training takes for so many classes, where no stage ends before its last epoch.
+trainingDemand :: Conditions -> Training -> Middle -> Int -> Demand
+trainingDemand conditions training middle classes =
+  demandOf
+    classes
+    (hiddenFor classes)
+    [ (classes * each, epochs (conditionDescent conditions))
+      | each <- [clean] ++ [4 + 3 * noisyCopies training | middle /= NoMiddle] ++ [clean]
+    ]
+  where
+    clean = if conditionSharing conditions == TwoAndTwo then 2 else 4
+
+-- | About how many bytes images to try networks with take, of so many classes and as many clean
+-- images of each.
+testBytes :: Int -> Int -> Integer
+testBytes classes each =
+  8 * toInteger (length noiseLevels * inputCount) * toInteger classes * toInteger each
 
 -- | The images of the middle stage: noisy ones of those given first, or copies, beside those given
 -- second; none where there is no such stage.

@@ -7,10 +7,12 @@ module PraTactile.Classification.Regimen
     shippedRegimen,
     regimenFor,
     shippedSeed,
-    regimenRounds,
+    regimenDemand,
     trainShipped,
     trainWith,
-    trainingRounds,
+    TrainingStep (..),
+    trainingSteps,
+    roundsOf,
     roundImages,
   )
 where
@@ -80,13 +82,13 @@ shippedRegimen =
   where
     for n = shippedDescent {epochs = n}
 
--- | The same for the shapes of any alphabet: two hidden units a class, as four classes have, but no
+-- | The same for so many shapes: two hidden units a class, as four classes have, but no
 -- fewer than eight. Eight units do not tell seven classes apart: the squared error of a batch stays
 -- a hundred times as great.
-regimenFor :: Alphabet -> Regimen
-regimenFor a =
+regimenFor :: Int -> Regimen
+regimenFor classes =
   shippedRegimen
-    { hiddenLayerSize = max (hiddenLayerSize shippedRegimen) (2 * alphabetSize a)
+    { hiddenLayerSize = max (hiddenLayerSize shippedRegimen) (2 * classes)
     }
 
 {- Note [Rounds] The paper had a few real images of each character; here images can be drawn at
@@ -102,22 +104,39 @@ shippedSeed = 2004
 -- | Trains a network for an alphabet as the shipped one was trained: with 'shippedSeed' and the
 -- shipped shapes it is the shipped one.
 trainShipped :: Alphabet -> Int -> Either NetworkError (Network, [(Int, Trace)])
-trainShipped a = trainWith (regimenFor a) a
+trainShipped a = trainWith (regimenFor (alphabetSize a)) a
 
 -- | Trains a network for an alphabet by a regimen, from a seed; with each round's stage, from 1,
 -- and descent.
 trainWith :: Regimen -> Alphabet -> Int -> Either NetworkError (Network, [(Int, Trace)])
-trainWith regimen a seed = (\n -> (n, stepsDone training)) <$> result training
+trainWith regimen a seed = (\n -> (n, roundsOf training)) <$> result training
   where
-    training = trainingRounds regimen a seed
+    training = trainingSteps regimen a seed
 
--- | How many rounds a regimen has.
-regimenRounds :: Regimen -> Int
-regimenRounds = sum . map stageRounds . stages
+-- | What a regimen takes for so many classes.
+regimenDemand :: Regimen -> Int -> Demand
+regimenDemand regimen classes =
+  demandOf
+    classes
+    (hiddenLayerSize regimen)
+    [ (classes * sum (map snd (composition regimen)), stageRounds s * epochs (roundDescent s))
+      | s <- stages regimen
+    ]
 
--- | The same training round by round, to look on at.
-trainingRounds :: Regimen -> Alphabet -> Int -> Steps (Int, Trace) (Either NetworkError Network)
-trainingRounds regimen a seed =
+-- | What a step of a training did.
+data TrainingStep
+  = EpochDone
+  | -- | of this stage, from 1
+    RoundDone !Int !Trace
+  deriving stock (Eq, Show)
+
+-- | The rounds that were done, each with its stage, from 1, and descent.
+roundsOf :: Steps TrainingStep a -> [(Int, Trace)]
+roundsOf steps = [(i, trace) | RoundDone i trace <- stepsDone steps]
+
+-- | The steps of 'trainWith', to look on at.
+trainingSteps :: Regimen -> Alphabet -> Int -> Steps TrainingStep (Either NetworkError Network)
+trainingSteps regimen a seed =
   either
     (Done . Left)
     start
@@ -128,9 +147,13 @@ trainingRounds regimen a seed =
     go n _ [] = Done (Right n)
     go n g ((i, stage) : rest) =
       let (labelled, g') = roundImages (composition regimen) (stageNoise stage) a g
-       in case batch (alphabetSize a) labelled >>= \images -> train (roundDescent stage) images n of
+       in case batch (alphabetSize a) labelled of
             Left refusal -> Done (Left refusal)
-            Right (n', trace) -> length trace `seq` Step (i, trace) (go n' g' rest)
+            Right images -> do
+              done <- relabelled (const EpochDone) (trainSteps (roundDescent stage) images n)
+              case done of
+                Left refusal -> Done (Left refusal)
+                Right (n', trace) -> Step (RoundDone i trace) (go n' g' rest)
 
 -- | The images of a round, each with its class if it has one.
 roundImages :: [(Kind, Int)] -> [Double] -> Alphabet -> StdGen -> ([(Raster, Maybe Int)], StdGen)

@@ -17,8 +17,9 @@ module PraTactile.Shape.Design
     paperSeed,
     design,
     Report (..),
+    Searched (..),
     designSteps,
-    searchLength,
+    drawings,
     foreignShapes,
 
     -- * The steps
@@ -104,13 +105,17 @@ mostListed = 4
 design :: Int -> Parameters -> Either ShapeError (Alphabet, Report)
 design seed parameters = result (designSteps seed parameters)
 
--- | How many drawings the search goes through, and separations from the greatest down, at the most.
-searchLength :: Int
-searchLength = drawings + symbolWidth * symbolHeight
+-- | What a step of the search did.
+data Searched
+  = -- | measured the shapes among so many of the 'drawings'
+    Measured !Int
+  | -- | began to look for an alphabet at least so many taxels apart
+    Trying !Int
+  deriving stock (Eq, Show)
 
--- | The same search step by step, to look on at: each step is how much of 'searchLength' is done.
-designSteps :: Int -> Parameters -> Steps Int (Either ShapeError (Alphabet, Report))
-designSteps seed parameters = foldr measure (try drawings (symbolWidth * symbolHeight)) measured
+-- | The steps of 'design', to look on at.
+designSteps :: Int -> Parameters -> Steps Searched (Either ShapeError (Alphabet, Report))
+designSteps seed parameters = foldr measure (try (symbolWidth * symbolHeight)) measured
   where
     measured = [(i, candidate b) | (i, b) <- numberedShapes parameters]
     candidate b =
@@ -118,13 +123,14 @@ designSteps seed parameters = foldr measure (try drawings (symbolWidth * symbolH
         then Just (Candidate b (selfDistance b) (prepared b) (fst (greatestLikeness b)))
         else Nothing
     candidates = mapMaybe snd measured
-    measure (i, shape) rest = maybe 0 candidateSelf shape `seq` Step i rest
+    measure (i, shape) rest = maybe 0 candidateSelf shape `seq` Step (Measured i) rest
     count = length (designNames parameters)
-    try done d
+    try d
       | d < 1 = Done (Left NoAlphabet)
-      | otherwise = case alphabetsApart d [c | c <- candidates, candidateSelf c >= d] of
-        (_, []) -> Step (done + 1) (try (done + 1) (d - 1))
-        (listed, found) -> Done (chosen d listed (minimumBy (comparing featureLikeness) found))
+      | otherwise =
+        Step (Trying d) $ case alphabetsApart d [c | c <- candidates, candidateSelf c >= d] of
+          (_, []) -> try (d - 1)
+          (listed, found) -> Done (chosen d listed (minimumBy (comparing featureLikeness) found))
     chosen d listed best = do
       a <- alphabet (zip (designNames parameters) (arranged seed (map candidateShape best)))
       Right (a, Report seed (length measured) (length candidates) d listed)
@@ -218,8 +224,8 @@ mayLieOn row next = row .&. next /= 0 && not (or [cornersOnly x | x <- [0 .. gri
         && testBit next x /= testBit next (x + 1)
         && testBit row x /= testBit next x
 
--- | How many stacks of @gridHeight@ rows there are, counted by their uppermost row without making
--- them.
+-- | How many drawings the search goes through: stacks of @gridHeight@ rows, counted by their
+-- uppermost row without making them.
 drawings :: Int
 drawings = sum (map snd (iterate upwards [(row, 1) | row <- rowsOfBlocks] `at` (gridHeight - 1)))
   where
