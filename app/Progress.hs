@@ -77,7 +77,7 @@ data Bar = Bar
 
 -- | Run an action beside a bar that shows its work.
 withProgress :: Work -> (Bar -> IO a) -> IO a
-withProgress work@(Work before _) action = do
+withProgress work@(Work before drawn) action = do
   shown <- hIsTerminalDevice stderr
   if shown then beside else action (Bar (const (pure ())) id)
   where
@@ -95,9 +95,13 @@ withProgress work@(Work before _) action = do
               }
           -- Five times a second is often enough for an eye.
           redrawn = forever (threadDelay 200000 >> withMVar state draw)
-          over thread = killThread thread >> readMVar state >>= draw >> put ""
-      readMVar state >>= draw
+          over thread = killThread thread >> edge state draw >> put ""
+      edge state draw
       bracket (forkIO redrawn) over (\_ -> action bar)
+    -- How work begins and ends is shown where it is counted; where it is not, it may be short.
+    edge state draw = case drawn of
+      Counted {} -> readMVar state >>= draw
+      Open _ -> pure ()
 
 -- | Whether lines go to the standard output at the same time.
 data Meanwhile = Printing | NotPrinting

@@ -23,6 +23,7 @@ import PraTactile.Format.Emboss
 import PraTactile.Object.Placement hiding (Spot (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
+import Progress
 import Setup
 import System.FilePath (takeExtension, (</>))
 import Visible
@@ -156,6 +157,7 @@ run options = do
   alphabet <- alphabetFor (shapesFile options) profile
   files <-
     orUnusable id
+      =<< whileWorking "raising symbols"
       =<< orUnusable
         profileMessage
         ( withProfile profile $ \array _ -> case kind of

@@ -23,6 +23,7 @@ import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Net
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile (canonicalProfile, profileShape)
+import Progress
 import Visible
 
 data Options = Options
@@ -78,7 +79,8 @@ run options = do
       (subject options)
   let trees = spanningTrees whole
       found = if trees <= mostTrees || everyOne options then Just (census whole) else Nothing
-      none = trees == 0 || maybe False (null . censusNets) found
+  _ <- whileWorking "unfolding it in every way" (trees `seq` maybe 0 (length . censusNets) found)
+  let none = trees == 0 || maybe False (null . censusNets) found
   drawn <- for (pictures options) (drawInto whole found)
   printAs
     (form options)

@@ -41,6 +41,7 @@ import PraTactile.Profile
 import PraTactile.Window (maskFrom)
 import PraTactile.Window.Distance
 import PraTactile.Window.Proof (windowRank)
+import Progress
 import Visible
 
 data Options = Options
@@ -155,7 +156,8 @@ run choice options = do
             placeWindows = windows,
             placePress = leastPress (profileWindow profile)
           }
-  case found of
+  laying <- whileWorking "looking for where faces lie" found
+  case laying of
     NoWay why ->
       NotAnswered <$ told options (report IsImpossible (Just why) [] Nothing) (whyNot wishes why)
     NoneFound ->

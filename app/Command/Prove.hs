@@ -20,6 +20,7 @@ import PraTactile.Profile
 import PraTactile.Window
 import PraTactile.Window.Distance
 import PraTactile.Window.Proof
+import Progress
 import Visible
 
 command :: Mod CommandFields (IO ExitStatus)
@@ -52,6 +53,7 @@ command =
 run :: ArrayChoice -> Maybe Mask -> Maybe Surface -> AnswerForm -> Maybe FilePath -> IO ExitStatus
 run choice drawn on form source = do
   result <- maybe ofProfile ofFile source choice drawn on
+  _ <- whileWorking working (length (verdictText result))
   printAs
     form
     (verdictText result)
@@ -73,7 +75,7 @@ ofProfile choice drawn on = do
   let on' = profileSurface profile
       proven array _ = (fst <$> prove (ArrayOn on' array) mask, distanceOn on' array mask)
   (outcome, far) <- orUnusable profileMessage (withProfile profile proven)
-  found <- orUnusable proofMessage outcome
+  found <- whileWorking working outcome >>= orUnusable proofMessage
   pure (Result (OfProfile profile) mask found far)
   where
     -- The distance is that of the windows on the array's own surface, and is given if it takes no
@@ -93,8 +95,14 @@ ofFile file choice drawn on = do
       misused "say what a window of the file is: --window ROWSxCOLUMNS or --mask DRAWING"
     (Just _, Just _) -> misused "--mask already says what a window is; leave out --window"
   grid <- readGrid q file
-  found <- orUnusable proofMessage (proveGrid (fromMaybe Torus on) grid mask)
+  found <-
+    whileWorking working (proveGrid (fromMaybe Torus on) grid mask)
+      >>= orUnusable proofMessage
   pure (Result (OfFile (nameInJson file) grid) mask found Nothing)
+
+-- | What is done meanwhile.
+working :: String
+working = "visiting windows"
 
 verdictText :: Result -> String
 verdictText (Result subject mask found far) =

@@ -186,7 +186,7 @@ spec = do
             pra (words "train --uncalibrated --regimen manual --seed 1 --output" ++ [to])
       (_, stages, _) <- train file
       weights <- readFile file
-      train "-" `shouldReturn` (0, weights, unlines (take 3 (lines stages)))
+      train "-" `shouldReturn` (0, weights, unlines (take 4 (lines stages)))
   it "a file's name may have any bytes, also a line of a batch" $
     inFolder $ \folder -> do
       _ <- pra (words "images --set bitmap --count 1 --seed 1 --output" ++ [folder </> "i"])
