@@ -9,9 +9,9 @@ module PlacementChoice
     ofDatabase,
     chosenPlacement,
     chosenWith,
-    chosenNear,
     chosenFirst,
     withDatabase,
+    withNear,
     shownWith,
     feltPlacement,
   )
@@ -116,22 +116,22 @@ chosenWith array choice named = case choice of
   InDatabase file -> chosenStored array file (\_ store -> storedObjects store [named])
   _ -> chosenPlacement array choice
 
--- | The same for who looks positions up: of a database without an object, and with what reads the
--- objects on and next to cells of the array that are found.
-chosenNear ::
-  ArrayChoice -> PlacementChoice -> IO (Profile, Placement, [Position] -> IO (Maybe Placement))
-chosenNear array choice = case choice of
-  InDatabase file -> do
-    (profile, bare) <- withDatabase array file $ \profile store ->
-      (,) profile
-        <$> orUnusable placementMessage (placement (storedShape store) (storedPitch store) [] [])
-    pure (profile, bare, fmap Just . near file)
+-- | Go on with the profile and the placement chosen for who looks positions up: of a database
+-- without an object, and with what reads the objects on and next to cells of the array that are
+-- found. The database stays open meanwhile.
+withNear ::
+  ArrayChoice ->
+  PlacementChoice ->
+  (Profile -> Placement -> ([Position] -> IO (Maybe Placement)) -> IO a) ->
+  IO a
+withNear array choice going = case choice of
+  InDatabase file -> withDatabase array file $ \profile store -> do
+    bare <- orUnusable placementMessage (placement (storedShape store) (storedPitch store) [] [])
+    going profile bare $ \cells ->
+      storedNear store (profileWindow profile) cells >>= orUnusable storeMessage . fmap Just
   _ -> do
     (profile, layout) <- chosenPlacement array choice
-    pure (profile, layout, const (pure Nothing))
-  where
-    near file cells = withDatabase array file $ \profile store ->
-      storedNear store (profileWindow profile) cells >>= orUnusable storeMessage
+    going profile layout (const (pure Nothing))
 
 -- | The same for who presses the first so many faces and asks nothing that is further away on the
 -- array than so many rows and columns, by the array's window: of a database no more is read.

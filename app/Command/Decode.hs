@@ -8,7 +8,6 @@ where
 
 import ArrayChoice
 import Control.Monad (unless, when)
-import Data.Either (fromRight)
 import Data.Foldable (for_)
 import Data.List.NonEmpty (nonEmpty)
 import Data.Maybe (fromMaybe, listToMaybe, mapMaybe)
@@ -195,30 +194,40 @@ run choice options
   | otherwise = do
     for_ (picture options) orNotSvg
     world <- traverse readPlane (plane options)
-    (profile, layout, near) <- chosenNear choice (objects options)
-    (scale, _) <- feltPlacement layout
-    let larger = fromRational scale
-    symbols <- readerFor (symbolReader options) profile
-    decoder <- decoderOn profile layout symbols near world options
-    found <- sourcePaths (paths options) >>= orUnusable filesMessage
-    let several = not (null (drop 1 found))
-    when
-      (several && picture options /= Nothing)
-      (misused "--picture draws one composite; give one source")
-    known <- (\stated -> stated {preparedScale = larger}) <$> preparation (frames options)
-    composites <- loadSources (readerTables symbols) known (stitching options) found
-    case sharing options of
-      OneFace ->
-        placed [(x / larger, y / larger) | (x, y) <- places options] (zip found composites)
-          >>= decoder (map sourcePath found)
-      EachItsOwn -> do
-        unless
-          (null (places options))
-          (misused "--at is for whole images that are decoded --together")
-        fmap (maximum . (Answered :)) . for (zip (map sourcePath found) composites) $
-          \(path, composite) -> do
-            when (several && form options == AsText) (putStrLn (visibleName path ++ ":"))
-            decoder [path] [composite]
+    withNear choice (objects options) (decodeAll world options)
+
+-- | Decode the sources by a profile, a placement, and what reads the objects that lie somewhere.
+decodeAll ::
+  Maybe RigidMotion ->
+  Options ->
+  Profile ->
+  Placement ->
+  ([Position] -> IO (Maybe Placement)) ->
+  IO ExitStatus
+decodeAll world options profile layout near = do
+  (scale, _) <- feltPlacement layout
+  let larger = fromRational scale
+  symbols <- readerFor (symbolReader options) profile
+  decoder <- decoderOn profile layout symbols near world options
+  found <- sourcePaths (paths options) >>= orUnusable filesMessage
+  let several = not (null (drop 1 found))
+  when
+    (several && picture options /= Nothing)
+    (misused "--picture draws one composite; give one source")
+  known <- (\stated -> stated {preparedScale = larger}) <$> preparation (frames options)
+  composites <- loadSources (readerTables symbols) known (stitching options) found
+  case sharing options of
+    OneFace ->
+      placed [(x / larger, y / larger) | (x, y) <- places options] (zip found composites)
+        >>= decoder (map sourcePath found)
+    EachItsOwn -> do
+      unless
+        (null (places options))
+        (misused "--at is for whole images that are decoded --together")
+      fmap (maximum . (Answered :)) . for (zip (map sourcePath found) composites) $
+        \(path, composite) -> do
+          when (several && form options == AsText) (putStrLn (visibleName path ++ ":"))
+          decoder [path] [composite]
 
 -- | How composites of one face, given their names, are decoded and the answer is printed.
 decoderOn ::
@@ -267,11 +276,13 @@ decodeWith ::
   [Composite] ->
   IO ExitStatus
 decodeWith profile array near world options bare from composites = do
+  seen <- orUnusable networkMessage (sight (recogniserReader bare) composites)
   -- Where it is on the array is known without the objects; of a database those that lie there are
   -- read then.
-  objects' <- near (fromRight [] (cellsShown (tolerance options) bare composites))
+  objects' <- near (cellsShown (tolerance options) bare seen)
   let reader = maybe bare (\there -> bare {recogniserPlacement = there}) objects'
-  recognition <- orUnusable networkMessage (recogniseWith (tolerance options) reader composites)
+  recognition <-
+    orUnusable networkMessage (recogniseSeen (tolerance options) reader composites seen)
   for_ ((,) <$> picture options <*> listToMaybe composites) $ \(file, composite) ->
     writeWhole file (pageSvg (page reader composite recognition))
   unless (picture options == Just standardOutput) $

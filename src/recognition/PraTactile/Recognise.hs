@@ -18,9 +18,14 @@ module PraTactile.Recognise
     Recognition (..),
     recognise,
     recogniseWith,
-    cellsShown,
     recognisedAngle,
     leastTilt,
+
+    -- * Recognition in two steps
+    Sight,
+    sight,
+    cellsShown,
+    recogniseSeen,
 
     -- * Symbols
     ReadSymbol (..),
@@ -51,6 +56,7 @@ import Data.List (partition)
 import Data.Maybe (isJust, isNothing)
 import PraTactile.Array (Position)
 import PraTactile.Classification.Network (NetworkError)
+import PraTactile.Classification.Reader (Reader)
 import PraTactile.Composite (asTaken)
 import PraTactile.Composite.Tilt (leastTilt, setUpright, tilt)
 import PraTactile.Field (KnownField)
@@ -86,9 +92,19 @@ recogniseWith ::
   Recogniser k ->
   [Composite] ->
   Either NetworkError Recognition
-recogniseWith tolerance reader composites = do
-  shown <- recogniseAsPut tolerance reader composites
-  case ([(c, found) | c <- composites, Just found <- [compositeContradiction c]], recognisedAnswer shown) of
+recogniseWith tolerance reader composites =
+  sight (recogniserReader reader) composites >>= recogniseSeen tolerance reader composites
+
+-- | 'recogniseWith' of composites whose 'sight' is known.
+recogniseSeen ::
+  KnownField k =>
+  Tolerance ->
+  Recogniser k ->
+  [Composite] ->
+  Sight ->
+  Either NetworkError Recognition
+recogniseSeen tolerance reader composites seen =
+  case (contradictions, recognisedAnswer shown) of
     ((composite, found) : _, _) -> do
       agreeing <- traverse (recogniseAsPut tolerance reader . pure) (compositeAgreeing composite)
       let contradiction =
@@ -105,14 +121,16 @@ recogniseWith tolerance reader composites = do
       pure (doubting tolerance misplaced shown)
     (_, Left refusal)
       | refusal `elem` [NoSymbols, SymbolsUnclear] -> do
-        seen <- seenInstead (fmap mostly . recogniseAsPut tolerance reader) composites
-        pure shown {recognisedAnswer = Left (ShownInstead seen refusal)}
+        there <- seenInstead (fmap mostly . recogniseAsPut tolerance reader) composites
+        pure shown {recognisedAnswer = Left (ShownInstead there refusal)}
     _ -> pure shown
   where
+    shown = recognitionOf tolerance reader seen
+    contradictions =
+      [(one, found) | one <- composites, Just found <- [compositeContradiction one]]
     mostly found = case recognisedAnswer found of
       Right _ -> True
       Left _ -> mostRecognised (recognisedSymbols found)
-
 
 -- | Whether what is recognised is mirrored, as far as that is known.
 shownMirrored :: Recognition -> Maybe Bool
@@ -134,45 +152,61 @@ unmirroring composites = case map cleanedComposite composites of
 
 -- | The cells of the array that composites may show as their frames were put together, whatever
 -- lies there: of all places that are likely by the symbols alone, in each way in which
--- 'recogniseWith' reads them.
-cellsShown ::
-  KnownField k => Tolerance -> Recogniser k -> [Composite] -> Either NetworkError [Position]
-cellsShown tolerance reader composites =
-  foldMap (likelyCells reader tolerance . recognisedCells) . bothWays
-    <$> readAsPut tolerance reader composites
+-- 'recogniseSeen' reads them.
+cellsShown :: KnownField k => Tolerance -> Recogniser k -> Sight -> [Position]
+cellsShown tolerance reader (Sight asGiven setRight) =
+  foldMap cellsOf (asGiven : [upright | (_, _, upright) <- toList setRight])
   where
-    bothWays (asGiven, setRight) = asGiven : map snd (toList setRight)
+    cellsOf = foldMap (likelyCells reader tolerance . gridCells . lookGrid)
 
--- | 'recogniseWith' of composites as their frames were put together. Where they are read both as
--- they are and set upright, what is 'preferred' holds.
+-- | 'recogniseWith' of composites as their frames were put together.
 recogniseAsPut ::
   KnownField k =>
   Tolerance ->
   Recogniser k ->
   [Composite] ->
   Either NetworkError Recognition
-recogniseAsPut tolerance reader composites = do
-  (asGiven, setRight) <- readAsPut tolerance reader composites
-  pure (maybe asGiven (\(angle, other) -> preferred angle asGiven other) setRight)
+recogniseAsPut tolerance reader =
+  fmap (recognitionOf tolerance reader) . sight (recogniserReader reader)
 
--- | What is recognised in composites as they are; and, where the symbols are not nearly upright by
--- their 'tilt', that angle and what is recognised in the composites set upright.
-readAsPut ::
-  KnownField k =>
-  Tolerance ->
-  Recogniser k ->
-  [Composite] ->
-  Either NetworkError (Recognition, Maybe (Double, Recognition))
-readAsPut tolerance reader given = case tilt (map cleanedComposite composites) of
+-- | What was seen, located on the array. Where composites are read both as they are and set
+-- upright, what is 'preferred' holds.
+recognitionOf :: KnownField k => Tolerance -> Recogniser k -> Sight -> Recognition
+recognitionOf tolerance reader (Sight asGiven setRight) = case setRight of
+  Nothing -> located asGiven
+  Just (angle, places, upright) ->
+    preferred angle (axesTilted (located asGiven)) (relocated angle places (located upright))
+  where
+    located = either id (locatedLook tolerance reader)
+
+-- | What composites of one face show, before the array and the objects are asked: in the composites
+-- as they are; and, where the symbols are not nearly upright by their 'tilt', that angle, where
+-- places of the composites set upright are on those given, and what the former show.
+data Sight = Sight
+  !(Either Recognition Look)
+  !(Maybe (Double, [(Double, Double) -> (Double, Double)], Either Recognition Look))
+
+-- | Symbols and parts on one grid.
+data Look = Look
+  { lookSymbols :: [ReadSymbol],
+    -- | those of the other axis that the network knows all the same
+    lookDissenters :: [ReadSymbol],
+    lookParts :: [ReadSymbol],
+    -- | with the parts in it
+    lookGrid :: FaceGrid,
+    lookTilt :: Double
+  }
+
+-- | Read the symbols of composites of one face. Refuses only what the network refuses.
+sight :: Reader -> [Composite] -> Either NetworkError Sight
+sight reader given = case tilt (map cleanedComposite composites) of
   Just angle
     | abs angle > leastTilt -> do
-      asGiven <- axesTilted <$> recogniseUpright tolerance reader Nothing composites
+      asGiven <- lookUpright reader Nothing composites
       let (upright, places) = unzip (map (cleanedUpright angle) composites)
-      turnedBack <- recogniseUpright tolerance reader (Just 0) upright
-      pure (asGiven, Just (angle, relocated angle places turnedBack))
-  shown -> do
-    asGiven <- recogniseUpright tolerance reader shown composites
-    pure (asGiven, Nothing)
+      turnedBack <- lookUpright reader (Just 0) upright
+      pure (Sight asGiven (Just (angle, places, turnedBack)))
+  shown -> (`Sight` Nothing) <$> lookUpright reader shown composites
   where
     composites = map cleaned given
 
@@ -183,66 +217,64 @@ cleanedUpright angle (Cleaned composite forParts foreignThings) =
   where
     (upright, back) = setUpright angle composite
 
--- | 'recogniseWith' of composites whose symbols' axes are nearly theirs: turned from them by the
--- angle, in degrees clockwise, as far as the images show it.
-recogniseUpright ::
-  KnownField k =>
-  Tolerance ->
-  Recogniser k ->
+-- | What composites show whose symbols' axes are nearly theirs: turned from them by the angle, in
+-- degrees clockwise, as far as the images show it. 'Left' has why that is not located.
+lookUpright ::
+  Reader ->
   Maybe Double ->
   [Cleaned] ->
-  Either NetworkError Recognition
-recogniseUpright tolerance reader angle composites = do
-  upright <- readSymbols symbolReader identity 0 composites
+  Either NetworkError (Either Recognition Look)
+lookUpright reader angle composites = do
+  upright <- readSymbols reader identity 0 composites
   -- A composite whose upright symbols are known has no others, and one that is flat has none.
   let flat = all ((<= 0) . segmentedContrast . viewSegmentation) upright
       next = length (concatMap viewSymbols upright)
   sideways <-
     if flat || mostKnown upright
       then pure []
-      else readSymbols symbolReader (turned 1) next composites
+      else readSymbols reader (turned 1) next composites
   let (views, others)
         | length (known sideways) > length (known upright) = (sideways, upright)
         | otherwise = (upright, sideways)
   isMirrored <-
-    if null (known views) && not flat then readMirrored symbolReader composites else pure False
+    if null (known views) && not flat then readMirrored reader composites else pure False
   pure $
     if isMirrored
-      then unanswered (concatMap viewSymbols views ++ known others) (Mirrored (unmirroring composites))
-      else answered tolerance reader angle views (known others)
+      then Left (unanswered (concatMap viewSymbols views ++ known others) (Mirrored remedy))
+      else onOneGrid reader angle views (known others)
   where
-    symbolReader = recogniserReader reader
+    remedy = unmirroring composites
     known = filter (isJust . readClass) . concatMap viewSymbols
 
--- | The answer from the symbols of one axis, and from what the network knows of the other.
-answered ::
-  KnownField k =>
-  Tolerance ->
-  Recogniser k ->
-  Maybe Double ->
-  [View] ->
-  [ReadSymbol] ->
-  Recognition
-answered tolerance reader angle views dissenters
-  | null symbols = unanswered everything NoSymbols
-  | all (isNothing . readClass) symbols = unanswered everything SymbolsUnclear
-  | otherwise = maybe (unanswered everything GridContradicts) located (faceGrid (groups symbols))
+-- | The symbols of one axis, with parts beside them, on one grid; and what the network knows of the
+-- other axis.
+onOneGrid :: Reader -> Maybe Double -> [View] -> [ReadSymbol] -> Either Recognition Look
+onOneGrid reader angle views dissenters
+  | null symbols = Left (unanswered everything NoSymbols)
+  | all (isNothing . readClass) symbols = Left (unanswered everything SymbolsUnclear)
+  | otherwise = maybe (Left (unanswered everything GridContradicts)) Right look
   where
     symbols = concatMap viewSymbols views
     everything = symbols ++ dissenters
     next = 1 + maximum (-1 : map readNumber everything)
-    located grid =
-      let (whole, parts) = withParts (recogniserReader reader) views next grid
-          location =
-            locateGrid reader tolerance dissenters whole
-       in Recognition
-            everything
-            parts
-            (gridCells whole)
-            (locationSupport location)
-            (locationLikeliest location)
-            (gridTilt angle grid)
-            (identificationAt reader location)
+    look = do
+      grid <- faceGrid (groups symbols)
+      let (whole, parts) = withParts reader views next grid
+      pure (Look everything dissenters parts whole (gridTilt angle grid))
+
+-- | The answer from symbols and parts on one grid.
+locatedLook :: KnownField k => Tolerance -> Recogniser k -> Look -> Recognition
+locatedLook tolerance reader look =
+  Recognition
+    (lookSymbols look)
+    (lookParts look)
+    (gridCells (lookGrid look))
+    (locationSupport location)
+    (locationLikeliest location)
+    (lookTilt look)
+    (identificationAt reader location)
+  where
+    location = locateGrid reader tolerance (lookDissenters look) (lookGrid look)
 
 -- | The answer where a grid is located.
 identificationAt :: KnownField k => Recogniser k -> GridLocation -> Either Refusal Identification

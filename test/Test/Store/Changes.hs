@@ -10,6 +10,7 @@ import Control.Monad (forM_, when, (>=>))
 import Control.Monad.IO.Class (liftIO)
 import Control.Monad.Logger (fromLogStr, runLoggingT)
 import Control.Monad.Trans.Except (runExceptT)
+import Control.Monad.Trans.Reader (ReaderT)
 import Data.Bifunctor (first)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Foldable (for_)
@@ -18,7 +19,7 @@ import Data.List (nub, sort)
 import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8)
 import Data.Traversable (for)
-import Database.Persist.Sqlite (PersistValue (..), runSqlConn, withSqliteConn)
+import Database.Persist.Sqlite (PersistValue (..), SqlBackend, runSqlConn, withSqliteConn)
 import qualified Database.Sqlite as Sqlite
 import PraTactile.Array (Position (..), Shape (..), shapeCells)
 import PraTactile.Object.Canonical
@@ -52,6 +53,7 @@ spec = describe "change" $ do
       asked path $ \store -> storedPlacement store `shouldReturn` Right place
   it "some objects are read as they are among all, and are refused where one is not there" $
     stored $ \path place -> asked path $ \store -> do
+      storedNear store canonicalWindow everyPosition `shouldReturn` Right place
       for_ (placementSolids place) $ \body -> do
         let name = solidName body
             others = [solidName other | other <- placementSolids place, solidName other /= name]
@@ -132,12 +134,18 @@ inFiles = describe "change of a file" $ do
       change path (removing ["sphere"])
         `shouldReturn` Right (Left (NotChanged (UnknownObject "sphere")))
       Bytes.readFile path `shouldReturn` before
+  -- Decoding looks up every place that a press may show: on a small array, all of them. With a
+  -- statement a cell, that took 25 times as long as the recognition.
+  it "what lies at all cells is found with two statements a row of the array at most" $
+    storedInFile $ \path place -> do
+      statements <- statementsOn path $ do
+        found <- runExceptT (selectNear shape canonicalPitch canonicalWindow everyPosition)
+        liftIO (found `shouldBe` Right place)
+      length statements `shouldSatisfy` (<= 2 * fromIntegral (rows shape))
   it "every statement of a look-up searches an index" $
     storedInFile $ \path place -> do
-      said <- newIORef []
-      let logged _ _ _ text = modifyIORef said (fromLogStr text :)
-      _ <- flip runLoggingT logged . withSqliteConn (Text.pack path) $ \backend ->
-        liftIO . flip runSqlConn backend $ do
+      statements <-
+        statementsOn path $ do
           _ <- runExceptT selectSheet
           forM_ [Position 6 5, Position 14 16, Position 3 3] $ \at ->
             runExceptT (selectWhereabouts (Shape 15 17) canonicalPitch canonicalWindow at)
@@ -145,14 +153,22 @@ inFiles = describe "change of a file" $ do
           forM_ (map laidFace (laidFaces place)) $ \face ->
             runExceptT (selectPosition (Shape 15 17) face (Position 1 1))
           let unknown = Face "sphere" (readFaceName "A B C")
-          runExceptT (selectPosition (Shape 15 17) unknown (Position 1 1))
-      statements <- filter ("SELECT" `Bytes.isPrefixOf`) . map statement <$> readIORef said
+          _ <- runExceptT (selectPosition (Shape 15 17) unknown (Position 1 1))
+          runExceptT (selectNear shape canonicalPitch canonicalWindow [Position 6 5])
       length (nub statements) `shouldSatisfy` (> 8)
       for_ (nub statements) $ \asked_ -> do
         plan <- planOf path (decodeUtf8 asked_)
         (asked_, plan) `shouldSatisfy` all ("SEARCH" `Text.isPrefixOf`) . snd
   where
-    statement = Bytes.takeWhile (/= ';')
+    shape = Shape 15 17
+
+-- | The statements of a look-up in a file, but for those of transactions.
+statementsOn :: FilePath -> ReaderT SqlBackend IO a -> IO [Bytes.ByteString]
+statementsOn path lookUp = do
+  said <- newIORef []
+  let logged _ _ _ text = modifyIORef said (fromLogStr text :)
+  _ <- flip runLoggingT logged . withSqliteConn (Text.pack path) $ liftIO . runSqlConn lookUp
+  filter ("SELECT" `Bytes.isPrefixOf`) . map (Bytes.takeWhile (/= ';')) <$> readIORef said
 
 -- | How the database goes about a question, a text for each table.
 planOf :: FilePath -> Text.Text -> IO [Text.Text]

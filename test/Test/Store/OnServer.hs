@@ -232,6 +232,23 @@ strangers = do
     place <- right (named "a\0b")
     create name "profile" place `shouldReturn` Left (TextNotHeld name)
     withStore name Nothing (const (pure ())) `shouldReturn` Left (NotAStore name)
+  it "a command connects once"
+    . placedOn
+    $ \server _ -> do
+      name <- newSchema server
+      (0, _, _) <- pra ["objects", "--write", name]
+      -- Each connection first asks for its database's encoding.
+      let heard n = name ++ "%20-clog_statement%3Dall&application_name=once" ++ show (n :: Int)
+          composite = "data/worked-example/composite.pgm"
+          commands =
+            [ ["decode", composite, "--database"],
+              ["objects", "--at", "6,5", "--database"]
+            ]
+      for_ (zip [1 ..] commands) $ \(n, command) -> do
+        (0, _, _) <- pra (command ++ [heard n])
+        said <- logged server (Text.pack ("once" ++ show n))
+        (command, length (filter ("server_encoding" `Text.isInfixOf`) said))
+          `shouldBe` (command, 1)
   it "every statement of a look-up searches an index"
     . placedOn
     $ \server place -> do

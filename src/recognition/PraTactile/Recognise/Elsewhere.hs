@@ -17,7 +17,7 @@ import Data.List (find, inits, minimumBy, sortOn, tails)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Ord (comparing)
-import PraTactile.Composite (contradictionBy)
+import PraTactile.Composite (asTaken, contradictionBy)
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Field (KnownField)
 import PraTactile.Geometry (columnPitch, rotated, rowPitch, taxelPitch)
@@ -37,6 +37,7 @@ import PraTactile.Registration
   )
 import PraTactile.Registration.Layout (cellsAround, faultAt)
 import PraTactile.Segmentation (SymbolImage (..))
+import PraTactile.Sensor.Manifest (standardTaking)
 import PraTactile.Symmetry
 
 -- | Composites put together otherwise.
@@ -171,8 +172,11 @@ layoutDoubts reader tolerance composites shown oneFrame others =
   where
     likelier = case sortOn (\(_, odds, _) -> negate odds) weighed of
       (fault, odds, _) : _
-        | odds > 1 -> contradictionBy (map putAt (concatMap compositeFrames composites)) fault
+        | odds > 1 ->
+          asTaken taking Nothing
+            <$> contradictionBy (map putAt (concatMap compositeFrames composites)) fault
       _ -> Nothing
+    taking = maybe standardTaking compositeTaking (listToMaybe composites)
     cells = recognisedCells shown
     given = recognisedLikeliest shown
     weighed =

@@ -28,8 +28,9 @@ import Control.Monad.IO.Class (MonadIO)
 import Control.Monad.Trans.Class (lift)
 import Control.Monad.Trans.Except (ExceptT, except, throwE)
 import Control.Monad.Trans.Reader (ReaderT)
+import Data.Foldable (for_)
 import Data.Int (Int64)
-import Data.List (sortOn)
+import Data.List (sort, sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (listToMaybe)
 import qualified Data.Set as Set
@@ -61,19 +62,48 @@ selectCells ::
   (Natural, Natural) ->
   Query m (Map.Map Int (Natural, Query m Seat))
 selectCells between down across = do
-  found <- bandsOver down
-  counts <- for found $ \band -> do
-    high <- common BandTable down (storedBandFromRow band, storedBandToRow band)
-    crossed <- runsOver (storedBandFromRow band) across
+  found <- selectOver [(down, across)]
+  counts <- for found $ \(band, crossed) -> do
+    high <- inCommon down <$> bandRange band
     for [(run, n) | run <- crossed, Just n <- [storedRunLaying run]] $ \(run, laying) -> do
-      wide <- common RunTable across (storedRunFromColumn run, storedRunToColumn run)
-      pure (fromIntegral laying, (high * wide, selectSeat between laying))
+      from <- except (natural RunTable (storedRunFromColumn run))
+      to <- except (natural RunTable (storedRunToColumn run))
+      pure (fromIntegral laying, (high * inCommon across (from, to), selectSeat between laying))
   pure (Map.fromListWith more (concat counts))
+
+-- | The bands that have rows of some rectangles, each a range of rows and one of columns, and of
+-- each band the runs that have columns of those rectangles.
+selectOver ::
+  MonadIO m =>
+  [((Natural, Natural), (Natural, Natural))] ->
+  Query m [(StoredBand, [StoredRun])]
+selectOver rectangles = do
+  found <- concat <$> traverse bandsOver (united (map fst rectangles))
+  for (distinct storedBandFromRow found) $ \band -> do
+    range <- bandRange band
+    let across = united [columns' | (down, columns') <- rectangles, down `meets` range]
+    crossed <- concat <$> traverse (runsOver (storedBandFromRow band)) across
+    pure (band, distinct storedRunFromColumn crossed)
   where
-    common table range (from, to) = do
-      from' <- except (natural table from)
-      to' <- except (natural table to)
-      pure (inCommon range (from', to'))
+    (from, to) `meets` (from', to') = from < to' && from' < to
+    distinct key found = Map.elems (Map.fromList [(key row', row') | row' <- found])
+
+-- | The rows of a band.
+bandRange :: Monad m => StoredBand -> Query m (Natural, Natural)
+bandRange band =
+  except $
+    (,)
+      <$> natural BandTable (storedBandFromRow band)
+      <*> natural BandTable (storedBandToRow band)
+
+-- | Ranges that together have the same numbers and of which no two touch.
+united :: [(Natural, Natural)] -> [(Natural, Natural)]
+united = joined . sort
+  where
+    joined ((from, to) : (from', to') : others)
+      | from' <= to = joined ((from, max to to') : others)
+      | otherwise = (from, to) : joined ((from', to') : others)
+    joined ranges = ranges
 
 -- | The bands that have rows of a range.
 bandsOver :: MonadIO m => (Natural, Natural) -> Query m [StoredBand]
@@ -157,7 +187,7 @@ selectPosition :: MonadIO m => Shape -> Face -> Position -> Query m Position
 selectPosition shape (Face named walk) local = do
   owner <- selectObject named
   let object = storedObjectNumber owner
-  own <- selectDescription owner
+  own <- selectDescriptions [owner]
   let names = Map.fromList [(storedVertexNumber it, vertexIn it) | it <- vertices own]
       byFace = Map.fromListWith (++) [(storedCornerFace it, [it]) | it <- corners own]
   known <- for (sortOn storedFaceNumber (faces own)) $ \face -> do
@@ -195,32 +225,33 @@ selectCell (Shape high wide) laying face local = do
 
 -- | The placement of the objects of these names alone; the array's shape and pitch come first.
 selectObjects :: MonadIO m => Shape -> Pitch -> [ObjectName] -> Query m Placement
-selectObjects shape between names = do
-  owners <- traverse selectObject names
-  found <- traverse allOf owners
-  let together = mconcat found
-  snd <$> except (placementIn shape between together {runBands = distinct (runBands together)})
-  where
-    distinct rows' = Map.elems (Map.fromList [(storedBandFromRow row', row') | row' <- rows'])
-    allOf owner = do
-      described <- selectDescription owner
-      layings' <- selected LayingTable [StoredLayingObject ==. storedObjectNumber owner] []
-      complete LayingTable (sum (map storedFaceLaid (faces described))) layings'
-      parted <- for layings' $ \laying -> do
-        Position top left <- except (atIn laying)
-        Shape high wide <- except (gridIn laying)
-        found <- bandsOver (top, min (rows shape) (top + high))
-        own <- for found $ \band -> do
-          covered <- runsOver (storedBandFromRow band) (left, min (columns shape) (left + wide))
-          pure (filter ((== Just (storedLayingNumber laying)) . storedRunLaying) covered)
-        pure (found, concat own)
-      pure
-        described
-          { objects = [owner],
-            layings = layings',
-            runBands = concatMap fst parted,
-            runs = concatMap snd parted
-          }
+selectObjects shape between names = traverse selectObject names >>= selectOwners shape between
+
+-- | The placement of these objects alone; the array's shape and pitch come first.
+selectOwners :: MonadIO m => Shape -> Pitch -> [StoredObject] -> Query m Placement
+selectOwners shape between owners = do
+  described <- selectDescriptions owners
+  layings' <- among (map storedObjectNumber owners) LayingTable StoredLayingObject
+  complete LayingTable (sum (map storedFaceLaid (faces described))) layings'
+  blocks <- for layings' $ \laying -> do
+    Position top left <- except (atIn laying)
+    Shape high wide <- except (gridIn laying)
+    pure ((top, min (rows shape) (top + high)), (left, min (columns shape) (left + wide)))
+  parted <- selectOver blocks
+  let laid = Set.fromList (map storedLayingNumber layings')
+      theirs = maybe False (`Set.member` laid) . storedRunLaying
+  snd
+    <$> except
+      ( placementIn
+          shape
+          between
+          described
+            { objects = owners,
+              layings = layings',
+              runBands = map fst parted,
+              runs = concatMap (filter theirs . snd) parted
+            }
+      )
 
 -- | The placement of those objects alone that have cells of any window of this shape that has one
 -- of these cells of the array; the array's shape and pitch come first.
@@ -258,11 +289,19 @@ widened (Shape high wide) (Shape down across) (Position r c, Shape tall broad) =
 -- upper left cell and its shape; the array's shape and pitch come first.
 selectUnder :: MonadIO m => Shape -> Pitch -> [(Position, Shape)] -> Query m Placement
 selectUnder shape between blocks = do
-  under <- for blocks $ \(at, block) -> facesUnder mapping block at
-  seats <- traverse snd (Map.elems (Map.unions under))
-  selectObjects shape between (Set.toList (Set.fromList (map (faceObject . seatFace) seats)))
+  parted <- selectOver rectangles
+  let numbers = distinct [n | (_, crossed) <- parted, Just n <- map storedRunLaying crossed]
+  layings' <- among numbers LayingTable StoredLayingNumber
+  complete LayingTable (fromIntegral (length numbers)) layings'
+  let owners = distinct (map storedLayingObject layings')
+  objects' <- among owners ObjectTable StoredObjectNumber
+  complete ObjectTable (fromIntegral (length owners)) objects'
+  selectOwners shape between objects'
   where
-    mapping = Mapping shape between (selectCells between)
+    distinct = Set.toList . Set.fromList
+    -- Those that each block consists of, where it is cut at the ends of the array.
+    rectangles = fst (traverse (\(at, block) -> facesUnder visited block at) blocks)
+    visited = Mapping shape between (\down across -> ([(down, across)], Map.empty))
 
 -- | The object of a name. Names are parted: that there is none of a name says the one before it.
 selectObject :: MonadIO m => ObjectName -> Query m StoredObject
@@ -278,18 +317,33 @@ selectObject named = do
   where
     text = Text.pack (objectText named)
 
--- | All vertices, faces and corners of an object.
-selectDescription :: MonadIO m => StoredObject -> Query m Rows
-selectDescription owner = do
-  vertices' <- selected VertexTable [StoredVertexObject ==. object] []
-  complete VertexTable (storedObjectVertices owner) vertices'
-  faces' <- selected FaceTable [StoredFaceObject ==. object] []
-  complete FaceTable (storedObjectFaces owner) faces'
-  corners' <- selected CornerTable [StoredCornerObject ==. object] []
-  complete CornerTable (sum (map storedFaceCorners faces')) corners'
+-- | All vertices, faces and corners of these objects.
+selectDescriptions :: MonadIO m => [StoredObject] -> Query m Rows
+selectDescriptions owners = do
+  vertices' <- among numbers VertexTable StoredVertexObject
+  faces' <- among numbers FaceTable StoredFaceObject
+  corners' <- among numbers CornerTable StoredCornerObject
+  let vertexCount = countedBy storedVertexObject vertices'
+      faceCount = countedBy storedFaceObject faces'
+      cornerCount = countedBy (\it -> (storedCornerObject it, storedCornerFace it)) corners'
+  for_ owners $ \owner -> do
+    let number = storedObjectNumber owner
+    agree VertexTable (storedObjectVertices owner) (vertexCount number)
+    agree FaceTable (storedObjectFaces owner) (faceCount number)
+  for_ faces' $ \face ->
+    agree
+      CornerTable
+      (storedFaceCorners face)
+      (cornerCount (storedFaceObject face, storedFaceNumber face))
+  agree CornerTable (sum (map storedFaceCorners faces')) (fromIntegral (length corners'))
   pure mempty {vertices = vertices', faces = faces', corners = corners'}
   where
-    object = storedObjectNumber owner
+    numbers = map storedObjectNumber owners
+    countedBy key found =
+      let counts = Map.fromListWith (+) [(key row', 1) | row' <- found]
+       in \one' -> Map.findWithDefault 0 one' counts
+    agree :: Monad m => Table -> Int64 -> Int64 -> Query m ()
+    agree table wanted found = unless (wanted == found) (throwE (UnreadableRow table))
 
 -- | The array's row.
 selectSheet :: MonadIO m => Query m Metadata
@@ -312,6 +366,18 @@ selected ::
 selected table filters how = do
   found <- lift (selectList filters how)
   except (traverse (intact table . entityVal) found)
+
+-- | All rows that a table has with one of these numbers in a column, some hundreds a statement.
+among ::
+  (MonadIO m, PersistEntity row, PersistEntityBackend row ~ SqlBackend) =>
+  [Int64] ->
+  Table ->
+  EntityField row Int64 ->
+  Query m [row]
+among numbers table column' = case splitAt 500 numbers of
+  ([], _) -> pure []
+  (block, others) ->
+    (++) <$> selected table [column' <-. block] [] <*> among others table column'
 
 -- | The only one; refuses where there is none.
 one :: Monad m => Table -> [row] -> Query m row
