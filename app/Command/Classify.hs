@@ -15,7 +15,8 @@ import PraTactile.Classification.Classifier
 import PraTactile.Files (largestInput, readUpTo)
 import PraTactile.Format.Classification
 import PraTactile.Image (Raster, mapRaster, maximumValue, minimumValue)
-import PraTactile.Image.Pgm (decodePgm, pgmIntensity)
+import PraTactile.Image.Pgm (decodePgmUpTo, pgmIntensity)
+import PraTactile.Registration (maxCompositePixels)
 import PraTactile.Symmetry
 import Setup
 import System.IO (hFlush, stdout)
@@ -101,7 +102,7 @@ imageIn (low, high) path
     pure (first filesMessage bytes >>= image)
   where
     image bytes = do
-      seen <- first (about . imageMessage) (pgmIntensity <$> decodePgm bytes)
+      seen <- first (about . imageMessage) (pgmIntensity <$> decodePgmUpTo maxCompositePixels bytes)
       when (minimumValue seen == maximumValue seen) $
         Left (about "all of its values are the same")
       Right (mapRaster (\v -> (v - low) / (high - low)) seen)

@@ -18,6 +18,7 @@ import Message.Touch
 import PraTactile.Decode (DecodeError (..))
 import PraTactile.Files (FilesError (..))
 import PraTactile.Image.Error (ImageError)
+import PraTactile.Registration (StitchError (..))
 import PraTactile.Sensor.Manifest (manifestHeader, manifestName)
 import PraTactile.Source (SourceError (..))
 import System.FilePath ((</>))
@@ -58,6 +59,7 @@ sourceMessage folder e = case e of
   ImageSize name (w, h) (w', h') ->
     (folder </> name) ++ " is " ++ by w h ++ " taxels; the manifest says " ++ by w' h'
   ImageRefused name why -> fileMessage (folder </> name) why
+  ImagesTooLarge n -> folder ++ ": " ++ stitchMessage (TooManyFramePixels n)
   CalibrationRefused why -> folder ++ ": " ++ calibrationMessage why
   where
     by w h = show w ++ " x " ++ show h

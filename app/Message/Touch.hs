@@ -60,6 +60,10 @@ imageMessage e = case e of
   ZeroSize wide high -> "an image of " ++ by (wide, high) ++ " pixels has none"
   TooManyPixels wide high ->
     "the image has " ++ by (wide, high) ++ " pixels; at most " ++ show maxPixels ++ " are read"
+  LargerThanTouched most wide high ->
+    "the image has " ++ by (wide, high) ++ " pixels; an image of what was touched has at most "
+      ++ show most
+      ++ ", each a taxel of 1.5875 mm: cut out what was pressed, or scale it down"
   NotPgm start -> "not a PGM file" ++ formatText start ++ "; a PGM file begins with P2 or P5"
   BadHeader field found -> headerMessage field found
   MaxvalOutOfRange n -> "the PGM header's maximum value is " ++ show n ++ ", not 1 to 65535"

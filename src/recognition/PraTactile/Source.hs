@@ -27,22 +27,31 @@ module PraTactile.Source
 where
 
 import Control.Applicative ((<|>))
+import Control.Monad (when)
 import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe, isJust)
+import Data.Maybe (fromMaybe, isJust, mapMaybe)
 import qualified Data.Set as Set
 import Data.Word (Word16)
 import PraTactile.FileName (isFileName)
 import PraTactile.Image (Raster, mapRaster, onRaster, rasterSize)
-import PraTactile.Image.Error (ImageError)
-import PraTactile.Image.Pgm (PgmFormat (..), decodePgm, encodePgm, pgmFromIntensity, pgmIntensity)
-import PraTactile.Registration (Composite (..), compositeOf)
+import PraTactile.Image.Error (ImageError (..))
+import PraTactile.Image.Pgm
+  ( PgmFormat (..),
+    decodePgm,
+    decodePgmUpTo,
+    encodePgm,
+    pgmFromIntensity,
+    pgmIntensity,
+    pgmSize,
+  )
+import PraTactile.Registration (Composite (..), compositeOf, maxCompositePixels, maxFramePixels)
 import PraTactile.Sensor.Calibration (Calibration, CalibrationError, corrected, withoutStuck)
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), scaledFrame, taxelPitch)
 import PraTactile.Sensor.Manifest
-import PraTactile.Sensor.Resample (resampled)
+import PraTactile.Sensor.Resample (resampled, resampledSize)
 import PraTactile.Symmetry (onPixel)
 import System.FilePath (isAbsolute, splitDirectories)
 import Text.Printf (printf)
@@ -67,6 +76,9 @@ data SourceError
     ImageSize FilePath (Int, Int) (Int, Int)
   | -- | The file of this name is no frame.
     ImageRefused FilePath ImageError
+  | -- | The images that the manifest names have this many pixels together, more than
+    -- 'maxFramePixels'.
+    ImagesTooLarge Int
   | -- | The calibration does not correct the frames.
     CalibrationRefused CalibrationError
   deriving stock (Eq, Show)
@@ -97,7 +109,7 @@ folderFrames (Folder manifest images) = traverse frame (manifestEntries manifest
       | not (inside name) = Left (ImageElsewhere name)
       | otherwise = do
         bytes <- maybe (Left (ImageAbsent name)) Right (Map.lookup name images)
-        first (ImageRefused name) (intensities bytes)
+        first (ImageRefused name) (pgmIntensity <$> decodePgm bytes)
 
 -- | What is known of frames that their manifest does not say, or says wrongly.
 data Preparation = Preparation
@@ -123,14 +135,21 @@ asStated :: Preparation
 asStated = Preparation Nothing straight (1, 1) False Nothing Nothing 1
 
 -- | The frames of a folder as they are put together: prepared, and elements that are stuck not felt
--- ('withoutStuck'). Refuses what 'folderFrames' refuses, and a calibration that does not fit them.
+-- ('withoutStuck'). Refuses what 'folderFrames' refuses, images of more than 'maxFramePixels' pixels
+-- together, before one is decoded, and a calibration that does not fit them.
 preparedFrames :: Preparation -> Folder -> Either SourceError [Frame]
 preparedFrames known folder = do
+  when (pixels > maxFramePixels) (Left (ImagesTooLarge pixels))
   frames <- folderFrames folder {folderManifest = stated}
   withoutStuck . map (nominal . placed . seen)
     <$> first CalibrationRefused (traverse (calibrated . onImage (asContact known)) frames)
   where
     manifest = folderManifest folder
+    -- What is no image has none; it is refused when it is decoded.
+    pixels = sum (mapMaybe pixelsOf (manifestEntries manifest))
+    pixelsOf entry = do
+      bytes <- Map.lookup (entryFile entry) (folderImages folder)
+      either (const Nothing) (Just . uncurry (*)) (pgmSize bytes)
     stated =
       manifest
         { manifestAxes = preparedAxes known <|> manifestAxes manifest,
@@ -187,21 +206,22 @@ data Source
     WholeImage ByteString
   deriving stock (Eq, Show)
 
--- | The composite that a PGM file is. Refuses what is no PGM.
+-- | The composite that a PGM file is. Refuses what is no PGM, and an image of more than
+-- 'maxCompositePixels' pixels, as no composite of frames has them.
 imageComposite :: ByteString -> Either ImageError Composite
 imageComposite = preparedImage asStated
 
 -- | The composite that a PGM file is, prepared as far as that concerns an image.
 preparedImage :: Preparation -> ByteString -> Either ImageError Composite
 preparedImage known bytes = do
-  image <- intensities bytes
+  image <- pgmIntensity <$> decodePgmUpTo maxCompositePixels bytes
   let taken = preparedImageAxes known
       taxel = fromMaybe taxelPitch (preparedTaxel known)
-      scaled = if taxel == taxelPitch then id else resampled (taxel / taxelPitch)
+      ratio = taxel / taxelPitch
+      scaled = if ratio == 1 then id else resampled ratio
+      (wide, high) = resampledSize ratio (rasterSize image)
+  when (wide * high > maxCompositePixels) (Left (LargerThanTouched maxCompositePixels wide high))
   pure
     (compositeOf (scaled (onRaster (axesSymmetry taken) (asContact known image))))
       { compositeTaking = standardTaking {takenImages = taken, takenTaxel = taxel}
       }
-
-intensities :: ByteString -> Either ImageError Raster
-intensities = fmap pgmIntensity . decodePgm

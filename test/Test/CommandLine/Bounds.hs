@@ -3,6 +3,7 @@
 module Test.CommandLine.Bounds (spec) where
 
 import Control.Monad (forM_)
+import qualified Data.ByteString.Char8 as Bytes
 import Data.List (intercalate, isInfixOf)
 import PraTactile.Factorisation
 import System.FilePath ((</>))
@@ -65,6 +66,16 @@ spec = do
       (status, out, length (lines err)) `shouldBe` (2, "", 1)
       err `shouldSatisfy` ("a number of 5000 digits" `isInfixOf`)
       length err `shouldSatisfy` (< 400)
+  -- A blank one was read for a minute, and then a larger one was asked for.
+  it "an image of 12 megapixels is refused by its size, whatever it shows" $
+    forM_ [("blank", '\0'), ("white", '\255')] $ \(name, taxel) -> inFolder $ \folder -> do
+      let file = folder </> (name ++ ".pgm")
+      Bytes.writeFile
+        file
+        (Bytes.pack "P5 4000 3000 255\n" <> Bytes.replicate 12000000 taxel)
+      forM_ (words "decode segment classify") $ \command ->
+        atOnce (complains [command, file] "4000 x 3000 pixels")
+      atOnce (complains ["register", file, file, "--step", "8,0"] "4000 x 3000 pixels")
   it "prove: windows larger than a large array" $ do
     let large =
           [ "prove",

@@ -21,7 +21,7 @@ import PraTactile.Object.Placement (Face (..), Placement (..), spotMillimetres)
 import PraTactile.Object.WingedEdge (ObjectName (..), faceText, vertexText)
 import PraTactile.Pressing (pressed, pressingWith)
 import PraTactile.Recognise (ReadWindow (..))
-import PraTactile.Registration (Registration (..), compositePosition)
+import PraTactile.Registration (Registration (..), compositePosition, maxCompositePixels)
 import PraTactile.Registration.Stitching (registrationFor)
 import PraTactile.Sensor (Sensor (..), sensorTaxelGrid, standardSensor, withTaxel)
 import PraTactile.Sensor.Calibration (Calibration (..), CalibrationError (..), corrected)
@@ -65,6 +65,21 @@ bytesSpec = do
     folderFrames
       (Folder (listed ["a.pgm"]) {manifestFrame = Just (16, 8)} (Map.singleton "a.pgm" flat))
       `shouldBe` Left (ImageSize "a.pgm" (16, 16) (16, 8))
+  it "an image is a composite up to the size of composites of frames; a larger one is refused" $ do
+    let image wide high = Bytes8.pack ("P5 " ++ show wide ++ " " ++ show high ++ " 255\n")
+        refused = either Just (const Nothing) . imageComposite
+    -- Without its samples, one that is not too large is cut off.
+    refused (image 2048 (2048 :: Int)) `shouldBe` Just (Truncated maxCompositePixels 0)
+    refused (image 2048 (2049 :: Int)) `shouldBe` Just (LargerThanTouched 4194304 2048 2049)
+    refused (image 4194305 (1 :: Int)) `shouldBe` Just (LargerThanTouched 4194304 4194305 1)
+  it "images of more pixels together than frames may have are refused before one is decoded" $ do
+    let folder n = Folder (listed names) (Map.fromList [(name, half) | name <- names])
+          where
+            names = take n ["a.pgm", "b.pgm", "c.pgm"]
+        half = Bytes8.pack "P5 2048 2048 255\n"
+    preparedFrames asStated (folder 3) `shouldBe` Left (ImagesTooLarge 12582912)
+    preparedFrames asStated (folder 2)
+      `shouldBe` Left (ImageRefused "a.pgm" (Truncated 4194304 0))
   it "the images to be read are those in the folder, each once" $
     imagesNamed (listed (["b.pgm", "sub/a.pgm", "b.pgm"] ++ elsewhere))
       `shouldBe` ["b.pgm", "sub/a.pgm"]

@@ -24,6 +24,9 @@ data ImageError
     ZeroSize !Natural !Natural
   | -- | More pixels than 'PraTactile.Image.Pgm.maxPixels': width and height.
     TooManyPixels !Natural !Natural
+  | -- | More pixels than this many, which are the most of an image of what was touched: width and
+    -- height.
+    LargerThanTouched !Int !Int !Int
   | -- | The file does not begin with a PGM's @P2@ or @P5@; its first bytes (at most eight).
     NotPgm !ByteString
   | -- | A number of the header is missing or malformed: which one, and the bytes found there (at

@@ -21,6 +21,8 @@ module PraTactile.Image.Pgm
 
     -- * Files
     decodePgm,
+    decodePgmUpTo,
+    pgmSize,
     PgmFormat (..),
     encodePgm,
     formatName,
@@ -45,7 +47,7 @@ import qualified Data.Vector.Storable as V
 import Data.Word (Word16, Word8)
 import PraTactile.Image (Raster, generate, rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Image.Error (HeaderField (..), ImageError (..))
-import PraTactile.Image.Pgm.Decode (decodePgm, formatName)
+import PraTactile.Image.Pgm.Decode (decodePgm, decodePgmUpTo, formatName, pgmSize)
 import PraTactile.Image.Pgm.Type
 
 -- | The two forms of a PGM file.

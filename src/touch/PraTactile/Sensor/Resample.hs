@@ -5,6 +5,7 @@ module PraTactile.Sensor.Resample
     isCanonical,
     canonicalSize,
     resampled,
+    resampledSize,
     turnedBack,
   )
 where

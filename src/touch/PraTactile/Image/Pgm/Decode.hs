@@ -1,6 +1,8 @@
 -- | Reading PGM files as the netpbm manual (pgm(5)) defines them and libnetpbm reads them.
 module PraTactile.Image.Pgm.Decode
   ( decodePgm,
+    decodePgmUpTo,
+    pgmSize,
     formatName,
   )
 where
@@ -17,7 +19,7 @@ import qualified Data.Vector.Storable as V
 import Data.Word (Word16)
 import Numeric.Natural (Natural)
 import PraTactile.Image.Error (HeaderField (..), ImageError (..))
-import PraTactile.Image.Pgm.Type (Pgm, checkSize, pgm16, pgm8)
+import PraTactile.Image.Pgm.Type (Pgm, checkSize, maxPixels, pgm16, pgm8)
 
 -- | The image in a PGM file: plain (P2) or raw (P5), 8 or 16 bits (the more significant byte
 -- first), with comments wherever white space may stand in the header and, in plain files, among the
@@ -28,7 +30,30 @@ import PraTactile.Image.Pgm.Type (Pgm, checkSize, pgm16, pgm8)
 -- >>> pgmMaxval <$> decodePgm (Data.ByteString.Char8.pack "P2 # two pixels\n2 1 9\n0 9\n")
 -- Right 9
 decodePgm :: ByteString -> Either ImageError Pgm
-decodePgm file = do
+decodePgm = decodePgmUpTo maxPixels
+
+-- | 'decodePgm' of an image of at most this many pixels. By its header a larger one is refused
+-- before its samples are read.
+decodePgmUpTo :: Int -> ByteString -> Either ImageError Pgm
+decodePgmUpTo most file = do
+  Header w h maxval samplesOf rest <- headerOf file
+  when (w * h > most) (Left (LargerThanTouched most w h))
+  samples <- samplesOf w (w * h) maxval rest
+  if maxval < 256
+    then pgm8 (fromIntegral maxval) (Image w h (V.map fromIntegral samples))
+    else pgm16 (fromIntegral maxval) (Image w h samples)
+
+-- | The width and height of the image in a PGM file, by its header alone.
+pgmSize :: ByteString -> Either ImageError (Int, Int)
+pgmSize file = do
+  Header w h _ _ _ <- headerOf file
+  pure (w, h)
+
+-- | Width, height and maximum value, what turns the rest of the file into samples, and that rest.
+data Header = Header !Int !Int !Int Samples !ByteString
+
+headerOf :: ByteString -> Either ImageError Header
+headerOf file = do
   samplesOf <- case (C.unpack (B.take 2 file), endsToken (B.drop 2 file)) of
     ("P2", True) -> Right plainSamples
     ("P5", True) -> Right rawSamples
@@ -38,10 +63,7 @@ decodePgm file = do
   (maxval, afterMaxval) <- headerNumber HeaderMaxval afterHeight
   (w, h) <- checkSize width height
   when (maxval < 1 || maxval > 65535) (Left (MaxvalOutOfRange maxval))
-  samples <- samplesOf w (w * h) (fromIntegral maxval) afterMaxval
-  if maxval < 256
-    then pgm8 (fromIntegral maxval) (Image w h (V.map fromIntegral samples))
-    else pgm16 (fromIntegral maxval) (Image w h samples)
+  pure (Header w h (fromIntegral maxval) samplesOf afterMaxval)
 
 -- | What turns the rest of a file into samples: the width, the number of samples, the maximum
 -- value, and the rest.
