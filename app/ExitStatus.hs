@@ -22,7 +22,7 @@ import Control.Exception
 import Control.Monad (void)
 import Data.Char (toLower)
 import GHC.IO.Exception (IOException (..))
-import System.Environment (getProgName)
+import System.Environment (getArgs, getProgName)
 import System.Exit (ExitCode (..), exitWith)
 import System.IO (hFlush, hPutStrLn, stderr, stdout)
 import Visible
@@ -74,11 +74,14 @@ unusable message = warn message >> leave Unusable
 orUnusable :: (e -> String) -> Either e a -> IO a
 orUnusable inWords = either (unusable . inWords) pure
 
--- | A line on the standard error, after all that was said before on the standard output. Where that
--- cannot be written, nothing is left to say it to.
+-- | A line on the standard error, after all that was said before on the standard output, without
+-- the passwords of the command line. Where that cannot be written, nothing is left to say it to.
 warn :: String -> IO ()
-warn message =
-  whatever (hFlush stdout) >> whatever (hPutStrLn stderr (visibleLine ("pra-tactile: " ++ message)))
+warn message = do
+  arguments <- getArgs
+  whatever (hFlush stdout)
+  whatever . hPutStrLn stderr . visibleLine $
+    "pra-tactile: " ++ withoutPasswords arguments message
   where
     whatever action = void (try action :: IO (Either IOException ()))
 

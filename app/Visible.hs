@@ -3,6 +3,7 @@
 module Visible
   ( visible,
     visibleName,
+    withoutPasswords,
     nameInJson,
     quoted,
     visibleLine,
@@ -10,7 +11,9 @@ module Visible
 where
 
 import Data.Char (GeneralCategory (..), generalCategory, isSpace, ord)
+import Data.List (stripPrefix)
 import Numeric (showHex)
+import PraTactile.Store (shownName)
 
 -- | Control characters, and what cannot be printed, as escapes: @\\n@, @\\x1b@. A byte of a file's
 -- name that is no UTF-8 arrives as one of the characters U+DC80 to U+DCFF and is shown as the byte
@@ -28,18 +31,37 @@ visible = concatMap escaped
       | otherwise = [c]
     hexadecimal n = "\\x" ++ (if n < 16 then "0" else "") ++ showHex n ""
 
--- | A file's name as it is shown in a result.
+-- | A file's or a database's name as it is shown in a result.
 visibleName :: FilePath -> String
-visibleName = visible
+visibleName = visible . shownName
 
--- | A file's name as JSON has it: as it is, but for bytes that are no UTF-8, which are escaped as
--- in 'visible'.
+-- | A file's or a database's name as JSON has it: as it is shown, but for bytes that are no UTF-8,
+-- which are escaped as in 'visible'.
 nameInJson :: FilePath -> String
-nameInJson = concatMap (\c -> if generalCategory c == Surrogate then visible [c] else [c])
+nameInJson =
+  concatMap (\c -> if generalCategory c == Surrogate then visible [c] else [c]) . shownName
 
 -- | Between quotation marks, as a value of the user's is shown in a message.
 quoted :: String -> String
-quoted text = "\"" ++ visible text ++ "\""
+quoted text = "\"" ++ visibleName text ++ "\""
+
+-- | A message in which each of these arguments that has a password is as 'shownName' shows it. An
+-- argument may stand in the message as it is, or as messages show it, or be an option's value.
+withoutPasswords :: [String] -> String -> String
+withoutPasswords arguments message = foldl hidden message (concatMap values arguments)
+  where
+    values argument = argument : [value | (_, '=' : value) <- [break (== '=') argument]]
+    hidden text value
+      | shown == value = text
+      | otherwise = foldl (replaced shown) text [value, visible value, unwords (words value)]
+      where
+        shown = shownName value
+    replaced new text old
+      | null old = text
+      | otherwise = go text
+      where
+        go [] = []
+        go rest@(c : others) = maybe (c : go others) ((new ++) . go) (stripPrefix old rest)
 
 -- | A message as one line: visible, its long words cut in the middle, and cut itself where it is
 -- longer than a screen.

@@ -211,9 +211,10 @@ storeMessage e = case e of
   NotInStore why -> placementMessage why
   DatabaseFailed why -> "the database cannot be used: " ++ failureMessage why
   UnreadableAddress ->
-    "a database on a server is named postgresql://USER@HOST:PORT/NAME?PARAMETER=VALUE, whatever \
-    \may be left out; in names and values other characters than letters and digits are written \
-    \as %40 and so on"
+    addressForm
+      ++ "; in names and values other characters than letters and digits are written as %40 and so \
+         \on; or by settings, host=HOST dbname=NAME"
+  UnknownScheme scheme -> "no database is named by " ++ scheme ++ "://; " ++ addressForm
   WithoutServers name ->
     name
       ++ " cannot be asked: this program was built without PostgreSQL; build it again where the \
@@ -224,6 +225,9 @@ storeMessage e = case e of
   TextNotHeld name -> name ++ " cannot hold a name with a NUL in it"
   where
     broken = " lacks a row, or has one that refers to nothing"
+    addressForm =
+      "a database on a server is named postgresql://USER@HOST:PORT/NAME?PARAMETER=VALUE, whatever \
+      \may be left out"
     elsewhere = "name a new file, or a database that 'pra-tactile objects --write' made"
 
 failureMessage :: Failure -> String
@@ -238,6 +242,8 @@ failureMessage why = case why of
     "the server refuses the password, or wants one, which may be in PGPASSWORD or in ~/.pgpass"
   ServerRefuses ->
     "the server refuses: there is no such user or database, or they may not, or it is not ready"
+  UnknownParameter -> "what follows the password in the address is not a parameter"
+  Refused reason -> reason
   ConnectionLost -> "the connection to the server was lost"
   SystemRefuses -> "the system refuses"
 

@@ -182,9 +182,10 @@ recognitionOf tolerance reader (Sight asGiven setRight) = case setRight of
 -- | What composites of one face show, before the array and the objects are asked: in the composites
 -- as they are; and, where the symbols are not nearly upright by their 'tilt', that angle, where
 -- places of the composites set upright are on those given, and what the former show.
-data Sight = Sight
-  !(Either Recognition Look)
-  !(Maybe (Double, [(Double, Double) -> (Double, Double)], Either Recognition Look))
+data Sight
+  = Sight
+      !(Either Recognition Look)
+      !(Maybe (Double, [(Double, Double) -> (Double, Double)], Either Recognition Look))
 
 -- | Symbols and parts on one grid.
 data Look = Look

@@ -135,8 +135,8 @@ asStated :: Preparation
 asStated = Preparation Nothing straight (1, 1) False Nothing Nothing 1
 
 -- | The frames of a folder as they are put together: prepared, and elements that are stuck not felt
--- ('withoutStuck'). Refuses what 'folderFrames' refuses, images of more than 'maxFramePixels' pixels
--- together, before one is decoded, and a calibration that does not fit them.
+-- ('withoutStuck'). Refuses what 'folderFrames' refuses; images of more than 'maxFramePixels'
+-- pixels together, before one is decoded; and a calibration that does not fit them.
 preparedFrames :: Preparation -> Folder -> Either SourceError [Frame]
 preparedFrames known folder = do
   when (pixels > maxFramePixels) (Left (ImagesTooLarge pixels))

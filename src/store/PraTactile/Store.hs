@@ -53,6 +53,7 @@ import Database.Persist.Sql (SqlBackend)
 import PraTactile.Array (Position, Shape)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge (ObjectName)
+import PraTactile.Store.Address (shownName)
 import PraTactile.Store.Backend
 import PraTactile.Store.Error
 import PraTactile.Store.Known

@@ -66,12 +66,13 @@ bytesSpec = do
       (Folder (listed ["a.pgm"]) {manifestFrame = Just (16, 8)} (Map.singleton "a.pgm" flat))
       `shouldBe` Left (ImageSize "a.pgm" (16, 16) (16, 8))
   it "an image is a composite up to the size of composites of frames; a larger one is refused" $ do
-    let image wide high = Bytes8.pack ("P5 " ++ show wide ++ " " ++ show high ++ " 255\n")
+    let image :: Int -> Int -> Bytes.ByteString
+        image wide high = Bytes8.pack ("P5 " ++ show wide ++ " " ++ show high ++ " 255\n")
         refused = either Just (const Nothing) . imageComposite
     -- Without its samples, one that is not too large is cut off.
-    refused (image 2048 (2048 :: Int)) `shouldBe` Just (Truncated maxCompositePixels 0)
-    refused (image 2048 (2049 :: Int)) `shouldBe` Just (LargerThanTouched 4194304 2048 2049)
-    refused (image 4194305 (1 :: Int)) `shouldBe` Just (LargerThanTouched 4194304 4194305 1)
+    refused (image 2048 2048) `shouldBe` Just (Truncated maxCompositePixels 0)
+    refused (image 2048 2049) `shouldBe` Just (LargerThanTouched 4194304 2048 2049)
+    refused (image 4194305 1) `shouldBe` Just (LargerThanTouched 4194304 4194305 1)
   it "images of more pixels together than frames may have are refused before one is decoded" $ do
     let folder n = Folder (listed names) (Map.fromList [(name, half) | name <- names])
           where

@@ -16,8 +16,10 @@ import PraTactile.Object.Placement hiding (more)
 import PraTactile.Object.Placement.Search
 import PraTactile.Object.WingedEdge
 import PraTactile.Store
+import System.Directory (listDirectory)
 import System.FilePath ((</>))
 import System.Posix.Files (setFileMode)
+import System.Process (readProcessWithExitCode)
 import Test.CommandLine.Run
 import Test.Hspec
 import Test.QuickCheck
@@ -46,7 +48,27 @@ addresses = do
         ("postgresql://me:secret@[::1]:5432/d?port=7", "postgresql://me@[::1]:5432/d?port=7"),
         ("postgresql:///d?password=secret&user=me", "postgresql:///d?user=me"),
         ("postgresql://host?sslpassword=secret", "postgresql://host"),
-        ("a.sqlite", "a.sqlite")
+        ("PostgreSQL://me:secret@host/d", "PostgreSQL://me@host/d"),
+        ("postgresql://me%3Asecret@host/d", "postgresql://me:...@host/d"),
+        ("host=h user=me password=secret dbname=d", "host=h user=me dbname=d"),
+        ("host = h password = 'se  cret' dbname='my d'", "host=h dbname='my d'"),
+        ("host=h password=se\\ cret user=me:secret", "host=h user=me:..."),
+        ("password=secret", "postgresql://"),
+        ("host=h;user=me;password=secret", "host=h;user=me;password=..."),
+        ("dbname=postgresql://me:secret@h/d", "dbname=postgresql:..."),
+        -- What is no address, but may have a password all the same.
+        ("postgresql+psycopg2://me:secret@h/d", "postgresql+psycopg2://me:...@h/d"),
+        ("mysql://me:secret@h:1/d?password=secret", "mysql://me:...@h:1/d?password=..."),
+        ("jdbc:postgresql://h:1/d?Password=secret", "jdbc:postgresql://h:1/d?Password=..."),
+        ("me:secret@h/d", "me:...@h/d"),
+        ("host=h password=secret two", "host=h password=..."),
+        -- Names of files.
+        ("a.sqlite", "a.sqlite"),
+        ("lambda=0.5 n=3.sqlite", "lambda=0.5 n=3.sqlite"),
+        ("./host=1.sqlite", "./host=1.sqlite"),
+        ("C:\\parts@home.sqlite", "C:...@home.sqlite"),
+        ("frame@2:1.pgm", "frame@2:1.pgm"),
+        ("http://host:80/part.obj", "http://host:80/part.obj")
       ]
       $ \(name, shown) -> (name, shownName name) `shouldBe` (name, shown)
   it "is not shown at all where a secret could be anywhere" $
@@ -59,7 +81,11 @@ addresses = do
         "postgresql://host/d?secret",
         "postgresql://host/d?passwor%64=secret",
         "postgresql://host/d?user=a@secret",
-        "postgresql://me:secret\n@host/d"
+        "postgresql://me:secret\n@host/d",
+        "postgresql://me:se%cret@host/d",
+        "postgresql://me:secret%00@host/d",
+        "postgresql:/me:secret@host/d",
+        "postgres:me:secret"
       ]
       $ \name -> do
         (name, shownName name) `shouldBe` (name, "postgresql://...")
@@ -75,8 +101,64 @@ addresses = do
           [ counterexample (show (name, shownName name)) $
               not (any (`elem` shownName name) ("xyz" :: String))
             | name <-
-                ["postgresql://me:" ++ password ++ "@h/d", "postgresql:///d?password=" ++ password]
+                [ "postgresql://me:" ++ password ++ "@h/d",
+                  "postgresql:///d?password=" ++ password,
+                  "postgress://me:" ++ password ++ "@h/d",
+                  "host=h password=" ++ setting password ++ " dbname=d"
+                ]
+                  -- With a password that begins so, me would be a scheme.
+                  ++ ["me:" ++ password ++ "@h/d" | take 2 password /= "//"]
           ]
+  it "an address that is none is refused, and no file of its name is made" $
+    inFolder $ \folder -> do
+      for_
+        [ ("postgress://me:secret@h/d", "postgress://"),
+          ("postgresql+psycopg2://me:secret@h/d", "postgresql+psycopg2://"),
+          ("pgsql:host=h;password=secret", "postgresql://USER@HOST"),
+          ("host=/none password='secret", "postgresql://USER@HOST"),
+          ("host=/none password=secret", "no server answers"),
+          ("HOST=/none PASSWORD=secret", "HOST"),
+          ("hots=/none pasword=secret", "hots")
+        ]
+        $ \(name, why) -> for_ ["--write", "--database"] $ \option -> do
+          outcome@(_, _, err) <-
+            scripted folder (unwords ["pra-tactile objects", option, inShell name, "--json"])
+          outcome `refuses` why
+          err `shouldSatisfy` (not . ("secret" `isInfixOf`))
+      listDirectory folder `shouldReturn` []
+  it "no command repeats a password, wherever an address stands" $
+    for_
+      [ "postgresql://me:secret@/d?host=/none",
+        "postgress://me:secret@h/d",
+        "host=/none  user=me password='my  secret'"
+      ]
+      $ \name ->
+        for_
+          [ ["objects", "--databse=" ++ name],
+            ["objects", "--at", name],
+            ["objects", name],
+            ["objects", "--add", name, "--database", name],
+            ["decode", name],
+            ["decode", "--placement", name, "x"],
+            ["decode", "--doubt=" ++ name, "x"],
+            ["compare", name, name],
+            ["evaluate", "--database", name],
+            ["conform", "--profile", name, "--", "true", name],
+            ["serve", name],
+            ["classify", "--json", name],
+            [name]
+          ]
+          $ \arguments -> do
+            (status, out, err) <- pra arguments
+            (arguments, status) `shouldSatisfy` ((/= 0) . snd)
+            (arguments, out ++ err) `shouldSatisfy` (not . ("secret" `isInfixOf`) . snd)
+  where
+    -- Between apostrophes, as libpq reads it and as a shell does.
+    setting, inShell :: String -> String
+    setting = between (\c -> if c == '\'' || c == '\\' then ['\\', c] else [c])
+    inShell = between (\c -> if c == '\'' then "'\\''" else [c])
+    between :: (Char -> String) -> String -> String
+    between each text = "'" ++ concatMap each text ++ "'"
 
 secrets :: SpecWith (Either String Server)
 secrets = do
@@ -292,10 +374,50 @@ losses = do
       withStore ("postgresql:///d?host=" ++ folder) Nothing (const (pure ()))
         `shouldReturn` Left (Unreachable ("postgresql:///d?host=" ++ folder) NoServer)
       let name = addressIn server "none" []
-      withStore name Nothing (const (pure ())) `shouldReturn` Left (Unreachable name ServerRefuses)
+      refused <- pra ["objects", "--at", "6,5", "--database", name]
+      refused `refuses` "database \"none\" does not exist"
       let lonely = "postgresql://me:secret@/d?host=" ++ folder
       gone <- pra ["objects", "--at", "6,5", "--database", lonely]
       gone `refuses` "no server answers"
+  -- All of these were "no server answers there", or "the server refuses".
+  it "why there is no connection is told, as psql tells it"
+    . onServer
+    $ \server -> do
+      let socket = ("host", serverFolder server)
+          spelt (parameter, value) = parameter ++ "=" ++ value
+          bySettings more =
+            unwords (map spelt (("user", "postgres") : ("dbname", "postgres") : socket : more))
+      for_
+        [ [("sslmode", "bogus")],
+          [("target_session_attrs", "standby")],
+          [("target_session_attrs", "bogus")],
+          [("schema", "cell")],
+          [("port", "99999")],
+          [("user", "nobody")],
+          [("service", "none")]
+        ]
+        $ \parameters ->
+          for_ [addressIn server "postgres" parameters, bySettings parameters] $ \name -> do
+            (_, _, said) <-
+              readProcessWithExitCode (serverPrograms server </> "psql") ["-X", "-d", name] ""
+            let why = unwords (drop 2 (words (concat (take 1 (lines said)))))
+            why `shouldSatisfy` (not . null)
+            outcome <- pra ["objects", "--check", "--database", name]
+            outcome `refuses` why
+      outcome <- pra ["objects", "--check", "--database", "postgresql://me:secret@host.invalid/d"]
+      outcome `refuses` "could not translate host name \"host.invalid\""
+  it "a store is named by settings as by a URI"
+    . placedOn
+    $ \server place -> do
+      name <- newSchema server
+      create name "profile" place `shouldReturn` Right ()
+      let searchPath = Text.unpack (snd (Text.breakOnEnd "%3D" (Text.pack name)))
+          bySettings =
+            "host = '" ++ serverFolder server ++ "' user=postgres dbname='postgres' options = "
+              ++ "'-c search_path="
+              ++ searchPath
+              ++ "'"
+      withStore bySettings Nothing storedPlacement `shouldReturn` Right (Right place)
   it "a server that goes while it is asked is told, and what was being written is not there"
     . placedOn
     $ \server place -> do

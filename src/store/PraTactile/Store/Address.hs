@@ -1,22 +1,49 @@
--- | The address of a database on a server, in libpq's form:
--- @postgresql://[USER[:PASSWORD]@][HOST[:PORT][,...]][/NAME][?PARAMETER=VALUE[&...]]@. Whatever
--- means something there is percent-encoded elsewhere. An address that is not read by this grammar,
--- which is a little stricter than libpq's, is never shown: a password could be anywhere in it.
+-- | The address of a database on a server, in either of libpq's forms: a URI,
+-- @postgresql://[USER[:PASSWORD]@][HOST[:PORT][,...]][/NAME][?PARAMETER=VALUE[&...]]@, in which
+-- whatever means something there is percent-encoded elsewhere; or settings, @host=HOST dbname=NAME@
+-- and so on, of which values with blanks stand between apostrophes.
+--
+-- This is also the one place that says how a database's name is shown: never with a password. Both
+-- forms are read a little more strictly than libpq reads them. Of a name that is meant as an
+-- address and is none, a password could be anywhere in it, so little is shown.
 module PraTactile.Store.Address
-  ( isAddress,
+  ( -- * Addresses
+    isAddress,
     Address,
     readAddress,
-    shownAddress,
+    unknownScheme,
     connectionString,
+
+    -- * What is shown of them
+    shownName,
+    shownAddress,
+    withheld,
   )
 where
 
-import Data.Char (isAsciiLower, isControl, isDigit)
-import Data.List (intercalate, isPrefixOf, stripPrefix)
-import Data.Maybe (listToMaybe, mapMaybe)
+import Data.Char
+  ( chr,
+    digitToInt,
+    isAlpha,
+    isAlphaNum,
+    isAscii,
+    isControl,
+    isDigit,
+    isHexDigit,
+    isSpace,
+    toLower,
+  )
+import Data.List (inits, intercalate, isPrefixOf, isSuffixOf, stripPrefix, tails)
+import Data.Maybe (fromMaybe, listToMaybe, mapMaybe)
 
--- | An address in its parts, each as it was written.
-data Address = Address
+-- | An address in its parts.
+data Address
+  = AsUri Uri
+  | -- | keys and values, in their order
+    AsSettings [(String, String)]
+
+-- | A URI in its parts, each as it was written.
+data Uri = Uri
   { scheme :: String,
     user :: Maybe String,
     password :: Maybe String,
@@ -26,88 +53,285 @@ data Address = Address
     parameters :: [(String, String)]
   }
 
--- | Whether a name is meant as an address and not as a file's.
+-- | Whether a name is meant as an address and not as a file's: it has a scheme, or begins with a
+-- setting of libpq's, or has a password among settings.
 isAddress :: String -> Bool
-isAddress name = any (`isPrefixOf` name) schemes
+isAddress name =
+  meansPostgres name || hasScheme || beginsWithKey || not (null (secretsFrom name))
+  where
+    hasScheme = maybe False (notElem '/' . fst) (breakOn "://" name)
+    beginsWithKey = case span isKeyLetter (dropWhile isSpace name) of
+      (key, rest) -> map toLower key `elem` keys && take 1 (dropWhile isSpace rest) == "="
+    keys = words "host hostaddr port user dbname service passfile sslmode"
+
+-- | Whether a name begins as an address of PostgreSQL does, if perhaps misspelt.
+meansPostgres :: String -> Bool
+meansPostgres name = any (`isPrefixOf` beyond) [":", "//"]
+  where
+    beyond = maybe "" (dropWhile isAlpha) (stripPrefix "postgres" begin)
+    begin = map toLower (dropWhile isSpace name)
+
+-- | The scheme of a name that has one, if no address has it.
+unknownScheme :: String -> Maybe String
+unknownScheme name = do
+  (begin, _) <- breakOn "://" name
+  if not (null begin)
+    && all (\c -> isAscii c && (isAlphaNum c || c `elem` "+.-")) begin
+    && map toLower begin `notElem` schemes
+    then Just begin
+    else Nothing
 
 schemes :: [String]
-schemes = ["postgresql://", "postgres://"]
+schemes = ["postgresql", "postgres"]
 
--- | The address, if it is one of the grammar.
+-- | The address, if it is one of either form.
 readAddress :: String -> Maybe Address
-readAddress name = do
-  (begin, text) <- listToMaybe (mapMaybe (\one -> (,) one <$> stripPrefix one name) schemes)
+readAddress name = case breakOn "://" name of
+  Just (begin, text)
+    | map toLower begin `elem` schemes -> AsUri <$> readUri begin text
+  _
+    | isAddress name -> AsSettings <$> readSettings name
+    | otherwise -> Nothing
+
+readUri :: String -> String -> Maybe Uri
+readUri begin text = do
   let (authority, beyond) = break (`elem` "/?") text
       (path', query) = break (== '?') beyond
       (credentials, hosts') = case breakAt '@' authority of
         Just (before, after) -> (Just before, after)
         Nothing -> (Nothing, authority)
   parameters' <- traverse parameter (filter (not . null) (pieces '&' (drop 1 query)))
-  let address =
-        Address
+  let uri =
+        Uri
           { scheme = begin,
-            user = fst . upTo ':' <$> credentials,
+            user = takeWhile (/= ':') <$> credentials,
             password = credentials >>= fmap snd . breakAt ':',
             hosts = hosts',
             path = path',
             parameters = parameters'
           }
-  if any isControl name
+  if any isControl text
+    || not (encodes text)
     || any ('@' `elem`) (hosts' : path' : map snd parameters')
     || '/' `elem` drop 1 path'
     || not (all host (pieces ',' hosts'))
     then Nothing
-    else Just address
+    else Just uri
   where
-    parameter text = do
-      (key, value) <- breakAt '=' text
-      if not (null key) && all (\c -> isAsciiLower c || c == '_') key
-        then Just (key, value)
-        else Nothing
+    parameter one = do
+      (key, value) <- breakAt '=' one
+      if not (null key) && all isKeyLetter key then Just (key, value) else Nothing
+    -- Each percent sign is followed by the number of a byte, which is not 0.
+    encodes rest = case dropWhile (/= '%') rest of
+      _ : a : b : others -> isHexDigit a && isHexDigit b && [a, b] /= "00" && encodes others
+      other -> null other
     -- A name or a number, then perhaps a port.
-    host text = case text of
+    host one = case one of
       '[' : inner -> all isDigit (dropPort (drop 1 (dropWhile (/= ']') inner)))
-      _ -> all isDigit (dropPort (dropWhile (/= ':') text))
-    dropPort text = if take 1 text == ":" then drop 1 text else text
+      _ -> all isDigit (dropPort (dropWhile (/= ':') one))
+    dropPort one = if take 1 one == ":" then drop 1 one else one
+
+-- | Settings by libpq's rules (its function conninfo_parse).
+readSettings :: String -> Maybe [(String, String)]
+readSettings text
+  | any (\c -> isControl c && not (isSpace c)) text = Nothing
+  | otherwise = go (dropWhile isSpace text)
+  where
+    go [] = Just []
+    go given = do
+      let (key, rest) = span isKeyLetter given
+      after <- if null key then Nothing else stripPrefix "=" (dropWhile isSpace rest)
+      (value, others) <- case dropWhile isSpace after of
+        '\'' : inner -> quotedValue inner
+        inner -> Just (plainValue inner)
+      ((key, value) :) <$> go (dropWhile isSpace others)
+    plainValue inner = case inner of
+      '\\' : c : others -> taking c (plainValue others)
+      c : others | not (isSpace c) -> taking c (plainValue others)
+      _ -> ("", inner)
+    quotedValue inner = case inner of
+      '\\' : c : others -> taking c <$> quotedValue others
+      '\'' : others -> Just ("", others)
+      c : others -> taking c <$> quotedValue others
+      [] -> Nothing
+    taking c (value, others) = (c : value, others)
+
+isKeyLetter :: Char -> Bool
+isKeyLetter c = isAscii c && (isAlpha c || c == '_')
+
+-- | The address for libpq, with these parameters where it has no others of their names.
+connectionString :: [(String, String)] -> Address -> String
+connectionString usual address = case address of
+  AsUri uri ->
+    rendered
+      uri
+        { scheme = map toLower (scheme uri),
+          parameters = parameters uri ++ beside (parameters uri)
+        }
+  AsSettings own -> unwords [key ++ "=" ++ setting value | (key, value) <- own ++ beside own]
+  where
+    beside own = [one | one <- usual, fst one `notElem` map fst own]
+
+-- | A value between apostrophes.
+setting :: String -> String
+setting value = "'" ++ concatMap escaped value ++ "'"
+  where
+    escaped c = if c `elem` "'\\" then ['\\', c] else [c]
+
+-- | A database's name as it is shown, without a password. Any other text with a password in it is
+-- shown without that as well.
+shownName :: String -> String
+shownName name = case readAddress name of
+  Just address -> shownAddress address
+  Nothing
+    | meansPostgres name -> "postgresql://..."
+    | otherwise -> cutSecrets name
 
 -- | The address as it is shown: without a password, and of the parameters those that tell which
 -- database it is.
 shownAddress :: Address -> String
-shownAddress address =
-  rendered
-    address
-      { password = Nothing,
-        parameters = filter ((`elem` telling) . fst) (parameters address)
-      }
+shownAddress address = case address of
+  AsUri uri ->
+    rendered
+      uri
+        { user = shownValue "user" <$> user uri,
+          password = Nothing,
+          hosts = shownValue "host" (hosts uri),
+          path = shownValue "dbname" (path uri),
+          parameters =
+            [(key, shownValue key value) | (key, value) <- parameters uri, isTelling key]
+        }
+  AsSettings settings
+    | null told -> "postgresql://"
+    | otherwise -> unwords [key ++ "=" ++ blankless (shownValue key value) | (key, value) <- told]
+    where
+      told = filter (isTelling . fst) settings
   where
-    telling = words "host hostaddr port user dbname service options application_name sslmode"
+    blankless value = if null value || any isSpace value then setting value else value
 
--- | The address for libpq, with these parameters where it has no others of their names.
-connectionString :: [(String, String)] -> Address -> String
-connectionString usual address =
-  rendered address {parameters = own ++ [one | one <- usual, fst one `notElem` map fst own]}
+-- | What must not be told of an address beside its passwords, as it was written and as it is meant:
+-- values that are not shown whole, and keys that follow a password, of which they may be a part.
+withheld :: Address -> [String]
+withheld address = filter (not . null) (concatMap bothWays hidden ++ suspects)
   where
-    own = parameters address
+    hidden = [value | (key, value) <- shownParts, isTelling key, shownValue key value /= value]
+    (shownParts, keyed) = case address of
+      AsUri uri ->
+        ( [("user", name) | Just name <- [user uri]]
+            ++ [("host", hosts uri), ("dbname", drop 1 (path uri))]
+            ++ parameters uri,
+          map fst (parameters uri)
+        )
+      AsSettings settings -> (settings, map fst settings)
+    suspects = drop 1 (dropWhile (not . isSecret) keyed)
+    bothWays value = [value, decoded value]
 
-rendered :: Address -> String
-rendered address =
+-- | Whether a parameter tells which database it is.
+isTelling :: String -> Bool
+isTelling =
+  (`elem` words "host hostaddr port user dbname service options application_name sslmode")
+
+-- | Whether a key is that of a password, by whatever name.
+isSecret :: String -> Bool
+isSecret key =
+  lower == "pass"
+    || any (`isPrefixOf` lower) ["passw", "pasw", "passphrase", "pgpass", "pwd"]
+    || any (`isSuffixOf` lower) ["password", "passwd", "pwd", "secret"]
+  where
+    lower = map toLower key
+
+-- | The value of a parameter as it is shown. A colon stands in addresses by numbers and before a
+-- port; what follows another may be a password.
+shownValue :: String -> String -> String
+shownValue key value = cutAtColon (key `elem` ["host", "hostaddr"]) (cutSecrets value)
+
+-- | A text of any kind without what may be a password in it: what stands between a colon and the
+-- last at sign, what follows a colon in an address without an at sign, and what follows a
+-- password's key.
+cutSecrets :: String -> String
+cutSecrets text = case breakOn "://" text of
+  Just (begin, rest)
+    | all (`notElem` ":@/") begin ->
+      cutValues (begin ++ "://" ++ cutAtColon True (cutCredentials rest))
+  _ -> cutValues (cutCredentials text)
+  where
+    cutValues given = case secretsFrom given of
+      at : _ -> take at given ++ "..."
+      [] -> given
+    cutCredentials given = case (filter isColon (parted given), filter isAt (parted given)) of
+      ((before, _) : _, ats@(_ : _))
+        | (_, end) <- last ats,
+          length end < length given - length before ->
+          before ++ ":..." ++ end
+      _ -> given
+    isAt (_, rest) = any (`isPrefixOf` rest) ["@", "%40"]
+    isColon (_, rest) = any (`isPrefixOf` map toLower (take 3 rest)) [":", "%3a"]
+
+-- | A text without what follows its first colon, if it is not an address by numbers; nor, where
+-- there may be a port, one before that. The colon may be encoded.
+cutAtColon :: Bool -> String -> String
+cutAtColon withPort text
+  | byNumbers = text
+  | otherwise = fromMaybe text (listToMaybe (mapMaybe cut (parted text)))
+  where
+    byNumbers =
+      all (\c -> isHexDigit c || c `elem` ":.,[]/") text && length (filter (== ':') text) > 1
+    cut (before, rest)
+      | ':' : after <- rest,
+        take 3 after /= "...",
+        not (withPort && isPort after) =
+        Just (before ++ ":...")
+      | "%3a" `isPrefixOf` map toLower (take 3 rest) = Just (before ++ ":...")
+      | otherwise = Nothing
+    isPort after = case span isDigit after of
+      (_ : _, end) -> take 1 end `elem` ["", ",", "/"]
+      _ -> False
+
+-- | All ways to part a text in two.
+parted :: String -> [(String, String)]
+parted text = zip (inits text) (tails text)
+
+-- | Where values of passwords begin in a text, each after its key and an equals sign.
+secretsFrom :: String -> [Int]
+secretsFrom text =
+  [ length text - length value
+    | (before, rest) <- zip (Nothing : map Just text) (tails text),
+      maybe True (not . isKeyLetter) before,
+      (key, after) <- [span isKeyLetter rest],
+      isSecret key,
+      Just value <- [stripPrefix "=" (dropWhile isSpace after)],
+      not (null value)
+  ]
+
+rendered :: Uri -> String
+rendered uri =
   concat
-    [ scheme address,
-      maybe "" (++ maybe "@" (\secret -> ":" ++ secret ++ "@") (password address)) (user address),
-      hosts address,
-      path address,
-      if null (parameters address) then "" else "?",
-      intercalate "&" [key ++ "=" ++ value | (key, value) <- parameters address]
+    [ scheme uri,
+      "://",
+      maybe "" (++ maybe "@" (\secret -> ":" ++ secret ++ "@") (password uri)) (user uri),
+      hosts uri,
+      path uri,
+      if null (parameters uri) then "" else "?",
+      intercalate "&" [key ++ "=" ++ value | (key, value) <- parameters uri]
     ]
 
-upTo :: Char -> String -> (String, String)
-upTo letter = break (== letter)
+-- | A text with its percent-encoded characters as they are; each is taken for one byte.
+decoded :: String -> String
+decoded text = case text of
+  '%' : a : b : rest
+    | isHexDigit a && isHexDigit b -> chr (16 * digitToInt a + digitToInt b) : decoded rest
+  c : rest -> c : decoded rest
+  [] -> []
 
 -- | What is before the first of these letters, and what is after it.
 breakAt :: Char -> String -> Maybe (String, String)
-breakAt letter text = case upTo letter text of
-  (before, _ : after) -> Just (before, after)
-  _ -> Nothing
+breakAt letter = breakOn [letter]
+
+-- | What is before the first of these words, and what is after it.
+breakOn :: String -> String -> Maybe (String, String)
+breakOn word text =
+  listToMaybe
+    [(before, rest) | (before, from) <- parted text, Just rest <- [stripPrefix word from]]
 
 pieces :: Char -> String -> [String]
 pieces letter text = case breakAt letter text of

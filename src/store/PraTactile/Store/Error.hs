@@ -57,6 +57,8 @@ data StoreError
   | -- | the name begins as an address does, and is none; it is not repeated, for a password could
     -- be anywhere in it
     UnreadableAddress
+  | -- | the name begins with this scheme and @:\/\/@, which no address does
+    UnknownScheme String
   | -- | the program was built without what asks a server
     WithoutServers String
   | -- | there is no connection to the server
@@ -91,8 +93,12 @@ data Failure
     NoServer
   | -- | the server refuses the password, or that there is none
     PasswordRefused
-  | -- | the server refuses to connect for another reason
+  | -- | there is no connection for another reason, which would tell what may be a password
     ServerRefuses
+  | -- | the parameters that follow the password are not all known
+    UnknownParameter
+  | -- | there is no connection for another reason: the server's or the client library's own words
+    Refused String
   | -- | the server, or the way to it, is gone
     ConnectionLost
   | -- | the system or the database refuses for another reason

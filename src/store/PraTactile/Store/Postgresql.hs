@@ -18,10 +18,12 @@ import Control.Monad.Trans.Reader (runReaderT)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Foldable (for_, toList)
-import Data.List (intercalate)
+import Data.List (intercalate, isInfixOf)
+import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Data.Text.Encoding (encodeUtf8)
+import Data.Text.Encoding (decodeUtf8With, encodeUtf8)
+import Data.Text.Encoding.Error (lenientDecode)
 import Database.Persist.Postgresql (openSimpleConn)
 import Database.Persist.Sql
 import Database.PostgreSQL.LibPQ (disableNoticeReporting)
@@ -83,8 +85,8 @@ throughout address action =
     -- libpq's own limit holds only where the whole program waits for it.
     reached = do
       answered <-
-        unreachable . guarded meaningOfRefusal . timeout (10 * 1000000) . connectPostgreSQL $
-          encodeUtf8 (Text.pack (connectionString keptAlive address))
+        unreachable . guarded (meaningOfRefusal address) . timeout (10 * 1000000) $
+          connectPostgreSQL (encodeUtf8 (Text.pack (connectionString keptAlive address)))
       maybe (throwE (Unreachable name NoServer)) pure answered
     settings =
       "SELECT current_setting('server_encoding'), set_config('lock_timeout', '10s', false), \
@@ -211,18 +213,33 @@ meaningInPostgresql fault
   | Just system <- fromException fault, not (isUserError system) = Just (Failed ConnectionLost)
   | otherwise = Nothing
 
--- | What it means before there is one: libpq has words only.
-meaningOfRefusal :: SomeException -> Maybe Objection
-meaningOfRefusal fault
+-- | What it means before there is one: libpq has words only, which never repeat the password
+-- itself. They are passed on unless they have something of the address that must not be told.
+meaningOfRefusal :: Address -> SomeException -> Maybe Objection
+meaningOfRefusal address fault
   | Just told <- fromException fault = Just (Failed (inWords (sqlErrorMsg told)))
   | Just system <- fromException fault =
     Just (Failed (inWords (Bytes.pack (show (system :: IOError)))))
   | otherwise = Nothing
   where
-    inWords text
-      | "password" `Bytes.isInfixOf` text = PasswordRefused
-      | "FATAL" `Bytes.isInfixOf` text = ServerRefuses
-      | otherwise = NoServer
+    inWords bytes
+      | any (`Bytes.isInfixOf` bytes) noPassword = PasswordRefused
+      | not (null attempts) && all isUnanswered attempts = NoServer
+      | any (`isInfixOf` text) (withheld address) =
+        if any (`isInfixOf` text) unknown then UnknownParameter else ServerRefuses
+      | otherwise = Refused text
+      where
+        -- libpq tells of each server a line, and more of some in a line that is indented.
+        text =
+          intercalate "; " . filter (not . null) . map (unwords . words) . lines . Text.unpack $
+            ownWords (decodeUtf8With lenientDecode bytes)
+        -- The binding puts them between parentheses.
+        ownWords said =
+          fromMaybe said (Text.stripPrefix "libpq: failed (" said >>= Text.stripSuffix ")")
+        attempts = drop 1 (Text.splitOn "connection to server" (Text.pack text))
+    isUnanswered attempt = "Is the server running" `Text.isInfixOf` attempt
+    noPassword = ["password authentication failed", "no password supplied", "empty password"]
+    unknown = ["invalid connection option", "invalid URI query parameter"]
 
 -- | The server's codes: appendix A of its manual, "PostgreSQL Error Codes".
 ofState :: ByteString -> Objection
