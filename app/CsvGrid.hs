@@ -31,8 +31,8 @@ import PraTactile.Grid
 readGrid :: Maybe Natural -> FilePath -> IO Grid
 readGrid q file = readBytes file >>= orUnusable ((file ++ ": ") ++) . parseGrid q
 
--- | Codes 0 ... 255 parted by commas, rows by ends of line (LF or CR LF); spaces and empty lines at
--- the end do not matter.
+-- | Codes 0 ... 255 parted by commas or semicolons, rows by ends of line (LF, CR or CR LF); spaces
+-- and empty lines at the end do not matter.
 parseGrid :: Maybe Natural -> ByteString -> Either String Grid
 parseGrid q bytes = do
   (shape, codes) <- parseCodes (fromMaybe bytes (Bytes.stripPrefix "\xEF\xBB\xBF" bytes))
@@ -104,19 +104,25 @@ parseCells bytes codes number start before = go start before Before (0 :: Int)
                 else go (i + 1) cells Within value'
       (c, Before) | space c -> go (i + 1) cells Before 0
       (c, _) | space c -> go (i + 1) cells After value
-      (44, Before) -> wrong "is empty"
-      (10, Before) -> wrong "is empty"
-      (44, _) -> put >> go (i + 1) (cells + 1) Before 0
+      (c, Before) | separates c || c == 10 -> wrong "is empty"
+      (c, _) | separates c -> put >> go (i + 1) (cells + 1) Before 0
       (10, _) -> put >> pure (Right (i + 1, cells + 1))
       _ -> wrong "is not a code 0, 1, 2, ..."
       where
         put = when (cells < Mutable.length codes) (Mutable.write codes cells (fromIntegral value))
     wrong why = pure (Left ("line " ++ show number ++ ": a cell " ++ why))
     digit c = 48 <= c && c <= 57
+    -- A comma or a semicolon.
+    separates c = c == 44 || c == 59
 
--- | A byte of a text that ends with the end of a line.
+-- | A byte of a text that ends with the end of a line. A CR that no LF follows is one, too.
 byteAt :: ByteString -> Int -> Word8
-byteAt bytes i = if i < Bytes.length bytes then Bytes.unsafeIndex bytes i else 10
+byteAt bytes i
+  | i >= Bytes.length bytes = 10
+  | byte == 13 && i + 1 < Bytes.length bytes && Bytes.unsafeIndex bytes (i + 1) /= 10 = 10
+  | otherwise = byte
+  where
+    byte = Bytes.unsafeIndex bytes i
 
 -- | Spaces, tabulators, and the first half of an end of line.
 space :: Word8 -> Bool

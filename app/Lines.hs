@@ -1,5 +1,7 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- | The standard input line by line, each in memory no longer than it is needed, and none beyond a
--- bound.
+-- bound. A line ends with LF, CR LF or CR.
 module Lines
   ( Line (..),
     forLines,
@@ -11,6 +13,7 @@ where
 
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
+import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8')
@@ -53,15 +56,18 @@ linePath given = case given of
 forLines :: (a -> Line -> IO a) -> a -> IO a
 forLines step = awaited [] 0
   where
+    -- What follows a CR, which may have been the first half of an end of line.
+    afterReturn state = do
+      piece <- Bytes.hGetSome stdin 65536
+      if Bytes.null piece then pure state else broken [] 0 (withoutFeed piece) state
     -- The pieces of the line so far, the latest first, and how many bytes they have.
     awaited pieces held state = do
       piece <- Bytes.hGetSome stdin 65536
       if Bytes.null piece
         then if held == 0 then pure state else step state (line (reverse pieces))
         else broken pieces held piece state
-    broken pieces held piece state = case Bytes.elemIndex 10 piece of
-      Just end ->
-        next (line (reverse (Bytes.take end piece : pieces))) (Bytes.drop (end + 1) piece) state
+    broken pieces held piece state = case Bytes.findIndex isEnd piece of
+      Just end -> next (line (reverse (Bytes.take end piece : pieces))) (Bytes.drop end piece) state
       Nothing
         | held' <= largestLine -> awaited (piece : pieces) held' state
         | otherwise -> skipped (toInteger held') state
@@ -70,14 +76,21 @@ forLines step = awaited [] 0
     -- What is left of a line that is too long is counted, not kept.
     skipped count state = do
       piece <- Bytes.hGetSome stdin 65536
-      case Bytes.elemIndex 10 piece of
-        Just end -> next (TooLong (count + toInteger end)) (Bytes.drop (end + 1) piece) state
+      case Bytes.findIndex isEnd piece of
+        Just end -> next (TooLong (count + toInteger end)) (Bytes.drop end piece) state
         Nothing
           | Bytes.null piece -> step state (TooLong count)
           | otherwise -> skipped (count + toInteger (Bytes.length piece)) state
+    -- Answer a line; the others begin with its end.
     next found others state = do
       state' <- step state found
-      state' `seq` broken [] 0 others state'
+      state' `seq` case Bytes.uncons others of
+        Just (13, others')
+          | Bytes.null others' -> afterReturn state'
+          | otherwise -> broken [] 0 (withoutFeed others') state'
+        _ -> broken [] 0 (Bytes.drop 1 others) state'
+    withoutFeed piece = fromMaybe piece (Bytes.stripPrefix "\n" piece)
+    isEnd byte = byte == 10 || byte == 13
 
 line :: [ByteString] -> Line
 line chunks

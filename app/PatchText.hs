@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Patches as they are written: rows parted by @/@, or JSON, in which cells may be probabilities;
--- and several of them, each with its displacement.
+-- | Patches as they are written: rows parted by @/@ or line ends, or JSON, in which cells may be
+-- probabilities; and several of them, each with its displacement.
 module PatchText
   ( Written (..),
     Displaced,
@@ -26,6 +26,7 @@ import PraTactile.Field
 import PraTactile.Format.Error (JsonError (..))
 import PraTactile.Format.Json.Strict
 import PraTactile.Locate (Cell (..), Patch, belief, patch)
+import PraTactile.Rows (rowsOf)
 import Readers
 
 -- | What was written.
@@ -43,8 +44,8 @@ type Displaced a = ((Integer, Integer), a)
 -- | Patches as they are written; 'Left' says what is wrong with the writing. Text that begins with
 -- a bracket is JSON: a list of rows, each a list of cells; a cell is a code, an element as text,
 -- null or \"?\" for one not observed, or the list of the probabilities of all symbols. Text that
--- begins with a brace is a JSON object with a list of patches. In other text patches are parted by
--- semicolons, and a displacement stands before a colon. Refuses more than 'largestPatch' cells
+-- begins with a brace is a JSON object with a list of patches. In other text rows are parted as
+-- 'rowsOf' has it, patches by semicolons, and a displacement stands before a colon. Refuses more than 'largestPatch' cells
 -- before it reads them.
 readPatches :: forall k. KnownField k => Text -> Either String (Written k)
 readPatches text = case ( oversized (fieldOrder (Proxy :: Proxy k)) text,
@@ -71,8 +72,13 @@ readPatches text = case ( oversized (fieldOrder (Proxy :: Proxy k)) text,
     numbered (map jsonPatch given) >>= displaced
   _
     | Text.any (`elem` [';', ':']) text ->
-      numbered (map textPatch (Text.split (== ';') text)) >>= displaced
+      numbered (map textPatch (withoutBlankLast (Text.split (== ';') text))) >>= displaced
     | otherwise -> textRows text >>= alone
+  where
+    -- What follows a semicolon after the last patch.
+    withoutBlankLast texts = case reverse texts of
+      end : others@(_ : _) | Text.all isSpace end -> reverse others
+      _ -> texts
 
 -- | The complaints about patches tell which one it is, from 1.
 numbered :: [Either String a] -> Either String [a]
@@ -83,7 +89,7 @@ numbered given =
     ]
 
 textRows :: KnownField k => Text -> Either String [[Maybe (Cell k)]]
-textRows = traverse (traverse textCell . Text.words) . rowsOf
+textRows = traverse (traverse textCell . Text.words . Text.pack) . rowsOf . Text.unpack
   where
     textCell "?" = Right Nothing
     textCell word = Just . Symbol <$> element word
@@ -181,9 +187,3 @@ displaced given = (`Written` True) <$> numbered (map (traverse patched) given)
 
 patched :: [[Maybe (Cell k)]] -> Either String (Patch (Cell k))
 patched = first locateMessage . patch
-
--- | The rows, parted by @/@; none in an empty line.
-rowsOf :: Text -> [Text]
-rowsOf text
-  | Text.all isSpace text = []
-  | otherwise = Text.split (== '/') text

@@ -38,6 +38,7 @@ import PraTactile.Object.Placement.Search
 import PraTactile.Object.Placement.Windows
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
+import PraTactile.Rows (textLines)
 import PraTactile.Window (maskFrom)
 import PraTactile.Window.Distance
 import PraTactile.Window.Proof (windowRank)
@@ -257,7 +258,7 @@ objectLines file = do
   when (any ((> largestLine) . Bytes.length) (Bytes.lines bytes)) . unusable $
     visibleName file ++ " has a line of more than " ++ show largestLine ++ " bytes"
   text <- orUnusable (const (visibleName file ++ " is no text in UTF-8")) (decodeUtf8' bytes)
-  pure [line | line <- map Text.unpack (Text.lines text), not (all isSpace line)]
+  pure [line | line <- textLines (Text.unpack text), not (all isSpace line)]
 
 -- | The faces to be laid: those named of objects that some are named of, and all of the new ones.
 wanted :: Pitch -> Options -> [Solid] -> [Solid] -> IO [Wanted]

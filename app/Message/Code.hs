@@ -130,7 +130,8 @@ windowMessage e = case e of
   WindowTooLarge cells -> "the window has " ++ numeral cells ++ " cells, more than 4096"
   OffsetRepeated (Position r c) -> "the window has the cell " ++ show r ++ "," ++ show c ++ " twice"
   DrawingCharacter c ->
-    "a mask is drawn with # for a cell that is observed, . for one that is not and / between rows; "
+    "a mask is drawn with # for a cell that is observed, . for one that is not and / or line ends \
+    \between rows; "
       ++ show c
       ++ " is none of them"
   DrawingRagged i given needs ->

@@ -22,6 +22,7 @@ module PraTactile.Window
     maskExtent,
     maskRectangle,
     maskFromDrawing,
+    maskFromRows,
     maskDrawing,
     WindowError (..),
 
@@ -41,6 +42,7 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Grid (displaced, extentOf, raggedRow)
+import PraTactile.Rows (rowsOf)
 
 -- | Why there is no such window.
 data WindowError
@@ -50,7 +52,7 @@ data WindowError
     WindowTooLarge Natural
   | -- | The offset occurs twice.
     OffsetRepeated Position
-  | -- | The drawing has this character, which is neither # nor . nor a slash.
+  | -- | The drawing has this character, which is neither # nor .
     DrawingCharacter Char
   | -- | The row of the drawing with this index, from 0, has this many cells instead of that many.
     DrawingRagged Int Int Int
@@ -112,22 +114,21 @@ maskRectangle mask
     extent = maskExtent mask
 
 -- | The mask that is drawn: # for a cell that is observed and . for one that is not, the rows from
--- the top down and parted by a slash. It is read row by row; its position is its upper left corner.
--- Refuses other characters, rows of different lengths, and as 'maskFrom' does. O(a log a) for a
--- characters.
+-- the top down and parted by a slash or a line end ('rowsOf'). Refuses what 'maskFromRows' refuses.
 --
 -- >>> map (\(Position i j) -> (i, j)) . maskOffsets <$> maskFromDrawing "##./.##"
 -- Right [(0,0),(0,1),(1,1),(1,2)]
 maskFromDrawing :: String -> Either WindowError Mask
-maskFromDrawing drawing
-  | c : _ <- filter (`notElem` "#./") drawing = Left (DrawingCharacter c)
+maskFromDrawing = maskFromRows . rowsOf
+
+-- | The mask whose rows these are, from the top down. It is read row by row; its position is its
+-- upper left corner. Refuses other characters than # and ., rows of different lengths, and as
+-- 'maskFrom' does. O(a log a) for a characters.
+maskFromRows :: [String] -> Either WindowError Mask
+maskFromRows drawn
+  | c : _ <- filter (`notElem` "#.") (concat drawn) = Left (DrawingCharacter c)
   | Just (i, given, first) <- raggedRow drawn = Left (DrawingRagged i given first)
   | otherwise = maskFrom [Position i j | (i, r) <- zip [0 ..] drawn, (j, '#') <- zip [0 ..] r]
-  where
-    drawn = splitRows drawing
-    splitRows text = case break (== '/') text of
-      (r, _ : others) -> r : splitRows others
-      (r, []) -> [r]
 
 -- | The drawing of a mask that 'maskFromDrawing' reads: without the order in which it is read.
 -- O(a log m) for a cells in the extent of the mask.

@@ -1,18 +1,21 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | How large a written patch may be.
+-- | How patches are written, and how large they may be.
 module Test.CommandLine.Patches (spec) where
 
 import Data.Aeson
+import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
 import Data.List (intercalate)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import PatchBound
+import System.FilePath ((</>))
 import Test.CommandLine.Run
 import Test.Hspec
 import Test.QuickCheck
+import Test.Support
 
 spec :: Spec
 spec = do
@@ -65,7 +68,65 @@ spec = do
         (status, err, map (key ["outcome"]) (lines out))
           `shouldBe` (2, "", [Just "invalid", Just "located"])
         length out `shouldSatisfy` (< 3000)
+  it "line ends part the rows of a patch: a grid on several lines is not one long row" $ do
+    (_, whole, _) <- pra ["locate", "--json", "3 2 1 / 3 1 3 / 2 2 2"]
+    key ["outcome"] whole `shouldSatisfy` (/= Nothing)
+    for_ (gridsOf ["3 2 1", "3 1 3", "2 2 2"]) $ \written -> do
+      (_, out, err) <- pra ["locate", "--json", written]
+      (written, out, err) `shouldBe` (written, whole, "")
+    -- One row of four is elsewhere on the array: that is what two lines were taken for.
+    (_, asOneRow, _) <- pra ["locate", "3 2 3 1"]
+    (_, asTwo, _) <- pra ["locate", "3 2\n3 1"]
+    (asOneRow, asTwo) `shouldBe` ("row 0, column 12\n", "row 6, column 5\n")
+    outcome <- pra ["locate", "3 2 // 3 1"]
+    outcome `refuses` "row 2 of the patch has 0 cells"
+  it "so they do in several patches, and a semicolon may end the last one" $ do
+    whole <- pra ["locate", "--json", "3 2 / 3 1 ; 0,3: 1 1 / 1 1"]
+    for_ ["3 2\n3 1\n;\n0,3: 1 1\n1 1\n", "3 2\r\n3 1;\r\n0,3:\r\n1 1 /\r\n1 1;\r\n"] $ \written ->
+      pra ["locate", "--json", written] `shouldReturn` whole
+  it "the lines of a batch end with LF, CR LF or CR, however they arrive, and each is one patch" $ do
+    (_, whole, _) <- praWith ["locate", "--batch"] "3 2 / 3 1\n0 0 / 0 0\n3 2 / 3 1\n"
+    length (lines whole) `shouldBe` 3
+    for_ ["\r\n", "\r"] $ \end -> do
+      (_, out, _) <-
+        praWith ["locate", "--batch"] (concatMap (++ end) ["3 2 / 3 1", "0 0 / 0 0", "3 2 / 3 1"])
+      (end, out) `shouldBe` (end, whole)
+    inFolder $ \folder -> do
+      (_, out, _) <-
+        scripted
+          folder
+          "(printf '3 2 / 3 1\\r'; sleep 0.3; printf '\\n0 0 / 0 0\\r\\n3 2 / 3 1') | pra locate --batch"
+      out `shouldBe` whole
+  it "a CSV file of an array is read with any line ends, and with semicolons" $
+    inFolder $ \folder -> do
+      (_, array, _) <- pra ["array", "--format", "csv"]
+      let file = folder </> "array.csv"
+          proved = do
+            (status, out, _) <- pra ["prove", "--json", "--window", "2x2", file]
+            pure (status, key ["proved"] out, key ["array", "shape"] out)
+      writeBinary file array
+      expected <- proved
+      (\(status, yes, _) -> (status, yes)) expected `shouldBe` (0, Just (Bool True))
+      for_ ["\r\n", "\r"] $ \end ->
+        for_ [id, map (\c -> if c == ',' then ';' else c)] $ \separated -> do
+          writeBinary file (concatMap ((++ end) . separated) (lines array))
+          proved `shouldReturn` expected
   where
+    -- A grid as it is written on several lines.
+    gridsOf :: [String] -> [String]
+    gridsOf rows =
+      [ intercalate "\n" rows,
+        concatMap (++ "\n") rows,
+        concatMap (++ "\r\n") rows,
+        intercalate "\r" rows,
+        "\n \n" ++ intercalate "\n\n" rows ++ "\n\t\n",
+        intercalate " /\n" rows,
+        intercalate "\n/ " rows,
+        concatMap (++ " /\n") rows,
+        intercalate "\x2028" rows,
+        intercalate " / " rows ++ " /"
+      ]
+    writeBinary file = Bytes.writeFile file . Bytes.pack
     many = Text.replicate 1000000
     forms =
       [ ("text" :: String, \n -> Text.unwords (replicate n "?")),

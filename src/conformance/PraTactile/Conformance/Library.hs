@@ -8,7 +8,6 @@ where
 
 import Data.Bifunctor (first)
 import Data.Either (isRight)
-import Data.List (intercalate)
 import Data.Proxy (Proxy (..))
 import qualified Data.Vector.Primitive as Vector
 import Numeric.Natural (Natural)
@@ -43,7 +42,7 @@ import PraTactile.Polynomial
 import qualified PraTactile.Polynomial as Polynomial
 import PraTactile.Profile
 import PraTactile.Sequence (initialState, sequenceVector, termAt)
-import PraTactile.Window (Mask, maskFromDrawing, maskSize)
+import PraTactile.Window (Mask, maskFromRows, maskSize)
 import qualified PraTactile.Window as Window
 import qualified PraTactile.Window.Distance as Distance
 import qualified PraTactile.Window.Proof as Proof
@@ -162,7 +161,7 @@ answers prepared question = case question of
     inverted = orRefuse "division-by-zero" . Field.inverse :: GF k -> Wire (GF k)
     raised i a = Field.power a (fromInteger i) :: GF k
     drawn :: MaskRows -> Wire Mask
-    drawn = orRefuse "invalid" . maskFromDrawing . intercalate "/"
+    drawn = orRefuse "invalid" . maskFromRows
     observedIn :: [[Maybe Code]] -> Wire (Locate.Patch (GF k))
     observedIn rows = traverse (traverse (traverse element)) rows >>= orRefuse "invalid" . patch
     locatedBy :: DecoderName -> Radius -> Locate.Patch (GF k) -> Wire Location

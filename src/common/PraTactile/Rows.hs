@@ -1,0 +1,44 @@
+-- | Grids as people write them: rows parted by slashes or by line ends.
+module PraTactile.Rows
+  ( rowsOf,
+    textLines,
+  )
+where
+
+import Data.Char (isSpace)
+import Data.List (dropWhileEnd, isPrefixOf, isSuffixOf)
+
+-- | The rows of a grid, without the spaces around each. A slash, a line end, or a slash between line
+-- ends parts two rows; a separator after the last row and blank lines part nothing. Two slashes have
+-- an empty row between them.
+--
+-- >>> rowsOf "3 2 / 3 1"
+-- ["3 2","3 1"]
+-- >>> rowsOf "3 2\r\n3 1 /\r\n\r\n"
+-- ["3 2","3 1"]
+rowsOf :: String -> [String]
+rowsOf text = case filter (not . null) (map trim (textLines text)) of
+  [] -> []
+  lines' -> parted (withoutLast (foldr1 beside lines'))
+  where
+    beside one other
+      | "/" `isSuffixOf` one || "/" `isPrefixOf` other = one ++ other
+      | otherwise = one ++ '/' : other
+    withoutLast line = if "/" `isSuffixOf` line then init line else line
+    parted line = case break (== '/') line of
+      (row, _ : others) -> trim row : parted others
+      (row, []) -> [trim row]
+
+-- | The lines of a text, whichever characters end them: LF, CR, CR LF, or the others that Unicode
+-- has for a new line or page. What follows the last end is a line if it is not empty.
+textLines :: String -> [String]
+textLines text = case break (`elem` lineEnds) text of
+  ("", "") -> []
+  (line, '\r' : '\n' : others) -> line : textLines others
+  (line, _ : others) -> line : textLines others
+  (line, []) -> [line]
+  where
+    lineEnds = "\n\r\v\f\x85\x2028\x2029"
+
+trim :: String -> String
+trim = dropWhileEnd isSpace . dropWhile isSpace
