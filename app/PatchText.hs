@@ -45,8 +45,8 @@ type Displaced a = ((Integer, Integer), a)
 -- a bracket is JSON: a list of rows, each a list of cells; a cell is a code, an element as text,
 -- null or \"?\" for one not observed, or the list of the probabilities of all symbols. Text that
 -- begins with a brace is a JSON object with a list of patches. In other text rows are parted as
--- 'rowsOf' has it, patches by semicolons, and a displacement stands before a colon. Refuses more than 'largestPatch' cells
--- before it reads them.
+-- 'rowsOf' has it, patches by semicolons, and a displacement stands before a colon. Refuses more
+-- than 'largestPatch' cells before it reads them.
 readPatches :: forall k. KnownField k => Text -> Either String (Written k)
 readPatches text = case ( oversized (fieldOrder (Proxy :: Proxy k)) text,
                           Text.uncons (Text.stripStart text)

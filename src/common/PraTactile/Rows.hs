@@ -8,26 +8,26 @@ where
 import Data.Char (isSpace)
 import Data.List (dropWhileEnd, isPrefixOf, isSuffixOf)
 
--- | The rows of a grid, without the spaces around each. A slash, a line end, or a slash between line
--- ends parts two rows; a separator after the last row and blank lines part nothing. Two slashes have
--- an empty row between them.
+-- | The rows of a grid, without the spaces around each. A slash, a line end, or a slash between
+-- line ends parts two rows; a separator after the last row and blank lines part nothing. Two
+-- slashes have an empty row between them.
 --
 -- >>> rowsOf "3 2 / 3 1"
 -- ["3 2","3 1"]
 -- >>> rowsOf "3 2\r\n3 1 /\r\n\r\n"
 -- ["3 2","3 1"]
 rowsOf :: String -> [String]
-rowsOf text = case filter (not . null) (map trim (textLines text)) of
-  [] -> []
-  lines' -> parted (withoutLast (foldr1 beside lines'))
+rowsOf = withoutBlankLast . parted . foldr beside "" . map trim . textLines
   where
     beside one other
-      | "/" `isSuffixOf` one || "/" `isPrefixOf` other = one ++ other
+      | null one || null other || "/" `isSuffixOf` one || "/" `isPrefixOf` other = one ++ other
       | otherwise = one ++ '/' : other
-    withoutLast line = if "/" `isSuffixOf` line then init line else line
     parted line = case break (== '/') line of
       (row, _ : others) -> trim row : parted others
       (row, []) -> [trim row]
+    withoutBlankLast rows = case reverse rows of
+      "" : others -> reverse others
+      _ -> rows
 
 -- | The lines of a text, whichever characters end them: LF, CR, CR LF, or the others that Unicode
 -- has for a new line or page. What follows the last end is a line if it is not empty.

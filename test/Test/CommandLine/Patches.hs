@@ -82,8 +82,9 @@ spec = do
     outcome `refuses` "row 2 of the patch has 0 cells"
   it "so they do in several patches, and a semicolon may end the last one" $ do
     whole <- pra ["locate", "--json", "3 2 / 3 1 ; 0,3: 1 1 / 1 1"]
-    for_ ["3 2\n3 1\n;\n0,3: 1 1\n1 1\n", "3 2\r\n3 1;\r\n0,3:\r\n1 1 /\r\n1 1;\r\n"] $ \written ->
-      pra ["locate", "--json", written] `shouldReturn` whole
+    for_
+      ["3 2\n3 1\n;\n0,3: 1 1\n1 1\n", "3 2\r\n3 1;\r\n0,3:\r\n1 1 /\r\n1 1;\r\n"]
+      $ \written -> pra ["locate", "--json", written] `shouldReturn` whole
   it "the lines of a batch end with LF, CR LF or CR, however they arrive, and each is one patch" $ do
     (_, whole, _) <- praWith ["locate", "--batch"] "3 2 / 3 1\n0 0 / 0 0\n3 2 / 3 1\n"
     length (lines whole) `shouldBe` 3
@@ -95,7 +96,8 @@ spec = do
       (_, out, _) <-
         scripted
           folder
-          "(printf '3 2 / 3 1\\r'; sleep 0.3; printf '\\n0 0 / 0 0\\r\\n3 2 / 3 1') | pra locate --batch"
+          "(printf '3 2 / 3 1\\r'; sleep 0.3; printf '\\n0 0 / 0 0\\r\\n3 2 / 3 1') | pra locate \
+          \--batch"
       out `shouldBe` whole
   it "a CSV file of an array is read with any line ends, and with semicolons" $
     inFolder $ \folder -> do
@@ -116,7 +118,7 @@ spec = do
     gridsOf :: [String] -> [String]
     gridsOf rows =
       [ intercalate "\n" rows,
-        concatMap (++ "\n") rows,
+        unlines rows,
         concatMap (++ "\r\n") rows,
         intercalate "\r" rows,
         "\n \n" ++ intercalate "\n\n" rows ++ "\n\t\n",

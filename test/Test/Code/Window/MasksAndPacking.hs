@@ -41,10 +41,12 @@ spec = do
       fmap maskRectangle (maskFromDrawing "##/##") `shouldBe` Right (Just (Shape 2 2))
       fmap maskRectangle (maskFromDrawing ".#/.#") `shouldBe` Right Nothing
       fmap maskRectangle (mask [(1, 0), (0, 0)]) `shouldBe` Right (Just (Shape 2 1))
-    it "line ends part their rows as slashes do, whichever there are, and several part two rows once" $
-      forM_ ["##.\n.##", "##.\r\n.##\r\n", "##.\r.##", "\n\n##. /\n\n.## /\n", "##./.##/"] $ \drawing ->
-        (drawing, offsets <$> maskFromDrawing drawing)
-          `shouldBe` (drawing, Right [(0, 0), (0, 1), (1, 1), (1, 2)])
+    it "line ends part their rows as slashes do, whichever they are, and several part rows once" $
+      forM_
+        ["##.\n.##", "##.\r\n.##\r\n", "##.\r.##", "\n\n##. /\n\n.## /\n", "##./.##/"]
+        $ \drawing ->
+          (drawing, offsets <$> maskFromDrawing drawing)
+            `shouldBe` (drawing, Right [(0, 0), (0, 1), (1, 1), (1, 2)])
     it "other drawings are refused" $ do
       maskFromDrawing "" `shouldBe` Left WindowEmpty
       maskFromDrawing "../.." `shouldBe` Left WindowEmpty
