@@ -51,8 +51,9 @@ command =
     "Tell the position of a patch of symbols in the array; rows are parted by '/' or line ends, \
     \cells by spaces; codes or powers; '?' is a cell that was not observed. Or JSON, in which a \
     \cell may be the list of the probabilities of all symbols. Several patches of one face are \
-    \parted by ';', each with its displacement from a common point in front, 'ROW,COLUMN:'; the position is \
-    \then that of the upper left cell of the rectangle around all, from which offsets count."
+    \parted by ';', each with its displacement from a common point in front, 'ROW,COLUMN:'; the \
+    \position is then that of the upper left cell of the rectangle around all, from which offsets \
+    \count."
     [ "pra-tactile locate '3 2 / 3 1'",
       "pra-tactile locate 'A^2 A / A^2 1' --json",
       "pra-tactile locate '3 2 ? 1 / 3 0 2 1 / 0 1 3 ? / 1 3 2 2' --explain",

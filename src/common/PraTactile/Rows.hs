@@ -17,7 +17,7 @@ import Data.List (dropWhileEnd, isPrefixOf, isSuffixOf)
 -- >>> rowsOf "3 2\r\n3 1 /\r\n\r\n"
 -- ["3 2","3 1"]
 rowsOf :: String -> [String]
-rowsOf = withoutBlankLast . parted . foldr beside "" . map trim . textLines
+rowsOf = withoutBlankLast . parted . foldr (beside . trim) "" . textLines
   where
     beside one other
       | null one || null other || "/" `isSuffixOf` one || "/" `isPrefixOf` other = one ++ other

@@ -85,7 +85,7 @@ spec = do
     for_
       ["3 2\n3 1\n;\n0,3: 1 1\n1 1\n", "3 2\r\n3 1;\r\n0,3:\r\n1 1 /\r\n1 1;\r\n"]
       $ \written -> pra ["locate", "--json", written] `shouldReturn` whole
-  it "the lines of a batch end with LF, CR LF or CR, however they arrive, and each is one patch" $ do
+  it "lines of a batch end with LF, CR LF or CR, however they arrive, and each is one patch" $ do
     (_, whole, _) <- praWith ["locate", "--batch"] "3 2 / 3 1\n0 0 / 0 0\n3 2 / 3 1\n"
     length (lines whole) `shouldBe` 3
     for_ ["\r\n", "\r"] $ \end -> do
