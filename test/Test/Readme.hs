@@ -2,9 +2,9 @@
 -- cabal.
 module Test.Readme (spec) where
 
-import Data.List (isPrefixOf)
+import Data.List (isInfixOf, isPrefixOf)
 import House.Source (readText)
-import System.Directory (getCurrentDirectory)
+import System.Directory (createDirectory, createDirectoryLink, getCurrentDirectory)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
 import System.Process (readProcessWithExitCode)
@@ -44,6 +44,44 @@ spec = beforeAll (library <$> readText "README.md") $ do
           ]
       (code, take 1 (lines out), err)
         `shouldBe` (ExitSuccess, ["cube, face C1 C2 C3 C4, corner C2"], "")
+  it "so does the one with a placement of one's own, after the commands shown with it" $ \text ->
+    inFolder $ \folder -> do
+      let (program, rest) = fenced "```haskell" (snd (fenced "```haskell" text))
+          (commands, _) = fenced "```sh" rest
+          script = ["set -e", "cd '" ++ folder ++ "'"] ++ map (++ " > log") commands
+      length commands `shouldBe` 2
+      writeFile (folder </> "Own.hs") (unlines program)
+      (code, out, err) <-
+        cabal
+          ["exec", "-v0", "--", "sh", "-c", unlines (script ++ ["runghc Own.hs"])]
+      (code, takeWhile (/= ',') out, err) `shouldBe` (ExitSuccess, "lid", "")
+  it "without a network, plain cabal plans a package by the configuration that is named" $ \text ->
+    inFolder $ \folder -> besideGhc $ do
+      here <- getCurrentDirectory
+      let (named, _) = fenced "```sh" (snd (fenced "```cabal" text))
+      named `shouldBe` ["export CABAL_CONFIG=$PWD/../pra-tactile/cabal/offline.config"]
+      createDirectory (folder </> "example")
+      createDirectoryLink here (folder </> "pra-tactile")
+      writeFile (folder </> "example" </> "cabal.project") "packages: .\n  ../pra-tactile\n"
+      writeFile (folder </> "example" </> "Main.hs") "main :: IO ()\nmain = pure ()\n"
+      writeFile
+        (folder </> "example" </> "example.cabal")
+        ( unlines
+            [ "cabal-version: 3.0",
+              "name: example",
+              "version: 0",
+              "executable example",
+              "  default-language: Haskell2010",
+              "  main-is: Main.hs",
+              "  build-depends: base, pra-tactile, pra-tactile:files"
+            ]
+        )
+      let script =
+            ["set -e", "cd '" ++ (folder </> "example") ++ "'", "export HOME='" ++ folder ++ "'"]
+              ++ named
+              ++ ["cabal build -v1 --dry-run"]
+      (code, out, err) <- readProcessWithExitCode "sh" ["-c", unlines script] ""
+      (code, "hackage" `isInfixOf` (out ++ err)) `shouldBe` (ExitSuccess, False)
   it "a package with the lines for cabal.project is planned with these libraries" $
     \text -> inFolder $ \folder -> do
       here <- getCurrentDirectory
@@ -93,6 +131,12 @@ spec = beforeAll (library <$> readText "README.md") $ do
                             "(lib:files)"
                           ]
   where
+    -- One of the libraries tells whether they come with GHC, as Debian's do.
+    besideGhc act = do
+      (_, listed, _) <- readProcessWithExitCode "ghc-pkg" (words "list --simple-output hmatrix") ""
+      if "hmatrix" `isPrefixOf` listed
+        then act
+        else pendingWith "the libraries are not beside GHC here"
     library = dropWhile (/= "## The library") . lines
     cabal arguments = readProcessWithExitCode "tools/cabal.sh" arguments ""
 
