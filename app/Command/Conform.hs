@@ -102,7 +102,12 @@ notStarted :: Command -> Fault -> String
 notStarted subject fault = case faultKind fault of
   CannotStart -> "cannot start " ++ name ++ ": " ++ faultDetail fault
   TooSlow -> name ++ " was still asked what it offers when the time of --limit was over"
-  kind -> name ++ " never answered start: " ++ faultName kind ++ ", " ++ faultDetail fault
+  kind ->
+    name ++ " never answered start: " ++ faultName kind ++ ", " ++ faultDetail fault
+      ++ concat
+        [ "; does it flush its standard output after each line?"
+          | kind `elem` [TimedOut, NeverStarted, HalfLine]
+        ]
   where
     name = visibleName (commandProgram subject)
 

@@ -6,12 +6,15 @@ module Command.Serve
 where
 
 import Data.Aeson (object, (.=))
+import Data.List (isSuffixOf)
+import Data.Maybe (isJust)
 import Data.String (fromString)
 import ExitStatus
 import Json
 import Options
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Killers
+import PraTactile.Conformance.Laws.Order (orderName)
 import PraTactile.Conformance.Library (library)
 import PraTactile.Conformance.Serve
 import System.IO (stdin, stdout)
@@ -49,20 +52,27 @@ command =
 
 run :: Options -> IO ExitStatus
 run options
-  | listed options = Answered <$ printAs (form options) text json
+  | listed options = do
+    leaveOut
+      "--impostors serves nothing"
+      [("--one-shot", once options), ("--impostor", isJust (impostor options))]
+    Answered <$ printAs (form options) text json
   | form options == AsJson = misused "--json is for --impostors; replies are JSON anyway"
   | otherwise = Answered <$ answer (maybe library impostorMade (impostor options)) stdin stdout
   where
     answer = if once options then serveOnce else serve
     text = concatMap listedText impostors
     json = encodeSchema "impostors/1" (fromString "impostors" .= map listedValue impostors)
+    -- Each makes its mistake whatever was asked before, which a fresh process shows.
+    killers =
+      filter (not . (('/' : orderName) `isSuffixOf`)) . killersOf . impostorName
     listedText one =
       impostorName one ++ ": " ++ impostorMistake one ++ "\n    found by "
-        ++ unwords (killersOf (impostorName one))
+        ++ unwords (killers one)
         ++ "\n"
     listedValue one =
       object
         [ fromString "name" .= impostorName one,
           fromString "mistake" .= impostorMistake one,
-          fromString "laws" .= killersOf (impostorName one)
+          fromString "laws" .= killers one
         ]

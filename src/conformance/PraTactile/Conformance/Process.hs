@@ -67,7 +67,8 @@ inOneShot limits command offers = do
         subjectAsk = \questions -> do
           profile <- readIORef force
           upToFault [oneShot limits command profile (Just one) | one <- zip [1 ..] questions],
-        subjectFresh = Nothing,
+        -- Each request has a fresh process anyway.
+        subjectFresh = Just (pure ()),
         subjectBatch = 32,
         subjectUnknown = [],
         subjectChecks = oneShotChecks limits command

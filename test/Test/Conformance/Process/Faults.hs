@@ -267,6 +267,22 @@ usageSpec = describe "usage" $ do
     ["conform", "--", "true"] `complains` "never answered start: crashed"
     ["conform", "--one-shot", "--", "true"] `complains` "never answered start: crashed"
     ["conform", "--timeout", "1", "--", "sleep", "60"] `complains` "never answered start: timeout"
+    ["conform", "--timeout", "1", "--", "sleep", "60"] `complains` "flush its standard output"
+  it "a mistake that a fresh process makes too does not depend on what was asked before" $
+    for_ [[], ["--one-shot"]] $ \how -> do
+      (status, out, _) <-
+        inOrder how (words "pra-tactile serve --impostor reduces-by-another-modulus" ++ how)
+      (status, lookup "field/in-any-order" (outcomes out))
+        `shouldSatisfy` (`elem` [(0, Just "held"), (1, Just "skipped")])
+  it "but one that comes after a refusal alone does" $ do
+    (status, out, _) <-
+      inOrder
+        []
+        [ "sh",
+          "-c",
+          "pra-tactile serve | sed -u '/\"refused\"/{n;s/\"result\":\\([0-9]\\)/\"result\":1\\1/}'"
+        ]
+    (status, lookup "field/in-any-order" (outcomes out)) `shouldBe` (1, Just "failed")
   it "no command, and names of no law" $ do
     ["conform"] `complains` "name the command"
     ["conform", "--run", "no-such-law", "--", "true"] `complains` "no law is called \"no-such-law\""
@@ -286,5 +302,10 @@ usageSpec = describe "usage" $ do
     status `shouldBe` 0
     length (filter (isInfixOf "field/addition-commutes") (lines out)) `shouldBe` 1
   where
+    inOrder how subject =
+      withProfile $ \profile ->
+        conform
+          (words "--json --cases 20 --run field/in-any-order --profile" ++ profile : how)
+          subject
     -- x^24 + x^7 + x^2 + x + 1
     pentanomial = intercalate "," (words "1 1 1 0 0 0 0 1" ++ replicate 16 "0" ++ ["1"])

@@ -2,6 +2,7 @@
 -- drawn, each with the answer that it has alone.
 module PraTactile.Conformance.Laws.Order
   ( orderLaw,
+    orderName,
   )
 where
 
@@ -23,7 +24,7 @@ orderLaw :: Stage -> [Operation] -> Law Known
 orderLaw stage operations =
   law
     stage
-    "in-any-order"
+    orderName
     operations
     "an answer does not depend on what was asked before, nor on whether that was refused"
     "the protocol: each request is answered by itself"
@@ -33,6 +34,11 @@ orderLaw stage operations =
             (listOf questionForm)
             (Some (choose (2, 5) >>= (`vectorOf` one)) (filter (not . null) . smallerList smaller))
             (inOrder known)
+
+-- | The name of the law in each stage. An answer that is wrong in a fresh process, too, does not
+-- violate it: that process was asked nothing before.
+orderName :: String
+orderName = "in-any-order"
 
 -- | Questions of an operation, some of which are refused, each for another reason.
 askedOf :: Known -> Operation -> [SomeQuestion]

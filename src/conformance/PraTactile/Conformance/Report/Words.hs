@@ -15,7 +15,11 @@ import qualified Data.Aeson.Key as Key
 import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (toList)
-import Data.List (intercalate, nub)
+import Data.List (intercalate, nub, sortOn)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (listToMaybe)
+import Data.Ord (Down (..))
+import Data.Scientific (isInteger)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Text.Encoding.Error as Text
@@ -123,7 +127,9 @@ counterItems again likely counter =
     ]
   where
     (yours, theirs) = case (counterGot counter, counterExpected counter) of
-      (Right got, Just wanted) -> apartText got wanted
+      (Right got, Just wanted)
+        | Just texts <- apartMost counter got wanted -> texts
+        | otherwise -> apartText got wanted
       (got, wanted) -> (either faultText responseText got, maybe "" responseText wanted)
     side = if counterRoad counter == "the definition" then "the definition" else "expected"
 
@@ -176,6 +182,46 @@ apartText got wanted = case (got, wanted) of
         | Just (Json.Array items) <- KeyMap.lookup (Key.fromString "positions") fields ->
           Just (toList items)
       _ -> Nothing
+
+-- | Two responses with lists of probabilities or other real numbers, each with the entry in which
+-- they are furthest apart; of @posterior@ an entry is that of a position.
+apartMost :: Counterexample -> Response -> Response -> Maybe (String, String)
+apartMost counter got wanted = case (got, wanted) of
+  (ResponseResult one, ResponseResult other) -> do
+    these <- entriesOf one
+    those <- entriesOf other
+    let far key = abs (Map.findWithDefault 0 key these - Map.findWithDefault 0 key those)
+        keys = [key | key <- Map.keys (these <> those), far key > 0]
+    (key, _) <- listToMaybe (sortOn (Down . snd) [(key, far key) | key <- keys])
+    let entry value entries =
+          valueText value ++ "; " ++ keyText key ++ ": "
+            ++ maybe "nothing" (valueText . Json.Number) (Map.lookup key entries)
+    Just (entry one these, entry other those)
+  _ -> Nothing
+  where
+    ofPositions =
+      operationName OfPosterior
+        `elem` map (takeWhile (/= ' ') . requestText) (counterRequests counter)
+    entriesOf value = case value of
+      Json.Array items
+        | ofPositions -> Map.fromList <$> traverse positioned (toList items)
+        | otherwise -> do
+          numbers <- traverse number (toList items)
+          if all isInteger numbers
+            then Nothing
+            else Just (Map.fromList (zip (map pure (iterate (+ 1) 0)) numbers))
+      _ -> Nothing
+    positioned item = case item of
+      Json.Array values -> case traverse number (toList values) of
+        Just [row, column, chance] -> Just ([row, column], chance)
+        _ -> Nothing
+      _ -> Nothing
+    number value = case value of
+      Json.Number n -> Just n
+      _ -> Nothing
+    keyText key = case map (valueText . Json.Number) key of
+      [row, column] -> "at row " ++ row ++ ", column " ++ column
+      others -> "item " ++ unwords others
 
 faultText :: Fault -> String
 faultText fault = faultName (faultKind fault) ++ ": " ++ faultDetail fault

@@ -21,12 +21,13 @@ where
 
 import Data.Aeson (Value (Bool))
 import Data.IORef
-import Data.List (nub)
+import Data.List (isSuffixOf, nub)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (isJust)
+import Data.Maybe (fromMaybe, isJust, listToMaybe)
 import PraTactile.Array (area)
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Laws.Order (orderName)
 import PraTactile.Conformance.Process.Reply (profileRequest, profileRequestOf, runRequest)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report
@@ -36,6 +37,7 @@ import PraTactile.Conformance.Run.Token
 import PraTactile.Conformance.Run.Trials (Trouble (..), itemsOf)
 import PraTactile.Conformance.Run.Work
 import PraTactile.Conformance.Subject
+import PraTactile.Conformance.Wire (questionInput)
 import PraTactile.Format.Error (FormatError)
 import PraTactile.Profile (Profile (..))
 
@@ -81,7 +83,11 @@ tryWork planFor suite worker work = do
           -- Of answers that are long and wrong few are asked for that nobody looks at.
           plan = if sum before > 0 then usual {planWindow = min 2 (planWindow usual)} else usual
           atLength = not brief && Map.size before < mostAgain
-      tried <- tryLaw plan subject (workId work) (workCases work)
+          ofOrder = ("/" ++ orderName) `isSuffixOf` workId work
+      tried <-
+        if ofOrder
+          then tryOrder plan worker work
+          else tryLaw plan subject (workId work) (workCases work)
       longAfter <- workerLong worker
       let isLong = if longAfter > longBefore then 1 else 0
       keptBy worker =<< case triedFailure tried of
@@ -89,14 +95,65 @@ tryWork planFor suite worker work = do
           writeIORef (workerFailed worker) (Map.insertWith (+) (workId work) isLong before)
           depends <- if atLength then dependenceOf plan worker work failure else pure OnItself
           reportOf (if brief then withoutCause else suite) work depends tried
-        Nothing -> reportOf suite work OnItself tried
+        Nothing
+          | ofOrder && triedCases tried == 0 -> pure (skipped work wrongThemselves)
+          | otherwise -> reportOf suite work OnItself tried
   where
     subject = workerSubject worker
     withoutCause = suite {suiteLikely = \_ _ -> pure Nothing}
 
+-- | Try the law that answers do not depend on what was asked before. A wrong answer that a fresh
+-- process gives to the same question alone does not depend on that: it counts as the right one
+-- here, and other laws find it. After 'mostExcused' of them nothing is said of the law.
+tryOrder :: Plan -> Worker -> Work -> IO Tried
+tryOrder plan worker work = go []
+  where
+    subject = workerSubject worker
+    law excused how =
+      tryLaw how (excusing excused subject) (workId work) (workCases work)
+    go excused = do
+      tried <- law excused plan {planBrief = True}
+      case (failureTrouble <$> triedFailure tried, subjectFresh subject) of
+        (Just (Wrong violation), Just fresh)
+          | Exchange (Just operation) input reply : _ <- reverse (violationAsked violation) -> do
+            fresh
+            mapM_ (subjectProfile subject . snd) (workProfile work)
+            alone <- subjectAsk subject [SomeQuestion (Raw operation input)]
+            let right = responseOf (violationExpected violation)
+            if alone /= [Right (responseOf reply)]
+              then law excused plan
+              else
+                if length excused < mostExcused
+                  then go ((operation, input, responseOf reply, right) : excused)
+                  else pure tried {triedCases = 0, triedFailure = Nothing}
+        _ -> pure tried
+
+-- | How many answers that are wrong by themselves the law of the order bears.
+mostExcused :: Int
+mostExcused = 10
+
+-- | The subject, with other replies in the place of these, to these questions.
+excusing :: [(Operation, Value, Response, Response)] -> Subject -> Subject
+excusing excused subject
+  | null excused = subject
+  | otherwise =
+    subject {subjectAsk = \questions -> zipWith excuse questions <$> subjectAsk subject questions}
+  where
+    excuse (SomeQuestion question) got =
+      fromMaybe got . listToMaybe $
+        [ Right right
+          | (operation, input, wrong, right) <- excused,
+            got == Right wrong,
+            operationOf question == operation,
+            questionInput question == input
+        ]
+
 -- | Under how many profiles a law fails by long answers before it is not tried under others.
 mostLong :: Int
 mostLong = 3
+
+wrongThemselves :: String
+wrongThemselves = "not tried: too many answers are wrong whatever was asked before"
 
 failedAtLength :: String
 failedAtLength = "not tried: it failed under three profiles before, by long answers"
