@@ -11,8 +11,9 @@ where
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Text (Text)
 import qualified Data.Text as Text
+import Drawing (Font (..), Weight (..), textWidth)
 import Graphics.Svg
-import RatesPlot (plotSvg)
+import RatesPlot (plotSvg, titleSize)
 import RatesPlot.Panel (number, numbers, text)
 
 -- | What is drawn.
@@ -49,7 +50,11 @@ curvesSvg curves = plotSvg wide high content
       ]
       where
         y = top + side + 62 + 20 * fromIntegral (i :: Int)
-    wide = max 420 (left + fromIntegral (length (curvesPanels curves)) * (side + gap))
+    -- The title is wider than one panel.
+    wide =
+      max
+        (textWidth (Font titleSize Bold "ink") (curvesTitle curves) + 2 * gap)
+        (left + fromIntegral (length (curvesPanels curves)) * (side + gap))
     high = top + side + 62 + 20 * fromIntegral (length (curvesLegend curves))
 
 left, top, side, gap :: Double

@@ -15,6 +15,7 @@ import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isControl, ord)
 import Data.List (intercalate)
 import qualified Data.Vector as V
+import ExitStatus (ExitStatus (..))
 import Message
 import Message.Emboss
 import Numeric (showHex)
@@ -92,7 +93,8 @@ surfaceFile format alphabet array layout subject = do
     precision = surfacePrecision format
     why = misshapenMessage named precision
 
--- | An object unfolded, as a drawing, or as one for each page of this size.
+-- | An object unfolded, as a drawing, or as one for each page of this size. An object without a
+-- net, or with a face that is larger than a page, is well formed, and refused.
 netFiles ::
   KnownField k =>
   Maybe (Double, Double) ->
@@ -100,11 +102,11 @@ netFiles ::
   PseudorandomArray k ->
   Placement ->
   ObjectName ->
-  Either String [(MadeFile, Lazy.ByteString)]
+  Either (ExitStatus, String) [(MadeFile, Lazy.ByteString)]
 netFiles page alphabet array layout named = do
-  object <- first placementMessage (findObject layout named)
-  (scale, symbolsOf') <- first embossMessage (symbolsOn alphabet array layout carrying)
-  tree <- first (noNetMessage named) (pickNet 10000 object)
+  object <- first (unfit . placementMessage) (findObject layout named)
+  (scale, symbolsOf') <- first (unfit . embossMessage) (symbolsOn alphabet array layout carrying)
+  tree <- first (refused . noNetMessage named) (pickNet 10000 object)
   let taxel = fromRational (scale * taxelPitch) :: Double
       symbols face = [(laid, one) | Just laid <- [laidAs face], one <- symbolsOf' laid]
       raised face =
@@ -124,16 +126,18 @@ netFiles page alphabet array layout named = do
           { madeTaxels = sum (map stampArea (stamps faces)),
             madeMostRounded = netRounding
           }
-  when (null (stamps everyFace)) (Left (embossMessage (NothingRaised named)))
+  when (null (stamps everyFace)) (Left (unfit (embossMessage (NothingRaised named))))
   case page of
     Nothing -> Right [(told ".net.svg" everyFace, cutOutSvg title raised upright)]
     Just size -> do
-      pages <- first (pageMessage named size) (pagesSvg size title raised upright)
+      pages <- first (refused . pageMessage named size) (pagesSvg size title raised upright)
       Right
         [ (told (".net-" ++ padded (length pages) number ++ ".svg") faces, bytes)
           | (number, (faces, bytes)) <- zip [1 ..] pages
         ]
   where
+    unfit = (,) Unusable
+    refused = (,) NotAnswered
     title = "The " ++ visible (objectText named) ++ ", unfolded"
     carrying = [laid | laid <- laidFaces layout, faceObject (laidFace laid) == named]
     laidAs face = placementLaid layout (Face named (netFaceName face))

@@ -5,8 +5,7 @@ module FormatFile
     readCertificate,
     readPlacement,
     writePlacement,
-    readTruth,
-    readClaim,
+    readAnswerAndTruth,
     readPlane,
     readSensorFile,
     readCalibration,
@@ -15,6 +14,7 @@ where
 
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as Lazy
+import Data.Either (isRight)
 import ExitStatus
 import Files (readBytes, readBytesUpTo)
 import Message (formatMessage, placementFileMessage, profileMessage)
@@ -59,10 +59,6 @@ writePlacement :: FilePath -> Profile -> Placement -> IO ()
 writePlacement file profile layout =
   writeWhole file (Lazy.fromStrict (encodePlacement profile layout) <> Lazy.singleton 10)
 
--- | The truth in a file.
-readTruth :: FilePath -> IO Truth
-readTruth = readAs readBytes decodeTruth "the truth as 'pra-tactile probe --truth' writes it"
-
 -- | Where the robot's frame lies in the world.
 readPlane :: FilePath -> IO RigidMotion
 readPlane = readAs (readBytesUpTo mebibyte) decodePlane "a plane: a rotation and a translation"
@@ -80,12 +76,23 @@ readCalibration =
     decodeCalibration
     "a calibration as 'pra-tactile calibrate' writes it"
 
--- | The claim and the pose in a file with an answer of @decode --json@; each 'Nothing' where it
--- names no place on a face.
-readClaim :: FilePath -> IO (Maybe Claim, Maybe ObjectPose)
-readClaim = readAs readBytes both "one answer as 'pra-tactile decode --json' prints it"
+-- | The claim and the pose in a file with an answer of @decode --json@, each 'Nothing' where it
+-- names no place on a face; and the truth in another file. The files may be exchanged: a truth says
+-- itself that it is one.
+readAnswerAndTruth :: FilePath -> FilePath -> IO ((Maybe Claim, Maybe ObjectPose), Truth)
+readAnswerAndTruth one other = do
+  given <- (,) one <$> readBytes one
+  beside <- (,) other <$> readBytes other
+  let (answer, truth)
+        | isTruth given && not (isTruth beside) = (beside, given)
+        | otherwise = (given, beside)
+  (,)
+    <$> decoded claims "one answer as 'pra-tactile decode --json' prints it" answer
+    <*> decoded decodeTruth "the truth as 'pra-tactile probe --truth' writes it" truth
   where
-    both bytes = (,) <$> decodeClaim bytes <*> decodeClaimedPose bytes
+    isTruth = isRight . decodeTruth . snd
+    claims bytes = (,) <$> decodeClaim bytes <*> decodeClaimedPose bytes
+    decoded decoder wanted (file, bytes) = orUnusable (formatMessage file wanted) (decoder bytes)
 
 -- | What a file holds: how its bytes are read, how they are decoded, and what a message says that
 -- the file should be.

@@ -6,6 +6,7 @@
 module RatesPlot
   ( ratesSvg,
     plotSvg,
+    titleSize,
   )
 where
 
@@ -68,6 +69,10 @@ plotSvg wide high content = renderBS root <> "\n"
         ]
     paper = rect_ [Class_ <<- "paper", Width_ <<- number wide, Height_ <<- number high]
 
+-- | How high the letters of a title are.
+titleSize :: Double
+titleSize = 15
+
 -- | Colours for light and for dark surroundings; the paper is drawn too, so that the two never mix.
 -- The colour-blind can tell the three hues apart as well (M. Okabe and K. Ito 2002).
 style :: String
@@ -76,7 +81,8 @@ style =
     ++ " @media (prefers-color-scheme: dark) { "
     ++ rules "#16181c" "#e6e6e6" "#3c4048" ["#56b4e9", "#f08a3c", "#2fc79a"]
     ++ " }"
-    ++ " .title { font-size: 15px; font-weight: bold } .grid { stroke-width: 1; fill: none }"
+    ++ printf " .title { font-size: %.0fpx; font-weight: bold }" titleSize
+    ++ " .grid { stroke-width: 1; fill: none }"
     ++ " .line { stroke-width: 2; fill: none; stroke-linejoin: round }"
   where
     rules :: String -> String -> String -> [String] -> String

@@ -21,7 +21,7 @@ import PraTactile.Symmetry
 import Setup
 import System.IO (hFlush, stdout)
 import Text.Printf (printf)
-import Visible (nameInJson, visibleName)
+import Visible (nameInJson, visible, visibleName)
 
 data Options = Options
   { weights :: Maybe FilePath,
@@ -79,34 +79,50 @@ run choice options
       ByLogistic -> pure (logisticClassifier (calibrationFor alphabet) alphabet)
       ByNetwork -> networkClassifier <$> readerWith alphabet (weights options)
     let ask path = (>>= answered path) <$> imageIn (levels options) path
-        answered path =
-          first (\why -> visibleName path ++ ": " ++ networkMessage why) . classified classifier
+        answered path = first (ofImage path . networkMessage) . classified classifier
         how = form options
-        one path = ask path >>= orUnusable id >>= told how path
+        one path = ask path >>= orUnusable sentence >>= told how path
         next worst line = do
           path <- linePath line
-          answer <- ask path
-          status <- either (const (invalid how path)) (told how path) answer
+          answer <- case lineText line of
+            Left why | null path -> pure (Left (NoImage why why))
+            _ -> ask path
+          status <- either (invalid how path) (told how path) answer
           hFlush stdout
           pure (max worst status)
     case given options of
       Just paths -> maximum . (Answered :) <$> traverse one paths
       Nothing -> forLines next Answered
 
+-- | Why there is no image of a symbol.
+data NoImage = NoImage
+  { -- | where the file is named beside it
+    reason :: String,
+    -- | by itself
+    sentence :: String
+  }
+
+-- | What is wrong with the image in a file.
+ofImage :: FilePath -> String -> NoImage
+ofImage path why = NoImage why (visibleName path ++ ": " ++ why)
+
 -- | The image in a file, flat taxels at 0 and embossed ones at 1; or what is wrong with it.
-imageIn :: (Double, Double) -> FilePath -> IO (Either String Raster)
+imageIn :: (Double, Double) -> FilePath -> IO (Either NoImage Raster)
 imageIn (low, high) path
-  | null path = pure (Left "an empty line names no file")
+  | null path = pure (Left (NoImage nameless nameless))
   | otherwise = do
     bytes <- readUpTo largestInput path
-    pure (first filesMessage bytes >>= image)
+    pure (first (\e -> NoImage (filesMessage e) (filesMessage e)) bytes >>= image)
   where
+    nameless = "an empty line names no file"
     image bytes = do
-      seen <- first (about . imageMessage) (pgmIntensity <$> decodePgmUpTo maxCompositePixels bytes)
+      seen <-
+        first
+          (ofImage path . imageMessage)
+          (pgmIntensity <$> decodePgmUpTo maxCompositePixels bytes)
       when (minimumValue seen == maximumValue seen) $
-        Left (about "all of its values are the same")
+        Left (ofImage path "all of its values are the same")
       Right (mapRaster (\v -> (v - low) / (high - low)) seen)
-    about why = visibleName path ++ ": " ++ why
 
 -- | Print what an image shows.
 told :: AnswerForm -> FilePath -> Classification -> IO ExitStatus
@@ -125,10 +141,10 @@ told form' path shown = do
           (sum (take 1 (drop c (classifiedChances shown))))
       Nothing -> verdictName (classifiedVerdict shown)
 
--- | Print that a line names no image of a symbol.
-invalid :: AnswerForm -> FilePath -> IO ExitStatus
-invalid form' path = do
+-- | Print that a line names no image of a symbol, and why.
+invalid :: AnswerForm -> FilePath -> NoImage -> IO ExitStatus
+invalid form' path why = do
   case form' of
-    AsJson -> Bytes.putStrLn (encodeNoImage (nameInJson path))
-    AsText -> putStrLn (visibleName path ++ ": invalid")
+    AsJson -> Bytes.putStrLn (encodeNoImage (nameInJson path) (sentence why))
+    AsText -> putStrLn (visibleName path ++ ": invalid: " ++ visible (reason why))
   pure Unusable

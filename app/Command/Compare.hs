@@ -33,14 +33,16 @@ command =
     ( run
         <$> placementChoice "The same from a database that 'objects --write' made"
         <*> pathArgument (metavar "ANSWER" <> help "A file with one answer of 'decode --json'")
-        <*> pathArgument (metavar "TRUTH" <> help "The file that 'probe --truth' wrote")
+        <*> pathArgument
+          ( metavar "TRUTH"
+              <> help "The file that 'probe --truth' wrote; the two may be exchanged"
+          )
         <*> jsonSwitch "Print the comparison as JSON"
     )
 
 run :: PlacementChoice -> FilePath -> FilePath -> AnswerForm -> IO ExitStatus
 run choice answerFile truthFile form = do
-  (told, posed) <- readClaim answerFile
-  known <- readTruth truthFile
+  ((told, posed), known) <- readAnswerAndTruth answerFile truthFile
   (scale, layout) <- shownWith choice (faceObject (truthFace known)) >>= feltPlacement . snd
   let larger = fromRational scale
       claim = scaledClaim (1 / larger) <$> told

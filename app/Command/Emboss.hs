@@ -7,6 +7,7 @@ where
 import ArrayChoice (unsaid)
 import Control.Monad (unless, when)
 import Counted
+import Data.Bifunctor (first)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
 import Data.List (intercalate, nub)
@@ -150,23 +151,27 @@ run options = do
     misused "a drawing has no thickness; leave out --thickness"
   let oneFile = isOneFile options kind
   orMisnamed oneFile kind (output options)
+  when (oneFile && output options == "-" && form options == AsJson) $
+    misused "--output - and --json both take the standard output; name a file"
   when oneFile (orUnwritable (output options))
   (profile, layout) <- case asked options of
     Just (named, _) -> chosenWith unsaid (holding named (objects options)) named
     Nothing -> chosenPlacement unsaid (objects options)
   alphabet <- alphabetFor (shapesFile options) profile
   files <-
-    orUnusable id
+    either (\(status, why) -> warn why >> leave status) pure
       =<< whileWorking "raising symbols"
       =<< orUnusable
         profileMessage
         ( withProfile profile $ \array _ -> case kind of
             Surface format' ->
-              traverse (surfaceFile format' alphabet array layout) (subjects layout)
+              first ((,) Unusable) $
+                traverse (surfaceFile format' alphabet array layout) (subjects layout)
             Drawn
               | Just page <- asNet options ->
                 concat <$> traverse (netFiles page alphabet array layout) (solidsAsked layout)
-              | otherwise -> drawnFiles alphabet array layout (facesAsked layout)
+              | otherwise ->
+                first ((,) Unusable) (drawnFiles alphabet array layout (facesAsked layout))
         )
   if oneFile
     then mapM_ (writeWhole (output options) . snd) files

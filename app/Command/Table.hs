@@ -43,14 +43,19 @@ command =
   where
     format =
       option
-        (namedReaderBy (map toLower) "format" formats)
+        (namedReaderBy usualName "format" formats)
         ( long "format"
             <> metavar "FORMAT"
             <> completeWith (map fst formats)
             <> value Csv
-            <> help "csv, c or mem (default: csv)"
+            <> help "csv, c, or mem, which is what $readmemh reads (default: csv)"
         )
     formats = [("csv", Csv), ("c", C), ("mem", Mem)]
+    -- The memory image is also known by what reads it.
+    usualName given = case map toLower given of
+      "$readmemh" -> "mem"
+      "readmemh" -> "mem"
+      name -> name
 
 run :: ArrayChoice -> Maybe Surface -> Format -> Maybe FilePath -> IO ExitStatus
 run choice chosen format output = do

@@ -75,6 +75,8 @@ codeSpec = describe "the code" $ do
     (_, c, _) <- pra ["table", "--format", "c"]
     length (filter ("  " `isPrefixOf`) (lines c)) `shouldBe` 256
     (_, mem, _) <- pra ["table", "--format", "mem"]
+    for_ ["readmemh", "$readmemh", "MEM"] $ \name ->
+      pra ["table", "--format", name] `shouldReturn` (0, mem, "")
     let entries = filter (not . ("//" `isPrefixOf`)) (lines mem)
     (length entries, take 1 (drop 237 entries)) `shouldBe` (256, ["6b"]) -- 6 * 17 + 5 = 107
   it "profile: what it prints chooses the same array with --profile" $

@@ -4,7 +4,7 @@
 -- images and what they are taken for; the experiment.
 module Test.CommandLine.Networks (spec) where
 
-import Data.Aeson (Value (..))
+import Data.Aeson (Value (..), toJSON)
 import Data.Foldable (for_, toList)
 import Data.List (isInfixOf, isPrefixOf)
 import System.Directory (doesPathExist, listDirectory)
@@ -236,6 +236,21 @@ spec = do
       (status, err) `shouldBe` (2, "")
       map (key ["outcome"]) (lines out)
         `shouldBe` map Just ["recognised", "invalid", "invalid", "invalid", "recognised"]
+      map (key ["message"]) (lines out)
+        `shouldBe` [ Just Null,
+                     Just "an empty line names no file",
+                     Just "there is no file nothing",
+                     Just (toJSON (grey ++ ": all of its values are the same")),
+                     Just Null
+                   ]
+      (_, inWords, _) <-
+        praWith
+          (words "classify --batch --levels 0.25,0.75")
+          (concatMap (++ "\r\n") [grey, "nothing"])
+      lines inWords
+        `shouldBe` [ grey ++ ": invalid: all of its values are the same",
+                     "nothing: invalid: there is no file nothing"
+                   ]
       ["classify", grey] `complains` "the same"
       (none, said, _) <- pra ["classify", half, "--levels", "0,0.0352941"]
       (none, said) `shouldBe` (1, half ++ ": none\n")

@@ -151,7 +151,11 @@ spec = do
       writeFile (folder </> "refused") refused
       (none, _, _) <- pra ["compare", folder </> "refused", folder </> "truth0"]
       none `shouldBe` 1
-      complains ["compare", folder </> "truth0", folder </> "answer0"] "schema"
+      -- Exchanged, the files say themselves which is which.
+      inOrder <- pra ["compare", "--json", folder </> "answer0", folder </> "truth0"]
+      pra ["compare", "--json", folder </> "truth0", folder </> "answer0"] `shouldReturn` inOrder
+      complains ["compare", folder </> "truth0", folder </> "truth0"] "not one answer"
+      complains ["compare", folder </> "answer0", folder </> "answer0"] "not the truth"
       complains ["compare", worked, folder </> "truth0"] "not one answer"
   it "the window's centre in the robot's coordinates is where the composite shows it" $ do
     (_, out, _) <- pra ["decode", "--json", worked]

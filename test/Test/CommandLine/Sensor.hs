@@ -5,7 +5,7 @@ module Test.CommandLine.Sensor (spec) where
 
 import Data.Aeson
 import Data.Foldable (for_)
-import Data.List (isInfixOf)
+import Data.List (isInfixOf, isSuffixOf)
 import System.Directory (listDirectory)
 import System.FilePath ((</>))
 import Test.CommandLine.Run
@@ -41,6 +41,28 @@ spec = do
       (0, again, "") <- pra ["sensor", "--preset", folder </> "real.json", "--json"]
       (key ["constants"] again, key ["preset"] again)
         `shouldBe` (key ["constants"] constants, Just Null)
+  it "the region follows a sensor that is larger than the usual one" $
+    inFolder $ \folder ->
+      for_ [("64x64", "1.5875", 1), ("16x16", "4", 2), ("48x16", "1.5875", 6 :: Int)] $
+        \(size, taxel, presses) -> do
+          let made = folder </> size
+          (status, _, err) <-
+            pra
+              ( words "probe --object cube --seed 7 --frame"
+                  ++ [size, "--taxel", taxel, "--output", made]
+              )
+          (size, status, err) `shouldBe` (size, 0, "")
+          frames <- filter (".pgm" `isSuffixOf`) <$> listDirectory made
+          (size, length frames) `shouldBe` (size, presses)
+  it "faces with too few symbols to be told apart are named, and none is pressed for nothing" $
+    inFolder $ \folder -> do
+      outcome <-
+        scripted
+          folder
+          "pra place box:30x40x50 --output p.json > log; pra evaluate --presses 4 --placement \
+          \p.json"
+      outcome `shouldSatisfy` \(status, out, err) ->
+        (status, out, length (lines err)) == (1, "", 1) && "4 cannot be read" `isInfixOf` err
   it "a face at a few degrees more than a quarter turn is where the truth says" $
     inFolder $ \folder -> do
       (status, out, err) <-

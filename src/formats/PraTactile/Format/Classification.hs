@@ -22,13 +22,21 @@ encodeClassification file shown =
     (fst <$> classifiedSymbol shown)
     (degreesClockwise . snd <$> classifiedSymbol shown)
     (Just (classifiedChances shown, classifiedNone shown))
+    Nothing
 
--- | That a file is no image of a symbol.
-encodeNoImage :: FilePath -> ByteString
-encodeNoImage file = line file "invalid" Nothing Nothing Nothing
+-- | That a file is no image of a symbol, and why.
+encodeNoImage :: FilePath -> String -> ByteString
+encodeNoImage file why = line file "invalid" Nothing Nothing Nothing (Just why)
 
-line :: FilePath -> String -> Maybe Int -> Maybe Int -> Maybe ([Double], Double) -> ByteString
-line file outcome code orientation chances =
+line ::
+  FilePath ->
+  String ->
+  Maybe Int ->
+  Maybe Int ->
+  Maybe ([Double], Double) ->
+  Maybe String ->
+  ByteString
+line file outcome code orientation chances why =
   encodeSchema "classify/1" $
     "file" .= file
       <> "outcome" .= outcome
@@ -36,3 +44,4 @@ line file outcome code orientation chances =
       <> "orientation_deg" .= orientation
       <> "probabilities" .= fmap fst chances
       <> "none" .= fmap snd chances
+      <> "message" .= why
