@@ -25,6 +25,7 @@ import Files (readBytes)
 import Message (gridMessage)
 import Numeric.Natural (Natural)
 import PraTactile.Grid
+import PraTactile.Utf16 (isUtf16)
 
 -- | The array in a file, over an alphabet of this size, or else of the largest code and one more;
 -- leaves with status 2 and the reason where there is none.
@@ -35,6 +36,7 @@ readGrid q file = readBytes file >>= orUnusable ((file ++ ": ") ++) . parseGrid 
 -- and empty lines at the end do not matter.
 parseGrid :: Maybe Natural -> ByteString -> Either String Grid
 parseGrid q bytes = do
+  when (isUtf16 bytes) (Left "it is UTF-16 text; save it as UTF-8")
   (shape, codes) <- parseCodes (fromMaybe bytes (Bytes.stripPrefix "\xEF\xBB\xBF" bytes))
   let inferred = max 2 (Primitive.foldl' (\n c -> max n (fromIntegral c + 1)) 0 codes)
   when (maybe False (> 256) q) (Left ("an alphabet has 2 to 256 symbols, not " ++ maybe "" show q))

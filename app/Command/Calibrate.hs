@@ -15,8 +15,7 @@ import Output (sayWritten, writeWhole)
 import PraTactile.Format (encodeCalibration)
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Sensor.Calibration
-import PraTactile.Sensor.Frame (Frame (..))
-import PraTactile.Source (folderFrames)
+import PraTactile.Source (folderRasters)
 
 command :: Mod CommandFields (IO ExitStatus)
 command =
@@ -50,4 +49,4 @@ run dark flat output = do
   pure Answered
   where
     images folder =
-      map frameImage <$> (loadFolder folder >>= orUnusable (sourceMessage folder) . folderFrames)
+      loadFolder folder >>= orUnusable (sourceMessage folder) . folderRasters

@@ -32,6 +32,7 @@ jsonMessage e = case e of
   TooDeep -> "it has more than " ++ show deepest ++ " brackets within each other"
   TooLong -> "it has a number of more than " ++ show longestNumber ++ " digits"
   NotUtf8 -> "it is not UTF-8 text"
+  IsUtf16 -> "it is UTF-16 text; save it as UTF-8"
   NotJson -> "it is not JSON"
   RepeatedKey name -> "the key " ++ quoted (Text.unpack name) ++ " is given twice"
 

@@ -16,6 +16,7 @@ where
 
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
+import Data.Char (isDigit)
 import Data.List (find, intercalate)
 import qualified Data.Text as Text
 import Message.Format (rangeText)
@@ -97,17 +98,28 @@ headerMessage field found =
 manifestMessage :: ManifestError -> String
 manifestMessage e = case e of
   EmptyManifest -> "the manifest is empty"
+  Utf16Manifest -> "the manifest is UTF-16 text; save it as UTF-8"
   WrongHeader found ->
     "the first line is " ++ listed found ++ "; it must be " ++ listed manifestHeader
+      ++ " (force_n may be left out)"
   NotCsv line -> at line ++ "is not CSV"
-  WrongFieldCount line n -> at line ++ "has " ++ show n ++ " fields instead of 5"
+  WrongFieldCount line n wanted ->
+    at line ++ "has " ++ show n ++ " fields instead of " ++ show wanted
+      ++ if n > wanted then "; numbers have a decimal point, not a decimal comma" else ""
   BadFileName line -> at line ++ "has no usable file name"
   BadNumber line field found ->
-    at line ++ Text.unpack field ++ " is " ++ show (Text.unpack found) ++ ", not a finite number"
+    at line ++ Text.unpack field ++ " is " ++ show (Text.unpack found)
+      ++ if decimalComma (Text.unpack found)
+        then ", with a decimal comma; write a decimal point"
+        else ", not a finite number"
   NoEntries -> "the manifest names no frame"
   where
     at line = "line " ++ show line ++ " "
     listed = intercalate "," . map Text.unpack
+    decimalComma found = case break (== ',') found of
+      (whole, ',' : fraction) ->
+        all isDigit (dropWhile (`elem` "+- ") whole) && all isDigit fraction
+      _ -> False
 
 probeMessage :: ProbeError -> String
 probeMessage e = case e of

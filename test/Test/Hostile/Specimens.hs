@@ -86,7 +86,10 @@ pgms =
 manifests :: [ByteString]
 manifests =
   [ renderManifest
-      [ Entry ("frame_00" ++ show i ++ ".pgm") (Pose (12.7 * fromIntegral i) (-3.25) 0) 1.5
+      [ Entry
+          ("frame_00" ++ show i ++ ".pgm")
+          (Just (Pose (12.7 * fromIntegral i) (-3.25) 0))
+          (Just 1.5)
         | i <- [0 .. 2 :: Int]
       ],
     "\xef\xbb\xbf\&file,x_mm,y_mm,rotation_deg,force_n\r\n\"a, \
@@ -102,7 +105,10 @@ jsonManifests =
   ]
   where
     entries =
-      [ Entry ("frame_00" ++ show i ++ ".pgm") (Pose (12.7 * fromIntegral i) (-3.25) 0) 1.5
+      [ Entry
+          ("frame_00" ++ show i ++ ".pgm")
+          (Just (Pose (12.7 * fromIntegral i) (-3.25) 0))
+          (Just 1.5)
         | i <- [0 .. 2 :: Int]
       ]
 

@@ -109,7 +109,7 @@ folderOf frames = do
   pure (Folder (listing (concat entries)) images)
 
 listed :: [FilePath] -> Manifest
-listed names = listing [Entry name (Pose 0 0 0) 1 | name <- names]
+listed names = listing [Entry name (Just (Pose 0 0 0)) (Just 1) | name <- names]
 
 manifest :: [FilePath] -> Bytes.ByteString
 manifest = renderManifest . manifestEntries . listed

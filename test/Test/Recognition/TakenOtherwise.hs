@@ -6,7 +6,7 @@ module Test.Recognition.TakenOtherwise (spec) where
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import Data.Foldable (for_)
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, mapMaybe)
 import PraTactile.Array (Position (..))
 import PraTactile.Composite (Contradiction (..))
 import PraTactile.Decode
@@ -173,8 +173,8 @@ withPositions change folder = folder {folderManifest = manifest {manifestEntries
     manifest = folderManifest folder
     entries = manifestEntries manifest
     changed =
-      [ entry {entryPose = (entryPose entry) {poseX = x, poseY = y}}
-        | (entry, (x, y)) <- zip entries (change (map (placeOf . entryPose) entries))
+      [ entry {entryPose = (\pose -> pose {poseX = x, poseY = y}) <$> entryPose entry}
+        | (entry, (x, y)) <- zip entries (change (mapMaybe (fmap placeOf . entryPose) entries))
       ]
     placeOf (Pose x y _) = (x, y)
 

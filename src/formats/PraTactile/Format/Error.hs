@@ -33,6 +33,8 @@ data JsonError
     TooLong
   | -- | It holds bytes that are no UTF-8.
     NotUtf8
+  | -- | It is UTF-16.
+    IsUtf16
   | -- | It is no JSON.
     NotJson
   | -- | An object in it has this key twice.

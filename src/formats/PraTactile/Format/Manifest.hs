@@ -29,7 +29,8 @@ import PraTactile.Source (frameImages)
 encodeManifest :: Manifest -> ByteString
 encodeManifest = writeLine manifestKeys
 
--- | The manifest in a JSON text as 'encodeManifest' makes it; @frame@ and @axes@ may be left out.
+-- | The manifest in a JSON text as 'encodeManifest' makes it; @frame@ and @axes@, and what frames
+-- may be without, may be left out.
 -- Refuses another schema, a pitch that is none of 'taxelPitches', a manifest without frames, and
 -- what is no file's name.
 decodeManifest :: ByteString -> Either FormatError Manifest
@@ -70,13 +71,16 @@ manifestKeys =
       given <- readValue text value
       maybe (refuse (NotAmong (map fst axesNamed) given)) Right (lookup given axesNamed)
 
+-- | The three keys of the pose may be left out together, that of the force by itself.
 entryKeys :: Keys Entry Entry
 entryKeys =
-  entry
+  Entry
     <$> key "file" fileName entryFile
-    <*> key "x_mm" real (poseX . entryPose)
-    <*> key "y_mm" real (poseY . entryPose)
-    <*> key "rotation_deg" real (poseRotation . entryPose)
-    <*> key "force_n" real entryForce
+    <*> optionalKeys "x_mm" poseKeys entryPose
+    <*> optionalKey "force_n" real entryForce
   where
-    entry file x y r = Entry file (Pose x y r)
+    poseKeys =
+      Pose
+        <$> key "x_mm" real poseX
+        <*> key "y_mm" real poseY
+        <*> key "rotation_deg" real poseRotation

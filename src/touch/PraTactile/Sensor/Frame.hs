@@ -53,9 +53,9 @@ data Pose = Pose
   deriving stock (Eq, Ord, Show)
 
 -- | One press of the probe: the kinesthetic pose (what the robot's own position sensors say, in its
--- own frame of coordinates), the force in newtons, the tactile image, of any size, the distance of
--- its neighbouring taxels in millimetres, and which of them felt nothing, because the element is
--- dead: rows and columns from 0 of pixels whose value only stands for one.
+-- own frame of coordinates), the force in newtons, 0 where none is told, the tactile image, of any
+-- size, the distance of its neighbouring taxels in millimetres, and which of them felt nothing,
+-- because the element is dead: rows and columns from 0 of pixels whose value only stands for one.
 data Frame = Frame
   { framePose :: !Pose,
     frameForce :: !Double,

@@ -1,7 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | The manifest of a folder of frames: what it says, and its CSV form, one line a frame, with the
--- header @file,x_mm,y_mm,rotation_deg,force_n@. "PraTactile.Format.Manifest" has its JSON form.
+-- header @file,x_mm,y_mm,rotation_deg,force_n@, of which what is not used may be left out.
+-- "PraTactile.Format.Manifest" has its JSON form.
 module PraTactile.Sensor.Manifest
   ( -- * Manifests
     Manifest (..),
@@ -33,25 +34,28 @@ module PraTactile.Sensor.Manifest
   )
 where
 
-import Control.Monad (unless)
+import Control.Monad (mfilter, unless)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as B
 import qualified Data.ByteString.Char8 as C
 import qualified Data.ByteString.Lazy as L
+import Data.Char (isSpace)
 import Data.Csv
-  ( EncodeOptions (encUseCrLf),
+  ( DecodeOptions (decDelimiter),
+    EncodeOptions (encUseCrLf),
     HasHeader (NoHeader),
     Parser,
     Record,
-    decode,
+    decodeWith,
+    defaultDecodeOptions,
     defaultEncodeOptions,
     encodeWith,
     parseField,
     runParser,
     toField,
-    toRecord,
   )
-import Data.Maybe (fromMaybe)
+import Data.List (nub)
+import Data.Maybe (fromMaybe, isJust)
 import Data.Text (Text)
 import qualified Data.Text as T
 import Data.Text.Encoding (decodeUtf8')
@@ -59,13 +63,14 @@ import qualified Data.Vector as V
 import PraTactile.FileName (isFileName)
 import PraTactile.Sensor.Frame (Pose (..), taxelPitch)
 import PraTactile.Symmetry
+import PraTactile.Utf16 (isUtf16)
 
--- | One line: the frame's PGM file, relative to the manifest's folder; the pose and the force of
--- the press.
+-- | One line: the frame's PGM file, relative to the manifest's folder; the pose of the press, which
+-- calibration frames need not have; and its force, which nothing needs.
 data Entry = Entry
   { entryFile :: !FilePath,
-    entryPose :: !Pose,
-    entryForce :: !Double
+    entryPose :: !(Maybe Pose),
+    entryForce :: !(Maybe Double)
   }
   deriving stock (Eq, Show)
 
@@ -181,12 +186,14 @@ remedies (Taking (Axes positions) (Axes images) _ _) (Axes a) mirroredThen =
 data ManifestError
   = -- | The file has no line at all.
     EmptyManifest
+  | -- | The file is UTF-16.
+    Utf16Manifest
   | -- | The first line is not the header; what it is.
     WrongHeader ![Text]
   | -- | The line is not a CSV record.
     NotCsv !Int
-  | -- | The line has this many fields instead of five.
-    WrongFieldCount !Int !Int
+  | -- | The line has this many fields instead of that many.
+    WrongFieldCount !Int !Int !Int
   | -- | The line's file name is not UTF-8, or no file's name ('isFileName').
     BadFileName !Int
   | -- | The line's field of that name is not a finite decimal number of at most 400 characters;
@@ -196,64 +203,102 @@ data ManifestError
     NoEntries
   deriving stock (Eq, Show)
 
--- | The names of the columns, in their order.
-manifestHeader :: [Text]
-manifestHeader = ["file", "x_mm", "y_mm", "rotation_deg", "force_n"]
+-- | A column of a manifest.
+data Column = File | X | Y | Rotation | Force
+  deriving stock (Eq, Ord, Enum, Bounded)
 
--- | The entries of a manifest. Blank lines, a byte order mark and carriage returns at the ends of
--- lines are passed over; fields may be quoted but not hold a line break.
+-- | The name of a column.
+columnName :: Column -> Text
+columnName column = case column of
+  File -> "file"
+  X -> "x_mm"
+  Y -> "y_mm"
+  Rotation -> "rotation_deg"
+  Force -> "force_n"
+
+-- | The names of the columns, in their usual order.
+manifestHeader :: [Text]
+manifestHeader = map columnName [minBound ..]
+
+-- | The entries of a manifest. Its header names the columns, in any order and in capitals or not,
+-- parted by commas, or all of the file by semicolons. The columns of the pose may be left out, all
+-- three of them; that of the force may be, and so may each force. Blank lines, a byte order mark
+-- and carriage returns at the ends of lines are passed over; fields may be quoted but not hold a
+-- line break.
 parseManifest :: ByteString -> Either ManifestError [Entry]
-parseManifest file = case filter
-  (not . B.null . snd)
-  (zip [1 ..] (map trimmed (C.lines (unmarked file)))) of
-  [] -> Left EmptyManifest
-  (i, header) : rest -> do
-    names <- record i header
-    if V.toList names == map encoded manifestHeader
-      then Right ()
-      else Left (WrongHeader (map shown (V.toList names)))
-    entries <- traverse (uncurry entry) rest
-    if null entries then Left NoEntries else Right entries
+parseManifest file
+  | isUtf16 file = Left Utf16Manifest
+  | otherwise = case filter
+    (not . B.null . snd)
+    (zip [1 ..] (map trimmed (C.lines (unmarked file)))) of
+    [] -> Left EmptyManifest
+    (i, header) : rest -> do
+      let separator = separatorOf header
+      names <- V.toList <$> record separator i header
+      columns <- maybe (Left (WrongHeader (map shown names))) Right (columnsOf names)
+      entries <- traverse (uncurry (entry separator columns)) rest
+      if null entries then Left NoEntries else Right entries
   where
     unmarked f = fromMaybe f (B.stripPrefix "\xef\xbb\xbf" f)
     trimmed = C.dropWhileEnd (== '\r')
-    encoded = toField
+
+-- | What parts the fields of a file with this header.
+separatorOf :: ByteString -> Char
+separatorOf header = if C.elem ',' header || C.notElem ';' header then ',' else ';'
+
+-- | The columns that these names name: each once, the file among them, and of the pose all or none.
+columnsOf :: [ByteString] -> Maybe [Column]
+columnsOf names = do
+  columns <- traverse ((`lookup` named) . normal) names
+  let ofPose = filter (`elem` columns) [X, Y, Rotation]
+  if nub columns == columns && File `elem` columns && length ofPose `elem` [0, 3]
+    then Just columns
+    else Nothing
+  where
+    named = [(columnName column, column) | column <- [minBound ..]]
+    normal = T.toLower . T.strip . shown
 
 -- | One line's fields. The lines are split before cassava sees them, because it drops blank ones
 -- and so would lose count. Note [Open quotes]
-record :: Int -> ByteString -> Either ManifestError Record
-record i line
+record :: Char -> Int -> ByteString -> Either ManifestError Record
+record separator i line
   | odd (C.count '"' line) = Left (NotCsv i)
-  | otherwise = case decode NoHeader (L.fromStrict line) of
+  | otherwise = case decodeWith parted NoHeader (L.fromStrict line) of
     Right records -> case V.toList records of
       [] -> Right (V.singleton B.empty) -- cassava drops a record of one empty field
       [fields] -> Right fields
       _ -> Left (NotCsv i)
     Left _ -> Left (NotCsv i)
+  where
+    parted = defaultDecodeOptions {decDelimiter = fromIntegral (fromEnum separator)}
 
 {- Note [Open quotes] cassava 0.5.3 throws an exception, where it should refuse, for a quoted field
    that ends the line as soon as it begins. A record that holds no line break has an even number of
    quotes, so a line with an odd number is refused before. -}
 
-entry :: Int -> ByteString -> Either ManifestError Entry
-entry i line = do
-  fields <- record i line
-  case V.toList fields of
-    [file, x, y, rotation, force] -> do
-      name <- either (const (Left (BadFileName i))) Right (decodeUtf8' file)
-      unless (isFileName (T.unpack name)) (Left (BadFileName i))
-      pose <- Pose <$> number "x_mm" x <*> number "y_mm" y <*> number "rotation_deg" rotation
-      Entry (T.unpack name) pose <$> number "force_n" force
-    other -> Left (WrongFieldCount i (length other))
+entry :: Char -> [Column] -> Int -> ByteString -> Either ManifestError Entry
+entry separator columns i line = do
+  fields <- V.toList <$> record separator i line
+  unless (length fields == length columns) $
+    Left (WrongFieldCount i (length fields) (length columns))
+  let given = zip columns fields
+      field column = lookup column given
+  name <- either (const (Left (BadFileName i))) Right (decodeUtf8' (fromMaybe "" (field File)))
+  unless (isFileName (T.unpack name)) (Left (BadFileName i))
+  x <- traverse (number X) (field X)
+  y <- traverse (number Y) (field Y)
+  rotation <- traverse (number Rotation) (field Rotation)
+  force <- traverse (number Force) (mfilter (not . C.all isSpace) (field Force))
+  pure (Entry (T.unpack name) (Pose <$> x <*> y <*> rotation) force)
   where
     -- The length is looked at first: the time that cassava takes for a number grows with the square
     -- of its digits.
-    number name field
-      | B.length field <= longestNumber,
-        Right v <- runParser (parseField field :: Parser Double),
+    number column text
+      | B.length text <= longestNumber,
+        Right v <- runParser (parseField text :: Parser Double),
         not (isNaN v || isInfinite v) =
         Right v
-      | otherwise = Left (BadNumber i name (shown field))
+      | otherwise = Left (BadNumber i (columnName column) (shown text))
 
 -- | How many characters a number may have: 400.
 longestNumber :: Int
@@ -263,12 +308,21 @@ longestNumber = 400
 shown :: ByteString -> Text
 shown field = either (const (T.pack (show field))) id (decodeUtf8' field)
 
--- | The manifest of those entries. 'parseManifest' gives the entries back, to the bit, provided
--- that there are some, that no file name holds a line break or is none, and that the numbers are
--- finite.
+-- | The manifest of those entries, with the columns that all of them fill. 'parseManifest' gives
+-- the entries back, to the bit, provided that there are some, that all fill the same columns, that
+-- no file name holds a line break or is none, and that the numbers are finite.
 renderManifest :: [Entry] -> ByteString
 renderManifest entries =
   L.toStrict (encodeWith defaultEncodeOptions {encUseCrLf = False} (header : map fields entries))
   where
-    header = V.fromList (map toField manifestHeader)
-    fields (Entry file (Pose x y r) force) = toRecord (T.pack file, x, y, r, force)
+    columns =
+      [ column
+        | column <- [minBound ..],
+          all (\one -> isJust (lookup column (filled one))) entries
+      ]
+    header = V.fromList (map (toField . columnName) columns)
+    fields one = V.fromList [field | column <- columns, Just field <- [lookup column (filled one)]]
+    filled (Entry file pose force) =
+      (File, toField (T.pack file)) :
+      concat [[(X, toField x), (Y, toField y), (Rotation, toField r)] | Just (Pose x y r) <- [pose]]
+        ++ [(Force, toField n) | Just n <- [force]]

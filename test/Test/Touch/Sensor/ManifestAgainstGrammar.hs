@@ -7,8 +7,9 @@ module Test.Touch.Sensor.ManifestAgainstGrammar (spec) where
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as B
 import qualified Data.ByteString.Char8 as C
-import Data.Char (isDigit)
+import Data.Char (isDigit, isSpace)
 import Data.Either (partitionEithers)
+import Data.List (nub)
 import Data.Maybe (isNothing)
 import Data.Text (Text)
 import qualified Data.Text as T
@@ -60,50 +61,78 @@ spec = do
 header :: ByteString
 header = encodeUtf8 (T.intercalate "," manifestHeader)
 
--- | The entries of a file, or all that is wrong with it.
+-- | The entries of a file, or all that is wrong with it. The header says how fields are parted, and
+-- what each is.
 defined :: ByteString -> Either [ManifestError] [Entry]
-defined file = case [(i, line) | (i, line) <- zip [1 ..] linesOf, not (B.null line)] of
-  [] -> Left [EmptyManifest]
-  (i, first) : rest -> case fieldsOf first of
-    Nothing -> Left [NotCsv i]
-    Just names
-      | names /= map encodeUtf8 manifestHeader -> Left [WrongHeader (map shown names)]
-      | null rest -> Left [NoEntries]
-      | otherwise -> case partitionEithers (map (uncurry entryOf) rest) of
-        ([], entries) -> Right entries
-        (causes, _) -> Left (concat causes)
+defined file
+  | sixteen = Left [Utf16Manifest]
+  | otherwise = case [(i, line) | (i, line) <- zip [1 ..] linesOf, not (B.null line)] of
+    [] -> Left [EmptyManifest]
+    (i, first) : rest -> do
+      let mark = if C.elem ';' first && C.notElem ',' first then ';' else ','
+      names <- maybe (Left [NotCsv i]) Right (fieldsOf mark first)
+      let named = map (T.toLower . T.strip . shown) names
+          there name = name `elem` named
+      if and
+        [ all (`elem` manifestHeader) named,
+          length (nub named) == length named,
+          there "file",
+          length (nub (map there ["x_mm", "y_mm", "rotation_deg"])) == 1
+        ]
+        then case partitionEithers (map (uncurry (entryOf mark named)) rest) of
+          ([], []) -> Left [NoEntries]
+          ([], entries) -> Right entries
+          (causes, _) -> Left (concat causes)
+        else Left [WrongHeader (map shown names)]
   where
+    sixteen = case map fromEnum (take 2 (C.unpack file)) of
+      [a, b] -> (a, b) `elem` [(0xff, 0xfe), (0xfe, 0xff)] || (a == 0) /= (b == 0)
+      _ -> False
     text = if "\xef\xbb\xbf" `B.isPrefixOf` file then B.drop 3 file else file
     linesOf = map (C.dropWhileEnd (== '\r')) (C.split '\n' text)
 
-entryOf :: Int -> ByteString -> Either [ManifestError] Entry
-entryOf i line = case fieldsOf line of
+entryOf :: Char -> [Text] -> Int -> ByteString -> Either [ManifestError] Entry
+entryOf mark names i line = case fieldsOf mark line of
   Nothing -> Left [NotCsv i]
-  Just [file, x, y, rotation, force] -> do
-    let numbers = map numberOf [x, y, rotation, force]
-        named = either (const Nothing) (Just . T.unpack) (decodeUtf8' file)
-        causes =
-          [BadFileName i | maybe True (\name -> null name || '\0' `elem` name) named]
-            ++ [ BadNumber i name (shown field)
-                 | (name, field) <- zip (drop 1 manifestHeader) [x, y, rotation, force],
-                   isNothing (numberOf field)
-               ]
-    case (named, sequence numbers) of
-      (Just name, Just [x', y', r', f']) | null causes -> Right (Entry name (Pose x' y' r') f')
-      _ -> Left causes
-  Just fields -> Left [WrongFieldCount i (length fields)]
+  Just fields
+    | length fields /= length names -> Left [WrongFieldCount i (length fields) (length names)]
+    | otherwise -> do
+      let given name = lookup name (zip names fields)
+          file = either (const Nothing) (Just . T.unpack) . decodeUtf8' =<< given "file"
+          -- A force may be left out of its field.
+          isNumber name field = name /= "file" && (name /= "force_n" || C.any (not . isSpace) field)
+          numbers =
+            [ (name, field)
+              | name <- manifestHeader,
+                Just field <- [given name],
+                isNumber name field
+            ]
+          causes =
+            [BadFileName i | maybe True (\name -> null name || '\0' `elem` name) file]
+              ++ [ BadNumber i name (shown field)
+                   | (name, field) <- numbers,
+                     isNothing (numberOf field)
+                 ]
+          value name = lookup name numbers >>= numberOf
+      case file of
+        Just name
+          | null causes ->
+            let pose = Pose <$> value "x_mm" <*> value "y_mm" <*> value "rotation_deg"
+             in Right (Entry name pose (value "force_n"))
+        _ -> Left causes
 
--- | The fields of a line, bare ones without quotes in them, or quoted ones with quotes doubled.
-fieldsOf :: ByteString -> Maybe [ByteString]
-fieldsOf line = map C.pack <$> fields (C.unpack line)
+-- | The fields of a line that this character parts, bare ones without quotes in them, or quoted
+-- ones with quotes doubled.
+fieldsOf :: Char -> ByteString -> Maybe [ByteString]
+fieldsOf mark line = map C.pack <$> fields (C.unpack line)
   where
     fields text = do
       (field, rest) <- case text of
         '"' : quoted -> closing "" quoted
-        _ -> Just (break (`elem` (",\"\r" :: String)) text)
+        _ -> Just (break (`elem` [mark, '"', '\r']) text)
       case rest of
         "" -> Just [field]
-        ',' : more -> (field :) <$> fields more
+        c : more | c == mark -> (field :) <$> fields more
         _ -> Nothing
     closing done text = case text of
       '"' : '"' : rest -> closing ('"' : done) rest
@@ -150,16 +179,35 @@ instance Arbitrary Pieces where
   arbitrary = do
     mark <- frequency [(5, pure []), (1, pure ["\xef\xbb\xbf"])]
     count <- frequency [(1, pure 0), (9, choose (1, 3 :: Int))]
-    entries <- concat <$> traverse (const entry) [1 .. count]
     end <- lineEnd
-    mutated (mark ++ separated (map encodeUtf8 manifestHeader) ++ end ++ entries)
+    separator <- elements [",", ",", ";"]
+    columns <-
+      frequency
+        [ (4, pure manifestHeader),
+          (2, shuffle manifestHeader),
+          (1, pure (filter (/= "force_n") manifestHeader)),
+          (1, pure ["file"])
+        ]
+    cased <- elements [id, id, T.toUpper, \name -> " " <> name]
+    entries <- concat <$> traverse (const (entry separator columns)) [1 .. count]
+    mutated
+      ( mark
+          ++ separatedBy separator (map (encodeUtf8 . cased) columns)
+          ++ end
+          ++ entries
+      )
     where
-      separated = drop 1 . concatMap (\field -> [",", field])
+      separatedBy separator = drop 1 . concatMap (\one -> [separator, one])
       lineEnd = elements [["\n"], ["\r\n"], ["\n", "\n"], ["\n", "\r\n"], ["\r\r\n"]]
-      entry = do
-        name <- encodeUtf8 <$> elements ["a.pgm", "b c.pgm", "\233.pgm", "\"d,e\"", "\"\"\"f\""]
-        fields <- traverse (const (elements good)) [1 .. 4 :: Int]
-        (separated (name : fields) ++) <$> lineEnd
+      entry separator columns = do
+        fields <- traverse field columns
+        (separatedBy separator fields ++) <$> lineEnd
+      field :: Text -> Gen ByteString
+      field column
+        | column == "file" =
+          encodeUtf8 <$> elements ["a.pgm", "b c.pgm", "\233.pgm", "\"d,e\"", "\"\"\"f\""]
+        | column == "force_n" = frequency [(9, elements good), (1, pure "")]
+        | otherwise = elements good
   shrink (Pieces pieces) = map Pieces (shrinkList (const []) pieces)
 
 good, bad :: [ByteString]

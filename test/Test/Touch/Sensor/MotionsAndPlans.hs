@@ -5,6 +5,7 @@ module Test.Touch.Sensor.MotionsAndPlans (spec) where
 
 import qualified Data.ByteString as B
 import Data.Either (isLeft)
+import Data.Foldable (for_)
 import PraTactile.Geometry hiding (taxelPitch)
 import qualified PraTactile.Geometry as Geometry
 import PraTactile.Sensor.Frame
@@ -174,17 +175,39 @@ plans = do
 
 manifests :: Spec
 manifests = do
+  it "what is not used may be left out: forces, and of calibration frames the positions" $ do
+    parseManifest "file,x_mm,y_mm,rotation_deg\na.pgm,1,2,0\n"
+      `shouldBe` Right [Entry "a.pgm" (Just (Pose 1 2 0)) Nothing]
+    parseManifest "file\na.pgm\nb.pgm\n"
+      `shouldBe` Right [Entry "a.pgm" Nothing Nothing, Entry "b.pgm" Nothing Nothing]
+    parseManifest (header <> "a.pgm,1,2,0,\n")
+      `shouldBe` Right [Entry "a.pgm" (Just (Pose 1 2 0)) Nothing]
+    parseManifest "file,x_mm,y_mm\na.pgm,1,2\n"
+      `shouldBe` Left (WrongHeader ["file", "x_mm", "y_mm"])
+  it "semicolons part fields, too, and the header may be in capitals and in any order" $ do
+    parseManifest "Y_MM;X_MM; File ;ROTATION_DEG\r\n2;1;a,b.pgm;0\r\n"
+      `shouldBe` Right [Entry "a,b.pgm" (Just (Pose 1 2 0)) Nothing]
+    parseManifest "file;x_mm;y_mm;rotation_deg\na.pgm;1,5;2;0\n"
+      `shouldBe` Left (BadNumber 2 "x_mm" "1,5")
+    parseManifest "file,x_mm,y_mm,rotation_deg\na.pgm,1,5,2,0\n"
+      `shouldBe` Left (WrongFieldCount 2 5 4)
+  it "UTF-16 is named, with its byte order mark and without" $ do
+    let wide = B.concatMap (\byte -> B.pack [byte, 0])
+        swapped = B.concatMap (\byte -> B.pack [0, byte])
+        text = header <> "a.pgm,1,2,0,3\n"
+    for_ [wide text, "\xff\xfe" <> wide text, swapped text, "\xfe\xff" <> swapped text] $ \file ->
+      parseManifest file `shouldBe` Left Utf16Manifest
   it "parseManifest (renderManifest entries) = entries" $
     forAll (listOf1 genEntry) $ \entries -> parseManifest (renderManifest entries) === Right entries
   it "reads what the design shows" $
     parseManifest "file,x_mm,y_mm,rotation_deg,force_n\nf0.pgm,12.7,-3.5,180,9.81\n"
-      `shouldBe` Right [Entry "f0.pgm" (Pose 12.7 (-3.5) 180) 9.81]
+      `shouldBe` Right [Entry "f0.pgm" (Just (Pose 12.7 (-3.5) 180)) (Just 9.81)]
   it "passes over a byte order mark, carriage returns and blank lines" $
     parseManifest "\xef\xbb\xbf\&file,x_mm,y_mm,rotation_deg,force_n\r\n\r\na b.pgm,1,2,0,3\r\n\n"
-      `shouldBe` Right [Entry "a b.pgm" (Pose 1 2 0) 3]
+      `shouldBe` Right [Entry "a b.pgm" (Just (Pose 1 2 0)) (Just 3)]
   it "takes a quoted name with commas and quotes" $
     parseManifest (header <> "\"a,\"\"b\"\".pgm\",1,2,0,3")
-      `shouldBe` Right [Entry "a,\"b\".pgm" (Pose 1 2 0) 3]
+      `shouldBe` Right [Entry "a,\"b\".pgm" (Just (Pose 1 2 0)) (Just 3)]
   it "names the line, counting blank ones, and the field that is no finite number" $ do
     parseManifest (header <> "a,1,2,0,3\n\nb,1,two,0,3\n")
       `shouldBe` Left (BadNumber 4 "y_mm" "two")
@@ -192,11 +215,11 @@ manifests = do
     parseManifest (header <> "a,Infinity,2,0,3\n") `shouldBe` Left (BadNumber 2 "x_mm" "Infinity")
     parseManifest (header <> "a,1,2,0,1e999999999\n")
       `shouldBe` Left (BadNumber 2 "force_n" "1e999999999")
-    parseManifest (header <> "a,1,2,0,\n") `shouldBe` Left (BadNumber 2 "force_n" "")
+    parseManifest (header <> "a,1,2,,3\n") `shouldBe` Left (BadNumber 2 "rotation_deg" "")
     parseManifest (header <> "a,1 2,2,0,1\n") `shouldBe` Left (BadNumber 2 "x_mm" "1 2")
   it "names the line with the wrong number of fields" $ do
-    parseManifest (header <> "a,1,2,0\n") `shouldBe` Left (WrongFieldCount 2 4)
-    parseManifest (header <> "a,1,2,0,3\nb,1,2,0,3,4\n") `shouldBe` Left (WrongFieldCount 3 6)
+    parseManifest (header <> "a,1,2,0\n") `shouldBe` Left (WrongFieldCount 2 4 5)
+    parseManifest (header <> "a,1,2,0,3\nb,1,2,0,3,4\n") `shouldBe` Left (WrongFieldCount 3 6 5)
   it "refuses a file name that is empty, has a NUL or is not UTF-8" $ do
     parseManifest (header <> ",1,2,0,3\n") `shouldBe` Left (BadFileName 2)
     parseManifest (header <> "\xff,1,2,0,3\n") `shouldBe` Left (BadFileName 2)
@@ -218,6 +241,9 @@ manifests = do
   where
     header = "file,x_mm,y_mm,rotation_deg,force_n\n"
     genBytes = B.pack <$> listOf (frequency [(2, arbitrary), (1, elements (B.unpack "\",\n\r1a "))])
-    genEntry = Entry <$> genName <*> (Pose <$> finite <*> finite <*> finite) <*> finite
+    genEntry =
+      Entry <$> genName
+        <*> (Just <$> (Pose <$> finite <*> finite <*> finite))
+        <*> (Just <$> finite)
     finite = arbitrary :: Gen Double
     genName = listOf1 (frequency [(5, choose ('a', 'z')), (1, elements " ,\"'.;/\233\8364#")])

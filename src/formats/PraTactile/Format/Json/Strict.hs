@@ -24,6 +24,7 @@ import qualified Data.Set as Set
 import Data.Text (Text)
 import Data.Text.Encoding (decodeUtf8')
 import PraTactile.Format.Error
+import PraTactile.Utf16 (isUtf16)
 
 -- | The value of a JSON text in UTF-8. Refuses what is no JSON; deep nesting, which takes many
 -- times its own size in memory; numbers of very many digits, which aeson reads in a time that grows
@@ -36,6 +37,7 @@ readJson = readJsonWith longestNumber
 readJsonWith :: Int -> ByteString -> Either JsonError Value
 readJsonWith digits text
   | Bytes.all (`Bytes.elem` " \t\r\n") text = Left NoText
+  | isUtf16 text = Left IsUtf16
   | Just why <- excess digits text = Left why
   | Left _ <- decodeUtf8' text = Left NotUtf8
   | otherwise = maybe (Left NotJson) unrepeated (decodeStrict text)
