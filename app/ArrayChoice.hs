@@ -13,7 +13,7 @@ module ArrayChoice
   )
 where
 
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, isJust)
 import ExitStatus
 import FormatFile (readProfile)
 import Message (profileMessage)
@@ -139,7 +139,12 @@ chosenSequence choice = case choice of
       choicePolynomial = Just h,
       choiceShape = Nothing,
       choiceFile = Nothing
-    } ->
+    } -> do
+      leaveOut
+        "without --shape there is no array"
+        [ ("--window", isJust (choiceWindow choice)),
+          ("--folding", isJust (choiceFolding choice))
+        ]
       chosenProfile
         choice
           { choiceShape = Just (Shape 1 (q ^ (max 1 (length h) - 1) - 1)),

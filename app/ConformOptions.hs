@@ -1,16 +1,20 @@
 -- | The options of @pra-tactile conform@, and what they say of the laws.
 module ConformOptions
   ( Options (..),
+    timeLimit,
+    wholeLimit,
+    parallelism,
     conformOptions,
     settingsOf,
   )
 where
 
-import Control.Monad (unless)
+import Control.Monad (unless, when)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Char (isSpace)
 import Data.Foldable (for_)
 import Data.List (dropWhileEnd)
+import Data.Maybe (fromMaybe, isJust)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Text.Encoding.Error as Text
@@ -34,14 +38,12 @@ data Options = Options
     skipMustFail :: Bool,
     knownFailures :: Maybe FilePath,
     profileFiles :: [FilePath],
-    seed :: Int,
-    cases :: Int,
-    -- | For each reply, seconds.
-    timeLimit :: Double,
-    -- | For all, seconds.
-    wholeLimit :: Double,
+    seedGiven :: Maybe Int,
+    casesGiven :: Maybe Int,
+    timeGiven :: Maybe Double,
+    limitGiven :: Maybe Double,
     failFast :: Bool,
-    parallelism :: Int,
+    parallelGiven :: Maybe Int,
     tokenGiven :: Maybe Token,
     listed :: Bool,
     form :: AnswerForm,
@@ -61,17 +63,17 @@ conformOptions =
     <*> switch (long "skip-must-fail" <> help "Try what is skipped all the same: it must fail")
     <*> optionalFile "known-failures" "FILE" knownHelp
     <*> many (fileOption "profile" "FILE" profileHelp)
-    <*> seedOption (value 1 <> showDefault)
-    <*> defaulting 100 intReader "cases" "N" "Cases of each law that does not try all there are"
-    <*> defaulting 5 decimalReader "timeout" "SECONDS" "How long each reply may take"
-    <*> defaulting 300 decimalReader "limit" "SECONDS" "How long all of it may take"
+    <*> usually usualSeed intReader "seed" "N" "Seed of every random draw"
+    <*> usually usualCases intReader "cases" "N" "Cases of each law that does not try all there are"
+    <*> usually usualTimeout decimalReader "timeout" "SECONDS" "How long each reply may take"
+    <*> usually usualLimit decimalReader "limit" "SECONDS" "How long all of it may take"
     <*> switch
       ( long "fail-fast"
           <> help
             "End at the first law that fails or errs; a few cases of each are tried first under \
             \all profiles"
       )
-    <*> defaulting 1 intReader "parallel" "N" "Processes of COMMAND at once"
+    <*> usually usualParallel intReader "parallel" "N" "Processes of COMMAND at once"
     <*> optional (valued tokenReader "replay" "TOKEN" "Try again the case of a token in a report")
     <*> switch (long "list" <> help "Print the laws, and run nothing")
     <*> jsonSwitch "Print the report as JSON"
@@ -94,9 +96,65 @@ conformOptions =
     tokenReader = eitherReader $ \text ->
       maybe (Left (visible (take 40 text) ++ " is no token of a report")) Right (readToken text)
 
+usualSeed, usualCases, usualParallel :: Int
+usualSeed = 1
+usualCases = 100
+usualParallel = 1
+
+usualTimeout, usualLimit :: Double
+usualTimeout = 5
+usualLimit = 300
+
+-- | The seed of every random draw.
+seed :: Options -> Int
+seed = fromMaybe usualSeed . seedGiven
+
+-- | Cases of each law that does not try all there are.
+cases :: Options -> Int
+cases = fromMaybe usualCases . casesGiven
+
+-- | For each reply, seconds.
+timeLimit :: Options -> Double
+timeLimit = fromMaybe usualTimeout . timeGiven
+
+-- | For all, seconds.
+wholeLimit :: Options -> Double
+wholeLimit = fromMaybe usualLimit . limitGiven
+
+-- | Processes at once.
+parallelism :: Options -> Int
+parallelism = fromMaybe usualParallel . parallelGiven
+
+-- | Refuses options that would change nothing: where the laws are listed and none is tried, and
+-- where one case is tried again.
+heeded :: Options -> IO ()
+heeded options = do
+  when (listed options) . leaveOut "--list tries no law" $
+    ("--replay", isJust (tokenGiven options)) :
+    ("--one-shot", mode options == OneShot) :
+    ("--known-failures", isJust (knownFailures options)) :
+    ("--skip-must-fail", skipMustFail options) :
+    ("--junit", isJust (junit options)) :
+    ("--badge", isJust (badge options)) :
+    ("--timeout", isJust (timeGiven options)) :
+    ("--limit", isJust (limitGiven options)) : ofMany
+  when (isJust (tokenGiven options)) . leaveOut "--replay tries the case of a token alone" $
+    ("--stage", not (null (stages options))) :
+    ("--run", not (null (runPatterns options))) :
+    ("--skip", not (null (skipPatterns options))) :
+    ("--known-failures", isJust (knownFailures options)) : ofMany
+  where
+    ofMany =
+      [ ("--seed", isJust (seedGiven options)),
+        ("--cases", isJust (casesGiven options)),
+        ("--fail-fast", failFast options),
+        ("--parallel", isJust (parallelGiven options))
+      ]
+
 -- | Which laws are tried and how; leaves with status 2 where an option says what cannot be.
 settingsOf :: Suite about -> Options -> IO Settings
 settingsOf suite options = do
+  heeded options
   for_ complaints misused
   known <- maybe (pure []) (fmap patternsIn . readBytesUpTo mebibyte) (knownFailures options)
   named "--run" (runPatterns options)

@@ -6,6 +6,7 @@ module ExitStatus
 
     -- * Bad usage and bad input
     misused,
+    leaveOut,
     namingHelp,
     helpNamed,
     unusable,
@@ -49,6 +50,18 @@ newtype Misused = Misused String
   deriving stock (Show)
 
 instance Exception Misused
+
+-- | Refuse options, by their names, that were given though they would change nothing; the text says
+-- why they would not. No option is ignored without a word.
+leaveOut :: String -> [(String, Bool)] -> IO ()
+leaveOut why options = case [name | (name, True) <- options] of
+  [] -> pure ()
+  given -> misused (why ++ "; leave out " ++ enumerated given)
+  where
+    enumerated names = case names of
+      [one, other] -> one ++ " and " ++ other
+      one : others@(_ : _) -> one ++ ", " ++ enumerated others
+      _ -> concat names
 
 -- | Say what is wrong with the arguments of a command, and where to read what is right; leaves with
 -- status 2. 'helpNamed' knows the command.

@@ -3,6 +3,7 @@ module Frames
   ( framesArgument,
     loadSources,
     loadFolder,
+    onlyImages,
   )
 where
 
@@ -49,6 +50,10 @@ loadSources tables known stitching paths = do
     let presence = if listed then WithManifest else WithoutManifest
     warn (loneFramesMessage folder presence (length (filter (== folder) lone)))
   pure composites
+
+-- | Whether no source has frames.
+onlyImages :: [SourcePath] -> Bool
+onlyImages sources = and [case source of ImagePath _ -> True; _ -> False | source <- sources]
 
 -- | A folder of frames.
 loadFolder :: FilePath -> IO Folder

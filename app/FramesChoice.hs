@@ -1,15 +1,20 @@
 -- | How frames are put together: a taxel pitch and axes other than the manifest's, the sensor's
--- calibration, and what is known of robot and sensor.
+-- calibration, and what is known of robot and sensor. Pitch and calibration are of whole images,
+-- too.
 module FramesChoice
   ( FramesChoice (..),
     framesOptions,
     calibrationOption,
     preparation,
+    StitchingChoice (asTheyAre),
     stitchingOptions,
+    stitchingOf,
+    ofFrames,
+    ofRegistration,
   )
 where
 
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, isJust)
 import FormatFile (readCalibration)
 import Options
 import PraTactile.Decode (Stitching (..), nominalStitching, standardStitching)
@@ -37,8 +42,8 @@ framesOptions =
           decimalReader
           "taxel"
           "MM"
-          "The distance between the sensor's neighbouring taxels (default: as manifest.json says, \
-          \or 1.5875)"
+          "The distance between the sensor's neighbouring taxels, or the pixels of a whole image \
+          \(default: as manifest.json says, or 1.5875)"
       )
     <*> optional
       ( choosing
@@ -86,7 +91,8 @@ calibrationOption =
   optionalFile
     "calibration"
     "FILE"
-    "Correct the frames first, by what 'calibrate' wrote; dead taxels count as not felt"
+    "Correct the frames first, or an image of the sensor's size, by what 'calibrate' wrote; dead \
+    \taxels count as not felt"
 
 -- | What is known of the frames; leaves with status 2 where it cannot be.
 preparation :: FramesChoice -> IO Preparation
@@ -100,10 +106,17 @@ preparation choice =
     <*> traverse readCalibration (calibrationFile choice)
     <*> pure 1
 
+-- | What was said of how frames are put together.
+data StitchingChoice = StitchingChoice
+  { asTheyAre :: Bool,
+    positionError :: Maybe Double,
+    sensorNoise :: Maybe Double
+  }
+
 -- | @--no-stitching@, and what the robot and the sensor are like.
-stitchingOptions :: Parser Stitching
+stitchingOptions :: Parser StitchingChoice
 stitchingOptions =
-  known
+  StitchingChoice
     <$> switch (long "no-stitching" <> help "Take the nominal positions as they are")
     <*> optional
       ( valued
@@ -121,11 +134,29 @@ stitchingOptions =
           "Standard deviation of the sensor's noise, as a share of full scale (default: as the \
           \frames show it)"
       )
+
+-- | How frames are put together then.
+stitchingOf :: StitchingChoice -> Stitching
+stitchingOf choice =
+  way
+    { stitchingPositionError = positionError choice <|> stitchingPositionError way,
+      stitchingNoise = sensorNoise choice <|> stitchingNoise way
+    }
   where
-    known asTheyAre position noise =
-      way
-        { stitchingPositionError = position <|> stitchingPositionError way,
-          stitchingNoise = noise <|> stitchingNoise way
-        }
-      where
-        way = if asTheyAre then nominalStitching else standardStitching
+    way = if asTheyAre choice then nominalStitching else standardStitching
+
+-- | The options that say something of frames and their positions alone, and whether they were
+-- given.
+ofFrames :: StitchingChoice -> FramesChoice -> [(String, Bool)]
+ofFrames stitching frames =
+  ("--axes", isJust (chosenAxes frames)) :
+  ("--position-scale", isJust (chosenPositionScale frames)) :
+  ("--no-stitching", asTheyAre stitching) :
+  ofRegistration stitching
+
+-- | Those that say by what frames are registered.
+ofRegistration :: StitchingChoice -> [(String, Bool)]
+ofRegistration stitching =
+  [ ("--position-error", isJust (positionError stitching)),
+    ("--noise", isJust (sensorNoise stitching))
+  ]

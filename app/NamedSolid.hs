@@ -1,6 +1,7 @@
 -- | Objects to be laid, as the command line names them, and why they are not laid.
 module NamedSolid
   ( namedSolid,
+    sourceOf,
     whyNot,
     noneFound,
   )
@@ -34,9 +35,17 @@ namedSolid known between said subject = do
     (\why -> visibleName subject ++ ": " ++ objectMessage why)
     (solidOf (maybe id (named . ObjectName) name it))
   where
-    (name, from) = case break (== '=') subject of
-      (given@(_ : _), '=' : rest) | '/' `notElem` given -> (Just given, rest)
-      _ -> (Nothing, subject)
+    (name, from) = nameAndSource subject
+
+-- | The name or the file of a polyhedron, without the name that its object is given.
+sourceOf :: String -> String
+sourceOf = snd . nameAndSource
+
+-- | The name that @NAME=@ gives an object, and what follows.
+nameAndSource :: String -> (Maybe String, String)
+nameAndSource subject = case break (== '=') subject of
+  (given@(_ : _), '=' : rest) | '/' `notElem` given -> (Just given, rest)
+  _ -> (Nothing, subject)
 
 -- | Why there is no placement, in words.
 whyNot :: [Wanted] -> Reason -> String

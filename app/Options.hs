@@ -9,6 +9,7 @@ module Options
     -- * Forms of options
     valued,
     defaulting,
+    usually,
     fileOption,
     optionalFile,
     folderOption,
@@ -43,7 +44,6 @@ import Options.Applicative hiding (columns, command)
 import qualified Options.Applicative as Parser (command)
 import Options.Applicative.Help.Chunk (stringChunk, unChunk, vcatChunks)
 import PraTactile.Array (Folding, Surface)
-import PraTactile.Explore (standardRegionSize)
 import PraTactile.Format.Name
 import PraTactile.Locate (Radius (..))
 import Readers
@@ -68,6 +68,12 @@ valued reader name meta text = option reader (long name <> metavar meta <> help 
 defaulting :: Show a => a -> ReadM a -> String -> String -> String -> Parser a
 defaulting standard reader name meta text =
   option reader (long name <> metavar meta <> value standard <> showDefault <> help text)
+
+-- | An option with a default, which its help shows and its command takes: 'Nothing' where it was
+-- not given, so that a command can tell.
+usually :: Show a => a -> ReadM a -> String -> String -> String -> Parser (Maybe a)
+usually standard reader name meta text =
+  optional (valued reader name meta (text ++ " (default: " ++ show standard ++ ")"))
 
 -- | An option whose value is a file, likewise.
 fileOption :: String -> String -> String -> Parser FilePath
@@ -136,15 +142,11 @@ seedOption more =
   option intReader (long "seed" <> metavar "N" <> help "Seed of every random draw" <> more)
 
 -- | @--size WIDTHxHEIGHT@, taxels.
-sizeOption :: Parser (Int, Int)
+sizeOption :: Parser (Maybe (Int, Int))
 sizeOption =
-  option
-    (pairReader 'x' "40x52")
-    ( long "size"
-        <> metavar "WIDTHxHEIGHT"
-        <> value standardRegionSize
-        <> help "The region in taxels (default 40x52)"
-    )
+  optional . valued (pairReader 'x' "40x52") "size" "WIDTHxHEIGHT" $
+    "The region in taxels of 1.5875 mm (default 40x52, or the sensor's own size where that is \
+    \larger)"
 
 -- | How an answer is printed.
 data AnswerForm = AsText | AsJson

@@ -4,6 +4,7 @@
 module PlacementChoice
   ( PlacementChoice,
     placementChoice,
+    placementGiven,
     plateOr,
     holding,
     ofDatabase,
@@ -57,6 +58,14 @@ placementChoice ofDatabase' =
     <|> InDatabase
     <$> fileOption "database" "FILE" (ofDatabase' ++ "; on a server: postgresql://...")
     <|> pure Shipped
+
+-- | The options that choose objects, and whether they were given.
+placementGiven :: PlacementChoice -> [(String, Bool)]
+placementGiven choice = case choice of
+  Shipped -> []
+  Plate -> [("--object", True)]
+  InFile _ -> [("--placement", True)]
+  InDatabase _ -> [("--database", True)]
 
 -- | @--object sheet@, or another choice.
 plateOr :: Parser PlacementChoice -> Parser PlacementChoice
@@ -134,13 +143,14 @@ withNear array choice going = case choice of
     going profile layout (const (pure Nothing))
 
 -- | The same for who presses the first so many faces and asks nothing that is further away on the
--- array than so many rows and columns, by the array's window: of a database no more is read.
+-- array than so many rows and columns, by the symbols' distances and the array's window: of a
+-- database no more is read.
 chosenFirst ::
-  ArrayChoice -> PlacementChoice -> Int -> (Shape -> Shape) -> IO (Profile, Placement)
+  ArrayChoice -> PlacementChoice -> Int -> (Pitch -> Shape -> Shape) -> IO (Profile, Placement)
 chosenFirst array choice count reach = case choice of
   InDatabase file ->
     chosenStored array file $ \profile store ->
-      storedFirst store count (reach (profileWindow profile))
+      storedFirst store count (reach (storedPitch store) (profileWindow profile))
   _ -> chosenPlacement array choice
 
 -- | A part of what a database holds, with the profile of its array.

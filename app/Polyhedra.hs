@@ -2,20 +2,24 @@
 module Polyhedra
   ( polyhedron,
     formatOption,
+    formatHeeded,
     outputFormat,
     positiveReader,
     symbolsOption,
   )
 where
 
+import Control.Monad (unless)
 import Data.List (intercalate)
+import Data.Maybe (isJust, isNothing)
 import ExitStatus
 import Files (readBytes)
 import Message.Solid
 import Options
-import PraTactile.Array (Shape)
+import PraTactile.Array (Shape (..))
 import PraTactile.Format.Solid
 import PraTactile.Format.Solid.Name
+import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Description
 import PraTactile.Object.Mesh
 import PraTactile.Object.Named (namedDescription)
@@ -60,6 +64,21 @@ formatOption =
         "Format of files whose ends do not tell it"
         mempty
     )
+
+-- | Refuses @--format@ where it says nothing: of polyhedra that are read from files whose ends tell
+-- their format, or that have names, and of a file that is written likewise.
+formatHeeded :: Maybe SolidFormat -> [String] -> Maybe FilePath -> IO ()
+formatHeeded said subjects output =
+  unless (any untold subjects || any chosen output) $
+    leaveOut "names and the ends of files tell what they are" [("--format", isJust said)]
+  where
+    untold subject = case readName (plateSize (Shape 1 1) canonicalPitch) subject of
+      NoName -> isNothing (formatOfFile subject)
+      _ -> False
+    -- Both forms of a format have one end.
+    chosen file = case formatOfFile file of
+      Nothing -> True
+      Just told -> (told, said) `elem` [(Stl, Just StlText), (Ply, Just PlyText)]
 
 -- | The format in which a file is written, given what @--format@ says.
 outputFormat :: Maybe SolidFormat -> FilePath -> IO SolidFormat

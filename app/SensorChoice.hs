@@ -5,6 +5,8 @@ module SensorChoice
     sensorOptions,
     chosenSensor,
     chosenSpacing,
+    chosenSize,
+    ofPresses,
     feltBySymbols,
     readSensor,
 
@@ -22,12 +24,12 @@ where
 
 import Control.Monad (foldM)
 import Data.List (find, intercalate)
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, isJust)
 import ExitStatus
 import FormatFile (readSensorFile)
 import Message (rangeText)
 import Options
-import PraTactile.Explore (defaultSpacing)
+import PraTactile.Explore (defaultSpacing, regionSizeFor)
 import PraTactile.Geometry (symbolThickness)
 import PraTactile.Sensor
 import PraTactile.Sensor.Constants
@@ -160,6 +162,19 @@ tiltShare sensor degrees = half * tan (degrees * pi / 180) / symbolThickness
 -- | The distance of neighbouring presses of a sensor, in its taxels.
 chosenSpacing :: SensorChoice -> Sensor -> Int
 chosenSpacing choice sensor = fromMaybe (defaultSpacing sensor) (spacing choice)
+
+-- | The options that say how a sensor is pressed on a face, and whether they were given.
+ofPresses :: SensorChoice -> [(String, Bool)]
+ofPresses choice =
+  [ ("--position-error", isJust (positionSigma choice)),
+    ("--rotation-error", isJust (rotationSigma choice)),
+    ("--tilt", isJust (tiltSigma choice)),
+    ("--spacing", isJust (spacing choice))
+  ]
+
+-- | The region that a sensor explores, taxels, where nothing else is said.
+chosenSize :: Maybe (Int, Int) -> Sensor -> (Int, Int)
+chosenSize said sensor = fromMaybe (regionSizeFor sensor) said
 
 -- | The sensor as symbols so many times as large as the paper's feel it: that of the same kind
 -- whose elements are as many times closer.

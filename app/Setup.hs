@@ -5,6 +5,7 @@ module Setup
     AlphabetChoice,
     alphabetChoice,
     chosenAlphabet,
+    alphabetGiven,
     readDrawings,
     orderOf,
 
@@ -47,7 +48,9 @@ import Visible (visibleName)
 
 -- | Which shapes are meant where no array says it.
 data AlphabetChoice
-  = -- | those shipped for the elements of the field of this order
+  = -- | nothing is said: those shipped for GF(4)
+    Usual
+  | -- | those shipped for the elements of the field of this order
     OfOrder Natural
   | DrawnIn FilePath
 
@@ -56,22 +59,35 @@ alphabetChoice :: Parser AlphabetChoice
 alphabetChoice =
   DrawnIn <$> shapesFile
     <|> OfOrder
-      <$> defaulting
-        4
+      <$> valued
         naturalReader
         "q"
         "Q"
-        "The shapes shipped for the elements of GF(q)"
+        ("The shapes shipped for the elements of GF(q) (default: " ++ show usualOrder ++ ")")
+    <|> pure Usual
+
+-- | The order of the field whose shapes are meant where nothing is said.
+usualOrder :: Natural
+usualOrder = 4
+
+-- | The options that choose shapes, and whether they were given.
+alphabetGiven :: AlphabetChoice -> [(String, Bool)]
+alphabetGiven choice = case choice of
+  Usual -> []
+  OfOrder _ -> [("--q", True)]
+  DrawnIn _ -> [("--shapes", True)]
 
 -- | The shapes; leaves with status 2 where there are none.
 chosenAlphabet :: AlphabetChoice -> IO Alphabet
 chosenAlphabet choice = case choice of
+  Usual -> alphabetOfOrder usualOrder
   OfOrder q -> alphabetOfOrder q
   DrawnIn file -> readAlphabet file
 
 -- | The order of the field whose elements the shapes are for, where no file has them.
 orderOf :: AlphabetChoice -> Maybe Natural
 orderOf choice = case choice of
+  Usual -> Just usualOrder
   OfOrder q -> Just q
   DrawnIn _ -> Nothing
 

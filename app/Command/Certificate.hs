@@ -7,10 +7,12 @@ module Command.Certificate
 where
 
 import ArrayChoice
+import Control.Monad (unless)
 import Data.Aeson ((.=))
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
+import Data.Maybe (isJust)
 import ExitStatus
 import Json
 import MaskChoice
@@ -54,6 +56,8 @@ run ::
   AnswerForm ->
   IO ExitStatus
 run choice drawn on evidence output form = do
+  unless (isJust output) $
+    leaveOut "the certificate itself is JSON" [("--json", form == AsJson)]
   (profile, mask) <- chosenMask choice drawn on
   case certify evidence profile mask of
     Left why

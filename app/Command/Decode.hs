@@ -1,6 +1,7 @@
 -- | @pra-tactile decode@: tactile images in, object, face and place out.
 module Command.Decode
   ( command,
+    ToleranceChoice (..),
     toleranceOptions,
     toleranceComplaint,
   )
@@ -10,7 +11,7 @@ import ArrayChoice
 import Control.Monad (unless, when)
 import Data.Foldable (for_)
 import Data.List.NonEmpty (nonEmpty)
-import Data.Maybe (fromMaybe, listToMaybe, mapMaybe)
+import Data.Maybe (fromMaybe, isJust, listToMaybe, mapMaybe)
 import Data.Traversable (for)
 import ExitStatus
 import FormatFile (readPlane)
@@ -47,12 +48,12 @@ import Visible
 
 data Options = Options
   { surface :: Maybe Surface,
-    stitching :: Stitching,
+    stitching :: StitchingChoice,
     frames :: FramesChoice,
     symbolReader :: ReaderChoice,
     objects :: PlacementChoice,
     picture :: Maybe FilePath,
-    tolerance :: Tolerance,
+    tolerance :: ToleranceChoice,
     sharing :: Sharing,
     places :: [(Double, Double)],
     plane :: Maybe FilePath,
@@ -133,11 +134,17 @@ placeOption =
         else readerError "a place is two finite numbers, as in 76.2,0"
     finite v = not (isNaN v || isInfinite (v :: Double))
 
--- | How much doubt and how many wrong symbols an answer may have, given how the prior of foreign
--- things is told.
-toleranceOptions :: Parser Double -> Parser Tolerance
+-- | How much doubt and how many wrong symbols an answer may have.
+data ToleranceChoice = ToleranceChoice
+  { tolerated :: Tolerance,
+    -- | whether @--slip@ was given
+    slipGiven :: Bool
+  }
+
+-- | The same as options, given how the prior of foreign things is told.
+toleranceOptions :: Parser Double -> Parser ToleranceChoice
 toleranceOptions foreignThings =
-  Tolerance
+  choice
     <$> defaulting
       (toleratedDoubt standardTolerance)
       decimalReader
@@ -156,13 +163,19 @@ toleranceOptions foreignThings =
           "The probability beforehand that the robot's axes are others (default: 0.01, or 0.0025 \
           \where manifest or --axes state them)"
       )
-    <*> defaulting
-      (slipPrior standardTolerance)
+    <*> usually
+      usualSlip
       decimalReader
       "slip"
       "P"
       "The probability beforehand that frames of a folder slipped by a whole cell beyond a line, \
       \and that another folder did"
+  where
+    usualSlip = slipPrior standardTolerance
+    choice doubt wrong others axes slip =
+      ToleranceChoice
+        (Tolerance doubt wrong others axes (fromMaybe usualSlip slip))
+        (isJust slip)
 
 -- | @--foreign@: the prior of it.
 foreignOption :: Parser Double
@@ -176,14 +189,15 @@ foreignOption =
     \of the same shapes; the doubt weighs it"
 
 -- | What is wrong with a choice of these.
-toleranceComplaint :: Tolerance -> Maybe String
-toleranceComplaint tolerated
-  | not (isShare (toleratedDoubt tolerated)) = Just "--doubt is a probability below 1"
-  | not (isShare (foreignPrior tolerated)) = Just "--foreign is a probability below 1"
-  | not (all isShare (axesPrior tolerated)) = Just "--axes-doubt is a probability below 1"
-  | not (isShare (slipPrior tolerated)) = Just "--slip is a probability below 1"
+toleranceComplaint :: ToleranceChoice -> Maybe String
+toleranceComplaint choice
+  | not (isShare (toleratedDoubt given)) = Just "--doubt is a probability below 1"
+  | not (isShare (foreignPrior given)) = Just "--foreign is a probability below 1"
+  | not (all isShare (axesPrior given)) = Just "--axes-doubt is a probability below 1"
+  | not (isShare (slipPrior given)) = Just "--slip is a probability below 1"
   | otherwise = Nothing
   where
+    given = tolerated choice
     isShare p = p >= 0 && p < 1
 
 run :: ArrayChoice -> Options -> IO ExitStatus
@@ -191,43 +205,65 @@ run choice options
   | Just complaint <- toleranceComplaint (tolerance options) = misused complaint
   | picture options == Just standardOutput && form options == AsJson =
     misused "--picture - and --json both take the standard output; name a file for the picture"
+  | form options == AsText && isJust (plane options) =
+    misused "--plane places the pose in the world, which --json alone tells; give --json as well"
   | otherwise = do
     for_ (picture options) orNotSvg
+    found <- sourcePaths (paths options) >>= orUnusable filesMessage
+    heeded options found
     world <- traverse readPlane (plane options)
-    withNear choice (objects options) (decodeAll world options)
+    withNear choice (objects options) (decodeAll world options found)
 
 -- | Decode the sources by a profile, a placement, and what reads the objects that lie somewhere.
 decodeAll ::
   Maybe RigidMotion ->
   Options ->
+  [SourcePath] ->
   Profile ->
   Placement ->
   ([Position] -> IO (Maybe Placement)) ->
   IO ExitStatus
-decodeAll world options profile layout near = do
+decodeAll world options found profile layout near = do
   (scale, _) <- feltPlacement layout
   let larger = fromRational scale
   symbols <- readerFor (symbolReader options) profile
   decoder <- decoderOn profile layout symbols near world options
-  found <- sourcePaths (paths options) >>= orUnusable filesMessage
   let several = not (null (drop 1 found))
   when
     (several && picture options /= Nothing)
     (misused "--picture draws one composite; give one source")
   known <- (\stated -> stated {preparedScale = larger}) <$> preparation (frames options)
-  composites <- loadSources (readerTables symbols) known (stitching options) found
+  composites <- loadSources (readerTables symbols) known (stitchingOf (stitching options)) found
   case sharing options of
     OneFace ->
       placed [(x / larger, y / larger) | (x, y) <- places options] (zip found composites)
         >>= decoder (map sourcePath found)
-    EachItsOwn -> do
-      unless
-        (null (places options))
-        (misused "--at is for whole images that are decoded --together")
+    EachItsOwn ->
       fmap (maximum . (Answered :)) . for (zip (map sourcePath found) composites) $
         \(path, composite) -> do
           when (several && form options == AsText) (putStrLn (visibleName path ++ ":"))
           decoder [path] [composite]
+
+-- | Refuses options that say nothing of what these sources are.
+heeded :: Options -> [SourcePath] -> IO ()
+heeded options found = do
+  when (onlyImages found) $
+    leaveOut
+      "whole images are not put together of frames"
+      ( ofFrames (stitching options) (frames options)
+          ++ [ ("--axes-doubt", isJust (axesPrior (tolerated (tolerance options)))),
+               ("--slip", slipGiven (tolerance options) && not (among found))
+             ]
+      )
+  when (asTheyAre (stitching options)) $
+    leaveOut
+      "--no-stitching takes the positions as they are"
+      [given | given@("--noise", _) <- ofRegistration (stitching options)]
+  unless (null (places options) || sharing options == OneFace) $
+    misused "--at is for whole images that are decoded --together"
+  where
+    -- Of several sources another one may have slipped.
+    among sources = sharing options == OneFace && not (null (drop 1 sources))
 
 -- | How composites of one face, given their names, are decoded and the answer is printed.
 decoderOn ::
@@ -259,9 +295,11 @@ placed given found
   where
     wholeImages = length [() | (ImagePath _, _) <- found]
     go (at : others) ((ImagePath _, composite) : rest) =
-      composite {compositeOrigin = at} : go others rest
+      composite {compositeOrigin = at `plus` compositeOrigin composite} : go others rest
     go ats ((_, composite) : rest) = composite : go ats rest
     go _ [] = []
+    -- Of an image that was brought to another pitch the origin is beside its pixel.
+    plus (x, y) (dx, dy) = (x + dx, y + dy)
 
 -- | Decode composites of one face: draw the picture, print the answer.
 decodeWith ::
@@ -279,10 +317,10 @@ decodeWith profile array near world options bare from composites = do
   seen <- orUnusable networkMessage (sight (recogniserReader bare) composites)
   -- Where it is on the array is known without the objects; of a database those that lie there are
   -- read then.
-  objects' <- near (cellsShown (tolerance options) bare seen)
+  objects' <- near (cellsShown tolerating bare seen)
   let reader = maybe bare (\there -> bare {recogniserPlacement = there}) objects'
   recognition <-
-    orUnusable networkMessage (recogniseSeen (tolerance options) reader composites seen)
+    orUnusable networkMessage (recogniseSeen tolerating reader composites seen)
   for_ ((,) <$> picture options <*> listToMaybe composites) $ \(file, composite) ->
     writeWhole file (pageSvg (page reader composite recognition))
   unless (picture options == Just standardOutput) $
@@ -292,6 +330,7 @@ decodeWith profile array near world options bare from composites = do
       (encodeRecognition (recognitionReport (context reader recognition) recognition))
   pure (recognitionStatus recognition)
   where
+    tolerating = tolerated (tolerance options)
     alphabet = readerAlphabet (recogniserReader bare)
     nameOf = elementNames bare
     page reader composite recognition =
@@ -327,7 +366,7 @@ decodeWith profile array near world options bare from composites = do
         (recogniserPlacement reader)
         alphabet
         array
-        (stitchingPositionError (stitching options))
+        (stitchingPositionError (stitchingOf (stitching options)))
         composites
     larger = maybe 1 fromRational (symbolScale (placementPitch (recogniserPlacement bare)))
     both f (x, y) = (f x, f y)

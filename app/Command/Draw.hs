@@ -94,6 +94,8 @@ run choice options = do
     misused "--object is for 'solid' and 'encoded'"
   when (subject options `elem` [WholeSheet, Layings] && isJust (from options)) $
     misused "--from is for 'solid' and 'encoded'"
+  when (subject options == OneSolid) $
+    leaveOut "a solid is drawn without its symbols" [("--shapes", isJust (shapesFile options))]
   orNotSvg (output options)
   orUnwritable (output options)
   (profile, layout) <- chosenPlacement choice (objects options)

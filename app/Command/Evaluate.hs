@@ -5,8 +5,8 @@ module Command.Evaluate
 where
 
 import ArrayChoice
-import Command.Decode (toleranceComplaint, toleranceOptions)
-import Control.Monad (foldM)
+import Command.Decode (ToleranceChoice (..), toleranceComplaint, toleranceOptions)
+import Control.Monad (foldM, when)
 import Control.Parallel.Strategies (evalTuple2, parBuffer, rseq, withStrategy)
 import Data.Bifunctor (first)
 import Data.Foldable (toList)
@@ -16,31 +16,38 @@ import ExitStatus
 import Message
 import Options
 import PlacementChoice
-import PraTactile.Array (ArrayOn (..))
+import PraTactile.Array (ArrayOn (..), PseudorandomArray, arrayPrimitive)
 import PraTactile.Evaluate
 import PraTactile.Explore
+import PraTactile.Field (KnownField)
 import PraTactile.Format (EvaluationConditions (..), EvaluationReport (..), encodeEvaluation)
+import PraTactile.Object.Placement
+import PraTactile.Object.WingedEdge
+import PraTactile.Polynomial (primitiveDegree)
 import PraTactile.Profile
 import PraTactile.Recognise
+import PraTactile.Relief (symbolScale)
 import PraTactile.Sensor (Bend, Sensor (..))
 import PraTactile.Symmetry (rotations)
+import PraTactile.Window (maskFrom)
+import PraTactile.Window.Proof (windowRank)
 import Progress
 import SensorChoice
 import Setup
 import Text.Printf (printf)
-import Visible (visibleName)
+import Visible (visible, visibleName)
 
 data Options = Options
   { presses :: Int,
     seed :: Int,
-    size :: (Int, Int),
+    size :: Maybe (Int, Int),
     sensor :: SensorChoice,
     turns :: Turns,
     bend :: Maybe Bend,
     foreignPresses :: Maybe Double,
     foreignArrayPresses :: Maybe Double,
     untold :: Bool,
-    tolerance :: Tolerance,
+    tolerance :: ToleranceChoice,
     symbolReader :: ReaderChoice,
     objects :: PlacementChoice,
     form :: AnswerForm
@@ -121,24 +128,32 @@ run choice options
     misused "--foreign-arrays is a share from 0 to that of --foreign"
   | otherwise = do
     real <- chosenSensor (sensor options)
+    let feltAs scale = feltBySymbols scale real
+        regionOf = chosenSize (size options)
+        reach pitch = restingOn (regionOf (feltAs (fromMaybe 1 (symbolScale pitch))))
     (profile, laid) <-
-      chosenFirst choice (objects options) (presses options) (restingOn (size options))
+      chosenFirst choice (objects options) (presses options) reach
     (scale, layout) <- feltPlacement laid
-    let simulated = feltBySymbols scale real
+    let simulated = feltAs scale
+        region = regionOf simulated
+        pressed = take (presses options) (laidFaces layout)
     symbols <- readerFor (symbolReader options) profile
+    unread <- orUnusable profileMessage (withProfile profile (\array _ -> unreadable array pressed))
+    mapM_ warn (unreadWarning profile unread pressed)
+    when (not (null unread) && length unread == length pressed) (leave NotAnswered)
     let experiment =
           Experiment
             { experimentPresses = presses options,
               experimentSeed = seed options,
               experimentExploration =
-                (exploration simulated (turns options) (size options))
+                (exploration simulated (turns options) region)
                   { explorationSpacing = chosenSpacing (sensor options) simulated,
                     explorationBend = bendBySymbols scale <$> bend options
                   },
               experimentForeign = allForeign options,
               experimentForeignArrays = fromMaybe 0 arrays,
               experimentTold = not (untold options),
-              experimentTolerance = tolerance options
+              experimentTolerance = tolerated (tolerance options)
             }
         larger = fromRational scale
         made array mask = do
@@ -150,10 +165,32 @@ run choice options
     results <- orUnusable profileMessage (withProfile profile made) >>= orUnusable id
     (counted, poses) <- tallied (form options == AsJson) (presses options) results
     let inMillimetres counts = counts {poseMedianFar = larger * poseMedianFar counts}
-    printed profile options simulated counted (inMillimetres <$> poseTally poses)
+    printed profile options region simulated counted (inMillimetres <$> poseTally poses)
     pure Answered
   where
     arrays = foreignArrayPresses options
+
+-- | Faces whose symbols, all of them together, do not tell where on the array they are.
+unreadable :: KnownField k => PseudorandomArray k -> [LaidFace] -> [LaidFace]
+unreadable array = filter (either (const False) tooFew . maskFrom . blockCells . laidBlock)
+  where
+    tooFew mask = windowRank array mask < degreeOf array
+    degreeOf = fromIntegral . primitiveDegree . arrayPrimitive
+
+-- | What is said of such faces among those that are pressed.
+unreadWarning :: Profile -> [LaidFace] -> [LaidFace] -> Maybe String
+unreadWarning profile unread pressed = case unread of
+  [] -> Nothing
+  one : _ ->
+    Just $
+      "warning: of " ++ show (length pressed) ++ " faces that are pressed "
+        ++ show (length unread)
+        ++ " cannot be read, such as "
+        ++ visible (faceText (faceName (laidFace one)))
+        ++ " of the "
+        ++ visible (objectText (faceObject (laidFace one)))
+        ++ ": too few symbols, of rank below "
+        ++ show (length (profilePolynomial profile) - 1)
 
 -- | The tallies with stitching and without, of results that are made on all cores as they are
 -- needed; says how far it is where a person looks on. Trials are let go once counted. With them
@@ -179,12 +216,13 @@ tallied withPoses count results =
             `seq` poses'
             `seq` tell bar (i :: Integer) >> pure ((stitched', unstitched'), poses')
 
-printed :: Profile -> Options -> Sensor -> (Tally, Tally) -> Maybe PoseTally -> IO ()
-printed profile options simulated (stitched, unstitched) poses =
+printed ::
+  Profile -> Options -> (Int, Int) -> Sensor -> (Tally, Tally) -> Maybe PoseTally -> IO ()
+printed profile options region simulated (stitched, unstitched) poses =
   printAs
     (form options)
     ( unlines
-        [ headingText options simulated,
+        [ headingText options region simulated,
           tallyText "stitching" stitched,
           tallyText "no-stitching" unstitched
         ]
@@ -216,15 +254,15 @@ report profile options simulated stitched unstitched poses =
       evaluationPose = poses
     }
 
-headingText :: Options -> Sensor -> String
-headingText options simulated =
+headingText :: Options -> (Int, Int) -> Sensor -> String
+headingText options region simulated =
   printf
     "%d presses, seed %d, regions of %d x %d taxels, position error sigma %g taxels, noise sd %g \
     \of full scale%s"
     (presses options)
     (seed options)
-    (fst (size options))
-    (snd (size options))
+    (fst region)
+    (snd region)
     (sensorPositionError simulated)
     (sensorNoise simulated)
     (concatMap (", " ++) (named ++ turned ++ map bendText (toList (bend options)) ++ others))

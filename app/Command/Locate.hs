@@ -9,7 +9,7 @@ import ArrayChoice
 import Control.Monad (when)
 import Data.Bifunctor (first)
 import qualified Data.ByteString.Char8 as Bytes
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, isJust)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import ExitStatus
@@ -31,7 +31,8 @@ import System.IO (hFlush, stdout)
 data Options = Options
   { decoder :: Maybe DecoderName,
     radius :: Radius,
-    doubt :: Double,
+    -- | 'Nothing' as is usual
+    doubtGiven :: Maybe Double,
     foreignThings :: Maybe Double,
     turning :: Turning,
     explained :: Explained,
@@ -74,8 +75,8 @@ optionsParser =
     <*> radiusOption
       "Correct up to N wrong cells, at the risk of wrong answers (default: as many as the observed \
       \cells guarantee)"
-    <*> defaulting
-      0.001
+    <*> usually
+      usualDoubt
       decimalReader
       "doubt"
       "P"
@@ -107,6 +108,13 @@ optionsParser =
             )
             <|> (Just <$> some (strArgument (metavar "PATCH")))
         )
+
+usualDoubt :: Double
+usualDoubt = 0.001
+
+-- | The probability of a wrong answer that is tolerated.
+doubt :: Options -> Double
+doubt = fromMaybe usualDoubt . doubtGiven
 
 -- | @--road@.
 decoderOption :: Parser DecoderName
@@ -160,7 +168,9 @@ run choice surface options
 
 -- | The answer to what was read, in words and as JSON.
 data Response = Response
-  { responseAnswer :: Answer,
+  { -- | Whether some cells were given by probabilities.
+    responseLikely :: Bool,
+    responseAnswer :: Answer,
     responseLines :: [String],
     responseReport :: AnswerReport
   }
@@ -191,11 +201,15 @@ responder options profile on@(ArrayOn _ array) mask = do
             Just (explainAnswer array mask asked displacements seen (doubt options) answer)
     pure
       Response
-        { responseAnswer = answer,
+        { responseLikely = or [any isLikely p | (_, p) <- writtenPatches written],
+          responseAnswer = answer,
           responseLines = inWords : fromMaybe [] explanation,
           responseReport = reportOf profile asked displacements explanation answer
         }
   where
+    isLikely cell = case cell of
+      Probabilities _ -> True
+      Symbol _ -> False
     theLocator = locator (decoder options) (profilePacking profile) on mask
     queryOf written =
       Query
@@ -214,6 +228,15 @@ answering profile options respond = case source options of
   Nothing -> batch profile respond
   Just given -> do
     response <- orUnusable id (respond (Text.pack (unwords given)))
+    if responseLikely response
+      then
+        leaveOut
+          "probabilities are weighed, and no wrong cells are counted"
+          [("--radius", radius options /= Guaranteed)]
+      else
+        leaveOut
+          "--doubt is weighed of probabilities, or with --foreign"
+          [("--doubt", isJust (doubtGiven options) && null (foreignThings options))]
     printAs
       (form options)
       (unlines (responseLines response))

@@ -6,11 +6,12 @@ where
 
 import CensusChoice
 import Control.Exception (IOException, try)
-import Control.Monad (filterM)
+import Control.Monad (filterM, unless)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (for_)
 import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust)
 import ExitStatus
 import Files (readBytes)
 import Message.Census
@@ -46,6 +47,8 @@ command =
 
 run :: [FilePath] -> Damage -> Maybe FilePath -> AnswerForm -> IO ExitStatus
 run files damage output form = do
+  unless (isJust output) $
+    leaveOut "the census is printed, and nothing is told of it" [("--json", form == AsJson)]
   for_ output $ \file -> do
     inputs <- filterM (sameFile file) files
     for_ (take 1 inputs) $ \input ->

@@ -71,6 +71,7 @@ command =
 
 run :: Options -> IO ExitStatus
 run options = do
+  formatHeeded (format options) [subject options] Nothing
   whole <-
     namedSolid
       (Just (profileShape canonicalProfile))

@@ -134,6 +134,7 @@ run choice options = do
   (chosen, between, before) <- ground choice options
   names <- (subjects options ++) <$> maybe (pure []) objectLines (listed options)
   when (null names && null (faces options)) (misused "name an object; 'solid' lists what there is")
+  formatHeeded (format options) (map sourceOf names) Nothing
   new <- for names (namedSolid (profileShape <$> chosen) between (format options))
   let known = maybe [] placementSolids before ++ new
       lying = maybe [] laidFaces before

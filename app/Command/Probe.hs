@@ -10,7 +10,7 @@ import ArrayChoice
 import Control.Monad (when)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, isJust)
 import ExitStatus
 import Files (readBytes)
 import Message
@@ -40,13 +40,14 @@ data Options = Options
   { work :: Work,
     face :: Maybe String,
     at :: Maybe (Double, Double),
-    size :: (Int, Int),
-    turns :: Turns,
+    size :: Maybe (Int, Int),
+    -- | 'Nothing': by chance upright or turned by 180 degrees
+    turns :: Maybe Turns,
     sensor :: SensorChoice,
     seed :: Int,
     -- | the seed of what differs from sensor to sensor
     specimen :: Maybe Int,
-    origin :: (Double, Double),
+    origin :: Maybe (Double, Double),
     bend :: Maybe Bend,
     announced :: Announced,
     truthFile :: Maybe FilePath,
@@ -115,12 +116,12 @@ optionsParser =
           "Seed of what differs from one sensor to the next, gains and dead taxels (default: \
           \that of --seed)"
       )
-    <*> option
-      place
-      ( long "origin"
-          <> metavar "X,Y"
-          <> value (0, 0)
-          <> help "The region's upper left corner in the robot's coordinates, mm (default 0,0)"
+    <*> optional
+      ( valued
+          place
+          "origin"
+          "X,Y"
+          "The region's upper left corner in the robot's coordinates, mm (default 0,0)"
       )
     <*> bendOption
     <*> flag Unannounced Announced (long "tell" <> help "Print the true place")
@@ -161,22 +162,24 @@ workOption =
     frameCount name = valued intReader name "N"
 
 -- | How the face lies turned.
-turnsOption :: Parser Turns
+turnsOption :: Parser (Maybe Turns)
 turnsOption =
-  flag'
-    (AmongTurns [identity])
-    ( long "upright"
-        <> help
-          "The face lies upright in the robot's frame (default: so or turned by 180 degrees, by \
-          \chance)"
-    )
-    <|> flag' (AmongTurns [turned 2]) (long "turned" <> help "The face lies turned by 180 degrees")
-    <|> (TurnedBy <$> angleOption "The face lies turned clockwise by so many degrees, any number")
-    <|> pure (AmongTurns halfTurns)
+  optional $
+    flag'
+      (AmongTurns [identity])
+      ( long "upright"
+          <> help
+            "The face lies upright in the robot's frame (default: so or turned by 180 degrees, by \
+            \chance)"
+      )
+      <|> flag'
+        (AmongTurns [turned 2])
+        (long "turned" <> help "The face lies turned by 180 degrees")
+      <|> (TurnedBy <$> angleOption "The face lies turned clockwise by so many degrees, any number")
 
 run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options
-  | any (not . (< 1e6) . abs) [fst (origin options), snd (origin options)] =
+  | any (not . (< 1e6) . abs) [fst placed, snd placed] =
     misused "--origin is a place in millimetres"
   | otherwise = do
     simulated <- chosenSensor (sensor options)
@@ -188,40 +191,58 @@ run choice options
               pressingSpecimen = specimen options,
               pressingFace = readFaceName . map spaced <$> face options,
               pressingAt = at options,
-              pressingSize = size options,
-              pressingTurns = turns options,
-              pressingOrigin = origin options,
+              pressingSize = chosenSize (size options) simulated,
+              pressingTurns = fromMaybe (AmongTurns halfTurns) (turns options),
+              pressingOrigin = placed,
               pressingBend = bend options
             }
     case work options of
       Object named -> pressing choice options how (ObjectName named)
-      Dark count -> calibrating options simulated count (darkPresses how)
-      Flat count -> calibrating options simulated count (flatPresses how)
+      Dark count -> calibrating choice options simulated count (darkPresses how)
+      Flat count -> calibrating choice options simulated count (flatPresses how)
   where
+    placed = fromMaybe (0, 0) (origin options)
     spaced c = if c == ',' then ' ' else c
 
 -- | Write so many calibration frames.
-calibrating :: Options -> Sensor -> Int -> (Int -> [Frame]) -> IO ExitStatus
-calibrating options simulated count frames
+calibrating ::
+  ArrayChoice -> Options -> Sensor -> Int -> (Int -> [Frame]) -> IO ExitStatus
+calibrating choice options simulated count frames
   | count < 1 || count > 10000 = misused "--dark and --flat are numbers of frames from 1 to 10000"
   | truthFile options /= Nothing || announced options == Announced =
     misused "calibration frames have no true place; leave out --truth and --tell"
-  | bend options /= Nothing = misused "calibration frames are of no face; leave out --bend"
-  | meshFile options /= Nothing = misused "calibration frames are of no face; leave out --mesh"
-  | otherwise = Answered <$ writeFrames options simulated (frames count)
+  | otherwise = do
+    leaveOut "calibration frames are of no face" $
+      [ ("--bend", isJust (bend options)),
+        ("--mesh", isJust (meshFile options)),
+        ("--face", isJust (face options)),
+        ("--at", isJust (at options)),
+        ("--size", isJust (size options)),
+        ("--origin", isJust (origin options)),
+        ("the turn", isJust (turns options)),
+        ("--shapes", isJust (shapesFile options)),
+        ("the array's options", not (nothingChosen choice))
+      ]
+        ++ placementGiven (objects options)
+        ++ ofPresses (sensor options)
+    Answered <$ writeFrames options simulated (frames count)
 
 -- | Press a face of the object; write the frames, and the truth as far as that is asked for.
 pressing :: ArrayChoice -> Options -> Pressing -> ObjectName -> IO ExitStatus
 pressing choice options how object = do
+  when (isJust (meshFile options)) $
+    leaveOut "what is pressed has its symbols already" [("--shapes", isJust (shapesFile options))]
   for_ (truthFile options) orUnwritable
   (profile, laid) <- chosenWith choice (holding object (objects options)) object
   (scale, layout) <- feltPlacement laid
   alphabet <- alphabetFor (shapesFile options) profile
   let larger = fromRational scale
       smaller (x, y) = (x / larger, y / larger)
+      feltBy = feltBySymbols scale (pressingSensor how)
       felt =
         how
-          { pressingSensor = feltBySymbols scale (pressingSensor how),
+          { pressingSensor = feltBy,
+            pressingSize = chosenSize (size options) feltBy,
             pressingAt = smaller <$> pressingAt how,
             pressingOrigin = smaller (pressingOrigin how),
             pressingBend = bendBySymbols scale <$> pressingBend how

@@ -5,10 +5,11 @@ module Command.Rates
 where
 
 import ArrayChoice
-import Control.Monad (foldM, unless)
+import Control.Monad (foldM, unless, when)
 import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Foldable (for_)
+import Data.Maybe (fromMaybe, isJust)
 import Data.Traversable (for)
 import ExitStatus
 import Message
@@ -39,7 +40,8 @@ data Options = Options
     radius :: Radius,
     trials :: Int,
     seed :: Int,
-    format :: Format,
+    -- | 'Nothing': as text
+    format :: Maybe Format,
     plot :: Maybe FilePath
   }
 
@@ -81,13 +83,15 @@ optionsParser =
       \guarantee)"
     <*> defaulting 10000 intReader "trials" "N" "Trials a line of the table"
     <*> seedOption (value 1 <> showDefault)
-    <*> choosing
-      "form"
-      [("text", Text), ("csv", Csv), ("json", Json)]
-      "format"
-      "text|csv|json"
-      "The form of the table (default text)"
-      (value Text)
+    <*> optional
+      ( choosing
+          "form"
+          [("text", Text), ("csv", Csv), ("json", Json)]
+          "format"
+          "text|csv|json"
+          "The form of the table (default text)"
+          mempty
+      )
     <*> optionalFile
       "plot"
       "FILE.svg"
@@ -102,6 +106,10 @@ run choice options
   | any (\s -> not (s >= 0 && s < 100)) (erasures options) =
     misused "--erasures is a share from 0 to below 100 per cent"
   | otherwise = do
+    when (plot options == Just standardOutput) $
+      leaveOut
+        "--plot - takes the standard output in place of the table"
+        [("--format", isJust (format options))]
     for_ (plot options) orNotSvg
     profile <- chosenProfile choice
     let on array mask =
@@ -132,9 +140,9 @@ table profile options theLocator = do
   made <- withProgress (unevenly total "trials") $ \bar ->
     for (zip [0 ..] settings) $ \(i, setting) -> do
       l <- line options setting (\n -> tell bar (i * perLine + toInteger n))
-      aside bar (say (lineAs (format options) l) >> hFlush stdout)
+      aside bar (say (lineAs (tableForm options) l) >> hFlush stdout)
       pure l
-  case format options of
+  case tableForm options of
     Text -> say (checksHeading ++ unlines (map checksText made) ++ checksOfAll made)
     Csv -> pure ()
     Json -> unless drawnOnly (Bytes.putStrLn (encodeRates (report made)))
@@ -152,9 +160,13 @@ table profile options theLocator = do
           ratesLines = made
         }
 
+-- | The form of the table.
+tableForm :: Options -> Format
+tableForm = fromMaybe Text . format
+
 -- | What is printed before the lines.
 opening :: Options -> String
-opening options = case format options of
+opening options = case tableForm options of
   Text -> heading (radius options)
   Csv -> csvHeading ++ "\n"
   Json -> ""

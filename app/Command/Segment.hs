@@ -13,7 +13,6 @@ import Frames
 import FramesChoice
 import Message
 import Options
-import PraTactile.Decode (Stitching)
 import PraTactile.Files (sourcePath, sourcePaths)
 import PraTactile.Format.Segmentation
 import PraTactile.Registration (latticeTables)
@@ -42,12 +41,20 @@ command =
     )
 
 run ::
-  AlphabetChoice -> Stitching -> FramesChoice -> AnswerForm -> [FilePath] -> IO ExitStatus
+  AlphabetChoice -> StitchingChoice -> FramesChoice -> AnswerForm -> [FilePath] -> IO ExitStatus
 run symbols stitching choice form paths = do
   found <- sourcePaths paths >>= orUnusable filesMessage
+  when (onlyImages found) $
+    leaveOut
+      "whole images are not put together of frames"
+      (ofFrames stitching choice ++ alphabetGiven symbols)
+  when (asTheyAre stitching) $
+    leaveOut
+      "--no-stitching takes the positions as they are"
+      (ofRegistration stitching ++ alphabetGiven symbols)
   known <- preparation choice
   tables <- latticeTables <$> chosenAlphabet symbols
-  composites <- loadSources tables known stitching found
+  composites <- loadSources tables known (stitchingOf stitching) found
   let several = not (null (drop 1 found))
   fmap (maximum . (Answered :)) . for (zip (map sourcePath found) composites) $
     \(path, composite) -> do

@@ -8,6 +8,7 @@ where
 import Counted (counted)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
+import Data.Maybe (fromMaybe, isJust)
 import Data.Proxy (Proxy)
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -33,6 +34,8 @@ import Visible (visibleName)
 data Options = Options
   { symbols :: AlphabetChoice,
     work :: Work,
+    -- | of the search
+    seed :: Maybe Int,
     -- | How shapes are shown, if not as text.
     form :: Maybe (Drawings -> Text),
     output :: Maybe FilePath
@@ -40,8 +43,7 @@ data Options = Options
 
 data Work
   = Draw
-  | -- | from a seed
-    Design Int
+  | Design
   | Check FilePath
 
 command :: Mod CommandFields (IO ExitStatus)
@@ -61,6 +63,7 @@ command =
       Options
         <$> alphabetChoice
         <*> workOption
+        <*> usually paperSeed intReader "seed" "N" "Seed of the search"
         <*> formOption
         <*> outputFileOption
     formOption =
@@ -77,32 +80,31 @@ workOption =
       "check"
       "FILE"
       "Say what is wrong with the shapes drawn in a file, and how far apart they are"
-    <|> ( designing
-            <$> switch
-              ( long "design"
-                  <> help
-                    "Run the search again, some seconds for four shapes and some minutes for nine, \
-                    \and write the alphabet it finds"
-              )
-            <*> defaulting paperSeed intReader "seed" "N" "Seed of the search"
-        )
-  where
-    designing design' seed = if design' then Design seed else Draw
+    <|> flag'
+      Design
+      ( long "design"
+          <> help
+            "Run the search again, some seconds for four shapes and some minutes for nine, and \
+            \write the alphabet it finds"
+      )
+    <|> pure Draw
 
 run :: Options -> IO ExitStatus
 run options = case work options of
   Check file -> do
+    leaveOut "the file itself has the shapes that are checked" $
+      ("--seed", isJust (seed options)) : alphabetGiven (symbols options)
     given <- readDrawings file
     shown (checkText (visibleName file) given) given
     pure (if null (faults given) then Answered else NotAnswered)
-  Design seed -> do
+  Design -> do
     for_ (output options) orUnwritable
     q <-
       maybe (misused "--design makes shapes; leave out --shapes") pure (orderOf (symbols options))
     names <- elementNames q
     measured <-
       withProgress (unevenly drawings "drawings") $ \bar ->
-        followWhile measuring bar (designSteps seed (parametersFor names))
+        followWhile measuring bar (designSteps (fromMaybe paperSeed (seed options)) (parametersFor names))
     -- To prove that no shapes are as far apart may take any time.
     searched <-
       withProgress (openly sought) $ \bar -> followWhile trying bar measured
@@ -111,6 +113,7 @@ run options = case work options of
     for_ (output options) (`sayBeside` Text.unpack (renderReport found report))
     pure Answered
   Draw -> do
+    leaveOut "nothing is searched without --design" [("--seed", isJust (seed options))]
     chosen <- chosenAlphabet (symbols options)
     shown
       (drawAlphabet chosen <> Text.singleton '\n' <> distanceTable chosen)

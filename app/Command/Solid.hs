@@ -96,6 +96,9 @@ run :: Options -> IO ExitStatus
 run options = do
   when (maybe False (const (length (subjects options) > 1)) (output options)) $
     misused "--output takes one solid; name one"
+  when (output options == Just "-" && form options == AsJson) $
+    misused "--output - and --json both take the standard output; name a file for the polyhedron"
+  formatHeeded (format options) (subjects options) (output options)
   target <- traverse (outputFormat (format options)) (output options)
   mapM_ orUnwritable (output options)
   statuses <- mapM (examined options target) (subjects options)

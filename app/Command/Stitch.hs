@@ -67,7 +67,7 @@ command =
 
 run ::
   AlphabetChoice ->
-  Stitching ->
+  StitchingChoice ->
   FramesChoice ->
   Maybe StitchMethod ->
   FilePath ->
@@ -82,6 +82,9 @@ run symbols stitching choice asked folder output report form = do
   when
     (report == Just standardOutput && form == AsJson)
     (misused "--report - and --json both take the standard output; name a file for the picture")
+  when (asTheyAre stitching) $
+    leaveOut "--no-stitching takes the positions as they are" [("--method", asked /= Nothing)]
+  heeded (stitchingMethod asAsked) stitching symbols
   for_ report orNotSvg
   encoder <- traverse encoderFor output
   tables <- latticeTables <$> chosenAlphabet symbols
@@ -105,7 +108,8 @@ run symbols stitching choice asked folder output report form = do
     (Bytes.putStrLn (encodeAssembly (zip names (map framePose frames)) made))
   pure Answered
   where
-    asAsked = maybe stitching (\method -> stitching {stitchingMethod = method}) asked
+    known' = stitchingOf stitching
+    asAsked = maybe known' (\method -> known' {stitchingMethod = method}) asked
     written composite file encoder = do
       writeWhole file =<< orUnusable imageMessage (encoder (compositeImage composite))
       unless (form == AsJson) $
@@ -117,6 +121,20 @@ run symbols stitching choice asked folder output report form = do
               ++ show (length (compositeDisplacements composite))
               ++ " frames"
           )
+
+-- | Refuses what a method does not ask for.
+heeded :: StitchMethod -> StitchingChoice -> AlphabetChoice -> IO ()
+heeded method stitching symbols = case method of
+  Automatic -> pure ()
+  Nominal ->
+    leaveOut
+      "the positions are taken as they are"
+      (ofRegistration stitching ++ alphabetGiven symbols)
+  ByLattice ->
+    leaveOut
+      "by the lattice, frames show their noise themselves"
+      [given | given@("--noise", _) <- ofRegistration stitching]
+  _ -> leaveOut "shapes are known of the lattice alone" (alphabetGiven symbols)
 
 -- | How a composite is written to a file of that name.
 encoderFor :: FilePath -> IO (Raster -> Either ImageError Lazy.ByteString)

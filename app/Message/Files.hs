@@ -12,13 +12,14 @@ where
 import Data.List (intercalate)
 import qualified Data.Text as Text
 import Message.Code (profileMessage)
-import Message.Format (formatMessage)
+import Message.Format (formatMessage, rangeText)
 import Message.Objects (placementMessage, recogniserMessage)
 import Message.Touch
 import PraTactile.Decode (DecodeError (..))
 import PraTactile.Files (FilesError (..))
 import PraTactile.Image.Error (ImageError)
-import PraTactile.Registration (StitchError (..))
+import PraTactile.Registration (StitchError (..), maxCompositePixels)
+import PraTactile.Sensor.Frame (taxelPitches)
 import PraTactile.Sensor.Manifest (manifestHeader, manifestName)
 import PraTactile.Source (SourceError (..))
 import System.FilePath ((</>))
@@ -50,17 +51,28 @@ filesMessage e = case e of
   where
     header = intercalate "," (map Text.unpack manifestHeader)
 
--- | Of a folder of frames.
+-- | Of a folder of frames, or of a whole image.
 sourceMessage :: FilePath -> SourceError -> String
 sourceMessage folder e = case e of
   ImageElsewhere name ->
     folder ++ ": the frame " ++ show name ++ " is not a file in the manifest's folder"
+  PositionAbsent name ->
+    folder ++ ": the manifest does not say where " ++ show name
+      ++ " was pressed (x_mm, y_mm, rotation_deg), which only 'calibrate' can do without"
   ImageAbsent name -> folder ++ ": the frame " ++ show name ++ " is not there"
   ImageSize name (w, h) (w', h') ->
     (folder </> name) ++ " is " ++ by w h ++ " taxels; the manifest says " ++ by w' h'
   ImageRefused name why -> fileMessage (folder </> name) why
   ImagesTooLarge n -> folder ++ ": " ++ stitchMessage (TooManyFramePixels n)
   CalibrationRefused why -> folder ++ ": " ++ calibrationMessage why
+  ImagePitch pitch ->
+    rangeText (folder ++ ": the distance of its pixels in millimetres") taxelPitches
+      ++ "; it is said to be "
+      ++ show pitch
+  ImageTooLarge (w, h) ->
+    folder ++ " would have " ++ by w h ++ " pixels of 1.5875 mm; at most "
+      ++ show maxCompositePixels
+      ++ " are examined; is --taxel right?"
   where
     by w h = show w ++ " x " ++ show h
 

@@ -63,7 +63,7 @@ data DecodeError
     NetworkRefused NetworkError
   | -- | Array, shapes and network do not fit each other.
     PartsRefused RecogniserError
-  | -- | The folder holds no frames.
+  | -- | The folder holds no frames, or the image is not what it is said to be.
     FolderRefused SourceError
   | -- | The file holds no image.
     FileRefused ImageError
@@ -110,15 +110,17 @@ standardDecoding :: Decoding
 standardDecoding = Decoding asStated standardStitching standardTolerance
 
 -- | The composite of a source: the frames of a folder, prepared and put together, or the image that
--- is one. The tables are those of the symbols that may have been felt. Refuses what
--- 'preparedFrames', 'stitchedBy' and 'preparedImage' refuse.
+-- is one, likewise prepared. The tables are those of the symbols that may have been felt. Refuses
+-- what 'preparedFrames', 'stitchedBy', 'imageComposite' and 'preparedImage' refuse.
 sourceComposite ::
   LatticeTables -> Preparation -> Stitching -> Source -> Either DecodeError Composite
 sourceComposite tables known stitching source = case source of
   FrameFolder folder ->
     first FolderRefused (preparedFrames known folder)
       >>= fmap (stated folder) . first FramesRefused . stitchedBy tables stitching
-  WholeImage bytes -> first FileRefused (preparedImage known bytes)
+  WholeImage bytes ->
+    first FileRefused (imageComposite bytes)
+      >>= first FolderRefused . preparedImage known . compositeImage
   where
     stated folder composite =
       composite

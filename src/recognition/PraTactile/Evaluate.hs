@@ -108,7 +108,7 @@ standardExperiment sensor =
   Experiment
     { experimentPresses = 1000,
       experimentSeed = 1,
-      experimentExploration = exploration sensor (AmongTurns halfTurns) standardRegionSize,
+      experimentExploration = exploration sensor (AmongTurns halfTurns) (regionSizeFor sensor),
       experimentForeign = Nothing,
       experimentForeignArrays = 0,
       experimentTold = True,

@@ -12,6 +12,7 @@ module PraTactile.Explore
     drawnRegion,
     randomRegion,
     standardRegionSize,
+    regionSizeFor,
     halfTurns,
 
     -- * Pressing
@@ -115,6 +116,14 @@ askew region = turn {motionX = faceX - x, motionY = faceY - y}
 -- | 40 wide, 52 tall, in taxels: enough to hold a whole 2-by-2 window at every phase of the grid.
 standardRegionSize :: (Int, Int)
 standardRegionSize = (40, 52)
+
+-- | The usual width and height of a region that a sensor explores, taxels: 'standardRegionSize', or
+-- along each side the sensor's own where that is longer.
+regionSizeFor :: Sensor -> (Int, Int)
+regionSizeFor sensor = (max wide (own sensorColumns), max high (own sensorRows))
+  where
+    (wide, high) = standardRegionSize
+    own side = ceiling (fromIntegral (side sensor) * sensorTaxel sensor / taxelPitch - 1e-9)
 
 -- | How a face may lie in the robot's frame.
 data Turns

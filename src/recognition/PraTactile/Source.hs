@@ -5,6 +5,7 @@ module PraTactile.Source
     Folder (..),
     imagesNamed,
     folderFrames,
+    folderRasters,
     frameImages,
 
     -- * How they are taken
@@ -27,7 +28,7 @@ module PraTactile.Source
 where
 
 import Control.Applicative ((<|>))
-import Control.Monad (when)
+import Control.Monad (unless, when)
 import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import Data.Map.Strict (Map)
@@ -37,7 +38,7 @@ import qualified Data.Set as Set
 import Data.Word (Word16)
 import PraTactile.FileName (isFileName)
 import PraTactile.Image (Raster, mapRaster, onRaster, rasterSize)
-import PraTactile.Image.Error (ImageError (..))
+import PraTactile.Image.Error (ImageError)
 import PraTactile.Image.Pgm
   ( PgmFormat (..),
     decodePgm,
@@ -49,9 +50,9 @@ import PraTactile.Image.Pgm
   )
 import PraTactile.Registration (Composite (..), compositeOf, maxCompositePixels, maxFramePixels)
 import PraTactile.Sensor.Calibration (Calibration, CalibrationError, corrected, withoutStuck)
-import PraTactile.Sensor.Frame (Frame (..), Pose (..), scaledFrame, taxelPitch)
+import PraTactile.Sensor.Frame (Frame (..), Pose (..), isTaxelPitch, scaledFrame, taxelPitch)
 import PraTactile.Sensor.Manifest
-import PraTactile.Sensor.Resample (resampled, resampledSize)
+import PraTactile.Sensor.Resample (atCanonicalPitch, canonicalSize, isCanonical)
 import PraTactile.Symmetry (onPixel)
 import System.FilePath (isAbsolute, splitDirectories)
 import Text.Printf (printf)
@@ -74,6 +75,8 @@ data SourceError
   | -- | The file of this name has the first size, width and height, and the manifest says the
     -- second.
     ImageSize FilePath (Int, Int) (Int, Int)
+  | -- | The manifest does not say where the frame of this name was pressed.
+    PositionAbsent FilePath
   | -- | The file of this name is no frame.
     ImageRefused FilePath ImageError
   | -- | The images that the manifest names have this many pixels together, more than
@@ -81,6 +84,11 @@ data SourceError
     ImagesTooLarge Int
   | -- | The calibration does not correct the frames.
     CalibrationRefused CalibrationError
+  | -- | The pixels of a whole image are this many millimetres apart, none of 'taxelPitches'.
+    ImagePitch Double
+  | -- | A whole image would have this width and height at the paper's pitch, more than
+    -- 'maxCompositePixels' pixels.
+    ImageTooLarge (Int, Int)
   deriving stock (Eq, Show)
 
 -- | The files that a manifest names, as far as they lie in its folder, each once: those to be read.
@@ -93,25 +101,41 @@ inside name =
   isFileName name && not (isAbsolute name) && ".." `notElem` splitDirectories name
 
 -- | All frames of a folder, in the manifest's order and along its axes. Refuses, naming the file,
--- images that cannot be read or are not there, and names that lead out of the folder.
+-- frames without a position, and what 'folderRasters' refuses.
 folderFrames :: Folder -> Either SourceError [Frame]
-folderFrames (Folder manifest images) = traverse frame (manifestEntries manifest)
+folderFrames folder = do
+  poses <- traverse placed (manifestEntries manifest)
+  felt <- folderRasters folder
+  pure (zipWith3 frame (manifestEntries manifest) poses felt)
   where
-    frame entry = do
-      felt <- image (entryFile entry)
-      let size = rasterSize felt
+    manifest = folderManifest folder
+    placed entry =
+      maybe
+        (Left (PositionAbsent (entryFile entry)))
+        (Right . alongAxes (fromMaybe straight (manifestAxes manifest)))
+        (entryPose entry)
+    frame entry pose felt =
+      Frame pose (fromMaybe 0 (entryForce entry)) felt (manifestTaxel manifest) []
+
+-- | What all frames of a folder felt, in the manifest's order, wherever they were pressed. Refuses,
+-- naming the file, images that cannot be read or are not there, and names that lead out of the
+-- folder.
+folderRasters :: Folder -> Either SourceError [Raster]
+folderRasters (Folder manifest images) = traverse (felt . entryFile) (manifestEntries manifest)
+  where
+    felt name = do
+      seen <- image name
+      let size = rasterSize seen
       case manifestFrame manifest of
-        Just said | said /= size -> Left (ImageSize (entryFile entry) size said)
-        _ -> Right ()
-      let pose = alongAxes (fromMaybe straight (manifestAxes manifest)) (entryPose entry)
-      pure (Frame pose (entryForce entry) felt (manifestTaxel manifest) [])
+        Just said | said /= size -> Left (ImageSize name size said)
+        _ -> Right seen
     image name
       | not (inside name) = Left (ImageElsewhere name)
       | otherwise = do
         bytes <- maybe (Left (ImageAbsent name)) Right (Map.lookup name images)
         first (ImageRefused name) (pgmIntensity <$> decodePgm bytes)
 
--- | What is known of frames that their manifest does not say, or says wrongly.
+-- | What is known of frames that their manifest does not say, or says wrongly, and of whole images.
 data Preparation = Preparation
   { -- | what the manifest's two coordinates are, in place of what it says
     preparedAxes :: Maybe Axes,
@@ -121,9 +145,10 @@ data Preparation = Preparation
     preparedPositionScale :: (Double, Double),
     -- | whether no contact is full scale in the images, and full contact 0
     preparedInverted :: Bool,
-    -- | the distance of neighbouring taxels in millimetres, in place of what the manifest says
+    -- | the distance of neighbouring taxels in millimetres, in place of what the
+    -- manifest says; of a whole image that of its pixels, which else is the paper's, times 'preparedScale'
     preparedTaxel :: Maybe Double,
-    -- | what the frames are corrected by
+    -- | what frames and whole images are corrected by
     preparedCalibration :: Maybe Calibration,
     -- | by what all its lengths are divided: how much larger than the paper's the symbols are
     preparedScale :: Double
@@ -141,8 +166,7 @@ preparedFrames :: Preparation -> Folder -> Either SourceError [Frame]
 preparedFrames known folder = do
   when (pixels > maxFramePixels) (Left (ImagesTooLarge pixels))
   frames <- folderFrames folder {folderManifest = stated}
-  withoutStuck . map (nominal . placed . seen)
-    <$> first CalibrationRefused (traverse (calibrated . onImage (asContact known)) frames)
+  withoutStuck . map placed <$> first CalibrationRefused (traverse (prepared known) frames)
   where
     manifest = folderManifest folder
     -- What is no image has none; it is refused when it is decoded.
@@ -155,23 +179,27 @@ preparedFrames known folder = do
         { manifestAxes = preparedAxes known <|> manifestAxes manifest,
           manifestTaxel = fromMaybe (manifestTaxel manifest) (preparedTaxel known)
         }
-    calibrated = maybe Right corrected (preparedCalibration known)
-    nominal = scaledFrame (1 / preparedScale known)
     placed frame =
       let Pose x y r = framePose frame
           (across, down) = preparedPositionScale known
        in frame {framePose = Pose (across * x) (down * y) r}
+
+-- | A frame with 0 for no contact, corrected, as it is seen from outside, at the symbols' scale.
+-- Refuses a calibration of another size.
+prepared :: Preparation -> Frame -> Either CalibrationError Frame
+prepared known = fmap (scaledFrame (1 / preparedScale known) . seen) . calibrated . contact
+  where
+    contact frame
+      | preparedInverted known = frame {frameImage = mapRaster (1 -) (frameImage frame)}
+      | otherwise = frame
+    calibrated = maybe Right corrected (preparedCalibration known)
     symmetry = axesSymmetry (preparedImageAxes known)
     seen frame =
-      (onImage (onRaster symmetry) frame) {frameDead = map (onTaxel frame) (frameDead frame)}
-    onTaxel frame (i, j) = let (x, y) = onPixel symmetry (rasterSize (frameImage frame)) (j, i) in (y, x)
-    onImage change frame = frame {frameImage = change (frameImage frame)}
-
--- | An image with 0 for no contact.
-asContact :: Preparation -> Raster -> Raster
-asContact known
-  | preparedInverted known = mapRaster (1 -)
-  | otherwise = id
+      frame
+        { frameImage = onRaster symmetry (frameImage frame),
+          frameDead = map (onTaxel (rasterSize (frameImage frame))) (frameDead frame)
+        }
+    onTaxel size (i, j) = let (x, y) = onPixel symmetry size (j, i) in (y, x)
 
 -- | How the positions and images of a folder are taken.
 takingOf :: Preparation -> Folder -> Taking
@@ -196,7 +224,8 @@ frameImages top frames = do
   pure (entries, Map.fromList (zip names images))
   where
     names = [printf "frame_%03d.pgm" i | i <- [0 .. length frames - 1]]
-    entries = [Entry name (framePose f) (frameForce f) | (name, f) <- zip names frames]
+    entries = zipWith entry names frames
+    entry name f = Entry name (Just (framePose f)) (Just (frameForce f))
 
 -- | What shows one composite.
 data Source
@@ -209,19 +238,32 @@ data Source
 -- | The composite that a PGM file is. Refuses what is no PGM, and an image of more than
 -- 'maxCompositePixels' pixels, as no composite of frames has them.
 imageComposite :: ByteString -> Either ImageError Composite
-imageComposite = preparedImage asStated
+imageComposite = fmap (compositeOf . pgmIntensity) . decodePgmUpTo maxCompositePixels
 
--- | The composite that a PGM file is, prepared as far as that concerns an image.
-preparedImage :: Preparation -> ByteString -> Either ImageError Composite
-preparedImage known bytes = do
-  image <- pgmIntensity <$> decodePgmUpTo maxCompositePixels bytes
-  let taken = preparedImageAxes known
-      taxel = fromMaybe taxelPitch (preparedTaxel known)
-      ratio = taxel / taxelPitch
-      scaled = if ratio == 1 then id else resampled ratio
-      (wide, high) = resampledSize ratio (rasterSize image)
-  when (wide * high > maxCompositePixels) (Left (LargerThanTouched maxCompositePixels wide high))
+-- | The composite that an image is once it is 'prepared', at the paper's pitch. The centre of pixel
+-- (0, 0) of the image as it is seen is at the origin. Refuses a calibration of another size, a
+-- pitch that is none of 'taxelPitches', and more than 'maxCompositePixels' afterwards.
+preparedImage :: Preparation -> Raster -> Either SourceError Composite
+preparedImage known image = do
+  frame <- first CalibrationRefused (prepared known felt)
+  let (wide, high) = canonicalSize frame
+      (w, h) = rasterSize (frameImage frame)
+      pixel = frameTaxel frame
+      beyond = (pixel * half w - taxelPitch * half wide, pixel * half h - taxelPitch * half high)
+      composite
+        | isCanonical frame = compositeOf (frameImage frame)
+        | otherwise =
+          (compositeOf (frameImage (atCanonicalPitch frame))) {compositeOrigin = beyond}
+  unless (isTaxelPitch pixel) (Left (ImagePitch pitch))
+  when
+    (toInteger wide * toInteger high > toInteger maxCompositePixels)
+    (Left (ImageTooLarge (wide, high)))
   pure
-    (compositeOf (scaled (onRaster (axesSymmetry taken) (asContact known image))))
-      { compositeTaking = standardTaking {takenImages = taken, takenTaxel = taxel}
+    composite
+      { compositeTaking =
+          standardTaking {takenImages = preparedImageAxes known, takenTaxel = pitch}
       }
+  where
+    felt = Frame (Pose 0 0 0) 0 image pitch []
+    pitch = fromMaybe (preparedScale known * taxelPitch) (preparedTaxel known)
+    half side = fromIntegral (side - 1) / 2

@@ -73,6 +73,59 @@ argumentsSpec = describe "arguments" $ do
         outcome@(_, _, err) <- praWith (words line) "0 1"
         outcome `refuses` ("; try 'pra-tactile " ++ takeWhile (/= ' ') line ++ " --help'")
         (line, "--help'\n" `isSuffixOf` err) `shouldBe` (line, True)
+  it "an option either acts or is refused: what would be ignored is named, with the reason" $
+    inFolder $ \folder -> do
+      composite <- makeAbsolute "data/worked-example/composite.pgm"
+      _ <- scripted folder ("cp " ++ composite ++ " whole.pgm; pra array --format csv > a.csv")
+      for_
+        [ ("decode whole.pgm --axes x,-y", ["--axes"]),
+          ("decode whole.pgm --no-stitching --noise 0.1", ["--no-stitching", "--noise"]),
+          ( "decode whole.pgm --position-error 1 --slip 0 --axes-doubt 0",
+            ["--position-error", "--slip", "--axes-doubt"]
+          ),
+          ("decode whole.pgm --at 0,0", ["--at"]),
+          ("decode whole.pgm --plane plane.json", ["--plane"]),
+          ("segment whole.pgm --q 4 --axes y,x", ["--q", "--axes"]),
+          ("stitch frames --no-stitching --method joint --output o.pgm", ["--method"]),
+          ("stitch frames --method nominal --noise 0.1 --output o.pgm", ["--noise"]),
+          ("stitch frames --method incremental --q 9 --output o.pgm", ["--q"]),
+          ("stitch frames --method lattice --noise 0.1 --output o.pgm", ["--noise"]),
+          ( "probe --dark 4 --seed 1 --face A --at 0,0 --size 16x16 --upright --tilt 1 --output o",
+            ["--face", "--at", "--size", "the turn", "--tilt"]
+          ),
+          ( "probe --flat 4 --seed 1 --placement p --shapes s --output o",
+            ["--placement", "--shapes"]
+          ),
+          ("probe --flat 4 --seed 1 --q 4 --output o", ["the array's options"]),
+          ("probe --object cube --mesh m.stl --shapes s --seed 1 --output o", ["--shapes"]),
+          ("probe --object cube --bend-axis x --seed 1 --output o", ["--bend"]),
+          ("draw solid --shapes s --output o.svg", ["--shapes"]),
+          ("draw sheet --from 0,0 --output o.svg", ["--from"]),
+          ("emboss --object cube --json --output -", ["--json"]),
+          ("emboss --object cube --page 100x100 --output o", ["--net"]),
+          ("solid cube --json --output -", ["--json"]),
+          ("solid cube --format off", ["--format"]),
+          ("solid cube --format off --output o.obj", ["--format"]),
+          ("nets cube --format off", ["--format"]),
+          ("place lid=box:30x30x40 --format off", ["--format"]),
+          ("shapes --seed 3", ["--seed"]),
+          ("shapes --check s --q 4 --seed 3", ["--q", "--seed"]),
+          ("certificate --json", ["--json"]),
+          ("merge a.csv --json", ["--json"]),
+          ("serve --impostors --one-shot", ["--one-shot"]),
+          ("rates --plot - --format csv", ["--format"]),
+          ("sequence --q 2 --polynomial 1,1,1 --window 1x2", ["--window"]),
+          ("locate --doubt 0.2 '3 2 / 3 1'", ["--doubt"]),
+          ("locate --radius 1 '[[[0,0,0.1,0.9],2],[3,1]]'", ["--radius"]),
+          ("conform --list --seed 2 --badge b", ["--seed", "--badge"]),
+          ("prove a.csv --window 2x2 --shape 15x17", ["--q and --window"]),
+          ("classify whole.pgm --classifier means --network n", ["--network"])
+        ]
+        $ \(line, named) -> do
+          outcome <- scripted folder ("pra " ++ line)
+          for_ named $ \name -> (line, outcome) `names` name
+      -- What acts is not refused.
+      listDirectory folder >>= (`shouldMatchList` ["a.csv", "whole.pgm"])
   it "an empty one names no file or folder, whatever it would be for" $ do
     for_ commandsOfHelp $ \(Command name options arguments) -> do
       let paths =
@@ -156,6 +209,9 @@ argumentsSpec = describe "arguments" $ do
             shown
             (all (>= ' ') shown .&&. (if all plain text then shown === text else property True))
   where
+    (line, (status, out, err)) `names` name =
+      (line, status, out, name `isInfixOf` err, length (lines err))
+        `shouldBe` (line :: String, 2, "", True, 1)
     plain c = c `elem` [' ' .. '~']
 
 inputSpec :: Spec

@@ -8,10 +8,12 @@ import qualified Data.ByteString as Bytes
 import Data.Foldable (for_)
 import Data.List (isInfixOf)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Text as Text
+import PraTactile.Format (encodeCalibration)
 import PraTactile.Image
 import PraTactile.Image.Pgm
+import PraTactile.Sensor.Calibration (Calibration (..))
 import PraTactile.Symmetry
 import System.FilePath ((</>))
 import Test.CommandLine.Run
@@ -30,6 +32,39 @@ spec = do
           (status, key ["orientation_deg"] out, key ["position"] out)
             `shouldBe` (0, Just (Number degrees), Just workedExample)
           key ["place_mm"] out `shouldBe` Just (toJSON [25.4, 95.25 :: Double])
+  it "a whole image of two pixels a taxel is read with its pitch, and lies where the other does" $
+    inFolder $ \folder -> do
+      changed folder doubled
+      (_, whole, _) <- pra ["decode", "--json", worked]
+      (blind, _, _) <- pra ["decode", "--json", folder </> "changed.pgm"]
+      (status, out, _) <- pra ["decode", "--json", "--taxel", "0.79375", folder </> "changed.pgm"]
+      (blind, status) `shouldBe` (1, 0)
+      for_ [["position"], ["face"], ["place_mm"], ["orientation_deg"]] $ \path ->
+        key path out `shouldBe` key path whole
+      -- The upper left pixel is half as wide: its centre is a quarter of a taxel further out.
+      for_ [0, 1] $ \axis -> case (robotAt axis out, robotAt axis whole) of
+        (Just there, Just here) -> there - here `shouldSatisfy` near (1.5875 / 4)
+        other -> expectationFailure (show other)
+      writeImage folder (generate 600 600 (\_ _ -> 0))
+      outcome <- pra ["decode", "--taxel", "50", folder </> "changed.pgm"]
+      outcome `refuses` "is --taxel right?"
+  it "a whole image is corrected by a calibration of its size, and one of another is refused" $
+    inFolder $ \folder -> do
+      image <- readImage worked
+      let (w, h) = rasterSize image
+          offset = generate w h (\u v -> if even (u + v) then 0.3 else 0)
+          gain = generate w h (\u v -> if even (u `div` 3 + v) then 0.6 else 0.3)
+          file = folder </> "calibration.json"
+          everywhere side v = generate side side (\_ _ -> v)
+      changed folder (\whole -> generate w h (\u v -> at offset u v + at gain u v * at whole u v))
+      (uncorrected, _, _) <- pra ["decode", "--json", folder </> "changed.pgm"]
+      Bytes.writeFile file (encodeCalibration (Calibration offset gain []))
+      (status, out, _) <-
+        pra ["decode", "--json", "--calibration", file, folder </> "changed.pgm"]
+      (uncorrected, status, key ["position"] out) `shouldBe` (1, 0, Just workedExample)
+      Bytes.writeFile file (encodeCalibration (Calibration (everywhere 16 0) (everywhere 16 1) []))
+      outcome <- pra ["decode", "--calibration", file, worked]
+      outcome `refuses` "the calibration is of a sensor of 16 x 16 taxels"
   it "a mirror image is refused as one" $
     inFolder $ \folder -> do
       changed folder (onRaster mirror)
@@ -171,6 +206,16 @@ spec = do
         (Bytes.writeFile (folder </> "changed.pgm") . encodePgm Binary)
         (pgmFromIntensity 255 image)
     at image u v = fromMaybe 0 (index image u v)
+    doubled image =
+      generate
+        (2 * rasterWidth image)
+        (2 * rasterHeight image)
+        (\u v -> at image (u `div` 2) (v `div` 2))
+    near expected found = abs (found - expected) < (1e-6 :: Double)
+    robotAt :: Int -> String -> Maybe Double
+    robotAt axis out = case fromJSON <$> key ["robot_mm"] out of
+      Just (Success place) -> listToMaybe (drop axis place)
+      _ -> Nothing
     inBox (x, y) u v =
       abs (fromIntegral (u :: Int) - x) < 5.5 && abs (fromIntegral (v :: Int) - y) < (7.5 :: Double)
     cubeTop folder = do
