@@ -17,6 +17,7 @@ import Files (readBytes)
 import Message.Solid
 import Options
 import PraTactile.Array (Shape (..))
+import PraTactile.Decimal (readExact)
 import PraTactile.Format.Solid
 import PraTactile.Format.Solid.Name
 import PraTactile.Object.Canonical (canonicalPitch)
@@ -96,7 +97,7 @@ endless file =
 
 -- | An exact number above 0.
 positiveReader :: String -> ReadM Rational
-positiveReader what = eitherReader $ \text -> case exactNumber text of
+positiveReader what = eitherReader $ \text -> case readExact text of
   Just n | n > 0 -> Right n
   _ -> Left (quoted text ++ " is not " ++ what ++ " above 0, such as 25.4 or 127/5")
 

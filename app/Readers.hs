@@ -1,5 +1,6 @@
--- | Readers of option values: decimal numbers and what is made of them. A text that is no number is
--- refused, whatever a programming language would make of it: @0x10@, @" 1"@, @1_000@, @NaN@.
+-- | Readers of option values: decimal numbers, by "PraTactile.Decimal", and what is made of them. A
+-- text that is no number is refused, whatever a programming language would make of it: @0x10@,
+-- @" 1"@, @1_000@, @NaN@.
 module Readers
   ( -- * Numbers
     Decimal (..),
@@ -24,15 +25,15 @@ module Readers
   )
 where
 
-import Data.Char (isDigit, isSpace)
+import Data.Bifunctor (first)
+import Data.Char (isSpace)
 import Data.Foldable (toList)
 import Data.List (intercalate)
 import Data.List.NonEmpty (NonEmpty (..))
-import Data.Scientific (Scientific, toBoundedRealFloat)
 import Numeric.Natural (Natural)
 import Options.Applicative (ReadM, eitherReader)
 import PraTactile.Array (Position (..), Shape (..))
-import Text.Read (readMaybe)
+import PraTactile.Decimal (NotDecimal (..), asciiOf, readDouble, readWhole)
 import Visible
 
 -- | Numbers that are written in decimal; 'Left' says why a text is none.
@@ -41,18 +42,14 @@ class Decimal a where
 
 -- | 0, 1, 2, ...
 instance Decimal Natural where
-  readDecimal text
-    | not (null text), all isDigit text = Right (read text)
-    | otherwise = Left (quoted text ++ " is not a whole number from 0 on")
+  readDecimal text = case readWhole (asciiOf text) of
+    Just n | n >= 0 -> Right (fromInteger n)
+    _ -> Left (quoted text ++ " is not a whole number from 0 on")
 
 -- | ..., -1, 0, 1, ...
 instance Decimal Integer where
-  readDecimal text = case text of
-    '-' : digits | number digits -> Right (negate (read digits))
-    digits | number digits -> Right (read digits)
-    _ -> Left (quoted text ++ " is not a whole number")
-    where
-      number digits = not (null digits) && all isDigit digits
+  readDecimal text =
+    maybe (Left (quoted text ++ " is not a whole number")) Right (readWhole (asciiOf text))
 
 -- | The same, as far as the machine counts.
 instance Decimal Int where
@@ -62,29 +59,11 @@ instance Decimal Int where
         then Left (quoted text ++ " is too large")
         else Right (fromInteger n)
 
--- | Digits, perhaps with a sign, a decimal point between digits, and an exponent; finite.
+-- | Any decimal number, as the nearest machine number.
 instance Decimal Double where
-  readDecimal text
-    | not (written (dropSign "-" text)) = Left (quoted text ++ " is not a number")
-    | otherwise = case toBoundedRealFloat <$> (readMaybe text :: Maybe Scientific) of
-      Just (Right x) -> Right x
-      Just (Left x) | x == 0 -> Right 0
-      _ -> Left (quoted text ++ " is too large")
+  readDecimal text = first why (readDouble (asciiOf text))
     where
-      written digits = case span isDigit digits of
-        (_ : _, '.' : others) | (_ : _, more) <- span isDigit others -> exponential more
-        (_ : _, more) -> exponential more
-        _ -> False
-      exponential more = case more of
-        [] -> True
-        e : digits
-          | e `elem` "eE",
-            power <- dropSign "+-" digits ->
-            not (null power) && all isDigit power
-        _ -> False
-      dropSign signs digits = case digits of
-        sign : others | sign `elem` signs -> others
-        _ -> digits
+      why fault = quoted text ++ if fault == OutOfReach then " is too large" else " is not a number"
 
 -- | A number of the type wanted.
 decimalReader :: Decimal a => ReadM a
@@ -117,7 +96,7 @@ readPosition text = case splitOn ',' text of
 -- | Numbers parted by commas.
 numbersReader :: ReadM [Natural]
 numbersReader = eitherReader $ \text -> case splitOn ',' text of
-  first :| others -> traverse (readDecimal . trim) (first : others)
+  one :| others -> traverse (readDecimal . trim) (one : others)
 
 -- | Two numbers parted by a character; the text is an example.
 pairReader :: Decimal a => Char -> String -> ReadM (a, a)

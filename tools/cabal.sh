@@ -18,7 +18,7 @@ suitable_tools() {
     && at_least "$(cabal --numeric-version)" 3.4
 }
 
-libraries="aeson attoparsec base64-bytestring cassava criterion cryptohash-sha256 file-embed hmatrix hspec
+libraries="aeson base64-bytestring cassava criterion cryptohash-sha256 file-embed hmatrix hspec
            integer-logarithms JuicyPixels optparse-applicative parallel persistent persistent-sqlite QuickCheck
            random reflection svg-builder temporary vector vector-algorithms zip-archive"
 

@@ -146,7 +146,7 @@ argumentsSpec = describe "arguments" $ do
       outcome `refuses` "an empty text names no file or folder"
       listDirectory folder `shouldReturn` []
   it "what is no number is refused, whatever a programming language makes of it" $
-    for_ ["0x10", " 1", "1 ", "1_000", "1e2", "(1)", "+1", "", "\x661", "1.0"] $ \text -> do
+    for_ ["0x10", " 1", "1 ", "1_000", "1e2", "(1)", "", "\x661", "1.0"] $ \text -> do
       (status, _, err) <- pra ["rates", "--trials", text]
       (text, status) `shouldBe` (text, 2)
       err `shouldSatisfy` ("--trials" `isInfixOf`)
@@ -157,8 +157,7 @@ argumentsSpec = describe "arguments" $ do
         "NaN",
         "Infinity",
         "1e400",
-        ".5",
-        "5.",
+        ".",
         "1e",
         "0.1.2",
         "--1",
@@ -169,6 +168,15 @@ argumentsSpec = describe "arguments" $ do
         (status, _, err) <- pra ["locate", "--doubt", text, "3 2 / 3 1"]
         (text, status) `shouldBe` (text, 2)
         err `shouldSatisfy` ("--doubt" `isInfixOf`)
+  it "a sign, and a point without digits on one side, are read as every other tool reads them" $ do
+    map readDecimal [".5", "+.5", "5.", "+5", "-5.e-1"]
+      `shouldBe` map Right [0.5, 0.5, 5, 5, -0.5 :: Double]
+    map readDecimal ["+12", "-0"] `shouldBe` map Right [12, 0 :: Int]
+    for_ [".1", "1.e-1", "+.1"] $ \text -> do
+      (status, _, _) <- pra ["locate", "--doubt", text, "3 2 0 / 3 0 2 / 0 1 3"]
+      (text, status) `shouldBe` (text, 0)
+    exactly <- pra ["solid", "box:0.5x1x2", "--scale", "2", "--tolerance", "0.1"]
+    pra ["solid", "box:.5x1.x+2", "--scale", "+2.", "--tolerance", ".1"] `shouldReturn` exactly
   it "a number is read back as it was shown" $
     property (\n -> readDecimal (show (n :: Int)) === Right n)
   it "a number with a point likewise" $

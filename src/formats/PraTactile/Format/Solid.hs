@@ -19,7 +19,6 @@ module PraTactile.Format.Solid
     Written (..),
 
     -- * Exact numbers
-    exactNumber,
     exactText,
   )
 where
@@ -31,7 +30,7 @@ import Data.List (find, isSuffixOf)
 import PraTactile.Format.Solid.Contents
 import PraTactile.Format.Solid.Error
 import PraTactile.Format.Solid.Json (readObject, writeObject)
-import PraTactile.Format.Solid.Number (exactNumber, exactText)
+import PraTactile.Format.Solid.Number (exactText)
 import PraTactile.Format.Solid.Obj
 import PraTactile.Format.Solid.Off
 import PraTactile.Format.Solid.Ply

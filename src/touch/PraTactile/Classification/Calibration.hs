@@ -55,7 +55,7 @@ import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import Data.Text (Text)
 import qualified Data.Text as T
-import Data.Text.Encoding (decodeUtf8')
+import Data.Text.Encoding (decodeUtf8', encodeUtf8)
 import Numeric.LinearAlgebra
   ( Vector,
     asColumn,
@@ -77,9 +77,9 @@ import Numeric.LinearAlgebra
 import PraTactile.Classification.Network (NetworkError (..))
 import PraTactile.Classification.Templates
 import PraTactile.Classification.Unlike (freeLikeness)
+import PraTactile.Decimal (readDouble)
 import PraTactile.Image (Raster, onRaster)
 import PraTactile.Symmetry
-import Text.Read (readMaybe)
 import Prelude hiding ((<>))
 
 -- | What turns outputs and likenesses into probabilities.
@@ -255,5 +255,5 @@ decodeCalibration bytes = do
   where
     line (i, name, given) = case T.words given of
       word : numbers
-        | word == name, Just values <- traverse (readMaybe . T.unpack) numbers -> Right values
+        | word == name, Right values <- traverse (readDouble . encodeUtf8) numbers -> Right values
       _ -> Left (UnexpectedNetworkLine i name (T.take 60 given))

@@ -44,14 +44,11 @@ import Data.Csv
   ( DecodeOptions (decDelimiter),
     EncodeOptions (encUseCrLf),
     HasHeader (NoHeader),
-    Parser,
     Record,
     decodeWith,
     defaultDecodeOptions,
     defaultEncodeOptions,
     encodeWith,
-    parseField,
-    runParser,
     toField,
   )
 import Data.List (nub)
@@ -60,6 +57,7 @@ import Data.Text (Text)
 import qualified Data.Text as T
 import Data.Text.Encoding (decodeUtf8')
 import qualified Data.Vector as V
+import PraTactile.Decimal (readDouble)
 import PraTactile.FileName (isFileName)
 import PraTactile.Sensor.Frame (Pose (..), taxelPitch)
 import PraTactile.Symmetry
@@ -196,8 +194,7 @@ data ManifestError
     WrongFieldCount !Int !Int !Int
   | -- | The line's file name is not UTF-8, or no file's name ('isFileName').
     BadFileName !Int
-  | -- | The line's field of that name is not a finite decimal number of at most 400 characters;
-    -- what it is.
+  | -- | The line's field of that name is no decimal number that 'readDouble' reads; what it is.
     BadNumber !Int !Text !Text
   | -- | The file names no frame.
     NoEntries
@@ -291,18 +288,11 @@ entry separator columns i line = do
   force <- traverse (number Force) (mfilter (not . C.all isSpace) (field Force))
   pure (Entry (T.unpack name) (Pose <$> x <*> y <*> rotation) force)
   where
-    -- The length is looked at first: the time that cassava takes for a number grows with the square
-    -- of its digits.
-    number column text
-      | B.length text <= longestNumber,
-        Right v <- runParser (parseField text :: Parser Double),
-        not (isNaN v || isInfinite v) =
-        Right v
-      | otherwise = Left (BadNumber i (columnName column) (shown text))
-
--- | How many characters a number may have: 400.
-longestNumber :: Int
-longestNumber = 400
+    number column text =
+      either
+        (const (Left (BadNumber i (columnName column) (shown text))))
+        Right
+        (readDouble (C.strip text))
 
 -- | A field for a message.
 shown :: ByteString -> Text

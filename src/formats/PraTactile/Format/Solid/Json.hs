@@ -22,6 +22,7 @@ import Data.Maybe (isNothing)
 import Data.Ratio (denominator)
 import qualified Data.Text as Text
 import Math.NumberTheory.Logarithms (integerLog2)
+import PraTactile.Decimal (readExact)
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Codec hiding (writeObject)
 import PraTactile.Format.Solid.Contents
@@ -97,4 +98,4 @@ exact = Codec exactText $ \value -> case value of
   Aeson.Number given -> exactly (show given)
   _ -> refuse NotExact
   where
-    exactly = maybe (refuse NotExact) Right . exactNumber
+    exactly = maybe (refuse NotExact) Right . readExact

@@ -8,8 +8,8 @@ where
 
 import Data.List (find)
 import qualified Data.Text as Text
-import qualified Data.Text.Encoding as Text
-import PraTactile.Format.Solid.Number
+import PraTactile.Decimal (asciiOf, readExact)
+import PraTactile.Format.Solid.Number (whole)
 import PraTactile.Object.Named
 
 -- | What a text is as the name of a solid.
@@ -62,7 +62,7 @@ readName (wide, deep) text
       ("pyritohedron", _) -> one Pyritohedron
       ("prism", _) -> case parts ',' of
         [n, r, h]
-          | Right count <- whole (Text.encodeUtf8 n) ->
+          | Right count <- whole (asciiOf (Text.unpack n)) ->
             Prism count <$> number r <*> number h
         _ -> Nothing
       _ -> Nothing
@@ -76,4 +76,4 @@ readName (wide, deep) text
     one make = case parts 'x' of
       [a] -> make <$> number a
       _ -> Nothing
-    number = exactNumber . Text.unpack
+    number = readExact . Text.unpack

@@ -9,15 +9,14 @@ module PraTactile.Classification.Network.File
   )
 where
 
-import Data.Attoparsec.Text (double, endOfInput, parseOnly)
 import Data.ByteString (ByteString)
 import Data.Text (Text)
 import qualified Data.Text as T
-import Data.Text.Encoding (decodeUtf8')
+import Data.Text.Encoding (decodeUtf8', encodeUtf8)
 import qualified Data.Vector.Storable as V
 import Numeric.LinearAlgebra (Matrix, Vector, reshape, toRows)
 import PraTactile.Classification.Network
-import Text.Read (readMaybe)
+import PraTactile.Decimal (readDouble, readWhole)
 
 -- | The network as text: a heading, the sizes, and then for each unit a line with its weights and
 -- its bias last; hidden units first.
@@ -67,10 +66,9 @@ parseNetwork text = case zip [1 ..] (T.lines text) of
     sizesForm = "inputs 96 hidden H outputs Q"
     named ["inputs", a, "hidden", b, "outputs", c] = Just [a, b, c]
     named _ = Nothing
-    natural t =
-      if T.length t <= 6 && not (T.null t) && T.all (`elem` ['0' .. '9']) t
-        then readMaybe (T.unpack t)
-        else Nothing
+    natural t = do
+      n <- readWhole (encodeUtf8 t)
+      if n < 1000000 then Just (fromInteger n) else Nothing
 
 -- | This many lines, each of this many weights and a bias, and the rest.
 units :: Int -> Int -> [(Int, Text)] -> Either NetworkError (Matrix Double, [(Int, Text)])
@@ -83,14 +81,10 @@ units count weights = go count []
       Either NetworkError (Matrix Double, [(Int, Text)])
     go 0 done rest = Right (reshape (weights + 1) (V.concat (reverse done)), rest)
     go _ _ [] = Left (NetworkFileEnds expected)
-    go k done ((i, line) : rest) = case traverse decimal (T.words line) of
-      Just values | length values == weights + 1 -> go (k - 1) (V.fromList values : done) rest
+    go k done ((i, line) : rest) = case traverse (readDouble . encodeUtf8) (T.words line) of
+      Right values | length values == weights + 1 -> go (k - 1) (V.fromList values : done) rest
       _ -> Left (UnexpectedNetworkLine i expected (excerpt line))
     expected = T.pack (show weights) <> " weights and a bias"
-    decimal t =
-      if T.length t <= 32 && T.all (`elem` ("0123456789.-e" :: String)) t
-        then either (const Nothing) Just (parseOnly (double <* endOfInput) t)
-        else Nothing
 
 heading :: Text
 heading = "pra-tactile network 1"
