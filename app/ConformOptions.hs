@@ -27,6 +27,7 @@ import PraTactile.Conformance.Run
 import PraTactile.Conformance.Run.Pattern
 import PraTactile.Conformance.Run.Token
 import PraTactile.Conformance.Version
+import PraTactile.PlainText (lineFeeds, withoutMark)
 import Visible
 
 -- | As they are given.
@@ -197,5 +198,7 @@ patternsIn :: Bytes.ByteString -> [String]
 patternsIn =
   filter (not . null) . map (trimmed . takeWhile (/= '#')) . lines . Text.unpack
     . Text.decodeUtf8With Text.lenientDecode
+    . lineFeeds
+    . withoutMark
   where
     trimmed = dropWhileEnd isSpace . dropWhile isSpace

@@ -13,31 +13,32 @@ where
 
 import Control.Monad (when)
 import Control.Monad.ST (ST, runST)
+import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Unsafe as Bytes
-import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Primitive as Primitive
 import qualified Data.Vector.Primitive.Mutable as Mutable
 import Data.Word (Word8)
 import ExitStatus
 import Files (readBytes)
 import Message (gridMessage)
+import Message.Format (encodingMessage)
 import Numeric.Natural (Natural)
 import PraTactile.Grid
-import PraTactile.Utf16 (isUtf16)
+import PraTactile.PlainText (plainText)
 
 -- | The array in a file, over an alphabet of this size, or else of the largest code and one more;
 -- leaves with status 2 and the reason where there is none.
 readGrid :: Maybe Natural -> FilePath -> IO Grid
 readGrid q file = readBytes file >>= orUnusable ((file ++ ": ") ++) . parseGrid q
 
--- | Codes 0 ... 255 parted by commas or semicolons, rows by ends of line (LF, CR or CR LF); spaces
--- and empty lines at the end do not matter.
+-- | Codes 0 ... 255 parted by commas or semicolons, rows by ends of line; spaces and empty lines
+-- at the end do not matter.
 parseGrid :: Maybe Natural -> ByteString -> Either String Grid
 parseGrid q bytes = do
-  when (isUtf16 bytes) (Left "it is UTF-16 text; save it as UTF-8")
-  (shape, codes) <- parseCodes (fromMaybe bytes (Bytes.stripPrefix "\xEF\xBB\xBF" bytes))
+  text <- first (("it" ++) . encodingMessage) (plainText bytes)
+  (shape, codes) <- parseCodes text
   let inferred = max 2 (Primitive.foldl' (\n c -> max n (fromIntegral c + 1)) 0 codes)
   when (maybe False (> 256) q) (Left ("an alphabet has 2 to 256 symbols, not " ++ maybe "" show q))
   either (Left . gridMessage) Right (gridFromVector (maybe inferred fromIntegral q) shape codes)
@@ -117,15 +118,10 @@ parseCells bytes codes number start before = go start before Before (0 :: Int)
     -- A comma or a semicolon.
     separates c = c == 44 || c == 59
 
--- | A byte of a text that ends with the end of a line. A CR that no LF follows is one, too.
+-- | A byte of a text that ends with the end of a line.
 byteAt :: ByteString -> Int -> Word8
-byteAt bytes i
-  | i >= Bytes.length bytes = 10
-  | byte == 13 && i + 1 < Bytes.length bytes && Bytes.unsafeIndex bytes (i + 1) /= 10 = 10
-  | otherwise = byte
-  where
-    byte = Bytes.unsafeIndex bytes i
+byteAt bytes i = if i < Bytes.length bytes then Bytes.unsafeIndex bytes i else 10
 
--- | Spaces, tabulators, and the first half of an end of line.
+-- | Spaces and tabulators.
 space :: Word8 -> Bool
-space c = c == 32 || c == 9 || c == 13
+space c = c == 32 || c == 9

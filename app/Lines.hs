@@ -17,8 +17,11 @@ import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8')
+import ExitStatus
 import GHC.Foreign (peekCStringLen)
 import GHC.IO.Encoding (getFileSystemEncoding)
+import Message.Format (encodingMessage)
+import PraTactile.PlainText (otherEncoding, withoutMark)
 import System.IO (stdin)
 
 -- | A line, without its end.
@@ -51,50 +54,65 @@ linePath given = case given of
     Bytes.useAsCStringLen bytes (peekCStringLen encoding)
   TooLong _ -> pure ""
 
--- | Go through the lines of the standard input as they come. What follows the last end of line is a
--- line if it is not empty.
+-- | Go through the lines of the standard input as they come; each ends with LF, CR LF or CR. What
+-- follows the last end of line is a line if it is not empty. A byte order mark at the beginning is
+-- passed over; leaves with status 2 where the first line is text in another encoding than UTF-8.
 forLines :: (a -> Line -> IO a) -> a -> IO a
-forLines step = awaited [] 0
+forLines step = awaited (Begun [] 0 True False)
   where
-    -- What follows a CR, which may have been the first half of an end of line.
-    afterReturn state = do
+    awaited begun state = do
       piece <- Bytes.hGetSome stdin 65536
-      if Bytes.null piece then pure state else broken [] 0 (withoutFeed piece) state
-    -- The pieces of the line so far, the latest first, and how many bytes they have.
-    awaited pieces held state = do
-      piece <- Bytes.hGetSome stdin 65536
-      if Bytes.null piece
-        then if held == 0 then pure state else step state (line (reverse pieces))
-        else broken pieces held piece state
-    broken pieces held piece state = case Bytes.findIndex isEnd piece of
-      Just end -> next (line (reverse (Bytes.take end piece : pieces))) (Bytes.drop end piece) state
-      Nothing
-        | held' <= largestLine -> awaited (piece : pieces) held' state
-        | otherwise -> skipped (toInteger held') state
-        where
-          held' = held + Bytes.length piece
+      case () of
+        _
+          | not (Bytes.null piece) -> broken begun piece state
+          | begunBytes begun == 0 -> pure state
+          | otherwise -> lineOf begun Bytes.empty >>= step state
+    broken begun piece state
+      | afterReturn begun && Bytes.take 1 piece == Bytes.singleton 10 =
+        broken begun {afterReturn = False} (Bytes.drop 1 piece) state
+      | otherwise = case endOfLine piece of
+        Just end -> lineOf begun (Bytes.take end piece) >>= next piece end state
+        Nothing
+          | begunBytes longer <= largestLine -> awaited longer state
+          | otherwise -> skipped (toInteger (begunBytes longer)) state
+      where
+        longer =
+          begun
+            { begunPieces = piece : begunPieces begun,
+              begunBytes = begunBytes begun + Bytes.length piece,
+              afterReturn = afterReturn begun && Bytes.null piece
+            }
     -- What is left of a line that is too long is counted, not kept.
     skipped count state = do
       piece <- Bytes.hGetSome stdin 65536
-      case Bytes.findIndex isEnd piece of
-        Just end -> next (TooLong (count + toInteger end)) (Bytes.drop end piece) state
+      case endOfLine piece of
+        Just end -> next piece end state (TooLong (count + toInteger end))
         Nothing
           | Bytes.null piece -> step state (TooLong count)
           | otherwise -> skipped (count + toInteger (Bytes.length piece)) state
-    -- Answer a line; the others begin with its end.
-    next found others state = do
+    next piece end state found = do
       state' <- step state found
-      state' `seq` case Bytes.uncons others of
-        Just (13, others')
-          | Bytes.null others' -> afterReturn state'
-          | otherwise -> broken [] 0 (withoutFeed others') state'
-        _ -> broken [] 0 (Bytes.drop 1 others) state'
-    withoutFeed piece = fromMaybe piece (Bytes.stripPrefix "\n" piece)
-    isEnd byte = byte == 10 || byte == 13
+      let begun = Begun [] 0 False (Bytes.index piece end == 13)
+      state' `seq` broken begun (Bytes.drop (end + 1) piece) state'
+    endOfLine = Bytes.findIndex (\c -> c == 10 || c == 13)
+    lineOf begun final = line (isFirst begun) (Bytes.concat (reverse (final : begunPieces begun)))
 
-line :: [ByteString] -> Line
-line chunks
-  | Bytes.length whole > largestLine = TooLong (toInteger (Bytes.length whole))
-  | otherwise = either (const (NotUtf8 whole)) Line (decodeUtf8' whole)
+-- | What there is so far of a line.
+data Begun = Begun
+  { -- | the latest first
+    begunPieces :: [ByteString],
+    begunBytes :: !Int,
+    isFirst :: !Bool,
+    -- | whether the line before it ended with CR, so that LF would belong to that end
+    afterReturn :: !Bool
+  }
+
+-- | A line of these bytes; the first one of the input may have a byte order mark.
+line :: Bool -> ByteString -> IO Line
+line begins bytes = case otherEncoding bytes of
+  Just encoding | begins -> unusable ("the standard input" ++ encodingMessage encoding)
+  _
+    | Bytes.length bytes > largestLine -> pure (TooLong (toInteger (Bytes.length bytes)))
+    | otherwise -> pure (either (const (NotUtf8 whole)) Line (decodeUtf8' whole))
   where
-    whole = Bytes.concat chunks
+    whole = if begins then withoutMark bytes else bytes

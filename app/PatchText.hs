@@ -48,9 +48,12 @@ type Displaced a = ((Integer, Integer), a)
 -- 'rowsOf' has it, patches by semicolons, and a displacement stands before a colon. Refuses more
 -- than 'largestPatch' cells before it reads them.
 readPatches :: forall k. KnownField k => Text -> Either String (Written k)
-readPatches text = case ( oversized (fieldOrder (Proxy :: Proxy k)) text,
-                          Text.uncons (Text.stripStart text)
-                        ) of
+readPatches = readUnmarked . Text.dropWhile (== '\xFEFF')
+
+readUnmarked :: forall k. KnownField k => Text -> Either String (Written k)
+readUnmarked text = case ( oversized (fieldOrder (Proxy :: Proxy k)) text,
+                           Text.uncons (Text.stripStart text)
+                         ) of
   (Just complaint, _) -> Left complaint
   (Nothing, Just ('[', _)) -> do
     value <-

@@ -42,6 +42,7 @@ import PraTactile.Classification.Regimen (shippedSeed)
 import PraTactile.Classification.Shipped
 import PraTactile.Field.Named (conwayModulus)
 import PraTactile.Format.Network
+import PraTactile.PlainText (withoutMark)
 import PraTactile.Profile (Profile (..))
 import PraTactile.Shape hiding (alphabet)
 import Visible (visibleName)
@@ -184,7 +185,7 @@ networkFor :: Alphabet -> Maybe FilePath -> IO NetworkFile
 networkFor alphabet weights = case weights of
   Just file -> do
     bytes <- readBytesUpTo (64 * 1024 * 1024) file
-    if Bytes.take 1 (Bytes.dropWhile isSpace bytes) == Bytes.singleton '{'
+    if Bytes.take 1 (Bytes.dropWhile isSpace (withoutMark bytes)) == Bytes.singleton '{'
       then asJson file bytes
       else asText file bytes
   Nothing

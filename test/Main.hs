@@ -68,6 +68,7 @@ import qualified Test.CommandLine.Sequences
 import qualified Test.CommandLine.Shapes
 import qualified Test.CommandLine.Smallest
 import qualified Test.Common.DecimalsByDefinition
+import qualified Test.Common.PlainTexts
 import qualified Test.Common.SymmetryGroup
 import qualified Test.Conformance.Definition
 import qualified Test.Conformance.InProcess
@@ -334,6 +335,7 @@ specs = do
   describe "Store" Test.Store.RowsAndGuards.spec
   describe "Store" Test.Store.Target.spec
   describe "Decimal numbers" Test.Common.DecimalsByDefinition.spec
+  describe "Plain texts" Test.Common.PlainTexts.spec
   describe "Symmetry" Test.Common.SymmetryGroup.spec
   describe "Rates" Test.Simulation.RatesBesideExact.spec
   describe "Recognition" Test.Recognition.FromImageToFace.spec

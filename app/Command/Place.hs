@@ -13,7 +13,6 @@ import Data.Char (isSpace)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, isNothing)
 import qualified Data.Text as Text
-import Data.Text.Encoding (decodeUtf8')
 import Data.Traversable (for)
 import ExitStatus
 import Files (readBytes)
@@ -37,6 +36,7 @@ import PraTactile.Object.Placement hiding (more)
 import PraTactile.Object.Placement.Search
 import PraTactile.Object.Placement.Windows
 import PraTactile.Object.WingedEdge
+import PraTactile.PlainText (plainUtf8)
 import PraTactile.Profile
 import PraTactile.Rows (textLines)
 import PraTactile.Window (maskFrom)
@@ -258,7 +258,7 @@ objectLines file = do
   bytes <- readBytes file
   when (any ((> largestLine) . Bytes.length) (Bytes.lines bytes)) . unusable $
     visibleName file ++ " has a line of more than " ++ show largestLine ++ " bytes"
-  text <- orUnusable (const (visibleName file ++ " is no text in UTF-8")) (decodeUtf8' bytes)
+  text <- orUnusable ((visibleName file ++) . notUtf8Message) (plainUtf8 bytes)
   pure [line | line <- textLines (Text.unpack text), not (all isSpace line)]
 
 -- | The faces to be laid: those named of objects that some are named of, and all of the new ones.

@@ -10,15 +10,15 @@ import Data.List (intercalate)
 import Data.Maybe (fromMaybe)
 import Data.Proxy (Proxy)
 import qualified Data.Text as Text
-import Data.Text.Encoding (decodeUtf8')
 import ExitStatus
 import Files (readBytes)
-import Message (fieldMessage)
+import Message (fieldMessage, notUtf8Message)
 import Numeric.Natural (Natural)
 import Options
 import PraTactile.Field
 import PraTactile.Field.Named (conwayModulus)
 import PraTactile.Format (SynthesisReport (..), encodeSynthesis)
+import PraTactile.PlainText (plainUtf8)
 import PraTactile.Polynomial
 import PraTactile.Sequence.Synthesis
 
@@ -36,7 +36,7 @@ command =
 
 run :: Natural -> Maybe [Natural] -> AnswerForm -> IO ExitStatus
 run q modulusGiven form = do
-  text <- readBytes "-" >>= orUnusable (const "the standard input is not UTF-8 text") . decodeUtf8'
+  text <- readBytes "-" >>= orUnusable (("the standard input" ++) . notUtf8Message) . plainUtf8
   let symbols = words (map (\c -> if c == ',' then ' ' else c) (Text.unpack text))
   when (null symbols) (unusable "there are no symbols on the standard input")
   (p, usual) <- orUnusable fieldMessage (conwayModulus q)

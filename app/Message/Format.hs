@@ -2,6 +2,8 @@
 module Message.Format
   ( formatMessage,
     jsonMessage,
+    encodingMessage,
+    notUtf8Message,
     rangeText,
   )
 where
@@ -13,6 +15,7 @@ import Message.Census (censusFileMessage)
 import Numeric (showFFloat)
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Strict (deepest, longestNumber)
+import PraTactile.PlainText
 import Visible
 
 -- | Of a file, and what it should be; the place is named as in @profile.shape[1]@.
@@ -32,9 +35,19 @@ jsonMessage e = case e of
   TooDeep -> "it has more than " ++ show deepest ++ " brackets within each other"
   TooLong -> "it has a number of more than " ++ show longestNumber ++ " digits"
   NotUtf8 -> "it is not UTF-8 text"
-  IsUtf16 -> "it is UTF-16 text; save it as UTF-8"
+  JsonInEncoding encoding -> "it" ++ encodingMessage encoding
   NotJson -> "it is not JSON"
   RepeatedKey name -> "the key " ++ quoted (Text.unpack name) ++ " is given twice"
+
+-- | What a text of another encoding is, after its subject.
+encodingMessage :: OtherEncoding -> String
+encodingMessage encoding = " is " ++ encodingName encoding ++ "; save it as UTF-8"
+
+-- | What bytes are that should be a text, after their subject.
+notUtf8Message :: NotUtf8Text -> String
+notUtf8Message why = case why of
+  InEncoding encoding -> encodingMessage encoding
+  NotUtf8Text -> " is not UTF-8 text"
 
 placeText :: JSONPath -> String
 placeText place = case place of

@@ -6,7 +6,7 @@ module Message.Solid
   )
 where
 
-import Message.Format (formatMessage)
+import Message.Format (encodingMessage, formatMessage)
 import PraTactile.Format.Solid
 import PraTactile.Object.Tolerance (TooFine (..))
 import Visible
@@ -37,6 +37,7 @@ solidFileMessage file format e = case e of
           ++ show wanted
           ++ " bytes; the file has "
           ++ show found
+      FileInEncoding encoding -> "this file" ++ encodingMessage encoding
       NoCommonDenominator -> "the coordinates have no common denominator below 2^20000"
 
 -- | Of a name that is to have another form.

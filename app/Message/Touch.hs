@@ -19,7 +19,7 @@ import qualified Data.ByteString as Bytes
 import Data.Char (isDigit)
 import Data.List (find, intercalate)
 import qualified Data.Text as Text
-import Message.Format (rangeText)
+import Message.Format (encodingMessage, rangeText)
 import PraTactile.Classification.Network (NetworkError (..))
 import PraTactile.Composite (asTaken)
 import PraTactile.Classification.Shipped (ShippedError (..), shippedSizes)
@@ -98,7 +98,7 @@ headerMessage field found =
 manifestMessage :: ManifestError -> String
 manifestMessage e = case e of
   EmptyManifest -> "the manifest is empty"
-  Utf16Manifest -> "the manifest is UTF-16 text; save it as UTF-8"
+  ManifestInEncoding encoding -> "the manifest" ++ encodingMessage encoding
   WrongHeader found ->
     "the first line is " ++ listed found ++ "; it must be " ++ listed manifestHeader
       ++ " (force_n may be left out)"
@@ -307,6 +307,7 @@ shapeMessage e = case e of
   RowWithoutSymbol line -> "the row on line " ++ show line ++ " comes before any 'symbol NAME'"
   BadDrawing line why -> "the drawing that begins on line " ++ show line ++ ": " ++ shapeMessage why
   NotText -> "the drawings are not UTF-8 text"
+  DrawingsInEncoding encoding -> "the file of drawings" ++ encodingMessage encoding
   NoAlphabet -> "no alphabet meets the constraints"
 
 shippedMessage :: ShippedError -> String
@@ -330,6 +331,7 @@ networkMessage e = case e of
   EmptyBatch -> "there are no images to train with"
   NoSuchClass given needs -> "class " ++ show given ++ " is none of the alphabet's " ++ show needs
   NetworkNotText -> "the network file is not UTF-8 text"
+  NetworkInEncoding encoding -> "the network file" ++ encodingMessage encoding
   UnexpectedNetworkLine line expected found ->
     "line "
       ++ show line

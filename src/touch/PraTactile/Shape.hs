@@ -55,9 +55,9 @@ import Data.List (foldl')
 import Data.List.NonEmpty (NonEmpty, nonEmpty)
 import Data.Text (Text)
 import qualified Data.Text as T
-import Data.Text.Encoding (decodeUtf8')
 import PraTactile.Geometry (symbolHeight, symbolWidth)
 import PraTactile.Image (Raster, generate)
+import PraTactile.PlainText
 import PraTactile.Symmetry
 
 -- | Why a bitmap, an alphabet, its drawing file or a design is refused.
@@ -89,6 +89,8 @@ data ShapeError
     BadDrawing Int ShapeError
   | -- | The drawing file is not UTF-8 text.
     NotText
+  | -- | The drawing file is text in this encoding, and not in UTF-8.
+    DrawingsInEncoding OtherEncoding
   | -- | No alphabet meets the constraints of a design.
     NoAlphabet
   deriving stock (Eq, Show)
@@ -243,7 +245,11 @@ decodeAlphabet = decodeDrawings >=> distinct
 
 -- | The same, but of shapes that an alphabet could not have as well.
 decodeDrawings :: ByteString -> Either ShapeError Drawings
-decodeDrawings = either (const (Left NotText)) parseDrawings . decodeUtf8'
+decodeDrawings = either (Left . refused) parseDrawings . plainUtf8
+  where
+    refused why = case why of
+      InEncoding encoding -> DrawingsInEncoding encoding
+      NotUtf8Text -> NotText
 
 -- | Reads a drawing file as 'renderAlphabet' writes it. Lines that begin with @;@ are comments;
 -- empty lines and spaces at the end of a line do not count.

@@ -83,6 +83,24 @@ spec = do
     it "OFF: comments, colours, and counts on the first line" $
       facesOf Off "OFF 3 1 0 # of three\n\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n"
         `shouldBe` Right [["V1", "V2", "V3"]]
+    it "OFF: counts that follow the word OFF without a space, as in ModelNet" $
+      forM_ ["OFF", "OFF ", "COFF"] $ \word ->
+        facesOf Off (word <> "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+          `shouldBe` Right [["V1", "V2", "V3"]]
+    it "STL: the words end solid, end facet and end loop are endsolid, endfacet and endloop" $ do
+      let file end =
+            "solid a b\nfacet normal 0 0 1\nouter loop\n"
+              <> "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+              <> end "loop"
+              <> end "facet"
+              <> end "solid"
+      facesOf Stl (file (\word -> "End " <> word <> "\n"))
+        `shouldBe` facesOf Stl (file (\word -> "end" <> word <> "\n"))
+      facesOf Stl (file (\word -> "end" <> word <> "\n")) `shouldBe` Right [["V1", "V2", "V3"]]
+    it "STL: a binary header that begins as a byte order mark does is no mark" $ do
+      bytes <- Bytes.readFile (folder </> "cube-binary.stl")
+      readSolid Stl "x" ("\xEF\xBB\xBFsolid" <> Bytes.drop 8 bytes)
+        `shouldBe` readSolid Stl "x" bytes
     it "STL: a binary file that begins with the word solid is binary" $ do
       it_ <- theirs "cube-binary.stl"
       bytes <- Bytes.readFile (folder </> "cube-binary.stl")
@@ -110,6 +128,51 @@ spec = do
       facesOf Ply (header "binary_big_endian" <> big) `shouldBe` Right [["V1", "V2", "V3"]]
       fmap contentsPassed (readSolid Ply (ObjectName "x") (header "binary_big_endian" <> big))
         `shouldBe` Right [Passed "vertex.red", Passed "thing.w"]
+    it "PLY: a strip has a triangle a corner from the third on, all seen from the same side" $ do
+      let file element list =
+            "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n\
+            \property float z\nelement "
+              <> element
+              <> " 1\nproperty list int int vertex_indices\nend_header\n\
+                 \0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n"
+              <> list
+              <> "\n"
+      -- All in the plane z = 0, and all clockwise seen from above.
+      facesOf Ply (file "tristrips" "5 0 1 2 3 4")
+        `shouldBe` Right [["V1", "V2", "V3"], ["V3", "V2", "V4"], ["V3", "V4", "V5"]]
+      facesOf Ply (file "tristrips" "9 0 1 2 -1 2 1 3 -1 4")
+        `shouldBe` Right [["V1", "V2", "V3"], ["V3", "V2", "V4"]]
+      -- A repeated corner makes no triangle, and counts in whose turn it is.
+      facesOf Ply (file "tristrips" "6 0 1 2 2 3 4")
+        `shouldBe` Right [["V1", "V2", "V3"], ["V4", "V3", "V5"]]
+      facesOf Ply (file "tristrips" "4 0 1 5 3")
+        `shouldBe` Left (SolidFileError (AtLine 15) (NoSuchVertex 5 5))
+      facesOf Ply (file "face" "3 0 1 -1")
+        `shouldBe` Left (SolidFileError (AtLine 15) (NoSuchVertex (-1) 5))
+      facesOf Ply (file "edge" "2 0 1")
+        `shouldBe` Left (SolidFileError (AtLine 1) (Needed "the element face or tristrips"))
+    it "PLY: a header may end its lines with CR alone or CR LF, before bytes that look like ends" $
+      forM_ ["\n", "\r\n", "\r"] $ \end -> do
+        -- The first coordinate begins with the byte of LF, the second with a byte order mark.
+        let header =
+              Bytes.concat
+                [ line <> end
+                  | line <-
+                      [ "ply",
+                        "format binary_little_endian 1.0",
+                        "element vertex 1",
+                        "property int x",
+                        "property int y",
+                        "property int z",
+                        "element face 0",
+                        "property list uchar int vertex_indices",
+                        "end_header"
+                      ]
+                ]
+        fmap
+          (map snd . describedVertices . toDescription . contentsMesh)
+          (readSolid Ply "x" (header <> "\n\0\0\0\xEF\xBB\xBF\0\r\n\0\0"))
+          `shouldBe` Right [Point 10 0xBFBBEF 0x0A0D]
     it "PLY: integers of each type are in bytes what they are in words, up to both ends" $
       forM_ integerTypes $ \(kind, size, least, largest) ->
         forM_ [least, -1, 1, largest `div` 2 + 1, largest] $ \n -> do
@@ -145,6 +208,38 @@ spec = do
             \\"at\":[\"127/4\",\"31.75\",\"0\"]}],\"faces\":[]}"
         )
         `shouldBe` Right [(VertexName "A", Point (127 / 4) (127 / 4) 0)]
+    it "equal points are one vertex in every format: a box, each face with vertices of its own" $ do
+      let Description _ points faces = namedDescription (Box 130 163 101.6)
+          corners =
+            [ (round (x * 10), round (y * 10), round (z * 10))
+              | FaceName walk <- faces,
+                Just (Point x y z) <- map (`lookup` points) walk
+            ]
+          text (x, y, z) = Char8.pack (unwords [show n ++ "e-1" | n <- [x, y, z :: Int]]) <> "\n"
+          faceTexts from =
+            [ Char8.pack (unwords (map show [from + 4 * f .. from + 4 * f + 3]))
+              | f <- [0 .. 5 :: Int]
+            ]
+          vertices prefix = foldMap ((prefix <>) . text) corners
+          whole (format, bytes) = examine . contentsMesh <$> readSolid format "x" bytes
+      forM_
+        [ (Obj, vertices "v " <> foldMap (\f -> "f " <> f <> "\n") (faceTexts 1)),
+          (Off, "OFF\n24 6 0\n" <> vertices "" <> foldMap (\f -> "4 " <> f <> "\n") (faceTexts 0)),
+          ( Ply,
+            "ply\nformat ascii 1.0\nelement vertex 24\nproperty float x\nproperty float y\n\
+            \property float z\nelement face 6\nproperty list uchar int vertex_index\nend_header\n"
+              <> vertices ""
+              <> foldMap (\f -> "4 " <> f <> "\n") (faceTexts 0)
+          )
+        ]
+        $ \file -> do
+          fmap reportDefects (whole file) `shouldBe` Right []
+          fmap reportVertices (whole file) `shouldBe` Right 8
+          fmap (map componentVolume . reportComponents) (whole file)
+            `shouldBe` Right [Just (130 * 163 * 101.6)]
+      -- A vertex keeps the number that the file gives it.
+      facesOf Obj "v 0 0 0\nv 1 0 0\nv 1e0 0 0\nv 0 1 0\nf 1 3 4\n"
+        `shouldBe` Right [["V1", "V2", "V4"]]
     it "OBJ: numbers below 10^300, of up to 400 decimal places and 1000 characters" $
       forM_
         [ ("-999e297", -999 * 10 ^ (297 :: Int)),
@@ -204,6 +299,19 @@ refusals =
         <> Char8.replicate 1000000 '9'
         <> "\n",
       at 1 TooLargeOrFine
+    ),
+    ( "a text of another format",
+      Obj,
+      "OFF\n1 0 0\n0 0 0\n",
+      at 4 (Ends "its first vertex, a line v X Y Z")
+    ),
+    ("a text of another format", Off, "v 0 0 0\n", at 1 (Needed "the word OFF")),
+    ("a word that OFF begins", Off, "OFFER 1 0 0\n", at 1 (Needed "the word OFF")),
+    ("a text of another format", Ply, "v 0 0 0\n", at 1 (Needed "the word ply")),
+    ( "a text of another format",
+      Stl,
+      Char8.concat (replicate 20 "v 0 0 0\n"),
+      at 1 (Needed "the word solid")
     ),
     ("no number", Off, "OFF\n1 0 0\n0 0 x\n", at 3 NotNumber),
     ("a triangle too few", Stl, binary 2 1, SolidFileError (AtByte 80) (LengthDiffers 184 134)),

@@ -28,6 +28,7 @@ import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
 import PraTactile.Format.Census.Row
 import PraTactile.Format.Error
+import PraTactile.PlainText (lineFeeds, withoutMark)
 
 -- | A file of a form with rows of these bodies.
 encodeCensus :: Form -> [ByteString] -> Lazy.ByteString
@@ -38,7 +39,7 @@ encodeCensus form bodies =
 -- census.
 decodeCensus :: ByteString -> Either FormatError (Form, [Row])
 decodeCensus bytes = first CensusFileRefused $ do
-  contents <- contentsOf bytes
+  contents <- contentsOf (lineFeeds (withoutMark bytes))
   rows <- completeRows contents
   pure (contentsForm contents, map snd rows)
 

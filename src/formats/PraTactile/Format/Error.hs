@@ -12,6 +12,7 @@ import Data.Aeson.Types (JSONPath)
 import Data.ByteString (ByteString)
 import Data.Text (Text)
 import Numeric.Natural (Natural)
+import PraTactile.PlainText (OtherEncoding)
 
 -- | Why bytes are not what was to be read.
 data FormatError
@@ -33,8 +34,8 @@ data JsonError
     TooLong
   | -- | It holds bytes that are no UTF-8.
     NotUtf8
-  | -- | It is UTF-16.
-    IsUtf16
+  | -- | It is text in this encoding, and not in UTF-8.
+    JsonInEncoding OtherEncoding
   | -- | It is no JSON.
     NotJson
   | -- | An object in it has this key twice.

@@ -23,6 +23,7 @@ module PraTactile.Format.Solid
   )
 where
 
+import Control.Monad ((>=>))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Builder as Builder
 import Data.Char (toLower)
@@ -35,6 +36,7 @@ import PraTactile.Format.Solid.Obj
 import PraTactile.Format.Solid.Off
 import PraTactile.Format.Solid.Ply
 import PraTactile.Format.Solid.Stl
+import PraTactile.Format.Solid.Text (plain)
 import PraTactile.Object.Description (ObjectName)
 import PraTactile.Object.Mesh (Mesh)
 
@@ -71,8 +73,8 @@ formatOfFile file =
 -- in the length, but for STL, O(n log n).
 readSolid :: SolidFormat -> ObjectName -> ByteString -> Either SolidFileError Contents
 readSolid format name = case format of
-  Off -> readOff name
-  Obj -> readObj name
+  Off -> plain >=> readOff name
+  Obj -> plain >=> readObj name
   Stl -> readStl name
   StlText -> readStl name
   Ply -> readPly name

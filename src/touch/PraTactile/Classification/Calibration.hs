@@ -48,14 +48,13 @@ module PraTactile.Classification.Calibration
   )
 where
 
-import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import Data.List (foldl', sortOn)
 import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import Data.Text (Text)
 import qualified Data.Text as T
-import Data.Text.Encoding (decodeUtf8', encodeUtf8)
+import Data.Text.Encoding (encodeUtf8)
 import Numeric.LinearAlgebra
   ( Vector,
     asColumn,
@@ -75,6 +74,7 @@ import Numeric.LinearAlgebra
     (<\>),
   )
 import PraTactile.Classification.Network (NetworkError (..))
+import PraTactile.Classification.Network.File (networkText)
 import PraTactile.Classification.Templates
 import PraTactile.Classification.Unlike (freeLikeness)
 import PraTactile.Decimal (readDouble)
@@ -245,7 +245,7 @@ names = ["per_logit", "per_likeness", "classes", "none"]
 -- astray.
 decodeCalibration :: ByteString -> Either NetworkError Calibration
 decodeCalibration bytes = do
-  text <- first (const NetworkNotText) (decodeUtf8' bytes)
+  text <- networkText bytes
   numbers <- case T.lines text of
     given : rest | given == heading -> traverse line (zip3 [2 ..] names (rest ++ repeat ""))
     others -> Left (UnexpectedNetworkLine 1 heading (T.take 60 (T.unwords (take 1 others))))

@@ -52,6 +52,7 @@ import Numeric.LinearAlgebra
     (<>),
   )
 import PraTactile.Image (Raster, rasterHeight, rasterSize, rasterValues, rasterWidth)
+import PraTactile.PlainText (OtherEncoding)
 import PraTactile.Shape (symbolHeight, symbolWidth)
 import Prelude hiding ((<>))
 
@@ -72,6 +73,8 @@ data NetworkError
     NoSuchClass Int Int
   | -- | The network file is not UTF-8 text.
     NetworkNotText
+  | -- | The network file is text in this encoding, and not in UTF-8.
+    NetworkInEncoding OtherEncoding
   | -- | The file's line (counted from 1) is not what is expected there: what is, and what it says.
     UnexpectedNetworkLine Int Text Text
   | -- | The file ends where this is expected.

@@ -59,9 +59,9 @@ import Data.Text.Encoding (decodeUtf8')
 import qualified Data.Vector as V
 import PraTactile.Decimal (readDouble)
 import PraTactile.FileName (isFileName)
+import PraTactile.PlainText (OtherEncoding, plainText)
 import PraTactile.Sensor.Frame (Pose (..), taxelPitch)
 import PraTactile.Symmetry
-import PraTactile.Utf16 (isUtf16)
 
 -- | One line: the frame's PGM file, relative to the manifest's folder; the pose of the press, which
 -- calibration frames need not have; and its force, which nothing needs.
@@ -184,8 +184,8 @@ remedies (Taking (Axes positions) (Axes images) _ _) (Axes a) mirroredThen =
 data ManifestError
   = -- | The file has no line at all.
     EmptyManifest
-  | -- | The file is UTF-16.
-    Utf16Manifest
+  | -- | The file is text in this encoding, and not in UTF-8.
+    ManifestInEncoding !OtherEncoding
   | -- | The first line is not the header; what it is.
     WrongHeader ![Text]
   | -- | The line is not a CSV record.
@@ -217,38 +217,36 @@ columnName column = case column of
 manifestHeader :: [Text]
 manifestHeader = map columnName [minBound ..]
 
--- | The entries of a manifest. Its header names the columns, in any order and in capitals or not,
--- parted by commas, or all of the file by semicolons. The columns of the pose may be left out, all
--- three of them; that of the force may be, and so may each force. Blank lines, a byte order mark
--- and carriage returns at the ends of lines are passed over; fields may be quoted but not hold a
--- line break.
+-- | The entries of a manifest, a 'plainText'. Its header names the columns, in any order and in
+-- capitals or not, parted by commas, or all of the file by semicolons. The force may be left out,
+-- as a column or in a line; so may the rotation, which is 0 then; and the whole position. Blank
+-- lines are passed over; fields may be quoted but not hold a line break.
 parseManifest :: ByteString -> Either ManifestError [Entry]
-parseManifest file
-  | isUtf16 file = Left Utf16Manifest
-  | otherwise = case filter
-    (not . B.null . snd)
-    (zip [1 ..] (map trimmed (C.lines (unmarked file)))) of
-    [] -> Left EmptyManifest
-    (i, header) : rest -> do
-      let separator = separatorOf header
-      names <- V.toList <$> record separator i header
-      columns <- maybe (Left (WrongHeader (map shown names))) Right (columnsOf names)
-      entries <- traverse (uncurry (entry separator columns)) rest
-      if null entries then Left NoEntries else Right entries
-  where
-    unmarked f = fromMaybe f (B.stripPrefix "\xef\xbb\xbf" f)
-    trimmed = C.dropWhileEnd (== '\r')
+parseManifest = either (Left . ManifestInEncoding) parsePlain . plainText
+
+parsePlain :: ByteString -> Either ManifestError [Entry]
+parsePlain text = case filter (not . B.null . snd) (zip [1 ..] (C.lines text)) of
+  [] -> Left EmptyManifest
+  (i, header) : rest -> do
+    let separator = separatorOf header
+    names <- V.toList <$> record separator i header
+    columns <- maybe (Left (WrongHeader (map shown names))) Right (columnsOf names)
+    entries <- traverse (uncurry (entry separator columns)) rest
+    if null entries then Left NoEntries else Right entries
 
 -- | What parts the fields of a file with this header.
 separatorOf :: ByteString -> Char
 separatorOf header = if C.elem ',' header || C.notElem ';' header then ',' else ';'
 
--- | The columns that these names name: each once, the file among them, and of the pose all or none.
+-- | The columns that these names name: each once, the file among them, of the position both or none,
+-- and no rotation without it.
 columnsOf :: [ByteString] -> Maybe [Column]
 columnsOf names = do
   columns <- traverse ((`lookup` named) . normal) names
-  let ofPose = filter (`elem` columns) [X, Y, Rotation]
-  if nub columns == columns && File `elem` columns && length ofPose `elem` [0, 3]
+  let ofPosition = filter (`elem` columns) [X, Y]
+      placed = null ofPosition || ofPosition == [X, Y]
+      turnedAlone = Rotation `elem` columns && null ofPosition
+  if nub columns == columns && File `elem` columns && placed && not turnedAlone
     then Just columns
     else Nothing
   where
@@ -286,7 +284,7 @@ entry separator columns i line = do
   y <- traverse (number Y) (field Y)
   rotation <- traverse (number Rotation) (field Rotation)
   force <- traverse (number Force) (mfilter (not . C.all isSpace) (field Force))
-  pure (Entry (T.unpack name) (Pose <$> x <*> y <*> rotation) force)
+  pure (Entry (T.unpack name) (Pose <$> x <*> y <*> Just (fromMaybe 0 rotation)) force)
   where
     number column text =
       either

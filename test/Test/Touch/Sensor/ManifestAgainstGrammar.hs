@@ -15,6 +15,7 @@ import Data.Text (Text)
 import qualified Data.Text as T
 import Data.Text.Encoding (decodeUtf8', encodeUtf8)
 import PraTactile.Sensor.Frame
+import PraTactile.PlainText (otherEncoding)
 import PraTactile.Sensor.Manifest
 import Test.Hspec hiding (after, before)
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
@@ -65,7 +66,7 @@ header = encodeUtf8 (T.intercalate "," manifestHeader)
 -- what each is.
 defined :: ByteString -> Either [ManifestError] [Entry]
 defined file
-  | sixteen = Left [Utf16Manifest]
+  | Just encoding <- otherEncoding file = Left [ManifestInEncoding encoding]
   | otherwise = case [(i, line) | (i, line) <- zip [1 ..] linesOf, not (B.null line)] of
     [] -> Left [EmptyManifest]
     (i, first) : rest -> do
@@ -77,7 +78,8 @@ defined file
         [ all (`elem` manifestHeader) named,
           length (nub named) == length named,
           there "file",
-          length (nub (map there ["x_mm", "y_mm", "rotation_deg"])) == 1
+          there "x_mm" == there "y_mm",
+          there "x_mm" || not (there "rotation_deg")
         ]
         then case partitionEithers (map (uncurry (entryOf mark named)) rest) of
           ([], []) -> Left [NoEntries]
@@ -85,11 +87,12 @@ defined file
           (causes, _) -> Left (concat causes)
         else Left [WrongHeader (map shown names)]
   where
-    sixteen = case map fromEnum (take 2 (C.unpack file)) of
-      [a, b] -> (a, b) `elem` [(0xff, 0xfe), (0xfe, 0xff)] || (a == 0) /= (b == 0)
-      _ -> False
     text = if "\xef\xbb\xbf" `B.isPrefixOf` file then B.drop 3 file else file
-    linesOf = map (C.dropWhileEnd (== '\r')) (C.split '\n' text)
+    linesOf = map C.pack (endedBy (C.unpack text))
+    endedBy given = case break (`elem` ("\r\n" :: String)) given of
+      (line, '\r' : '\n' : more) -> line : endedBy more
+      (line, _ : more) -> line : endedBy more
+      (line, []) -> [line]
 
 entryOf :: Char -> [Text] -> Int -> ByteString -> Either [ManifestError] Entry
 entryOf mark names i line = case fieldsOf mark line of
@@ -117,7 +120,8 @@ entryOf mark names i line = case fieldsOf mark line of
       case file of
         Just name
           | null causes ->
-            let pose = Pose <$> value "x_mm" <*> value "y_mm" <*> value "rotation_deg"
+            let rotation = if "rotation_deg" `elem` names then value "rotation_deg" else Just 0
+                pose = Pose <$> value "x_mm" <*> value "y_mm" <*> rotation
              in Right (Entry name pose (value "force_n"))
         _ -> Left causes
 

@@ -8,6 +8,7 @@ import Data.Either (isLeft)
 import Data.Foldable (for_)
 import PraTactile.Geometry hiding (taxelPitch)
 import qualified PraTactile.Geometry as Geometry
+import PraTactile.PlainText (OtherEncoding (..))
 import PraTactile.Sensor.Frame
 import PraTactile.Sensor.Manifest
 import PraTactile.Symmetry (degreesClockwise, identity, nearestQuarter, turned)
@@ -196,7 +197,7 @@ manifests = do
         swapped = B.concatMap (\byte -> B.pack [0, byte])
         text = header <> "a.pgm,1,2,0,3\n"
     for_ [wide text, "\xff\xfe" <> wide text, swapped text, "\xfe\xff" <> swapped text] $ \file ->
-      parseManifest file `shouldBe` Left Utf16Manifest
+      parseManifest file `shouldBe` Left (ManifestInEncoding Utf16)
   it "parseManifest (renderManifest entries) = entries" $
     forAll (listOf1 genEntry) $ \entries -> parseManifest (renderManifest entries) === Right entries
   it "reads what the design shows" $

@@ -34,7 +34,9 @@ import PraTactile.Conformance.Question
 import PraTactile.Conformance.Subject
 import PraTactile.Conformance.Wire (questionInput)
 import PraTactile.Conformance.Wire.Line (readLine)
-import PraTactile.Format.Error (JsonError (NoText, NotUtf8, RepeatedKey, TooDeep, TooLong))
+import PraTactile.Format.Error
+  ( JsonError (JsonInEncoding, NoText, NotUtf8, RepeatedKey, TooDeep, TooLong),
+  )
 import PraTactile.Format.Json.Codec (integer, readValue)
 import PraTactile.Format.Profile (profileValue)
 import PraTactile.Profile (Profile)
@@ -153,6 +155,7 @@ readObject line = case readLine line of
       TooDeep -> "a line nested deeper than 64"
       TooLong -> "a line with a number of more than 4096 digits"
       NotUtf8 -> "a line that is not UTF-8"
+      JsonInEncoding _ -> "a line that is not UTF-8"
       RepeatedKey key -> "a line with the key " ++ show key ++ " twice"
       _ -> "a line that is no JSON"
 

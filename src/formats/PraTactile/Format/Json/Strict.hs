@@ -24,20 +24,22 @@ import qualified Data.Set as Set
 import Data.Text (Text)
 import Data.Text.Encoding (decodeUtf8')
 import PraTactile.Format.Error
-import PraTactile.Utf16 (isUtf16)
+import PraTactile.PlainText
 
--- | The value of a JSON text in UTF-8. Refuses what is no JSON; deep nesting, which takes many
--- times its own size in memory; numbers of very many digits, which aeson reads in a time that grows
--- with their square; and an object anywhere in it that has a key twice, of which parsers keep one,
--- and not all of them the same one (RFC 8259, section 4).
+-- | The value of a JSON text in UTF-8, with or without a byte order mark. Refuses what is no JSON;
+-- deep nesting, which takes many times its own size in memory; numbers of very many digits, which
+-- aeson reads in a time that grows with their square; and an object anywhere in it that has a key
+-- twice, of which parsers keep one, and not all of them the same one (RFC 8259, section 4).
 readJson :: ByteString -> Either JsonError Value
 readJson = readJsonWith longestNumber
 
 -- | The same with numbers of up to this many digits.
 readJsonWith :: Int -> ByteString -> Either JsonError Value
-readJsonWith digits text
+readJsonWith digits = either (Left . JsonInEncoding) (readPlain digits) . plainText
+
+readPlain :: Int -> ByteString -> Either JsonError Value
+readPlain digits text
   | Bytes.all (`Bytes.elem` " \t\r\n") text = Left NoText
-  | isUtf16 text = Left IsUtf16
   | Just why <- excess digits text = Left why
   | Left _ <- decodeUtf8' text = Left NotUtf8
   | otherwise = maybe (Left NotJson) unrepeated (decodeStrict text)

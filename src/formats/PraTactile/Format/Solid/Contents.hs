@@ -30,29 +30,35 @@ data Contents = Contents
 newtype Passed = Passed String
   deriving stock (Eq, Ord, Show)
 
--- | A polyhedron without names, of these vertices and these walks among them.
+-- | A polyhedron of these vertices, counted from 1 in the file's order, and these walks among them.
+-- Equal points are one vertex, the first of them: many programs write a vertex for each corner.
 contents ::
   ObjectName -> Base -> [Passed] -> V.Vector (Number, Number, Number) -> V.Vector Walk -> Contents
 contents name base passed points walks =
-  Contents (mesh name (unnamed (V.length points)) over exact walks) passed
-  where
-    (over, exact) = overCommon base points
-
--- | The same of triangles, three points each; equal points are one vertex.
-soup :: ObjectName -> Base -> [Passed] -> V.Vector (Number, Number, Number) -> Contents
-soup name base passed points =
-  Contents (mesh name (unnamed (U.length kept)) over vertices walks) passed
+  Contents (mesh name names over (V.map (exact V.!) (V.convert kept)) joined) passed
   where
     (over, exact) = overCommon base points
     firsts = firstAlike exact
-    kept = U.ifilter (\i first -> i == first) firsts
-    vertices = V.map (exact V.!) (V.convert kept)
-    numbers =
-      U.replicate (U.length firsts) 0 U.// zip (U.toList kept) [0 :: Int ..]
-    walks =
-      V.generate
-        (U.length firsts `div` 3)
-        (\f -> U.map (\i -> numbers U.! (firsts U.! i)) (U.enumFromN (3 * f) 3))
+    kept = U.ifilter (==) firsts
+    places = U.replicate (U.length firsts) 0 U.// zip (U.toList kept) [0 :: Int ..]
+    joined = V.map (U.map (\i -> places U.! (firsts U.! i))) walks
+    names = V.map (unnamed (V.length points) V.!) (V.convert kept)
+
+-- | A polyhedron of triangles, three points each. Equal points are one vertex; vertices are counted
+-- as they come.
+soup :: ObjectName -> Base -> [Passed] -> V.Vector (Number, Number, Number) -> Contents
+soup name base passed points = Contents (renumbered (contentsMesh read')) passed
+  where
+    read' =
+      contents name base passed points $
+        V.generate (V.length points `div` 3) (\f -> U.enumFromN (3 * f) 3)
+    renumbered it =
+      withShape
+        (unnamed (V.length (meshPoints it)))
+        (meshDenominator it)
+        (meshPoints it)
+        (meshWalks it)
+        it
 
 -- | What is written, and how many coordinates had to be rounded, since the format cannot have them.
 data Written a = Written {writtenBytes :: a, writtenRounded :: Int}

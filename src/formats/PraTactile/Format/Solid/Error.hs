@@ -7,6 +7,7 @@ module PraTactile.Format.Solid.Error
 where
 
 import PraTactile.Format.Error (FormatError)
+import PraTactile.PlainText (OtherEncoding)
 
 -- | What is wrong, and where.
 data SolidFileError
@@ -39,6 +40,8 @@ data Fault
     NoSuchVertex Integer Int
   | -- | a file with so many triangles has the first number of bytes, and this one the second
     LengthDiffers Integer Int
+  | -- | the file is text in this encoding, and not in UTF-8
+    FileInEncoding OtherEncoding
   | -- | the fractions have no common denominator of a size that one can compute with
     NoCommonDenominator
   deriving stock (Eq, Show)

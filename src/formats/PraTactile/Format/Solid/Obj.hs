@@ -25,9 +25,17 @@ import PraTactile.Object.Mesh
 data Found = Found !Int [(Number, Number, Number)] [(Line, Walk)] !(Set.Set Passed)
 
 -- | The polyhedron of an OBJ file: all its groups together. What else there is is passed over.
+-- Refuses a text without vertices, which is none.
 readObj :: ObjectName -> ByteString -> Either SolidFileError Contents
 readObj name bytes = go (Found 0 [] [] Set.empty) (joined (linesOf bytes))
   where
+    -- All other lines are passed over, so that a text without vertices is of some other format.
+    go (Found 0 _ _ _) [] =
+      Left
+        ( SolidFileError
+            (AtLine (length (Char8.split '\n' bytes)))
+            (Ends "its first vertex, a line v X Y Z")
+        )
     go (Found count points faces passed) [] = do
       mapM_ (known count) faces
       Right

@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The Object File Format of Geomview, as text: after the word @OFF@ the numbers of vertices,
--- faces and edges, then a line a vertex and a line a face, which begins with its number of
--- vertices.
+-- | The Object File Format of Geomview, as text: after the word @OFF@, on its line or the next, the
+-- numbers of vertices, faces and edges, then a line a vertex and a line a face, which begins with
+-- its number of vertices.
 module PraTactile.Format.Solid.Off
   ( readOff,
     writeOff,
@@ -12,6 +12,9 @@ where
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Char8
+import Data.Char (isDigit)
+import Data.List (find)
+import Data.Maybe (mapMaybe)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Format.Solid.Contents
@@ -41,15 +44,22 @@ readOff name bytes = do
   where
     end = SolidFileError (AtLine (length (Char8.split '\n' bytes)))
     header given = case given of
-      line@(Line at (word : rest)) : others
-        | word `elem` ["OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCOFF", "STNOFF", "STCNOFF"] ->
+      line@(Line at (word : after)) : others
+        | Just glued <- headerWord word,
+          let rest = [glued | not (Char8.null glued)] ++ after ->
           if null rest
             then case others of
-              next : after -> Right (next, after)
+              next : further -> Right (next, further)
               [] -> Left (end (Ends "the numbers of vertices and faces"))
             else Right (Line at rest, others)
         | otherwise -> Left (SolidFileError (AtLine (lineNumber line)) (Needed "the word OFF"))
       _ -> Left (end (Ends "the word OFF"))
+    -- What follows the word OFF: nothing, or the number of vertices, as in OFF216 of ModelNet.
+    headerWord word =
+      find
+        (maybe True (isDigit . fst) . Char8.uncons)
+        (mapMaybe (`Char8.stripPrefix` word) headerWords)
+    headerWords = ["OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCOFF", "STNOFF", "STCNOFF"]
     natural word = do
       n <- whole word
       if n < 0 then Left NotNumber else Right n

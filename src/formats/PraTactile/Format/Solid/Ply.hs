@@ -9,14 +9,14 @@ module PraTactile.Format.Solid.Ply
   )
 where
 
-import Control.Monad (replicateM, unless)
+import Control.Monad (replicateM, unless, when)
 import Data.Binary.Get
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
-import Data.List (find)
+import Data.List (find, zip4)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Format.Solid.Contents
@@ -25,6 +25,7 @@ import PraTactile.Format.Solid.Number
 import PraTactile.Format.Solid.Text
 import PraTactile.Object.Description (ObjectName)
 import PraTactile.Object.Mesh
+import PraTactile.PlainText (lineFeeds, otherEncoding, withoutMark)
 
 -- | How values are written.
 data Coding = AsText | LittleEndian | BigEndian
@@ -50,12 +51,14 @@ data Element = Element
 type Row = [[Number]]
 
 -- | The polyhedron of a PLY file: the properties @x@, @y@ and @z@ of its vertices, and the list
--- @vertex_indices@ (or @vertex_index@) of its faces. All else is passed over.
+-- @vertex_indices@ (or @vertex_index@) of its faces and of its strips of triangles. All else is
+-- passed over.
 readPly :: ObjectName -> ByteString -> Either SolidFileError Contents
 readPly name bytes = do
   (coding, elements, body) <- header bytes
   vertex <- there "the element vertex" (find ((== "vertex") . elementName) elements)
-  face <- there "the element face" (find ((== "face") . elementName) elements)
+  let shapes = filter ((`elem` ["face", "tristrips"]) . elementName) elements
+  when (null shapes) (Left (SolidFileError (AtLine 1) (Needed "the element face or tristrips")))
   axes <-
     traverse
       ( \axis ->
@@ -64,11 +67,11 @@ readPly name bytes = do
             (place [axis] vertex)
       )
       ["x", "y", "z"]
-  list <- there "the list vertex_indices of faces" (place ["vertex_indices", "vertex_index"] face)
-  let wanted = [("vertex", axes), ("face", [list])]
+  lists <- traverse indices shapes
+  let wanted = ("vertex", axes) : lists
   found <- (if coding == AsText then textRows else binaryRows coding) wanted elements body
   points <- V.fromList <$> traverse (point . snd) (concat (lookup "vertex" found))
-  walks <- traverse (walkOf (V.length points)) (concat (lookup "face" found))
+  walks <- concat <$> traverse (walksOf (V.length points)) found
   let base = if coding == AsText then Decimal else Binary
       beside =
         [ Passed (shortName (elementName e) ++ "." ++ shortName (propertyName p))
@@ -89,7 +92,23 @@ readPly name bytes = do
     point row = case row of
       [[x], [y], [z]] -> Right (x, y, z)
       _ -> Left (SolidFileError (AtLine 1) (Needed "three coordinates, which are no lists"))
-    walkOf count (at, row) = U.fromList <$> traverse (index count at) (concat row)
+    indices shape =
+      (,) (elementName shape) . (: [])
+        <$> there
+          ("the list vertex_indices of " ++ shortName (elementName shape))
+          (place ["vertex_indices", "vertex_index"] shape)
+    walksOf count (element, rows) = case element of
+      "face" -> traverse (\(at, row) -> U.fromList <$> traverse (index count at) (concat row)) rows
+      "tristrips" ->
+        concat
+          <$> traverse
+            (\(at, row) -> concatMap stripped <$> traverse (traverse (index count at)) (runs row))
+            rows
+      _ -> Right []
+    -- A strip ends where another begins: at -1.
+    runs row = case break (== Number (-1) 0) (concat row) of
+      (run, _ : others) -> run : runs [others]
+      (run, []) -> [run]
     index count at (Number n e)
       | e < 0 || e > 300 = Left (SolidFileError at NotNumber)
       | wanted < 0 || wanted >= toInteger count =
@@ -99,17 +118,40 @@ readPly name bytes = do
         -- Of text, whose exponents are of 10; an integer of bytes has the exponent 0.
         wanted = n * 10 ^ e
 
--- | How values are written, what there is, and all after the header.
+-- | The triangles of a strip: each corner with the two before it, every other one turned, so that
+-- all are seen from the same side. A corner that is repeated makes none.
+--
+-- >>> map U.toList (stripped [0, 3, 1, 2])
+-- [[0,3,1],[1,3,2]]
+stripped :: [Int] -> [Walk]
+stripped corners =
+  [ U.fromList (if turned then [b, a, c] else [a, b, c])
+    | (turned, a, b, c) <-
+        zip4 (cycle [False, True]) corners (drop 1 corners) (drop 2 corners),
+      a /= b && b /= c && a /= c
+  ]
+
+-- | How values are written, what there is, and all after the header, with how many lines of text or
+-- bytes come before it.
 header :: ByteString -> Either SolidFileError (Coding, [Element], (Int, ByteString))
-header bytes = case lineOf 1 0 of
-  Just (first, next) | first == ["ply"] -> go 2 next Nothing []
-  _ -> Left (SolidFileError (AtLine 1) (Needed "the word ply"))
+header bytes
+  | Just encoding <- otherEncoding bytes =
+    Left (SolidFileError (AtLine 1) (FileInEncoding encoding))
+  | Just (["ply"], next) <- lineOf (Bytes.length bytes - Bytes.length text) =
+    go 2 next Nothing []
+  | otherwise = Left (SolidFileError (AtLine 1) (Needed "the word ply"))
   where
-    lineOf :: Int -> Int -> Maybe ([ByteString], Int)
-    lineOf _ from
+    text = withoutMark bytes
+    -- A header whose first line ends with CR alone ends so everywhere: a body in bytes may begin
+    -- with what looks like LF.
+    lineEnd = case Char8.uncons (Char8.dropWhile (`Char8.notElem` "\r\n") text) of
+      Just ('\r', rest) | not ("\n" `Bytes.isPrefixOf` rest) -> '\r'
+      _ -> '\n'
+    lineOf :: Int -> Maybe ([ByteString], Int)
+    lineOf from
       | from >= Bytes.length bytes = Nothing
       | otherwise =
-        let line = Char8.takeWhile (/= '\n') (Bytes.drop from bytes)
+        let line = Char8.takeWhile (/= lineEnd) (Bytes.drop from bytes)
          in Just (Char8.words line, from + Bytes.length line + 1)
     go ::
       Int ->
@@ -117,7 +159,7 @@ header bytes = case lineOf 1 0 of
       Maybe Coding ->
       [Element] ->
       Either SolidFileError (Coding, [Element], (Int, ByteString))
-    go at from coding elements = case lineOf at from of
+    go at from coding elements = case lineOf from of
       Nothing -> Left (SolidFileError (AtLine at) (Ends "end_header"))
       Just (given, next) -> case given of
         ["end_header"] -> case coding of
@@ -125,7 +167,9 @@ header bytes = case lineOf 1 0 of
             Right
               ( known,
                 reverse elements,
-                (if known == AsText then at else next, Bytes.drop next bytes)
+                if known == AsText
+                  then (at, lineFeeds (Bytes.drop next bytes))
+                  else (next, Bytes.drop next bytes)
               )
           Nothing -> wrong "the format"
         ["format", kind, _]

@@ -19,7 +19,7 @@ import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
-import Data.Char (toLower)
+import Data.Char (isSpace, toLower)
 import Data.Ratio ((%))
 import qualified Data.Vector as V
 import GHC.Float (float2Double)
@@ -31,6 +31,7 @@ import PraTactile.Object.Description (ObjectName, objectText)
 import PraTactile.Object.Mesh
 import PraTactile.Object.Triangles
 import PraTactile.Object.Vector
+import PraTactile.PlainText (otherEncoding, withoutMark)
 
 -- | The polyhedron of an STL file of either kind. Normals and what is attached are passed over.
 readStl :: ObjectName -> ByteString -> Either SolidFileError Contents
@@ -38,9 +39,14 @@ readStl name bytes
   | Just count <- counted,
     binarySize count == toInteger (Bytes.length bytes) =
     binary name count bytes
-  | Bytes.notElem 0 begin,
-    "solid" `Bytes.isPrefixOf` Char8.map toLower (Char8.dropWhile (<= ' ') begin) =
-    text name bytes
+  | "solid" `Bytes.isPrefixOf` Char8.map toLower (Char8.dropWhile (<= ' ') begin),
+    Bytes.notElem 0 begin =
+    plain bytes >>= text name
+  | Just encoding <- otherEncoding bytes =
+    Left (SolidFileError (AtLine 1) (FileInEncoding encoding))
+  | Just _ <- counted,
+    Char8.all (\c -> isSpace c || c >= ' ' && c <= '~') begin =
+    Left (SolidFileError (AtLine 1) (Needed "the word solid"))
   | Just count <- counted =
     Left (SolidFileError (AtByte 80) (LengthDiffers (binarySize count) (Bytes.length bytes)))
   | otherwise =
@@ -51,7 +57,7 @@ readStl name bytes
       )
   where
     -- No text has a zero, and few binary files have none so early.
-    begin = Bytes.take 1000 bytes
+    begin = Bytes.take 1000 (withoutMark bytes)
     counted =
       either
         (const Nothing)
@@ -100,8 +106,14 @@ text name bytes =
     (concatMap wordsOf (zipWith Line [1 ..] (map Char8.words (Char8.split '\n' bytes))))
   where
     end = Left . SolidFileError (AtLine (length (Char8.split '\n' bytes)))
-    -- What follows solid and endsolid on their lines is a name.
+    -- What follows solid and endsolid on their lines is a name. Some write "end solid".
     wordsOf (Line at given) = map ((,) at) $ case given of
+      word : next : others
+        | lower word == "end",
+          lower next `elem` ["solid", "facet", "loop"] ->
+          withoutName ((word <> next) : others)
+      _ -> withoutName given
+    withoutName given = case given of
       word : _ | lower word `elem` ["solid", "endsolid"] -> [word]
       _ -> given
     lower = Char8.map toLower

@@ -3,6 +3,7 @@
 -- | The lines and words of text formats.
 module PraTactile.Format.Solid.Text
   ( Line (..),
+    plain,
     linesOf,
     atLine,
     numbers,
@@ -17,10 +18,15 @@ import qualified Data.ByteString.Char8 as Char8
 import Data.Maybe (fromMaybe)
 import PraTactile.Format.Solid.Error
 import PraTactile.Format.Solid.Number
+import PraTactile.PlainText (plainText)
 
 -- | A line by its number, counted from 1, and its words.
 data Line = Line {lineNumber :: !Int, lineWords :: [ByteString]}
   deriving stock (Eq, Show)
+
+-- | A text format's bytes as text, its lines parted by LF.
+plain :: ByteString -> Either SolidFileError ByteString
+plain = either (Left . SolidFileError (AtLine 1) . FileInEncoding) Right . plainText
 
 -- | The lines that have words, without what follows a @#@.
 linesOf :: ByteString -> [Line]

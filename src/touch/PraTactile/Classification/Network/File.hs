@@ -6,17 +6,21 @@ module PraTactile.Classification.Network.File
   ( renderNetwork,
     parseNetwork,
     decodeNetwork,
+    networkText,
   )
 where
 
+import Control.Monad ((>=>))
+import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import Data.Text (Text)
 import qualified Data.Text as T
-import Data.Text.Encoding (decodeUtf8', encodeUtf8)
+import Data.Text.Encoding (encodeUtf8)
 import qualified Data.Vector.Storable as V
 import Numeric.LinearAlgebra (Matrix, Vector, reshape, toRows)
 import PraTactile.Classification.Network
 import PraTactile.Decimal (readDouble, readWhole)
+import PraTactile.PlainText
 
 -- | The network as text: a heading, the sizes, and then for each unit a line with its weights and
 -- its bias last; hidden units first.
@@ -40,15 +44,23 @@ renderNetwork n =
 
 -- | Reads the bytes of a network's file, UTF-8, as 'parseNetwork' does.
 decodeNetwork :: ByteString -> Either NetworkError Network
-decodeNetwork = either (const (Left NetworkNotText)) parseNetwork . decodeUtf8'
+decodeNetwork = networkText >=> parseNetwork
+
+-- | The text of a file of a network or its calibration.
+networkText :: ByteString -> Either NetworkError Text
+networkText = first refused . plainUtf8
+  where
+    refused why = case why of
+      InEncoding encoding -> NetworkInEncoding encoding
+      NotUtf8Text -> NetworkNotText
 
 -- | Reads a network as 'renderNetwork' writes it. Refuses anything else, with the line where it
 -- goes astray.
 parseNetwork :: Text -> Either NetworkError Network
 parseNetwork text = case zip [1 ..] (T.lines text) of
   [] -> Left (NetworkFileEnds heading)
-  (i, first) : rest
-    | first /= heading -> Left (UnexpectedNetworkLine i heading (excerpt first))
+  (i, begin) : rest
+    | begin /= heading -> Left (UnexpectedNetworkLine i heading (excerpt begin))
     | otherwise -> case rest of
       [] -> Left (NetworkFileEnds sizesForm)
       (j, sizes) : body -> case traverse natural <$> named (T.words sizes) of

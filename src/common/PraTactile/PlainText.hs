@@ -1,0 +1,99 @@
+-- | Where bytes become text: every text format of files and of the standard input is read through
+-- 'plainText', so that marks, encodings and ends of lines are the same to all.
+--
+-- Windows' editors and spreadsheets put a byte order mark before a text, PowerShell writes UTF-16,
+-- and lines end with LF, CR LF, or CR alone.
+module PraTactile.PlainText
+  ( plainText,
+    plainUtf8,
+    OtherEncoding (..),
+    encodingName,
+    NotUtf8Text (..),
+
+    -- * Parts
+    byteOrderMark,
+    withoutMark,
+    otherEncoding,
+    lineFeeds,
+  )
+where
+
+import Data.Bifunctor (first)
+import Data.ByteString (ByteString)
+import qualified Data.ByteString as Bytes
+import Data.List (find)
+import Data.Maybe (fromMaybe)
+import Data.Text (Text)
+import Data.Text.Encoding (decodeUtf8')
+
+-- | An encoding that is not UTF-8.
+data OtherEncoding = Utf16 | Utf32
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | What the encoding is called.
+encodingName :: OtherEncoding -> String
+encodingName encoding = case encoding of
+  Utf16 -> "UTF-16"
+  Utf32 -> "UTF-32"
+
+-- | Why bytes are no UTF-8 text.
+data NotUtf8Text
+  = -- | They are text in this encoding.
+    InEncoding OtherEncoding
+  | -- | They hold bytes that no UTF-8 text has.
+    NotUtf8Text
+  deriving stock (Eq, Show)
+
+-- | A text without its byte order mark, every end of line LF. Refuses other encodings.
+--
+-- >>> :set -XOverloadedStrings
+-- >>> plainText "\xEF\xBB\xBFv 1\rv 2\r\nv 3\n"
+-- Right "v 1\nv 2\nv 3\n"
+-- >>> plainText "\xFF\xFEv\NUL"
+-- Left Utf16
+plainText :: ByteString -> Either OtherEncoding ByteString
+plainText bytes = maybe (Right (lineFeeds (withoutMark bytes))) Left (otherEncoding bytes)
+
+-- | The characters of such a text.
+plainUtf8 :: ByteString -> Either NotUtf8Text Text
+plainUtf8 bytes =
+  first InEncoding (plainText bytes) >>= first (const NotUtf8Text) . decodeUtf8'
+
+-- | The mark U+FEFF in UTF-8.
+byteOrderMark :: ByteString
+byteOrderMark = Bytes.pack [0xEF, 0xBB, 0xBF]
+
+-- | What follows the byte order mark, or all where there is none.
+withoutMark :: ByteString -> ByteString
+withoutMark bytes = fromMaybe bytes (Bytes.stripPrefix byteOrderMark bytes)
+
+-- | The other encoding that a text is in, by its mark, or by the zeros among its first characters,
+-- which are ASCII in every format.
+otherEncoding :: ByteString -> Maybe OtherEncoding
+otherEncoding bytes = snd <$> find (matches . fst) forms
+  where
+    begin = Bytes.unpack (Bytes.take 4 bytes)
+    matches form = length begin >= length form && and (zipWith ($) form begin)
+    forms =
+      [ ([(== 0xFF), (== 0xFE), (== 0), (== 0)], Utf32),
+        ([(== 0), (== 0), (== 0xFE), (== 0xFF)], Utf32),
+        ([(== 0xFF), (== 0xFE)], Utf16),
+        ([(== 0xFE), (== 0xFF)], Utf16),
+        ([letter, (== 0), (== 0), (== 0)], Utf32),
+        ([(== 0), (== 0), (== 0), letter], Utf32),
+        ([letter, (== 0), letter, (== 0)], Utf16),
+        ([(== 0), letter, (== 0), letter], Utf16)
+      ]
+    letter c = c >= 9 && c < 127
+
+-- | Every end of line, CR LF or CR alone, as LF. O(n).
+lineFeeds :: ByteString -> ByteString
+lineFeeds bytes
+  | Bytes.notElem 13 bytes = bytes
+  | otherwise = fst (Bytes.unfoldrN (Bytes.length bytes) step 0)
+  where
+    step i
+      | i >= Bytes.length bytes = Nothing
+      | Bytes.index bytes i /= 13 = Just (Bytes.index bytes i, i + 1)
+      | i + 1 < Bytes.length bytes, Bytes.index bytes (i + 1) == 10 = Just (10, i + 2)
+      | otherwise = Just (10, i + 1)
