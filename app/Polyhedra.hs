@@ -6,6 +6,11 @@ module Polyhedra
     outputFormat,
     positiveReader,
     symbolsOption,
+
+    -- * As they are read
+    Reading (..),
+    readingOptions,
+    asRead,
   )
 where
 
@@ -22,6 +27,7 @@ import PraTactile.Format.Solid
 import PraTactile.Format.Solid.Name
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Description
+import PraTactile.Object.Mend
 import PraTactile.Object.Mesh
 import PraTactile.Object.Named (namedDescription)
 import PraTactile.Object.Placement (Pitch)
@@ -100,6 +106,50 @@ positiveReader :: String -> ReadM Rational
 positiveReader what = eitherReader $ \text -> case readExact text of
   Just n | n > 0 -> Right n
   _ -> Left (quoted text ++ " is not " ++ what ++ " above 0, such as 25.4 or 127/5")
+
+-- | What is done to a polyhedron as it is read.
+data Reading = Reading
+  { -- | what all lengths are multiplied by
+    readingScale :: Rational,
+    readingMending :: Mending
+  }
+
+-- | @--scale@, @--tolerance@, @--fix-orientation@ and, as a switch of the command's, whether faces
+-- of one plane are put together.
+readingOptions :: Parser Bool -> Parser Reading
+readingOptions merging =
+  Reading
+    <$> option
+      (positiveReader "a factor")
+      ( long "scale" <> metavar "S" <> value 1
+          <> help "Multiply all lengths, as by 25.4 where a file has inches"
+      )
+    <*> ( Mending
+            <$> optional
+              ( valued
+                  (positiveReader "a length")
+                  "tolerance"
+                  "MM"
+                  "Put vertices no further apart than this together, leave out faces no further \
+                  \from a line, and move vertices no further than this so that faces are flat"
+              )
+            <*> switch
+              ( long "fix-orientation"
+                  <> help "Turn faces so that all are counter-clockwise seen from outside"
+              )
+            <*> merging
+        )
+
+-- | A polyhedron of this name as it is read, with that done to it.
+asRead :: Reading -> String -> Mesh -> IO (Mesh, Mended)
+asRead reading subject given = do
+  made <-
+    orUnusable
+      (\why -> visibleName subject ++ ": " ++ tooFineMessage why)
+      (mended (readingMending reading) scaled)
+  pure (scaled, made)
+  where
+    scaled = scaledBy (readingScale reading) given
 
 -- | @--symbols@.
 symbolsOption :: Parser Rational

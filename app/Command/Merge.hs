@@ -21,7 +21,6 @@ import PraTactile.Format.Census
 import PraTactile.Format.Census.Contradiction (foundProved)
 import PraTactile.Format.Census.Merge
 import PraTactile.Format.Census.Row
-import PraTactile.PlainText (lineFeeds, withoutMark)
 import System.Posix.Files (deviceID, fileID, getFileStatus)
 
 command :: Mod CommandFields (IO ExitStatus)
@@ -73,7 +72,7 @@ run files damage output form = do
 -- be said of them. Leaves with status 2 if it is damaged.
 shard :: Damage -> FilePath -> IO (Shard, [String])
 shard damage file = do
-  bytes <- lineFeeds . withoutMark <$> readBytes file
+  bytes <- readBytes file
   contents <- orUnusable (censusFileMessage file) (contentsOf bytes)
   let form = contentsForm contents
       unchecked = [uncheckedMessage file | form == Unchecked]

@@ -13,8 +13,6 @@ import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import ExitStatus
 import Message.Objects (objectMessage)
-import Message.Solid (tooFineMessage)
-import Numeric (showFFloat)
 import Options
 import Output
 import Polyhedra
@@ -25,10 +23,10 @@ import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Cells
 import PraTactile.Object.Defect
 import PraTactile.Object.Description
-import PraTactile.Object.Merge
+import PraTactile.Object.Mend
 import PraTactile.Object.Mesh
 import PraTactile.Object.Placement (Pitch (..))
-import PraTactile.Object.Tolerance
+import PraTactile.Object.Tolerance (sufficient)
 import PraTactile.Object.Validity
 import PraTactile.Object.Vector (zero)
 import PraTactile.Profile (canonicalProfile, profileShape)
@@ -36,9 +34,7 @@ import Visible
 
 data Options = Options
   { subjects :: [String],
-    scale :: Rational,
-    tolerance :: Maybe Rational,
-    merging :: Bool,
+    reading :: Reading,
     symbolScale :: Rational,
     output :: Maybe FilePath,
     format :: Maybe SolidFormat,
@@ -65,22 +61,11 @@ command =
                           <> help ("Files, or names: " ++ intercalate ", " nameForms)
                       )
                   )
-                <*> option
-                  (positiveReader "a factor")
-                  ( long "scale" <> metavar "S" <> value 1
-                      <> help "Multiply all lengths, as by 25.4 where a file has inches"
-                  )
-                <*> optional
-                  ( valued
-                      (positiveReader "a length")
-                      "tolerance"
-                      "MM"
-                      "Put vertices no further apart than this together, and move vertices no \
-                      \further than this so that faces are flat"
-                  )
-                <*> switch
-                  ( long "merge-coplanar"
-                      <> help "Put faces together that share sides and lie in one plane"
+                <*> readingOptions
+                  ( switch
+                      ( long "merge-coplanar"
+                          <> help "Put faces together that share sides and lie in one plane"
+                      )
                   )
                 <*> symbolsOption
                 <*> optionalFile
@@ -107,16 +92,10 @@ run options = do
 examined :: Options -> Maybe SolidFormat -> String -> IO ExitStatus
 examined options target subject = do
   Contents read' passed <- polyhedron sheet (symbolPitch options) (format options) subject
-  let scaled = scaledBy (scale options) read'
-  Settled flat count most <- case tolerance options of
-    Nothing -> pure (Settled scaled 0 0)
-    Just mm ->
-      orUnusable
-        (\why -> visibleName subject ++ ": " ++ tooFineMessage why)
-        (settled mm (merging options) scaled)
-  let moved = Moved count most
-      it = if merging options then mergeCoplanar flat else flat
+  (scaled, Mended it changes) <- asRead (reading options) subject read'
+  let mending = readingMending (reading options)
       report = examine it
+      advice = wouldMend mending scaled report
       grids = [bestGrid it (right, down) walk | walk <- V.toList (meshWalks it), carries it walk]
   case (target, output options) of
     (Just to, Just file) -> do
@@ -135,8 +114,8 @@ examined options target subject = do
     else
       printAs
         (form options)
-        (unlines (reportText it passed moved grids report))
-        (encodeReport it passed moved grids report)
+        (unlines (reportText it passed changes mending advice grids report))
+        (encodeReport it passed changes advice grids report)
   pure (if reportValid report then Answered else NotAnswered)
   where
     Pitch right down = symbolPitch options
@@ -150,8 +129,9 @@ symbolPitch options = Pitch (symbolScale options * right) (symbolScale options *
   where
     Pitch right down = canonicalPitch
 
-reportText :: Mesh -> [Passed] -> Moved -> [Grid] -> Report -> [String]
-reportText it passed moved grids report =
+reportText ::
+  Mesh -> [Passed] -> Changes -> Mending -> Maybe Mending -> [Grid] -> Report -> [String]
+reportText it passed changes done advice grids report =
   [ visible (objectText (meshName it)) ++ ": " ++ verdict,
     "  " ++ counted (reportVertices report) "vertex" "vertices" ++ ", "
       ++ counted (reportEdges report) "edge" "edges"
@@ -162,10 +142,18 @@ reportText it passed moved grids report =
            ++ intercalate ", " [visible what | Passed what <- passed]
          | not (null passed)
        ]
-    ++ [ "  moved: " ++ counted (movedVertices moved) "vertex" "vertices" ++ ", by at most "
-           ++ show (movedMost moved)
+    ++ [ "  moved: " ++ counted (movedVertices changes) "vertex" "vertices" ++ ", by at most "
+           ++ show (movedMost changes)
            ++ " mm"
-         | movedVertices moved > 0
+         | movedVertices changes > 0
+       ]
+    ++ [ "  left out: " ++ counted (leftOutFaces changes) "face" "faces" ++ " on a line"
+         | leftOutFaces changes > 0
+       ]
+    ++ [ "  turned: " ++ counted (length turned) "face" "faces" ++ ", now "
+           ++ intercalate "; " (map faceText (take 5 turned))
+           ++ (if null (drop 5 turned) then "" else "; ...")
+         | not (null turned)
        ]
     ++ listed 10 "pieces" (map pieceText (reportComponents report))
     ++ listed
@@ -179,10 +167,14 @@ reportText it passed moved grids report =
           [objectMessage defect | defect <- reportDefects report, defectKind defect == kind]
         | kind <- nub (map defectKind (reportDefects report))
       ]
-    ++ [ "  with --tolerance " ++ showFFloat Nothing mm "" ++ " these faces would be flat"
-         | any ((== NotPlanar) . defectKind) (reportDefects report),
-           Just mm <- [sufficient it]
-       ]
+    ++ ( case advice of
+           Just mending -> ["  with " ++ unwords (added mending) ++ " it would be a solid"]
+           Nothing ->
+             [ "  with --tolerance " ++ exactText mm ++ " these faces would be flat"
+               | any ((== NotPlanar) . defectKind) (reportDefects report),
+                 Just mm <- [sufficient it]
+             ]
+       )
     ++ [ "  not examined everywhere: " ++ kindName kind
            ++ ", because of "
            ++ intercalate ", " (map (reason kind) causes)
@@ -193,6 +185,15 @@ reportText it passed moved grids report =
       | reportValid report = "a solid"
       | null (reportDefects report) = "not examined everywhere"
       | otherwise = counted (length (reportDefects report)) "defect" "defects"
+    turned = turnedFaces changes
+    -- What is not done yet.
+    added mending =
+      concat
+        [ ["--tolerance", exactText mm]
+          | Just mm <- [mendTolerance mending],
+            mendTolerance mending /= mendTolerance done
+        ]
+        ++ ["--fix-orientation" | mendOrientation mending, not (mendOrientation done)]
     reason kind cause = if cause == kind then "how many there are" else kindName cause
     listed most what given =
       map ("  " ++) (take most given)

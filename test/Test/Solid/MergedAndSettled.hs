@@ -4,20 +4,24 @@
 module Test.Solid.MergedAndSettled (spec) where
 
 import Data.List (sort, unfoldr)
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, mapMaybe)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Conformance.Laws.Solids
 import PraTactile.Object.Description
+import PraTactile.Object.Mend
 import PraTactile.Object.Merge
 import PraTactile.Object.Mesh
 import PraTactile.Object.Named
+import PraTactile.Object.Orientation
+import PraTactile.Object.Sliver
 import PraTactile.Object.Tolerance
 import PraTactile.Object.Triangles
 import PraTactile.Object.Validity
+import PraTactile.Object.Vector (zero)
 import System.Random (mkStdGen, uniformR)
 import Test.Hspec
-import Test.Hspec.QuickCheck (prop)
+import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck
 
 spec :: Spec
@@ -46,11 +50,13 @@ spec = do
          in counterexample (show drawn) $
               case settled 0.01 False rounded of
                 Left why -> counterexample (show why) False
-                Right (Settled flat _ most) -> (most <= 0.01) .&&. map defects [flat] === [[]]
+                Right (Settled flat _ most _) -> (most <= 0.01) .&&. map defects [flat] === [[]]
     it "leaves a cube as it is" $ do
       let it_ = fromDescription (namedDescription Cube)
-      fmap (\(Settled same count most) -> (same, count, most)) (settled 0.5 True it_)
-        `shouldBe` Right (it_, 0, 0)
+      fmap
+        (\(Settled same count most left) -> (same, count, most, left))
+        (settled 0.5 True it_)
+        `shouldBe` Right (it_, 0, 0, 0)
     it "puts vertices together that are no further apart, and no others" $ do
       let it_ = fromDescription (namedDescription (Box 100 100 0.5))
           left mm = V.length . meshPoints . settledMesh <$> settled mm False it_
@@ -75,7 +81,93 @@ spec = do
     it "tells what would do" $
       forAllMoved $ \off ->
         fromMaybe 0 (sufficient (fromDescription off)) `shouldSatisfy` (\mm -> mm > 0 && mm < 1)
+  modifyMaxSuccess (const 25) . describe "triangles without area" $ do
+    prop "beside any edges, halved again and again, go; the solid is as it was" $
+      forAllBlind solids $ \drawn ->
+        forAll (listOf (choose (0, 1000))) $ \places ->
+          let it_ = cut (fromDescription drawn)
+              spoilt' = foldl (split (Point 0 0 0)) it_ places
+           in either
+                (\why -> counterexample (show why) False)
+                ( \(Settled made _ most left) ->
+                    (left, most) === (length places, 0)
+                      .&&. V.length (meshWalks made) === V.length (meshWalks it_) + length places
+                      .&&. (reportValid (examine made), volumes made) === (True, volumes it_)
+                )
+                (settled 1e-6 False spoilt')
+    prop "that have a little go likewise, and their vertex to the line" $
+      forAll (elements [Cube, Box 100 60 40, Prism 5 60 20, LShape 100 50 80]) $ \solid ->
+        forAll ((,) <$> choose (0, 1000) <*> vectorOf 3 (choose (-9, 9 :: Integer))) $
+          \(place, off) ->
+            let it_ = cut (fromDescription (namedDescription solid))
+                little = [fromInteger n / 10 ^ (6 :: Int) | n <- off]
+                spoilt' = case little of
+                  [x, y, z] -> split (Point x y z) it_ place
+                  _ -> it_
+             in either
+                  (\why -> counterexample (show why) False)
+                  (\made -> faces (mergeCoplanar (settledMesh made)) === faces (mergeCoplanar it_))
+                  (settled 0.001 True spoilt')
+    it "a walk loses what it walks back at once" $
+      [ if length kept < 3 then [] else kept
+        | kept <-
+            map tidied [[1, 2, 3], [1, 2, 1], [1, 2, 3, 2], [1, 2, 2, 3, 4, 3], [1, 1, 2, 3, 1], []]
+      ]
+        `shouldBe` [[1, 2, 3], [], [], [1, 2, 3], [1, 2, 3], []]
+  modifyMaxSuccess (const 25) . describe "faces that are turned" $ do
+    prop "are found, whichever they are, and turned back; of solids in hollows as well" $
+      forAllBlind solids $ \drawn ->
+        forAll (infiniteListOf arbitrary) $ \which ->
+          let it_ = fromDescription drawn
+              wrong = [f | (f, True) <- zip [0 .. V.length (meshWalks it_) - 1] which]
+              (back, found) = oriented (turnedAt wrong it_)
+           in (found, faces back) === (wrong, faces it_)
+    it "a hollow is inward" $ do
+      let inner = labelled "inner" (moved (shifted 3) (namedDescription (Box 3 3 3)))
+          (right, found) = oriented (fromDescription (both (namedDescription (Box 9 9 9)) inner))
+      (found, reportValid (examine right)) `shouldBe` ([6 .. 11], True)
+    it "a surface with one side stays as it is, and one with a rim turns the fewer" $ do
+      let strip walks =
+            fromDescription
+              ( Description
+                  "strip"
+                  [ (VertexName (show v), Point (fromInteger v) (fromInteger (v * v)) 0)
+                    | v <- [0 .. 4 :: Integer]
+                  ]
+                  (map readFaceName walks)
+              )
+          moebius = strip ["0 1 2", "1 3 2", "2 3 4", "3 0 4", "4 0 1"]
+          rim = strip ["0 1 2", "1 2 3", "2 3 4"]
+      oriented moebius `shouldBe` (moebius, [])
+      oriented rim `shouldBe` (strip ["0 1 2", "1 3 2", "2 3 4"], [1])
+  modifyMaxSuccess (const 25) . describe "what would mend it" $ do
+    let advice it_ = wouldMend asItIs it_ (examine it_)
+        followed it_ how =
+          either (const False) (reportValid . examine . mendedMesh) (mended how it_)
+    prop "triangles of vertices of their own, off by a little: a tolerance, which does it" $
+      forAllBlind (elements [Cube, Box 100 60 40, LShape 100 50 80]) $ \solid ->
+        forAllBlind (infiniteListOf (choose (-9, 9 :: Integer))) $ \noise ->
+          let it_ = scattered noise (cut (fromDescription (namedDescription solid)))
+           in case advice it_ of
+                Just how ->
+                  (mendOrientation how, followed it_ how) === (False, True)
+                    .&&. (mendTolerance how `elem` [Just 1e-6, Just 1e-5, Just 1e-4]) === True
+                Nothing -> counterexample "none" False
+    it "faces turned, alone and with that" $ do
+      let box = cut (fromDescription (namedDescription (Box 100 60 40)))
+          turned = turnedAt [1, 4] box
+          apart = scattered (cycle [3, -2, 5, 0, 7]) turned
+      advice turned `shouldBe` Just asItIs {mendOrientation = True}
+      fmap mendOrientation (advice apart) `shouldBe` Just True
+      map (\it_ -> fmap (followed it_) (advice it_)) [turned, apart]
+        `shouldBe` [Just True, Just True]
+    it "nothing, where a face is missing, or nothing is wrong" $ do
+      let box = fromDescription (namedDescription (Box 100 60 40))
+          described = toDescription box
+          open = fromDescription described {describedFaces = drop 1 (describedFaces described)}
+      map advice [box, open] `shouldBe` [Nothing, Nothing]
   where
+    shifted by (Point x y z) = Point (by + x) (by + y) (by + z)
     chunks n list = case splitAt n list of
       (front, rest) | length front == n -> front : chunks n rest
       _ -> []
@@ -101,6 +193,65 @@ faces it_ =
   sort [least (map (pointAt it_) (U.toList walk)) | walk <- V.toList (meshWalks it_)]
   where
     least = minimum . rotations
+
+-- | Some faces the other way round.
+turnedAt :: [Int] -> Mesh -> Mesh
+turnedAt which it_ =
+  withShape
+    (meshNames it_)
+    (meshDenominator it_)
+    (meshPoints it_)
+    (V.imap (\f walk -> if f `elem` which then U.reverse walk else walk) (meshWalks it_))
+    it_
+
+-- | Triangles, of which one is halved by a vertex in the middle of its first side, moved by this; a
+-- triangle of that vertex and the side's ends, of nearly no area, lies between them and what is
+-- across the side, as exporters leave it.
+split :: Point -> Mesh -> Int -> Mesh
+split (Point dx dy dz) it_ place =
+  fromDescription
+    described
+      { describedVertices = describedVertices described ++ [(middle, halfway)],
+        describedFaces = concat (zipWith other [0 ..] (describedFaces described))
+      }
+  where
+    described = toDescription it_
+    middle = VertexName ("M" ++ show (length (describedVertices described)))
+    -- One that has an area.
+    chosen = wide !! (place `mod` length wide)
+    wide =
+      [ f
+        | (f, walk) <- zip [0 ..] (V.toList (meshWalks it_)),
+          doubleArea (cornersOf it_ walk) /= zero
+      ]
+    halfway = case describedFaces described !! chosen of
+      FaceName (a : b : _)
+        | [Point x y z, Point x' y' z'] <- mapMaybe (`lookup` describedVertices described) [a, b] ->
+          Point ((x + x') / 2 + dx) ((y + y') / 2 + dy) ((z + z') / 2 + dz)
+      _ -> Point 0 0 0
+    other f (FaceName walk) = case walk of
+      [a, b, c] | f == chosen -> map FaceName [[a, middle, c], [middle, b, c], [a, b, middle]]
+      _ -> [FaceName walk]
+
+-- | Each face with vertices of its own, each a few millionths from where it was.
+scattered :: [Integer] -> Mesh -> Mesh
+scattered noise it_ =
+  fromDescription
+    ( Description
+        (meshName it_)
+        [ (VertexName (show i), Point (x + far a) (y + far b) (z + far c))
+          | (i, Point x y z, (a, b, c)) <- zip3 [0 :: Int ..] corners (triples noise)
+        ]
+        [ FaceName (map (VertexName . show) [3 * f .. 3 * f + 2])
+          | f <- [0 .. length corners `div` 3 - 1]
+        ]
+    )
+  where
+    corners = [pointAt it_ v | walk <- V.toList (meshWalks it_), v <- U.toList walk]
+    far n = fromInteger n / 10 ^ (6 :: Int)
+    triples list = case list of
+      a : b : c : others -> (a, b, c) : triples others
+      _ -> []
 
 -- | Every face as triangles.
 cut :: Mesh -> Mesh

@@ -14,6 +14,7 @@ import PraTactile.Conformance.Laws.Solids
 import PraTactile.Format.Solid.Report
 import PraTactile.Object.Defect
 import PraTactile.Object.Description
+import PraTactile.Object.Mend (noChanges)
 import PraTactile.Object.Mesh (fromDescription)
 import PraTactile.Object.Named (Named (..), namedDescription)
 import PraTactile.Object.Validity
@@ -71,7 +72,7 @@ spec = describe "the report on a polyhedron, beside the definition" $ do
       ]
       $ \(kind, given, all', wanted) -> do
         let it_ = fromDescription given
-            told path = key path (unpack (encodeReport it_ [] (Moved 0 0) [] (examine it_)))
+            told path = key path (unpack (encodeReport it_ [] noChanges Nothing [] (examine it_)))
         told ["counts", kind] `shouldBe` Just (toJSON all')
         [length listed | Just (Array listed) <- [told ["defects"]]] `shouldBe` [wanted]
 

@@ -28,7 +28,6 @@ import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
 import PraTactile.Format.Census.Row
 import PraTactile.Format.Error
-import PraTactile.PlainText (lineFeeds, withoutMark)
 
 -- | A file of a form with rows of these bodies.
 encodeCensus :: Form -> [ByteString] -> Lazy.ByteString
@@ -39,7 +38,7 @@ encodeCensus form bodies =
 -- census.
 decodeCensus :: ByteString -> Either FormatError (Form, [Row])
 decodeCensus bytes = first CensusFileRefused $ do
-  contents <- contentsOf (lineFeeds (withoutMark bytes))
+  contents <- contentsOf bytes
   rows <- completeRows contents
   pure (contentsForm contents, map snd rows)
 

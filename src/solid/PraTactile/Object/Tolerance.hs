@@ -8,6 +8,8 @@
 -- such a point, and it is near enough. Triangles are flat however they are moved.
 module PraTactile.Object.Tolerance
   ( settled,
+    joined,
+    levelled,
     Settled (..),
     TooFine (..),
     sufficient,
@@ -25,8 +27,10 @@ import qualified Data.Vector.Unboxed as U
 import Math.NumberTheory.Logarithms (integerLog2)
 import PraTactile.Object.Boxes
 import PraTactile.Object.Mesh
+import PraTactile.Object.Sliver
 import PraTactile.Object.Surface
 import PraTactile.Object.Vector
+import PraTactile.Object.VectorQ
 
 -- | What came of it.
 data Settled = Settled
@@ -34,23 +38,49 @@ data Settled = Settled
     -- | how many vertices were moved, those put together with another place among them
     settledMoved :: Int,
     -- | how far at most, in millimetres
-    settledMost :: Double
+    settledMost :: Double,
+    -- | how many faces were left out, since nothing is left of their area
+    settledLeftOut :: Int
   }
 
 -- | Vertices no further apart than so many millimetres are put together, each at the first of them
--- in the file's order, and others are moved no further so that faces are flat. If asked for, faces
--- that share sides and lie as near to the plane of the largest of them count as one face, for an
--- exporter cut it into triangles. Faces with fewer than three vertices left are left out. Refuses
--- where the new points have no common denominator that one can compute with.
+-- in the file's order; faces that lie no further from a line are left out
+-- ("PraTactile.Object.Sliver"); and other vertices are moved no further so that faces are flat. If
+-- asked for, faces that share sides and lie as near to the plane of the largest of them count as
+-- one face, for an exporter cut it into triangles. Faces with fewer than three vertices left are
+-- left out. Refuses where the new points have no common denominator that one can compute with.
 settled :: Rational -> Bool -> Mesh -> Either TooFine Settled
-settled mm together it
-  | not (V.all (ofVertices it) (meshWalks it)) = Right (Settled it 0 0)
-  | otherwise = whole <$> flattened (Just mm) together joint
+settled mm together it = joined mm it >>= levelled mm together
+
+-- | The first half of 'settled': vertices put together, and faces on a line left out.
+joined :: Rational -> Mesh -> Either TooFine Settled
+joined mm it
+  | not (V.all (ofVertices it) (meshWalks it)) = Right (Settled it 0 0 0)
+  | otherwise = do
+    (joint, unsliveredBy) <- relocated moved (withWalks walks together)
+    let moves = weldedBy ++ unsliveredBy
+        left = V.length (meshWalks it) - length walks
+    Right (Settled joint (length moves) (maximum (0 : moves)) left)
   where
-    (joint, weldedBy) = welded mm it
-    whole (flat, flattenedBy) = Settled flat (length moves) (maximum (0 : moves))
-      where
-        moves = weldedBy ++ flattenedBy
+    (together, weldedBy) = welded mm it
+    Unslivered walks moved = withoutSlivers mm together
+    withWalks given old =
+      withShape (meshNames old) (meshDenominator old) (meshPoints old) (V.fromList given) old
+
+-- | The second half: vertices moved so that faces are flat.
+levelled :: Rational -> Bool -> Settled -> Either TooFine Settled
+levelled mm together before
+  | not (V.all (ofVertices it) (meshWalks it)) = Right before
+  | otherwise = do
+    (flat, moves) <- flattened (Just mm) together it
+    Right
+      before
+        { settledMesh = flat,
+          settledMoved = settledMoved before + length moves,
+          settledMost = maximum (settledMost before : moves)
+        }
+  where
+    it = settledMesh before
 
 -- | The coordinates of flat faces would have so many binary digits over their common denominator,
 -- and more than 2^28 are not made.
@@ -59,7 +89,7 @@ newtype TooFine = TooFine Integer
 
 -- | A tolerance, in millimetres, with which faces that are not flat will be: three digits of what
 -- has to be moved, rounded up. Nothing, where none will do.
-sufficient :: Mesh -> Maybe Double
+sufficient :: Mesh -> Maybe Rational
 sufficient it
   | not (V.all (ofVertices it) (meshWalks it)) = Nothing
   | Right (flat, moves@(_ : _)) <- flattened Nothing False it,
@@ -70,8 +100,8 @@ sufficient it
     bent flat walk =
       let corners = cornersOf flat walk in not (flatAlong (doubleArea corners) corners)
     up far =
-      let digit = 10 ^^ (floor (logBase 10 far) - 2 :: Int)
-       in fromInteger (ceiling (far / digit * (1 + 1e-12))) * digit
+      let digit = 10 ^^ (floor (logBase 10 far) - 2 :: Int) :: Rational
+       in fromInteger (ceiling (toRational far / digit * (1 + 1e-12))) * digit
 
 -- | Vertices that are near each other put together, with how far each was moved.
 welded :: Rational -> Mesh -> (Mesh, [Double])
@@ -82,7 +112,7 @@ welded mm it =
       (V.map (points V.!) (V.convert kept))
       ( V.filter
           ((>= 3) . U.length)
-          (V.map (unrepeated . U.map (\i -> places U.! (firsts U.! i))) (meshWalks it))
+          (V.map (tidy . U.map (\i -> places U.! (firsts U.! i))) (meshWalks it))
       )
       it,
     [ far
@@ -115,8 +145,9 @@ welded mm it =
     wide = let r = ceiling reach in V3 r r r
     kept = U.ifilter (==) firsts
     places = U.replicate count 0 U.// zip (U.toList kept) [0 ..]
-    unrepeated walk =
-      U.ifilter (\i v -> v /= walk U.! ((i + 1) `mod` U.length walk)) walk
+    tidy walk
+      | U.length kept == count = walk
+      | otherwise = U.fromList (tidied (U.toList walk))
 
 distance :: Mesh -> V3 -> V3 -> Double
 distance it p q = squareRoot (dot d d % meshDenominator it ^ (2 :: Int))
@@ -129,20 +160,9 @@ data Plane = Plane V3 Rational
 -- | Vertices moved so that faces are flat, no further than so many millimetres, with how far each
 -- was.
 flattened :: Maybe Rational -> Bool -> Mesh -> Either TooFine (Mesh, [Double])
-flattened most together it
-  | IntMap.null moves = Right (it, [])
-  | bits > mostBits = Left (TooFine bits)
-  | otherwise =
-    Right
-      ( withShape (meshNames it) (meshDenominator it * over) moved (meshWalks it) it,
-        [ squareRoot (norm d / fromInteger (meshDenominator it) ^ (2 :: Int))
-          | (i, p) <- IntMap.toList moves,
-            let d = p `less` exact (points V.! i)
-        ]
-      )
+flattened most together it = relocated moves it
   where
     points = meshPoints it
-    count = V.length points
     groups =
       if together
         then nearlyFlat (fromMaybe 0 most) it
@@ -162,14 +182,31 @@ flattened most together it
     moves = IntMap.mapMaybeWithKey move planesAt
     move v given
       | length given > 3 = Nothing
-      | otherwise = case common (exact (points V.! v)) given of
+      | otherwise = case common (exactly (points V.! v)) given of
         Just p
-          | let d = norm (p `less` exact (points V.! v)),
+          | let d = norm (p `less` exactly (points V.! v)),
             d > 0,
             maybe True (\mm -> d <= (mm * fromInteger (meshDenominator it)) ^ (2 :: Int)) most ->
             Just p
         _ -> Nothing
-    bits = toInteger (integerLog2 over) * toInteger count
+
+-- | Vertices at other places, in units of the polyhedron's coordinates, with how far each was
+-- moved, in millimetres.
+relocated :: IntMap.IntMap Q3 -> Mesh -> Either TooFine (Mesh, [Double])
+relocated moves it
+  | IntMap.null moves = Right (it, [])
+  | bits > mostBits = Left (TooFine bits)
+  | otherwise =
+    Right
+      ( withShape (meshNames it) (meshDenominator it * over) moved (meshWalks it) it,
+        [ squareRoot (norm d / fromInteger (meshDenominator it) ^ (2 :: Int))
+          | (i, p) <- IntMap.toList moves,
+            let d = p `less` exactly (points V.! i)
+        ]
+      )
+  where
+    points = meshPoints it
+    bits = toInteger (integerLog2 over) * toInteger (V.length points)
     over = foldl' lcm 1 [denominator c | (x, y, z) <- IntMap.elems moves, c <- [x, y, z]]
     moved = V.imap (\i p -> maybe (scaled over p) whole (IntMap.lookup i moves)) points
     whole (x, y, z) = V3 (times x) (times y) (times z)
@@ -179,16 +216,8 @@ flattened most together it
 mostBits :: Integer
 mostBits = 2 ^ (28 :: Int)
 
-type Q3 = (Rational, Rational, Rational)
-
-exact :: V3 -> Q3
-exact (V3 x y z) = (fromInteger x, fromInteger y, fromInteger z)
-
-less :: Q3 -> Q3 -> Q3
-less (a, b, c) (d, e, f) = (a - d, b - e, c - f)
-
 norm :: Q3 -> Rational
-norm (a, b, c) = a * a + b * b + c * c
+norm p = inner p p
 
 -- | The point common to the planes that is nearest to a point.
 common :: Q3 -> [Plane] -> Maybe Q3
@@ -203,11 +232,9 @@ common p = go p []
       | missing == 0 = go q before others
       | otherwise = Nothing
       where
-        normal = exact n
+        normal = exactly n
         off = foldl' (\u v -> u `plusTimes` (negate (inner normal v / norm v), v)) normal before
         missing = d - inner normal q
-    inner (a, b, c) (a', b', c') = a * a' + b * b' + c * c'
-    plusTimes (a, b, c) (k, (x, y, z)) = (a + k * x, b + k * y, c + k * z)
 
 -- | For each face a number that it has in common with those that belong to the same plane, nearly:
 -- from the largest face on, faces across sides join that have all their corners within so many

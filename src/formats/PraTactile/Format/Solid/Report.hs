@@ -2,8 +2,7 @@
 
 -- | The JSON of what there is to say of a polyhedron.
 module PraTactile.Format.Solid.Report
-  ( Moved (..),
-    encodeReport,
+  ( encodeReport,
     defectValue,
   )
 where
@@ -21,12 +20,9 @@ import PraTactile.Format.Solid.Number
 import PraTactile.Object.Cells
 import PraTactile.Object.Defect
 import PraTactile.Object.Description
+import PraTactile.Object.Mend
 import PraTactile.Object.Mesh
 import PraTactile.Object.Validity
-
--- | How many vertices were moved to make faces flat, and how far at most, in millimetres.
-data Moved = Moved {movedVertices :: Int, movedMost :: Double}
-  deriving stock (Eq, Show)
 
 -- | No more defects of a kind are listed, and none after so many names of vertices; all are
 -- counted.
@@ -34,10 +30,10 @@ mostOfAKind, mostNames :: Int
 mostOfAKind = 1000
 mostNames = 100000
 
--- | A polyhedron's report, on one line, without its end: what a file had beside, how many vertices
--- were moved, its grids and what was found.
-encodeReport :: Mesh -> [Passed] -> Moved -> [Grid] -> Report -> ByteString
-encodeReport it passed moved grids report =
+-- | A polyhedron's report, on one line, without its end: what a file had beside, what was changed,
+-- what would make a solid of it, its grids and what was found.
+encodeReport :: Mesh -> [Passed] -> Changes -> Maybe Mending -> [Grid] -> Report -> ByteString
+encodeReport it passed changes mending grids report =
   encodeSchema "solid/1" $
     "name" .= objectText (meshName it)
       <> "valid" .= reportValid report
@@ -45,7 +41,14 @@ encodeReport it passed moved grids report =
       <> "edges" .= reportEdges report
       <> "faces" .= reportFaces report
       <> "passed_over" .= [what | Passed what <- passed]
-      <> "moved" .= object ["vertices" .= movedVertices moved, "most_mm" .= movedMost moved]
+      <> "moved" .= object ["vertices" .= movedVertices changes, "most_mm" .= movedMost changes]
+      <> "left_out" .= leftOutFaces changes
+      <> "turned"
+        .= object
+          [ "count" .= length (turnedFaces changes),
+            "faces" .= map (map vertexText . faceVertices) (take mostOfAKind (turnedFaces changes))
+          ]
+      <> "mended_by" .= fmap mendingValue mending
       <> "components" .= map componentValue (reportComponents report)
       <> "carrying" .= map gridValue grids
       <> "counts"
@@ -72,6 +75,14 @@ encodeReport it passed moved grids report =
           "size_mm" .= [fst (gridSize grid), snd (gridSize grid)],
           "cells" .= fmap integerValue (gridCount grid)
         ]
+
+-- | What would make a solid of a polyhedron.
+mendingValue :: Mending -> Value
+mendingValue mending =
+  object
+    [ "tolerance_mm" .= fmap (fromRational :: Rational -> Double) (mendTolerance mending),
+      "fix_orientation" .= mendOrientation mending
+    ]
 
 -- | One defect.
 defectValue :: Defect -> Value
