@@ -11,7 +11,7 @@ module Picture
 where
 
 import qualified Data.ByteString.Lazy as Lazy
-import Data.List (find, nub, sort)
+import Data.List (nub, sort)
 import Drawing
 import Drawing.Svg
 import Picture.Composite
@@ -62,7 +62,7 @@ recognitionPage alphabet nameOf layout classesOf posed composite recognition =
             FaceView alphabet layout laid (classesOf laid) composite found turnedBy place
           | Right (Found found) <- [recognisedAnswer recognition],
             OnFace place <- [windowWhereabouts (foundWindow found)],
-            Just laid <- [find ((== placeFace place) . laidFace) (laidFaces layout)]
+            Just laid <- [placementLaid layout (placeFace place)]
         ]
     lying =
       concat

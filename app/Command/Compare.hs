@@ -46,8 +46,8 @@ run choice answerFile truthFile form = do
   (scale, layout) <- shownWith choice (faceObject (truthFace known)) >>= feltPlacement . snd
   let larger = fromRational scale
       claim = scaledClaim (1 / larger) <$> told
-      truth = scaledTruth (1 / larger) known
-      pitch = placementPitch layout
+      begunAlike = maybe id (truthFrom layout . claimFace) claim
+      truth = begunAlike (scaledTruth (1 / larger) known)
       -- The window's centre, as the answer has it in the robot's frame.
       poses = do
         ObjectPose object pose world <- posed
@@ -57,7 +57,7 @@ run choice answerFile truthFile form = do
         let there = maybe id (flip thenMotion) world true
         guard (object == faceObject (truthFace truth))
         Just (poseApart there pose (maybe id movedBy world [x, y, 0]))
-      verdict = maybe (Left Nothing) (either (Left . Just) Right . compared pitch truth) claim
+      verdict = maybe (Left Nothing) (either (Left . Just) Right . compared layout truth) claim
   printAs
     form
     ( unlines

@@ -377,7 +377,7 @@ result tolerance reader t composite = case recogniseWith tolerance reader [compo
       OnFace place ->
         isRight
           ( compared
-              (placementPitch (recogniserPlacement reader))
+              (recogniserPlacement reader)
               truth
               Claim
                 { claimFace = placeFace place,

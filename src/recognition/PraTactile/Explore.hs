@@ -8,6 +8,7 @@ module PraTactile.Explore
     regionCorner,
     regionTurn,
     regionMotion,
+    movedRegion,
     Turns (..),
     drawnRegion,
     randomRegion,
@@ -124,6 +125,19 @@ regionSizeFor sensor = (max wide (own sensorColumns), max high (own sensorRows))
   where
     (wide, high) = standardRegionSize
     own side = ceiling (fromIntegral (side sensor) * sensorTaxel sensor / taxelPitch - 1e-9)
+
+-- | A region in another frame of the face's plane, to which the motion leads; millimetres.
+movedRegion :: Motion -> Region -> Region
+movedRegion motion region = sized {regionRight = x - half wide, regionDown = y - half high}
+  where
+    (symmetry, angle) = nearestQuarter (regionTurn region - motionRotation motion)
+    sized = region {regionSymmetry = symmetry, regionAngle = angle}
+    (wide, high) = regionExtent sized
+    (x, y) =
+      let middle = (taxelPitch * half (regionWidth region), taxelPitch * half (regionHeight region))
+          (right, down) = movePoint motion (movePoint (regionMotion region) middle)
+       in (right / taxelPitch, down / taxelPitch)
+    half n = fromIntegral n / 2
 
 -- | How a face may lie in the robot's frame.
 data Turns

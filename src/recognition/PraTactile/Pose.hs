@@ -70,6 +70,7 @@ module PraTactile.Pose
     RigidMotion (..),
     faceFrame,
     faceFrameOf,
+    betweenFrames,
     objectMotion,
     thenMotion,
     movedBy,
@@ -234,6 +235,16 @@ faceFrame corners = case (corners, reverse corners) of
 -- where the object has no such face.
 faceFrameOf :: Solid -> FaceName -> Maybe RigidMotion
 faceFrameOf whole = faceFrame . cornerPoints whole
+
+-- | From the one frame of a face to another, which begins at another of its vertices, given both
+-- from the object's frame.
+betweenFrames :: RigidMotion -> RigidMotion -> Motion
+betweenFrames from to = case (rows, by) of
+  ((c : _) : (s : _) : _, x : y : _) -> Motion (toDegrees (atan2 s c)) x y
+  _ -> Motion 0 0 0
+  where
+    rows = motionRows to `times` transpose (motionRows from)
+    by = zipWith (-) (motionBy to) (rows `applied` motionBy from)
 
 -- | From the object's frame to the robot's, where a face, with this 'faceFrame', is moved so into
 -- the robot's plane.

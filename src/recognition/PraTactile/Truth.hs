@@ -5,6 +5,7 @@ module PraTactile.Truth
   ( Truth (..),
     truePlace,
     truePose,
+    truthFrom,
     Claim (..),
     scaledTruth,
     scaledClaim,
@@ -17,7 +18,8 @@ import Control.Monad (guard)
 import Data.Maybe (isNothing)
 import PraTactile.Explore
 import PraTactile.Object.Placement
-import PraTactile.Pose (RigidMotion, faceFrameOf, objectMotion)
+import PraTactile.Object.WingedEdge (sameFace)
+import PraTactile.Pose (RigidMotion, betweenFrames, faceFrameOf, objectMotion)
 import PraTactile.Sensor (Bend (..))
 import PraTactile.Sensor.Frame (Motion (..), inverse, movePoint)
 import PraTactile.Symmetry (Symmetry, degreesClockwise)
@@ -51,6 +53,25 @@ truePose layout truth = do
       (originX, originY) = truthOrigin truth
       moved = back {motionX = motionX back + originX, motionY = motionY back + originY}
   Just (objectMotion frame moved)
+
+-- | The truth with its face begun at the vertex at which this name of it begins, as far as places
+-- go: a bend keeps the axis that it had. Unchanged where it is not the same face.
+truthFrom :: Placement -> Face -> Truth -> Truth
+truthFrom layout named truth = case frameBetween layout (truthFace truth) named of
+  Just motion | named /= truthFace truth -> truth {truthFace = named, truthRegion = moved motion}
+  _ -> truth
+  where
+    moved motion = movedRegion motion (truthRegion truth)
+
+-- | From the frame of a face as one name begins it to that of the same face as another does.
+-- 'Nothing' where these are two faces.
+frameBetween :: Placement -> Face -> Face -> Maybe Motion
+frameBetween layout from@(Face object name) to@(Face object' name')
+  | from == to = Just (Motion 0 0 0)
+  | otherwise = do
+    guard (object == object' && sameFace name name')
+    whole <- placementObject layout object
+    betweenFrames <$> faceFrameOf whole name <*> faceFrameOf whole name'
 
 -- | What an answer says.
 data Claim = Claim
@@ -96,23 +117,30 @@ data Difference
     Elsewhere Double
   deriving stock (Eq, Show)
 
--- | How many millimetres the answer is from the truth, given the symbols' pitch; or in what it is
--- wrong. It must name the quarter turn nearest to the true rotation, or where two are nearly as
--- near, to 5 degrees, either: the one that was measured. Windows lie a whole cell apart at least,
--- so that less than half a cell is the error of the measurement.
-compared :: Pitch -> Truth -> Claim -> Either Difference Double
-compared pitch truth claim
-  | claimFace claim /= truthFace truth = Left OtherFace
-  | apart > 45 + atTheBorder = Left OtherWayUp
-  | abs dx < half pitchRight && abs dy < half pitchDown = Right distance
-  | otherwise = Left (Elsewhere distance)
+-- | How many millimetres the answer is from the truth, given the objects as they are laid; or in
+-- what it is wrong. Either may begin the face at any of its vertices. The answer must name the
+-- quarter turn nearest to the true rotation, or where two are nearly as near, to 5 degrees, either:
+-- the one that was measured. Windows lie a whole cell apart at least, so that less than half a cell
+-- is the error of the measurement.
+compared :: Placement -> Truth -> Claim -> Either Difference Double
+compared layout truth claim = do
+  motion <- maybe (Left OtherFace) Right (frameBetween layout (truthFace truth) (claimFace claim))
+  let (x, y) = movePoint (inverse motion) (claimPlace claim)
+      (trueX, trueY) = truePlace truth (claimSeenAt claim)
+      (dx, dy) = (x - trueX, y - trueY)
+      distance = sqrt (dx * dx + dy * dy)
+      -- By how many degrees the quarter turn claimed differs from the true rotation, 0 to 180.
+      apart = abs (turn - 360 * fromInteger (round (turn / 360)))
+      turn =
+        degreesClockwise (claimSymmetry claim)
+          + motionRotation motion
+          - regionTurn (truthRegion truth)
+  if apart > 45 + atTheBorder
+    then Left OtherWayUp
+    else
+      if abs dx < half pitchRight && abs dy < half pitchDown
+        then Right distance
+        else Left (Elsewhere distance)
   where
-    (x, y) = claimPlace claim
-    (trueX, trueY) = truePlace truth (claimSeenAt claim)
-    (dx, dy) = (x - trueX, y - trueY)
-    distance = sqrt (dx * dx + dy * dy)
-    half side = fromRational (side pitch) / 2
-    -- By how many degrees the quarter turn claimed differs from the true rotation.
-    apart = min turn (360 - turn)
-    turn = abs (degreesClockwise (claimSymmetry claim) - regionTurn (truthRegion truth))
+    half side = fromRational (side (placementPitch layout)) / 2
     atTheBorder = 5

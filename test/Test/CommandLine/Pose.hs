@@ -44,6 +44,25 @@ spec = do
         world <- number (key [of'] err)
         abs (robot - world) `shouldSatisfy` (< 1e-6)
         robot `shouldSatisfy` (> 0)
+  -- A face had no pose where it is begun at another vertex than in the object's own list.
+  it "of faces begun at any vertex decode has the pose, and it is the one that was pressed" $
+    inFolder $ \folder -> do
+      (status, out, _) <-
+        scripted
+          folder
+          "pra place box:60x80x50 prism:6,40,60 --symbols 1/2 --face 'box:V7 V3 V2 V6' \
+          \--face 'prism:V10 V11 V5 V4' --upright --output p.json > log; \
+          \for f in 'box V3 V2 V6 V7' 'prism V4 V10 V11 V5'; do \
+          \pra probe --placement p.json --object ${f%% *} --face \"${f#* }\" --taxel 0.79375 \
+          \--sensor ideal --seed 5 --upright --output f --truth t > log; \
+          \pra decode --placement p.json --json f > a; \
+          \pra compare --placement p.json a t --json; rm -r f; done"
+      status `shouldBe` 0
+      length (lines out) `shouldBe` 2
+      for_ (lines out) $ \line -> do
+        far <- number (key ["pose_mm"] line)
+        degrees <- number (key ["pose_deg"] line)
+        (far, degrees) `shouldSatisfy` \(a, b) -> a < 0.05 && b < 0.05
   for_ [("1/2", 0.5, "box:90x90x90"), ("2", 2, "box:400x400x60")] $ \(size, larger, object') ->
     it ("of symbols " ++ size ++ " times as large it is as exact, for their size") $
       inFolder $ \folder -> do

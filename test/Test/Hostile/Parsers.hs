@@ -43,7 +43,7 @@ import PraTactile.Grid (gridRows)
 import PraTactile.Image (constant, rasterSize, rasterValues)
 import PraTactile.Image.Pgm
 import PraTactile.Locate hiding (Outcome (..))
-import PraTactile.Object.Canonical (canonicalPitch)
+import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Description (ObjectName (..))
 import PraTactile.Object.Placement (laidFaces, placementSolids)
 import PraTactile.Object.Validity (examine, reportDefects)
@@ -305,8 +305,9 @@ judgedClaim bytes = case decodeClaim bytes of
     Accepted
       [("the face is turned, not mirrored", all ((`elem` rotations) . claimSymmetry) claim)]
       ( show
-          [ (c, compared canonicalPitch truth c)
-            | Right truth <- map decodeTruth truths,
+          [ (c, compared layout truth c)
+            | Right layout <- [canonicalPlacement],
+              Right truth <- map decodeTruth truths,
               Just c <- [claim]
           ]
       )

@@ -2,8 +2,8 @@
 module Test.Recognition.AnswersBesideTruth (spec) where
 
 import PraTactile.Explore
-import PraTactile.Object.Canonical (canonicalPitch)
-import PraTactile.Object.Placement (Face (..))
+import PraTactile.Object.Canonical (canonicalPlacement)
+import PraTactile.Object.Placement (Face (..), Placement)
 import PraTactile.Object.WingedEdge
 import PraTactile.Sensor.Frame (taxelPitch)
 import PraTactile.Symmetry
@@ -11,9 +11,13 @@ import PraTactile.Truth
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
+import qualified Test.Support as Support
 
 spec :: Spec
-spec = do
+spec = runIO (Support.right canonicalPlacement) >>= lawsOn
+
+lawsOn :: Placement -> Spec
+lawsOn layout = do
   prop "the region's corners, as the robot sees them, are those on the face, turned" $
     forAllShrink someTruth simpler $ \truth ->
       let region = truthRegion truth
@@ -44,7 +48,7 @@ spec = do
               point
               Nothing
           distance = sqrt (dx * dx + dy * dy)
-       in compared canonicalPitch truth claim `shouldSatisfy` \verdict -> case verdict of
+       in compared layout truth claim `shouldSatisfy` \verdict -> case verdict of
             Right far ->
               abs dx < 12.7 + tiny && abs dy < 15.875 + tiny && abs (far - distance) < tiny
             Left (Elsewhere far) ->
@@ -60,14 +64,38 @@ spec = do
               point
               Nothing
        in ( compared
-              canonicalPitch
+              layout
               truth
               right
                 { claimFace = Face (ObjectName "cube") (readFaceName "C2 C6 C7 C3")
                 },
-            compared canonicalPitch truth right {claimSymmetry = turned 1 <> claimSymmetry right}
+            compared layout truth right {claimSymmetry = turned 1 <> claimSymmetry right}
           )
             === (Left OtherFace, Left OtherWayUp)
+  -- Walked on by one vertex, the face W wide and H high begins at its lower left: what was x right
+  -- and y down is H - y right and x down, and the face lies a quarter turn further back.
+  prop "an answer that begins the face at another vertex says the same of the same place" $
+    forAllShrink someTruth simpler $ \truth point (dx, dy) ->
+      let (x, y) = truePlace truth point
+          claim =
+            Claim
+              (truthFace truth)
+              (regionSymmetry (truthRegion truth))
+              (x + dx, y + dy)
+              point
+              Nothing
+          onward given =
+            given
+              { claimFace = rotated (claimFace given),
+                claimSymmetry = turned 3 <> claimSymmetry given,
+                claimPlace = (127 - snd (claimPlace given), fst (claimPlace given))
+              }
+          rotated (Face object (FaceName walk)) =
+            Face object (FaceName (drop 1 walk ++ take 1 walk))
+          verdicts = map (compared layout truth) (take 4 (iterate onward claim))
+       in counterexample (show verdicts) $
+            all (nearly (take 1 verdicts)) verdicts || abs (abs dx - 12.7) < tiny
+              || abs (abs dy - 15.875) < tiny
   prop "at any angle the centre stays the centre, and directions are turned back by the angle" $
     forAll askewTruth $ \truth ->
       let region = truthRegion truth
@@ -94,7 +122,7 @@ spec = do
   prop "at any angle the nearest quarter turn is the right one, and near the border both are" $
     forAll askewTruth $ \truth ->
       let said symmetry =
-            compared canonicalPitch truth $
+            compared layout truth $
               Claim (truthFace truth) symmetry (truePlace truth (1, 2)) (1, 2) Nothing
           region = truthRegion truth
           right = [symmetry | symmetry <- rotations, said symmetry /= Left OtherWayUp]
@@ -106,7 +134,7 @@ spec = do
       let tilted angle = truth {truthRegion = (truthRegion truth) {regionAngle = angle}}
           symmetry = regionSymmetry (truthRegion truth)
           said angle =
-            compared canonicalPitch (tilted angle) $
+            compared layout (tilted angle) $
               Claim (truthFace truth) symmetry (truePlace (tilted angle) (1, 2)) (1, 2) Nothing
        in map ((== Left OtherWayUp) . said) [50, -50, 50.001, -50.001]
             === [False, False, True, True]
@@ -118,6 +146,11 @@ spec = do
             abs rest <= 45 && abs (off - 360 * fromIntegral (round (off / 360) :: Int)) < 1e-9
   where
     tiny = 1e-6 :: Double
+    nearly firsts verdict = case (firsts, verdict) of
+      ([Right a], Right b) -> abs (a - b) < tiny
+      ([Left (Elsewhere a)], Left (Elsewhere b)) -> abs (a - b) < tiny
+      ([a], b) -> a == b
+      _ -> False
     near (x, y) (u, v) =
       counterexample (show ((x, y), (u, v))) (abs (x - u) < tiny && abs (y - v) < tiny)
 

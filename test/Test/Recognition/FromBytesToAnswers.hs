@@ -17,7 +17,7 @@ import PraTactile.Format (FormatError (..), JsonError (..), folderFiles)
 import PraTactile.Image (constant, crop, generate)
 import PraTactile.Image.Error (ImageError (..))
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity)
-import PraTactile.Object.Placement (Face (..), Placement (..), spotMillimetres)
+import PraTactile.Object.Placement (Face (..), spotMillimetres)
 import PraTactile.Object.WingedEdge (ObjectName (..), faceText, vertexText)
 import PraTactile.Pressing (pressed, pressingWith)
 import PraTactile.Recognise (ReadWindow (..))
@@ -359,7 +359,7 @@ decodeSpec = do
         composite <- right (sourceComposite paperTables asStated standardStitching source)
         recognition <-
           right (canonicalRecogniser >>= \known -> decodeSources standardDecoding known [source])
-        map (compared (placementPitch layout) truth) (claims composite recognition)
+        map (compared layout truth) (claims composite recognition)
           `shouldSatisfy` \found -> not (null found) && all isRight found
   it "a flat image is refused; its summary is the refusal's name" $
     fmap summary (canonicalRecogniser >>= (`decodeImage` flat))

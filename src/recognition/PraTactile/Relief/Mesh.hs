@@ -17,7 +17,6 @@ where
 
 import Data.Maybe (mapMaybe)
 import qualified Data.Vector as V
-import qualified Data.Vector.Unboxed as U
 import PraTactile.Geometry (symbolThickness, taxelPitch)
 import PraTactile.Object.Mesh
 import PraTactile.Object.Placement
@@ -64,11 +63,11 @@ meshRelief it object laid
           | s <- [0 .. sideCount sides - 1],
             maybe True (\t -> sideStart sides t /= sideEnd sides s) (mateOf sides s)
         ]
-    onFace = faceMotion (namedPoints object name)
+    onFace = faceMotion (cornerPoints object name)
     points = V.generate (V.length (meshPoints it)) (onFace . pointAt it)
     missing =
       [ found
-        | found@(_, at) <- zip (faceVertices name) (map onFace (namedPoints object name)),
+        | found@(_, at) <- zip (faceVertices name) (map onFace (cornerPoints object name)),
           not (V.any (near at) points)
       ]
     near (x, y, z) (x', y', z') = all ((< taxelPitch / 100) . abs) [x - x', y - y', z - z']
@@ -78,11 +77,6 @@ meshRelief it object laid
         | walk <- V.toList (meshWalks it),
           (a, b, c) <- triangles it walk
       ]
-
--- | The places of a face's vertices, in the order of its name.
-namedPoints :: Solid -> FaceName -> [Point]
-namedPoints object name =
-  maybe [] (map (pointAt (solidMesh object)) . U.toList) (walkNamed object name)
 
 -- | From space to a face with these corners: millimetres to the right of its first one, below it,
 -- and above the face.

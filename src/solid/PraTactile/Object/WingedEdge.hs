@@ -36,7 +36,7 @@ module PraTactile.Object.WingedEdge
   )
 where
 
-import Data.List (sort, sortOn)
+import Data.List (find, sort, sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (listToMaybe, maybeToList)
 import Data.Ratio ((%))
@@ -64,7 +64,6 @@ data Solid = Solid
   { -- | the solid by index
     solidMesh :: Mesh,
     solidSurface :: Surface,
-    faceIndices :: Map.Map FaceName Int,
     vertexIndices :: Map.Map VertexName Int,
     -- | the sides that begin at a vertex
     sidesFrom :: V.Vector [Int]
@@ -123,7 +122,6 @@ solidOf it = case reportDefects report ++ maybeToList (intersecting report) of
       Solid
         { solidMesh = it,
           solidSurface = sides,
-          faceIndices = Map.fromList [(faceAt it f, f) | f <- [0 .. V.length walks - 1]],
           vertexIndices = Map.fromList [(vertexAt it v, v) | v <- [0 .. vertices - 1]],
           sidesFrom =
             V.accum
@@ -191,11 +189,8 @@ edgeAlong whole left right =
       where
         first = maybe side (min side) (mateOf sides side)
 
-sidesOf :: Solid -> FaceName -> [Int]
-sidesOf whole face =
-  maybe [] (sidesOfFace (solidSurface whole)) (Map.lookup face (faceIndices whole))
-
--- | The edges of a face in the order of its walk; none if the solid has no such face.
+-- | The edges of a face in the order of its name, which may begin at any vertex; none if the solid
+-- has no such face.
 edgesOf :: Solid -> FaceName -> [Edge]
 edgesOf whole face =
   [ edgeAlong whole (min s t) (max s t)
@@ -216,8 +211,8 @@ facesAt whole vertex =
     sides = solidSurface whole
     turning s = s : maybe [] turning (mateOf sides (previousSide sides s))
 
--- | The faces across the edges of a face, in the order of its walk; none if the solid has no such
--- face.
+-- | The faces across the edges of a face, in the order of its name, which may begin at any vertex;
+-- none if the solid has no such face.
 neighbours :: Solid -> FaceName -> [FaceName]
 neighbours whole face =
   [ faceAt (solidMesh whole) (sideFace (solidSurface whole) t)
@@ -228,35 +223,43 @@ neighbours whole face =
 -- | The walk that a face's name is, whichever of the face's vertices it begins with; none if the
 -- solid has no such face.
 walkNamed :: Solid -> FaceName -> Maybe Walk
-walkNamed whole name =
-  listToMaybe [U.fromList walk | (_, walk) <- sidesAndWalks whole name, Just walk == asked]
-  where
-    asked = traverse (`Map.lookup` vertexIndices whole) (faceVertices name)
+walkNamed whole name = case sidesOf whole name of
+  [] -> Nothing
+  sides -> Just (U.fromList (map (sideStart (solidSurface whole)) sides))
 
 -- | The face with these vertices, in whatever order, by its own name.
 sameCorners :: Solid -> FaceName -> Maybe FaceName
 sameCorners whole name =
   listToMaybe
     [ faceAt (solidMesh whole) (sideFace (solidSurface whole) s)
-      | (s, walk) <- sidesAndWalks whole name,
-        fmap sort (traverse (`Map.lookup` vertexIndices whole) (faceVertices name))
-          == Just (sort walk)
+      | sides@(s : _) <- sidesFromFirst whole name,
+        fmap sort (verticesNamed whole name)
+          == Just (sort (map (sideStart (solidSurface whole)) sides))
     ]
 
--- | The sides that begin at the name's first vertex, and the walks that begin with them.
-sidesAndWalks :: Solid -> FaceName -> [(Int, [Int])]
-sidesAndWalks whole name =
-  [ (s, map (sideStart sides) (walk s))
+-- | The sides of a face in the order of its name, which may begin at any vertex; none if the solid
+-- has no such face.
+sidesOf :: Solid -> FaceName -> [Int]
+sidesOf whole name =
+  concat (find ((== verticesNamed whole name) . Just . vertices) (sidesFromFirst whole name))
+  where
+    vertices = map (sideStart (solidSurface whole))
+
+-- | The vertices of a name by their indices, if there are all of them.
+verticesNamed :: Solid -> FaceName -> Maybe [Int]
+verticesNamed whole = traverse (`Map.lookup` vertexIndices whole) . faceVertices
+
+-- | The sides of each face at the name's first vertex, in the order of its walk from there.
+sidesFromFirst :: Solid -> FaceName -> [[Int]]
+sidesFromFirst whole name =
+  [ s : takeWhile (/= s) (drop 1 (iterate (nextSide (solidSurface whole)) s))
     | first : _ <- [faceVertices name],
       Just v <- [Map.lookup first (vertexIndices whole)],
       s <- sidesFrom whole V.! v
   ]
-  where
-    sides = solidSurface whole
-    walk s = s : takeWhile (/= s) (drop 1 (iterate (nextSide sides) s))
 
--- | The places of a face's vertices in the order of its name, in millimetres; none if the solid has
--- no such face.
+-- | The places of a face's vertices in the order of its name, which may begin at any of them, in
+-- millimetres; none if the solid has no such face.
 cornerPoints :: Solid -> FaceName -> [Point]
 cornerPoints whole =
   map (pointAt (solidMesh whole) . sideStart (solidSurface whole))
