@@ -32,14 +32,18 @@ framesArgument =
         )
     )
 
--- | The composites of sources, given the tables of the symbols that may have been felt. Says so
--- where images of a frame's size are taken for composites, because they stand in no manifest.
--- Leaves with status 2 where one cannot be made.
-loadSources :: LatticeTables -> Preparation -> Stitching -> [SourcePath] -> IO [Composite]
-loadSources tables known stitching paths = do
+-- | The composites of sources, given the tables of the symbols that may have been felt, and how
+-- much larger than the paper's they are, as 'sourceComposite' makes them. Says so where images of a
+-- frame's size are taken for composites, because they stand in no manifest. Leaves with status 2
+-- where one cannot be made.
+loadSources ::
+  LatticeTables -> Double -> Preparation -> Stitching -> [SourcePath] -> IO [Composite]
+loadSources tables size known stitching paths = do
   composites <- for paths $ \path -> do
     source <- readSource path >>= orUnusable filesMessage
-    orUnusable (decodeMessage (sourcePath path)) (sourceComposite tables known stitching source)
+    orUnusable
+      (decodeMessage (sourcePath path))
+      (sourceComposite tables size known stitching source)
   let lone =
         [ takeDirectory file
           | (ImagePath file, composite) <- zip paths composites,

@@ -104,7 +104,6 @@ preparation choice =
     (chosenInverted choice)
     <$> traverse usableTaxel (chosenTaxel choice)
     <*> traverse readCalibration (calibrationFile choice)
-    <*> pure 1
 
 -- | What was said of how frames are put together.
 data StitchingChoice = StitchingChoice

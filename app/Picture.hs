@@ -25,6 +25,7 @@ import PraTactile.Pose (RigidMotion)
 import PraTactile.Recognise
 import PraTactile.Recognise.Summary (lieText, shownTilt, upperLeftVertex)
 import PraTactile.Registration (Composite)
+import PraTactile.Relief (symbolTaxel)
 import PraTactile.Shape (Alphabet)
 import Recognised
 
@@ -55,7 +56,8 @@ recognitionPage alphabet nameOf layout classesOf posed composite recognition =
   Page (recognitionMessage recognition) felt face lying answer meanings
   where
     turnedBy = shownTilt recognition
-    felt = compositePanel alphabet nameOf composite recognition
+    felt =
+      compositePanel alphabet nameOf (symbolTaxel (placementPitch layout)) composite recognition
     face =
       concat
         [ beside 48 felt . facePanel $

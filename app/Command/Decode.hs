@@ -33,14 +33,13 @@ import PraTactile.Format
     encodeRecognition,
     recognitionReport,
   )
-import PraTactile.Object.Placement (Placement, placementPitch)
+import PraTactile.Object.Placement (Placement)
 import PraTactile.Pose (Pose (..), RigidMotion, thenPose)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.FoundPose (foundPose)
 import PraTactile.Registration (Composite (..), compositePosition)
-import PraTactile.Relief (classOn, symbolScale)
-import PraTactile.Source (Preparation (..))
+import PraTactile.Relief (classOn)
 import Recognised
 import Setup
 import SvgFile
@@ -232,8 +231,8 @@ decodeAll world options found profile layout near = do
   when
     (several && picture options /= Nothing)
     (misused "--picture draws one composite; give one source")
-  known <- (\stated -> stated {preparedScale = larger}) <$> preparation (frames options)
-  composites <- loadSources (readerTables symbols) known (stitchingOf (stitching options)) found
+  known <- preparation (frames options)
+  composites <- loadSources (readerTables symbols) larger known (stitchingOf (stitching options)) found
   case sharing options of
     OneFace ->
       placed [(x / larger, y / larger) | (x, y) <- places options] (zip found composites)
@@ -368,5 +367,5 @@ decodeWith profile array near world options bare from composites = do
         array
         (stitchingPositionError (stitchingOf (stitching options)))
         composites
-    larger = maybe 1 fromRational (symbolScale (placementPitch (recogniserPlacement bare)))
+    larger = fromRational (recogniserScale bare)
     both f (x, y) = (f x, f y)

@@ -54,7 +54,7 @@ run symbols stitching choice form paths = do
       (ofRegistration stitching ++ alphabetGiven symbols)
   known <- preparation choice
   tables <- latticeTables <$> chosenAlphabet symbols
-  composites <- loadSources tables known (stitchingOf stitching) found
+  composites <- loadSources tables 1 known (stitchingOf stitching) found
   let several = not (null (drop 1 found))
   fmap (maximum . (Answered :)) . for (zip (map sourcePath found) composites) $
     \(path, composite) -> do

@@ -19,7 +19,7 @@ where
 import Data.Text (Text)
 import Drawing
 import Picture.Style
-import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth, taxelPitch)
+import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth)
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Recognise
 import PraTactile.Recognise.Summary (shownTilt)
@@ -74,10 +74,11 @@ answeringCells found
 
 -- | The composite, dark where it was pressed; over it the shape of each recognised symbol in its
 -- box with its element, the box of each other, and dashed what parts most likely are, beyond the
--- composite too; the cells of the window that gives the answer, and the place.
-compositePanel :: Alphabet -> (Int -> String) -> Composite -> Recognition -> Drawing
-compositePanel alphabet nameOf composite recognition =
-  panel "What was felt" note body (unit / taxelPitch)
+-- composite too; the cells of the window that gives the answer, and the place. A taxel of the
+-- symbols has this side, millimetres.
+compositePanel :: Alphabet -> (Int -> String) -> Double -> Composite -> Recognition -> Drawing
+compositePanel alphabet nameOf taxel composite recognition =
+  panel "What was felt" note body (unit / taxel)
   where
     note =
       show wide ++ " x " ++ show high ++ " taxels, "
@@ -85,7 +86,7 @@ compositePanel alphabet nameOf composite recognition =
         ++ " x "
         ++ millimetres high
         ++ " mm"
-    millimetres taxels = hundredths (taxelPitch * fromIntegral taxels)
+    millimetres taxels = hundredths (taxel * fromIntegral taxels)
     (wide, high) = (rasterWidth (compositeImage composite), rasterHeight (compositeImage composite))
     -- Picture units a taxel; a symbol is large enough to be looked at, a face fits on a screen.
     unit = max 1 (min 12 (1000 / fromIntegral (maximum [wide, high, 1])))

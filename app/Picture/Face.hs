@@ -12,12 +12,12 @@ import Drawing
 import Picture.Style
 import PraTactile.Array (Position)
 import PraTactile.Explore (fillsBox)
-import PraTactile.Geometry (columnPitch)
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Recognise
 import PraTactile.Registration (Composite (..))
+import PraTactile.Relief (symbolTaxel)
 import PraTactile.Sensor.Frame (Motion (..), movePoint)
 import PraTactile.Shape (Alphabet)
 import PraTactile.Symmetry
@@ -105,7 +105,7 @@ symbolMarks view
 
 -- | A taxel of the symbols, millimetres on the face.
 taxelOf :: FaceView -> Double
-taxelOf view = fromRational (pitchRight (placementPitch (viewLayout view)) / columnPitch)
+taxelOf = symbolTaxel . placementPitch . viewLayout
 
 -- | Width and height of the cells of the answer's window, millimetres.
 windowSize :: FaceView -> (Double, Double)

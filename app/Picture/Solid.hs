@@ -24,11 +24,11 @@ import Drawing
 import Drawing.Svg
 import Picture.Style
 import PraTactile.Array (Position)
-import PraTactile.Geometry (columnPitch)
 import PraTactile.Object.Description (cyclicPairs)
 import PraTactile.Object.Placement
 import PraTactile.Object.View
 import PraTactile.Object.WingedEdge
+import PraTactile.Relief (symbolTaxel)
 import PraTactile.Shape (Alphabet)
 import PraTactile.Symmetry
 import Text.Printf (printf)
@@ -174,7 +174,7 @@ embossedOn alphabet layout classesOf whole =
         sameFace face (faceName (laidFace laid))
     ]
   where
-    taxel = fromRational (pitchRight (placementPitch layout) / columnPitch)
+    taxel = symbolTaxel (placementPitch layout)
     symbolOn laid cell =
       [ map (onFaceOf whole (faceName (laidFace laid))) [(l, t), (r, t), (r, b), (l, b)]
         | Mark _ (Patches _ runs) <-

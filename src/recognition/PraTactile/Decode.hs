@@ -42,13 +42,13 @@ import PraTactile.Recognise
 import PraTactile.Registration (Composite (..), LatticeTables, StitchError)
 import PraTactile.Registration.Stitching
 import PraTactile.Sensor.Calibration (withoutStuck)
-import PraTactile.Sensor.Frame (Frame)
+import PraTactile.Sensor.Frame (Frame, scaledFrame)
 import PraTactile.Source
 
--- | A recogniser whose field need not be known: what its symbols are read with, and of composites
--- of one face, what they show together.
+-- | A recogniser whose field need not be known: what its symbols are read with, how much larger
+-- than the paper's they are, and of composites of one face, what they show together.
 data SomeRecogniser
-  = SomeRecogniser Reader (Tolerance -> [Composite] -> Either NetworkError Recognition)
+  = SomeRecogniser Reader Double (Tolerance -> [Composite] -> Either NetworkError Recognition)
 
 -- | Why there is no recognition. A composite that is read but not understood is no error: its
 -- 'Recognition' has a 'Refusal'.
@@ -87,7 +87,8 @@ someRecogniser profile layout reader = do
       )
   first PartsRefused made
   where
-    decoding made = SomeRecogniser reader (`recogniseWith` made)
+    decoding made =
+      SomeRecogniser reader (fromRational (recogniserScale made)) (`recogniseWith` made)
 
 -- | The recogniser for the paper's array with the shipped placement, shapes and network. It is
 -- always 'Right': the tests build it.
@@ -110,17 +111,18 @@ standardDecoding :: Decoding
 standardDecoding = Decoding asStated standardStitching standardTolerance
 
 -- | The composite of a source: the frames of a folder, prepared and put together, or the image that
--- is one, likewise prepared. The tables are those of the symbols that may have been felt. Refuses
--- what 'preparedFrames', 'stitchedBy', 'imageComposite' and 'preparedImage' refuse.
+-- is one, likewise prepared. Tables and size are those of the symbols that may have been felt: a
+-- size of 2 is twice the paper's. The composite's lengths are divided by the size. Refuses what
+-- 'preparedFrames', 'stitchedBy', 'imageComposite' and 'preparedImage' refuse.
 sourceComposite ::
-  LatticeTables -> Preparation -> Stitching -> Source -> Either DecodeError Composite
-sourceComposite tables known stitching source = case source of
+  LatticeTables -> Double -> Preparation -> Stitching -> Source -> Either DecodeError Composite
+sourceComposite tables size known stitching source = case source of
   FrameFolder folder ->
     first FolderRefused (preparedFrames known folder)
-      >>= fmap (stated folder) . first FramesRefused . stitchedBy tables stitching
+      >>= fmap (stated folder) . framesComposite tables size stitching
   WholeImage bytes ->
     first FileRefused (imageComposite bytes)
-      >>= first FolderRefused . preparedImage known . compositeImage
+      >>= first FolderRefused . preparedImage size known . compositeImage
   where
     stated folder composite =
       composite
@@ -128,11 +130,16 @@ sourceComposite tables known stitching source = case source of
           compositeTaking = takingOf known folder
         }
 
+-- | The composite of frames, whose lengths are divided by the symbols' size.
+framesComposite :: LatticeTables -> Double -> Stitching -> [Frame] -> Either DecodeError Composite
+framesComposite tables size stitching =
+  first FramesRefused . stitchedBy tables stitching . map (scaledFrame (1 / size))
+
 -- | What sources of one face show together. Refuses what 'sourceComposite' refuses.
 decodeSources :: Decoding -> SomeRecogniser -> [Source] -> Either DecodeError Recognition
-decodeSources how with@(SomeRecogniser reader _) sources =
+decodeSources how with@(SomeRecogniser reader size _) sources =
   traverse
-    (sourceComposite (readerTables reader) (decodingPreparation how) (decodingStitching how))
+    (sourceComposite (readerTables reader) size (decodingPreparation how) (decodingStitching how))
     sources
     >>= decodeComposites (decodingTolerance how) with
 
@@ -144,14 +151,15 @@ decodeFolder with folder = decodeSources standardDecoding with [FrameFolder fold
 decodeImage :: SomeRecogniser -> ByteString -> Either DecodeError Recognition
 decodeImage with bytes = decodeSources standardDecoding with [WholeImage bytes]
 
--- | What frames show, likewise, elements that are stuck not felt ('withoutStuck'). Refuses what
--- 'stitchedBy' refuses.
+-- | What frames show, by 'standardDecoding'; elements that are stuck are not felt ('withoutStuck').
+-- Refuses what 'stitchedBy' refuses.
 decodeFrames :: SomeRecogniser -> [Frame] -> Either DecodeError Recognition
-decodeFrames with@(SomeRecogniser reader _) frames =
-  first FramesRefused (stitchedBy (readerTables reader) standardStitching (withoutStuck frames))
+decodeFrames with@(SomeRecogniser reader size _) frames =
+  framesComposite (readerTables reader) size standardStitching (withoutStuck frames)
     >>= decodeComposites standardTolerance with . pure
 
--- | What composites of one face show together, as 'recogniseWith' has it.
+-- | What composites of one face show together, as 'recogniseWith' has it. Their lengths are those
+-- of symbols of the paper's size, as 'sourceComposite' makes them.
 decodeComposites :: Tolerance -> SomeRecogniser -> [Composite] -> Either DecodeError Recognition
-decodeComposites tolerance (SomeRecogniser _ recognised) =
+decodeComposites tolerance (SomeRecogniser _ _ recognised) =
   first NetworkRefused . recognised tolerance

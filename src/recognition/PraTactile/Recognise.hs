@@ -9,6 +9,7 @@ module PraTactile.Recognise
     Recogniser,
     recogniser,
     recogniserPlacement,
+    recogniserScale,
     recogniserReader,
     RecogniserError (..),
     Tolerance (..),

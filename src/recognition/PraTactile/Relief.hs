@@ -5,6 +5,7 @@
 module PraTactile.Relief
   ( -- * The size of symbols
     symbolScale,
+    symbolTaxel,
 
     -- * The relief of a face
     Relief (..),
@@ -65,6 +66,13 @@ symbolScale (Pitch right down)
   | right * pitchDown canonicalPitch == down * pitchRight canonicalPitch =
     Just (right / pitchRight canonicalPitch)
   | otherwise = Nothing
+
+-- | The side of a taxel of the symbols, millimetres.
+--
+-- >>> symbolTaxel (Pitch 12.7 15.875)
+-- 0.79375
+symbolTaxel :: Pitch -> Double
+symbolTaxel between = fromRational (pitchRight between / columnPitch)
 
 -- | The heights of a face, of which only what is asked for is made.
 data Relief = Relief

@@ -145,19 +145,17 @@ data Preparation = Preparation
     preparedPositionScale :: (Double, Double),
     -- | whether no contact is full scale in the images, and full contact 0
     preparedInverted :: Bool,
-    -- | the distance of neighbouring taxels in millimetres, in place of what the
-    -- manifest says; of a whole image that of its pixels, which else is the paper's, times 'preparedScale'
+    -- | the distance of neighbouring taxels in millimetres, in place of what the manifest says; of
+    -- a whole image that of its pixels, which else is the paper's, times the symbols' size
     preparedTaxel :: Maybe Double,
     -- | what frames and whole images are corrected by
-    preparedCalibration :: Maybe Calibration,
-    -- | by what all its lengths are divided: how much larger than the paper's the symbols are
-    preparedScale :: Double
+    preparedCalibration :: Maybe Calibration
   }
   deriving stock (Eq, Show)
 
--- | Frames as their manifest has them, not corrected, of symbols of the paper's size.
+-- | Frames as their manifest has them, not corrected.
 asStated :: Preparation
-asStated = Preparation Nothing straight (1, 1) False Nothing Nothing 1
+asStated = Preparation Nothing straight (1, 1) False Nothing Nothing
 
 -- | The frames of a folder as they are put together: prepared, and elements that are stuck not felt
 -- ('withoutStuck'). Refuses what 'folderFrames' refuses; images of more than 'maxFramePixels'
@@ -184,10 +182,10 @@ preparedFrames known folder = do
           (across, down) = preparedPositionScale known
        in frame {framePose = Pose (across * x) (down * y) r}
 
--- | A frame with 0 for no contact, corrected, as it is seen from outside, at the symbols' scale.
--- Refuses a calibration of another size.
+-- | A frame with 0 for no contact, corrected, as it is seen from outside. Refuses a calibration of
+-- another size.
 prepared :: Preparation -> Frame -> Either CalibrationError Frame
-prepared known = fmap (scaledFrame (1 / preparedScale known) . seen) . calibrated . contact
+prepared known = fmap seen . calibrated . contact
   where
     contact frame
       | preparedInverted known = frame {frameImage = mapRaster (1 -) (frameImage frame)}
@@ -240,12 +238,13 @@ data Source
 imageComposite :: ByteString -> Either ImageError Composite
 imageComposite = fmap (compositeOf . pgmIntensity) . decodePgmUpTo maxCompositePixels
 
--- | The composite that an image is once it is 'prepared', at the paper's pitch. The centre of pixel
+-- | The composite that an image is once it is 'prepared', at the paper's pitch, given the size of
+-- the symbols: 2 is twice the paper's. The composite's lengths are divided by it. The centre of pixel
 -- (0, 0) of the image as it is seen is at the origin. Refuses a calibration of another size, a
 -- pitch that is none of 'taxelPitches', and more than 'maxCompositePixels' afterwards.
-preparedImage :: Preparation -> Raster -> Either SourceError Composite
-preparedImage known image = do
-  frame <- first CalibrationRefused (prepared known felt)
+preparedImage :: Double -> Preparation -> Raster -> Either SourceError Composite
+preparedImage size known image = do
+  frame <- scaledFrame (1 / size) <$> first CalibrationRefused (prepared known felt)
   let (wide, high) = canonicalSize frame
       (w, h) = rasterSize (frameImage frame)
       pixel = frameTaxel frame
@@ -265,5 +264,5 @@ preparedImage known image = do
       }
   where
     felt = Frame (Pose 0 0 0) 0 image pitch []
-    pitch = fromMaybe (preparedScale known * taxelPitch) (preparedTaxel known)
+    pitch = fromMaybe (size * taxelPitch) (preparedTaxel known)
     half side = fromIntegral (side - 1) / 2

@@ -293,6 +293,29 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
           `shouldSatisfy` all (`elem` [v | Mark "vertex" (Words _ _ _ v) <- lying])
         length (named "embossed" lying) `shouldBe` 3
         quickCheckWith stdArgs {maxSuccess = 1, chatty = False} (apart page)
+  -- A region of half the size was drawn with the sizes of the paper's symbols.
+  it "of symbols of half the size, or of three times, the composite is as much smaller or larger" $
+    for_ [1 / 2, 1, 3] $ \size -> do
+      let page =
+            recognitionPage
+              alphabet
+              show
+              (scaledPlacement size layout)
+              (classOn array)
+              Nothing
+              (compositeOf (constant 40 52 0))
+              (unanswered [] NoSymbols)
+          bar = take 1 (named "scale" (pageComposite page))
+          unit = width (extentOf (named "composite-edge" (pageComposite page))) / 40
+      [content | Mark "note" (Words _ _ _ content) <- pageComposite page]
+        `shouldBe` [ case size of
+                       1 -> "40 x 52 taxels, 63.5 x 82.55 mm"
+                       3 -> "40 x 52 taxels, 190.5 x 247.65 mm"
+                       _ -> "40 x 52 taxels, 31.75 x 41.28 mm"
+                   ]
+      -- A bar of 20 mm.
+      abs (width (extentOf bar) - unit * 20 / (fromRational size * 1.5875))
+        `shouldSatisfy` (< 3)
   it "no answer, no face: the reason is told" $ do
     let page =
           pageOf

@@ -11,13 +11,13 @@ import Data.List (isPrefixOf)
 import qualified Data.Map.Strict as Map
 import PraTactile
 import PraTactile.Composite.Noise (frameNoise)
-import PraTactile.Decode (nominalStitching, sourceComposite)
+import PraTactile.Decode (nominalStitching, someRecogniser, sourceComposite)
 import PraTactile.Files
 import PraTactile.Format (FormatError (..), JsonError (..), folderFiles)
 import PraTactile.Image (constant, crop, generate)
 import PraTactile.Image.Error (ImageError (..))
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity)
-import PraTactile.Object.Placement (Face (..), spotMillimetres)
+import PraTactile.Object.Placement (Face (..), scaledPlacement, spotMillimetres)
 import PraTactile.Object.WingedEdge (ObjectName (..), faceText, vertexText)
 import PraTactile.Pressing (pressed, pressingWith)
 import PraTactile.Recognise (ReadWindow (..))
@@ -340,6 +340,34 @@ decodeSpec = do
           ]
     map (fmap place) decodings
       `shouldBe` replicate 2 (Right (Just (Position 6 5, "C1 C2 C3 C4", ["C2"], (25.4, 95.25))))
+  it "objects, symbols and frames of half the size, or of twice: the same place, of that size" $ do
+    folder <- readFolder "data/worked-example/frames" >>= right
+    paper <- right canonicalPlacement
+    reader <- right (shippedReader 4)
+    forM_ [1 / 2, 2] $ \size -> do
+      let of' = fromRational size
+          atSize =
+            folder
+              { folderManifest =
+                  (folderManifest folder)
+                    { manifestTaxel = of' * manifestTaxel (folderManifest folder),
+                      manifestEntries = map longer (manifestEntries (folderManifest folder))
+                    }
+              }
+          longer entry =
+            entry
+              { entryPose =
+                  (entryPose entry)
+                    { poseX = of' * poseX (entryPose entry),
+                      poseY = of' * poseY (entryPose entry)
+                    }
+              }
+      known <- right (someRecogniser canonicalProfile (scaledPlacement size paper) reader)
+      frames <- right (folderFrames atSize)
+      [place <$> decodeFolder known atSize, place <$> decodeFrames known frames]
+        `shouldBe` replicate
+          2
+          (Right (Just (Position 6 5, "C1 C2 C3 C4", ["C2"], (of' * 25.4, of' * 95.25))))
   it "a face felt by a sensor of half the pitch, or of twice, is found where it was pressed" $
     forM_ [(32, 0.79375), (8, 3.175)] $ \(side, taxel) ->
       inFolder $ \folder -> do
@@ -356,7 +384,7 @@ decodeSpec = do
         files <- right (folderFiles (sensorTaxelGrid sensor) 8 frames)
         forM_ files $ \(name, bytes) -> Bytes.writeFile (folder </> name) bytes
         source <- FrameFolder <$> (readFolder folder >>= right)
-        composite <- right (sourceComposite paperTables asStated standardStitching source)
+        composite <- right (sourceComposite paperTables 1 asStated standardStitching source)
         recognition <-
           right (canonicalRecogniser >>= \known -> decodeSources standardDecoding known [source])
         map (compared layout truth) (claims composite recognition)

@@ -4,11 +4,13 @@ module PraTactile.Recognise.Recogniser
     recogniser,
     recogniserUpTo,
     recogniserWindow,
+    recogniserScale,
     RecogniserError (..),
   )
 where
 
 import Data.Bifunctor (first)
+import Data.Maybe (fromMaybe)
 import Numeric.Natural (Natural)
 import PraTactile.Array (ArrayOn (..), Shape (..), arrayShape)
 import PraTactile.Classification.Network (outputCount)
@@ -42,6 +44,10 @@ data Recogniser k = Recogniser
 -- | The rows and columns of the array's window.
 recogniserWindow :: Recogniser k -> Shape
 recogniserWindow = maskExtent . locatorMask . recogniserLocator
+
+-- | How much larger than the paper's the symbols of the placement are.
+recogniserScale :: Recogniser k -> Rational
+recogniserScale = fromMaybe 1 . symbolScale . placementPitch . recogniserPlacement
 
 -- | Why there is no recogniser.
 data RecogniserError
