@@ -29,7 +29,7 @@ import PraTactile.Object.Placement.Search
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
 import PraTactile.Store
-import Visible (visible)
+import Visible (objectCalled, visible)
 
 -- | What is done to a database.
 data Task
@@ -77,7 +77,7 @@ changed file what named form (profile, between) = do
       let names = map solidName new
       made names names (\place -> removing names place >>= adding firstSeed new)
     Remove -> do
-      let names = map ObjectName named
+      let names = map objectCalled named
       made [] names (removing names)
     Export to -> do
       whole >>= writePlacement to profile

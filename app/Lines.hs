@@ -13,7 +13,6 @@ where
 
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
-import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8')

@@ -33,7 +33,7 @@ namedSolid known between said subject = do
   Contents it _ <- polyhedron (fromMaybe (Shape 1 1) known) between said from
   orUnusable
     (\why -> visibleName subject ++ ": " ++ objectMessage why)
-    (solidOf (maybe id (named . ObjectName) name it))
+    (solidOf (maybe id (named . objectCalled) name it))
   where
     (name, from) = nameAndSource subject
 

@@ -34,7 +34,7 @@ import PraTactile.Object.WingedEdge (ObjectName (..))
 import PraTactile.Profile
 import PraTactile.Relief (ReliefError (..), symbolScale)
 import PraTactile.Store
-import Visible (visibleName)
+import Visible (objectCalled, visibleName)
 
 -- | Where the objects and their faces' places are stated.
 data PlacementChoice
@@ -81,7 +81,7 @@ plateOr others =
   where
     plate = do
       named <- str
-      if ObjectName named == plateName
+      if objectCalled named == plateName
         then pure ()
         else readerError "only 'sheet' is named here; --placement FILE has other objects"
 

@@ -26,7 +26,6 @@ import PraTactile.Decimal (readExact)
 import PraTactile.Format.Solid
 import PraTactile.Format.Solid.Name
 import PraTactile.Object.Canonical (canonicalPitch)
-import PraTactile.Object.Description
 import PraTactile.Object.Mend
 import PraTactile.Object.Mesh
 import PraTactile.Object.Named (namedDescription)
@@ -54,7 +53,7 @@ polyhedron shape between given subject = case readName (plateSize shape between)
     bytes <- readBytes subject
     orUnusable
       (solidFileMessage subject told)
-      (readSolid told (ObjectName (objectNameOf subject)) bytes)
+      (readSolid told (objectCalled (objectNameOf subject)) bytes)
   where
     objectNameOf "-" = "standard-input"
     objectNameOf file = dropExtension (takeFileName file)

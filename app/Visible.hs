@@ -5,6 +5,7 @@ module Visible
     visibleName,
     withoutPasswords,
     nameInJson,
+    objectCalled,
     quoted,
     visibleLine,
   )
@@ -13,6 +14,7 @@ where
 import Data.Char (GeneralCategory (..), generalCategory, isSpace, ord)
 import Data.List (stripPrefix)
 import Numeric (showHex)
+import PraTactile.Object.Description (ObjectName (..))
 import PraTactile.Store (shownName)
 
 -- | Control characters, and what cannot be printed, as escapes: @\\n@, @\\x1b@. A byte of a file's
@@ -40,6 +42,11 @@ visibleName = visible . shownName
 nameInJson :: FilePath -> String
 nameInJson =
   concatMap (\c -> if generalCategory c == Surrogate then visible [c] else [c]) . shownName
+
+-- | The object of this name, of a file or an option: the text that it has in JSON, so that a name
+-- with bytes that are no UTF-8 is the same one in placements, messages and options.
+objectCalled :: String -> ObjectName
+objectCalled = ObjectName . nameInJson
 
 -- | Between quotation marks, as a value of the user's is shown in a message.
 quoted :: String -> String

@@ -134,8 +134,8 @@ drawing options profile layout = case subject options of
       whole : _ -> pure whole
       [] -> unusable "the placement has no object"
     ofPlacement name =
-      orUnusable placementMessage (findObject layout (ObjectName name))
-    nameOrFile name = case placementObject layout (ObjectName name) of
+      orUnusable placementMessage (findObject layout (objectCalled name))
+    nameOrFile name = case placementObject layout (objectCalled name) of
       Just whole -> pure whole
       Nothing -> namedSolid (Just (profileShape profile)) canonicalPitch Nothing name
     symbolsOf = do

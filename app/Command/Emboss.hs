@@ -72,7 +72,7 @@ command =
 
 objectOption :: Parser ObjectName
 objectOption =
-  ObjectName
+  objectCalled
     <$> valued
       str
       "object"

@@ -125,7 +125,7 @@ command =
 faceReader :: ReadM (ObjectName, FaceName)
 faceReader = eitherReader $ \text -> case break (== ':') text of
   (owner@(_ : _), ':' : walk@(_ : _)) ->
-    Right (ObjectName owner, readFaceName [if c == ',' then ' ' else c | c <- walk])
+    Right (objectCalled owner, readFaceName [if c == ',' then ' ' else c | c <- walk])
   _ -> Left (quoted text ++ " is no face, such as 'cube:C1 C2 C3 C4'")
 
 run :: ArrayChoice -> Options -> IO ExitStatus

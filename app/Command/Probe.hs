@@ -197,7 +197,7 @@ run choice options
               pressingBend = bend options
             }
     case work options of
-      Object named -> pressing choice options how (ObjectName named)
+      Object named -> pressing choice options how (objectCalled named)
       Dark count -> calibrating choice options simulated count (darkPresses how)
       Flat count -> calibrating choice options simulated count (flatPresses how)
   where
@@ -271,7 +271,7 @@ meshIn file = do
   contentsMesh
     <$> orUnusable
       (solidFileMessage file format)
-      (readSolid format (ObjectName (visibleName file)) bytes)
+      (readSolid format (objectCalled file) bytes)
   where
     format = fromMaybe Stl (formatOfFile file)
 

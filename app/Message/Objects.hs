@@ -40,7 +40,7 @@ import PraTactile.Store
   )
 import PraTactile.SymbolImages (ImagesError (..))
 import Text.Printf (printf)
-import Visible (visible)
+import Visible (quoted, visible)
 
 -- | What is wrong with an object, where, and by how much.
 objectMessage :: Defect -> String
@@ -86,7 +86,7 @@ placementMessage e = case e of
   PitchNotPositive _ -> "the distances between symbols must be positive"
   RepeatedObject object -> "two objects are named " ++ objectText object
   UnknownObject object ->
-    "there is no object " ++ show (objectText object) ++ "; 'pra-tactile objects' lists them"
+    "there is no object " ++ quoted (objectText object) ++ "; 'pra-tactile objects' lists them"
   UnknownFace face -> "there is no face " ++ faceOf face ++ "; 'pra-tactile objects' lists them"
   WrongVertexOrder face named -> "the face " ++ faceOf face ++ " is named " ++ faceText named
   FaceLaidTwice face -> "the face " ++ faceOf face ++ " is laid twice"

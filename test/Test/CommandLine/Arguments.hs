@@ -186,6 +186,26 @@ argumentsSpec = describe "arguments" $ do
     outcome
       `refuses` "pra-tactile: a patch is one argument; write it between quotation marks: '3 2 / 3 \
                 \1'"
+  it "an object of a file whose name is no UTF-8 has one name everywhere, however it is given" $
+    inFolder $ \folder -> do
+      -- The name was bytes in options, and U+FFFD in placements, and nothing found it again.
+      let given name = "n=$(printf 'part\\351'); " ++ name
+      (status, _, err) <-
+        scripted folder . given $
+          "pra solid box:130x163x101.6 --output \"$n.obj\" > log && "
+            ++ "pra place \"$n.obj\" --symbols 1/2 --smallest --output p.json > log"
+      (status, err) `shouldBe` (0, "")
+      scripted folder "pra objects --placement p.json | head -1"
+        `shouldReturn` (0, "part\\xe9\n", "")
+      for_ ["\"$n\"", "'part\\xe9'"] $ \name -> do
+        outcome <-
+          scripted folder . given $
+            "pra emboss --placement p.json --object " ++ name ++ " --output e.stl | cut -d: -f1"
+        (name, outcome) `shouldBe` (name, (0, "wrote e.stl\n", ""))
+      outcome <-
+        scripted folder (given "pra emboss --placement p.json --object \"$n$n\" --output e.stl")
+      outcome
+        `refuses` "there is no object \"part\\xe9part\\xe9\"; 'pra-tactile objects' lists them"
   it "a name that cannot be printed, or of 5000 characters, is one line in every locale" $
     inFolder $ \folder ->
       for_ ["LC_ALL=C", "LC_ALL=C.UTF-8"] $ \locale -> do
