@@ -9,27 +9,33 @@ module DatabaseChange
   )
 where
 
-import Control.Monad (when)
+import ArrayChoice
+import Control.Monad (unless, when)
 import Counted
 import Data.Aeson (Series, (.=))
+import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
-import Data.List (sort)
+import Data.Foldable (for_)
+import Data.List (intercalate, sort)
+import qualified Data.Map.Strict as Map
 import Data.String (fromString)
 import Data.Traversable (for)
 import ExitStatus
-import FormatFile (writePlacement)
+import FormatFile (readPlacement, writePlacement)
 import Json
 import Message
 import NamedSolid
 import Options
-import PraTactile.Array (area)
+import PlacementChoice (withDatabase)
+import PraTactile.Array (Position (..), area)
 import PraTactile.Format.Place (Outcome (..), outcomeName, reasonName)
+import PraTactile.Object.Packing (Reason (TakenOverlaps))
 import PraTactile.Object.Placement
 import PraTactile.Object.Placement.Search
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
 import PraTactile.Store
-import Visible (objectCalled, visible)
+import Visible (objectCalled, visible, visibleName)
 
 -- | What is done to a database.
 data Task
@@ -43,7 +49,13 @@ data Task
 -- | One of the options.
 taskOption :: Parser Task
 taskOption =
-  flag' Add (long "add" <> help "Add objects to the database: their faces are laid on free cells")
+  flag'
+    Add
+    ( long "add"
+        <> help
+          "Add objects to the database: their faces are laid as --placement says, else on free \
+          \cells"
+    )
     <|> flag' Replace (long "replace" <> help "Put objects in the place of those of their names")
     <|> flag' Remove (long "remove" <> help "Take the objects of these names from the database")
     <|> Export
@@ -63,47 +75,91 @@ taskName what = case what of
 takesOperands :: Task -> Bool
 takesOperands what = what `elem` [Add, Replace, Remove]
 
--- | Do it to the database in this file, which has this profile and symbols so far apart, with what
--- the command line names. Status 1 where objects cannot be laid; the database is then as it was.
-changed :: FilePath -> Task -> [String] -> AnswerForm -> (Profile, Pitch) -> IO ExitStatus
-changed file what named form (profile, between) = do
-  when (takesOperands what && null named) (misused (taskName what ++ " names no object"))
+-- | Do it to the database of this name, with what the command line names; objects that are added
+-- lie as the placement in a file says, if one is given. Status 1 where objects cannot be laid; the
+-- database is then as it was.
+changed ::
+  ArrayChoice -> FilePath -> Task -> Maybe FilePath -> [String] -> AnswerForm -> IO ExitStatus
+changed choice file what placed named form = do
+  unless (null placed || what `elem` [Add, Replace]) $
+    misused $
+      "--placement says where --add and --replace lay objects; " ++ taskName what ++ " lays none"
+  when (takesOperands what && null named && null placed) $
+    misused (taskName what ++ " names no object")
   case what of
     Add -> do
-      new <- solids
-      made (map solidName new) [] (adding firstSeed new)
+      (new, laidBy) <- objectsToLay
+      made (map solidName new) [] laidBy
     Replace -> do
-      new <- solids
+      (new, laidBy) <- objectsToLay
       let names = map solidName new
-      made names names (\place -> removing names place >>= adding firstSeed new)
+      made names names (\place -> removing names place >>= laidBy)
     Remove -> do
       let names = map objectCalled named
       made [] names (removing names)
     Export to -> do
-      whole >>= writePlacement to profile
+      withDatabase choice file $ \profile store ->
+        storedPlacement store >>= orUnusable storeMessage >>= writePlacement to profile
       Answered <$ sayWrittenAs form to "" "objects-written/1" mempty
-    Check -> whole >>= told [] []
+    Check ->
+      withDatabase choice file (\_ store -> storedPlacement store >>= orUnusable storeMessage)
+        >>= \place -> told [] [] (place, mempty)
   where
-    solids = for named (namedSolid (Just (profileShape profile)) between Nothing)
+    -- The objects, and what lays them in a placement.
+    objectsToLay = do
+      (profile, between) <-
+        withDatabase choice file (\profile store -> pure (profile, storedPitch store))
+      let solids = for named (namedSolid (Just (profileShape profile)) between Nothing)
+      case placed of
+        Nothing -> (\new -> (new, adding firstSeed new)) <$> solids
+        Just from -> do
+          (other, layout) <- readPlacement from
+          unless (other == profile && placementPitch layout == between) . unusable $
+            visibleName from ++ " is a placement on another array than that of "
+              ++ visibleName (shownName file)
+          new <-
+            if null named
+              then pure (placementSolids layout)
+              else for named (placedIn from layout)
+          pure (new, addingAs layout new)
+    -- An object that the placement has, by its name or as a solid of that name.
+    placedIn from layout text
+      | Right it <- findObject layout (objectCalled text) = pure it
+      | otherwise = do
+        it <- namedSolid (Just (placementShape layout)) (placementPitch layout) Nothing text
+        there <- orUnusable (const (lacks from it)) (findObject layout (solidName it))
+        unless (there == it) . unusable $
+          visible (objectText (solidName it)) ++ " is another object in " ++ visibleName from
+        pure it
+    lacks from it = visibleName from ++ " has no object " ++ visible (objectText (solidName it))
     firstSeed = 1
-    whole =
-      withStore file Nothing (\store -> storedPlacement store >>= orUnusable storeMessage)
-        >>= orUnusable storeMessage
     made added removed function = do
-      outcome <- change file function >>= orUnusable storeMessage
+      let purposely = if null placed then [] else added
+      outcome <- changeRemembering file purposely function >>= orUnusable storeMessage
       case outcome of
-        Right place -> told added removed place
+        Right there -> told added removed there
+        Left (NotChanged (RepeatedObject name))
+          | what == Add,
+            length (filter (== name) added) == 1 ->
+            unusable $
+              "the database has an object " ++ visible (objectText name)
+                ++ " already; --replace puts another in its place"
+        Left (NotChanged why@FacesOverlap {})
+          | not (null placed) ->
+            notLaid IsImpossible (Just (TakenOverlaps 0)) (placementMessage why)
         Left (NotChanged why) -> unusable (placementMessage why)
-        Left (NotLaid wishes why) -> do
-          let (name, reason, sentence) = case why of
-                Just proof -> (IsImpossible, Just (reasonName proof), whyNot wishes proof)
-                Nothing -> (IsNotFound, Nothing, noneFound)
-          printAs
-            form
-            (outcomeName name ++ ": " ++ sentence ++ "\n")
-            (encodeDatabase (outcomeName name) reason mempty)
-          pure NotAnswered
-    told added removed place = do
+        Left (NotLaid wishes why) ->
+          maybe
+            (notLaid IsNotFound Nothing noneFound)
+            (\proof -> notLaid IsImpossible why (whyNot wishes proof))
+            why
+    notLaid name reason sentence = do
+      printAs
+        form
+        (outcomeName name ++ ": " ++ sentence ++ "\n")
+        (encodeDatabase (outcomeName name) (reasonName <$> reason) mempty)
+      pure NotAnswered
+    told added removed (place, former) = do
       let cells = sum (map (length . blockCells . laidBlock) (laidFaces place))
           objects = length (placementSolids place)
           faces = length (laidFaces place)
@@ -127,12 +183,39 @@ changed file what named form (profile, between) = do
         ( encodeDatabase (outcomeName IsPlaced) Nothing $
             fromString "added" .= shown added
               <> fromString "removed" .= shown removed
+              <> fromString "elsewhere" .= map objectText (Map.keys former)
               <> fromString "objects" .= objects
               <> fromString "faces" .= faces
               <> fromString "cells" .= cells
               <> fromString "array_cells" .= naturalValue (area (placementShape place))
         )
+      for_ (Map.toAscList former) $ \(name, there) ->
+        warn ("warning: " ++ elsewhereText name there)
       pure Answered
+
+-- | The placement with these objects of another one, which lie as they do there.
+addingAs :: Placement -> [Solid] -> Placement -> Either NotChanged Placement
+addingAs layout new place =
+  first NotChanged $
+    placement
+      (placementShape place)
+      (placementPitch place)
+      (placementSolids place ++ new)
+      (map layingOf (laidFaces place ++ filter isNew (laidFaces layout)))
+  where
+    isNew laid = faceObject (laidFace laid) `elem` map solidName new
+
+-- | That an object lay elsewhere before, with where that was.
+elsewhereText :: ObjectName -> [FormerFace] -> String
+elsewhereText name there =
+  visible (objectText name) ++ " lay elsewhere before: "
+    ++ intercalate "; " (map place (take 6 there))
+    ++ (if null (drop 6 there) then "" else "; and so on")
+    ++ ". A part that was made for that place is read as another one; to lay it there, remove it \
+       \and give --add a --placement that has it there"
+  where
+    place (FormerFace face (Position r c) _) =
+      visible face ++ " from row " ++ show r ++ ", column " ++ show c
 
 -- | What became of a database, in one line.
 encodeDatabase :: String -> Maybe String -> Series -> ByteString

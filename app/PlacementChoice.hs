@@ -4,6 +4,7 @@
 module PlacementChoice
   ( PlacementChoice,
     placementChoice,
+    placementBeside,
     placementGiven,
     plateOr,
     holding,
@@ -48,16 +49,31 @@ data PlacementChoice
 -- | @--placement FILE@ or @--database FILE@, given the help of the latter.
 placementChoice :: String -> Parser PlacementChoice
 placementChoice ofDatabase' =
-  InFile
-    <$> fileOption
-      "placement"
-      "FILE"
-      "The objects and the places of their faces, as 'place' writes them, with their array \
-      \(default: the cube and the parallelepiped on arrays of 15 x 17, and of any other array the \
-      \whole of it as a flat plate)"
-    <|> InDatabase
-    <$> fileOption "database" "FILE" (ofDatabase' ++ "; on a server: postgresql://...")
-    <|> pure Shipped
+  InFile <$> placementOption <|> InDatabase <$> databaseOption ofDatabase' <|> pure Shipped
+
+placementOption :: Parser FilePath
+placementOption =
+  fileOption
+    "placement"
+    "FILE"
+    "The objects and the places of their faces, as 'place' writes them, with their array \
+    \(default: the cube and the parallelepiped on arrays of 15 x 17, and of any other array the \
+    \whole of it as a flat plate)"
+
+databaseOption :: String -> Parser FilePath
+databaseOption ofDatabase' =
+  fileOption "database" "FILE" (ofDatabase' ++ "; on a server: postgresql://...")
+
+-- | 'placementChoice' where a database may be given with a placement beside it, which says where
+-- objects are laid in it.
+placementBeside :: String -> Parser (PlacementChoice, Maybe FilePath)
+placementBeside ofDatabase' =
+  chosen <$> optional placementOption <*> optional (databaseOption ofDatabase')
+  where
+    chosen placed database = case (placed, database) of
+      (_, Just file) -> (InDatabase file, placed)
+      (Just file, Nothing) -> (InFile file, Nothing)
+      (Nothing, Nothing) -> (Shipped, Nothing)
 
 -- | The options that choose objects, and whether they were given.
 placementGiven :: PlacementChoice -> [(String, Bool)]

@@ -32,7 +32,8 @@ import System.IO (hFlush, stdout)
 data Options = Options
   { at :: Maybe Position,
     batched :: Bool,
-    source :: PlacementChoice,
+    -- | and a placement beside a database
+    source :: (PlacementChoice, Maybe FilePath),
     write :: Maybe FilePath,
     task :: Maybe Task,
     operands :: [String],
@@ -50,7 +51,10 @@ command =
       "pra-tactile objects --write mapping.sqlite && pra-tactile objects --database \
       \mapping.sqlite --at 6,5",
       "pra-tactile objects --write more.sqlite && pra-tactile objects --database more.sqlite --add \
-      \lid=box:30x30x40"
+      \lid=box:30x30x40",
+      "pra-tactile place lid=box:30x30x40 --output lid.json && pra-tactile objects --placement \
+      \lid.json --write lid.sqlite && pra-tactile objects --database lid.sqlite --remove lid && \
+      \pra-tactile objects --database lid.sqlite --add --placement lid.json lid"
     ]
     (run <$> arrayChoice <*> options)
   where
@@ -69,7 +73,7 @@ command =
                 "Read such positions from the standard input, one a line; answer each with \
                 \a line of JSON"
           )
-        <*> placementChoice "Ask this database instead of a mapping in memory, or change it"
+        <*> placementBeside "Ask this database instead of a mapping in memory, or change it"
         <*> optionalFile
           "write"
           "FILE"
@@ -82,7 +86,8 @@ command =
               ( metavar "OBJECT..." <> action "file"
                   <> help
                     "What --add and --replace take: files or names of polyhedra, as 'solid' takes \
-                    \them, NAME= before one names the object; what --remove takes: names of objects"
+                    \them, NAME= before one names the object; of a --placement, names of its \
+                    \objects (default: all); what --remove takes: names of objects"
               )
           )
         <*> jsonSwitch "Print as JSON"
@@ -93,10 +98,10 @@ run choice options = do
     misused ("give one of " ++ enumerated asked)
   unless (null (operands options) || maybe False takesOperands (task options)) $
     misused "objects are named for --add, --replace and --remove"
-  case (task options, ofDatabase (source options)) of
-    (Just what, Just file) ->
-      withDatabase choice file (\profile store -> pure (profile, storedPitch store))
-        >>= changed file what (operands options) (form options)
+  when (isJust beside && null (task options)) $
+    misused "--placement and --database are given together for --add and --replace"
+  case (task options, ofDatabase from) of
+    (Just what, Just file) -> changed choice file what beside (operands options) (form options)
     (Just what, Nothing) -> misused (taskName what ++ " is for a --database")
     (Nothing, database) -> case (at options, write options) of
       (_, Just "-") ->
@@ -105,17 +110,18 @@ run choice options = do
         | isJust database ->
           misused "--write makes a database and --database asks one; give one of them"
       (_, Just file) -> do
-        (profile, layout) <- chosenPlacement choice (source options)
+        (profile, layout) <- chosenPlacement choice from
         create file (profileText profile) layout >>= orUnusable storeMessage
         Answered <$ sayWrittenAs (form options) (shownName file) "" "objects-written/1" mempty
-      (Just position, _) -> asking choice (source options) (lookUp options position)
+      (Just position, _) -> asking choice from (lookUp options position)
       _
-        | batched options -> asking choice (source options) batch
+        | batched options -> asking choice from batch
         | otherwise -> do
-          (profile, layout) <- chosenPlacement choice (source options)
+          (profile, layout) <- chosenPlacement choice from
           printAs (form options) (unlines (listText layout)) (encodeObjects profile layout)
           pure Answered
   where
+    (from, beside) = source options
     asked =
       ["--at" | isJust (at options)]
         ++ ["--batch" | batched options]

@@ -8,6 +8,9 @@ module PraTactile.Store
   ( -- * Making and changing a store
     create,
     change,
+    changeRemembering,
+    Former,
+    FormerFace (..),
 
     -- * Opening a store
     Store,
@@ -56,6 +59,7 @@ import PraTactile.Object.WingedEdge (ObjectName)
 import PraTactile.Store.Address (shownName)
 import PraTactile.Store.Backend
 import PraTactile.Store.Error
+import PraTactile.Store.Former
 import PraTactile.Store.Known
 import PraTactile.Store.Older
 import PraTactile.Store.Query
@@ -110,28 +114,43 @@ change ::
   FilePath ->
   (Placement -> Either refusal Placement) ->
   IO (Either StoreError (Either refusal Placement))
-change name function = runExceptT $ do
+change name = fmap (fmap (fmap fst)) . changeRemembering name []
+
+-- | 'change', which answers also with where objects lay before that were added or moved and lie
+-- elsewhere now: of those that were taken out before, the store remembers it. Objects of the names
+-- given are laid on purpose, and are none of these.
+changeRemembering ::
+  forall refusal.
+  FilePath ->
+  [ObjectName] ->
+  (Placement -> Either refusal Placement) ->
+  IO (Either StoreError (Either refusal (Placement, Former)))
+changeRemembering name purposely function = runExceptT $ do
   backend <- except (backendOf name)
   begin <- liftIO (prepareWriting backend)
   connected backend (`transacted` changing backend begin) >>= except
   where
-    changing :: Backend -> Query IO () -> Query IO (Either refusal Placement)
+    changing :: Backend -> Query IO () -> Query IO (Either refusal (Placement, Former))
     changing backend begin = do
       _ <- schemaChecked backend
       begin
       version <- schemaChecked backend
       (profile, numbers, place, old) <- everything backend version
+      known <- if version == schemaVersion then rememberedBy backend else pure mempty
       case function place of
         Left refusal -> pure (Left refusal)
         Right other -> do
+          let remembered = afterwards purposely known place other
           case old of
-            Nothing ->
-              except (rowsFor backend profile (firstNumbers other) other)
-                >>= ExceptT . liftIO . runExceptT . putRows backend
+            Nothing -> do
+              rows <- except (rowsFor backend profile (firstNumbers other) other)
+              former <- except (formerRowsOf remembered)
+              ExceptT (liftIO (runExceptT (putRows backend rows {formerRows = former})))
             Just rows -> do
               new <- except (rowsFor backend profile (nextNumbers place numbers other) other)
               lift (changeRows rows new)
-          pure (Right other)
+              remember backend known remembered
+          pure (Right (other, elsewhere remembered place other))
 
 -- | Open a store, check that its tables are of a known version and that it was made for the profile
 -- expected (if one is), and go on with it. Nothing else is read before it is asked for. Exceptions
@@ -190,6 +209,7 @@ everything backend version = do
   if version == schemaVersion
     then do
       valuesTyped backend
+      _ <- rememberedBy backend
       rows <- lift selectRows
       (profile, numbers, place) <- except (fromRows rows)
       pure (profile, numbers, place, Just rows)

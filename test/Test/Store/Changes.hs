@@ -15,7 +15,8 @@ import Data.Bifunctor (first)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Foldable (for_)
 import Data.IORef
-import Data.List (nub, sort)
+import Data.List (isInfixOf, nub, sort)
+import qualified Data.Map.Strict as Map
 import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8)
 import Data.Traversable (for)
@@ -30,6 +31,7 @@ import PraTactile.Object.WingedEdge
 import PraTactile.Store
 import PraTactile.Store.Query
 import System.FilePath ((</>))
+import Test.CommandLine.Run (refuses, scripted)
 import Test.Hspec hiding (before)
 import Test.QuickCheck
 import Test.Recognition.Object.Support
@@ -51,6 +53,52 @@ spec = describe "change" $ do
       change path (removing ["sphere"])
         `shouldReturn` Right (Left (NotChanged (UnknownObject "sphere")))
       asked path $ \store -> storedPlacement store `shouldReturn` Right place
+  -- A part that was made for the first place was decoded as "on no object".
+  it "an object that comes back elsewhere is told with its first place, until it lies there again" $
+    stored $ \path _ -> do
+      let (lid, other) = (box "lid" 30 30 40, box "other" 30 30 40)
+          told purposely step = fmap (fmap snd) <$> changeRemembering path purposely step
+          nothing = Right (Right Map.empty)
+      told [] (adding 1 [lid]) `shouldReturn` nothing
+      Right (Right whole) <- withStore path Nothing storedPlacement
+      let first' = Map.filterWithKey (const . (== "lid")) (placesIn whole)
+          elsewhere = Right (Right first')
+          asBefore now =
+            first NotChanged $
+              placement
+                (placementShape now)
+                (placementPitch now)
+                (placementSolids now ++ [lid])
+                ( map layingOf (laidFaces now)
+                    ++ map layingOf (filter ((== "lid") . faceObject . laidFace) (laidFaces whole))
+                )
+      map length (Map.elems first') `shouldBe` [4]
+      told [] (removing ["lid"]) `shouldReturn` nothing
+      -- It takes the place of the lid, which cannot lie there then.
+      told [] (adding 1 [other]) `shouldReturn` nothing
+      told [] (adding 1 [lid]) `shouldReturn` elsewhere
+      told [] (removing ["lid"]) `shouldReturn` nothing
+      told [] (adding 1 [lid]) `shouldReturn` elsewhere
+      told [] (removing ["lid", "other"]) `shouldReturn` nothing
+      told [] asBefore `shouldReturn` nothing
+      asked path $ \store ->
+        fmap placesIn <$> storedPlacement store `shouldReturn` Right (placesIn whole)
+      -- Replaced by another object of its name.
+      told [] (removing ["lid"] >=> adding 1 [box "lid" 40 40 40]) `shouldReturn` elsewhere
+      told [] (removing ["lid"] >=> adding 1 [other]) `shouldReturn` nothing
+      -- On purpose, so that from then on this is its place.
+      told ["lid"] (adding 1 [lid]) `shouldReturn` nothing
+      told [] (removing ["lid"]) `shouldReturn` nothing
+      told [] (adding 1 [lid]) `shouldReturn` nothing
+  it "a store from before there was a memory is asked and changed as ever, and remembers then" $
+    \home -> flip stored home $ \path place -> do
+      execute home path ["DROP TABLE former_laying"]
+      asked path $ \store -> storedPlacement store `shouldReturn` Right place
+      Right (Right _) <- change path (adding 1 [box "lid" 30 30 30])
+      Right (Right _) <- change path (removing ["cube"])
+      Right (Right (now, former)) <- changeRemembering path [] (adding 1 [box "cube" 40 40 40])
+      Map.keys former `shouldBe` ["cube"]
+      asked path $ \store -> storedPlacement store `shouldReturn` Right now
   it "some objects are read as they are among all, and are refused where one is not there" $
     stored $ \path place -> asked path $ \store -> do
       storedNear store canonicalWindow everyPosition `shouldReturn` Right place
@@ -159,6 +207,39 @@ inFiles = describe "change of a file" $ do
       for_ (nub statements) $ \asked_ -> do
         plan <- planOf path (decodeUtf8 asked_)
         (asked_, plan) `shouldSatisfy` all ("SEARCH" `Text.isPrefixOf`) . snd
+  it "objects are added where a placement says; without one, that they lie elsewhere is told" $
+    inFolder $ \folder -> do
+      let objects arguments = scripted folder ("pra-tactile objects --database a " ++ arguments)
+          listed = (\(status, out, _) -> (status, sort (lines out))) <$> objects ""
+      (0, _, _) <- scripted folder "pra-tactile objects --write a"
+      (0, _, "") <- objects "--add lid=box:30x30x40"
+      (0, _, "") <- objects "--export all.json"
+      before <- listed
+      (2, "", twice) <- objects "--add lid=box:30x30x40"
+      twice `shouldSatisfy` ("--replace" `isInfixOf`)
+      (0, _, "") <- objects "--remove lid"
+      (0, _, "") <- objects "--add other=box:30x30x40"
+      (0, out, err) <- objects "--add lid=box:30x30x40 --json"
+      out `shouldSatisfy` ("\"elsewhere\":[\"lid\"]" `isInfixOf`)
+      err `shouldSatisfy` ("lid lay elsewhere before: V" `isInfixOf`)
+      length (lines err) `shouldBe` 1
+      -- The advice, followed: what is in the way is told, and then it lies where it lay.
+      (0, _, "") <- objects "--remove lid"
+      (1, inTheWay, "") <- objects "--add --placement all.json lid"
+      inTheWay `shouldSatisfy` ("claim the same cells" `isInfixOf`)
+      (0, _, "") <- objects "--remove other"
+      (0, _, "") <- objects "--add --placement all.json lid=box:30x30x40"
+      listed `shouldReturn` before
+      (0, _, "") <- objects "--replace --placement all.json"
+      listed `shouldReturn` before
+      for_
+        [ ("--add --placement all.json box:30x30x30", "no object box"),
+          ("--replace --placement all.json cube=box:30x30x30", "another object in all.json"),
+          ("--remove --placement all.json cube", "--remove lays none"),
+          ("--placement all.json --at 4,5", "--add and --replace"),
+          ("--add --placement none.json cube", "none.json")
+        ]
+        $ \(arguments, why) -> objects arguments >>= (`refuses` why)
   where
     shape = Shape 15 17
 
@@ -169,6 +250,15 @@ statementsOn path lookUp = do
   let logged _ _ _ text = modifyIORef said (fromLogStr text :)
   _ <- flip runLoggingT logged . withSqliteConn (Text.pack path) $ liftIO . runSqlConn lookUp
   filter ("SELECT" `Bytes.isPrefixOf`) . map (Bytes.takeWhile (/= ';')) <$> readIORef said
+
+-- | Where the objects of a placement lie, as a store remembers it.
+placesIn :: Placement -> Former
+placesIn place =
+  Map.map sort . Map.fromListWith (++) $
+    [ (faceObject face, [FormerFace (faceText (faceName face)) (laidAt laid) (laidGrid laid)])
+      | laid <- laidFaces place,
+        let face = laidFace laid
+    ]
 
 -- | How the database goes about a question, a text for each table.
 planOf :: FilePath -> Text.Text -> IO [Text.Text]

@@ -234,6 +234,9 @@ strangers = do
         [ ( ["CREATE TABLE object (item text)", "INSERT INTO object VALUES ('mine')"],
             "SELECT item FROM object"
           ),
+          ( ["CREATE TABLE former_laying (item text)", "INSERT INTO former_laying VALUES ('mine')"],
+            "SELECT item FROM former_laying"
+          ),
           (["CREATE VIEW run AS SELECT 'mine' AS item"], "SELECT item FROM run"),
           ( ["CREATE TABLE metadata (schema_version int)", "INSERT INTO metadata VALUES (3)"],
             "SELECT 'mine' FROM metadata"
@@ -324,7 +327,8 @@ strangers = do
           composite = "data/worked-example/composite.pgm"
           commands =
             [ ["decode", composite, "--database"],
-              ["objects", "--at", "6,5", "--database"]
+              ["objects", "--at", "6,5", "--database"],
+              ["objects", "--check", "--database"]
             ]
       for_ (zip [1 ..] commands) $ \(n, command) -> do
         (0, _, _) <- pra (command ++ [heard n])

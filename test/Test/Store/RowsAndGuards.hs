@@ -5,12 +5,16 @@ module Test.Store.RowsAndGuards (spec) where
 import Control.Exception (AsyncException (..), ErrorCall (..), bracket, throwIO)
 import Control.Monad.Trans.Except (runExceptT)
 import Data.Foldable (for_)
+import qualified Data.Map.Strict as Map
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Database.Sqlite as Sqlite
 import PraTactile.Array (Position (..))
 import PraTactile.Object.Canonical
+import PraTactile.Object.Named (Named (..), namedDescription)
 import PraTactile.Object.Placement hiding (blockCells)
+import PraTactile.Object.Placement.Search
+import PraTactile.Object.WingedEdge
 import PraTactile.Store
 import PraTactile.Store.Guard (Objection (..), guarded)
 import PraTactile.Store.Sqlite (meaningInSqlite)
@@ -104,6 +108,13 @@ spec = describe "store" $ do
             for_ everyPosition $ \at ->
               storedWhereabouts store canonicalWindow at
                 `shouldReturn` Right (whereabouts place canonicalWindow at)
+      it ("version " ++ show version ++ ": remembers from its first change on where objects lay") $
+        withOld $ \_ path -> do
+          Right (Right _) <- change path (removing ["cube"])
+          let described = namedDescription (Box 40 40 40)
+          small <- right (solid described {describedName = "cube"})
+          changed <- changeRemembering path [] (adding 1 [small])
+          fmap (fmap (Map.keys . snd)) changed `shouldBe` Right (Right ["cube"])
       for_
         [ "UPDATE vertex SET z_um = z_um + 1 WHERE id = 16",
           "UPDATE face SET name = 'C1 C2' WHERE id = 3",

@@ -49,6 +49,8 @@ data Backend = Backend
     -- other program's changes can come into; that waits for at most ten seconds, and refuses what
     -- has come in the place of what there was
     prepareWriting :: IO (Query IO ()),
+    -- | makes the table of what is remembered
+    makeFormer :: Query IO (),
     -- | whether a column can hold a text
     holdsText :: Text -> Bool,
     -- | write a new store, or in the place of one, whole or not at all; refuses whatever else there

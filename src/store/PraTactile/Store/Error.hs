@@ -128,6 +128,7 @@ data Table
   | LayingTable
   | BandTable
   | RunTable
+  | FormerTable
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | As the database has it.
@@ -142,3 +143,4 @@ tableName table = case table of
   LayingTable -> "laying"
   BandTable -> "band"
   RunTable -> "run"
+  FormerTable -> "former_laying"

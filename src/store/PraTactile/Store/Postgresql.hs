@@ -1,17 +1,17 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | A store on a server of PostgreSQL: nine tables in the schema that the user's tables go to.
+-- | A store on a server of PostgreSQL: ten tables in the schema that the user's tables go to.
 --
--- A transaction that reads sees one state throughout (repeatable read). One that writes holds all
--- nine tables against other writers before it reads the first row, and readers go on with what was
--- there before. Locks are waited for up to ten seconds, and so is a server.
+-- A transaction that reads sees one state throughout (repeatable read). One that writes holds the
+-- placement's tables against other writers before it reads the first row, and readers go on with
+-- what was there before. Locks are waited for up to ten seconds, and so is a server.
 module PraTactile.Store.Postgresql
   ( postgresql,
   )
 where
 
 import Control.Exception (SomeException, bracket, fromException)
-import Control.Monad (unless)
+import Control.Monad (unless, when)
 import Control.Monad.Trans.Class (lift)
 import Control.Monad.Trans.Except (ExceptT (..), except, runExceptT, throwE, withExceptT)
 import Control.Monad.Trans.Reader (runReaderT)
@@ -57,6 +57,7 @@ postgresql address = backend
             unless (null differ) (throwE (DamagedFile name ForeignValue)),
           olderVersions = [],
           prepareWriting = pure (beginWriting >> holdTables),
+          makeFormer = execute (tableIn formerPart),
           -- A NUL would end the text.
           holdsText = Text.all (/= '\0'),
           putRows = putTables address
@@ -125,7 +126,7 @@ putTables address given = throughout address $ \backend ->
       taken <-
         ask $
           "SELECT relname::text FROM pg_catalog.pg_class WHERE relname IN ("
-            ++ intercalate ", " ["'" ++ partName part ++ "'" | part <- parts]
+            ++ intercalate ", " ["'" ++ partName part ++ "'" | part <- allParts]
             ++ ") AND relnamespace = \
                \(SELECT oid FROM pg_catalog.pg_namespace WHERE nspname = current_schema())"
       if null (taken :: [Text]) then makeTables else emptyTables
@@ -134,16 +135,22 @@ putTables address given = throughout address $ \backend ->
       execute ("ANALYZE " <> listed)
     emptyTables = do
       there <- traverse (columnsOfVisible . partName) parts
-      unless (there == map (map fst . partColumns) parts) (throwE (Occupied name OtherTables))
+      former <- columnsOfVisible (partName formerPart)
+      unless
+        ( there == map (map fst . partColumns) parts
+            && former `elem` [[], map fst (partColumns formerPart)]
+        )
+        (throwE (Occupied name OtherTables))
       holdTables
-      for_ (reverse parts) $ \part -> execute ("DELETE FROM " <> Text.pack (partName part))
+      when (null former) (execute (tableIn formerPart))
+      for_ (reverse allParts) $ \part -> execute ("DELETE FROM " <> Text.pack (partName part))
     -- The number that this program's writers lock: any that stays the same.
     turn = 7072617461637469 :: Int
 
 -- | Make the tables. Persistent's own way of making them looks at the tables of all schemas.
 makeTables :: Query IO ()
 makeTables = do
-  mapM_ (execute . tableIn) parts
+  mapM_ (execute . tableIn) allParts
   -- A laying that goes is looked for among the runs.
   execute "CREATE INDEX run_laying ON run (laying)"
 
@@ -174,6 +181,9 @@ tableIn part =
           among (map (snd . snd) (foreignFields it))
         ]
     among columns = "(" <> Text.intercalate ", " (map unFieldNameDB columns) <> ")"
+
+allParts :: [Part]
+allParts = parts ++ [formerPart]
 
 execute :: Text -> Query IO ()
 execute sql = lift (rawExecute sql [])

@@ -12,6 +12,7 @@ module PraTactile.Store.Rows
     changeRows,
     Part (..),
     parts,
+    formerPart,
     partName,
     partColumns,
     partEntity,
@@ -40,11 +41,13 @@ data Rows = Rows
     edges :: [StoredEdge],
     layings :: [StoredLaying],
     runBands :: [StoredBand],
-    runs :: [StoredRun]
+    runs :: [StoredRun],
+    -- | what is remembered of other placements
+    formerRows :: [StoredFormer]
   }
 
 instance Semigroup Rows where
-  Rows a b c d e f g h i <> Rows a' b' c' d' e' f' g' h' i' =
+  Rows a b c d e f g h i j <> Rows a' b' c' d' e' f' g' h' i' j' =
     Rows
       (a <> a')
       (b <> b')
@@ -55,9 +58,10 @@ instance Semigroup Rows where
       (g <> g')
       (h <> h')
       (i <> i')
+      (j <> j')
 
 instance Monoid Rows where
-  mempty = Rows [] [] [] [] [] [] [] [] []
+  mempty = Rows [] [] [] [] [] [] [] [] [] []
 
 -- | The rows of one table.
 data Part
@@ -65,7 +69,7 @@ data Part
     (PersistEntity row, PersistEntityBackend row ~ SqlBackend, Eq row) =>
     Part Table (Rows -> [row])
 
--- | All tables, each before those that refer to it.
+-- | All tables of a placement, each before those that refer to it.
 parts :: [Part]
 parts =
   [ Part MetadataTable metadataRows,
@@ -78,6 +82,10 @@ parts =
     Part BandTable runBands,
     Part RunTable runs
   ]
+
+-- | The table of what is remembered.
+formerPart :: Part
+formerPart = Part FormerTable formerRows
 
 -- | A table's name in the database.
 partName :: Part -> String
@@ -106,15 +114,16 @@ allTexts held given = all inPart parts
 
 -- | Put all rows into empty tables.
 insertRows :: MonadIO m => Rows -> ReaderT SqlBackend m ()
-insertRows given = mapM_ insertPart parts
+insertRows given = mapM_ insertPart (parts ++ [formerPart])
   where
     insertPart :: MonadIO m => Part -> ReaderT SqlBackend m ()
     insertPart (Part _ part) = insertAll (keyed (part given))
 
--- | All rows, in the order of their keys.
+-- | All rows of a placement, in the order of their keys.
 selectRows :: MonadIO m => ReaderT SqlBackend m Rows
 selectRows =
   Rows <$> whole <*> whole <*> whole <*> whole <*> whole <*> whole <*> whole <*> whole <*> whole
+    <*> pure []
   where
     whole ::
       (PersistEntity row, PersistEntityBackend row ~ SqlBackend, MonadIO m) =>

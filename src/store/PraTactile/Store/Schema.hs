@@ -24,6 +24,7 @@
 module PraTactile.Store.Schema
   ( schemaVersion,
     migrateAll,
+    migrateFormer,
 
     -- * Tables
     Metadata (..),
@@ -35,6 +36,7 @@ module PraTactile.Store.Schema
     StoredLaying (..),
     StoredBand (..),
     StoredRun (..),
+    StoredFormer (..),
 
     -- * Keys and columns
     Key (..),
@@ -170,5 +172,24 @@ StoredRun sql=run
   Primary band fromColumn
   Foreign StoredBand fk_run_band band
   Foreign StoredLaying fk_run_laying laying
+  deriving Eq
+|]
+
+-- Beside the tables of this version, for a store is one without it.
+share
+  [mkPersist sqlSettings, mkMigrate "migrateFormer"]
+  [persistLowerCase|
+-- A laid face of an object that lay elsewhere or is gone ("PraTactile.Store.Former"), by the names
+-- of its corners from where its frame began.
+StoredFormer sql=former_laying
+  object Text
+  number Int64
+  face Text
+  atRow Int64
+  atColumn Int64
+  gridRows Int64
+  gridColumns Int64
+  seal Int64
+  Primary object number
   deriving Eq
 |]

@@ -6,7 +6,7 @@ module PraTactile.Store.Sqlite
 where
 
 import Control.Exception (SomeException, fromException, onException)
-import Control.Monad (unless, when)
+import Control.Monad (unless, void, when)
 import Control.Monad.IO.Class (liftIO)
 import Control.Monad.Logger (runNoLoggingT)
 import Control.Monad.Trans.Class (lift)
@@ -56,6 +56,7 @@ sqlite path = backend
           prepareWriting = do
             before <- identityOf path
             pure (beginWriting path (== before)),
+          makeFormer = lift (void (runMigrationQuiet migrateFormer)),
           holdsText = const True,
           putRows = putFile path
         }
@@ -82,7 +83,9 @@ putFile path rows = do
     (guarded meaningInSqlite (written part file))
   where
     written part file = (fill part >> renameFile part file) `onException` discardPart part
-    fill part = withFile' part (runSqlConn (runMigrationQuiet migrateAll >> insertRows rows))
+    fill part =
+      withFile' part . runSqlConn $
+        runMigrationQuiet (migrateAll >> migrateFormer) >> insertRows rows
 
 -- | Whether a regular file is a store, of whatever version. It is not opened as a database if that
 -- could change it: when it is in SQLite's write-ahead mode, or has a journal beside it, neither of

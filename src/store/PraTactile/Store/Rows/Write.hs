@@ -4,6 +4,7 @@ module PraTactile.Store.Rows.Write
     firstNumbers,
     nextNumbers,
     toRows,
+    whole,
   )
 where
 
@@ -185,6 +186,7 @@ bandRows numberAt (Band from to stretches) = do
       right' <- whole right
       pure (sealed (StoredRun band left' right' (laying >>= (`Map.lookup` numberAt))))
 
+-- | A number that a column can hold.
 whole :: Integral n => n -> Either StoreError Int64
 whole n
   | toInteger n <= toInteger (maxBound :: Int64) = Right (fromIntegral n)
