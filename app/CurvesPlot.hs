@@ -41,20 +41,19 @@ curvesSvg curves = plotSvg wide high content
     content =
       [ text (wide / 2) 24 "middle" "title" (curvesTitle curves)
       ]
-        ++ concat (zipWith (panel curves) [0 ..] (curvesPanels curves))
+        ++ concat (zipWith (\i -> panel curves (i == 0) (placed i)) [0 ..] (curvesPanels curves))
         ++ [text (wide / 2) (top + side + 40) "middle" "ink" (scaleSays (curvesAcross curves))]
         ++ concat (zipWith entry [0 ..] (curvesLegend curves))
     entry i (colour, said) =
-      [ path_ [Class_ <<- lineOf colour, D_ <<- ("M" <> numbers [left, y] <> "h30")],
-        text (left + 40) (y + 4) "start" "ink" said
+      [ path_ [Class_ <<- lineOf colour, D_ <<- ("M" <> numbers [placed 0, y] <> "h30")],
+        text (placed 0 + 40) (y + 4) "start" "ink" said
       ]
       where
         y = top + side + 62 + 20 * fromIntegral (i :: Int)
-    -- The title is wider than one panel.
-    wide =
-      max
-        (textWidth (Font titleSize Bold "ink") (curvesTitle curves) + 2 * gap)
-        (left + fromIntegral (length (curvesPanels curves)) * (side + gap))
+    -- The title is wider than one panel, which then stands below its middle.
+    wide = max (textWidth (Font titleSize Bold "ink") (curvesTitle curves) + 2 * gap) panelsWide
+    panelsWide = left + fromIntegral (length (curvesPanels curves)) * (side + gap)
+    placed i = left + (wide - panelsWide) / 2 + fromIntegral (i :: Int) * (side + gap)
     high = top + side + 62 + 20 * fromIntegral (length (curvesLegend curves))
 
 left, top, side, gap :: Double
@@ -63,8 +62,9 @@ top = 64
 side = 220
 gap = 24
 
-panel :: Curves -> Int -> (String, [(Int, [(Double, Double)])]) -> [Element]
-panel curves i (title, drawn) =
+-- | A panel that begins there, the first one with the words of the scale beside it.
+panel :: Curves -> Bool -> Double -> (String, [(Int, [(Double, Double)])]) -> [Element]
+panel curves isFirst x0 (title, drawn) =
   [ rect_
       [ Class_ <<- "grid",
         X_ <<- number x0,
@@ -76,7 +76,7 @@ panel curves i (title, drawn) =
   ]
     ++ concat
       [ path_ [Class_ <<- "grid", D_ <<- ("M" <> numbers [x0, y] <> "h" <> number side)] :
-          [text (x0 - 8) (y + 4) "end" "ink" said | i == 0]
+          [text (x0 - 8) (y + 4) "end" "ink" said | isFirst]
         | (v, said) <- scaleMarks (curvesUp curves),
           let y = up v
       ]
@@ -92,13 +92,12 @@ panel curves i (title, drawn) =
              Transform_ <<- ("translate(" <> numbers [x0 - 56, top + side / 2] <> ") rotate(-90)")
            ]
            (toElement (scaleSays (curvesUp curves)))
-         | i == 0
+         | isFirst
        ]
     ++ [ polyline_ [Class_ <<- lineOf colour, Points_ <<- Text.unwords (map pair points)]
          | (colour, points) <- drawn
        ]
   where
-    x0 = left + fromIntegral i * (side + gap)
     across v = x0 + side * shareOf (curvesAcross curves) v
     up v = top + side * (1 - shareOf (curvesUp curves) v)
     pair (x, y) = number (across x) <> "," <> number (up y)

@@ -4,13 +4,14 @@
 -- images and what they are taken for; the experiment.
 module Test.CommandLine.Networks (spec) where
 
+import Codec.Picture (Image (..), convertRGB8, pixelAt, readPng)
 import Data.Aeson (Value (..), toJSON)
 import Data.Foldable (for_, toList)
 import Data.List (isInfixOf, isPrefixOf)
-import System.Directory (doesPathExist, listDirectory)
+import System.Directory (doesPathExist, findExecutable, listDirectory, removeFile)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
-import System.Process (readProcess, readProcessWithExitCode)
+import System.Process (callProcess, readProcess, readProcessWithExitCode)
 import Test.CommandLine.Run
 import Test.Hspec
 import Test.Support
@@ -277,6 +278,17 @@ spec = do
       json `shouldBe` whole
       for_ ["noise.svg", "learning.svg"] $ \name ->
         readFile (made </> name) >>= (`shouldSatisfy` ("</svg>" `isInfixOf`))
+      -- Drawn, the title leaves paper beside it: nothing of it is cut off.
+      drawing <- findExecutable "rsvg-convert"
+      for_ drawing $ \program -> for_ ["noise.svg", "learning.svg"] $ \name -> do
+        let picture = made </> name ++ ".png"
+        callProcess program ["-o", picture, made </> name]
+        drawn <- readPng picture >>= either fail (pure . convertRGB8)
+        let paper = pixelAt drawn 0 0
+            ink = [pixelAt drawn x y | y <- [8 .. 28], x <- [0 .. imageWidth drawn - 1]]
+            beside = [pixelAt drawn x y | y <- [8 .. 28], x <- [0, 1, imageWidth drawn - 1]]
+        (name, all (== paper) ink, all (== paper) beside) `shouldBe` (name, False, True)
+        removeFile picture
       (refused, _, why) <- pra (asked ++ ["--output", made])
       (refused, "not empty" `isInfixOf` why) `shouldBe` (2, True)
       doesPathExist (made ++ ".part") `shouldReturn` False

@@ -43,7 +43,8 @@ spec = do
         `shouldBe` (key ["constants"] constants, Just Null)
   it "the region follows a sensor that is larger than the usual one" $
     inFolder $ \folder ->
-      for_ [("64x64", "1.5875", 1), ("16x16", "4", 2), ("48x16", "1.5875", 6 :: Int)] $
+      -- Of 64 mm a side and presses 32 mm apart the region is 41 x 52 taxels of 1.5875 mm.
+      for_ [("64x64", "1.5875", 1), ("16x16", "4", 4), ("48x16", "1.5875", 6 :: Int)] $
         \(size, taxel, presses) -> do
           let made = folder </> size
           (status, _, err) <-
