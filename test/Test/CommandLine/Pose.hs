@@ -27,7 +27,13 @@ spec = do
         it name . inFolder $ \folder -> do
           writeFile (folder ++ "/plane.json") text
           outcome <-
-            pra ["decode", "--plane", folder ++ "/plane.json", "data/worked-example/frames"]
+            pra
+              [ "decode",
+                "--json",
+                "--plane",
+                folder ++ "/plane.json",
+                "data/worked-example/frames"
+              ]
           outcome `refuses` about
   it "compare brings the truth to the world in which the answer is" $
     inFolder $ \folder -> do

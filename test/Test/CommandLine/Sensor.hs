@@ -132,14 +132,14 @@ spec = do
       out `shouldSatisfy` not . ("upright" `isInfixOf`)
   it "calibrated, the dead taxels are those that were, and frames are corrected first" $
     inFolder $ \folder -> do
-      let sensor = " --sensor hard --position-error 0.5 --rotation-error 0 --seed 7 "
+      let sensor = " --sensor hard --seed 7 "
       (status, out, err) <-
         scripted folder $
           "pra probe --dark 8" ++ sensor ++ "--output dark > log; pra probe --flat 8" ++ sensor
             ++ "--output flat > log; pra calibrate --dark dark --flat flat --output c.json > log; "
             ++ "pra probe --object cube"
             ++ sensor
-            ++ "--output f --truth t.json > log; "
+            ++ "--position-error 0.5 --rotation-error 0 --output f --truth t.json > log; "
             ++ "pra decode --json f --calibration c.json > a.json; "
             ++ "pra compare a.json t.json --json; "
             ++ "cat c.json >&2"
