@@ -32,7 +32,7 @@ import PraTactile.Store.Query (Query)
 import PraTactile.Store.Rows
 import PraTactile.Store.Schema
 import PraTactile.Store.Target
-import System.Directory (doesDirectoryExist, doesPathExist, renameFile)
+import System.Directory (doesDirectoryExist, doesPathExist, getFileSize, renameFile)
 import System.FilePath (isRelative, (</>))
 import System.IO (IOMode (..), SeekMode (..), hGetChar, hSeek, withBinaryFile)
 import System.Posix.Types (DeviceID, FileID)
@@ -50,7 +50,12 @@ sqlite path = backend
             ask ("SELECT name FROM pragma_table_info('" ++ table ++ "') ORDER BY cid"),
           integrity = do
             verdict <- ask "PRAGMA integrity_check"
-            unless (take 1 verdict == [Text.pack "ok"]) (throwE (DamagedFile path BrokenPages)),
+            -- What is missing at the end of the file counts as zeros there, of which an empty page
+            -- is full.
+            whole <- product . concat <$> traverse ask ["PRAGMA page_count", "PRAGMA page_size"]
+            size <- liftIO (getFileSize path)
+            unless (take 1 verdict == [Text.pack "ok"] && size >= toInteger (whole :: Int)) $
+              throwE (DamagedFile path BrokenPages),
           valuesTyped = typedIn path,
           olderVersions = [1, 2],
           prepareWriting = do
