@@ -1,7 +1,7 @@
 -- | What @objects@ does to a database of the mapping: it adds objects, replaces and removes them,
 -- exports the placement and checks all.
 module DatabaseChange
-  ( Task,
+  ( Task (..),
     taskOption,
     taskName,
     takesOperands,
@@ -27,8 +27,9 @@ import Message
 import NamedSolid
 import Options
 import PlacementChoice (withDatabase)
+import Polyhedra (SolidReading)
 import PraTactile.Array (Position (..), area)
-import PraTactile.Format.Place (Outcome (..), outcomeName, reasonName)
+import PraTactile.Format.Place
 import PraTactile.Object.Packing (Reason (TakenOverlaps))
 import PraTactile.Object.Placement
 import PraTactile.Object.Placement.Search
@@ -75,12 +76,19 @@ taskName what = case what of
 takesOperands :: Task -> Bool
 takesOperands what = what `elem` [Add, Replace, Remove]
 
--- | Do it to the database of this name, with what the command line names; objects that are added
--- lie as the placement in a file says, if one is given. Status 1 where objects cannot be laid; the
+-- | Do it to the database of this name, with what the command line names, read as it says; objects
+-- that are added lie as the placement in a file says, if one is given. Status 1 where objects cannot be laid; the
 -- database is then as it was.
 changed ::
-  ArrayChoice -> FilePath -> Task -> Maybe FilePath -> [String] -> AnswerForm -> IO ExitStatus
-changed choice file what placed named form = do
+  ArrayChoice ->
+  FilePath ->
+  Task ->
+  Maybe FilePath ->
+  SolidReading ->
+  [String] ->
+  AnswerForm ->
+  IO ExitStatus
+changed choice file what placed reading named form = do
   unless (null placed || what `elem` [Add, Replace]) $
     misused $
       "--placement says where --add and --replace lay objects; " ++ taskName what ++ " lays none"
@@ -109,7 +117,7 @@ changed choice file what placed named form = do
     objectsToLay = do
       (profile, between) <-
         withDatabase choice file (\profile store -> pure (profile, storedPitch store))
-      let solids = for named (namedSolid (Just (profileShape profile)) between Nothing)
+      let solids = for named (namedSolid (Just (profileShape profile)) between reading)
       case placed of
         Nothing -> (\new -> (new, adding firstSeed new)) <$> solids
         Just from -> do
@@ -126,7 +134,7 @@ changed choice file what placed named form = do
     placedIn from layout text
       | Right it <- findObject layout (objectCalled text) = pure it
       | otherwise = do
-        it <- namedSolid (Just (placementShape layout)) (placementPitch layout) Nothing text
+        it <- namedSolid (Just (placementShape layout)) (placementPitch layout) reading text
         there <- orUnusable (const (lacks from it)) (findObject layout (solidName it))
         unless (there == it) . unusable $
           visible (objectText (solidName it)) ++ " is another object in " ++ visibleName from
@@ -146,18 +154,18 @@ changed choice file what placed named form = do
                 ++ " already; --replace puts another in its place"
         Left (NotChanged why@FacesOverlap {})
           | not (null placed) ->
-            notLaid IsImpossible (Just (TakenOverlaps 0)) (placementMessage why)
+            unlaid IsImpossible (Just (reasonName (TakenOverlaps 0))) (placementMessage why)
         Left (NotChanged why) -> unusable (placementMessage why)
-        Left (NotLaid wishes why) ->
-          maybe
-            (notLaid IsNotFound Nothing noneFound)
-            (\proof -> notLaid IsImpossible why (whyNot wishes proof))
-            why
-    notLaid name reason sentence = do
+        Left (NothingCarries between new) ->
+          unlaid IsImpossible (Just nothingCarriedName) (nothingCarries between new)
+        Left (NotLaid wishes (Just proof)) ->
+          unlaid IsImpossible (Just (reasonName proof)) (whyNot wishes proof)
+        Left (NotLaid _ Nothing) -> unlaid IsNotFound Nothing noneFound
+    unlaid outcome reason sentence = do
       printAs
         form
-        (outcomeName name ++ ": " ++ sentence ++ "\n")
-        (encodeDatabase (outcomeName name) (reasonName <$> reason) mempty)
+        (outcomeName outcome ++ ": " ++ sentence ++ "\n")
+        (encodeDatabase (outcomeName outcome) reason mempty)
       pure NotAnswered
     told added removed (place, former) = do
       let cells = sum (map (length . blockCells . laidBlock) (laidFaces place))

@@ -2,40 +2,60 @@
 module NamedSolid
   ( namedSolid,
     sourceOf,
+    symbolsText,
+    nothingCarries,
+    noRoomOn,
     whyNot,
     noneFound,
   )
 where
 
-import Control.Monad (when)
+import Control.Monad (guard, when)
 import Counted
+import Data.Foldable (for_)
 import Data.Maybe (fromMaybe, isNothing)
+import qualified Data.Vector as V
 import ExitStatus
+import Json (shapeText)
 import Message
+import Numeric (showFFloat)
 import Polyhedra
 import PraTactile.Array (Shape (..))
-import PraTactile.Format.Solid (Contents (..), SolidFormat)
-import PraTactile.Object.Mesh (named)
+import PraTactile.Object.Mend
+import PraTactile.Object.Mesh
 import PraTactile.Object.Packing (Reason (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.Placement.Search
+import PraTactile.Object.Vector (V3 (..))
 import PraTactile.Object.WingedEdge
 import Visible
 
 -- | The solid that @[NAME=]SOLID|FILE@ is; the sheet has room for an array of this shape with
--- symbols so far apart, and without one there is none. Leaves with status 2 where there is no such
--- solid.
-namedSolid :: Maybe Shape -> Pitch -> Maybe SolidFormat -> String -> IO Solid
-namedSolid known between said subject = do
+-- symbols so far apart, and without one there is none. Warns of triangles that are nearly one face.
+-- Leaves with status 2 where there is no such solid.
+namedSolid :: Maybe Shape -> Pitch -> SolidReading -> String -> IO Solid
+namedSolid known between reading subject = do
   when (isNothing known && from == "sheet") . misused $
     "the sheet is as large as its array, and has no size of its own for which --smallest could "
       ++ "look; name a box"
-  Contents it _ <- polyhedron (fromMaybe (Shape 1 1) known) between said from
+  it <- polyhedronMesh <$> polyhedron (fromMaybe (Shape 1 1) known) between reading from
+  when (mendMerging mending == TrianglesMerged && isNothing (mendTolerance mending)) $
+    for_ (nearlyMerged it) $ \(mm, faces) ->
+      warn
+        ( "warning: " ++ visibleName subject
+            ++ ": triangles that are nearly in one plane stay apart; --tolerance "
+            ++ lengthText mm
+            ++ " makes "
+            ++ show faces
+            ++ " faces of "
+            ++ show (V.length (meshWalks it))
+        )
   orUnusable
     (\why -> visibleName subject ++ ": " ++ objectMessage why)
     (solidOf (maybe id (named . objectCalled) name it))
   where
     (name, from) = nameAndSource subject
+    mending = readingMending reading
 
 -- | The name or the file of a polyhedron, without the name that its object is given.
 sourceOf :: String -> String
@@ -46,6 +66,58 @@ nameAndSource :: String -> (Maybe String, String)
 nameAndSource subject = case break (== '=') subject of
   (given@(_ : _), '=' : rest) | '/' `notElem` given -> (Just given, rest)
   _ -> (Nothing, subject)
+
+-- | A tolerance that puts more triangles together than lie exactly in one plane, and how many faces
+-- there are then: a power of ten above what single precision rounds coordinates by.
+nearlyMerged :: Mesh -> Maybe (Rational, Int)
+nearlyMerged it = do
+  guard (largest > 0)
+  flat <- either (const Nothing) Just (mended (Mending (Just mm) False TrianglesMerged) it)
+  let faces = V.length (meshWalks (mendedMesh flat))
+  guard (faces < V.length (meshWalks it))
+  Just (mm, faces)
+  where
+    largest = V.maximum (V.cons 0 (V.map (\(V3 x y z) -> maximum (map abs [x, y, z])) points))
+    points = meshPoints it
+    -- Rounding to 24 binary digits errs by 2^-25 of the largest coordinate at most.
+    rounding = fromInteger largest / (fromInteger (meshDenominator it) * 2 ^ (22 :: Int)) :: Double
+    mm = 10 ^^ (ceiling (logBase 10 rounding) :: Int)
+
+-- | How many symbols a face has, and the rows and columns of the block that they are of.
+--
+-- >>> symbolsText (wholeBlock (Shape 3 4))
+-- "12 symbols on 3x4 cells"
+symbolsText :: Block -> String
+symbolsText block =
+  counted (length (blockCells block)) "symbol" "symbols"
+    ++ " on "
+    ++ shapeText (blockShape block)
+    ++ " cells"
+
+-- | That no face of objects has room for a symbol, with the unit that their files may have.
+nothingCarries :: Pitch -> [Solid] -> String
+nothingCarries between objects =
+  "no face has room for " ++ symbolText between
+    ++ case [unit | unit@(k, _) <- units, carrying k] of
+      (k, name) : _ -> "; is the file in " ++ name ++ "? give --scale " ++ lengthText k
+      [] -> ""
+  where
+    units = [(127 / 5, "inches"), (10, "centimetres"), (1000, "metres")]
+    carrying k = not (null (facesOf between AnyVertex (map (scaledSolid k) objects)))
+
+-- | That a face has no room for a symbol.
+noRoomOn :: Pitch -> Face -> String
+noRoomOn between (Face owner walk) =
+  "the face " ++ visible (faceText walk) ++ " of the " ++ visible (objectText owner)
+    ++ " has no room for "
+    ++ symbolText between
+
+symbolText :: Pitch -> String
+symbolText (Pitch right down) =
+  "a symbol of " ++ lengthText right ++ " x " ++ lengthText down ++ " mm"
+
+lengthText :: Rational -> String
+lengthText k = showFFloat Nothing (fromRational k :: Double) ""
 
 -- | Why there is no placement, in words.
 whyNot :: [Wanted] -> Reason -> String

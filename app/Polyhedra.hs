@@ -1,16 +1,20 @@
 -- | Polyhedra as the command line names them: a file, or a name such as @box:100x60x40@.
 module Polyhedra
-  ( polyhedron,
-    formatOption,
+  ( -- * Reading
+    SolidReading (..),
+    asUsual,
+    readingOptions,
+    readingWith,
+    Polyhedron (..),
+    polyhedron,
+    readBy,
+    fileContents,
+
+    -- * Formats and sizes
     formatHeeded,
     outputFormat,
     positiveReader,
     symbolsOption,
-
-    -- * As they are read
-    Reading (..),
-    readingOptions,
-    asRead,
   )
 where
 
@@ -34,10 +38,91 @@ import PraTactile.Object.Plate (plateSize)
 import System.FilePath (dropExtension, takeFileName)
 import Visible
 
--- | What a name or a file says; a file is of the format that its end tells, or else of this one.
--- The sheet has room for an array of this shape.
-polyhedron :: Shape -> Pitch -> Maybe SolidFormat -> String -> IO Contents
-polyhedron shape between given subject = case readName (plateSize shape between) subject of
+-- | How polyhedra are read, as the command line says.
+data SolidReading = SolidReading
+  { -- | of files whose ends do not tell it
+    readingFormat :: Maybe SolidFormat,
+    -- | what all lengths are multiplied by
+    readingScale :: Rational,
+    readingMending :: Mending
+  }
+  deriving stock (Eq)
+
+-- | A name as it says, and files in the format that their ends tell, with triangles put together.
+asUsual :: SolidReading
+asUsual = SolidReading Nothing 1 asItIs {mendMerging = TrianglesMerged}
+
+-- | The options of all commands that make something of polyhedra: @--scale@, @--tolerance@,
+-- @--fix-orientation@, @--keep-triangles@ and @--format@.
+readingOptions :: Parser SolidReading
+readingOptions =
+  readingWith $
+    flag
+      TrianglesMerged
+      AsWritten
+      ( long "keep-triangles"
+          <> help
+            "Leave triangles of one plane that share sides as they are (default: they are one face)"
+      )
+
+-- | The same, given the option that says which faces are put together.
+readingWith :: Parser Merging -> Parser SolidReading
+readingWith merging =
+  made
+    <$> option
+      (positiveReader "a factor")
+      ( long "scale" <> metavar "S" <> value 1
+          <> help "Multiply all lengths of the object, as by 25.4 where a file has inches"
+      )
+    <*> optional
+      ( valued
+          (positiveReader "a length")
+          "tolerance"
+          "MM"
+          "Put vertices no further apart than this together, leave out faces no further from a \
+          \line, and move vertices no further than this so that faces are flat"
+      )
+    <*> switch
+      ( long "fix-orientation"
+          <> help "Turn faces so that all are counter-clockwise seen from outside"
+      )
+    <*> merging
+    <*> formatOption
+  where
+    made scale tolerance turning faces format =
+      SolidReading format scale (Mending tolerance turning faces)
+
+-- | A polyhedron that was read.
+data Polyhedron = Polyhedron
+  { -- | as its file has it, at its scale
+    polyhedronGiven :: Mesh,
+    -- | what its file has beside
+    polyhedronPassed :: [Passed],
+    -- | mended
+    polyhedronMesh :: Mesh,
+    polyhedronChanges :: Changes
+  }
+
+-- | The polyhedron that a name or a file says. The sheet has room for an array of this shape with
+-- symbols so far apart.
+polyhedron :: Shape -> Pitch -> SolidReading -> String -> IO Polyhedron
+polyhedron shape between reading subject =
+  contentsOf (plateSize shape between) (readingFormat reading) subject >>= readBy reading subject
+
+-- | What a file or a name says, taken as the command line says.
+readBy :: SolidReading -> String -> Contents -> IO Polyhedron
+readBy reading subject (Contents whole passed) = do
+  let given = scaledBy (readingScale reading) whole
+  Mended it changes <-
+    orUnusable
+      (\why -> visibleName subject ++ ": " ++ tooFineMessage why)
+      (mended (readingMending reading) given)
+  pure (Polyhedron given passed it changes)
+
+-- | What a name says, or a file, which is of the format that its end tells, or else of this one.
+-- The sheet has this width and depth.
+contentsOf :: (Rational, Rational) -> Maybe SolidFormat -> String -> IO Contents
+contentsOf plate given subject = case readName plate subject of
   Known known -> pure (Contents (fromDescription (namedDescription known)) [])
   Malformed wanted -> unusable (solidNameMessage subject wanted)
   Irrational name ->
@@ -46,14 +131,18 @@ polyhedron shape between given subject = case readName (plateSize shape between)
           ++ " has no rational vertices, since no rational rotation has order 5; the pyritohedron \
              \has, which is a dodecahedron: pyritohedron:A"
       )
-  NoName -> do
-    told <- case formatOfFile subject of
-      Just told -> pure told
-      Nothing -> maybe (misused (endless subject)) pure given
-    bytes <- readBytes subject
-    orUnusable
-      (solidFileMessage subject told)
-      (readSolid told (objectCalled (objectNameOf subject)) bytes)
+  NoName -> fileContents given subject
+
+-- | What a file says, in the format that its end tells, or else in this one.
+fileContents :: Maybe SolidFormat -> FilePath -> IO Contents
+fileContents given subject = do
+  told <- case formatOfFile subject of
+    Just told -> pure told
+    Nothing -> maybe (misused (endless subject)) pure given
+  bytes <- readBytes subject
+  orUnusable
+    (solidFileMessage subject told)
+    (readSolid told (objectCalled (objectNameOf subject)) bytes)
   where
     objectNameOf "-" = "standard-input"
     objectNameOf file = dropExtension (takeFileName file)
@@ -105,50 +194,6 @@ positiveReader :: String -> ReadM Rational
 positiveReader what = eitherReader $ \text -> case readExact text of
   Just n | n > 0 -> Right n
   _ -> Left (quoted text ++ " is not " ++ what ++ " above 0, such as 25.4 or 127/5")
-
--- | What is done to a polyhedron as it is read.
-data Reading = Reading
-  { -- | what all lengths are multiplied by
-    readingScale :: Rational,
-    readingMending :: Mending
-  }
-
--- | @--scale@, @--tolerance@, @--fix-orientation@ and, as a switch of the command's, whether faces
--- of one plane are put together.
-readingOptions :: Parser Bool -> Parser Reading
-readingOptions merging =
-  Reading
-    <$> option
-      (positiveReader "a factor")
-      ( long "scale" <> metavar "S" <> value 1
-          <> help "Multiply all lengths, as by 25.4 where a file has inches"
-      )
-    <*> ( Mending
-            <$> optional
-              ( valued
-                  (positiveReader "a length")
-                  "tolerance"
-                  "MM"
-                  "Put vertices no further apart than this together, leave out faces no further \
-                  \from a line, and move vertices no further than this so that faces are flat"
-              )
-            <*> switch
-              ( long "fix-orientation"
-                  <> help "Turn faces so that all are counter-clockwise seen from outside"
-              )
-            <*> merging
-        )
-
--- | A polyhedron of this name as it is read, with that done to it.
-asRead :: Reading -> String -> Mesh -> IO (Mesh, Mended)
-asRead reading subject given = do
-  made <-
-    orUnusable
-      (\why -> visibleName subject ++ ": " ++ tooFineMessage why)
-      (mended (readingMending reading) scaled)
-  pure (scaled, made)
-  where
-    scaled = scaledBy (readingScale reading) given
 
 -- | @--symbols@.
 symbolsOption :: Parser Rational

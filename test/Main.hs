@@ -60,6 +60,7 @@ import qualified Test.CommandLine.Networks
 import qualified Test.CommandLine.Output
 import qualified Test.CommandLine.Patches
 import qualified Test.CommandLine.Picture
+import qualified Test.CommandLine.Place
 import qualified Test.CommandLine.Pose
 import qualified Test.CommandLine.Proof
 import qualified Test.CommandLine.Rates
@@ -405,6 +406,7 @@ specs = do
   describe "The command line: shapes" Test.CommandLine.Shapes.spec
   describe "The command line: networks" Test.CommandLine.Networks.spec
   describe "The command line: sequences and foldings" Test.CommandLine.Sequences.spec
+  describe "The command line: faces of files on the array" Test.CommandLine.Place.spec
   describe "The command line: the smallest array" Test.CommandLine.Smallest.spec
   describe "The command line: rates" Test.CommandLine.Rates.spec
   describe "The command line: poses" Test.CommandLine.Pose.spec

@@ -8,7 +8,7 @@ where
 import ArrayChoice
 import Control.Monad (unless, when)
 import qualified Data.ByteString.Lazy as Lazy
-import Data.Maybe (fromMaybe, isJust)
+import Data.Maybe (fromMaybe, isJust, isNothing)
 import ExitStatus
 import Json (shapeText)
 import Message
@@ -18,6 +18,7 @@ import Output
 import Picture.Layout
 import Picture.Solid
 import PlacementChoice
+import Polyhedra
 import PraTactile.Array
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement
@@ -37,6 +38,7 @@ data Subject = OneSolid | WholeSheet | Layings | Encoded
 data Options = Options
   { subject :: Subject,
     object :: Maybe String,
+    reading :: SolidReading,
     from :: Maybe (Double, Double),
     objects :: PlacementChoice,
     shapesFile :: Maybe FilePath,
@@ -71,6 +73,7 @@ command =
                       "The object of the placement (default: the first one); 'solid' also takes a \
                       \file or a name, as the command 'solid' does"
                   )
+                <*> readingOptions
                 <*> optional
                   ( valued
                       (pairReader ',' "30,25")
@@ -96,6 +99,8 @@ run choice options = do
     misused "--from is for 'solid' and 'encoded'"
   when (subject options == OneSolid) $
     leaveOut "a solid is drawn without its symbols" [("--shapes", isJust (shapesFile options))]
+  when (reading options /= asUsual && (subject options /= OneSolid || isNothing (object options))) $
+    misused "--scale, --tolerance, --keep-triangles and --format are for 'solid' with an --object"
   orNotSvg (output options)
   orUnwritable (output options)
   (profile, layout) <- chosenPlacement choice (objects options)
@@ -136,8 +141,14 @@ drawing options profile layout = case subject options of
     ofPlacement name =
       orUnusable placementMessage (findObject layout (objectCalled name))
     nameOrFile name = case placementObject layout (objectCalled name) of
-      Just whole -> pure whole
-      Nothing -> namedSolid (Just (profileShape profile)) canonicalPitch Nothing name
+      Just whole
+        | reading options == asUsual -> pure whole
+        | otherwise ->
+          misused
+            ( "the placement has an object " ++ quoted name
+                ++ ", and --scale, --tolerance, --fix-orientation, --keep-triangles and --format are for files"
+            )
+      Nothing -> namedSolid (Just (profileShape profile)) canonicalPitch (reading options) name
     symbolsOf = do
       when (area (profileShape profile) > mostCells) . unusable $
         "an array of " ++ sizeText ++ " is too large to be drawn in its symbols; "

@@ -17,7 +17,6 @@ import Output
 import Picture.Net
 import Polyhedra
 import PraTactile.Format.Nets
-import PraTactile.Format.Solid (SolidFormat)
 import PraTactile.Format.Solid.Name
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Net
@@ -30,7 +29,7 @@ data Options = Options
   { subject :: String,
     everyOne :: Bool,
     pictures :: Maybe FilePath,
-    format :: Maybe SolidFormat,
+    reading :: SolidReading,
     form :: AnswerForm
   }
 
@@ -64,19 +63,19 @@ command =
                       \that is new or empty; of more than 100000 unfoldings one net alone, unless \
                       \--all"
                   )
-                <*> formatOption
+                <*> readingOptions
                 <*> jsonSwitch "Print as JSON"
             )
     )
 
 run :: Options -> IO ExitStatus
 run options = do
-  formatHeeded (format options) [subject options] Nothing
+  formatHeeded (readingFormat (reading options)) [subject options] Nothing
   whole <-
     namedSolid
       (Just (profileShape canonicalProfile))
       canonicalPitch
-      (format options)
+      (reading options)
       (subject options)
   let trees = spanningTrees whole
       found = if trees <= mostTrees || everyOne options then Just (census whole) else Nothing

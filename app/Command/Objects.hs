@@ -16,8 +16,10 @@ import ExitStatus
 import Json
 import Lines
 import Message
+import NamedSolid (symbolsText)
 import Options
 import PlacementChoice
+import Polyhedra (SolidReading, asUsual, readingOptions)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Format (encodeObjects, encodeWhereabouts)
 import PraTactile.Format.Object (encodeNoWhereabouts)
@@ -37,6 +39,7 @@ data Options = Options
     write :: Maybe FilePath,
     task :: Maybe Task,
     operands :: [String],
+    reading :: SolidReading,
     form :: AnswerForm
   }
 
@@ -90,6 +93,7 @@ command =
                     \objects (default: all); what --remove takes: names of objects"
               )
           )
+        <*> readingOptions
         <*> jsonSwitch "Print as JSON"
 
 run :: ArrayChoice -> Options -> IO ExitStatus
@@ -98,10 +102,15 @@ run choice options = do
     misused ("give one of " ++ enumerated asked)
   unless (null (operands options) || maybe False takesOperands (task options)) $
     misused "objects are named for --add, --replace and --remove"
+  unless (reading options == asUsual || task options `elem` [Just Add, Just Replace]) $
+    misused
+      "--scale, --tolerance, --fix-orientation, --keep-triangles and --format are for --add and \
+      \--replace"
   when (isJust beside && null (task options)) $
     misused "--placement and --database are given together for --add and --replace"
   case (task options, ofDatabase from) of
-    (Just what, Just file) -> changed choice file what beside (operands options) (form options)
+    (Just what, Just file) ->
+      changed choice file what beside (reading options) (operands options) (form options)
     (Just what, Nothing) -> misused (taskName what ++ " is for a --database")
     (Nothing, database) -> case (at options, write options) of
       (_, Just "-") ->
@@ -191,8 +200,8 @@ listText layout = concatMap solidLines (placementSolids layout)
         ]
     faceLine laid =
       faceText (faceName (laidFace laid)) ++ ": " ++ millimetres laid ++ " mm, "
-        ++ shapeText (laidGrid laid)
-        ++ " symbols from row "
+        ++ symbolsText (laidBlock laid)
+        ++ " from row "
         ++ show (row (laidAt laid))
         ++ ", column "
         ++ show (column (laidAt laid))

@@ -10,6 +10,7 @@ import Control.Monad (unless, when)
 import Counted
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Char (isSpace)
+import Data.Foldable (for_)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, isNothing)
 import qualified Data.Text as Text
@@ -30,7 +31,6 @@ import PraTactile.Advise
 import PraTactile.Array (Position (..), PseudorandomArray, area)
 import PraTactile.Field (KnownField)
 import PraTactile.Format.Place
-import PraTactile.Format.Solid (SolidFormat)
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement hiding (more)
 import PraTactile.Object.Placement.Search
@@ -54,7 +54,7 @@ data Options = Options
     symbols :: Maybe Rational,
     begun :: Begun,
     seed :: Int,
-    format :: Maybe SolidFormat,
+    reading :: SolidReading,
     output :: Maybe FilePath,
     form :: AnswerForm
   }
@@ -93,9 +93,9 @@ command =
                 <*> switch
                   ( long "smallest"
                       <> help
-                        "On the smallest array over GF(q) on which a placement is found, by that \
-                        \of its windows that lies whole on the most faces; q is 4 unless --q says \
-                        \another"
+                        "On the smallest array over GF(q) on which all faces are begun where they \
+                        \have the most symbols, by that of its windows that lies whole on the \
+                        \most faces; q is 4 unless --q says another"
                   )
                 <*> many
                   ( valued
@@ -111,11 +111,11 @@ command =
                   AsNamed
                   ( long "upright"
                       <> help
-                        "Begin each face's frame at the first vertex of its name (default: at \
-                        \whichever suits)"
+                        "Begin each face's frame at the first vertex of its name (default: where \
+                        \it has the most symbols, unless there is no placement then)"
                   )
                 <*> seedOption (value 1 <> showDefault)
-                <*> formatOption
+                <*> readingOptions
                 <*> optionalFile "output" "FILE" "Write the placement to a file"
                 <*> jsonSwitch "Print the report as JSON"
             )
@@ -134,40 +134,51 @@ run choice options = do
   (chosen, between, before) <- ground choice options
   names <- (subjects options ++) <$> maybe (pure []) objectLines (listed options)
   when (null names && null (faces options)) (misused "name an object; 'solid' lists what there is")
-  formatHeeded (format options) (map sourceOf names) Nothing
-  new <- for names (namedSolid (profileShape <$> chosen) between (format options))
+  formatHeeded (readingFormat (reading options)) (map sourceOf names) Nothing
+  new <- for names (namedSolid (profileShape <$> chosen) between (reading options))
   let known = maybe [] placementSolids before ++ new
       lying = maybe [] laidFaces before
       laidOn profile layings = placement (profileShape profile) between known layings
   -- Names that are there twice, and faces that there are not, are refused before the search.
   _ <- orUnusable placementMessage (laidOn (fromMaybe canonicalProfile chosen) (map layingOf lying))
   wishes <- wanted between options known new
-  let needed = fromInteger (sum (map laidCells lying) + cellsNeeded between known wishes)
-  arrays <- maybe (smallestArrays choice needed) (\it -> pure [[it]]) chosen
-  let search of' =
-        layingsOf (seed options) (profileShape of') between lying known wishes
-      (profile, found) = firstLaid (map laidBlock lying) search arrays
-      report outcome reason layings windows =
+  let carriesNone wish = cellsNeeded between known [wish] == 0
+      bare = [body | body <- new, solidName body `notElem` map (faceObject . wantedFace) wishes]
+      search asked of' = layingsOf (seed options) (profileShape of') between lying known asked
+      needed asked =
+        fromInteger (sum (map laidCells lying) + cellsNeeded between known asked)
+      laidOf asked = do
+        arrays <- maybe (smallestArrays choice (needed asked)) (\it -> pure [[it]]) chosen
+        pure (needed asked, firstLaid (map laidBlock lying) (search asked) arrays)
+  (cells, (profile, found)) <- case chosen of
+    Nothing | any ((== AnyVertex) . wantedBegun) wishes -> do
+      best <- laidOf [wish {wantedBegun = BestVertex} | wish <- wishes]
+      case best of
+        (_, (_, LaidSo _)) -> pure best
+        _ -> laidOf wishes
+    _ -> laidOf wishes
+  let report outcome reason layings windows =
         PlaceReport
           { placeOutcome = outcome,
             placeReason = reason,
             placeCells = area (profileShape profile),
-            placeNeeded = needed,
+            placeNeeded = cells,
             placeProfile = profile,
             placeLayings = layings,
             placeWindows = windows,
             placePress = leastPress (profileWindow profile)
           }
+      refused outcome reason sentence =
+        NotAnswered <$ told options (report outcome reason [] Nothing) sentence
   laying <- whileWorking "looking for where faces lie" found
   case laying of
-    NoWay why ->
-      NotAnswered <$ told options (report IsImpossible (Just why) [] Nothing) (whyNot wishes why)
-    NoneFound ->
-      NotAnswered
-        <$ told
-          options
-          (report IsNotFound Nothing [] Nothing)
-          (noneFound ++ "; try another --seed")
+    _
+      | null wishes ->
+        refused IsImpossible (Just nothingCarriedName) (nothingCarries between new)
+      | wish : _ <- filter carriesNone wishes ->
+        refused IsImpossible (Just nothingCarriedName) (noRoomOn between (wantedFace wish))
+    NoWay why -> refused IsImpossible (Just (reasonName why)) (whyNot wishes why)
+    NoneFound -> refused IsNotFound Nothing (noneFound ++ "; try another --seed")
     LaidSo layings -> do
       let all' = map layingOf lying ++ layings
       place <- orUnusable placementMessage (laidOn profile all')
@@ -175,10 +186,12 @@ run choice options = do
         orUnusable
           profileMessage
           (withProfile profile (\array _ -> proved array (map layBlock all')))
+      let degree = fromIntegral (length (profilePolynomial profile)) - 1
       mapM_ (\file -> writePlacement file profile place) (output options)
+      let reported = zipWith (reportedIn place) all' proofs
       told
         options
-        (report IsPlaced Nothing (zip all' proofs) (windowCounts place (profileWindow profile)))
+        (report IsPlaced Nothing reported (windowCounts place (profileWindow profile)))
         ( counted (length (laidFaces place)) "face" "faces" ++ " on "
             ++ show (sum (map laidCells (laidFaces place)))
             ++ " of "
@@ -187,9 +200,37 @@ run choice options = do
             ++ concat
               [" of an array of " ++ shapeText (profileShape profile) | isNothing chosen]
         )
+      for_ bare $ \body ->
+        warn ("warning: the " ++ visible (objectText (solidName body)) ++ " carries no symbol")
+      mapM_ warn (untold degree reported)
       pure Answered
   where
     laidCells = toInteger . length . blockCells . laidBlock
+    reportedIn place laying proof =
+      ReportedLaying
+        { reportedLaying = laying,
+          reportedProof = proof,
+          reportedMost = do
+            let Face owner name = layFace laying
+            body <- placementObject place owner
+            mostSymbols (placementPitch place) body name
+        }
+
+-- | What there is to warn of faces whose cells have a rank below the polynomial's degree.
+untold :: Natural -> [ReportedLaying] -> Maybe String
+untold degree reported = case filter below reported of
+  [] -> Nothing
+  low@(first : _) ->
+    Just
+      ( "warning: " ++ counted (length low) "face cannot" "faces cannot"
+          ++ " be told from other places of the array, for the rank of their cells is below "
+          ++ show degree
+          ++ ", the first of them "
+          ++ faceOf (layFace (reportedLaying first))
+      )
+  where
+    below one = any (< degree) (maskRank (reportedProof one))
+    faceOf (Face owner walk) = visible (objectText owner) ++ ", " ++ visible (faceText walk)
 
 -- | The first array on which all is laid, by that of its windows that lies wholly on the most
 -- faces, the first of several; or the last array, where all is laid on none. Each is given by its
@@ -321,14 +362,23 @@ reportText report sentence =
        ]
   where
     layings = placeLayings report
-    layingText (laying, MaskProof rank apart) =
-      let Face owner walk = layFace laying
+    layingText one =
+      let laying = reportedLaying one
+          MaskProof rank apart = reportedProof one
+          Face owner walk = layFace laying
           Position r c = layAt laying
        in "  " ++ visible (objectText owner) ++ ", " ++ visible (faceText walk) ++ ": "
-            ++ shapeText (blockShape (layBlock laying))
-            ++ " symbols from row "
+            ++ symbolsText (layBlock laying)
+            ++ " from row "
             ++ show r
             ++ ", column "
             ++ show c
             ++ concat ["; rank " ++ show n | Just n <- [rank]]
             ++ concat [", distance " ++ show d | Just (d, _) <- [apart]]
+            ++ concat
+              [ "; begun at " ++ visible (concatMap vertexText (take 1 (faceVertices name)))
+                  ++ " it has "
+                  ++ show most
+                | Just (most, name) <- [reportedMost one],
+                  most > reportedSymbols one
+              ]

@@ -10,16 +10,17 @@ import ArrayChoice
 import Control.Monad (when)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
-import Data.Maybe (fromMaybe, isJust)
+import Data.Maybe (fromMaybe, isJust, isNothing)
 import ExitStatus
-import Files (readBytes)
 import Message
 import Options
 import Output (orUnwritable, writeFolder, writeWhole)
 import PlacementChoice
+import Polyhedra
 import PraTactile.Explore
 import PraTactile.Format (encodePosedTruth, folderFiles)
-import PraTactile.Format.Solid (Contents (..), SolidFormat (Stl), formatOfFile, readSolid)
+import PraTactile.Format.Solid (SolidFormat (Stl))
+import PraTactile.Object.Mend (Merging (..), asItIs)
 import PraTactile.Object.Mesh (Mesh, scaledBy)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
@@ -55,6 +56,7 @@ data Options = Options
     shapesFile :: Maybe FilePath,
     -- | what was made of the object, pressed in its place
     meshFile :: Maybe FilePath,
+    meshReading :: SolidReading,
     output :: FilePath
   }
 
@@ -133,6 +135,7 @@ optionsParser =
       "FILE"
       "Press this polyhedron, as 'emboss' writes it, in place of the object: its surface is felt \
       \where the placement has the face, and the array is not asked"
+    <*> readingWith (pure AsWritten)
     <*> folderOption "output" "A folder that is new or empty"
   where
     place = pairReader ',' "12.7,40"
@@ -181,6 +184,8 @@ run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options
   | any (not . (< 1e6) . abs) [fst placed, snd placed] =
     misused "--origin is a place in millimetres"
+  | isNothing (meshFile options) && meshReading options /= asUsual {readingMending = asItIs} =
+    misused "--scale, --tolerance and --format are for a --mesh"
   | otherwise = do
     simulated <- chosenSensor (sensor options)
     let how =
@@ -247,7 +252,7 @@ pressing choice options how object = do
             pressingOrigin = smaller (pressingOrigin how),
             pressingBend = bendBySymbols scale <$> pressingBend how
           }
-  mesh <- traverse meshIn (meshFile options)
+  mesh <- traverse (meshIn (meshReading options)) (meshFile options)
   (frames, found) <-
     orUnusable (pressMessage larger (at options))
       =<< case mesh of
@@ -264,16 +269,12 @@ pressing choice options how object = do
   when (announced options == Announced) (putStrLn (truthText truth))
   pure Answered
 
--- | The polyhedron in a file, whose end tells its format, or else an STL file.
-meshIn :: FilePath -> IO Mesh
-meshIn file = do
-  bytes <- readBytes file
-  contentsMesh
-    <$> orUnusable
-      (solidFileMessage file format)
-      (readSolid format (objectCalled file) bytes)
-  where
-    format = fromMaybe Stl (formatOfFile file)
+-- | The polyhedron in a file, whose end tells its format, or else an STL file, read as the command
+-- line says.
+meshIn :: SolidReading -> FilePath -> IO Mesh
+meshIn reading file = do
+  contents <- fileContents (readingFormat reading <|> Just Stl) file
+  polyhedronMesh <$> readBy reading file contents
 
 -- | Write frames of the sensor, and say so.
 writeFrames :: Options -> Sensor -> [Frame] -> IO ()

@@ -34,10 +34,9 @@ import Visible
 
 data Options = Options
   { subjects :: [String],
-    reading :: Reading,
+    reading :: SolidReading,
     symbolScale :: Rational,
     output :: Maybe FilePath,
-    format :: Maybe SolidFormat,
     form :: AnswerForm
   }
 
@@ -61,8 +60,10 @@ command =
                           <> help ("Files, or names: " ++ intercalate ", " nameForms)
                       )
                   )
-                <*> readingOptions
-                  ( switch
+                <*> readingWith
+                  ( flag
+                      AsWritten
+                      CoplanarMerged
                       ( long "merge-coplanar"
                           <> help "Put faces together that share sides and lie in one plane"
                       )
@@ -72,7 +73,6 @@ command =
                   "output"
                   "FILE"
                   "Write the polyhedron to a file, in the format of its end or of --format"
-                <*> formatOption
                 <*> jsonSwitch "Print as JSON"
             )
     )
@@ -83,19 +83,19 @@ run options = do
     misused "--output takes one solid; name one"
   when (output options == Just "-" && form options == AsJson) $
     misused "--output - and --json both take the standard output; name a file for the polyhedron"
-  formatHeeded (format options) (subjects options) (output options)
-  target <- traverse (outputFormat (format options)) (output options)
+  formatHeeded (readingFormat (reading options)) (subjects options) (output options)
+  target <- traverse (outputFormat (readingFormat (reading options))) (output options)
   mapM_ orUnwritable (output options)
   statuses <- mapM (examined options target) (subjects options)
   pure (maximum statuses)
 
 examined :: Options -> Maybe SolidFormat -> String -> IO ExitStatus
 examined options target subject = do
-  Contents read' passed <- polyhedron sheet (symbolPitch options) (format options) subject
-  (scaled, Mended it changes) <- asRead (reading options) subject read'
+  Polyhedron given passed it changes <-
+    polyhedron sheet (symbolPitch options) (reading options) subject
   let mending = readingMending (reading options)
       report = examine it
-      advice = wouldMend mending scaled report
+      advice = wouldMend mending given report
       grids = [bestGrid it (right, down) walk | walk <- V.toList (meshWalks it), carries it walk]
   case (target, output options) of
     (Just to, Just file) -> do

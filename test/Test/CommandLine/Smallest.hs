@@ -3,7 +3,7 @@ module Test.CommandLine.Smallest (spec) where
 
 import Control.Monad (forM_)
 import Data.Char (isDigit)
-import Data.List (intercalate, isInfixOf, stripPrefix)
+import Data.List (intercalate, isInfixOf, stripPrefix, tails)
 import PraTactile.Advise
 import PraTactile.Array
 import Test.CommandLine.Run hiding (key)
@@ -25,14 +25,16 @@ spec = do
               Single RowMajor -> ["--folding", "row-major"]
               _ -> []
             fit = take 1 (optionFits option)
-        (refused, _, _) <-
+        (refused, there, _) <-
           pra
-            ( ["place", object, "--q", show q, "--shape", sides "x" (optionShape option)]
+            ( ["place", object, "--json", "--q", show q, "--shape", sides "x" (optionShape option)]
                 ++ concat [["--polynomial", commas (fitPolynomial one)] | one <- fit]
                 ++ concat [["--window", sides "x" (fitWindow one)] | one <- fit]
                 ++ folding
             )
-        (optionShape option, refused) `shouldBe` (optionShape option, 1)
+        -- Some face has fewer symbols there than where it is begun otherwise.
+        let fewer = numbersAfter "\"symbols\":" there /= numbersAfter "\"most_symbols\":" there
+        (optionShape option, refused == 1 || fewer) `shouldBe` (optionShape option, True)
   it "the array is looked for, and so not named" $ do
     complains ["place", "cube", "--smallest", "--shape", "15x17"] "beside it only --q"
     complains ["place", "cube", "--smallest", "--onto", "x.json"] "--onto names one"
@@ -41,6 +43,9 @@ spec = do
     complains ["place", "cube", "plate=sheet", "--smallest"] "--smallest"
   where
     sides between (Shape r c) = show r ++ between ++ show c
+    numbersAfter :: String -> String -> [Int]
+    numbersAfter key text =
+      [read (takeWhile isDigit rest) | Just rest <- map (stripPrefix key) (tails text)]
     numberAfter key text = case stripPrefix key text of
       Just rest -> read (takeWhile isDigit rest)
       Nothing -> if null text then 0 else numberAfter key (drop 1 text)

@@ -3,10 +3,13 @@
 -- | The JSON of what @place@ answers.
 module PraTactile.Format.Place
   ( PlaceReport (..),
+    ReportedLaying (..),
+    reportedSymbols,
     Outcome (..),
     MaskProof (..),
     outcomeName,
     reasonName,
+    nothingCarriedName,
     encodePlace,
   )
 where
@@ -14,6 +17,7 @@ where
 import Data.Aeson (Value (..), (.=))
 import qualified Data.Aeson as Aeson
 import Data.ByteString (ByteString)
+import Data.List (genericLength)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position)
 import PraTactile.Format.Json
@@ -21,25 +25,39 @@ import PraTactile.Format.Json.Codec (writeObject)
 import PraTactile.Format.Placement (drawing, drawingKeys)
 import PraTactile.Format.Profile
 import PraTactile.Object.Packing (Reason (..))
-import PraTactile.Object.Placement (Laying)
+import PraTactile.Object.Placement (Laying (..), blockCells)
 import PraTactile.Object.Placement.Windows
+import PraTactile.Object.WingedEdge (FaceName)
 import PraTactile.Profile
 
 -- | What came of a search for a placement.
 data PlaceReport = PlaceReport
   { placeOutcome :: Outcome,
-    -- | why there is none, where that is proved
-    placeReason :: Maybe Reason,
+    -- | why there is none, where that is proved: 'reasonName' or 'nothingCarriedName'
+    placeReason :: Maybe String,
     -- | the cells of the array
     placeCells :: Natural,
     -- | those that faces take, at least
     placeNeeded :: Natural,
     placeProfile :: Profile,
-    -- | with what is proved of their cells
-    placeLayings :: [(Laying, MaskProof)],
+    placeLayings :: [ReportedLaying],
     placeWindows :: Maybe WindowCounts,
     placePress :: (Integer, Integer)
   }
+
+-- | A laid face.
+data ReportedLaying = ReportedLaying
+  { reportedLaying :: Laying,
+    -- | what is proved of its cells
+    reportedProof :: MaskProof,
+    -- | how many symbols the face has at most, and from which vertex on it has them; 'Nothing'
+    -- where that would take long to say
+    reportedMost :: Maybe (Integer, FaceName)
+  }
+
+-- | How many symbols a laid face has.
+reportedSymbols :: ReportedLaying -> Integer
+reportedSymbols = genericLength . blockCells . layBlock . reportedLaying
 
 -- | Whether there is a placement.
 data Outcome = IsPlaced | IsImpossible | IsNotFound
@@ -69,12 +87,16 @@ reasonName reason = case reason of
   NoRoom _ -> "no-room"
   Exhausted -> "exhausted"
 
+-- | The stable name of the reason that no face has room for a symbol.
+nothingCarriedName :: String
+nothingCarriedName = "no-symbols"
+
 -- | The report on one line, without its end.
 encodePlace :: PlaceReport -> ByteString
 encodePlace report =
   encodeSchema "place/1" $
     "outcome" .= outcomeName (placeOutcome report)
-      <> "reason" .= fmap reasonName (placeReason report)
+      <> "reason" .= placeReason report
       <> "cells" .= naturalValue (placeCells report)
       <> "cells_needed" .= naturalValue (placeNeeded report)
       <> "profile" .= profileValue (placeProfile report)
@@ -85,11 +107,14 @@ encodePlace report =
     windowsValue (WindowCounts onFaces straddling onNone) =
       Aeson.object
         ["on_faces" .= onFaces, "straddling" .= straddling, "on_none" .= onNone]
-    layingValue (laying, MaskProof rank apart) =
-      Object
-        ( writeObject drawingKeys (drawing laying)
-            <> "rank" .=? fmap naturalValue rank
-            <> "distance" .=? fmap (naturalValue . fst) apart
-            <> "failing_erasure" .=? fmap (map positionListValue . snd) apart
-        )
+    layingValue reported =
+      let MaskProof rank apart = reportedProof reported
+       in Object
+            ( writeObject drawingKeys (drawing (reportedLaying reported))
+                <> "symbols" .=? reportedSymbols reported
+                <> "most_symbols" .=? fmap fst (reportedMost reported)
+                <> "rank" .=? fmap naturalValue rank
+                <> "distance" .=? fmap (naturalValue . fst) apart
+                <> "failing_erasure" .=? fmap (map positionListValue . snd) apart
+            )
     name .=? part = name Aeson..= part

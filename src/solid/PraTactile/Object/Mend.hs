@@ -3,6 +3,8 @@
 -- are made flat, and faces of one plane are put together.
 module PraTactile.Object.Mend
   ( Mending (..),
+    Merging (..),
+    mergedBy,
     asItIs,
     mended,
     Mended (..),
@@ -16,6 +18,7 @@ import Data.List (sort)
 import Data.Maybe (listToMaybe, mapMaybe, maybeToList)
 import Data.Ratio ((%))
 import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Defect
 import PraTactile.Object.Description (FaceName)
 import PraTactile.Object.Merge
@@ -32,14 +35,21 @@ data Mending = Mending
     mendTolerance :: Maybe Rational,
     -- | whether faces are turned as 'oriented' turns them
     mendOrientation :: Bool,
-    -- | whether faces of one plane are put together
-    mendMerging :: Bool
+    mendMerging :: Merging
   }
+  deriving stock (Eq, Show)
+
+-- | Which faces of one plane that share sides are put together.
+data Merging
+  = AsWritten
+  | -- | triangles alone
+    TrianglesMerged
+  | CoplanarMerged
   deriving stock (Eq, Show)
 
 -- | Nothing is done.
 asItIs :: Mending
-asItIs = Mending Nothing False False
+asItIs = Mending Nothing False AsWritten
 
 -- | What was changed.
 data Changes = Changes
@@ -68,13 +78,25 @@ mended how it = do
   let (turned, faces)
         | mendOrientation how = oriented (settledMesh near)
         | otherwise = (settledMesh near, [])
-      flat = maybe Right (`levelled` mendMerging how) (mendTolerance how)
+      flat = maybe Right (`levelled` together) (mendTolerance how)
   Settled level count most left <- flat near {settledMesh = turned}
   Right
     ( Mended
-        (if mendMerging how then mergeCoplanar level else level)
+        (mergedBy (mendMerging how) level)
         (Changes count most left (map (faceAt turned) faces))
     )
+  where
+    together = case mendMerging how of
+      AsWritten -> False
+      TrianglesMerged -> V.any ((== 3) . U.length) (meshWalks it)
+      CoplanarMerged -> True
+
+-- | Faces put together.
+mergedBy :: Merging -> Mesh -> Mesh
+mergedBy merging = case merging of
+  AsWritten -> id
+  TrianglesMerged -> mergeTriangles
+  CoplanarMerged -> mergeCoplanar
 
 -- | What has to be done in addition for a polyhedron to be a solid, or nothing where neither a
 -- tolerance nor turning its faces makes it one. Given are what was done, the polyhedron before

@@ -9,6 +9,7 @@
 -- was made begins at the first of its vertices.
 module PraTactile.Object.Merge
   ( mergeCoplanar,
+    mergeTriangles,
     mergeRegions,
     regionsOfPlanes,
   )
@@ -29,6 +30,17 @@ import PraTactile.Object.Vector
 -- formed, stay as they are.
 mergeCoplanar :: Mesh -> Mesh
 mergeCoplanar it = mergeRegions (regionsOfPlanes it) it
+
+-- | The polyhedron with triangles of one plane put together, as an exporter cut faces into them;
+-- faces of more corners stay as they are.
+mergeTriangles :: Mesh -> Mesh
+mergeTriangles it
+  | V.any triangle (meshWalks it) = mergeRegions (U.imap apart (regionsOfPlanes it)) it
+  | otherwise = it
+  where
+    triangle walk = U.length walk == 3
+    -- A number of its own for each face that is no triangle.
+    apart f region = if triangle (meshWalks it V.! f) then region else negate f - 1
 
 -- | For each face what it may be put together with: that which has the same number.
 regionsOfPlanes :: Mesh -> U.Vector Int

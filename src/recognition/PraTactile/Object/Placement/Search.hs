@@ -10,6 +10,7 @@ module PraTactile.Object.Placement.Search
     Found (..),
     layingsOf,
     cellsNeeded,
+    mostSymbols,
 
     -- * Changing a placement
     NotChanged (..),
@@ -18,8 +19,10 @@ module PraTactile.Object.Placement.Search
   )
 where
 
+import Control.Monad (when)
 import Data.Bifunctor (first)
 import Data.Containers.ListUtils (nubOrdOn)
+import Data.List (nub)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (mapMaybe)
 import qualified Data.Vector.Unboxed as U
@@ -44,6 +47,8 @@ data Begun
     AsNamed
   | -- | at any
     AnyVertex
+  | -- | at any that gives it the most symbols
+    BestVertex
   deriving stock (Eq, Show)
 
 -- | What a search came to.
@@ -70,6 +75,8 @@ facesOf between begun objects =
 data NotChanged
   = -- | an object of this name is there already, or is not there
     NotChanged PlacementError
+  | -- | no face of these objects has room for a symbol of that pitch
+    NothingCarries Pitch [Solid]
   | -- | these faces are not laid: there is no way, or none was found
     NotLaid [Wanted] (Maybe Reason)
   deriving stock (Eq, Show)
@@ -79,6 +86,7 @@ data NotChanged
 adding :: Int -> [Solid] -> Placement -> Either NotChanged Placement
 adding seed new place = do
   _ <- laid lying
+  when (null wishes && not (null new)) (Left (NothingCarries between new))
   case layingsOf seed shape between (laidFaces place) known wishes of
     LaidSo layings -> laid (lying ++ layings)
     NoWay why -> Left (NotLaid wishes (Just why))
@@ -106,20 +114,27 @@ removing names place = do
 cellsNeeded :: Pitch -> [Solid] -> [Wanted] -> Integer
 cellsNeeded between objects = sum . map leastCells . gridsOf between objects
 
+-- | How many symbols a face has at most, of all vertices at which it may be begun, and from which
+-- one it has them; 'Nothing' where that would take long to say.
+mostSymbols :: Pitch -> Solid -> FaceName -> Maybe (Integer, FaceName)
+mostSymbols (Pitch right down) object name = do
+  best <- bestGrid (solidMesh object) (right, down) <$> walkNamed object name
+  count <- gridCount best
+  pure (count, FaceName (map (vertexAt (solidMesh object)) (U.toList (gridWalk best))))
+
 -- | How many cells the smallest of some grids has at least.
 leastCells :: [Grid] -> Integer
 leastCells found = if null found then 0 else minimum (map gridAtLeast found)
 
 -- | Lay all the faces wanted on an array of this shape, none on a cell of those that lie already,
--- by a search that this seed begins; if that can be found, each by a frame with as many cells as
--- any of its frames has. Each is a face of one of the solids.
+-- by a search that this seed begins. Each is begun where it has the most cells, if that can be
+-- found; else at least three quarters of them, and so on. Each is a face of one of the solids.
 layingsOf :: Int -> Shape -> Pitch -> [LaidFace] -> [Solid] -> [Wanted] -> Found
 layingsOf seed shape@(Shape high wide) between lying objects wishes
   | i : _ <- [i | (i, least) <- zip [0 ..] leasts, least > toInteger (area shape)] =
     NoWay (PieceTooLarge i)
   | needed > free = NoWay (TooFewCells (fromInteger needed) (fromInteger free))
-  | LaidSo layings <- layingsFrom (map mostCells pieces) = LaidSo layings
-  | otherwise = layingsFrom pieces
+  | otherwise = firstLaid (nub (map (\share -> map (having share) pieces) [1, 3 / 4, 1 / 2, 0]))
   where
     -- So that millions of cells on few need not be listed.
     leasts = map leastCells possible
@@ -130,9 +145,18 @@ layingsOf seed shape@(Shape high wide) between lying objects wishes
       Packed places -> LaidSo (concat (zipWith3 laying wishes alternatives places))
       Impossible why -> NoWay why
       NotFound -> NoneFound
-    mostCells alternatives =
-      let most = maximum (map (length . maskCells . fst) alternatives)
-       in [one | one <- alternatives, length (maskCells (fst one)) == most]
+    firstLaid attempts = case attempts of
+      alternatives : others@(_ : _)
+        | LaidSo layings <- layingsFrom alternatives -> LaidSo layings
+        | otherwise -> firstLaid others
+      _ -> layingsFrom pieces
+    -- The alternatives with at least this share of the most cells.
+    having :: Rational -> [(Mask, Grid)] -> [(Mask, Grid)]
+    having share alternatives =
+      [one | one <- alternatives, fromIntegral (count one) >= share * fromIntegral most]
+      where
+        count = length . maskCells . fst
+        most = maximum (0 : map count alternatives)
     sheet =
       Sheet
         { sheetRows = fromIntegral high,
@@ -195,12 +219,17 @@ gridsOf between objects =
 
 grids :: Pitch -> Solid -> Wanted -> [Grid]
 grids (Pitch right down) object (Wanted face begun) =
-  [ grid
-    | Just walk <- map (walkNamed object) names,
-      let grid = gridOf (solidMesh object) (right, down) walk,
-      not (null (take 1 (gridCells grid)))
-  ]
+  case begun of
+    AsNamed -> from [faceName face]
+    AnyVertex -> anywhere
+    BestVertex ->
+      let most = maximum (0 : map gridAtLeast anywhere)
+       in [grid | grid <- anywhere, gridAtLeast grid == most]
   where
-    names = case begun of
-      AsNamed -> [faceName face]
-      AnyVertex -> map FaceName (rotations (faceVertices (faceName face)))
+    anywhere = from (map FaceName (rotations (faceVertices (faceName face))))
+    from names =
+      [ grid
+        | Just walk <- map (walkNamed object) names,
+          let grid = gridOf (solidMesh object) (right, down) walk,
+          not (null (take 1 (gridCells grid)))
+      ]
