@@ -18,9 +18,9 @@ import qualified Data.Vector as V
 import ExitStatus
 import Json (shapeText)
 import Message
-import Numeric (showFFloat)
 import Polyhedra
 import PraTactile.Array (Shape (..))
+import PraTactile.Format.Solid (exactText)
 import PraTactile.Object.Mend
 import PraTactile.Object.Mesh
 import PraTactile.Object.Packing (Reason (..))
@@ -44,7 +44,7 @@ namedSolid known between reading subject = do
       warn
         ( "warning: " ++ visibleName subject
             ++ ": triangles that are nearly in one plane stay apart; --tolerance "
-            ++ lengthText mm
+            ++ exactText mm
             ++ " makes "
             ++ show faces
             ++ " faces of "
@@ -99,11 +99,16 @@ nothingCarries :: Pitch -> [Solid] -> String
 nothingCarries between objects =
   "no face has room for " ++ symbolText between
     ++ case [unit | unit@(k, _) <- units, carrying k] of
-      (k, name) : _ -> "; is the file in " ++ name ++ "? give --scale " ++ lengthText k
+      (k, name) : _ -> "; is the file in " ++ name ++ "? give --scale " ++ exactText k
       [] -> ""
   where
     units = [(127 / 5, "inches"), (10, "centimetres"), (1000, "metres")]
-    carrying k = not (null (facesOf between AnyVertex (map (scaledSolid k) objects)))
+    carrying k =
+      or
+        [ maybe True ((> 0) . fst) (mostSymbols between larger face)
+          | larger <- map (scaledSolid k) objects,
+            face <- solidFaces larger
+        ]
 
 -- | That a face has no room for a symbol.
 noRoomOn :: Pitch -> Face -> String
@@ -114,10 +119,7 @@ noRoomOn between (Face owner walk) =
 
 symbolText :: Pitch -> String
 symbolText (Pitch right down) =
-  "a symbol of " ++ lengthText right ++ " x " ++ lengthText down ++ " mm"
-
-lengthText :: Rational -> String
-lengthText k = showFFloat Nothing (fromRational k :: Double) ""
+  "a symbol of " ++ exactText right ++ " x " ++ exactText down ++ " mm"
 
 -- | Why there is no placement, in words.
 whyNot :: [Wanted] -> Reason -> String

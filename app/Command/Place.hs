@@ -12,7 +12,7 @@ import qualified Data.ByteString.Char8 as Bytes
 import Data.Char (isSpace)
 import Data.Foldable (for_)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe, isNothing)
+import Data.Maybe (fromMaybe, isJust, isNothing, listToMaybe)
 import qualified Data.Text as Text
 import Data.Traversable (for)
 import ExitStatus
@@ -142,15 +142,25 @@ run choice options = do
   -- Names that are there twice, and faces that there are not, are refused before the search.
   _ <- orUnusable placementMessage (laidOn (fromMaybe canonicalProfile chosen) (map layingOf lying))
   wishes <- wanted between options known new
-  let carriesNone wish = cellsNeeded between known [wish] == 0
-      bare = [body | body <- new, solidName body `notElem` map (faceObject . wantedFace) wishes]
+  let bare = [body | body <- new, solidName body `notElem` map (faceObject . wantedFace) wishes]
       search asked of' = layingsOf (seed options) (profileShape of') between lying known asked
       needed asked =
         fromInteger (sum (map laidCells lying) + cellsNeeded between known asked)
       laidOf asked = do
         arrays <- maybe (smallestArrays choice (needed asked)) (\it -> pure [[it]]) chosen
         pure (needed asked, firstLaid (map laidBlock lying) (search asked) arrays)
+      -- Why no array has room for what is wished.
+      hopeless
+        | null wishes = Just (nothingCarries between new)
+        | otherwise =
+          listToMaybe
+            [ noRoomOn between (wantedFace wish)
+              | wish <- wishes,
+                faceObject (wantedFace wish) `elem` map fst (faces options),
+                cellsNeeded between known [wish] == 0
+            ]
   (cells, (profile, found)) <- case chosen of
+    _ | isJust hopeless -> pure (0, (fromMaybe canonicalProfile chosen, NoneFound))
     Nothing | any ((== AnyVertex) . wantedBegun) wishes -> do
       best <- laidOf [wish {wantedBegun = BestVertex} | wish <- wishes]
       case best of
@@ -172,11 +182,7 @@ run choice options = do
         NotAnswered <$ told options (report outcome reason [] Nothing) sentence
   laying <- whileWorking "looking for where faces lie" found
   case laying of
-    _
-      | null wishes ->
-        refused IsImpossible (Just nothingCarriedName) (nothingCarries between new)
-      | wish : _ <- filter carriesNone wishes ->
-        refused IsImpossible (Just nothingCarriedName) (noRoomOn between (wantedFace wish))
+    _ | Just why <- hopeless -> refused IsImpossible (Just nothingCarriedName) why
     NoWay why -> refused IsImpossible (Just (reasonName why)) (whyNot wishes why)
     NoneFound -> refused IsNotFound Nothing (noneFound ++ "; try another --seed")
     LaidSo layings -> do
