@@ -235,7 +235,7 @@ allowances =
   Map.map
     words
     ( Map.fromList
-        [ (Common, "random vector"),
+        [ (Common, "bytestring random vector"),
           -- Bytes are what SHA-256 is taken of; nothing else in the code reads or writes them.
           (Code, "pra-tactile:common bytestring containers cryptohash-sha256 reflection vector"),
           ( Touch,
