@@ -243,6 +243,11 @@ touching =
     ("solid", "pra solid annulus.stl --json --merge-coplanar --tolerance 0.01"),
     ("solid", "sed 's/V4/V9/' p.json > q.json; pra solid q.json --json; true"),
     ( "solid",
+      "pra solid cube --output c.obj > log; "
+        ++ "awk '/^f/ {print $1, $5, $4, $3, $2; next} {print}' c.obj > i.obj; "
+        ++ "pra solid i.obj --json; pra solid i.obj --json --fix-orientation --tolerance 0.1"
+    ),
+    ( "solid",
       "printf 'v 0 0 0\\nv 9 0 0\\nv 0 9 0\\nv 9 9 1\\nf 1 2 4 3\\nf 1 4 2\\n' > r.obj; "
         ++ "pra solid r.obj --json; true"
     )
