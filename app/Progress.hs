@@ -2,8 +2,8 @@
 
 -- | A progress bar on the standard error, where that is a terminal; nothing anywhere else.
 --
--- Its line is drawn again as time goes by, so that it lives during a long step too. It says how long
--- the rest takes only where all steps take about as long as each other.
+-- Its line is drawn again as time goes by, so that it lives during a long step too. It says how
+-- long the rest takes only where all steps take about as long as each other.
 module Progress
   ( -- * Work
     Work,

@@ -102,7 +102,7 @@ progressSpec = do
       (_, out, _) <-
         scripted folder "timeout 15 pra-tactile train --shapes s16 --output n.json > o; cat o"
       out `shouldStartWith` "training 16 shapes: 20080 images at once, 5000 epochs at most, about"
-  it "the search for shapes measures drawings, then tries every distance where it finds nothing" $ do
+  it "the search for shapes measures drawings, then tries all distances where it finds none" $ do
     let steps = stepsDone (designSteps 1 paperParameters {leastBlocks = 3, mostBlocks = 5})
         numbers = [i | Measured i <- steps]
     zipWith (<) numbers (drop 1 numbers) `shouldSatisfy` and

@@ -357,10 +357,8 @@ decodeSpec = do
           longer entry =
             entry
               { entryPose =
-                  (entryPose entry)
-                    { poseX = of' * poseX (entryPose entry),
-                      poseY = of' * poseY (entryPose entry)
-                    }
+                  (\pose -> pose {poseX = of' * poseX pose, poseY = of' * poseY pose})
+                    <$> entryPose entry
               }
       known <- right (someRecogniser canonicalProfile (scaledPlacement size paper) reader)
       frames <- right (folderFrames atSize)

@@ -82,8 +82,8 @@ spec = do
     places one = V.generate (V.length (meshPoints one)) (pointAt one)
 
 -- | Whether a rounded surface is that of a solid, and no further from one that was rounded nearer
--- to the origin than rounding can take it: with S the surface and m the most that a coordinate moved,
--- its volume is within sqrt 3 m S, times what the triangles may grow.
+-- to the origin than rounding can take it: with S the surface and m the most that a coordinate
+-- moved, its volume is within sqrt 3 m S, times what the triangles may grow.
 sameSolid :: Rounded -> Rounded -> Volume -> Property
 sameSolid near it' told =
   conjoin
