@@ -16,6 +16,7 @@ import PraTactile.Image (constant, generate)
 import PraTactile.Locate (ForeignDoubts (..), Known (..))
 import PraTactile.Object.Canonical (canonicalLayings)
 import PraTactile.Object.Placement hiding (more)
+import PraTactile.Recognise (refusalName)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
