@@ -296,20 +296,19 @@ entry separator columns i line = do
 shown :: ByteString -> Text
 shown field = either (const (T.pack (show field))) id (decodeUtf8' field)
 
--- | The manifest of those entries, with the columns that all of them fill. 'parseManifest' gives
--- the entries back, to the bit, provided that there are some, that all fill the same columns, that
--- no file name holds a line break or is none, and that the numbers are finite.
+-- | The manifest of those entries: with poses if all have one, and with the forces that there are.
+-- 'parseManifest' gives the entries back, to the bit, provided that there are some, that all have a
+-- pose or none has, that no file name holds a line break or is none, and that the numbers are
+-- finite.
 renderManifest :: [Entry] -> ByteString
 renderManifest entries =
   L.toStrict (encodeWith defaultEncodeOptions {encUseCrLf = False} (header : map fields entries))
   where
     columns =
-      [ column
-        | column <- [minBound ..],
-          all (\one -> isJust (lookup column (filled one))) entries
-      ]
+      [File] ++ (if all (isJust . entryPose) entries then [X, Y, Rotation] else [])
+        ++ [Force | any (isJust . entryForce) entries]
     header = V.fromList (map (toField . columnName) columns)
-    fields one = V.fromList [field | column <- columns, Just field <- [lookup column (filled one)]]
+    fields one = V.fromList [fromMaybe "" (lookup column (filled one)) | column <- columns]
     filled (Entry file pose force) =
       (File, toField (T.pack file)) :
       concat [[(X, toField x), (Y, toField y), (Rotation, toField r)] | Just (Pose x y r) <- [pose]]

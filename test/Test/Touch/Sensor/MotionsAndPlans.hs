@@ -245,6 +245,6 @@ manifests = do
     genEntry =
       Entry <$> genName
         <*> (Just <$> (Pose <$> finite <*> finite <*> finite))
-        <*> (Just <$> finite)
+        <*> oneof [Just <$> finite, pure Nothing]
     finite = arbitrary :: Gen Double
     genName = listOf1 (frequency [(5, choose ('a', 'z')), (1, elements " ,\"'.;/\233\8364#")])
