@@ -204,7 +204,7 @@ bad = do
       ("probe --object cube --seed 1 --output x --frame 3x16", "--frame"),
       ("probe --object cube --seed 1 --output x --frame 16x257", "--frame"),
       ("probe --object cube --seed 1 --output x --taxel 0", "--taxel"),
-      ("probe --object cube --seed 1 --output x --taxel 30", "sensor"),
+      ("probe --object cube --seed 1 --output x --taxel 30 --size 40x52", "sensor"),
       ("probe --object cube --seed 1 --output x --spacing 0", "--spacing"),
       ("probe --object cube --seed 1 --output x --rotation-error -1", "--rotation-error"),
       ("probe --object cube --seed 1 --output x --tilt 61", "--tilt"),
