@@ -77,7 +77,8 @@ takesOperands :: Task -> Bool
 takesOperands what = what `elem` [Add, Replace, Remove]
 
 -- | Do it to the database of this name, with what the command line names, read as it says; objects
--- that are added lie as the placement in a file says, if one is given. Status 1 where objects cannot be laid; the
+-- that are added lie as the placement in a file says, if one is given. Status 1 where objects
+-- cannot be laid; the
 -- database is then as it was.
 changed ::
   ArrayChoice ->

@@ -84,7 +84,6 @@ framesOptions =
         then pure (across, down)
         else readerError "a scale is a number above 0, up to 10^9"
 
-
 -- | @--calibration@.
 calibrationOption :: Parser (Maybe FilePath)
 calibrationOption =

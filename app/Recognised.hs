@@ -17,6 +17,7 @@ import ExitStatus
 import Message
 import PraTactile.Array (Position (..))
 import PraTactile.Field (GF, KnownField, fromCode, showElement)
+import PraTactile.Locate (Reason (..))
 import PraTactile.Object.Placement
 import PraTactile.Recognise
 import PraTactile.Recognise.Summary
@@ -38,6 +39,8 @@ recognitionStatus recognition = case recognisedAnswer recognition of
 -- | The answer in a sentence.
 recognitionMessage :: Recognition -> String
 recognitionMessage recognition = case recognisedAnswer recognition of
+  Left (NotLocated BelowThreshold)
+    | Just support <- recognisedSupport recognition -> thresholdMessage (supportDoubts support)
   Left refusal -> refusalMessage refusal
   Right (Several _ places) ->
     show (length places) ++ " positions fit what was recognised: "
@@ -52,7 +55,7 @@ windowText nameOf = intercalate " / " . map (unwords . map (maybe "?" nameOf)) .
 recognitionText :: (Int -> String) -> [FilePath] -> Recognition -> [String]
 recognitionText nameOf paths recognition = case recognisedAnswer recognition of
   Left refusal ->
-    ("refused (" ++ refusalName refusal ++ "): " ++ refusalMessage refusal) : symbolLines
+    ("refused (" ++ refusalName refusal ++ "): " ++ recognitionMessage recognition) : symbolLines
   Right (Several _ _) -> ("ambiguous: " ++ recognitionMessage recognition) : symbolLines
   Right (Found found) ->
     let window = foundWindow found

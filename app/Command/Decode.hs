@@ -232,7 +232,8 @@ decodeAll world options found profile layout near = do
     (several && picture options /= Nothing)
     (misused "--picture draws one composite; give one source")
   known <- preparation (frames options)
-  composites <- loadSources (readerTables symbols) larger known (stitchingOf (stitching options)) found
+  composites <-
+    loadSources (readerTables symbols) larger known (stitchingOf (stitching options)) found
   case sharing options of
     OneFace ->
       placed [(x / larger, y / larger) | (x, y) <- places options] (zip found composites)

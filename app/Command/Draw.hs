@@ -146,7 +146,8 @@ drawing options profile layout = case subject options of
         | otherwise ->
           misused
             ( "the placement has an object " ++ quoted name
-                ++ ", and --scale, --tolerance, --fix-orientation, --keep-triangles and --format are for files"
+                ++ ", and --scale, --tolerance, --fix-orientation, --keep-triangles and --format \
+                   \are for files"
             )
       Nothing -> namedSolid (Just (profileShape profile)) canonicalPitch (reading options) name
     symbolsOf = do

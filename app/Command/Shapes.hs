@@ -104,7 +104,8 @@ run options = case work options of
     names <- elementNames q
     measured <-
       withProgress (unevenly drawings "drawings") $ \bar ->
-        followWhile measuring bar (designSteps (fromMaybe paperSeed (seed options)) (parametersFor names))
+        followWhile measuring bar $
+          designSteps (fromMaybe paperSeed (seed options)) (parametersFor names)
     -- To prove that no shapes are as far apart may take any time.
     searched <-
       withProgress (openly sought) $ \bar -> followWhile trying bar measured

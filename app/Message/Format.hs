@@ -5,11 +5,13 @@ module Message.Format
     encodingMessage,
     notUtf8Message,
     rangeText,
+    figures,
   )
 where
 
 import qualified Data.Aeson.Key as Key
 import Data.Aeson.Types (JSONPath, JSONPathElement (..))
+import Data.List (dropWhileEnd)
 import qualified Data.Text as Text
 import Message.Census (censusFileMessage)
 import Numeric (showFFloat)
@@ -64,6 +66,18 @@ rangeText name (least, most) = name ++ " is from " ++ number least ++ " to " ++ 
     number v
       | v == fromIntegral (round v :: Int) = show (round v :: Int)
       | otherwise = showFFloat Nothing v ""
+
+-- | A positive number to so many significant figures, without zeros behind the last one.
+--
+-- >>> figures 4 0.79375
+-- "0.7938"
+figures :: Int -> Double -> String
+figures count v = withoutZeros (showFFloat (Just places) v "")
+  where
+    places = max 0 (count - 1 - floor (logBase 10 v))
+    withoutZeros text
+      | '.' `elem` text = dropWhileEnd (== '.') (dropWhileEnd (== '0') text)
+      | otherwise = text
 
 misfitMessage :: Misfit -> String
 misfitMessage misfit = case misfit of

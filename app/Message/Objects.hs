@@ -10,14 +10,15 @@ module Message.Objects
     storeMessage,
     recogniserMessage,
     refusalMessage,
+    thresholdMessage,
   )
 where
 
 import Counted
-import Data.List (intercalate)
+import Data.List (intercalate, sortOn)
 import Drawing (hundredths)
 import Json (shapeText)
-import Message.Format (formatMessage)
+import Message.Format (figures, formatMessage)
 import Message.Locate (locatorMessage, reasonMessage)
 import Message.Touch (contradictionMessage, probeMessage, remediesText, shapeMessage)
 import PraTactile.Array (Position (..))
@@ -28,7 +29,13 @@ import PraTactile.Locate (Reason (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Pressing (PressError (..))
-import PraTactile.Recognise (RecogniserError (..), Refusal (..), Instead (..))
+import PraTactile.Recognise
+  ( Doubts (..),
+    Instead (..),
+    RecogniserError (..),
+    Refusal (..),
+    doubtOfForeign,
+  )
 import PraTactile.Relief (ReliefError (..))
 import PraTactile.Relief.Mesh (MeshError (..))
 import PraTactile.Store
@@ -293,10 +300,32 @@ refusalMessage refusal = case refusal of
     "the recognised symbols fit more than one position, and no window of them is complete; probe \
     \a larger region"
   NotLocated BelowThreshold ->
-    "the likeliest position is not likely enough; probe a larger region, or tolerate more with \
-    \--doubt"
+    reasonMessage BelowThreshold ++ "; probe a larger region, or tolerate more with --doubt"
   NotLocated reason -> reasonMessage reason
   NotDecoded why -> "what was recognised cannot be decoded: " ++ locatorMessage why
+
+-- | Why the likeliest position is not likely enough, by the greatest of its doubts.
+thresholdMessage :: Doubts -> String
+thresholdMessage doubts = case sortOn (negate . fst) causes of
+  (_, why) : _ -> why
+  [] -> refusalMessage (NotLocated BelowThreshold)
+  where
+    causes =
+      [ (doubtOfPosition doubts, refusalMessage (NotLocated BelowThreshold)),
+        (doubtOfStitching doubts, likely ++ "one frame may lie elsewhere" ++ overlapping),
+        ( doubtOfAxes doubts,
+          likely ++ "the positions may be along other axes or at another scale"
+            ++ "; state them with --axes, or let frames overlap more"
+        ),
+        (doubtOfSlip doubts, likely ++ "frames may have slipped by a cell" ++ overlapping),
+        ( doubtOfForeign (doubtsOfOrigin doubts),
+          likely
+            ++ "the symbols may be of another array, or of none; check --profile and \
+               \--placement, or probe a larger region"
+        )
+      ]
+    likely = reasonMessage BelowThreshold ++ ": "
+    overlapping = "; press so that frames overlap more"
 
 -- | What was seen where no symbol was recognised, and what to do about it.
 seenMessage :: Refusal -> Instead -> String
@@ -304,11 +333,11 @@ seenMessage why seen = case seen of
   InsteadFlat -> "every taxel reads the same: nothing was touched, or the face is flat there"
   InsteadInverted -> "the symbols are recognised with light and dark exchanged; give --inverted"
   InsteadScaled factor taxel ->
-    printf
-      "the symbols are recognised at %s times the size expected; give --taxel %.4g if that is the \
-      \sensor's, or the --placement of objects with such symbols"
-      (ratio factor)
-      taxel
+    "the symbols are recognised at " ++ figures 3 factor
+      ++ " times the size expected; give --taxel "
+      ++ figures 6 taxel
+      ++ " if that is the distance of the sensor's taxels, or the --placement of objects with such \
+         \symbols"
   InsteadUnknown across down
     | min across down < 40 || max across down < 52 -> refusalMessage why
     | otherwise ->
@@ -317,9 +346,6 @@ seenMessage why seen = case seen of
         \of taxels (--taxel), the size of the symbols (--placement) and their shapes (--shapes)"
         across
         down
-  where
-    ratio :: Double -> String
-    ratio factor = printf "%.3g" factor
 
 imagesMessage :: ImagesError -> String
 imagesMessage e = case e of

@@ -19,10 +19,10 @@ import qualified Data.ByteString as Bytes
 import Data.Char (isDigit)
 import Data.List (find, intercalate)
 import qualified Data.Text as Text
-import Message.Format (encodingMessage, rangeText)
+import Message.Format (encodingMessage, figures, rangeText)
 import PraTactile.Classification.Network (NetworkError (..))
-import PraTactile.Composite (asTaken)
 import PraTactile.Classification.Shipped (ShippedError (..), shippedSizes)
+import PraTactile.Composite (asTaken)
 import PraTactile.Image.Error
 import PraTactile.Image.Pgm (formatName, maxPixels)
 import PraTactile.Registration
@@ -201,7 +201,7 @@ contradictionMessage contradiction = case contradiction of
   AgreeingAnywhere count across down
     | max across down < samePlace ->
       printf
-        "%d frames within %.3g mm of each other show different relief: give each frame's own \
+        "%d frames within %.2f mm of each other show different relief: give each frame's own \
         \position, in millimetres"
         count
         (max across down)
@@ -214,7 +214,7 @@ contradictionMessage contradiction = case contradiction of
       oneCoordinate :: String -> Double -> String
       oneCoordinate along extent =
         printf
-          "%d frames lie within %.3g mm of each other %s and show different relief; check that \
+          "%d frames lie within %.2f mm of each other %s and show different relief; check that \
           \coordinate"
           count
           extent
@@ -238,8 +238,8 @@ remediesText = intercalate " or " . map options
 -- | A scale of positions in words, with the unit that it is of, if it is one's.
 scaleText :: Double -> Double -> String
 scaleText across down
-  | across == down = printf "%.3g" across ++ maybe "" of' (unitOf across)
-  | otherwise = printf "%.3g across and %.3g down" across down
+  | across == down = figures 3 across ++ maybe "" of' (unitOf across)
+  | otherwise = figures 3 across ++ " across and " ++ figures 3 down ++ " down"
   where
     of' (_, unit) = " (are they in " ++ unit ++ "?)"
 
@@ -249,8 +249,7 @@ scaleOption across down
   | across == down = factor across
   | otherwise = factor across ++ "," ++ factor down
   where
-    factor :: Double -> String
-    factor s = printf "%.4g" (maybe s fst (unitOf s))
+    factor s = figures 5 (maybe s fst (unitOf s))
 
 -- | The unit that has so many millimetres, to three hundredths.
 unitOf :: Double -> Maybe (Double, String)

@@ -66,11 +66,11 @@ import PraTactile.Recognise.Elsewhere
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation
+import PraTactile.Recognise.Instead (Instead (..), seenInstead)
 import PraTactile.Recognise.Parts
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
 import PraTactile.Recognise.Recognition
-import PraTactile.Recognise.Instead (Instead (..), seenInstead)
 import PraTactile.Registration (Composite (..), Fault (..))
 import PraTactile.Segmentation (Cleaned (..), Segmentation (..), cleaned)
 import PraTactile.Sensor.Manifest (Remedy (..), remedies, straight)

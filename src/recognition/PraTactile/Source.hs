@@ -239,9 +239,9 @@ imageComposite :: ByteString -> Either ImageError Composite
 imageComposite = fmap (compositeOf . pgmIntensity) . decodePgmUpTo maxCompositePixels
 
 -- | The composite that an image is once it is 'prepared', at the paper's pitch, given the size of
--- the symbols: 2 is twice the paper's. The composite's lengths are divided by it. The centre of pixel
--- (0, 0) of the image as it is seen is at the origin. Refuses a calibration of another size, a
--- pitch that is none of 'taxelPitches', and more than 'maxCompositePixels' afterwards.
+-- the symbols: 2 is twice the paper's. The composite's lengths are divided by it. The centre of
+-- pixel (0, 0) of the image as it is seen is at the origin. Refuses a calibration of another size,
+-- a pitch that is none of 'taxelPitches', and more than 'maxCompositePixels' afterwards.
 preparedImage :: Double -> Preparation -> Raster -> Either SourceError Composite
 preparedImage size known image = do
   frame <- scaledFrame (1 / size) <$> first CalibrationRefused (prepared known felt)

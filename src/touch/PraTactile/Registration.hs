@@ -264,8 +264,9 @@ compose arranging settings frames = do
           | likelier > exp decisive && fault /= Slip ->
             contradictionBy
               (map placedAt (toList placed))
-              (if all beyond (filter (not . bothScales fault . otherwiseFault) rest) then fault else Anywhere)
+              (if all beyond (filter (not . alike) rest) then fault else Anywhere)
           where
+            alike = bothScales fault . otherwiseFault
             beyond other = likelier > exp decisive * otherwiseLikelier other
         _ -> Nothing
       bothScales (OtherScale _ _) (OtherScale _ _) = True

@@ -3,6 +3,7 @@
 -- to the worked example's window.
 module Test.Recognition.TakenOtherwise (spec) where
 
+import Control.Applicative ((<|>))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import Data.Foldable (for_)
@@ -159,7 +160,7 @@ followed times known folder = do
       _ -> Nothing
     remedied (Remedy positions images) =
       known
-        { preparedAxes = maybe (preparedAxes known) Just positions,
+        { preparedAxes = positions <|> preparedAxes known,
           preparedImageAxes = fromMaybe (preparedImageAxes known) images
         }
 

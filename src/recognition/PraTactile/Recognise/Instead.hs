@@ -32,9 +32,9 @@ seenInstead readable composites
   | all flat composites = pure InsteadFlat
   | otherwise = firstOf ((InsteadInverted, map inverted composites) : scaled)
   where
-    flat composite =
-      let values = rasterValues (compositeImage composite)
-       in V.null values || V.all (== V.head values) values
+    flat composite = case V.toList (rasterValues (compositeImage composite)) of
+      v : others -> all (== v) others
+      [] -> True
     firstOf hypotheses = case hypotheses of
       (seen, shown) : rest -> do
         found <- readable shown

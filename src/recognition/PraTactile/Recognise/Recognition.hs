@@ -30,8 +30,8 @@ import PraTactile.Locate (LocatorError (..), Reason (..), foreignBut, reasonName
 import PraTactile.Recognise.FaceGrid (Cells)
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation
-import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Instead (Instead)
+import PraTactile.Recognise.Reading
 import PraTactile.Registration (Contradiction (..))
 import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Sensor.Manifest (Remedy)

@@ -75,20 +75,22 @@ registerJointly settings fits frames =
         bound - log (commonShare common) - log (2 * phasesOfOne)
           - fromIntegral (length onLattice) * log (2 * pi)
           - log (fromIntegral (length (gridSigmas grid))),
-      jointAnywhere = logSum (map (subtract (log 2)) (foldr1 (zipWith (+)) (map anywhere onLattice)))
+      jointAnywhere = logSum [sum (map fst alone), sum (map snd alone)] - log 2
     }
   where
     bound = fieldBound grid field
+    alone = map anywhere onLattice
     (across, down) = phaseCount placesPerTaxel
     phasesOfOne = fromIntegral (across * down)
     -- What a frame tells that may lie at any phase of either orientation.
-    anywhere (_, _, fitted) = map (max least) logs
+    anywhere (_, _, fitted) = (max least upright, max least upsideDown)
       where
-        logs =
-          [ if null there then -1e300 else logSum (map cellsAlone there) - log phasesOfOne
-            | there <- cellsOfPhases (fitSome fitted)
-          ]
-        least = maximum logs + log outlier
+        (upright, upsideDown) = both share (cellsOfPhases (fitSome fitted))
+        both f (a, b) = (f a, f b)
+        share there
+          | null there = -1e300
+          | otherwise = logSum (map cellsAlone there) - log phasesOfOne
+        least = max upright upsideDown + log outlier
     angle = fitsAngle fits
     onLattice =
       [ (firstPlace (tablesOf seen) (rotated (negate angle) place), seen, fitted)
@@ -109,7 +111,8 @@ registerJointly settings fits frames =
     few = small && length onLattice <= phaseFrames
     told (place, fitted) =
       let !theta = likelihoodTheta (fitSome fitted)
-          displacements' = displacementsOf grid (commonOrientation common) (commonRowColumn common) . (,) place
+          displacements' =
+            displacementsOf grid (commonOrientation common) (commonRowColumn common) . (,) place
        in ( theta,
             -- A frame that is at odds with the others.
             case displacements' (fitSome fitted) of

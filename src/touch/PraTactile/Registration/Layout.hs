@@ -107,7 +107,8 @@ leastGap :: Double
 leastGap = 2
 
 -- | The layouts that the frames at these nominal places do not refute, each with its composite.
--- Given are the lattice's angle, where it is known; the scales that the frames make likely; how much likelier, as a natural logarithm, what
+-- Given are the lattice's angle, where it is known; the scales that the frames make likely; how
+-- much likelier, as a natural logarithm, what
 -- the frames show is by each of some layouts, with the displacements from there; and the composite
 -- of frames that are so displaced from other places.
 layoutsLeft ::

@@ -238,8 +238,8 @@ parsePlain text = case filter (not . B.null . snd) (zip [1 ..] (C.lines text)) o
 separatorOf :: ByteString -> Char
 separatorOf header = if C.elem ',' header || C.notElem ';' header then ',' else ';'
 
--- | The columns that these names name: each once, the file among them, of the position both or none,
--- and no rotation without it.
+-- | The columns that these names name: each once, the file among them, of the position both or
+-- none, and no rotation without it.
 columnsOf :: [ByteString] -> Maybe [Column]
 columnsOf names = do
   columns <- traverse ((`lookup` named) . normal) names

@@ -291,7 +291,7 @@ contradicting alphabet = do
           order = map snd (sortOn fst (zip (randomRs (0, 1 :: Double) (mkStdGen seed)) frames))
        in contradictionOf (zipWith (\f g -> f {frameImage = frameImage g}) frames order)
             `shouldBe` Just AgreeingNowhere
-  it "do not where they show nothing, or there is one; and show the scale at which they overlap" $ do
+  it "do not where they show nothing, or are one; and show the scale at which they overlap" $ do
     let blank = [f {frameImage = constant 16 16 0.4} | f <- scan 1]
         apart =
           [ f

@@ -14,8 +14,8 @@ import Data.Maybe (isNothing)
 import Data.Text (Text)
 import qualified Data.Text as T
 import Data.Text.Encoding (decodeUtf8', encodeUtf8)
-import PraTactile.Sensor.Frame
 import PraTactile.PlainText (otherEncoding)
+import PraTactile.Sensor.Frame
 import PraTactile.Sensor.Manifest
 import Test.Hspec hiding (after, before)
 import Test.Hspec.QuickCheck (modifyMaxSuccess)

@@ -122,14 +122,12 @@ cellsOf given orientation (phaseY, phaseX) =
     every first period end = [first, first + period .. end - 1]
     classesFrom start = Unboxed.generate count (\k -> classLogs given V.! (start + k))
 
--- | What a frame says of the cells that it sees, at each phase that may matter, by orientation:
--- upright and half turned. Phases more than 'margin' below the likeliest are left out.
-cellsOfPhases :: Likelihood -> [[[ClassLogs]]]
-cellsOfPhases given =
-  [ [map snd (cellsOf given o (y, x)) | (o', (y, x)) <- likely, o' == o]
-    | o <- [0, 1]
-  ]
+-- | What a frame says of the cells that it sees, at each phase that may matter: the upright phases,
+-- and the half turned ones. Phases more than 'margin' below the likeliest are left out.
+cellsOfPhases :: Likelihood -> ([[ClassLogs]], [[ClassLogs]])
+cellsOfPhases given = (turnedBy 0, turnedBy 1)
   where
+    turnedBy o = [map snd (cellsOf given o (y, x)) | (o', (y, x)) <- likely, o' == o]
     phases = phaseLogs given
     (across, down) = phaseCount (placesFineness (templatePlaces (likelihoodTables given)))
     likely =
