@@ -235,11 +235,11 @@ allowances =
   Map.map
     words
     ( Map.fromList
-        [ (Common, "bytestring random vector"),
+        [ (Common, "bytestring random text vector"),
           -- Bytes are what SHA-256 is taken of; nothing else in the code reads or writes them.
           (Code, "pra-tactile:common bytestring containers cryptohash-sha256 reflection vector"),
           ( Touch,
-            "pra-tactile:common attoparsec bytestring cassava containers file-embed hmatrix \
+            "pra-tactile:common bytestring cassava containers file-embed hmatrix \
             \JuicyPixels random svg-builder text vector"
           ),
           (Simulation, "pra-tactile:common pra-tactile:code-internal containers random vector"),
@@ -250,7 +250,7 @@ allowances =
           ),
           ( Formats,
             recognising
-              ++ "pra-tactile:simulation aeson attoparsec binary bytestring containers \
+              ++ "pra-tactile:simulation aeson binary bytestring containers \
                  \integer-logarithms scientific text vector zip-archive"
           ),
           (Files, recognising ++ "pra-tactile:formats bytestring containers directory filepath"),
