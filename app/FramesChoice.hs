@@ -33,7 +33,8 @@ data FramesChoice = FramesChoice
     calibrationFile :: Maybe FilePath
   }
 
--- | @--taxel@, @--axes@ and @--calibration@.
+-- | How frames and whole images are taken: @--taxel@, @--axes@, @--image-axes@, @--position-scale@,
+-- @--inverted@ and @--calibration@.
 framesOptions :: Parser FramesChoice
 framesOptions =
   FramesChoice

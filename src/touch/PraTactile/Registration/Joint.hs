@@ -56,8 +56,9 @@ data Joint = Joint
     jointGlimpse :: Double,
     -- | F: what log P of all that the frames show is at least, likewise.
     jointBound :: Double,
-    -- | E, the log evidence of the nominal places, and E_0, that of frames which lie anywhere.
+    -- | E, the log evidence of the nominal places.
     jointEvidence :: Double,
+    -- | E_0, the log evidence that each frame lies anywhere.
     jointAnywhere :: Double
   }
 

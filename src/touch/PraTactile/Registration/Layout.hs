@@ -42,12 +42,16 @@ layouts angle scales groups places =
     | (_, axes) <- axesNamed,
       axes /= straight
   ]
-    ++ [ofAll (uncurry OtherScale scale) 0.125 | scale <- [(0.5, 1), (2, 1), (1, 0.5), (1, 2)]]
-    ++ [ofAll (uncurry OtherScale scale) (0.5 / fromIntegral (length scales)) | scale <- scales]
+    ++ concat [ofScales found scales | not (null scales)]
+    ++ ofScales (1 - found) [(0.5, 1), (2, 1), (1, 0.5), (1, 2)]
     ++ [ofAll Anywhere 1]
     ++ slips 1 (beyond fst ++ beyond snd)
     ++ slips groupShare [map (== g) groups | several > 1, g <- some]
   where
+    -- Scales that the frames make likely have half of the probability of all scales.
+    found = if null scales then 0 else 0.5
+    ofScales share these =
+      [ofAll (uncurry OtherScale scale) (share / fromIntegral (length these)) | scale <- these]
     ofAll fault share = Layout fault share (map (faultAt fault) places)
     -- That one of some sets of frames has slipped, by any cell.
     slips share sets =

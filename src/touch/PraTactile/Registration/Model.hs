@@ -158,6 +158,23 @@
 -- not asked for F where P(lambda) is less likely by e^30 at a glance, each frame in its likeliest
 -- phase; and of more than 256 frames so many are asked, evenly.
 --
+-- Positions may also tell nothing at all: each frame lies anywhere, with one orientation o for all.
+-- That is the limit of large sigma, in which no frame tells another which classes the cells have.
+-- With the mean over the n phases of an orientation, and f's phases within e^12 of its likeliest,
+--
+-- > E_0 = log (mean over o of product over f of
+-- >            max (mean over the phases lambda of o of exp (sum over the cells c of lambda of h_fc))
+-- >                (delta * the larger of the two means))
+-- > E   = F - log P(lambda*) - log (2 n) - F_n log (2 pi) - log (number of sigmas)
+--
+-- E is F of the nominal places at the likeliest phase lambda* as a log evidence like E_0, with F_n
+-- frames and P(lambda*) among all phases. E_0 - E weighs that the positions tell nothing.
+--
+-- A scale s of the positions is a layout like other axes. Where sigma is above 1.5 taxels, scales
+-- of both axes and of each one are tried at a glance, so finely that the outermost frames move by
+-- less than a taxel from one to the next; of those that are likelier than 1, and than their
+-- neighbours, the four likeliest are asked for F ("PraTactile.Registration.Scale").
+--
 -- = Two frames
 --
 -- By the lattice, a displacement d of the second against the first is summed over all phases and
@@ -243,6 +260,7 @@
 -- > P(lambda)         phasePosterior                         pi        priorsAlong
 -- > d, with l_fck     Displacement                           delta     outlier
 -- > q_f, F            meanField, fieldBound                  e^30      negligible
+-- > E, E_0            jointEvidence, jointAnywhere
 module PraTactile.Registration.Model
   ( -- * What a frame reads
     Theta (..),
