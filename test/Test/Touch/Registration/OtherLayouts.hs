@@ -19,7 +19,7 @@ spec :: Spec
 spec = do
   prop "are the seven other axes, four other scales, and slips, which share their probability" $
     forAll (choose (1, 5)) $ \columns -> forAll (choose (1, 5)) $ \rows ->
-      forAll ((,) <$> choose (1, 4) <*> elements [[], [(3, 3)], [(1, 0.7), (9, 9)]]) $ \(several, likely) ->
+      forAll (choose (1, 4)) $ \several -> forAll (elements scaleLists) $ \likely ->
         let places = [(x * 12, y * 9) | y <- upTo rows, x <- upTo columns]
             tied = [k `mod` several | (k, _) <- zip [0 ..] places]
             groups = 1 + maximum tied
@@ -87,6 +87,7 @@ spec = do
     map otherwiseFault (left 1 0 [(20, 20)]) `shouldBe` []
     map otherwiseFault (othersOf Nominal (0, 0) 1 0 [(16, 20), (32, 20), (48, 20)]) `shouldBe` []
   where
+    scaleLists = [[], [(3, 3)], [(1, 0.7), (9, 9)]]
     upTo n = map fromIntegral [0 .. n - 1 :: Int]
     isAxes fault = fault `elem` [OtherAxes a | (_, a) <- axesNamed, a /= straight]
     isScale fault = case fault of
