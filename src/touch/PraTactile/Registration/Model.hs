@@ -163,7 +163,7 @@
 -- With the mean over the n phases of an orientation, and f's phases within e^12 of its likeliest,
 --
 -- > E_0 = log (mean over o of product over f of
--- >            max (mean over the phases lambda of o of exp (sum of h_fc over the cells c of lambda))
+-- >            max (mean over the phases lambda of o of exp (sum of h_fc over lambda's cells c))
 -- >                (delta * the larger of the two means))
 -- > E   = F - log P(lambda*) - log (2 n) - F_n log (2 pi) - log (number of sigmas)
 --
