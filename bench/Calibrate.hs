@@ -21,6 +21,7 @@ import PraTactile.Sensor (Preset (..), presetName, presetSensor)
 import PraTactile.Shape (alphabet, shapes)
 import PraTactile.Shape.Design (admissible, parametersFor)
 import PraTactile.Shape.Distance (nearest, nearestDistance)
+import PraTactile.Steps (result)
 import PraTactile.SymbolCalibration
 import PraTactile.SymbolImages
 import PraTactile.Symmetry
@@ -45,11 +46,12 @@ main = do
     fitted' reader =
       orFail
         =<< orFail
-          ( calibrated
-              (readerAlphabet reader)
-              (readerTemplates reader)
-              (outputs (readerNetwork reader))
-              shippedSeed
+          ( result $
+              calibratedSteps
+                (readerAlphabet reader)
+                (readerTemplates reader)
+                (outputs (readerNetwork reader))
+                shippedSeed
           )
 
 -- | An image, and what it truly shows.

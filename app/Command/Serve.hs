@@ -6,7 +6,6 @@ module Command.Serve
 where
 
 import Data.Aeson (object, (.=))
-import Data.List (isSuffixOf)
 import Data.Maybe (isJust)
 import Data.String (fromString)
 import ExitStatus
@@ -14,7 +13,6 @@ import Json
 import Options
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Killers
-import PraTactile.Conformance.Laws.Order (orderName)
 import PraTactile.Conformance.Library (library)
 import PraTactile.Conformance.Serve
 import System.IO (stdin, stdout)
@@ -63,9 +61,7 @@ run options
     answer = if once options then serveOnce else serve
     text = concatMap listedText impostors
     json = encodeSchema "impostors/1" (fromString "impostors" .= map listedValue impostors)
-    -- Each makes its mistake whatever was asked before, which a fresh process shows.
-    killers =
-      filter (not . (('/' : orderName) `isSuffixOf`)) . killersOf . impostorName
+    killers = killersOfProcess . impostorName
     listedText one =
       impostorName one ++ ": " ++ impostorMistake one ++ "\n    found by "
         ++ unwords (killers one)

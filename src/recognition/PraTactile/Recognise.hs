@@ -124,11 +124,17 @@ recogniseSeen tolerance reader composites seen =
       | refusal `elem` [NoSymbols, SymbolsUnclear] -> do
         there <- seenInstead (fmap mostly . recogniseAsPut tolerance reader) composites
         pure shown {recognisedAnswer = Left (ShownInstead there refusal)}
+      | notMirrored refusal,
+        Just layout <- likelierByFrames tolerance (recognisedTilt shown) composites ->
+        pure shown {recognisedAnswer = Left (FramesContradict layout)}
     _ -> pure shown
   where
     shown = recognitionOf tolerance reader seen
     contradictions =
       [(one, found) | one <- composites, Just found <- [compositeContradiction one]]
+    notMirrored refusal = case refusal of
+      Mirrored _ -> False
+      _ -> True
     mostly found = case recognisedAnswer found of
       Right _ -> True
       Left _ -> mostRecognised (recognisedSymbols found)

@@ -165,7 +165,7 @@ argumentsSpec = describe "arguments" $ do
         "1e99999999999999"
       ]
       $ \text -> do
-        (status, _, err) <- pra ["locate", "--doubt", text, "3 2 / 3 1"]
+        (status, _, err) <- pra ["locate", "--doubt", text, doubtful]
         (text, status) `shouldBe` (text, 2)
         err `shouldSatisfy` ("--doubt" `isInfixOf`)
   it "a sign, and a point without digits on one side, are read as every other tool reads them" $ do
@@ -173,8 +173,8 @@ argumentsSpec = describe "arguments" $ do
       `shouldBe` map Right [0.5, 0.5, 5, 5, -0.5 :: Double]
     map readDecimal ["+12", "-0"] `shouldBe` map Right [12, 0 :: Int]
     for_ [".1", "1.e-1", "+.1"] $ \text -> do
-      (status, _, _) <- pra ["locate", "--doubt", text, "3 2 0 / 3 0 2 / 0 1 3"]
-      (text, status) `shouldBe` (text, 0)
+      (status, _, _) <- pra ["locate", "--doubt", text, doubtful]
+      (text, status < 2) `shouldBe` (text, True)
     exactly <- pra ["solid", "box:0.5x1x2", "--scale", "2", "--tolerance", "0.1"]
     pra ["solid", "box:.5x1.x+2", "--scale", "+2.", "--tolerance", ".1"] `shouldReturn` exactly
   it "a number is read back as it was shown" $
@@ -241,6 +241,8 @@ argumentsSpec = describe "arguments" $ do
       (line, status, out, name `isInfixOf` err, length (lines err))
         `shouldBe` (line :: String, 2, "", True, 1)
     plain c = c `elem` [' ' .. '~']
+    -- A patch of probabilities, of which --doubt says something.
+    doubtful = "[[[0,0,0.1,0.9],2],[3,1]]"
 
 inputSpec :: Spec
 inputSpec = describe "the standard input" $ do

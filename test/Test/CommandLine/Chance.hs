@@ -37,7 +37,7 @@ spec = do
       told [] "3 2" `shouldReturn` (number 1, Just "at-most")
       told [] "[[[0,0,0.1,0.9],2],[3,1]]" `shouldReturn` (number 1, Just "at-most")
       told [] "? ? / ? ?" `shouldReturn` (Just Null, Just Null)
-      (_, batch, _) <- praWith ["locate", "--batch"] "3 2 / 3 1\n3 2 /\n"
+      (_, batch, _) <- praWith ["locate", "--batch"] "3 2 / 3 1\n3 2 //\n"
       map (\line -> (key ["chance"] line, key ["chance_is"] line)) (lines batch)
         `shouldBe` [(number (255 % 256), Just "exact"), (Just Null, Just Null)]
   it "locate --json: on 2^60 cells, 8 x 8 of them" $ do

@@ -53,7 +53,7 @@ spec = do
         writeFile (folder ++ "/part.obj") (tiltedBlock axes)
         outcome <-
           scripted folder $
-            "pra place part=part.obj --output p.json > log; "
+            "pra place part=part.obj --output p.json > log 2>&1; "
               ++ "pra emboss --placement p.json --object part --output x"
         outcome `refuses` "with coordinates of 32 bits"
         (status, out, _) <-
@@ -93,7 +93,7 @@ spec = do
     inFolder $ \folder -> do
       (status, out, err) <-
         scripted folder $
-          "pra place b=box:200x260x100 --symbols 2 --output p.json > log; "
+          "pra place b=box:200x260x100 --symbols 2 --output p.json > log 2>&1; "
             ++ "on='--placement p.json --object b --face V1,V2,V3,V4'; "
             ++ "pra emboss $on --output b.stl > log; "
             ++ "pra probe $on --mesh b.stl --turn 30 --sensor real --taxel 3.175 --seed 3 "
@@ -142,7 +142,7 @@ spec = do
         ),
         ( "a face without a cell",
           "has no place on the array",
-          "pra place t=box:60x60x40 --face 't:V1 V2 V3 V4' --output p.json > log; "
+          "pra place t=box:60x60x40 --face 't:V1 V2 V3 V4' --output p.json > log 2>&1; "
             ++ "pra emboss --placement p.json --object t --face 'V5 V8 V7 V6' --output x"
         ),
         ( "a folder that holds files",
@@ -178,7 +178,7 @@ spec = do
         ( "what coordinates of 32 bits melt",
           "coordinates of 32 bits",
           "pra place t=box:3/1000000x4/1000000x1000 --symbols 1/10000000 "
-            ++ "--face 't:V1 V2 V3 V4' --output p.json > log; "
+            ++ "--face 't:V1 V2 V3 V4' --output p.json > log 2>&1; "
             ++ "pra emboss --placement p.json --object t --output x"
         )
       ]

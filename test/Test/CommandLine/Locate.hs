@@ -233,12 +233,14 @@ spec = do
                    ]
             ]
     locates ["locate", encoded chances] ["row 6, column 5"]
+    -- As after the last row, what parts patches may stand after the last one.
+    locates ["locate", "3 2 / 3 1 ;"] ["row 6, column 5"]
     (batched, lines', _) <-
       praWith ["locate", "--batch"] (unlines [text, encoded chances, "3 2 / 3 1 ; 1:"])
     (batched, map (key ["outcome"]) (lines lines'))
       `shouldBe` (2, map (Just . String) ["located", "located", "invalid"])
     for_
-      [ ("3 2 / 3 1 ;", "patch 2"),
+      [ ("3 2 / 3 1 ; ;", "patch 2"),
         ("x,1: 3 2 / 3 1", "displacement"),
         ("1: 3 2", "displacement"),
         ("3 2 / 3 1 ; 0,3: 7", "patch 2"),

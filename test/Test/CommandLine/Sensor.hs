@@ -60,8 +60,8 @@ spec = do
       outcome <-
         scripted
           folder
-          "pra place box:30x40x50 --output p.json > log; pra evaluate --presses 4 --placement \
-          \p.json"
+          "pra place box:30x40x50 --output p.json > log 2>&1; pra evaluate --presses 4 \
+          \--placement p.json"
       outcome `shouldSatisfy` \(status, out, err) ->
         (status, out, length (lines err)) == (1, "", 1) && "4 cannot be read" `isInfixOf` err
   it "a face at a few degrees more than a quarter turn is where the truth says" $

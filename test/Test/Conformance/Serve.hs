@@ -191,7 +191,7 @@ spec = do
           ++ " --cases 20"
     -- In this process all of them are found: of those that one law finds first, the first is asked.
     oneALaw = nubBy ((==) `on` firstKiller) (filter ofTheCode impostors)
-    firstKiller = listToMaybe . killersOf . impostorName
+    firstKiller = listToMaybe . killersOfProcess . impostorName
     oneAStage =
       concat
         [ take 1 (filter ((== [stage]) . impostorTouches) impostors)

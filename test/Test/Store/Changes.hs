@@ -94,7 +94,7 @@ spec = describe "change" $ do
     \home -> flip stored home $ \path place -> do
       execute home path ["DROP TABLE former_laying"]
       asked path $ \store -> storedPlacement store `shouldReturn` Right place
-      Right (Right _) <- change path (adding 1 [box "lid" 30 30 30])
+      Right (Right _) <- change path (adding 1 [box "lid" 40 40 40])
       Right (Right _) <- change path (removing ["cube"])
       Right (Right (now, former)) <- changeRemembering path [] (adding 1 [box "cube" 40 40 40])
       Map.keys former `shouldBe` ["cube"]

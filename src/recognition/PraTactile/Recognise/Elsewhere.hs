@@ -10,6 +10,7 @@ module PraTactile.Recognise.Elsewhere
     putOtherwise,
     laidOtherwise,
     layoutDoubts,
+    likelierByFrames,
   )
 where
 
@@ -30,6 +31,7 @@ import PraTactile.Recognise.Recognition
 import PraTactile.Recognise.SymbolBelief (axisOf)
 import PraTactile.Registration
   ( Composite (..),
+    Contradiction,
     Fault (..),
     Otherwise (..),
     PutFrame (..),
@@ -170,13 +172,7 @@ layoutDoubts ::
 layoutDoubts reader tolerance composites shown oneFrame others =
   Misplaced oneFrame (share (/= Slip)) (share (== Slip)) likelier
   where
-    likelier = case sortOn (\(_, odds, _) -> negate odds) weighed of
-      (fault, odds, _) : _
-        | odds > 1 ->
-          asTaken taking Nothing
-            <$> contradictionBy (map putAt (concatMap compositeFrames composites)) fault
-      _ -> Nothing
-    taking = maybe standardTaking compositeTaking (listToMaybe composites)
+    likelier = likeliestFault composites [(fault, odds) | (fault, odds, _) <- weighed]
     cells = recognisedCells shown
     given = recognisedLikeliest shown
     weighed =
@@ -208,3 +204,27 @@ layoutDoubts reader tolerance composites shown oneFrame others =
         different = 4 * Map.size same < 3 * Map.size these
     places = maybe Map.empty likeliestPlaces
     cellsOf = Map.map (map readNumber)
+
+-- | The layout of all frames that they make more probable than the robot's, whatever the array
+-- makes of it; given by how many degrees the symbols are turned.
+likelierByFrames :: Tolerance -> Double -> [Composite] -> Maybe Contradiction
+likelierByFrames tolerance angle composites =
+  likeliestFault
+    composites
+    [(elsewhereFault e, elsewhereOdds e) | e <- putOtherwise tolerance angle composites]
+
+-- | The likeliest of some faults, by their odds against the robot's layout, if it is more probable
+-- than that. One that is not far more probable than the robot's and all others says only that the
+-- frames lie anywhere.
+likeliestFault :: [Composite] -> [(Fault, Double)] -> Maybe Contradiction
+likeliestFault composites weighed = case sortOn (negate . snd) (filter ofAll weighed) of
+  (fault, odds) : rest
+    | odds > 1 -> asTaken taking Nothing <$> contradictionBy places named
+    where
+      named = if all ((odds >) . (farMore *)) (1 : map snd rest) then fault else Anywhere
+  _ -> Nothing
+  where
+    farMore = 1e4
+    places = map putAt (concatMap compositeFrames composites)
+    ofAll (fault, _) = fault `notElem` [OneFrame, Slip]
+    taking = maybe standardTaking compositeTaking (listToMaybe composites)

@@ -6,6 +6,8 @@ module Test.Touch.Sensor.MotionsAndPlans (spec) where
 import qualified Data.ByteString as B
 import Data.Either (isLeft)
 import Data.Foldable (for_)
+import qualified Data.Text as Text
+import Data.Text.Encoding (encodeUtf8)
 import PraTactile.Geometry hiding (taxelPitch)
 import qualified PraTactile.Geometry as Geometry
 import PraTactile.PlainText (OtherEncoding (..))
@@ -184,7 +186,10 @@ manifests = do
     parseManifest (header <> "a.pgm,1,2,0,\n")
       `shouldBe` Right [Entry "a.pgm" (Just (Pose 1 2 0)) Nothing]
     parseManifest "file,x_mm,y_mm\na.pgm,1,2\n"
-      `shouldBe` Left (WrongHeader ["file", "x_mm", "y_mm"])
+      `shouldBe` Right [Entry "a.pgm" (Just (Pose 1 2 0)) Nothing]
+    for_ [["x_mm"], ["y_mm", "rotation_deg"], ["rotation_deg"]] $ \columns ->
+      parseManifest (encodeUtf8 (Text.intercalate "," ("file" : columns)) <> "\na.pgm,1,2\n")
+        `shouldBe` Left (WrongHeader ("file" : columns))
   it "semicolons part fields, too, and the header may be in capitals and in any order" $ do
     parseManifest "Y_MM;X_MM; File ;ROTATION_DEG\r\n2;1;a,b.pgm;0\r\n"
       `shouldBe` Right [Entry "a,b.pgm" (Just (Pose 1 2 0)) Nothing]
