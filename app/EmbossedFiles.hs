@@ -13,27 +13,30 @@ import Data.Bifunctor (first)
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isControl, ord)
+import Data.Containers.ListUtils (nubOrdOn)
 import Data.List (intercalate)
+import qualified Data.Map.Strict as Map
 import qualified Data.Vector as V
 import ExitStatus (ExitStatus (..))
 import Message
 import Message.Emboss
 import Numeric (showHex)
 import Picture.Net
+import Picture.Raised
 import Picture.Template
 import PraTactile.Array (PseudorandomArray)
 import PraTactile.Emboss
-import PraTactile.Emboss.Face (Stamp (..), outlineSpot)
+import PraTactile.Emboss.Face (Stamp (..))
 import PraTactile.Emboss.Rounding
 import PraTactile.Field (KnownField)
 import PraTactile.Format.Emboss
 import PraTactile.Format.Solid (SolidFormat (..), Written (..), writeSolid)
 import PraTactile.Format.Solid.ThreeMf (writeThreeMf)
 import PraTactile.Geometry (taxelPitch)
-import PraTactile.Object.Chart (Spot (..))
+import PraTactile.Object.Description (rotations)
 import PraTactile.Object.Mesh (Mesh, meshPoints, meshWalks)
 import PraTactile.Object.Net
-import PraTactile.Object.Placement hiding (Spot (..))
+import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Shape (Alphabet)
 import Visible
@@ -106,19 +109,19 @@ netFiles ::
 netFiles page alphabet array layout named = do
   object <- first (unfit . placementMessage) (findObject layout named)
   (scale, symbolsOf') <- first (unfit . embossMessage) (symbolsOn alphabet array layout carrying)
-  tree <- first (refused . noNetMessage named) (pickNet 10000 object)
-  let taxel = fromRational (scale * taxelPitch) :: Double
-      symbols face = [(laid, one) | Just laid <- [laidAs face], one <- symbolsOf' laid]
-      raised face =
-        [ [ onFace face (left + taxel * fromInteger i, top + taxel * fromInteger j)
-            | Lattice i j <- map (outlineSpot cell) loop
-          ]
-          | (laid, (cell, stamp)) <- symbols face,
-            let (left, top) = spotMillimetres (laidMargin laid),
-            loop <- stampOutlines stamp
-        ]
-      stamps = map (snd . snd) . concatMap symbols
-      net = layOut object tree
+  (lying, owners, tree) <- first (refused . noNetMessage named) (pickCut 10000 object)
+  let raising =
+        Raising
+          { raisingSolid = lying,
+            raisingParts =
+              Map.fromList [it | it@(part, face) <- zip (solidFaces lying) owners, part /= face],
+            raisingLaid = placementLaid layout . Face named,
+            raisingSymbols = symbolsOf',
+            raisingTaxel = fromRational (scale * taxelPitch)
+          }
+      stamps = map snd . nubOrdOn fst . concatMap (cellsOn raising)
+      raised = raisedOn raising
+      net = layOut lying tree
       upright = net {netFaces = map begun (netFaces net)}
       everyFace = netFaces upright
       told ending faces =
@@ -140,17 +143,18 @@ netFiles page alphabet array layout named = do
     refused = (,) NotAnswered
     title = "The " ++ visible (objectText named) ++ ", unfolded"
     carrying = [laid | laid <- laidFaces layout, faceObject (laidFace laid) == named]
-    laidAs face = placementLaid layout (Face named (netFaceName face))
     padded count number =
       let digits = show (number :: Int)
        in replicate (length (show count) - length digits) '0' ++ digits
     -- A face begun where its laying begins.
-    begun face = case laidAs face of
+    begun face = case placementLaid layout (Face named (netFaceName face)) of
       Nothing -> face
       Just laid ->
         let FaceName walk = faceName (laidFace laid)
             corners = zip (faceVertices (netFaceName face)) (netCorners face)
-         in NetFace (FaceName walk) [p | v <- walk, (w, p) <- corners, v == w]
+         in NetFace
+              (FaceName walk)
+              (concat (take 1 [map snd from | from <- rotations corners, map fst from == walk]))
 
 -- | Faces as drawings, each called after its object and its vertices.
 drawnFiles ::

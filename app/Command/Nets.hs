@@ -94,17 +94,24 @@ drawInto whole found folder = do
   unless (null nets) $
     writeFolder
       folder
-      [ (file, Lazy.toStrict (netSvg title (layOut whole tree)))
-        | (number, tree) <- zip [1 ..] nets,
+      [ (file, Lazy.toStrict (netSvg title (layOut lying tree)))
+        | (number, (lying, tree)) <- zip [1 ..] nets,
           let (file, title) = named' number
       ]
   pure said
   where
     name = visible (objectText (solidName whole))
-    (nets, said) = case (found, pickNet 10000 whole) of
+    (nets, said) = case (found, pickCut 10000 whole) of
       (Just all', _) ->
-        (censusNets all', ["  drawn in " ++ visibleName folder | not (null (censusNets all'))])
-      (Nothing, Right tree) -> ([tree], ["  one net drawn in " ++ visibleName folder])
+        ( map ((,) whole) (censusNets all'),
+          ["  drawn in " ++ visibleName folder | not (null (censusNets all'))]
+        )
+      (Nothing, Right (lying, faces, tree)) ->
+        ( [(lying, tree)],
+          [ "  one net drawn in " ++ visibleName folder
+              ++ concat [", faces with holes cut" | faces /= solidFaces whole]
+          ]
+        )
       (Nothing, Left EveryOneOverlaps) -> ([], ["  none drawn: every unfolding overlaps"])
       (Nothing, _) -> ([], ["  none drawn: no net was found, and there may be one"])
     digits = length (show (length nets))

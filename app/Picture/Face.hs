@@ -14,6 +14,7 @@ import PraTactile.Array (Position)
 import PraTactile.Explore (fillsBox)
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Object.Placement
+import PraTactile.Object.Rims
 import PraTactile.Object.WingedEdge
 import PraTactile.Recognise
 import PraTactile.Registration (Composite (..))
@@ -49,8 +50,8 @@ facePanel view = panel title note body (unitOf view)
     faceShape paint
       | fillsBox (viewFace view) =
         Rectangle paint (Extent 0 0 (unitOf view * across) (unitOf view * down))
-      | otherwise = Outline paint (map (shownAt . spotMillimetres . snd) corners)
-    corners = laidCorners (viewFace view)
+      | otherwise = Region paint (map (map (shownAt . spotMillimetres . snd)) loops)
+    loops = rims (laidCorners (viewFace view))
     shownAt = units view
     centre = shownAt (spotMillimetres (placeCentre (viewPlace view)))
     shown = shownAt . onFace view
@@ -62,7 +63,7 @@ facePanel view = panel title note body (unitOf view)
       Mark "window" (Rectangle (outlined answering 4) (around (shownAt (windowSize view)) centre)) :
       placeMarks centre
         ++ distanceMarks view
-        ++ concatMap (vertexMark view) corners
+        ++ concatMap (vertexMark view) (concat loops)
 
 -- | Width and height, millimetres.
 faceExtent :: FaceView -> (Double, Double)

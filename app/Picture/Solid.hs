@@ -12,6 +12,7 @@ module Picture.Solid
     embossedOn,
     fewSymbols,
     onFaceOf,
+    within,
   )
 where
 

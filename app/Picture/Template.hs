@@ -26,6 +26,7 @@ import PraTactile.Array (Position)
 import PraTactile.Emboss.Face
 import PraTactile.Object.Chart (Spot (..))
 import PraTactile.Object.Placement
+import PraTactile.Object.Rims
 import PraTactile.Object.WingedEdge
 
 -- | What is drawn.
@@ -71,7 +72,7 @@ templateFile it = renderBS drawing <> "\n"
           "paper"
           rect_
           [Width_ <<- number width, Height_ <<- number height, Fill_ <<- "#ffffff"]
-        <> part "face" path_ ((D_ <<- closed corners) : drawnIn edge)
+        <> part "face" path_ ((D_ <<- foldMap (closed . map place) rimsOf) : drawnIn edge)
         <> foldMap symbol (templateSymbols it)
         <> foldMap vertex (take 1 (zip (faceVertices face) corners))
         <> said "name" (left, top - 15) (fitting named)
@@ -84,7 +85,9 @@ templateFile it = renderBS drawing <> "\n"
       where
         room = floor ((width - left) / 3.4)
     named = Text.pack (faceText face ++ " of the " ++ objectText object)
-    corners = map (at . spotMillimetres . snd) (laidCorners laid)
+    corners = map place (laidCorners laid)
+    rimsOf = rims (laidCorners laid)
+    place = at . spotMillimetres . snd
     stroke line = part "ruler" path_ ((D_ <<- open line) : drawnIn faint)
     tick k = let x = left + 10 * k in [(x, ruler), (x, ruler + 3)]
     vertex (name, (x, y)) =

@@ -27,6 +27,8 @@ where
 
 import Control.Monad (when)
 import Data.Bifunctor (first)
+import Data.Containers.ListUtils (nubOrdOn)
+import qualified Data.IntMap.Strict as IntMap
 import Data.List (mapAccumL)
 import Data.Maybe (fromMaybe)
 import Data.Ratio ((%))
@@ -39,9 +41,11 @@ import PraTactile.Emboss.Face
 import PraTactile.Field (KnownField, fieldOrder)
 import PraTactile.Geometry (columnPitch, rowPitch, symbolThickness, taxelPitch)
 import PraTactile.Object.Chart
+import PraTactile.Object.Description (cyclicPairs)
 import PraTactile.Object.Mesh hiding (named)
 import PraTactile.Object.Placement
 import PraTactile.Object.Radicals (fraction)
+import PraTactile.Object.Rims
 import PraTactile.Object.Triangles (triangles)
 import PraTactile.Object.Vector (cross, dot, exactRoot, squareRoot)
 import PraTactile.Object.WingedEdge
@@ -269,23 +273,28 @@ chartOfLaid taxel laid object walk =
 -- | A face as a plate of this thickness: its corners, those below them, and its symbols.
 plate :: Rational -> Rational -> [(Position, Stamp)] -> Solid -> Walk -> Chart -> Parts
 plate height thickness symbols object walk chart =
-  ( V.map (meshNames it V.!) (V.convert walk),
+  ( V.map (meshNames it V.!) (V.fromList corners),
     V.fromList
-      ( [pointOn chart z (Corner k) | z <- [0, negate thickness], k <- [0 .. count - 1]]
+      ( [pointOn chart z (Corner k) | z <- [0, negate thickness], k <- places]
           ++ surfacePoints above
       ),
     surfaceTriangles above
       ++ [(count + a, count + c, count + b) | (a, b, c) <- below]
       ++ concat
         [ [(count + a, count + b, b), (count + a, b, a)]
-          | (a, b) <- zip [0 ..] ([1 .. count - 1] ++ [0])
+          | (a, b) <- concatMap cyclicPairs loops
         ]
   )
   where
     it = solidMesh object
-    count = U.length walk
-    above = raisedFace height chart (U.enumFromN 0 count) (2 * count) symbols
-    below = region chart (map Corner [0 .. count - 1]) [[0 .. count - 1]]
+    -- Each vertex once, with the place where the walk comes to it first.
+    (corners, places) =
+      unzip (nubOrdOn fst (zip (U.toList walk) [0 ..]))
+    count = length corners
+    numbers = IntMap.fromList (zip corners [0 ..])
+    loops = map (map (numbers IntMap.!)) (rims (U.toList walk))
+    above = raisedFace height chart (U.map (numbers IntMap.!) walk) (2 * count) symbols
+    below = region chart (map Corner places) loops
 
 -- | A point that the object has.
 fixed :: Point -> ExactPoint

@@ -36,6 +36,7 @@ import Data.Ord (Down (..))
 import PraTactile.Geometry (cosineSine)
 import PraTactile.Object.Description (cyclicPairs)
 import PraTactile.Object.Placement (LaidFace (..), spotMillimetres)
+import PraTactile.Object.Rims
 import PraTactile.Random (uniform)
 import PraTactile.Sensor
 import PraTactile.Sensor.Frame
@@ -185,7 +186,7 @@ fillsBox face = length spots == 4 && all atCorner spots
 
 -- | Whether a region lies on a face with all of it.
 whollyOn :: LaidFace -> Region -> Bool
-whollyOn face region = shareOn face region == 5 && not (any meets (cyclicPairs corners))
+whollyOn face region = shareOn face region == 5 && not (any meets (rimPairs corners))
   where
     -- As the robot sees it, the region is upright.
     corners =

@@ -62,6 +62,29 @@ spec = do
               ++ "pra solid made.obj | head -1"
         status `shouldBe` 0
         drop 1 (lines out) `shouldBe` ["made: a solid"]
+  it "symbols on a net have the area of their taxels, also where faces with holes are cut" $
+    inFolder $ \folder ->
+      for_ [(160, True), (220, False)] $ \(wide, cut) -> do
+        writeFile (folder ++ "/ring.obj") (ring wide)
+        (status, out, _) <-
+          scripted folder $
+            "rm -rf p.json net.svg nets; pra place ring.obj --output p.json > log 2>&1; "
+              ++ "pra nets ring.obj --svg nets | tail -1; "
+              ++ "pra emboss --placement p.json --object ring --net --output net.svg"
+        (status, ["cut" `isSuffixOf` line | line <- take 1 (lines out)]) `shouldBe` (0, [cut])
+        picture <- readFile (folder ++ "/net.svg")
+        let taxels = [read count | line <- lines out, (count, "raised") <- neighbours line]
+            neighbours line = zip (words line) (drop 1 (words line))
+            areas =
+              [ areaOf (read ("[" ++ map (\c -> if c == ' ' then ',' else c) corners ++ "]"))
+                | line <- lines picture,
+                  "class=\"symbol\"" `isInfixOf` line,
+                  Just others <- map (stripPrefix " points=\"") (tails line),
+                  let corners = takeWhile (/= '"') others
+              ]
+        -- Four units are a millimetre, and a taxel is a sixteenth of 25.4 mm.
+        abs (sum areas) / 16 / (25.4 / 16) ^ (2 :: Int)
+          `shouldSatisfy` \found -> [True] == [abs (one - found) < 0.5 | one <- taxels]
   it "objects and drawings go to a folder, each under a name of its own" $
     inFolder $ \folder -> do
       (status, _, _) <-
@@ -317,6 +340,28 @@ spec = do
     inPairs given = case given of
       x : y : others -> (x, y) : inPairs others
       _ -> [] :: [(Double, Double)]
+
+-- | A square plate, 30 mm high, with a square hole 60 mm from its rim, as OBJ.
+ring :: Int -> String
+ring wide =
+  unlines
+    ( [unwords ("v" : map show [x, y, z]) | z <- [30, 0], (x, y) <- square 0 ++ square 60]
+        ++ ["f 1 2 3 4 1 5 8 7 6 5", "f 9 13 14 15 16 13 9 12 11 10"]
+        ++ ["f 1 9 10 2", "f 2 10 11 3", "f 3 11 12 4", "f 4 12 9 1"]
+        ++ ["f 5 6 14 13", "f 6 7 15 14", "f 7 8 16 15", "f 8 5 13 16"]
+    )
+  where
+    square from = let to = wide - from in [(from, from), (to, from), (to, to), (from, to)]
+
+-- | The area of a polygon whose corners' x and y are these, negative where it is clockwise.
+areaOf :: [Double] -> Double
+areaOf corners = sum (zipWith turned points (drop 1 points ++ take 1 points)) / 2
+  where
+    turned (x, y) (x', y') = x * y' - x' * y
+    points = pairs corners
+    pairs list = case list of
+      x : y : others -> (x, y) : pairs others
+      _ -> []
 
 -- | A block of 110 mm, turned by the quaternion (7, 1, 2, 1), whose matrix has fractions over 55,
 -- and moved by 10^12 mm along some axes.

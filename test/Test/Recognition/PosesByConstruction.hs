@@ -44,6 +44,7 @@ import Test.Hspec hiding (fit)
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (total)
 import Test.Recognition.Scenes (onRecognisers)
+import Test.Solid.Drilled (drilledWith, plateOf)
 import Test.Support
 import Test.Touch.Paper (paperAlphabet, stitchedBy)
 
@@ -284,9 +285,9 @@ spec = do
                     === map share [2.366, 7.8147]
                 ]
   -- Faces had no pose where a placement begins them at another vertex than their object's own list.
-  for_ twentySolids $ \known ->
-    it (show known ++ ": begun at any of its vertices, each face has its true pose") $ do
-      body <- right (solid (namedDescription known))
+  for_ (plate : [(show one, namedDescription one) | one <- twentySolids]) $ \(known, it') ->
+    it (known ++ ": begun at any of its vertices, each face has its true pose") $ do
+      body <- right (solid it')
       let Pitch right' down = canonicalPitch
           pitch = Pitch (right' / 4) (down / 4)
           faces =
@@ -369,6 +370,13 @@ spec = do
         a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
       _ -> 0
     cellPlaces = [(i, j) | i <- [1 .. 14], j <- [1 .. 18]] :: [(Int, Int)]
+
+-- | One whose faces have holes.
+plate :: (String, Description)
+plate =
+  ( "a plate with two holes",
+    plateOf (drilledWith 20 (160, 90) [(20, 40, 50, 70), (80, 40, 99, 60)])
+  )
 
 -- | Two of each kind that has lengths, and the paper's; a face of each is long, oblique, or no
 -- rectangle.

@@ -12,6 +12,7 @@ import PraTactile.Object.Named
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
+import Test.Solid.Drilled
 
 spec :: Spec
 spec = do
@@ -33,6 +34,25 @@ spec = do
       map rowsOf (take 1 (grids (Tetrahedron 200))) `shouldBe` [[9, 7, 5, 3, 3, 1, 0]]
   it "of the L face of l:200x100x200, 30 of 6 x 7" $
     take 1 (gridsOf (LShape 200 100 200)) `shouldBe` [(6, 7, Just 30)]
+  prop "of a plate with holes, are those of the plate that meet none of these" $
+    forAll drilled $ \plate ->
+      let it_ = fromDescription (plateOf plate)
+          grid = gridOf it_ (2, 3) (meshWalks it_ V.! 0)
+          -- The face begins at its lower left corner and ends above that: right is along y.
+          (high, wide) = outer plate !! 2
+          (rows', columns) = (floor (high / 3), floor (wide / 2)) :: (Integer, Integer)
+          top r = (high - 3 * fromInteger rows') / 2 + 3 * fromInteger r
+          left c = (wide - 2 * fromInteger columns) / 2 + 2 * fromInteger c
+          free r c =
+            and
+              [ top r >= maximum xs || top r + 3 <= minimum xs
+                  || left c >= maximum ys
+                  || left c + 2 <= minimum ys
+                | hole <- holes plate,
+                  let (xs, ys) = unzip hole
+              ]
+       in gridCells grid
+            === [(r, c) | r <- [0 .. rows' - 1], c <- [0 .. columns - 1], free r c]
   prop "are counted where that takes so many tests of a side and a cell" $
     forAll (elements [LShape 200 100 200, Tetrahedron 200, Prism 7 150 40, Octahedron 90]) $
       \solid -> forAll (elements (walks solid)) $ \walk ->

@@ -67,7 +67,7 @@ spec = do
     forM_ ["bracket.stl", "bracket.off"] $ \file ->
       it ("of a bracket with a square hole is one piece of genus 1: " ++ file) $ do
         it_ <- theirs file
-        forM_ [(it_, 40), (mergeCoplanar it_, 14)] $ \(one, faces) -> do
+        forM_ [(it_, 40), (mergeCoplanar it_, 12)] $ \(one, faces) -> do
           let report = examine one
           reportDefects report `shouldBe` []
           reportFaces report `shouldBe` faces

@@ -3,7 +3,7 @@
 -- | Triangles put together to the faces that they were, and vertices moved so that faces are flat.
 module Test.Solid.MergedAndSettled (spec) where
 
-import Data.List (sort, unfoldr)
+import Data.List (nub, sort, unfoldr, (\\))
 import Data.Maybe (fromMaybe, mapMaybe)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
@@ -14,15 +14,17 @@ import PraTactile.Object.Merge
 import PraTactile.Object.Mesh
 import PraTactile.Object.Named
 import PraTactile.Object.Orientation
+import PraTactile.Object.Rims
 import PraTactile.Object.Sliver
 import PraTactile.Object.Tolerance
 import PraTactile.Object.Triangles
 import PraTactile.Object.Validity
-import PraTactile.Object.Vector (zero)
+import PraTactile.Object.Vector (plus, zero)
 import System.Random (mkStdGen, uniformR)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck
+import Test.Solid.Drilled
 
 spec :: Spec
 spec = do
@@ -36,9 +38,35 @@ spec = do
         let it_ = fromDescription drawn
          in map volumes [cut it_, mergeCoplanar (cut it_)] === [volumes it_, volumes it_]
               .&&. map (reportValid . examine) [cut it_, mergeCoplanar (cut it_)] === [True, True]
-    it "the rings of a frame stay in two polygons each, as grow from their first faces" $
-      V.length (meshWalks (mergeCoplanar (cut (fromDescription (namedDescription (Frame 9 9 3))))))
-        `shouldBe` 4 + 4 + 2 + 2
+    prop "with holes, cut into triangles, are the plate's own faces again, rim by rim" $
+      forAllBlind drilled $ \plate ->
+        forAllBlind affine $ \way ->
+          let it_ = fromDescription (moved way (plateOf plate))
+              merged = mergeCoplanar (cut it_)
+           in (rimsOf merged, reportDefects (examine merged)) === (rimsOf it_, [])
+    it "the rings of a frame are one face each" $
+      V.length (meshWalks (mergeCoplanar (fromDescription (namedDescription (Frame 9 9 3)))))
+        `shouldBe` 2 + 4 + 4
+    it "whose holes touch at a vertex are polygons without holes there" $ do
+      let it_ = fromDescription pitted
+          merged = mergeCoplanar it_
+      map (reportValid . examine) [it_, merged] `shouldBe` [True, True]
+      map volumes [merged] `shouldBe` [volumes it_]
+      [U.length walk | walk <- V.toList (meshWalks merged), not (null (repeated walk))]
+        `shouldBe` []
+    prop "with holes are cut into faces without, each a part of one, which fill it" $
+      forAllBlind drilled $ \plate ->
+        let it_ = fromDescription (plateOf plate)
+            areas mesh_ = map (doubleArea . cornersOf mesh_) (V.toList (meshWalks mesh_))
+         in conjoin
+              [ (reportDefects (examine parts), concatMap repeated (V.toList (meshWalks parts)))
+                  === ([], [])
+                  .&&. [ foldr plus zero [n | (g, n) <- zip owners (areas parts), g == f]
+                         | f <- [0 .. V.length (meshWalks it_) - 1]
+                       ]
+                  === areas it_
+                | (owners, parts) <- withoutHoles it_
+              ]
     it "a vertex in the middle of an edge goes, and the walk begins at the first vertex" $
       faces (mergeCoplanar (fromDescription halved))
         `shouldBe` faces
@@ -186,6 +214,51 @@ spec = do
                     ]
                 }
         )
+
+-- | What a walk visits more than once.
+repeated :: U.Vector Int -> [Int]
+repeated walk = let visited = U.toList walk in visited \\ nub visited
+
+-- | The faces by the rims that each has, those by their vertices' places from the least.
+rimsOf :: Mesh -> [[[Point]]]
+rimsOf it_ =
+  sort
+    [ sort (map (minimum . rotations . map (pointAt it_)) (rims (U.toList walk)))
+      | walk <- V.toList (meshWalks it_)
+    ]
+
+-- | A block with two pits in its upper face, each a pyramid upside down, that have one vertex in
+-- common; that face is of unit squares.
+pitted :: Description
+pitted =
+  Description
+    "block"
+    [(name at, Point x y z) | at@(x, y, z) <- nub (concat walks)]
+    (map (FaceName . map name) walks)
+  where
+    name (x, y, z) = VertexName (show (map fromRational [x, y, z] :: [Double]))
+    pits = [(1, 1), (2, 2)]
+    above (i, j) = [(i, j, 1), (i + 1, j, 1), (i + 1, j + 1, 1), (i, j + 1, 1)] :: [Corner]
+    walks =
+      [above (i, j) | i <- [0 .. 3], j <- [0 .. 3], (i, j) `notElem` pits]
+        ++ [ [p, q, (i + 1 / 2, j + 1 / 2, 1 / 2)]
+             | (i, j) <- pits,
+               (p, q) <- cyclicPairs (above (i, j))
+           ]
+        ++ [ reverse upper ++ [below (take 1 upper), below (drop 4 upper)]
+             | upper <-
+                 [ [(x, 0, 1) | x <- [0 .. 4]],
+                   [(4, y, 1) | y <- [0 .. 4]],
+                   [(4 - x, 4, 1) | x <- [0 .. 4]],
+                   [(0, 4 - y, 1) | y <- [0 .. 4]]
+                 ]
+           ]
+        ++ [[(0, 0, 0), (0, 4, 0), (4, 4, 0), (4, 0, 0)]]
+    below corners = case corners of
+      (x, y, _) : _ -> (x, y, 0)
+      [] -> (0, 0, 0)
+
+type Corner = (Rational, Rational, Rational)
 
 -- | The faces by their vertices' places, each from its least.
 faces :: Mesh -> [[Point]]

@@ -20,6 +20,7 @@ import PraTactile.Object.WingedEdge
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck
+import Test.Solid.Drilled (drilledWith, plateOf)
 
 spec :: Spec
 spec = do
@@ -117,6 +118,15 @@ spec = do
                 let side part = (extent part +) <$> choose (6, 18) in (,) <$> side fst <*> side snd
               ]
          in forAll (oneof rooms) $ \room -> maybe (property True) (onPages it_ room) net
+    it "is found of a plate with a hole, and where there is none, of its parts" $ do
+      let plate wide = whole (plateOf (drilledWith 30 (wide, wide) [(60, 60, to wide, to wide)]))
+          to wide = wide - 60
+          told it_ = case pickCut 10000 it_ of
+            Right (lying, owners, tree) ->
+              Right (meetingIn lying tree, length (solidFaces lying), owners == solidFaces it_)
+            Left why -> Left why
+      [told (plate 220), fmap (\(met, _, same) -> (met, 0, same)) (told (plate 160))]
+        `shouldBe` [Right (Apart, 10, True), Right (Apart, 0, False)]
     it "is none of several pieces" $
       pickNet 10 (whole (both (labelled "a" far) (labelled "b" (namedDescription Cube))))
         `shouldBe` Left SeveralPieces

@@ -23,6 +23,7 @@ import Test.CommandLine.Run (key)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck
+import Test.Solid.Drilled
 import Text.Read (readMaybe)
 
 spec :: Spec
@@ -34,12 +35,25 @@ spec = describe "the report on a polyhedron, beside the definition" $ do
         counterexample
           (show drawn)
           (map defectKind (reportDefects (said drawn)) === [] .&&. judged drawn)
-    for_ [minBound .. maxBound] $ \kind ->
+    for_ [minBound .. maxBound] $ \kind -> do
       it ("says all and no more where something is made wrong: " ++ kindName kind) $
         forAllBlind (solids >>= spoilt kind) $ \drawn ->
           counterexample (show drawn) (judged drawn)
-    modifyMaxSuccess (* 3) . it "says all and no more of polygons that may cross themselves" $
-      forAllBlind polygons $ \drawn -> counterexample (show drawn) (judged drawn)
+      modifyMaxSuccess (`div` 4) . it ("and so of plates with holes: " ++ kindName kind) $
+        forAllBlind (plates >>= spoilt kind) $ \drawn ->
+          counterexample (show drawn) (judged drawn)
+    modifyMaxSuccess (`div` 4) . it "blames no plate with holes, and as many are its handles" $
+      forAllBlind drilled $ \plate ->
+        forAllBlind (affine >>= \way -> shuffledFaces (moved way (plateOf plate))) $ \it_ ->
+          counterexample (show it_) $
+            (reportDefects (said it_), map componentGenus (reportComponents (said it_)))
+              === ([], [Just (length (holes plate))])
+              .&&. judged it_
+    modifyMaxSuccess (* 3) $ do
+      it "says all and no more of polygons that may cross themselves" $
+        forAllBlind polygons $ \drawn -> counterexample (show drawn) (judged drawn)
+      it "says all and no more of polygons with holes that may do so, be turned or lie elsewhere" $
+        forAllBlind bridgedPolygons $ \drawn -> counterexample (show drawn) (judged drawn)
   it "finds no two sides that meet on a star of 10 000 spikes, and those of a part turned" $ do
     let kinds = [FaceCrossesItself, VertexOnEdge]
         found = filter ((`elem` kinds) . defectKind) . reportDefects . said . polygon
@@ -130,6 +144,39 @@ polygons =
         put' k corner others = [if i == k then corner else other | (i, other) <- zip [0 ..] others]
         exchanged i j = put' i (corners !! j) (put j (corners !! i))
         between (x, y) (x', y') = ((x + x') `div` 2, (y + y') `div` 2)
+
+-- | Polygons of few places with one or two holes, each entered along a bridge from where one was:
+-- few are what such a walk should be.
+bridgedPolygons :: Gen Description
+bridgedPolygons = do
+  rim <- oneof [pure [(0, 0), (9, 0), (9, 9), (0, 9)], corners 9]
+  inner <- oneof [pure [(2, 2), (2, 4), (4, 4), (4, 2)], corners 6]
+  other <- oneof [pure [(5, 5), (6, 7), (7, 5)], corners 9]
+  order <- elements [id, reverse]
+  k <- choose (0, length rim - 1)
+  l <- choose (0, length inner - 1)
+  m <- choose (0, length rim - 1)
+  let a = [0 .. length rim - 1]
+      b = order [length a .. length a + length inner - 1]
+      c = take (length other) [length a + length b ..]
+      there at hole = at : hole ++ take 1 hole
+      into at hole = concatMap (\v -> if v == at then there v hole ++ [v] else [v])
+  walk <-
+    elements
+      [ into k (from l b) a,
+        into m c (into k (from l b) a),
+        into (b !! l) c (into k (from l b) a),
+        reverse (into k (from l b) a)
+      ]
+  pure (walked walk (polygon (rim ++ inner ++ other)))
+  where
+    corners most = (`vectorOf` ((,) <$> choose (0, most) <*> choose (0, most))) =<< choose (3, 4)
+    from k hole = drop k hole ++ take k hole
+    walked walk it_ =
+      it_
+        { describedVertices = [one | (v, one) <- zip [0 ..] (describedVertices it_), v `elem` walk],
+          describedFaces = [FaceName [VertexName (show v) | v <- walk]]
+        }
 
 -- | So many triangles, each of which cuts every other one in a part of the z axis.
 bundle :: Int -> Description

@@ -12,6 +12,7 @@ import PraTactile.Object.WingedEdge
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck
+import Test.Solid.Drilled
 
 spec :: Spec
 spec = do
@@ -75,7 +76,7 @@ spec = do
     [at "C2", at "C3", at "C6"] `shouldBe` [(-63.5, -63.5), (63.5, -63.5), (-63.5, 63.5)]
   where
     drawn = do
-      it_ <- whole <$> solids
+      it_ <- whole <$> frequency [(2, solids), (1, plates)]
       azimuth <- choose (-180, 180)
       elevation <- choose (-90, 90)
       away <- elements [Nothing, Just 2, Just 5]

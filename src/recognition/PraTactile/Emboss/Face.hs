@@ -24,6 +24,7 @@ module PraTactile.Emboss.Face
   )
 where
 
+import qualified Data.IntMap.Strict as IntMap
 import Data.List (mapAccumL)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
@@ -32,6 +33,7 @@ import PraTactile.Geometry
 import PraTactile.Object.Chart
 import PraTactile.Object.Description (cyclicPairs)
 import PraTactile.Object.Polygon (V2 (..))
+import PraTactile.Object.Rims
 import PraTactile.Object.Triangulation
 import PraTactile.Shape (Bitmap, area)
 import PraTactile.Shape.Outline
@@ -108,7 +110,10 @@ raisedFace height chart walk from symbols =
       [outlineSpot cell corner | (cell, stamp) <- symbols, corner <- concat (stampOutlines stamp)]
     begun = scanl (+) corners [length (concat (stampOutlines stamp)) | (_, stamp) <- symbols]
     loops = numberedFrom corners (concatMap (stampOutlines . snd) symbols)
-    ground = region chart (map Corner [0 .. corners - 1] ++ outlined) ([0 .. corners - 1] : loops)
+    ground = region chart (map Corner [0 .. corners - 1] ++ outlined) (rimsOf ++ loops)
+    -- By the first place of each corner: places of one vertex are one point.
+    rimsOf = map (map (places IntMap.!)) (rims (U.toList walk))
+    places = IntMap.fromListWith (\_ first -> first) (zip (U.toList walk) [0 ..])
     base k
       | k < corners = walk U.! k
       | otherwise = from + 2 * (k - corners)

@@ -1,9 +1,9 @@
--- | The cells of symbols that lie wholly on a face, whatever simple polygon it is, decided exactly
--- in the face's frame ("PraTactile.Object.Frame").
+-- | The cells of symbols that lie wholly on a face, whatever simple polygon it is, with holes or
+-- without, decided exactly in the face's frame ("PraTactile.Object.Frame").
 --
 -- A block of cells is centred on the box round the face's corners, or begins at a margin. A cell,
--- as an open rectangle, meets no side and has its middle in the polygon: then it lies in it, its
--- rim included. All that asks for signs of r + s sqrt a + t sqrt b with whole r, s and t.
+-- as an open rectangle, meets no side of a rim and has its middle in the polygon: then it lies in
+-- it, its rim included. All that asks for signs of r + s sqrt a + t sqrt b with whole r, s and t.
 module PraTactile.Object.Cells
   ( -- * Cells of a block
     Anchor (..),
@@ -27,9 +27,9 @@ import Data.Ord (Down (..))
 import Data.Ratio (denominator, numerator, (%))
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
-import PraTactile.Object.Description (cyclicPairs)
 import PraTactile.Object.Frame
 import PraTactile.Object.Mesh
+import PraTactile.Object.Rims
 import PraTactile.Object.Surd
 import PraTactile.Object.Vector
 
@@ -140,7 +140,7 @@ cellsAmong frame cell anchor (rows, columns) among =
     (a, b) = (frameAcross frame, frameDown frame)
     (xs, ys) = linesBetween frame cell anchor (rows, columns)
     sides =
-      cyclicPairs
+      rimPairs
         [(linesTimes xs * x, linesTimes ys * y) | (x, y) <- V.toList (frameNumerators frame)]
     across k = linesFirst xs + k * linesStep xs
     downTo k = linesFirst ys + k * linesStep ys
@@ -236,7 +236,7 @@ gridWithin most it cell@(right, down) walk =
         -- In cells; the rounding of its terms is far below a thousandth.
         atLeast = max 0 (floor (0.999 * abs (sum (map swept sides)) / 2 - sum (map cut sides)))
         sides =
-          cyclicPairs
+          rimPairs
             [ (nearestDouble x / fromRational right, nearestDouble y / fromRational down)
               | (x, y) <- frameCorners frame
             ]
@@ -251,9 +251,10 @@ gridWithin most it cell@(right, down) walk =
 mostTests :: Integer
 mostTests = 100000
 
--- | The grid with the most cells of those that a face has from each of its vertices; of equal ones
--- the first in its walk. Of a face with many vertices, so many are tried that they have
--- 'triedFirst' corners together: its first one, and those that begin the longest upper sides.
+-- | The grid with the most cells of those that a face has from each of its vertices, the upper side
+-- along a rim; of equal ones the first in its walk. Of a face with many vertices, so many are tried
+-- that they have 'triedFirst' corners together: its first one, and those that begin the longest
+-- upper sides.
 bestGrid :: Mesh -> (Rational, Rational) -> Walk -> Grid
 bestGrid it (right, down) walk
   | diagonal < max right down ^ (2 :: Int) * fromInteger (meshDenominator it) ^ (2 :: Int) =
@@ -264,9 +265,13 @@ bestGrid it (right, down) walk
     share = mostTests `div` toInteger (length tried)
     from k = U.drop k walk U.++ U.take k walk
     tried
-      | size * size <= triedFirst = [0 .. size - 1]
-      | otherwise = 0 : take (triedFirst `div` size - 1) (sortOn (Down . upper) [1 .. size - 1])
-    upper k = let side = point k `minus` point ((k + size - 1) `mod` size) in dot side side
+      | size * size <= triedFirst = begins
+      | otherwise =
+        take (triedFirst `div` size) (take 1 begins ++ sortOn (Down . upper) (drop 1 begins))
+    -- From each vertex once, its upper side along a rim.
+    begins = beginnings (U.toList walk)
+    before k = (k + size - 1) `mod` size
+    upper k = let side = point k `minus` point (before k) in dot side side
     point k = meshPoints it V.! (walk U.! k)
     better grids = case grids of
       first : others -> foldl (\g h -> if gridCount h > gridCount g then h else g) first others

@@ -1,4 +1,5 @@
--- | Whether a polygon crosses itself, by a line that sweeps over its sides (Shamos and Hoey 1976).
+-- | Whether polygons cross themselves or each other, by a line that sweeps over their sides (Shamos
+-- and Hoey 1976).
 --
 -- The line comes from the left and is leant a little, so that points of one x are met in the order
 -- of y. What it crosses is kept in order, from below. Two sides that meet become neighbours there
@@ -7,25 +8,30 @@
 -- the trouble that machine numbers have with it.
 module PraTactile.Object.Crossing
   ( firstCrossing,
+    firstWithin,
   )
 where
 
 import Control.Applicative ((<|>))
 import Control.Monad (foldM)
 import Data.List (find, sortOn)
+import qualified Data.Map.Strict as Map
 import Data.Maybe (listToMaybe)
 import qualified Data.Set as Set
 import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Polygon
 
--- | Of the sides of a closed walk, each by the place where it begins, the first that shares more
--- with one before it than a vertex at which one follows the other, and the first of those before
--- it: the lesser place first. O(n log n) where there is none, else O(n log^2 n).
+-- | Of the sides of closed walks, each by the place where it begins, the first that shares more
+-- with one before it than a vertex that both name, and the first of those before it: the lesser
+-- place first. A side may be gone once in each direction. The places are those of all vertices, one
+-- walk after the other, with the points at which they are. O(n log n) where there is none, else
+-- O(n log^2 n).
 --
--- >>> firstCrossing (V.fromList [V2 0 0, V2 2 2, V2 2 0, V2 0 2])
+-- >>> firstCrossing [U.fromList [0, 1, 2, 3]] (V.fromList [V2 0 0, V2 2 2, V2 2 0, V2 0 2])
 -- Just (0,2)
-firstCrossing :: V.Vector V2 -> Maybe (Int, Int)
-firstCrossing walk
+firstCrossing :: [U.Vector Int] -> V.Vector V2 -> Maybe (Int, Int)
+firstCrossing walks points
   | count <= 3 = Nothing
   | count <= 8 = listToMaybe [(i, j) | j <- [1 .. count - 1], i <- earlier j]
   | otherwise = do
@@ -34,10 +40,11 @@ firstCrossing walk
     i <- listToMaybe (earlier j)
     pure (i, j)
   where
-    count = V.length walk
-    earlier j = [i | i <- [0 .. j - 1], share walk i j]
+    it = loopsOf walks points
+    count = V.length points
+    earlier j = [i | i <- [0 .. j - 1], share it i j]
     -- Of two that meet among the first sides, so many, the one after the other.
-    among = fmap (uncurry max) . meetingAmong walk (sortOn (walk V.!) [0 .. count - 1])
+    among = fmap (uncurry max) . meetingAmong it (sortOn (points V.!) [0 .. count - 1])
     -- The first sides, so many, do not meet; those up to the other place do.
     least clean met
       | clean == met = met
@@ -45,42 +52,87 @@ firstCrossing walk
       where
         middle = (clean + met + 1) `div` 2
 
--- | Whether two sides share more than a vertex at which one follows the other.
-share :: V.Vector V2 -> Int -> Int -> Bool
-share walk i j
-  | following walk i == j = back (walk V.! i) (walk V.! j) (end j)
-  | following walk j == i = back (walk V.! j) (walk V.! i) (end i)
-  | otherwise = crossing (walk V.! i, end i) (walk V.! j, end j)
+-- | Of the corners of a closed walk, which does not cross itself, the first that has another one's
+-- second side within it, by the places of the two, the lesser first: where the walk comes to a
+-- vertex again it must not lie between its own sides.
+firstWithin :: U.Vector Int -> V.Vector V2 -> Maybe (Int, Int)
+firstWithin walk points
+  | Map.null again = Nothing
+  | otherwise =
+    listToMaybe
+      [ (min i j, max i j)
+        | j <- [0 .. V.length points - 1],
+          i <- Map.findWithDefault [] (walk U.! j) again,
+          i /= j,
+          intoCorner (points V.! j) (points V.! after i, points V.! before i) (points V.! after j)
+      ]
   where
-    end k = walk V.! following walk k
-    back a b c = turn a b c == 0 && inner b a c > 0
+    again =
+      Map.filter
+        ((> 1) . length)
+        (Map.fromListWith (flip (++)) [(v, [i]) | (i, v) <- zip [0 ..] (U.toList walk)])
+    after i = if i + 1 == U.length walk then 0 else i + 1
+    before i = if i == 0 then U.length walk - 1 else i - 1
+
+-- | Closed walks, by places: which vertex is there, at which point, and the places after and before
+-- it.
+data Loops = Loops
+  { vertexOf :: !(U.Vector Int),
+    pointOf :: !(V.Vector V2),
+    afterIt :: !(U.Vector Int),
+    beforeIt :: !(U.Vector Int)
+  }
+
+loopsOf :: [U.Vector Int] -> V.Vector V2 -> Loops
+loopsOf walks points = Loops (U.concat walks) points (beside 1) (beside (-1))
+  where
+    beside step =
+      U.concat
+        [ U.generate size (\k -> begin + (k + step) `mod` size)
+          | (begin, size) <- zip (scanl (+) 0 sizes) sizes
+        ]
+    sizes = map U.length walks
+
+-- | The ends of a side.
+ends :: Loops -> Int -> (V2, V2)
+ends it i = (pointOf it V.! i, pointOf it V.! (afterIt it U.! i))
+
+-- | Whether two sides share more than a vertex that both name.
+share :: Loops -> Int -> Int -> Bool
+share it i j
+  | a == d = b /= c && back p q r
+  | b == c = back q p s
+  | a == c = back p q s
+  | b == d = back q p r
+  | otherwise = crossing (p, q) (r, s)
+  where
+    (a, b) = (vertexOf it U.! i, vertexOf it U.! (afterIt it U.! i))
+    (c, d) = (vertexOf it U.! j, vertexOf it U.! (afterIt it U.! j))
+    ((p, q), (r, s)) = (ends it i, ends it j)
+    back o x y = turn o x y == 0 && inner o x y > 0
 
 -- | Some two of the first sides, so many, that share more than that, if there are any; given the
--- places of the walk in the order in which the line meets them.
-meetingAmong :: V.Vector V2 -> [Int] -> Int -> Maybe (Int, Int)
-meetingAmong walk order sides =
-  firstOf ([(i, i + 1) | i <- [0 .. sides - 2]] ++ [(0, sides - 1) | whole])
+-- places in the order in which the line meets them.
+meetingAmong :: Loops -> [Int] -> Int -> Maybe (Int, Int)
+meetingAmong it order sides =
+  firstOf [(min i j, max i j) | i <- [0 .. sides - 1], let j = afterIt it U.! i, j < sides]
     <|> firstOf (concat (zipWith atOnePoint met (drop 1 met)))
     <|> either Just (const Nothing) (foldM step Set.empty met)
   where
-    whole = sides == V.length walk
-    met = if whole then order else filter (<= sides) order
-    firstOf = find (uncurry (share walk))
+    met = filter (\v -> v < sides || beforeIt it U.! v < sides) order
+    at = (pointOf it V.!)
+    firstOf = find (uncurry (share it))
     atOnePoint v w
-      | walk V.! v == walk V.! w = [(i, j) | i <- endingAt v, j <- endingAt w, i /= j]
+      | at v == at w = [(i, j) | i <- endingAt v, j <- endingAt w, i /= j]
       | otherwise = []
-    -- Those that end or begin at a place of the walk.
-    endingAt v = filter (< sides) [if v == 0 then V.length walk - 1 else v - 1, v]
+    -- Those that end or begin at a place.
+    endingAt v = filter (< sides) [beforeIt it U.! v, v]
     -- A side that is a point meets what its neighbours meet.
     sidesAt v =
-      [ Side i (min a b) (max a b)
-        | i <- endingAt v,
-          let (a, b) = (walk V.! i, walk V.! following walk i),
-          a /= b
-      ]
+      [Side i (min a b) (max a b) | i <- endingAt v, let (a, b) = ends it i, a /= b]
     step crossed v = do
-      left <- foldM close crossed (filter ((== walk V.! v) . to) (sidesAt v))
-      foldM open left (filter ((== walk V.! v) . from) (sidesAt v))
+      left <- foldM close crossed (filter ((== at v) . to) (sidesAt v))
+      foldM open left (filter ((== at v) . from) (sidesAt v))
     close crossed s = do
       apart (Set.lookupLT s crossed) (Set.lookupGT s crossed)
       pure (Set.delete s crossed)
@@ -90,7 +142,7 @@ meetingAmong walk order sides =
       apart (Just s) (Set.lookupGT s crossed)
       pure (Set.insert s crossed)
     apart below above = case (,) <$> below <*> above of
-      Just (s, t) | share walk (number s) (number t) -> Left (number s, number t)
+      Just (s, t) | share it (number s) (number t) -> Left (number s, number t)
       _ -> Right ()
 
 -- | A side of a walk, from its left end to its right one.

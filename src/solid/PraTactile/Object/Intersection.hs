@@ -1,6 +1,6 @@
 -- | What two faces have in common beside what both of them name, exactly.
 --
--- Two faces A and B, simple polygons in their planes n_A . x = d_A and n_B . x = d_B, may share
+-- Two faces A and B, polygons in their planes n_A . x = d_A and n_B . x = d_B, may share
 -- the vertices and the sides that both name: the set S. Wanted is what A and B have in common
 -- without S, and how far apart two of its points are at most.
 --
@@ -24,7 +24,7 @@ where
 
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (nub)
-import Data.Maybe (isJust, mapMaybe)
+import Data.Maybe (mapMaybe)
 import Data.Ratio ((%))
 import qualified Data.Set as Set
 import qualified Data.Vector as V
@@ -39,8 +39,8 @@ data Plate = Plate
     -- | at right angles to it, as long as twice its area
     plateNormal :: !V3,
     plateOffset :: !Integer,
-    -- | where in the walk a vertex is, for walks that are long
-    platePlaces :: IntMap.IntMap Int
+    -- | where in the walk a vertex is, for walks that are long: once, or once more for each bridge
+    platePlaces :: IntMap.IntMap [Int]
   }
 
 -- | The face that visits these vertices, which are at these points, with its normal.
@@ -48,7 +48,7 @@ plate :: U.Vector Int -> V.Vector V3 -> V3 -> Plate
 plate walk points normal =
   Plate walk points normal (V.foldr (\p _ -> dot normal p) 0 points) places
   where
-    places = IntMap.fromList (zip (U.toList walk) [0 ..])
+    places = IntMap.fromListWith (flip (++)) [(v, [i]) | (i, v) <- zip [0 ..] (U.toList walk)]
 
 -- | The face in its plane, as 'flat' sees it.
 plateFlat :: Plate -> V.Vector V2
@@ -57,14 +57,18 @@ plateFlat it = V.map (flat (plateNormal it)) (plateCorners it)
 corners :: Plate -> Int
 corners = V.length . plateCorners
 
-placeOf :: Plate -> Int -> Maybe Int
-placeOf it vertex
-  | corners it <= 8 = U.elemIndex vertex (plateWalk it)
-  | otherwise = IntMap.lookup vertex (platePlaces it)
+placesOf :: Plate -> Int -> [Int]
+placesOf it vertex
+  | corners it <= 8 = U.toList (U.elemIndices vertex (plateWalk it))
+  | otherwise = IntMap.findWithDefault [] vertex (platePlaces it)
+
+-- | Whether a face names a vertex.
+names :: Plate -> Int -> Bool
+names it = not . null . placesOf it
 
 -- | Whether a face has a side between the vertices, in either direction.
 hasSide :: Plate -> Int -> Int -> Bool
-hasSide it v w = maybe False beside (placeOf it v)
+hasSide it v w = any beside (placesOf it v)
   where
     beside i = at (i + 1) == w || at (i + corners it - 1) == w
     at i = plateWalk it U.! (i `mod` corners it)
@@ -89,7 +93,7 @@ heights :: Plate -> Plate -> V.Vector Integer
 heights under it = V.imap height (plateCorners it)
   where
     height i p
-      | isJust (placeOf under (plateWalk it U.! i)) = 0
+      | names under (plateWalk it U.! i) = 0
       | otherwise = dot (plateNormal under) p - plateOffset under
 
 -- | Whether a face is on one side of the other's plane and touches it, if at all, in one vertex or
@@ -99,7 +103,7 @@ touchesOnly it other above = (V.all (>= 0) above || V.all (<= 0) above) && named
   where
     named = case [plateWalk it U.! i | i <- V.toList (V.findIndices (== 0) above)] of
       [] -> True
-      [v] -> isJust (placeOf other v)
+      [v] -> names other v
       [v, w] -> hasSide it v w && hasSide other v w
       _ -> False
 
@@ -107,7 +111,7 @@ touchesOnly it other above = (V.all (>= 0) above || V.all (<= 0) above) && named
 -- planes meet, have that vertex alone in common.
 apartAtVertex :: V3 -> (Plate, V.Vector Integer) -> (Plate, V.Vector Integer) -> Bool
 apartAtVertex u (a, heightsA) (b, heightsB) =
-  case [(i, j) | i <- [0 .. corners a - 1], Just j <- [placeOf b (plateWalk a U.! i)]] of
+  case [(i, j) | i <- [0 .. corners a - 1], j <- placesOf b (plateWalk a U.! i)] of
     [(i, j)]
       | corners a == 3,
         corners b == 3 ->
@@ -145,7 +149,7 @@ onLine u (a, heightsA) (b, heightsB)
           ]
     held t it = t `elem` cutPlaces it || cutWithin it t
     mayBe t = t `elem` points || any (\(s, e) -> s <= t && t <= e) segments
-    points = [param v | (i, v) <- onIt, isJust (placeOf b (plateWalk a U.! i))]
+    points = [param v | (i, v) <- onIt, names b (plateWalk a U.! i)]
     onIt = [(i, plateCorners a V.! i) | i <- V.toList (V.findIndices (== 0) heightsA)]
     segments =
       [ (min s t, max s t)
@@ -241,7 +245,7 @@ lined a flatA b flatB = any separates (take 8 (sidesOf a))
           )
             && case [plateWalk b U.! k | k <- V.toList (V.findIndices (== 0) foreign')] of
               [] -> True
-              [v] -> isJust (placeOf a v)
+              [v] -> names a v
               [v, w] -> hasSide a v w && hasSide b v w
               _ -> False
 
@@ -253,7 +257,9 @@ cornersLeft seenAlong a flatA b flatB =
   [ (fromInteger x, fromInteger y, fromInteger z)
     | i <- [0 .. corners a - 1],
       let V3 x y z = plateCorners a V.! i,
-      maybe (standing flatB (flatA V.! i) /= Outside) (moreAt i) (placeOf b (plateWalk a U.! i))
+      case placesOf b (plateWalk a U.! i) of
+        [] -> standing flatB (flatA V.! i) /= Outside
+        places -> any (moreAt i) places
   ]
   where
     -- At a vertex of both, each face is an angle; they share a direction that no side of both has.
@@ -276,10 +282,6 @@ cornersLeft seenAlong a flatA b flatB =
             next = neighbour (following seen k)
             previous = neighbour (if k == 0 then V.length seen - 1 else k - 1)
             neighbour m = (plateWalk it U.! m, seen V.! m)
-        way (_, p) (_, q) = turn o p q
-        strictly (from, to) d
-          | way from to > 0 = way from d > 0 && way d to > 0
-          | way from to == 0 = way from d > 0
-          | otherwise = not (way to d >= 0 && way d from >= 0)
+        strictly (from, to) d = intoCorner o (snd from, snd to) (snd d)
         sameWay (_, p) (_, q) = turn o p q == 0 && inner o p q > 0
         alongOnly p q = sameWay p q && fst p /= fst q

@@ -2,16 +2,17 @@
 -- is whole again.
 --
 -- Faces that hang together by sides, in one plane and with one outer side, are a region. A region
--- whose rim is one walk that visits no vertex twice becomes one face. One with a hole has no such
--- rim: there each face, in the file's order, takes in what lies across its sides, one by one, as
--- long as a simple polygon comes of it. A vertex that is then on two faces alone, and straight
--- between its neighbours, goes, and so does one that is on no face any more. The walk round what
--- was made begins at the first of its vertices.
+-- whose rims visit no vertex twice becomes one face, with a hole for each rim but one
+-- ("PraTactile.Object.Rims"). Where rims touch, each face, in the file's order, takes in what lies
+-- across its sides, one by one, as long as a simple polygon comes of it. A vertex that is then on
+-- two faces alone, and straight between its neighbours, goes, and so does one that is on no face
+-- any more. The walk round what was made begins at the first of its vertices.
 module PraTactile.Object.Merge
   ( mergeCoplanar,
     mergeTriangles,
     mergeRegions,
     regionsOfPlanes,
+    withoutHoles,
   )
 where
 
@@ -23,7 +24,9 @@ import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Description (cyclicPairs)
 import PraTactile.Object.Mesh
+import PraTactile.Object.Rims
 import PraTactile.Object.Surface
+import PraTactile.Object.Triangles
 import PraTactile.Object.Vector
 
 -- | The polyhedron with faces of one plane put together. Faces that are not flat, or not well
@@ -61,11 +64,38 @@ regionsOfPlanes it =
         n@(V3 a b c) = doubleArea corners
         g = gcd a (gcd b c)
 
+-- | The polyhedron with its faces with holes cut into faces without, as few as grow from triangles,
+-- and into triangles; and for each face which one it is of, or is a part of.
+withoutHoles :: Mesh -> [([Int], Mesh)]
+withoutHoles it = [(map (owners U.!) kept, grown), (U.toList owners, triangled)]
+  where
+    (kept, grown) = mergedBut (IntSet.fromList [0 .. U.length owners - 1]) together triangled
+    -- A number of its own for each face that has no hole.
+    together = U.fromList (concat [if holed f then f <$ own else [negate f - 1] | (f, own) <- cut])
+    owners = U.fromList (concat [f <$ own | (f, own) <- cut])
+    cut = [(f, parts f) | f <- [0 .. V.length (meshWalks it) - 1]]
+    holed f = length (rims (U.toList (meshWalks it V.! f))) > 1
+    parts f
+      | holed f = [U.fromList [a, b, c] | (a, b, c) <- triangles it (meshWalks it V.! f)]
+      | otherwise = [meshWalks it V.! f]
+    triangled =
+      withShape
+        (V.take (V.length (meshPoints it)) (meshNames it))
+        (meshDenominator it)
+        (meshPoints it)
+        (V.fromList (concatMap snd cut))
+        it
+
 -- | Faces with the same number put together, where they share sides.
 mergeRegions :: U.Vector Int -> Mesh -> Mesh
 mergeRegions may it
-  | not (V.all (ofVertices it) (meshWalks it)) = it
-  | otherwise = withoutUnused (straightened merged)
+  | V.all (ofVertices it) (meshWalks it) = snd (mergedBut IntSet.empty may it)
+  | otherwise = it
+
+-- | The same, but that regions with one of these faces first are left to grow; and of each face
+-- that comes of it the first that went into it.
+mergedBut :: IntSet.IntSet -> U.Vector Int -> Mesh -> ([Int], Mesh)
+mergedBut apart may it = fmap withoutUnused (unzip (settled apart))
   where
     sides = surface (meshWalks it)
     across s = case mateOf sides s of
@@ -88,20 +118,31 @@ mergeRegions may it
           | f <-
               [V.length (meshWalks it) - 1, V.length (meshWalks it) - 2 .. 0]
         ]
-    merged =
-      sortOn fst (concatMap region (IntMap.elems members))
-    region [f] = [(f, (False, meshWalks it V.! f))]
-    region faces = case rimOf (IntSet.fromList faces) of
-      Just walk | f : _ <- faces -> [(f, (True, walk))]
-      _ -> growing faces
-    -- The rim of some faces, where it is one walk that visits no vertex twice.
-    rimOf faces = case rim of
-      first : _
-        | IntMap.size next == length rim,
-          let walk = takeWalk (sideStart sides first),
-          length walk == length rim ->
-          Just (fromFirst (U.fromList walk))
-      _ -> Nothing
+    -- The faces that are left, by the first face of each; those of a region with rims from which no
+    -- one walk comes are left to grow.
+    settled grown'
+      | IntSet.null failing = [(f, walk) | (f, Just walk) <- walks]
+      | otherwise = settled (IntSet.union failing grown')
+      where
+        faces = sortOn fst (concatMap (region grown') (IntMap.elems members))
+        walks = zip (map fst faces) (map joinedRims (straightened (map snd faces)))
+        failing = IntSet.fromList [f | (f, Nothing) <- walks]
+    region grown' faces = case faces of
+      [f] -> [(f, (False, [meshWalks it V.! f]))]
+      f : _
+        | IntSet.notMember f grown',
+          Just loops <- rimsOf (IntSet.fromList faces) ->
+          [(f, (True, loops))]
+      _ -> [(f, (made, [walk])) | (f, (made, walk)) <- growing faces]
+    joinedRims loops =
+      bridged
+        (meshPoints it V.!)
+        (foldl' plus zero (map (doubleArea . cornersOf it) loops))
+        loops
+    -- The rims of some faces, where they visit no vertex twice.
+    rimsOf faces
+      | IntMap.size next == length rim = Just (map (fromFirst . U.fromList) (cycles next))
+      | otherwise = Nothing
       where
         rim =
           [ s
@@ -110,10 +151,13 @@ mergeRegions may it
               maybe True ((`IntSet.notMember` faces) . sideFace sides) (across s)
           ]
         next = IntMap.fromList [(sideStart sides s, sideEnd sides s) | s <- rim]
-        takeWalk start = start : takeWhile (/= start) (follow start)
-        follow v = case IntMap.lookup v next of
-          Just w -> w : follow w
-          Nothing -> []
+    cycles next = case IntMap.lookupMin next of
+      Nothing -> []
+      Just (start, _) ->
+        let walk = start : takeWhile (/= start) (drop 1 (follow start))
+         in walk : cycles (foldl' (flip IntMap.delete) next walk)
+      where
+        follow v = v : maybe [] follow (IntMap.lookup v next)
     growing faces = case faces of
       [] -> []
       f : others ->
@@ -157,14 +201,11 @@ mergeRegions may it
         ends = IntSet.fromList (concat [[a, b] | (a, b) <- shared])
         without = foldl' (\now (_, b) -> IntMap.delete b now) rim shared
     cyclicSides = cyclicPairs . U.toList
-    followed rim = case IntMap.lookupMin rim of
-      Just (start, _) -> start : takeWhile (/= start) (drop 1 (from start))
-      Nothing -> []
+    followed = concat . take 1 . cycles
+    -- Without the vertices that go.
+    straightened faces = [map (straightly made) loops | (made, loops) <- faces]
       where
-        from v = v : maybe [] from (IntMap.lookup v rim)
-    straightened faces = map (without . snd) faces
-      where
-        without (made, walk)
+        straightly made walk
           | U.length kept == U.length walk = if made then fromFirst walk else walk
           | U.length kept < 3 = walk
           | otherwise = fromFirst kept
@@ -183,7 +224,8 @@ mergeRegions may it
             (\found (v, ends) -> IntMap.insertWith (++) v [ends] found)
             IntMap.empty
             [ (walk U.! i, (walk U.! ((i + n - 1) `mod` n), walk U.! ((i + 1) `mod` n)))
-              | (_, (_, walk)) <- faces,
+              | (_, loops) <- faces,
+                walk <- loops,
                 let n = U.length walk,
                 i <- [0 .. n - 1]
             ]

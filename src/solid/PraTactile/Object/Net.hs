@@ -25,6 +25,7 @@ module PraTactile.Object.Net
     -- * A net for the hand
     NoNet (..),
     pickNet,
+    pickCut,
     Net (..),
     NetFace (..),
     onFace,

@@ -6,6 +6,7 @@ module PraTactile.Object.Polygon
     turn,
     inner,
     between,
+    intoCorner,
 
     -- * Sides
     crossing,
@@ -46,6 +47,16 @@ inner (V2 ox oy) (V2 ax ay) (V2 bx by) = (ax - ox) * (bx - ox) + (ay - oy) * (by
 -- | Whether the third point is on the segment of the others, ends included.
 between :: V2 -> V2 -> V2 -> Bool
 between a b p = turn a b p == 0 && inner p a b <= 0
+
+-- | Whether the way from a corner to the last point leads into it, between the ways to the first of
+-- the two points before and, counter-clockwise from that, to the second; along neither.
+intoCorner :: V2 -> (V2, V2) -> V2 -> Bool
+intoCorner o (from, to) p
+  | way > 0 = turn o from p > 0 && turn o p to > 0
+  | way == 0 = turn o from p > 0
+  | otherwise = not (turn o to p >= 0 && turn o p from >= 0)
+  where
+    way = turn o from to
 
 -- | Whether two segments have a point in common.
 crossing :: (V2, V2) -> (V2, V2) -> Bool

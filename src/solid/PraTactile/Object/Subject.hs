@@ -19,6 +19,7 @@ import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Boxes
 import PraTactile.Object.Mesh
+import PraTactile.Object.Rims
 import PraTactile.Object.Surface
 import PraTactile.Object.Vector
 
@@ -53,11 +54,14 @@ subjectOf it =
 facesWhere :: (Walk -> Bool) -> Subject -> [Int]
 facesWhere holds subject = V.toList (V.findIndices holds (formed subject))
 
--- | What a walk visits more than once, each once, ascending.
+-- | What a walk visits more than once, each once, ascending; nothing where it does so along bridges
+-- alone ("PraTactile.Object.Rims").
 repeats :: Walk -> [Int]
 repeats walk
   | U.length walk == 3, a /= b, b /= c, a /= c = []
-  | otherwise = go (sort (U.toList walk))
+  | otherwise = case go (sort (U.toList walk)) of
+    again | null again || not (onlyBridged walk) -> again
+    _ -> []
   where
     (a, b, c) = (walk U.! 0, walk U.! 1, walk U.! 2)
     go (x : y : more)

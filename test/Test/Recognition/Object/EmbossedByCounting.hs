@@ -34,6 +34,7 @@ import PraTactile.Shape.Outline (outlines)
 import Test.Hspec hiding (before)
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (within)
+import Test.Solid.Drilled (drilledWith, plateOf)
 import Test.Support
 import Test.Touch.Paper (paperAlphabet)
 
@@ -259,7 +260,7 @@ withScene test =
   forAllBlind genAlphabet $ \given ->
     forAll (elements [1 / 2, 1, 3 / 2]) $ \size ->
       forAll (elements solids) $ \which ->
-        whenRight (solid (namedDescription which)) $ \whole ->
+        whenRight (solid which) $ \whole ->
           forAll (choose (0, V.length (meshWalks (solidMesh whole)) - 1)) $ \f ->
             let between = Pitch (size * 127 / 5) (size * 127 / 4)
                 grid = gridOn between whole f
@@ -268,8 +269,12 @@ withScene test =
                   $ \layout -> conjoin (map (tested given layout) (laidFaces layout))
   where
     solids =
-      [Cube, Tetrahedron 150, Prism 5 90 70, LShape 120 100 80, Pyramid 100 110 120]
-        ++ [Frame 200 160 60]
+      plateOf (drilledWith 40 (160, 190) [(30, 60, 70, 100), (90, 60, 130, 120)]) :
+      map
+        namedDescription
+        ( [Cube, Tetrahedron 150, Prism 5 90 70, LShape 120 100 80, Pyramid 100 110 120]
+            ++ [Frame 200 160 60]
+        )
     tested given layout laid =
       either (\e -> counterexample (show e) False) id $
         withProfile canonicalProfile (\array _ -> property (test array given layout laid))

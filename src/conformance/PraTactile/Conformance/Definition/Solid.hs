@@ -99,11 +99,19 @@ reportOf it =
     names = map fst vertices
     repeated = nub [v | v : others <- tails names, v `elem` others]
     wellFormed (FaceName walk) =
-      length walk >= 3 && nub walk == walk
+      length walk >= 3 && null (again walk)
         && all (`elem` names) walk
         && not (any (`elem` repeated) walk)
     formed = filter (wellFormed . snd) indexed
     malformed = length formed < length faces
+    -- What a walk comes to again, though not because it goes to a hole and comes back by the same
+    -- way: without what it goes in both directions, one side begins at each vertex.
+    again walk
+      | nub sides == sides, all (uncurry (/=)) sides, all ((== 1) . length . rim) (nub walk) = []
+      | otherwise = nub (walk \\ nub walk)
+      where
+        sides = cyclicPairs walk
+        rim v = [() | (a, b) <- sides, a == v, (b, a) `notElem` sides]
     sidesOf (FaceName walk) = cyclicPairs walk
     pointsOf (FaceName walk) = map at walk
 
@@ -119,9 +127,34 @@ reportOf it =
       [ [a, b, c, d]
         | let numbered = zip [0 :: Int ..] (sidesOf face),
           (j, (c, d)) <- numbered,
-          (i, (a, b)) <- take j numbered,
-          meetTooMuch (length (sidesOf face)) i j (at a, at b) (at c, at d)
+          (_, (a, b)) <- take j numbered,
+          meetTooMuch (a, b) (c, d)
       ]
+        -- Where it comes to a vertex again it does not lie between its own sides there.
+        ++ [ concat [[v, w] | (_, v, w) <- sort' [(i, b, c), (j, b', c')]]
+             | let corners = cornersOf face,
+               (j, _, b', c') <- corners,
+               (i, a, b, c) <- corners,
+               i /= j,
+               b == b',
+               ahead (area face) (at b) (at c) (at c') < ahead (area face) (at b) (at c) (at a),
+               ahead (area face) (at b) (at c) (at c') > 0
+           ]
+    sort' = map snd . sort . map (\one@(k, _, _) -> (k :: Int, one))
+    -- The vertices before, at and after each place.
+    cornersOf (FaceName walk) =
+      [ (k, a, b, c)
+        | (k, (a, (b, c))) <-
+            zip [0 :: Int ..] (zip (drop (length walk - 1) walk ++ walk) (cyclicPairs walk))
+      ]
+    meetTooMuch (a, b) (c, d)
+      | (a, b) == (d, c) = False
+      | otherwise = case [v | v <- [a, b], v `elem` [c, d]] of
+        [v] -> doubled (at v) (at (if a == v then b else a)) (at (if c == v then d else c))
+        [] -> touching (at a, at b) (at c, at d)
+        _ -> True
+    -- From q one goes to p and to r: in the same direction?
+    doubled q p r = null3 ((p .- q) .* (r .- q)) && (p .- q) <.> (r .- q) > 0
     simple = filter (null . crossings . snd) planar
     -- The first of each that have the same vertices.
     once = [i | (i, face) <- indexed, not (any (sameCorners face) (take i faces))]
@@ -157,7 +190,7 @@ reportOf it =
         ++ [ Defect VertexTwiceOnFace [face] [v] Nothing
              | face@(FaceName walk) <-
                  faces,
-               v <- nub (walk \\ nub walk)
+               v <- again walk
            ]
         ++ [ Defect RepeatedFace same [] Nothing
              | set <- nub [sort walk | FaceName walk <- faces],
@@ -362,15 +395,17 @@ root = Just . sqrt . fromRational
 norm :: P -> Rational
 norm p = p <.> p
 
--- | Whether sides i and j of n share more than a vertex at which one follows the other.
-meetTooMuch :: Int -> Int -> Int -> (P, P) -> (P, P) -> Bool
-meetTooMuch n i j (a, b) (c, d)
-  | j == i + 1 = doubled a b d
-  | i == 0 && j == n - 1 = doubled b a c
-  | otherwise = touching (a, b) (c, d)
+-- | How far one turns counter-clockwise about the normal, from the way to the first point to that
+-- to the second: 0 to 4, and the farther the more.
+ahead :: P -> P -> P -> P -> Rational
+ahead n o p q
+  | along >= 0 && left >= 0 = left / (along + left)
+  | left >= 0 = 1 - along / (left - along)
+  | along < 0 = 2 + left / (along + left)
+  | otherwise = 3 + along / (along - left)
   where
-    -- From q one goes to p and to r: in the same direction?
-    doubled p q r = null3 ((p .- q) .* (r .- q)) && (p .- q) <.> (r .- q) > 0
+    along = (p .- o) <.> (q .- o)
+    left = n <.> ((p .- o) .* (q .- o))
 
 touching :: (P, P) -> (P, P) -> Bool
 touching (a, b) (c, d)
@@ -390,7 +425,8 @@ within a b p = null3 ((a .- p) .* (b .- p)) && (a .- p) <.> (b .- p) <= 0
 strictlyBetween :: P -> P -> P -> Bool
 strictlyBetween a b p = within a b p && p /= a && p /= b
 
--- | A simple polygon about the normal, cut along diagonals.
+-- | A polygon about the normal, cut along diagonals: what else is at the ear's own corners, at the
+-- ends of the ways to its holes, does not lie in it.
 triangulate :: P -> [P] -> [(P, P, P)]
 triangulate n polygon = case polygon of
   [a, b, c] -> [(a, b, c)]
@@ -406,11 +442,12 @@ triangulate n polygon = case polygon of
                 not
                   ( any
                       ( \p ->
-                          and
-                            [ n <.> ((y .- x) .* (p .- x)) >= 0
-                              | (x, y) <-
-                                  [(a, b), (b, c), (c, a)]
-                            ]
+                          p `notElem` [a, b, c]
+                            && and
+                              [ n <.> ((y .- x) .* (p .- x)) >= 0
+                                | (x, y) <-
+                                    [(a, b), (b, c), (c, a)]
+                              ]
                       )
                       others
                   )

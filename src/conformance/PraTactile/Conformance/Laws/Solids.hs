@@ -7,6 +7,7 @@ module PraTactile.Conformance.Laws.Solids
     spoilt,
 
     -- * Changes that spoil nothing
+    affine,
     moved,
     labelled,
     reversed,

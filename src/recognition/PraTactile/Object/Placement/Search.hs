@@ -28,10 +28,10 @@ import Data.Maybe (mapMaybe)
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Array (Position (..), Shape (..), area)
 import PraTactile.Object.Cells
-import PraTactile.Object.Description (rotations)
 import PraTactile.Object.Mesh (vertexAt)
 import PraTactile.Object.Packing hiding (laidAt)
 import PraTactile.Object.Placement
+import PraTactile.Object.Rims
 import PraTactile.Object.WingedEdge
 
 -- | A face that is to be laid.
@@ -226,10 +226,11 @@ grids (Pitch right down) object (Wanted face begun) =
       let most = maximum (0 : map gridAtLeast anywhere)
        in [grid | grid <- anywhere, gridAtLeast grid == most]
   where
-    anywhere = from (map FaceName (rotations (faceVertices (faceName face))))
+    anywhere = from [FaceName (drop k walk ++ take k walk) | k <- beginnings walk]
+    walk = faceVertices (faceName face)
     from names =
       [ grid
-        | Just walk <- map (walkNamed object) names,
-          let grid = gridOf (solidMesh object) (right, down) walk,
+        | Just around <- map (walkNamed object) names,
+          let grid = gridOf (solidMesh object) (right, down) around,
           not (null (take 1 (gridCells grid)))
       ]

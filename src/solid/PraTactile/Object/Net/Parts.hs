@@ -162,7 +162,7 @@ tabbed high net grouped = zipWith part [1 ..] grouped
     folds = [(whose f, one) | ((f, g), one) <- hinges net, whose f == whose g]
     folded = Set.fromList (concat [[(v, w), (w, v)] | (_, Fold (EdgeName v w) _ _) <- folds])
     sides = sidesOf net
-    -- Each edge that is cut, with its two sides.
+    -- Each edge that is cut, with its two sides. A bridge to a hole stays as it is.
     cut =
       zip
         [1 ..]
@@ -170,8 +170,10 @@ tabbed high net grouped = zipWith part [1 ..] grouped
           | ((v, w), one) <- Map.toAscList sides,
             v < w,
             (v, w) `Set.notMember` folded,
-            Just other <- [Map.lookup (w, v) sides]
+            Just other <- [Map.lookup (w, v) sides],
+            faceOf one /= faceOf other
         ]
+    faceOf (Side f _) = f
     tabs =
       chosenTabs
         high

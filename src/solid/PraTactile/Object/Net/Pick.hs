@@ -2,6 +2,7 @@
 module PraTactile.Object.Net.Pick
   ( NoNet (..),
     pickNet,
+    pickCut,
   )
 where
 
@@ -10,6 +11,7 @@ import Data.List (foldl')
 import qualified Data.Map.Strict as Map
 import Data.Maybe (catMaybes, listToMaybe)
 import qualified Data.Vector as V
+import PraTactile.Object.Merge
 import PraTactile.Object.Mesh
 import PraTactile.Object.Net.Meeting
 import PraTactile.Object.Net.Search
@@ -45,6 +47,20 @@ pickNet steps whole
     tried = take steps (searched it)
     steep = [tree | along <- directions, Just tree <- [steepest it along]]
     directions = [(3, 5, 97), (97, 5, -3), (-5, 97, 3), (31, 47, -83), (-59, 61, 53), (71, -67, 41)]
+
+-- | The same, of the solid, or else of what comes of it where its faces with holes are cut into
+-- faces without: that, for each of its faces the one that it is of, and the net.
+pickCut :: Int -> Solid -> Either NoNet (Solid, [FaceName], Unfolding)
+pickCut steps whole = case pickNet steps whole of
+  Right tree -> Right (whole, solidFaces whole, tree)
+  Left why ->
+    maybe (Left why) Right . listToMaybe $
+      [ (parted, map (faceAt (solidMesh whole)) owners, tree)
+        | (owners, cut) <- withoutHoles (solidMesh whole),
+          length owners > length (solidFaces whole),
+          Right parted <- [solidOf cut],
+          Right tree <- [pickNet steps parted]
+      ]
 
 -- | The unfolding for which each vertex is cut off along the edge that rises most steeply from it;
 -- none where these edges are not a spanning tree of the vertices.

@@ -7,6 +7,7 @@ module PraTactile.Object.Validity.Faces
   )
 where
 
+import Control.Applicative ((<|>))
 import Data.List (sort)
 import Data.Ratio ((%))
 import qualified Data.Vector as V
@@ -51,7 +52,7 @@ crossingSelf subject flatFaces =
       let walk = formed subject V.! f,
       U.length walk > 3,
       let corners = V.map (flat (normals subject V.! f)) (cornersOf it walk),
-      Just (i, j) <- [firstCrossing corners],
+      Just (i, j) <- [firstCrossing [walk] corners <|> firstWithin walk corners],
       let ends = [i, following corners i, j, following corners j]
   ]
   where

@@ -87,6 +87,7 @@ patches it = map patch (ordered it planeOf (concatMap pieces (filter (facing it)
     cornerAt' (V3 x y z) = cornerOf it (fromInteger x, fromInteger y, fromInteger z)
     kindOf s = case mateOf sides s of
       Just t
+        | sideFace sides s == sideFace sides t -> Cut
         | cross (normals V.! sideFace sides s) (normals V.! sideFace sides t) == zero -> Level
       _ -> Bent
     convex f =

@@ -11,6 +11,7 @@ import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Description (VertexName, cyclicPairs)
 import PraTactile.Object.Mesh
+import PraTactile.Object.Rims
 import PraTactile.Object.Vector
 import PraTactile.Object.View.Camera
 
@@ -38,7 +39,7 @@ seenVertices it =
         (++)
         [ (a, [b])
           | f <- shown,
-            (v, w) <- cyclicPairs (U.toList (meshWalks solid V.! f)),
+            (v, w) <- rimPairs (U.toList (meshWalks solid V.! f)),
             (a, b) <- [(v, w), (w, v)]
         ]
     flat' v = pictured V.! v

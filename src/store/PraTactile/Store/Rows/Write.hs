@@ -14,6 +14,7 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
 import qualified Data.Text as Text
 import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Object.Description (rotations)
 import PraTactile.Object.Placement
 import PraTactile.Object.Placement.Bands
 import PraTactile.Object.WingedEdge
@@ -161,7 +162,7 @@ objectRows numbers laidOf object nextName = do
         -- The object's own name for the face, and how far round that the frame begins.
         begun = faceVertices (faceName (laidFace laid))
         walk = fromMaybe (FaceName []) (sameCorners object (FaceName begun))
-        begins = count (takeWhile ((/= take 1 begun) . pure) (faceVertices walk))
+        begins = count (takeWhile (/= begun) (rotations (faceVertices walk)))
         grid = laidGrid laid
         size = (toInteger (rows grid), toInteger (columns grid))
         ((drawnHigh, drawnWide), (fromRow, fromColumn), margin) = case laidAnchor laid of

@@ -1,0 +1,166 @@
+-- | Faces with holes. Such a face is one walk all the same: it goes round the outer rim, to a hole
+-- along a /bridge/, round that the other way, and back along the bridge.
+--
+-- >  4 --------------- 3
+-- >  |     8 --- 7     |
+-- >  |     |     |     |      1 2 3 4 1 5 8 7 6 5
+-- >  |     5 --- 6     |      the bridge: 1 5
+-- >  |   /             |
+-- >  1 --------------- 2
+--
+-- So areas, angles and the parity of sides that a line crosses are those of any walk, and only
+-- what asks where a face ends leaves the bridges out ('rimPairs').
+module PraTactile.Object.Rims
+  ( rimPairs,
+    rims,
+    beginnings,
+    onlyBridged,
+    bridged,
+  )
+where
+
+import qualified Data.IntMap.Strict as IntMap
+import Data.List (foldl', sortOn)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust, listToMaybe)
+import qualified Data.Set as Set
+import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
+import PraTactile.Object.Crossing
+import PraTactile.Object.Description (cyclicPairs)
+import PraTactile.Object.Mesh
+import PraTactile.Object.Polygon
+import PraTactile.Object.Triangulation
+import PraTactile.Object.Vector
+
+-- | The sides of a closed walk but for its bridges, which it goes in both directions.
+--
+-- >>> rimPairs "abcabdefd"
+-- [('b','c'),('c','a'),('d','e'),('e','f'),('f','d'),('d','a')]
+rimPairs :: Ord a => [a] -> [(a, a)]
+rimPairs walk
+  | Set.size (Set.fromList walk) == length walk = sides
+  | otherwise = [(a, b) | (a, b) <- sides, Set.notMember (b, a) known]
+  where
+    sides = cyclicPairs walk
+    known = Set.fromList sides
+
+-- | The rims that a walk with bridges goes round, each once and in its direction. The walk visits a
+-- vertex more than once along bridges alone ('onlyBridged').
+--
+-- >>> rims [1, 2, 3, 4, 1, 5, 8, 7, 6, 5]
+-- [[1,2,3,4],[5,8,7,6]]
+rims :: Ord a => [a] -> [[a]]
+rims walk = go (map fst sides)
+  where
+    sides = rimPairs walk
+    after = Map.fromList sides
+    go begins = case begins of
+      [] -> []
+      a : others ->
+        let rim = a : takeWhile (/= a) (follow a)
+            seen = Set.fromList rim
+         in rim : go (filter (`Set.notMember` seen) others)
+    follow a = maybe [] (\b -> b : follow b) (Map.lookup a after)
+
+-- | The places of a walk at which it comes along a rim: one for each vertex, those of one rim
+-- together.
+--
+-- >>> beginnings [1, 2, 3, 4, 1, 5, 7, 6, 5]
+-- [1,2,3,4,6,7,8]
+beginnings :: Ord a => [a] -> [Int]
+beginnings walk
+  | length loops == 1 = [0 .. length walk - 1]
+  | otherwise =
+    sortOn
+      (\k -> Map.lookup (visited V.! k) rimOf)
+      [k | k <- [0 .. V.length visited - 1], Set.member (before k, visited V.! k) onRim]
+  where
+    visited = V.fromList walk
+    before k = visited V.! (if k == 0 then V.length visited - 1 else k - 1)
+    loops = rims walk
+    rimOf = Map.fromList [(v, k) | (k, loop) <- zip [0 :: Int ..] loops, v <- loop]
+    onRim = Set.fromList (rimPairs walk)
+
+-- | Whether a walk visits each vertex once, and once more for each bridge there.
+onlyBridged :: Walk -> Bool
+onlyBridged walk =
+  Set.size known == length sides
+    && all (uncurry (/=)) sides
+    && and (IntMap.intersectionWith (==) visits expected)
+  where
+    sides = cyclicPairs (U.toList walk)
+    known = Set.fromList sides
+    visits = IntMap.fromListWith (+) [(a, 1 :: Int) | (a, _) <- sides]
+    expected =
+      IntMap.unionWith
+        (+)
+        (IntMap.map (const 1) visits)
+        (IntMap.fromListWith (+) [(a, 1) | (a, b) <- sides, Set.member (b, a) known])
+
+-- | One walk along all of these rims of a flat face, the outer one counter-clockwise and holes
+-- clockwise about the normal: bridges are the shortest that lead from rim to rim. None where rims
+-- cross or touch each other.
+bridged :: (Int -> V3) -> V3 -> [Walk] -> Maybe Walk
+bridged point normal loops = case loops of
+  [walk] -> Just walk
+  _
+    | V.null places || crossed || length bridges + 1 /= length loops -> Nothing
+    | length walked /= V.length places + 2 * length bridges -> Nothing
+    | otherwise -> Just (U.fromList walked)
+  where
+    places = V.fromList (concatMap U.toList loops)
+    seen = flat normal . point
+    crossed = isJust (firstCrossing loops (V.map seen places))
+    numbered = snd (foldl' number (0, []) loops)
+    number (k, done) loop = (k + U.length loop, done ++ [[k .. k + U.length loop - 1]])
+    loopOf = IntMap.fromList [(v, k) | (k, loop) <- zip [0 :: Int ..] loops, v <- U.toList loop]
+    -- Sides of triangles that lead from rim to rim, the shortest first (Kruskal 1956).
+    candidates =
+      sortOn
+        long
+        ( Set.toList
+            ( Set.fromList
+                [ (min v w, max v w)
+                  | (i, j, k) <- triangulation (Metric 1 1) (V.map seen places) numbered,
+                    (a, b) <- [(i, j), (j, k), (k, i)],
+                    let (v, w) = (places V.! a, places V.! b),
+                    IntMap.lookup v loopOf /= IntMap.lookup w loopOf
+                ]
+            )
+        )
+    long (v, w) = let d = point v `minus` point w in dot d d
+    bridges = snd (foldl' joining (loopOf, []) candidates)
+    joining (groups, chosen) (v, w)
+      | a == b = (groups, chosen)
+      | otherwise = (IntMap.map (\k -> if k == a then b else k) groups, (v, w) : chosen)
+      where
+        (a, b) = (at v, at w)
+        at i = IntMap.findWithDefault 0 i groups
+    after = IntMap.fromList (concatMap (cyclicPairs . U.toList) loops)
+    before = IntMap.fromList [(b, a) | (a, b) <- IntMap.toList after]
+    leaving =
+      IntMap.unionWith
+        (++)
+        (IntMap.map pure after)
+        (IntMap.fromListWith (++) (concat [[(v, [w]), (w, [v])] | (v, w) <- bridges]))
+    -- From the least vertex of the outer rim that has no bridge, or else that has one, where the
+    -- walk comes along that rim.
+    first =
+      listToMaybe
+        [ (u, v)
+          | loop <- loops,
+            dot normal (doubleArea (V.map point (V.convert loop))) > 0,
+            v <- sortOn (\v -> (fmap length (IntMap.lookup v leaving), v)) (U.toList loop),
+            Just u <- [IntMap.lookup v before]
+        ]
+    walked = maybe [] (\side -> snd side : map snd (takeWhile (/= side) (steps side))) first
+    steps side = let next = turned side in next : steps next
+    -- At a vertex the walk leaves by what is next to where it came from, on its left.
+    turned (u, v) =
+      ( v,
+        foldl'
+          (\best w -> if intoCorner (seen v) (seen best, seen u) (seen w) then w else best)
+          (IntMap.findWithDefault u v after)
+          (filter (/= u) (IntMap.findWithDefault [] v leaving))
+      )
