@@ -17,10 +17,12 @@ module PraTactile.Object.Cells
     gridOf,
     gridWithin,
     bestGrid,
+    begunAnywhere,
     triedFirst,
   )
 where
 
+import Data.Containers.ListUtils (nubOrdOn)
 import Data.List (sortOn)
 import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
@@ -251,34 +253,39 @@ gridWithin most it cell@(right, down) walk =
 mostTests :: Integer
 mostTests = 100000
 
--- | The grid with the most cells of those that a face has from each of its vertices, the upper side
--- along a rim; of equal ones the first in its walk. Of a face with many vertices, so many are tried
--- that they have 'triedFirst' corners together: its first one, and those that begin the longest
--- upper sides.
+-- | The walk begun at each of its vertices, the upper side along a rim; of upper sides in one
+-- direction the first, for the block is centred all the same. Of a face with many such directions,
+-- so many that the walks have 'triedFirst' corners together: the first, and those that begin the
+-- longest upper sides.
+begunAnywhere :: Mesh -> Walk -> [Walk]
+begunAnywhere it walk
+  | length begins * size <= triedFirst = map from begins
+  | otherwise =
+    map from (take (triedFirst `div` size) (take 1 begins ++ sortOn long (drop 1 begins)))
+  where
+    size = U.length walk
+    from k = U.drop k walk U.++ U.take k walk
+    begins = nubOrdOn (primitive . upper) (beginnings (U.toList walk))
+    upper k = point k `minus` point ((k + size - 1) `mod` size)
+    point k = meshPoints it V.! (walk U.! k)
+    long k = Down (dot (upper k) (upper k))
+
+-- | The grid with the most cells of those that a face has begun anywhere; of equal ones the first in
+-- its walk.
 bestGrid :: Mesh -> (Rational, Rational) -> Walk -> Grid
 bestGrid it (right, down) walk
   | diagonal < max right down ^ (2 :: Int) * fromInteger (meshDenominator it) ^ (2 :: Int) =
     (gridOf it (right, down) walk) {gridCount = Just 0, gridCells = []}
-  | otherwise = better (map (gridWithin share it (right, down) . from) tried)
+  | otherwise = better (map (gridWithin share it (right, down)) tried)
   where
-    size = U.length walk
     share = mostTests `div` toInteger (length tried)
-    from k = U.drop k walk U.++ U.take k walk
-    tried
-      | size * size <= triedFirst = begins
-      | otherwise =
-        take (triedFirst `div` size) (take 1 begins ++ sortOn (Down . upper) (drop 1 begins))
-    -- From each vertex once, its upper side along a rim.
-    begins = beginnings (U.toList walk)
-    before k = (k + size - 1) `mod` size
-    upper k = let side = point k `minus` point (before k) in dot side side
-    point k = meshPoints it V.! (walk U.! k)
+    tried = begunAnywhere it walk
     better grids = case grids of
       first : others -> foldl (\g h -> if gridCount h > gridCount g then h else g) first others
       [] -> gridOf it (right, down) walk
     -- The square of the diagonal of the box round it, which is no shorter than any width.
     diagonal =
-      let corners = map (point . (`mod` size)) [0 .. size - 1]
+      let corners = V.toList (cornersOf it walk)
           extent part = maximum (map part corners) - minimum (map part corners)
           V3 x y z =
             V3

@@ -7,6 +7,7 @@ module PraTactile.Object.Vector
     cross,
     dot,
     zero,
+    primitive,
     squareRoot,
     exactRoot,
     floorRoot,
@@ -43,6 +44,14 @@ dot (V3 a b c) (V3 d e f) = a * d + b * e + c * f
 -- | The vector without a length.
 zero :: V3
 zero = V3 0 0 0
+
+-- | The shortest whole vector of the same direction.
+primitive :: V3 -> V3
+primitive v@(V3 a b c)
+  | v == zero = zero
+  | otherwise = V3 (a `quot` g) (b `quot` g) (c `quot` g)
+  where
+    g = gcd a (gcd b c)
 
 -- | The root of a number that is not negative, to a machine number's precision, whatever its size.
 --

@@ -22,6 +22,7 @@ where
 import Control.Monad (when)
 import Data.Bifunctor (first)
 import Data.Containers.ListUtils (nubOrdOn)
+import Data.Foldable (toList)
 import Data.List (nub)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (mapMaybe)
@@ -31,7 +32,6 @@ import PraTactile.Object.Cells
 import PraTactile.Object.Mesh (vertexAt)
 import PraTactile.Object.Packing hiding (laidAt)
 import PraTactile.Object.Placement
-import PraTactile.Object.Rims
 import PraTactile.Object.WingedEdge
 
 -- | A face that is to be laid.
@@ -220,17 +220,17 @@ gridsOf between objects =
 grids :: Pitch -> Solid -> Wanted -> [Grid]
 grids (Pitch right down) object (Wanted face begun) =
   case begun of
-    AsNamed -> from [faceName face]
+    AsNamed -> from (toList named)
     AnyVertex -> anywhere
     BestVertex ->
       let most = maximum (0 : map gridAtLeast anywhere)
        in [grid | grid <- anywhere, gridAtLeast grid == most]
   where
-    anywhere = from [FaceName (drop k walk ++ take k walk) | k <- beginnings walk]
-    walk = faceVertices (faceName face)
-    from names =
+    anywhere = from (maybe [] (begunAnywhere (solidMesh object)) named)
+    named = walkNamed object (faceName face)
+    from walks =
       [ grid
-        | Just around <- map (walkNamed object) names,
-          let grid = gridOf (solidMesh object) (right, down) around,
+        | walk <- walks,
+          let grid = gridOf (solidMesh object) (right, down) walk,
           not (null (take 1 (gridCells grid)))
       ]

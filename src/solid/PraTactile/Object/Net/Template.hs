@@ -62,12 +62,6 @@ templates it = V.map template (meshWalks it)
           let d = v `Space.minus` origin
            in (r * (dot e d % ee), r * (dot (cross e d) normal % (n2 * ee)))
 
--- | The shortest whole vector of the same direction.
-primitive :: V3 -> V3
-primitive (V3 a b c) = V3 (a `quot` g) (b `quot` g) (c `quot` g)
-  where
-    g = gcd a (gcd b c)
-
 -- | A corner, given how many times a root is made a number of the kind wanted.
 templateCorner :: (Rational -> Integer -> n) -> Template -> Int -> Planar n
 templateCorner make it i = Planar (make x 1) (make y (templateRoot it))
