@@ -270,8 +270,7 @@ begunAnywhere it walk
     point k = meshPoints it V.! (walk U.! k)
     long k = Down (dot (upper k) (upper k))
 
--- | The grid with the most cells of those that a face has begun anywhere; of equal ones the first in
--- its walk.
+-- | The grid with the most cells of those that a face has begun anywhere; of equal ones the first.
 bestGrid :: Mesh -> (Rational, Rational) -> Walk -> Grid
 bestGrid it (right, down) walk
   | diagonal < max right down ^ (2 :: Int) * fromInteger (meshDenominator it) ^ (2 :: Int) =
