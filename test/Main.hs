@@ -46,6 +46,7 @@ import qualified Test.Code.Window.MasksAndPacking
 import qualified Test.Code.Window.ProvedExhaustively
 import qualified Test.Code.Window.ProvedTwice
 import qualified Test.CommandLine
+import qualified Test.CommandLine.Advice
 import qualified Test.CommandLine.Bounds
 import qualified Test.CommandLine.Census
 import qualified Test.CommandLine.Chance
@@ -416,5 +417,6 @@ specs = do
   describe "Schemas" Test.Schemas.spec
   describe "The examples" Test.Examples.spec
   describe "The command line: JSON" Test.CommandLine.Json.spec
+  describe "The command line: advice" Test.CommandLine.Advice.spec
   describe "The command line: bounds" Test.CommandLine.Bounds.spec
   describe "Hostile inputs" Test.Hostile.spec

@@ -35,8 +35,8 @@ import PraTactile.Object.Vector
 
 -- | The sides of a closed walk but for its bridges, which it goes in both directions.
 --
--- >>> rimPairs "abcabdefd"
--- [('b','c'),('c','a'),('d','e'),('e','f'),('f','d'),('d','a')]
+-- >>> rimPairs "adefdabc"
+-- [('d','e'),('e','f'),('f','d'),('a','b'),('b','c'),('c','a')]
 rimPairs :: Ord a => [a] -> [(a, a)]
 rimPairs walk
   | Set.size (Set.fromList walk) == length walk = sides
