@@ -50,7 +50,9 @@ facePanel view = panel title note body (unitOf view)
     faceShape paint
       | fillsBox (viewFace view) =
         Rectangle paint (Extent 0 0 (unitOf view * across) (unitOf view * down))
-      | otherwise = Region paint (map (map (shownAt . spotMillimetres . snd)) loops)
+      | [_] <- outlines = Outline paint (concat outlines)
+      | otherwise = Region paint outlines
+    outlines = map (map (shownAt . spotMillimetres . snd)) loops
     loops = rims (laidCorners (viewFace view))
     shownAt = units view
     centre = shownAt (spotMillimetres (placeCentre (viewPlace view)))

@@ -1,6 +1,6 @@
--- | What messages advise does what it says: each is provoked, and followed to its end. The advice of
--- 'decode' about axes, scales and shades is followed by "Test.Recognition.TakenOtherwise", that on
--- tolerances of 'place' by "Test.CommandLine.Place".
+-- | What messages advise does what it says: each is provoked, and followed to its end. The advice
+-- of 'decode' about axes, scales and shades is followed by "Test.Recognition.TakenOtherwise", that
+-- on tolerances of 'place' by "Test.CommandLine.Place".
 module Test.CommandLine.Advice (spec) where
 
 import Data.Foldable (for_)
