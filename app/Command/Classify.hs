@@ -16,7 +16,7 @@ import PraTactile.Files (largestInput, readUpTo)
 import PraTactile.Format.Classification
 import PraTactile.Image (Raster, mapRaster, maximumValue, minimumValue)
 import PraTactile.Image.Pgm (decodePgmUpTo, pgmIntensity)
-import PraTactile.Registration (maxCompositePixels)
+import PraTactile.Registration (maxImagePixels)
 import PraTactile.Symmetry
 import Setup
 import System.IO (hFlush, stdout)
@@ -119,7 +119,7 @@ imageIn (low, high) path
       seen <-
         first
           (ofImage path . imageMessage)
-          (pgmIntensity <$> decodePgmUpTo maxCompositePixels bytes)
+          (pgmIntensity <$> decodePgmUpTo maxImagePixels bytes)
       when (minimumValue seen == maximumValue seen) $
         Left (ofImage path "all of its values are the same")
       Right (mapRaster (\v -> (v - low) / (high - low)) seen)

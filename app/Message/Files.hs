@@ -18,7 +18,7 @@ import Message.Touch
 import PraTactile.Decode (DecodeError (..))
 import PraTactile.Files (FilesError (..))
 import PraTactile.Image.Error (ImageError)
-import PraTactile.Registration (StitchError (..), maxCompositePixels)
+import PraTactile.Registration (StitchError (..), maxImagePixels)
 import PraTactile.Sensor.Frame (taxelPitches)
 import PraTactile.Sensor.Manifest (manifestHeader, manifestName)
 import PraTactile.Source (SourceError (..))
@@ -71,7 +71,7 @@ sourceMessage folder e = case e of
       ++ show pitch
   ImageTooLarge (w, h) ->
     folder ++ " would have " ++ by w h ++ " pixels of 1.5875 mm; at most "
-      ++ show maxCompositePixels
+      ++ show maxImagePixels
       ++ " are examined; is --taxel right?"
   where
     by w h = show w ++ " x " ++ show h

@@ -61,8 +61,9 @@ spec = do
     Formulas.mostCells `shouldBe` 1000
     Setup.largestSetup `shouldBe` 33554432
   it "of images, composites and files" $ do
-    [Pgm.maxPixels, Stitch.maxCompositePixels, Stitch.maxFrames, Stitch.maxFramePixels]
-      `shouldBe` [16777216, 4194304, 10000, 8388608]
+    [Pgm.maxPixels, Stitch.maxImagePixels, Stitch.maxCompositePixels]
+      `shouldBe` [16777216, 1048576, 4194304]
+    [Stitch.maxFrames, Stitch.maxFramePixels] `shouldBe` [10000, 8388608]
     [Stitch.maxComparisons, Stitch.maxPairPixels, Stitch.maxLatticePixels]
       `shouldBe` [536870912, 4294967296, 65536]
     Files.largestInput `shouldBe` 268435456

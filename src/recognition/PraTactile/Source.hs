@@ -48,7 +48,7 @@ import PraTactile.Image.Pgm
     pgmIntensity,
     pgmSize,
   )
-import PraTactile.Registration (Composite (..), compositeOf, maxCompositePixels, maxFramePixels)
+import PraTactile.Registration (Composite (..), compositeOf, maxFramePixels, maxImagePixels)
 import PraTactile.Sensor.Calibration (Calibration, CalibrationError, corrected, withoutStuck)
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), isTaxelPitch, scaledFrame, taxelPitch)
 import PraTactile.Sensor.Manifest
@@ -87,7 +87,7 @@ data SourceError
   | -- | The pixels of a whole image are this many millimetres apart, none of 'taxelPitches'.
     ImagePitch Double
   | -- | A whole image would have this width and height at the paper's pitch, more than
-    -- 'maxCompositePixels' pixels.
+    -- 'maxImagePixels' pixels.
     ImageTooLarge (Int, Int)
   deriving stock (Eq, Show)
 
@@ -234,14 +234,14 @@ data Source
   deriving stock (Eq, Show)
 
 -- | The composite that a PGM file is. Refuses what is no PGM, and an image of more than
--- 'maxCompositePixels' pixels, as no composite of frames has them.
+-- 'maxImagePixels' pixels.
 imageComposite :: ByteString -> Either ImageError Composite
-imageComposite = fmap (compositeOf . pgmIntensity) . decodePgmUpTo maxCompositePixels
+imageComposite = fmap (compositeOf . pgmIntensity) . decodePgmUpTo maxImagePixels
 
 -- | The composite that an image is once it is 'prepared', at the paper's pitch, given the size of
 -- the symbols: 2 is twice the paper's. The composite's lengths are divided by it. The centre of
 -- pixel (0, 0) of the image as it is seen is at the origin. Refuses a calibration of another size,
--- a pitch that is none of 'taxelPitches', and more than 'maxCompositePixels' afterwards.
+-- a pitch that is none of 'taxelPitches', and more than 'maxImagePixels' afterwards.
 preparedImage :: Double -> Preparation -> Raster -> Either SourceError Composite
 preparedImage size known image = do
   frame <- scaledFrame (1 / size) <$> first CalibrationRefused (prepared known felt)
@@ -255,7 +255,7 @@ preparedImage size known image = do
           (compositeOf (frameImage (atCanonicalPitch frame))) {compositeOrigin = beyond}
   unless (isTaxelPitch pixel) (Left (ImagePitch pitch))
   when
-    (toInteger wide * toInteger high > toInteger maxCompositePixels)
+    (toInteger wide * toInteger high > toInteger maxImagePixels)
     (Left (ImageTooLarge (wide, high)))
   pure
     composite

@@ -25,6 +25,7 @@ module PraTactile.Registration
     withNoiseOf,
     StitchError (..),
     maxCompositePixels,
+    maxImagePixels,
     maxFrames,
     maxFramePixels,
     TooMuch (..),
@@ -132,6 +133,10 @@ data StitchError
 -- | The most pixels a composite may have.
 maxCompositePixels :: Int
 maxCompositePixels = 4194304
+
+-- | The most pixels a whole image may have: 1024 x 1024, which take a second to examine.
+maxImagePixels :: Int
+maxImagePixels = 1048576
 
 -- | The most frames a composite may be made of.
 maxFrames :: Int

@@ -21,7 +21,7 @@ import PraTactile.Object.Placement (Face (..), scaledPlacement, spotMillimetres)
 import PraTactile.Object.WingedEdge (ObjectName (..), faceText, vertexText)
 import PraTactile.Pressing (pressed, pressingWith)
 import PraTactile.Recognise (ReadWindow (..))
-import PraTactile.Registration (Registration (..), compositePosition, maxCompositePixels)
+import PraTactile.Registration (Registration (..), compositePosition, maxImagePixels)
 import PraTactile.Registration.Stitching (registrationFor)
 import PraTactile.Sensor (Sensor (..), sensorTaxelGrid, standardSensor, withTaxel)
 import PraTactile.Sensor.Calibration (Calibration (..), CalibrationError (..), corrected)
@@ -65,14 +65,14 @@ bytesSpec = do
     folderFrames
       (Folder (listed ["a.pgm"]) {manifestFrame = Just (16, 8)} (Map.singleton "a.pgm" flat))
       `shouldBe` Left (ImageSize "a.pgm" (16, 16) (16, 8))
-  it "an image is a composite up to the size of composites of frames; a larger one is refused" $ do
+  it "an image is a composite up to a size; a larger one is refused" $ do
     let image :: Int -> Int -> Bytes.ByteString
         image wide high = Bytes8.pack ("P5 " ++ show wide ++ " " ++ show high ++ " 255\n")
         refused = either Just (const Nothing) . imageComposite
     -- Without its samples, one that is not too large is cut off.
-    refused (image 2048 2048) `shouldBe` Just (Truncated maxCompositePixels 0)
-    refused (image 2048 2049) `shouldBe` Just (LargerThanTouched 4194304 2048 2049)
-    refused (image 4194305 1) `shouldBe` Just (LargerThanTouched 4194304 4194305 1)
+    refused (image 1024 1024) `shouldBe` Just (Truncated maxImagePixels 0)
+    refused (image 1024 1025) `shouldBe` Just (LargerThanTouched 1048576 1024 1025)
+    refused (image 1048577 1) `shouldBe` Just (LargerThanTouched 1048576 1048577 1)
   it "images of more pixels together than frames may have are refused before one is decoded" $ do
     let folder n = Folder (listed names) (Map.fromList [(name, half) | name <- names])
           where
