@@ -13,13 +13,15 @@ import PraTactile.Store
 import Test.Hspec
 import Test.QuickCheck
 import Test.Recognition.Object.Support
+import Test.Solid.Drilled (drilledWith, plateOf)
 import Test.Store.Homes
 
 spec :: SpecWith Home
 spec =
   it "drawn placements are asked as they are without the store, faces as large as the array too" $
     \home -> theCube $ \cube -> do
-      drawn <- generate (vectorOf 60 (genPlacement cube))
+      plate <- right (solid plateWithHoles)
+      drawn <- generate (vectorOf 60 (elements [cube, plate] >>= genPlacement))
       -- Of what is drawn there is enough of each home.
       let spans side place =
             [() | laid <- laidFaces place, side (laidGrid laid) == side (placementShape place)]
@@ -46,6 +48,10 @@ spec =
             storedPosition store face cell
               `shouldReturn` first NotInStore (arrayPosition place face cell)
         asked `shouldBe` Right ()
+
+-- | Its faces come to some vertices more than once.
+plateWithHoles :: Description
+plateWithHoles = plateOf (drilledWith 60 (200, 200) [(10, 10, 20, 20), (40, 10, 60, 20)])
 
 -- | The positions of all windows of this shape that have this cell of the array.
 havingCell :: Shape -> Shape -> Position -> [Position]

@@ -113,7 +113,6 @@ StoredCorner sql=corner
   vertex Int64
   seal Int64
   Primary object face number
-  UniqueCornerVertex object face vertex
   Foreign StoredFace fk_corner_face object face
   Foreign StoredVertex fk_corner_vertex object vertex
   deriving Eq
