@@ -46,10 +46,10 @@ data NotUtf8Text
 
 -- | A text without its byte order mark, every end of line LF. Refuses other encodings.
 --
--- >>> :set -XOverloadedStrings
--- >>> plainText "\xEF\xBB\xBFv 1\rv 2\r\nv 3\n"
+-- >>> import Data.String (fromString)
+-- >>> plainText (fromString "\xEF\xBB\xBFv 1\rv 2\r\nv 3\n")
 -- Right "v 1\nv 2\nv 3\n"
--- >>> plainText "\xFF\xFEv\NUL"
+-- >>> plainText (fromString "\xFF\xFEv\NUL")
 -- Left Utf16
 plainText :: ByteString -> Either OtherEncoding ByteString
 plainText bytes = maybe (Right (lineFeeds (withoutMark bytes))) Left (otherEncoding bytes)
