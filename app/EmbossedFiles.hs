@@ -115,7 +115,7 @@ netFiles page alphabet array layout named = do
           { raisingSolid = lying,
             raisingParts =
               Map.fromList [it | it@(part, face) <- zip (solidFaces lying) owners, part /= face],
-            raisingLaid = placementLaid layout . Face named,
+            raisingLaid = laidAs,
             raisingSymbols = symbolsOf',
             raisingTaxel = fromRational (scale * taxelPitch)
           }
@@ -143,11 +143,12 @@ netFiles page alphabet array layout named = do
     refused = (,) NotAnswered
     title = "The " ++ visible (objectText named) ++ ", unfolded"
     carrying = [laid | laid <- laidFaces layout, faceObject (laidFace laid) == named]
+    laidAs = placementLaid layout . Face named
     padded count number =
       let digits = show (number :: Int)
        in replicate (length (show count) - length digits) '0' ++ digits
     -- A face begun where its laying begins.
-    begun face = case placementLaid layout (Face named (netFaceName face)) of
+    begun face = case laidAs (netFaceName face) of
       Nothing -> face
       Just laid ->
         let FaceName walk = faceName (laidFace laid)

@@ -16,6 +16,7 @@ import Data.Maybe (fromMaybe, isJust, isNothing)
 import Data.Text (Text)
 import Drawing
 import Drawing.Svg
+import Picture.Polygon
 import Picture.Room
 import Picture.Style
 import PraTactile.Object.Description
@@ -106,7 +107,7 @@ partMarks raised page part =
       [ Mark "symbol" (Outline (filled (if hollow loop then paper else ink) 1) (map units loop))
         | loop <- sortOn hollow (raised face)
       ]
-    hollow loop = sum [x * y' - x' * y | ((x, y), (x', y')) <- cyclicPairs loop] > 0
+    hollow loop = signedArea loop > 0
     symbolsOf face =
       [extentOf [Mark "" (Outline (filled ink 1) (map units loop))] | loop <- raised face]
     -- The name leaves room for symbols and numbers.

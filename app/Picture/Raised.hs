@@ -9,11 +9,10 @@ where
 
 import Data.Complex (Complex (..))
 import qualified Data.Map.Strict as Map
-import Picture.Solid (within)
+import Picture.Polygon
 import PraTactile.Array (Position)
 import PraTactile.Emboss.Face (Stamp (..), outlineSpot)
 import PraTactile.Object.Chart (Spot (..))
-import PraTactile.Object.Description (cyclicPairs)
 import PraTactile.Object.Mesh (vertexAt)
 import PraTactile.Object.Net
 import PraTactile.Object.Placement hiding (Spot (..))
@@ -57,10 +56,11 @@ found it face =
       let (left, top) = spotMillimetres (laidMargin laid)
        in (left + raisingTaxel it * fromInteger i, top + raisingTaxel it * fromInteger j)
     seen loop
-      | owner == name || abs (sum (map area pieces) - area loop) < 1e-6 = [loop]
-      | otherwise = filter ((> 1e-6) . abs . area) pieces
+      | owner == name || abs (sum (map signedArea pieces) - signedArea loop) < 1e-6 = [loop]
+      | otherwise = filter ((> 1e-6) . abs . signedArea) pieces
       where
-        pieces = map (`within` loop) (partsOf it face)
+        pieces = map (`within` loop) parts
+    parts = partsOf it face
 
 -- | The whole of a laid face, given a part of it on the page.
 frameOf :: NetFace -> LaidFace -> NetFace
@@ -83,6 +83,3 @@ partsOf it face =
   where
     whole = raisingSolid it
     corners = zip (faceVertices (netFaceName face)) (netCorners face)
-
-area :: [(Double, Double)] -> Double
-area polygon = sum [x * y' - x' * y | ((x, y), (x', y')) <- cyclicPairs polygon] / 2

@@ -12,7 +12,6 @@ module Picture.Solid
     embossedOn,
     fewSymbols,
     onFaceOf,
-    within,
   )
 where
 
@@ -23,6 +22,7 @@ import Data.Maybe (listToMaybe)
 import qualified Data.Text as Text
 import Drawing
 import Drawing.Svg
+import Picture.Polygon
 import Picture.Style
 import PraTactile.Array (Position)
 import PraTactile.Object.Description (cyclicPairs)
@@ -121,21 +121,6 @@ patchMarks scale shown symbols patch =
     paint
       | patchWhole patch = filled surface 1
       | otherwise = (filled surface 1) {strokeColour = surface, strokeWidth = 0.7}
-
--- | What of a polygon lies within a convex one (Sutherland and Hodgman 1974).
-within :: [(Double, Double)] -> [(Double, Double)] -> [(Double, Double)]
-within convex polygon = foldl cut polygon (cyclicPairs convex)
-  where
-    area = sum [x * y' - x' * y | ((x, y), (x', y')) <- cyclicPairs convex]
-    cut corners ((ax, ay), (bx, by)) =
-      concat
-        [ [p | side p >= 0] ++ [crossing p q | side p * side q < 0]
-          | (p, q) <- cyclicPairs corners
-        ]
-      where
-        side (x, y) = signum area * ((bx - ax) * (y - ay) - (by - ay) * (x - ax))
-        crossing p@(x, y) q@(x', y') =
-          let k = side p / (side p - side q) in (x + k * (x' - x), y + k * (y' - y))
 
 -- | A vertex's name where the edges that are seen from it leave the most room.
 vertexMark :: Double -> SeenVertex -> Drawing

@@ -13,8 +13,6 @@ spec :: Spec
 spec =
   for_ advised $ \(command, advice, followed) ->
     it (takeWhile (/= ' ') command ++ ": " ++ advice) . inFolder $ \folder -> do
-      writeFile (folder ++ "/inches.obj") (block 5 False)
-      writeFile (folder ++ "/turned.obj") (block 100 True)
       (before, said, err) <- scripted folder ("pra " ++ command)
       (before > 0, advice `isInfixOf` unwords (words (said ++ err))) `shouldBe` (True, True)
       -- What was said is there for an option to be taken out of it.
@@ -34,13 +32,14 @@ advised =
       "locate '[[[0,0,0.1,0.9], 2], [3, 1]]' --doubt 0.2"
     ),
     ("locate '3 2'", "ambiguous", "locate '3 2 / 3 1'"),
-    ( "place inches.obj",
+    ( "solid box:5x5x5 --output inches.obj > log; pra place inches.obj",
       "is the file in inches? give --scale 25.4",
       "place inches.obj $(grep -o -- '--scale [0-9.]*' said)"
     ),
-    ( "solid turned.obj",
+    ( "solid tetrahedron:100 --output t.off > log; "
+        ++ "sed 's/^3 0 1 2$/3 0 2 1/' t.off > turned.off; pra solid turned.off",
       "with --fix-orientation it would be a solid",
-      "solid turned.obj --fix-orientation"
+      "solid turned.off --fix-orientation"
     ),
     ( "solid pyritohedron:100/3 --output round.obj > log; pra solid round.obj",
       "it would be a solid",
@@ -76,15 +75,3 @@ advised =
       "segment frames --no-stitching"
     )
   ]
-
--- | A cube with sides of this length as OBJ; one of its faces may be walked the other way.
-block :: Int -> Bool -> String
-block side turned =
-  unlines
-    ( [ unwords ("v" : map show [x, y, z])
-        | z <- [0, side],
-          (x, y) <- [(0, 0), (side, 0), (side, side), (0, side)]
-      ]
-        ++ ["f 1 4 3 2", "f 5 6 7 8", "f 1 2 6 5", "f 2 3 7 6", "f 3 4 8 7"]
-        ++ [if turned then "f 4 8 5 1" else "f 4 1 5 8"]
-    )

@@ -75,15 +75,8 @@ spec = do
         picture <- readFile (folder ++ "/net.svg")
         let taxels = [read count | line <- lines out, (count, "raised") <- neighbours line]
             neighbours line = zip (words line) (drop 1 (words line))
-            areas =
-              [ areaOf (read ("[" ++ map (\c -> if c == ' ' then ',' else c) corners ++ "]"))
-                | line <- lines picture,
-                  "class=\"symbol\"" `isInfixOf` line,
-                  Just others <- map (stripPrefix " points=\"") (tails line),
-                  let corners = takeWhile (/= '"') others
-              ]
         -- Four units are a millimetre, and a taxel is a sixteenth of 25.4 mm.
-        abs (sum areas) / 16 / (25.4 / 16) ^ (2 :: Int)
+        abs (sum (map areaOf (symbolsOn picture))) / 16 / (25.4 / 16) ^ (2 :: Int)
           `shouldSatisfy` \found -> [True] == [abs (one - found) < 0.5 | one <- taxels]
   it "objects and drawings go to a folder, each under a name of its own" $
     inFolder $ \folder -> do
@@ -251,20 +244,11 @@ spec = do
       status `shouldBe` 0
       text <- readFile (folder ++ "/n.svg")
       let numbers mark = map read . words . map spaced . takeWhile (/= '"') <$> after mark text
-          -- The order of attributes is no promise of the library that writes them.
-          symbols =
-            [ inPairs (numbersOf points)
-              | element <- after "<" text,
-                "class=\"symbol\"" `isInfixOf` takeWhile (/= '>') element,
-                points <- take 1 (after "points=\"" (takeWhile (/= '>') element))
-            ]
-          turnedBack = drop 1 . cycle
-          area loop =
-            abs (sum [x * y' - x' * y | ((x, y), (x', y')) <- zip loop (turnedBack loop)]) / 2
+          symbols = symbolsOn text
           -- Four units a millimetre.
           taxel = (4 * 1.5875) ^ (2 :: Int)
       length symbols `shouldBe` 120
-      sum (map area symbols) / taxel `shouldSatisfy` \taxels -> abs (taxels - 6480) < 0.1
+      sum (map (abs . areaOf) symbols) / taxel `shouldSatisfy` \taxels -> abs (taxels - 6480) < 0.1
       case numbers "viewBox=\"" of
         [[0, 0, wide, high]] ->
           concat symbols `shouldSatisfy` all (\(x, y) -> x > 0 && x < wide && y > 0 && y < high)
@@ -334,6 +318,14 @@ spec = do
     -- What follows the mark, each time that it is there.
     after mark = mapMaybe (stripPrefix mark) . tails
     numbersOf = map read . words . map spaced . takeWhile (/= '"')
+    -- The outlines of the symbols of a net. The order of attributes is no promise of the library
+    -- that writes them.
+    symbolsOn text =
+      [ inPairs (numbersOf points)
+        | element <- after "<" text,
+          "class=\"symbol\"" `isInfixOf` takeWhile (/= '>') element,
+          points <- take 1 (after "points=\"" (takeWhile (/= '>') element))
+      ]
     -- A page that has folds shows one in its legend.
     legends = length . filter (not . null . after "fold away")
     spaced c = if c `elem` ("MLz," :: String) then ' ' else c
@@ -353,15 +345,10 @@ ring wide =
   where
     square from = let to = wide - from in [(from, from), (to, from), (to, to), (from, to)]
 
--- | The area of a polygon whose corners' x and y are these, negative where it is clockwise.
-areaOf :: [Double] -> Double
-areaOf corners = sum (zipWith turned points (drop 1 points ++ take 1 points)) / 2
-  where
-    turned (x, y) (x', y') = x * y' - x' * y
-    points = pairs corners
-    pairs list = case list of
-      x : y : others -> (x, y) : pairs others
-      _ -> []
+-- | The area of a polygon, negative where it is clockwise.
+areaOf :: [(Double, Double)] -> Double
+areaOf corners =
+  sum [x * y' - x' * y | ((x, y), (x', y')) <- zip corners (drop 1 (cycle corners))] / 2
 
 -- | A block of 110 mm, turned by the quaternion (7, 1, 2, 1), whose matrix has fractions over 55,
 -- and moved by 10^12 mm along some axes.

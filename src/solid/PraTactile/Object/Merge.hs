@@ -64,10 +64,12 @@ regionsOfPlanes it =
         n@(V3 a b c) = doubleArea corners
         g = gcd a (gcd b c)
 
--- | The polyhedron with its faces with holes cut into faces without, as few as grow from triangles,
--- and into triangles; and for each face which one it is of, or is a part of.
+-- | The polyhedron with its faces with holes, if it has any, cut into faces without, as few as grow
+-- from triangles, and into triangles; and for each face which one it is of, or is a part of.
 withoutHoles :: Mesh -> [([Int], Mesh)]
-withoutHoles it = [(map (owners U.!) kept, grown), (U.toList owners, triangled)]
+withoutHoles it
+  | any (holed . fst) cut = [(map (owners U.!) kept, grown), (U.toList owners, triangled)]
+  | otherwise = []
   where
     (kept, grown) = mergedBut (IntSet.fromList [0 .. U.length owners - 1]) together triangled
     -- A number of its own for each face that has no hole.
@@ -151,13 +153,7 @@ mergedBut apart may it = fmap withoutUnused (unzip (settled apart))
               maybe True ((`IntSet.notMember` faces) . sideFace sides) (across s)
           ]
         next = IntMap.fromList [(sideStart sides s, sideEnd sides s) | s <- rim]
-    cycles next = case IntMap.lookupMin next of
-      Nothing -> []
-      Just (start, _) ->
-        let walk = start : takeWhile (/= start) (drop 1 (follow start))
-         in walk : cycles (foldl' (flip IntMap.delete) next walk)
-      where
-        follow v = v : maybe [] follow (IntMap.lookup v next)
+    cycles next = cyclesFrom (`IntMap.lookup` next) (IntMap.keys next)
     growing faces = case faces of
       [] -> []
       f : others ->

@@ -13,6 +13,8 @@
 module PraTactile.Object.Rims
   ( rimPairs,
     rims,
+    rimPlaces,
+    cyclesFrom,
     beginnings,
     onlyBridged,
     bridged,
@@ -20,9 +22,9 @@ module PraTactile.Object.Rims
 where
 
 import qualified Data.IntMap.Strict as IntMap
-import Data.List (foldl', sortOn)
+import Data.List (foldl', sort, sortOn)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (isJust, listToMaybe)
+import Data.Maybe (isJust, listToMaybe, mapMaybe)
 import qualified Data.Set as Set
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
@@ -51,17 +53,29 @@ rimPairs walk
 -- >>> rims [1, 2, 3, 4, 1, 5, 8, 7, 6, 5]
 -- [[1,2,3,4],[5,8,7,6]]
 rims :: Ord a => [a] -> [[a]]
-rims walk = go (map fst sides)
+rims walk = cyclesFrom (`Map.lookup` Map.fromList sides) (map fst sides)
   where
     sides = rimPairs walk
-    after = Map.fromList sides
-    go begins = case begins of
-      [] -> []
-      a : others ->
-        let rim = a : takeWhile (/= a) (follow a)
-            seen = Set.fromList rim
-         in rim : go (filter (`Set.notMember` seen) others)
-    follow a = maybe [] (\b -> b : follow b) (Map.lookup a after)
+
+-- | The rims by places of the walk, of a vertex the first at which the walk comes to it.
+--
+-- >>> rimPlaces "adefdabc"
+-- [[1,2,3],[0,6,7]]
+rimPlaces :: Ord a => [a] -> [[Int]]
+rimPlaces walk = map (mapMaybe (`Map.lookup` places)) (rims walk)
+  where
+    places = Map.fromListWith (\_ first -> first) (zip walk [0 ..])
+
+-- | The cycles on which these are, each once and from the first of them, given what follows each.
+cyclesFrom :: Ord a => (a -> Maybe a) -> [a] -> [[a]]
+cyclesFrom after begins = case begins of
+  [] -> []
+  a : others ->
+    let cycle' = a : takeWhile (/= a) (follow a)
+        seen = Set.fromList cycle'
+     in cycle' : cyclesFrom after (filter (`Set.notMember` seen) others)
+  where
+    follow a = maybe [] (\b -> b : follow b) (after a)
 
 -- | The places of a walk at which it comes along a rim: one for each vertex, those of one rim
 -- together.
@@ -82,21 +96,16 @@ beginnings walk
     rimOf = Map.fromList [(v, k) | (k, loop) <- zip [0 :: Int ..] loops, v <- loop]
     onRim = Set.fromList (rimPairs walk)
 
--- | Whether a walk visits each vertex once, and once more for each bridge there.
+-- | Whether a walk goes each side once in a direction, and of its sides but the bridges one begins
+-- at each vertex.
 onlyBridged :: Walk -> Bool
 onlyBridged walk =
-  Set.size known == length sides
+  Set.size (Set.fromList sides) == length sides
     && all (uncurry (/=)) sides
-    && and (IntMap.intersectionWith (==) visits expected)
+    && sort (map fst (rimPairs visited)) == Set.toAscList (Set.fromList visited)
   where
-    sides = cyclicPairs (U.toList walk)
-    known = Set.fromList sides
-    visits = IntMap.fromListWith (+) [(a, 1 :: Int) | (a, _) <- sides]
-    expected =
-      IntMap.unionWith
-        (+)
-        (IntMap.map (const 1) visits)
-        (IntMap.fromListWith (+) [(a, 1) | (a, b) <- sides, Set.member (b, a) known])
+    sides = cyclicPairs visited
+    visited = U.toList walk
 
 -- | One walk along all of these rims of a flat face, the outer one counter-clockwise and holes
 -- clockwise about the normal: bridges are the shortest that lead from rim to rim. None where rims

@@ -131,7 +131,7 @@ reportOf it =
           meetTooMuch (a, b) (c, d)
       ]
         -- Where it comes to a vertex again it does not lie between its own sides there.
-        ++ [ concat [[v, w] | (_, v, w) <- sort' [(i, b, c), (j, b', c')]]
+        ++ [ concat [[v, w] | (_, v, w) <- sort [(i, b, c), (j, b', c')]]
              | let corners = cornersOf face,
                (j, _, b', c') <- corners,
                (i, a, b, c) <- corners,
@@ -140,7 +140,6 @@ reportOf it =
                ahead (area face) (at b) (at c) (at c') < ahead (area face) (at b) (at c) (at a),
                ahead (area face) (at b) (at c) (at c') > 0
            ]
-    sort' = map snd . sort . map (\one@(k, _, _) -> (k :: Int, one))
     -- The vertices before, at and after each place.
     cornersOf (FaceName walk) =
       [ (k, a, b, c)

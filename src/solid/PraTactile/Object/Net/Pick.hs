@@ -57,7 +57,6 @@ pickCut steps whole = case pickNet steps whole of
     maybe (Left why) Right . listToMaybe $
       [ (parted, map (faceAt (solidMesh whole)) owners, tree)
         | (owners, cut) <- withoutHoles (solidMesh whole),
-          length owners > length (solidFaces whole),
           Right parted <- [solidOf cut],
           Right tree <- [pickNet steps parted]
       ]
