@@ -24,6 +24,7 @@ module PraTactile.Emboss.Face
   )
 where
 
+import qualified Data.IntMap.Strict as IntMap
 import Data.List (mapAccumL)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
@@ -109,11 +110,10 @@ raisedFace height chart walk from symbols =
       [outlineSpot cell corner | (cell, stamp) <- symbols, corner <- concat (stampOutlines stamp)]
     begun = scanl (+) corners [length (concat (stampOutlines stamp)) | (_, stamp) <- symbols]
     loops = numberedFrom corners (concatMap (stampOutlines . snd) symbols)
-    ground =
-      region
-        chart
-        (map Corner [0 .. corners - 1] ++ outlined)
-        (rimPlaces (U.toList walk) ++ loops)
+    ground = region chart (map Corner [0 .. corners - 1] ++ outlined) (rimsOf ++ loops)
+    -- By the first place of each corner: places of one vertex are one point.
+    rimsOf = map (map (places IntMap.!)) (rims (U.toList walk))
+    places = IntMap.fromListWith (\_ first -> first) (zip (U.toList walk) [0 ..])
     base k
       | k < corners = walk U.! k
       | otherwise = from + 2 * (k - corners)

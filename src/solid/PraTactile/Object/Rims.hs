@@ -13,7 +13,6 @@
 module PraTactile.Object.Rims
   ( rimPairs,
     rims,
-    rimPlaces,
     cyclesFrom,
     beginnings,
     onlyBridged,
@@ -24,7 +23,7 @@ where
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (foldl', sort, sortOn)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (isJust, listToMaybe, mapMaybe)
+import Data.Maybe (isJust, listToMaybe)
 import qualified Data.Set as Set
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
@@ -56,15 +55,6 @@ rims :: Ord a => [a] -> [[a]]
 rims walk = cyclesFrom (`Map.lookup` Map.fromList sides) (map fst sides)
   where
     sides = rimPairs walk
-
--- | The rims by places of the walk, of a vertex the first at which the walk comes to it.
---
--- >>> rimPlaces "adefdabc"
--- [[1,2,3],[0,6,7]]
-rimPlaces :: Ord a => [a] -> [[Int]]
-rimPlaces walk = map (mapMaybe (`Map.lookup` places)) (rims walk)
-  where
-    places = Map.fromListWith (\_ first -> first) (zip walk [0 ..])
 
 -- | The cycles on which these are, each once and from the first of them, given what follows each.
 cyclesFrom :: Ord a => (a -> Maybe a) -> [a] -> [[a]]

@@ -4,6 +4,7 @@ module PraTactile.Object.Triangles
   )
 where
 
+import qualified Data.IntMap.Strict as Map
 import Data.Maybe (isJust)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
@@ -21,12 +22,14 @@ triangles it walk
   | count < 3 = []
   | count == 3 || convex || isJust (firstCrossing [walk] seen) =
     [(0, i, i + 1) `on` walk | i <- [1 .. count - 2]]
-  | otherwise = map (`on` walk) (triangulation (Metric 1 1) seen (rimPlaces (U.toList walk)))
+  | otherwise = map (`on` walk) (triangulation (Metric 1 1) seen loops)
   where
     points = cornersOf it walk
     seen = V.map (flat (doubleArea points)) points
     count = V.length seen
     numbered = [0 .. count - 1]
+    loops = map (map (places Map.!)) (rims (U.toList walk))
+    places = Map.fromList (zip (U.toList walk) numbered)
     convex =
       and [at i (i + 1) (i + 2) > 0 | i <- numbered]
         && and [at 0 i (i + 1) > 0 | i <- [1 .. count - 2]]
