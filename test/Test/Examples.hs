@@ -12,6 +12,7 @@ import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
 import System.Process (readProcessWithExitCode)
 import Test.CommandLine.Run
+import Test.Effort
 import Test.Hspec
 import Test.Support
 
@@ -22,7 +23,7 @@ spec = do
       withDecoder $ \decoder -> do
         (_, symbols, _) <- readProcessWithExitCode "nm" ["-u", decoder] ""
         filter (`elem` ["malloc", "calloc", "realloc"]) (map name (words symbols)) `shouldBe` []
-        certified ["--cases", "20"] [decoder]
+        certified (underSome 20) [decoder]
     it "is right in one-shot mode" $
       withDecoder $ \decoder ->
         heldAll
@@ -31,10 +32,10 @@ spec = do
     it "passes all test vectors" (withDecoder (\decoder -> passesVectors [decoder]))
   describe "in Python" $ do
     it "is certified" $
-      withPython $ \python -> certified ["--cases", "8"] [python, "examples/python/subject.py"]
+      withPython $ \python -> certified (underSome 8) [python, "examples/python/subject.py"]
     it "holds the laws of the network" $
       withPython $ \python ->
-        heldAll (words "--stage network --cases 25") [python, "examples/python/subject.py"]
+        heldAll (words ("--stage network --cases " ++ byEffort "4" "25")) [python, "examples/python/subject.py"]
     it "is right in one-shot mode" $
       withPython $ \python ->
         heldAll
@@ -44,7 +45,7 @@ spec = do
       withPython (\python -> passesVectors [python, "-S", "examples/python/subject.py"])
   describe "in JavaScript" $ do
     it "is certified" $
-      withNode (\node -> certified ["--cases", "8"] [node, "examples/javascript/subject.mjs"])
+      withNode (\node -> certified (underSome 8) [node, "examples/javascript/subject.mjs"])
     it "is right in one-shot mode" $
       withNode $ \node ->
         heldAll
@@ -99,6 +100,13 @@ certified options subject = do
   (err, map (`key` out) [["failed"], ["errored"], ["certified"]])
     `shouldBe` ("", [Just (Number 0), Just (Number 0), Just (Bool True)])
   status `shouldBe` 0
+
+-- | So many cases of each law under the default profiles, or a few under the paper's.
+underSome :: Int -> [String]
+underSome count =
+  byEffort
+    (words "--profile examples/adapter/paper.json --cases 3")
+    ["--cases", show count]
 
 -- | The options of a process a request, which a busy machine may take long to start.
 inOneShot :: String -> [String]

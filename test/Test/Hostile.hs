@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Hostile inputs: whatever is put in, there is an answer or a refusal in words, soon and in
--- little memory; and what is accepted obeys the laws. The number of inputs is PRA_TACTILE_HOSTILE,
--- 25 000 without it; a hundredth of it are runs of the program.
+-- little memory; and what is accepted obeys the laws. A hundredth of the inputs are
+-- runs of the program.
 module Test.Hostile (spec) where
 
 import Control.Monad (forM_)
@@ -32,13 +32,12 @@ spec = modifyMaxSize (const 60) $ do
                 let answer = kindJudged kind bytes
             ]
             .&&. not (null (kindSpecimens kind))
-      share <- runIO (shareOf (kindShare kind))
       it
         ( kindName kind
             ++ ": every input is answered or refused, in words, soon and in little \
                \memory"
         )
-        $ withMaxSuccess share $
+        $ withMaxSuccess (shareOf (kindShare kind)) $
           forAllShrinkShow (hostile (length (kindSpecimens kind))) lessHostile (shownOf kind) $
             -- The bytes are there first, so that what it takes to make them does not count.
             \given ->
@@ -62,9 +61,8 @@ spec = modifyMaxSize (const 60) $ do
                 commandName command `elem` ["check", "locate"]
             ]
       results `shouldBe` [["FILE"], ["PATCH"]]
-    share <- runIO (shareOf 150)
     it "arguments: every list is understood or refused, in words, soon and in little memory" $
-      withMaxSuccess share $
+      withMaxSuccess (shareOf 150) $
         forAllShrink
           (argumentList valueFor commandsOfHelp)
           (shrinkList (const []))
@@ -72,15 +70,14 @@ spec = modifyMaxSize (const 60) $ do
     foundSpec
   describe "as processes" $
     beforeAll readExamples $
-      forM_ runKinds $ \kind -> do
-        share <- runIO (shareOf (runKindShare kind))
+      forM_ runKinds $ \kind ->
         it
           ( runKindName kind
               ++ ": the program ends with an answer or a refusal, in words, soon \
                  \and in little memory"
           )
           $ \examples ->
-            withMaxSuccess (max 1 (share `div` 100)) $
+            withMaxSuccess (max 1 (shareOf (runKindShare kind) `div` 100)) $
               forAllBlind (hostileRun examples kind) $ \run ->
                 counterexample (show run) (judgedRun run)
   where

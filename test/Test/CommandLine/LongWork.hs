@@ -21,6 +21,7 @@ import System.FilePath ((</>))
 import System.Process (readProcess)
 import System.Random (mkStdGen)
 import Test.CommandLine.Run
+import Test.Effort
 import Test.Hspec
 import Test.QuickCheck
 import Test.Support
@@ -34,9 +35,12 @@ spec = do
 
 memorySpec :: Spec
 memorySpec =
-  it "200 presses are evaluated in 80 MB" $ do
-    (status, out, err) <- praUnder "-A1m -M80m" (words "evaluate --presses 200 --seed 1") ""
+  it (show presses ++ " presses are evaluated in 80 MB") $ do
+    (status, out, err) <-
+      praUnder "-A1m -M80m" (words ("evaluate --presses " ++ show presses ++ " --seed 1")) ""
     (status, length (lines out), err) `shouldBe` (0, 3, "")
+  where
+    presses = byEffort 40 200 :: Int
 
 countSpec :: Spec
 countSpec = do

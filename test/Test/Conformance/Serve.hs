@@ -34,19 +34,23 @@ import System.FilePath ((</>))
 import System.IO (IOMode (..), withBinaryFile)
 import Test.CommandLine.Run
 import Test.Conformance.Process.Subjects
+import Test.Effort
 import Test.Hostile.Judgement (withinBounds)
 import Test.Hspec
 import Test.Support (inFolder)
 
 spec :: Spec
 spec = do
-  it "is certified through the pipe, under all profiles" $ do
-    (status, out, err) <- conform (words "--cases 20 --limit 1200 --timeout 60 --json") served
+  it ("is certified through the pipe, under " ++ byEffort "two" "all" ++ " profiles") $ do
+    let profiles = byEffort "--profile examples/adapter/paper.json --profile data/profiles/gf9.json " ""
+    (status, out, err) <-
+      conform (words (profiles ++ "--cases 20 --limit 1200 --timeout 60 --json")) served
     (status, err) `shouldBe` (0, "")
     [law | law@(_, outcome) <- outcomes out, outcome `notElem` ["held", "skipped"]] `shouldBe` []
     reported "certified" out `shouldBe` Just (Bool True)
   it "holds the laws of touch through the pipe, without a profile, in both modes" $ do
-    for_ [([], []), (["--one-shot"], ["--one-shot"])] $ \(how, server) -> do
+    let oneShot = "--one-shot" : byEffort ["--run", "register/blank"] []
+    for_ [([], []), (oneShot, ["--one-shot"])] $ \(how, server) -> do
       (status, out, err) <-
         conform (words "--stage touch --cases 2 --timeout 60 --json" ++ how) (served ++ server)
       (status, err) `shouldBe` (0, "")

@@ -19,10 +19,9 @@ import Data.List (isInfixOf)
 import GHC.Conc (disableAllocationLimit, enableAllocationLimit, setAllocationCounter)
 import GHC.Stats (gc, gcdetails_live_bytes, getRTSStats)
 import System.CPUTime (getCPUTime)
-import System.Environment (lookupEnv)
 import System.Mem (performMajorGC)
+import Test.Effort
 import Test.QuickCheck
-import Text.Read (readMaybe)
 import Visible
 
 -- | What became of an input.
@@ -189,9 +188,6 @@ internals =
     "this should not have happened"
   ]
 
--- | A count in thousandths of all hostile inputs, of which there are 25 000 unless
--- PRA_TACTILE_HOSTILE says how many.
-shareOf :: Int -> IO Int
-shareOf thousandths = do
-  given <- lookupEnv "PRA_TACTILE_HOSTILE"
-  pure (max 1 (maybe 25000 (max 1) (given >>= readMaybe) * thousandths `div` 1000))
+-- | A count in thousandths of all hostile inputs.
+shareOf :: Int -> Int
+shareOf thousandths = max 1 (byEffort 25000 250000 * thousandths `div` 1000)

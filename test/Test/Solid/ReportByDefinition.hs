@@ -1,14 +1,13 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | What the library says of polyhedra against what their defects mean, on random ones with random
--- defects. @PRA_TACTILE_DEFECTS@ says how many of each kind (10000; a hundredth without it).
+-- defects.
 module Test.Solid.ReportByDefinition (spec) where
 
 import Data.Aeson (Value (..), toJSON)
 import Data.ByteString.Char8 (unpack)
 import Data.Foldable (for_)
 import Data.List (sortOn)
-import Data.Maybe (fromMaybe)
 import PraTactile.Conformance.Definition.Solid
 import PraTactile.Conformance.Laws.Solids
 import PraTactile.Format.Solid.Report
@@ -18,18 +17,16 @@ import PraTactile.Object.Mend (noChanges)
 import PraTactile.Object.Mesh (fromDescription)
 import PraTactile.Object.Named (Named (..), namedDescription)
 import PraTactile.Object.Validity
-import System.Environment (lookupEnv)
 import Test.CommandLine.Run (key)
+import Test.Effort
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck
 import Test.Solid.Drilled
-import Text.Read (readMaybe)
 
 spec :: Spec
 spec = describe "the report on a polyhedron, beside the definition" $ do
-  count <- runIO (maybe 100 (fromMaybe 100 . readMaybe) <$> lookupEnv "PRA_TACTILE_DEFECTS")
-  modifyMaxSuccess (const count) $ do
+  withCases 12 200 $ do
     it "blames none of random solids, and says of their pieces what there is to say" $
       forAllBlind solids $ \drawn ->
         counterexample

@@ -18,6 +18,7 @@ import PraTactile.Window
 import PraTactile.Window.Distance
 import Test.Code.Generators
 import Test.Code.Locate.Scenes
+import Test.Effort
 import Test.Hspec
 import Test.Paper
 import Test.QuickCheck hiding (elements, (.&.))
@@ -32,7 +33,9 @@ spec = do
     -- that at one position only those are tried whose first error adds 1. The smaller windows are
     -- exhausted at all 255 positions none the less.
     forM_
-      [(2, 3, 0, 255), (3, 2, 0, 255), (3, 3, 1, 255), (3, 4, 2, 5), (4, 4, 4, 1)]
+      ( [(2, 3, 0, 255), (3, 2, 0, 255), (3, 3, 1, byEffort 20 255)]
+          ++ byEffort [(3, 4, 2, 1)] [(3, 4, 2, 5), (4, 4, 4, 1)]
+      )
       $ \(h, w, t, places) ->
         it
           ( show (h, w) ++ " cells, " ++ show t
@@ -49,13 +52,14 @@ spec = do
                 (patterns codebook (Shape h w) t (t + 1) (places == 1))
                 (take places (everyPosition 7))
             [bad | bad : _ <- sums] `shouldBe` []
-    it "3x4: every pattern of at most 2 errors is corrected at all 255 positions" $ do
+    let (many, few) = byEffort (25, 3) (255, 30)
+    it ("3x4: every pattern of at most 2 errors is corrected at " ++ show many ++ " positions") $ do
       codebook <- paperCodebook Torus
-      sums <- mapM (patterns codebook (Shape 3 4) 2 2 False) (everyPosition 0)
+      sums <- mapM (patterns codebook (Shape 3 4) 2 2 False) (take many (everyPosition 0))
       [bad | bad : _ <- sums] `shouldBe` []
-    it "4x4: every pattern of at most 2 errors is corrected at 30 positions" $ do
+    it ("4x4: every pattern of at most 2 errors is corrected at " ++ show few ++ " positions") $ do
       codebook <- paperCodebook Torus
-      sums <- mapM (patterns codebook (Shape 4 4) 4 2 False) (take 30 (everyPosition 3))
+      sums <- mapM (patterns codebook (Shape 4 4) 4 2 False) (take few (everyPosition 3))
       [bad | bad : _ <- sums] `shouldBe` []
   describe "the linearity that lets one position stand for all" $ do
     it "neighbours (word + codeword) = neighbours word + codeword" $ do

@@ -1,9 +1,8 @@
--- | The window property of all arrays up to a size, by both roads; larger ones with
--- PRA_TACTILE_EXHAUSTIVE set to the binary logarithm of their size, as @make prove@ sets it.
+-- | The window property of all arrays up to a size, by both roads.
 module Test.Code.Window.ProvedExhaustively (spec) where
 
 import Control.Monad (forM_, when)
-import Data.Maybe (fromMaybe, isJust)
+import Data.Maybe (isJust)
 import Data.Proxy (Proxy)
 import Numeric.Natural (Natural)
 import PraTactile.Advise.Layout
@@ -14,14 +13,13 @@ import PraTactile.Field
 import PraTactile.Polynomial
 import PraTactile.Window
 import PraTactile.Window.Proof
-import System.Environment (lookupEnv)
 import Test.Code.Generators
+import Test.Effort
 import Test.Hspec
-import Text.Read (readMaybe)
 
 spec :: Spec
 spec = do
-  bits <- runIO (fromMaybe 16 . (>>= readMaybe) <$> lookupEnv "PRA_TACTILE_EXHAUSTIVE")
+  let bits = byEffort 14 20
   describe
     ("every array of n1 = q^k1 - 1 rows and k1 x k2 windows, q^(k1 k2) <= 2^" ++ show (bits :: Int))
     $ forM_ [2, 3, 4, 5, 7, 8, 9, 16] $ \q ->
@@ -41,11 +39,12 @@ spec = do
           overField q $ \k ->
             forM_ (sizes (fromIntegral q) (2 ^ (bits - 4))) $ \(k1, k2) ->
               allOver k (k1 * k2) >>= mapM_ (bothRoads k1 k2)
-  describe "every primitive polynomial and every shape, q^n <= 4096" $
+  let most = byEffort 256 4096
+  describe ("every primitive polynomial and every shape, q^n <= " ++ show most) $
     forM_ [2, 3, 4, 5, 7, 8, 9, 16] $ \q ->
       it ("over GF(" ++ show q ++ "): the windows that are sure to work do, by both roads") $
         overField q $ \k ->
-          forM_ (takeWhile (\n -> (fromIntegral q :: Natural) ^ n <= 4096) [1 ..]) $ \n ->
+          forM_ (takeWhile (\n -> (fromIntegral q :: Natural) ^ n <= most) [1 ..]) $ \n ->
             everyShape k n
   where
     sizes q bound =
