@@ -5,10 +5,10 @@ PREFIX = /usr/local
 DESTDIR =
 # Only the tests whose path has this in it, as in: make test MATCH="/The command line: census/"
 MATCH =
-# What random cases are drawn from, as in: make test SEED=7
+# The seed of random cases, as in: make test SEED=7
 SEED =
-export PREFIX DESTDIR SEED
-.PHONY: all help setup build demo test lint format fuzz defects mutants calibration archive types prove bench evaluate figures docs house shapes network \
+export PREFIX DESTDIR
+.PHONY: all help setup build demo test test-full lint format mutants calibration archive types bench evaluate figures docs house shapes network \
         check-network check-newer-ghc install uninstall clean
 # cabal holds one build at a time in dist-newstyle.
 .NOTPARALLEL:
@@ -18,10 +18,13 @@ all: build
 demo: build ## recognise an object by touch, from PGM frames on disk
 	@sh tools/demo.sh
 
-test: setup ## run the whole test suite (MATCH=... for a part of it)
+test: setup ## run the test suite as far as a person waits for it (MATCH=... for a part of it)
 	@tools/build.sh test:spec
 	@$(CABAL) doctests
-	@tools/test.sh $(if $(MATCH),--match "$(MATCH)")
+	@tools/test.sh $(if $(MATCH),--match "$(MATCH)") $(if $(SEED),--seed $(SEED))
+
+test-full: ## run all that the suite has, with random cases from a fresh seed, which it prints
+	@PRA_TACTILE_EFFORT=full $(MAKE) --no-print-directory test
 
 lint: ## check the sources: 100 columns, ormolu, hlint
 	@tools/lint.sh
@@ -51,19 +54,6 @@ evaluate: build ## the figure that matters: 1000 simulated presses, with and wit
 # A file or more: make figures FILES=docs/locating.md. Half an hour for all, on two cores with nothing else to do.
 figures: build ## run the commands that README and docs show, and put there what they print
 	@PATH="$(CURDIR)/bin:$$PATH" runghc $$(tools/extensions.sh) -itest tools/Figures.hs $(FILES)
-
-# About half an hour; the test suite has 25 000 and 250 of them. What is found is printed with the seed that finds it again.
-fuzz: setup ## a million hostile inputs through the parsers, ten thousand through the program
-	@tools/build.sh test:spec
-	@PRA_TACTILE_HOSTILE=1000000 tools/test.sh --match "/Hostile inputs/"
-
-defects: setup ## ten thousand random solids of each defect, against what defects mean (the suite has a hundredth)
-	@tools/build.sh test:spec
-	@PRA_TACTILE_DEFECTS=10000 tools/test.sh --match "Solids by definition"
-
-prove: setup ## prove every array to 2^20 cells by both roads; to 2^16 with every primitive polynomial (four minutes)
-	@tools/build.sh test:spec
-	@PRA_TACTILE_EXHAUSTIVE=20 tools/test.sh --match "/The code/Exhaustive proofs/"
 
 bench: setup ## the benchmarks
 	@tools/build.sh bench:bench

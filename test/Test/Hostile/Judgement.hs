@@ -190,4 +190,4 @@ internals =
 
 -- | A count in thousandths of all hostile inputs.
 shareOf :: Int -> Int
-shareOf thousandths = max 1 (byEffort 25000 250000 * thousandths `div` 1000)
+shareOf thousandths = max 1 (byEffort 25000 100000 * thousandths `div` 1000)

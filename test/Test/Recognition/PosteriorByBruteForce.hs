@@ -1,3 +1,5 @@
+{-# OPTIONS_GHC -O1 #-}
+
 -- | Where a grid of symbols is, and how doubtful that is: the posterior of docs/locating.md, summed
 -- by brute force over all positions, both ways up, and the share of foreign things.
 module Test.Recognition.PosteriorByBruteForce (spec) where

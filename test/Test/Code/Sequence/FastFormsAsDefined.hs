@@ -1,3 +1,4 @@
+{-# OPTIONS_GHC -O1 #-}
 {-# LANGUAGE RankNTypes #-}
 
 -- | The fast forms of sequences, each against its definition.

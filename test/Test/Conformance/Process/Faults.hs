@@ -13,6 +13,7 @@ import System.FilePath ((</>))
 import System.Process (readProcess)
 import Test.CommandLine.Run
 import Test.Conformance.Process.Subjects
+import Test.Effort
 import Test.Hspec
 import Test.Support (inFolder)
 
@@ -99,14 +100,14 @@ faultSpec = describe "in a session" $ do
     (_, out, _) <- adder [] ["crash"]
     out `shouldSatisfy` isInfixOf "on its standard error: the table is not there"
   it "what was waited for is told in seconds" $
-    for_ [("1", "1 second"), ("1.5", "1.5 seconds")] $ \(limit, said) -> do
+    for_ (("0.5", "0.5 seconds") : byEffort [] [("1", "1 second"), ("1.5", "1.5 seconds")]) $ \(limit, said) -> do
       (_, out, _) <- adder ["--timeout", limit] ["hang"]
       out `shouldSatisfy` isInfixOf ("no reply within " ++ said ++ "\n")
   it "of a line that is too long the first hundred bytes are told" $ do
     (_, out, _) <- adder [] ["long-line"]
     out `shouldSatisfy` isInfixOf (": " ++ replicate 100 ' ' ++ " ...")
   it "time is limited for all together as well" $ do
-    (status, out, _) <- adder ["--timeout", "60", "--limit", "2", "--json"] ["hang"]
+    (status, out, _) <- adder ["--timeout", "60", "--limit", byEffort "0.5" "2", "--json"] ["hang"]
     (status, take 1 (faults out)) `shouldBe` (1, ["too-slow"])
   it "several processes of it find the same" $ do
     (_, alone, _) <- adder ["--json"] ["order"]
@@ -117,7 +118,7 @@ faultSpec = describe "in a session" $ do
 -- that it never ends, for a busy machine may take its time to start one.
 patience :: String -> String
 patience fault
-  | fault `elem` ["hang", "stays", "closed-input", "no-line-end"] = "3"
+  | fault `elem` ["hang", "stays", "closed-input", "no-line-end"] = byEffort "0.5" "3"
   | otherwise = "60"
 
 oneShotSpec :: Spec
@@ -230,7 +231,7 @@ signalSpec = describe "signals" $ do
         readProcess
           "python3"
           ( ["test/subjects/signalled.py", signal]
-              ++ map show [0 :: Int .. 39]
+              ++ map show (byEffort [0, 8 .. 39] [0 :: Int .. 39])
               ++ words "-- pra-tactile conform -- sleep 5"
           )
           ""
@@ -266,8 +267,8 @@ usageSpec = describe "usage" $ do
     ["conform", "--", "./README.md"] `complains` "it is no program that may be run"
     ["conform", "--", "true"] `complains` "never answered start: crashed"
     ["conform", "--one-shot", "--", "true"] `complains` "never answered start: crashed"
-    ["conform", "--timeout", "1", "--", "sleep", "60"] `complains` "never answered start: timeout"
-    ["conform", "--timeout", "1", "--", "sleep", "60"] `complains` "flush its standard output"
+    ["conform", "--timeout", "0.2", "--", "sleep", "60"] `complains` "never answered start: timeout"
+    ["conform", "--timeout", "0.2", "--", "sleep", "60"] `complains` "flush its standard output"
   it "a mistake that a fresh process makes too does not depend on what was asked before" $
     for_ [[], ["--one-shot"]] $ \how -> do
       (status, out, _) <-

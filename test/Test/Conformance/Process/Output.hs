@@ -22,6 +22,7 @@ import PraTactile.Profile (Profile (..), canonicalProfile)
 import System.Directory (listDirectory)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
+import Test.Effort
 import Test.Hspec
 import Test.Support (inFolder)
 
@@ -182,11 +183,13 @@ oneShotSpec = do
       one <- oneShot (Limits 20 60) fixed canonicalProfile (Just (1, adds 1))
       either faultKind (const TooSlow) one `shouldBe` kind
   it "has its time from the request on, for the reply and for its end together" $
-    forM_ [(20, "result"), (2, faultName DoesNotStop)] $ \(patience, came) -> do
-      let slow = shell ("cat > /dev/null; sleep 1.2; " ++ sayFixed 1 ++ "; exec sleep 1.2")
+    forM_ [(20, "result"), (2 * second, faultName DoesNotStop)] $ \(patience, came) -> do
+      let sleep = "sleep " ++ show (1.2 * second)
+          slow = shell ("cat > /dev/null; " ++ sleep ++ "; " ++ sayFixed 1 ++ "; exec " ++ sleep)
       one <- oneShot (Limits patience 60) slow canonicalProfile (Just (1, adds 1))
       either (faultName . faultKind) (const "result") one `shouldBe` came
   where
+    second = byEffort 0.25 1 :: Double
     sayFixed number = "echo '{\"sequence\":" ++ show (number :: Int) ++ ",\"result\":0}'"
 
 outputSpec :: Spec

@@ -1,3 +1,5 @@
+{-# OPTIONS_GHC -O1 #-}
+
 -- | What recognising a symbol is made of, each part against its definition: how like a shape an
 -- image is, how sure an estimate; and how a frame is turned against what it should show.
 module Test.Touch.Classification.EstimatesByPosterior (spec) where

@@ -1,3 +1,5 @@
+{-# OPTIONS_GHC -O1 #-}
+
 -- | The angle of a lattice under frames, found by what each frame tells at any angle: against its
 -- definition, for frames that tell anything.
 module Test.Touch.Registration.AngleByDefinition (spec) where

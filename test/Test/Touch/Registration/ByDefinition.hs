@@ -1,3 +1,5 @@
+{-# OPTIONS_GHC -O1 #-}
+
 -- | Registration by the lattice as a whole, held to its formulas: what one frame tells, where many
 -- frames lie, and where one lies in another.
 module Test.Touch.Registration.ByDefinition (spec) where

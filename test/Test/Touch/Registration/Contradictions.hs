@@ -1,3 +1,5 @@
+{-# OPTIONS_GHC -O1 #-}
+
 -- | Whether frames contradict each other, against the definition, which is stated here once more
 -- and asked on both sides of where its answer changes.
 module Test.Touch.Registration.Contradictions (spec) where

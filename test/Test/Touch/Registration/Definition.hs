@@ -1,3 +1,5 @@
+{-# OPTIONS_GHC -O1 #-}
+
 -- | Registration by the formulas of "PraTactile.Registration.Model" alone: every symbol drawn at
 -- every place, every phase, class and displacement summed, on lists and maps.
 module Test.Touch.Registration.Definition

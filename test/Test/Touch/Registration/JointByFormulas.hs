@@ -1,3 +1,5 @@
+{-# OPTIONS_GHC -O1 #-}
+
 -- | The steps of the joint registration of frames to a lattice, each against its formula, for any
 -- likelihoods: the phase of the lattice, the displacements of a frame, what frames make of each
 -- other, and where each is in the end.

@@ -1,3 +1,5 @@
+{-# OPTIONS_GHC -O1 #-}
+
 -- | Two frames registered blindly and by correlation, by the formulas of
 -- "PraTactile.Registration.Model" alone: every coefficient a sum over all pixels, every process,
 -- height and gain tried, as densities of normal numbers.

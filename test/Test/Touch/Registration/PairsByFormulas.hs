@@ -1,3 +1,5 @@
+{-# OPTIONS_GHC -O1 #-}
+
 -- | Where one frame lies in another, blindly and by correlation, held to the formulas.
 module Test.Touch.Registration.PairsByFormulas (spec) where
 

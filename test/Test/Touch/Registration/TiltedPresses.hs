@@ -1,3 +1,5 @@
+{-# OPTIONS_GHC -O1 #-}
+
 -- | Tilted presses: the steps of their fit against the formulas summed in full, the plane of frames
 -- made by the formula, and what of a frame counts on the lattice.
 module Test.Touch.Registration.TiltedPresses (spec) where

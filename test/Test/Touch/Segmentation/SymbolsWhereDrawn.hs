@@ -1,3 +1,5 @@
+{-# OPTIONS_GHC -O1 #-}
+
 -- | Segmentation, and the arrangement of symbols on their lattice.
 module Test.Touch.Segmentation.SymbolsWhereDrawn (spec) where
 

@@ -1,3 +1,5 @@
+{-# OPTIONS_GHC -O1 #-}
+
 -- | Faces that are wrapped on a cylinder, under a flat sensor: by the circle's area, by its length
 -- along a chain of chords, and by what must be the same.
 module Test.Touch.Sensor.BentFaces (spec) where

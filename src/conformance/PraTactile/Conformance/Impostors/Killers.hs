@@ -1,5 +1,3 @@
-{-# LANGUAGE TemplateHaskell #-}
-
 -- | Which laws find an impostor: what trying all of them took minutes to find out, as data.
 module PraTactile.Conformance.Impostors.Killers
   ( killersOf,
@@ -7,12 +5,11 @@ module PraTactile.Conformance.Impostors.Killers
   )
 where
 
-import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
-import Data.FileEmbed (embedFile)
 import Data.List (isSuffixOf)
 import qualified Data.Map.Strict as Map
 import PraTactile.Conformance.Laws.Order (orderName)
+import PraTactile.Embedded (impostorsFile)
 
 -- | The ids of laws that find the impostor of this name under some default profile, with seed
 -- 1, in the order of the suite.
@@ -30,10 +27,6 @@ killers :: Map.Map String [String]
 killers =
   Map.fromList
     [ (takeWhile (/= ':') name, laws)
-      | line <- lines (Bytes.unpack file),
+      | line <- lines (Bytes.unpack impostorsFile),
         name : laws <- [words line]
     ]
-
--- | A line an impostor: its name and a colon, and the laws.
-file :: ByteString
-file = $(embedFile "data/impostors.txt")
