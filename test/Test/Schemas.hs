@@ -339,11 +339,7 @@ inputs =
     ),
     ("segment", "{\"rows\": " ++ rows ++ "}"),
     ("segment", "{\"rows\": [[65536]]}"),
-    ("outputs", "{" ++ weights ++ ", \"rows\": " ++ image ++ "}"),
-    ( "descend",
-      "{" ++ weights ++ ", \"images\": [{\"rows\": " ++ image ++ ", \"class\": 1}], "
-        ++ "\"epochs\": 3, \"rate\": 0.1, \"momentum\": 0.5, \"goal\": 0, \"least_gradient\": 0}"
-    )
+    ("outputs", "{" ++ weights ++ ", \"rows\": " ++ image ++ "}")
   ]
   where
     weights = "\"hidden\": " ++ show [hidden] ++ ", \"output\": [[1, 0], [0, 1]]"

@@ -11,7 +11,6 @@ import Data.Aeson (Value (..), toJSON)
 import Data.Functor.Identity (runIdentity)
 import Data.IORef
 import Data.List (isInfixOf)
-import PraTactile.Classification.Traingdx (Outcome (..))
 import PraTactile.Conformance
 import PraTactile.Conformance.Ask (answerAll)
 import PraTactile.Conformance.Definition
@@ -41,22 +40,6 @@ spec = do
       Right about <- pure (known possible)
       (operation, either refusalReason (const "") (expected about question) == "not-offered")
         `shouldBe` (operation, ofFrames)
-  it "the library trains 50 epochs at most, and units times images times epochs up to 2^18" $
-    forM_
-      [ (1, 50, Nothing),
-        (1, 51, Just "invalid"),
-        (512, 32, Nothing),
-        (513, 32, Just "too-many-steps")
-      ]
-      $ \(count, epochs, refused) -> do
-        -- Eight units of each layer, without weights: all outputs are 1/2 at once, which will do.
-        let weights = Weights (replicate 8 (replicate 97 0)) (replicate 8 (replicate 9 0))
-            images = replicate count (replicate 12 (replicate 8 0), 0)
-            training = Training images epochs 0.5 0.5 1e15 0
-            begun = Right (Descended (2 * fromIntegral count) 0.5 Begun)
-        came <- runExceptT (answerTo (withoutProfile library) (Descend weights training))
-        (count, epochs, came)
-          `shouldBe` (count, epochs, maybe begun (Left . Refusal) refused)
   it "in this process a profile is in force until another is asked for; touch needs none" $ do
     opened <- newIORef []
     subject <-

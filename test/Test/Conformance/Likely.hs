@@ -78,15 +78,7 @@ named =
     ("reads-images-by-columns", "network/outputs-as-defined"),
     ("reads-weights-by-columns", "network/outputs-as-defined"),
     ("takes-the-bias-first", "network/outputs-as-defined"),
-    ("takes-tanh-for-the-logistic", "network/outputs-as-defined"),
-    ("halves-the-gradient", "network/descend-undoes-steps"),
-    ("takes-the-mean-for-the-sum", "network/descend-undoes-steps"),
-    ("begins-at-rest", "network/descend-undoes-steps"),
-    ("keeps-momentum-after-undoing", "network/descend-undoes-steps"),
-    ("raises-the-rate-whatever-came", "network/descend-undoes-steps"),
-    ("takes-momentum-for-the-share", "network/descend-undoes-steps"),
-    ("undoes-every-rise", "network/descend-undoes-steps"),
-    ("stops-at-the-mean", "network/descend-ends")
+    ("takes-tanh-for-the-logistic", "network/outputs-as-defined")
   ]
 
 -- | Implementations that are wrong in another way than each impostor, and laws that find them.

@@ -214,8 +214,7 @@ requests =
         SomeQuestion (Register Nothing (Pair (ramp 0) (ramp 1) (1, 0) 2)),
         SomeQuestion (Stitch Nothing 1 [Placed (ramp 0) (0, 0), Placed (ramp 2) (2, 0)]),
         SomeQuestion (Segment (ramp 0)),
-        SomeQuestion (Outputs weights image),
-        SomeQuestion (Descend weights (Training [(image, 1)] 3 0.5 0.5 0.1 1e-3))
+        SomeQuestion (Outputs weights image)
       ]
     weights = Weights (replicate 2 (replicate 97 0.25)) [[1, -1, 0.5], [0, 2, -0.5]]
     image = replicate 12 (replicate 8 0.5)

@@ -56,7 +56,6 @@ library =
       open = \p -> either (refuse . unopened) pure (withProfile p (session p)),
       withoutProfile = answering $ \question -> case question of
         Outputs _ _ -> libraryNetwork question
-        Descend _ _ -> libraryNetwork question
         _
           | operationOf question `elem` touchOperations -> libraryTouch question
           | otherwise -> libraryObjects question

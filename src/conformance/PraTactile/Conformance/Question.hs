@@ -193,11 +193,6 @@ data Question a where
   -- | the values of a network's output units. Layers that do not fit each other and an image, an
   -- image that is not 12 rows of 8 values, and a number above 10^15 in size are @invalid@
   Outputs :: Weights -> Values -> Question [Double]
-  -- | where a training of a network ends. Refuses as 'Outputs' does, and no image, a class that is
-  -- none, more than 50 epochs, a rate that is not positive, a momentum that is not from 0 to 1, and
-  -- a negative goal or least gradient; and as @too-many-steps@ more than there is time for, which
-  -- no law asks
-  Descend :: Weights -> Training -> Question Descended
   -- | what there is to say of a polyhedron: its pieces, and all that is wrong with it. A name that
   -- is empty or has a space is @invalid@
   SolidReport :: Description -> Question Report
@@ -213,15 +208,6 @@ data Question a where
   -- simple polygon in a plane as @impossible-face@, and fewer than two different points of the face
   -- as @undetermined@
   FacePose :: Felt -> Question Pose
-  -- | in how many ways a solid can be unfolded along its edges, in how many of these faces overlap,
-  -- and how many nets there are. Refuses a polyhedron that is no solid as @impossible-solid@
-  Unfold :: Description -> Question Unfolded
-  -- | a face as a plate with symbols raised on it. Refuses corners that are no simple polygon in a
-  -- plane, and a taxel that is not positive, as @impossible-face@; a plate no thicker than its
-  -- symbols are high, without a symbol, or with one in a cell that does not lie on the face, as
-  -- @impossible-plate@; a shape of which two taxels meet at a corner only as @corner-contact@; and
-  -- more than 16384 symbols as @too-many-symbols@, which no law asks
-  Emboss :: Plate -> Question Plated
   -- | an operation with an input that may be anything; the answer is as it came
   Raw :: Operation -> Value -> Question Value
 
@@ -259,13 +245,10 @@ data Operation
   | OfStitch
   | OfSegment
   | OfOutputs
-  | OfDescend
   | OfSolid
   | OfCells
   | OfWhereabouts
   | OfPose
-  | OfUnfold
-  | OfEmboss
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | The operation's name in the protocol.
@@ -294,13 +277,10 @@ operationName operation = case operation of
   OfStitch -> "stitch"
   OfSegment -> "segment"
   OfOutputs -> "outputs"
-  OfDescend -> "descend"
   OfSolid -> "solid"
   OfCells -> "cells"
   OfWhereabouts -> "whereabouts"
   OfPose -> "pose"
-  OfUnfold -> "unfold"
-  OfEmboss -> "emboss"
 
 -- | The operations of the code.
 codeOperations :: [Operation]
@@ -308,7 +288,7 @@ codeOperations = [OfAdd .. OfDistance]
 
 -- | The operations of touch.
 touchOperations :: [Operation]
-touchOperations = [OfRegister .. OfDescend]
+touchOperations = [OfRegister .. OfOutputs]
 
 -- | The operations of objects.
 objectOperations :: [Operation]
@@ -344,13 +324,10 @@ operationOf question = case question of
   Stitch {} -> OfStitch
   Segment _ -> OfSegment
   Outputs _ _ -> OfOutputs
-  Descend _ _ -> OfDescend
   SolidReport _ -> OfSolid
   FaceCells _ _ -> OfCells
   Whereabouts {} -> OfWhereabouts
   FacePose _ -> OfPose
-  Unfold _ -> OfUnfold
-  Emboss _ -> OfEmboss
   Raw operation _ -> operation
 
 -- | A question of each operation, to which every profile has an answer or a refusal.
@@ -379,15 +356,12 @@ exampleOf operation = case operation of
   OfStitch -> SomeQuestion (Stitch Nothing 1 [Placed blank (0, 0)])
   OfSegment -> SomeQuestion (Segment blank)
   OfOutputs -> SomeQuestion (Outputs weights image)
-  OfDescend -> SomeQuestion (Descend weights (Training [(image, 0)] 1 1 0.5 0 0))
   OfSolid -> SomeQuestion (SolidReport (Description (ObjectName "") [] []))
   OfCells -> SomeQuestion (FaceCells [] (1, 1))
   OfWhereabouts ->
     SomeQuestion
       (Whereabouts (Mapped (Shape 1 1) (1, 1) [] []) (Shape 1 1) (Position 0 0))
   OfPose -> SomeQuestion (FacePose (Felt [] [] 1 Nothing))
-  OfUnfold -> SomeQuestion (Unfold (Description (ObjectName "") [] []))
-  OfEmboss -> SomeQuestion (Emboss (Plate [] 1 2 [] []))
   where
     blank = replicate 4 (replicate 4 0)
     image = replicate 12 (replicate 8 0)

@@ -171,11 +171,9 @@ testOf (Prepared about session) operation proof (SomeQuestion question) = do
       -- Far finer than they are compared, and free of the last digits of sines and exponentials.
       FacePose _ -> answerValue question (toTenPlaces wanted)
       Outputs _ _ -> answerValue question (map places wanted)
-      Descend _ _ -> answerValue question (descendedPlaces wanted)
       _ -> answerValue question given
     toTenPlaces (Pose (RigidMotion rows' by) covariance) =
       Pose (RigidMotion (map (map places) rows') (map places by)) (map (map places) covariance)
-    descendedPlaces (Descended e rate step) = Descended (places e) (places rate) step
     places x = fromInteger (round (x * 1e10)) / 1e10 :: Double
 
 -- | The two ways to an answer: the library's, and that of the definition.
@@ -201,13 +199,10 @@ roads operation = case operation of
   OfProve -> ("visit and rank of powers of alpha", "counting contents, elimination of windows")
   OfDistance -> ("search among information sets", "the lightest of all windows")
   OfOutputs -> ("products of matrices", "sums on lists")
-  OfDescend -> ("products of matrices", "sums on lists")
   OfSolid -> ("sweeps and trees of boxes", "everything compared with everything")
   OfCells -> ("lines that separate sides and cells", "strips between corners")
   OfWhereabouts -> ("runs of cells", "lists of cells")
   OfPose -> ("Gauss and Newton", "the closed form")
-  OfUnfold -> ("paths of glued edges, words of outlines", "every tree, every two faces")
-  OfEmboss -> ("triangles of the surface", "counting boxes")
   _ -> ("the library", "the definition")
 
 -- | All values of an operation that are too many to list, in an order.

@@ -64,13 +64,10 @@ questionInput question = case question of
   Stitch shapes search frames -> framesValue shapes search frames
   Segment rows -> compositeValue rows
   Outputs weights rows -> outputsValue weights rows
-  Descend weights training -> descentValue weights training
   SolidReport it -> polyhedronValue it
   FaceCells corners pitch -> faceValue corners pitch
   Whereabouts mapped window at -> windowValue mapped window at
   FacePose felt -> feltValue felt
-  Unfold it -> polyhedronValue it
-  Emboss it -> plateValue it
   Raw _ input -> input
   where
     one a = object ["a" .= naturalValue a]
@@ -117,13 +114,10 @@ someQuestion operation input = case operation of
   OfStitch -> framesQuestion <$> (readObject input >>= readFrames)
   OfSegment -> SomeQuestion . Segment <$> (readObject input >>= readComposite)
   OfOutputs -> SomeQuestion . uncurry Outputs <$> (readObject input >>= readOutputs)
-  OfDescend -> SomeQuestion . uncurry Descend <$> (readObject input >>= readDescent)
   OfSolid -> SomeQuestion . SolidReport <$> (readObject input >>= readPolyhedron)
   OfCells -> SomeQuestion . uncurry FaceCells <$> (readObject input >>= readFace)
   OfWhereabouts -> windowQuestion <$> (readObject input >>= readWindow)
   OfPose -> SomeQuestion . FacePose <$> (readObject input >>= readFelt)
-  OfUnfold -> SomeQuestion . Unfold <$> (readObject input >>= readPolyhedron)
-  OfEmboss -> SomeQuestion . Emboss <$> (readObject input >>= readPlate)
   where
     framesQuestion (shapes, search, frames) = SomeQuestion (Stitch shapes search frames)
     windowQuestion (mapped, window, place) = SomeQuestion (Whereabouts mapped window place)
@@ -169,13 +163,10 @@ answerValue question answer = case question of
   Stitch {} -> correctionsValue answer
   Segment _ -> symbolsValue answer
   Outputs _ _ -> toJSON answer
-  Descend _ _ -> descendedValue answer
   SolidReport _ -> reportValue answer
   FaceCells _ _ -> toJSON answer
   Whereabouts {} -> whereaboutsValue answer
   FacePose _ -> poseValue answer
-  Unfold _ -> unfoldedValue answer
-  Emboss _ -> platedValue answer
   Raw _ _ -> answer
   where
     likely (Position r c, chance) = [naturalValue r, naturalValue c, toJSON chance]
@@ -232,13 +223,10 @@ readAnswer question = case question of
   Stitch {} -> readObject >=> readCorrections
   Segment _ -> readObject >=> readSymbols
   Outputs _ _ -> readItems readReal
-  Descend _ _ -> readObject >=> readDescended
   SolidReport _ -> readObject >=> readReport
   FaceCells _ _ -> readCells
   Whereabouts {} -> readObject >=> readWhereabouts
   FacePose _ -> readPose
-  Unfold _ -> readObject >=> readUnfolded
-  Emboss _ -> readObject >=> readPlated
   Raw _ _ -> Just
 
 -- | By the one key that says which of the three it is.

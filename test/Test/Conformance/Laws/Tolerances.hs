@@ -55,11 +55,6 @@ variants trial question wanted = case question of
   Outputs _ _ ->
     let by size = [drop 1 wanted | size > 1e-9] ++ nearby (const size) wanted
      in Just (Answered (\a -> passes (telling a) trial) (by 0.9e-9) (by 1.1e-9))
-  Descend _ _ ->
-    let Descended e rate step = wanted
-        by size = [Descended e' rate' step | [e', rate'] <- nearby ((* size) . (1 +)) [e, rate]]
-        others = [Descended e rate other | other <- [minBound ..], other /= step]
-     in Just (Answered (\a -> passes (ending a) trial) (by 0.9e-6) (by 1.1e-6 ++ others))
   FacePose _ ->
     let by size = aroundPose size wanted
      in Just (Answered (\a -> passes (posing a) trial) (by 0.9e-9) (by 1.1e-9))
@@ -82,10 +77,6 @@ variants trial question wanted = case question of
     telling :: [Double] -> Question b -> Either Refusal b
     telling answer asked = case asked of
       Outputs _ _ -> Right answer
-      _ -> Left (Refusal "not-offered")
-    ending :: Descended -> Question b -> Either Refusal b
-    ending answer asked = case asked of
-      Descend _ _ -> Right answer
       _ -> Left (Refusal "not-offered")
     posing :: Pose -> Question b -> Either Refusal b
     posing answer asked = case asked of

@@ -14,7 +14,6 @@ import Data.List (nub, sort)
 import qualified Data.Text as Text
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..))
-import PraTactile.Classification.Traingdx (Outcome (Lower))
 import PraTactile.Conformance
 import PraTactile.Conformance.Law (Cases (..))
 import PraTactile.Conformance.Wire
@@ -49,8 +48,7 @@ spec = do
         for_ (otherTypes value) $ \other -> do
           let nullable =
                 name `elem` ["radius", "plane"] && other == Null
-                  || name `elem` ["sd_mm", "rate", "momentum", "goal", "least_gradient"]
-                  && other == Number 1.5
+                  || name == "sd_mm" && other == Number 1.5
           (operation, name, other, reads' (KeyMap.insert name other keys))
             `shouldBe` (operation, name, other, nullable)
   it "the shapes of a question about frames may be missing, but are nothing else than drawings" $
@@ -167,8 +165,6 @@ questions =
          SomeQuestion (Segment [[1, 2, 3], [4, 5, 6]]),
          SomeQuestion (Outputs (Weights [[1.5, -2], []] [[0.1]]) [[3, 0.25], [1e-3]]),
          SomeQuestion
-           (Descend (Weights [] [[0.1]]) (Training [([[1.5]], large), ([], 2)] 7 0.5 0.25 1 1e-6)),
-         SomeQuestion
            (SolidReport (Description "" [("A", Point (1 / 3) (-large'') 0)] [FaceName ["A", "B"]])),
          SomeQuestion (FaceCells [Point 0 (1 / 7) 2] (1 / 3, large'')),
          SomeQuestion
@@ -183,11 +179,6 @@ questions =
                )
                (Shape 2 3)
                (Position 7 large)
-           ),
-         SomeQuestion (Unfold (Description "" [("A", Point (1 / 3) 0 0)] [FaceName ["A"]])),
-         SomeQuestion
-           ( Emboss
-               (Plate [Point 1 2 3] (1 / 3) large'' [replicate 12 "#......#"] [[Just 0, Nothing]])
            ),
          SomeQuestion (FacePose (Felt [Point 1 2 3] [((1, 2.5), (-3, 4))] 0.25 (Just turned)))
        ]
@@ -224,14 +215,10 @@ keysOf operation = case operation of
   OfStitch -> ["frames", "search"]
   OfSegment -> ["rows"]
   OfOutputs -> ["hidden", "output", "rows"]
-  OfDescend ->
-    ["hidden", "output", "images", "epochs", "rate", "momentum", "goal", "least_gradient"]
   OfSolid -> ["vertices", "faces"]
   OfCells -> ["corners", "pitch_mm"]
   OfWhereabouts -> ["shape", "pitch_mm", "objects", "layings", "window", "row", "column"]
   OfPose -> ["corners", "seen", "sd_mm", "plane"]
-  OfUnfold -> ["vertices", "faces"]
-  OfEmboss -> ["corners", "taxel_mm", "thickness_mm", "shapes", "symbols"]
 
 -- | Values of all other types: a number that is a text is one, too, but not in words.
 otherTypes :: Value -> [Value]
@@ -280,9 +267,6 @@ answers =
     Answered (Segment []) [Symbol (1.5, 2) 3, Symbol (4, 5.25) 179.5],
     Answered (Outputs (Weights [] []) []) [0.25, 0, 1],
     Answered
-      (Descend (Weights [] []) (Training [] 0 1 0 0 0))
-      (Descended 0.5 0.735 Lower),
-    Answered
       (SolidReport (Description "" [] []))
       ( Report
           4
@@ -303,9 +287,6 @@ answers =
           ["A"]
           (Just (0.5, -2.25))
       ),
-    Answered (Unfold (Description "" [] [])) (Unfolded large (Just (2, large, 4))),
-    Answered (Unfold (Description "" [] [])) (Unfolded large Nothing),
-    Answered (Emboss (Plate [] 1 2 [] [])) (Plated (1 / 3, 2) 16 42 large),
     Answered (FacePose (Felt [] [] 1 Nothing)) (Pose turned (replicate 6 [1, 0, 0.5, 0, 0, -2]))
   ]
   where

@@ -13,10 +13,8 @@ import Data.Maybe (isNothing)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Conformance.Definition.Face
 import PraTactile.Conformance.Definition.Network
-import PraTactile.Conformance.Definition.Plate
 import PraTactile.Conformance.Definition.Pose
 import PraTactile.Conformance.Definition.Solid
-import PraTactile.Conformance.Definition.Unfold
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Wire
 import PraTactile.Format.Object (On (..), WhereaboutsReport (..))
@@ -28,18 +26,15 @@ import PraTactile.Object.Validity (Report (..))
 import PraTactile.Pose (Pose (..), RigidMotion (..))
 
 -- | The answer to a question that needs no profile, or the reason of its refusal. 'Nothing' for one
--- that needs a profile, for one about frames, whose definition is in the scene that a law draws,
--- and where two numbers are compared that are equal but for rounding.
+-- that needs a profile, and for one about frames, whose definition is in the scene that a law
+-- draws.
 expectedWithoutProfile :: Question a -> Maybe (Either Refusal a)
 expectedWithoutProfile question = case question of
   Outputs weights image -> Just (outputsOf weights image)
-  Descend weights training -> descendedTo weights training
   SolidReport it -> Just (Right (reportOf it))
   FaceCells corners pitch -> Just (cellsOf corners pitch)
   Whereabouts mapped window at -> Just (whereaboutsOf mapped window at)
   FacePose felt -> Just (poseOf felt)
-  Unfold it -> Just (unfoldedOf (10 ^ (5 :: Int)) it)
-  Emboss it -> Just (platedOf it)
   Raw operation input -> case someQuestion operation input of
     Nothing -> Just (Left (Refusal "invalid"))
     Just (SomeQuestion asked) -> fmap (answerValue asked) <$> expectedWithoutProfile asked
@@ -139,29 +134,19 @@ whereaboutsOf (Mapped (Shape high wide) pitch objects layings) (Shape k1 k2) (Po
 
 -- | Whether an answer, the last argument, is as good as the expected one. Defects, and the faces
 -- and vertices of each, may come in any order, and so may faces and vertices of a place; lengths
--- are held to 10^-9 of themselves and of a millimetre, outputs of a network to 10^-9, and error and
--- rate of a training to 10^-6 of themselves and of 1.
+-- are held to 10^-9 of themselves and of a millimetre, and outputs of a network to 10^-9.
 agreesWithoutProfile :: Question a -> a -> a -> Bool
 agreesWithoutProfile question wanted got = case question of
   Outputs _ _ ->
     length wanted == length got && and (zipWith (\a b -> abs (a - b) <= 1e-9) wanted got)
-  Descend _ _ ->
-    within 1e-6 (descendedError wanted) (descendedError got)
-      && within 1e-6 (descendedRate wanted) (descendedRate got)
-      && descendedStep wanted == descendedStep got
   SolidReport _ -> sameReport wanted got
   Whereabouts {} -> sameWhereabouts wanted got
   FacePose _ -> samePose wanted got
   FaceCells _ _ -> wanted == got
-  Unfold _ -> wanted == got
-  Emboss _ -> wanted == got
   _ -> False
 
 near :: Double -> Double -> Bool
-near = within 1e-9
-
-within :: Double -> Double -> Double -> Bool
-within most a b = abs (a - b) <= most * (1 + abs a)
+near a b = abs (a - b) <= 1e-9 * (1 + abs a)
 
 sameReport :: Report -> Report -> Bool
 sameReport wanted got =

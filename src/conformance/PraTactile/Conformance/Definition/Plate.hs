@@ -1,7 +1,9 @@
 -- | A face as a plate with symbols raised on it, of boxes: what is below the face, and a cube on
 -- each raised taxel, united by counting.
 module PraTactile.Conformance.Definition.Plate
-  ( platedOf,
+  ( Plate (..),
+    Plated (..),
+    platedOf,
   )
 where
 
@@ -11,6 +13,32 @@ import PraTactile.Conformance.Definition.Face
 import PraTactile.Conformance.Definition.Solid (exactRoot, normalOf, (<.>))
 import PraTactile.Conformance.Question
 import PraTactile.Object.Description (Point (..))
+
+-- | A face to be embossed as a plate.
+data Plate = Plate
+  { -- | where the face's vertices are, in the order of its walk
+    plateCorners :: [Point],
+    -- | the side of a taxel of the symbols, and the height to which they are raised
+    plateTaxel :: Rational,
+    plateThickness :: Rational,
+    -- | 12 rows of 8 taxels each, @#@ for one that is raised and @.@ for one that is not
+    plateShapes :: [[String]],
+    -- | rows of cells 16 taxels wide and 20 high, centred on the box round the corners: which shape
+    -- stands in the middle of each, by its place among the shapes, if any does
+    plateSymbols :: [[Maybe Natural]]
+  }
+  deriving stock (Eq, Show)
+
+-- | A plate that was made.
+data Plated = Plated
+  { -- | r and s of r + sqrt s, cubic millimetres; s is 0 where the root is a fraction
+    platedVolume :: (Rational, Rational),
+    -- | the corners, sides and triangles of its surface
+    platedVertices :: Natural,
+    platedEdges :: Natural,
+    platedFaces :: Natural
+  }
+  deriving stock (Eq, Show)
 
 -- | How large the plate is and how many corners, sides and triangles its surface has.
 --

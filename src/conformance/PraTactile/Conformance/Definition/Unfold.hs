@@ -9,7 +9,8 @@
 -- in complex numbers. The first face has its first side from 0 to 1. So all numbers are sums of
 -- multiples of the roots of n' . n' and of their products.
 module PraTactile.Conformance.Definition.Unfold
-  ( unfoldedOf,
+  ( Unfolded (..),
+    unfoldedOf,
   )
 where
 
@@ -22,6 +23,15 @@ import PraTactile.Conformance.Definition.Solid
 import PraTactile.Conformance.Question
 import PraTactile.Object.Description (Description (..), FaceName (..), Point (..), VertexName)
 import PraTactile.Object.Validity (Report (..))
+
+-- | In how many ways a solid can be unfolded.
+data Unfolded = Unfolded
+  { unfoldedTrees :: Natural,
+    -- | how many of these overlap, and how many nets there are, where one may be turned over and
+    -- where none may; 'Nothing' of more than 10^5 unfoldings
+    unfoldedNets :: Maybe (Natural, Natural, Natural)
+  }
+  deriving stock (Eq, Show)
 
 -- | How many ways there are, and if they are at most so many, how many overlap, and how many kinds
 -- there are of the others.

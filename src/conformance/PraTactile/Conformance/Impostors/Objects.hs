@@ -3,7 +3,7 @@
 {-# LANGUAGE RankNTypes #-}
 {-# LANGUAGE TypeOperators #-}
 
--- | Mistakes in solids, cells of faces, places on them, poses, nets and plates.
+-- | Mistakes in solids, cells of faces, places on them, and poses.
 module PraTactile.Conformance.Impostors.Objects
   ( objectImpostors,
   )
@@ -30,9 +30,7 @@ objectImpostors =
     [ solidImpostors,
       cellImpostors,
       placeImpostors,
-      poseImpostors,
-      unfoldImpostors,
-      plateImpostors
+      poseImpostors
     ]
   where
     numbers = readingOtherwise "takes-decimal-fractions" "takes 1.5 for an exact number" fractions
@@ -156,52 +154,6 @@ poseImpostors =
   where
     one n = [[if i == j then 1 else 0 | j <- [1 .. n]] | i <- [1 .. n :: Int]]
 
-unfoldImpostors :: [Impostor]
-unfoldImpostors =
-  [ counted "overlooks-overlaps" "counts what overlaps among the nets" $ \_ (bad, nets, rotated) ->
-      (0, nets + bad, rotated + bad),
-    counted "turns-no-net-over" "counts mirror images as two nets" $ \_ (bad, _, rotated) ->
-      (bad, rotated, rotated),
-    counted "takes-every-way-for-a-net" "takes no two unfoldings for congruent" $
-      \trees (bad, _, _) -> (bad, trees - bad, trees - bad),
-    told ofNets "gives-up-early" "tells nothing of nets beyond 100 unfoldings" $ \_ it ->
-      if unfoldedTrees it > 100 then it {unfoldedNets = Nothing} else it,
-    unrefused ofNets "unfolds-anything" "finds no unfolding of what is no solid" $
-      Unfolded 0 (Just (0, 0, 0))
-  ]
-  where
-    counted name mistake change =
-      told ofNets name mistake $ \_ (Unfolded trees others) ->
-        Unfolded trees (change trees <$> others)
-
-plateImpostors :: [Impostor]
-plateImpostors =
-  [ asked ofPlates "fills-holes" "raises all between the first and the last taxel of a row" $ \it ->
-      it {plateShapes = map (map filled) (plateShapes it)},
-    asked ofPlates "raises-one-symbol" "raises every symbol in the first one's shape" $ \it ->
-      it {plateSymbols = map (map (0 <$)) (plateSymbols it)},
-    told ofPlates "leaves-out-the-relief" "tells the volume of the plate without its symbols" $
-      \plate it ->
-        let raised = length (filter (== '#') (concat [s | k <- used plate, s <- shape plate k]))
-            cubes = fromIntegral raised * plateTaxel plate ^ (3 :: Int)
-         in it {platedVolume = let (r, s) = platedVolume it in (r - cubes, s)},
-    told ofPlates "forgets-the-back" "has no triangles below" $ \plate it ->
-      let corners = fromIntegral (length (plateCorners plate))
-       in it
-            { platedFaces = platedFaces it - (corners - 2),
-              platedEdges = platedEdges it - (corners - 3)
-            },
-    asked ofPlates "makes-it-thick-enough" "makes a plate that is too thin thicker" $ \it ->
-      it {plateThickness = max (plateThickness it) (2 * plateTaxel it)}
-  ]
-  where
-    filled line = case (break (== '#') line, break (== '#') (reverse line)) of
-      ((before, _ : _), (after, _)) ->
-        before ++ replicate (length line - length before - length after) '#' ++ after
-      _ -> line
-    used plate = [fromIntegral k | Just k <- concat (plateSymbols plate)]
-    shape plate k = concat (take 1 (drop k (plateShapes plate)))
-
 -- | The questions of an operation: what one of them asks, and the one that asks it.
 data Questions asked answer
   = Questions
@@ -261,20 +213,4 @@ ofPoses = Questions only FacePose
     only :: Question other -> Maybe (Felt, other :~: Pose)
     only question = case question of
       FacePose it -> Just (it, Refl)
-      _ -> Nothing
-
-ofNets :: Questions Description Unfolded
-ofNets = Questions only Unfold
-  where
-    only :: Question other -> Maybe (Description, other :~: Unfolded)
-    only question = case question of
-      Unfold it -> Just (it, Refl)
-      _ -> Nothing
-
-ofPlates :: Questions Plate Plated
-ofPlates = Questions only Emboss
-  where
-    only :: Question other -> Maybe (Plate, other :~: Plated)
-    only question = case question of
-      Emboss it -> Just (it, Refl)
       _ -> Nothing

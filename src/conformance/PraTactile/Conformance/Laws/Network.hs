@@ -1,7 +1,7 @@
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The network: its outputs, and how it is trained.
+-- | The outputs of a network.
 module PraTactile.Conformance.Laws.Network
   ( networkLaws,
   )
@@ -9,7 +9,6 @@ where
 
 import Data.Aeson (toJSON)
 import Data.Maybe (isNothing)
-import PraTactile.Conformance.Definition.Network
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
@@ -41,56 +40,13 @@ networkLaws =
       [ SomeQuestion (Outputs weights rows)
         | (weights, rows) <- [(other, flat) | other <- misfits] ++ [(plain, r) | r <- noImages]
       ]
-        ++ malformedIn (Outputs plain flat),
-    descent
-      "descend-as-defined"
-      "a training that nothing ends early has the error, the rate and the last step that the rule \
-      \says"
-      (genTraining [1 / 64, 1 / 16, 1 / 4, 1]),
-    descent
-      "descend-undoes-steps"
-      "a step by which the error grows too much is undone, and those after it go another way"
-      (genTraining [2, 8, 32]),
-    descent
-      "descend-ends"
-      "a training ends once its error is the goal or less, or its gradient too small, and not \
-      \before"
-      (genTraining [1 / 16, 1 / 4] >>= ending),
-    invalid OnNetwork "descend-refuses-what-is-invalid" OfDescend . const $
-      [SomeQuestion (Descend other training) | other <- misfits]
-        ++ [ SomeQuestion (Descend plain wrong)
-             | wrong <-
-                 [training {trainingImages = [(rows, 0)]} | rows <- noImages]
-                   ++ [ training {trainingImages = []},
-                        training {trainingImages = [(flat, 2)]},
-                        training {trainingEpochs = 51},
-                        training {trainingRate = 0},
-                        training {trainingRate = -1},
-                        training {trainingRate = 1e16},
-                        training {trainingMomentum = -0.1},
-                        training {trainingMomentum = 1.1},
-                        training {trainingGoal = -1},
-                        training {trainingLeast = -1}
-                      ]
-           ]
-        ++ malformedIn (Descend plain training)
+        ++ malformedIn (Outputs plain flat)
   ]
   where
-    descent what sentence gen =
-      definedWithoutProfile
-        OnNetwork
-        what
-        OfDescend
-        sentence
-        "Demuth and Beale, Neural Network Toolbox (2002), traingdx; Bishop (1995), section 4.8"
-        "dx = mc dx + (1 - mc) lr g; undone beyond 1.04 times the error: lr = 0.7 lr, dx = lr g; \
-        \lr = 1.05 lr where the error falls"
-        (Some (SomeQuestion . uncurry Descend <$> gen) smaller)
     theNetwork = "two layers of logistic units; the paper's section IV"
     theFormula = "1 / (1 + e^-a), a the weighted sum of the inputs and the bias; rows from the top"
     plain = Weights [replicate 97 0.5] [[1, 0.25], [2, 0.5]]
     flat = replicate 12 (replicate 8 0)
-    training = Training [(flat, 1)] 3 0.5 0.5 0 0
     misfits =
       [ Weights [] [[1], [2]],
         Weights (weightsHidden plain) [],
@@ -141,29 +97,3 @@ genImage :: Gen Values
 genImage = do
   (least, most, whole) <- elements [(0, 1, 1), (0, 16, 16), (-8, 24, 16)]
   vectorOf 12 (vectorOf 8 ((/ whole) . fromIntegral <$> chooseInt (least, most)))
-
--- | A network and a training that only its number of epochs ends, with one of these rates.
-genTraining :: [Double] -> Gen (Weights, Training)
-genTraining rates = do
-  weights <- genWeights
-  count <- chooseInt (1, 4)
-  images <-
-    vectorOf count $
-      (,) <$> genImage <*> (fromIntegral <$> chooseInt (0, length (weightsOutput weights) - 1))
-  most <- frequency [(3, chooseInt (0, 8)), (2, chooseInt (9, 30)), (1, chooseInt (31, 50))]
-  rate <- elements rates
-  mc <- elements [0, 0.5, 0.75, 0.95]
-  pure (weights, Training images (fromIntegral most) rate mc 0 0)
-
--- | With a goal that is reached, or a least gradient, where the training was to go on; half way
--- between what an epoch leaves and the least before it.
-ending :: (Weights, Training) -> Gen (Weights, Training)
-ending (weights, training) = do
-  byGoal <- arbitrary
-  let of' = if byGoal then descendedError . epochEnd else epochNorm
-      seen = either (const []) (map of') (epochsBy standardRule weights training)
-      -- Where none is lower than all before it, the first ends it.
-      between = [(a + b) / 2 | (a, b) <- zip (scanl1 min seen) (drop 1 seen), b < a]
-  edge <- elements (if null between then map (+ 1) (take 1 seen) else between)
-  pure . (,) weights $
-    if byGoal then training {trainingGoal = edge} else training {trainingLeast = edge}

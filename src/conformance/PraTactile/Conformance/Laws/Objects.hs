@@ -2,7 +2,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Objects: what is wrong with a polyhedron, which cells lie on a face, where a window of the
--- array lies on them, the pose of one whose face was felt, its nets, and what is made of it.
+-- array lies on them, and the pose of one whose face was felt.
 module PraTactile.Conformance.Laws.Objects
   ( objectLaws,
   )
@@ -18,10 +18,8 @@ import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Lying
 import PraTactile.Conformance.Laws.Malformed
 import PraTactile.Conformance.Laws.Placements
-import PraTactile.Conformance.Laws.Plates
 import PraTactile.Conformance.Laws.Smaller
 import PraTactile.Conformance.Laws.Solids
-import PraTactile.Conformance.Laws.Unfolding
 import PraTactile.Conformance.Question
 import PraTactile.Object.Description
 import PraTactile.Object.Named
@@ -31,7 +29,7 @@ import Test.QuickCheck
 
 -- | The laws of objects.
 objectLaws :: [Law ()]
-objectLaws = solidLaws ++ cellLaws ++ whereaboutsLaws ++ poseLaws ++ unfoldLaws ++ plateLaws
+objectLaws = solidLaws ++ cellLaws ++ whereaboutsLaws ++ poseLaws
 
 -- Polyhedra.
 

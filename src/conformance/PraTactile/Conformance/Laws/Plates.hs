@@ -1,83 +1,16 @@
-{-# LANGUAGE GADTs #-}
-{-# LANGUAGE OverloadedStrings #-}
-
--- | Faces embossed as plates: how large they are, and what their surface has.
+-- | Faces embossed as plates, drawn, and made so that everything is known of them.
 module PraTactile.Conformance.Laws.Plates
-  ( plateLaws,
+  ( plates,
+    unmakeable,
     knownPlates,
   )
 where
 
-import Data.Aeson (Value (..), object, toJSON)
-import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Definition.Face
-import PraTactile.Conformance.Law
+import PraTactile.Conformance.Definition.Plate
 import PraTactile.Conformance.Laws.Faces
-import PraTactile.Conformance.Laws.Judge
-import PraTactile.Conformance.Laws.Malformed
-import PraTactile.Conformance.Laws.Smaller
-import PraTactile.Conformance.Question
 import PraTactile.Object.Description
 import Test.QuickCheck
-
--- | The laws of embossing.
-plateLaws :: [Law ()]
-plateLaws =
-  [ definedWithoutProfile
-      OnObjects
-      "emboss-as-defined"
-      OfEmboss
-      "a plate with symbols is as large as its face times its thickness, and a cube more for each \
-      \raised taxel; its surface of triangles has the corners of both faces, those of the outlines \
-      \below and above, and no others"
-      "Euler's formula; each side of a triangle belongs to two"
-      "boxes are counted, and the corners, sides and squares of their surface"
-      (Some (SomeQuestion . Emboss <$> plates) smaller),
-    law
-      OnObjects
-      "emboss-of-known-measures"
-      [OfEmboss]
-      "plates that were made of a few blocks have the volume and the numbers that those have"
-      "how they were made"
-      $ \() ->
-        Cases questionForm (Every (map (SomeQuestion . Emboss . fst) knownPlates)) measured,
-    definedWithoutProfile
-      OnObjects
-      "emboss-refuses-what-cannot-be-made"
-      OfEmboss
-      "a plate no thicker than its symbols are high, without a symbol, or with one that does not \
-      \lie on the face is refused as impossible-plate, a symbol of which two taxels meet at a \
-      \corner only as corner-contact, what is no face as impossible-face"
-      "the protocol, emboss"
-      "nothing would hold it together, or there is nothing to raise"
-      (Some (SomeQuestion . Emboss <$> (plates >>= unmakeable)) smaller),
-    invalid OnObjects "emboss-refuses-what-is-invalid" OfEmboss . const $
-      malformed plain
-        ++ [ rawWith plain name value
-             | (name, value) <-
-                 [ ("taxel_mm", String "1.5"),
-                   ("thickness_mm", Number 2),
-                   ("symbols", toJSON [[Number 1]]),
-                   ("symbols", toJSON [[Number (-1)]]),
-                   ("symbols", toJSON [[Number 0], []]),
-                   ("symbols", toJSON [Number 0]),
-                   ("shapes", toJSON [replicate 11 ("########" :: String)]),
-                   ("shapes", toJSON [replicate 12 ("#######" :: String)]),
-                   ("shapes", toJSON [replicate 12 ("#######x" :: String)]),
-                   ("shapes", object []),
-                   ("corners", toJSON [[String "0", String "0"]])
-                 ]
-           ]
-  ]
-  where
-    plain = Emboss (plateOn square [["########"]])
-    measured :: SomeQuestion -> Ask Verdict
-    measured (SomeQuestion question) = case question of
-      Emboss it
-        | Just wanted <- lookup it knownPlates ->
-          judge question (Right wanted) (== wanted) "the construction" why <$> ask question
-      _ -> pure Inapplicable
-    why = "the blocks have these volumes and corners" :: String
 
 -- | A square of 32 x 32 mm.
 square :: [Point]

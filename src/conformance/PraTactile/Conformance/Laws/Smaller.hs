@@ -66,22 +66,6 @@ smaller (SomeQuestion question) = case question of
              length less > 1
          ]
   Outputs weights rows -> [SomeQuestion (Outputs less rows) | less <- smallerNetwork weights]
-  Descend weights it ->
-    [ SomeQuestion (Descend weights it {trainingEpochs = less})
-      | less <- smallerNatural (trainingEpochs it)
-    ]
-      ++ [ SomeQuestion (Descend weights it {trainingImages = less})
-           | less <- fewer (trainingImages it)
-         ]
-      ++ [ SomeQuestion (Descend less it)
-           | less <- smallerNetwork weights,
-             all ((< fromIntegral (length (weightsOutput less))) . snd) (trainingImages it)
-         ]
-  Unfold it -> SomeQuestion . Unfold <$> smallerSolid it
-  Emboss it ->
-    [ SomeQuestion (Emboss it {plateSymbols = less})
-      | less <- smallerPatch (maybe [] (const [Nothing])) (plateSymbols it)
-    ]
   _ -> []
   where
     pairs a b = [(c, b) | c <- smallerNatural a] ++ [(a, d) | d <- smallerNatural b]

@@ -1,72 +1,17 @@
-{-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Unfolded solids: in how many ways, how many of these overlap, and how many nets there are.
+-- | Solids to be unfolded, drawn, and such of which the numbers of nets are known.
 module PraTactile.Conformance.Laws.Unfolding
-  ( unfoldLaws,
+  ( unfoldable,
     knownNets,
   )
 where
 
-import Data.Aeson (Value (..), object, toJSON, (.=))
-import PraTactile.Conformance.Ask
-import PraTactile.Conformance.Law
-import PraTactile.Conformance.Laws.Judge
-import PraTactile.Conformance.Laws.Malformed
-import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Definition.Unfold (Unfolded (..))
 import PraTactile.Conformance.Laws.Solids
-import PraTactile.Conformance.Question
 import PraTactile.Object.Description
 import PraTactile.Object.Named
 import Test.QuickCheck
-
--- | The laws of unfolding.
-unfoldLaws :: [Law ()]
-unfoldLaws =
-  [ definedWithoutProfile
-      OnObjects
-      "unfold-as-defined"
-      OfUnfold
-      "a solid can be unfolded along as many sets of edges as join all faces without a cycle; \
-      \those overlap of which two faces have an inner point in common; the others are as many nets \
-      \as no motion takes to each other, where one may be turned over, and where none may"
-      "spanning trees of the graph of faces; Kirchhoff's theorem beyond 10^5 of them"
-      "every set of edges is tried, and every two faces and outlines are compared, exactly"
-      (Some (SomeQuestion . Unfold <$> unfoldable) smaller),
-    law
-      OnObjects
-      "unfold-of-known-numbers"
-      [OfUnfold]
-      "solids whose nets have been counted have that many, however they lie"
-      "the 11 nets of the cube and of the octahedron; Cayley's formula; a convex solid of which \
-      \some unfoldings overlap"
-      $ \() ->
-        Cases questionForm (Every (map (SomeQuestion . Unfold . fst) knownNets)) counted,
-    definedWithoutProfile
-      OnObjects
-      "unfold-refuses-what-is-no-solid"
-      OfUnfold
-      "a polyhedron with a defect is refused as impossible-solid"
-      "the protocol, unfold"
-      "what is no solid has no faces to unfold"
-      (Some (SomeQuestion . Unfold <$> (elements [minBound ..] >>= spoiltOne)) smaller),
-    invalid OnObjects "unfold-refuses-what-is-invalid" OfUnfold . const $
-      malformed plain
-        ++ [rawWith plain "faces" (toJSON [[String "A", name]]) | name <- ["", "a b"]]
-        ++ [ rawWith plain "vertices" (toJSON [object ["name" .= String "A", "at" .= at]])
-             | at <- [map String ["1.5", "0", "0"], map String ["0", "0"], [Number 1]]
-           ]
-  ]
-  where
-    counted :: SomeQuestion -> Ask Verdict
-    counted (SomeQuestion question) = case question of
-      Unfold it
-        | Just wanted <- lookup it knownNets ->
-          judge question (Right wanted) (== wanted) "the literature" why <$> ask question
-      _ -> pure Inapplicable
-    why = "these numbers are known, and a motion changes none of them" :: String
-    spoiltOne kind = elements [Box 3 4 5, Tetrahedron 6] >>= spoilt kind . namedDescription
-    plain = Unfold (Description "" [("A", Point 1 2 (1 / 3))] [FaceName ["A"]])
 
 -- | Solids of which the numbers of nets are known, as they stand, turned, and mirrored.
 knownNets :: [(Description, Unfolded)]

@@ -1,18 +1,11 @@
 -- | What the questions about objects are about. No profile is known to them. Lengths are in
 -- millimetres, and exact where they are fractions.
 module PraTactile.Conformance.Question.Objects
-  ( -- * Asked
-    Mapped (..),
+  ( Mapped (..),
     Felt (..),
-    Plate (..),
-
-    -- * Answered
-    Unfolded (..),
-    Plated (..),
   )
 where
 
-import Numeric.Natural (Natural)
 import PraTactile.Array (Shape)
 import PraTactile.Format.Placement (Drawing)
 import PraTactile.Object.Description (Description, Point)
@@ -39,40 +32,5 @@ data Felt = Felt
     feltError :: Double,
     -- | where the robot's frame lies in the world; in its own where nothing is said
     feltPlane :: Maybe RigidMotion
-  }
-  deriving stock (Eq, Show)
-
--- | A face to be embossed as a plate.
-data Plate = Plate
-  { -- | where the face's vertices are, in the order of its walk
-    plateCorners :: [Point],
-    -- | the side of a taxel of the symbols, and the height to which they are raised
-    plateTaxel :: Rational,
-    plateThickness :: Rational,
-    -- | 12 rows of 8 taxels each, @#@ for one that is raised and @.@ for one that is not
-    plateShapes :: [[String]],
-    -- | rows of cells 16 taxels wide and 20 high, centred on the box round the corners: which shape
-    -- stands in the middle of each, by its place among the shapes, if any does
-    plateSymbols :: [[Maybe Natural]]
-  }
-  deriving stock (Eq, Show)
-
--- | In how many ways a solid can be unfolded.
-data Unfolded = Unfolded
-  { unfoldedTrees :: Natural,
-    -- | how many of these overlap, and how many nets there are, where one may be turned over and
-    -- where none may; 'Nothing' of more than 10^5 unfoldings
-    unfoldedNets :: Maybe (Natural, Natural, Natural)
-  }
-  deriving stock (Eq, Show)
-
--- | A plate that was made.
-data Plated = Plated
-  { -- | r and s of r + sqrt s, cubic millimetres; s is 0 where the root is a fraction
-    platedVolume :: (Rational, Rational),
-    -- | the corners, sides and triangles of its surface
-    platedVertices :: Natural,
-    platedEdges :: Natural,
-    platedFaces :: Natural
   }
   deriving stock (Eq, Show)

@@ -28,25 +28,6 @@ networkGroups operation = case operation of
               ]
         ]
     ]
-  OfDescend ->
-    [ chosen
-        "One training after so many epochs: some fall, some are tolerated, some undone."
-        [ Descend two (training {trainingEpochs = n, trainingRate = rate})
-          | (rate, counts) <- [(0.25, [0, 1, 2, 50]), (24, [1, 2, 3, 12])],
-            n <- counts
-        ],
-      chosen
-        "Trainings that a goal ends, or a least gradient."
-        [ Descend two training {trainingEpochs = 50, trainingGoal = goal, trainingLeast = least}
-          | (goal, least) <- [(1, 0), (100, 0), (0, 0.5), (0, 100)]
-        ],
-      chosen
-        "What is no training."
-        [ Descend one (training {trainingImages = images, trainingEpochs = most})
-          | (images, most) <-
-              [([], 1), ([(flat, 1)], 1), ([(drop 1 flat, 0)], 1), ([(flat, 0)], 51)]
-        ]
-    ]
   _ -> []
   where
     chosen source questions = Group source Chosen (map SomeQuestion questions)
@@ -57,7 +38,6 @@ networkGroups operation = case operation of
           | m <- [3, 11 :: Int]
         ]
         [[1, -1, 0.5], [-2, 0.5, 0], [0.5, 1, -1]]
-    training = Training [(stroke, 0), (corner, 1), (noisy, 2)] 1 0.25 0.5 0 0
     flat = image (\_ _ -> 0)
     stroke = image (\_ c -> if c `elem` [2, 3] then 1 else 0)
     corner = image (\r c -> if r < 4 || c > 5 then 1 else 0)

@@ -9,9 +9,7 @@ where
 import Data.List (nub)
 import PraTactile.Array (Position (..), Shape (..), shapeCells)
 import PraTactile.Conformance.Laws.Malformed
-import PraTactile.Conformance.Laws.Plates
 import PraTactile.Conformance.Laws.Solids
-import PraTactile.Conformance.Laws.Unfolding
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Vectors.Inputs (Group (..), Kind (..))
 import PraTactile.Format.Placement (Drawing (..))
@@ -88,36 +86,8 @@ objectGroups operation = case operation of
               ]
         ]
     ]
-  OfUnfold ->
-    [ chosen "Solids whose nets have been counted." [Unfold it | (it, _) <- atRest knownNets],
-      chosen
-        "Several pieces, a box without a face, and a solid with too many unfoldings to look at."
-        [ Unfold (both (labelled "a" small) (labelled "b" (moved farOff small))),
-          Unfold ((namedDescription (Box 1 1 1)) {describedFaces = []}),
-          Unfold (namedDescription (Prism 12 10 10))
-        ]
-    ]
-  OfEmboss ->
-    [ chosen "Plates of a few blocks." [Emboss it | (it, _) <- knownPlates],
-      chosen
-        "What cannot be made."
-        [ Emboss other
-          | (it, _) <- take 1 knownPlates,
-            other <-
-              [ it {plateThickness = 1},
-                it {plateTaxel = 0},
-                it {plateTaxel = 7 / 3},
-                it {plateSymbols = [[Nothing]]},
-                it {plateShapes = ["#......." : ".#......" : replicate 10 "........"]},
-                it {plateCorners = take 2 square}
-              ]
-        ]
-    ]
   _ -> []
   where
-    atRest list = [one | (i, one) <- zip [0 :: Int ..] list, i `mod` 3 == 0]
-    small = namedDescription (Tetrahedron 1)
-    farOff (Point x y z) = Point (x + 9) y z
     chosen source questions = Group source Chosen (map SomeQuestion questions)
     refusals = Group "Inputs of the wrong form, or nearly so." Chosen . malformed
     square = [Point 0 0 0, Point 0 10 0, Point 10 10 0, Point 10 0 0]

@@ -12,8 +12,6 @@ module PraTactile.Conformance.Wire.Objects
     readWindow,
     feltValue,
     readFelt,
-    plateValue,
-    readPlate,
 
     -- * Answers
     reportValue,
@@ -23,10 +21,6 @@ module PraTactile.Conformance.Wire.Objects
     readWhereabouts,
     poseValue,
     readPose,
-    unfoldedValue,
-    readUnfolded,
-    platedValue,
-    readPlated,
   )
 where
 
@@ -197,31 +191,6 @@ readFelt fields =
       (,) <$> readKey "on_face" (readTwo readReal) given
         <*> readKey "by_robot" (readTwo readReal) given
 
-plateValue :: Plate -> Value
-plateValue it =
-  object
-    [ "corners" .= map pointValue (plateCorners it),
-      "taxel_mm" .= exactValue (plateTaxel it),
-      "thickness_mm" .= exactValue (plateThickness it),
-      "shapes" .= plateShapes it,
-      "symbols" .= map (map (fmap naturalValue)) (plateSymbols it)
-    ]
-
--- | Shapes are 12 rows of 8 taxels, and what stands in a cell is one of them.
-readPlate :: Object -> Maybe Plate
-readPlate fields = do
-  it <-
-    Plate
-      <$> readKey "corners" (readItems readPoint) fields
-      <*> readKey "taxel_mm" readExact fields
-      <*> readKey "thickness_mm" readExact fields
-      <*> readKey "shapes" (readItems readCells) fields
-      <*> readKey "symbols" (readItems (readItems (readNullable readNatural))) fields
-  guard (all (\shape -> map length shape == replicate 12 8) (plateShapes it))
-  guard (evenly (plateSymbols it))
-  guard (and [k < fromIntegral (length (plateShapes it)) | Just k <- concat (plateSymbols it)])
-  pure it
-
 known :: Either e a -> Maybe a
 known = either (const Nothing) Just
 
@@ -292,41 +261,3 @@ poseValue = writeValue poseCodec
 
 readPose :: Value -> Maybe Pose
 readPose = known . readValue poseCodec
-
-unfoldedValue :: Unfolded -> Value
-unfoldedValue (Unfolded trees others) =
-  object
-    [ "spanning_trees" .= naturalValue trees,
-      "overlapping" .= fmap (\(n, _, _) -> naturalValue n) others,
-      "nets" .= fmap (\(_, n, _) -> naturalValue n) others,
-      "nets_up_to_rotation" .= fmap (\(_, _, n) -> naturalValue n) others
-    ]
-
--- | The last three are told all, or none is.
-readUnfolded :: Object -> Maybe Unfolded
-readUnfolded fields = do
-  trees <- readKey "spanning_trees" readNatural fields
-  others <- traverse counted ["overlapping", "nets", "nets_up_to_rotation"]
-  case others of
-    [Just a, Just b, Just c] -> Just (Unfolded trees (Just (a, b, c)))
-    [Nothing, Nothing, Nothing] -> Just (Unfolded trees Nothing)
-    _ -> Nothing
-  where
-    counted name = readKey name (readNullable readNatural) fields
-
-platedValue :: Plated -> Value
-platedValue it =
-  object
-    [ "volume_mm3" .= pairValue exactValue (platedVolume it),
-      "vertices" .= naturalValue (platedVertices it),
-      "edges" .= naturalValue (platedEdges it),
-      "faces" .= naturalValue (platedFaces it)
-    ]
-
-readPlated :: Object -> Maybe Plated
-readPlated fields =
-  Plated
-    <$> readKey "volume_mm3" (readTwo readExact) fields
-    <*> readKey "vertices" readNatural fields
-    <*> readKey "edges" readNatural fields
-    <*> readKey "faces" readNatural fields
