@@ -1,17 +1,17 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Solids to be unfolded, drawn, and such of which the numbers of nets are known.
-module PraTactile.Conformance.Laws.Unfolding
+module Test.Solid.Unfoldable
   ( unfoldable,
     knownNets,
   )
 where
 
-import PraTactile.Conformance.Definition.Unfold (Unfolded (..))
 import PraTactile.Conformance.Laws.Solids
 import PraTactile.Object.Description
 import PraTactile.Object.Named
 import Test.QuickCheck
+import Test.Solid.UnfoldedByDefinition (Unfolded (..))
 
 -- | Solids of which the numbers of nets are known, as they stand, turned, and mirrored.
 knownNets :: [(Description, Unfolded)]

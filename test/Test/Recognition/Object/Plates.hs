@@ -1,5 +1,5 @@
 -- | Faces embossed as plates, drawn, and made so that everything is known of them.
-module PraTactile.Conformance.Laws.Plates
+module Test.Recognition.Object.Plates
   ( plates,
     unmakeable,
     knownPlates,
@@ -7,10 +7,10 @@ module PraTactile.Conformance.Laws.Plates
 where
 
 import PraTactile.Conformance.Definition.Face
-import PraTactile.Conformance.Definition.Plate
 import PraTactile.Conformance.Laws.Faces
 import PraTactile.Object.Description
 import Test.QuickCheck
+import Test.Recognition.Object.PlatesByDefinition
 
 -- | A square of 32 x 32 mm.
 square :: [Point]

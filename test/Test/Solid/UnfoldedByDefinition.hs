@@ -8,7 +8,7 @@
 --
 -- in complex numbers. The first face has its first side from 0 to 1. So all numbers are sums of
 -- multiples of the roots of n' . n' and of their products.
-module PraTactile.Conformance.Definition.Unfold
+module Test.Solid.UnfoldedByDefinition
   ( Unfolded (..),
     unfoldedOf,
   )

@@ -1,6 +1,6 @@
 -- | A face as a plate with symbols raised on it, of boxes: what is below the face, and a cube on
 -- each raised taxel, united by counting.
-module PraTactile.Conformance.Definition.Plate
+module Test.Recognition.Object.PlatesByDefinition
   ( Plate (..),
     Plated (..),
     platedOf,
