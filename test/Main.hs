@@ -123,6 +123,7 @@ import qualified Test.Recognition.GridsAndRefusals
 import qualified Test.Recognition.Object.EmbossedByCounting
 import qualified Test.Recognition.Object.FacesOnTheArray
 import qualified Test.Recognition.Object.PlacementsOfAnyFaces
+import qualified Test.Recognition.Object.PlatesByDefinition
 import qualified Test.Recognition.Object.RoundedSurfaces
 import qualified Test.Recognition.Object.SolidsAreClosed
 import qualified Test.Recognition.PosesByConstruction
@@ -145,6 +146,7 @@ import qualified Test.Solid.RegionsTriangulated
 import qualified Test.Solid.ReportByDefinition
 import qualified Test.Solid.SeenByRays
 import qualified Test.Solid.SumsOfRoots
+import qualified Test.Solid.UnfoldedByDefinition
 import qualified Test.Store.Answers
 import qualified Test.Store.Changes
 import qualified Test.Store.DrawnPlacements
@@ -334,12 +336,14 @@ together = do
     describe "Merged and settled" Test.Solid.MergedAndSettled.spec
     describe "Sums of roots" Test.Solid.SumsOfRoots.spec
     describe "Nets of solids" Test.Solid.NetsOfSolids.spec
+    describe "Nets by definition" Test.Solid.UnfoldedByDefinition.spec
     describe "Packing" Test.Solid.PackedByDefinition.spec
     describe "Files of solids" Test.Solid.FilesOfSolids.spec
     describe "Placement" Test.Recognition.Object.FacesOnTheArray.spec
     describe "Placement of any faces" Test.Recognition.Object.PlacementsOfAnyFaces.spec
     describe "Regions triangulated" Test.Solid.RegionsTriangulated.spec
     describe "Embossing" Test.Recognition.Object.EmbossedByCounting.spec
+    describe "Plates by definition" Test.Recognition.Object.PlatesByDefinition.spec
     describe "Surfaces as files hold them" Test.Recognition.Object.RoundedSurfaces.spec
   describe "Store" . Test.Store.Homes.inEachHome $ do
     Test.Store.Answers.spec

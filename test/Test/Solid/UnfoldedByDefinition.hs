@@ -1,5 +1,6 @@
 -- | All ways to unfold a solid along its edges, one by one: every set of edges that joins all faces
--- and has no cycle is tried, every face laid into the plane, every two of them compared.
+-- and has no cycle is tried, every face laid into the plane, every two of them compared. The
+-- library is held to that.
 --
 -- A face lies beside its neighbour as if it had been turned about their edge. Where that edge runs
 -- from a to b, at A and B in the plane, and n' is the face's normal, its corner w comes to
@@ -8,53 +9,53 @@
 --
 -- in complex numbers. The first face has its first side from 0 to 1. So all numbers are sums of
 -- multiples of the roots of n' . n' and of their products.
-module Test.Solid.UnfoldedByDefinition
-  ( Unfolded (..),
-    unfoldedOf,
-  )
-where
+module Test.Solid.UnfoldedByDefinition (spec) where
 
-import Data.List (elemIndex, genericLength, tails, (\\))
-import Data.Maybe (fromMaybe, isJust, listToMaybe, mapMaybe)
+import Data.List (elemIndex, sort, tails, (\\))
+import Data.Maybe (fromMaybe, isJust, listToMaybe)
 import Data.Ratio (denominator, numerator, (%))
-import Numeric.Natural (Natural)
 import PraTactile.Conformance.Definition.Roots
 import PraTactile.Conformance.Definition.Solid
-import PraTactile.Conformance.Question
 import PraTactile.Object.Description (Description (..), FaceName (..), Point (..), VertexName)
-import PraTactile.Object.Validity (Report (..))
+import PraTactile.Object.Net
+import PraTactile.Object.WingedEdge (EdgeName (..), solid)
+import Test.Effort
+import Test.Hspec
+import Test.Hspec.QuickCheck (prop)
+import Test.QuickCheck hiding (scale, total)
+import Test.Solid.Unfoldable
 
--- | In how many ways a solid can be unfolded.
-data Unfolded = Unfolded
-  { unfoldedTrees :: Natural,
-    -- | how many of these overlap, and how many nets there are, where one may be turned over and
-    -- where none may; 'Nothing' of more than 10^5 unfoldings
-    unfoldedNets :: Maybe (Natural, Natural, Natural)
-  }
-  deriving stock (Eq, Show)
-
--- | How many ways there are, and if they are at most so many, how many overlap, and how many kinds
--- there are of the others.
-unfoldedOf :: Natural -> Description -> Either Refusal Unfolded
-unfoldedOf most it
-  | not (null (reportDefects (reportOf it))) = Left (Refusal "impossible-solid")
-  | count > most = Right (Unfolded count Nothing)
-  | otherwise = Right (Unfolded (genericLength trees) (Just (overlapping, kinds True, kinds False)))
+spec :: Spec
+spec =
+  withCases 40 200 . prop "a net is found, unless every unfolding overlaps" $
+    forAll (unfoldable `suchThatMap` ofFew) $ \(it_, whole) ->
+      let found = unfoldingsOf it_
+          folded tree = sort [between a b | EdgeName a b <- foldedEdges whole tree]
+       in classify (any snd found) "some overlap" $
+            fromIntegral (length found) === spanningTrees whole
+              .&&. case pickNet 100000 whole of
+                Right tree -> lookup (folded tree) found === Just False
+                Left EveryOneOverlaps -> map snd found === map (const True) found
+                Left SeveralPieces -> found === []
+                Left NoneFound -> counterexample "none was found" False
   where
-    body = bodyOf it
-    count = treeCount (length (bodyFaces body)) (bodyEdges body)
-    trees = spanningTrees (length (bodyFaces body)) (bodyEdges body)
-    unfolded = [(tree, placed body tree) | tree <- trees]
-    (bad, good) = (filter overlaps' unfolded, filter (not . overlaps') unfolded)
-    overlaps' (_, laid) = or [overlap body f g | f : others <- tails laid, g <- others]
-    overlapping = genericLength bad
-    outlines = [outline body tree laid | (tree, laid) <- good]
-    kinds turned = genericLength (foldr (new turned) [] outlines) :: Natural
-    new turned one known
-      | any (\other -> any (`sameOutline'` other) (forms turned one)) known = known
-      | otherwise = one : known
-    sameOutline' = sameOutline (bodyRoots body)
-    forms turned one = one : [turnedOver one | turned]
+    ofFew it_ = case solid it_ of
+      Right whole | spanningTrees whole <= byEffort 60 400 -> Just (it_, whole)
+      _ -> Nothing
+
+-- | The ends of an edge, in whichever direction it is walked.
+between :: VertexName -> VertexName -> (VertexName, VertexName)
+between a b = (min a b, max a b)
+
+-- | The edges that are folded in each unfolding, and whether two of its faces overlap.
+unfoldingsOf :: Description -> [([(VertexName, VertexName)], Bool)]
+unfoldingsOf it_ =
+  [ (sort [between a b | Edge _ _ (a, b) <- tree], overlaps (placed body tree))
+    | tree <- treesOf (length (bodyFaces body)) (bodyEdges body)
+  ]
+  where
+    body = bodyOf it_
+    overlaps laid = or [overlap body f g | f : others <- tails laid, g <- others]
 
 -- Spanning trees.
 
@@ -63,8 +64,8 @@ data Edge = Edge Int Int (VertexName, VertexName)
   deriving stock (Eq)
 
 -- | All sets of edges that join so many faces without a cycle: each edge is taken or left.
-spanningTrees :: Int -> [Edge] -> [[Edge]]
-spanningTrees count = go [[f] | f <- [0 .. count - 1]]
+treesOf :: Int -> [Edge] -> [[Edge]]
+treesOf count = go [[f] | f <- [0 .. count - 1]]
   where
     go groups edges = case (groups, edges) of
       ([_], _) -> [[]]
@@ -74,31 +75,6 @@ spanningTrees count = go [[f] | f <- [0 .. count - 1]]
       case [group | group <- groups, f `elem` group || g `elem` group] of
         both@[a, b] -> map (edge :) (go ((a ++ b) : (groups \\ both)) others)
         _ -> []
-
--- | How many there are: the determinant of the Laplacian matrix without its first row and column
--- (Kirchhoff 1847).
-treeCount :: Int -> [Edge] -> Natural
-treeCount count edges =
-  fromInteger . numerator . determinant $
-    [[entry f g | g <- [1 .. count - 1]] | f <- [1 .. count - 1]]
-  where
-    entry f g
-      | f == g = genericLength [() | Edge a b _ <- edges, f `elem` [a, b]]
-      | otherwise =
-        negate (genericLength [() | Edge a b _ <- edges, (a, b) `elem` [(f, g), (g, f)]])
-
-determinant :: [[Rational]] -> Rational
-determinant rows = case break ((/= 0) . head') rows of
-  ([], []) -> 1
-  (_, []) -> 0
-  (zeros, pivot : others) ->
-    (if odd (length zeros) then negate else id) (head' pivot)
-      * determinant
-        [ zipWith (\x p -> x - head' row / head' pivot * p) (drop 1 row) (drop 1 pivot)
-          | row <- zeros ++ others
-        ]
-  where
-    head' = sum . take 1
 
 -- The solid in whole numbers.
 
@@ -113,7 +89,7 @@ data Body = Body
   }
 
 bodyOf :: Description -> Body
-bodyOf it =
+bodyOf solid_ =
   Body
     { bodyFaces = faces,
       bodyNormals = normals,
@@ -129,10 +105,10 @@ bodyOf it =
     }
   where
     numbered = zip [0 ..] faces
-    faces = [[(v, at v) | v <- walk] | FaceName walk <- describedFaces it]
-    at v = head' [scaled p | (w, p) <- describedVertices it, w == v]
+    faces = [[(v, at v) | v <- walk] | FaceName walk <- describedFaces solid_]
+    at v = head' [scaled p | (w, p) <- describedVertices solid_, w == v]
     head' = fromMaybe (0, 0, 0) . listToMaybe
-    over = foldr lcm 1 [denominator c | (_, Point x y z) <- describedVertices it, c <- [x, y, z]]
+    over = foldr lcm 1 [denominator c | (_, Point x y z) <- describedVertices solid_, c <- [x, y, z]]
     scaled (Point x y z) = fromInteger over `times3` (x, y, z)
     normals = map (shortest . normalOf . map snd) faces
     shortest (a, b, c) =
@@ -235,75 +211,3 @@ overlap body one other = or [common a b | a <- cut one, b <- cut other]
         | let face = bodyFaces body !! f,
           (a, b, c) <- triangulate (bodyNormals body !! f) (map snd face)
       ]
-
--- Outlines.
-
--- | The sides of an outline, the inside on their left: the square of each one's length, and the
--- quotient of the way after it and its own, times that square. A face's corners may make one side.
-type Outline = [(Fraction, (Fraction, Fraction))]
-
--- | Multiples as in a 'Number', over a denominator.
-type Fraction = Number Rational
-
--- | A walk round the faces along all sides that are not glued.
-outline :: Body -> [Edge] -> [Laid] -> Outline
-outline body tree laid = zip (map squared sides) (map turning (pairs sides))
-  where
-    roots = bodyRoots body
-    allSides = [(f, side) | Laid f _ corners <- laid, side <- cyclicPairs (map fst corners)]
-    glued = concat [[(f, (a, b)), (g, (b, a))] | Edge f g (a, b) <- tree]
-    partner =
-      concat
-        [ [((f, (a, b)), (g, (b, a))), ((g, (b, a)), (f, (a, b)))]
-          | Edge f g (a, b) <- tree
-        ]
-    begin = listToMaybe (allSides \\ glued)
-    walk = maybe [] (\s -> s : takeWhile (/= s) (drop 1 (iterate after s))) begin
-    after side = outer (following side)
-    outer side = maybe side (outer . following) (lookup side partner)
-    following (f, (_, b)) =
-      fromMaybe (f, (b, b)) (listToMaybe [s | s@(g, (c, _)) <- allSides, g == f, c == b])
-    ways = mapMaybe way walk
-    way (f, (a, b)) =
-      listToMaybe
-        [ (over, q `across` p)
-          | Laid g over corners <- laid,
-            g == f,
-            Just p <- [lookup a corners],
-            Just q <- [lookup b corners]
-        ]
-    pairs list = zip list (drop 1 list ++ take 1 list)
-    -- From where it turns; sides that go on straight are one.
-    sides = joined (turnedTo ways)
-    turnedTo list = case span straight (pairs list) of
-      (goingOn, _ : _) -> let k = length goingOn + 1 in drop k list ++ take k list
-      _ -> list
-    joined list = case list of
-      a : b : others | straight (a, b) -> joined (sum2 a b : others)
-      a : others -> a : joined others
-      [] -> []
-    sum2 (k, (x, y)) (l, (u, v)) =
-      (k * l, (scale l x `plus` scale k u, scale l y `plus` scale k v))
-    straight (a, b) = let (x, y) = quotient a b in sign roots y == 0 && sign roots x > 0
-    quotient (_, a) (_, b) = product' roots b (conjugate a)
-    turning (a@(k, _), b@(l, _)) =
-      let (x, y) = quotient a b in (map (% (k * l)) x, map (% (k * l)) y)
-    squared a@(k, _) = map (% (k * k)) (fst (quotient a a))
-
--- | The outline of what is turned over: walked the other way, with the same turns.
-turnedOver :: Outline -> Outline
-turnedOver given = zip (reverse (map fst given)) (drop 1 turns ++ take 1 turns)
-  where
-    turns = reverse (map snd given)
-
--- | Whether a motion takes one outline to the other.
-sameOutline :: [Integer] -> Outline -> Outline -> Bool
-sameOutline roots one other =
-  length one == length other && any (and . zipWith alike one) (cyclings other)
-  where
-    cyclings list = [drop k list ++ take k list | k <- [0 .. length list - 1]]
-    alike (a, (x, y)) (b, (u, v)) = equal a b && equal x u && equal y v
-    equal a b = a == b || sign roots (cleared (zipWith (-) a b)) == 0
-    cleared parts =
-      let over = foldr (lcm . denominator) 1 parts
-       in map (numerator . (fromInteger over *)) parts

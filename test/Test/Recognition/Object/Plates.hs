@@ -1,16 +1,45 @@
--- | Faces embossed as plates, drawn, and made so that everything is known of them.
+-- | Plates with raised symbols: drawn ones, and some of which everything is known by how they were
+-- made.
 module Test.Recognition.Object.Plates
-  ( plates,
-    unmakeable,
+  ( Plate (..),
+    Plated (..),
+    plates,
     knownPlates,
   )
 where
 
+import Data.Maybe (isJust)
+import Numeric.Natural (Natural)
 import PraTactile.Conformance.Definition.Face
 import PraTactile.Conformance.Laws.Faces
 import PraTactile.Object.Description
 import Test.QuickCheck
-import Test.Recognition.Object.PlatesByDefinition
+
+-- | A face to be embossed as a plate.
+data Plate = Plate
+  { -- | where the face's vertices are, in the order of its walk
+    plateCorners :: [Point],
+    -- | the side of a taxel of the symbols, and the height to which they are raised
+    plateTaxel :: Rational,
+    plateThickness :: Rational,
+    -- | 12 rows of 8 taxels each, @#@ for one that is raised and @.@ for one that is not
+    plateShapes :: [[String]],
+    -- | rows of cells 16 taxels wide and 20 high, centred on the box round the corners: which shape
+    -- stands in the middle of each, by its place among the shapes, if any does
+    plateSymbols :: [[Maybe Natural]]
+  }
+  deriving stock (Eq, Show)
+
+-- | A plate that was made.
+data Plated = Plated
+  { -- | r and s of r + sqrt s, cubic millimetres; s is 0 where the root is a fraction
+    platedVolume :: (Rational, Rational),
+    -- | the corners, sides and triangles of its surface
+    platedVertices :: Natural,
+    platedEdges :: Natural,
+    platedFaces :: Natural
+  }
+  deriving stock (Eq, Show)
 
 -- | A square of 32 x 32 mm.
 square :: [Point]
@@ -40,9 +69,12 @@ knownPlates =
     triangle = [Point 80 0 0, Point 0 80 0, Point 0 0 80]
     wide = [Point 0 20 0, Point 0 0 0, Point 48 0 0, Point 48 20 0]
 
--- | Plates over faces in any plane, most of which can be made.
+-- | Plates over faces in any plane, each with a symbol.
 plates :: Gen Plate
-plates = do
+plates = drawnPlate `suchThat` (any (any isJust) . plateSymbols)
+
+drawnPlate :: Gen Plate
+drawnPlate = do
   corners <- faces
   n <- chooseInteger (1, 4)
   shapes <- vectorOf 3 genShape
@@ -101,25 +133,3 @@ neighbours shape =
     | y <- [0 .. length shape - 2],
       x <- [0 .. 6]
   ]
-
--- | With something that cannot be.
-unmakeable :: Plate -> Gen Plate
-unmakeable it =
-  elements
-    [ it {plateThickness = plateTaxel it},
-      it {plateThickness = -1},
-      it {plateTaxel = 0},
-      it {plateSymbols = map (map (const Nothing)) (plateSymbols it)},
-      it {plateSymbols = []},
-      it {plateSymbols = replicate 9 (replicate 9 (Just 0))},
-      it {plateShapes = map (const touching) (plateShapes it)},
-      it {plateCorners = take 2 (plateCorners it)},
-      it
-        { plateCorners =
-            [Point x y (z + 1 / 7) | Point x y z <- take 1 (plateCorners it)]
-              ++ drop 1 (plateCorners it)
-              ++ [Point 0 0 1]
-        }
-    ]
-  where
-    touching = ["#.......", ".#......"] ++ replicate 10 "........"

@@ -1,80 +1,60 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- | A face as a plate with symbols raised on it, of boxes: what is below the face, and a cube on
--- each raised taxel, united by counting.
-module Test.Recognition.Object.PlatesByDefinition
-  ( Plate (..),
-    Plated (..),
-    platedOf,
-  )
-where
+-- each raised taxel, united by counting. The library's plates are held to that.
+module Test.Recognition.Object.PlatesByDefinition (spec) where
 
-import Data.List (genericIndex, genericLength)
+import Data.Foldable (for_)
+import Data.List (genericIndex, genericLength, sort)
+import qualified Data.Set as Set
+import qualified Data.Vector as V
 import Numeric.Natural (Natural)
-import PraTactile.Conformance.Definition.Face
+import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Conformance.Definition.Solid (exactRoot, normalOf, (<.>))
-import PraTactile.Conformance.Question
-import PraTactile.Object.Description (Point (..))
+import PraTactile.Emboss hiding (volume)
+import PraTactile.Emboss.Face (stampOf)
+import PraTactile.Format.Placement (Drawing (..), drawnPlacement)
+import PraTactile.Geometry (taxelPitch)
+import PraTactile.Object.Description
+import PraTactile.Object.Placement
+import PraTactile.Object.WingedEdge (outwardNormal)
+import PraTactile.Shape (bitmapWhere)
+import Test.Effort
+import Test.Hspec hiding (around)
+import Test.Hspec.QuickCheck (prop)
+import Test.QuickCheck
+import Test.Recognition.Object.Plates
 
--- | A face to be embossed as a plate.
-data Plate = Plate
-  { -- | where the face's vertices are, in the order of its walk
-    plateCorners :: [Point],
-    -- | the side of a taxel of the symbols, and the height to which they are raised
-    plateTaxel :: Rational,
-    plateThickness :: Rational,
-    -- | 12 rows of 8 taxels each, @#@ for one that is raised and @.@ for one that is not
-    plateShapes :: [[String]],
-    -- | rows of cells 16 taxels wide and 20 high, centred on the box round the corners: which shape
-    -- stands in the middle of each, by its place among the shapes, if any does
-    plateSymbols :: [[Maybe Natural]]
-  }
-  deriving stock (Eq, Show)
-
--- | A plate that was made.
-data Plated = Plated
-  { -- | r and s of r + sqrt s, cubic millimetres; s is 0 where the root is a fraction
-    platedVolume :: (Rational, Rational),
-    -- | the corners, sides and triangles of its surface
-    platedVertices :: Natural,
-    platedEdges :: Natural,
-    platedFaces :: Natural
-  }
-  deriving stock (Eq, Show)
+spec :: Spec
+spec = do
+  it "plates of a few blocks have the volume and the numbers that those have" $
+    for_ knownPlates $ \(plate, made) -> do
+      platedOf plate `shouldBe` made
+      embossedBy plate `shouldBe` Right made
+  withCases 60 300
+    . prop "a plate is its face times its thickness, and a cube more for each raised taxel"
+    $ forAll plates $ \plate -> embossedBy plate === Right (platedOf plate)
 
 -- | How large the plate is and how many corners, sides and triangles its surface has.
 --
 -- It is a prism over the face, of half the length of the normal times the thickness, and a cube for
 -- each raised taxel. A surface of triangles of which each side belongs to two has 3 F = 2 E, and
 -- V - E + F is that of the boxes' own surface.
-platedOf :: Plate -> Either Refusal Plated
-platedOf it = case flat (plateCorners it) of
-  Nothing -> Left (Refusal "impossible-face")
-  Just face
-    | t <= 0 -> Left (Refusal "impossible-face")
-    | null cells || not (all (holds face block . fst) cells) -> Left (Refusal "impossible-plate")
-    | any (any (`elem` crossed) . around) shapes -> Left (Refusal "corner-contact")
-    | plateThickness it <= t -> Left (Refusal "impossible-plate")
-    | otherwise -> Right (Plated volume vertices (3 * faces `div` 2) faces)
+platedOf :: Plate -> Plated
+platedOf it_ = Plated volume vertices (3 * faces `div` 2) faces
   where
-    t = plateTaxel it
-    symbols = plateSymbols it
-    block =
-      Block Middle (16 * t, 20 * t) (genericLength symbols, genericLength (concat (take 1 symbols)))
-    cells = [((r, c), k) | (r, line) <- zip [0 ..] symbols, (c, Just k) <- zip [0 ..] line]
-    shapes = [plateShapes it `genericIndex` k | (_, k) <- cells]
+    t = plateTaxel it_
+    shapes = [plateShapes it_ `genericIndex` k | Just k <- concat (plateSymbols it_)]
     raised = genericLength (filter (== '#') (concat (concat shapes))) :: Rational
-    vertices = 2 * (genericLength (plateCorners it) + sum (map turns shapes)) :: Natural
+    vertices = 2 * (genericLength (plateCorners it_) + sum (map turns shapes)) :: Natural
     turns shape = genericLength [() | four <- around shape, odd (length (filter id four))]
     -- A ball, but for what the boxes' surface says otherwise.
     euler = 2 + sum [patchEuler shape - 1 | shape <- shapes]
     faces = fromInteger (2 * (toInteger vertices - euler))
     volume = (raised * t * t * t + rational, root)
-    normal = normalOf [(x, y, z) | Point x y z <- plateCorners it]
-    squared = plateThickness it * plateThickness it * (normal <.> normal) / 4
+    normal = normalOf [(x, y, z) | Point x y z <- plateCorners it_]
+    squared = plateThickness it_ * plateThickness it_ * (normal <.> normal) / 4
     (rational, root) = maybe (0, squared) (\s -> (s, 0)) (exactRoot squared)
-
--- | Taxels of which two meet at a corner only.
-crossed :: [[Bool]]
-crossed = [[True, False, False, True], [False, True, True, False]]
 
 -- | The four taxels round each corner of taxels: upper left and right, lower left and right.
 around :: [String] -> [[Bool]]
@@ -113,3 +93,47 @@ patchEuler shape = points - sides + squares
     sides = sum [count (heights rim) | rim <- rims] + count upright
     squares =
       toInteger ((wide + 2) * (high + 2)) + count [() | rim <- rims, length (heights rim) == 2]
+
+-- | What the library makes of a plate: that of the face of a prism.
+embossedBy :: Plate -> Either String Plated
+embossedBy (Plate corners taxel thickness shapes symbols) = do
+  (whole, laid) <- case drawnPlacement size (Pitch (16 * taxel) (20 * taxel)) [prism] [laying] of
+    Right place | [found] <- zip (placementSolids place) (laidFaces place) -> Right found
+    other -> Left (either show (const "several faces") other)
+  stamps <- traverse stamped cells
+  made <- shown (embossedPlate (taxel / taxelPitch) (Just thickness) whole laid stamps)
+  let Volume r s = embossedVolume made
+      cut = V.toList (embossedTriangles made)
+      sides = concat [[sort [a, b], sort [b, c], sort [c, a]] | (a, b, c) <- cut]
+  pure
+    Plated
+      { platedVolume = (r, s),
+        platedVertices = fromIntegral (V.length (embossedPoints made)),
+        platedEdges = fromIntegral (Set.size (Set.fromList sides)),
+        platedFaces = fromIntegral (length cut)
+      }
+  where
+    cells = [(Position r c, k) | (r, line) <- zip [0 ..] symbols, (c, Just k) <- zip [0 ..] line]
+    shown :: Show e => Either e a -> Either String a
+    shown = either (Left . show) Right
+    stamped (cell, k) =
+      fmap ((,) cell) . shown . stampOf . bitmapWhere $
+        \x y -> '#' `elem` nth x (concat (nth y (concat (nth (fromIntegral k) shapes))))
+    nth i list = take 1 (drop i list)
+    size = Shape (atLeastOne symbols) (atLeastOne (concat (take 1 symbols)))
+    atLeastOne list = fromIntegral (max 1 (length list))
+    laying =
+      Drawing (Face "" (FaceName above)) 0 0 Nothing (map (map (maybe '.' (const '#'))) symbols)
+    prism =
+      Description
+        ""
+        (zip above corners ++ zip below (map (`less` outwardNormal corners) corners))
+        ( FaceName above :
+          FaceName (reverse below) :
+            [ FaceName [b, a, c, d]
+              | ((a, b), (c, d)) <- zip (cyclicPairs above) (cyclicPairs below)
+            ]
+        )
+    (above, below) = (named "a", named "b")
+    named level = [VertexName (level ++ show i) | i <- [1 .. length corners]]
+    less (Point x y z) (Point u v w) = Point (x - u) (y - v) (z - w)
