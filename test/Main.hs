@@ -75,10 +75,8 @@ import qualified Test.Common.SymmetryGroup
 import qualified Test.Conformance.Definition
 import qualified Test.Conformance.InProcess
 import qualified Test.Conformance.Laws
-import qualified Test.Conformance.Laws.OneWrongAnswer
 import qualified Test.Conformance.Laws.Shrinking
 import qualified Test.Conformance.Laws.Tolerances
-import qualified Test.Conformance.Likely
 import qualified Test.Conformance.Process.Checks
 import qualified Test.Conformance.Process.Faults
 import qualified Test.Conformance.Process.Output
@@ -86,7 +84,6 @@ import qualified Test.Conformance.Properties
 import qualified Test.Conformance.Report
 import qualified Test.Conformance.Run.Choice
 import qualified Test.Conformance.Run.Counterexamples
-import qualified Test.Conformance.Run.Fresh
 import qualified Test.Conformance.Run.Search
 import qualified Test.Conformance.Run.Whole
 import qualified Test.Conformance.Serve
@@ -390,8 +387,6 @@ together = do
   describe "Conformance: tolerances" Test.Conformance.Laws.Tolerances.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec
   describe "Conformance: smaller cases" Test.Conformance.Laws.Shrinking.spec
-  describe "Conformance: one wrong answer" Test.Conformance.Laws.OneWrongAnswer.spec
-  describe "Conformance: likely causes" Test.Conformance.Likely.spec
   describe "Conformance: what fails" Test.Conformance.Properties.spec
   describe "Conformance: profiles in force" Test.Conformance.InProcess.spec
   describe "Conformance: lines" Test.Conformance.Wire.Lines.spec
@@ -400,7 +395,6 @@ together = do
   describe "Conformance: test vectors" Test.Conformance.Vectors.spec
   describe "Conformance: the runner" Test.Conformance.Run.Search.spec
   describe "Conformance: what the runner tries" Test.Conformance.Run.Choice.spec
-  describe "Conformance: what depends on earlier requests" Test.Conformance.Run.Fresh.spec
   describe "Conformance: the version of the suite" Test.Conformance.Versions.spec
   describe "Conformance: what the runner reports" Test.Conformance.Run.Counterexamples.spec
   describe "Conformance: whole runs" Test.Conformance.Run.Whole.spec

@@ -37,8 +37,6 @@ data Report = Report
     reportSeed :: Int,
     -- | The laws were chosen, so that what they say is not all.
     reportPartial :: Bool,
-    -- | Something failed in a tenth of the cases, so that the others were not tried.
-    reportGlance :: Bool,
     reportSeconds :: Double,
     -- | Patterns of laws that must fail, none of which did.
     reportUnexpected :: [String],
@@ -60,8 +58,6 @@ data LawReport = LawReport
     lawReportCases :: !Int,
     lawReportExhaustive :: !Bool,
     lawReportCounterexample :: !(Maybe Counterexample),
-    -- | The shipped impostor that errs exactly alike.
-    lawReportLikely :: !(Maybe String),
     -- | Why it was skipped.
     lawReportNote :: !(Maybe String)
   }
@@ -81,7 +77,6 @@ untried name stage sentence source =
       lawReportCases = 0,
       lawReportExhaustive = False,
       lawReportCounterexample = Nothing,
-      lawReportLikely = Nothing,
       lawReportNote = Nothing
     }
 
@@ -151,9 +146,9 @@ data Counterexample = Counterexample
     counterGot :: Either Fault Response,
     counterReason :: String,
     counterShrinks :: Int,
-    -- | How many of the requests were made before the case itself, where a process that was asked
-    -- nothing else answers it rightly; 0 where those that it depends on were not found.
-    counterEarlier :: Maybe Int,
+    -- | Whether a fresh process answers the case rightly, so that the subject's answer depends on
+    -- what it was asked before.
+    counterDepends :: Bool,
     -- | 'Nothing' where there is nothing to replay: a check of the protocol, and what depends on
     -- earlier requests.
     counterToken :: Maybe String
@@ -172,6 +167,6 @@ counterexample requests wanted road got reason =
       counterGot = got,
       counterReason = reason,
       counterShrinks = 0,
-      counterEarlier = Nothing,
+      counterDepends = False,
       counterToken = Nothing
     }

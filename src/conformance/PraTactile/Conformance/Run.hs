@@ -1,3 +1,5 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- | Running a suite on a subject: the laws one after the other, or shared among several processes
 -- of the same subject, within a time for all, to a report.
 module PraTactile.Conformance.Run
@@ -12,70 +14,63 @@ import Control.Applicative ((<|>))
 import Control.Concurrent
 import Control.Exception
 import Control.Monad (forM, when)
+import Data.Aeson (Value (..))
+import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Foldable (for_, traverse_)
 import Data.IORef
+import Data.List (find)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
+import qualified Data.Text as Text
 import Data.Traversable (for)
 import GHC.Clock (getMonotonicTime)
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Run.Case
 import PraTactile.Conformance.Run.One
 import PraTactile.Conformance.Run.Pattern
 import PraTactile.Conformance.Run.Token
-import PraTactile.Conformance.Run.Unanswered
 import PraTactile.Conformance.Run.Work
 import PraTactile.Conformance.Subject
 import PraTactile.Format.Error (FormatError)
 
--- | Try all laws that were chosen on a subject, of which several may be given that are alike; then
--- how it is spoken to. The report, and each of its parts as it is made.
+-- | Make the subject's checks, then try all laws that were chosen, under each profile. Several
+-- subjects that are alike share the work. The report, and each of its parts as it is made.
 --
--- Under the first profile all cases are tried at once, and then a glance is taken at everything
--- else, a tenth of its cases: what only one of the last profiles shows is so told about as soon as
--- what all of them show. If something fails, that is what there is to mend, and nothing more is
--- tried; otherwise the other cases are.
+-- After a timeout or a crash, the laws that need the same operation are skipped.
 runSuite :: Settings -> Suite about -> (LawReport -> IO ()) -> [Subject] -> IO Report
 runSuite settings suite tell subjects = do
   start <- getMonotonicTime
-  let budget = Budget (start + settingLimit settings) (settingFailFast settings)
-      asks = operationsOf (stagesTried settings)
-      offers = filter (`elem` asks) (concatMap subjectOffers (take 1 subjects))
-      work = workOf settings offers suite
-      checks = concatMap (checksChosen settings) (take 1 subjects)
   stopped <- newIORef False
-  unanswered <- newIORef nothingUnanswered
-  let judged one = do
+  unanswered <- newIORef []
+  let asks = operationsOf (stagesTried settings)
+      offers = filter (`elem` asks) (concatMap subjectOffers (take 1 subjects))
+      within late attempt = do
+        now <- getMonotonicTime
+        let left = start + settingLimit settings - now
+        if left > 0 then fromMaybe late <$> withinSeconds left attempt else pure late
+      -- The report of an attempt, or why it is not made, or that it took too long.
+      judged needs leftOut notTried late attempt = do
+        over <- readIORef stopped
+        silent <- readIORef unanswered
+        let failedBefore = if over then Just leftAlone else Nothing
+        one <- case leftOut <|> failedBefore <|> noReplyTo (filter (`elem` silent) needs) of
+          Just why -> pure notTried {lawReportNote = Just why}
+          Nothing -> within late attempt
         classified <- evaluate (classify settings one)
         when (contradicts classified) $ do
-          atomicModifyIORef' unanswered (\before -> (noted classified before, ()))
+          for_ (operationWithoutReply classified) $ \operation ->
+            atomicModifyIORef' unanswered (\before -> (operation : before, ()))
           when (settingFailFast settings) $ writeIORef stopped True
-        pure classified
-      told one = one <$ tell one
-      try' share worker one = do
-        notAsked <- (`whyNotAsked` workNeeds one) <$> readIORef unanswered
-        tryWithin
-          budget
-          stopped
-          (tryWork (planOf share settings) suite worker one)
-          one {workLeftOut = workLeftOut one <|> notAsked}
-          >>= judged
-      soon worker one = try' (if wholeSoon suite one then Whole else AtAGlance) worker one
-      atLength worker (one, before)
-        | wholeSoon suite one || lawReportOutcome before == KnownFailure = pure before
-        | otherwise = together before <$> try' TheOthers worker one
-  -- How it is spoken to comes first: it is quickly seen, and all else rests on it.
-  checked <- for checks $ \check -> do
-    notAsked <- (`whyNotAsked` []) <$> readIORef unanswered
-    let leftOut why = pure (checkReport check) {lawReportNote = Just why}
-    maybe (checkWithin budget stopped check) leftOut notAsked >>= judged >>= told
-  first <- inParallel subjects work soon
-  let glance = any contradicts (first ++ checked) && not (all (wholeSoon suite) work)
-  tried <-
-    if glance
-      then traverse told first
-      else inParallel subjects (zip work first) (\worker one -> atLength worker one >>= told)
+        classified <$ tell classified
+  -- How the subject is spoken to comes first: all else rests on it.
+  checked <- for (concatMap (checksChosen settings) (take 1 subjects)) $ \check ->
+    judged [] Nothing (checkReport check) (checkTooSlow check) $
+      checkedReport check <$> checkTry check
+  tried <- inParallel subjects (workOf settings offers suite) $ \worker work ->
+    judged (workNeeds work) (workLeftOut work) (blank work) (tooSlow work) $
+      tryWork (planOf settings) worker work
   end <- getMonotonicTime
   pure
     Report
@@ -85,7 +80,6 @@ runSuite settings suite tell subjects = do
         reportUnknown = concatMap subjectUnknown (take 1 subjects),
         reportSeed = settingSeed settings,
         reportPartial = not (choosesAll settings),
-        reportGlance = glance,
         reportSeconds = end - start,
         reportUnexpected = unexpected settings (tried ++ checked),
         reportLaws = tried ++ checked
@@ -106,7 +100,7 @@ replay settings suite token subject = for (workFor suite token) $ \work -> do
     fromMaybe (Right (tooSlow work))
       <$> withinSeconds
         (settingLimit settings)
-        (tryToken (planOf Whole settings) suite worker work (tokenCase token))
+        (tryToken (planOf settings) worker work (tokenCase token))
   end <- getMonotonicTime
   let asks = operationsOf [workStage work]
   pure $ case tried of
@@ -120,70 +114,40 @@ replay settings suite token subject = for (workFor suite token) $ \work -> do
             reportUnknown = subjectUnknown subject,
             reportSeed = settingSeed settings,
             reportPartial = True,
-            reportGlance = False,
             reportSeconds = end - start,
             reportUnexpected = [],
             reportLaws = [one]
           }
 
-planOf :: Share -> Settings -> Subject -> Plan
-planOf share settings subject =
+planOf :: Settings -> Subject -> Plan
+planOf settings subject =
   Plan
     { planSeed = settingSeed settings,
       planCases = settingCases settings,
-      planWindow = subjectBatch subject,
-      planBrief = False,
-      planShare = share
+      planBatch = subjectBatch subject,
+      planShrinks = True
     }
 
--- | Whether all of it is tried before a glance is taken at the rest: what is of profiles, and what
--- is under the first one.
-wholeSoon :: Suite about -> Work -> Bool
-wholeSoon suite work = case workProfile work of
-  Just (name, _) -> name `elem` map fst (take 1 (suiteProfiles suite))
-  Nothing -> workStage work == OnProfile
-
--- | Whether something failed that is not known to.
+-- | Whether a law failed that is not known to.
 contradicts :: LawReport -> Bool
 contradicts one = lawReportOutcome one `elem` [Failed, Errored]
 
--- | What came of a law at a glance and of its other cases.
-together :: LawReport -> LawReport -> LawReport
-together before after
-  | lawReportOutcome after == Skipped = before {lawReportExhaustive = lawReportExhaustive after}
-  | otherwise = after {lawReportCases = lawReportCases before + lawReportCases after}
+-- | The operation that a law ended at, where no reply came.
+operationWithoutReply :: LawReport -> Maybe Operation
+operationWithoutReply report = case lawReportCounterexample report of
+  Just one
+    | Left fault <- counterGot one,
+      faultKind fault /= WrongType,
+      Object keys : _ <- reverse (counterRequests one),
+      Just (String name) <- KeyMap.lookup "operation" keys ->
+      find ((== Text.unpack name) . operationName) [minBound ..]
+  _ -> Nothing
 
--- | When all must be done, and whether the first failure ends it.
-data Budget = Budget Double Bool
-
--- | The report of some work, if there is time for it; otherwise it says so.
-tryWithin :: Budget -> IORef Bool -> IO LawReport -> Work -> IO LawReport
-tryWithin budget stopped try' work
-  | Just reason <- workLeftOut work = pure (skipped work reason)
-  | otherwise = withinBudget budget stopped (skipped work leftAlone) (tooSlow work) try'
-
--- | The report of a check, likewise.
-checkWithin :: Budget -> IORef Bool -> Check -> IO LawReport
-checkWithin budget stopped check =
-  withinBudget
-    budget
-    stopped
-    (checkReport check) {lawReportNote = Just leftAlone}
-    (checkTooSlow check)
-    (checkedReport check <$> checkTry check)
-
--- | What comes of an attempt, or the first of these reports where a failure has ended it all, or
--- the second where the time is over, before the attempt or during it.
-withinBudget :: Budget -> IORef Bool -> LawReport -> LawReport -> IO LawReport -> IO LawReport
-withinBudget (Budget deadline failFast) stopped ended late attempt = do
-  over <- readIORef stopped
-  now <- getMonotonicTime
-  let left = deadline - now
-      outcome
-        | over && failFast = pure ended
-        | left <= 0 = pure late
-        | otherwise = fromMaybe late <$> withinSeconds left attempt
-  outcome
+-- | Why a law that needs these operations is skipped.
+noReplyTo :: [Operation] -> Maybe String
+noReplyTo operations = case operations of
+  [] -> Nothing
+  one : _ -> Just ("not asked: there was no reply to " ++ operationName one ++ " before")
 
 -- | Why something is not tried.
 leftAlone :: String

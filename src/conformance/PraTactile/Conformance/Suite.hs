@@ -9,7 +9,6 @@ import Data.Bifunctor (bimap)
 import PraTactile.Conformance.Definition
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws (laws, lawsWithoutProfile, openingLaws)
-import PraTactile.Conformance.Likely (likely)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Run.Work
 import PraTactile.Conformance.Wire
@@ -32,8 +31,7 @@ standardSuite profiles = suite <$> traverse possible profiles
           suiteLaws = laws,
           suiteOpenings = openingLaws,
           suiteWithoutProfile = lawsWithoutProfile,
-          suiteAnswer = answered,
-          suiteLikely = likely
+          suiteAnswer = answered
         }
 
 -- | Why there is no suite about such a profile.

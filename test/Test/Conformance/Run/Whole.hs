@@ -9,25 +9,22 @@ import Control.Concurrent (threadDelay)
 import Control.Monad (forM_, forever, void)
 import Data.Aeson (Value (..), toJSON)
 import Data.IORef
-import Data.List (isInfixOf, nub, sort)
+import Data.List (nub, sort)
 import Data.Maybe (mapMaybe)
 import GHC.Clock (getMonotonicTime)
 import Numeric.Natural (Natural)
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Process.Reply (runRequest)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Run
 import PraTactile.Conformance.Run.Case
 import PraTactile.Conformance.Run.Token
-import PraTactile.Conformance.Run.Trials
 import PraTactile.Conformance.Subject
 import PraTactile.Format.Json.Codec (natural)
-import PraTactile.Grid (Surface (..))
 import PraTactile.Profile (Profile (..))
 import Test.Conformance.Run.SmallSuite
-import Test.Hspec
+import Test.Hspec hiding (before)
 import Test.QuickCheck (chooseInteger, sized)
 
 spec :: Spec
@@ -104,168 +101,95 @@ runSpec = do
                 ("segment/none", Held, Nothing),
                 ("protocol/a", Held, Nothing)
               ]
-  it "what gets no reply is not asked again, unless that is known; after three waits nothing is" $
-    forM_
-      [ (Crashed, [], [Errored, Errored, Errored, Errored], "no reply to"),
-        (TimedOut, [], [Errored, Errored, Errored, Skipped], "the time for a reply was over"),
-        (TimedOut, ["*"], replicate 8 KnownFailure, "")
-      ]
-      $ \(kind, known, outcomes, why) -> do
-        asked <- newIORef (0 :: Int)
-        let asks (name, operation, question) =
-              made (name, OnField, [operation]) (Cases natural (Every [0]) (const question))
-            four =
-              [ asks ("field/a", OfAdd, Holds <$ ask (Add 0 0)),
-                asks ("field/b", OfTerm, Holds <$ ask (Term 0)),
-                asks ("field/c", OfTerms, Holds <$ ask (Terms 0 1)),
-                asks ("field/d", OfCell, Holds <$ ask (Cell 0 0))
-              ]
-            silent = answering (const (Left (Fault kind "")))
-            subject =
-              silent
-                { subjectOffers = codeOperations,
-                  subjectAsk = \some -> modifyIORef' asked (+ 1) >> subjectAsk silent some
-                }
-        report <-
-          runSuite
-            everything {settingKnown = known}
-            suite {suiteLaws = four, suiteOpenings = [], suiteWithoutProfile = []}
-            (const (pure ()))
-            [subject]
-        let came = map lawReportOutcome (reportLaws report)
-        (kind, came) `shouldBe` (kind, take 8 (outcomes ++ repeat Skipped))
-        readIORef asked `shouldReturn` length (filter (/= Skipped) came)
-        mapMaybe lawReportNote (reportLaws report)
-          `shouldSatisfy` all (isInfixOf why)
-  it "takes a glance at everything first: what fails under the last profile alone is soon seen" $
-    -- Of a whole domain and of drawn cases; under the last of five profiles alone, at its end.
-    forM_ [Every [0 .. 999], Some (fromInteger <$> chooseInteger (0, 999)) (const [])] $
-      \domain -> forM_ [False, True] $ \failFast -> do
-        asked <- newIORef (0 :: Int)
-        inForce <- newIORef []
-        let subject =
-              (answering allZero)
-                { subjectProfile = \p -> do
-                    earlier <- readIORef asked
-                    modifyIORef' inForce ((p, earlier) :)
-                    pure (Right (ResponseResult (Bool True))),
-                  subjectAsk = \questions -> do
-                    modifyIORef' asked (+ length questions)
-                    profiles <- map fst <$> readIORef inForce
-                    let wrong q = take 1 profiles == [lastOne] && beyond 850 q
-                    pure [result (if wrong q then 1 else 0) | q <- questions]
-                }
-        report <-
-          runSuite
-            everything {settingFailFast = failFast, settingRun = ["field/sums"], settingCases = 100}
-            (underFive domain)
-            (const (pure ()))
-            [subject]
-        map lawReportOutcome (reportLaws report) `shouldBe` replicate 4 Held ++ [Failed]
-        reportGlance report `shouldBe` True
-        profiles <- readIORef inForce
-        -- All cases under the first profile, ten under three others, two sums each.
-        let all' = case domain of
-              Every every -> length every
-              Some _ _ -> 100
-        [count | (p, count) <- profiles, p == lastOne] `shouldBe` [2 * (all' + 30)]
-        case (domain, mapMaybe lawReportCounterexample (reportLaws report)) of
-          (Every _, [shown]) ->
-            drop 1 (counterRequests shown) `shouldBe` [runRequest 2 (SomeQuestion (Add 1 851))]
-          _ -> pure ()
-  it "tries all cases where the glance shows no failure, each once" $
-    -- Under the first profile at once, under the second those of the glance and the others.
-    forM_ [1, 9, 10, 25, 100, 101] $ \cases ->
-      forM_ [Every [0 .. 36], Every [], Some (sized (pure . fromIntegral)) (const [])] $
-        \domain -> do
-          numbers <- newIORef []
-          let base = answering allZero
-              subject =
-                base
-                  { subjectAsk = \questions -> do
-                      modifyIORef' numbers (mapMaybe termOf questions ++)
-                      subjectAsk base questions
-                  }
-              law = made ("sequence/all", OnSequence, []) (Cases natural domain asksTerm)
-              twice =
-                suite
-                  { suiteProfiles = [("two", two), ("one", one)],
-                    suiteLaws = [law],
-                    suiteOpenings = []
-                  }
-          report <-
-            runSuite
-              everything {settingCases = cases, settingRun = ["sequence/all"]}
-              twice
-              (const (pure ()))
-              [subject]
-          asked <- readIORef numbers
-          let wanted = case domain of
-                Every every -> every
-                Some _ _ -> [fromIntegral (i * 100 `div` cases `mod` 101) | i <- [0 .. cases - 1]]
-          sort asked `shouldBe` sort (wanted ++ wanted)
-          let came = case domain of
-                Every [] -> (Skipped, 0, True)
-                Every every -> (Held, length every, True)
-                Some _ _ -> (Held, cases, False)
-              told one' = (lawReportOutcome one', lawReportCases one', lawReportExhaustive one')
-          map told (reportLaws report) `shouldBe` [came, came]
-          reportGlance report `shouldBe` False
-  it "asks one case at first of a law that failed under a profile before" $ do
-    asked <- newIORef []
-    let base = answering (const (result 9))
-        subject =
-          base
-            { subjectProfile = \p -> modifyIORef asked (0 :) >> subjectProfile base p,
-              subjectAsk = \questions -> do
-                let more counts = (sum (take 1 counts) + length questions) : drop 1 counts
-                modifyIORef asked more
-                subjectAsk base questions
-            }
-    _ <-
-      runSuite
-        everything {settingRun = ["field/sums"]}
-        (underFive (Every [0 .. 99]))
-        (const (pure ()))
-        [subject]
-    -- Each has two sums.
-    counts <- readIORef asked
-    take 4 counts `shouldBe` [2, 2, 2, 2 :: Int]
-  it "tries a law that failed under three profiles by long answers under no others" $
-    forM_ [(1000, replicate 5 Failed), (3000, replicate 3 Failed ++ replicate 2 Skipped)] $
-      \(size, outcomes) -> do
-        let long = Right (ResponseResult (toJSON (replicate size (0 :: Int))))
-        report <-
-          runSuite
-            everything {settingRun = ["field/sums"]}
-            (underFive (Every [0, 2]))
-            (const (pure ()))
-            [answering (const long)]
-        (size, map lawReportOutcome (reportLaws report)) `shouldBe` (size, outcomes)
-        mapMaybe lawReportNote (reportLaws report)
-          `shouldBe` [ "not tried: it failed under three profiles before, by long answers"
-                       | Skipped <- outcomes
-                     ]
-  it "asks no more than two at once after a law failed by long answers" $
-    forM_ [(1000, 4), (3000, 2)] $ \(size, most) -> do
-      asked <- newIORef []
-      let base = answering (const (Right (ResponseResult (toJSON (replicate size (0 :: Int))))))
+  it "after a timeout or crash the operation is not asked again, unless that is known" $
+    forM_ [(kind, known) | kind <- [Crashed, TimedOut], known <- [[], ["*"]]] $ \(kind, known) -> do
+      asked <- newIORef (0 :: Int)
+      let asks (name, operation, question) =
+            made (name, OnField, [operation]) (Cases natural (Every [0]) (const question))
+          two' =
+            [ asks ("field/a", OfAdd, Holds <$ ask (Add 0 0)),
+              asks ("field/b", OfTerm, Holds <$ ask (Term 0))
+            ]
+          silent = answering (const (Left (Fault kind "")))
           subject =
-            base
-              { subjectAsk = \questions -> do
-                  modifyIORef asked (([() | q <- questions, beyond 49 q] :) :: [[()]] -> [[()]])
-                  subjectAsk base questions
+            silent
+              { subjectOffers = codeOperations,
+                subjectAsk = \some -> modifyIORef' asked (+ 1) >> subjectAsk silent some
               }
-          laws = [law "field/a" [0 .. 49], law "field/b" [50 .. 99]]
-          law name numbers = made (name, OnField, [OfAdd]) (Cases natural (Every numbers) sums)
-      _ <-
+      report <-
         runSuite
-          everything
-          suite {suiteProfiles = [("one", one)], suiteLaws = laws, suiteOpenings = []}
+          everything {settingKnown = known}
+          suite {suiteLaws = two', suiteOpenings = [], suiteWithoutProfile = []}
           (const (pure ()))
           [subject]
-      ofSecond <- readIORef asked
-      (size, maximum (map length ofSecond)) `shouldBe` (size, most)
+      map lawReportOutcome (reportLaws report)
+        `shouldBe` if null known
+          then [Errored, Errored, Skipped, Skipped]
+          else replicate 4 KnownFailure
+      readIORef asked `shouldReturn` (if null known then 2 else 4)
+      mapMaybe lawReportNote (reportLaws report)
+        `shouldBe` [ "not asked: there was no reply to " ++ name ++ " before"
+                     | null known,
+                       name <- ["add", "term"]
+                   ]
+  it "makes a law's first failing case smaller, and leaves those under other profiles" $ do
+    report <-
+      runSuite
+        everything {settingRun = ["field/sums"]}
+        suite
+          { suiteLaws =
+              [ made
+                  ("field/sums", OnField, [OfAdd])
+                  (Cases natural (Some (pure 9) (\n -> [n - 1 | n > 3])) sums)
+              ]
+          }
+        (const (pure ()))
+        [answering (const (result 9))]
+    map counterShrinks (mapMaybe lawReportCounterexample (reportLaws report)) `shouldBe` [6, 0]
+  it "asks a fresh process for a failing case, and says whether that answers rightly" $
+    forM_ [(True, Nothing), (False, Just ())] $ \(remembers, token) -> do
+      asked <- newIORef (0 :: Int)
+      let subject =
+            (answering allZero)
+              { subjectAsk = \questions -> do
+                  before <- readIORef asked
+                  modifyIORef' asked (+ length questions)
+                  pure [result (if before > 1 || not remembers then 9 else 0) | _ <- questions],
+                subjectBatch = 1,
+                subjectFresh = Just (writeIORef asked 0)
+              }
+      report <- runSuite everything {settingRun = ["sums"]} onlyOne (const (pure ())) [subject]
+      [shown] <- pure (mapMaybe lawReportCounterexample (reportLaws report))
+      (counterDepends shown, () <$ counterToken shown) `shouldBe` (remembers, token)
+  it "the law of the order says nothing of an answer that is wrong whatever was asked before" $
+    forM_ [(True, Failed, Nothing), (False, Skipped, Just "not judged: an answer is wrong whatever was asked before")] $
+      \(remembers, outcome, note) -> do
+        asked <- newIORef (0 :: Int)
+        let subject =
+              (answering allZero)
+                { subjectAsk = \questions -> do
+                    before <- readIORef asked
+                    modifyIORef' asked (+ length questions)
+                    pure [result (if before > 0 || not remembers then 9 else 0) | _ <- questions],
+                  subjectBatch = 1,
+                  subjectFresh = Just (writeIORef asked 0)
+                }
+            law = made ("field/in-any-order", OnField, [OfAdd]) (Cases natural (Every [0]) once')
+            once' n = do
+              first' <- ask (Add n 0)
+              pure (if first' == Right 0 then Holds else violated)
+            violated =
+              Violated
+                (Violation [Exchange (Just OfAdd) (toJSON ()) (Result Null)] (Result Null) "" "")
+        _ <- subjectAsk subject [SomeQuestion (Add 0 0)]
+        report <-
+          runSuite
+            everything {settingRun = ["order"]}
+            onlyOne {suiteLaws = [law]}
+            (const (pure ()))
+            [subject]
+        [(lawReportOutcome one', lawReportNote one') | one' <- reportLaws report]
+          `shouldBe` [(outcome, note)]
   it "ends at no failure that there is not: what comes last is tried" $ do
     let subject = (answering allZero) {subjectChecks = [checked "protocol/a" CheckHeld]}
     report <-
@@ -391,29 +315,6 @@ runSpec = do
     run wrong (Token "field/sums" (Just one) (String "x")) `shouldReturn` Just Nothing
     run wrong (Token "field/none" (Just one) Null) `shouldReturn` Nothing
 
--- | The first law of the suite on such cases, under five profiles.
-underFive :: Domain Natural -> Suite Profile
-underFive domain =
-  suite
-    { suiteProfiles =
-        [("one", one), ("two", two), ("other", other), ("sheet", sheet), ("last", lastOne)],
-      suiteLaws =
-        [made ("field/sums", OnField, [OfAdd]) (Cases natural domain sums)],
-      suiteOpenings = [],
-      suiteWithoutProfile = []
-    }
-  where
-    sheet = one {profileSurface = Sheet}
-
-lastOne :: Profile
-lastOne = one {profileSurface = TwistedTorus}
-
--- | Whether it is a sum with a number beyond that.
-beyond :: Natural -> SomeQuestion -> Bool
-beyond least (SomeQuestion question) = case question of
-  Add _ n -> n > least
-  _ -> False
-
 -- | The number of a question about a term.
 termOf :: SomeQuestion -> Maybe Natural
 termOf (SomeQuestion question) = case question of
@@ -430,45 +331,22 @@ caseSpec = do
       let numbers = Cases natural (Some (pure 9) (\n -> [n - 1 | n > 0])) (judge' . Term)
           judge' question = Holds <$ ask question
           subject = answering (const (Left (Fault kind "")))
-      came <- tryLaw (Plan 1 3 2 False Whole) subject "law" numbers
+      came <- tryLaw (Plan 1 3 2 True) subject "law" numbers
       let slow = kind `elem` [TimedOut, HalfLine, EndlessOutput]
       (kind, (\f -> (failureCase f, failureShrinks f)) <$> triedFailure came)
         `shouldBe` (kind, Just (if slow then (toJSON (9 :: Int), 0) else (toJSON (0 :: Int), 9)))
-  it "of those that violate a law 256 are kept, of one search and of several" $ do
-    forM_ [1, 255, 256, 257, 300] $ \count -> do
-      let some = map violated [1 .. fromIntegral count]
-      came <- search (answering allZero) (Window count count) some
-      (count, length (searchWrong came), searchCases came, fst <$> searchTrouble came)
-        `shouldBe` (count, min 256 count, 1, Just 0)
-    forM_ [(100, 148), (207, 255), (208, 256), (209, 256), (300, 256)] $ \(count, kept) -> do
-      let smaller n = if n > 0 then replicate 20 (n - 1) else []
-          twenty = Cases natural (Some (pure 3) smaller) violated
-      came <- tryLaw (Plan 1 count 400 False Whole) (answering allZero) "law" twenty
-      (count, length . failureWrong <$> triedFailure came) `shouldBe` (count, Just kept)
-  it "one at a time is asked to its end and judged before the next, and none after one that fails" $
-    forM_ [1, 3, 6] $ \bad -> do
-      numbers <- newIORef []
-      let base = answering allZero
-          numbered asked' = modifyIORef numbers ([n | n <- [1 .. 20], asked' `is` Term n] ++)
-          subject =
-            base {subjectAsk = \questions -> mapM_ numbered questions >> subjectAsk base questions}
-          twice n =
-            ask (Term n)
-              >> if n == bad then violated (10 + n) else Holds <$ ask (Term (10 + n))
-      _ <- search subject (Window 1 1) (map twice [1 .. 6])
-      (reverse <$> readIORef numbers) `shouldReturn` concat [[n, 10 + n] | n <- [1 .. bad]]
   it "are as many as are wanted, though the law says nothing of all that are drawn first" $ do
     -- Sizes are 0, 10, 20 to 100, then 9, 19, 29 and on.
     let says n = if n `mod` 10 == 0 then Inapplicable else Holds
         cases gen = Cases natural (Some gen (const [])) (pure . says)
     later <-
       tryLaw
-        (Plan 1 10 4 False Whole)
+        (Plan 1 10 4 True)
         (answering allZero)
         "law"
         (cases (sized (pure . fromIntegral)))
     (triedCases later, triedExhaustive later) `shouldBe` (10, False)
-    never <- tryLaw (Plan 1 10 4 False Whole) (answering allZero) "law" (cases (pure 20))
+    never <- tryLaw (Plan 1 10 4 True) (answering allZero) "law" (cases (pure 20))
     triedCases never `shouldBe` 0
   it "as many are asked at once as a subject takes, and of those that open profiles one" $
     forM_ [(5, [5, 5, 2]), (12, [12]), (64, [12]), (1, replicate 12 1)] $ \(batch, lengths) -> do
@@ -489,11 +367,11 @@ caseSpec = do
       run alone {suiteWithoutProfile = [twelve OnSegment]} `shouldReturn` replicate 12 1
   it "are drawn in sizes that grow to 100, ten times as many as are needed, by seed and name" $ do
     forM_ [1, 2, 7, 100, 101] $ \count ->
-      asksOf (Plan 1 count 1 False Whole) "law" (sized (pure . fromIntegral))
+      asksOf (Plan 1 count 1 True) "law" (sized (pure . fromIntegral))
         `shouldBe` ( count,
                      [fromIntegral (i * 100 `div` count `mod` 101) | i <- [0 .. 10 * count - 1]]
                    )
-    let draws seed name = snd (asksOf (Plan seed 5 1 False Whole) name large)
+    let draws seed name = snd (asksOf (Plan seed 5 1 True) name large)
         large = fromInteger <$> chooseInteger (0, 10 ^ (9 :: Int))
         of' = [draws seed name | seed <- [1, 2], name <- ["law", "lay", "other"]]
     length (nub of') `shouldBe` 6
@@ -508,13 +386,8 @@ caseSpec = do
     termAsked trial = case trial of
       Asking question _ -> termOf (SomeQuestion question)
       _ -> Nothing
-    violated n =
-      Violated (Violation [Exchange (Just OfTerm) (toJSON n) (Result Null)] (Result Null) "" "")
-        <$ ask (Term n)
-    alone =
-      suite
-        { suiteProfiles = [("one", one)],
-          suiteLaws = [],
-          suiteOpenings = [],
-          suiteWithoutProfile = []
-        }
+    alone = onlyOne {suiteLaws = []}
+
+-- | The suite under one profile, without laws of profiles and of touch.
+onlyOne :: Suite Profile
+onlyOne = suite {suiteProfiles = [("one", one)], suiteOpenings = [], suiteWithoutProfile = []}

@@ -19,7 +19,7 @@ import PraTactile.Conformance.Impostors.Impostor
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws (laws, lawsWithoutProfile, openingLaws)
 import PraTactile.Conformance.Profiles (defaultProfiles)
-import PraTactile.Conformance.Run.Case (Plan (..), Share (..), trialsOf)
+import PraTactile.Conformance.Run.Case (Plan (..), trialsOf)
 import PraTactile.Conformance.Run.Work (Settings (..), standardSettings)
 import PraTactile.Profile (Profile (..))
 
@@ -87,7 +87,7 @@ finds :: Int -> Int -> Law about -> about -> Respondent -> IO (Maybe Int)
 finds most' seed law about answers = fmap fst <$> firstViolated answers most trials
   where
     (trials, most) = trialsOf plan (lawId law) (lawCases law about)
-    plan = Plan seed most' 1 True Whole
+    plan = Plan {planSeed = seed, planCases = most', planBatch = 1, planShrinks = False}
 
 -- | As a run of the suite draws them.
 usualCases :: Int

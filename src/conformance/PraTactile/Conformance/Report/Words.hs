@@ -110,19 +110,18 @@ failureLines again (one, others) =
       [] -> ""
       names -> ", and under " ++ commas names
     item (name, text) = "  " ++ padded 16 name ++ text
-    counter = maybe [] (counterItems again (lawReportLikely one)) (lawReportCounterexample one)
+    counter = maybe [] (counterItems again) (lawReportCounterexample one)
 
-counterItems :: (String -> String) -> Maybe String -> Counterexample -> [(String, String)]
-counterItems again likely counter =
+counterItems :: (String -> String) -> Counterexample -> [(String, String)]
+counterItems again counter =
   concat
     [ zip ("asked" : repeat "then") (map requestText (counterRequests counter)),
       [("yours", yours)],
       [(side, theirs) | Just _ <- [counterExpected counter]],
       [("by", counterRoad counter) | side == "expected", counterRoad counter /= ""],
       [("why", counterReason counter)],
-      [("depends on", dependsOn count) | Just count <- [counterEarlier counter]],
+      [("depends on", onEarlier) | counterDepends counter],
       [("made smaller", counted (counterShrinks counter) "time") | counterShrinks counter > 0],
-      [("likely", "exactly as the impostor " ++ name ++ " does") | Just name <- [likely]],
       [("again", again token) | Just token <- [counterToken counter]]
     ]
   where
@@ -134,13 +133,8 @@ counterItems again likely counter =
     side = if counterRoad counter == "the definition" then "the definition" else "expected"
 
 -- | What a failure depends on that a fresh process does not show.
-dependsOn :: Int -> String
-dependsOn count = "earlier requests: a fresh process that is asked " ++ rest
-  where
-    rest
-      | count == 0 = "this alone answers it rightly, and which ones these are was not found"
-      | count == 1 = "this without the first one answers it rightly"
-      | otherwise = "this without one of the first " ++ show count ++ " answers it rightly"
+onEarlier :: String
+onEarlier = "earlier requests: a fresh process that is asked this alone answers it rightly"
 
 -- | A request without what every request has.
 requestText :: Value -> String
@@ -249,9 +243,6 @@ notes report =
       ],
       [ counted (length (filter (== why) others)) "law" ++ " skipped: " ++ why
         | why <- nub others
-      ],
-      [ "of most laws a tenth of the cases was tried; the others are once nothing fails in these"
-        | reportGlance report
       ],
       [ "offered, but not known here: " ++ unwords unknown
         | unknown@(_ : _) <- [reportUnknown report]

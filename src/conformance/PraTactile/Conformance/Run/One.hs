@@ -8,8 +8,8 @@ module PraTactile.Conformance.Run.One
     tryWork,
     tryToken,
 
-    -- * Reports of what was not tried
-    skipped,
+    -- * Reports of laws not tried
+    blank,
     tooSlow,
 
     -- * Checks of the protocol
@@ -21,207 +21,94 @@ where
 
 import Data.Aeson (Value (Bool))
 import Data.IORef
-import Data.List (isSuffixOf, nub)
-import Data.Map.Strict (Map)
-import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe, isJust, listToMaybe)
-import PraTactile.Array (area)
+import Data.List (isSuffixOf)
+import Data.Maybe (isJust, isNothing)
+import qualified Data.Set as Set
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Order (orderName)
 import PraTactile.Conformance.Process.Reply (profileRequest, profileRequestOf, runRequest)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Run.Case
-import PraTactile.Conformance.Run.Fresh
 import PraTactile.Conformance.Run.Token
-import PraTactile.Conformance.Run.Trials (Trouble (..), itemsOf)
+import PraTactile.Conformance.Run.Trials (Asked (..), Trouble (..))
 import PraTactile.Conformance.Run.Work
 import PraTactile.Conformance.Subject
-import PraTactile.Conformance.Wire (questionInput)
 import PraTactile.Format.Error (FormatError)
-import PraTactile.Profile (Profile (..))
+import PraTactile.Profile (Profile)
 
 -- | A subject at work.
 data Worker = Worker
   { workerSubject :: Subject,
-    -- | What it was asked.
-    workerPast :: IO [Asked],
-    -- | How many questions it has replied to, and how many of these replies were long.
-    workerReplied :: IO Int,
-    workerLong :: IO Int,
     -- | The profile that was put in force last, with what came instead of that.
     workerForce :: IORef (Maybe (Profile, Maybe Counterexample)),
-    -- | The laws that failed, and under how many profiles by long answers.
-    workerFailed :: IORef (Map String Int),
-    -- | How many items there is still room for in the cases that are kept.
-    workerRoom :: IORef Int,
-    -- | How many requests may still be asked to find what failures depend on.
-    workerAgain :: IORef Int
+    -- | The laws that failed.
+    workerFailed :: IORef (Set.Set String)
   }
 
 -- | Of a subject with no profile in force.
 newWorker :: Subject -> IO Worker
-newWorker subject = do
-  (noting, past, replied, long) <- remembering subject
-  Worker noting past replied long <$> newIORef Nothing
-    <*> newIORef Map.empty
-    <*> newIORef 100000
-    <*> newIORef 20000
+newWorker subject = Worker subject <$> newIORef Nothing <*> newIORef Set.empty
 
--- | Try all cases of a law. Of one that failed under another profile the first case that fails is
--- enough: why it does is told there. After three profiles under which it failed by long answers it
--- is not tried under others.
-tryWork :: (Subject -> Plan) -> Suite about -> Worker -> Work -> IO LawReport
-tryWork planFor suite worker work = do
-  before <- readIORef (workerFailed worker)
-  case Map.lookup (workId work) before of
-    Just long | long >= mostLong -> pure (skipped work failedAtLength)
-    known' -> inForce worker work $ do
-      longBefore <- workerLong worker
-      let brief = isJust known'
-          usual = (narrowed work (planFor subject)) {planBrief = brief}
-          -- Of answers that are long and wrong few are asked for that nobody looks at.
-          plan = if sum before > 0 then usual {planWindow = min 2 (planWindow usual)} else usual
-          atLength = not brief && Map.size before < mostAgain
-          ofOrder = ("/" ++ orderName) `isSuffixOf` workId work
-      tried <-
-        if ofOrder
-          then tryOrder plan worker work
-          else tryLaw plan subject (workId work) (workCases work)
-      longAfter <- workerLong worker
-      let isLong = if longAfter > longBefore then 1 else 0
-      keptBy worker =<< case triedFailure tried of
-        Just failure -> do
-          writeIORef (workerFailed worker) (Map.insertWith (+) (workId work) isLong before)
-          depends <- if atLength then dependenceOf plan worker work failure else pure OnItself
-          reportOf (if brief then withoutCause else suite) work depends tried
-        Nothing
-          | ofOrder && triedCases tried == 0 -> pure (skipped work wrongThemselves)
-          | otherwise -> reportOf suite work OnItself tried
+-- | Try all cases of a law. A failing case is made smaller and asked of a fresh process, unless the
+-- law failed under another profile before.
+tryWork :: (Subject -> Plan) -> Worker -> Work -> IO LawReport
+tryWork planFor worker work = inForce worker work $ do
+  again <- Set.member (workId work) <$> readIORef (workerFailed worker)
+  tried <-
+    tryLaw
+      (alone work (planFor subject)) {planShrinks = not again}
+      subject
+      (workId work)
+      (workCases work)
+  case triedFailure tried of
+    Nothing -> pure (reportOf work False tried)
+    Just failure -> do
+      modifyIORef' (workerFailed worker) (Set.insert (workId work))
+      depends <- if again then pure False else dependsOnEarlier worker work failure
+      pure $
+        if not depends && isOrderLaw && isWrong (failureTrouble failure)
+          then skipped work wrongAlone
+          else reportOf work depends tried
   where
     subject = workerSubject worker
-    withoutCause = suite {suiteLikely = \_ _ -> pure Nothing}
+    isOrderLaw = ("/" ++ orderName) `isSuffixOf` workId work && isJust (subjectFresh subject)
+    isWrong trouble = case trouble of
+      Wrong _ -> True
+      Broke {} -> False
 
--- | Try the law that answers do not depend on what was asked before. A wrong answer that a fresh
--- process gives to the same question alone does not depend on that: it counts as the right one
--- here, and other laws find it. After 'mostExcused' of them nothing is said of the law.
-tryOrder :: Plan -> Worker -> Work -> IO Tried
-tryOrder plan worker work = go []
+-- | Why the law of the order says nothing of a wrong answer: other laws find it.
+wrongAlone :: String
+wrongAlone = "not judged: an answer is wrong whatever was asked before"
+
+-- | Whether a fresh process answers a failing case rightly.
+dependsOnEarlier :: Worker -> Work -> Failure -> IO Bool
+dependsOnEarlier worker work failure =
+  case (subjectFresh subject, tryCase plan subject (workCases work) (failureCase failure)) of
+    (Just fresh, Right again) -> do
+      fresh
+      mapM_ (subjectProfile subject . snd) (workProfile work)
+      tried <- again
+      writeIORef (workerForce worker) Nothing
+      pure (isNothing (triedFailure tried))
+    _ -> pure False
   where
     subject = workerSubject worker
-    law excused how =
-      tryLaw how (excusing excused subject) (workId work) (workCases work)
-    go excused = do
-      tried <- law excused plan {planBrief = True}
-      case (failureTrouble <$> triedFailure tried, subjectFresh subject) of
-        (Just (Wrong violation), Just fresh)
-          | Exchange (Just operation) input reply : _ <- reverse (violationAsked violation) -> do
-            fresh
-            mapM_ (subjectProfile subject . snd) (workProfile work)
-            alone <- subjectAsk subject [SomeQuestion (Raw operation input)]
-            let right = responseOf (violationExpected violation)
-            if alone /= [Right (responseOf reply)]
-              then law excused plan
-              else
-                if length excused < mostExcused
-                  then go ((operation, input, responseOf reply, right) : excused)
-                  else pure tried {triedCases = 0, triedFailure = Nothing}
-        _ -> pure tried
-
--- | How many answers that are wrong by themselves the law of the order bears.
-mostExcused :: Int
-mostExcused = 10
-
--- | The subject, with other replies in the place of these, to these questions.
-excusing :: [(Operation, Value, Response, Response)] -> Subject -> Subject
-excusing excused subject
-  | null excused = subject
-  | otherwise =
-    subject {subjectAsk = \questions -> zipWith excuse questions <$> subjectAsk subject questions}
-  where
-    excuse (SomeQuestion question) got =
-      fromMaybe got . listToMaybe $
-        [ Right right
-          | (operation, input, wrong, right) <- excused,
-            got == Right wrong,
-            operationOf question == operation,
-            questionInput question == input
-        ]
-
--- | Under how many profiles a law fails by long answers before it is not tried under others.
-mostLong :: Int
-mostLong = 3
-
-wrongThemselves :: String
-wrongThemselves = "not tried: too many answers are wrong whatever was asked before"
-
-failedAtLength :: String
-failedAtLength = "not tried: it failed under three profiles before, by long answers"
-
--- | The report without its case if that is long and there is no room for it beside the others.
-keptBy :: Worker -> LawReport -> IO LawReport
-keptBy worker report = do
-  room <- readIORef (workerRoom worker)
-  let left = room - items
-  if left >= 0 || items < 2000
-    then report <$ writeIORef (workerRoom worker) left
-    else pure report {lawReportCounterexample = Nothing, lawReportNote = Just tooLong}
-  where
-    tooLong = "the case is too long to be kept beside those before it"
-    items = maybe 0 caseItems (lawReportCounterexample report)
-    -- All of it, so that nothing else is kept for its sake.
-    caseItems one =
-      length (counterReason one) + maybe 0 length (counterToken one)
-        + sum (map itemsOf (counterRequests one))
-        + either (length . faultDetail) (itemsOf . snd . responseItem) (counterGot one)
-        + maybe 0 (itemsOf . snd . responseItem) (counterExpected one)
-
--- | What a failure depends on.
-dependenceOf :: Plan -> Worker -> Work -> Failure -> IO Dependence
-dependenceOf plan worker work failure = do
-  replied <- workerReplied worker
-  case tryCase plan subject (workCases work) (failureCase failure) of
-    -- Who has never replied does not depend on what was asked before.
-    _ | replied == 0 -> pure OnItself
-    Left _ -> pure OnItself
-    Right again -> do
-      asked <- workerPast worker
-      let comesAgain = isJust . triedFailure <$> again
-      depends <- dependence (workerAgain worker) subject profile asked comesAgain
-      depends <$ writeIORef (workerForce worker) Nothing
-  where
-    subject = workerSubject worker
-    profile = snd <$> workProfile work
-
--- | Of how many laws a failure is tried again: as many as are told of at length.
-mostAgain :: Int
-mostAgain = 10
+    plan = Plan {planSeed = 0, planCases = 1, planBatch = 1, planShrinks = False}
 
 -- | Try one case of a law.
-tryToken ::
-  (Subject -> Plan) -> Suite about -> Worker -> Work -> Value -> IO (Either FormatError LawReport)
-tryToken planFor suite worker work case' =
-  case tryCase (narrowed work (planFor subject)) subject (workCases work) case' of
-    Left why -> pure (Left why)
-    Right tried -> Right <$> inForce worker work (tried >>= reportOf suite work OnItself)
+tryToken :: (Subject -> Plan) -> Worker -> Work -> Value -> IO (Either FormatError LawReport)
+tryToken planFor worker work case' =
+  traverse
+    (\tried -> inForce worker work (reportOf work False <$> tried))
+    (tryCase (alone work (planFor subject)) subject (workCases work) case')
   where
     subject = workerSubject worker
 
--- | Trials that put profiles in force have the subject for themselves. Where an array has many
--- positions, fewer cases are drawn of what compares them, and fewer go on at once: each may be
--- answered by a list of all.
-narrowed :: Work -> Plan -> Plan
-narrowed work plan = case workProfile work of
-  Nothing -> plan {planWindow = 1}
-  Just (_, profile)
-    | workStage work < OnProof -> plan
-    | otherwise ->
-      plan
-        { planCases = if cells > 1024 then max 1 (planCases plan `div` 5) else planCases plan,
-          planWindow = max 4 (min (planWindow plan) (50000 `div` cells))
-        }
-    where
-      cells = fromIntegral (max 1 (area (profileShape profile)))
+-- | A trial that puts profiles in force has the subject for itself, and so has each trial of touch
+-- and of objects.
+alone :: Work -> Plan -> Plan
+alone work plan = plan {planBatch = maybe 1 (const (planBatch plan)) (workProfile work)}
 
 -- | Do it with the profile of the work in force; where that is refused, say so.
 inForce :: Worker -> Work -> IO LawReport -> IO LawReport
@@ -256,34 +143,24 @@ notInForce profile got = case got of
           "the profile names an array, so that it can be put in force"
       )
 
--- | What came of the cases.
-reportOf :: Suite about -> Work -> Dependence -> Tried -> IO LawReport
-reportOf suite work depends tried = case triedFailure tried of
-  Just failure -> do
-    cause <- likely failure (snd <$> workProfile work)
-    pure
-      counted
-        { lawReportOutcome = outcomeOf (failureTrouble failure),
-          lawReportCounterexample = Just (counterexampleOf work depends failure),
-          lawReportLikely = cause
-        }
+-- | The report of a law's cases, given whether the failing one depends on earlier requests.
+reportOf :: Work -> Bool -> Tried -> LawReport
+reportOf work depends tried = case triedFailure tried of
+  Just failure ->
+    counted
+      { lawReportOutcome = outcomeOf (failureTrouble failure),
+        lawReportCounterexample = Just (counterexampleOf work depends failure)
+      }
   Nothing
     | triedCases tried == 0 ->
-      pure
-        (skipped work "no case under this profile")
-          { lawReportExhaustive = triedExhaustive tried
-          }
-    | otherwise -> pure counted {lawReportOutcome = Held}
+      (skipped work "no case under this profile") {lawReportExhaustive = triedExhaustive tried}
+    | otherwise -> counted {lawReportOutcome = Held}
   where
     counted =
       (blank work)
         { lawReportCases = triedCases tried,
           lawReportExhaustive = triedExhaustive tried
         }
-    likely failure profile = case failureTrouble failure of
-      Wrong violation ->
-        suiteLikely suite profile (nub (violationAsked violation : failureWrong failure))
-      Broke {} -> pure Nothing
 
 -- | Whether the law failed, or something else went wrong.
 outcomeOf :: Trouble -> Outcome
@@ -293,25 +170,16 @@ outcomeOf trouble = case trouble of
   Broke _ _ (Left fault) | faultKind fault == WrongType -> Failed
   Broke {} -> Errored
 
-counterexampleOf :: Work -> Dependence -> Failure -> Counterexample
+counterexampleOf :: Work -> Bool -> Failure -> Counterexample
 counterexampleOf work depends failure =
-  alone
+  shown
     { counterShrinks = failureShrinks failure,
-      counterEarlier = earlier,
-      counterRequests =
-        zipWith requestOf [1 - length before' ..] before' ++ counterRequests alone,
-      counterToken =
-        case earlier of
-          Nothing -> Just token
-          Just _ -> Nothing
+      counterDepends = depends,
+      counterToken = if depends then Nothing else Just token
     }
   where
     token = writeToken (Token (workId work) (snd <$> workProfile work) (failureCase failure))
-    (earlier, before') = case depends of
-      OnItself -> (Nothing, [])
-      OnEarlier some -> (Just (length some), some)
-      OnUnknown -> (Just 0, [])
-    alone = case failureTrouble failure of
+    shown = case failureTrouble failure of
       Wrong violation ->
         counterexample
           (requestsOf (violationAsked violation))

@@ -37,9 +37,7 @@ data Suite about = Suite
     -- | Those of touch and of objects, which know no profile.
     suiteWithoutProfile :: [Law ()],
     -- | What the definition answers.
-    suiteAnswer :: about -> SomeQuestion -> Reply,
-    -- | The shipped impostor that errs exactly alike in these cases, under a profile or none.
-    suiteLikely :: Maybe Profile -> [[Exchange]] -> IO (Maybe String)
+    suiteAnswer :: about -> SomeQuestion -> Reply
   }
 
 -- | Which laws are tried, and how.
