@@ -37,7 +37,7 @@ vectorsText :: Vectors -> Lazy.ByteString
 vectorsText vectors =
   Builder.toLazyByteString . mconcat $
     [ "{\"schema\":\"pra-tactile/vectors/1\",\n",
-      member "suite" (toJSON suiteVersion) <> ",\n",
+      member "suite" (toJSON vectorsVersion) <> ",\n",
       member "operation" (toJSON (operationName (vectorsOperation vectors))) <> ",\n",
       member "profile" (maybe Null profileValue (vectorsProfile vectors)) <> ",\n",
       member "notes" (notesOf vectors) <> ",\n"
