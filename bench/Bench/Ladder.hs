@@ -92,11 +92,11 @@ ladder =
           first "GF(3), n = 10" (Proxy @GF3) 10,
           first "GF(4), n = 12" (Proxy @GF4) 12,
           first "GF(9), n = 8" (Proxy @GF9) 8,
-          first "GF(64), n = 8" (Proxy @GF64) 8,
+          sure (withField 2 [1, 1, 0, 1, 1, 0, 1] (\k -> first "GF(64), n = 8" k 8)),
           first "GF(256), n = 4" (Proxy @GF256) 4,
           first "GF(256), n = 8" (Proxy @GF256) 8,
           first "GF(256), n = 12" (Proxy @GF256) 12,
-          first "GF(243), n = 10, the worst" (Proxy @GF243) 10
+          sure (withField 3 [1, 2, 0, 0, 0, 1] (\k -> first "GF(243), n = 10, the worst" k 10))
         ],
       bgroup
         "factors of 2^n - 1"

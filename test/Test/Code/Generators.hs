@@ -8,8 +8,10 @@ module Test.Code.Generators
   ( -- * Fields
     SomeField (..),
     everyField,
+    namedFields,
     fieldsUpTo,
     overField,
+    ofField,
     gf2,
     gf3,
     gf4,
@@ -26,6 +28,7 @@ module Test.Code.Generators
     arrayOver,
     Setting,
     onArray,
+    ofArray,
     mask,
 
     -- * Probabilities
@@ -44,16 +47,24 @@ import PraTactile.Polynomial
 import PraTactile.Sequence
 import PraTactile.Window
 import Test.Hspec (Expectation, expectationFailure)
-import Test.QuickCheck (Gen, shrinkList, vectorOf)
+import Test.QuickCheck (Gen, Property, counterexample, shrinkList, vectorOf)
 import qualified Test.QuickCheck as QuickCheck
 import Test.Support
 
--- | A field with its name in "PraTactile.Field.Named".
+-- | A field that is known by its proxy.
 data SomeField = forall k. KnownField k => SomeField (Proxy k)
 
--- | The named fields, by order.
+-- | The fields up to 256 elements with their default moduli, by order.
 everyField :: [(Int, SomeField)]
 everyField =
+  [ (fromIntegral q, field)
+    | (q, (p, modulus)) <- conwayModuli,
+      Right field <- [withField p modulus SomeField]
+  ]
+
+-- | The fields with a type of their own, by order.
+namedFields :: [(Natural, SomeField)]
+namedFields =
   [ (2, some @GF2),
     (3, some @GF3),
     (4, some @GF4),
@@ -61,83 +72,28 @@ everyField =
     (7, some @GF7),
     (8, some @GF8),
     (9, some @GF9),
-    (11, some @GF11),
-    (13, some @GF13),
     (16, some @GF16),
-    (17, some @GF17),
-    (19, some @GF19),
-    (23, some @GF23),
-    (25, some @GF25),
-    (27, some @GF27),
-    (29, some @GF29),
-    (31, some @GF31),
-    (32, some @GF32),
-    (37, some @GF37),
-    (41, some @GF41),
-    (43, some @GF43),
-    (47, some @GF47),
-    (49, some @GF49),
-    (53, some @GF53),
-    (59, some @GF59),
-    (61, some @GF61),
-    (64, some @GF64),
-    (67, some @GF67),
-    (71, some @GF71),
-    (73, some @GF73),
-    (79, some @GF79),
-    (81, some @GF81),
-    (83, some @GF83),
-    (89, some @GF89),
-    (97, some @GF97),
-    (101, some @GF101),
-    (103, some @GF103),
-    (107, some @GF107),
-    (109, some @GF109),
-    (113, some @GF113),
-    (121, some @GF121),
-    (125, some @GF125),
-    (127, some @GF127),
-    (128, some @GF128),
-    (131, some @GF131),
-    (137, some @GF137),
-    (139, some @GF139),
-    (149, some @GF149),
-    (151, some @GF151),
-    (157, some @GF157),
-    (163, some @GF163),
-    (167, some @GF167),
-    (169, some @GF169),
-    (173, some @GF173),
-    (179, some @GF179),
-    (181, some @GF181),
-    (191, some @GF191),
-    (193, some @GF193),
-    (197, some @GF197),
-    (199, some @GF199),
-    (211, some @GF211),
-    (223, some @GF223),
-    (227, some @GF227),
-    (229, some @GF229),
-    (233, some @GF233),
-    (239, some @GF239),
-    (241, some @GF241),
-    (243, some @GF243),
-    (251, some @GF251),
     (256, some @GF256)
   ]
   where
     some :: forall k. KnownField k => SomeField
     some = SomeField (Proxy :: Proxy k)
 
--- | Those of at most this order.
+-- | The fields of 'everyField' up to this order.
 fieldsUpTo :: Int -> [(Int, SomeField)]
 fieldsUpTo q = takeWhile ((<= q) . fst) everyField
 
--- | The same of the named field of this order.
+-- | Runs a test on the field of 'everyField' of this order.
 overField :: Int -> (forall k. KnownField k => Proxy k -> Expectation) -> Expectation
 overField q test = case lookup q everyField of
   Just (SomeField k) -> test k
   Nothing -> expectationFailure ("no field of order " ++ show q)
+
+-- | A property of the field of 'everyField' of this order.
+ofField :: Int -> (forall k. KnownField k => Proxy k -> Property) -> Property
+ofField q law = case lookup q everyField of
+  Just (SomeField k) -> law k
+  Nothing -> counterexample ("no field of order " ++ show q) False
 
 gf2 :: Proxy GF2
 gf2 = Proxy
@@ -170,7 +126,7 @@ firstOver _ n = right (firstPrimitive n)
 folded :: KnownField k => Folding -> Shape -> Primitive k -> Either FoldError (PseudorandomArray k)
 folded folding shape h = fold folding shape h (canonicalState h)
 
--- | The array of the first primitive polynomial of a degree.
+-- | The array of the first primitive polynomial of a degree; a property of it is 'ofArray'.
 arrayOver ::
   KnownField k => Proxy k -> Natural -> Folding -> Shape -> IO (PseudorandomArray k)
 arrayOver k n folding shape = firstOver k n >>= right . folded folding shape
@@ -183,6 +139,13 @@ onArray ::
 onArray (q, n, folding, shape, window) test = overField q $ \k -> do
   array <- arrayOver k n folding shape
   right (rectangle window) >>= test array
+
+-- | A property of the array of a setting, and of its window.
+ofArray ::
+  Setting -> (forall k. KnownField k => PseudorandomArray k -> Mask -> Property) -> Property
+ofArray (q, n, folding, shape, window) law = ofField q $ \(_ :: Proxy k) ->
+  whenRight (firstPrimitive n :: Either PolynomialError (Primitive k)) $ \h ->
+    whenRight (folded folding shape h) $ \array -> whenRight (rectangle window) (law array)
 
 -- | The mask of these offsets, row and column.
 mask :: [(Natural, Natural)] -> Either WindowError Mask

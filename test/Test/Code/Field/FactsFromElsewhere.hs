@@ -135,7 +135,7 @@ inField o use = do
   modulus <- o .: "modulus"
   case lookup q everyField of
     Just (SomeField k) | fieldModulus k == modulus -> use k
-    _ -> fail ("no named field of " ++ show q ++ " elements has the modulus " ++ show modulus)
+    _ -> fail ("no default field of " ++ show q ++ " elements has the modulus " ++ show modulus)
 
 codesOf :: Polynomial k -> [Int]
 codesOf = map toCode . coefficients
