@@ -181,8 +181,8 @@ distanceOf codeAt cells =
       | place <- Position <$> [0 .. 14] <*> [0 .. 16]
     ]
 
--- | What is located, given what is tolerated, against the hypotheses; those of other arrays are
--- added up where these are given, and else what is told of them is taken.
+-- | What is located, given what is tolerated, against the hypotheses. Of other arrays a bound is
+-- told, which is taken as it is; where they are given, they are added up and must not exceed it.
 judged ::
   [LaidFace] ->
   OnArray ->
@@ -202,7 +202,8 @@ judged faces onArray others locating tolerance seen = case hypotheses faces onAr
           [ locationOrientation found === wayUp best,
             near (told doubtOfPosition) (elsewhere' * (1 - random - alien)),
             near (told (doubtOfRandom . doubtsOfOrigin)) random,
-            near (told (doubtOfOtherArrays . doubtsOfOrigin)) alien,
+            counterexample "other arrays are no likelier than is told" $
+              maybe True ((<= alien * (1 + 1e-6) + 1e-9) . summed) others,
             told doubtOfStitching === 0,
             counterexample "as far as tolerated" $
               show (locationOutcome found)
@@ -218,9 +219,8 @@ judged faces onArray others locating tolerance seen = case hypotheses faces onAr
       total = sum . map likelihood
       elsewhere' = (total every - likelihood best) / total every
       (times, alone) = foreignBy (foreignPrior tolerance) onArray cells every best
-      alien = case others of
-        Just some -> times some * alone / (1 + times some * alone)
-        Nothing -> told (doubtOfOtherArrays . doubtsOfOrigin)
+      alien = told (doubtOfOtherArrays . doubtsOfOrigin)
+      summed some = times some * alone / (1 + times some * alone)
       random = alone * (1 - alien)
       there = onFace cells (wayUp best)
       certain' = [(at, what) | (at, here) <- heard, Just what <- map certainly here]

@@ -160,9 +160,10 @@ data PlaceDoubts = PlaceDoubts
 data ForeignDoubts = ForeignDoubts
   { -- | The probability that its symbols are as they are by chance.
     doubtOfRandom :: Double,
-    -- | That it is another array of the same field and degree, by another polynomial.
+    -- | At most the probability that it is another array of the same field and degree, by another
+    -- polynomial.
     doubtOfOtherArrays :: Double,
-    -- | Whether that is exactly this; else it is at most this.
+    -- | Whether that is exact: 0, because there is no other array.
     otherArraysExact :: Bool,
     -- | That it shows other symbols than the array's: where that was weighed.
     doubtOfOtherShapes :: Double

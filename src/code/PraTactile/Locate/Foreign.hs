@@ -2,7 +2,7 @@
 --
 -- Of what is foreign half is taken to be random: every symmetry is equally likely, and in it every
 -- content, each cell by itself. The other half is another array ('OtherArrays'), in every symmetry
--- and at every position alike. Of what is the array's every symmetry and every position is equally
+-- and at every position alike; how likely that is, is bounded from above. Of what is the array's every symmetry and every position is equally
 -- likely, too, and there each cell has its probability, but for one cell in a hundred, which is not
 -- what it seems ('misleading'): damaged, soiled, or wrongly made. Bayes' theorem with the share of
 -- foreign things does the rest.
@@ -20,10 +20,10 @@ module PraTactile.Locate.Foreign
   )
 where
 
+import Data.Maybe (isNothing)
 import Numeric.Natural (Natural)
 import PraTactile.Locate.Answer
 import PraTactile.Locate.Logarithm
-import PraTactile.Locate.OtherArrays
 
 -- | What observed cells are compared with foreign ones by.
 data ForeignComparison = ForeignComparison
@@ -42,9 +42,10 @@ data ForeignComparison = ForeignComparison
     -- | the logarithm of how many times as probable the cells make the symmetry there as the mean
     -- of all: 0 where they do not show how they lie
     foreignSymmetry :: Double,
-    -- | what the cells are worth if another array was touched; the logarithm is likewise relative
-    -- to the mean of how probable they make all symmetries
-    foreignOthers :: Others,
+    -- | the logarithm of how likely another array makes the cells, at most: summed over symmetries
+    -- and positions, relative to the mean of how probable the cells make all symmetries; 'Nothing'
+    -- where there is no other array
+    foreignOthers :: Maybe Double,
     -- | the logarithm of how many times as likely what was seen is if it shows other symbols than
     -- the array's; minus infinity where that is not weighed
     foreignUnlike :: Double
@@ -60,7 +61,7 @@ foreignByChance = 0.5
 -- Four cells beyond doubt, which nearly every content of a window is, leave what was believed
 -- beforehand; nine do not:
 --
--- >>> let comparison cells = ForeignComparison 0.005 4 255 cells 0 0 NoOthers (-1 / 0)
+-- >>> let comparison cells = ForeignComparison 0.005 4 255 cells 0 0 Nothing (-1 / 0)
 -- >>> let chances = foreignChances . comparison
 -- >>> round (1000 * doubtOfRandom (chances [1, 1, 1, 1]))
 -- 5
@@ -68,17 +69,16 @@ foreignByChance = 0.5
 -- True
 foreignChances :: ForeignComparison -> ForeignDoubts
 foreignChances comparison
-  | share <= 0 = ForeignDoubts 0 0 exact 0
-  | otherwise = ForeignDoubts (part byChance) (part byOthers) exact (part byShapes)
+  | share <= 0 = ForeignDoubts 0 0 alone 0
+  | otherwise = ForeignDoubts (part byChance) (part byOthers) alone (part byShapes)
   where
     share = foreignShare comparison
     byChance = log (share * random) + contents
     byShapes = log share + contents + foreignUnlike comparison
     contents = contentsByChance comparison
-    (random, byOthers, exact) = case foreignOthers comparison of
-      NoOthers -> (1, -1 / 0, True)
-      WorthExactly worth -> (foreignByChance, ofOthers worth, True)
-      WorthAtMost worth -> (foreignByChance, ofOthers worth, False)
+    alone = isNothing (foreignOthers comparison)
+    random = if alone then 1 else foreignByChance
+    byOthers = maybe (-1 / 0) ofOthers (foreignOthers comparison)
     ofOthers worth =
       log (share * (1 - foreignByChance)) + worth - naturalLogarithm (foreignPlaces comparison)
     ours = log (1 - share) + contents + evidence comparison
@@ -96,7 +96,7 @@ contentsByChance comparison =
 -- | The logarithm of how many times as probable the observed cells are if they are the array's,
 -- anywhere, as they are by chance. It says nothing of how probable either is beforehand.
 --
--- >>> let comparison cells = ForeignComparison 0.005 4 255 cells 0 0 NoOthers (-1 / 0)
+-- >>> let comparison cells = ForeignComparison 0.005 4 255 cells 0 0 Nothing (-1 / 0)
 -- >>> round (evidence (comparison (replicate 9 1)))
 -- 7
 evidence :: ForeignComparison -> Double

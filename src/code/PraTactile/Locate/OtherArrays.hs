@@ -1,7 +1,6 @@
 -- | The arrays that are not ours but as ours: of the same field, degree, folding and shape, by each
--- other primitive polynomial. What the observed cells are worth if one of them was touched is
--- summed over all of these arrays, or bounded from some that are drawn; docs/locating.md has the
--- formulas.
+-- other primitive polynomial. 'worthOfOthers' bounds how likely they make the observed cells, from
+-- all of these arrays or from some that are drawn; docs/locating.md has the formulas.
 --
 -- The other arrays need no other polynomial. Every m-sequence of the period N = q^n - 1 is, but for
 -- where it begins, a decimation s(0), s(r), s(2 r), ... of ours with r coprime to N, and two are of
@@ -10,19 +9,10 @@
 module PraTactile.Locate.OtherArrays
   ( OtherArrays,
     otherArrays,
-    Others (..),
     worthOfOthers,
-    relativeTo,
-    mostCompared,
-    smallPeriod,
 
-    -- * All of them
+    -- * Parts of it
     decimations,
-    worthOfAll,
-
-    -- * Some of them
-    drawnDecimations,
-    worthAtMost,
     upperLimit,
   )
 where
@@ -39,12 +29,10 @@ import Data.Word (Word64)
 import Numeric (log1mexp)
 import Numeric.Natural (Natural)
 import PraTactile.Array
-import PraTactile.Array.Fill (codes)
 import PraTactile.Extension
 import PraTactile.Field
 import PraTactile.LinearCode.Elimination
 import PraTactile.Locate.Belief
-import PraTactile.Locate.Decoder.Total
 import PraTactile.Locate.Logarithm
 import PraTactile.Locate.Patch
 import PraTactile.Polynomial
@@ -53,96 +41,55 @@ import PraTactile.Sequence
 import PraTactile.Symmetry
 import PraTactile.Window.Rank
 
--- | What is made once for an array, each part when it is first needed.
+-- | The others of an array, as many as are compared; made once, when first needed.
 data OtherArrays (k :: Field) = OtherArrays
-  { -- | ours
-    ownArray :: ArrayOn k,
-    -- | the decimations that are all others, if our array is small
-    allOthers :: Maybe [Natural],
-    -- | our sequence as it is folded
-    ownFold :: Folded,
-    -- | some others
-    drawnOthers :: [Drawn k]
+  { -- | our polynomial
+    ownPrimitive :: Primitive k,
+    -- | all others, or some that are drawn; none where there is no other array
+    comparedOthers :: [OtherArray k],
+    -- | whether these are all
+    allCompared :: Bool
   }
 
 type role OtherArrays nominal
 
--- | An array that was drawn: the powers by which it goes on from row to row and column to column.
-data Drawn (k :: Field) = Drawn (Residue k) (Residue k)
+-- | Another array: the powers of our root by which it goes on from row to row and from column to
+-- column.
+data OtherArray (k :: Field) = OtherArray (Residue k) (Residue k)
 
-type role Drawn nominal
+type role OtherArray nominal
 
--- | The others of an array. O(1).
+-- | The others of an array: all of them if they are few, else some by a fixed seed. O(1).
 otherArrays :: KnownField k => ArrayOn k -> OtherArrays k
-otherArrays on@(ArrayOn surface array) =
+otherArrays (ArrayOn _ array) =
   OtherArrays
-    { ownArray = on,
-      allOthers =
-        if terms <= smallPeriod then Just (decimations q terms) else Nothing,
-      ownFold =
-        Folded
-          { foldedSurface = surface,
-            foldedShape = arrayShape array,
-            foldedAlphabet = fieldOrder array,
-            foldedTerms = codes (sequenceVector h (arrayState array) (fromIntegral terms)),
-            foldedIndex = fromIntegral . sequenceIndex array
-          },
-      drawnOthers =
-        [ Drawn (alphaTo (Position 1 0) r) (alphaTo (Position 0 1) r)
-          | r <- take (drawsOf h) (drawnDecimations q terms)
-        ]
+    { ownPrimitive = h,
+      comparedOthers =
+        [ OtherArray (alphaTo (Position 1 0) r) (alphaTo (Position 0 1) r)
+          | r <- if few then every else take most (drawnDecimations q terms)
+        ],
+      allCompared = few
     }
   where
     h = arrayPrimitive array
     terms = period h
     q = fromIntegral (fieldOrder array)
+    few = terms <= smallPeriod && null (drop most every)
+    every = decimations q terms
+    most = mostCompared h
     alphaTo at r = powerOfRoot h (r * sequenceIndex array at `mod` terms)
 
--- | 2^15: of more terms the other arrays times the positions, (phi(N)/n - 1) N, are always more
+-- | 2^15: up to so many terms the others are counted. Of more terms there are nearly always more
 -- than 'mostCompared'.
 smallPeriod :: Natural
 smallPeriod = 2 ^ (15 :: Int)
 
--- | 2^24: as many arrays, positions and symmetries are compared with, multiplied.
-mostCompared :: Natural
-mostCompared = 2 ^ (24 :: Int)
-
--- | How many arrays are drawn: 1024, and fewer of degrees above 64, where each takes longer.
-drawsOf :: Primitive k -> Int
-drawsOf h = max 16 (min 1024 (2 ^ (28 :: Int) `div` (n * n * n)))
+-- | How many other arrays are compared: 1024, and fewer of degrees above 64, where each takes
+-- longer.
+mostCompared :: Primitive k -> Int
+mostCompared h = max 16 (min 1024 (2 ^ (28 :: Int) `div` (n * n * n)))
   where
     n = primitiveDegree h
-
--- | What observed cells are worth if another array was touched: of the sum of their likelihoods
--- over all symmetries and positions the mean of all others, as a logarithm.
-data Others
-  = -- | There is no other array.
-    NoOthers
-  | -- | Exactly this.
-    WorthExactly Double
-  | -- | At most this, with a confidence of 99 % in each symmetry.
-    WorthAtMost Double
-  deriving stock (Eq, Show)
-
--- | The worth as many times as a number of which this is the logarithm.
-relativeTo :: Double -> Others -> Others
-relativeTo unit others = case others of
-  NoOthers -> NoOthers
-  WorthExactly worth -> WorthExactly (worth - unit)
-  WorthAtMost worth -> WorthAtMost (worth - unit)
-
--- | The worth of cells that are seen in one of these symmetries. Exact up to 'mostCompared' arrays
--- times positions times symmetries. O(m) for each of these; or O(m n^2) for each of the arrays that
--- are drawn, and in each symmetry.
-worthOfOthers :: KnownField k => OtherArrays k -> [Symmetry] -> Patch (Belief k) -> Others
-worthOfOthers others possible seen = case allOthers others of
-  Just [] -> NoOthers
-  Just rs
-    | genericLength rs * area (arrayShape array) * genericLength possible <= mostCompared ->
-      WorthExactly (worthOfAll others rs possible seen)
-  _ -> WorthAtMost (worthAtMost others possible seen)
-  where
-    ArrayOn _ array = ownArray others
 
 -- | The cells as they lie upright if they are seen in this symmetry.
 seenIn :: Symmetry -> Patch a -> [(Position, a)]
@@ -165,24 +112,10 @@ decimations q terms = map fromIntegral (filter leads [2 .. n - 1])
 conjugates :: Integral a => a -> a -> a -> [a]
 conjugates q terms r = r : takeWhile (/= r) (drop 1 (iterate (\x -> x * q `mod` terms) r))
 
--- | 'worthOfOthers' by comparing with every position of the arrays by these decimations, each from
--- its cell of s(0) on.
-worthOfAll :: OtherArrays k -> [Natural] -> [Symmetry] -> Patch (Belief k) -> Double
-worthOfAll others rs possible seen =
-  totalLikelihood (ownFold others) (map fromIntegral rs) (map likely possible)
-    - log (genericLength rs)
-  where
-    likely o = [(at, probabilitiesIn o b) | (at, b) <- seenIn o seen]
-
-logSumOf :: [Double] -> Double
-logSumOf = logSum . Primitive.fromList
-
--- | Decimations that lead to other arrays, drawn independently and uniformly by a fixed seed,
--- without end; none where there is no other array. Given q and N.
+-- | An endless list of decimations that lead to other arrays, drawn independently and uniformly by
+-- a fixed seed. Given q and N, for which there must be another array.
 drawnDecimations :: Natural -> Natural -> [Natural]
-drawnDecimations q terms
-  | terms <= smallPeriod && null (decimations q terms) = []
-  | otherwise = filter other (go (splitMix drawingSeed))
+drawnDecimations q terms = filter other (go (splitMix drawingSeed))
   where
     words' = length (takeWhile (> 0) (iterate (`div` 2 ^ (64 :: Int)) terms)) + 1
     go drawn = let (these, rest) = splitAt words' drawn in number these `mod` terms : go rest
@@ -194,22 +127,27 @@ drawnDecimations q terms
 drawingSeed :: Word64
 drawingSeed = 1959
 
--- | A bound of 'worthOfOthers' from the arrays that were drawn. In each symmetry, and for each of
--- them, the surest independent cells are taken. All contents of these are equally frequent; the
--- likeliest one tells the other cells, and for all others together these have at most their
--- likeliest symbols. The mean is then at the upper limit of its confidence.
-worthAtMost :: KnownField k => OtherArrays k -> [Symmetry] -> Patch (Belief k) -> Double
-worthAtMost others possible seen = logSumOf (map inSymmetry possible)
+-- | Bounds from above, as a logarithm, how likely another array makes the observed cells: their
+-- likelihoods summed over the possible symmetries and all positions, in the mean of all other
+-- arrays. 'Nothing' if there is no other array. O(m n^2) for m cells, each array and each symmetry.
+--
+-- In each symmetry, and for each array, the surest independent cells are taken. All contents of
+-- these are equally frequent; the likeliest one determines the other cells, and for all other
+-- contents these have at most their likeliest symbols. Of arrays that were drawn the mean is
+-- replaced by the upper limit of its confidence.
+worthOfOthers :: KnownField k => OtherArrays k -> [Symmetry] -> Patch (Belief k) -> Maybe Double
+worthOfOthers others possible seen
+  | null (comparedOthers others) = Nothing
+  | otherwise = Just (logSumOf (map inSymmetry possible))
   where
-    ArrayOn _ array = ownArray others
-    h = arrayPrimitive array
+    h = ownPrimitive others
     size = naturalLogarithm (period h + 1)
-    -- By the draws, what their arrays have in the cells that are seen in any symmetry.
-    contents = map (vectorsOf h places) (drawnOthers others)
+    -- What each array has in the cells that are seen in any symmetry.
+    contents = map (vectorsOf h places) (comparedOthers others)
     places = Set.toAscList (Set.fromList [at | o <- possible, (at, _) <- seenIn o seen])
     inSymmetry o
       | isInfinite shown = shown
-      | otherwise = shown + size + largest + log (upperLimit (length relative) (mean relative))
+      | otherwise = shown + size + largest + log (expected relative)
       where
         cells = sortOn (Down . cellBest) (map (cellIn o) (seenIn o seen))
         shown = sum [log (symmetryChance o b) | (_, b) <- observedCells seen]
@@ -217,7 +155,13 @@ worthAtMost others possible seen = logSumOf (map inSymmetry possible)
         -- Relative to the most that an array of those ranks could have.
         largest = maximum [negate rank | (rank, _) <- bounds]
         relative = [exp (share - rank - largest) | (rank, share) <- bounds]
+    expected xs
+      | allCompared others = mean xs
+      | otherwise = upperLimit (length xs) (mean xs)
     mean xs = sum xs / genericLength xs
+
+logSumOf :: [Double] -> Double
+logSumOf = logSum . Primitive.fromList
 
 -- | A cell in a symmetry: where it is upright, its likeliest symbol and how probable that is, and
 -- how probable each symbol is.
@@ -236,14 +180,14 @@ cellIn o (at, b) = CellIn at (either (const zero) id (fromCode best)) (given Pri
     given = Primitive.map (/ symmetryChance o b) (probabilitiesIn o b)
     best = Primitive.maxIndex given
 
--- | Where cells of an array that was drawn lie in GF(q^n), by the cells.
-vectorsOf :: KnownField k => Primitive k -> [Position] -> Drawn k -> Map Position (Row k)
-vectorsOf h places (Drawn down right') =
+-- | The elements of GF(q^n) at which cells of another array lie, by the cells.
+vectorsOf :: KnownField k => Primitive k -> [Position] -> OtherArray k -> Map Position (Row k)
+vectorsOf h places (OtherArray down right') =
   Map.fromDistinctAscList
     (zip places (gridVectors h (powerOfResidue h down) (powerOfResidue h right') places))
 
--- | Of an array that was drawn: the logarithm of q to the rank of the cells, and a bound of how
--- probable its contents are that agree, at most 1, as a logarithm.
+-- | For one other array: the logarithm of q to the rank of the cells, and the logarithm of a bound,
+-- at most 1, of the probability of its contents that agree.
 boundedBy :: KnownField k => Primitive k -> Map Position (Row k) -> [CellIn k] -> (Double, Double)
 boundedBy h vectors cells =
   (fromIntegral (basisSize basis) * log (fromIntegral (fieldOrder h)), logSumOf [agreeing, others])

@@ -141,8 +141,8 @@ comparedWith theLocator query candidates seen expected =
       foreignLikeliest = expectedLikeliest expected,
       foreignSymmetry = expectedSymmetry expected,
       foreignOthers =
-        relativeTo (expectedShown expected - expectedSymmetry expected) $
-          worthOfOthers (locatorOthers theLocator) (querySymmetries query) seen,
+        subtract (expectedShown expected - expectedSymmetry expected)
+          <$> worthOfOthers (locatorOthers theLocator) (querySymmetries query) seen,
       foreignUnlike = queryUnlike query
     }
 

@@ -1,17 +1,15 @@
+{-# LANGUAGE RankNTypes #-}
+
 -- | What is foreign, half random and half other arrays, added up over all other polynomials,
 -- symmetries and positions.
 module Test.Code.Locate.ForeignMixture (spec) where
 
-import Data.Either (isRight)
 import Data.Foldable (for_)
 import PraTactile.Array
-import PraTactile.Factorisation (factorise, totient)
 import PraTactile.Field
-import PraTactile.Field.Named
 import PraTactile.Grid (displaced)
 import PraTactile.Locate
 import PraTactile.Locate.OtherArrays
-import PraTactile.Polynomial (period)
 import PraTactile.Symmetry
 import PraTactile.Window
 import Test.Code.Generators
@@ -19,54 +17,40 @@ import Test.Code.Locate.OtherPolynomials
 import Test.Hspec
 import Test.Paper
 import Test.QuickCheck hiding (elements)
+import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
-  it "of long periods there are too many others to be compared with, whatever the field" $
-    for_
-      [ (q, n, terms)
-        | q <- [2 .. 256],
-          isRight (conwayModulus q),
-          n <- [1 .. 26],
-          let terms = q ^ n - 1,
-          terms > smallPeriod,
-          terms <= 2 * mostCompared
-      ]
-      $ \(q, n, terms) -> do
-        factors <- right (factorise terms)
-        let others = totient factors `div` n - 1
-        (q, n, others * terms) `shouldSatisfy` \(_, _, compared) -> compared > mostCompared
-  it "half of what is foreign is another array: added up over polynomials, ways and places" $
-    for_ small $ \setting -> onArray setting $ \array window ->
-      let others = byOtherPolynomials array
-       in holds 60 $
-            forAllBlind (genScene array) $ \scene ->
+  for_ small $ \setting@(q, n, folding, shape, _) -> do
+    let name = "GF(" ++ show q ++ "), degree " ++ show n ++ ", " ++ show (folding, shape)
+        asking ::
+          (forall k. KnownField k => PseudorandomArray k -> Gen (Scene k)) ->
+          (ForeignDoubts -> (Double, Double) -> Property) ->
+          Property
+        asking scenes check =
+          withMaxSuccess 60 . ofArray setting $ \array window ->
+            forAllBlind (scenes array) $ \scene ->
               let on = ArrayOn (sceneSurface scene) array
                   made = locator (Just PosteriorDecoder) MostSignificantFirst on window
-                  found = locate made (askedOf scene)
-               in whenRight found $ \answer ->
+               in whenRight (locate made (askedOf scene)) $ \answer ->
                     case (answerDoubts answer, answerPosterior answer >>= posteriorBest) of
                       (Just doubts, Just best) ->
-                        let (random, alien) = mixture scene array others best
+                        let others = byOtherPolynomials array
                             told = doubtsOfForeign doubts
                          in label (if null others then "no others" else "others") $
-                              conjoin
-                                [ near random (doubtOfRandom told),
-                                  near alien (doubtOfOtherArrays told),
-                                  otherArraysExact told === True
-                                ]
+                              (otherArraysExact told === null others)
+                                .&&. check told (mixture scene array others best)
                       _ -> label "nowhere" (answerDoubts answer === Nothing)
-  it "what is told of arrays that are drawn is no less than of all" $
-    for_ small $ \setting -> onArray setting $ \array _ ->
-      holds 20 $
-        forAllBlind (genScene array) $ \scene ->
-          let surface = sceneSurface scene
-              natural = naturalSurface (arrayFolding array)
-              rs = decimations (fromIntegral (fieldOrder array)) (period (arrayPrimitive array))
-              others = otherArrays (ArrayOn surface array)
-              exactly = worthOfAll others rs (scenePossible scene) (sceneSeen scene)
-              bound = worthAtMost others (scenePossible scene) (sceneSeen scene)
-           in null rs || surface `notElem` [Sheet, natural] || exactly <= bound + 1e-9
+    it ("what is random, beside what is ours, is added up over symmetries and places: " ++ name) $
+      asking genScene $ \told (random, alien) ->
+        near (random * (1 - doubtOfOtherArrays told)) (doubtOfRandom told * (1 - alien))
+    it ("other arrays, added up over polynomials, symmetries and places, are no likelier: " ++ name) $
+      asking genNatural $ \told (_, alien) ->
+        counterexample (show (alien, told)) $
+          alien <= doubtOfOtherArrays told * (1 + 1e-9) + 1e-12
+    it ("they are as likely if the cells are beyond doubt, and not all 0: " ++ name) $
+      asking genCertain $ \told (_, alien) ->
+        near alien (doubtOfOtherArrays told)
   it "of 2^16 cells others are drawn; where none has the cells, the limit of none is told" $ do
     array <- arrayOver gf2 16 Diagonal (Shape 255 257)
     window <- right (rectangle (Shape 8 2))
@@ -130,9 +114,24 @@ askedOf scene =
 
 -- | A patch of up to three rows and seven columns, of which each cell is not observed, beyond
 -- doubt, doubtful, or doubtful together with how the patch lies.
-genScene :: KnownField k => PseudorandomArray k -> Gen (Scene k)
-genScene array = do
-  surface <- arbitraryBoundedEnum
+genScene, genNatural, genCertain :: KnownField k => PseudorandomArray k -> Gen (Scene k)
+genScene = genSceneOf [minBound ..] [NotObserved ..]
+-- | On a surface on which the array's contents are linear.
+genNatural array = genSceneOf [Sheet, natural array] [NotObserved ..] array
+-- | On the torus on which they are, of cells beyond doubt, not all of them 0.
+genCertain array = genSceneOf [natural array] [NotObserved, Certain] array `suchThat` shown
+  where shown scene = any (\(_, gives) -> gives identity zero == 0) (sceneGives scene)
+
+natural :: PseudorandomArray k -> Surface
+natural = naturalSurface . arrayFolding
+
+-- | What is known of a cell.
+data Kind = NotObserved | Certain | Doubtful | DoubtfulWithSymmetry
+  deriving stock (Eq, Enum)
+
+genSceneOf :: KnownField k => [Surface] -> [Kind] -> PseudorandomArray k -> Gen (Scene k)
+genSceneOf surfaces kinds array = do
+  surface <- QuickCheck.elements surfaces
   possible <- sublistOf symmetries `suchThat` (not . null)
   share <- choose (0.01, 0.9)
   high <- choose (1, 3)
@@ -141,20 +140,20 @@ genScene array = do
   let given = [(Position i j, c) | (i, line) <- zip [0 ..] cells, (j, Just c) <- zip [0 ..] line]
   case patch (map (map (fmap fst)) cells) of
     Right seen | not (null given) -> pure (Scene surface possible share seen (map (fmap snd) given))
-    _ -> genScene array
+    _ -> genSceneOf surfaces kinds array
   where
     q = fieldOrder array
     genCell possible = do
-      kind <- choose (0, 4 :: Int)
+      kind <- QuickCheck.elements kinds
       case kind of
-        0 -> pure Nothing
-        1 -> do
+        NotObserved -> pure Nothing
+        Certain -> do
           a <- genElement
           pure (Just (certainly a, \_ b -> if a == b then 1 else 0))
-        2 -> do
+        Doubtful -> do
           numbers <- chances q
           pure (Just (made (belief numbers), \_ b -> numbers !! toCode b))
-        _ -> do
+        DoubtfulWithSymmetry -> do
           numbers <- chances (q * length possible)
           let joint = zip possible (chunks numbers)
           pure
