@@ -12,7 +12,6 @@ import qualified Test.Code.Census.AllArraysOfASize
 import qualified Test.Code.Certificate.EachFlawFound
 import qualified Test.Code.Certificate.ForgeriesRefused
 import qualified Test.Code.Certificate.IssuedAndChecked
-import qualified Test.Code.Factorisation.CurvesByPoints
 import qualified Test.Code.Factorisation.FactorsAndPrimes
 import qualified Test.Code.Field.AxiomsAndDefinition
 import qualified Test.Code.Field.ExtensionModuloH
@@ -229,7 +228,6 @@ together = do
     describe "Fields" Test.Code.Field.AxiomsAndDefinition.spec
     describe "The structure of fields" Test.Code.Field.StructureByDefinition.spec
     describe "Factorisation" Test.Code.Factorisation.FactorsAndPrimes.spec
-    describe "Elliptic curves" Test.Code.Factorisation.CurvesByPoints.spec
     describe "Linear codes" Test.Code.LinearCode.AllCodewords.spec
     describe "Polynomials" Test.Code.Polynomial.RingAndOrders.spec
     describe "Searching polynomials" Test.Code.Polynomial.OrderAndCount.spec

@@ -19,8 +19,7 @@ where
 
 import Control.Monad (unless)
 import Data.Bifunctor (first)
-import Data.Function (on)
-import Data.List (find, nubBy)
+import Data.List (find)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Certificate.Digest
@@ -165,7 +164,7 @@ certifyArray method profile array mask = do
         certificateWindows = area (visitedShape (profileSurface profile) (arrayShape array) mask),
         certificatePeriod = period h,
         certificateFactors = [OrderFactor l e (residueAt (period h `div` l)) | (l, e) <- factors],
-        certificatePrimes = nubBy ((==) `on` shownPrime) primes,
+        certificatePrimes = primes,
         certificateEvidence = evidence
       }
   where
@@ -210,19 +209,14 @@ rankEvidence array mask =
 codes :: [GF k] -> [Natural]
 codes = map (fromIntegral . toCode)
 
--- | The proofs that a prime needs, and those that they use before them; none below
--- 'millerRabinDomain', where the strong test decides.
+-- | The proof that a prime needs: none below 'millerRabinDomain', where the strong test decides.
 primeProofs :: Natural -> Either CertificateError [PrimeProof]
 primeProofs prime
   | prime < millerRabinDomain = Right []
-  | otherwise = do
-    factors <- first (const (PrimeNotShown prime)) (factorise (prime - 1))
-    before <- concat <$> traverse (primeProofs . fst) factors
-    witnesses <- traverse witness factors
-    pure (before ++ [PrimeProof prime witnesses])
+  | product [l ^ e | (l, e) <- factors] ^ (2 :: Int) > prime,
+    Just witnesses <- traverse witness factors =
+    Right [PrimeProof prime witnesses]
+  | otherwise = Left (PrimeNotShown prime)
   where
-    witness (l, e) =
-      maybe
-        (Left (PrimeNotShown prime))
-        (Right . PrimeWitness l e)
-        (find (isPocklingtonWitness prime l) [2 .. 200])
+    factors = pocklingtonFactors prime
+    witness (l, e) = PrimeWitness l e <$> find (isPocklingtonWitness prime l) [2 .. 200]

@@ -14,6 +14,7 @@ module PraTactile.Factorisation
     -- * Primality
     isPrime,
     millerRabinDomain,
+    pocklingtonFactors,
     isPocklingtonWitness,
 
     -- * Euler's function
@@ -27,9 +28,8 @@ import PraTactile.Factorisation.Divisor
 import PraTactile.Factorisation.Prime
 
 -- | The primes that divide a number, ascending, each with its exponent. Refuses 0, and numbers left
--- with two prime factors of more than about 20 digits. O(sqrt p) products modulo the number for its
--- second largest prime p of up to 10 digits; beyond, elliptic curves are tried for some 10 seconds
--- at most.
+-- with two prime factors of more than about 13 digits. O(sqrt p) products modulo the number for its
+-- second largest prime p, at most 2^24.
 --
 -- >>> factorise (2 ^ 64 - 1)
 -- Right [(3,1),(5,1),(17,1),(257,1),(641,1),(65537,1),(6700417,1)]
@@ -90,6 +90,15 @@ primeFactors n = (small ++) <$> split rest
         else case properDivisor m of
           Nothing -> Left (FactorNotFound m)
           Just d -> (++) <$> split d <*> split (m `div` d)
+
+-- | The prime factors of n - 1, ascending, each with its exponent, that are found and are below
+-- 'millerRabinDomain': if their product is above the square root of n, and each has a
+-- 'isPocklingtonWitness', n is prime.
+--
+-- >>> take 3 (pocklingtonFactors (2 ^ 89 - 1))
+-- [(2,1),(3,1),(5,1)]
+pocklingtonFactors :: Natural -> [(Natural, Natural)]
+pocklingtonFactors = collect . factorsBelow
 
 -- | Euler's function of the number that has this factorisation: how many of its residues are units.
 --

@@ -1,10 +1,12 @@
 -- | Which numbers are primes, with proof: the strong test where a theorem says that it decides,
--- Pocklington's theorem beyond. Imports base only.
+-- Pocklington's theorem beyond, with such prime factors as the strong test proves. Imports base
+-- only.
 module PraTactile.Factorisation.Prime
   ( -- * Primality
     isPrime,
     millerRabinDomain,
     pocklington,
+    factorsBelow,
     isPocklingtonWitness,
 
     -- * Errors
@@ -67,47 +69,36 @@ strongProbablePrime n a
     twos = length (takeWhile even (iterate (`div` 2) (n - 1)))
     start = powerModulo n a ((n - 1) `div` 2 ^ twos)
 
-{- Note [Proofs from n - 1]
-   ~~~~~~~~~~~~~~~~~~~~~~~~
-   Let F divide n - 1, and for each prime l that divides F let some a have a^(n-1) = 1 modulo n and
-   a^((n-1)/l) - 1 coprime to n. Then every prime factor of n is 1 modulo F (Pocklington; a may
-   differ from l to l: Brillhart, Lehmer and Selfridge, Math. Comp. 29, 1975). So n is prime if F^2
-   > n. If only F^3 >= n, a composite n is (a F + 1)(b F + 1); in base F, n = c2 F^2 + c1 F + 1, and
-   such a and b exist iff c1^2 - 4 c2 is a square (Crandall and Pomerance, Prime Numbers, theorem
-   4.1.5). -}
-
 -- | Whether the factors of n - 1 that are found prove that n > 2 is prime. 'True' is a proof;
--- 'False' says nothing. See Note [Proofs from n - 1].
+-- 'False' says nothing.
+--
+-- Let F divide n - 1, and for each prime l that divides F let some a have a^(n-1) = 1 modulo n and
+-- a^((n-1)/l) - 1 coprime to n. Then every prime factor of n is 1 modulo F (Pocklington; a may
+-- differ from l to l: Brillhart, Lehmer and Selfridge, Math. Comp. 29, 1975). So n is prime if F^2
+-- > n.
 pocklington :: Natural -> Bool
-pocklington n = maybe False suffices (find enough (inits (small ++ provedFactors rest)))
+pocklington n = maybe False (all witnessed . nub) (find enough (inits (factorsBelow n)))
+  where
+    enough primes = product primes ^ (2 :: Int) > n
+    witnessed l = any (isPocklingtonWitness n l) millerRabinBases
+
+-- | Prime factors of n - 1 for n > 1, each as often as it divides: those that are found and are
+-- below 'millerRabinDomain', found as they are asked for.
+factorsBelow :: Natural -> [Natural]
+factorsBelow n = small ++ found rest
   where
     (small, rest) = trialDivision (n - 1)
-    enough primes = product primes ^ (3 :: Int) >= n
-    suffices primes = all witnessed (nub primes) && noTwoFactors (product primes)
-    witnessed l = any (isPocklingtonWitness n l) millerRabinBases
-    noTwoFactors f = f * f > n || not (isSquare (toInteger c1 * toInteger c1 - 4 * toInteger c2))
-      where
-        (c2, c1) = (n `div` f) `divMod` f
+    found m
+      | m == 1 = []
+      | composite m = maybe [] (\d -> found d ++ found (m `div` d)) (properDivisor m)
+      | otherwise = [m | m < millerRabinDomain]
+    composite m = not (all (strongProbablePrime m) millerRabinBases)
 
 -- | @isPocklingtonWitness n l a@: a^(n-1) is 1 modulo n, and a^((n-1)/l) - 1 is coprime to n.
 -- O(log n) products modulo n.
 isPocklingtonWitness :: Natural -> Natural -> Natural -> Bool
 isPocklingtonWitness n l a =
   powerModulo n a (n - 1) == 1 && gcd n (powerModulo n a ((n - 1) `div` l) + n - 1) == 1
-
-isSquare :: Integer -> Bool
-isSquare a = a >= 0 && root * root == fromInteger a
-  where
-    root = squareRoot (fromInteger a)
-
--- | Such prime factors as are found and proved, each as often as it divides, found as they are
--- asked for.
-provedFactors :: Natural -> [Natural]
-provedFactors 1 = []
-provedFactors m = case isPrime m of
-  Right True -> [m]
-  Right False -> maybe [] (\d -> provedFactors d ++ provedFactors (m `div` d)) (properDivisor m)
-  Left _ -> []
 
 -- | @powerModulo n a e@ is a^e modulo n, by squaring.
 powerModulo :: Natural -> Natural -> Natural -> Natural
