@@ -37,6 +37,7 @@ import PraTactile.Locate.Logarithm
 import PraTactile.Locate.Patch
 import PraTactile.Polynomial
 import PraTactile.Polynomial.Search (splitMix)
+import PraTactile.Probability
 import PraTactile.Sequence
 import PraTactile.Symmetry
 import PraTactile.Window.Rank
@@ -138,7 +139,7 @@ drawingSeed = 1959
 worthOfOthers :: KnownField k => OtherArrays k -> [Symmetry] -> Patch (Belief k) -> Maybe Double
 worthOfOthers others possible seen
   | null (comparedOthers others) = Nothing
-  | otherwise = Just (logSumOf (map inSymmetry possible))
+  | otherwise = Just (logSum (map inSymmetry possible))
   where
     h = ownPrimitive others
     size = naturalLogarithm (period h + 1)
@@ -159,9 +160,6 @@ worthOfOthers others possible seen
       | allCompared others = mean xs
       | otherwise = upperLimit (length xs) (mean xs)
     mean xs = sum xs / genericLength xs
-
-logSumOf :: [Double] -> Double
-logSumOf = logSum . Primitive.fromList
 
 -- | A cell in a symmetry: where it is upright, its likeliest symbol and how probable that is, and
 -- how probable each symbol is.
@@ -190,7 +188,7 @@ vectorsOf h places (OtherArray down right') =
 -- at most 1, of the probability of its contents that agree.
 boundedBy :: KnownField k => Primitive k -> Map Position (Row k) -> [CellIn k] -> (Double, Double)
 boundedBy h vectors cells =
-  (fromIntegral (basisSize basis) * log (fromIntegral (fieldOrder h)), logSumOf [agreeing, others])
+  (fromIntegral (basisSize basis) * log (fromIntegral (fieldOrder h)), logSum [agreeing, others])
   where
     n = primitiveDegree h
     Walked basis sure told most =

@@ -72,7 +72,7 @@ import PraTactile.Geometry
   )
 import PraTactile.Pose
 import PraTactile.Pose.Matrix
-import PraTactile.Registration.Lattice.Blur (cumulative)
+import PraTactile.Probability (normalDensity, normalDistribution)
 import PraTactile.Sensor.Frame (Motion (..), movePoint)
 import qualified PraTactile.Sensor.Frame as Frame
 import PraTactile.Shape (Bitmap, embossedAt)
@@ -120,12 +120,14 @@ height shape u v = down 0 0 0 (near symbolHeight v)
       [] -> (a, b, c)
     near side t =
       let k = floor t
-       in [ Near n (cumulative before - cumulative after) ((density before - density after) / blur)
+       in [ Near
+              n
+              (normalDistribution before - normalDistribution after)
+              ((normalDensity before - normalDensity after) / blur)
             | n <- [max 0 (k - 2) .. min (side - 1) (k + 2)],
               let before = (t - fromIntegral n) / blur
                   after = before - 1 / blur
           ]
-    density t = exp (negate (t * t) / 2) / sqrt (2 * pi)
 
 -- | A column or a row of taxels near a place, the share of it that is seen there, and its slope.
 data Near = Near !Int !Double !Double

@@ -9,31 +9,18 @@ module PraTactile.Rates.Noise
   )
 where
 
+import PraTactile.Probability
+
 -- | The probability that the largest of q numbers is not the true symbol's, with noise of this
 -- standard deviation: 1 less the integral of phi(x) Phi(x + 1/sigma)^(q - 1), by the trapezoidal
 -- rule, which for such integrands is exact to many digits.
 errorRate :: Int -> Double -> Double
 errorRate q sigma =
-  sum (map (\x -> step * density x * (1 - distribution (x + 1 / sigma) ^ (q - 1))) points)
+  sum (map (\x -> step * normalDensity x * (1 - reached x ^ (q - 1))) points)
   where
+    reached x = normalDistribution (x + 1 / sigma)
     step = 0.025
     points = map ((* step) . fromIntegral) [-360 .. 360 :: Int]
-
-density :: Double -> Double
-density x = exp (-x * x / 2) / sqrt (2 * pi)
-
--- | The normal distribution, by its Taylor series (G. Marsaglia, J. Stat. Softw. 11, 2004).
-distribution :: Double -> Double
-distribution x
-  | x < -8 = 0
-  | x > 8 = 1
-  | otherwise = 0.5 + density x * go x x 3
-  where
-    go term total k
-      | total + next == total = total
-      | otherwise = go next (total + next) (k + 2 :: Double)
-      where
-        next = term * x * x / k
 
 -- | The noise, as a standard deviation, with which symbols are wrong with this probability, which
 -- is at least 0 and less than 1 - 1/q: by bisection. For 0 it is the least that is tried, 0.01,

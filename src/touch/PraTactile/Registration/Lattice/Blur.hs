@@ -5,7 +5,6 @@
 -- brings there; and so a place reads of a frame, added up over it.
 module PraTactile.Registration.Lattice.Blur
   ( seenAt,
-    cumulative,
     areaSums,
     areaSumsGiven,
   )
@@ -15,6 +14,7 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Storable.Mutable as M
 import PraTactile.Image (Raster, rasterValues)
+import PraTactile.Probability (normalDistribution)
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Loops (tabulate)
 import PraTactile.Registration.Model (blurDeviation)
@@ -24,20 +24,8 @@ import PraTactile.Registration.Model (blurDeviation)
 seenAt :: Double -> Double
 seenAt u
   | abs u >= 3 = 0
-  | otherwise = cumulative ((u + 0.5) / blurDeviation) - cumulative ((u - 0.5) / blurDeviation)
-
--- | The normal distribution function, to 1e-7 (Abramowitz and Stegun, formula 26.2.17).
-cumulative :: Double -> Double
-cumulative x
-  | x < 0 = 1 - cumulative (negate x)
   | otherwise =
-    1 - exp (negate (x * x) / 2) / sqrt (2 * pi)
-      * t
-      * ( 0.319381530
-            + t * (-0.356563782 + t * (1.781477937 + t * (-1.821255978 + t * 1.330274429)))
-        )
-  where
-    t = 1 / (1 + 0.2316419 * x)
+    normalDistribution ((u + 0.5) / blurDeviation) - normalDistribution ((u - 0.5) / blurDeviation)
 
 -- | What the padded grid reads of a frame, added up: of values one each whole taxel before a place,
 -- across and down, up to its own, their sum over the rectangle that ends there. The grid begins a
