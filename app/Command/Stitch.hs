@@ -23,7 +23,6 @@ import PraTactile.Image.Error (ImageError)
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity, rasterPng)
 import PraTactile.Registration
 import PraTactile.Registration.Stitching
-import PraTactile.Sensor.Frame (Frame (..))
 import PraTactile.Sensor.Manifest (Entry (..), Manifest (..))
 import PraTactile.Source (Folder (..), preparedFrames, takingOf)
 import Setup
@@ -103,9 +102,7 @@ run symbols stitching choice asked folder output report form = do
   for_ report $ \file -> do
     writeWhole file (assemblySvg (visibleName folder) (zip names frames) made)
     unless (form == AsJson || file == standardOutput) (sayWritten file "")
-  when
-    (form == AsJson)
-    (Bytes.putStrLn (encodeAssembly (zip names (map framePose frames)) made))
+  when (form == AsJson) (Bytes.putStrLn (encodeAssembly names made))
   pure Answered
   where
     known' = stitchingOf stitching

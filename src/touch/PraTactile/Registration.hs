@@ -56,7 +56,6 @@ import PraTactile.Composite
     Worth (..),
     blended,
     compositeOf,
-    compositePixel,
     compositePosition,
     contradictionBy,
   )
@@ -89,8 +88,6 @@ import PraTactile.Registration.Lattice.Fit (Touched)
 import PraTactile.Registration.Lattice.Template (LatticeTables, latticeTables)
 import PraTactile.Registration.Layout (Layout (..), layoutsLeft)
 import PraTactile.Registration.Posterior (Hypothesis (..))
-import PraTactile.Registration.Rest (alignedToRest)
-import PraTactile.Registration.Rotation (certainRotation, rotationPrior)
 import PraTactile.Registration.Search
   ( Registration (..),
     standardRegistration,
@@ -175,10 +172,7 @@ data Assembly = Assembly
     assemblyFrames :: ![Registered],
     -- | The root of the mean squared difference of the frames from what others saw there, as the
     -- noise of one frame; 'Nothing' where no two overlap.
-    assemblyResidual :: Maybe Double,
-    -- | By how many degrees each frame is turned, clockwise, beyond what its pose states, where the
-    -- other frames tell that to 'certainDeviation'.
-    assemblyTurns :: [Maybe Double]
+    assemblyResidual :: Maybe Double
   }
 
 -- | Frames registered by the given method, and blended. The tables are those of the symbols that
@@ -293,9 +287,6 @@ compose arranging settings frames = do
       found = settings {registrationSigma = sigma}
       with k shift shifts = take k shifts ++ shift : drop (k + 1) shifts
       made = together displacements
-      turnOf ((x, y), image) =
-        let (u, v) = compositePixel made (left + taxelPitch * x, top + taxelPitch * y)
-         in alignedToRest rotationPrior made (u, v) image >>= certainRotation
   -- Blending relies on it.
   checkArea (at displacements)
   pure
@@ -314,8 +305,7 @@ compose arranging settings frames = do
             },
         assemblyMethod = arrangementMethod arrangement,
         assemblyFrames = ofEach arranged,
-        assemblyResidual = arrangementResidual arrangement,
-        assemblyTurns = ofEach (map turnOf (NonEmpty.toList (at displacements)))
+        assemblyResidual = arrangementResidual arrangement
       }
 
 -- | What was seen, row by row from the top, each once: the order of frames tells nothing, and one

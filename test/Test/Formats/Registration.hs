@@ -83,7 +83,6 @@ match refusal fixed =
       matchBest = Hypothesis (7.5, -0.25) 0.875,
       matchDeviations = (0.5, 0.125),
       matchFixed = fixed,
-      matchRotation = Just (-1.25),
       matchMethod = Lattice,
       matchHypotheses = [Hypothesis (7.5, -0.25) 0.875, Hypothesis (1, 2) 0.125]
     }
@@ -99,7 +98,6 @@ expected reason axes =
       "probability" .= (0.875 :: Double),
       "sd" .= [0.5, 0.125 :: Double],
       "axes" .= axes,
-      "rotation_deg" .= (-1.25 :: Double),
       "method" .= text "lattice",
       "hypotheses"
         .= [ object ["shift" .= best, "probability" .= (0.875 :: Double)],

@@ -16,16 +16,15 @@ where
 
 import Data.Aeson (Value, object, (.=))
 import Data.ByteString (ByteString)
-import Data.List (sort, zipWith4)
+import Data.List (sort)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe, isNothing)
+import Data.Maybe (isNothing)
 import PraTactile.Format.Error
 import PraTactile.Format.Json (encodeSchema)
 import PraTactile.Format.Json.Codec hiding (named, object)
 import PraTactile.Image (rasterSize)
 import PraTactile.Registration
 import PraTactile.Registration.Pair
-import PraTactile.Sensor.Frame (Pose (..))
 
 -- | The answer on one line, without its end; all keys always.
 encodeMatch :: Match -> ByteString
@@ -38,7 +37,6 @@ encodeMatch match =
       <> "probability" .= hypothesisProbability (matchBest match)
       <> "sd" .= matchDeviations match
       <> "axes" .= [axis | (axis, True) <- [("x" :: String, fst fixed), ("y", snd fixed)]]
-      <> "rotation_deg" .= matchRotation match
       <> "method" .= pairMethodName (matchMethod match)
       <> "hypotheses" .= map hypothesisValue (matchHypotheses match)
   where
@@ -83,14 +81,12 @@ refusalName refusal = case refusal of
   Ambiguous -> "ambiguous"
   NoOverlap -> "no-overlap"
 
--- | An assembly on one line, without its end, with the file and the nominal pose of each frame; all
--- keys always.
-encodeAssembly :: [(FilePath, Pose)] -> Assembly -> ByteString
+-- | An assembly on one line, without its end, with the file of each frame; all keys always.
+encodeAssembly :: [FilePath] -> Assembly -> ByteString
 encodeAssembly files made =
   encodeSchema "stitch/1" $
     "method" .= stitchMethodName (assemblyMethod made)
-      <> "frames"
-        .= zipWith4 frameValue files (assemblyFrames made) (assemblyTurns made) (reasonsOf made)
+      <> "frames" .= zipWith3 frameValue files (assemblyFrames made) (reasonsOf made)
       <> "groups" .= groupsOf (map registeredGroup (assemblyFrames made))
       <> "size" .= rasterSize image
       <> "origin_mm" .= compositeOrigin (assemblyComposite made)
@@ -98,11 +94,10 @@ encodeAssembly files made =
       <> "residual" .= assemblyResidual made
   where
     image = compositeImage (assemblyComposite made)
-    frameValue (file, pose) frame turn reason =
+    frameValue file frame reason =
       object
         [ "file" .= file,
           "correction" .= registeredShift frame,
-          "rotation_deg" .= (poseRotation pose + fromMaybe 0 turn),
           "sd" .= registeredDeviation frame,
           "probability" .= registeredProbability frame,
           "group" .= registeredGroup frame,

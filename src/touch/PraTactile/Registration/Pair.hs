@@ -29,7 +29,6 @@ import PraTactile.Registration.Pair.Blind
 import PraTactile.Registration.Pair.Lattice
 import PraTactile.Registration.Pair.Straight
 import PraTactile.Registration.Posterior
-import PraTactile.Registration.Rotation
 import PraTactile.Registration.Spectrum
 import PraTactile.Shape (Alphabet, symbolWidth)
 
@@ -84,9 +83,6 @@ data Match = Match
     matchDeviations :: !Taxels,
     -- | Whether the displacement along x, and along y, is fixed, each taken by itself.
     matchFixed :: !(Bool, Bool),
-    -- | By how many degrees the second frame is turned against the first, clockwise, where the
-    -- frames tell that to 'certainDeviation'; 'Nothing' where they do not, or were refused.
-    matchRotation :: Maybe Double,
     -- | The method that was used; never 'Auto'.
     matchMethod :: !PairMethod,
     -- | The best and others.
@@ -103,7 +99,7 @@ data PairError
   | -- | A frame has a value that is not finite.
     PairNotFinite
   | -- | The step is not finite or above a thousand taxels, the search negative or above 64 taxels,
-    -- or the confidence not valueInside 0..1.
+    -- or the confidence not within 0..1.
     UnusablePairing !Pairing
   deriving stock (Eq, Show)
 
@@ -142,7 +138,7 @@ sensible (Pairing (x, y) search _ confidence) =
 
 matched :: Tables -> Pairing -> Raster -> Raster -> Match
 matched tables (Pairing step search method confidence) a b =
-  Match refusal best (deviations sure) fixed rotation used (map surely (hypotheses 5 0.001 found))
+  Match refusal best (deviations sure) fixed used (map surely (hypotheses 5 0.001 found))
   where
     (w, h) = rasterSize a
     coefficients = map (coefficientsOf (tablesSpectra tables)) [a, b]
@@ -170,10 +166,6 @@ matched tables (Pairing step search method confidence) a b =
     best = case hypotheses 1 0 found of
       first : _ -> surely first
       [] -> Hypothesis step 0
-    rotation = case refusal of
-      Nothing -> certainRotation =<< aligned rotationPrior (valueInside (smooth a)) shift (smooth b)
-      Just _ -> Nothing
-    shift = hypothesisShift best
     (severalX, severalY) = apart (agreements step search a b)
     fixed =
       let (x, y) = marginals sure

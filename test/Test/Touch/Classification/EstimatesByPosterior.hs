@@ -1,7 +1,7 @@
 {-# OPTIONS_GHC -O1 #-}
 
 -- | What recognising a symbol is made of, each part against its definition: how like a shape an
--- image is, how sure an estimate; and how a frame is turned against what it should show.
+-- image is, and how sure an estimate.
 module Test.Touch.Classification.EstimatesByPosterior (spec) where
 
 import Data.Bifunctor (first)
@@ -19,7 +19,6 @@ import PraTactile.Classification.Templates
 import PraTactile.Classification.Unlike
 import PraTactile.Image hiding (mean)
 import PraTactile.Random (uniform)
-import PraTactile.Registration.Rotation
 import PraTactile.Segmentation (Part (..))
 import PraTactile.Shape
 import PraTactile.Shape.Distance (separation)
@@ -36,7 +35,6 @@ spec :: Spec
 spec = do
   describe "Likeness" likenessSpec
   describe "Estimates" estimateSpec
-  describe "How a frame lies" rotationSpec
   describe "A part of a symbol" partSpec
   it "of no levels of noise, images are as of none; those of symbols alone are of a class" $ do
     known <- drawnAlphabet
@@ -210,57 +208,6 @@ estimateSpec = do
       _ -> let (u, g') = uniform g in first ((2 * u - 1) * 2 :) (drawnMany (n - 1) g')
     pairsOf (a : b : rest) = (a, b) : pairsOf rest
     pairsOf _ = []
-
-rotationSpec :: Spec
-rotationSpec = do
-  it "is told of what is smoothed by 1 2 1 along both axes, the edge going on" $
-    forAll ((,) <$> choose (1, 6) <*> choose (1, 6)) $ \(w, h) ->
-      forAll (genRasterOf w h) $ \image ->
-        let at x y = fromMaybe 0 (index image (max 0 (min (w - 1) x)) (max 0 (min (h - 1) y)))
-            wanted =
-              [ sum [k * k' * at (x + i) (y + j) / 16 | (i, k) <- weights, (j, k') <- weights]
-                | y <- [0 .. h - 1],
-                  x <- [0 .. w - 1]
-              ]
-            weights = zip [-1, 0, 1] [1, 2, 1]
-         in conjoin (zipWith near wanted (concat (toRows (smooth image))))
-  it "and is known between the pixels that have all their neighbours" $
-    forAll (genRasterOf 6 5) $ \image ->
-      forAll ((,) <$> choose (-1, 7) <*> choose (-1, 6)) $ \(x, y) ->
-        valueInside image x y
-          === if x >= 1 && x <= 4 && y >= 1 && y <= 3 then Just (sample image x y) else Nothing
-  it "is found: the angle to a tenth of a degree, and the place, at any gain and offset" $
-    forAll ((,,) <$> choose (-3, 3) <*> choose (-0.3, 0.3) <*> choose (-0.3, 0.3)) $
-      \(degrees, dx, dy) -> forAll ((,) <$> choose (0.3, 3) <*> choose (-1, 1)) $
-        \(gain, offset) ->
-          let -- A frame of 16 x 14 that lies at (30, 20) but for that.
-              (c, s) = (cos (degrees * pi / 180), sin (degrees * pi / 180))
-              image = generate 16 14 $ \i j ->
-                let (u, v) = (fromIntegral i - 7.5, fromIntegral j - 6.5)
-                 in offset + gain * surface (37.5 + dx + c * u - s * v) (26.5 + dy + s * u + c * v)
-              found = aligned 20 (\x y -> Just (surface x y)) (30, 20) image
-           in case found of
-                Just (Aligned (x, y) angle deviation) ->
-                  counterexample (show (x, y, angle, deviation)) $
-                    abs (x - dx) < 0.02 && abs (y - dy) < 0.02 && abs (angle - degrees) < 0.1
-                      && deviation > 0
-                      && deviation < 0.5
-                Nothing -> property False
-  it "is not told of too few pixels, nor of what is alike everywhere" $ do
-    let image = generate 8 8 (\i j -> surface (fromIntegral i) (fromIntegral j))
-        known x y = Just (surface x y)
-        -- The pixels that are not at the edge are 36; these leave so many rows of six.
-        rowsUpTo n x y = if y <= n then known x y else Nothing
-    isJust (aligned 2 known (0, 0) image) `shouldBe` True
-    aligned 2 (\_ _ -> Just 0.5) (0, 0) image `shouldBe` Nothing
-    aligned 2 (\_ _ -> Nothing) (0, 0) image `shouldBe` Nothing
-    aligned 2 known (0, 0) (constant 8 8 0.5) `shouldBe` Nothing
-    [isJust (aligned 2 (rowsUpTo n) (0, 0) image) | n <- [1.6, 3.6]] `shouldBe` [False, True]
-  it "is told as a rotation where its standard deviation is at most a degree" $ do
-    rotationPrior `shouldBe` 2
-    map (certainRotation . Aligned (0, 0) 3) [0.99, 1, 1.01] `shouldBe` [Just 3, Just 3, Nothing]
-  where
-    surface x y = sin (0.9 * x) + cos (0.7 * y) + sin (0.5 * x - 0.8 * y) :: Double
 
 partSpec :: Spec
 partSpec = do

@@ -1,21 +1,14 @@
 -- | What is told of frames once they are placed, each part against its definition: how much they
--- differ, which of them hang together, what the others show, and what all pairs together say.
+-- differ, which of them hang together, and what all pairs together say.
 module Test.Touch.Registration.ResidualAndGroups (spec) where
 
 import Data.List (elemIndex, genericLength, nub)
-import Data.List.NonEmpty (NonEmpty (..))
 import Data.Maybe (fromMaybe)
-import qualified Data.Vector.Storable as V
-import PraTactile.Composite (blended, inFull)
-import PraTactile.Composite.Blend
 import PraTactile.Image
-import PraTactile.Image.Correlate (referenceSums, referenceWeights)
 import PraTactile.Registration.Arrangement
 import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Residual (residual)
-import PraTactile.Registration.Rest (restOf)
-import PraTactile.Registration.Rotation (smooth)
 import PraTactile.Registration.Search (Registration (..), standardRegistration)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
@@ -27,7 +20,6 @@ spec :: Spec
 spec = modifyMaxSuccess (const 100) $ do
   residualSpec
   groupSpec
-  restSpec
   othersSpec
 
 residualSpec :: Spec
@@ -87,31 +79,6 @@ groupSpec = do
   where
     genPlaced = (,) <$> ((,) <$> place <*> place) <*> genRasterWithin (1, 6)
     place = (/ 2) . fromIntegral <$> choose (-30, 30 :: Int)
-
-restSpec :: Spec
-restSpec =
-  it "the rest is what the other frames alone would make, smoothed; beyond them nothing is known" $
-    forAll (choose (1, 4) >>= (`vectorOf` genPlaced)) $ \others ->
-      forAll genPlaced $ \own ->
-        forAll ((,) <$> choose (-3, 3) <*> choose (-3, 3)) $ \(left, top) ->
-          forAll ((,) <$> choose (8, 14) <*> choose (8, 14)) $ \(wide, high) ->
-            let composite = blended (0, 0) (fmap (\p -> (p, inFull)) (own :| others)) []
-                corner part = floor (minimum (map (part . fst) (own : others))) :: Int
-                onGrid (i, j) ((x, y), image) =
-                  ((x - fromIntegral (corner fst + i), y - fromIntegral (corner snd + j)), image)
-                Blend sums weights = blend wide high (map (onGrid (left, top)) others)
-                differences a b = V.zipWith (-) (rasterValues a) (rasterValues b)
-                close a b = V.all ((< 1e-9) . abs) (differences a b)
-             in case restOf composite (left, top) (wide, high) (onGrid (left, top) own) of
-                  Nothing -> counterexample "nothing" False
-                  Just rest ->
-                    counterexample (show (referenceWeights rest, smooth weights)) $
-                      close (referenceWeights rest) (smooth weights)
-                        && close (referenceSums rest) (smooth sums)
-  where
-    -- Eighths, so that no pixel is seen by so little that it counts as not touched.
-    genPlaced = (,) <$> ((,) <$> place <*> place) <*> genRasterWithin (1, 6)
-    place = (/ 8) . fromIntegral <$> choose (-16, 16 :: Int)
 
 othersSpec :: Spec
 othersSpec =
