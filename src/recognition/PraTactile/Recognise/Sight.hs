@@ -1,0 +1,115 @@
+-- | What composites of one face show before the array and the objects are asked: symbols, and parts
+-- of symbols beside them, on one grid.
+module PraTactile.Recognise.Sight
+  ( Sight (..),
+    Look (..),
+    sight,
+  )
+where
+
+import Data.Maybe (isJust, isNothing)
+import PraTactile.Classification.Network (NetworkError)
+import PraTactile.Classification.Reader (Reader)
+import PraTactile.Composite.Tilt (leastTilt, setUpright, tilt)
+import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.Parts
+import PraTactile.Recognise.Reading
+import PraTactile.Recognise.Recognition
+import PraTactile.Registration (Composite (..))
+import PraTactile.Segmentation (Cleaned (..), Segmentation (..), cleaned)
+import PraTactile.Sensor.Manifest (Remedy (..), remedies, straight)
+import PraTactile.Symmetry
+
+-- | What composites of one face show, before the array and the objects are asked: in the composites
+-- as they are; and, where the symbols are not nearly upright by their 'tilt', that angle, where
+-- places of the composites set upright are on those given, and what the former show.
+data Sight
+  = Sight
+      !(Either Recognition Look)
+      !(Maybe (Double, [(Double, Double) -> (Double, Double)], Either Recognition Look))
+
+-- | Symbols and parts on one grid.
+data Look = Look
+  { lookSymbols :: [ReadSymbol],
+    -- | those of the other axis that the network knows all the same
+    lookDissenters :: [ReadSymbol],
+    lookParts :: [ReadSymbol],
+    -- | with the parts in it
+    lookGrid :: FaceGrid,
+    lookTilt :: Double
+  }
+
+-- | Read the symbols of composites of one face. Refuses only what the network refuses.
+sight :: Reader -> [Composite] -> Either NetworkError Sight
+sight reader given = case tilt (map cleanedComposite composites) of
+  Just angle
+    | abs angle > leastTilt -> do
+      asGiven <- lookUpright reader Nothing composites
+      let (upright, places) = unzip (map (cleanedUpright angle) composites)
+      turnedBack <- lookUpright reader (Just 0) upright
+      pure (Sight asGiven (Just (angle, places, turnedBack)))
+  shown -> (`Sight` Nothing) <$> lookUpright reader shown composites
+  where
+    composites = map cleaned given
+
+-- | 'setUpright' of a composite without what is foreign.
+cleanedUpright :: Double -> Cleaned -> (Cleaned, (Double, Double) -> (Double, Double))
+cleanedUpright angle (Cleaned composite forParts foreignThings) =
+  (Cleaned upright (fst . setUpright angle <$> forParts) foreignThings, back)
+  where
+    (upright, back) = setUpright angle composite
+
+-- | What composites show whose symbols' axes are nearly theirs: turned from them by the angle, in
+-- degrees clockwise, as far as the images show it. 'Left' has why that is not located.
+lookUpright ::
+  Reader ->
+  Maybe Double ->
+  [Cleaned] ->
+  Either NetworkError (Either Recognition Look)
+lookUpright reader angle composites = do
+  upright <- readSymbols reader identity 0 composites
+  -- A composite whose upright symbols are known has no others, and one that is flat has none.
+  let flat = all ((<= 0) . segmentedContrast . viewSegmentation) upright
+      next = length (concatMap viewSymbols upright)
+  sideways <-
+    if flat || mostKnown upright
+      then pure []
+      else readSymbols reader (turned 1) next composites
+  let (views, others)
+        | length (known sideways) > length (known upright) = (sideways, upright)
+        | otherwise = (upright, sideways)
+  isMirrored <-
+    if null (known views) && not flat then readMirrored reader composites else pure False
+  pure $
+    if isMirrored
+      then Left (unanswered (concatMap viewSymbols views ++ known others) (Mirrored remedy))
+      else onOneGrid reader angle views (known others)
+  where
+    remedy = unmirroring composites
+    known = filter (isJust . readClass) . concatMap viewSymbols
+
+-- | The symbols of one axis, with parts beside them, on one grid; and what the network knows of the
+-- other axis.
+onOneGrid :: Reader -> Maybe Double -> [View] -> [ReadSymbol] -> Either Recognition Look
+onOneGrid reader angle views dissenters
+  | null symbols = Left (unanswered everything NoSymbols)
+  | all (isNothing . readClass) symbols = Left (unanswered everything SymbolsUnclear)
+  | otherwise = maybe (Left (unanswered everything GridContradicts)) Right look
+  where
+    symbols = concatMap viewSymbols views
+    everything = symbols ++ dissenters
+    next = 1 + maximum (-1 : map readNumber everything)
+    look = do
+      grid <- faceGrid (groups symbols)
+      let (whole, parts) = withParts reader views next grid
+      pure (Look everything dissenters parts whole (gridTilt angle grid))
+
+-- | What undoes the mirroring of composites.
+unmirroring :: [Cleaned] -> [Remedy]
+unmirroring composites = case map cleanedComposite composites of
+  composite : _
+    | null (compositeFrames composite) -> [remedy {remedyPositions = Nothing} | remedy <- found]
+    | otherwise -> found
+    where
+      found = remedies (compositeTaking composite) straight (Just True)
+  [] -> []
