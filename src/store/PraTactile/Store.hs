@@ -47,10 +47,8 @@ import Control.Exception (SomeException, throwIO, try)
 import Control.Monad (unless)
 import Control.Monad.IO.Class (liftIO)
 import Control.Monad.Trans.Class (lift)
-import Control.Monad.Trans.Except (ExceptT (..), except, runExceptT, throwE)
-import Data.Bifunctor (first)
+import Control.Monad.Trans.Except (ExceptT, except, runExceptT, throwE)
 import Data.Foldable (for_)
-import Data.Int (Int64)
 import qualified Data.Text as Text
 import Database.Persist.Sql (SqlBackend)
 import PraTactile.Array (Position, Shape)
@@ -61,7 +59,6 @@ import PraTactile.Store.Backend
 import PraTactile.Store.Error
 import PraTactile.Store.Former
 import PraTactile.Store.Known
-import PraTactile.Store.Older
 import PraTactile.Store.Query
 import PraTactile.Store.Rows
 import PraTactile.Store.Rows.Read
@@ -77,15 +74,8 @@ data Store = Store
     storedShape :: Shape,
     -- | the distances between symbols
     storedPitch :: Pitch,
-    storeContents :: Contents
+    storeConnection :: SqlBackend
   }
-
--- | What is asked.
-data Contents
-  = -- | the tables
-    Tables SqlBackend
-  | -- | what an older version held, which has been read
-    Loaded Placement
 
 -- | Write a placement to a database, with the text of the profile it belongs to: a new one, or in
 -- the place of a store, which is replaced, whole or not at all. Anything else that is there is
@@ -107,8 +97,7 @@ rowsFor backend profile numbers place = do
 -- | Make the placement of a store another one, in one transaction, by a function of the placement
 -- that it has. Objects and laid faces that stay keep their numbers, and only rows that differ are
 -- written; nothing is where the function refuses. Another program that is changing the store is
--- waited for, up to ten seconds. A store of an older version is replaced, whole or not at all, by
--- one of this version.
+-- waited for, up to ten seconds.
 change ::
   forall refusal.
   FilePath ->
@@ -132,27 +121,21 @@ changeRemembering name purposely function = runExceptT $ do
   where
     changing :: Backend -> Query IO () -> Query IO (Either refusal (Placement, Former))
     changing backend begin = do
-      _ <- schemaChecked backend
+      schemaChecked backend
       begin
-      version <- schemaChecked backend
-      (profile, numbers, place, old) <- everything backend version
-      known <- if version == schemaVersion then rememberedBy backend else pure mempty
+      schemaChecked backend
+      (profile, numbers, place, rows) <- everything backend
+      known <- rememberedBy backend
       case function place of
         Left refusal -> pure (Left refusal)
         Right other -> do
           let remembered = afterwards purposely known place other
-          case old of
-            Nothing -> do
-              rows <- except (rowsFor backend profile (firstNumbers other) other)
-              former <- except (formerRowsOf remembered)
-              ExceptT (liftIO (runExceptT (putRows backend rows {formerRows = former})))
-            Just rows -> do
-              new <- except (rowsFor backend profile (nextNumbers place numbers other) other)
-              lift (changeRows rows new)
-              remember backend known remembered
+          new <- except (rowsFor backend profile (nextNumbers place numbers other) other)
+          lift (changeRows rows new)
+          remember backend known remembered
           pure (Right (other, elsewhere remembered place other))
 
--- | Open a store, check that its tables are of a known version and that it was made for the profile
+-- | Open a store, check that its tables are of this version and that it was made for the profile
 -- expected (if one is), and go on with it. Nothing else is read before it is asked for. Exceptions
 -- of what goes on pass through; the file's own faults are answers.
 withStore :: FilePath -> Maybe String -> (Store -> IO a) -> IO (Either StoreError a)
@@ -169,103 +152,75 @@ withStore name expected action = do
 
 open :: Backend -> Maybe String -> SqlBackend -> ExceptT StoreError IO Store
 open backend expected connection = do
-  (profile, shape, between, contents) <-
+  (sheet, shape) <-
     asked backend connection $ do
-      version <- schemaChecked backend
-      if version == schemaVersion
-        then do
-          sheet <- selectSheet
-          shape <- except (shapeIn sheet)
-          pure (Text.unpack (metadataProfile sheet), shape, pitchIn sheet, Tables connection)
-        else do
-          (profile, _, place, _) <- everything backend version
-          pure (profile, placementShape place, placementPitch place, Loaded place)
+      schemaChecked backend
+      sheet <- selectSheet
+      (,) sheet <$> except (shapeIn sheet)
+  let profile = Text.unpack (metadataProfile sheet)
   for_ expected $ \wanted -> unless (profile == wanted) (throwE (ForeignProfile profile wanted))
-  pure (Store backend profile shape between contents)
+  pure (Store backend profile shape (pitchIn sheet) connection)
 
--- | The version of the tables, which are those of that version; refuses what is no store.
-schemaChecked :: Backend -> Query IO Int64
+-- | Refuses what is no store, tables of another version, and tables that differ from those of this
+-- version.
+schemaChecked :: Backend -> Query IO ()
 schemaChecked backend = do
   columns <- columnsOf backend "metadata"
   unless (Text.pack "schema_version" `elem` columns) (throwE (NotAStore (backendName backend)))
   versions <- ask "SELECT MAX(schema_version) FROM metadata"
   case versions of
     [Just version]
-      | version == schemaVersion -> do
+      | version == schemaVersion ->
         for_ parts $ \part -> do
           there <- columnsOf backend (partName part)
           unless (there == map fst (partColumns part)) (throwE (TablesDiffer (backendName backend)))
-        pure version
-      | version `elem` olderVersions backend -> pure version
       | otherwise -> throwE (WrongSchemaVersion (fromIntegral version) (fromIntegral schemaVersion))
     _ -> throwE (UnreadableRow MetadataTable)
 
--- | All that a store of this version has, and its rows where the version is the present one: that
--- the database is whole, that values are of their columns' types, and what 'fromRows' asks, is
--- checked.
-everything :: Backend -> Int64 -> Query IO (String, Numbers, Placement, Maybe Rows)
-everything backend version = do
+-- | All that a store has, and its rows. Refuses a database that is not whole, values that are not
+-- of their columns' types, and what 'fromRows' refuses.
+everything :: Backend -> Query IO (String, Numbers, Placement, Rows)
+everything backend = do
   integrity backend
-  if version == schemaVersion
-    then do
-      valuesTyped backend
-      _ <- rememberedBy backend
-      rows <- lift selectRows
-      (profile, numbers, place) <- except (fromRows rows)
-      pure (profile, numbers, place, Just rows)
-    else do
-      (profile, place) <- selectOlder version
-      pure (profile, firstNumbers place, place, Nothing)
+  valuesTyped backend
+  _ <- rememberedBy backend
+  rows <- lift selectRows
+  (profile, numbers, place) <- except (fromRows rows)
+  pure (profile, numbers, place, rows)
 
 -- | All of the placement, read and proved.
 storedPlacement :: Store -> IO (Either StoreError Placement)
-storedPlacement store = case storeContents store of
-  Loaded place -> pure (Right place)
-  Tables connection ->
-    fmap placed <$> query store connection (everything (storeBackend store) schemaVersion)
+storedPlacement store = fmap placed <$> query store (everything (storeBackend store))
   where
     placed (_, _, place, _) = place
 
 -- | The placement of the objects of these names alone; refuses names that there are not.
 storedObjects :: Store -> [ObjectName] -> IO (Either StoreError Placement)
-storedObjects store names = case storeContents store of
-  Loaded place -> pure (place <$ mapM_ (first NotInStore . findObject place) names)
-  Tables connection ->
-    query store connection (selectObjects (storedShape store) (storedPitch store) names)
+storedObjects store = query store . selectObjects (storedShape store) (storedPitch store)
 
 -- | The placement of those objects alone that have cells of any window of this shape that has one
 -- of these cells of the array.
 storedNear :: Store -> Shape -> [Position] -> IO (Either StoreError Placement)
-storedNear store window cells = case storeContents store of
-  Loaded place -> pure (Right place)
-  Tables connection ->
-    query store connection (selectNear (storedShape store) (storedPitch store) window cells)
+storedNear store window = query store . selectNear (storedShape store) (storedPitch store) window
 
 -- | The placement of those objects alone that have cells of the first so many laid faces, or within
 -- so many rows and columns of their blocks on the array. Those faces are the first of it.
 storedFirst :: Store -> Int -> Shape -> IO (Either StoreError Placement)
-storedFirst store count reach = case storeContents store of
-  Loaded place -> pure (Right place)
-  Tables connection -> do
-    some <-
-      query store connection (selectFirstLaid (storedShape store) (storedPitch store) count reach)
-    either (pure . Left) (maybe (storedPlacement store) (pure . Right)) some
+storedFirst store count reach = do
+  some <- query store (selectFirstLaid (storedShape store) (storedPitch store) count reach)
+  either (pure . Left) (maybe (storedPlacement store) (pure . Right)) some
 
 -- | Where the window of the given shape at the given position is; as 'whereabouts' answers.
 storedWhereabouts :: Store -> Shape -> Position -> IO (Either StoreError Whereabouts)
-storedWhereabouts store window at = case storeContents store of
-  Loaded place -> pure (Right (whereabouts place window at))
-  Tables connection ->
-    query store connection (selectWhereabouts (storedShape store) (storedPitch store) window at)
+storedWhereabouts store window =
+  query store . selectWhereabouts (storedShape store) (storedPitch store) window
 
 -- | Where on the array a cell of a face's block lies; as 'arrayPosition' answers.
 storedPosition :: Store -> Face -> Position -> IO (Either StoreError Position)
-storedPosition store face cell = case storeContents store of
-  Loaded place -> pure (first NotInStore (arrayPosition place face cell))
-  Tables connection -> query store connection (selectPosition (storedShape store) face cell)
+storedPosition store face = query store . selectPosition (storedShape store) face
 
-query :: Store -> SqlBackend -> Query IO a -> IO (Either StoreError a)
-query store connection statements = runExceptT (asked (storeBackend store) connection statements)
+query :: Store -> Query IO a -> IO (Either StoreError a)
+query store = runExceptT . asked (storeBackend store) (storeConnection store)
 
 -- In a transaction of its own.
 asked :: Backend -> SqlBackend -> Query IO a -> ExceptT StoreError IO a

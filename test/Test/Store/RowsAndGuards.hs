@@ -5,15 +5,11 @@ module Test.Store.RowsAndGuards (spec) where
 import Control.Exception (AsyncException (..), ErrorCall (..), bracket, throwIO)
 import Control.Monad.Trans.Except (runExceptT)
 import Data.Foldable (for_)
-import qualified Data.Map.Strict as Map
 import Data.Text (Text)
-import qualified Data.Text as Text
 import qualified Database.Sqlite as Sqlite
 import PraTactile.Array (Position (..))
 import PraTactile.Object.Canonical
-import PraTactile.Object.Named (Named (..), namedDescription)
 import PraTactile.Object.Placement hiding (blockCells)
-import PraTactile.Object.Placement.Search
 import PraTactile.Object.WingedEdge
 import PraTactile.Store
 import PraTactile.Store.Guard (Objection (..), guarded)
@@ -94,48 +90,6 @@ spec = describe "store" $ do
     objectionTo (pure ()) `shouldReturn` Nothing
     objectionTo (throwIO (ErrorCall "")) `shouldReturn` Just (Left ForeignValue)
     objectionTo (throwIO UserInterrupt) `shouldThrow` (== UserInterrupt)
-  describe "stores that earlier releases wrote" $
-    for_ [(1 :: Int, withoutDigest), (2, id)] $ \(version, asThen) -> do
-      let withOld action = inDirectory $ \directory -> thePlacement $ \place -> do
-            let path = directory </> "old.sqlite"
-            script <- asThen . Text.pack <$> readFile "test/data/store-version-2.sql"
-            executeAll path script
-            action place path
-      it ("version " ++ show version ++ ": is asked as the placement") $
-        withOld $ \place path ->
-          asked path $ \store -> do
-            storedPlacement store `shouldReturn` Right place
-            for_ everyPosition $ \at ->
-              storedWhereabouts store canonicalWindow at
-                `shouldReturn` Right (whereabouts place canonicalWindow at)
-      it ("version " ++ show version ++ ": remembers from its first change on where objects lay") $
-        withOld $ \_ path -> do
-          Right (Right _) <- change path (removing ["cube"])
-          let described = namedDescription (Box 40 40 40)
-          small <- right (solid described {describedName = "cube"})
-          changed <- changeRemembering path [] (adding 1 [small])
-          fmap (fmap (Map.keys . snd)) changed `shouldBe` Right (Right ["cube"])
-      for_
-        [ "UPDATE vertex SET z_um = z_um + 1 WHERE id = 16",
-          "UPDATE face SET name = 'C1 C2' WHERE id = 3",
-          "UPDATE edge SET left_face = 2 WHERE id = 1",
-          "DELETE FROM edge WHERE id = 1",
-          "UPDATE laying SET width_um = 127001 WHERE id = 2",
-          "UPDATE laying SET grid_rows = 3 WHERE id = 2",
-          "DELETE FROM cell WHERE id = 7",
-          "UPDATE cell SET array_row = 14, array_column = 16 WHERE id = 7",
-          "DELETE FROM corner WHERE id = 7"
-        ]
-        $ \statement ->
-          it ("version " ++ show version ++ ": refused after " ++ Text.unpack statement) $
-            withOld $ \_ path -> do
-              execute path statement
-              refused <- opening path
-              refused `shouldSatisfy` \why -> case why of
-                Left (ChangedRow MetadataTable) -> version == 2
-                Left _ -> version == 1
-                Right _ -> False
-
   describe "is one file, replaced whole or not at all" $ do
     it "nothing else is left beside it, made twice" $
       inDirectory $ \directory -> thePlacement $ \place -> do
@@ -225,29 +179,6 @@ withCanonical test = inDirectory $ \directory -> thePlacement $ \place -> do
 -- Without the foreign keys' guard, which is off where it is not asked for.
 execute :: FilePath -> Text -> IO ()
 execute path statement = inFile path [statement]
-
--- | Every statement of a script, a line each, in one transaction.
-executeAll :: FilePath -> Text -> IO ()
-executeAll path script =
-  inFile path (["BEGIN"] ++ statementsIn (Text.lines script) ++ ["COMMIT"])
-  where
-    statementsIn lines_ = case break (";" `Text.isSuffixOf`) lines_ of
-      (_, []) -> []
-      (before, end : after) ->
-        Text.unlines (filter (not . isComment) (before ++ [end])) : statementsIn after
-    isComment = ("--" `Text.isPrefixOf`)
-
--- | A script of version 2 as one of version 1, which had no digest.
-withoutDigest :: Text -> Text
-withoutDigest = Text.unlines . map line . Text.lines
-  where
-    line text
-      | "CREATE TABLE \"metadata\"" `Text.isPrefixOf` text =
-        Text.replace ",\"contents\" VARCHAR NOT NULL" "" text
-      | "INSERT INTO \"metadata\" VALUES(1,2," `Text.isPrefixOf` text =
-        Text.replace "VALUES(1,2," "VALUES(1,1," (Text.dropEnd 1 (Text.dropWhileEnd (/= ',') text))
-          <> ");"
-      | otherwise = text
 
 copied :: FilePath -> FilePath -> IO FilePath
 copied from to = copyFile from to >> pure to

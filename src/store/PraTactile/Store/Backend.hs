@@ -13,7 +13,6 @@ where
 import Control.Exception (SomeException)
 import Control.Monad.Trans.Class (lift)
 import Control.Monad.Trans.Except (ExceptT, runExceptT, withExceptT)
-import Data.Int (Int64)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Database.Persist.Sql
@@ -43,8 +42,6 @@ data Backend = Backend
     integrity :: Query IO (),
     -- | refuses values that are not of their columns' types
     valuesTyped :: Query IO (),
-    -- | versions of the tables that are read beside the present one
-    olderVersions :: [Int64],
     -- | looks at what there is, and answers with what ends a transaction and begins one that no
     -- other program's changes can come into; that waits for at most ten seconds, and refuses what
     -- has come in the place of what there was

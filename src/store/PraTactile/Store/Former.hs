@@ -12,7 +12,6 @@ module PraTactile.Store.Former
     -- * In the database
     rememberedBy,
     remember,
-    formerRowsOf,
   )
 where
 

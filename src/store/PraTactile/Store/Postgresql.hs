@@ -55,7 +55,6 @@ postgresql address = backend
           valuesTyped = do
             differ <- concat <$> traverse typesThatDiffer parts
             unless (null differ) (throwE (DamagedFile name ForeignValue)),
-          olderVersions = [],
           prepareWriting = pure (beginWriting >> holdTables),
           makeFormer = execute (tableIn formerPart),
           -- A NUL would end the text.

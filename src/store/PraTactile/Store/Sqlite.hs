@@ -57,7 +57,6 @@ sqlite path = backend
             unless (take 1 verdict == [Text.pack "ok"] && size >= toInteger (whole :: Int)) $
               throwE (DamagedFile path BrokenPages),
           valuesTyped = typedIn path,
-          olderVersions = [1, 2],
           prepareWriting = do
             before <- identityOf path
             pure (beginWriting path (== before)),
