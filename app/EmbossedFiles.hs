@@ -109,7 +109,7 @@ netFiles ::
 netFiles page alphabet array layout named = do
   object <- first (unfit . placementMessage) (findObject layout named)
   (scale, symbolsOf') <- first (unfit . embossMessage) (symbolsOn alphabet array layout carrying)
-  (lying, owners, tree) <- first (refused . noNetMessage named) (pickCut 10000 object)
+  (lying, owners, tree) <- first (refused . noNetMessage named) (pickCut mostTried object)
   let raising =
         Raising
           { raisingSolid = lying,

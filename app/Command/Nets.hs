@@ -1,17 +1,15 @@
--- | @pra-tactile nets@: in how many ways a solid can be unfolded along its edges, which of these
--- overlap, and how many nets there are.
+-- | @pra-tactile nets@: in how many ways a solid can be unfolded along its edges, and a net of it.
 module Command.Nets
   ( command,
   )
 where
 
-import Control.Monad (unless)
 import Counted
 import qualified Data.ByteString.Lazy as Lazy
-import Data.Traversable (for)
+import Data.Either (isRight)
+import Data.Foldable (for_)
 import ExitStatus
 import NamedSolid
-import Numeric.Natural (Natural)
 import Options
 import Output
 import Picture.Net
@@ -27,8 +25,7 @@ import Visible
 
 data Options = Options
   { subject :: String,
-    everyOne :: Bool,
-    pictures :: Maybe FilePath,
+    picture :: Maybe FilePath,
     reading :: SolidReading,
     form :: AnswerForm
   }
@@ -37,8 +34,8 @@ command :: Mod CommandFields (IO ExitStatus)
 command =
   subcommand
     "nets"
-    "Unfold a solid along its edges in every way: how many ways there are, in how many two faces \
-    \overlap, and how many nets there are up to congruence. Status 1 if there is no net."
+    "Unfold a solid along its edges: how many ways there are, and one in which no two faces \
+    \overlap. Status 1 if there is none, or none is found."
     [ "pra-tactile nets cube",
       "pra-tactile nets pyramid:200x200x200 --svg nets",
       "pra-tactile nets pyritohedron:100 --json"
@@ -50,18 +47,10 @@ command =
                   ( metavar "SOLID" <> action "file"
                       <> help ("A file, or a name: " ++ unwords nameForms)
                   )
-                <*> switch
-                  ( long "all"
-                      <> help
-                        "Look at all unfoldings, however many they are (default: only how many, \
-                        \where they are more than 100000)"
-                  )
                 <*> optional
                   ( folderOption
                       "svg"
-                      "Draw each net at true scale, one of those that are congruent, into a folder \
-                      \that is new or empty; of more than 100000 unfoldings one net alone, unless \
-                      \--all"
+                      "Draw the net at true scale, as net.svg in a folder that is new or empty"
                   )
                 <*> readingOptions
                 <*> jsonSwitch "Print as JSON"
@@ -77,68 +66,35 @@ run options = do
       canonicalPitch
       (reading options)
       (subject options)
-  let trees = spanningTrees whole
-      found = if trees <= mostTrees || everyOne options then Just (census whole) else Nothing
-  _ <- whileWorking "unfolding it in every way" (trees `seq` maybe 0 (length . censusNets) found)
-  let none = trees == 0 || maybe False (null . censusNets) found
-  drawn <- for (pictures options) (drawInto whole found)
+  found <- whileWorking "unfolding it" (pickCut mostTried whole)
+  for_ (pictures whole found) $ uncurry writeFolder
   printAs
     (form options)
-    (unlines (reportText whole trees found (concat drawn)))
-    (encodeNets trees found)
-  pure (if none then NotAnswered else Answered)
-
--- | Draw the nets, or one where not all are known; what there is to say of that.
-drawInto :: Solid -> Maybe Census -> FilePath -> IO [String]
-drawInto whole found folder = do
-  unless (null nets) $
-    writeFolder
-      folder
-      [ (file, Lazy.toStrict (netSvg title (layOut lying tree)))
-        | (number, (lying, tree)) <- zip [1 ..] nets,
-          let (file, title) = named' number
-      ]
-  pure said
+    (unlines (reportText whole found (picture options)))
+    (encodeNets whole found)
+  pure (if isRight found then Answered else NotAnswered)
   where
-    name = visible (objectText (solidName whole))
-    (nets, said) = case (found, pickCut 10000 whole) of
-      (Just all', _) ->
-        ( map ((,) whole) (censusNets all'),
-          ["  drawn in " ++ visibleName folder | not (null (censusNets all'))]
-        )
-      (Nothing, Right (lying, faces, tree)) ->
-        ( [(lying, tree)],
-          [ "  one net drawn in " ++ visibleName folder
-              ++ concat [", faces with holes cut" | faces /= solidFaces whole]
-          ]
-        )
-      (Nothing, Left EveryOneOverlaps) -> ([], ["  none drawn: every unfolding overlaps"])
-      (Nothing, _) -> ([], ["  none drawn: no net was found, and there may be one"])
-    digits = length (show (length nets))
-    named' number = case found of
-      Just _ ->
-        ( "net-" ++ replicate (digits - length (show number)) '0' ++ show number ++ ".svg",
-          "Net " ++ show (number :: Int) ++ " of " ++ show (length nets) ++ " of the " ++ name
-        )
-      Nothing -> ("net.svg", "A net of the " ++ name)
-
-reportText :: Solid -> Natural -> Maybe Census -> [String] -> [String]
-reportText whole trees found drawn =
-  ( visible (objectText (solidName whole)) ++ ": " ++ counted trees "unfolding" "unfoldings"
-      ++ concat [", since it is of several pieces" | trees == 0]
-  ) :
-  concat
-    [ [ "  overlapping: " ++ show (censusOverlapping it),
-        "  nets up to congruence: " ++ show (length (censusNets it))
-          ++ ", or "
-          ++ show (censusUpToRotation it)
-          ++ " where none is turned over"
+    pictures whole found =
+      [ (folder, [("net.svg", Lazy.toStrict (netSvg title (layOut lying tree)))])
+        | Just folder <- [picture options],
+          Right (lying, _, tree) <- [found],
+          let title = "A net of the " ++ visible (objectText (solidName whole))
       ]
-        ++ [ "  taken to touch, being less than 10^-30 mm off: " ++ show (censusUndecided it)
-             | censusUndecided it > 0
-           ]
-      | Just it <- [found],
-        trees > 0
-    ]
-    ++ ["  too many to look at; --all does" | Nothing <- [found]]
-    ++ drawn
+
+-- | The solid's unfoldings and its net, which may have been drawn in a folder.
+reportText ::
+  Solid -> Either NoNet (Solid, [FaceName], Unfolding) -> Maybe FilePath -> [String]
+reportText whole found drawn =
+  ( visible (objectText (solidName whole)) ++ ": " ++ counted trees "unfolding" "unfoldings"
+      ++ concat [", since it is of several pieces" | Left SeveralPieces <- [found]]
+  ) :
+  case found of
+    Right (_, faces, _) ->
+      [ "  one net " ++ maybe "found" (("drawn in " ++) . visibleName) drawn
+          ++ concat [", faces with holes cut" | faces /= solidFaces whole]
+      ]
+    Left EveryOneOverlaps -> ["  no net: every unfolding overlaps"]
+    Left NoneFound -> ["  no net found in " ++ show mostTried ++ " tries; there may be one"]
+    Left SeveralPieces -> []
+  where
+    trees = spanningTrees whole

@@ -8,19 +8,27 @@ where
 
 import Data.Aeson ((.=))
 import Data.ByteString (ByteString)
-import Numeric.Natural (Natural)
+import Data.Text (Text)
 import PraTactile.Format.Json
 import PraTactile.Object.Net
+import PraTactile.Object.WingedEdge
 
--- | How many unfoldings there are, on one line, without its end, and what their census has found
--- where they were all looked at.
-encodeNets :: Natural -> Maybe Census -> ByteString
-encodeNets trees found =
-  encodeSchema "nets/1" $
-    "spanning_trees" .= naturalValue trees
-      <> "overlapping" .= told censusOverlapping
-      <> "undecided" .= told censusUndecided
-      <> "nets" .= told (fromIntegral . length . censusNets)
-      <> "nets_up_to_rotation" .= told censusUpToRotation
+-- | How many unfoldings a solid has, and the net that 'pickCut' found, on one line, without its
+-- end.
+encodeNets :: Solid -> Either NoNet (Solid, [FaceName], Unfolding) -> ByteString
+encodeNets whole found =
+  encodeSchema "nets/2" $
+    "spanning_trees" .= naturalValue (spanningTrees whole)
+      <> "outcome" .= outcome
+      <> "limit" .= mostTried
+      <> "faces_cut" .= told (\(_, faces, _) -> faces /= solidFaces whole)
+      <> "folded" .= told (\(lying, _, tree) -> map ends (foldedEdges lying tree))
   where
-    told part = fmap (naturalValue . part) found
+    told part = either (const Nothing) (Just . part) found
+    outcome :: Text
+    outcome = case found of
+      Right _ -> "net"
+      Left EveryOneOverlaps -> "impossible"
+      Left SeveralPieces -> "impossible"
+      Left NoneFound -> "not-found"
+    ends (EdgeName v w) = map vertexText [v, w]

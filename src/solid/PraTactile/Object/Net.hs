@@ -1,18 +1,13 @@
--- | Unfolding solids: every way to cut a solid along edges and to lay its faces flat in one piece,
--- and which of these are nets, that is, overlap nowhere. Handles and faces that are not convex are
--- no exception.
+-- | Unfolds solids: cuts a solid along edges and lays its faces flat in one piece. An unfolding is
+-- a net if no two faces overlap. Solids may have handles and faces that are not convex.
 --
 -- An unfolding is a spanning tree of the graph that has the faces for nodes and the edges for arcs
 -- ("PraTactile.Object.Net.Trees"). Coordinates are rational but for roots of whole numbers, so that
--- what touches and what overlaps is decided ("PraTactile.Object.Net.Template",
--- "PraTactile.Object.Net.Meeting"), and so is which outlines are congruent
--- ("PraTactile.Object.Net.Outline").
+-- it is decided exactly whether faces touch or overlap ("PraTactile.Object.Net.Template",
+-- "PraTactile.Object.Net.Meeting").
 module PraTactile.Object.Net
   ( -- * Counting
     spanningTrees,
-    mostTrees,
-    Census (..),
-    census,
 
     -- * Unfoldings
     Unfolding,
@@ -20,10 +15,10 @@ module PraTactile.Object.Net
     foldedEdges,
     Meeting (..),
     meetingIn,
-    congruent,
 
     -- * A net for the hand
     NoNet (..),
+    mostTried,
     pickNet,
     pickCut,
     Net (..),
@@ -39,7 +34,6 @@ module PraTactile.Object.Net
   )
 where
 
-import PraTactile.Object.Net.Census
 import PraTactile.Object.Net.Layout
 import PraTactile.Object.Net.Meeting (Meeting (..))
 import PraTactile.Object.Net.Parts

@@ -1,6 +1,7 @@
--- | A net of a solid, for who wants but one.
+-- | Finds a net of a solid: an unfolding in which no two faces overlap.
 module PraTactile.Object.Net.Pick
   ( NoNet (..),
+    mostTried,
     pickNet,
     pickCut,
   )
@@ -30,6 +31,10 @@ data NoNet
   | -- | faces of several pieces cannot be unfolded together
     SeveralPieces
   deriving stock (Eq, Show)
+
+-- | How many unfoldings are tried before 'NoneFound'.
+mostTried :: Int
+mostTried = 10000
 
 -- | A net of a solid: the first that does not overlap of the steepest edge unfoldings in a few
 -- directions (W. Schlickenrieder, Nets of Polyhedra, TU Berlin 1997), which nearly every convex
