@@ -212,7 +212,6 @@ names = do
               Jointly
               [Registered (0, 0) Nothing p [] group | (group, p) <- frames]
               Nothing
-              (map (const Nothing) frames)
           )
           `shouldBe` expected
   it "the ways to assemble frames have the names of the option" $

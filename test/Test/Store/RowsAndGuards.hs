@@ -10,7 +10,6 @@ import qualified Database.Sqlite as Sqlite
 import PraTactile.Array (Position (..))
 import PraTactile.Object.Canonical
 import PraTactile.Object.Placement hiding (blockCells)
-import PraTactile.Object.WingedEdge
 import PraTactile.Store
 import PraTactile.Store.Guard (Objection (..), guarded)
 import PraTactile.Store.Sqlite (meaningInSqlite)

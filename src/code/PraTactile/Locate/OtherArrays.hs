@@ -38,7 +38,6 @@ import PraTactile.Locate.Patch
 import PraTactile.Polynomial
 import PraTactile.Polynomial.Search (splitMix)
 import PraTactile.Probability
-import PraTactile.Sequence
 import PraTactile.Symmetry
 import PraTactile.Window.Rank
 

@@ -28,7 +28,7 @@ spec = do
           (ForeignDoubts -> (Double, Double) -> Property) ->
           Property
         asking scenes check =
-          withMaxSuccess 60 . ofArray setting $ \array window ->
+          withMaxSuccess 60 $ ofArray setting $ \array window ->
             forAllBlind (scenes array) $ \scene ->
               let on = ArrayOn (sceneSurface scene) array
                   made = locator (Just PosteriorDecoder) MostSignificantFirst on window

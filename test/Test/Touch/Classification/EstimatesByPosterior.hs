@@ -7,7 +7,7 @@ module Test.Touch.Classification.EstimatesByPosterior (spec) where
 import Data.Bifunctor (first)
 import Data.Foldable (for_)
 import Data.List (unfoldr)
-import Data.Maybe (fromMaybe, isJust)
+import Data.Maybe (fromMaybe)
 import Data.Text.Encoding (encodeUtf8)
 import qualified Data.Vector.Storable as V
 import PraTactile.Classification.Calibration
