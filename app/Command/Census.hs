@@ -55,8 +55,7 @@ command =
     "Every primitive polynomial of a degree, every shape that its sequence fills, and every \
     \window: whether the windows are distinct, by both roads, and their minimum distance, as a \
     \CSV file. Running it again continues an unfinished file. Each row ends with a check, the \
-    \first digits of the SHA-256 of the rest of it, so that a damaged file is refused; a file of \
-    \the old form, without checks, is continued as it is."
+    \first digits of the SHA-256 of the rest of it, so that a damaged file is refused."
     [ "pra-tactile census --q 4 --degree 4 --output census.csv",
       "pra-tactile census --q 4 --degree 6 --shard 1/8 --output part1.csv"
     ]
@@ -115,7 +114,7 @@ run given = do
     Regular _ _ -> do
       kept <- continued (askedDamage given) (askedOutput given) wanted
       pure (kept, append (askedOutput given) kept)
-    _ -> pure (Kept Checked 0 0 0, writtenTo (askedOutput given))
+    _ -> pure (Kept 0 0 0, writtenTo (askedOutput given))
   provedOnes <- writing (rowsAfter (toInteger shardSize) kept (rowsToMake wanted kept))
   Answered <$ sayCensus (askedForm given) (askedOutput given) shardSize provedOnes
 
@@ -125,7 +124,7 @@ rowsToMake :: Wanted -> Kept -> [Either String (Bool, ByteString)]
 rowsToMake wanted kept =
   withStrategy
     (parBuffer 64 rdeepseq)
-    [ (\row -> (isProved entry, inForm (keptForm kept) row)) <$> first proofMessage body
+    [ (\row -> (isProved entry, checked row)) <$> first proofMessage body
       | (entry, body) <- drop (keptCount kept) (wantedInOrder wanted)
     ]
 
@@ -137,14 +136,13 @@ continued damage file wanted = do
   there <- doesPathExist file
   bytes <- if there then readBytes file else pure ""
   if not there || beginsHeader bytes
-    then pure (Kept Checked 0 0 0)
+    then pure (Kept 0 0 0)
     else do
       contents <- orUnusable (censusFileMessage file) (contentsOf bytes)
-      kept <- case keptInOrder wanted bytes contents of
+      case keptInOrder wanted bytes contents of
         Right kept -> pure kept
         Left _ | damage == Repaired -> repaired file wanted contents
         Left fault -> unusable (censusFileMessage file fault)
-      kept <$ when (keptForm kept == Unchecked) (warn (uncheckedMessage file))
 
 -- | The file with its damaged rows made again, up to the last whole one; it is replaced whole, so
 -- that nothing that was kept is lost if this is interrupted.
@@ -152,13 +150,12 @@ repaired :: FilePath -> Wanted -> Contents -> IO Kept
 repaired file wanted contents = do
   (parts, left) <- orUnusable (censusFileMessage file) (keptOfDamaged wanted contents)
   rows <- traverse (either (orUnusable proofMessage) (pure . rowText) . snd) parts
-  let form = contentsForm contents
-      text = encodeCensus form rows
+  let text = encodeCensus rows
       isProvedBy entry = either (const (isProved entry)) (foundProved . rowFindings)
       provedOnes = length (filter (uncurry isProvedBy) parts)
   warn (keptMessage file (length (rights (map snd parts))) left)
   writeWhole file text
-  pure (Kept form (length rows) provedOnes (fromIntegral (Lazy8.length text)))
+  pure (Kept (length rows) provedOnes (fromIntegral (Lazy8.length text)))
 
 isProved :: Entry -> Bool
 isProved = either (const False) proved . entryVerdict
@@ -177,7 +174,7 @@ append file kept write = do
 -- all; the number of rows that say that the windows are distinct.
 rowsAfter :: Integer -> Kept -> [Either String (Bool, ByteString)] -> Handle -> IO Int
 rowsAfter total kept made handle = do
-  when (keptBytes kept == 0) (Bytes.hPutStr handle (headerOf (keptForm kept) <> "\n"))
+  when (keptBytes kept == 0) (Bytes.hPutStr handle (headerLine <> "\n"))
   withProgress (doneBefore (toInteger (keptCount kept)) (evenly total "polynomials")) $ \bar -> do
     let put (done, provedOnes) row = do
           (yes, text) <- orUnusable id row

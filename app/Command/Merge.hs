@@ -28,8 +28,7 @@ command =
   subcommand
     "merge"
     "Put the shards of a census together: the file that the census would be if it had been made \
-    \in one run. They must be of one census, complete, undamaged, and have no entry in common. If \
-    \one of them is of the old form, whose rows carry no check, so is what is written."
+    \in one run. They must be of one census, complete, undamaged, and have no entry in common."
     ["pra-tactile merge part1.csv part2.csv part3.csv --output census.csv"]
     ( run
         <$> some
@@ -60,9 +59,9 @@ run files damage output form = do
             ++ ", which would be lost; give another --output"
         )
   (shards, notes) <- unzip <$> mapM (shard damage) files
-  (rowForm, merged) <- orUnusable mergeMessage (mergeShards shards)
+  merged <- orUnusable mergeMessage (mergeShards shards)
   mapM_ warn (concat notes)
-  let text = encodeCensus rowForm (map rowText merged)
+  let text = encodeCensus (map rowText merged)
       provedOnes = length (filter (foundProved . rowFindings) merged)
   maybe (Lazy8.putStr text) (`writeWhole` text) output
   for_ output $ \file -> sayCensus form file (fromIntegral (length merged)) provedOnes
@@ -74,18 +73,13 @@ shard :: Damage -> FilePath -> IO (Shard, [String])
 shard damage file = do
   bytes <- readBytes file
   contents <- orUnusable (censusFileMessage file) (contentsOf bytes)
-  let form = contentsForm contents
-      unchecked = [uncheckedMessage file | form == Unchecked]
   case completeRows contents of
-    Right rows -> pure (Shard file form rows, unchecked)
+    Right rows -> pure (Shard file rows, [])
     Left _
       | damage == Repaired ->
         let (kept, left) = keptRows contents
             lost = left + length [() | not (Bytes.null (contentsRest contents))]
-         in pure
-              ( Shard file form (Map.elems kept),
-                unchecked ++ [keptMessage file (Map.size kept) lost]
-              )
+         in pure (Shard file (Map.elems kept), [keptMessage file (Map.size kept) lost])
     Left fault -> unusable (censusFileMessage file fault)
 
 -- | Whether both paths lead to the same file, however they are spelt and over whatever links, hard

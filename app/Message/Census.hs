@@ -2,7 +2,6 @@
 module Message.Census
   ( censusFileMessage,
     mergeMessage,
-    uncheckedMessage,
     keptMessage,
   )
 where
@@ -88,13 +87,6 @@ mergeMessage fault = case fault of
     run (a, b)
       | a == b = numeral a
       | otherwise = numeral a ++ " to " ++ numeral b
-
--- | What is said of a file of the old form.
-uncheckedMessage :: FilePath -> String
-uncheckedMessage file =
-  file
-    ++ ": its rows carry no check, as in files of older versions, so that a change in them may go \
-       \unnoticed"
 
 -- | What is said where damaged lines are left out: how many rows are kept, and how many lines are
 -- not.

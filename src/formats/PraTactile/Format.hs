@@ -92,7 +92,6 @@ module PraTactile.Format
     -- * Census files
     encodeCensus,
     decodeCensus,
-    Form (..),
     Row (..),
   )
 where

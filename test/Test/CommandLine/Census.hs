@@ -5,7 +5,6 @@ module Test.CommandLine.Census (spec) where
 
 import Control.Monad (forM_)
 import Data.Aeson (Value (..))
-import Data.List (intercalate)
 import System.Directory (createFileLink, doesPathExist)
 import System.FilePath ((</>))
 import System.Posix.Files (createLink)
@@ -51,49 +50,42 @@ spec = do
     inFolder $ \folder -> do
       _ <- pra (small folder "c.csv")
       whole <- readFile (folder </> "c.csv")
-      forM_
-        [ ("new.csv", whole, "its check does not fit"),
-          ("old.csv", olden whole, "proved, rank_road contradict")
-        ]
-        $ \(name, text, about) -> do
-          let changed = unlines (onLine 3 (replaced "yes,yes,yes" "no,yes,yes") (lines text))
-              file = folder </> name
-          writeFile file changed
-          changed `shouldNotBe` text
-          complains ["merge", file] about
-          complains ["merge", file] "line 3"
-          complains (small folder name) "line 3"
-          readFile file `shouldReturn` changed
-  it "census --keep-whole: damaged lines are made good, in the file's own form" $
+      let changed = unlines (onLine 3 (replaced "yes,yes,yes" "no,yes,yes") (lines whole))
+          file = folder </> "new.csv"
+      writeFile file changed
+      changed `shouldNotBe` whole
+      complains ["merge", file] "line 3 is damaged: its check does not fit"
+      complains (small folder "new.csv") "line 3"
+      readFile file `shouldReturn` changed
+  it "census --keep-whole: damaged lines are made good" $
     inFolder $ \folder -> do
       _ <- pra (small folder "c.csv")
-      checked <- readFile (folder </> "c.csv")
-      forM_ [checked, olden checked] $ \whole -> do
-        let file = folder </> "d.csv"
-            ls = lines whole
-            damaged =
-              [ unlines (onLine 3 (replaced "yes,yes,yes" "no,yes,yes") ls),
-                unlines (take 4 ls ++ drop 5 ls),
-                unlines (take 4 ls ++ drop 3 ls),
-                unlines (take 3 ls ++ reverse (drop 3 ls)),
-                take (length whole - 40) whole ++ "Z",
-                unlines (take 4 ls ++ ["x"] ++ take 2 (drop 4 ls))
-              ]
-        forM_ damaged $ \text -> do
-          writeFile file text
-          (status, _, err) <- pra (small folder "d.csv")
-          (status, length (lines err)) `shouldBe` (2, 1)
-          readFile file `shouldReturn` text
-          (kept, _, _) <- pra (small folder "d.csv" ++ ["--keep-whole"])
-          again <- readFile file
-          (kept, again) `shouldBe` (0, whole)
+      whole <- readFile (folder </> "c.csv")
+      let file = folder </> "d.csv"
+          ls = lines whole
+          damaged =
+            [ unlines (onLine 3 (replaced "yes,yes,yes" "no,yes,yes") ls),
+              unlines (take 4 ls ++ drop 5 ls),
+              unlines (take 4 ls ++ drop 3 ls),
+              unlines (take 3 ls ++ reverse (drop 3 ls)),
+              take (length whole - 40) whole ++ "Z",
+              unlines (take 4 ls ++ ["x"] ++ take 2 (drop 4 ls))
+            ]
+      forM_ damaged $ \text -> do
+        writeFile file text
+        (status, _, err) <- pra (small folder "d.csv")
+        (status, length (lines err)) `shouldBe` (2, 1)
+        readFile file `shouldReturn` text
+        (kept, _, _) <- pra (small folder "d.csv" ++ ["--keep-whole"])
+        again <- readFile file
+        (kept, again) `shouldBe` (0, whole)
       writeFile (folder </> "mine") "precious\n"
       complains (small folder "mine" ++ ["--keep-whole"]) "first line"
-      writeFile (folder </> "other.csv") checked
+      writeFile (folder </> "other.csv") whole
       complains
         (words "census --q 2 --degree 4 --output" ++ [folder </> "other.csv", "--keep-whole"])
         "not an unfinished file"
-      readFile (folder </> "other.csv") `shouldReturn` checked
+      readFile (folder </> "other.csv") `shouldReturn` whole
   it "census --keep-whole: with a damaged first line the rows' checks tell that it is a census" $
     inFolder $ \folder -> do
       _ <- pra (small folder "c.csv")
@@ -116,26 +108,6 @@ spec = do
       complains ["merge", file "bad", file "part2"] "is damaged: it has 1 fields, not 18"
       (status, out, err) <- pra ["merge", "--keep-whole", file "bad", file "part2"]
       (status, out, length (lines err)) `shouldBe` (0, whole, 1)
-  it "merge: old files, without checks, are read and said to be unchecked" $
-    inFolder $ \folder -> do
-      let file name = folder </> name
-      forM_ [1, 2 :: Int] $ \i ->
-        pra (small folder ("part" ++ show i) ++ ["--shard", show i ++ "/2"])
-      whole <- pra (small folder "c.csv") >> readFile (file "c.csv")
-      parts <- mapM (readFile . file) ["part1", "part2"]
-      forM_ (zip [1 :: Int ..] parts) $ \(i, text) ->
-        writeFile (file ("old" ++ show i)) (olden text)
-      forM_ [["old1", "old2"], ["old1", "part2"], ["part1", "old2"]] $ \names -> do
-        (status, out, err) <- pra ("merge" : map file names)
-        (status, out, length (lines err))
-          `shouldBe` (0, olden whole, length (filter ((== "old") . take 3) names))
-      writeFile (file "old") (take 400 (olden whole))
-      (status, _, err) <- pra (small folder "old")
-      again <- readFile (file "old")
-      (status, again, length (lines err)) `shouldBe` (0, olden whole, 1)
-      -- Of which form a file is, its first line says, not its rows.
-      writeFile (file "mixed") (unlines (take 3 (lines whole) ++ drop 3 (lines (olden whole))))
-      complains ["merge", file "mixed"] "line 4 is damaged: it has 17 fields, not 18"
   it "merge: the output is none of the shards, however it is spelt" $
     inFolder $ \folder -> do
       let file name = folder </> name
@@ -217,8 +189,6 @@ spec = do
         (status, out) `shouldBe` (2, "")
   where
     small folder name = words "census --q 2 --degree 3 --output" ++ [folder </> name]
-    -- As files were before rows had a check.
-    olden = unlines . map (intercalate "," . take 17 . fields) . lines
     onLine i change ls = [if j == i then change line else line | (j, line) <- zip [1 :: Int ..] ls]
     replaced from to text
       | take (length from) text == from = to ++ drop (length from) text

@@ -31,23 +31,20 @@ spec :: Spec
 spec = do
   it "a file is merged, and kept whole, as it is" $
     forM_ [wantedOf 2 1, wantedOf 4 2] $ \wanted -> do
-      let file = fileOf Checked wanted
+      let file = fileOf wanted
       merge file `shouldBe` Right (Bytes.lines file)
       continue wanted file `shouldBe` Right (length (wantedInOrder wanted))
-  it "a row is read as the entry that it was written for, in both forms" $
-    forM_
-      [(q, n, form) | (q, n) <- [(2, 6), (3, 3), (4, 2), (9, 2)], form <- [minBound ..]]
-      $ \(q, n, form) -> do
-        let wanted = wantedOf q n
-            file = fileOf form wanted
-            entries = map fst (wantedInOrder wanted)
-        (read', rows') <- either (fail . show) pure (decodeCensus file)
-        read' `shouldBe` form
-        map stated rows' `shouldBe` map (statedOf wanted) entries
-        Lazy.toStrict (encodeCensus form (map rowText rows')) `shouldBe` file
+  it "a row is read as the entry that it was written for" $
+    forM_ [(2, 6), (3, 3), (4, 2), (9, 2)] $ \(q, n) -> do
+      let wanted = wantedOf q n
+          file = fileOf wanted
+          entries = map fst (wantedInOrder wanted)
+      rows' <- either (fail . show) pure (decodeCensus file)
+      map stated rows' `shouldBe` map (statedOf wanted) entries
+      Lazy.toStrict (encodeCensus (map rowText rows')) `shouldBe` file
   it "every byte replaced by every other byte is refused: by merge, and on continuing" $ do
     let wanted = wantedOf 2 1
-        file = fileOf Checked wanted
+        file = fileOf wanted
         changes =
           [ (i, b)
             | i <- [0 .. Octets.length file - 1],
@@ -60,7 +57,7 @@ spec = do
     filter (isRight . continue wanted . replaced) changes `shouldBe` []
   it "every byte left out or inserted is refused; an unfinished last line goes on" $ do
     let wanted = wantedOf 2 1
-        file = fileOf Checked wanted
+        file = fileOf wanted
         size = Octets.length file
         without i = Octets.take i file <> Octets.drop (i + 1) file
         inserted i b = Octets.take i file <> Octets.cons b (Octets.drop i file)
@@ -73,7 +70,7 @@ spec = do
     filter (isRight . continue wanted . uncurry inserted) insertions `shouldBe` []
   it "lines left out, swapped and repeated are refused" $ do
     let wanted = wantedOf 4 2
-        file = Bytes.lines (fileOf Checked wanted)
+        file = Bytes.lines (fileOf wanted)
         count = length file
         is = [1 .. count - 1]
         changed =
@@ -89,22 +86,20 @@ spec = do
       `shouldBe` [count - 1]
   it "cut off anywhere a file is refused by merge, and continued" $ do
     let wanted = wantedOf 3 2
-        file = fileOf Checked wanted
+        file = fileOf wanted
     forM_ [0 .. Bytes.length file - 1] $ \end -> do
       (end, merge (Bytes.take end file)) `shouldSatisfy` (not . isRight . snd)
       (end, first show (continue wanted (Bytes.take end file))) `shouldSatisfy` (isRight . snd)
   it "what is no beginning of the next row is refused, by its line" $ do
     let wanted = wantedOf 2 4
-    forM_ [minBound ..] $ \form -> do
-      let whole = Bytes.lines (fileOf form wanted)
-      forM_ [0 .. length whole - 1] $ \k ->
-        continue wanted (Bytes.unlines (take (1 + k) whole) <> Bytes.pack "?")
-          `shouldBe` Left (NotContinued (k + 2))
+        whole = Bytes.lines (fileOf wanted)
+    forM_ [0 .. length whole - 1] $ \k ->
+      continue wanted (Bytes.unlines (take (1 + k) whole) <> Bytes.pack "?")
+        `shouldBe` Left (NotContinued (k + 2))
   it "of any rows those are kept that all rows of their entry are like, each once" $ do
-    let some wanted = take 4 (drop 1 (Bytes.lines (fileOf Unchecked wanted)))
-        header = headerOf Unchecked
+    let some wanted = take 4 (drop 1 (Bytes.lines (fileOf wanted)))
     forAll (listOf (elements (some (wantedOf 4 2) ++ some (wantedOf 2 6)))) $ \drawn ->
-      case contentsOf (Bytes.unlines (header : drawn)) of
+      case contentsOf (Bytes.unlines (headerLine : drawn)) of
         Left fault -> counterexample (show fault) False
         Right contents ->
           let (kept, left) = keptRows contents
@@ -113,14 +108,14 @@ spec = do
               different e = length (nub (filter ((== e) . fst) numbered))
               alike = nub [one | one@(e, _) <- numbered, different e == 1]
            in conjoin
-                [ sort [rowText line | (_, line) <- Map.elems kept] === sort (map snd alike),
+                [ sort [checked (rowText line) | (_, line) <- Map.elems kept] === sort (map snd alike),
                   [drawn !! (line - 2) | (line, _) <- Map.elems kept]
-                    === [rowText line | (_, line) <- Map.elems kept],
+                    === [checked (rowText line) | (_, line) <- Map.elems kept],
                   left === length drawn - length alike
                 ]
   it "of a larger file, any byte changed at random is refused" $ do
     let wanted = wantedOf 3 3
-        file = fileOf Checked wanted
+        file = fileOf wanted
     property $
       forAllShrink (choose (0, Octets.length file - 1)) shrink $ \i ->
         forAll (arbitrary `suchThat` (/= Octets.index file i)) $ \b ->
@@ -148,15 +143,17 @@ spec = do
         `shouldBe` Nothing
   it "no row of a census contradicts itself, with distances that are known and that are not" $ do
     forM_ [wantedOf 2 6, wantedOf 9 2, wantedOf 5 3] $ \wanted -> do
-      let found = [readRow Unchecked body | (_, Right body) <- wantedInOrder wanted]
+      let found = [readRow (checked body) | (_, Right body) <- wantedInOrder wanted]
       length found `shouldBe` length (wantedInOrder wanted)
       [fault | Left fault <- found] `shouldBe` []
     let ranged = told {foundDistance = (2, Just 3)}
     (contradiction 0 1 subject told, contradiction 0 1 subject ranged) `shouldBe` (Nothing, Nothing)
   it "a distance between two limits is read as both" $ do
     let limits body =
-          [ (foundDistance . rowFindings <$> readRow Unchecked (lastly text body), (low, Just d))
-            | Right one <- [readRow Unchecked body],
+          [ ( foundDistance . rowFindings <$> readRow (checked (lastly text body)),
+              (low, Just d)
+            )
+            | Right one <- [readRow (checked body)],
               let (d, _) = foundDistance (rowFindings one),
               low <- [1 .. d],
               let text = Bytes.pack (show low ++ ".." ++ show d)
@@ -170,10 +167,10 @@ spec = do
     first' <- case [body | (_, Right body) <- wantedInOrder (wantedOf 2 4)] of
       body : _ -> pure (Bytes.split ',' body)
       [] -> fail "an empty census"
-    let columns' = Bytes.split ',' (headerOf Unchecked)
-        with name text = Bytes.intercalate "," (zipWith (given name text) columns' first')
+    let columns' = Bytes.split ',' headerLine
+        with name text = checked (Bytes.intercalate "," (zipWith (given name text) columns' first'))
         given name text c = if c == name then const text else id
-        refused name text = readRow Unchecked (with name text) == Left (FieldForm name text)
+        refused name text = readRow (with name text) == Left (FieldForm name text)
         -- All texts of at most three of these.
         texts = map Bytes.pack (concat [replicateM n "019+- x" | n <- [0 .. 3]])
         digits text = Bytes.all (`elem` ['0' .. '9']) text && not (Bytes.null text)
@@ -193,22 +190,8 @@ spec = do
     filter (not . refused "enumeration") texts `shouldBe` [""]
     filter (not . refused "distance") (texts ++ ["1..", "..1", "1.2", "01..2", "1..2..3"])
       `shouldBe` filter number texts
-  it "in an old file, a verdict that contradicts itself or the rest is refused" $
+  it "a verdict that contradicts itself or the rest is refused" $
     forM_ wrong $ \(s, t, names) -> contradiction 0 1 s t `shouldBe` Just names
-  it "in an old file, a row with another entry's number or census is refused" $ do
-    let wanted = wantedOf 4 2
-        file = Bytes.lines (fileOf Unchecked wanted)
-        renumbered i line =
-          let fields =
-                Bytes.split ',' line
-           in Bytes.intercalate
-                ","
-                (take 1 fields ++ [Bytes.pack (show (i :: Int))] ++ drop 2 fields)
-        swapped =
-          take 2 file ++ [renumbered 1 (file !! 3), renumbered 2 (file !! 2)] ++ drop 4 file
-    merge (Bytes.unlines file) `shouldBe` Right file
-    merge (Bytes.unlines swapped) `shouldSatisfy` (not . isRight)
-    continue wanted (Bytes.unlines swapped) `shouldSatisfy` (not . isRight)
   where
     stated one =
       let (s, f) = (rowSubject one, rowFindings one)
@@ -292,17 +275,16 @@ wantedOf q n = either (error . show) id $ do
   pure (Wanted scope entries [(entry, rowBody scope entries entry) | entry <- found])
 
 -- | Its file, as it is written.
-fileOf :: Form -> Wanted -> ByteString
-fileOf form wanted =
-  Lazy.toStrict (encodeCensus form [body | (_, Right body) <- wantedInOrder wanted])
+fileOf :: Wanted -> ByteString
+fileOf wanted = Lazy.toStrict (encodeCensus [body | (_, Right body) <- wantedInOrder wanted])
 
 -- | The lines that merge makes of a file, as the command does.
 merge :: ByteString -> Either String [ByteString]
 merge bytes = do
   contents <- first show (contentsOf bytes)
   found <- first show (completeRows contents)
-  (form, merged) <- first show (mergeShards [Shard "file" (contentsForm contents) found])
-  pure (headerOf form : map (inForm form . rowText) merged)
+  merged <- first show (mergeShards [Shard "file" found])
+  pure (headerLine : map (checked . rowText) merged)
 
 -- | How many rows are kept of a file, as the command does.
 continue :: Wanted -> ByteString -> Either CensusFileError Int

@@ -158,7 +158,7 @@ shards = concatMap (censusOf 2 3) [even, odd]
 censusOf :: Natural -> Natural -> (Natural -> Bool) -> [ByteString]
 censusOf q n wanted =
   [ Bytes8.unlines
-      (headerOf Checked : map (inForm Checked) (rights (map (rowBody scope entries) found)))
+      (headerLine : map checked (rights (map (rowBody scope entries) found)))
     | Right scope <- [standardScope q n],
       Right entries <- [censusSize scope],
       Right found <- [census wanted scope]

@@ -29,23 +29,18 @@ import Numeric.Natural (Natural)
 import PraTactile.Format.Census.Row
 import PraTactile.Format.Error
 
--- | A file of a form with rows of these bodies.
-encodeCensus :: Form -> [ByteString] -> Lazy.ByteString
-encodeCensus form bodies =
-  Lazy.unlines (map Lazy.fromStrict (headerOf form : map (inForm form) bodies))
+-- | A file with rows of these bodies.
+encodeCensus :: [ByteString] -> Lazy.ByteString
+encodeCensus bodies = Lazy.unlines (map Lazy.fromStrict (headerLine : map checked bodies))
 
--- | The rows of a finished file, and its form. Refuses a file that is cut off, damaged or no
--- census.
-decodeCensus :: ByteString -> Either FormatError (Form, [Row])
-decodeCensus bytes = first CensusFileRefused $ do
-  contents <- contentsOf bytes
-  rows <- completeRows contents
-  pure (contentsForm contents, map snd rows)
+-- | The rows of a finished file. Refuses a file that is cut off, damaged or no census.
+decodeCensus :: ByteString -> Either FormatError [Row]
+decodeCensus bytes =
+  first CensusFileRefused (map snd <$> (contentsOf bytes >>= completeRows))
 
 -- | The lines of a file.
 data Contents = Contents
-  { contentsForm :: Form,
-    -- | whether the first line is the header
+  { -- | whether the first line is the header
     contentsHeaderWhole :: Bool,
     -- | those after the header, by their numbers from 1
     contentsLines :: [(Int, Either RowError Row)],
@@ -53,30 +48,26 @@ data Contents = Contents
     contentsRest :: ByteString
   }
 
--- | What is in a file. Of which form it is, its header says. With another first line it is still
--- the damaged file of a census if there is a row with a good check in it; any other file is
--- refused.
+-- | What is in a file. With another first line than the header it is still the damaged file of a
+-- census if there is a row with a good check in it; any other file is refused.
 contentsOf :: ByteString -> Either CensusFileError Contents
 contentsOf bytes = case Bytes.lines whole of
   header : others
-    | Just form <- formOf header -> Right (contents form others)
-    | damaged <- (contents Checked others) {contentsHeaderWhole = False},
-      any (isRight . snd) (contentsLines damaged) ->
-      Right damaged
+    | contentsHeaderWhole contents || any (isRight . snd) (contentsLines contents) -> Right contents
+    where
+      contents =
+        Contents
+          { contentsHeaderWhole = header == headerLine,
+            contentsLines = zip [2 ..] (map readRow others),
+            contentsRest = rest
+          }
   _ -> Left NoCensusHeader
   where
     (whole, rest) = Bytes.spanEnd (/= '\n') bytes
-    contents form others =
-      Contents
-        { contentsForm = form,
-          contentsHeaderWhole = True,
-          contentsLines = zip [2 ..] (map (readRow form) others),
-          contentsRest = rest
-        }
 
 -- | Whether a file was cut off while its header was written, or is empty.
 beginsHeader :: ByteString -> Bool
-beginsHeader bytes = any ((bytes `Bytes.isPrefixOf`) . headerOf) [minBound ..]
+beginsHeader = (`Bytes.isPrefixOf` headerLine)
 
 -- | All rows with the numbers of their lines, by ascending entries. Refuses a file in which a line
 -- is no whole row.

@@ -33,8 +33,7 @@ data Wanted = Wanted
 
 -- | What is kept of a file.
 data Kept = Kept
-  { keptForm :: Form,
-    -- | how many rows, those of the first entries wanted
+  { -- | how many rows, those of the first entries wanted
     keptCount :: Int,
     -- | how many of them say that the windows are distinct
     keptProved :: Int,
@@ -53,12 +52,12 @@ keptInOrder wanted bytes contents = do
   next <- go rows (wantedInOrder wanted)
   let rest = contentsRest contents
       continued = case next of
-        (_, Right body) : _ -> rest `Bytes.isPrefixOf` inForm (contentsForm contents) body
+        (_, Right body) : _ -> rest `Bytes.isPrefixOf` checked body
         _ -> False
       whole = Bytes.length bytes - Bytes.length rest
       provedOnes = length (filter (foundProved . rowFindings . snd) rows)
   if Bytes.null rest || continued
-    then Right (Kept (contentsForm contents) (length rows) provedOnes whole)
+    then Right (Kept (length rows) provedOnes whole)
     else Left (NotContinued (length rows + 2))
   where
     go [] others = Right others

@@ -23,7 +23,6 @@ import PraTactile.Format.Census.Row
 -- | The rows of a file, with the numbers of their lines.
 data Shard = Shard
   { shardFile :: FilePath,
-    shardForm :: Form,
     shardRows :: [(Int, Row)]
   }
 
@@ -43,10 +42,9 @@ data MergeError
     NotAsNumbered FilePath Int
   deriving stock (Eq, Show)
 
--- | The rows of the whole census, in order, in the form that all shards have, or in the old one if
--- any of them has that: a row that was never checked is not given a check. The shards must be of
--- one census, without a common entry, and lack none.
-mergeShards :: [Shard] -> Either MergeError (Form, [Row])
+-- | The rows of the whole census, in order. The shards must be of one census, without a common
+-- entry, and lack none.
+mergeShards :: [Shard] -> Either MergeError [Row]
 mergeShards shards = case [(shardFile shard, row) | shard <- shards, row <- shardRows shard] of
   [] -> Left NoEntries
   everything@((file, (_, one)) : _) -> do
@@ -57,9 +55,8 @@ mergeShards shards = case [(shardFile shard, row) | shard <- shards, row <- shar
     merged <- go Map.empty everything
     let missing = gaps (rowEntries one) (Map.keys merged)
     unless (null missing) (Left (EntriesMissing (rowEntries one) missing))
-    pure (form, map snd (Map.elems merged))
+    pure (map snd (Map.elems merged))
   where
-    form = if all ((== Checked) . shardForm) shards then Checked else Unchecked
     identity row =
       let s = rowSubject row
           field = (subjectOrder s, subjectModulus s)

@@ -1,18 +1,13 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | A row of a census file: how it is written, and what shows that it is whole. The last column is
--- a check, digits of the SHA-256 of what stands before it; old files have none, and their header
--- line says so.
+-- a check, digits of the SHA-256 of what stands before it.
 module PraTactile.Format.Census.Row
-  ( -- * Forms
-    Form (..),
-    headerOf,
-    formOf,
-
-    -- * Writing
+  ( -- * Writing
+    headerLine,
     censusName,
     rowBody,
-    inForm,
+    checked,
 
     -- * Reading
     Row (..),
@@ -36,20 +31,12 @@ import PraTactile.Format.Name
 import PraTactile.Window.Distance
 import PraTactile.Window.Proof (ProofError, Verdict (..))
 
--- | The two forms of a file.
-data Form
-  = -- | every row ends with its check
-    Checked
-  | -- | the old one, without
-    Unchecked
-  deriving stock (Eq, Show, Enum, Bounded)
-
 -- | The first line of a file, without its end.
-headerOf :: Form -> ByteString
-headerOf form = Bytes.intercalate "," (columnsOf form)
+headerLine :: ByteString
+headerLine = Bytes.intercalate "," columns'
 
-columnsOf :: Form -> [ByteString]
-columnsOf form =
+columns' :: [ByteString]
+columns' =
   [ "census",
     "entry",
     "entries",
@@ -66,13 +53,9 @@ columnsOf form =
     "needed",
     "windows",
     "different",
-    "distance"
+    "distance",
+    "check"
   ]
-    ++ ["check" | form == Checked]
-
--- | The form that a first line announces.
-formOf :: ByteString -> Maybe Form
-formOf line = find ((== line) . headerOf) [minBound ..]
 
 -- | A short name for a scope: files of different censuses differ in it.
 censusName :: Scope -> String
@@ -122,15 +105,9 @@ keyFields scope entries entry =
   where
     codes = unwords . map show
 
--- | A row's body as it stands in a file of a form.
-inForm :: Form -> ByteString -> ByteString
-inForm form body = case form of
-  Checked -> body <> "," <> checkOf body
-  Unchecked -> body
-
--- | The first 16 digits of the SHA-256 of a row's body.
-checkOf :: ByteString -> ByteString
-checkOf body = Bytes.pack (take 16 (digestOf body))
+-- | A row's body with its check, the first 16 digits of the SHA-256 of the body.
+checked :: ByteString -> ByteString
+checked body = body <> "," <> Bytes.pack (take 16 (digestOf body))
 
 -- | A row that was read.
 data Row = Row
@@ -144,12 +121,12 @@ data Row = Row
   }
   deriving stock (Eq, Show)
 
--- | The row in a line of a file of a form. Refuses another number of fields, a wrong check, fields
+-- | The row in a line of a file. Refuses another number of fields, a wrong check, fields
 -- not written as 'rowBody' writes them, and a row that contradicts itself.
-readRow :: Form -> ByteString -> Either RowError Row
-readRow form line = do
+readRow :: ByteString -> Either RowError Row
+readRow line = do
   when (length fields /= length columns') (Left (FieldCount (length fields) (length columns')))
-  when (inForm form body /= line) (Left CheckFails)
+  when (checked body /= line) (Left CheckFails)
   row <- rowOf (zip columns' fields) body
   maybe
     (Right row)
@@ -157,10 +134,7 @@ readRow form line = do
     (contradiction (rowEntry row) (rowEntries row) (rowSubject row) (rowFindings row))
   where
     fields = Bytes.split ',' line
-    columns' = columnsOf form
-    body = case form of
-      Checked -> maybe "" fst (Bytes.unsnoc (Bytes.dropWhileEnd (/= ',') line))
-      Unchecked -> line
+    body = maybe "" fst (Bytes.unsnoc (Bytes.dropWhileEnd (/= ',') line))
 
 -- | The row of these fields, by their columns, and this body.
 rowOf :: [(ByteString, ByteString)] -> ByteString -> Either RowError Row
