@@ -8,7 +8,7 @@ MATCH =
 # The seed of random cases, as in: make test SEED=7
 SEED =
 export PREFIX DESTDIR
-.PHONY: all help setup build demo test test-full lint format mutants calibration archive types bench evaluate figures docs house shapes network \
+.PHONY: all help setup build demo test test-full lint format mutants calibration archive types bench evaluate figures docs shapes network \
         check-network check-newer-ghc install uninstall clean
 # cabal holds one build at a time in dist-newstyle.
 .NOTPARALLEL:
@@ -78,11 +78,6 @@ archive: ## vectors, schemas, the list of laws and their sums as one reproducibl
 docs: setup ## the documentation of all libraries, as HTML; a link to a module of ours that leads nowhere is an error
 	@tools/docs.sh
 
-house: setup ## draw the module graph (house.dot; house.svg where Graphviz is installed)
-	@runghc $$(tools/extensions.sh) -itest tools/House.hs > house.dot
-	@if command -v dot >/dev/null 2>&1; then dot -Tsvg house.dot > house.svg && echo "wrote house.dot and house.svg"; \
-	 else echo "wrote house.dot (install Graphviz to have house.svg drawn)"; fi
-
 # Of GF(4) the files are data/shapes.txt and data/network.txt, of every other field data/alphabets/gfQ.
 shapes: build ## design the shipped shapes again from their seed (some five minutes)
 	bin/pra-tactile shapes --design --output data/shapes.txt
@@ -107,7 +102,7 @@ check-newer-ghc: ## demo and tests on a bare Debian with a newer GHC, in a chroo
 	@tools/newer-ghc.sh
 
 clean: ## remove what was built
-	rm -rf dist-newstyle bin demo-out house.dot house.svg
+	rm -rf dist-newstyle bin demo-out
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-16s %s\n", $$1, $$2 }' Makefile

@@ -1,4 +1,5 @@
--- | All specifications, by hand, because hspec-discover is not everywhere to be had.
+-- | All specifications: the one list of them. Their modules are called by what they show, which
+-- hspec-discover would not find.
 module Main (main) where
 
 import System.IO (BufferMode (LineBuffering), hSetBuffering, stdout)
@@ -105,7 +106,6 @@ import qualified Test.Hostile
 import qualified Test.House
 import Test.Hspec (Spec, describe, parallel)
 import Test.Hspec.Runner (Config (..), defaultConfig, hspecWith)
-import qualified Test.Limits
 import qualified Test.Readme
 import qualified Test.Recognition.AnswersBesideTruth
 import qualified Test.Recognition.AnyAngle
@@ -379,7 +379,6 @@ together = do
   describe "Pictures" Test.App.RecognitionsDrawn.spec
   describe "Pictures of assemblies" Test.App.AssembliesDrawn.spec
   describe "Sources" Test.Recognition.FromBytesToAnswers.spec
-  describe "Limits" Test.Limits.spec
   describe "README" Test.Readme.spec
   describe "Conformance laws on this library" Test.Conformance.Laws.spec
   describe "Conformance: tolerances" Test.Conformance.Laws.Tolerances.spec

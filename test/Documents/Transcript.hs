@@ -5,6 +5,7 @@
 module Documents.Transcript
   ( -- * Documents
     documents,
+    readText,
     Piece (..),
     Pace (..),
     Step (..),
@@ -19,6 +20,7 @@ where
 
 import Data.Char (isSpace)
 import Data.List (dropWhileEnd, isPrefixOf, stripPrefix)
+import System.IO (IOMode (..), hGetContents, hSetEncoding, utf8, withFile)
 import System.Process (CreateProcess (..), proc, readCreateProcessWithExitCode)
 
 -- | The files whose commands are run.
@@ -37,6 +39,13 @@ documents =
     "docs/benchmarks.md",
     "docs/mutation.md"
   ]
+
+-- | The text of a file, read at once and as UTF-8 whatever the locale.
+readText :: FilePath -> IO String
+readText file = withFile file ReadMode $ \handle -> do
+  hSetEncoding handle utf8
+  text <- hGetContents handle
+  length text `seq` pure text
 
 -- | A part of a document.
 data Piece

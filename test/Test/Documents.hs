@@ -6,7 +6,6 @@ import Control.Monad (forM_, unless)
 import Data.Char (isSpace)
 import Data.List (dropWhileEnd, isInfixOf, isPrefixOf, stripPrefix)
 import Documents.Transcript
-import House.Source (readText)
 import System.Directory
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))

@@ -1,11 +1,10 @@
--- | What stands around the program: completions, manual pages, installing, the quiet build, the
--- Makefile's help and the linter.
+-- | What stands around the program: completions, manual pages and installing.
 module Test.Tools (spec) where
 
 import Control.Monad (filterM, forM)
-import Data.Char (isAlphaNum, isLower, isUpper)
+import Data.Char (isAlphaNum, isLower)
 import Data.Foldable (for_)
-import Data.List (isInfixOf, isPrefixOf, partition, sort, stripPrefix, (\\))
+import Data.List (sort, stripPrefix, (\\))
 import Data.Maybe (fromMaybe)
 import System.Directory (doesDirectoryExist, doesFileExist, findExecutable, listDirectory)
 import System.Exit (ExitCode (..))
@@ -20,9 +19,6 @@ spec = do
   completionSpec
   manualSpec
   installSpec
-  quietSpec
-  makeSpec
-  lintSpec
 
 -- | What completes the last of these words.
 completions :: [String] -> IO [String]
@@ -172,106 +168,5 @@ filesUnder folder = do
   deeper <- filterM doesDirectoryExist inside >>= traverse filesUnder
   pure (files ++ concat deeper)
 
-quietSpec :: Spec
-quietSpec = describe "tools/quietly.sh" $ do
-  it "keeps what is said in a log, and shows the compiler's warnings alone" $
-    inFolder $ \folder -> do
-      (status, out, log') <-
-        quietly
-          folder
-          "echo chatter; printf 'A.hs:1:2: warning: [-Wx]\\n    unused\\n  |\\n1 | x\\n'; echo \
-          \'[2 of 3] Compiling B'"
-      (status, takeWhile (/= "") (drop 1 (lines out)))
-        `shouldBe` (ExitSuccess, ["A.hs:1:2: warning: [-Wx]", "    unused", "  |", "1 | x"])
-      out `shouldNotSatisfy` (\text -> "chatter" `isInfixOf` text || "Compiling" `isInfixOf` text)
-      log'
-        `shouldBe` "chatter\nA.hs:1:2: warning: [-Wx]\n    unused\n  |\n1 | x\n[2 of 3] Compiling \
-                   \B\n"
-  it "leaves cabal's warnings about sublibraries out of the log" $
-    inFolder $ \folder -> do
-      (_, _, log') <-
-        quietly
-          folder
-          "printf 'Warning: x.cabal:318:26: visibility is experimental feature \
-          \(issue\\n#5660)\\nkept\\n'"
-      log' `shouldBe` "kept\n"
-  it "of a failure keeps the exit status, shows the first error and names the log" $
-    inFolder $ \folder -> do
-      let script =
-            "echo chatter; printf 'A.hs:1:2: error:\\n    first\\n\\nB.hs:3:4: error:\\n    \
-            \second\\n\\n'; exit 7"
-      (status, _, err) <-
-        readProcessWithExitCode
-          "sh"
-          ["tools/quietly.sh", folder </> "log", "building", "sh", "-c", script]
-          ""
-      (status, take 2 (lines err)) `shouldBe` (ExitFailure 7, ["A.hs:1:2: error:", "    first"])
-      err `shouldNotSatisfy` (\text -> "second" `isInfixOf` text || "chatter" `isInfixOf` text)
-      err `shouldSatisfy` ((folder </> "log") `isInfixOf`)
-  where
-    quietly folder script = do
-      (status, out, _) <-
-        readProcessWithExitCode
-          "sh"
-          ["tools/quietly.sh", folder </> "log", "building", "sh", "-c", script]
-          ""
-      (,,) status out <$> readFile (folder </> "log")
-
-makeSpec :: Spec
-makeSpec = describe "make help" $
-  it "tells of every target but the default one and files" $
-    withShell "make" $ \make -> do
-      rules <- lines <$> readFile "Makefile"
-      let targets =
-            [ target
-              | rule <- rules,
-                (target, ':' : _) <- [span (\c -> isLower c || c == '-') rule],
-                not (null target)
-            ]
-      told <- readProcess make ["--no-print-directory", "help"] ""
-      length targets `shouldSatisfy` (> 10)
-      (targets \\ ["all"]) \\ [target | "make" : target : _ <- map words (lines told)] `shouldBe` []
-
 withShell :: FilePath -> (FilePath -> Expectation) -> Expectation
 withShell name test = findExecutable name >>= maybe (pendingWith (name ++ " is not there")) test
-
--- | A file that breaks every restriction once: each is found there, with the settings that @make
--- lint@ gives to pure code.
-lintSpec :: Spec
-lintSpec = describe "hlint" $
-  it "finds every module and every function that pure code may not use" $
-    inFolder $ \folder -> do
-      hlint <- findExecutable "hlint"
-      version <- maybe (pure "") (\program -> readProcess program ["--numeric-version"] "") hlint
-      if not ("3.3" `isPrefixOf` version)
-        then pendingWith "there is no hlint of version 3.3"
-        else do
-          restricted <- concatMap namesIn <$> traverse readFile settings
-          let (modules, functions) = partition (any isUpper . take 1) restricted
-              file = folder </> "Breach.hs"
-          writeFile
-            file
-            ( unlines
-                ( ["module Breach where"] ++ ["import " ++ concatMap instead name | name <- modules]
-                    ++ [ "breach" ++ show i ++ " = " ++ name
-                         | (i, name) <- zip [1 :: Int ..] functions
-                       ]
-                )
-            )
-          (_, out, _) <-
-            readProcessWithExitCode
-              "hlint"
-              (map ("--hint=" ++) settings ++ ["--no-summary", file])
-              ""
-          length restricted `shouldSatisfy` (> 30)
-          length (filter ("Avoid restricted" `isInfixOf`) (lines out)) `shouldBe` length restricted
-  where
-    settings = [".hlint.yaml", "tools/pure.hlint.yaml"]
-    namesIn text =
-      [ name
-        | line <- lines text,
-          Just names <- [stripPrefix "    - {name: [" line],
-          name <- words (filter (/= ',') (takeWhile (/= ']') names))
-      ]
-    -- A pattern stands for any module.
-    instead letter = if letter == '*' then "Any" else [letter]
