@@ -1,6 +1,7 @@
 -- | The command line: one parser a command, each in its own module.
 module CommandLine
   ( main,
+    answering,
     commandLine,
     preferences,
     misunderstood,
@@ -69,15 +70,18 @@ main = do
   hSetEncoding stderr lenient
   -- As cat does, end quietly where nobody reads on.
   _ <- installHandler sigPIPE Default Nothing
-  runToExit $ do
-    arguments <- getArgs
-    name <- getProgName
-    case execParserPure preferences commandLine arguments of
-      Success run -> run
-      Failure failure -> case misunderstood name failure of
-        Right asked -> Answered <$ putStrLn asked
-        Left complaint -> Unusable <$ warn complaint
-      CompletionInvoked completion -> Answered <$ (execCompletion completion name >>= putStr)
+  runToExit (getArgs >>= answering)
+
+-- | Do what these arguments ask for.
+answering :: [String] -> IO ExitStatus
+answering arguments = do
+  name <- getProgName
+  case execParserPure preferences commandLine arguments of
+    Success run -> run
+    Failure failure -> case misunderstood name failure of
+      Right asked -> Answered <$ putStrLn asked
+      Left complaint -> Unusable <$ warn complaint
+    CompletionInvoked completion -> Answered <$ (execCompletion completion name >>= putStr)
 
 -- | How arguments are parsed.
 preferences :: ParserPrefs

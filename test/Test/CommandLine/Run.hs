@@ -1,44 +1,85 @@
--- | Running the executable, for the tests of the command line.
+-- | Running commands, for the tests of the command line: most in this process, through their
+-- parser; as processes where streams, signals or the memory are what is tested.
 module Test.CommandLine.Run
   ( Outcome,
+
+    -- * In process
     pra,
     praWith,
-    praUnder,
     key,
     prints,
     locates,
     complains,
-    scripted,
     refuses,
+
+    -- * As processes
+    praUnder,
+    scripted,
   )
 where
 
+import CommandLine (answering)
+import Control.Concurrent.MVar
+import Control.Exception (bracket, try)
 import Data.Aeson
 import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.List (isInfixOf, isPrefixOf)
+import Data.Void (absurd)
+import Documents.Transcript (readText)
+import ExitStatus (runToExit)
+import GHC.IO.Handle (hDuplicate, hDuplicateTo)
+import System.Environment (withArgs, withProgName)
 import System.Exit (ExitCode (..))
+import System.FilePath ((</>))
+import System.IO
+import System.IO.Unsafe (unsafePerformIO)
 import System.Process (readProcessWithExitCode)
 import Test.Hspec
+import Test.Support
 
 -- | Status, standard output, standard error.
 type Outcome = (Int, String, String)
 
+-- | What a command answers, without an input.
 pra :: [String] -> IO Outcome
 pra = (`praWith` "")
 
+-- | What a command answers that reads this from the standard input.
 praWith :: [String] -> String -> IO Outcome
-praWith = ran "pra-tactile"
+praWith arguments input = withMVar turn $ \_ -> inFolder $ \folder -> do
+  let file name = folder </> name
+  withFile (file "input") WriteMode (\to -> hSetEncoding to utf8 >> hPutStr to input)
+  code <-
+    try . withProgName "pra-tactile" . withArgs arguments $
+      replaced stdin (file "input") ReadMode . replaced stdout (file "output") WriteMode $
+        replaced stderr (file "complaints") WriteMode (runToExit (answering arguments))
+  outcome (either id absurd code) <$> readText (file "output") <*> readText (file "complaints")
 
--- | The same under these options of the run-time system, which the program takes from its
--- environment alone.
+-- | The standard streams are the process's, and so are its arguments.
+turn :: MVar ()
+turn = unsafePerformIO (newMVar ())
+{-# NOINLINE turn #-}
+
+-- | Go on with a file in the place of a standard stream.
+replaced :: Handle -> FilePath -> IOMode -> IO a -> IO a
+replaced stream file mode = bracket (hDuplicate stream <* instead) restored . const
+  where
+    instead = withFile file mode (`hDuplicateTo` stream) >> hSetEncoding stream utf8
+    restored saved = hDuplicateTo saved stream >> hClose saved
+
+-- | Status, output and errors of the program as a process under these options of the run-time
+-- system, which it takes from its environment alone.
 praUnder :: String -> [String] -> String -> IO Outcome
-praUnder options arguments = ran "env" (("GHCRTS=" ++ options) : "pra-tactile" : arguments)
+praUnder options arguments = process "env" (("GHCRTS=" ++ options) : "pra-tactile" : arguments)
 
-ran :: FilePath -> [String] -> String -> IO Outcome
-ran program arguments input = do
+process :: FilePath -> [String] -> String -> IO Outcome
+process program arguments input = do
   (code, out, err) <- readProcessWithExitCode program arguments input
-  pure (case code of ExitSuccess -> 0; ExitFailure n -> n, out, err)
+  pure (outcome code out err)
+
+outcome :: ExitCode -> String -> String -> Outcome
+outcome code out err = (case code of ExitSuccess -> 0; ExitFailure n -> n, out, err)
 
 -- | The value under a path of keys in one line of JSON.
 key :: [Key] -> String -> Maybe Value
@@ -69,13 +110,11 @@ complains arguments about = do
 
 -- | A script in a folder of its own, within a minute: nothing hangs. The program is @pra@ there.
 scripted :: FilePath -> String -> IO Outcome
-scripted folder script = do
-  (code, out, err) <-
-    readProcessWithExitCode
-      "timeout"
-      ["60", "sh", "-c", "cd '" ++ folder ++ "'; pra() { pra-tactile \"$@\"; }; " ++ script]
-      ""
-  pure (case code of ExitSuccess -> 0; ExitFailure n -> n, out, err)
+scripted folder script =
+  process
+    "timeout"
+    ["60", "sh", "-c", "cd '" ++ folder ++ "'; pra() { pra-tactile \"$@\"; }; " ++ script]
+    ""
 
 -- | Nothing on the standard output, one line with this in it, status 2.
 refuses :: Outcome -> String -> Expectation
