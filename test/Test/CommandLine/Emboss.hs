@@ -34,18 +34,16 @@ spec = do
                            (if file == "c.json" then "cube" else take 1 file) ++ ": a solid"
                          ]
                        )
-  it "a 3MF is an archive whose model has the closed surface and its volume, each time alike" $
+  it "a 3MF is an archive whose model has the closed surface and its volume, without a date" $
     findExecutable "python3" >>= \there -> case there of
       Nothing -> pendingWith "python3 is not installed here, which reads the archive"
       Just python -> inFolder $ \folder -> do
         (status, _, err) <-
           scripted folder $
-            "pra emboss --object cube --output c.3mf > log; mkdir later; sleep 2; "
-              ++ "TZ=Asia/Tokyo pra-tactile emboss --object cube --output later/c.3mf > log; "
-              ++ "cmp c.3mf later/c.3mf"
+            "pra emboss --object cube --output c.3mf > log"
         (status, err) `shouldBe` (0, "")
         readProcessWithExitCode python ["-c", readModel, folder ++ "/c.3mf"] ""
-          `shouldReturn` (ExitSuccess, "millimeter cube 4192 8380 0 13275570223/6400\n", "")
+          `shouldReturn` (ExitSuccess, "millimeter cube 4192 8380 0 13275570223/6400 [1980]\n", "")
   it "a tilted block far away is refused in 32 bits, and written in decimal numbers" $
     -- Along x alone no two points became one: it was written as a plane figure.
     inFolder $ \folder ->
@@ -365,13 +363,16 @@ tiltedBlock axes =
     corners = [(x, y, z) | z <- [1, 0], (x, y) <- [(0, 0), (0, 1), (1, 1), (1, 0)]]
 
 -- | The program that reads a 3MF by Python's own libraries: the unit, the object's name, how many
--- vertices and triangles there are, how many sides have no other way back, and the volume.
+-- vertices and triangles there are, how many sides have no other way back, the volume, and the years
+-- of the archive's files.
 readModel :: String
 readModel =
   unlines
     [ "import sys, zipfile, collections, xml.etree.ElementTree as tree",
       "from fractions import Fraction",
-      "model = tree.fromstring(zipfile.ZipFile(sys.argv[1]).read('3D/3dmodel.model'))",
+      "archive = zipfile.ZipFile(sys.argv[1])",
+      "years = sorted({file.date_time[0] for file in archive.infolist()})",
+      "model = tree.fromstring(archive.read('3D/3dmodel.model'))",
       "space = '{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}'",
       "points = [[Fraction(v.get(k)) for k in 'xyz'] for v in model.iter(space + 'vertex')]",
       "triangles = model.iter(space + 'triangle')",
@@ -383,7 +384,7 @@ readModel =
       "            + a[2] * (b[0] * c[1] - b[1] * c[0]))",
       "volume = sum(determinant(*(points[i] for i in w)) for w in walks) / 6",
       "named = next(model.iter(space + 'object')).get('name')",
-      "print(model.get('unit'), named, len(points), len(walks), len(open_), volume)"
+      "print(model.get('unit'), named, len(points), len(walks), len(open_), volume, years)"
     ]
 
 -- | The script ends with a refusal that says this, and writes nothing called x or f.

@@ -3,7 +3,7 @@ module Test.CommandLine.LongWork (spec) where
 
 import Data.Bits (testBit)
 import Data.Foldable (for_)
-import Data.List (isInfixOf, isPrefixOf, isSuffixOf)
+import Data.List (inits, isInfixOf, isPrefixOf, isSuffixOf)
 import qualified Data.Map.Strict as Map
 import qualified Data.Text as Text
 import Memory (mostBytes)
@@ -18,7 +18,8 @@ import PraTactile.Steps hiding (counted)
 import Progress
 import System.Directory (doesFileExist)
 import System.FilePath ((</>))
-import System.Process (readProcess)
+import System.IO (hGetContents)
+import System.Process
 import System.Random (mkStdGen)
 import Test.CommandLine.Run
 import Test.Effort
@@ -103,9 +104,10 @@ progressSpec = do
       scripted folder "pra images --set bitmap --count 100000 --shapes s100 --seed 1 --output i"
         >>= (`refuses` "at once")
       -- What it takes is said before the work, of which there are minutes.
-      (_, out, _) <-
-        scripted folder "timeout 15 pra-tactile train --shapes s16 --output n.json > o; cat o"
-      out `shouldStartWith` "training 16 shapes: 20080 images at once, 5000 epochs at most, about"
+      let training = "train --shapes " ++ folder </> "s16" ++ " --output " ++ folder </> "n.json"
+      seen
+        (proc "pra-tactile" (words training))
+        ["training 16 shapes: 20080 images at once, 5000 epochs at most, about"]
   it "the search for shapes measures drawings, then tries all distances where it finds none" $ do
     let steps = stepsDone (designSteps 1 paperParameters {leastBlocks = 3, mostBlocks = 5})
         numbers = [i | Measured i <- steps]
@@ -138,15 +140,13 @@ progressSpec = do
     it (name ++ " tells it on a terminal") $
       inFolder $ \folder -> do
         let command =
-              "timeout 8 pra-tactile "
+              "timeout 60 pra-tactile "
                 ++ arguments
                 ++ " --output "
                 ++ folder </> "out > "
                 ++ folder </> "printed"
         -- script runs it on a pseudo-terminal, where here the standard error goes alone.
-        told <- readProcess "script" ["-qc", command, "/dev/null"] ""
-        told `shouldSatisfy` (shown `isInfixOf`)
-        told `shouldSatisfy` ("\r[" `isInfixOf`)
+        seen (proc "script" ["-qfc", command, "/dev/null"]) [shown, "\r["]
   it "evaluate tells it on a terminal, and clears its line" $ do
     told <-
       readProcess "script" ["-qc", "pra-tactile evaluate --presses 6 > /dev/null", "/dev/null"] ""
@@ -198,3 +198,12 @@ progressSpec = do
         [ (Text.pack (show k), bitmapWhere (\x y -> testBit (k + 512 :: Int) (y * 8 + x)))
           | k <- [1 .. count]
         ]
+
+-- | A process writes all of these to its standard output; it is ended once it has.
+seen :: CreateProcess -> [String] -> Expectation
+seen process marks =
+  withCreateProcess process {std_in = NoStream, std_out = CreatePipe} $ \_ out _ handle -> do
+    told <- maybe (pure "") hGetContents out
+    let haveAll text = all (`isInfixOf` text) marks
+    take 1 (filter haveAll (inits told)) `shouldSatisfy` (not . null)
+    terminateProcess handle

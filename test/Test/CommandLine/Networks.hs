@@ -13,6 +13,7 @@ import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
 import System.Process (callProcess, readProcess, readProcessWithExitCode)
 import Test.CommandLine.Run
+import Test.Effort
 import Test.Hspec
 import Test.Support
 
@@ -113,7 +114,7 @@ spec = do
       for_ (zip (lines likely) (lines classified)) $ \(theirs, ours) ->
         maximum (zipWith (\a b -> abs (a - b)) (numbers theirs) (all' ours))
           `shouldSatisfy` (< 1e-6)
-  it "a shipped network is trained again to the bit" $
+  whenFull . it "a shipped network is trained again to the bit" $
     inFolder $ \folder -> do
       blas <-
         readProcess

@@ -96,7 +96,7 @@ spec = do
       (_, out, _) <-
         scripted
           folder
-          "(printf '3 2 / 3 1\\r'; sleep 0.3; printf '\\n0 0 / 0 0\\r\\n3 2 / 3 1') | pra locate \
+          "(printf '3 2 / 3 1\\r'; sleep 0.1; printf '\\n0 0 / 0 0\\r\\n3 2 / 3 1') | pra locate \
           \--batch"
       out `shouldBe` whole
   it "a CSV file of an array is read with any line ends, and with semicolons" $

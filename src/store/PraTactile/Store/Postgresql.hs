@@ -4,7 +4,8 @@
 --
 -- A transaction that reads sees one state throughout (repeatable read). One that writes holds the
 -- placement's tables against other writers before it reads the first row, and readers go on with
--- what was there before. Locks are waited for up to ten seconds, and so is a server.
+-- what was there before. Locks are waited for up to ten seconds, unless the address or the server
+-- sets another @lock_timeout@; a server is waited for up to ten seconds.
 module PraTactile.Store.Postgresql
   ( postgresql,
   )
@@ -89,8 +90,9 @@ throughout address action =
           connectPostgreSQL (encodeUtf8 (Text.pack (connectionString keptAlive address)))
       maybe (throwE (Unreachable name NoServer)) pure answered
     settings =
-      "SELECT current_setting('server_encoding'), set_config('lock_timeout', '10s', false), \
-      \set_config('default_transaction_isolation', 'repeatable read', false)"
+      "SELECT current_setting('server_encoding'), \
+      \set_config('lock_timeout', COALESCE(NULLIF(current_setting('lock_timeout'), '0'), '10s'), \
+      \false), set_config('default_transaction_isolation', 'repeatable read', false)"
 
 -- | A server behind a network that is gone is noticed within half a minute.
 keptAlive :: [(String, String)]
