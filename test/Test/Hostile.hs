@@ -23,26 +23,25 @@ import Test.QuickCheck
 spec :: Spec
 spec = modifyMaxSize (const 60) $ do
   describe "in process" $ do
-    forM_ kinds $ \kind -> do
-      it (kindName kind ++ ": the specimens are accepted") $
+    forM_ kinds $ \kind -> beforeAll (kindSpecimens kind) $ do
+      it (kindName kind ++ ": the specimens are accepted") $ \specimens ->
         once $
           conjoin
             [ counterexample (show bytes) (judgedIn answer .&&. ioProperty (accepted <$> answer))
-              | bytes <- kindSpecimens kind,
+              | bytes <- specimens,
                 let answer = kindJudged kind bytes
             ]
-            .&&. not (null (kindSpecimens kind))
+            .&&. not (null specimens)
       it
         ( kindName kind
             ++ ": every input is answered or refused, in words, soon and in little \
                \memory"
         )
-        $ withMaxSuccess (shareOf (kindShare kind)) $
-          forAllShrinkShow (hostile (length (kindSpecimens kind))) lessHostile (shownOf kind) $
+        $ \specimens -> withMaxSuccess (shareOf (kindShare kind)) $
+          forAllShrinkShow (hostile (length specimens)) lessHostile (shownOf specimens) $
             -- The bytes are there first, so that what it takes to make them does not count.
             \given ->
-              let bytes =
-                    specimenOf (kindSpecimens kind) given
+              let bytes = specimenOf specimens given
                in bytes `seq` judgedIn (kindJudged kind bytes)
     it "the help names the commands and their options" $ do
       length commandsOfHelp `shouldSatisfy` (>= 22)
@@ -69,19 +68,18 @@ spec = modifyMaxSize (const 60) $ do
           (judgedBy . judgedArguments)
     foundSpec
   describe "as processes" $
-    beforeAll readExamples $
-      forM_ runKinds $ \kind ->
-        it
-          ( runKindName kind
-              ++ ": the program ends with an answer or a refusal, in words, soon \
-                 \and in little memory"
-          )
-          $ \examples ->
-            withMaxSuccess (max 1 (shareOf (runKindShare kind) `div` 100)) $
-              forAllBlind (hostileRun examples kind) $ \run ->
-                counterexample (show run) (judgedRun run)
+    beforeAll readExample $ do
+      let runs share drawn =
+            withMaxSuccess (max 1 (shareOf share `div` 100)) . forAllBlind drawn $ \run ->
+              counterexample (show run) (judgedRun run)
+          ending =
+            ": the program ends with an answer or a refusal, in words, soon and in little memory"
+      forM_ (filter (not . null . kindRuns) kinds) $ \kind ->
+        beforeAllWith (\example -> (,) example <$> kindSpecimens kind) $
+          it (kindName kind ++ ending) (runs (kindShare kind) . uncurry (hostileRun kind))
+      it ("arguments" ++ ending) (runs 180 . harmlessRun)
   where
-    shownOf kind given = show given ++ "\n" ++ show (specimenOf (kindSpecimens kind) given)
+    shownOf specimens given = show given ++ "\n" ++ show (specimenOf specimens given)
     accepted answer = counterexample (show answer) $ case answer of
       Accepted _ _ -> True
       Refused _ -> False
@@ -95,11 +93,9 @@ foundSpec = describe "what was found so" $ do
   it "a certificate whose modulus is empty: the order was compared with p^-1" $
     once $
       conjoin
-        [ judgedIn
-            (kindJudged kind (encodeUtf8 (emptied (decodeUtf8 bytes))))
+        [ ioProperty (conjoin . map (judgedIn . kindJudged kind . emptied) <$> kindSpecimens kind)
           | kind <- kinds,
-            kindName kind == "certificates",
-            bytes <- kindSpecimens kind
+            kindName kind == "certificates"
         ]
   it "two patches far apart: the rectangle around them was built, cell by cell, and took 340 MB" $
     once $
@@ -173,4 +169,5 @@ foundSpec = describe "what was found so" $ do
         ]
   where
     longWord = replicate 130000 '9'
-    emptied = Text.replace "\"modulus\":[0,1]" "\"modulus\":[]"
+    emptied =
+      encodeUtf8 . Text.replace "\"modulus\":[0,1]" "\"modulus\":[]" . decodeUtf8

@@ -1,60 +1,70 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Inputs that mean ill: a valid specimen with a few mutations, or none of it. What is drawn is
--- the list of mutations, so that a failure shrinks to the one that matters.
+-- | Inputs that mean ill, whatever their format: a valid specimen with a few mutations of its bytes,
+-- its words or its JSON, or garbage. The list of mutations is what is drawn, so that a failure
+-- shrinks to the one that matters.
 module Test.Hostile.Mutation
-  ( Hostile (..),
+  ( Hostile,
     hostile,
     lessHostile,
     specimenOf,
-    Mutation (..),
-    mutated,
 
-    -- * What stands where a number should
+    -- * What stands where something else should
     hostileNumbers,
     hostileWords,
-    longest,
   )
 where
 
-import Data.Bits (xor)
+import Data.Aeson (Value (..), decodeStrict', encode)
+import qualified Data.Aeson.Key as Key
+import qualified Data.Aeson.KeyMap as KeyMap
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Bytes8
-import Data.Char (isAlphaNum, isDigit)
-import Data.Word (Word8)
-import Test.Hostile.Structure
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Char (isAlphaNum)
+import Data.Foldable (toList)
+import Data.List (mapAccumL)
 import Test.QuickCheck
 
 -- | An input, by how it is made.
 data Hostile
   = Garbage ByteString
-  | -- | of the specimen with this index, one after the other
+  | -- | the specimen with this index, with these mutations one after the other
     Mutated Int [Mutation]
   deriving stock (Eq, Show)
 
--- | A change of bytes. Places are taken modulo what there is.
+-- | A change. Places and indexes are taken modulo what there is.
 data Mutation
-  = -- | bits of the byte there
-    Flip Int Word8
-  | Insert Int ByteString
-  | -- | this many bytes from there
-    Delete Int Int
-  | CutOff Int
-  | -- | this many bytes from there, this often again
+  = -- | a number of bytes from a place become these
+    Splice Int Int ByteString
+  | -- | a number of bytes from a place stand there a number of times more
     Repeat Int Int Int
-  | SwapTokens Int Int
-  | -- | a run of letters and digits
-    ReplaceToken Int ByteString
-  | -- | a run of digits
-    ReplaceNumber Int ByteString
-  | -- | LF becomes CR LF
-    LineEnds
-  | -- | of JSON
-    Structural Int Change
+  | -- | one of the runs of letters and digits becomes this
+    Token Int ByteString
+  | -- | one of the nodes of JSON, counted from the outermost, is changed
+    Node Int Change
   deriving stock (Eq, Show)
 
--- | Mutations of this many specimens, mostly a few; one in ten is garbage.
+-- | What becomes of a node of JSON.
+data Change
+  = Become ByteString
+  | -- | in a number of lists
+    Nested Int
+  | -- | without one of its children
+    Without Int
+  | -- | with one of its children twice, under the same key
+    Twice Int
+  | -- | with one of its children a number of times more, under keys of their own; a text or a number
+    -- with its characters repeated
+    Again Int Int
+  | -- | with another key for one of its children
+    Rekeyed Int ByteString
+  | -- | without children
+    Emptied
+  deriving stock (Eq, Show)
+
+-- | Mutations of one of a number of specimens, mostly a few; one in ten is garbage.
 hostile :: Int -> Gen Hostile
 hostile specimens =
   frequency
@@ -63,32 +73,38 @@ hostile specimens =
     ]
   where
     several = frequency [(1, pure 0), (6, pure 1), (6, choose (2, 4)), (1, choose (5, 12))]
-
-garbage :: Gen ByteString
-garbage =
-  oneof
-    [ Bytes.pack <$> listOf arbitrary,
-      Bytes8.pack <$> listOf (elements "0123456789.,:;/-+eE \n\r\t\"[]{}?AxP#\\\0"),
-      Bytes.concat <$> listOf (elements (hostileNumbers ++ hostileWords ++ [",", " ", "\n"]))
-    ]
+    garbage =
+      oneof
+        [ Bytes.pack <$> listOf arbitrary,
+          Bytes.concat <$> listOf (elements (hostileNumbers ++ hostileWords ++ [",", " ", "\n"]))
+        ]
 
 mutation :: Gen Mutation
 mutation =
   frequency
-    [ (3, Flip <$> place <*> arbitrary),
-      (3, Insert <$> place <*> elements hostileWords),
-      (2, Delete <$> place <*> short),
-      (1, CutOff <$> place),
+    [ (3, Splice <$> place <*> short <*> (Bytes.singleton <$> arbitrary)),
+      (4, Splice <$> place <*> elements [0, 0, 1, 4] <*> texts),
+      (1, Splice <$> place <*> pure maxBound <*> pure ""),
       (1, Repeat <$> place <*> short <*> frequency [(8, choose (1, 3)), (1, choose (4, 2000))]),
-      (2, SwapTokens <$> place <*> place),
-      (4, ReplaceToken <$> place <*> elements (hostileNumbers ++ hostileWords)),
-      (5, ReplaceNumber <$> place <*> elements hostileNumbers),
-      (1, pure LineEnds),
-      (6, Structural <$> place <*> change (hostileNumbers ++ hostileWords))
+      (8, Token <$> place <*> texts),
+      (6, Node <$> place <*> change)
     ]
   where
     place = choose (0, 65535)
-    short = frequency [(6, choose (1, 4)), (2, choose (5, 80)), (1, choose (81, 4000))]
+    short = frequency [(6, choose (0, 4)), (2, choose (5, 80)), (1, choose (81, 4000))]
+    texts = elements (hostileNumbers ++ hostileWords)
+    child = choose (0, 63)
+    change =
+      frequency
+        [ (4, Become <$> elements (hostileNumbers ++ hostileWords ++ ["[0]", "{\"a\":0}", "\"0\""])),
+          (1, Nested <$> frequency [(4, choose (1, 3)), (1, choose (50, 5000))]),
+          (3, Without <$> child),
+          (2, Twice <$> child),
+          -- Long ones now and then: what is not in proportion shows there.
+          (2, Again <$> child <*> frequency [(30, choose (1, 40)), (1, choose (20000, 200000))]),
+          (1, Rekeyed <$> child <*> elements ["", "q", "at", "schema", "\\u0000", "a.b[0]"]),
+          (2, pure Emptied)
+        ]
 
 -- | Fewer mutations, and gentler ones.
 lessHostile :: Hostile -> [Hostile]
@@ -97,12 +113,9 @@ lessHostile given = case given of
   Mutated i mutations -> Mutated i <$> shrinkList gentler mutations
   where
     gentler m = case m of
-      Repeat at count times ->
-        [Repeat at count' times | count' <- shrink count]
-          ++ [Repeat at count times' | times' <- shrink times]
-      Delete at count -> [Delete at count' | count' <- shrink count]
-      Structural at (Lengthened j count) ->
-        [Structural at (Lengthened j count') | count' <- shrink count]
+      Splice at count text -> [Splice at count' text | count' <- shrink count]
+      Repeat at count times -> [Repeat at count' times' | (count', times') <- shrink (count, times)]
+      Node at (Again j count) -> [Node at (Again j count') | count' <- shrink count]
       _ -> []
 
 -- | The bytes of an input that is made of these specimens.
@@ -111,192 +124,118 @@ specimenOf specimens given = case given of
   Garbage bytes -> bytes
   Mutated i mutations -> foldl (flip mutated) (Bytes.concat (take 1 (drop i specimens))) mutations
 
--- | No input that is made here has more bytes, but for JSON that was lengthened ('largest').
-longest :: Int
-longest = 65536
-
--- | The bytes with a mutation.
 mutated :: Mutation -> ByteString -> ByteString
-mutated how bytes = Bytes.take bound $ case how of
-  Flip i mask -> replaced i 1 (Bytes.map (xor mask) (Bytes.take 1 (after i)))
-  Insert i given -> replaced i 0 given
-  Delete i count -> replaced i count ""
-  CutOff i -> before i
+mutated how bytes = case how of
+  Splice i count given ->
+    let (before, after) = Bytes.splitAt (i `mod` (size + 1)) bytes
+     in before <> given <> Bytes.drop count after
   Repeat i count times ->
-    replaced
-      i
-      0
-      ( Bytes.concat
-          (replicate (min times (longest `div` max 1 count)) (Bytes.take count (after i)))
-      )
-  SwapTokens i j -> swapped i j (Bytes8.groupBy together bytes)
-  ReplaceToken i given ->
-    Bytes.concat (substituted i (isAlphaNum . firstOf) given (Bytes8.groupBy together bytes))
-  ReplaceNumber i given ->
-    Bytes.concat
-      ( substituted
-          i
-          (isDigit . firstOf)
-          given
-          (Bytes8.groupBy (\a b -> isDigit a && isDigit b) bytes)
-      )
-  LineEnds -> Bytes.intercalate "\r\n" (Bytes8.split '\n' bytes)
-  Structural i how' -> restructured i how' bytes
+    let (before, after) = Bytes.splitAt (i `mod` (size + 1)) bytes
+        part = Bytes.take count after
+     in before <> Bytes.concat (replicate (often 65536 times part) part) <> after
+  Token i given ->
+    let parts = Bytes8.groupBy (\a b -> isAlphaNum a && isAlphaNum b) bytes
+        isToken = maybe False (isAlphaNum . fst) . Bytes8.uncons
+        count = length (filter isToken parts)
+        exchanged k part
+          | isToken part = (k + 1, if k == i `mod` count then given else part)
+          | otherwise = (k, part)
+     in Bytes.concat (snd (mapAccumL exchanged 0 parts))
+  Node i change -> maybe bytes (rendered . changedAt i change . treeOf) (decodeStrict' bytes)
   where
-    bound = case how of
-      Structural _ (Lengthened _ _) -> largest
-      _ -> max longest size
     size = Bytes.length bytes
-    at i = i `mod` (size + 1)
-    before i = Bytes.take (at i) bytes
-    after i = Bytes.drop (at i) bytes
-    replaced i count given = before i <> given <> Bytes.drop count (after i)
-    together a b = isAlphaNum a && isAlphaNum b
-    firstOf part = maybe ' ' fst (Bytes8.uncons part)
-    swapped i j parts =
-      let n = max 1 (length parts)
-          pick k = Bytes.concat (take 1 (drop (k `mod` n) parts))
-          other k part
-            | k == i `mod` n = pick j
-            | k == j `mod` n = pick i
-            | otherwise = part
-       in Bytes.concat (zipWith other [0 ..] parts)
 
--- | The list with one of its items that are so replaced.
-substituted :: Int -> (a -> Bool) -> a -> [a] -> [a]
-substituted i such given items = go (i `mod` max 1 (length (filter such items))) items
+-- | How often bytes are repeated: so often, unless they would become more than the first number.
+often :: Int -> Int -> ByteString -> Int
+often largest times part = min times (largest `div` (Bytes.length part + 1))
+
+-- | JSON as text, in which a key may be there twice and a number be none: leaves, and branches, lists
+-- without keys and objects with them.
+data Tree = Leaf ByteString | Items [Tree] | Entries [(ByteString, Tree)]
+
+treeOf :: Value -> Tree
+treeOf value = case value of
+  Array items -> Items (map treeOf (toList items))
+  Object fields ->
+    Entries [(asText (String (Key.toText key)), treeOf item) | (key, item) <- KeyMap.toList fields]
+  other -> Leaf (asText other)
   where
-    go _ [] = []
-    go k (item : others)
-      | such item = if k == 0 then given : others else item : go (k - 1) others
-      | otherwise = item : go k others
+    asText = Lazy.toStrict . encode
+
+rendered :: Tree -> ByteString
+rendered tree = case tree of
+  Leaf text -> text
+  Items items -> "[" <> Bytes.intercalate "," (map rendered items) <> "]"
+  Entries fields ->
+    "{" <> Bytes.intercalate "," [key <> ":" <> rendered item | (key, item) <- fields] <> "}"
+
+-- | The tree with one of its nodes changed.
+changedAt :: Int -> Change -> Tree -> Tree
+changedAt i change tree = snd (visited (0 :: Int) tree)
+  where
+    (count, _) = go (\k node -> (k + 1, node)) 0 tree
+    visited = go (\k node -> (k + 1, if k == i `mod` count then changed change node else node))
+    -- Children first, so that what is changed is not visited.
+    go act k node = case node of
+      Leaf _ -> act k node
+      Items items -> let (k', items') = mapAccumL (go act) k items in act k' (Items items')
+      Entries fields ->
+        let (k', fields') = mapAccumL (\n (key, item) -> (,) key <$> go act n item) k fields
+         in act k' (Entries fields')
+
+changed :: Change -> Tree -> Tree
+changed change tree = case (change, tree) of
+  (Become text, _) -> Leaf text
+  (Nested depth, _) -> Leaf (Bytes8.replicate depth '[' <> rendered tree <> Bytes8.replicate depth ']')
+  (Again _ times, Leaf text)
+    | Just inner <- Bytes.stripPrefix "\"" text >>= Bytes.stripSuffix "\"" ->
+      Leaf ("\"" <> Bytes.concat (replicate (often mebibyte times text) inner) <> "\"")
+    | otherwise -> Leaf (Bytes.concat (replicate (often mebibyte times text) text))
+  (_, Leaf _) -> Leaf "{}"
+  (_, Items items) -> Items (map snd (amongChildren change [("", item) | item <- items]))
+  (_, Entries fields) -> Entries (amongChildren change fields)
+
+mebibyte :: Int
+mebibyte = 1048576
+
+amongChildren :: Change -> [(ByteString, Tree)] -> [(ByteString, Tree)]
+amongChildren change children = case (change, drop (index change) children) of
+  (Without _, _ : after) -> before ++ after
+  (Twice _, one : _) -> children ++ [one]
+  (Again _ times, (_, item) : _) ->
+    children ++ [(Bytes8.pack (show (show k)), item) | k <- [1 .. often mebibyte times (rendered item)]]
+  (Rekeyed _ key, (_, item) : after) -> before ++ ("\"" <> key <> "\"", item) : after
+  (Emptied, _) -> []
+  _ -> children
+  where
+    before = take (index change) children
+    index how = case how of
+      Without j -> wrapped j
+      Twice j -> wrapped j
+      Again j _ -> wrapped j
+      Rekeyed j _ -> wrapped j
+      _ -> 0
+    wrapped j = j `mod` max 1 (length children)
 
 -- | What is not the number wanted: at the edges of machine words, of any size, in forms of other
 -- languages, none at all.
 hostileNumbers :: [ByteString]
 hostileNumbers =
-  [ "0",
-    "-1",
-    "1",
-    "2",
-    "3",
-    "4",
-    "9",
-    "16",
-    "64",
-    "255",
-    "256",
-    "65535",
-    "65536",
-    "16777217",
-    "2147483647",
-    "2147483648",
-    "4294967296",
-    "9007199254740993",
-    "9223372036854775807",
-    "9223372036854775808",
-    "-9223372036854775809",
-    "18446744073709551616",
-    "1" <> Bytes8.replicate 400 '0',
-    Bytes8.replicate 20000 '9',
-    "00000000000000000000000000000001",
-    "0.1",
-    "0.5",
-    "1.0",
-    "-0",
-    "-0.0",
-    "1e5",
-    "1e308",
-    "1e309",
-    "1e400",
-    "1e-400",
-    "1e1000000000",
-    "1e-1000000000",
-    "1e999999999",
-    "1E99999999999999999999",
-    "0.",
-    ".5",
-    "1e",
-    "+1",
-    " 1",
-    "1 ",
-    "1_000",
-    "0x10",
-    "0b1",
-    "0o7",
-    "1f",
-    "(1)",
-    "1,0",
-    "\xd9\xa3",
-    "",
-    "NaN",
-    "nan",
-    "Infinity",
-    "-inf"
-  ]
+  Bytes8.words
+    "0 -1 1 2 3 4 9 16 64 255 256 65535 65536 16777217 2147483647 2147483648 4294967296 \
+    \9007199254740993 9223372036854775807 9223372036854775808 -9223372036854775809 \
+    \18446744073709551616 00000000000000000000000000000001 0.1 0.5 1.0 -0 -0.0 1e5 1e308 1e309 \
+    \1e-400 1e1000000000 1e-1000000000 1E99999999999999999999 0. .5 1e +1 1_000 0x10 0b1 1f (1) 1,0 \
+    \\xd9\xa3 NaN nan Infinity -inf"
+    ++ ["", " 1", "1 ", "1" <> Bytes8.replicate 400 '0', Bytes8.replicate 20000 '9']
 
 -- | Words of other formats, brackets left open, and bytes that are no text.
 hostileWords :: [ByteString]
 hostileWords =
-  [ "A",
-    "A^2",
-    "A^-1",
-    "A^99999999999999999999",
-    "?",
-    "null",
-    "true",
-    "\"",
-    "\"\"",
-    "\"1\"",
-    "[",
-    "]",
-    "[]",
-    "{",
-    "}",
-    "{}",
-    "[[",
-    ":",
-    ";",
-    ",",
-    "/",
-    "//",
-    "#",
-    "# comment\n",
-    ".",
-    "-",
-    "\\",
-    "\\u0000",
-    "\\ud800",
-    "x",
-    "15x17",
-    "2x2",
-    "torus",
-    "yes",
-    "P2",
-    "P5",
-    "P6",
-    "\n",
-    "\r\n",
-    "\r",
-    "\n\n",
-    "\t",
-    " ",
-    "\0",
-    "\xef\xbb\xbf",
-    "\xff\xfe",
-    "\xff",
-    "\xc0\x80",
-    "\xed\xa0\x80",
-    "\xe2\x80\xa8",
-    "\x1b[31m",
-    "=1+1",
-    "%s%n",
-    "$(id)",
-    "--",
-    "<?xml?>",
-    Bytes8.replicate 3000 '[',
-    Bytes8.replicate 3000 '{',
-    Bytes8.replicate 5000 'x',
-    Bytes8.replicate 2000 '/',
-    Bytes.concat (replicate 1000 "{\"a\":")
-  ]
+  Bytes8.words
+    "A A^2 A^-1 A^99999999999999999999 ? null true \" \"\" \"1\" [ ] [] { } {} [[ : ; , / // # . - \\ \
+    \\\u0000 \\ud800 x 15x17 2x2 torus yes P2 P5 P6 =1+1 %s%n $(id) -- <?xml?>"
+    ++ ["# comment\n", "\n", "\r\n", "\r", "\n\n", "\t", " ", "\0", "\xef\xbb\xbf", "\xff\xfe", "\xff"]
+    ++ ["\xc0\x80", "\xed\xa0\x80", "\xe2\x80\xa8", "\x1b[31m"]
+    ++ [Bytes8.replicate 3000 '[', Bytes8.replicate 3000 '{', Bytes8.replicate 5000 'x']
+    ++ [Bytes8.replicate 2000 '/', Bytes.concat (replicate 1000 "{\"a\":")]

@@ -15,9 +15,11 @@ import Data.ByteString (ByteString)
 import Data.ByteString.Builder (toLazyByteString)
 import qualified Data.ByteString.Char8 as Bytes8
 import qualified Data.ByteString.Lazy as Lazy
+import Data.Bifunctor (first)
 import Data.List (intercalate)
+import Data.Text (Text)
 import qualified Data.Text as Text
-import Data.Text.Encoding (decodeUtf8')
+import Data.Text.Encoding (decodeUtf8', encodeUtf8)
 import qualified Data.Vector.Primitive as Primitive
 import qualified Data.Vector.Storable as Storable
 import Explain
@@ -36,7 +38,6 @@ import PraTactile.Field
 import PraTactile.FileName (isFileName)
 import PraTactile.Format
 import PraTactile.Format.Network
-import PraTactile.Format.Profile (profileText)
 import PraTactile.Format.Solid hiding (Written)
 import qualified PraTactile.Format.Solid as Solid
 import PraTactile.Grid (gridRows)
@@ -53,96 +54,157 @@ import PraTactile.Profile
 import PraTactile.Sensor.Calibration
 import PraTactile.Sensor.Manifest
 import PraTactile.Shape (parseAlphabet, renderAlphabet)
+import PraTactile.Store (storedPlacement, withStore)
 import PraTactile.Symmetry
 import PraTactile.Truth
 import PraTactile.Window
 import PraTactile.Window.Proof
-import Test.Hostile.Census
+import System.FilePath ((</>))
 import Test.Hostile.Judgement
 import Test.Hostile.Specimens
+import Test.Support (inFolder)
 
--- | A kind of input: what it is called, what share of all inputs it gets, in thousandths, valid
--- ones, and what becomes of one.
+-- | A kind of input.
 data Kind = Kind
   { kindName :: String,
+    -- | what share of all inputs it gets, in thousandths
     kindShare :: Int,
-    kindSpecimens :: [ByteString],
-    kindJudged :: ByteString -> IO Judged
+    -- | valid ones
+    kindSpecimens :: IO [ByteString],
+    -- | what becomes of one
+    kindJudged :: ByteString -> IO Judged,
+    -- | commands that read one in this file, or from the standard input
+    kindFile :: FilePath,
+    kindRuns :: [String]
   }
 
 kinds :: [Kind]
 kinds =
-  [ kind "PGM files" 100 pgms judgedPgm,
-    kind "manifests" 80 manifests judgedManifest,
-    kind "manifests in JSON" 70 jsonManifests judgedJsonManifest,
-    kind "patches" 120 patches judgedPatch,
-    kind "patches in unknown orientation" 40 patches judgedTurned,
-    kind "certificates" 100 certificates judgedCertificate,
-    kind "census files" 40 censuses judgedCensus,
-    kind "shards of a census" 20 (take 1 shards) judgedShard,
-    kind "profiles" 80 profiles judgedProfile,
-    kind "sensors" 60 sensors judgedSensor,
-    kind "calibrations" 70 calibrations judgedCalibration,
-    Kind "requests of serve" 15 requests judgedRequest,
-    kind "truths" 20 truths judgedTruth,
-    kind "answers to compare" 20 claims judgedClaim,
-    kind "arrays as CSV" 60 grids judgedGrid,
-    kind "networks" 10 networks judgedNetwork,
-    kind "networks in JSON" 10 jsonNetworks judgedJsonNetwork,
+  [ (kind "PGM files" 100 pgms judgedPgm)
+      { kindRuns =
+          [ "decode input",
+            "decode --json -",
+            "decode input --picture out.svg",
+            "decode --together input input --at 0,0 --at 76.2,0 --json"
+          ]
+      },
+    (kind "manifests" 80 manifests judgedManifest)
+      { kindFile = "frames/manifest.csv",
+        kindRuns = ["decode frames", "stitch frames --output out.pgm"]
+      },
+    kind "manifests in JSON" 70 (pure jsonManifests) judgedJsonManifest,
+    (kind "patches" 120 (pure patches) judgedPatch)
+      { kindRuns =
+          [ "locate --batch",
+            "locate --batch --explain --orientation any",
+            "synthesise --q 4",
+            "synthesise --q 2 --json"
+          ]
+      },
+    kind "patches in unknown orientation" 40 (pure patches) judgedTurned,
+    (kind "certificates" 100 (pure certificates) judgedCertificate)
+      { kindRuns = ["check input", "check --json input", "check -"]
+      },
+    (kind "census files" 60 (pure censuses) judgedCensus)
+      { kindRuns =
+          [ "merge input",
+            "merge input input",
+            "merge input --output out.csv --json",
+            "census --q 2 --degree 3 --output input"
+          ]
+      },
+    (kind "profiles" 80 profiles judgedProfile)
+      { kindRuns =
+          [ "array --profile input",
+            "locate --profile input 1",
+            "sequence --profile input --length 9",
+            "objects --profile input"
+          ]
+      },
+    kind "sensors" 60 (pure sensors) judgedSensor,
+    kind "calibrations" 70 (pure calibrations) judgedCalibration,
+    (kind "requests of serve" 15 requests (const (Refused "")))
+      { kindJudged = judgedRequest
+      },
+    kind "truths" 20 (pure truths) judgedTruth,
+    kind "answers to compare" 20 (pure claims) judgedClaim,
+    (kind "arrays as CSV" 60 (pure grids) judgedGrid)
+      { kindRuns =
+          [ "prove input --window 2x2",
+            "prove input --mask ##./.## --json",
+            "prove input --window 1x2 --surface sheet --q 4"
+          ]
+      },
+    (kind "networks" 10 (pure networks) judgedNetwork)
+      { kindRuns = ["decode --network input composite.pgm"]
+      },
+    kind "networks in JSON" 10 (pure jsonNetworks) judgedJsonNetwork,
     kind "drawings of shapes" 20 drawings judgedDrawing,
-    kind "files of solids" 100 solidFiles judgedSolid,
-    kind "placements" 40 placements judgedPlacement,
-    kind "planes" 20 planes judgedPlane
+    kind "files of solids" 100 (pure solidFiles) judgedSolid,
+    kind "placements" 40 (pure placements) judgedPlacement,
+    kind "planes" 20 (pure planes) judgedPlane,
+    (kind "databases" 2 databases (const (Refused "")))
+      { kindJudged = judgedDatabase,
+        kindRuns =
+          [ "objects --database input",
+            "objects --database input --at 6,5",
+            "decode --json composite.pgm --database input"
+          ]
+      }
   ]
   where
-    kind name share specimens judged = Kind name share specimens (pure . judged)
+    kind name share specimens answer = Kind name share specimens (pure . answer) "input" []
 
-judgedPgm :: ByteString -> Judged
-judgedPgm bytes = case decodePgm bytes of
-  Left why -> Refused (imageMessage why)
-  Right image ->
-    Accepted
-      [ ("decode . encode = Right", decodePgm (encodePgm format image) == Right image)
-        | format <- [Plain, Binary]
-      ]
-      (show image)
+-- | What is read of bytes: refused in words, or with laws that hold of it.
+judged ::
+  Show a => (e -> String) -> (ByteString -> Either e a) -> (a -> [(String, Bool)]) -> ByteString -> Judged
+judged inWords decode laws =
+  either (Refused . inWords) (\value -> Accepted (laws value) (show value)) . decode
 
-judgedManifest :: ByteString -> Judged
-judgedManifest bytes = case parseManifest bytes of
-  Left why -> Refused (manifestMessage why)
-  Right entries ->
-    Accepted
-      [("parse . render = Right", parseManifest (renderManifest entries) == Right entries)]
-      (show entries)
-
-judgedJsonManifest, judgedSensor, judgedCalibration :: ByteString -> Judged
-judgedJsonManifest = judgedForm "a manifest of frames" decodeManifest encodeManifest $ \manifest ->
-  [("all its files can be opened", all (isFileName . entryFile) (manifestEntries manifest))]
-judgedSensor = judgedForm "a sensor" decodeSensor (encodeSensor Nothing) (const [])
-judgedCalibration = judgedForm "a calibration" decodeCalibration encodeCalibration $ \calibration ->
-  -- What it makes of a frame of its size.
-  let (w, h) = rasterSize (calibrationOffset calibration)
-      felt = correctedImage calibration (constant w h 0.5)
-   in [("readings are from 0 to 1", either (const False) (within01 . rasterValues) felt)]
-  where
-    within01 = Storable.all (\v -> v >= 0 && v <= 1)
-
--- | What is read from a form in JSON, by the name of the form: it is written and read again as the
--- same, and keeps these laws.
+-- | What is read is written and read again as the same, and keeps further laws.
 judgedForm ::
-  (Eq a, Show a) =>
-  String ->
-  (ByteString -> Either FormatError a) ->
+  (Eq a, Show a, Eq e) =>
+  (e -> String) ->
+  (ByteString -> Either e a) ->
   (a -> ByteString) ->
   (a -> [(String, Bool)]) ->
   ByteString ->
   Judged
-judgedForm what decode encode laws bytes = case decode bytes of
-  Left why -> Refused (formatMessage "it" what why)
-  Right value ->
-    Accepted
-      (("decode . encode = Right", decode (encode value) == Right value) : laws value)
-      (show value)
+judgedForm inWords decode encode laws = judged inWords decode $ \value ->
+  ("decode . encode = Right", decode (encode value) == Right value) : laws value
+
+judgedPgm :: ByteString -> Judged
+judgedPgm = judged imageMessage decodePgm $ \image ->
+  [ ("decode . encode = Right", decodePgm (encodePgm format image) == Right image)
+    | format <- [Plain, Binary]
+  ]
+
+judgedManifest, judgedJsonManifest, judgedSensor, judgedCalibration :: ByteString -> Judged
+judgedManifest = judgedForm manifestMessage parseManifest renderManifest (const [])
+judgedJsonManifest =
+  judgedForm (formatMessage "it" "a manifest of frames") decodeManifest encodeManifest $ \manifest ->
+    [("all its files can be opened", all (isFileName . entryFile) (manifestEntries manifest))]
+judgedSensor =
+  judgedForm (formatMessage "it" "a sensor") decodeSensor (encodeSensor Nothing) (const [])
+judgedCalibration =
+  judgedForm (formatMessage "it" "a calibration") decodeCalibration encodeCalibration $
+    \calibration ->
+      -- What it makes of a frame of its size.
+      let (w, h) = rasterSize (calibrationOffset calibration)
+          felt = correctedImage calibration (constant w h 0.5)
+       in [("readings are from 0 to 1", either (const False) (within01 . rasterValues) felt)]
+  where
+    within01 = Storable.all (\v -> v >= 0 && v <= 1)
+
+-- | A file as the only shard of a census.
+judgedCensus :: ByteString -> Judged
+judgedCensus = judgedForm (formatMessage "it" "a census") decodeCensus written $ \found ->
+  [ ( "every row is an original one",
+      all (`elem` concatMap Bytes8.lines censuses) (drop 1 (Bytes8.lines (written found)))
+    )
+  ]
+  where
+    written = Lazy.toStrict . encodeCensus . map rowText
 
 -- | The reply of the library, which is one line of the protocol with one thing in it.
 judgedRequest :: ByteString -> IO Judged
@@ -261,20 +323,14 @@ judgedCertificate bytes = case decodeCertificate bytes of
         )
 
 judgedProfile :: ByteString -> Judged
-judgedProfile bytes = case decodeProfile bytes of
-  Left why -> Refused (formatMessage "it" "a profile" why)
-  Right profile ->
-    case withProfile
-      profile
-      (\array _ -> map (cellAt array) [Position 0 0, Position 1 1] `seq` ()) of
-      Left why -> Refused (profileMessage why)
-      Right () ->
-        Accepted
-          [ ( "decode . encode = Right",
-              decodeProfile (encodeProfile profile) == Right profile
-            )
-          ]
-          (profileText profile)
+judgedProfile = judgedForm (either (formatMessage "it" "a profile") profileMessage) decode encodeProfile $
+  const []
+  where
+    decode bytes = do
+      profile <- first Left (decodeProfile bytes)
+      profile <$ first Right (withProfile profile (\array _ -> force array))
+    force :: KnownField k => PseudorandomArray k -> ()
+    force array = map (cellAt array) [Position 0 0, Position 1 1] `seq` ()
 
 judgedTruth :: ByteString -> Judged
 judgedTruth bytes = case decodeTruth bytes of
@@ -330,21 +386,24 @@ judgedGrid bytes = case parseGrid Nothing bytes of
   where
     csv = intercalate "," . map show
 
-judgedNetwork :: ByteString -> Judged
-judgedNetwork bytes = asText bytes $ \text -> case parseNetwork (Text.pack text) of
-  Left why -> Refused (networkMessage why)
-  Right found ->
-    Accepted
-      [("parse . render = Right", parseNetwork (renderNetwork found) == Right found)]
-      (Text.unpack (renderNetwork found))
+judgedNetwork, judgedJsonNetwork, judgedDrawing :: ByteString -> Judged
+judgedNetwork = inText networkMessage parseNetwork renderNetwork
+judgedJsonNetwork =
+  judgedForm (formatMessage "it" "a network") decodeNetworkFile encodeNetwork $ \found ->
+    [ ( "its units are those that its dimensions say",
+        let (w1, w2) = unitRows (fileNetwork found)
+         in map length w1 == map (const 97) w1 && map length w2 == map (const (length w1 + 1)) w2
+      )
+    ]
+judgedDrawing = inText shapeMessage parseAlphabet renderAlphabet
 
-judgedJsonNetwork :: ByteString -> Judged
-judgedJsonNetwork = judgedForm "a network" decodeNetworkFile encodeNetwork $ \found ->
-  [ ( "its units are those that its dimensions say",
-      let (w1, w2) = unitRows (fileNetwork found)
-       in map length w1 == map (const 97) w1 && map length w2 == map (const (length w1 + 1)) w2
-    )
-  ]
+-- | What is read of text.
+inText ::
+  (Eq a, Show a, Eq e) => (e -> String) -> (Text -> Either e a) -> (a -> Text) -> ByteString -> Judged
+inText inWords parse render =
+  judgedForm (maybe "it is not UTF-8 text" inWords) decode (encodeUtf8 . render) (const [])
+  where
+    decode = either (const (Left Nothing)) (first Just . parse) . decodeUtf8'
 
 -- | By what it begins with it is of a format.
 judgedSolid :: ByteString -> Judged
@@ -380,6 +439,13 @@ judgedPlacement bytes = case decodePlacement bytes of
             ]
             (concatMap (show . solidName) (placementSolids layout) ++ show (laidFaces layout))
 
+judgedDatabase :: ByteString -> IO Judged
+judgedDatabase bytes = inFolder $ \folder -> do
+  let file = folder </> "database"
+  Bytes8.writeFile file bytes
+  found <- withStore file Nothing storedPlacement
+  pure (either (Refused . storeMessage) (Accepted [] . show) (found >>= id))
+
 judgedPlane :: ByteString -> Judged
 judgedPlane bytes = case decodePlane bytes of
   Left why -> Refused (formatMessage "it" "a plane" why)
@@ -389,11 +455,3 @@ judgedPlane bytes = case decodePlane bytes of
       (show plane)
     where
       squared = sum . map (^ (2 :: Int)) . movedBy plane {motionBy = [0, 0, 0]}
-
-judgedDrawing :: ByteString -> Judged
-judgedDrawing bytes = asText bytes $ \text -> case parseAlphabet (Text.pack text) of
-  Left why -> Refused (shapeMessage why)
-  Right found ->
-    Accepted
-      [("parse . render = Right", parseAlphabet (renderAlphabet found) == Right found)]
-      (Text.unpack (renderAlphabet found))

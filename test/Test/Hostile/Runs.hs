@@ -8,7 +8,6 @@ module Test.Hostile.Runs
   )
 where
 
-import Control.Exception (bracket)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Bytes8
@@ -60,18 +59,15 @@ ran run = inFolder $ \folder -> do
   surroundings <- getEnvironment
   status <- withBinaryFile input ReadMode $ \i -> withBinaryFile printed WriteMode $ \o ->
     withBinaryFile complaints WriteMode $ \c ->
-      bracket
-        ( createProcess
-            (proc "pra-tactile" (runArguments run))
-              { cwd = Just here,
-                env = Just (("GHCRTS", "-M300m") : filter ((/= "GHCRTS") . fst) surroundings),
-                std_in = UseHandle i,
-                std_out = UseHandle o,
-                std_err = UseHandle c
-              }
-        )
-        (\(_, _, _, handle) -> terminateProcess handle >> waitForProcess handle)
-        (\(_, _, _, handle) -> timeout 20000000 (waitForProcess handle))
+      withCreateProcess
+        (proc "pra-tactile" (runArguments run))
+          { cwd = Just here,
+            env = Just (("GHCRTS", "-M300m") : filter ((/= "GHCRTS") . fst) surroundings),
+            std_in = UseHandle i,
+            std_out = UseHandle o,
+            std_err = UseHandle c
+          }
+        (\_ _ _ handle -> timeout 20000000 (waitForProcess handle))
   Ran (numeric <$> status)
     <$> Bytes.readFile printed
     <*> Bytes.readFile complaints

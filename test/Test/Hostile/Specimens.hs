@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Valid inputs of every kind, small, as the library writes them.
+-- | Valid inputs of every kind: shipped files, and small ones as the library writes them.
 module Test.Hostile.Specimens
   ( pgms,
     manifests,
@@ -8,7 +8,6 @@ module Test.Hostile.Specimens
     patches,
     certificates,
     censuses,
-    shards,
     profiles,
     sensors,
     calibrations,
@@ -22,36 +21,34 @@ module Test.Hostile.Specimens
     solidFiles,
     placements,
     planes,
+    databases,
   )
 where
 
-import Codec.Picture (Image (..))
-import Data.Aeson (encode)
+import Data.Aeson
+import qualified Data.Aeson.KeyMap as KeyMap
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import Data.ByteString.Builder (toLazyByteString)
-import qualified Data.ByteString.Char8 as Bytes8
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Either (rights)
+import Data.Foldable (toList)
+import Data.List (sort)
 import Data.Text.Encoding (encodeUtf8)
 import qualified Data.Vector.Storable as Storable
 import Numeric.LinearAlgebra (reshape)
-import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Census (census, censusSize, standardScope)
 import PraTactile.Certificate
 import PraTactile.Classification.Calibration (standardCalibration)
 import PraTactile.Classification.Network
 import PraTactile.Classification.Network.File
-import PraTactile.Conformance.Process.Reply (oneShotRequest)
-import PraTactile.Conformance.Question
 import PraTactile.Explore (Region (..))
 import PraTactile.Format
 import PraTactile.Format.Census.Row
 import PraTactile.Format.Network
 import PraTactile.Format.Solid (Written (..), writeSolid)
 import PraTactile.Image (constant)
-import PraTactile.Image.Pgm
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Mesh (fromDescription)
 import PraTactile.Object.Named (Named (Frame, Tetrahedron), namedDescription)
@@ -60,57 +57,39 @@ import PraTactile.Object.WingedEdge
 import PraTactile.Profile
 import PraTactile.Sensor (Bend (..), BendAxis (..))
 import PraTactile.Sensor.Calibration (Calibration (..))
-import PraTactile.Sensor.Frame (Pose (..))
-import PraTactile.Sensor.Manifest
 import PraTactile.Sensor.Preset (presetSensor)
-import PraTactile.Shape (renderAlphabet)
+import PraTactile.Store (create)
 import PraTactile.Symmetry (turned)
 import PraTactile.Truth
 import PraTactile.Window (rectangle)
-import Test.Touch.Paper (paperAlphabet)
+import System.Directory (listDirectory)
+import System.FilePath ((</>))
+import Test.Support
 
--- | PGM files of 5 x 3 and of 16 x 16 pixels, plain and binary, of 8 and of 16 bits.
-pgms :: [ByteString]
+-- | A frame of the worked example, a plain file, and one of 16 bits.
+pgms :: IO [ByteString]
 pgms =
-  "P2 # a comment\n3 2\n# another\n9\n0 1 2\n9 8 7\n" :
-    [ encodePgm format image
-      | (w, h) <- [(5, 3), (16, 16)],
-        format <- [Plain, Binary],
-        image <- rights [eight w h, sixteen w h]
-    ]
-  where
-    eight w h = pgm8 255 (Image w h (Storable.generate (w * h) (fromIntegral . (* 7))))
-    sixteen w h = pgm16 65535 (Image w h (Storable.generate (w * h) (fromIntegral . (* 257))))
+  (: ["P2 # a comment\n3 2\n# another\n9\n0 1 2\n9 8 7\n", "P5 3 1 65535\n\0\1\2\3\255\255"])
+    <$> Bytes.readFile "data/worked-example/frames/frame_000.pgm"
 
--- | Manifests of three frames.
-manifests :: [ByteString]
+-- | The worked example's manifest, and one as a spreadsheet writes it.
+manifests :: IO [ByteString]
 manifests =
-  [ renderManifest
-      [ Entry
-          ("frame_00" ++ show i ++ ".pgm")
-          (Just (Pose (12.7 * fromIntegral i) (-3.25) 0))
-          (Just 1.5)
-        | i <- [0 .. 2 :: Int]
-      ],
-    "\xef\xbb\xbf\&file,x_mm,y_mm,rotation_deg,force_n\r\n\"a, \
-    \b.pgm\",0,1e1,90,2\r\n\r\n\"c\"\".pgm\",-1.5,2,3,4\r\n"
-  ]
+  ( :
+      [ "\xef\xbb\xbf\&file,x_mm,y_mm,rotation_deg,force_n\r\n\"a, \
+        \b.pgm\",0,1e1,90,2\r\n\r\n\"c\"\".pgm\",-1.5,2,3,4\r\n"
+      ]
+  )
+    <$> Bytes.readFile "data/worked-example/frames/manifest.csv"
 
 -- | Manifests in JSON, with all keys and without those that may be left out.
 jsonManifests :: [ByteString]
 jsonManifests =
-  [ encodeManifest (listing entries) {manifestTaxel = 0.8, manifestFrame = Just (16, 8)},
+  [ "{\"schema\":\"pra-tactile/manifest/1\",\"axes\":\"x,-y\",\"frame\":[16,8],\"taxel_mm\":0.8,\
+    \\"frames\":[{\"file\":\"a.pgm\",\"x_mm\":12.7,\"y_mm\":-3.25,\"rotation_deg\":0,\"force_n\":1.5}]}",
     "{\"schema\":\"pra-tactile/manifest/1\",\"taxel_mm\":1.5875,\"frames\":[{\"file\":\"a.pgm\",\
     \\"x_mm\":0,\"y_mm\":1e1,\"rotation_deg\":90,\"force_n\":2}]}"
   ]
-  where
-    entries =
-      [ Entry
-          ("frame_00" ++ show i ++ ".pgm")
-          (Just (Pose (12.7 * fromIntegral i) (-3.25) 0))
-          (Just 1.5)
-        | i <- [0 .. 2 :: Int]
-      ]
 
 -- | Patches as text and as JSON, alone and several, of symbols and of probabilities.
 patches :: [ByteString]
@@ -149,27 +128,19 @@ smallProfile = chooseProfile (profileChoice 2 [1, 1, 0, 0, 1] (Shape 3 5))
 
 -- | The censuses of the arrays of 7 cells over GF(2) and of 8 over GF(3).
 censuses :: [ByteString]
-censuses = concat [censusOf q n (const True) | (q, n) <- [(2, 3), (3, 2)]]
-
--- | The first of these in two shards.
-shards :: [ByteString]
-shards = concatMap (censusOf 2 3) [even, odd]
-
-censusOf :: Natural -> Natural -> (Natural -> Bool) -> [ByteString]
-censusOf q n wanted =
-  [ Bytes8.unlines
-      (headerLine : map checked (rights (map (rowBody scope entries) found)))
-    | Right scope <- [standardScope q n],
+censuses =
+  [ Lazy.toStrict (encodeCensus (rights (map (rowBody scope entries) found)))
+    | (q, n) <- [(2, 3), (3, 2)],
+      Right scope <- [standardScope q n],
       Right entries <- [censusSize scope],
-      Right found <- [census wanted scope]
+      Right found <- [census (const True) scope]
   ]
 
--- | Profiles of the paper's array, of a small one, and of one that is laid row by row.
-profiles :: [ByteString]
+-- | Profiles of the paper's array, of one over another field, and of one that is laid row by row.
+profiles :: IO [ByteString]
 profiles =
-  map
-    encodeProfile
-    (rights [Right canonicalProfile, smallProfile, Right (foldedBy RowMajor canonicalProfile)])
+  (: map encodeProfile [canonicalProfile, foldedBy RowMajor canonicalProfile])
+    <$> Bytes.readFile "data/profiles/gf9.json"
 
 -- | The sensors that are shipped, and one with a single constant.
 sensors :: [ByteString]
@@ -184,41 +155,33 @@ calibrations =
     | (w, h, dead) <- [(4, 3, [(0, 0), (2, 3)]), (4, 3, []), (16, 16, [(7, 7), (7, 8), (15, 0)])]
   ]
 
--- | Requests with their profile, of every operation, in the form of a process a request.
-requests :: [ByteString]
-requests =
-  [ Lazy.toStrict (encode (oneShotRequest canonicalProfile asked))
-    | asked <- Nothing : [Just (7, question) | question <- questions]
-  ]
+-- | Requests in the form of a process a request: the first of each operation's vectors, and one of
+-- frames.
+requests :: IO [ByteString]
+requests = do
+  operations <- listDirectory vectors
+  files <- traverse firstIn (sort operations)
+  pure (frames : concatMap request files)
   where
-    questions =
-      [ SomeQuestion (Add 1 2),
-        SomeQuestion (Multiply 2 3),
-        SomeQuestion (Negate 1),
-        SomeQuestion (Inverse 2),
-        SomeQuestion (Power 2 (-3)),
-        SomeQuestion (Logarithm 3),
-        SomeQuestion (Trace 2),
-        SomeQuestion (Primitive [3, 2, 1, 0, 1]),
-        SomeQuestion (FirstPrimitive 4),
-        SomeQuestion (Term 1000),
-        SomeQuestion (Terms 3 9),
-        SomeQuestion (Cell 6 5),
-        SomeQuestion (Pack [3, 2, 3, 1]),
-        SomeQuestion (Unpack 254),
-        SomeQuestion (Locate [[Just 3, Just 2, Nothing], [Just 3, Just 1, Nothing]]),
-        SomeQuestion (Nearest (Just 1) [[Just 3, Just 2, Just 0], [Just 3, Just 1, Just 2]]),
-        SomeQuestion (Posterior [[Certainly 3, Probably [0, 0, 0.9, 0.1]], [Unfelt, Certainly 1]]),
-        SomeQuestion (Prove ["##", ".#"]),
-        SomeQuestion (Distance ["###", "###"]),
-        SomeQuestion (Register Nothing (Pair (ramp 0) (ramp 1) (1, 0) 2)),
-        SomeQuestion (Stitch Nothing 1 [Placed (ramp 0) (0, 0), Placed (ramp 2) (2, 0)]),
-        SomeQuestion (Segment (ramp 0)),
-        SomeQuestion (Outputs weights image)
+    vectors = "data" </> "vectors"
+    firstIn operation = do
+      names <- listDirectory (vectors </> operation)
+      Bytes.readFile (vectors </> operation </> minimum names)
+    request file =
+      [ Lazy.toStrict . encode . object $
+          ["profile" .= profile, "sequence" .= (7 :: Int), "operation" .= operation, "input" .= input]
+        | Just (Object known) <- [decodeStrict' file],
+          Just operation <- [KeyMap.lookup "operation" known],
+          Just profile <- [KeyMap.lookup "profile" known],
+          Just (Array groups) <- [KeyMap.lookup "groups" known],
+          Object group <- take 1 (toList groups),
+          Just (Array tests) <- [KeyMap.lookup "tests" group],
+          Object test <- take 1 (toList tests),
+          Just input <- [KeyMap.lookup "input" test]
       ]
-    weights = Weights (replicate 2 (replicate 97 0.25)) [[1, -1, 0.5], [0, 2, -0.5]]
-    image = replicate 12 (replicate 8 0.5)
-    ramp from = [[1000 * (from + x) * (y + 1) `mod` 65536 | x <- [0 .. 7]] | y <- [0 .. 7]]
+    frames =
+      "{\"profile\":null,\"sequence\":7,\"operation\":\"segment\",\
+      \\"input\":{\"rows\":[[0,1000,2000],[500,1500,2500]]}}"
 
 -- | The truth of an exploration of the cube's face.
 truths :: [ByteString]
@@ -298,6 +261,14 @@ planes =
     | rotation <- ["[[0,1,0],[1,0,0],[0,0,-1]]", "[[0,0.6,0.8],[-1,0,0],[0,-0.8,0.6]]"]
   ]
 
+-- | The shipped placement as a database in a file.
+databases :: IO [ByteString]
+databases = inFolder $ \folder -> do
+  let file = folder </> "database"
+  place <- right canonicalPlacement
+  create file "a profile" place >>= right
+  pure <$> Bytes.readFile file
+
 -- | The shipped shapes.
-drawings :: [ByteString]
-drawings = [encodeUtf8 (renderAlphabet found) | Right found <- [paperAlphabet]]
+drawings :: IO [ByteString]
+drawings = pure <$> Bytes.readFile "data/shapes.txt"
