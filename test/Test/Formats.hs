@@ -33,6 +33,7 @@ import Test.Formats.Answers
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
+import Test.Support (ofDrawn)
 
 spec :: Spec
 spec = do
@@ -61,8 +62,9 @@ roundTrips = do
     forAll ((,) <$> someCertificate <*> someCertificate) $ \(one, other) ->
       one /= other
         ==> fmap fileSealed (decodeCertificate (sealedAs one other)) === Right False
-  it "the seal is of the numbers, however they are written: 1, 1.0, 10e-1 and 1e0 are one" $ do
-    certificate <- generate someCertificate
+  it "the seal is of the numbers, however they are written: 1, 1.0, 10e-1 and 1e0 are one"
+    . ofDrawn 1 someCertificate
+    $ \certificate -> do
     let sealed = encodeCertificate certificate {certificatePeriod = 1200, certificateWindows = 7}
         sealedSo = Right . Just
         written' text = fmap (Just . fileSealed) (decodeCertificate (rewritten text sealed))
@@ -167,40 +169,39 @@ refusals :: Spec
 refusals = do
   it
     "a number of a billion digits beside a certificate breaks its seal, and is not written out"
-    $ do
-      certificate <- generate someCertificate
+    . ofDrawn 1 someCertificate
+    $ \certificate -> do
       let text = encodeCertificate certificate
           spoilt = Bytes.init text <> ",\"more\":1e999999999}"
           sealed = fmap fileSealed . decodeCertificate
       sealed text `shouldBe` Right True
       timeout 5000000 (evaluate (sealed spoilt == Right False)) `shouldReturn` Just True
-  it "a key that is missing of an answer, unless answers without it may be" $ do
-    recognition <- generate someRecognition
+  it "a key that is missing of an answer, unless answers without it may be"
+    . ofDrawn 1 ((,) <$> someRecognition <*> (encodeAnswer <$> someAnswer))
+    $ \(recognition, answer) -> do
     let text = encodeRecognition recognition
     forM_ (filter (/= "minimum_distance_is") (KeyMap.keys (fields text))) $ \key ->
       (key, isLeft (decodeRecognition (written (KeyMap.delete key (fields text)))))
         `shouldBe` (key, True)
-    answer <- encodeAnswer <$> generate someAnswer
     forM_ ["schema", "profile", "outcome", "position", "positions", "message", "chance"] $ \key ->
       (key, isLeft (decodeAnswer (written (KeyMap.delete key (fields answer)))))
         `shouldBe` (key, True)
-  it "a key that is missing, or null, of a profile, a certificate and a truth" $ do
-    askew <- generate someTruth
+  it "a key that is missing, or null, of a profile, a certificate and a truth"
+    . ofDrawn 1 ((,,) <$> someTruth <*> someProfile <*> someCertificate)
+    $ \(askew, profile, certificate) -> do
     let truth = askew {truthRegion = (truthRegion askew) {regionAngle = 0}, truthBend = Nothing}
-    profile <- generate someProfile
-    certificate <- generate someCertificate
     everyKey (encodeProfile profile) decodeProfile
     everyKey (encodeCertificate certificate) decodeCertificate
     everyKey (encodeTruth truth) decodeTruth
-  it "values that are not what the format has there, with their places" $ do
+  it "values that are not what the format has there, with their places"
+    . ofDrawn 1 ((,) <$> (encodeCertificate <$> someCertificate) <*> (encodeTruth <$> someTruth))
+    $ \(certificate, truth) -> do
     forM_ wrongProfiles $ \(key, value, place, misfit) ->
       decodeProfile (changed key value (encodeProfile canonicalProfile))
         `shouldBe` Left (Misfit (Key key : place) misfit)
-    certificate <- encodeCertificate <$> generate someCertificate
     forM_ wrongCertificates $ \(key, value, place, misfit) ->
       decodeCertificate (changed key value certificate)
         `shouldBe` Left (Misfit (Key key : place) misfit)
-    truth <- encodeTruth <$> generate someTruth
     forM_ wrongTruths $ \(key, value, place, misfit) ->
       decodeTruth (changed key value truth) `shouldBe` Left (Misfit (Key key : place) misfit)
     decodeProfile (changed "schema" "x" (encodeProfile canonicalProfile))
@@ -209,8 +210,9 @@ refusals = do
     decodeProfile "{}" `shouldBe` Left (Misfit [] (MissingKey "schema"))
     decodeTruth (encodeProfile canonicalProfile)
       `shouldBe` Left (Misfit [] (OtherSchema "pra-tactile/profile/1" "pra-tactile/truth/1"))
-  it "a truth's angle is from 0 to 360, and its orientation the nearest quarter turn" $ do
-    truth <- encodeTruth <$> generate someTruth
+  it "a truth's angle is from 0 to 360, and its orientation the nearest quarter turn"
+    . ofDrawn 1 (encodeTruth <$> someTruth)
+    $ \truth ->
     forM_ ((,) <$> [0 .. 3 :: Int] <*> angles) $ \(quarter, degrees) -> do
       let text =
             changed "orientation_deg" (toJSON (90 * quarter)) $
@@ -225,8 +227,9 @@ refusals = do
         Left why ->
           (quarter, degrees, why, degrees < 0 || degrees >= 360 || apart > 45)
             `shouldBe` (quarter, degrees, Misfit [Key "angle_deg"] NotAngle, True)
-  it "a truth's region has sides of up to 100000 taxels, its cylinder a radius of 10^9 mm" $ do
-    truth <- encodeTruth <$> generate someTruth
+  it "a truth's region has sides of up to 100000 taxels, its cylinder a radius of 10^9 mm"
+    . ofDrawn 1 (encodeTruth <$> someTruth)
+    $ \truth -> do
     forM_ [(w, h) | w <- [0, 1, 99999, 100000], h <- [0, 1, 99999, 100000]] $ \(w, h) ->
       fmap
         (\read' -> (regionWidth (truthRegion read'), regionHeight (truthRegion read')))
@@ -242,7 +245,7 @@ refusals = do
     decodeProfile ("{\"q\":" <> Bytes.replicate 1001 '1') `shouldBe` Left (JsonRefused TooLong)
     decodeProfile ("{\"q\":4," <> Bytes.drop 1 (encodeProfile canonicalProfile))
       `shouldBe` Left (JsonRefused (RepeatedKey "q"))
-    decodeCensus "window,row,column\n0,0,0\n")
+    decodeCensus "window,row,column\n0,0,0\n"
       `shouldBe` Left (CensusFileRefused NoCensusHeader)
   where
     everyKey :: ByteString -> (ByteString -> Either FormatError a) -> Expectation

@@ -4,6 +4,7 @@ module Test.Support
     right,
     whenRight,
     holds,
+    ofDrawn,
     readAsDefined,
 
     -- * Lists
@@ -35,6 +36,10 @@ holds :: Testable p => Int -> p -> Expectation
 holds count p =
   quickCheckWithResult stdArgs {chatty = False, maxSuccess = count} p >>= \r ->
     if isSuccess r then pure () else expectationFailure (output r)
+
+-- | Expectations of drawn values, in this many cases.
+ofDrawn :: Show a => Int -> Gen a -> (a -> Expectation) -> Property
+ofDrawn count values law = withMaxSuccess count (forAll values (ioProperty . law))
 
 -- | A file is read as a slow reader defines it, or refused for one of the reasons that this one
 -- has; what is read is compared by this part of it.

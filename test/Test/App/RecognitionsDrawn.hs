@@ -243,12 +243,11 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
                   === 4
           _ -> property True
   it "each face is drawn with its symbols, taxel by taxel, and its four vertices" $
-    for_
-      [ (face, heights)
+    once . conjoin . (<$> [ (face, heights)
         | face <- laidFaces layout,
           Right heights <- [reliefHeights <$> relief array layout alphabet face]
-      ]
-      $ \(face, heights) -> do
+      ])
+      $ \(face, heights) -> ioProperty $ do
         let margin side = round (nearestDouble (side (laidMargin face)) / taxelPitch) :: Int
             image =
               generate
@@ -292,7 +291,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
         [vertexText v | v <- faceVertices name]
           `shouldSatisfy` all (`elem` [v | Mark "vertex" (Words _ _ _ v) <- lying])
         length (named "embossed" lying) `shouldBe` 3
-        quickCheckWith stdArgs {maxSuccess = 1, chatty = False} (apart page)
+        pure (apart page)
   -- A region of half the size was drawn with the sizes of the paper's symbols.
   it "of symbols of half the size, or of three times, the composite is as much smaller or larger" $
     for_ [1 / 2, 1, 3] $ \size -> do

@@ -41,11 +41,9 @@ import Test.Store.Homes
 spec :: SpecWith Home
 spec = describe "change" $ do
   it "objects come, go and are replaced as in the placement, and all look-ups are its" $
-    \home -> flip stored home $ \path place ->
-      for_ [1 .. cases home 6] $ \_ -> do
-        create path "profile" place `shouldReturn` Right ()
-        steps <- generate (listOf1 (resize 6 genStep))
-        walk path place (take 6 steps)
+    \home ->
+      withMaxSuccess (cases home 6) . forAllBlind (vectorOf 3 ((,) <$> genStep <*> arbitrary)) $
+        \steps -> ioProperty (stored (\path place -> walk path place steps) home)
   it "what is refused leaves the store as it was" $
     stored $ \path place -> do
       change path (adding 1 (placementSolids place))
@@ -141,7 +139,7 @@ spec = describe "change" $ do
       asking
   where
     walk _ _ [] = pure ()
-    walk path place (step : others) = do
+    walk path place ((step, NonNegative reading) : others) = do
       let outcome = step place
       changed <- change path step
       changed `shouldBe` Right outcome
@@ -154,7 +152,7 @@ spec = describe "change" $ do
         for_ (laidFaces now) $ \laid ->
           storedPosition store (laidFace laid) (Position 0 0)
             `shouldReturn` first NotInStore (arrayPosition now (laidFace laid) (Position 0 0))
-        generate (choose (0, length (laidFaces now) + 1)) >>= firstRead store now
+        firstRead store now (reading `mod` (length (laidFaces now) + 2))
       walk path now others
     -- The first faces are the first of all, and what lies within reach of them is the same.
     firstRead store place count = do

@@ -8,31 +8,23 @@ import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..), shapeCells)
 import PraTactile.Object.Description (rotations)
 import PraTactile.Object.Placement
+import PraTactile.Object.Solid (cube)
 import PraTactile.Object.WingedEdge
 import PraTactile.Store
+import Test.Effort
 import Test.Hspec
 import Test.QuickCheck
-import Test.Recognition.Object.Support
 import Test.Solid.Drilled (drilledWith, plateOf)
 import Test.Store.Homes
+import Test.Support
 
 spec :: SpecWith Home
 spec =
   it "drawn placements are asked as they are without the store, faces as large as the array too" $
-    \home -> theCube $ \cube -> do
-      plate <- right (solid plateWithHoles)
-      drawn <- generate (vectorOf 60 (elements [cube, plate] >>= genPlacement))
-      -- Of what is drawn there is enough of each home.
-      let spans side place =
-            [() | laid <- laidFaces place, side (laidGrid laid) == side (placementShape place)]
-      for_ [rows, columns] $ \side ->
-        length (filter (not . null . spans side) drawn) `shouldSatisfy` (> 10)
-      for_ (take (cases home 60) drawn) $ \place -> do
+    \home -> ofDrawn (cases home (byEffort 24 60)) asking $
+      \(place, windows, cells, window') -> do
         path <- newName home
         create path "a profile" place `shouldReturn` Right ()
-        windows <- generate (vectorOf 40 (genWindow (placementShape place)))
-        cells <- generate (vectorOf 10 (genCell (placementShape place)))
-        window' <- generate (Shape <$> upTo 1 3 <*> upTo 1 3)
         asked <- withStore path Nothing $ \store -> do
           for_ windows $ \(window, at) -> do
             found <- storedWhereabouts store window at
@@ -49,9 +41,22 @@ spec =
               `shouldReturn` first NotInStore (arrayPosition place face cell)
         asked `shouldBe` Right ()
 
+-- | A placement, windows and cells to ask of it, and the shape of a window to read around the cells.
+asking :: Gen (Placement, [(Shape, Position)], [Position], Shape)
+asking = do
+  place <- elements [cubeOf, plateWithHoles] >>= genPlacement
+  (,,,) place
+    <$> vectorOf 40 (genWindow (placementShape place))
+    <*> vectorOf 10 (genCell (placementShape place))
+    <*> (Shape <$> upTo 1 3 <*> upTo 1 3)
+  where
+    cubeOf = either (error . show) id cube
+
 -- | Its faces come to some vertices more than once.
-plateWithHoles :: Description
-plateWithHoles = plateOf (drilledWith 60 (200, 200) [(10, 10, 20, 20), (40, 10, 60, 20)])
+plateWithHoles :: Solid
+plateWithHoles =
+  either (error . show) id . solid . plateOf $
+    drilledWith 60 (200, 200) [(10, 10, 20, 20), (40, 10, 60, 20)]
 
 -- | The positions of all windows of this shape that have this cell of the array.
 havingCell :: Shape -> Shape -> Position -> [Position]
@@ -61,7 +66,8 @@ havingCell (Shape high wide) (Shape tall broad) (Position r c) =
       j <- takeWhile (< broad) [0 ..]
   ]
 
--- | Faces of a solid on an array of at most 6 x 6 cells, about half of them as wide or as high.
+-- | Faces of a solid on an array of at most 6 x 6 cells; half of them are as high, or as wide, as
+-- the array has room for from where they begin.
 genPlacement :: Solid -> Gen Placement
 genPlacement solid_ = do
   shape <- Shape <$> upTo 1 6 <*> upTo 1 6
@@ -91,7 +97,7 @@ genPlacement solid_ = do
         )
     genSide size = do
       begin <- frequency [(1, pure 0), (1, upTo 0 (size - 1))]
-      (,) begin <$> frequency [(1, pure (size - begin)), (2, upTo 1 (size - begin))]
+      (,) begin <$> frequency [(1, pure (size - begin)), (1, upTo 1 (size - begin))]
 
 -- | A window, as large as the array or a little larger too, and where.
 genWindow :: Shape -> Gen (Shape, Position)

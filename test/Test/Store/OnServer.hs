@@ -5,7 +5,8 @@ module Test.Store.OnServer (spec) where
 
 import Control.Concurrent (forkIO, threadDelay)
 import Control.Concurrent.MVar (newEmptyMVar, putMVar, takeMVar)
-import Control.Monad (void)
+import Control.Exception (finally)
+import Control.Monad (unless, void)
 import Data.Foldable (for_)
 import Data.List (isInfixOf, nub)
 import qualified Data.Text as Text
@@ -16,11 +17,12 @@ import PraTactile.Object.Placement hiding (more)
 import PraTactile.Object.Placement.Search
 import PraTactile.Object.WingedEdge
 import PraTactile.Store
-import System.Directory (listDirectory)
+import System.Directory (doesFileExist, getFileSize, listDirectory)
 import System.FilePath ((</>))
 import System.Posix.Files (setFileMode)
 import System.Process (readProcessWithExitCode)
 import Test.CommandLine.Run
+import Test.Effort
 import Test.Hspec
 import Test.QuickCheck
 import Test.Recognition.Object.Support
@@ -95,7 +97,7 @@ addresses = do
         outcome `refuses` "postgresql://"
         err `shouldSatisfy` (not . ("cret" `isInfixOf`))
   it "no password of any letters is in what is shown" $
-    holds 2000 $
+    withMaxSuccess (byEffort 500 2000) $
       forAll (listOf1 (elements "xyz0:@/?&=%#[],. \n")) $ \password ->
         conjoin
           [ counterexample (show (name, shownName name)) $
@@ -428,11 +430,7 @@ losses = do
       name <- newSchema server
       pra ["objects", "--write", name] `shouldReturn` (0, "wrote " ++ name ++ "\n", "")
       let victim = name ++ "&application_name=victim"
-          ended =
-            void . sql server (addressIn server "postgres" []) $
-              [ "SELECT pg_terminate_backend(pid, 5000) FROM pg_stat_activity \
-                \WHERE application_name = 'victim'"
-              ]
+          ended = ending server "victim"
           look store = storedWhereabouts store canonicalWindow (Position 6 5)
       opened <- withStore victim Nothing $ \store -> do
         look store `shouldReturn` Right (whereabouts place canonicalWindow (Position 6 5))
@@ -441,49 +439,85 @@ losses = do
         look store `shouldReturn` Left (DatabaseFailed ConnectionLost)
       opened `shouldBe` Right ()
       -- The program says so in one line, whatever the server says last.
-      dying <- newEmptyMVar
-      _ <-
-        forkIO $
-          scripted
-            "."
-            ( "(echo 6,5; sleep 2; echo 6,5) | pra-tactile objects --batch --database '"
-                ++ victim
-                ++ "'"
-            )
-            >>= putMVar dying
-      threadDelay 1000000
-      ended
-      (status, out, err) <- takeMVar dying
-      (status, length (lines out), length (lines err)) `shouldBe` (2, 1, 1)
-      err `shouldSatisfy` ("the connection to the server was lost" `isInfixOf`)
+      inFolder $ \folder -> do
+        dying <- newEmptyMVar
+        _ <-
+          forkIO $
+            scripted
+              folder
+              ( "(echo 6,5; until [ -e gone ]; do sleep 0.02; done; echo 6,5) \
+                \| pra-tactile objects --batch --database '"
+                  ++ victim
+                  ++ "' > answers; status=$?; cat answers; exit $status"
+              )
+              >>= putMVar dying
+        eventually (answered (folder </> "answers"))
+        ended
+        writeFile (folder </> "gone") ""
+        (status, out, err) <- takeMVar dying
+        (status, length (lines out), length (lines err)) `shouldBe` (2, 1, 1)
+        err `shouldSatisfy` ("the connection to the server was lost" `isInfixOf`)
       -- Another program holds a row that must go, until the one that waits for it is ended.
-      holding server name "run" 3
-      outcome <- newEmptyMVar
-      _ <- forkIO (change victim (removing ["cube"]) >>= putMVar outcome)
-      threadDelay 1000000
-      ended
-      void <$> takeMVar outcome `shouldReturn` Left (DatabaseFailed ConnectionLost)
+      holding server name "run" $ do
+        outcome <- newEmptyMVar
+        _ <- forkIO (change victim (removing ["cube"]) >>= putMVar outcome)
+        eventually (isSo server "application_name = 'victim' AND wait_event_type = 'Lock'")
+        ended
+        void <$> takeMVar outcome `shouldReturn` Left (DatabaseFailed ConnectionLost)
       withStore name Nothing storedPlacement `shouldReturn` Right (Right place)
-  it "who waits longer than ten seconds for another writer gives up; readers do not wait"
+  it "a writer that waits too long for another one gives up; readers do not wait"
     . placedOn
     $ \server place -> do
       name <- newSchema server
       create name "profile" place `shouldReturn` Right ()
-      holding server name "metadata" 14
-      withStore name Nothing storedPlacement `shouldReturn` Right (Right place)
-      void <$> change name (removing ["cube"]) `shouldReturn` Left (DatabaseFailed InUse)
-      withStore name Nothing storedPlacement `shouldReturn` Right (Right place)
+      -- Ten seconds, or what the address sets.
+      let hasty = name ++ byEffort "%20-clock_timeout%3D200" ""
+      holding server name "metadata" $ do
+        withStore name Nothing storedPlacement `shouldReturn` Right (Right place)
+        void <$> change hasty (removing ["cube"]) `shouldReturn` Left (DatabaseFailed InUse)
+        withStore name Nothing storedPlacement `shouldReturn` Right (Right place)
+  where
+    answered file = (&&) <$> doesFileExist file <*> ((> 0) <$> getFileSize file)
 
--- Another program changes a table, for so many seconds.
-holding :: Server -> String -> String -> Int -> IO ()
-holding server name table seconds = do
+-- | Go on while another program changes a table.
+holding :: Server -> String -> String -> Expectation -> Expectation
+holding server name table action = do
+  over <- newEmptyMVar
   _ <-
-    forkIO . void . attempted server name . map Text.pack $
-      [ "BEGIN",
-        "LOCK TABLE " ++ table ++ " IN EXCLUSIVE MODE",
-        "SELECT pg_sleep(" ++ show seconds ++ ")"
-      ]
-  threadDelay 1000000
+    forkIO $
+      attempted server (name ++ "&application_name=holder") (map Text.pack statements)
+        >>= putMVar over
+  eventually (isSo server "application_name = 'holder' AND wait_event = 'PgSleep'")
+  action `finally` ending server "holder"
+  void (takeMVar over)
+  where
+    statements =
+      ["BEGIN", "LOCK TABLE " ++ table ++ " IN EXCLUSIVE MODE", "SELECT pg_sleep(60)"]
+
+-- | End the connections of a program that calls itself so.
+ending :: Server -> String -> IO ()
+ending server application =
+  void . sql server (addressIn server "postgres" []) $
+    [ "SELECT pg_terminate_backend(pid, 5000) FROM pg_stat_activity WHERE application_name = '"
+        <> Text.pack application
+        <> "'"
+    ]
+
+-- | Whether there is a connection of which this condition holds.
+isSo :: Server -> Text.Text -> IO Bool
+isSo server condition =
+  (/= [["0"]])
+    <$> sql
+      server
+      (addressIn server "postgres" [])
+      ["SELECT count(*) FROM pg_stat_activity WHERE " <> condition]
+
+-- | Wait until it is so, for ten seconds at most.
+eventually :: IO Bool -> Expectation
+eventually condition = go (500 :: Int)
+  where
+    go 0 = expectationFailure "it did not come to pass in ten seconds"
+    go tries = condition >>= \so -> unless so (threadDelay 20000 >> go (tries - 1))
 
 placedOn :: (Server -> Placement -> Expectation) -> Either String Server -> Expectation
 placedOn test = onServer $ \server -> thePlacement (test server)
