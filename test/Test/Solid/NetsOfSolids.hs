@@ -1,23 +1,26 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Solids unfolded, beside what that means: the faces laid flat by machine numbers of the test's
--- own, the area that two of them have in common, and the solid folded again; and numbers of nets
--- that are known.
+-- | Solids unfolded: numbers of unfoldings and of nets, beside the definition and those that are
+-- known; nets folded again to the solid; and nets cut into parts.
 module Test.Solid.NetsOfSolids (spec) where
 
 import qualified Data.ByteString as Bytes
 import Data.List (nub, sort, tails, (\\))
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe, mapMaybe)
+import Data.Maybe (catMaybes, mapMaybe)
 import Numeric.Natural (Natural)
+import PraTactile.Conformance.Definition.Unfold (unfoldedOf)
 import PraTactile.Conformance.Laws.Solids
+import PraTactile.Conformance.Question (Unfolded (..))
 import PraTactile.Format.Solid
 import PraTactile.Object.Description
 import PraTactile.Object.Named
 import PraTactile.Object.Net
+import PraTactile.Object.Net.Pick (searched)
 import PraTactile.Object.WingedEdge
+import Test.Effort
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
 import Test.Solid.Drilled (drilledWith, plateOf)
 
@@ -30,58 +33,49 @@ spec = do
       bytes <- Bytes.readFile "data/solids/overlapping.off"
       Contents it_ _ <- either (fail . show) pure (readSolid Off "overlapping" bytes)
       tetrahedron <- either (fail . show) pure (solidOf it_)
-      sort (map (meetingIn tetrahedron) (unfoldings tetrahedron))
-        `shouldBe` replicate 14 Apart ++ replicate 2 Overlapping
+      (spanningTrees tetrahedron, length (nets tetrahedron)) `shouldBe` (16, 14)
   describe "unfoldings" $ do
-    few . prop "are as many as the determinant of the Laplacian matrix has it" $
-      forAllSolids solids $ \it_ -> spanningTrees it_ === fromInteger (kirchhoff it_)
-    few . prop "are as many as there are, each once, each a spanning tree" $
-      forAllSolids small $ \it_ ->
-        let all' = map (sort . foldedEdges it_) (unfoldings it_)
-         in fromIntegral (length all') === spanningTrees it_
-              .&&. nub' all' === sort all'
-              .&&. conjoin (map (isSpanning it_) all')
-    few . prop "overlap where two faces have an area in common" $
-      forAllSolids small $ \it_ ->
-        forAll (elements (unfoldings it_)) $ \tree ->
-          let area = mostCommon it_ tree
-           in counterexample (show (foldedEdges it_ tree, area)) $
-                classify (area > 1e-6) "overlapping" $
-                  (meetingIn it_ tree == Overlapping) === (area > 1e-6)
-    few . prop "are folded to the solid again, to the vertex" $
-      forAllSolids small $ \it_ ->
-        forAll (elements (unfoldings it_)) $ \tree ->
-          conjoin
-            [ counterexample (show face) (apart at (placeOf it_ v) < 1e-6)
-              | (face, corners) <- foldedAgain it_ (layOut it_ tree),
-                (v, at) <- zip (faceVertices face) corners
-            ]
-    few . prop "are laid the same wherever and however the solid lies" $
+    withCases 5 40 . prop "are as many as the definition has, and as many of them are nets" $
+      forAll smaller $ \drawn ->
+        let it_ = whole drawn
+            found = nets it_
+         in fmap (\it' -> (unfoldedTrees it', overlapping it')) (unfoldedOf 1000 drawn)
+              === Right (spanningTrees it_, Just (spanningTrees it_ - fromIntegral (length found)))
+              .&&. length (nub (map (sort . foldedEdges it_) found))
+              === length found
+    withCases 10 40 . prop "are laid the same wherever and however the solid lies" $
       forAll small $ \drawn ->
         forAllBlind turns $ \turned ->
           let (it_, other) = (whole drawn, whole (moved turned drawn))
-           in ( map (foldedEdges it_) (unfoldings it_)
-                  === map (foldedEdges other) (unfoldings other)
-              )
-                .&&. forAll
-                  (elements (zip (unfoldings it_) (unfoldings other)))
-                  ( \(a, b) ->
-                      let nets = (layOut it_ a, layOut other b)
-                       in counterexample (show nets) (uncurry alike nets)
-                  )
+              (here, there) = (nets it_, nets other)
+           in map (foldedEdges it_) here === map (foldedEdges other) there
+                .&&. conjoin
+                  [ counterexample (show laid) (uncurry alike laid)
+                    | (a, b) <- take 10 (zip here there),
+                      let laid = (layOut it_ a, layOut other b)
+                  ]
   describe "a net" $ do
-    few . prop "is found, unless there is none" $
+    withCases 10 40 . prop "is found, unless there is none, and no two of its faces overlap" $
       forAllSolids smaller $ \it_ -> case pickNet 100000 it_ of
-        Right tree -> meetingIn it_ tree =/= Overlapping
-        Left EveryOneOverlaps -> nub (map (meetingIn it_) (unfoldings it_)) === [Overlapping]
+        Right tree -> isNet it_ tree
+        Left EveryOneOverlaps -> length (nets it_) === 0
         other -> counterexample (show other) False
-    it "is found of prisms of 100 sides and of rings" $
-      [ either (const Overlapping) (meetingIn it_) (pickNet 1000 it_)
-        | it_ <- map (whole . namedDescription) [Prism 100 60 20, Frame 90 90 30]
-      ]
-        `shouldBe` [Apart, Apart]
-    prop "is cut into parts: each face once, each edge twice or folded, no tab on another" $
-      forAllSolids smaller $ \it_ ->
+    withCases 10 40 . prop "is folded to the solid again, to the vertex" $
+      forAllSolids small $ \it_ ->
+        conjoin
+          [ counterexample (show face) (apart at (placeOf it_ v) < 1e-6)
+            | tree <- take 10 (nets it_),
+              (face, corners) <- foldedAgain it_ (layOut it_ tree),
+              (v, at) <- zip (faceVertices face) corners
+          ]
+    it "is found of prisms of 100 sides and of rings" . once $
+      conjoin
+        [ either (\why -> counterexample (show why) False) (isNet it_) (pickNet 1000 it_)
+          | it_ <- map (whole . namedDescription) [Prism 100 60 20, Frame 90 90 30]
+        ]
+    withCases 25 100
+      . prop "is cut into parts: each face once, each edge twice or folded, no tab on another"
+      $ forAllSolids smaller $ \it_ ->
         let net = either (const Nothing) (Just . layOut it_) (pickNet 100000 it_)
             largest = maximum (0 : concatMap (distances it_) (solidFaces it_))
             extent part = case concatMap (map part . netCorners) (foldMap netFaces net) of
@@ -97,20 +91,34 @@ spec = do
       let plate wide = whole (plateOf (drilledWith 30 (wide, wide) [(60, 60, to wide, to wide)]))
           to wide = wide - 60
           told it_ = case pickCut 10000 it_ of
-            Right (lying, owners, tree) ->
-              Right (meetingIn lying tree, length (solidFaces lying), owners == solidFaces it_)
+            Right (lying, owners, _) ->
+              Right (length (solidFaces lying), owners == solidFaces it_)
             Left why -> Left why
-      [told (plate 220), fmap (\(met, _, same) -> (met, 0, same)) (told (plate 160))]
-        `shouldBe` [Right (Apart, 10, True), Right (Apart, 0, False)]
+      told (plate 220) `shouldBe` Right (10, True)
+      fmap snd (told (plate 160)) `shouldBe` Right False
     it "is none of several pieces" $
       pickNet 10 (whole (both (labelled "a" far) (labelled "b" (namedDescription Cube))))
         `shouldBe` Left SeveralPieces
   where
-    few = modifyMaxSuccess (const 40)
     far = moved (\(Point x y z) -> Point (x + 900) y z) (namedDescription Cube)
-    nub' = map head . groupSorted . sort
-    groupSorted [] = []
-    groupSorted (x : xs) = let (same, rest) = span (== x) xs in (x : same) : groupSorted rest
+    overlapping = fmap (\(count, _, _) -> count) . unfoldedNets
+
+-- | The nets of a solid among its first unfoldings.
+nets :: Solid -> [Unfolding]
+nets = catMaybes . take 1000 . searched
+
+-- | Whether an unfolding joins all faces, and no two of them have an area in common where it is
+-- laid.
+isNet :: Solid -> Unfolding -> Property
+isNet it_ tree =
+  isSpanning it_ (foldedEdges it_ tree)
+    .&&. [ (name, other)
+           | NetFace name corners : others <- tails (netFaces (layOut it_ tree)),
+             NetFace other corners' <- others,
+             let area = common corners corners',
+             area > 1e-6 * min (common corners corners) (common corners' corners')
+         ]
+    === []
 
 -- | Solids, and how many unfoldings they have.
 known :: [(Named, Natural)]
@@ -149,28 +157,6 @@ turns = do
   where
     part = (/ 7) . fromInteger <$> choose (1, 6)
 
--- | The determinant of the Laplacian matrix without its first row and column, fraction-free
--- (Bareiss 1968).
-kirchhoff :: Solid -> Integer
-kirchhoff it_ = go 1 1 [[entry f g | g <- drop 1 faces] | f <- drop 1 faces]
-  where
-    faces = solidFaces it_
-    entry f g
-      | f == g = fromIntegral (length (neighbours it_ f))
-      | otherwise = negate (fromIntegral (length (filter (== g) (neighbours it_ f))))
-    go sign last' rows = case break ((/= 0) . head) rows of
-      _ | null rows -> sign * last'
-      (_, []) -> 0
-      (zeros, pivot : rest) ->
-        go
-          (if odd (length zeros) then negate sign else sign)
-          (head pivot)
-          [ [ (head pivot * x - head row * p) `div` last'
-              | (x, p) <- zip (drop 1 row) (drop 1 pivot)
-            ]
-            | row <- zeros ++ rest
-          ]
-
 -- | Whether the faces are connected by these edges, of which there are as many as that takes.
 isSpanning :: Solid -> [EdgeName] -> Property
 isSpanning it_ folds =
@@ -190,43 +176,6 @@ isSpanning it_ folds =
 type Flat = (Double, Double)
 
 type Space = (Double, Double, Double)
-
--- | The faces laid flat: each by a basis of its plane, and moved so that the common side of two is
--- one.
-flatFaces :: Solid -> Unfolding -> [[Flat]]
-flatFaces it_ tree = Map.elems (foldl lay start (foldedEdges it_ tree))
-  where
-    start = Map.fromList [(f, own f) | f <- take 1 (solidFaces it_)]
-    own f = case map double (cornerPoints it_ f) of
-      corners@(o : p : _) ->
-        let n = newell corners
-            u = unit (p `less` o)
-            v = unit (n `crossed` u)
-         in [((q `less` o) `dotted` u, (q `less` o) `dotted` v) | q <- corners]
-      _ -> []
-    lay there (EdgeName v w) =
-      let (f, g) = sidesOf v w
-          at face name corners = fromMaybe (0, 0) (lookup name (zip (faceVertices face) corners))
-          (a, b) = (at f v (there Map.! f), at f w (there Map.! f))
-          (a', b') = (at g v (own g), at g w (own g))
-          (c, s) = quotient (b `from` a) (b' `from` a')
-          move z = let (x, y) = z `from` a' in (fst a + c * x - s * y, snd a + s * x + c * y)
-       in Map.insert g (map move (own g)) there
-    sidesOf v w =
-      ( head [f | f <- solidFaces it_, (v, w) `elem` cyclicPairs (faceVertices f)],
-        head [f | f <- solidFaces it_, (w, v) `elem` cyclicPairs (faceVertices f)]
-      )
-    (x, y) `from` (x', y') = (x - x', y - y')
-    quotient (x, y) (x', y') =
-      let k = x' * x' + y' * y' in ((x * x' + y * y') / k, (y * x' - x * y') / k)
-
--- | The largest area that two faces of an unfolding have in common, as a share of the smaller one.
-mostCommon :: Solid -> Unfolding -> Double
-mostCommon it_ tree =
-  maximum (0 : [common a b / min (areaOf a) (areaOf b) | a : others <- tails faces, b <- others])
-  where
-    faces = flatFaces it_ tree
-    areaOf corners = common corners corners
 
 -- | All distances between corners of a face.
 distances :: Solid -> FaceName -> [Double]

@@ -9,18 +9,15 @@ module PraTactile.Object.Net
   ( -- * Counting
     spanningTrees,
 
-    -- * Unfoldings
+    -- * Finding a net
     Unfolding,
-    unfoldings,
     foldedEdges,
-    Meeting (..),
-    meetingIn,
-
-    -- * A net for the hand
     NoNet (..),
     mostTried,
     pickNet,
     pickCut,
+
+    -- * Laying it out
     Net (..),
     NetFace (..),
     onFace,
@@ -35,15 +32,7 @@ module PraTactile.Object.Net
 where
 
 import PraTactile.Object.Net.Layout
-import PraTactile.Object.Net.Meeting (Meeting (..))
 import PraTactile.Object.Net.Parts
 import PraTactile.Object.Net.Pick
-import PraTactile.Object.Net.Search
-import PraTactile.Object.Net.Unfolder
+import PraTactile.Object.Net.Trees
 import PraTactile.Object.Net.Unfolding
-import PraTactile.Object.WingedEdge
-
--- | The worst that two faces of an unfolding do, from where all of them lie, without a thought of
--- other unfoldings.
-meetingIn :: Solid -> Unfolding -> Meeting
-meetingIn whole = worstMeeting (unfolder whole)

@@ -75,7 +75,7 @@ layOut whole tree =
   where
     it = unfolder whole
     sides = unfolderSides it
-    upright = planarCorners it (placed it tree)
+    upright = laidFlat it tree
     corners = V.map (V.map onPage) upright
     -- The first face from its first corner to its last one turned to the right, and y down.
     onPage (x, y) = ((x * c + y * s) / long, (x * s - y * c) / long)

@@ -7,19 +7,19 @@
 -- > (b - a) x (c - a)
 --
 -- for the sides a b of one part and the corners c of the other. A corner with which the side begins
--- or ends, since both faces are glued there, is on its line. Another sign is told by enclosures of
--- 64 binary places, where 0 is not among them; else exactly, where the coordinates have few enough
+-- or ends, since both faces are glued there, is on its line. Another sign is told by machine
+-- numbers, where they are far enough from 0; else exactly, where the coordinates have few enough
 -- terms; else by enclosures of more and more places, until they tell the sign or that the corner is
 -- less than 10^-30 mm from the line. Such a one is open: it is taken to be on the line, so that the
 -- faces touch.
 module PraTactile.Object.Net.Meeting
   ( Meeting (..),
+    worstOf,
     Lying (..),
+    lyingStill,
     lyingAcross,
     lyingOn,
-    Part,
-    convexParts,
-    Corner,
+    Corner (..),
     cornersLying,
     meetingOf,
   )
@@ -28,19 +28,16 @@ where
 import Data.List (foldl')
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.List.NonEmpty as NonEmpty
-import Data.Maybe (fromMaybe, isJust)
 import Data.Ratio ((%))
 import qualified Data.Vector as V
-import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Description (cyclicPairs)
 import PraTactile.Object.Enclosure
 import PraTactile.Object.Mesh
 import PraTactile.Object.Net.Template
 import PraTactile.Object.Net.Unfolder
 import PraTactile.Object.Number
-import PraTactile.Object.Polygon
 import PraTactile.Object.Radicals
-import PraTactile.Object.Triangles
+import PraTactile.Object.Surface
 import PraTactile.Object.Vector (dot)
 import qualified PraTactile.Object.Vector as Space
 
@@ -49,11 +46,26 @@ import qualified PraTactile.Object.Vector as Space
 data Meeting = Apart | Open | Overlapping
   deriving stock (Eq, Ord, Show)
 
--- | How the plane of a face comes to that of another one.
+-- | The worst of these, of which none is looked at once two faces overlap.
+worstOf :: [Meeting] -> Meeting
+worstOf found
+  | Overlapping `elem` found = Overlapping
+  | otherwise = foldl' max Apart found
+
+-- | How the plane of a face comes to that of the first one.
 data Lying = Lying
   { lyingExactly :: Similarity (Maybe Radicals),
     lyingRungs :: NonEmpty (Similarity Enclosure)
   }
+
+-- | How the first face lies.
+lyingStill :: Lying
+lyingStill =
+  Lying
+    (identity (Just . fraction))
+    (NonEmpty.map (\digits -> identity (\q -> enclosed digits q 1)) rungPlaces)
+  where
+    identity make = Similarity (Planar (make 1) (make 0)) (Planar (make 0) (make 0))
 
 -- | How the face across a side lies in the plane of the side's own face.
 lyingAcross :: Unfolder -> Int -> Lying
@@ -67,79 +79,74 @@ lyingOn :: Lying -> Lying -> Lying
 lyingOn (Lying far fars) (Lying near nears) =
   Lying (far `after` near) (NonEmpty.zipWith after fars nears)
 
--- | A convex part of a face: its corners by their places on the face's walk.
-type Part = V.Vector Int
-
--- | A face as convex parts, which have no corners but its own.
-convexParts :: Mesh -> Int -> [Part]
-convexParts it f
-  | and [turn (at i) (at (i + 1)) (at (i + 2)) >= 0 | i <- [0 .. count - 1]] =
-    [V.enumFromN 0 count]
-  | otherwise = [V.fromList (map place [i, j, k]) | (i, j, k) <- triangles it walk]
-  where
-    walk = meshWalks it V.! f
-    points = cornersOf it walk
-    seen = V.map (flat (doubleArea points)) points
-    count = V.length seen
-    at i = seen V.! (i `mod` count)
-    place v = fromMaybe 0 (U.elemIndex v walk)
-
 -- | A corner of a face that lies somewhere.
 data Corner = Corner
   { cornerVertex :: Int,
-    -- | what equals that of another face's corner where they are one because of what is glued
-    cornerGlued :: Maybe Int,
+    -- | the number of its point: corners of two faces that are glued there have the same one
+    cornerPoint :: Int,
+    -- | its place, rounded, in units of the first face's template; errors are below 10^-14 and what
+    -- machine numbers round
+    cornerNearly :: (Double, Double),
     cornerExactly :: Planar (Maybe Radicals),
     cornerRungs :: NonEmpty (Planar Enclosure)
   }
 
--- | The corners of a face in the order of its walk, given what its vertices have for 'cornerGlued',
--- and how it lies.
-cornersLying :: Unfolder -> (Int -> Maybe Int) -> Maybe Lying -> Int -> V.Vector Corner
-cornersLying it glued lying f = V.imap corner (V.convert (meshWalks (unfolderMesh it) V.! f))
+-- | The corners of a face in the order of its walk, given the numbers of the points in which its
+-- sides begin, and how it lies.
+cornersLying :: Unfolder -> (Int -> Int) -> Lying -> Int -> V.Vector Corner
+cornersLying it point lying f = V.fromList (zipWith corner [0 ..] (sidesOfFace sides f))
   where
-    corner i v =
+    sides = unfolderSides it
+    corner i s =
       Corner
-        { cornerVertex = v,
-          cornerGlued = glued v,
-          cornerExactly = maybe id (onPoint . lyingExactly) lying (own (unfolderExactly it)),
-          cornerRungs = case lying of
-            Nothing -> NonEmpty.map own (unfolderRungs it)
-            Just given ->
-              NonEmpty.zipWith
-                (\to rung -> onPoint to (own rung))
-                (lyingRungs given)
-                (unfolderRungs it)
+        { cornerVertex = sideStart sides s,
+          cornerPoint = point s,
+          cornerNearly = nearly rungs,
+          cornerExactly = onPoint (lyingExactly lying) (own (unfolderExactly it)),
+          cornerRungs = rungs
         }
       where
+        rungs =
+          NonEmpty.zipWith (\to rung -> onPoint to (own rung)) (lyingRungs lying) (unfolderRungs it)
         own :: Rung n -> Planar n
         own rung = rungCorners rung V.! f V.! i
 
--- | How two faces lie, by their parts and corners in the plane of the face that is named.
-meetingOf ::
-  Unfolder -> Int -> ([Part], V.Vector Corner) -> ([Part], V.Vector Corner) -> Meeting
-meetingOf it f (as, a) (bs, b)
-  | Overlapping `elem` found = Overlapping
-  | otherwise = foldl' max Apart found
+-- | A point as machine numbers, given as enclosures of more and more places.
+nearly :: NonEmpty (Planar Enclosure) -> (Double, Double)
+nearly rungs = case NonEmpty.dropWhile rough rungs of
+  Planar x y : _ -> (fromRational (middle x), fromRational (middle y))
+  [] -> (0, 0)
   where
-    found = [convexMeeting tell (of' a one) (of' b other) | one <- as, other <- bs]
+    rough (Planar x y) = radius x > tiny || radius y > tiny
+    tiny = 1 / 10 ^ (14 :: Int)
+
+-- | How two faces lie, by their parts and corners in the plane of the first face.
+meetingOf :: Unfolder -> ([Part], V.Vector Corner) -> ([Part], V.Vector Corner) -> Meeting
+meetingOf it (as, a) (bs, b) =
+  worstOf [convexMeeting tell (of' a one) (of' b other) | one <- as, other <- bs]
+  where
     of' corners = V.map (corners V.!)
-    tell = sideOf it f
+    tell = sideOf it
 
 -- | On which side of a line a corner is: 'Apart' if on its outer side or on it.
 data SideOf = SideOf
-  { -- | where enclosures of 64 places tell it
+  { -- | where machine numbers tell it
     atOnce :: (Corner, Corner) -> Corner -> Maybe Meeting,
     -- | by all means there are
     atLength :: (Corner, Corner) -> Corner -> Meeting
   }
 
-sideOf :: Unfolder -> Int -> SideOf
-sideOf it f = SideOf quick careful
+sideOf :: Unfolder -> SideOf
+sideOf it = SideOf quick careful
   where
-    quick line c
-      | onEnd line c = Just Apart
-      | first :| _ <- turnings line c = verdict <$> signKnown first
+    quick (p, q) c
+      | cornerPoint c `elem` map cornerPoint [p, q] = Just Apart
+      | abs z > 1e-12 * (1 + far) * (1 + far) = Just (if z > 0 then Overlapping else Apart)
+      | otherwise = Nothing
+      where
+        z = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+        far = maximum (map abs [ax, ay, bx, by, cx, cy])
+        ((ax, ay), (bx, by), (cx, cy)) = (cornerNearly p, cornerNearly q, cornerNearly c)
     careful line c
       | Just told <- quick line c = told
       | otherwise = case turning cornerExactly line c of
@@ -147,7 +154,6 @@ sideOf it f = SideOf quick careful
         Nothing -> maybe Open verdict (refined line (NonEmpty.toList (turnings line c)))
     verdict :: Int -> Meeting
     verdict sign = if sign > 0 then Overlapping else Apart
-    onEnd (p, q) c = isJust (cornerGlued c) && cornerGlued c `elem` map cornerGlued [p, q]
     turnings (p, q) c =
       NonEmpty.zipWith
         (\(a, b) z -> turned a b z)
@@ -164,7 +170,7 @@ sideOf it f = SideOf quick careful
       [] -> Nothing
     fine (p, q) = lengthSquared / (unit * unit) / 10 ^ (60 :: Int)
       where
-        unit = templateUnit (unfolderTemplates it V.! f)
+        unit = templateUnit (unfolderTemplates it V.! 0)
         lengthSquared = dot across across % (meshDenominator solid * meshDenominator solid)
         across = place q `Space.minus` place p
         place corner = meshPoints solid V.! cornerVertex corner

@@ -4,6 +4,7 @@ module PraTactile.Object.Net.Pick
     mostTried,
     pickNet,
     pickCut,
+    searched,
   )
 where
 
@@ -15,7 +16,7 @@ import qualified Data.Vector as V
 import PraTactile.Object.Merge
 import PraTactile.Object.Mesh
 import PraTactile.Object.Net.Meeting
-import PraTactile.Object.Net.Search
+import PraTactile.Object.Net.Trees
 import PraTactile.Object.Net.Unfolder
 import PraTactile.Object.Net.Unfolding
 import PraTactile.Object.Surface
@@ -36,25 +37,30 @@ data NoNet
 mostTried :: Int
 mostTried = 10000
 
--- | A net of a solid: the first that does not overlap of the steepest edge unfoldings in a few
--- directions (W. Schlickenrieder, Nets of Polyhedra, TU Berlin 1997), which nearly every convex
--- solid has, or else of those that grow from the first face, in so many steps at most.
+-- | Finds a net of a solid, given how many unfoldings to try at most. It first tries the steepest
+-- edge unfoldings in six directions (W. Schlickenrieder, Nets of Polyhedra, TU Berlin 1997): nearly
+-- every convex solid has a net among these. Then it tries those that grow from the first face.
 pickNet :: Int -> Solid -> Either NoNet Unfolding
 pickNet steps whole
   | spanningTrees whole == 0 = Left SeveralPieces
-  | Just tree <- listToMaybe [tree | tree <- steep, worstMeeting it tree /= Overlapping] =
-    Right tree
-  | (tree, _) : _ <- catMaybes tried = Right tree
+  | tree : _ <- steep ++ catMaybes tried = Right tree
   | length tried < steps = Left EveryOneOverlaps
   | otherwise = Left NoneFound
   where
     it = unfolder whole
-    tried = take steps (searched it)
-    steep = [tree | along <- directions, Just tree <- [steepest it along]]
+    tried = take steps (searched whole)
+    steep =
+      [ grown tree
+        | along <- directions,
+          Just sides <- [steepest it along],
+          let tree = foldl' (glue it) (firstFace it) sides,
+          grownMeeting tree /= Overlapping
+      ]
     directions = [(3, 5, 97), (97, 5, -3), (-5, 97, 3), (31, 47, -83), (-59, 61, 53), (71, -67, 41)]
 
--- | The same, of the solid, or else of what comes of it where its faces with holes are cut into
--- faces without: that, for each of its faces the one that it is of, and the net.
+-- | Finds a net of a solid. Where it finds none, it cuts faces with holes into faces without and
+-- finds a net of that solid. The answer is the solid that is unfolded, for each of its faces the
+-- face of the given solid that it is a part of, and the net.
 pickCut :: Int -> Solid -> Either NoNet (Solid, [FaceName], Unfolding)
 pickCut steps whole = case pickNet steps whole of
   Right tree -> Right (whole, solidFaces whole, tree)
@@ -66,12 +72,12 @@ pickCut steps whole = case pickNet steps whole of
           Right tree <- [pickNet steps parted]
       ]
 
--- | The unfolding for which each vertex is cut off along the edge that rises most steeply from it;
--- none where these edges are not a spanning tree of the vertices.
-steepest :: Unfolder -> (Double, Double, Double) -> Maybe Unfolding
+-- | The sides that are glued if each vertex is cut off along the edge that rises most steeply from
+-- it; 'Nothing' where the edges that are cut are no spanning tree of the vertices.
+steepest :: Unfolder -> (Double, Double, Double) -> Maybe [Int]
 steepest it (a, b, c)
   | length tree + 1 == faceCount it && IntSet.size cut == edgeCount sides - length tree =
-    Just (unfoldingAlong tree)
+    Just tree
   | otherwise = Nothing
   where
     sides = unfolderSides it
@@ -104,3 +110,38 @@ steepest it (a, b, c)
     firstOfEach seen ((s, g) : rest)
       | g `IntSet.member` seen = firstOfEach seen rest
       | otherwise = (s, g) : firstOfEach (IntSet.insert g seen) rest
+
+-- | All unfoldings that do not overlap, one after the other; 'Nothing' wherever all that begin so
+-- overlap. They grow from the first face, each across a side of a face to one that is not there
+-- yet, in the order in which their faces came to it.
+--
+-- A side is glued, or left out for good; it must be glued where no other way leads to what is
+-- behind it. So every branch ends in an unfolding or in a 'Nothing'.
+searched :: Solid -> [Maybe Unfolding]
+searched whole = go (firstFace it) (sidesOfFace sides 0)
+  where
+    it = unfolder whole
+    sides = unfolderSides it
+    across = sideFace sides . gluedTo sides
+    go growing frontier = case dropWhile (hasFace growing . across) frontier of
+      [] -> [Just (grown growing)]
+      s : others ->
+        taken (glue it growing s) (others ++ sidesOfFace sides (across s))
+          ++ (if spared growing (across s) others then go growing others else [])
+    taken growing frontier
+      | grownMeeting growing == Overlapping = [Nothing]
+      | otherwise = go growing frontier
+    -- Whether one of these sides leads to the part of the solid that has the face.
+    spared growing face others = reaches (IntSet.singleton face) [face]
+      where
+        goals = IntSet.fromList (map across others)
+        reaches _ [] = False
+        reaches seen (f : rest)
+          | f `IntSet.member` goals = True
+          | otherwise =
+            let new =
+                  [ g
+                    | g <- map across (sidesOfFace sides f),
+                      not (hasFace growing g || g `IntSet.member` seen)
+                  ]
+             in reaches (foldl' (flip IntSet.insert) seen new) (new ++ rest)

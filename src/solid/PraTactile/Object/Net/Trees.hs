@@ -1,18 +1,32 @@
--- | The spanning trees of the graph that has the faces of a solid for nodes and its edges for arcs
--- (its dual graph; two faces may have several edges in common): how many there are, and all of
--- them. Each is a way to unfold the solid: its edges are folded, the others are cut.
+-- | How many spanning trees the graph has that has the faces of a solid for nodes and its edges for
+-- arcs (its dual graph; two faces may have several edges in common). Each is a way to unfold the
+-- solid: its edges are folded, the others are cut.
 module PraTactile.Object.Net.Trees
-  ( spanningTreeCount,
-    growing,
+  ( spanningTrees,
   )
 where
 
 import qualified Data.IntMap.Strict as IntMap
-import qualified Data.IntSet as IntSet
 import Data.List (foldl')
 import Data.Ratio (numerator)
 import qualified Data.Set as Set
+import qualified Data.Vector as V
 import Numeric.Natural (Natural)
+import PraTactile.Object.Mesh
+import PraTactile.Object.Surface
+import PraTactile.Object.WingedEdge
+
+-- | How many unfoldings a solid has; none if it is of several pieces.
+spanningTrees :: Solid -> Natural
+spanningTrees whole =
+  spanningTreeCount
+    (V.length (meshWalks (solidMesh whole)))
+    [ (sideFace sides s, sideFace sides t)
+      | e <- [0 .. edgeCount sides - 1],
+        [s, t] <- [edgeSides sides e]
+    ]
+  where
+    sides = surface (meshWalks (solidMesh whole))
 
 -- | The weights of arcs, by the nodes at both ends.
 type Weights = IntMap.IntMap (IntMap.IntMap Rational)
@@ -64,37 +78,3 @@ spanningTreeCount count arcs
           keys of' = [key (i, IntMap.findWithDefault IntMap.empty i of') | (i, _) <- near]
           requeued = foldl' (flip Set.insert) left (keys reduced)
           left = foldl' (flip Set.delete) others (keys graph)
-
--- | All spanning trees of a connected graph, each once, as they grow: from a node, by an arc to one
--- that the tree does not have yet, in the order in which their nodes came to it. Given what is
--- known of the first node alone, and what an arc to a new node makes of that: 'Nothing' leaves out
--- all trees that go on so, and stands among the trees where it does. An arc is given by a number;
--- from each node lead these, each to a node.
---
--- An arc is taken, or left out for good; it must be taken where no other way leads to what is
--- behind it. So every branch ends in a tree or in a 'Nothing'.
-growing :: Int -> (Int -> [(Int, Int)]) -> (s -> Int -> Maybe s) -> s -> [Maybe s]
-growing count arcsFrom step begun
-  | count <= 0 = []
-  | otherwise = go begun (IntSet.singleton 0) (arcsFrom 0)
-  where
-    go known reached frontier = case dropWhile ((`IntSet.member` reached) . snd) frontier of
-      [] -> [Just known | IntSet.size reached == count]
-      (arc, node) : others ->
-        taken (IntSet.insert node reached) (others ++ arcsFrom node) (step known arc)
-          ++ (if spared node reached others then go known reached others else [])
-    taken reached frontier = maybe [Nothing] (\more -> go more reached frontier)
-    -- Whether an arc of these leads to the part of the graph that has the node.
-    spared node reached others = search (IntSet.singleton node) [node]
-      where
-        goals = IntSet.fromList (map snd others)
-        search _ [] = False
-        search seen (i : rest)
-          | i `IntSet.member` goals = True
-          | otherwise =
-            let new =
-                  [ j
-                    | (_, j) <- arcsFrom i,
-                      not (j `IntSet.member` reached || j `IntSet.member` seen)
-                  ]
-             in search (foldl' (flip IntSet.insert) seen new) (new ++ rest)

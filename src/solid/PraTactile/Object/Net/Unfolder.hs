@@ -1,7 +1,8 @@
--- | What is made of a solid before its faces are unfolded: their planes, and how each comes to that
--- of its neighbours, exactly and as enclosures of more and more places.
+-- | What is made of a solid before its faces are unfolded: their planes, their convex parts, and
+-- how each plane comes to that of its neighbours, exactly and as enclosures of more and more places.
 module PraTactile.Object.Net.Unfolder
   ( Unfolder (..),
+    Part,
     unfolder,
     faceCount,
     gluedTo,
@@ -17,12 +18,15 @@ import qualified Data.List.NonEmpty as NonEmpty
 import qualified Data.Map.Lazy as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Enclosure
 import PraTactile.Object.Mesh
 import PraTactile.Object.Net.Template
 import PraTactile.Object.Number
+import PraTactile.Object.Polygon
 import PraTactile.Object.Radicals
 import PraTactile.Object.Surface
+import PraTactile.Object.Triangles
 import PraTactile.Object.WingedEdge (Solid, solidMesh)
 
 -- | A solid of which faces are unfolded.
@@ -30,6 +34,8 @@ data Unfolder = Unfolder
   { unfolderMesh :: Mesh,
     unfolderSides :: Surface,
     unfolderTemplates :: V.Vector Template,
+    -- | each face as convex parts
+    unfolderParts :: V.Vector [Part],
     -- | the roots of the templates, each a multiple of another
     unfolderRoot :: Integer -> (Rational, Integer),
     -- | in the exact numbers
@@ -57,6 +63,7 @@ unfolder whole =
     { unfolderMesh = it,
       unfolderSides = sides,
       unfolderTemplates = flats,
+      unfolderParts = V.generate (V.length flats) (convexParts it),
       unfolderRoot = root,
       unfolderExactly = rung (\q n -> let (k, under) = root n in Just (radical (q * k) under)),
       unfolderRungs = NonEmpty.map (rung . enclosed) rungPlaces
@@ -74,7 +81,7 @@ unfolder whole =
       Rung
         { rungCorners =
             V.map
-              (\flat -> V.generate (V.length (templateCorners flat)) (templateCorner make flat))
+              (\one -> V.generate (V.length (templateCorners one)) (templateCorner make one))
               flats,
           rungAcross =
             V.generate
@@ -89,3 +96,20 @@ faceCount = V.length . unfolderTemplates
 -- | The other side of the edge that a side of a solid is of.
 gluedTo :: Surface -> Int -> Int
 gluedTo sides s = fromMaybe s (mateOf sides s)
+
+-- | A convex part of a face: its corners by their places on the face's walk.
+type Part = V.Vector Int
+
+-- | A face as convex parts, which have no corners but its own.
+convexParts :: Mesh -> Int -> [Part]
+convexParts it f
+  | and [turn (at i) (at (i + 1)) (at (i + 2)) >= 0 | i <- [0 .. count - 1]] =
+    [V.enumFromN 0 count]
+  | otherwise = [V.fromList (map place [i, j, k]) | (i, j, k) <- triangles it walk]
+  where
+    walk = meshWalks it V.! f
+    points = cornersOf it walk
+    seen = V.map (flat (doubleArea points)) points
+    count = V.length seen
+    at i = seen V.! (i `mod` count)
+    place v = fromMaybe 0 (U.elemIndex v walk)
