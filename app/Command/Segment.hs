@@ -1,4 +1,5 @@
--- | @pra-tactile segment@: a composite to its symbols, without recognising them.
+-- | @pra-tactile segment@: a composite to its symbols, as @decode@ sees them before it asks the
+-- array.
 module Command.Segment
   ( command,
   )
@@ -13,11 +14,11 @@ import Frames
 import FramesChoice
 import Message
 import Options
+import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Files (sourcePath, sourcePaths)
 import PraTactile.Format.Segmentation
-import PraTactile.Registration (latticeTables)
+import PraTactile.Recognise.Features
 import PraTactile.Segmentation.Symbol
-import PraTactile.Segmentation.Turned
 import Setup
 import Text.Printf (printf)
 import Visible
@@ -27,13 +28,14 @@ command =
   subcommand
     "segment"
     "Find the symbols in tactile images: where each is, which way its axes point and how far its \
-    \neighbours are. Takes what decode takes, but not the array, and \
-    \of the shapes only what frames are put together by."
+    \neighbours are. Takes what decode takes, but the shapes in place of the array, and sees what \
+    \decode sees."
     [ "pra-tactile segment data/worked-example/composite.pgm",
       "pra-tactile segment data/worked-example/frames --json"
     ]
     ( run
         <$> alphabetChoice
+        <*> networkOption
         <*> stitchingOptions
         <*> framesOptions
         <*> jsonSwitch "Print one JSON answer a line"
@@ -41,41 +43,47 @@ command =
     )
 
 run ::
-  AlphabetChoice -> StitchingChoice -> FramesChoice -> AnswerForm -> [FilePath] -> IO ExitStatus
-run symbols stitching choice form paths = do
+  AlphabetChoice ->
+  Maybe FilePath ->
+  StitchingChoice ->
+  FramesChoice ->
+  AnswerForm ->
+  [FilePath] ->
+  IO ExitStatus
+run symbols weights stitching choice form paths = do
   found <- sourcePaths paths >>= orUnusable filesMessage
   when (onlyImages found) $
     leaveOut
       "whole images are not put together of frames"
-      (ofFrames stitching choice ++ alphabetGiven symbols)
+      (ofFrames stitching choice)
   when (asTheyAre stitching) $
     leaveOut
       "--no-stitching takes the positions as they are"
-      (ofRegistration stitching ++ alphabetGiven symbols)
+      (ofRegistration stitching)
   known <- preparation choice
-  tables <- latticeTables <$> chosenAlphabet symbols
-  composites <- loadSources tables 1 known (stitchingOf stitching) found
+  reader <- chosenAlphabet symbols >>= (`readerWith` weights)
+  composites <- loadSources (readerTables reader) 1 known (stitchingOf stitching) found
   let several = not (null (drop 1 found))
   fmap (maximum . (Answered :)) . for (zip (map sourcePath found) composites) $
     \(path, composite) -> do
-      let segmented = segmentTurned composite
+      segmented <- orUnusable networkMessage (features reader composite)
       case form of
         AsJson -> Bytes.putStrLn (encodeSegmentation (nameInJson path) segmented)
         AsText -> do
           when several (putStrLn (visibleName path ++ ":"))
           putStr (unlines (inWords segmented))
-      pure (if null (turnedSymbols segmented) then NotAnswered else Answered)
+      pure (if null (featuresSymbols segmented) then NotAnswered else Answered)
 
 -- | What was found, a line each.
-inWords :: TurnedSegmentation -> [String]
+inWords :: Features -> [String]
 inWords segmented
   | null everything = ["nothing is embossed"]
   | otherwise = everything
   where
     everything =
-      map symbolText (turnedSymbols segmented)
-        ++ map partText (turnedParts segmented)
-        ++ map rejectText (turnedRejects segmented)
+      map symbolText (featuresSymbols segmented)
+        ++ map partText (featuresParts segmented)
+        ++ map rejectText (featuresRejects segmented)
 
 symbolText :: Featured -> String
 symbolText symbol =

@@ -147,10 +147,10 @@ shownMirrored shown = case recognisedAnswer shown of
 -- lies there: of all places that are likely by the symbols alone, in each way in which
 -- 'recogniseSeen' reads them.
 cellsShown :: KnownField k => Tolerance -> Recogniser k -> Sight -> [Position]
-cellsShown tolerance reader (Sight asGiven setRight) =
-  foldMap cellsOf (asGiven : [upright | (_, _, upright) <- toList setRight])
+cellsShown tolerance reader seen =
+  foldMap cellsOf (sightAsGiven seen : [upright | (_, _, upright) <- toList (sightUpright seen)])
   where
-    cellsOf = foldMap (likelyCells reader tolerance . gridCells . lookGrid)
+    cellsOf = foldMap (likelyCells reader tolerance . gridCells . lookGrid) . readingLook
 
 -- | 'recogniseWith' of composites as their frames were put together.
 recogniseAsPut ::
@@ -165,12 +165,13 @@ recogniseAsPut tolerance reader =
 -- | What was seen, located on the array. Where composites are read both as they are and set
 -- upright, what is 'preferred' holds.
 recognitionOf :: KnownField k => Tolerance -> Recogniser k -> Sight -> Recognition
-recognitionOf tolerance reader (Sight asGiven setRight) = case setRight of
-  Nothing -> located asGiven
+recognitionOf tolerance reader seen = case sightUpright seen of
+  Nothing -> asGiven
   Just (angle, places, upright) ->
-    preferred angle (axesTilted (located asGiven)) (relocated angle places (located upright))
+    preferred angle (axesTilted asGiven) (relocated angle places (located upright))
   where
-    located = either id (locatedLook tolerance reader)
+    asGiven = located (sightAsGiven seen)
+    located = either id (locatedLook tolerance reader) . readingLook
 
 -- | The answer from symbols and parts on one grid.
 locatedLook :: KnownField k => Tolerance -> Recogniser k -> Look -> Recognition

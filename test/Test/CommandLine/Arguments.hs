@@ -85,7 +85,7 @@ argumentsSpec = describe "arguments" $ do
           ),
           ("decode whole.pgm --at 0,0", ["--at"]),
           ("decode whole.pgm --plane plane.json", ["--plane"]),
-          ("segment whole.pgm --q 4 --axes y,x", ["--q", "--axes"]),
+          ("segment whole.pgm --noise 0.1 --axes y,x", ["--noise", "--axes"]),
           ("stitch frames --no-stitching --method joint --output o.pgm", ["--method"]),
           ("stitch frames --method nominal --noise 0.1 --output o.pgm", ["--noise"]),
           ("stitch frames --method incremental --q 9 --output o.pgm", ["--q"]),

@@ -7,9 +7,9 @@ import Data.Aeson (Value, decodeStrict, object, (.=))
 import Data.Foldable (for_)
 import PraTactile.Format.Registration
 import PraTactile.Format.Segmentation
+import PraTactile.Recognise.Features
 import PraTactile.Registration.Pair
 import PraTactile.Segmentation.Symbol
-import PraTactile.Segmentation.Turned
 import Test.Hspec
 
 spec :: Spec
@@ -37,7 +37,7 @@ spec = do
     decodeStrict
       ( encodeSegmentation
           "f.pgm"
-          ( TurnedSegmentation
+          ( Features
               [Featured (1.5, 2) 30 (Neighbours (Just (1, 0)) Nothing (Just (0, -2)) (Just (3, 4)))]
               [Incomplete (5, 6.5) 0.25]
               [Reject (1, 2, 3, 4) CutOff]

@@ -198,8 +198,7 @@ recognitionSpec = do
           (symbolOf 0 (0, 0) (identity, 0))
             { readChances = [((identity, 0), 1 - p), ((identity, 1), p / 2), ((turned 2, 0), p / 2)]
             }
-        of' doubts =
-          certainty (unanswered (map doubtful doubts) NoSymbols) {recognisedParts = [doubtful 0.5]}
+        of' = certainty . map doubtful
     abs (of' [0.1, 0.02] - negate (log 0.002)) `shouldSatisfy` (< 1e-9)
     abs (of' [0] - 300 * log 10) `shouldSatisfy` (< 1e-9)
     of' [] `shouldBe` 0

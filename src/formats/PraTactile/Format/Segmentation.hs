@@ -9,17 +9,17 @@ where
 import Data.Aeson (Value, object, (.=))
 import Data.ByteString (ByteString)
 import PraTactile.Format.Json (encodeSchema)
+import PraTactile.Recognise.Features
 import PraTactile.Segmentation.Symbol
-import PraTactile.Segmentation.Turned
 
 -- | What the composite of that name shows, on one line, without its end; all keys always.
-encodeSegmentation :: FilePath -> TurnedSegmentation -> ByteString
-encodeSegmentation source segmented =
+encodeSegmentation :: FilePath -> Features -> ByteString
+encodeSegmentation source shown =
   encodeSchema "segment/1" $
     "source" .= source
-      <> "symbols" .= map symbolValue (turnedSymbols segmented)
-      <> "parts" .= map partValue (turnedParts segmented)
-      <> "rejects" .= map rejectValue (turnedRejects segmented)
+      <> "symbols" .= map symbolValue (featuresSymbols shown)
+      <> "parts" .= map partValue (featuresParts shown)
+      <> "rejects" .= map rejectValue (featuresRejects shown)
 
 symbolValue :: Featured -> Value
 symbolValue (Featured (x, y) axis beside) =

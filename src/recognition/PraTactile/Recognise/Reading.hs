@@ -94,6 +94,8 @@ data View = View
     viewComposite :: Composite,
     -- | of the composite so turned
     viewSegmentation :: Segmentation,
+    -- | what is no complete symbol, in the pixels of the composite before turning
+    viewRejects :: [Reject],
     -- | where its pixel (0, 0), before turning, is on the first composite's grid
     viewShift :: (Double, Double),
     viewSymbols :: [ReadSymbol]
@@ -110,7 +112,7 @@ readSymbols reader axis from composites = numbered from <$> traverse view (zip [
       let (upright, found, back) = segmentAlong axis c
       symbols <- traverse (readSymbol reader axis i (shift c)) (segmentedSymbols back)
       let partly = maybe upright (onComposite (invert axis)) forParts
-      pure (View i axis partly found (shift c) symbols)
+      pure (View i axis partly found (segmentedRejects back) (shift c) symbols)
     shift c = case map cleanedComposite composites of
       origin : _ -> (apart fst origin c, apart snd origin c)
       [] -> (0, 0)

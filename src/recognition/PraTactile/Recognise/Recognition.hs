@@ -122,10 +122,10 @@ refusalName refusal = case refusal of
 unanswered :: [ReadSymbol] -> Refusal -> Recognition
 unanswered symbols = Recognition symbols [] Map.empty Nothing Nothing 0 . Left
 
--- | How much the symbols say together, in nats: the fewer doubts they leave, the better they were
--- cut out.
-certainty :: Recognition -> Double
-certainty = sum . map (negate . log . max 1e-300 . readDoubt) . recognisedSymbols
+-- | How much symbols say together, in nats: the fewer doubts they leave, the better they were cut
+-- out.
+certainty :: [ReadSymbol] -> Double
+certainty = sum . map (negate . log . max 1e-300 . readDoubt)
 
 -- | Of what was recognised as the composites are, whose symbols lie at an angle (degrees), and of
 -- what was recognised from them set upright: an answer before a refusal, but as the composites are
@@ -134,9 +134,10 @@ preferred :: Double -> Recognition -> Recognition -> Recognition
 preferred angle asGiven setRight
   | isAnswered setRight && not (isAnswered asGiven) = setRight
   | isAnswered asGiven && not (isAnswered setRight) && abs angle <= mostTilt = asGiven
-  | certainty setRight > certainty asGiven = setRight
+  | certaintyOf setRight > certaintyOf asGiven = setRight
   | otherwise = asGiven
   where
+    certaintyOf = certainty . recognisedSymbols
     isAnswered = isRight . recognisedAnswer
 
 -- | Symbols that are turned by no more than this, in degrees, are still read as they are without

@@ -2,6 +2,7 @@
 -- of symbols beside them, on one grid.
 module PraTactile.Recognise.Sight
   ( Sight (..),
+    Reading (..),
     Look (..),
     sight,
   )
@@ -16,17 +17,28 @@ import PraTactile.Recognise.Parts
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recognition
 import PraTactile.Registration (Composite (..))
-import PraTactile.Segmentation (Cleaned (..), Segmentation (..), cleaned)
+import PraTactile.Segmentation (Cleaned (..), Reject, Segmentation (..), cleaned)
 import PraTactile.Sensor.Manifest (Remedy (..), remedies, straight)
 import PraTactile.Symmetry
 
--- | What composites of one face show, before the array and the objects are asked: in the composites
--- as they are; and, where the symbols are not nearly upright by their 'tilt', that angle, where
--- places of the composites set upright are on those given, and what the former show.
-data Sight
-  = Sight
-      !(Either Recognition Look)
-      !(Maybe (Double, [(Double, Double) -> (Double, Double)], Either Recognition Look))
+-- | What composites of one face show, before the array and the objects are asked.
+data Sight = Sight
+  { -- | what in the composites is none of the symbols'
+    sightForeign :: [Reject],
+    -- | the composites as they are
+    sightAsGiven :: Reading,
+    -- | where the symbols are not nearly upright by their 'tilt': that angle, where places of the
+    -- composites set upright by it are on those given, and the composites so set upright
+    sightUpright :: Maybe (Double, [(Double, Double) -> (Double, Double)], Reading)
+  }
+
+-- | Composites read along the axis of most symbols.
+data Reading = Reading
+  { -- | what is no complete symbol, in the composites' pixels
+    readingRejects :: [Reject],
+    -- | the symbols, or why they are not located
+    readingLook :: Either Recognition Look
+  }
 
 -- | Symbols and parts on one grid.
 data Look = Look
@@ -47,10 +59,11 @@ sight reader given = case tilt (map cleanedComposite composites) of
       asGiven <- lookUpright reader Nothing composites
       let (upright, places) = unzip (map (cleanedUpright angle) composites)
       turnedBack <- lookUpright reader (Just 0) upright
-      pure (Sight asGiven (Just (angle, places, turnedBack)))
-  shown -> (`Sight` Nothing) <$> lookUpright reader shown composites
+      pure (Sight foreignThings asGiven (Just (angle, places, turnedBack)))
+  shown -> (\asGiven -> Sight foreignThings asGiven Nothing) <$> lookUpright reader shown composites
   where
     composites = map cleaned given
+    foreignThings = concatMap cleanedRejects composites
 
 -- | 'setUpright' of a composite without what is foreign.
 cleanedUpright :: Double -> Cleaned -> (Cleaned, (Double, Double) -> (Double, Double))
@@ -60,12 +73,8 @@ cleanedUpright angle (Cleaned composite forParts foreignThings) =
     (upright, back) = setUpright angle composite
 
 -- | What composites show whose symbols' axes are nearly theirs: turned from them by the angle, in
--- degrees clockwise, as far as the images show it. 'Left' has why that is not located.
-lookUpright ::
-  Reader ->
-  Maybe Double ->
-  [Cleaned] ->
-  Either NetworkError (Either Recognition Look)
+-- degrees clockwise, as far as the images show it.
+lookUpright :: Reader -> Maybe Double -> [Cleaned] -> Either NetworkError Reading
 lookUpright reader angle composites = do
   upright <- readSymbols reader identity 0 composites
   -- A composite whose upright symbols are known has no others, and one that is flat has none.
@@ -80,7 +89,7 @@ lookUpright reader angle composites = do
         | otherwise = (upright, sideways)
   isMirrored <-
     if null (known views) && not flat then readMirrored reader composites else pure False
-  pure $
+  pure . Reading (concatMap viewRejects views) $
     if isMirrored
       then Left (unanswered (concatMap viewSymbols views ++ known others) (Mirrored remedy))
       else onOneGrid reader angle views (known others)

@@ -7,14 +7,15 @@ import Data.Either (isRight)
 import qualified Data.IntSet as IntSet
 import Data.List (sort)
 import qualified Data.Vector.Storable as V
+import PraTactile.Classification.Shipped (shippedReader)
 import PraTactile.Composite (weighted)
 import PraTactile.Composite.Tilt (setUpright)
 import PraTactile.Image
 import PraTactile.Image.Correlate (referenceAt)
+import PraTactile.Recognise.Features (features)
 import PraTactile.Registration
 import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region
-import PraTactile.Segmentation.Turned (segmentTurned)
 import PraTactile.Sensor.Frame
 import PraTactile.Symmetry
 import Test.Hostile.Judgement (withinBounds)
@@ -28,7 +29,8 @@ spec = do
   modifyMaxSuccess (const 4) turnedSpec
   it "six frames of stripes, one of them thirty metres away, take no more than six" $ do
     composite <- composed [(0, 0), (12.7, 0), (25.4, 0), (0, 12.7), (12.7, 12.7), (3e4, 0)]
-    found <- withinBounds (evaluate (length (show (segmentTurned composite))))
+    reader <- either (fail . show) pure (shippedReader 4)
+    found <- withinBounds (evaluate (length (show (features reader composite))))
     found `shouldSatisfy` isRight
   it "symbols' pixels far apart are connected as those in a small field are" $ do
     let far = maskedAs (1000000, 1000000) V.empty V.empty

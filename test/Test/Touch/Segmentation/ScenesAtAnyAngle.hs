@@ -12,18 +12,20 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Array
 import PraTactile.Composite.Tilt (tilt, tilts)
+import PraTactile.Classification.Shipped (shippedReader)
 import PraTactile.Decode
 import PraTactile.Field (toCode)
 import PraTactile.Image
 import PraTactile.Profile
 import PraTactile.Random (normals)
 import PraTactile.Recognise
+import PraTactile.Recognise.Features
 import PraTactile.Registration (Composite (..), compositeOf)
 import PraTactile.Segmentation (Cause (..), Reject (..), SymbolImage (..), cleaned)
 import PraTactile.Segmentation.Foreign (Cleaned (..))
-import PraTactile.Segmentation.Turned
 import System.Random (mkStdGen)
 import Test.CommandLine.Run
+import Test.Effort (byEffort)
 import Test.Hspec
 import Test.Support
 import Test.Touch.Sensor.MeanHeights (embossing)
@@ -118,12 +120,17 @@ shapesByCode = Map.fromList (zip [0 ..] embossing)
 apart :: (Double, Double) -> (Double, Double) -> Double
 apart (x, y) (x', y') = sqrt ((x - x') ^ (2 :: Int) + (y - y') ^ (2 :: Int))
 
+-- | What recognition sees of a composite before it asks the array.
+shownBy :: Composite -> IO Features
+shownBy composite =
+  either (fail . show) (either (fail . show) pure . (`features` composite)) (shippedReader 4)
+
 anyAngle :: Spec
 anyAngle = do
   it "symbols are where they are, and their axes and neighbours as they lie" $
     for_ scenes $ \(k, scene@(Scene _ angle _)) -> do
-      let seen = turnedSymbols (segmentTurned (drawnWith k 0.05 (const Nothing) scene))
-          true = map snd (centres scene)
+      seen <- featuresSymbols <$> shownBy (drawnWith k 0.05 (const Nothing) scene)
+      let true = map snd (centres scene)
           nearest at = take 1 (sortOn (apart at) true)
           expected = [at | at <- true, whole scene at]
       (k, [at | at <- expected, all ((> 0.7) . apart at . featuredAt) seen]) `shouldBe` (k, [])
@@ -137,62 +144,37 @@ anyAngle = do
           let target = featuredAt s `plus` there
               found = [featuredAt o | o <- seen, apart target (featuredAt o) < 2]
           (k, fmap (plus (featuredAt s)) given) `shouldSatisfy` agrees found . snd
-  it
-    "where they are read along the composite's axes, the angle of their axis is what most squares\
-    \ of distances to neighbours agree with, and the axes themselves"
-    $ for_ [(k, angle) | k <- [1 .. 6], angle <- [-1.5, 0.8, 2]] $ \(k, angle) -> do
-      let seen = turnedSymbols (segmentTurned (drawnWith k 0.02 (const Nothing) (sceneOf k angle)))
-          steps =
-            [ (there, at)
-              | s <- seen,
-                (Just there, at) <- directions' (featuredNeighbours s)
-            ]
-          total part = sum [part there at | (there, at) <- steps]
-          across (x, y) (u, v) = u * y - v * x
-          along (x, y) (u, v) = x * u + y * v
-          turned = atan2 (total across) (total along)
-          -- Each pair of neighbours stands there twice.
-          squares = sum [u * u + v * v | (_, (u, v)) <- steps] / 2
-          -- A symbol's place is known to half a pixel along each axis, the axes to two degrees.
-          weight = (squares / 0.25 / 2) / (squares / 0.25 / 2 + 1 / (2 * pi / 180) ^ (2 :: Int))
-      (k, length steps) `shouldSatisfy` ((> 4) . snd)
-      for_ seen $ \s ->
-        (k, angle, featuredAxis s, weight * turned * 180 / pi)
-          `shouldSatisfy` (\(_, _, told, wanted) -> abs (told - wanted) < 1e-9)
   it "the tilt is from -45 up to but not including 45, and right up to quarter turns" $
-    for_ ((,) <$> [1, 2] <*> ([-46, -45.4 .. -44] ++ [44, 44.6 .. 46])) $ \(k, angle) ->
+    for_ ((,) <$> byEffort [1] [1, 2] <*> ([-46, -45.4 .. -44] ++ [44, 44.6 .. 46])) $ \(k, angle) ->
       case tilt [drawnWith k 0.05 (const Nothing) (sceneOf k angle)] of
         Just found -> do
           (k, angle, found) `shouldSatisfy` (\(_, _, t) -> t >= -45 && t < 45)
           (k, angle, upToQuarters found angle) `shouldSatisfy` (\(_, _, t) -> t < 1)
         Nothing -> expectationFailure (show (k, angle))
   it "the tilts of two scenes together are each one's, before any other" $
-    for_ ((,) <$> [1 .. 6] <*> [-40, -20 .. 40]) $ \(k, angle) -> do
+    for_ ((,) <$> byEffort [3] [1 .. 6] <*> [-40, -20 .. 40]) $ \(k, angle) -> do
       let own = [angle, angle + 30]
           found = take 2 (tilts [drawnWith k 0.05 (const Nothing) (sceneOf k a) | a <- own])
       (k, angle, found)
         `shouldSatisfy` (\(_, _, ts) -> and [any ((< 1) . upToQuarters a) ts | a <- own])
   it "what is not whole beside them is told as a part, with the share that is seen" $
     for_ scenes $ \(k, scene) -> do
-      let segmented = segmentTurned (drawnWith k 0.05 (const Nothing) scene)
-      for_ (turnedParts segmented) $ \part -> do
+      segmented <- shownBy (drawnWith k 0.05 (const Nothing) scene)
+      for_ (featuresParts segmented) $ \part -> do
         let at = incompleteAt part
         (k, at, minimum (map (apart at . snd) (centres scene)))
           `shouldSatisfy` (\(_, _, d) -> d < 1)
         (k, at, incompleteSeen part) `shouldSatisfy` (\(_, _, seen) -> seen >= 1 / 16 && seen <= 1)
-        (k, whole scene at && all ((> 2) . apart at . featuredAt) (turnedSymbols segmented))
+        (k, whole scene at && all ((> 2) . apart at . featuredAt) (featuresSymbols segmented))
           `shouldBe` (k, False)
   where
-    scenes = [(k, sceneOf k (fromIntegral (k * 67 `mod` 720) / 2)) | k <- [1 .. 12]]
+    scenes =
+      [ (k, sceneOf k (fromIntegral (k * 67 `mod` 720) / 2))
+        | k <- byEffort [2, 7, 12] [1 .. 12]
+      ]
     plus (x, y) (x', y') = (x + x', y + y')
     -- How far two angles are apart, but for quarter turns.
     upToQuarters a b = let t = (a - b) / 90 in 90 * abs (t - fromIntegral (round t :: Int))
-    directions' beside =
-      [ (neighbourRight beside, (16, 0)),
-        (neighbourLeft beside, (-16, 0)),
-        (neighbourUp beside, (0, -20)),
-        (neighbourDown beside, (0, 20))
-      ]
     directions axis beside =
       [ (neighbourRight beside, along 16 0),
         (neighbourLeft beside, along (-16) 0),
@@ -246,8 +228,8 @@ besideForeign = do
     it (name ++ " is no symbol, and costs none that is two taxels from it") $
       for_ scenes $ \(k, scene) -> do
         let composite = drawnWith k 0.05 foreign' scene
-            segmented = segmentTurned composite
-            seen = turnedSymbols segmented
+        segmented <- shownBy composite
+        let seen = featuresSymbols segmented
             clear =
               [ at
                 | (_, at) <- centres scene,
@@ -256,7 +238,7 @@ besideForeign = do
                   distance at > 9.2
               ]
         (k, [at | at <- clear, all ((> 1) . apart at . featuredAt) seen]) `shouldBe` (k, [])
-        [why | Reject _ why <- turnedRejects segmented]
+        [why | Reject _ why <- featuresRejects segmented]
           `shouldSatisfy` (\whys -> maybe True (`elem` whys) cause)
         -- Whatever else was cut out, recognition does not answer wrongly.
         case canonicalRecogniser of
@@ -277,7 +259,10 @@ besideForeign = do
       let composite = drawnWith k 0.05 (const Nothing) scene
       cleaned composite `shouldBe` Cleaned composite Nothing []
   where
-    scenes = [(k, sceneOf k (if even k then 37 * fromIntegral k else 180)) | k <- [1 .. 4]]
+    scenes =
+      [ (k, sceneOf k (if even k then 37 * fromIntegral k else 180))
+        | k <- byEffort [1, 4] [1 .. 4]
+      ]
     -- The symbols of an answer that are said to be other cells of the array than they are.
     misplaced scene recognition = case recognisedAnswer recognition of
       Right (Found there) ->

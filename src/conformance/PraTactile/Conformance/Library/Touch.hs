@@ -15,14 +15,14 @@ import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Shapes
 import PraTactile.Image (Raster, fromRows, mapRaster, rasterHeight, rasterWidth)
+import PraTactile.Recognise.Features (Featured (..), Features (..), features)
 import qualified PraTactile.Registration as Stitch
 import PraTactile.Registration.Pair
-import PraTactile.Segmentation.Turned (Featured (..), TurnedSegmentation (..), segmentTurned)
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
 import PraTactile.Shape (Alphabet, ShapeError (UnreadableLine), alphabet, bitmap)
 
--- | Registration by the better of its methods, stitching as for an exact sensor, and segmentation
--- at any angle.
+-- | Registration by the better of its methods, stitching as for an exact sensor, and the symbols of
+-- the agreed shapes as recognition sees them.
 libraryTouch :: Question a -> Wire a
 libraryTouch question = case question of
   Register shapes pair -> tablesOf shapes >>= (`registered` pair)
@@ -128,7 +128,6 @@ stitched known search frames = do
 segmented :: Rows -> Wire [Symbol]
 segmented rows = do
   composite <- Stitch.compositeOf <$> image rows
-  pure
-    [ Symbol (featuredAt symbol) (featuredAxis symbol)
-      | symbol <- turnedSymbols (segmentTurned composite)
-    ]
+  reader <- either (const (refuse "invalid")) pure agreedReader
+  shown <- either (const (refuse "invalid")) pure (features reader composite)
+  pure [Symbol (featuredAt symbol) (featuredAxis symbol) | symbol <- featuresSymbols shown]
