@@ -161,9 +161,8 @@ import qualified Test.Touch.Classification.PaperExperiment
 import qualified Test.Touch.Classification.SpecimensOfEachKind
 import qualified Test.Touch.Composite.BlendByDefinition
 import qualified Test.Touch.Composite.TiltByDefinition
-import qualified Test.Touch.Image.PgmAgainstGrammar
-import qualified Test.Touch.Image.PgmBuiltAndMistaken
 import qualified Test.Touch.Image.PgmByTheManual
+import qualified Test.Touch.Image.PgmLaws
 import qualified Test.Touch.Image.RastersAndCorrelation
 import qualified Test.Touch.Registration.AngleByDefinition
 import qualified Test.Touch.Registration.AnswersOfPairs
@@ -271,9 +270,8 @@ together = do
     describe "Profiles" Test.Code.Profile.DoorToArrays.spec
   describe "Touch" $ do
     describe "Images" Test.Touch.Image.RastersAndCorrelation.spec
-    describe "PGM" Test.Touch.Image.PgmByTheManual.spec
-    describe "PGM word by word" Test.Touch.Image.PgmAgainstGrammar.spec
-    describe "PGM images" Test.Touch.Image.PgmBuiltAndMistaken.spec
+    describe "PGM" Test.Touch.Image.PgmLaws.spec
+    describe "PGM by the manual's examples" Test.Touch.Image.PgmByTheManual.spec
     describe "Probing" Test.Touch.Sensor.MotionsAndPlans.spec
     describe "Manifests word by word" Test.Touch.Sensor.ManifestAgainstGrammar.spec
     describe "The sensor" Test.Touch.Sensor.MeanHeights.spec

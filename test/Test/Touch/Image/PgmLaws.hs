@@ -1,30 +1,33 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | PGM files against a reader that follows pgm(5) word by word: comments become blanks, the header
--- is three words, the samples are the words or the bytes after them. It is slow, and says all that
--- is wrong with a file.
-module Test.Touch.Image.PgmAgainstGrammar
-  ( spec,
-    contents,
-    samplesOf,
-  )
-where
+-- | The laws of PGM files and images. Files are held against a reader that follows pgm(5) word by
+-- word: comments become blanks, the header is three words, the samples are the words or the bytes
+-- after them. It is slow, and says all that is wrong with a file.
+module Test.Touch.Image.PgmLaws (spec) where
 
-import Codec.Picture (Image (..))
+import Codec.Picture (DynamicImage (..), Image (..), decodePng)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as B
 import qualified Data.ByteString.Char8 as C
+import qualified Data.ByteString.Lazy as L
 import Data.Char (isDigit)
 import Data.List (groupBy)
 import qualified Data.Vector.Storable as V
+import PraTactile.Image (constant, fromRows, toRows)
 import PraTactile.Image.Pgm
+import Test.Effort (withCases)
 import Test.Hspec hiding (after, before)
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
-import Test.QuickCheck hiding (once)
+import Test.QuickCheck hiding (once, vector)
 import Test.Support
+import Test.Touch.Image.RastersAndCorrelation (genRaster)
 
 spec :: Spec
-spec = describe "By the manual" byDefinition
+spec = do
+  describe "A file" byDefinition
+  describe "An image" built
+  describe "A file that is written" written
+  describe "A file of another format" mistaken
+  describe "Intensities" intensities
 
 -- | Width, height, maximum value and samples.
 type Contents = (Int, Int, Int, [Int])
@@ -202,9 +205,15 @@ mutated pieces = do
 
 byDefinition :: Spec
 byDefinition = do
-  modifyMaxSuccess (const 3000) $
-    it "a file is read as it is defined, or refused for something that is wrong with it" $
+  withCases 1000 3000 $
+    it "is read as it is defined, or refused for something that is wrong with it" $
       property $ \(Pieces pieces) -> readAsDefined defined decodePgm contents (B.concat pieces)
+  it "has the size that its header says, which is read alone" $
+    property $ \(Pieces pieces) ->
+      let file = B.concat pieces
+       in case defined file of
+            Right (w, h, _, _) -> pgmSize file === Right (w, h)
+            Left _ -> property Discard
   it "at maximum values near a change of size, samples up to it are read, and one more is not" $
     conjoin
       [ case decodePgm file of
@@ -219,3 +228,147 @@ byDefinition = do
                 | v < (if m < 256 then 256 else 65536)
               ]
       ]
+
+built :: Spec
+built = do
+  it "is taken by pgm8 and pgm16 if it is one of their maximum values, and refused if not" $
+    forAllShrink image' shrinkImage $ \(m, (w, h, values)) ->
+      let causes range =
+            [MaxvalOutOfRange (fromIntegral m) | m `notElem` range]
+              ++ [ZeroSize (natural w) (natural h) | w < 1 || h < 1]
+              ++ [WrongValueCount w h (length values) | length values /= w * h]
+              ++ [ SampleAboveMaxval (i `mod` w, i `div` w) (fromIntegral v) m
+                   | w > 0,
+                     (i, v) <- zip [0 ..] values,
+                     v > m
+                 ]
+          held range made = case made of
+            Right pgm -> (contents pgm, causes range) === ((w, h, m, values), [])
+            Left e -> counterexample (show (e, causes range)) (e `elem` causes range)
+       in conjoin
+            ( held [256 .. 65535] (pgm16 (fromIntegral m) (Image w h (vector values))) :
+                [ held [1 .. 255] (pgm8 (fromIntegral m) (Image w h (vector values)))
+                  | all (< 256) (m : values)
+                ]
+            )
+  it "of exactly 2^24 pixels is not too large, and one of a row more is" $ do
+    maxPixels `shouldBe` 2 ^ (24 :: Int)
+    contentsOf (pgm8 1 (Image 4096 4096 V.empty)) `shouldBe` Left (WrongValueCount 4096 4096 0)
+    contentsOf (pgm8 1 (Image 4096 4097 V.empty)) `shouldBe` Left (TooManyPixels 4096 4097)
+    contentsOf (pgm8 1 (Image 16777217 1 V.empty)) `shouldBe` Left (TooManyPixels 16777217 1)
+  it "is shown as what builds it, in parentheses where it is an argument" $
+    forAllShrink image' shrinkImage $ \(m, (w, h, values)) ->
+      let shown name =
+            unwords [name, show m, "(Image", show w, show h, show values ++ ")"]
+          check text pgm =
+            [showsPrec d pgm "" | d <- [0 .. 12]]
+              === replicate 11 text ++ replicate 2 ("(" ++ text ++ ")")
+       in conjoin $
+            [ check (shown "Pgm8") pgm
+              | all (< 256) (m : values),
+                Right pgm <- [pgm8 (fromIntegral m) (Image w h (vector values))]
+            ]
+              ++ [ check (shown "Pgm16") pgm
+                   | Right pgm <- [pgm16 (fromIntegral m) (Image w h (vector values))]
+                 ]
+  where
+    contentsOf = fmap contents
+    natural = fromIntegral . max 0
+    vector :: (Num a, V.Storable a) => [Int] -> V.Vector a
+    vector = V.fromList . map fromIntegral
+    image' = do
+      m <- elements [0, 1, 9, 254, 255, 256, 257, 65534, 65535]
+      w <- frequency [(9, choose (1, 3)), (1, choose (-1, 0))]
+      h <- frequency [(9, choose (1, 3)), (1, choose (-1, 0))]
+      count <- frequency [(9, pure (max 0 (w * h))), (1, choose (0, 9))]
+      values <- vectorOf count (frequency [(9, elements [0, m]), (1, pure (min 65535 (m + 1)))])
+      pure (m, (w, h, values))
+    shrinkImage (m, (w, h, values)) = [(m, (w, h, vs)) | vs <- shrink values, all (>= 0) vs]
+
+written :: Spec
+written = do
+  it "is read as the image that it was written from, plain and raw" $
+    forAll ((,) <$> elements [Plain, Binary] <*> genPgm) $ \(format, pgm) ->
+      decodePgm (encodePgm format pgm) === Right pgm
+  it "plain, has lines of at most 70 characters, and begins each row on a line of its own" $
+    forAll genPgm $ \pgm ->
+      let written' = drop 3 (C.lines (encodePgm Plain pgm))
+          counts = map (length . C.words) written'
+       in counterexample (show counts) $
+            all ((<= 70) . B.length) written'
+              && scanl (+) 0 counts `containsAll` [0, pgmWidth pgm .. pgmWidth pgm * pgmHeight pgm]
+  where
+    containsAll sums = all (`elem` sums)
+
+genPgm :: Gen Pgm
+genPgm = do
+  w <- frequency [(3, choose (1, 9)), (1, choose (10, 40))]
+  h <- choose (1, 9)
+  m <- oneof [choose (1, 255), choose (256, 65535), elements [1, 255, 256, 65535]]
+  values <- vectorOf (w * h) (choose (0, m))
+  let made
+        | m < 256 = pgm8 (fromIntegral m) (Image w h (V.fromList (map fromIntegral values)))
+        | otherwise = pgm16 m (Image w h (V.fromList values))
+  either (\e -> error ("the generator made no PGM: " ++ show e)) pure made
+
+mistaken :: Spec
+mistaken =
+  it "is known by its signature, and by nothing less" $
+    conjoin
+      [ counterexample (show (name, signature)) $
+          conjoin
+            [ formatName (signature <> "\0") === Just name,
+              conjoin
+                [ counterexample (show changed) (formatName changed =/= Just name)
+                  | i <- [0 .. B.length signature - 1],
+                    let (before, after) = B.splitAt i signature,
+                    changed <- [before, before <> B.map (+ 64) (B.take 1 after) <> B.drop 1 after]
+                ]
+            ]
+        | (name, signatures) <- signaturesOf,
+          signature <- signatures
+      ]
+  where
+    -- From the specifications: PNG 5.2 (its first half is enough), JFIF, GIF89a 17, TIFF 6.0 2,
+    -- BITMAPFILEHEADER, pbm(5), ppm(5), pam(5), RFC 1952, ISO 32000 7.5.2.
+    signaturesOf =
+      [ ("PNG", ["\x89PNG"]),
+        ("JPEG", [B.pack [0xff, 0xd8, 0xff]]),
+        ("GIF", ["GIF8"]),
+        ("TIFF", ["II*\0", "MM\0*"]),
+        ("BMP", ["BM"]),
+        ("PBM", ["P1", "P4"]),
+        ("PPM", ["P3", "P6"]),
+        ("PAM", ["P7"]),
+        ("gzip", [B.pack [0x1f, 0x8b]]),
+        ("PDF", ["%PDF"])
+      ]
+
+intensities :: Spec
+intensities = do
+  it "are the samples' shares of the maximum value, and give the samples back" $
+    forAll genPgm $ \pgm ->
+      let shares = pgmIntensity pgm
+          m = fromIntegral (pgmMaxval pgm)
+       in concat (toRows shares) === [fromIntegral v / m | v <- samplesOf pgm]
+            .&&. pgmFromIntensity (fromIntegral (pgmMaxval pgm)) shares === Right pgm
+  it "become the nearest samples, of what is beyond 0 to 1 the last, and of no number 0" $
+    forAll (elements [1, 9, 254, 255, 256, 257, 65534, 65535]) $ \m ->
+      forAll (vectorOf 9 (frequency [(3, choose (-2, 3)), (1, elements edges)])) $
+        \values ->
+          let image = either (error . show) id (fromRows [values])
+              -- The one that is nearer, of two as near the even one.
+              nearest v = snd (minimum [((abs (at v - fromIntegral s), odd s), s) | s <- near v])
+              at v = fromIntegral m * (if isNaN v then 0 else max 0 (min 1 v))
+              near v = [floor (at v), floor (at v) + 1] :: [Int]
+           in fmap samplesOf (pgmFromIntensity m image) === Right (map nearest (values :: [Double]))
+  it "of no pixels, or by a maximum value of 0, are no image" $ do
+    pgmFromIntensity 255 (constant 0 4 1) `shouldBe` Left (ZeroSize 0 4)
+    pgmFromIntensity 0 (constant 1 1 1) `shouldBe` Left (MaxvalOutOfRange 0)
+  it "become a PNG whose pixels are the samples of 8 bits" $
+    forAll genRaster $ \r -> case (decodePng (L.toStrict (rasterPng r)), pgmFromIntensity 255 r) of
+      (Right (ImageY8 image), Right pgm) ->
+        map fromIntegral (V.toList (imageData image)) === samplesOf pgm
+      other -> counterexample (either show (const "not grey") (fst other)) False
+  where
+    edges = [-0.5, 0, 0.5, 1, 0 / 0, 1 / 0, -1 / 0]
