@@ -59,6 +59,7 @@ import PraTactile.Geometry (columnPitch, rowPitch)
 import PraTactile.Object.Placement
 import PraTactile.Polynomial (primitiveDegree, primitivePolynomials)
 import PraTactile.Pose (poseApart, poseDistance)
+import PraTactile.Pressing (pressRegion)
 import PraTactile.Random (uniform)
 import PraTactile.Recognise
 import PraTactile.Recognise.FoundPose (foundPose)
@@ -275,16 +276,15 @@ trial how (face, surface) generator = do
   (foreign', flat, generator2) <- case explorationForeign how of
     Nothing -> Just (False, surface, generator1)
     Just others -> ground others (face, surface) generator1
-  let pressed = flat {reliefBend = explorationBend how}
-      (specimen, generator3) = drawSpecimen (explorationSensor how) generator2
-  (frames, _) <-
+  let (specimen, generator3) = drawSpecimen (explorationSensor how) generator2
+  frames <-
     either (const Nothing) Just $
-      exploreWith
+      pressRegion
         (explorationSensor how)
         (explorationSpacing how)
         specimen
-        (heightsUnder (explorationSensor how) region pressed)
-        (onRelief pressed region)
+        flat {reliefBend = explorationBend how}
+        region
         generator3
   pure (Trial face region frames (explorationBend how) foreign')
 

@@ -1,7 +1,11 @@
 -- | The simulated sensor pressed on one face of an object, frame by frame, where the truth is
 -- known; and the frames that a sensor is calibrated by.
 module PraTactile.Pressing
-  ( Pressing (..),
+  ( -- * A region of a face
+    pressRegion,
+
+    -- * An object
+    Pressing (..),
     pressingWith,
     pressed,
     pressedMesh,
@@ -28,7 +32,21 @@ import PraTactile.Sensor
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), ProbeError, taxelPitch)
 import PraTactile.Shape (Alphabet)
 import PraTactile.Truth (Truth (..))
-import System.Random (StdGen, mkStdGen, randomR, split)
+import System.Random (RandomGen, StdGen, mkStdGen, randomR, split)
+
+-- | The frames of a region of a face that has this relief, by a specimen of a sensor with presses so
+-- many of its taxels apart: nominal poses in the robot's frame, images taken at the true ones.
+-- Refuses a region that the presses do not cover.
+pressRegion ::
+  RandomGen g => Sensor -> Int -> Specimen -> Relief -> Region -> g -> Either ProbeError [Frame]
+pressRegion sensor spacing one surface region =
+  fmap fst
+    . exploreWith
+      sensor
+      spacing
+      one
+      (heightsUnder sensor region surface)
+      (onRelief surface region)
 
 -- | What is pressed, where and by what.
 data Pressing = Pressing
@@ -122,16 +140,15 @@ pressedOn reliefOn how layout object = do
   (face, generator) <-
     chosenFace [one | one <- laidFaces layout, faceObject (laidFace one) == object]
   flat <- reliefOn whole face
-  let surface = flat {reliefBend = pressingBend how}
   (region, generator') <- chosenRegion how face generator
-  (frames, _) <-
+  frames <-
     first NotCovered $
-      exploreWith
+      pressRegion
         sensor
         (pressingSpacing how)
         (specimen how)
-        (heightsUnder sensor region surface)
-        (onRelief surface region)
+        flat {reliefBend = pressingBend how}
+        region
         generator'
   pure (map moved frames, Truth (laidFace face) region (pressingOrigin how) (pressingBend how))
   where

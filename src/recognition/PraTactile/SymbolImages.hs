@@ -32,6 +32,7 @@ import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth, ta
 import PraTactile.Image (Raster, onRaster)
 import PraTactile.Object.Placement
 import PraTactile.Object.Plate (platePlacement)
+import PraTactile.Pressing (pressRegion)
 import PraTactile.Random (uniform)
 import PraTactile.Registration (LatticeTables, compositePosition, latticeTables)
 import PraTactile.Registration.Stitching (standardStitching, stitchedBy)
@@ -176,15 +177,7 @@ cutFrom ::
 cutFrom symbols sensor turns face classAt surface g = do
   let (region, g') = drawnRegion turns standardRegionSize face g
       (specimen, g'') = drawSpecimen sensor g'
-  (frames, _) <-
-    right $
-      exploreWith
-        sensor
-        (defaultSpacing sensor)
-        specimen
-        (heightsUnder sensor region surface)
-        (onRelief surface region)
-        g''
+  frames <- right (pressRegion sensor (defaultSpacing sensor) specimen surface region g'')
   composite <- right (stitchedBy (symbolTables symbols) standardStitching (withoutStuck frames))
   let whole = cleanedComposite (cleaned composite)
       (upright, back, leftOver) = case tilt [whole] of

@@ -15,6 +15,7 @@ module PraTactile.Classification.Means
 where
 
 import qualified Data.Vector.Storable as V
+import PraTactile.Classification.Calibration (conditionalLogit)
 import PraTactile.Classification.Network (NetworkError (..), sigmoid)
 import PraTactile.Classification.Regimen
 import PraTactile.Image (Raster, rasterHeight, rasterSize, rasterValues, rasterWidth)
@@ -45,11 +46,10 @@ meansOf classes labelled = Means centres a b
     total = foldr (V.zipWith (+)) (V.replicate (symbolWidth * symbolHeight) 0)
     (a, b) =
       platt
-        [ (r, label == Just k)
+        [ (correlation m seen, label == Just k)
           | (image, label) <- labelled,
             let seen = standardised (rasterValues image),
-            (k, m) <- zip [0 ..] centres,
-            let r = correlation m seen
+            (k, m) <- zip [0 ..] centres
         ]
 
 -- | The outputs of the classes for an 8 x 12 image, each between 0 and 1. Refuses an image of
@@ -75,27 +75,16 @@ standardised values = if size > 0 then V.map (/ size) centred else centred
     centred = V.map (subtract average) values
     size = sqrt (V.sum (V.map (^ (2 :: Int)) centred))
 
--- | The a and b of greatest likelihood, by Newton's method; a step that does not raise it is
--- halved.
+-- | The a and b of greatest likelihood: a logistic regression is a choice between what an image is
+-- not, of which all is 0, and what it is. Without a prior, its means are where the search begins.
 platt :: [(Double, Bool)] -> (Double, Double)
-platt cases = iterate step (10, -5) !! 30
+platt cases = case V.toList found of
+  [a, b] -> (a, b)
+  _ -> (0, 0)
   where
-    rs = V.fromList (map fst cases)
-    ys = V.fromList [if y then 1 else 0 | (_, y) <- cases] :: V.Vector Double
-    p (a, b) = V.map (\r -> sigmoid (a * r + b)) rs
-    likelihood at =
-      V.sum (V.zipWith (\y q -> log (max 1e-300 (if y > 0 then q else 1 - q))) ys (p at))
-    step (a, b) = foldr better (a, b) (take 20 (iterate (/ 2) 1))
-      where
-        chances = p (a, b)
-        off = V.zipWith (-) ys chances
-        weight = V.map (\q -> q * (1 - q)) chances
-        (ga, gb) = (V.sum (V.zipWith (*) off rs), V.sum off)
-        haa = V.sum (V.zipWith (\w r -> w * r * r) weight rs)
-        hab = V.sum (V.zipWith (*) weight rs)
-        hbb = V.sum weight
-        det = haa * hbb - hab * hab
-        (da, db) = ((hbb * ga - hab * gb) / det, (haa * gb - hab * ga) / det)
-        better by rest =
-          let there = (a + by * da, b + by * db)
-           in if likelihood there > likelihood (a, b) then there else rest
+    found =
+      conditionalLogit
+        (V.fromList [10, -5])
+        (V.fromList [0, 0])
+        [(if y then yes else no, [no, yes]) | (r, y) <- cases, let yes = V.fromList [r, 1]]
+    no = V.fromList [0, 0]
