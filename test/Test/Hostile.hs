@@ -75,7 +75,7 @@ spec = modifyMaxSize (const 60) $ do
           ending =
             ": the program ends with an answer or a refusal, in words, soon and in little memory"
       forM_ (filter (not . null . kindRuns) kinds) $ \kind ->
-        beforeAllWith (\example -> (,) example <$> kindSpecimens kind) $
+        beforeAllWith (\shown -> (,) shown <$> kindSpecimens kind) $
           it (kindName kind ++ ending) (runs (kindShare kind) . uncurry (hostileRun kind))
       it ("arguments" ++ ending) (runs 180 . harmlessRun)
   where

@@ -12,12 +12,13 @@
 module Test.Solid.UnfoldedByDefinition (spec) where
 
 import Data.List (elemIndex, sort, tails, (\\))
-import Data.Maybe (fromMaybe, isJust, listToMaybe)
+import Data.Maybe (catMaybes, fromMaybe, isJust, listToMaybe)
 import Data.Ratio (denominator, numerator, (%))
 import PraTactile.Conformance.Definition.Roots
 import PraTactile.Conformance.Definition.Solid
 import PraTactile.Object.Description (Description (..), FaceName (..), Point (..), VertexName)
 import PraTactile.Object.Net
+import PraTactile.Object.Net.Pick (searched)
 import PraTactile.Object.WingedEdge (EdgeName (..), solid)
 import Test.Effort
 import Test.Hspec
@@ -27,12 +28,14 @@ import Test.Solid.Unfoldable
 
 spec :: Spec
 spec =
-  withCases 40 200 . prop "a net is found, unless every unfolding overlaps" $
+  withCases 40 200 . prop "the nets are those that do not overlap; one is found, unless there is none" $
     forAll (unfoldable `suchThatMap` ofFew) $ \(it_, whole) ->
       let found = unfoldingsOf it_
           folded tree = sort [between a b | EdgeName a b <- foldedEdges whole tree]
        in classify (any snd found) "some overlap" $
             fromIntegral (length found) === spanningTrees whole
+              .&&. sort (map folded (catMaybes (searched whole)))
+              === sort [tree | (tree, False) <- found]
               .&&. case pickNet 100000 whole of
                 Right tree -> lookup (folded tree) found === Just False
                 Left EveryOneOverlaps -> map snd found === map (const True) found
