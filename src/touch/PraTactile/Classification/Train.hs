@@ -1,8 +1,7 @@
 -- | Training by backpropagation: gradient descent on the sum of squared errors over a whole batch,
 -- with momentum and an adaptive learning rate (the paper's section IV), by the rule of
 -- "PraTactile.Classification.Traingdx". Which images it is trained with is
--- "PraTactile.Classification.Regimen", or in the paper's own experiment
--- "PraTactile.Classification.Experiment".
+-- "PraTactile.Classification.Regimen".
 module PraTactile.Classification.Train
   ( -- * Batches
     Batch,
