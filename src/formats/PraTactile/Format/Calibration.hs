@@ -44,6 +44,4 @@ calibrationKeys =
 
 -- | A raster as the list of its rows.
 rows :: Codec Raster
-rows = case listOf (listOf real) of
-  Codec write decoder -> Codec (write . toRows) $ \value ->
-    decoder value >>= either (const (refuse NotCalibration)) Right . fromRows
+rows = via toRows (either (const (refuse NotCalibration)) Right . fromRows) (listOf (listOf real))

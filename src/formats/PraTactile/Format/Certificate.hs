@@ -18,9 +18,9 @@ import Data.Scientific (floatingOrInteger)
 import PraTactile.Certificate
 import PraTactile.Format.Digest
 import PraTactile.Format.Error
-import PraTactile.Format.Json
 import PraTactile.Format.Json.Canonical
 import PraTactile.Format.Json.Codec
+import qualified PraTactile.Format.Json.Schema as Schema
 import PraTactile.Format.Profile
 
 -- | A certificate with its seal, on one line of ASCII, without its end.
@@ -55,13 +55,13 @@ prime :: Codec PrimeProof
 prime =
   object (PrimeProof <$> key "prime" natural shownPrime <*> key "factors" (listOf witness) shownBy)
   where
-    witness = Codec (\(PrimeWitness l e a) -> map naturalValue [l, e, a]) $ \values ->
-      readValue (listOf natural) values >>= \given -> case given of
-        [l, e, a] -> Right (PrimeWitness l e a)
-        _ -> refuse NotPrimeWitness
+    witness = via (\(PrimeWitness l e a) -> [l, e, a]) three (listOf natural)
+    three given = case given of
+      [l, e, a] -> Right (PrimeWitness l e a)
+      _ -> refuse NotPrimeWitness
 
 evidence :: Codec Evidence
-evidence = Codec written $ \value -> do
+evidence = Codec Schema.Anything written $ \value -> do
   fields <- objectOf value
   way <- field "road" text fields
   case way of

@@ -67,8 +67,7 @@ manifestKeys =
   where
     pitch = such isTaxelPitch (OutOfRange "the pitch" taxelPitches) real
     some' = such (not . null) NoFrame (listOf (object entryKeys))
-    axes = Codec axesName $ \value -> do
-      given <- readValue text value
+    axes = flip (via axesName) text $ \given ->
       maybe (refuse (NotAmong (map fst axesNamed) given)) Right (lookup given axesNamed)
 
 -- | The three keys of the pose may be left out together, that of the force by itself.

@@ -88,7 +88,8 @@ whereaboutsKeys =
     <*> key "place_mm" (nullable millimetres) whereMillimetres
   where
     -- Whole numbers without a fraction.
-    millimetres = Codec (writeValue (pairOf real)) (readValue (pairOf real))
+    millimetres = case pairOf real of
+      two -> Codec (schemaOf two) (writeValue two) (readValue two)
     report on object' face = WhereaboutsReport on (Face <$> object' <*> face)
 
 -- | @object@ and @face@.
@@ -96,13 +97,13 @@ faceKeys :: Keys Face Face
 faceKeys = Face <$> key "object" objectName faceObject <*> key "face" vertices faceName
 
 objectName :: Codec ObjectName
-objectName = Codec objectText (fmap ObjectName . readValue text)
+objectName = via objectText (Right . ObjectName) text
 
 vertices :: Codec FaceName
-vertices = Codec (map vertexText . faceVertices) (fmap FaceName . readValue (listOf vertex))
+vertices = via faceVertices (Right . FaceName) (listOf vertex)
 
 vertex :: Codec VertexName
-vertex = Codec vertexText (fmap VertexName . readValue text)
+vertex = via vertexText (Right . VertexName) text
 
 -- | What lies at a position of the array of a profile, on one line, without its end.
 encodeWhereabouts :: Profile -> Position -> Whereabouts -> ByteString

@@ -98,10 +98,7 @@ statedKeys =
            <*> key "layings" (listOf (object drawingKeys)) statedLayings
        )
   where
-    pitch =
-      Codec
-        (\(Pitch right down) -> writeValue (pairOf exact) (right, down))
-        (fmap (uncurry Pitch) . readValue (pairOf exact))
+    pitch = via (\(Pitch right down) -> (right, down)) (Right . uncurry Pitch) (pairOf exact)
 
 -- | A laying with its whole block.
 data Drawing = Drawing

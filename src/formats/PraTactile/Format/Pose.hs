@@ -14,6 +14,7 @@ import Data.ByteString (ByteString)
 import Data.List (transpose)
 import PraTactile.Format.Error (FormatError, Misfit (NotMatrix, NotRotation))
 import PraTactile.Format.Json.Codec
+import qualified PraTactile.Format.Json.Schema as Schema
 import PraTactile.Object.WingedEdge (ObjectName (..))
 import PraTactile.Pose
 import PraTactile.Pose.Matrix (Matrix, diagonal, times)
@@ -37,8 +38,7 @@ namedPoseCodec =
         <*> optionalKey "plane" motionCodec posedOn
     )
   where
-    objectName = Codec (writeValue text . unnamed) (fmap ObjectName . readValue text)
-    unnamed (ObjectName name) = name
+    objectName = via (\(ObjectName name) -> name) (Right . ObjectName) text
 
 -- | A pose alone.
 poseCodec :: Codec Pose
@@ -60,14 +60,29 @@ motionCodec = object motionKeys
 motionKeys :: Keys RigidMotion RigidMotion
 motionKeys =
   RigidMotion
-    <$> key "rotation" (such isRotation NotRotation (matrix 3)) motionRows
-    <*> key "translation_mm" (such ((== 3) . length) (NotMatrix 1 3) (listOf real)) motionBy
+    <$> key "rotation" rotation motionRows
+    <*> key "translation_mm" translation motionBy
+  where
+    rotation =
+      withSchema
+        (Schema.Named "rotation" . Schema.Described "The rows of a matrix that turns and does not mirror.")
+        (such isRotation NotRotation (matrix 3))
+    translation =
+      withSchema
+        (Schema.Named "translation" . Schema.Described "Along x, y and z, millimetres.")
+        (ofLength 3 (such ((== 3) . length) (NotMatrix 1 3) (listOf real)))
 
 -- | A square matrix of so many rows.
 matrix :: Int -> Codec Matrix
-matrix n = such whole (NotMatrix n n) (listOf (listOf real))
+matrix n = ofLength n (such whole (NotMatrix n n) (listOf (ofLength n (listOf real))))
   where
     whole rows = length rows == n && all ((== n) . length) rows
+
+-- | With this length in the description.
+ofLength :: Int -> Codec [a] -> Codec [a]
+ofLength n = withSchema $ \schema -> case schema of
+  Schema.List _ item -> Schema.listOfLength n item
+  other -> other
 
 -- | Whether a matrix of three rows turns, and does not mirror.
 isRotation :: Matrix -> Bool

@@ -39,7 +39,7 @@ presetCodec = named presetName
 -- | A constant with its value; read by its name. Its unit may be left out, and is no other.
 constantCodec :: Codec (Constant, Double)
 constantCodec = case object keys of
-  Codec write _ -> Codec write $ \value -> do
+  Codec schema write _ -> Codec schema write $ \value -> do
     fields <- objectOf value
     given@(constant, _) <- readKeys valued fields
     _ <- readKeys (optionalKey "unit" (unitOf constant) Just) fields
@@ -55,8 +55,7 @@ constantCodec = case object keys of
        in such (== unit) (OtherUnit (constantName constant) unit) text
 
 constantNamed :: Codec Constant
-constantNamed = Codec constantName $ \value -> do
-  given <- readValue text value
+constantNamed = flip (via constantName) text $ \given ->
   case [c | c <- constants, constantName c == given] of
     c : _ -> Right c
     [] -> refuse (NotAmong (map constantName constants) given)

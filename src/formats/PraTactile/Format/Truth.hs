@@ -77,13 +77,11 @@ regionKeys =
     -- The angle is that of the whole turn, from 0 to 360.
     freeAngle r = if regionAngle r == 0 then Nothing else Just (regionTurn r)
     beyond quarter degrees = degrees - quarter - (if degrees - quarter > 180 then 360 else 0)
-    angle = Codec id $ \value -> do
-      degrees <- readValue real value
-      if degrees >= 0 && degrees < 360 then Right degrees else refuse NotAngle
+    angle = such (\degrees -> degrees >= 0 && degrees < 360) NotAngle real
     regionSides given = (regionWidth given, regionHeight given)
-    side = Codec id $ \value -> do
-      n <- readValue natural value
-      if n > longestSide then refuse (RegionTooLarge longestSide) else Right (fromIntegral n)
+    side =
+      via fromIntegral (Right . fromIntegral) $
+        such (<= longestSide) (RegionTooLarge longestSide) natural
     longestSide = 100000
 
 -- | The claim in a JSON text with an answer of @decode@, or 'Nothing' where it names no place on a

@@ -32,7 +32,6 @@ import Control.Monad.Trans.Class (lift)
 import Control.Monad.Trans.Except (ExceptT, runExceptT, throwE)
 import Control.Monad.Trans.State.Strict (StateT, modify', runStateT)
 import Data.Aeson (Value, toJSON)
-import Data.List (find)
 import Data.Maybe (fromMaybe)
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Definition hiding (known)
@@ -40,8 +39,8 @@ import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Why (why)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Wire
-import PraTactile.Format.Error (Misfit (NotAmong, NotPair))
-import PraTactile.Format.Json.Codec (Codec (..), listOf, readValue, refuse, text)
+import PraTactile.Format.Error (Misfit (NotPair))
+import PraTactile.Format.Json.Codec (Codec, anything, listOf, named, readValue, refuse, via)
 
 -- | A law that all these questions are answered, or refused, as the definition says. What it needs
 -- is the operation they ask for. The texts are the name of what holds, the sentence and its source.
@@ -150,20 +149,13 @@ questionForm :: Codec SomeQuestion
 questionForm = formOf some
 
 formOf :: (Operation -> Value -> SomeQuestion) -> Codec SomeQuestion
-formOf made = Codec written $ \value -> do
-  (name, input) <- readValue pair value
-  case find ((== name) . operationName) [minBound ..] of
-    Just operation -> Right (made operation input)
-    Nothing -> refuse (NotAmong (map operationName [minBound ..]) name)
+formOf made = via written asked (listOf anything)
   where
     written (SomeQuestion question) =
       [toJSON (operationName (operationOf question)), questionInput question]
-    pair = Codec id (\value -> readPair value) :: Codec (String, Value)
-    readPair value = case readValue raws value of
-      Right [name, input] -> (,) <$> readValue text name <*> Right input
-      Right _ -> refuse NotPair
-      Left misfit -> Left misfit
-    raws = listOf (Codec id Right)
+    asked given = case given of
+      [name, input] -> (`made` input) <$> readValue (named operationName) name
+      _ -> refuse NotPair
 
 -- | The same, and what is read is kept as it was written.
 rawForm :: Codec SomeQuestion

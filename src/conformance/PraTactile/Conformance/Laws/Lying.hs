@@ -38,9 +38,10 @@ lyingForm =
       <*> Codec.key "motion" motionCodec lyingMotion
   where
     feltForm =
-      Codec.Codec
+      Codec.via
         feltValue
         (maybe (Codec.refuse NotObject) Right . (readObject >=> readFelt))
+        Codec.anything
 
 -- | A face of a staircase, moved in the plane of the robot and in space by rational rotations.
 lying :: Gen Lying

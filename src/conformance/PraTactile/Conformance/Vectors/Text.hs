@@ -111,7 +111,7 @@ readVectors = Codec.decodeWith keys
                <*> Codec.key "profile" (Codec.nullable profileCodec) statedProfile
                <*> Codec.key "groups" (Codec.listOf group) (const [])
            )
-    group = Codec.object (Codec.key "tests" (Codec.listOf (Codec.Codec id Right)) id)
+    group = Codec.object (Codec.key "tests" (Codec.listOf Codec.anything) id)
     stated operation profile groups =
       let tests = concat groups
        in StatedVectors operation profile (listToMaybe (mapMaybe seedOf tests)) tests

@@ -1,8 +1,9 @@
 {-# LANGUAGE ExistentialQuantification #-}
 {-# LANGUAGE OverloadedStrings #-}
 
--- | JSON formats, each said once for both ways: a 'Codec' writes a value and reads it back, 'Keys'
--- do so with the keys of an object. Each refusal has its cause and its place.
+-- | JSON formats, each said once for all uses: a 'Codec' writes a value, reads it back, and knows
+-- which JSON values there are; 'Keys' do so with the keys of an object. Each refusal has its cause
+-- and its place.
 module PraTactile.Format.Json.Codec
   ( -- * Values
     Codec (..),
@@ -10,6 +11,11 @@ module PraTactile.Format.Json.Codec
     refuse,
     writeValue,
     readValue,
+    schemaOf,
+    malformedOf,
+    via,
+    withSchema,
+    anything,
     listOf,
     distinct,
     such,
@@ -67,21 +73,39 @@ import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.FileName (isFileName)
 import PraTactile.Format.Error
 import PraTactile.Format.Json
+import PraTactile.Format.Json.Schema (Schema)
+import qualified PraTactile.Format.Json.Schema as Schema
 import PraTactile.Format.Json.Strict
 
 -- | From a JSON value to what it stands for.
 type FromValue a = Value -> Either FormatError a
 
--- | What is written for a value, and what is read.
-data Codec a = forall w. ToJSON w => Codec (a -> w) (FromValue a)
+-- | Which JSON values there are, what is written for a value, and what is read.
+data Codec a = forall w. ToJSON w => Codec Schema (a -> w) (FromValue a)
 
 -- | The JSON value that a codec makes.
 writeValue :: Codec a -> a -> Value
-writeValue (Codec write _) = toJSON . write
+writeValue (Codec _ write _) = toJSON . write
 
 -- | What a JSON value stands for.
 readValue :: Codec a -> FromValue a
-readValue (Codec _ fromValue) = fromValue
+readValue (Codec _ _ fromValue) = fromValue
+
+-- | Which JSON values there are.
+schemaOf :: Codec a -> Schema
+schemaOf (Codec schema _ _) = schema
+
+-- | JSON values that the codec of an object does not read, made of one that it does.
+malformedOf :: Codec a -> a -> [Value]
+malformedOf codec a = Schema.malformed (schemaOf codec) (writeValue codec a)
+
+-- | Another type by functions there and back.
+via :: (b -> a) -> (a -> Either FormatError b) -> Codec a -> Codec b
+via back there (Codec schema write decoder) = Codec schema (write . back) (decoder >=> there)
+
+-- | With another description of the JSON values.
+withSchema :: (Schema -> Schema) -> Codec a -> Codec a
+withSchema change (Codec schema write decoder) = Codec (change schema) write decoder
 
 -- | Something is wrong right here.
 refuse :: Misfit -> Either FormatError a
@@ -93,9 +117,13 @@ atElement step = first $ \why -> case why of
   Misfit place misfit -> Misfit (step : place) misfit
   _ -> why
 
+-- | Any JSON value.
+anything :: Codec Value
+anything = Codec Schema.Anything id Right
+
 -- | A list of such values.
 listOf :: Codec a -> Codec [a]
-listOf (Codec write decoder) = Codec (map write) $ \value -> case value of
+listOf (Codec schema write decoder) = Codec (Schema.list schema) (map write) $ \value -> case value of
   Array values -> traverse item (zip [0 ..] (toList values))
   _ -> refuse NotList
   where
@@ -104,8 +132,8 @@ listOf (Codec write decoder) = Codec (map write) $ \value -> case value of
 -- | A list of values that differ in what the function makes of them; how that is named where it is
 -- there a second time.
 distinct :: Ord k => (a -> k) -> (k -> String) -> Codec [a] -> Codec [a]
-distinct part name (Codec write decoder) =
-  Codec write (\value -> decoder value >>= \given -> go Set.empty (zip [0 ..] given) >> Right given)
+distinct part name (Codec schema write decoder) =
+  Codec schema write (\value -> decoder value >>= \given -> go Set.empty (zip [0 ..] given) >> Right given)
   where
     go _ [] = Right ()
     go before ((i, a) : others)
@@ -114,18 +142,18 @@ distinct part name (Codec write decoder) =
 
 -- | Values that are so; others are refused.
 such :: (a -> Bool) -> Misfit -> Codec a -> Codec a
-such holds misfit (Codec write decoder) =
-  Codec write (\value -> decoder value >>= \a -> if holds a then Right a else refuse misfit)
+such holds misfit = via id (\a -> if holds a then Right a else refuse misfit)
 
 -- | Such a value, or null.
 nullable :: Codec a -> Codec (Maybe a)
-nullable (Codec write decoder) = Codec (fmap write) $ \value -> case value of
-  Null -> Right Nothing
-  _ -> Just <$> decoder value
+nullable (Codec schema write decoder) = Codec (Schema.orNull schema) (fmap write) $ \value ->
+  case value of
+    Null -> Right Nothing
+    _ -> Just <$> decoder value
 
 -- | A text.
 text :: Codec String
-text = Codec id $ \value -> case value of
+text = Codec (Schema.Text []) id $ \value -> case value of
   String given -> Right (Text.unpack given)
   _ -> refuse NotText
 
@@ -135,13 +163,13 @@ fileName = such isFileName NotFileName text
 
 -- | True or false.
 bool :: Codec Bool
-bool = Codec id $ \value -> case value of
+bool = Codec Schema.Boolean id $ \value -> case value of
   Bool given -> Right given
   _ -> refuse NotBool
 
 -- | A natural number: a JSON number below 10^18, or a decimal string of at most 10000 digits.
 natural :: Codec Natural
-natural = Codec naturalValue $ \value -> case value of
+natural = Codec Schema.Natural naturalValue $ \value -> case value of
   String given
     | not (Text.null given),
       Text.all isDigit given ->
@@ -155,11 +183,11 @@ natural = Codec naturalValue $ \value -> case value of
 
 -- | A whole number, less than 10^18 and more than its negative.
 integer :: Codec Integer
-integer = Codec id (maybe (refuse NotInteger) Right . wholeNumber)
+integer = Codec Schema.Integer id (maybe (refuse NotInteger) Right . wholeNumber)
 
--- | The same as a machine integer, which has room for it.
+-- | A whole number, as 'integer' reads it, as a machine integer, which has room for it.
 int :: Codec Int
-int = Codec id (fmap fromInteger . readValue integer)
+int = via toInteger (Right . fromInteger) integer
 
 wholeNumber :: Value -> Maybe Integer
 wholeNumber value = case value of
@@ -173,7 +201,7 @@ wholeNumber value = case value of
 -- refused, however it is written: 1e400, or with 400 zeros, which 'toBoundedRealFloat' alone takes
 -- for infinity.
 real :: Codec Double
-real = Codec id $ \value -> case value of
+real = Codec (Schema.Real []) id $ \value -> case value of
   Number n | Right x <- toBoundedRealFloat n, not (isInfinite x) -> Right x
   _ -> refuse NotReal
 
@@ -190,12 +218,12 @@ positionPair :: Codec Position
 positionPair = listOfTwo NotCell Position (\(Position r c) -> [r, c]) natural
 
 listOfTwo :: Misfit -> (a -> a -> b) -> (b -> [a]) -> Codec a -> Codec b
-listOfTwo misfit make parts codec = case listOf codec of
-  Codec write decoder ->
-    Codec (write . parts) $
-      decoder >=> \given -> case given of
-        [a, b] -> Right (make a b)
-        _ -> refuse misfit
+listOfTwo misfit make parts codec =
+  withSchema (const (Schema.listOfLength 2 (schemaOf codec))) . via parts two $ listOf codec
+  where
+    two given = case given of
+      [a, b] -> Right (make a b)
+      _ -> refuse misfit
 
 -- | A position as @{"row": r, "column": c}@.
 position :: Codec Position
@@ -203,10 +231,11 @@ position = object (Position <$> key "row" natural row <*> key "column" natural c
 
 -- | One of all values of a type, by its name.
 named :: (Bounded a, Enum a) => (a -> String) -> Codec a
-named nameOf = Codec nameOf $ \value -> do
-  given <- readValue text value
-  maybe (refuse (NotAmong (map nameOf choices) given)) Right (find ((== given) . nameOf) choices)
+named nameOf = withSchema (const (Schema.OneOf names)) . via nameOf among $ text
   where
+    among given =
+      maybe (refuse (NotAmong (map nameOf choices) given)) Right (find ((== given) . nameOf) choices)
+    names = map (Text.pack . nameOf) choices
     choices = [minBound ..]
 
 -- | Whether a number is exact; if not, the name says which bound it is.
@@ -215,31 +244,35 @@ exactOr bound = named (\exact -> if exact then "exact" else bound)
 
 -- | A number of quarter turns, as degrees: 0, 90, 180 or 270.
 quarterTurn :: Codec Int
-quarterTurn =
-  Codec (90 *) $
-    readValue natural >=> \degrees ->
+quarterTurn = via ((90 *) . fromIntegral) turns natural
+  where
+    turns degrees =
       maybe (refuse NotQuarterTurn) Right (find ((== degrees) . fromIntegral . (90 *)) [0 .. 3])
 
--- | Keys of an object: what is written for an @r@, in order, and how an @a@ is read from them.
--- The items are put in front of others.
-data Keys r a = Keys (r -> [Item] -> [Item]) (Object -> Either FormatError a)
+-- | Keys of an object: which they are, what is written for an @r@, in order, and how an @a@ is read
+-- from them. The items are put in front of others.
+data Keys r a = Keys [(Key, Bool, Schema)] (r -> [Item] -> [Item]) (Object -> Either FormatError a)
 
 data Item = forall w. ToJSON w => Item Key w
 
 instance Functor (Keys r) where
-  fmap f (Keys write decoder) = Keys write (fmap f . decoder)
+  fmap f (Keys fields write decoder) = Keys fields write (fmap f . decoder)
 
 instance Applicative (Keys r) where
-  pure a = Keys (const id) (const (Right a))
-  Keys write decoder <*> Keys write' decoder' =
-    Keys (\r -> write r . write' r) (\fields -> decoder fields <*> decoder' fields)
+  pure a = Keys [] (const id) (const (Right a))
+  Keys fields write decoder <*> Keys fields' write' decoder' =
+    Keys
+      (fields ++ fields')
+      (\r -> write r . write' r)
+      (\given -> decoder given <*> decoder' given)
 
 -- | A key that is always there, and the part of the whole that it has.
 key :: Key -> Codec a -> (r -> a) -> Keys r a
-key name (Codec write decoder) part = Keys (\r -> (Item name (write (part r)) :)) $ \fields ->
-  case KeyMap.lookup name fields of
-    Just value -> atElement (Key name) (decoder value)
-    Nothing -> refuse (MissingKey (Key.toText name))
+key name (Codec schema write decoder) part =
+  Keys [(name, True, schema)] (\r -> (Item name (write (part r)) :)) $ \fields ->
+    case KeyMap.lookup name fields of
+      Just value -> atElement (Key name) (decoder value)
+      Nothing -> refuse (MissingKey (Key.toText name))
 
 -- | A key that is only there where there is something to say.
 optionalKey :: Key -> Codec a -> (r -> Maybe a) -> Keys r (Maybe a)
@@ -247,30 +280,34 @@ optionalKey name codec = optionalKeys name (key name codec id)
 
 -- | Keys that are there together or not at all, by the first of them.
 optionalKeys :: Key -> Keys s a -> (r -> Maybe s) -> Keys r (Maybe a)
-optionalKeys name (Keys write decoder) part = Keys (maybe id write . part) $ \fields ->
-  if KeyMap.member name fields then Just <$> decoder fields else Right Nothing
+optionalKeys name (Keys fields write decoder) part =
+  Keys [(one, False, schema) | (one, _, schema) <- fields] (maybe id write . part) $ \given ->
+    if KeyMap.member name given then Just <$> decoder given else Right Nothing
 
 -- | The keys of a part.
 withKeys :: (r -> s) -> Keys s a -> Keys r a
-withKeys part (Keys write decoder) = Keys (write . part) decoder
+withKeys part (Keys fields write decoder) = Keys fields (write . part) decoder
 
 -- | The key @schema@; another schema than this is refused.
 schemaKey :: String -> Keys r ()
-schemaKey wanted = Keys (const (Item "schema" wanted :)) $ \fields -> do
-  given <- readKeys (key "schema" text (const wanted)) fields
-  if given == wanted then Right () else refuse (OtherSchema given wanted)
+schemaKey wanted = Keys fields (const (Item "schema" wanted :)) $ \given -> do
+  stated <- readKeys (key "schema" text (const wanted)) given
+  if stated == wanted then Right () else refuse (OtherSchema stated wanted)
+  where
+    fields = [("schema", True, Schema.OneOf [Text.pack wanted])]
 
 -- | An object with these keys; further ones do not matter.
 object :: Keys a a -> Codec a
-object keys = Codec (writeObject keys) (objectOf >=> readKeys keys)
+object keys@(Keys fields _ _) =
+  Codec (Schema.Object fields) (writeObject keys) (objectOf >=> readKeys keys)
 
 -- | The JSON object that these keys make.
 writeObject :: Keys r a -> r -> Object
-writeObject (Keys write _) r = KeyMap.fromList [(name, toJSON part) | Item name part <- write r []]
+writeObject (Keys _ write _) r = KeyMap.fromList [(name, toJSON part) | Item name part <- write r []]
 
 -- | The same for an encoder, the keys in their order.
 series :: Keys r a -> r -> Series
-series (Keys write _) r = mconcat [name .= part | Item name part <- write r []]
+series (Keys _ write _) r = mconcat [name .= part | Item name part <- write r []]
 
 -- | The object on one line, without its end.
 writeLine :: Keys r a -> r -> ByteString
@@ -278,7 +315,7 @@ writeLine keys = Lazy.toStrict . encodeLine . series keys
 
 -- | What a JSON object stands for, by its keys.
 readKeys :: Keys r a -> Object -> Either FormatError a
-readKeys (Keys _ decoder) = decoder
+readKeys (Keys _ _ decoder) = decoder
 
 -- | What an object has under a key.
 field :: Key -> Codec a -> Object -> Either FormatError a

@@ -12,7 +12,7 @@ module PraTactile.Format.Solid.Json
   )
 where
 
-import Control.Monad (foldM, (>=>))
+import Control.Monad (foldM)
 import Data.Aeson (Value (String))
 import qualified Data.Aeson as Aeson
 import Data.Bifunctor (first)
@@ -25,6 +25,7 @@ import Math.NumberTheory.Logarithms (integerLog2)
 import PraTactile.Decimal (readExact)
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Codec hiding (writeObject)
+import qualified PraTactile.Format.Json.Schema as Schema
 import PraTactile.Format.Solid.Contents
 import PraTactile.Format.Solid.Error
 import PraTactile.Format.Solid.Number
@@ -75,25 +76,19 @@ vertexKeys = (,) <$> key "name" vertexName fst <*> key "at" point snd
 -- | A name without spaces, for a face is named by the names of its vertices with spaces between.
 vertexName :: Codec VertexName
 vertexName =
-  Codec
-    vertexText
-    ( fmap VertexName
-        . readValue
-          (such (\name -> not (null name || any isSpace name)) NotVertexName text)
-    )
+  via vertexText (Right . VertexName) $
+    such (\name -> not (null name || any isSpace name)) NotVertexName text
 
 point :: Codec Point
-point =
-  Codec
-    (\(Point x y z) -> map (writeValue exact) [x, y, z])
-    ( readValue (listOf exact) >=> \given -> case given of
-        [x, y, z] -> Right (Point x y z)
-        _ -> refuse NotPoint
-    )
+point = via (\(Point x y z) -> [x, y, z]) three (listOf exact)
+  where
+    three given = case given of
+      [x, y, z] -> Right (Point x y z)
+      _ -> refuse NotPoint
 
 -- | A number that is what it says: a text such as @127/4@ or @31.75@, or a JSON number.
 exact :: Codec Rational
-exact = Codec exactText $ \value -> case value of
+exact = Codec (Schema.AnyOf [Schema.Text [], Schema.Real []]) exactText $ \value -> case value of
   String given -> exactly (Text.unpack given)
   Aeson.Number given -> exactly (show given)
   _ -> refuse NotExact
