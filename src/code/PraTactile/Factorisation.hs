@@ -29,7 +29,7 @@ import PraTactile.Factorisation.Prime
 
 -- | The primes that divide a number, ascending, each with its exponent. Refuses 0, and numbers left
 -- with two prime factors of more than about 13 digits. O(sqrt p) products modulo the number for its
--- second largest prime p, at most 2^24.
+-- second largest prime p, at most 2^23.
 --
 -- >>> factorise (2 ^ 64 - 1)
 -- Right [(3,1),(5,1),(17,1),(257,1),(641,1),(65537,1),(6700417,1)]

@@ -1,6 +1,6 @@
 -- | Divisors of composite numbers: trial division, then Pollard's rho, each with a stated effort.
--- Nothing here has to be believed: that a divisor divides is checked before it is given out. Imports
--- base only.
+-- Nothing here has to be believed: that a divisor divides is checked before it is given out.
+-- Imports base only.
 module PraTactile.Factorisation.Divisor
   ( -- * Small primes
     smallPrimes,
@@ -36,13 +36,14 @@ trialDivision n = foldl' divideOut ([], n) smallPrimes
       | otherwise = (found, m)
 
 -- | A proper divisor of a composite number that has no factor below 1000, or nothing when the
--- effort is spent. The effort finds a prime factor of 10 digits nearly always in well under a second
--- and one of 13 digits mostly in some seconds.
+-- effort is spent. The effort finds a prime factor of 10 digits nearly always in well under a
+-- second and one of 12 digits mostly in some seconds. Of the constants 1 to 13, 6 splits 2^101 - 1
+-- in the fewest steps, a million.
 --
 -- >>> (`elem` [Just 1009, Just 1013]) (properDivisor (1009 * 1013))
 -- True
 properDivisor :: Natural -> Maybe Natural
-properDivisor n = find proper (squareRoot n : map (rho n) [1, 3])
+properDivisor n = find proper (squareRoot n : map (rho n) [6, 1])
   where
     proper d = 1 < d && d < n && n `mod` d == 0
 
@@ -68,7 +69,7 @@ rho n c = tortoise (1 :: Int) 2
     step y = (y * y + c) `mod` n
     -- Compare the point x with the next r points after it, then double r.
     tortoise r x
-      | r > 2 ^ (21 :: Int) = 1
+      | r > 2 ^ (20 :: Int) = 1
       | otherwise = batch r x x r
     batch r x y left
       | left == 0 = tortoise (2 * r) y
