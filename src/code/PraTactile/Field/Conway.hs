@@ -4,8 +4,8 @@
 {-# LANGUAGE TypeApplications #-}
 
 -- | The Conway polynomials of the fields up to 256 elements (F. Luebeck's tables; the test suite
--- checks each against the definition), and the fields that have a type of their own. Internal,
--- because of the class; "PraTactile.Field.Named" exports the rest.
+-- compares them with those of another program), and the fields that have a type of their own.
+-- Internal, because of the class; "PraTactile.Field.Named" exports the rest.
 module PraTactile.Field.Conway
   ( -- * Default moduli
     conwayModulus,
@@ -55,7 +55,7 @@ modulusDegrees q given = do
   where
     degree coefficients = fromIntegral (max 1 (length coefficients) - 1)
 
--- | The order q of every field up to 256 elements with its p and Conway polynomial, by increasing q.
+-- | The order q of every field up to 256 elements, ascending, with its p and Conway polynomial.
 conwayModuli :: [(Natural, (Natural, [Natural]))]
 conwayModuli =
   [ (p ^ (length modulus - 1), (p, modulus))
