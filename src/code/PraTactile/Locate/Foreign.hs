@@ -2,10 +2,10 @@
 --
 -- Of what is foreign half is taken to be random: every symmetry is equally likely, and in it every
 -- content, each cell by itself. The other half is another array ('OtherArrays'), in every symmetry
--- and at every position alike; how likely that is, is bounded from above. Of what is the array's every symmetry and every position is equally
--- likely, too, and there each cell has its probability, but for one cell in a hundred, which is not
--- what it seems ('misleading'): damaged, soiled, or wrongly made. Bayes' theorem with the share of
--- foreign things does the rest.
+-- and at every position alike; how likely that is, is bounded from above. Of what is the array's
+-- every symmetry and every position is equally likely, too, and there each cell has its
+-- probability, but for one cell in a hundred, which is not what it seems ('misleading'): damaged,
+-- soiled, or wrongly made. Bayes' theorem with the share of foreign things does the rest.
 --
 -- Who saw the symbols may say how much likelier they are to be none of the array's: then there is a
 -- third kind of foreign things, as frequent as the other two together. What other symbols are taken

@@ -28,23 +28,24 @@ spec = do
           (ForeignDoubts -> (Double, Double) -> Property) ->
           Property
         asking scenes check =
-          withMaxSuccess 60 $ ofArray setting $ \array window ->
-            forAllBlind (scenes array) $ \scene ->
-              let on = ArrayOn (sceneSurface scene) array
-                  made = locator (Just PosteriorDecoder) MostSignificantFirst on window
-               in whenRight (locate made (askedOf scene)) $ \answer ->
-                    case (answerDoubts answer, answerPosterior answer >>= posteriorBest) of
-                      (Just doubts, Just best) ->
-                        let others = byOtherPolynomials array
-                            told = doubtsOfForeign doubts
-                         in label (if null others then "no others" else "others") $
-                              (otherArraysExact told === null others)
-                                .&&. check told (mixture scene array others best)
-                      _ -> label "nowhere" (answerDoubts answer === Nothing)
+          withMaxSuccess 60 $
+            ofArray setting $ \array window ->
+              forAllBlind (scenes array) $ \scene ->
+                let on = ArrayOn (sceneSurface scene) array
+                    made = locator (Just PosteriorDecoder) MostSignificantFirst on window
+                 in whenRight (locate made (askedOf scene)) $ \answer ->
+                      case (answerDoubts answer, answerPosterior answer >>= posteriorBest) of
+                        (Just doubts, Just best) ->
+                          let others = byOtherPolynomials array
+                              told = doubtsOfForeign doubts
+                           in label (if null others then "no others" else "others") $
+                                (otherArraysExact told === null others)
+                                  .&&. check told (mixture scene array others best)
+                        _ -> label "nowhere" (answerDoubts answer === Nothing)
     it ("what is random, beside what is ours, is added up over symmetries and places: " ++ name) $
       asking genScene $ \told (random, alien) ->
         near (random * (1 - doubtOfOtherArrays told)) (doubtOfRandom told * (1 - alien))
-    it ("other arrays, added up over polynomials, symmetries and places, are no likelier: " ++ name) $
+    it ("other arrays, added up over polynomials and all places, are no likelier: " ++ name) $
       asking genNatural $ \told (_, alien) ->
         counterexample (show (alien, told)) $
           alien <= doubtOfOtherArrays told * (1 + 1e-9) + 1e-12
@@ -116,11 +117,14 @@ askedOf scene =
 -- doubt, doubtful, or doubtful together with how the patch lies.
 genScene, genNatural, genCertain :: KnownField k => PseudorandomArray k -> Gen (Scene k)
 genScene = genSceneOf [minBound ..] [NotObserved ..]
+
 -- | On a surface on which the array's contents are linear.
 genNatural array = genSceneOf [Sheet, natural array] [NotObserved ..] array
+
 -- | On the torus on which they are, of cells beyond doubt, not all of them 0.
 genCertain array = genSceneOf [natural array] [NotObserved, Certain] array `suchThat` shown
-  where shown scene = any (\(_, gives) -> gives identity zero == 0) (sceneGives scene)
+  where
+    shown scene = any (\(_, gives) -> gives identity zero == 0) (sceneGives scene)
 
 natural :: PseudorandomArray k -> Surface
 natural = naturalSurface . arrayFolding
