@@ -2,12 +2,15 @@
 module Test.Simulation.RatesBesideExact (spec) where
 
 import Control.Monad (forM_, void)
+import Data.Bits (testBit)
 import Data.List (foldl', nub, sort, unfoldr)
 import Data.Maybe (isJust)
+import Data.Proxy (Proxy (..))
+import qualified Data.Vector.Primitive as Primitive
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
-import PraTactile.Locate (locator)
+import PraTactile.Locate
 import PraTactile.Polynomial (firstPrimitive)
 import PraTactile.Rates
 import PraTactile.Rates.Decoding
@@ -229,6 +232,50 @@ spec = do
         (mkStdGen seed)
     noiseOf setup damage =
       noiseFor (fieldOrder (arrayItself (setupArray setup))) (damageErrors damage)
+
+-- | What a trial comes to by 'locate', asked about the likeliest symbols of a locator that looks
+-- for the nearest position, and about the probabilities of one that has the posterior, both given
+-- by the decoder's name. 'Nothing' where a question is refused.
+decodeByLocate ::
+  forall k.
+  KnownField k =>
+  (DecoderName -> Locator k) ->
+  Radius ->
+  TrialSetup k ->
+  Trial ->
+  Maybe TrialResult
+decodeByLocate by radius setup trial = do
+  beliefs <-
+    traverse
+      (traverse reading)
+      (chunked (fromIntegral (columns (setupShape setup))) [0 .. setupCells setup - 1])
+      >>= rightOnly . patch
+  hard <- rightOnly (locate (by NearestDecoder) (query (Symbol . likeliest <$> beliefs)))
+  soft <-
+    rightOnly (locate (by PosteriorDecoder) (query (Probabilities <$> beliefs)))
+      >>= answerPosterior
+  pure
+    TrialResult
+      { resultHard = case answerOutcome hard of
+          Unique found _ -> if candidatePosition found == true then Correct else Mistaken
+          _ -> NoAnswer,
+        resultLikeliest = fmap candidatePosition (posteriorBest soft) == Just true,
+        resultDoubt = posteriorDoubt soft
+      }
+  where
+    query seen = (onePatch seen) {queryRadius = radius}
+    rightOnly = either (const Nothing) Just
+    true = positionOf (arrayItself (setupArray setup)) (trialPosition trial)
+    q = fieldOrder (Proxy :: Proxy k)
+    reading j
+      | not (testBit (trialSeen trial Primitive.! (j `div` 64)) (j `mod` 64)) = Just Nothing
+      | otherwise = Just <$> rightOnly (belief (map (/ sum weights) weights))
+      where
+        evidence = Primitive.toList (Primitive.slice (j * q) q (trialEvidence trial))
+        weights = map (\x -> exp (x - maximum evidence)) evidence
+    chunked size xs = case splitAt size xs of
+      ([], _) -> []
+      (first, others) -> first : chunked size others
 
 exactOn :: KnownField k => Radius -> ArrayOn k -> Mask -> Damage -> Maybe Rates
 exactOn stated array m = exactRates stated (locator Nothing MostSignificantFirst array m) m
