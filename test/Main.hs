@@ -2,7 +2,9 @@
 -- hspec-discover would not find.
 module Main (main) where
 
+import GHC.IO.Handle (hDuplicate)
 import System.IO (BufferMode (LineBuffering), hSetBuffering, stdout)
+import System.Posix.Signals (Handler (Ignore), installHandler, sigPIPE)
 import qualified Test.App.AssembliesDrawn
 import qualified Test.App.RecognitionsDrawn
 import qualified Test.Code.Array.AdviceByVisiting
@@ -207,9 +209,15 @@ main :: IO ()
 main = do
   -- Each test is shown when it ends, also in a pipe or a file.
   hSetBuffering stdout LineBuffering
+  -- Commands run in this process with files in the place of its streams: what tests find is told by
+  -- another handle, and a pipe that nobody reads is an error of writing to it.
+  told <- hDuplicate stdout
+  hSetBuffering told LineBuffering
+  _ <- installHandler sigPIPE Ignore Nothing
   hspecWith
     defaultConfig
       { configConcurrentJobs = Just 2,
+        configOutputFile = Left told,
         configQuickCheckSeed = byEffort (Just 20041) Nothing
       }
     specs

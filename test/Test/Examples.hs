@@ -98,7 +98,7 @@ spec = do
 -- | It is certified, under the default profiles if no others are given.
 certified :: [String] -> [String] -> Expectation
 certified options subject = do
-  (status, out, err) <- pra (["conform", "--json"] ++ options ++ ["--"] ++ subject)
+  (status, out, err) <- praAlone (["conform", "--json"] ++ options ++ ["--"] ++ subject)
   (err, map (`key` out) [["failed"], ["errored"], ["certified"]])
     `shouldBe` ("", [Just (Number 0), Just (Number 0), Just (Bool True)])
   status `shouldBe` 0
@@ -118,7 +118,7 @@ inOneShot options =
 -- | Some laws were tried, and all of these held.
 heldAll :: [String] -> [String] -> Expectation
 heldAll options subject = do
-  (status, out, err) <- pra (["conform", "--json"] ++ options ++ ["--"] ++ subject)
+  (status, out, err) <- praAlone (["conform", "--json"] ++ options ++ ["--"] ++ subject)
   (status, err, map (`key` out) [["failed"], ["errored"]])
     `shouldBe` (0, "", [Just (Number 0), Just (Number 0)])
   key ["held"] out `shouldSatisfy` (/= Just (Number 0))

@@ -13,6 +13,7 @@ module Test.CommandLine.Run
     refuses,
 
     -- * As processes
+    praAlone,
     praUnder,
     scripted,
   )
@@ -67,6 +68,10 @@ replaced stream file mode = bracket (hDuplicate stream <* instead) restored . co
   where
     instead = withFile file mode (`hDuplicateTo` stream) >> hSetEncoding stream utf8
     restored saved = hDuplicateTo saved stream >> hClose saved
+
+-- | What a command answers as a process of its own: those that start other processes do.
+praAlone :: [String] -> IO Outcome
+praAlone arguments = process "pra-tactile" arguments ""
 
 -- | Status, output and errors of the program as a process under these options of the run-time
 -- system, which it takes from its environment alone.

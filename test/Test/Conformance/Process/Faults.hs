@@ -253,7 +253,7 @@ limitSpec = describe "the time for all of it" $
   it "holds before the first reply, too" $
     for_ [[], ["--one-shot"], ["--parallel", "3"]] $ \how -> do
       begun <- getMonotonicTime
-      outcome <- pra (words "conform --limit 0.5 --timeout 60" ++ how ++ words "-- sleep 90")
+      outcome <- praAlone (words "conform --limit 0.5 --timeout 60" ++ how ++ words "-- sleep 90")
       ended <- getMonotonicTime
       outcome `refuses` "the time of --limit was over"
       -- Long enough for a busy machine, and half of what it would wait for a reply.

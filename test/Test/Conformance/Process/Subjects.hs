@@ -27,7 +27,7 @@ import Test.Support (inFolder)
 
 -- | @conform@ with these options on this command.
 conform :: [String] -> [String] -> IO Outcome
-conform options subject = pra ("conform" : options ++ "--" : subject)
+conform options subject = praAlone ("conform" : options ++ "--" : subject)
 
 -- | @conform@ on a subject that adds, with a fault, in a session, under the paper's profile; only
 -- what concerns it is tried.
