@@ -22,7 +22,7 @@ import PraTactile.Geometry (symbolThickness)
 import PraTactile.Image
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
-import PraTactile.Object.Surd
+import PraTactile.Object.Radicals
 import PraTactile.Object.WingedEdge (FaceName (..), VertexName (..))
 import PraTactile.Pose (faceFrameOf)
 import PraTactile.Profile

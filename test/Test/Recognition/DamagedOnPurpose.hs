@@ -23,7 +23,7 @@ import PraTactile.Image
 import PraTactile.Locate (Radius (..), Reason (..))
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
-import PraTactile.Object.Surd
+import PraTactile.Object.Radicals
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Registration hiding (stitch)

@@ -24,7 +24,7 @@ import PraTactile.Image
 import PraTactile.Locate (Reason (..))
 import PraTactile.Object.Canonical (canonicalLayings, canonicalPlacement)
 import PraTactile.Object.Placement
-import PraTactile.Object.Surd
+import PraTactile.Object.Radicals
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.Reading (Group (..), groups)

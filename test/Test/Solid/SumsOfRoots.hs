@@ -1,11 +1,13 @@
--- | Sums of roots: what they are worth, that they are 0 only where all terms are, and the largest
--- product that is made.
+-- | Sums of roots: what they are worth, that they are 0 only where all terms are, their sign, what
+-- they are rounded to, and the largest product that is made.
 module Test.Solid.SumsOfRoots (spec) where
 
 import Data.List (foldl')
 import Data.Maybe (isJust)
+import Data.Ratio ((%))
 import PraTactile.Object.Number
 import PraTactile.Object.Radicals
+import PraTactile.Object.Vector (floorRoot)
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
@@ -21,22 +23,42 @@ spec = do
   prop "(a + b) (a - b) and a a - b b have the same terms" $
     forAll ((,) <$> sums <*> sums) $ \drawn ->
       let (a, b) = (made (fst drawn), made (snd drawn))
-       in terms (plus a b `product'` minus a b) === terms (product' a a `minus` product' b b)
+       in (plus a b `product'` minus a b) === (product' a a `minus` product' b b)
   prop "of any numbers the product of the roots is the root of the product" $
     forAll ((,) <$> choose (1, 5000) <*> choose (1, 5000)) $ \(m, n) ->
-      let base = coprimeBase [m, n]
-          root k = uncurry radical (rootIn base k)
-       in terms (product' (root m) (root n)) === terms (root (m * n))
+      let root = rootIn (coprimeBase [m, n])
+       in product' (root m) (root n) === root (m * n)
+  prop "numbers with roots have the sign of what they are to hundreds of digits, and round so" $
+    forAll ((,) <$> choose (1, 400) <*> choose (1, 400)) $ \(a, c) ->
+      forAll (vectorOf 4 genFraction) $ \parts -> case parts of
+        [p, q, r, s] ->
+          let long n = floorRoot (fromInteger (n * 10 ^ (800 :: Int))) % 10 ^ (400 :: Int)
+              about = p + q * long a + r * long c + s * long (a * c)
+              value = if abs about < tiny then 0 else about
+              term k n = times k (rootIn (coprimeBase [a, c]) n)
+              number = fraction p `plus` term q a `plus` term r c `plus` term s (a * c)
+           in conjoin
+                [ nearest (fromRational :: Rational -> Double) number === fromRational value,
+                  sign number === truncate (signum value),
+                  compare number (fraction p) === compare (value - p) 0,
+                  maybe True (\exact -> abs (exact - value) < tiny) (asFraction number) === True
+                ]
+        _ -> property False
   it "a product is made of 4096 pairs of terms at most" $ do
-    let of' count = Just (summed [radical 1 p | p <- take count squarefree])
+    let of' count = Just (summed (map (rootIn (coprimeBase few)) few))
+          where
+            few = take count squarefree
         given (a, b) = isJust (product' (of' a) (of' b))
     map given [(64, 64), (2, 2048), (64, 65), (65, 64), (2, 2049)]
       `shouldBe` [True, True, False, False, False]
   where
     base' = coprimeBase [2, 3, 5, 7, 30]
+    tiny = 1 / 10 ^ (300 :: Int)
+    -- Signs are told in another way where there are more than two roots.
+    genFraction = frequency [(1, pure 0), (2, (%) <$> choose (-999, 999) <*> choose (1, 99))]
     sums = listOf1 ((,) <$> (fromInteger <$> choose (-9, 9)) <*> choose (1, 210) `suchThat` smooth)
     smooth n = foldl' (\m p -> until ((/= 0) . (`mod` p)) (`div` p) m) n [2, 3, 5, 7] == 1
-    made = summed . map (\(q, n) -> let (k, under) = rootIn base' n in radical (q * k) under)
+    made = summed . map (\(q, n) -> times q (rootIn base' n))
     summed = foldr plus (fraction 0)
     squarefree = filter (\n -> all ((/= 0) . mod n . (^ (2 :: Int))) [2 .. isqrt n]) [1 ..]
     isqrt = floor . sqrt . (fromIntegral :: Integer -> Double)

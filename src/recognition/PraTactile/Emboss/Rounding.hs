@@ -30,7 +30,6 @@ import qualified Data.Vector.Unboxed as U
 import PraTactile.Emboss
 import PraTactile.Object.Chart (ExactPoint (..))
 import PraTactile.Object.Description
-import PraTactile.Object.Enclosure (nearest)
 import PraTactile.Object.Mesh
 import PraTactile.Object.Radicals
 import PraTactile.Object.Validity

@@ -32,8 +32,9 @@ import Data.Functor.Identity (Identity (..))
 import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..), area)
+import PraTactile.Object.Number
 import PraTactile.Object.Placement.Laying
-import PraTactile.Object.Surd (ahead, beyond, squareOf)
+import PraTactile.Object.Radicals (fraction)
 import PraTactile.Object.WingedEdge
 
 -- | Where a window of the array is.
@@ -178,7 +179,8 @@ placeOn between window (Position r c) seat =
     centre = centreBy between (seatMargin seat) window cell
     distances = [(vertex, distance spot) | (vertex, spot) <- seatCorners seat]
     distance (Spot right down) =
-      squareOf (beyond right (spotRight centre)) (beyond down (spotDown centre))
+      squared (right `minus` spotRight centre) `plus` squared (down `minus` spotDown centre)
+    squared way = way `product'` way
 
 -- | Where on the array a cell of a face's block lies, the cell given by its row and column within
 -- the block; the inverse of 'whereabouts' for windows of one cell. Refuses a face that is not laid
@@ -220,9 +222,8 @@ centreBy between margin window cell =
     (middle spotDown pitchDown row rows)
   where
     middle side along from size =
-      ahead
-        (along between * (fromIntegral (from cell) + fromIntegral (size window) / 2))
-        (side margin)
+      fraction (along between * (fromIntegral (from cell) + fromIntegral (size window) / 2))
+        `plus` side margin
 
 -- | The centre of a symbol on a laid face, the symbol given by its row and column within the face's
 -- block.

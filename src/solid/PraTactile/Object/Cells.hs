@@ -26,14 +26,15 @@ import Data.Containers.ListUtils (nubOrdOn)
 import Data.List (sortOn)
 import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
-import Data.Ratio (denominator, numerator, (%))
+import Data.Ratio (denominator, numerator)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Frame
 import PraTactile.Object.Mesh
+import PraTactile.Object.Number (plus)
+import PraTactile.Object.Radicals
 import PraTactile.Object.Rims
-import PraTactile.Object.Surd
-import PraTactile.Object.Vector
+import PraTactile.Object.Vector hiding (plus)
 
 -- | Where a block of cells begins.
 data Anchor
@@ -48,22 +49,18 @@ data Anchor
 
 -- | The upper left corner of a block of so many rows and columns, in millimetres right of and below
 -- the walk's first vertex; cells are so many millimetres wide and high.
-blockCorner :: Frame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> (Surd, Surd)
+blockCorner :: Frame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> (Radicals, Radicals)
 blockCorner frame (right, down) anchor size = case anchor of
   Margin x y -> (fraction x, fraction y)
   Centred -> centred size (0, 0)
   CentredPart whole from -> centred whole from
   where
     centred (rows, columns) (r, c) =
-      ( centre frameAcross spanAcross (fromInteger (2 * c - columns) * right),
-        centre frameDown spanDown (fromInteger (2 * r - rows) * down)
+      ( centre overAcross spanAcross (fromInteger (2 * c - columns) * right),
+        centre overDown spanDown (fromInteger (2 * r - rows) * down)
       )
-    centre root part twice =
-      ahead
-        (twice / 2)
-        (surd 0 ((2 * spanFrom (part frame) + spanLength (part frame)) % (2 * root frame)) a)
-      where
-        a = fromInteger (root frame)
+    centre over part twice = fraction (twice / 2) `plus` over frame (middle (part frame))
+    middle (Span from long) = fromInteger (2 * from + long) / 2
 
 -- | The lines between the cells along one axis, and through their middles: the k-th is at @linesAt
 -- + (linesFirst + k linesStep) sqrt a@, times 'linesTimes'; even ones lie between cells.

@@ -120,7 +120,7 @@ chartOf it walk t (wide, high) anchor (rows, columns) = charted <$> frameOf it w
     (ee, nn) = (dot e e, dot normal normal)
     (a, c) = (fromInteger ee, fromInteger nn) :: (Rational, Rational)
     base = coprimeBase [ee, nn]
-    rooted n = let (before, under) = rootIn base n in \k -> radical (k * before) under
+    rooted n = let root = rootIn base n in \k -> k `times` root
     (root1, root2, root12) = (rooted ee, rooted nn, rooted (ee * nn))
     -- p + q sqrt a + r sqrt c + s sqrt (a c)
     vector p q r s = ExactPoint (number 0) (number 1) (number 2)

@@ -5,17 +5,12 @@ module PraTactile.Object.Enclosure
     middle,
     radius,
     signKnown,
-
-    -- * Numbers enclosed
-    nearest,
   )
 where
 
 import Data.Bits (shiftL, shiftR)
-import Data.List (foldl')
 import Data.Ratio (denominator, numerator, (%))
 import PraTactile.Object.Number
-import PraTactile.Object.Radicals
 import PraTactile.Object.Vector (floorRoot)
 
 -- | All numbers that are no further from the middle than the radius, both in units of 2^-places.
@@ -59,16 +54,3 @@ instance Number Enclosure where
       p
       ((m * numerator k) `div` denominator k)
       ((r * abs (numerator k)) `div` denominator k + 2)
-
--- | The number rounded by a function that does not fall and is constant between some fractions,
--- such as to the nearest machine number, or to its sign.
-nearest :: Eq a => (Rational -> a) -> Radicals -> a
-nearest rounding number = maybe (decided 64) rounding (asFraction number)
-  where
-    -- It lies between two of the fractions at which the rounded number changes.
-    decided digits
-      | below == rounding (middle it + radius it) = below
-      | otherwise = decided (2 * digits)
-      where
-        below = rounding (middle it - radius it)
-        it = foldl' plus (enclosed digits 0 1) (map (uncurry (enclosed digits)) (terms number))

@@ -12,18 +12,20 @@ module PraTactile.Object.Frame
     Span (..),
     spanAcross,
     spanDown,
+    overAcross,
+    overDown,
     frameCorners,
     frameExtent,
     isRectangle,
   )
 where
 
-import Data.Ratio ((%))
 import qualified Data.Vector as V
 import PraTactile.Object.Description (Point)
 import PraTactile.Object.Mesh
-import PraTactile.Object.Surd
-import PraTactile.Object.Vector
+import PraTactile.Object.Number (times)
+import PraTactile.Object.Radicals
+import PraTactile.Object.Vector hiding (plus)
 
 -- | The corners' numerators, and the numbers of which they are divided by the roots: lengths are in
 -- millimetres then.
@@ -32,6 +34,8 @@ data Frame = Frame
     frameAcross :: !Integer,
     -- | b, likewise
     frameDown :: !Integer,
+    -- | the roots of both
+    frameRoots :: (Radicals, Radicals),
     -- | the numerators of x and y, in the order of the walk
     frameNumerators :: !(V.Vector (Integer, Integer))
   }
@@ -50,13 +54,15 @@ frameOfPoints = frameOver . overOne
 frameOver :: (Integer, V.Vector V3) -> Maybe Frame
 frameOver (d, points)
   | a == 0 || normal == zero = Nothing
-  | otherwise = Just (Frame a (a * dot normal normal) (V.map numerators points))
+  | otherwise = Just (Frame a b (rootIn base a, rootIn base b) (V.map numerators points))
   where
     origin = firstOf points
     along = V.foldl (\_ p -> p) origin points `minus` origin
     normal = doubleArea points
     into = cross along normal
     a = dot along along * d * d
+    b = a * dot normal normal
+    base = coprimeBase [a, b]
     numerators p = (dot along (p `minus` origin), dot into (p `minus` origin))
 
 -- | How far numerators go: the least, and how much more the greatest is.
@@ -77,26 +83,27 @@ spanDown = spanOf . V.map snd . frameNumerators
 spanOf :: V.Vector Integer -> Span
 spanOf values = Span (V.minimum values) (V.maximum values - V.minimum values)
 
+-- | A numerator along x, and one along y, divided by the root: millimetres.
+overAcross, overDown :: Frame -> Rational -> Radicals
+overAcross frame n = times (n / fromInteger (frameAcross frame)) (fst (frameRoots frame))
+overDown frame n = times (n / fromInteger (frameDown frame)) (snd (frameRoots frame))
+
 -- | Where the corners are, millimetres right of and below the first one.
-frameCorners :: Frame -> [(Surd, Surd)]
+frameCorners :: Frame -> [(Radicals, Radicals)]
 frameCorners frame =
-  [(over (frameAcross frame) x, over (frameDown frame) y) | (x, y) <- V.toList numerators]
-  where
-    numerators = frameNumerators frame
+  [ (overAcross frame (fromInteger x), overDown frame (fromInteger y))
+    | (x, y) <- V.toList (frameNumerators frame)
+  ]
 
 -- | Where the upper left corner of the box round all corners is, millimetres right of and below the
 -- first of them, and its width and height.
-frameExtent :: Frame -> ((Surd, Surd), (Surd, Surd))
+frameExtent :: Frame -> ((Radicals, Radicals), (Radicals, Radicals))
 frameExtent frame = (both spanFrom, both spanLength)
   where
     both part =
-      ( over (frameAcross frame) (part (spanAcross frame)),
-        over (frameDown frame) (part (spanDown frame))
+      ( overAcross frame (fromInteger (part (spanAcross frame))),
+        overDown frame (fromInteger (part (spanDown frame)))
       )
-
--- | The numerator, divided by the root.
-over :: Integer -> Integer -> Surd
-over a n = surd 0 (n % a) (fromInteger a)
 
 -- | Whether the face is the box itself.
 isRectangle :: Frame -> Bool

@@ -18,14 +18,10 @@ import PraTactile.Explore (insidePolygon)
 import PraTactile.Field (KnownField)
 import PraTactile.Object.Canonical
 import PraTactile.Object.Cells (Grid (..), bestGrid)
-import PraTactile.Object.Enclosure (nearest)
 import PraTactile.Object.Mesh hiding (named)
 import PraTactile.Object.Named
-import PraTactile.Object.Number (plus)
 import PraTactile.Object.Placement hiding (corner)
-import PraTactile.Object.Radicals
 import PraTactile.Object.Validity
-import PraTactile.Object.Vector (floorRoot)
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
 import PraTactile.Relief (classOn)
@@ -95,21 +91,6 @@ spec = do
                           (show (size, told))
                           (abs (fromRational size / told - 1) < 1e-9)
                       ]
-  prop "numbers with roots are rounded as what they are to hundreds of digits is" $
-    forAll ((,) <$> choose (1, 400) <*> choose (1, 400)) $ \(a, c) ->
-      forAll (vectorOf 4 genFraction) $ \parts -> case parts of
-        [p, q, r, s] ->
-          let long n = floorRoot (fromInteger (n * 10 ^ (800 :: Int))) % 10 ^ (400 :: Int)
-              value = p + q * long a + r * long c + s * long (a * c)
-              base = coprimeBase [a, c]
-              term k n = let (before, under) = rootIn base n in radical (k * before) under
-              number = fraction p `plus` term q a `plus` term r c `plus` term s (a * c)
-           in conjoin
-                [ nearest (fromRational :: Rational -> Double) number
-                    === fromRational (if abs value < tiny then 0 else value),
-                  maybe True (\exact -> abs (exact - value) < tiny) (asFraction number) === True
-                ]
-        _ -> property False
   describe "refused are" $ do
     it "shapes of which two taxels meet at a corner only, by name" $
       withArray $ \array -> do
@@ -181,8 +162,6 @@ spec = do
         either show (const "") (rounded Fractions made) `shouldStartWith` "Irrational"
   where
     plated object face = PlateOf object face . Just
-    tiny = 1 / 10 ^ (300 :: Int)
-    genFraction = (%) <$> choose (-999, 999) <*> choose (1, 99)
 
 -- | A point near a face, right of and below its first vertex and above it.
 genPoint :: LaidFace -> Double -> Gen (Double, Double, Double)

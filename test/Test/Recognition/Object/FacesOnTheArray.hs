@@ -9,7 +9,7 @@ import Data.Maybe (mapMaybe)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Canonical
 import PraTactile.Object.Placement hiding (Block, blockCells)
-import PraTactile.Object.Surd (asFraction)
+import PraTactile.Object.Radicals (asFraction)
 import PraTactile.Object.WingedEdge
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)

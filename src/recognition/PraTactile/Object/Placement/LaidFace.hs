@@ -39,7 +39,8 @@ import qualified Data.Set as Set
 import PraTactile.Array (Position (..), Shape (..), area, shapeCells)
 import PraTactile.Object.Cells (Anchor (..), allOn, blockCorner, cellsAmong)
 import PraTactile.Object.Frame
-import PraTactile.Object.Surd
+import PraTactile.Object.Number (times)
+import PraTactile.Object.Radicals
 import PraTactile.Object.WingedEdge
 
 -- | The distances in millimetres from one symbol to the next, along a row and along a column.
@@ -100,8 +101,8 @@ laidWhole face at grid = Laying face at Centred (wholeBlock grid)
 -- | A spot on a face in millimetres from the face's first vertex, the upper left one, to the right
 -- and down, seen from outside.
 data Spot = Spot
-  { spotRight :: !Surd,
-    spotDown :: !Surd
+  { spotRight :: !Radicals,
+    spotDown :: !Radicals
   }
   deriving stock (Eq, Ord, Show)
 

@@ -150,10 +150,10 @@ sideOf it = SideOf quick careful
     careful line c
       | Just told <- quick line c = told
       | otherwise = case turning cornerExactly line c of
-        Just sums -> verdict (nearest (truncate . signum) sums)
+        Just sums -> verdict (sign sums)
         Nothing -> maybe Open verdict (refined line (NonEmpty.toList (turnings line c)))
     verdict :: Int -> Meeting
-    verdict sign = if sign > 0 then Overlapping else Apart
+    verdict told = if told > 0 then Overlapping else Apart
     turnings (p, q) c =
       NonEmpty.zipWith
         (\(a, b) z -> turned a b z)
@@ -164,7 +164,7 @@ sideOf it = SideOf quick careful
     -- before it has the corner less than 10^-30 mm from the line.
     refined line found = case found of
       value : finer
-        | Just sign <- signKnown value -> Just sign
+        | Just told <- signKnown value -> Just told
         | radius value * radius value <= fine line -> Nothing
         | otherwise -> refined line finer
       [] -> Nothing

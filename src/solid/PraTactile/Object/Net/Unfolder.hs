@@ -36,8 +36,6 @@ data Unfolder = Unfolder
     unfolderTemplates :: V.Vector Template,
     -- | each face as convex parts
     unfolderParts :: V.Vector [Part],
-    -- | the roots of the templates, each a multiple of another
-    unfolderRoot :: Integer -> (Rational, Integer),
     -- | in the exact numbers
     unfolderExactly :: Rung (Maybe Radicals),
     -- | in enclosures of 'rungPlaces'
@@ -64,8 +62,7 @@ unfolder whole =
       unfolderSides = sides,
       unfolderTemplates = flats,
       unfolderParts = V.generate (V.length flats) (convexParts it),
-      unfolderRoot = root,
-      unfolderExactly = rung (\q n -> let (k, under) = root n in Just (radical (q * k) under)),
+      unfolderExactly = rung (\q n -> Just (q `times` root n)),
       unfolderRungs = NonEmpty.map (rung . enclosed) rungPlaces
     }
   where
@@ -75,7 +72,7 @@ unfolder whole =
     roots = map templateRoot (V.toList flats)
     base = coprimeBase roots
     known = Map.fromList [(n, rootIn base n) | n <- roots]
-    root n = if n == 1 then (1, 1) else Map.findWithDefault (1, n) n known
+    root n = Map.findWithDefault (fraction 1) n known
     rung :: Number n => (Rational -> Integer -> n) -> Rung n
     rung make =
       Rung
