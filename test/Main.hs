@@ -2,7 +2,6 @@
 -- hspec-discover would not find.
 module Main (main) where
 
-import GHC.IO.Handle (hDuplicate)
 import System.IO (BufferMode (LineBuffering), hSetBuffering, stdout)
 import System.Posix.Signals (Handler (Ignore), installHandler, sigPIPE)
 import qualified Test.App.AssembliesDrawn
@@ -209,22 +208,20 @@ main :: IO ()
 main = do
   -- Each test is shown when it ends, also in a pipe or a file.
   hSetBuffering stdout LineBuffering
-  -- Commands run in this process with files in the place of its streams: what tests find is told by
-  -- another handle, and a pipe that nobody reads is an error of writing to it.
-  told <- hDuplicate stdout
-  hSetBuffering told LineBuffering
+  -- Commands run in this process: a pipe that nobody reads is an error of writing to it.
   _ <- installHandler sigPIPE Ignore Nothing
   hspecWith
     defaultConfig
       { configConcurrentJobs = Just 2,
-        configOutputFile = Left told,
         configQuickCheckSeed = byEffort (Just 20041) Nothing
       }
     specs
 
--- | All specs. Those that bound time or memory are the last, when no other test runs any more.
+-- | All specs. Commands that run in this process have its standard streams one after the other, and
+-- meanwhile the rest runs in parallel. Those that bound time or memory are the last, alone.
 specs :: Spec
 specs = do
+  commands
   parallel together
   describe "Hostile inputs" Test.Hostile.spec
 
@@ -395,7 +392,6 @@ together = do
   describe "Conformance: lines" Test.Conformance.Wire.Lines.spec
   describe "Conformance: questions and answers" Test.Conformance.Wire.Forms.spec
   describe "Conformance: reports" Test.Conformance.Report.spec
-  describe "Conformance: test vectors" Test.Conformance.Vectors.spec
   describe "Conformance: the runner" Test.Conformance.Run.Search.spec
   describe "Conformance: what the runner tries" Test.Conformance.Run.Choice.spec
   describe "Conformance: the version of the suite" Test.Conformance.Versions.spec
@@ -406,6 +402,14 @@ together = do
   describe "Conformance: processes" Test.Conformance.Process.Faults.spec
   describe "Conformance: the server" Test.Conformance.Serve.spec
   describe "What is said is what happens" Test.Documents.spec
+  describe "Schemas" Test.Schemas.spec
+  describe "The examples" Test.Examples.spec
+
+-- | Most commands run in this process.
+commands :: Spec
+commands = do
+  describe "Conformance: processes" Test.Conformance.Process.Faults.usageSpec
+  describe "Conformance: test vectors" Test.Conformance.Vectors.spec
   describe "The command line" Test.CommandLine.spec
   describe "The command line: output, arguments, names" Test.CommandLine.Output.spec
   describe "The command line: what answers are worth" Test.CommandLine.Chance.spec
@@ -428,8 +432,6 @@ together = do
   describe "The command line: proofs and certificates" Test.CommandLine.Proof.spec
   describe "The command line: census" Test.CommandLine.Census.spec
   describe "The tools" Test.Tools.spec
-  describe "Schemas" Test.Schemas.spec
-  describe "The examples" Test.Examples.spec
   describe "The command line: JSON" Test.CommandLine.Json.spec
   describe "The command line: advice" Test.CommandLine.Advice.spec
   describe "The command line: bounds" Test.CommandLine.Bounds.spec

@@ -68,7 +68,7 @@ spec = do
     parallel $
       forM_ names $ \name -> it name $
         scratch $ \folder -> do
-          (_, help, _) <- pra [name, "--help"]
+          (_, help, _) <- praAlone [name, "--help"]
           let examples = examplesIn help
           examples `shouldSatisfy` (not . null)
           forM_ (zip [1 :: Int ..] examples) $ \(i, line) -> do
@@ -110,7 +110,7 @@ briefly line = case words line of
 -- | The commands that the help names.
 commandNames :: IO [String]
 commandNames = do
-  (_, help, _) <- pra ["--help"]
+  (_, help, _) <- praAlone ["--help"]
   pure
     [ name
       | line <- lines help,

@@ -14,6 +14,7 @@ module Test.CommandLine.Run
 
     -- * As processes
     praAlone,
+    praAloneWith,
     praUnder,
     scripted,
   )
@@ -42,7 +43,8 @@ import Test.Support
 -- | Status, standard output, standard error.
 type Outcome = (Int, String, String)
 
--- | What a command answers, without an input.
+-- | What a command answers, without an input. A test that uses this is not 'parallel': hspec
+-- writes to the same standard output.
 pra :: [String] -> IO Outcome
 pra = (`praWith` "")
 
@@ -57,7 +59,7 @@ praWith arguments input = withMVar turn $ \_ -> inFolder $ \folder -> do
         replaced stderr (file "complaints") WriteMode (runToExit (answering arguments))
   outcome (either id absurd code) <$> readText (file "output") <*> readText (file "complaints")
 
--- | The standard streams are the process's, and so are its arguments.
+-- | Only one command at a time has the process's standard streams and arguments.
 turn :: MVar ()
 turn = unsafePerformIO (newMVar ())
 {-# NOINLINE turn #-}
@@ -69,9 +71,14 @@ replaced stream file mode = bracket (hDuplicate stream <* instead) restored . co
     instead = withFile file mode (`hDuplicateTo` stream) >> hSetEncoding stream utf8
     restored saved = hDuplicateTo saved stream >> hClose saved
 
--- | What a command answers as a process of its own: those that start other processes do.
+-- | What a command answers as a process of its own. Tests that run beside others use this, and those
+-- of commands that start processes.
 praAlone :: [String] -> IO Outcome
-praAlone arguments = process "pra-tactile" arguments ""
+praAlone = (`praAloneWith` "")
+
+-- | What a command answers as a process of its own that reads this from the standard input.
+praAloneWith :: [String] -> String -> IO Outcome
+praAloneWith = process "pra-tactile"
 
 -- | Status, output and errors of the program as a process under these options of the run-time
 -- system, which it takes from its environment alone.

@@ -61,16 +61,16 @@ spec = do
     (status, out) `shouldBe` (2, "")
     err `shouldContain` "--stage touch"
   it "answers a process a request" $ do
-    (_, profile, _) <- pra ["profile"]
+    (_, profile, _) <- praAlone ["profile"]
     let asked keys = "{\"profile\": " ++ concat (lines profile) ++ keys ++ "}\n"
-        once' keys = praWith ["serve", "--one-shot"] (asked keys)
+        once' keys = praAloneWith ["serve", "--one-shot"] (asked keys)
     once' (", \"sequence\": 7, " ++ operation "multiply" "{\"a\": 2, \"b\": 3}")
       `shouldReturn` (0, "{\"sequence\":7,\"result\":1}\n", "")
     once' "" `shouldReturn` (0, "{\"result\":true}\n", "")
     (_, unknown, _) <- once' (", " ++ operation "divide" "{}")
     unknown `shouldSatisfy` ("{\"skipped\":" `isPrefixOf`)
   it "says what it is, what it offers, and that it takes 64 requests at once" $ do
-    (status, out, _) <- praWith ["serve"] "{\"command\": \"start\", \"protocol\": 1}\n"
+    (status, out, _) <- praAloneWith ["serve"] "{\"command\": \"start\", \"protocol\": 1}\n"
     (status, decode (Lazy.Char8.pack out))
       `shouldBe` ( 0,
                    Just
@@ -156,7 +156,7 @@ spec = do
         replyOnce library (requestOf (KeyMap.singleton "sequence" number) (exampleOf OfAdd))
           `shouldReturn` reply
   for_ strange $ \(what, requests, replies) -> it what $ do
-    (status, out, err) <- praWith ["serve"] (unlines requests)
+    (status, out, err) <- praAloneWith ["serve"] (unlines requests)
     (status, err) `shouldBe` (0, "")
     zipWith isPrefixOf replies (lines out) `shouldBe` map (const True) replies
     length (lines out) `shouldBe` length replies
@@ -170,7 +170,7 @@ spec = do
             (served ++ ["--impostor", impostorName one])
         (status, err, (law, "failed") `elem` outcomes out) `shouldBe` (1, "", True)
   it "the impostors are listed, each with what is wrong and with laws that there are" $ do
-    (status, out, _) <- pra ["serve", "--impostors"]
+    (status, out, _) <- praAlone ["serve", "--impostors"]
     status `shouldBe` 0
     length (lines out) `shouldBe` 2 * length impostors
     let ids = map lawId laws ++ map lawId openingLaws ++ map lawId lawsWithoutProfile

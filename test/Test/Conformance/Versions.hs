@@ -45,8 +45,8 @@ spec = do
     numbers now `shouldSatisfy` (>= next)
     filter ((<= numbers before) . numbers) added `shouldBe` []
   it "the program tells it, and conform by itself" $ do
-    pra ["conform", "--version"] `shouldReturn` (0, "suite " ++ suiteVersion ++ "\n", "")
-    (status, out, err) <- pra ["--version"]
+    praAlone ["conform", "--version"] `shouldReturn` (0, "suite " ++ suiteVersion ++ "\n", "")
+    (status, out, err) <- praAlone ["--version"]
     (status, drop 2 (words out), err) `shouldBe` (0, ["suite", suiteVersion], "")
 
 -- | An id, a stage, what is needed, a sentence and a source.

@@ -93,7 +93,7 @@ addresses = do
         (name, shownName name) `shouldBe` (name, "postgresql://...")
         withStore name Nothing (const (pure ())) `shouldReturn` Left UnreadableAddress
         thePlacement $ \place -> create name "profile" place `shouldReturn` Left UnreadableAddress
-        outcome@(_, _, err) <- pra ["objects", "--database", name, "--check", "--json"]
+        outcome@(_, _, err) <- praAlone ["objects", "--database", name, "--check", "--json"]
         outcome `refuses` "postgresql://"
         err `shouldSatisfy` (not . ("cret" `isInfixOf`))
   it "no password of any letters is in what is shown" $
@@ -151,7 +151,7 @@ addresses = do
             [name]
           ]
           $ \arguments -> do
-            (status, out, err) <- pra arguments
+            (status, out, err) <- praAlone arguments
             (arguments, status) `shouldSatisfy` ((/= 0) . snd)
             (arguments, out ++ err) `shouldSatisfy` (not . ("secret" `isInfixOf`) . snd)
   where
@@ -323,7 +323,7 @@ strangers = do
     . placedOn
     $ \server _ -> do
       name <- newSchema server
-      (0, _, _) <- pra ["objects", "--write", name]
+      (0, _, _) <- praAlone ["objects", "--write", name]
       -- Each connection first asks for its database's encoding.
       let heard n = name ++ "%20-clog_statement%3Dall&application_name=once" ++ show (n :: Int)
           composite = "data/worked-example/composite.pgm"
@@ -333,7 +333,7 @@ strangers = do
               ["objects", "--check", "--database"]
             ]
       for_ (zip [1 ..] commands) $ \(n, command) -> do
-        (0, _, _) <- pra (command ++ [heard n])
+        (0, _, _) <- praAlone (command ++ [heard n])
         said <- logged server (Text.pack ("once" ++ show n))
         (command, length (filter ("server_encoding" `Text.isInfixOf`) said))
           `shouldBe` (command, 1)
@@ -380,10 +380,10 @@ losses = do
       withStore ("postgresql:///d?host=" ++ folder) Nothing (const (pure ()))
         `shouldReturn` Left (Unreachable ("postgresql:///d?host=" ++ folder) NoServer)
       let name = addressIn server "none" []
-      refused <- pra ["objects", "--at", "6,5", "--database", name]
+      refused <- praAlone ["objects", "--at", "6,5", "--database", name]
       refused `refuses` "database \"none\" does not exist"
       let lonely = "postgresql://me:secret@/d?host=" ++ folder
-      gone <- pra ["objects", "--at", "6,5", "--database", lonely]
+      gone <- praAlone ["objects", "--at", "6,5", "--database", lonely]
       gone `refuses` "no server answers"
   -- All of these were "no server answers there", or "the server refuses".
   it "why there is no connection is told, as psql tells it"
@@ -408,9 +408,9 @@ losses = do
               readProcessWithExitCode (serverPrograms server </> "psql") ["-X", "-d", name] ""
             let why = unwords (drop 2 (words (concat (take 1 (lines said)))))
             why `shouldSatisfy` (not . null)
-            outcome <- pra ["objects", "--check", "--database", name]
+            outcome <- praAlone ["objects", "--check", "--database", name]
             outcome `refuses` why
-      outcome <- pra ["objects", "--check", "--database", "postgresql://me:secret@host.invalid/d"]
+      outcome <- praAlone ["objects", "--check", "--database", "postgresql://me:secret@host.invalid/d"]
       outcome `refuses` "could not translate host name \"host.invalid\""
   it "a store is named by settings as by a URI"
     . placedOn
@@ -428,7 +428,7 @@ losses = do
     . placedOn
     $ \server place -> do
       name <- newSchema server
-      pra ["objects", "--write", name] `shouldReturn` (0, "wrote " ++ name ++ "\n", "")
+      praAlone ["objects", "--write", name] `shouldReturn` (0, "wrote " ++ name ++ "\n", "")
       let victim = name ++ "&application_name=victim"
           ended = ending server "victim"
           look store = storedWhereabouts store canonicalWindow (Position 6 5)

@@ -2,7 +2,7 @@
 
 -- | @conform@ on real processes: those that are right, those that are wrong, and those that do
 -- anything but reply; and what it leaves behind.
-module Test.Conformance.Process.Faults (spec) where
+module Test.Conformance.Process.Faults (spec, usageSpec) where
 
 import Data.Aeson (Value (..))
 import Data.Foldable (for_)
@@ -24,7 +24,7 @@ spec = do
     Nothing ->
       it "is tried on small subjects" $
         pendingWith "python3 is not installed here, so that these subjects were not run"
-    Just _ -> parallel $ do
+    Just _ -> do
       faultSpec
       oneShotSpec
       choiceSpec
@@ -32,7 +32,6 @@ spec = do
       endSpec
       signalSpec
       limitSpec
-  usageSpec
 
 -- | What a process can do instead of replying, and the name that it gets.
 instead :: [(String, String)]
@@ -259,6 +258,7 @@ limitSpec = describe "the time for all of it" $
       -- Long enough for a busy machine, and half of what it would wait for a reply.
       ended - begun `shouldSatisfy` (< 30)
 
+-- | What commands alone show.
 usageSpec :: Spec
 usageSpec = describe "usage" $ do
   it "a command that cannot be started, or never answers" $ do

@@ -58,7 +58,7 @@ python arguments = do
 -- | With a file that has the paper's profile.
 withProfile :: (FilePath -> IO a) -> IO a
 withProfile use = inFolder $ \folder -> do
-  (_, profile, _) <- pra ["profile"]
+  (_, profile, _) <- praAlone ["profile"]
   writeFile (folder </> "paper.json") profile
   use (folder </> "paper.json")
 

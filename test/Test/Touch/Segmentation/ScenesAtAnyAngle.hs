@@ -280,8 +280,8 @@ besideForeign = do
 commandSpec :: Spec
 commandSpec = do
   it "finds the symbols that decode reads, where it reads them" $ do
-    (0, found, "") <- pra ["segment", "--json", worked]
-    (0, answer, "") <- pra ["decode", "--json", worked]
+    (0, found, "") <- praAlone ["segment", "--json", worked]
+    (0, answer, "") <- praAlone ["decode", "--json", worked]
     let places out = case key ["symbols"] out of
           Just (Array list) ->
             [(KeyMap.lookup "x" o, KeyMap.lookup "y" o) | Object o <- toList list]
@@ -290,9 +290,9 @@ commandSpec = do
     places found `shouldBe` places answer
   it "says so in words, and where there is nothing" $
     inFolder $ \folder -> do
-      (0, out, "") <- pra ["segment", worked]
+      (0, out, "") <- praAlone ["segment", worked]
       out `shouldSatisfy` ("symbol at" `isInfixOf`)
       writeFile (folder ++ "/blank.pgm") (unlines ("P2 40 52 255" : replicate 2080 "0"))
-      pra ["segment", folder ++ "/blank.pgm"] >>= (`shouldBe` (1, "nothing is embossed\n", ""))
+      praAlone ["segment", folder ++ "/blank.pgm"] >>= (`shouldBe` (1, "nothing is embossed\n", ""))
   where
     worked = "data/worked-example/composite.pgm"
