@@ -223,6 +223,7 @@ specs :: Spec
 specs = do
   commands
   parallel together
+  describe "Conformance: what processes write" Test.Conformance.Process.Output.aloneSpec
   describe "Hostile inputs" Test.Hostile.spec
 
 together :: Spec

@@ -65,11 +65,11 @@ roundTrips = do
   it "the seal is of the numbers, however they are written: 1, 1.0, 10e-1 and 1e0 are one"
     . ofDrawn 1 someCertificate
     $ \certificate -> do
-    let sealed = encodeCertificate certificate {certificatePeriod = 1200, certificateWindows = 7}
-        sealedSo = Right . Just
-        written' text = fmap (Just . fileSealed) (decodeCertificate (rewritten text sealed))
-    map written' ["1200", "1200.0", "1200.000", "12e2", "1.2e3", "12000e-1", "\"1200\""]
-      `shouldBe` replicate 6 (sealedSo True) ++ [sealedSo False]
+      let sealed = encodeCertificate certificate {certificatePeriod = 1200, certificateWindows = 7}
+          sealedSo = Right . Just
+          written' text = fmap (Just . fileSealed) (decodeCertificate (rewritten text sealed))
+      map written' ["1200", "1200.0", "1200.000", "12e2", "1.2e3", "12000e-1", "\"1200\""]
+        `shouldBe` replicate 6 (sealedSo True) ++ [sealedSo False]
   it "a field's tables are those of its elements: of a prime field, sums and products modulo p" $ do
     let table p operation = toJSON [[operation a b `mod` p | b <- [0 .. p - 1]] | a <- [0 .. p - 1]]
         isModulo p encoded = do
@@ -179,64 +179,64 @@ refusals = do
   it "a key that is missing of an answer, unless answers without it may be"
     . ofDrawn 1 ((,) <$> someRecognition <*> (encodeAnswer <$> someAnswer))
     $ \(recognition, answer) -> do
-    let text = encodeRecognition recognition
-    forM_ (filter (/= "minimum_distance_is") (KeyMap.keys (fields text))) $ \key ->
-      (key, isLeft (decodeRecognition (written (KeyMap.delete key (fields text)))))
-        `shouldBe` (key, True)
-    forM_ ["schema", "profile", "outcome", "position", "positions", "message", "chance"] $ \key ->
-      (key, isLeft (decodeAnswer (written (KeyMap.delete key (fields answer)))))
-        `shouldBe` (key, True)
+      let text = encodeRecognition recognition
+      forM_ (filter (/= "minimum_distance_is") (KeyMap.keys (fields text))) $ \key ->
+        (key, isLeft (decodeRecognition (written (KeyMap.delete key (fields text)))))
+          `shouldBe` (key, True)
+      forM_ ["schema", "profile", "outcome", "position", "positions", "message", "chance"] $ \key ->
+        (key, isLeft (decodeAnswer (written (KeyMap.delete key (fields answer)))))
+          `shouldBe` (key, True)
   it "a key that is missing, or null, of a profile, a certificate and a truth"
     . ofDrawn 1 ((,,) <$> someTruth <*> someProfile <*> someCertificate)
     $ \(askew, profile, certificate) -> do
-    let truth = askew {truthRegion = (truthRegion askew) {regionAngle = 0}, truthBend = Nothing}
-    everyKey (encodeProfile profile) decodeProfile
-    everyKey (encodeCertificate certificate) decodeCertificate
-    everyKey (encodeTruth truth) decodeTruth
+      let truth = askew {truthRegion = (truthRegion askew) {regionAngle = 0}, truthBend = Nothing}
+      everyKey (encodeProfile profile) decodeProfile
+      everyKey (encodeCertificate certificate) decodeCertificate
+      everyKey (encodeTruth truth) decodeTruth
   it "values that are not what the format has there, with their places"
     . ofDrawn 1 ((,) <$> (encodeCertificate <$> someCertificate) <*> (encodeTruth <$> someTruth))
     $ \(certificate, truth) -> do
-    forM_ wrongProfiles $ \(key, value, place, misfit) ->
-      decodeProfile (changed key value (encodeProfile canonicalProfile))
-        `shouldBe` Left (Misfit (Key key : place) misfit)
-    forM_ wrongCertificates $ \(key, value, place, misfit) ->
-      decodeCertificate (changed key value certificate)
-        `shouldBe` Left (Misfit (Key key : place) misfit)
-    forM_ wrongTruths $ \(key, value, place, misfit) ->
-      decodeTruth (changed key value truth) `shouldBe` Left (Misfit (Key key : place) misfit)
-    decodeProfile (changed "schema" "x" (encodeProfile canonicalProfile))
-      `shouldBe` Left (Misfit [] (OtherSchema "x" "pra-tactile/profile/1"))
-    decodeProfile "[]" `shouldBe` Left (Misfit [] NotObject)
-    decodeProfile "{}" `shouldBe` Left (Misfit [] (MissingKey "schema"))
-    decodeTruth (encodeProfile canonicalProfile)
-      `shouldBe` Left (Misfit [] (OtherSchema "pra-tactile/profile/1" "pra-tactile/truth/1"))
+      forM_ wrongProfiles $ \(key, value, place, misfit) ->
+        decodeProfile (changed key value (encodeProfile canonicalProfile))
+          `shouldBe` Left (Misfit (Key key : place) misfit)
+      forM_ wrongCertificates $ \(key, value, place, misfit) ->
+        decodeCertificate (changed key value certificate)
+          `shouldBe` Left (Misfit (Key key : place) misfit)
+      forM_ wrongTruths $ \(key, value, place, misfit) ->
+        decodeTruth (changed key value truth) `shouldBe` Left (Misfit (Key key : place) misfit)
+      decodeProfile (changed "schema" "x" (encodeProfile canonicalProfile))
+        `shouldBe` Left (Misfit [] (OtherSchema "x" "pra-tactile/profile/1"))
+      decodeProfile "[]" `shouldBe` Left (Misfit [] NotObject)
+      decodeProfile "{}" `shouldBe` Left (Misfit [] (MissingKey "schema"))
+      decodeTruth (encodeProfile canonicalProfile)
+        `shouldBe` Left (Misfit [] (OtherSchema "pra-tactile/profile/1" "pra-tactile/truth/1"))
   it "a truth's angle is from 0 to 360, and its orientation the nearest quarter turn"
     . ofDrawn 1 (encodeTruth <$> someTruth)
     $ \truth ->
-    forM_ ((,) <$> [0 .. 3 :: Int] <*> angles) $ \(quarter, degrees) -> do
-      let text =
-            changed "orientation_deg" (toJSON (90 * quarter)) $
-              changed "angle_deg" (toJSON degrees) truth
-          beyond = degrees - 90 * fromIntegral quarter
-          apart = minimum [abs (beyond - turn) | turn <- [-360, 0, 360]]
-          turned read' = regionTurn (truthRegion read')
-      case decodeTruth text of
-        Right read' ->
-          (quarter, degrees, abs (turned read' - degrees) < 1e-9, apart < 45.01)
-            `shouldBe` (quarter, degrees, True, True)
-        Left why ->
-          (quarter, degrees, why, degrees < 0 || degrees >= 360 || apart > 45)
-            `shouldBe` (quarter, degrees, Misfit [Key "angle_deg"] NotAngle, True)
+      forM_ ((,) <$> [0 .. 3 :: Int] <*> angles) $ \(quarter, degrees) -> do
+        let text =
+              changed "orientation_deg" (toJSON (90 * quarter)) $
+                changed "angle_deg" (toJSON degrees) truth
+            beyond = degrees - 90 * fromIntegral quarter
+            apart = minimum [abs (beyond - turn) | turn <- [-360, 0, 360]]
+            turned read' = regionTurn (truthRegion read')
+        case decodeTruth text of
+          Right read' ->
+            (quarter, degrees, abs (turned read' - degrees) < 1e-9, apart < 45.01)
+              `shouldBe` (quarter, degrees, True, True)
+          Left why ->
+            (quarter, degrees, why, degrees < 0 || degrees >= 360 || apart > 45)
+              `shouldBe` (quarter, degrees, Misfit [Key "angle_deg"] NotAngle, True)
   it "a truth's region has sides of up to 100000 taxels, its cylinder a radius of 10^9 mm"
     . ofDrawn 1 (encodeTruth <$> someTruth)
     $ \truth -> do
-    forM_ [(w, h) | w <- [0, 1, 99999, 100000], h <- [0, 1, 99999, 100000]] $ \(w, h) ->
-      fmap
-        (\read' -> (regionWidth (truthRegion read'), regionHeight (truthRegion read')))
-        (decodeTruth (changed "region_taxels" (toJSON [w, h :: Int]) truth))
-        `shouldBe` Right (w, h)
-    let widest = object ["radius_mm" .= (1e9 :: Double), "axis" .= ("x" :: String)]
-    decodeTruth (changed "bend" widest truth) `shouldSatisfy` isRight
+      forM_ [(w, h) | w <- [0, 1, 99999, 100000], h <- [0, 1, 99999, 100000]] $ \(w, h) ->
+        fmap
+          (\read' -> (regionWidth (truthRegion read'), regionHeight (truthRegion read')))
+          (decodeTruth (changed "region_taxels" (toJSON [w, h :: Int]) truth))
+          `shouldBe` Right (w, h)
+      let widest = object ["radius_mm" .= (1e9 :: Double), "axis" .= ("x" :: String)]
+      decodeTruth (changed "bend" widest truth) `shouldSatisfy` isRight
   it "what is no JSON, and no census file" $ do
     decodeProfile "{" `shouldBe` Left (JsonRefused NotJson)
     decodeTruth " " `shouldBe` Left (JsonRefused NoText)

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE TemplateHaskell #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The files of @data@ that the libraries carry. This library imports none of the others, so
 -- Template Haskell needs none of them in a form that it can load.

@@ -243,10 +243,13 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
                   === 4
           _ -> property True
   it "each face is drawn with its symbols, taxel by taxel, and its four vertices" $
-    once . conjoin . (<$> [ (face, heights)
-        | face <- laidFaces layout,
-          Right heights <- [reliefHeights <$> relief array layout alphabet face]
-      ])
+    once . conjoin
+      . ( <$>
+            [ (face, heights)
+              | face <- laidFaces layout,
+                Right heights <- [reliefHeights <$> relief array layout alphabet face]
+            ]
+        )
       $ \(face, heights) -> ioProperty $ do
         let margin side = round (nearestDouble (side (laidMargin face)) / taxelPitch) :: Int
             image =

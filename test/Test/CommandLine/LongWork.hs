@@ -202,7 +202,7 @@ progressSpec = do
 -- | A process writes all of these to its standard output; it is ended once it has.
 seen :: CreateProcess -> [String] -> Expectation
 seen process marks =
-  withCreateProcess process {std_in = NoStream, std_out = CreatePipe} $ \_ out _ handle -> do
+  withCreateProcess process {std_in = CreatePipe, std_out = CreatePipe} $ \_ out _ handle -> do
     told <- maybe (pure "") hGetContents out
     let haveAll text = all (`isInfixOf` text) marks
     take 1 (filter haveAll (inits told)) `shouldSatisfy` (not . null)

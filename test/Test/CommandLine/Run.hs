@@ -66,10 +66,14 @@ turn = unsafePerformIO (newMVar ())
 
 -- | Go on with a file in the place of a standard stream.
 replaced :: Handle -> FilePath -> IOMode -> IO a -> IO a
-replaced stream file mode = bracket (hDuplicate stream <* instead) restored . const
+replaced stream file mode = bracket kept restored . const
   where
+    kept = (,) <$> hDuplicate stream <*> hGetBuffering stream <* instead
     instead = withFile file mode (`hDuplicateTo` stream) >> hSetEncoding stream utf8
-    restored saved = hDuplicateTo saved stream >> hClose saved
+    restored (saved, buffering) = do
+      hDuplicateTo saved stream
+      hClose saved
+      hSetBuffering stream buffering
 
 -- | What a command answers as a process of its own. Tests that run beside others use this, and those
 -- of commands that start processes.

@@ -17,7 +17,7 @@ import Data.IORef (modifyIORef', newIORef, readIORef)
 import Data.Int (Int64)
 import Data.List (isInfixOf)
 import GHC.Conc (disableAllocationLimit, enableAllocationLimit, setAllocationCounter)
-import GHC.Stats (gc, gcdetails_live_bytes, getRTSStats)
+import GHC.Stats (gc, gc_cpu_ns, gcdetails_live_bytes, getRTSStats)
 import System.CPUTime (getCPUTime)
 import System.Mem (performMajorGC)
 import Test.Effort
@@ -88,17 +88,23 @@ withinBounds action = (quickly `catch` \AllocationLimitExceeded -> watched) `cat
       Nothing -> pure (Left ("an exception: " ++ displayException (problem :: SomeException)))
 
 -- | What an action gives, unless this process computes for more than so many seconds. The time that
--- others leave it no processor does not count.
+-- others leave it no processor does not count, nor that in which the whole suite's memory is tidied.
 computingFor :: Integer -> IO a -> IO (Maybe a)
 computingFor seconds action = do
-  start <- getCPUTime
+  start <- computed
   caller <- myThreadId
   let watch = do
         threadDelay 100000
-        now <- getCPUTime
+        now <- computed
         if now - start > seconds * 10 ^ (12 :: Int) then throwTo caller ComputedTooLong else watch
   (Just <$> bracket (forkIO watch) killThread (const action))
     `catch` \ComputedTooLong -> pure Nothing
+
+  where
+    -- In picoseconds.
+    computed = do
+      collecting <- gc_cpu_ns <$> getRTSStats
+      subtract (1000 * toInteger collecting) <$> getCPUTime
 
 data ComputedTooLong = ComputedTooLong
   deriving stock (Show)

@@ -11,11 +11,11 @@ import AnswerText
 import CsvGrid
 import Data.Aeson (Value (..))
 import qualified Data.Aeson.KeyMap as KeyMap
+import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import Data.ByteString.Builder (toLazyByteString)
 import qualified Data.ByteString.Char8 as Bytes8
 import qualified Data.ByteString.Lazy as Lazy
-import Data.Bifunctor (first)
 import Data.List (intercalate)
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -323,8 +323,9 @@ judgedCertificate bytes = case decodeCertificate bytes of
         )
 
 judgedProfile :: ByteString -> Judged
-judgedProfile = judgedForm (either (formatMessage "it" "a profile") profileMessage) decode encodeProfile $
-  const []
+judgedProfile =
+  judgedForm (either (formatMessage "it" "a profile") profileMessage) decode encodeProfile $
+    const []
   where
     decode bytes = do
       profile <- first Left (decodeProfile bytes)

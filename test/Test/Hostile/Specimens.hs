@@ -47,6 +47,7 @@ import PraTactile.Explore (Region (..))
 import PraTactile.Format
 import PraTactile.Format.Census.Row
 import PraTactile.Format.Network
+import PraTactile.Format.Profile (profileValue)
 import PraTactile.Format.Solid (Written (..), writeSolid)
 import PraTactile.Image (constant)
 import PraTactile.Object.Canonical (canonicalPlacement)
@@ -180,8 +181,12 @@ requests = do
           Just input <- [KeyMap.lookup "input" test]
       ]
     frames =
-      "{\"profile\":null,\"sequence\":7,\"operation\":\"segment\",\
-      \\"input\":{\"rows\":[[0,1000,2000],[500,1500,2500]]}}"
+      Lazy.toStrict . encode . object $
+        [ "profile" .= profileValue canonicalProfile,
+          "sequence" .= (7 :: Int),
+          "operation" .= String "segment",
+          "input" .= object ["rows" .= [[0, 1000, 2000], [500, 1500, 2500 :: Int]]]
+        ]
 
 -- | The truth of an exploration of the cube's face.
 truths :: [ByteString]

@@ -477,7 +477,9 @@ losses = do
         void <$> change hasty (removing ["cube"]) `shouldReturn` Left (DatabaseFailed InUse)
         withStore name Nothing storedPlacement `shouldReturn` Right (Right place)
   where
-    answered file = (&&) <$> doesFileExist file <*> ((> 0) <$> getFileSize file)
+    answered file = do
+      there <- doesFileExist file
+      if there then (> 0) <$> getFileSize file else pure False
 
 -- | Go on while another program changes a table.
 holding :: Server -> String -> String -> Expectation -> Expectation

@@ -101,15 +101,20 @@ spec = do
             `shouldBe` Just (trimmed quotient, trimmed remainder)
           codesOf (greatestCommonDivisor a b) `shouldBe` divisor
   describe "factors" $
-    it "of p^n - 1" $
+    it "of p^n - 1, but for 2^121 - 1, of which one is not proved to be prime" $
       records "factorisations" "factorisations" $ \o -> do
         p <- o .: "p"
         n <- o .: "n"
         factors <- o .: "factors"
-        pure
-          ( (p, n, factorisePowerMinusOne p n)
-              `shouldBe` (p, n, Right [(read prime, e) | (prime, e) <- factors])
-          )
+        let known = [(read prime, e) | (prime, e) <- factors]
+        pure $
+          (p, n, factorisePowerMinusOne p n)
+            `shouldBe` ( p,
+                         n,
+                         if (p, n) == (2, 121)
+                           then Left (PrimalityUndecided (maximum (map fst known)))
+                           else Right known
+                       )
   where
     over :: Either PolynomialError [Primitive k] -> Proxy k -> Either PolynomialError [Primitive k]
     over found _ = found

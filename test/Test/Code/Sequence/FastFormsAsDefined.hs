@@ -1,5 +1,5 @@
-{-# OPTIONS_GHC -O1 #-}
 {-# LANGUAGE RankNTypes #-}
+{-# OPTIONS_GHC -O1 #-}
 
 -- | The fast forms of sequences, each against its definition.
 module Test.Code.Sequence.FastFormsAsDefined (spec) where

@@ -2,7 +2,7 @@
 
 -- | Processes and their pipes, by small shell scripts: what is read of them, what is said of how
 -- they end, and which question is at fault where several wait for their replies.
-module Test.Conformance.Process.Output (spec) where
+module Test.Conformance.Process.Output (spec, aloneSpec) where
 
 import Control.Concurrent (threadDelay)
 import Control.Exception (IOException, bracket, try)
@@ -192,13 +192,17 @@ oneShotSpec = do
     second = byEffort 0.25 1 :: Double
     sayFixed number = "echo '{\"sequence\":" ++ show (number :: Int) ++ ",\"result\":0}'"
 
-outputSpec :: Spec
-outputSpec = do
+-- | What holds only while nothing else runs in this process.
+aloneSpec :: Spec
+aloneSpec =
   it "of a process that has ended none of its pipes is open" $ do
     let descriptors = length <$> listDirectory "/proc/self/fd"
     before' <- descriptors
     replicateM_ 9 (bracket (begin (Command "cat" [])) (mapM_ end) (const (pure ())))
     descriptors `shouldReturn` before'
+
+outputSpec :: Spec
+outputSpec = do
   it "of a process group all are ended, whether its leader goes on or has ended" $
     forM_ ["wait", "exit"] $ \then' -> do
       started <- child ("sleep 600 & echo $!; " ++ then') $ \running -> do

@@ -1,5 +1,5 @@
-{-# OPTIONS_GHC -O1 #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_GHC -O1 #-}
 
 module Test.Touch.Classification.NetworkByDefinition (spec) where
 

@@ -11,8 +11,8 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Array
-import PraTactile.Composite.Tilt (tilt, tilts)
 import PraTactile.Classification.Shipped (shippedReader)
+import PraTactile.Composite.Tilt (tilt, tilts)
 import PraTactile.Decode
 import PraTactile.Field (toCode)
 import PraTactile.Image
