@@ -156,8 +156,8 @@ calibrations =
     | (w, h, dead) <- [(4, 3, [(0, 0), (2, 3)]), (4, 3, []), (16, 16, [(7, 7), (7, 8), (15, 0)])]
   ]
 
--- | Requests in the form of a process a request: the first of each operation's vectors, and one of
--- frames.
+-- | Requests in the form of a process a request: of each operation's vectors the first that is
+-- answered, and one of frames.
 requests :: IO [ByteString]
 requests = do
   operations <- listDirectory vectors
@@ -170,14 +170,18 @@ requests = do
       Bytes.readFile (vectors </> operation </> minimum names)
     request file =
       [ Lazy.toStrict . encode . object $
-          ["profile" .= profile, "sequence" .= (7 :: Int), "operation" .= operation, "input" .= input]
+          [ "profile" .= (if profile == Null then profileValue canonicalProfile else profile),
+            "sequence" .= (7 :: Int),
+            "operation" .= operation,
+            "input" .= input
+          ]
         | Just (Object known) <- [decodeStrict' file],
           Just operation <- [KeyMap.lookup "operation" known],
           Just profile <- [KeyMap.lookup "profile" known],
           Just (Array groups) <- [KeyMap.lookup "groups" known],
           Object group <- take 1 (toList groups),
           Just (Array tests) <- [KeyMap.lookup "tests" group],
-          Object test <- take 1 (toList tests),
+          test <- take 1 [test | Object test <- toList tests, KeyMap.member "result" test],
           Just input <- [KeyMap.lookup "input" test]
       ]
     frames =
