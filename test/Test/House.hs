@@ -14,18 +14,17 @@ spec = do
   for_ ofThePackage $ \(name, known) ->
     it (name ++ " imports of the package " ++ nothingBut known) $ do
       found <- importsUnder name
-      [one | (one, _) <- found, one `under` "PraTactile", not (any (one `under`) known)]
-        `shouldBe` []
+      filter (not . among known) (filter (among ["PraTactile"]) (map fst found)) `shouldBe` []
   it "the conformance definitions import types alone of the library" $ do
     found <- importsUnder "PraTactile.Conformance.Definition"
-    [ line
-      | line@(one, listed) <- found,
-        one `under` "PraTactile",
-        one `under` "PraTactile.Conformance.Library" || not (one `under` "PraTactile.Conformance"),
-        null listed || any (not . isUpper) (concatMap (take 1) listed)
-      ]
-      `shouldBe` []
+    filter beyondTypes found `shouldBe` []
   where
+    beyondTypes (one, listed) =
+      one `under` "PraTactile"
+        && (one `under` "PraTactile.Conformance.Library" || not (one `under` conformance))
+        && (null listed || any (not . isUpper) (concatMap (take 1) listed))
+    conformance = "PraTactile.Conformance"
+    among folders one = any (one `under`) folders
     nothingBut known = if null known then "nothing" else "nothing but " ++ unwords known
     one `under` folder = one == folder || (folder ++ ".") `isPrefixOf` one
 
@@ -42,7 +41,8 @@ importsUnder :: String -> IO [(String, [String])]
 importsUnder name = do
   files <- lines <$> readProcess "find" ["src", "-name", "*.hs"] ""
   let path = '/' : map (\letter -> if letter == '.' then '/' else letter) name
-  own <- traverse readText [file | file <- files, any (`isInfixOf` file) [path ++ ".hs", path ++ "/"]]
+  let under' file = any (`isInfixOf` file) [path ++ ".hs", path ++ "/"]
+  own <- traverse readText (filter under' files)
   own `shouldSatisfy` (not . null)
   pure (concatMap importsOf own)
 
@@ -52,7 +52,8 @@ importsOf text = case break ("import " `isPrefixOf`) (lines text) of
   (_, []) -> []
   (_, line : others) ->
     let (more, rest) = span (" " `isPrefixOf`) others
-     in imported (filter (/= "..") (words (map spaced (unwords (line : more))))) : importsOf (unlines rest)
+     in imported (filter (/= "..") (words (map spaced (unwords (line : more))))) :
+        importsOf (unlines rest)
   where
     imported parts = case parts of
       "import" : "qualified" : name : _ -> (name, [])

@@ -67,6 +67,7 @@ shippedFiles =
     )
   ]
 
--- | @data/impostors.txt@: a line for each impostor, its name and a colon, then the laws that find it.
+-- | @data/impostors.txt@: a line for each impostor, its name and a colon, then the laws that find
+-- it.
 impostorsFile :: ByteString
 impostorsFile = $(embedFile "data/impostors.txt")

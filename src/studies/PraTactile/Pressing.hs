@@ -34,8 +34,8 @@ import PraTactile.Shape (Alphabet)
 import PraTactile.Truth (Truth (..))
 import System.Random (RandomGen, StdGen, mkStdGen, randomR, split)
 
--- | The frames of a region of a face that has this relief, by a specimen of a sensor with presses so
--- many of its taxels apart: nominal poses in the robot's frame, images taken at the true ones.
+-- | The frames of a region of a face that has this relief, by a specimen of a sensor with presses
+-- so many of its taxels apart: nominal poses in the robot's frame, images taken at the true ones.
 -- Refuses a region that the presses do not cover.
 pressRegion ::
   RandomGen g => Sensor -> Int -> Specimen -> Relief -> Region -> g -> Either ProbeError [Frame]

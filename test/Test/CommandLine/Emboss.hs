@@ -363,8 +363,8 @@ tiltedBlock axes =
     corners = [(x, y, z) | z <- [1, 0], (x, y) <- [(0, 0), (0, 1), (1, 1), (1, 0)]]
 
 -- | The program that reads a 3MF by Python's own libraries: the unit, the object's name, how many
--- vertices and triangles there are, how many sides have no other way back, the volume, and the years
--- of the archive's files.
+-- vertices and triangles there are, how many sides have no other way back, the volume, and the
+-- years of the archive's files.
 readModel :: String
 readModel =
   unlines

@@ -75,8 +75,8 @@ replaced stream file mode = bracket kept restored . const
       hClose saved
       hSetBuffering stream buffering
 
--- | What a command answers as a process of its own. Tests that run beside others use this, and those
--- of commands that start processes.
+-- | What a command answers as a process of its own. Tests that run beside others use this, and
+-- those of commands that start processes.
 praAlone :: [String] -> IO Outcome
 praAlone = (`praAloneWith` "")
 

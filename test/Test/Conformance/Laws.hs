@@ -121,7 +121,7 @@ lawsFailingWith settings profiles implementation = do
 ownKillers :: [Stage] -> Spec
 ownKillers stages =
   for_ (filter (any (`elem` stages) . impostorTouches) impostors) $ \one ->
-    it (impostorName one ++ " is found by " ++ byEffort "the first law" "each law" ++ " listed for it") $ do
+    it (impostorName one ++ " is found by " ++ byEffort "its first law" "each of its laws") $ do
       let listed = killersOf (impostorName one)
       listed `shouldNotBe` []
       found <- for (byEffort (take 1) id listed) $ \law ->

@@ -87,7 +87,8 @@ spec = do
   it "in words: a failure that a fresh process does not show depends on earlier requests" $ do
     let one = failed "field/c" Nothing
         depends shown = shown {counterDepends = True}
-        said = failureText id one {lawReportCounterexample = depends <$> lawReportCounterexample one}
+        said =
+          failureText id one {lawReportCounterexample = depends <$> lawReportCounterexample one}
     [line | line <- lines said, "  depends on" `isPrefixOf` line]
       `shouldSatisfy` all ("a fresh process that is asked this alone" `isInfixOf`)
   it "in words: of ten failures all, of more the names, of more than five of these the first" $

@@ -108,7 +108,8 @@ spec = do
               different e = length (nub (filter ((== e) . fst) numbered))
               alike = nub [one | one@(e, _) <- numbered, different e == 1]
            in conjoin
-                [ sort [checked (rowText line) | (_, line) <- Map.elems kept] === sort (map snd alike),
+                [ sort [checked (rowText line) | (_, line) <- Map.elems kept]
+                    === sort (map snd alike),
                   [drawn !! (line - 2) | (line, _) <- Map.elems kept]
                     === [checked (rowText line) | (_, line) <- Map.elems kept],
                   left === length drawn - length alike

@@ -88,7 +88,8 @@ withinBounds action = (quickly `catch` \AllocationLimitExceeded -> watched) `cat
       Nothing -> pure (Left ("an exception: " ++ displayException (problem :: SomeException)))
 
 -- | What an action gives, unless this process computes for more than so many seconds. The time that
--- others leave it no processor does not count, nor that in which the whole suite's memory is tidied.
+-- others leave it no processor does not count, nor that in which the whole suite's memory is
+-- tidied.
 computingFor :: Integer -> IO a -> IO (Maybe a)
 computingFor seconds action = do
   start <- computed
@@ -99,7 +100,6 @@ computingFor seconds action = do
         if now - start > seconds * 10 ^ (12 :: Int) then throwTo caller ComputedTooLong else watch
   (Just <$> bracket (forkIO watch) killThread (const action))
     `catch` \ComputedTooLong -> pure Nothing
-
   where
     -- In picoseconds.
     computed = do

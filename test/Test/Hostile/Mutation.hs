@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Inputs that mean ill, whatever their format: a valid specimen with a few mutations of its bytes,
--- its words or its JSON, or garbage. The list of mutations is what is drawn, so that a failure
--- shrinks to the one that matters.
+-- | Hostile inputs of any format: garbage, or a valid specimen with a few mutations of its bytes,
+-- its words or its JSON. The list of mutations is what is drawn, so that a failure shrinks to the
+-- one that matters.
 module Test.Hostile.Mutation
   ( Hostile,
     hostile,
@@ -55,8 +55,8 @@ data Change
     Without Int
   | -- | with one of its children twice, under the same key
     Twice Int
-  | -- | with one of its children a number of times more, under keys of their own; a text or a number
-    -- with its characters repeated
+  | -- | with one of its children repeated, under keys of their own; a text or a number with its
+    -- characters repeated
     Again Int Int
   | -- | with another key for one of its children
     Rekeyed Int ByteString
@@ -96,7 +96,10 @@ mutation =
     child = choose (0, 63)
     change =
       frequency
-        [ (4, Become <$> elements (hostileNumbers ++ hostileWords ++ ["[0]", "{\"a\":0}", "\"0\""])),
+        [ ( 4,
+            Become
+              <$> elements (hostileNumbers ++ hostileWords ++ ["[0]", "{\"a\":0}", "\"0\""])
+          ),
           (1, Nested <$> frequency [(4, choose (1, 3)), (1, choose (50, 5000))]),
           (3, Without <$> child),
           (2, Twice <$> child),
@@ -149,8 +152,8 @@ mutated how bytes = case how of
 often :: Int -> Int -> ByteString -> Int
 often largest times part = min times (largest `div` (Bytes.length part + 1))
 
--- | JSON as text, in which a key may be there twice and a number be none: leaves, and branches, lists
--- without keys and objects with them.
+-- | JSON as text, in which a key may occur twice and a number need not be one: leaves, lists, and
+-- objects with their keys.
 data Tree = Leaf ByteString | Items [Tree] | Entries [(ByteString, Tree)]
 
 treeOf :: Value -> Tree
@@ -186,7 +189,8 @@ changedAt i change tree = snd (visited (0 :: Int) tree)
 changed :: Change -> Tree -> Tree
 changed change tree = case (change, tree) of
   (Become text, _) -> Leaf text
-  (Nested depth, _) -> Leaf (Bytes8.replicate depth '[' <> rendered tree <> Bytes8.replicate depth ']')
+  (Nested depth, _) ->
+    Leaf (Bytes8.replicate depth '[' <> rendered tree <> Bytes8.replicate depth ']')
   (Again _ times, Leaf text)
     | Just inner <- Bytes.stripPrefix "\"" text >>= Bytes.stripSuffix "\"" ->
       Leaf ("\"" <> Bytes.concat (replicate (often mebibyte times text) inner) <> "\"")
@@ -203,7 +207,10 @@ amongChildren change children = case (change, drop (index change) children) of
   (Without _, _ : after) -> before ++ after
   (Twice _, one : _) -> children ++ [one]
   (Again _ times, (_, item) : _) ->
-    children ++ [(Bytes8.pack (show (show k)), item) | k <- [1 .. often mebibyte times (rendered item)]]
+    children
+      ++ [ (Bytes8.pack (show (show k)), item)
+           | k <- [1 .. often mebibyte times (rendered item)]
+         ]
   (Rekeyed _ key, (_, item) : after) -> before ++ ("\"" <> key <> "\"", item) : after
   (Emptied, _) -> []
   _ -> children
@@ -225,17 +232,18 @@ hostileNumbers =
     "0 -1 1 2 3 4 9 16 64 255 256 65535 65536 16777217 2147483647 2147483648 4294967296 \
     \9007199254740993 9223372036854775807 9223372036854775808 -9223372036854775809 \
     \18446744073709551616 00000000000000000000000000000001 0.1 0.5 1.0 -0 -0.0 1e5 1e308 1e309 \
-    \1e-400 1e1000000000 1e-1000000000 1E99999999999999999999 0. .5 1e +1 1_000 0x10 0b1 1f (1) 1,0 \
-    \\xd9\xa3 NaN nan Infinity -inf"
+    \1e-400 1e1000000000 1e-1000000000 1E99999999999999999999 0. .5 1e +1 1_000 0x10 0b1 1f (1) \
+    \1,0 \xd9\xa3 NaN nan Infinity -inf"
     ++ ["", " 1", "1 ", "1" <> Bytes8.replicate 400 '0', Bytes8.replicate 20000 '9']
 
 -- | Words of other formats, brackets left open, and bytes that are no text.
 hostileWords :: [ByteString]
 hostileWords =
   Bytes8.words
-    "A A^2 A^-1 A^99999999999999999999 ? null true \" \"\" \"1\" [ ] [] { } {} [[ : ; , / // # . - \\ \
-    \\\u0000 \\ud800 x 15x17 2x2 torus yes P2 P5 P6 =1+1 %s%n $(id) -- <?xml?>"
-    ++ ["# comment\n", "\n", "\r\n", "\r", "\n\n", "\t", " ", "\0", "\xef\xbb\xbf", "\xff\xfe", "\xff"]
+    "A A^2 A^-1 A^99999999999999999999 ? null true \" \"\" \"1\" [ ] [] { } {} [[ : ; , / // # . - \
+    \\\ \\u0000 \\ud800 x 15x17 2x2 torus yes P2 P5 P6 =1+1 %s%n $(id) -- <?xml?>"
+    ++ ["# comment\n", "\n", "\r\n", "\r", "\n\n", "\t", " ", "\0"]
+    ++ ["\xef\xbb\xbf", "\xff\xfe", "\xff"]
     ++ ["\xc0\x80", "\xed\xa0\x80", "\xe2\x80\xa8", "\x1b[31m"]
     ++ [Bytes8.replicate 3000 '[', Bytes8.replicate 3000 '{', Bytes8.replicate 5000 'x']
     ++ [Bytes8.replicate 2000 '/', Bytes.concat (replicate 1000 "{\"a\":")]

@@ -157,7 +157,12 @@ kinds =
 
 -- | What is read of bytes: refused in words, or with laws that hold of it.
 judged ::
-  Show a => (e -> String) -> (ByteString -> Either e a) -> (a -> [(String, Bool)]) -> ByteString -> Judged
+  Show a =>
+  (e -> String) ->
+  (ByteString -> Either e a) ->
+  (a -> [(String, Bool)]) ->
+  ByteString ->
+  Judged
 judged inWords decode laws =
   either (Refused . inWords) (\value -> Accepted (laws value) (show value)) . decode
 
@@ -182,8 +187,9 @@ judgedPgm = judged imageMessage decodePgm $ \image ->
 judgedManifest, judgedJsonManifest, judgedSensor, judgedCalibration :: ByteString -> Judged
 judgedManifest = judgedForm manifestMessage parseManifest renderManifest (const [])
 judgedJsonManifest =
-  judgedForm (formatMessage "it" "a manifest of frames") decodeManifest encodeManifest $ \manifest ->
-    [("all its files can be opened", all (isFileName . entryFile) (manifestEntries manifest))]
+  judgedForm (formatMessage "it" "a manifest of frames") decodeManifest encodeManifest $
+    \manifest ->
+      [("all its files can be opened", all (isFileName . entryFile) (manifestEntries manifest))]
 judgedSensor =
   judgedForm (formatMessage "it" "a sensor") decodeSensor (encodeSensor Nothing) (const [])
 judgedCalibration =
@@ -400,7 +406,12 @@ judgedDrawing = inText shapeMessage parseAlphabet renderAlphabet
 
 -- | What is read of text.
 inText ::
-  (Eq a, Show a, Eq e) => (e -> String) -> (Text -> Either e a) -> (a -> Text) -> ByteString -> Judged
+  (Eq a, Show a, Eq e) =>
+  (e -> String) ->
+  (Text -> Either e a) ->
+  (a -> Text) ->
+  ByteString ->
+  Judged
 inText inWords parse render =
   judgedForm (maybe "it is not UTF-8 text" inWords) decode (encodeUtf8 . render) (const [])
   where

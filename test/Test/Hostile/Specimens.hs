@@ -87,7 +87,8 @@ manifests =
 jsonManifests :: [ByteString]
 jsonManifests =
   [ "{\"schema\":\"pra-tactile/manifest/1\",\"axes\":\"x,-y\",\"frame\":[16,8],\"taxel_mm\":0.8,\
-    \\"frames\":[{\"file\":\"a.pgm\",\"x_mm\":12.7,\"y_mm\":-3.25,\"rotation_deg\":0,\"force_n\":1.5}]}",
+    \\"frames\":[{\"file\":\"a.pgm\",\"x_mm\":12.7,\"y_mm\":-3.25,\"rotation_deg\":0,\
+    \\"force_n\":1.5}]}",
     "{\"schema\":\"pra-tactile/manifest/1\",\"taxel_mm\":1.5875,\"frames\":[{\"file\":\"a.pgm\",\
     \\"x_mm\":0,\"y_mm\":1e1,\"rotation_deg\":90,\"force_n\":2}]}"
   ]

@@ -28,7 +28,7 @@ import Test.Solid.Unfoldable
 
 spec :: Spec
 spec =
-  withCases 40 200 . prop "the nets are those that do not overlap; one is found, unless there is none" $
+  withCases 40 200 . prop "nets do not overlap; one is found, unless there is none" $
     forAll (unfoldable `suchThatMap` ofFew) $ \(it_, whole) ->
       let found = unfoldingsOf it_
           folded tree = sort [between a b | EdgeName a b <- foldedEdges whole tree]
@@ -111,7 +111,8 @@ bodyOf solid_ =
     faces = [[(v, at v) | v <- walk] | FaceName walk <- describedFaces solid_]
     at v = head' [scaled p | (w, p) <- describedVertices solid_, w == v]
     head' = fromMaybe (0, 0, 0) . listToMaybe
-    over = foldr lcm 1 [denominator c | (_, Point x y z) <- describedVertices solid_, c <- [x, y, z]]
+    over =
+      foldr lcm 1 [denominator c | (_, Point x y z) <- describedVertices solid_, c <- [x, y, z]]
     scaled (Point x y z) = fromInteger over `times3` (x, y, z)
     normals = map (shortest . normalOf . map snd) faces
     shortest (a, b, c) =

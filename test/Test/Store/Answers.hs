@@ -110,8 +110,9 @@ spec = do
   describe "refuses, with a reason and no exception," $ do
     for_ [1, 2, 4] $ \version ->
       it ("tables of version " ++ show version) $
-        tampered (Text.pack ("UPDATE metadata SET schema_version = " ++ show version)) $ \_ outcome ->
-          outcome `shouldBe` Left (WrongSchemaVersion version 3)
+        tampered (Text.pack ("UPDATE metadata SET schema_version = " ++ show version)) $
+          \_ outcome ->
+            outcome `shouldBe` Left (WrongSchemaVersion version 3)
     it "a store of another profile" $
       withCanonical $ \_ _ path ->
         withStore path (Just "another") (const (pure ()))

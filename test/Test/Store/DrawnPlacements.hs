@@ -41,7 +41,8 @@ spec =
               `shouldReturn` first NotInStore (arrayPosition place face cell)
         asked `shouldBe` Right ()
 
--- | A placement, windows and cells to ask of it, and the shape of a window to read around the cells.
+-- | A placement, windows and cells to ask of it, and the shape of a window to read around the
+-- cells.
 asking :: Gen (Placement, [(Shape, Position)], [Position], Shape)
 asking = do
   place <- elements [cubeOf, plateWithHoles] >>= genPlacement

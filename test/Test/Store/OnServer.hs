@@ -410,7 +410,8 @@ losses = do
             why `shouldSatisfy` (not . null)
             outcome <- praAlone ["objects", "--check", "--database", name]
             outcome `refuses` why
-      outcome <- praAlone ["objects", "--check", "--database", "postgresql://me:secret@host.invalid/d"]
+      outcome <-
+        praAlone ["objects", "--check", "--database", "postgresql://me:secret@host.invalid/d"]
       outcome `refuses` "could not translate host name \"host.invalid\""
   it "a store is named by settings as by a URI"
     . placedOn

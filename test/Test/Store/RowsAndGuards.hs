@@ -145,20 +145,21 @@ spec = describe "store" $ do
                     )
                 )
     it "bytes overwritten at random, or answers as if they were not" $
-      ofDrawn 1 (vectorOf 60 ((,) <$> choose (0, 10 ^ (9 :: Int)) <*> choose (0, 255))) $ \damages ->
-        withCanonical $ \place path -> do
-          size <- getFileSize path
-          for_ damages $ \(offset, byte) -> do
-            broken <- copied path (path ++ ".broken")
-            withBinaryFile broken ReadWriteMode $ \handle -> do
-              hSeek handle AbsoluteSeek (16 + offset `mod` (size - 16))
-              hPutChar handle (toEnum byte)
-            outcome <- withStore broken Nothing $ \store ->
-              for_ [Position 6 5, Position 0 4, Position 14 16] $ \at -> do
-                answer <- storedWhereabouts store canonicalWindow at
-                for_ answer (`shouldBe` whereabouts place canonicalWindow at)
-                either plain (const (pure ())) answer
-            either plain (const (pure ())) outcome
+      ofDrawn 1 (vectorOf 60 ((,) <$> choose (0, 10 ^ (9 :: Int)) <*> choose (0, 255))) $
+        \damages ->
+          withCanonical $ \place path -> do
+            size <- getFileSize path
+            for_ damages $ \(offset, byte) -> do
+              broken <- copied path (path ++ ".broken")
+              withBinaryFile broken ReadWriteMode $ \handle -> do
+                hSeek handle AbsoluteSeek (16 + offset `mod` (size - 16))
+                hPutChar handle (toEnum byte)
+              outcome <- withStore broken Nothing $ \store ->
+                for_ [Position 6 5, Position 0 4, Position 14 16] $ \at -> do
+                  answer <- storedWhereabouts store canonicalWindow at
+                  for_ answer (`shouldBe` whereabouts place canonicalWindow at)
+                  either plain (const (pure ())) answer
+              either plain (const (pure ())) outcome
     it "a database of something else" $
       inDirectory $ \directory -> do
         let path = directory </> "other.sqlite"

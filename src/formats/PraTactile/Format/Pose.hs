@@ -65,7 +65,9 @@ motionKeys =
   where
     rotation =
       withSchema
-        (Schema.Named "rotation" . Schema.Described "The rows of a matrix that turns and does not mirror.")
+        ( Schema.Named "rotation"
+            . Schema.Described "The rows of a matrix that turns and does not mirror."
+        )
         (such isRotation NotRotation (matrix 3))
     translation =
       withSchema

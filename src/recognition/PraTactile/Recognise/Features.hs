@@ -1,6 +1,6 @@
--- | The symbols of a composite with the three features of the paper (section II.B): their positions,
--- their axes, and their distances to their neighbours. The symbols are those that recognition sees;
--- the array is not asked.
+-- | The symbols of a composite with the three features of the paper (section II.B): their
+-- positions, their axes, and their distances to their neighbours. The symbols are those that
+-- recognition sees; the array is not asked.
 module PraTactile.Recognise.Features
   ( features,
     Features (..),
@@ -114,7 +114,9 @@ offAxis steps = toDegrees (weight * atan2 (total across) (total along))
     -- Each pair of neighbours stands there twice.
     total part =
       sum
-        [ part (rotated (symbolAxis s) (cellOffset cell)) (symbolCentre other `minus` symbolCentre s)
+        [ part
+            (rotated (symbolAxis s) (cellOffset cell))
+            (symbolCentre other `minus` symbolCentre s)
           | (s, cell, other) <- steps
         ]
     along (x, y) (x', y') = x * x' + y * y'

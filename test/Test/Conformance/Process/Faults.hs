@@ -99,9 +99,10 @@ faultSpec = describe "in a session" $ do
     (_, out, _) <- adder [] ["crash"]
     out `shouldSatisfy` isInfixOf "on its standard error: the table is not there"
   it "what was waited for is told in seconds" $
-    for_ (("0.5", "0.5 seconds") : byEffort [] [("1", "1 second"), ("1.5", "1.5 seconds")]) $ \(limit, said) -> do
-      (_, out, _) <- adder ["--timeout", limit] ["hang"]
-      out `shouldSatisfy` isInfixOf ("no reply within " ++ said ++ "\n")
+    for_ (("0.5", "0.5 seconds") : byEffort [] [("1", "1 second"), ("1.5", "1.5 seconds")]) $
+      \(limit, said) -> do
+        (_, out, _) <- adder ["--timeout", limit] ["hang"]
+        out `shouldSatisfy` isInfixOf ("no reply within " ++ said ++ "\n")
   it "of a line that is too long the first hundred bytes are told" $ do
     (_, out, _) <- adder [] ["long-line"]
     out `shouldSatisfy` isInfixOf (": " ++ replicate 100 ' ' ++ " ...")

@@ -162,8 +162,11 @@ runSpec = do
       [shown] <- pure (mapMaybe lawReportCounterexample (reportLaws report))
       (counterDepends shown, () <$ counterToken shown) `shouldBe` (remembers, token)
   it "the law of the order says nothing of an answer that is wrong whatever was asked before" $
-    forM_ [(True, Failed, Nothing), (False, Skipped, Just "not judged: an answer is wrong whatever was asked before")] $
-      \(remembers, outcome, note) -> do
+    forM_
+      [ (True, Failed, Nothing),
+        (False, Skipped, Just "not judged: an answer is wrong whatever was asked before")
+      ]
+      $ \(remembers, outcome, note) -> do
         asked <- newIORef (0 :: Int)
         let subject =
               (answering allZero)

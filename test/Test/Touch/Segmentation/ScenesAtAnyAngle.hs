@@ -145,12 +145,13 @@ anyAngle = do
               found = [featuredAt o | o <- seen, apart target (featuredAt o) < 2]
           (k, fmap (plus (featuredAt s)) given) `shouldSatisfy` agrees found . snd
   it "the tilt is from -45 up to but not including 45, and right up to quarter turns" $
-    for_ ((,) <$> byEffort [1] [1, 2] <*> ([-46, -45.4 .. -44] ++ [44, 44.6 .. 46])) $ \(k, angle) ->
-      case tilt [drawnWith k 0.05 (const Nothing) (sceneOf k angle)] of
-        Just found -> do
-          (k, angle, found) `shouldSatisfy` (\(_, _, t) -> t >= -45 && t < 45)
-          (k, angle, upToQuarters found angle) `shouldSatisfy` (\(_, _, t) -> t < 1)
-        Nothing -> expectationFailure (show (k, angle))
+    for_ ((,) <$> byEffort [1] [1, 2] <*> ([-46, -45.4 .. -44] ++ [44, 44.6 .. 46])) $
+      \(k, angle) ->
+        case tilt [drawnWith k 0.05 (const Nothing) (sceneOf k angle)] of
+          Just found -> do
+            (k, angle, found) `shouldSatisfy` (\(_, _, t) -> t >= -45 && t < 45)
+            (k, angle, upToQuarters found angle) `shouldSatisfy` (\(_, _, t) -> t < 1)
+          Nothing -> expectationFailure (show (k, angle))
   it "the tilts of two scenes together are each one's, before any other" $
     for_ ((,) <$> byEffort [3] [1 .. 6] <*> [-40, -20 .. 40]) $ \(k, angle) -> do
       let own = [angle, angle + 30]

@@ -79,7 +79,10 @@ tryLaw plan subject name (Cases form domain trial) = case domain of
       | not (planShrinks plan) || timedOut why = pure failure
       | otherwise = do
         Search _ trouble <- search subject (min 8 (planBatch plan)) (map trial candidates)
-        maybe (pure failure) (\(i, why') -> shrunk smaller (steps + 1) (candidates !! i, why')) trouble
+        maybe
+          (pure failure)
+          (\(i, why') -> shrunk smaller (steps + 1) (candidates !! i, why'))
+          trouble
       where
         candidates = smaller a
         failure = failureOf form steps (a, why)

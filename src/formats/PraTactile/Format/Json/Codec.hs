@@ -123,9 +123,10 @@ anything = Codec Schema.Anything id Right
 
 -- | A list of such values.
 listOf :: Codec a -> Codec [a]
-listOf (Codec schema write decoder) = Codec (Schema.list schema) (map write) $ \value -> case value of
-  Array values -> traverse item (zip [0 ..] (toList values))
-  _ -> refuse NotList
+listOf (Codec schema write decoder) = Codec (Schema.list schema) (map write) $
+  \value -> case value of
+    Array values -> traverse item (zip [0 ..] (toList values))
+    _ -> refuse NotList
   where
     item (i, value) = atElement (Index i) (decoder value)
 
@@ -133,7 +134,8 @@ listOf (Codec schema write decoder) = Codec (Schema.list schema) (map write) $ \
 -- there a second time.
 distinct :: Ord k => (a -> k) -> (k -> String) -> Codec [a] -> Codec [a]
 distinct part name (Codec schema write decoder) =
-  Codec schema write (\value -> decoder value >>= \given -> go Set.empty (zip [0 ..] given) >> Right given)
+  Codec schema write $ \value ->
+    decoder value >>= \given -> go Set.empty (zip [0 ..] given) >> Right given
   where
     go _ [] = Right ()
     go before ((i, a) : others)
@@ -234,7 +236,8 @@ named :: (Bounded a, Enum a) => (a -> String) -> Codec a
 named nameOf = withSchema (const (Schema.OneOf names)) . via nameOf among $ text
   where
     among given =
-      maybe (refuse (NotAmong (map nameOf choices) given)) Right (find ((== given) . nameOf) choices)
+      maybe (refuse (NotAmong (map nameOf choices) given)) Right $
+        find ((== given) . nameOf) choices
     names = map (Text.pack . nameOf) choices
     choices = [minBound ..]
 
@@ -303,7 +306,8 @@ object keys@(Keys fields _ _) =
 
 -- | The JSON object that these keys make.
 writeObject :: Keys r a -> r -> Object
-writeObject (Keys _ write _) r = KeyMap.fromList [(name, toJSON part) | Item name part <- write r []]
+writeObject (Keys _ write _) r =
+  KeyMap.fromList [(name, toJSON part) | Item name part <- write r []]
 
 -- | The same for an encoder, the keys in their order.
 series :: Keys r a -> r -> Series

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Which JSON values a codec writes: as JSON Schema (draft 2020-12), in brief, and by the values of
--- other types that may stand in the place of one of them.
+-- | Which JSON values a codec writes: as JSON Schema (draft 2020-12), in brief, and by the values
+-- of other types that may stand in the place of one of them.
 module PraTactile.Format.Json.Schema
   ( Schema (..),
     list,

@@ -1,5 +1,6 @@
 -- | What is made of a solid before its faces are unfolded: their planes, their convex parts, and
--- how each plane comes to that of its neighbours, exactly and as enclosures of more and more places.
+-- how each plane comes to that of its neighbours, exactly and as enclosures of more and more
+-- places.
 module PraTactile.Object.Net.Unfolder
   ( Unfolder (..),
     Part,
