@@ -39,8 +39,7 @@ spec = do
       Nothing -> pendingWith "python3 is not installed here, which reads the archive"
       Just python -> inFolder $ \folder -> do
         (status, _, err) <-
-          scripted folder $
-            "pra emboss --object cube --output c.3mf > log"
+          scripted folder "pra emboss --object cube --output c.3mf > log"
         (status, err) `shouldBe` (0, "")
         readProcessWithExitCode python ["-c", readModel, folder ++ "/c.3mf"] ""
           `shouldReturn` (ExitSuccess, "millimeter cube 4192 8380 0 13275570223/6400 [1980]\n", "")
