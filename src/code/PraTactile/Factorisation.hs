@@ -27,9 +27,10 @@ import Numeric.Natural (Natural)
 import PraTactile.Factorisation.Divisor
 import PraTactile.Factorisation.Prime
 
--- | The primes that divide a number, ascending, each with its exponent. Refuses 0, and numbers left
--- with two prime factors of more than about 13 digits. O(sqrt p) products modulo the number for its
--- second largest prime p, at most 2^23.
+-- | The primes that divide a number, ascending, each with its exponent. Refuses 0, numbers left with
+-- two prime factors of more than about 12 digits, and those with a prime above 'millerRabinDomain'
+-- for which 'pocklingtonFactors' are too few. O(sqrt p) products modulo the number for its second
+-- largest prime p, at most 2^23.
 --
 -- >>> factorise (2 ^ 64 - 1)
 -- Right [(3,1),(5,1),(17,1),(257,1),(641,1),(65537,1),(6700417,1)]
@@ -98,7 +99,7 @@ primeFactors n = (small ++) <$> split rest
 -- >>> take 3 (pocklingtonFactors (2 ^ 89 - 1))
 -- [(2,1),(3,1),(5,1)]
 pocklingtonFactors :: Natural -> [(Natural, Natural)]
-pocklingtonFactors = collect . factorsBelow
+pocklingtonFactors = collect . factorsOfPredecessor
 
 -- | Euler's function of the number that has this factorisation: how many of its residues are units.
 --

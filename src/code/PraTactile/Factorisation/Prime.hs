@@ -6,7 +6,7 @@ module PraTactile.Factorisation.Prime
     isPrime,
     millerRabinDomain,
     pocklington,
-    factorsBelow,
+    factorsOfPredecessor,
     isPocklingtonWitness,
 
     -- * Errors
@@ -77,15 +77,15 @@ strongProbablePrime n a
 -- differ from l to l: Brillhart, Lehmer and Selfridge, Math. Comp. 29, 1975). So n is prime if F^2
 -- > n.
 pocklington :: Natural -> Bool
-pocklington n = maybe False (all witnessed . nub) (find enough (inits (factorsBelow n)))
+pocklington n = maybe False (all witnessed . nub) (find enough (inits (factorsOfPredecessor n)))
   where
     enough primes = product primes ^ (2 :: Int) > n
     witnessed l = any (isPocklingtonWitness n l) millerRabinBases
 
 -- | Prime factors of n - 1 for n > 1, each as often as it divides: those that are found and are
 -- below 'millerRabinDomain', found as they are asked for.
-factorsBelow :: Natural -> [Natural]
-factorsBelow n = small ++ found rest
+factorsOfPredecessor :: Natural -> [Natural]
+factorsOfPredecessor n = small ++ found rest
   where
     (small, rest) = trialDivision (n - 1)
     found m
