@@ -21,11 +21,8 @@ import qualified Test.Code.Field.FactsFromElsewhere
 import qualified Test.Code.Field.StructureByDefinition
 import qualified Test.Code.LinearCode.AllCodewords
 import qualified Test.Code.Locate.ByInformationSets
-import qualified Test.Code.Locate.ByMemoryTable
 import qualified Test.Code.Locate.ChanceByEnumeration
-import qualified Test.Code.Locate.EveryContent
 import qualified Test.Code.Locate.EveryDecoderAsDefined
-import qualified Test.Code.Locate.EveryPatternOfErrors
 import qualified Test.Code.Locate.FarBelowDoubles
 import qualified Test.Code.Locate.ForeignMixture
 import qualified Test.Code.Locate.ForeignPatches
@@ -40,7 +37,6 @@ import qualified Test.Code.Polynomial.RingAndOrders
 import qualified Test.Code.Profile.DoorToArrays
 import qualified Test.Code.Sequence.FactsFromElsewhere
 import qualified Test.Code.Sequence.FastFormsAsDefined
-import qualified Test.Code.Sequence.MSequences
 import qualified Test.Code.Sequence.ShiftRegisters
 import qualified Test.Code.Window.DistanceByPairs
 import qualified Test.Code.Window.MasksAndPacking
@@ -238,7 +234,6 @@ together = do
     describe "Searching polynomials" Test.Code.Polynomial.OrderAndCount.spec
     describe "Extension fields" Test.Code.Field.ExtensionModuloH.spec
     describe "Facts about fields" Test.Code.Field.FactsFromElsewhere.spec
-    describe "Sequences" Test.Code.Sequence.MSequences.spec
     describe "Sequences as another program has them" Test.Code.Sequence.FactsFromElsewhere.spec
     describe "Shift registers" Test.Code.Sequence.ShiftRegisters.spec
     describe "Fast forms of sequences" Test.Code.Sequence.FastFormsAsDefined.spec
@@ -254,10 +249,7 @@ together = do
     describe "Forged certificates" Test.Code.Certificate.ForgeriesRefused.spec
     describe "Census" Test.Code.Census.AllArraysOfASize.spec
     describe "Exhaustive proofs" Test.Code.Window.ProvedExhaustively.spec
-    describe "Locating" Test.Code.Locate.ByMemoryTable.spec
-    describe "Locating in bulk" Test.Code.Locate.InBulkAsOneByOne.spec
-    describe "The decoders on every content" Test.Code.Locate.EveryContent.spec
-    describe "Locating with damage" Test.Code.Locate.EveryPatternOfErrors.spec
+    describe "The memory table" Test.Code.Locate.InBulkAsOneByOne.spec
     describe
       "Locating with errors and erasures on large arrays"
       Test.Code.Locate.ByInformationSets.spec

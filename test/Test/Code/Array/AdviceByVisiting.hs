@@ -8,7 +8,7 @@ import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Advise
 import PraTactile.Advise.Fit (candidates, fits)
-import PraTactile.Advise.Layout (degreeOfOrder, sureWindows)
+import PraTactile.Advise.Layout (degreeOfOrder)
 import PraTactile.Advise.Neighbours
 import PraTactile.Array
 import PraTactile.ArrayCode
@@ -131,29 +131,6 @@ spec = do
   it "the degree of an element of order m over GF(q) is the least d with m dividing q^d - 1" $
     [degreeOfOrder 4 6 m | m <- [1, 3, 15, 63, 65, 91, 273, 4095]]
       `shouldBe` [1, 1, 2, 3, 6, 6, 6, 6]
-  it "sure windows have rank n for every polynomial, shape and layout: q^n <= 1024" $
-    forM_
-      ( [(2, n) | n <- [2 .. 10]]
-          ++ [(3, n) | n <- [2 .. 6]]
-          ++ [(4, n) | n <- [2 .. 5]]
-          ++ [(5, 2), (5, 3), (5, 4), (7, 2), (7, 3), (8, 2), (8, 3)]
-          ++ [(9, 2), (9, 3), (16, 2), (25, 2)]
-      )
-      $ \(q, n) -> overField q $ \(_ :: Proxy k) -> do
-        found <- right (primitivePolynomials n)
-        let terms = fromIntegral q ^ n - 1 :: Natural
-            ds = [d | d <- [1 .. terms], terms `mod` d == 0]
-        forM_ (zip [0 :: Int ..] (found :: [Primitive k])) $ \(i, h) ->
-          unless (i `mod` 5 > 0 && i > 20) $ do
-            forM_ ds $ \n1 ->
-              forM_
-                (Single RowMajor : [Single Diagonal | gcd n1 (terms `div` n1) == 1])
-                $ \layout ->
-                  let size = Shape n1 (terms `div` n1)
-                   in forM_ (sureWindows (fromIntegral q) n layout size) $ \w -> do
-                        array <- right (fold (foldingOf layout) size h (canonicalState h))
-                        window <- right (rectangle w)
-                        (layout, n1, w, windowRank array window) `shouldBe` (layout, n1, w, n)
   it "columns and rows check each other from where their rank says so: q^n <= 1024" $
     forM_ smallFields $ \(q, n) -> overField q $ \k -> do
       h <- firstOver k n
@@ -224,9 +201,6 @@ spec = do
       AdviceField _ -> True
       _ -> False
     partsOf side = [d | d <- [2 .. side], side `mod` d == 0]
-    foldingOf layout = case layout of
-      Single folding -> folding
-      Joint _ -> Diagonal
 
 -- | Fields and degrees of up to 1024 states.
 smallFields :: [(Int, Natural)]

@@ -9,10 +9,7 @@ import PraTactile.Certificate
 import PraTactile.Certificate.Check
 import PraTactile.Certificate.Digest
 import PraTactile.Factorisation (isPrime)
-import PraTactile.Field
 import PraTactile.Grid (Grid)
-import PraTactile.Polynomial
-import PraTactile.Polynomial.Certificate
 import PraTactile.Profile
 import PraTactile.Window
 import System.Timeout (timeout)
@@ -134,57 +131,6 @@ spec = do
     digest many `shouldBe` digest few
     fmap length (digest few) `shouldBe` Just 64
     digest more `shouldBe` Nothing
-  it "of a primitive polynomial no prime is listed twice, and none is composite" $ do
-    h <- firstOver gf2 6
-    let genuine = certifyPrimitive h
-        said factors = () <$ verifyPrimitive genuine {certifiedFactors = factors}
-    certifiedFactors genuine `shouldBe` [(3, 2), (7, 1)]
-    map
-      said
-      [ [(7, 1), (3, 2)],
-        [(3, 1), (3, 1), (7, 1)],
-        [(3, 1), (7, 1), (3, 1)],
-        [(9, 1), (7, 1)],
-        [(3, 1), (21, 1)],
-        [(3, 2)],
-        [(3, 2), (7, 2)]
-      ]
-      `shouldBe` [ Right (),
-                   Left (FactorNotPrime 3),
-                   Left (FactorNotPrime 3),
-                   Left (FactorNotPrime 9),
-                   Left (FactorNotPrime 21),
-                   Left (FactorsDoNotMultiply 9 63),
-                   Left (FactorsDoNotMultiply 441 63)
-                 ]
-
-  it "a primitive polynomial is monic, not constant, and has a constant term" $ do
-    h <- firstOver gf3 4
-    let genuine = certifyPrimitive h
-        said codes = do
-          given <- right (elementsFromCodes codes)
-          pure (() <$ verifyPrimitive genuine {certifiedPrimitive = polynomial given})
-    mapM said [[2, 1, 0, 0, 2], [0, 1, 0, 0, 1], [0, 1, 0, 0, 2], [1], []]
-      `shouldReturn` replicate 5 (Left PolynomialUnfit)
-  it "an irreducible polynomial: a witness for each prime, and that it divides x^(q^n) - x" $ do
-    h <- firstOver gf2 6
-    Just genuine <- pure (certifyIrreducible (primitivePolynomial h))
-    let witnesses = certifiedWitnesses genuine
-        with changed = verifyIrreducible genuine {certifiedWitnesses = changed}
-        of' codes = do
-          given <- right (elementsFromCodes codes)
-          pure (verifyIrreducible genuine {certifiedIrreducible = polynomial given})
-    map fst witnesses `shouldBe` [2, 3]
-    verifyIrreducible genuine `shouldBe` Right ()
-    with (drop 1 witnesses) `shouldBe` Left (EntryMissing 2)
-    with (take 1 witnesses) `shouldBe` Left (EntryMissing 3)
-    with [(l, (v, u)) | (l, (u, v)) <- witnesses] `shouldBe` Left (EntryWrong 2)
-    with [if l == 3 then (l, (u + 1, v)) else (l, (u, v)) | (l, (u, v)) <- witnesses]
-      `shouldBe` Left (EntryWrong 3)
-    -- (x^3 + x + 1)^2, which does not; x^6 + ... = (x^3 + x + 1)(x^3 + x^2 + 1), which does.
-    of' [1, 0, 1, 0, 0, 0, 1] `shouldReturn` Left PowerDoesNotClose
-    of' [1, 1, 1, 1, 1, 1, 1] `shouldReturn` Left (EntryWrong 2)
-    of' [] `shouldReturn` Left PolynomialUnfit
   it "of windows that repeat there is no certificate, by whatever method" $ do
     window <- right (rectangle (Shape 1 2))
     forM_ [minBound .. maxBound] $ \method ->

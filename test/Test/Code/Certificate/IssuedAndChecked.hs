@@ -12,14 +12,12 @@ import PraTactile.Certificate
 import PraTactile.Certificate.Check
 import PraTactile.Certificate.Digest
 import PraTactile.Field
-import PraTactile.Field.Named
 import PraTactile.Polynomial
 import PraTactile.Profile
 import PraTactile.Window
 import System.Timeout (timeout)
 import Test.Code.Generators
 import Test.Hspec
-import Test.Paper
 
 spec :: Spec
 spec = do
@@ -60,14 +58,6 @@ spec = do
           table <- digestOf (fromIntegral most)
           sorted' <- digestOf (fromIntegral most + 1)
           (q, table, sorted') `shouldBe` (q, few, few)
-    it "there is none of windows that repeat, by sorting either" $ do
-      paper <- paperArray >>= right . toGrid
-      repeating <- right (maskFrom [Position (15 * i) 0 | i <- [0 .. 19]])
-      digestOfWindows MostSignificantFirst Torus paper repeating `shouldBe` Nothing
-      array <- paperArray
-      grid <- right (toGrid array)
-      m <- right (rectangle (Shape 1 2))
-      digestOfWindows MostSignificantFirst Torus grid m `shouldBe` Nothing
   describe "a certificate that was made is found good" $ do
     it "of the paper's array, on both roads, on the torus and on the sheet" $
       forM_ [(road, on) | road <- [minBound .. maxBound], on <- [Torus, Sheet]] $ \(road, on) ->
@@ -235,24 +225,8 @@ spec = do
             certificateMask = [Position 0 0, Position 0 1]
           }
         `shouldBe` Left RepeatedFault
-  describe "a polynomial that is not primitive" $
-    it "is not accepted: the 28 irreducible quartics over GF(4) that are not" $ do
-      c <- made RankMethod canonicalProfile (rectangle (Shape 2 2))
-      let irreducible = [codes | codes <- quartics, isIrreducible' codes, notPrimitive codes]
-      length irreducible `shouldBe` 28
-      forM_ irreducible $ \codes ->
-        checkCertificate
-          c
-            { certificateProfile = (certificateProfile c) {profilePolynomial = codes}
-            }
-          `shouldSatisfy` isLeft
   where
     mapFirst change list = map change (take 1 list) ++ drop 1 list
-    quartics =
-      [[a, b, c, d, 1] | a <- [0 .. 3], b <- [0 .. 3], c <- [0 .. 3], d <- [0 .. 3]] :: [[Natural]]
-    over codes = either (const Nothing) Just (polynomialFromCodes codes) :: Maybe (Polynomial GF4)
-    isIrreducible' = maybe False isIrreducible . over
-    notPrimitive = maybe False (isLeft . checkPrimitive) . over
     isRank c = case certificateEvidence c of ByRank _ -> True; ByEnumeration _ -> False
 
 certified ::

@@ -20,9 +20,8 @@ import qualified Test.QuickCheck as QuickCheck
 spec :: Spec
 spec = do
   describe "GF(q^n)" $ do
-    it "alpha^i alpha^j = alpha^(i+j), of which n coefficients are told" $ do
-      h <- paperPrimitive
-      quickCheckHere $ \(NonNegative i) (NonNegative j) ->
+    beforeAll paperPrimitive . it "alpha^i alpha^j = alpha^(i+j), by n coefficients" $ \h ->
+      property $ \(NonNegative i) (NonNegative j) ->
         let power' e = powerOfRoot h (fromInteger e)
          in multiplyModulo h (power' i) (power' j) == power' (i + j)
               && length (residueCoefficients h (power' i)) == 4
@@ -83,9 +82,11 @@ spec = do
           ]
           )
           `shouldBe` (q, n, [])
-    it "by exponents of up to 300 bits they are products of squares of squares, one a digit 1" $
-      forM_ [s | s@(q, n, _) <- samples, q == 2 || n <= 7] $ \(_, n, SomeField k) ->
-        firstOver k n >>= wideExponents
+    forM_ [(q, n) | (q, n, _) <- samples, q == 2 || n <= 7] $ \(q, n) ->
+      it ("by exponents of up to 300 bits: GF(" ++ show q ++ "^" ++ show n ++ ")") $
+        withMaxSuccess 2 $
+          ofField q $ \k ->
+            whenRight (firstPrimitive n) (wideExponents . (`over` k))
     it "the inverse of every element but zero, which has none, for q^n up to 4096" $
       forM_
         [s | s@(q, n, _) <- samples, fromIntegral q ^ n <= (4096 :: Natural)]
@@ -169,9 +170,8 @@ spec = do
       length (residueCoefficients large own) `shouldBe` 5
   describe "discrete logarithms" logarithmSpec
   where
-    quickCheckHere p =
-      quickCheckWithResult stdArgs {chatty = False} (property p)
-        >>= \r -> isSuccess r `shouldBe` True
+    over :: Primitive k -> Proxy k -> Primitive k
+    over h _ = h
 
 logarithmSpec :: Spec
 logarithmSpec = do
@@ -256,12 +256,11 @@ largeLogarithms k n = do
 
 -- | Powers of x and of a random polynomial modulo h, for exponents about every width of whole words
 -- and some of 128 to 300 bits: the product of those squares of squares that the binary digits name.
-wideExponents :: forall k. KnownField k => Primitive k -> Expectation
+wideExponents :: forall k. KnownField k => Primitive k -> Property
 wideExponents h =
-  holds 2 $
-    forAll (vectorOf (primitiveDegree h) genElement) $ \a ->
-      forAll (vectorOf 6 (oneof [QuickCheck.elements about, between])) $
-        agree (squares variable) (polynomial a) (squares (polynomial a))
+  forAll (vectorOf (primitiveDegree h) genElement) $ \a ->
+    forAll (vectorOf 6 (oneof [QuickCheck.elements about, between])) $
+      agree (squares variable) (polynomial a) (squares (polynomial a))
   where
     agree :: [Polynomial k] -> Polynomial k -> [Polynomial k] -> [Natural] -> Property
     agree ofX a ofA exponents =

@@ -5,7 +5,6 @@ module Test.Code.Locate.ByInformationSets (spec) where
 import Control.Monad (forM, forM_)
 import Data.Bits (testBit)
 import Data.List (sort)
-import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.DiscreteLog
@@ -69,12 +68,12 @@ spec = do
           `shouldBe` []
   describe "on large arrays the position is the one that the patch was taken from" $ do
     it "GF(4), 2^60 cells: 8x8 cells, 4 missing" $
-      foundAgain (gf4, 30, sides 4 15, Shape 15 2) (Shape 8 8) 4 7 5
+      foundAgain (4, 30, Diagonal, sides 4 15, Shape 15 2) (Shape 8 8) 4 7 5
     it "GF(2), 2^64 cells: 12x12 cells, 10 missing" $
-      foundAgain (gf2, 64, sides 2 32, Shape 32 2) (Shape 12 12) 10 3 3
+      foundAgain (2, 64, Diagonal, sides 2 32, Shape 32 2) (Shape 12 12) 10 3 3
     it "GF(3), 3^25 cells: 7x7 cells, 3 missing" $
       foundAgain
-        (gf3, 25, Shape 242 ((3 ^ (25 :: Int) - 1) `div` 242), Shape 5 5)
+        (3, 25, Diagonal, Shape 242 ((3 ^ (25 :: Int) - 1) `div` 242), Shape 5 5)
         (Shape 7 7)
         3
         3
@@ -85,21 +84,21 @@ spec = do
 
 boundsSpec :: Spec
 boundsSpec = do
-  it "what is beyond the radius is refused, or is a position that is not farther" $ do
-    array <- vastArray
-    algebra <- vastAlgebra
-    m <- right (rectangle (Shape 8 8))
-    ready <- right (decoder (Effort (2 ^ (17 :: Int)) (2 ^ (22 :: Int))) algebra (maskOffsets m))
-    holds 20 $
-      forAll (vectorOf 64 genElement) $ \word ->
-        whenRight (decoded ready Guaranteed word) $ \found ->
-          let Distances wrong nearest _ _ radius = decisionDistances found
-           in case decisionOutcome found of
-                Refused BeyondRadius -> nearest === Just (AtLeast (radius + 1))
-                Unique place _ ->
-                  wrong === differing (maskOffsets m) word (content array place (maskOffsets m))
-                    .&&. property (fromIntegral (length wrong) <= radius)
-                other -> counterexample (show other) False
+  beforeAll ((,) <$> vastArray <*> vastAlgebra)
+    . it "what is beyond the radius is refused, or is a position that is not farther"
+    $ \(array, algebra) ->
+      let offsets = cellsOf (Shape 8 8)
+          effort' = Effort (2 ^ (17 :: Int)) (2 ^ (22 :: Int))
+       in withMaxSuccess 20 . whenRight (decoder effort' algebra offsets) $ \ready ->
+            forAll (vectorOf 64 genElement) $ \word ->
+              whenRight (decoded ready Guaranteed word) $ \found ->
+                let Distances wrong nearest _ _ radius = decisionDistances found
+                 in case decisionOutcome found of
+                      Refused BeyondRadius -> nearest === Just (AtLeast (radius + 1))
+                      Unique place _ ->
+                        wrong === differing offsets word (content array place offsets)
+                          .&&. property (fromIntegral (length wrong) <= radius)
+                      other -> counterexample (show other) False
   it "cells that do not tell positions apart leave a coset, whose size is named" $ do
     array <- vastArray
     algebra <- vastAlgebra
@@ -127,22 +126,28 @@ boundsSpec = do
     (decisionOutcome <$> decodePatch algebra Guaranteed wrong)
       `shouldBe` Right (Refused Contradiction)
     decodePatch algebra (UpTo 1) wrong `shouldBe` Left (DecodingTooMany 1)
-  it "a distance not searched to its end is what is proved of it, and its radius holds" $ do
-    array <- paperArray
-    algebra <- paperAlgebra Torus
-    let offsets = cellsOf (Shape 5 5)
-    forM_ [0, 5, 20, 100, 10000] $ \effort -> do
-      ready <- right (decoder (Effort effort (2 ^ (20 :: Int))) algebra offsets)
-      decoderDistance ready `shouldSatisfy` \known -> case known of
-        Exactly d -> d == 16
-        AtLeast d -> d >= 6 && d <= 16
-      let radius = guaranteedRadius (atLeast (decoderDistance ready))
-      holds 40 $
-        forAll (wronging (fromIntegral radius) (content array (Position 3 4) offsets)) $ \word ->
-          whenRight (decoded ready Guaranteed word) $ \found ->
-            fst (located found) === Just (Position 3 4)
+  forM_ [0, 5, 20, 100, 10000] $ \effort ->
+    beforeAll ((,) <$> paperArray <*> paperAlgebra Torus)
+      . it ("a distance is what is proved of it, and its radius holds: effort " ++ show effort)
+      $ \(array, algebra) ->
+        let offsets = cellsOf (Shape 5 5)
+         in withMaxSuccess 40
+              . whenRight (decoder (Effort effort (2 ^ (20 :: Int))) algebra offsets)
+              $ \ready ->
+                let known = decoderDistance ready
+                    radius = fromIntegral (guaranteedRadius (atLeast known))
+                    between = case known of
+                      Exactly d -> d == 16
+                      AtLeast d -> d >= 6 && d <= 16
+                 in counterexample (show known) between
+                      .&&. forAll
+                        (wronging radius (content array (Position 3 4) offsets))
+                        ( \word ->
+                            whenRight (decoded ready Guaranteed word) $ \found ->
+                              fst (located found) === Just (Position 3 4)
+                        )
   it "what is unlisted in several symmetries is at most the sum of what is in each" $
-    holds 200 $
+    withMaxSuccess 200 $
       forAll (listOf ((,) <$> genLogarithm <*> genLogarithm)) $ \several ->
         let together = sum [exp mass | (mass, _) <- several]
             highest = maximum (map snd several)
@@ -282,41 +287,34 @@ boundsSpec = do
 -- | At random positions of an array for this window, with this many cells missing, as many wrong
 -- ones are found as the distance that is proved guarantees, which is at least the first number; and
 -- as many as the second.
-foundAgain ::
-  KnownField k =>
-  (Proxy k, Natural, Shape, Shape) ->
-  Shape ->
-  Int ->
-  Natural ->
-  Int ->
-  Expectation
-foundAgain (k, n, shape, window) size missing least errors = do
-  array <- arrayOver k n Diagonal shape
-  algebra <- right (rectangle window) >>= right . prepareAlgebra (ArrayOn Torus array)
-  holds 3 $
-    forAll ((,) <$> genPosition shape <*> shuffle (cellsOf size)) $ \(place, shuffled) ->
-      let offsets = sort (drop missing shuffled)
-          first' count = sort (take count (drop missing shuffled))
-          sent = content array place offsets
-          damaged wrong = zipWith (\at a -> if at `elem` wrong then a + 1 else a) offsets sent
-       in (windowRank array <$> maskFrom offsets) == Right n
-            ==> whenRight (decoder (Effort (2 ^ (22 :: Int)) (2 ^ (24 :: Int))) algebra offsets)
-            $ \ready ->
-              let d = atLeast (decoderDistance ready)
-                  certain = first' (fromIntegral (guaranteedRadius d))
-                  more = first' errors
-                  from radius wrong = whenRight (decoded ready radius (damaged wrong))
-               in conjoin
-                    [ property (d >= least),
-                      from Guaranteed certain $ \found ->
-                        (located found, nearestDistance (decisionDistances found))
-                          === ( (Just place, certain),
-                                Just (Exactly (fromIntegral (length certain)))
-                              ),
-                      from (UpTo (fromIntegral errors)) more $ \found ->
-                        nearby place more found $ \at ->
-                          length (differing offsets (damaged more) (content array at offsets))
-                    ]
+foundAgain :: Setting -> Shape -> Int -> Natural -> Int -> Property
+foundAgain setting@(_, n, _, shape, _) size missing least errors =
+  withMaxSuccess 3 $
+    ofArray setting $ \array window ->
+      whenRight (prepareAlgebra (ArrayOn Torus array) window) $ \algebra ->
+        forAll ((,) <$> genPosition shape <*> shuffle (cellsOf size)) $ \(place, shuffled) ->
+          let offsets = sort (drop missing shuffled)
+              first' count = sort (take count (drop missing shuffled))
+              sent = content array place offsets
+              damaged wrong = zipWith (\at a -> if at `elem` wrong then a + 1 else a) offsets sent
+           in (windowRank array <$> maskFrom offsets) == Right n
+                ==> whenRight (decoder (Effort (2 ^ (22 :: Int)) (2 ^ (24 :: Int))) algebra offsets)
+                $ \ready ->
+                  let d = atLeast (decoderDistance ready)
+                      certain = first' (fromIntegral (guaranteedRadius d))
+                      more = first' errors
+                      from radius wrong = whenRight (decoded ready radius (damaged wrong))
+                   in conjoin
+                        [ property (d >= least),
+                          from Guaranteed certain $ \found ->
+                            (located found, nearestDistance (decisionDistances found))
+                              === ( (Just place, certain),
+                                    Just (Exactly (fromIntegral (length certain)))
+                                  ),
+                          from (UpTo (fromIntegral errors)) more $ \found ->
+                            nearby place more found $ \at ->
+                              length (differing offsets (damaged more) (content array at offsets))
+                        ]
 
 -- | Beyond what is guaranteed another position may be as near, and must then be named, too. Given
 -- the true position, the wrong cells, and in how many cells another position differs.

@@ -80,18 +80,18 @@ sharesSpec = do
   it "where one cell of 3 x 3 is corrected, of 15: 15 spheres of 10 contents each" $
     onArray (2, 4, Diagonal, Shape 3 5, Shape 2 2) $ \array m ->
       shareIs (150 % 512) (upright Nothing Torus array m) (cellsOf (Shape 3 3))
-  it "by every decoder, on every surface, in every orientation: exactly, or at most" $
-    forM_ settings $ \setting@(q, _, _, _, _) ->
-      onArray setting $ \array m ->
-        holds 60 $
+  forM_ settings $ \setting@(q, _, _, _, _) ->
+    it ("by every decoder, on every surface, in every orientation: " ++ show setting) $
+      withMaxSuccess 60 $
+        ofArray setting $ \array m ->
           forAllShrink (genCells q) (filter (not . null) . shrinkList (const [])) $ \offsets ->
             forAll genCall $ \(decoder, radius, turning, surface) ->
               enumerated decoder $
                 everyContent (ask decoder (surface, array, m) turning radius 0.001) offsets
-  it "of several patches together" $
-    forM_ (take 2 settings) $ \setting ->
-      onArray setting $ \array m ->
-        holds 20 $
+  forM_ (take 2 settings) $ \setting ->
+    it ("of several patches together: " ++ show setting) $
+      withMaxSuccess 20 $
+        ofArray setting $ \array m ->
           forAll (choose (-2, 4)) $ \down ->
             forAll (choose (2, 5)) $ \along ->
               forAll genCall $ \(decoder, radius, turning, surface) ->

@@ -1,11 +1,22 @@
 -- | Every decoder against the definition, on every combination: symbols or probabilities, one patch
 -- or several, in any symmetries, on every surface; the decoders for large arrays on small ones.
-module Test.Code.Locate.EveryDecoderAsDefined (spec) where
+module Test.Code.Locate.EveryDecoderAsDefined (spec, smallArrays) where
 
 import Control.Monad (forM_)
+import Data.List (sortOn)
+import qualified Data.Map.Strict as Map
+import Numeric.Natural (Natural)
 import PraTactile.Array
+import PraTactile.Field
 import PraTactile.Locate
+import PraTactile.Locate.Decision
+import PraTactile.Locate.Decoder.Algebra
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Decoder.Nearest
+import PraTactile.Locate.Definition
+import PraTactile.Locate.Patch (patchOf)
 import PraTactile.Symmetry
+import PraTactile.Window
 import Test.Code.Generators
 import Test.Code.Locate.Asking
 import Test.Code.Locate.Laws
@@ -16,41 +27,50 @@ import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
+  it "every content of a window of every small array has one outcome by all decoders" $
+    forM_ smallArrays $ \(q, n, shape, window) ->
+      forM_
+        [ (folding, surface)
+          | folding <- [minBound ..],
+            folding == RowMajor || gcd (rows shape) (columns shape) == 1,
+            surface <- [naturalSurface folding, Sheet]
+        ]
+        $ \(folding, surface) -> onArray (q, n, folding, shape, window) (everyContent surface)
   forM_ settings $ \setting -> describe (settingName setting) $ do
     forM_ (Nothing : map Just symbolDecoders) $ \decoder ->
       it ("symbols: " ++ decoderName decoder) $
-        onArray setting $ \array m ->
-          holds 120 $
+        withMaxSuccess 120 $
+          ofArray setting $ \array m ->
             forAll (genScene array genSymbol) $ \patches ->
               forAll (genQuestion array decoder) $ \(surface, possible, radius) ->
                 asDefined decoder (surface, array, m) possible radius patches
     it "symbols: decoders that correct alike answer alike" $
-      onArray setting $ \array m ->
-        holds 150 $
+      withMaxSuccess 150 $
+        ofArray setting $ \array m ->
           forAll (genScene array genSymbol) $ \patches ->
             forAll (genQuestion array (Just InformationSetDecoder)) $
               \(surface, possible, radius) ->
                 alike (surface, array, m) possible radius patches
     forM_ [NearestDecoder, InformationSetDecoder] $ \decoder ->
       it ("symbols: as many wrong cells as are promised are corrected: " ++ decoderText decoder) $
-        onArray setting $ \array m ->
-          holds 150 $
+        withMaxSuccess 150 $
+          ofArray setting $ \array m ->
             forAll (genWithin array) $ \(surface, possible, truth, wrong, cells) ->
               asPromised decoder (surface, array, m) possible truth wrong cells
     forM_ [Nothing, Just PosteriorDecoder, Just ListDecoder] $ \decoder ->
       forM_ [("probabilities", False), ("probabilities that show how it lies", True)] $
         \(name, shows') ->
           it (name ++ ": " ++ decoderName decoder) $
-            onArray setting $ \array m ->
-              holds 80 $
+            withMaxSuccess 80 $
+              ofArray setting $ \array m ->
                 forAll (genScene array (genLook shows')) $ \patches ->
                   forAll (genQuestion array decoder) $ \(surface, possible, _) ->
                     forAll (QuickCheck.elements [0, 0.001, 0.1]) $ \tolerated ->
                       asBayes decoder (surface, array, m) possible tolerated patches
     forM_ [PosteriorDecoder, ListDecoder] $ \decoder ->
       it ("probabilities that leave no doubt are symbols: " ++ decoderText decoder) $
-        onArray setting $ \array m ->
-          holds 100 $
+        withMaxSuccess 100 $
+          ofArray setting $ \array m ->
             forAll (genScene array genSymbol) $ \patches ->
               forAll (genQuestion array (Just ListDecoder)) $ \(surface, possible, _) ->
                 -- On the sheet a list knows less of the doubt.
@@ -68,8 +88,8 @@ spec = do
       ]
       $ \(decoder, possible, count) ->
         it (decoderText decoder ++ ", symmetries: " ++ show (length possible)) $
-          onArray (2, 12, Diagonal, Shape 63 65, Shape 6 2) $ \array m ->
-            holds count $
+          withMaxSuccess count $
+            ofArray (2, 12, Diagonal, Shape 63 65, Shape 6 2) $ \array m ->
               forAll (genRadius (Just decoder)) $ \radius ->
                 forAll (genWide array) $
                   asDefined (Just decoder) (Sheet, array, m) possible radius . alone
@@ -93,3 +113,59 @@ settings =
     (16, 2, Diagonal, Shape 15 17, Shape 1 2),
     (17, 2, RowMajor, Shape 9 32, Shape 1 2)
   ]
+
+-- | The field's order, the degree, a shape of q^n - 1 cells, and a window: with the window
+-- property, with windows that repeat, and with more cells than are needed.
+smallArrays :: [(Int, Natural, Shape, Shape)]
+smallArrays =
+  [ (2, 4, Shape 3 5, Shape 2 2),
+    (2, 6, Shape 7 9, Shape 3 2),
+    (2, 6, Shape 7 9, Shape 2 2),
+    (2, 4, Shape 3 5, Shape 3 3),
+    (3, 3, Shape 2 13, Shape 1 3),
+    (3, 3, Shape 2 13, Shape 2 3),
+    (4, 2, Shape 3 5, Shape 2 2),
+    (4, 4, Shape 15 17, Shape 2 2),
+    (4, 4, Shape 15 17, Shape 1 3),
+    (5, 3, Shape 4 31, Shape 1 3),
+    (9, 2, Shape 8 10, Shape 1 2),
+    (9, 2, Shape 5 16, Shape 1 2),
+    (16, 1, Shape 3 5, Shape 1 2)
+  ]
+
+-- | The decoders that correct nothing, and the nearest position at distance 0, have one outcome for
+-- each content of the window on this surface, and it has the positions where the content stands.
+everyContent :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Expectation
+everyContent surface array m = do
+  table <- right (buildTable MostSignificantFirst on m)
+  codebook <- right (buildCodebook on m)
+  algebra <- right (prepareAlgebra on m)
+  let q = fieldOrder array
+      standing =
+        Map.fromListWith
+          (flip (++))
+          [ (map toCode content, [p])
+            | p <- cellsOf (arrayShape array),
+              Just content <- [windowAt on m p]
+          ]
+      oneOutcome codes content =
+        searchPatch on m p == Right outcome
+          && algebraPatch algebra p == Right outcome
+          && decisionOutcome (nearest codebook (UpTo 0) p) == outcome
+          && positions outcome == Map.findWithDefault [] codes standing
+        where
+          p = patchOf (maskExtent m) (sortOn fst (zip (maskOffsets m) content))
+          outcome = locatePatch table p
+      failing =
+        [ codes
+          | codes <- mapM (const [0 .. q - 1]) (maskOffsets m),
+            Right content <- [traverse fromCode codes],
+            not (oneOutcome codes content)
+        ]
+  failing `shouldBe` []
+  where
+    on = ArrayOn surface array
+    positions outcome = case outcome of
+      Unique place _ -> [place]
+      Ambiguous several _ -> several
+      _ -> []

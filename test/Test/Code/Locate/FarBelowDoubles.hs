@@ -20,16 +20,19 @@ import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
-  it "the doubts of a position, and of all that are equally likely, are right to 10^-300" $ do
-    codebook <- paperCodebook Torus
-    doubtsHold isNearly (const (Right . fmap (Candidate identity) . posterior codebook))
-  it "those of a list are no smaller, whatever its length and the doubt that is tolerated" $ do
-    algebra <- paperAlgebra Torus
-    doubtsHold
-      isNoLess
-      (\(most, tolerated) -> listPatch most (10 ** fromIntegral tolerated) algebra [identity])
+  beforeAll ((,) <$> paperArray <*> paperCodebook Torus)
+    . it "the doubts of a position, and of all that are equally likely, are right to 10^-300"
+    $ \(array, codebook) ->
+      doubtsHold array isNearly (const (Right . fmap (Candidate identity) . posterior codebook))
+  beforeAll ((,) <$> paperArray <*> paperAlgebra Torus)
+    . it "those of a list are no smaller, whatever its length and the doubt that is tolerated"
+    $ \(array, algebra) ->
+      doubtsHold
+        array
+        isNoLess
+        (\(most, tolerated) -> listPatch most (10 ** fromIntegral tolerated) algebra [identity])
   it "several looks at a cell come to their product, in any order, however small that is" $
-    holds 400 $
+    withMaxSuccess 400 $
       forAll (choose (1, 7) >>= (`vectorOf` genLook)) $ \given ->
         whenRight (traverse (either belief oriented) given) $ \looks ->
           forAll (shuffle looks) $ \others ->
@@ -44,12 +47,12 @@ spec = do
 -- | What this finds of a window of the paper's array, of which nearly all is known, given the most
 -- words of a list and the exponent of the tolerated doubt.
 doubtsHold ::
+  PseudorandomArray GF4 ->
   (Double -> Rational -> Property) ->
   ((Int, Int) -> Patch (Belief GF4) -> Either AlgebraError (Posterior Candidate)) ->
-  Expectation
-doubtsHold holdsOf find = do
-  array <- paperArray
-  holds 200 $
+  Property
+doubtsHold array holdsOf find =
+  withMaxSuccess 200 $
     forAll ((,) <$> genNearlySure array <*> genBounds) $ \(chances, bounds) ->
       whenRight (traverse (traverse belief) chances) $ \beliefs ->
         whenRight (patch (map (map Just) beliefs)) $ \p ->

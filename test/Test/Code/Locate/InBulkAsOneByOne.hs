@@ -1,9 +1,10 @@
--- | The memory table in bulk says what the table and the search say.
+-- | The memory table: which positions it holds, and that in bulk it answers as one by one. What it
+-- answers about patches is held by "Test.Code.Locate.EveryDecoderAsDefined".
 module Test.Code.Locate.InBulkAsOneByOne (spec) where
 
 import Control.Monad (forM_)
 import Data.Int (Int32)
-import Data.List (nub)
+import Data.List (nub, sort)
 import qualified Data.Map.Strict as Map
 import Data.Proxy (Proxy (..))
 import qualified Data.Vector.Primitive as Primitive
@@ -14,20 +15,52 @@ import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
 import PraTactile.Locate.Bulk
-import PraTactile.Locate.Definition
 import PraTactile.Window
 import Test.Code.Generators
-import Test.Code.Locate.EveryContent (smallArrays, toPatch)
+import Test.Code.Locate.EveryDecoderAsDefined (smallArrays)
 import Test.Hspec
 import Test.Paper
-import Test.QuickCheck (forAll, forAllShrink, ioProperty, (===))
+import Test.QuickCheck (forAll, forAllShrink, ioProperty, withMaxSuccess, (===))
 import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
+  it "patches without cells or with ragged rows are none" $ do
+    let none cells = () <$ patch (cells :: Cells)
+    none [] `shouldBe` Left PatchEmpty
+    none [[], []] `shouldBe` Left PatchEmpty
+    none [[Just 1, Nothing], [Just 1]] `shouldBe` Left (PatchRagged 1 1 2)
+  it "tables larger than 2^26 entries are none" $ do
+    array <- paperArray
+    m <- right (rectangle (Shape 2 7))
+    (() <$ buildTable MostSignificantFirst (ArrayOn Torus array) m)
+      `shouldBe` Left (TableTooLarge (4 ^ (14 :: Int)) largestTable)
+    large <- arrayOver gf4 14 RowMajor (Shape 5 (4 ^ (14 :: Int) `div` 5))
+    small <- paperWindow
+    (() <$ buildTable MostSignificantFirst (ArrayOn Torus large) small)
+      `shouldBe` Left (TableTooLarge (4 ^ (14 :: Int) - 1) largestTable)
+  it "a window is looked up by its number, under either packing" $
+    forM_ [minBound ..] $ \packing -> do
+      array <- paperArray
+      m <- paperWindow
+      table <- right (buildTable packing (ArrayOn Torus array) m)
+      forM_ everywhere $ \p -> do
+        Just content <- pure (windowAt (ArrayOn Torus array) m p)
+        tableLookup table (pack packing 4 (map toCode content)) `shouldBe` [p]
+  it "an entry of the table has all positions of its window, and the table has all positions" $
+    do
+      array <- paperArray
+      m <- right (mask [(0, 0), (2, 3)])
+      table <- right (buildTable MostSignificantFirst (ArrayOn Torus array) m)
+      sort (concatMap snd (tableEntries table)) `shouldBe` everywhere
+      forM_ (tableEntries table) $ \(packed, there) -> forM_ there $ \p ->
+        fmap (pack MostSignificantFirst 4 . map toCode) (windowAt (ArrayOn Torus array) m p)
+          `shouldBe` Just packed
+      tableLookup table 16 `shouldBe` []
+      tableSize table `shouldBe` 16
   it "every packed window of every small array, surface and packing is as in the table" $
     forM_ smallArrays $ \(q, n, shape, window) ->
-      overField q $ \(k :: Proxy k) -> do
+      overField q $ \k -> do
         h <- firstOver k n
         m <- right (rectangle window)
         forM_
@@ -53,45 +86,33 @@ spec = do
                         place /= expected packed
                     ]
               failing `shouldBe` []
-  it "and as the search finds it, comparing with the array at every position" $
-    forM_ [a | a@(_, _, _, window) <- smallArrays, area window <= 4] $ \(q, n, shape, window) ->
-      overField q $ \k -> do
-        h <- firstOver k n
-        m <- right (rectangle window)
-        forM_ (either (const []) pure (folded Diagonal shape h)) $ \array ->
-          forM_ [Torus, Sheet] $ \surface -> do
-            memory <- memoryOf <$> right (buildTable MostSignificantFirst (ArrayOn surface array) m)
-            forM_ [0 .. fromIntegral q ^ maskSize m - 1] $ \packed -> do
-              codes <- right (unpack MostSignificantFirst q (maskSize m) (fromIntegral packed))
-              patches <- mapM (right . patch) (toPatch window codes)
-              outcomes <- mapM (right . searchPatch (ArrayOn surface array) m) patches
-              (packed, locateOne memory packed)
-                `shouldBe` (packed, head' (map (asBulk shape) outcomes))
   it "every window of 63 x 65 cells, over GF(4) and over GF(2), is found where it stands" $ do
     foundWhereItStands gf4 6 (Shape 63 65) (Shape 3 2)
     foundWhereItStands gf2 12 (Shape 63 65) (Shape 6 2)
-  it "every window of 3 x 5461 cells, for any mask and surface, is where its cells are" $ do
-    h <- firstOver gf4 7
-    holds 20 $
-      forAllShrink genMask (filter (not . null) . QuickCheck.shrinkList (const [])) $ \offsets ->
-        forAll
-          (QuickCheck.elements [(Diagonal, Torus), (RowMajor, TwistedTorus), (Diagonal, Sheet)])
-          $ \(folding, surface) ->
-            ioProperty $ do
-              m <- right (mask offsets)
-              array <- right (folded folding (Shape 3 5461) h)
-              table <- right (buildTable LeastSignificantFirst (ArrayOn surface array) m)
-              let standing =
-                    [ (pack LeastSignificantFirst 4 (map toCode content), p)
-                      | p <- places (Shape 3 5461),
-                        Just content <- [windowAt (ArrayOn surface array) m p]
-                    ]
-              pure
-                ( Map.fromListWith (flip (++)) [(w, [p]) | (w, p) <- standing]
-                    === Map.fromList (tableEntries table)
-                )
+  beforeAll (firstOver gf4 7)
+    . it "every window of 3 x 5461 cells, for any mask and surface, is where its cells are"
+    $ \h ->
+      withMaxSuccess 20
+        . forAllShrink genMask (filter (not . null) . QuickCheck.shrinkList (const []))
+        $ \offsets ->
+          forAll
+            (QuickCheck.elements [(Diagonal, Torus), (RowMajor, TwistedTorus), (Diagonal, Sheet)])
+            $ \(folding, surface) ->
+              ioProperty $ do
+                m <- right (mask offsets)
+                array <- right (folded folding (Shape 3 5461) h)
+                table <- right (buildTable LeastSignificantFirst (ArrayOn surface array) m)
+                let standing =
+                      [ (pack LeastSignificantFirst 4 (map toCode content), p)
+                        | p <- places (Shape 3 5461),
+                          Just content <- [windowAt (ArrayOn surface array) m p]
+                      ]
+                pure
+                  ( Map.fromListWith (flip (++)) [(w, [p]) | (w, p) <- standing]
+                      === Map.fromList (tableEntries table)
+                  )
   it "numbers that are no packed window occur nowhere: from q^cells up to the largest" $ do
-    memory <- paperMemory Torus
+    memory <- paperMemory
     let beyond =
           [ 256,
             257,
@@ -108,26 +129,21 @@ spec = do
           ]
     Primitive.toList (locateWindows memory (Primitive.fromList beyond))
       `shouldBe` map (const notOccurring) beyond
-  it "whatever the numbers and how many: one answer each, in their order" $ do
-    memory <- paperMemory Sheet
-    table <-
-      paperArray
-        >>= \array ->
-          right (rectangle (Shape 2 2))
-            >>= right . buildTable MostSignificantFirst (ArrayOn Sheet array)
-    holds 300 $
-      forAll
-        (QuickCheck.listOf (QuickCheck.oneof [QuickCheck.choose (0, 300), QuickCheck.arbitrary]))
+  beforeAll (paperTable Sheet)
+    . it "whatever the numbers and how many: one answer each, in their order"
+    $ \table ->
+      withMaxSuccess 300
+        . forAll
+          (QuickCheck.listOf (QuickCheck.oneof [QuickCheck.choose (0, 300), QuickCheck.arbitrary]))
         $ \numbers ->
-          Primitive.toList (locateWindows memory (Primitive.fromList numbers))
+          Primitive.toList (locateWindows (memoryOf table) (Primitive.fromList numbers))
             === [ case tableLookup table (fromIntegral w) of
-                    [place] ->
-                      linear (Shape 15 17) place
+                    [place] -> linear (Shape 15 17) place
                     _ -> notOccurring
                   | w <- numbers
                 ]
   it "the worked example: 3 2 / 3 1 is 237, and its position (6, 5) is 107" $ do
-    memory <- paperMemory Torus
+    memory <- paperMemory
     a <- right (traverse fromCode [3, 2, 3, 1])
     packWindow memory a `shouldBe` Just 237
     locateOne memory 237 `shouldBe` 107
@@ -135,7 +151,7 @@ spec = do
     packPosition memory (Position 6 5) `shouldBe` Just 107
     locateOne memory 0 `shouldBe` notOccurring
   it "what is no position and no window is not packed or unpacked" $ do
-    memory <- paperMemory Torus
+    memory <- paperMemory
     map (unpackPosition memory) [notOccurring, notUnique, minBound, -3, 255, maxBound]
       `shouldBe` replicate 6 Nothing
     [unpackPosition memory p | p <- [0 .. 254]]
@@ -145,11 +161,8 @@ spec = do
     map (packWindow memory . map (const 1)) [[], [1, 2, 3 :: Int], [1, 2, 3, 4], [1 .. 5], [1 ..]]
       `shouldBe` [Nothing, Nothing, Just 85, Nothing, Nothing]
 
-paperMemory :: Surface -> IO (Memory GF4)
-paperMemory surface = do
-  array <- paperArray
-  m <- right (rectangle (Shape 2 2))
-  memoryOf <$> right (buildTable MostSignificantFirst (ArrayOn surface array) m)
+paperMemory :: IO (Memory GF4)
+paperMemory = memoryOf <$> paperTable Torus
 
 -- | One to ten offsets, some beyond the edges, some such that windows cross the edge near column
 -- 4096.
@@ -172,19 +185,6 @@ locateOne memory = Primitive.head . locateWindows memory . Primitive.singleton
 
 linear :: Shape -> Position -> Int32
 linear shape (Position r c) = fromIntegral (r * columns shape + c)
-
-asBulk :: Shape -> Outcome Position -> Int32
-asBulk shape outcome = case outcome of
-  Unique place _ -> linear shape place
-  Ambiguous _ _ -> notUnique
-  AmbiguousMany _ _ -> notUnique
-  Refused _ -> notOccurring
-
--- | The only one; where there is none, a number that nothing answers.
-head' :: [Int32] -> Int32
-head' outcomes = case outcomes of
-  [outcome] -> outcome
-  _ -> minBound
 
 foundWhereItStands :: forall k. KnownField k => Proxy k -> Natural -> Shape -> Shape -> Expectation
 foundWhereItStands k n shape window = do

@@ -12,6 +12,7 @@ import PraTactile.Locate.Definition
 import PraTactile.Locate.Patch (completeWindows, patchOf, uprightAs)
 import PraTactile.Locate.Separation
 import PraTactile.Symmetry
+import PraTactile.Window (maskOffsets)
 import Test.Code.Generators
 import Test.Code.Locate.Asking
 import Test.QuickCheck hiding (elements)
@@ -35,7 +36,10 @@ asDefined decoder on@(surface, array, window) asked radius patches =
           [ answerDisputed answer === [at | (at, several) <- looks, not (agree several)],
             map patchWrong (answerPatches answer)
               === [(`wrongIn` cells) <$> only (answerOutcome answer) | cells <- partsOf patches],
-            maybe (property False) (holdOf (answerOutcome answer)) (answerDistances answer)
+            maybe (property False) (holdOf (answerOutcome answer)) (answerDistances answer),
+            case answerOutcome answer of
+              Unique candidate support -> support === agreeingWindows candidate
+              _ -> property True
           ]
   where
     (shape, looks) = looksByDefinition patches
@@ -56,6 +60,19 @@ asDefined decoder on@(surface, array, window) asked radius patches =
       Unique candidate _ -> Just candidate
       _ -> Nothing
     windows = [map snd (completeWindows window (uprightAs o together)) | o <- asked]
+    -- The complete windows without a wrong cell, each by its upper left cell as it is seen.
+    agreeingWindows candidate =
+      sort
+        [ seenAt corner
+          | (corner, _) <- completeWindows window upright,
+            all ((`notElem` wrong) . seenAt . from corner) (maskOffsets window)
+        ]
+      where
+        o = candidateSymmetry candidate
+        upright = uprightAs o together
+        seenAt = onPosition o (patchShape upright)
+        from (Position i j) (Position i' j') = Position (i + i') (j + j')
+        wrong = fromMaybe [] (lookup candidate every)
     holdOf found distances =
       conjoin
         [ property

@@ -43,35 +43,37 @@ spec = do
               `shouldSatisfy` maybe
                 False
                 ((== Split ((n1 - k1) * (k2 + 1)) k1) . checksOfColumns)
-  it "of any cells, columns, rows and sources are what their contents make them" $
-    forM_ settings $ \setting -> onArray setting $ \array _ ->
-      holds 60 $
-        forAll (genSources (arrayShape array)) $ \sources ->
-          forAll (QuickCheck.elements [Sheet, naturalSurface (arrayFolding array)]) $ \surface ->
-            checksAmong (ArrayOn surface array) sources === Just (counted array sources)
+  forM_ settings $ \setting ->
+    it ("of any cells, columns, rows and sources are what contents make them: " ++ show setting) $
+      withMaxSuccess 60 $
+        ofArray setting $ \array _ ->
+          forAll (genSources (arrayShape array)) $ \sources ->
+            forAll (QuickCheck.elements [Sheet, naturalSurface (arrayFolding array)]) $ \surface ->
+              checksAmong (ArrayOn surface array) sources === Just (counted array sources)
   it "where contents are not linear, nothing is said" $
     forM_ settings $ \setting -> onArray setting $ \array _ ->
       forM_ [surface | surface <- [Torus, TwistedTorus], surface /= natural array] $ \surface ->
         checksAmong (ArrayOn surface array) [[Position 0 0]] `shouldBe` Nothing
-  it "an answer tells those of its certain cells as they lie on the array, patch by patch" $
-    forM_ settings $ \setting -> onArray setting $ \array window ->
-      holds 60 $
-        forAll (QuickCheck.elements symmetries) $ \o ->
-          forAll (genPatches array o) $ \(uprightCells, shape, given) ->
-            let asked =
-                  Query
-                    { queryPatches = given,
-                      querySymmetries = [o],
-                      queryRadius = Guaranteed,
-                      queryDoubt = 0.99,
-                      queryForeign = Nothing,
-                      queryUnlike = -1 / 0,
-                      queryBeforehand = Nothing
-                    }
-                theLocator = locator Nothing MostSignificantFirst (naturally array) window
-             in classify (shape /= Shape 1 1) "more than a cell" $
-                  whenRight (locate theLocator asked) $ \answer ->
-                    answerChecks answer === Just (counted array uprightCells)
+  forM_ settings $ \setting ->
+    it ("an answer tells those of its certain cells, patch by patch: " ++ show setting) $
+      withMaxSuccess 60 $
+        ofArray setting $ \array window ->
+          forAll (QuickCheck.elements symmetries) $ \o ->
+            forAll (genPatches array o) $ \(uprightCells, shape, given) ->
+              let asked =
+                    Query
+                      { queryPatches = given,
+                        querySymmetries = [o],
+                        queryRadius = Guaranteed,
+                        queryDoubt = 0.99,
+                        queryForeign = Nothing,
+                        queryUnlike = -1 / 0,
+                        queryBeforehand = Nothing
+                      }
+                  theLocator = locator Nothing MostSignificantFirst (naturally array) window
+               in classify (shape /= Shape 1 1) "more than a cell" $
+                    whenRight (locate theLocator asked) $ \answer ->
+                      answerChecks answer === Just (counted array uprightCells)
   where
     natural = naturalSurface . arrayFolding
     primitivesOver :: KnownField k => Proxy k -> Natural -> Either PolynomialError [Primitive k]

@@ -32,14 +32,12 @@ spec = do
   describe "by a list, what is said of doubt, margin and unlisted places holds" $
     forM_ settings $ \setting@(q, n, folding, _, _) ->
       it ("over GF(" ++ show q ++ "), n = " ++ show n ++ ", " ++ show folding) $
-        onArray setting $ \array m ->
-          forM_ [naturalSurface folding, Sheet] $ \surface ->
-            listingIsRight (if q == 4 then 600 else 150) surface array m
-  it "a list that may be as long as need be is as good as the posterior" $ do
-    array <- paperArray
-    codebook <- paperCodebook Torus
-    algebra <- paperAlgebra Torus
-    holds 800 $
+        withMaxSuccess (if q == 4 then 600 else 150) $
+          ofArray setting $ \array m ->
+            conjoin [listingIsRight surface array m | surface <- [naturalSurface folding, Sheet]]
+  beforeAll ((,,) <$> paperArray <*> paperCodebook Torus <*> paperAlgebra Torus)
+    . it "a list that may be as long as need be is as good as the posterior"
+    $ \(array, codebook, algebra) -> withMaxSuccess 800 $
       forAll ((,) <$> genChancesOver array <*> QuickCheck.elements [0.001, 0.01, 0.1, 0.3]) $
         \(chances, tolerated) -> softly chances $ \p ->
           let exact = posterior codebook p
@@ -51,10 +49,9 @@ spec = do
            in whenRight (listed 100000 tolerated algebra p) $ \found ->
                 counterexample (show found) $
                   not close ==> decide tolerated found === decide tolerated exact
-  it "such a list's margin is at least that of what it has and of all that it has not" $ do
-    array <- paperArray
-    algebra <- paperAlgebra Torus
-    holds 400 $
+  beforeAll ((,) <$> paperArray <*> paperAlgebra Torus)
+    . it "such a list's margin is at least that of what it has and of all that it has not"
+    $ \(array, algebra) -> withMaxSuccess 400 $
       forAll
         ( (,,)
             <$> genChancesOver array
@@ -79,9 +76,9 @@ spec = do
                         _ -> property True
                     ]
   it "such a list decides as Bayes' theorem does, in one symmetry or several" $
-    onArray (3, 3, Diagonal, Shape 2 13, Shape 1 3) (listingDecides 300)
+    withMaxSuccess 300 $ ofArray (3, 3, Diagonal, Shape 2 13, Shape 1 3) listingDecides
   it "in several symmetries a list of any length gives no doubt too small, and misses no more" $
-    onArray (3, 3, Diagonal, Shape 2 13, Shape 1 3) (listingIsSafe 600)
+    withMaxSuccess 600 $ ofArray (3, 3, Diagonal, Shape 2 13, Shape 1 3) listingIsSafe
   largeSpec
   where
     settings =
@@ -107,15 +104,15 @@ codebookSpec = do
     map snd (take 2 (posteriorRanking found)) `shouldSatisfy` and . zipWith close [0.9, 0.1]
     decide 0.11 found `shouldBe` Unique (Position 6 5) []
     decide 0.09 found `shouldBe` Refused BelowThreshold
-  it "what is known beforehand makes places as much likelier as it says, and loses none" $ do
-    array <- paperArray
-    located <-
-      locate . locator (Just PosteriorDecoder) MostSignificantFirst (ArrayOn Torus array)
-        <$> paperWindow
-    holds 200 $
+  beforeAll ((,) <$> paperArray <*> paperWindow)
+    . it "what is known beforehand makes places as much likelier as it says, and loses none"
+    $ \(array, window) -> withMaxSuccess 200 $
       forAll ((,) <$> genChancesOver array <*> vectorOf 7 (choose (-5, 0))) $
         \(chances, priors) -> softly chances $ \p ->
           let question = onePatch (Probabilities <$> p)
+              located =
+                locate $
+                  locator (Just PosteriorDecoder) MostSignificantFirst (naturally array) window
               prior (Candidate _ (Position r c)) = cycle priors !! fromIntegral (r + 3 * c)
               known = Just (\place -> Beforehand (prior place) [])
               ranking = fmap (Map.fromList . maybe [] posteriorRanking . answerPosterior) . located
@@ -180,10 +177,9 @@ largeSpec = describe "on 2^60 cells" $ do
           Refused _ -> Refused Contradiction
           other -> other
         posteriorUnlisted found `shouldBe` Just 0
-  it "honest probabilities lead to the position, misleading ones to it or to none" $ do
-    array <- vastArray
-    algebra <- vastAlgebra
-    holds 12 $
+  beforeAll ((,) <$> vastArray <*> vastAlgebra)
+    . it "honest probabilities lead to the position, misleading ones to it or to none"
+    $ \(array, algebra) -> withMaxSuccess 12 $
       forAll
         ((,) <$> choose (0, 4 ^ (15 :: Int) - 2) <*> vectorOf 64 (vectorOf 4 (choose (0, 100))))
         $ \(r, noise) ->
@@ -229,10 +225,9 @@ listed most tolerated algebra p =
 -- | Everything that a listing says, whatever its limits, against Bayes' theorem, where any cell was
 -- read.
 listingIsRight ::
-  KnownField k => Int -> Surface -> PseudorandomArray k -> Mask -> Expectation
-listingIsRight count surface array m = do
-  algebra <- right (prepareAlgebra (ArrayOn surface array) m)
-  holds count $
+  KnownField k => Surface -> PseudorandomArray k -> Mask -> Property
+listingIsRight surface array m =
+  whenRight (prepareAlgebra (ArrayOn surface array) m) $ \algebra ->
     forAll
       ( (,,)
           <$> genChancesOver array
@@ -272,10 +267,9 @@ listingIsRight count surface array m = do
 
 -- | The decision from a list without limit, against Bayes' theorem on rational numbers. Cases in
 -- which rounding decides are left out: that there is a doubt at all is no such case.
-listingDecides :: KnownField k => Int -> PseudorandomArray k -> Mask -> Expectation
-listingDecides count array m = do
-  algebra <- right (prepareAlgebra (ArrayOn Torus array) m)
-  holds count $
+listingDecides :: KnownField k => PseudorandomArray k -> Mask -> Property
+listingDecides array m =
+  whenRight (prepareAlgebra (ArrayOn Torus array) m) $ \algebra ->
     forAll
       ( (,,)
           <$> genChancesIn (Shape 2 3) array
@@ -308,10 +302,9 @@ listingDecides count array m = do
 
 -- | What a list says of several symmetries together, against Bayes' theorem: the doubt and what is
 -- not listed are at least what they are, the listed ones' probabilities and the margin at most.
-listingIsSafe :: KnownField k => Int -> PseudorandomArray k -> Mask -> Expectation
-listingIsSafe count array m = do
-  algebra <- right (prepareAlgebra (ArrayOn Torus array) m)
-  holds count $
+listingIsSafe :: KnownField k => PseudorandomArray k -> Mask -> Property
+listingIsSafe array m =
+  whenRight (prepareAlgebra (ArrayOn Torus array) m) $ \algebra ->
     forAll
       ( (,,)
           <$> genChancesIn (Shape 2 3) array

@@ -1,14 +1,13 @@
--- | Several patches at known displacements.
+-- | Several patches at known displacements: how many there may be, and which of them do not belong.
+-- Where they are together is held by "Test.Code.Locate.EveryDecoderAsDefined".
 module Test.Code.Locate.SeveralPatches (spec) where
 
 import Control.Monad (forM_)
-import Data.List (nub, sort)
 import Data.Maybe (fromMaybe)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
-import PraTactile.Locate.Definition (looksByDefinition)
 import PraTactile.Locate.Joint
 import PraTactile.Locate.Patch
 import PraTactile.Symmetry
@@ -16,32 +15,9 @@ import Test.Code.Generators
 import Test.Code.Locate.Asking
 import Test.Hspec
 import Test.Paper
-import Test.QuickCheck hiding (elements)
-import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
-  it "two 2x2 windows correct what neither can alone: an error in one of them" $
-    forM_ someplaces $ \p -> do
-      found <- nearestOf Guaranteed p (inPlace [(0, 0), (3, 2), (0, 5)] [0, 0, 1])
-      (place found, wrongOf found, inconsistent found) `shouldBe` ([p], [0, 0, 1], [2])
-      map patchOffset (answerPatches found) `shouldBe` [Position 0 0, Position 3 2, Position 0 5]
-  it "displacements count from anywhere; the position is the upper left of all patches" $
-    forM_ [((0, 7), (2, 10)), ((-7, -4), (-5, -1))] $ \(a, b) -> do
-      found <- nearestOf Guaranteed (Position 6 5) [(b, (2, 3), 0), (a, (0, 0), 0)]
-      place found `shouldBe` [Position 6 5]
-  it "a patch that is not where its displacement says is named by its wrong cells" $ do
-    found <-
-      nearestOf
-        (UpTo 4)
-        (Position 3 3)
-        (((3, 3), (6, 6), 0) : inPlace [(0, 0), (0, 3), (3, 0)] zeros)
-    place found `shouldBe` [Position 3 3]
-    drop 1 (wrongOf found) `shouldBe` [0, 0, 0]
-    take 1 (wrongOf found) `shouldSatisfy` all (>= 2)
-  it "cells that two patches saw differently count as not observed" $ do
-    found <- nearestOf Guaranteed (Position 6 5) disputed
-    (place found, answerDisputed found) `shouldBe` ([Position 6 5], [Position 1 1])
   describe "joining" joiningSpec
   describe "patches displaced by one cell" displacedSpec
   describe "probabilities" beliefSpec
@@ -57,30 +33,6 @@ spec = do
 
 joiningSpec :: Spec
 joiningSpec = do
-  it "puts every look at a cell where it belongs, from the upper left of all, as the definition" $
-    forAllShrink genDisplaced (filter (not . null) . shrinkList (const [])) $ \given ->
-      let lowest side = minimum (map (side . fst) given)
-          (shape, looks) = looksByDefinition given
-       in case joint agreedSymbol given of
-            Left refusal -> counterexample (show refusal) False
-            Right joined ->
-              conjoin
-                [ jointOffsets joined
-                    === [ Position (fromInteger (r - lowest fst)) (fromInteger (c - lowest snd))
-                          | ((r, c), _) <- given
-                        ],
-                  patchShape (jointPatch joined) === shape,
-                  observedCells (jointPatch joined)
-                    === [(cell, a) | (cell, as) <- looks, [a] <- [nub as]],
-                  jointDisputed joined === [cell | (cell, as) <- looks, length (nub as) > 1],
-                  -- Each look is a cell of one of the patches, at its displacement from the first.
-                  [(cell, a) | (cell, as) <- looks, a <- sort as]
-                    === sort
-                      [ (Position (i `plus` (r - lowest fst)) (j `plus` (c - lowest snd)), a)
-                        | ((r, c), p) <- given,
-                          (Position i j, a) <- observedCells p
-                      ]
-                ]
   it "takes 100 patches, and no more" $ do
     let many n = replicate n ((3, 4), patchOf (Shape 1 1) [(Position 0 0, 'a')])
     fmap (length . jointOffsets) (joint agreedSymbol (many 100)) `shouldSatisfy` (== Right 100)
@@ -92,17 +44,6 @@ joiningSpec = do
           patchShape . jointPatch <$> joint agreedSymbol [((0, 0), single), (far, single)]
     framed (1023, 1023) `shouldBe` Right (Shape 1024 1024)
     framed (0, 1048576) `shouldBe` Left (PatchTooLarge 1048577 1048576)
-  where
-    plus i d = fromInteger (toInteger i + d)
-    genDisplaced = do
-      count <- choose (1, 4)
-      vectorOf count $ do
-        h <- fromInteger <$> chooseInteger (1, 3)
-        w <- fromInteger <$> chooseInteger (1, 3)
-        cells <- sublistOf [Position i j | i <- [0 .. h - 1], j <- [0 .. w - 1]]
-        seen <- traverse (\cell -> (,) cell <$> QuickCheck.elements "ab") cells
-        by <- (,) <$> choose (-3, 3) <*> choose (-3, 3)
-        pure (by, patchOf (Shape h w) seen)
 
 displacedSpec :: Spec
 displacedSpec = do

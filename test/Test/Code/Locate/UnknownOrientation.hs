@@ -10,9 +10,7 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named (GF4)
 import PraTactile.Locate
-import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Locate.Definition
-import PraTactile.Locate.Patch (patchOf)
 import PraTactile.Locate.Separation
 import PraTactile.Polynomial
 import PraTactile.Symmetry
@@ -38,17 +36,10 @@ distanceSpec = do
     let distances possible = [orientedDistance codebook possible side | side <- [2 .. 5]]
     map distances [rotations, [identity, turned 2], symmetries, [identity]]
       `shouldBe` [[0, 0, 4, 8], [0, 0, 5, 10], [0, 0, 0, 0], [1, 4, 9, 16]]
-  it "is the same by comparing all candidates, for 3x3 and 4x4 of the paper's array" $ do
-    codebook <- paperCodebook Torus
-    forM_ [(rotations, 3), (rotations, 4), ([identity, turned 2], 4)] $ \(possible, side) -> do
-      let size = Shape side side
-      byDefinition (codebookArray codebook) possible size (cellsOf size)
-        `shouldBe` orientedDistance codebook possible side
-  it "is, for cells of any shape, the least number in which two of all candidates differ" $
-    forM_ small $ \(q, n, shape) ->
-      overField q $ \k -> do
-        array <- arrayOver k n Diagonal shape
-        holds 60 $
+  forM_ small $ \setting@(q, _, _, shape, _) ->
+    it ("is the least by which two candidates differ: GF(" ++ show q ++ "), " ++ show shape) $
+      withMaxSuccess 60 $
+        ofArray setting $ \array _ ->
           forAll (genObserved 4) $ \(size, offsets) -> forAll genOrientations $ \possible ->
             candidateDistance (ArrayOn Torus array) possible size offsets
               === byDefinition array possible size offsets
@@ -60,11 +51,6 @@ distanceSpec = do
 
 shownSpec :: Spec
 shownSpec = do
-  it "tell of every 2 x 2 window in which rotation it is seen" $ do
-    (array, located) <- shownOn
-    forM_ (zip (cycle rotations) everywhere) $ \(o, p) -> do
-      answer <- located [((0, 0), lying o (onRows o (look array (Shape 2 2) p)))]
-      answerOutcome answer `shouldBe` Unique (Candidate o p) []
   it "are wrong where they show another way than the patch is seen" $ do
     (array, located) <- shownOn
     let block at shape = look array shape at
@@ -106,28 +92,6 @@ shownSpec = do
 
 nearestSpec :: Spec
 nearestSpec = do
-  it "every rotation of a 2 x 2 window is again a window, so that they are ambiguous" $ do
-    (array, located) <- paper
-    forM_ everywhere $ \p -> do
-      found <- fst <$> located rotations Guaranteed (look array (Shape 2 2) p)
-      case found of
-        Ambiguous several _ -> do
-          map candidateSymmetry several `shouldBe` rotations
-          take 1 several `shouldBe` [Candidate identity p]
-        other -> expectationFailure (show other)
-  it "a 4 x 4 patch with one error is located in whatever rotation it is seen, everywhere" $ do
-    (array, located) <- paper
-    forM_ (zip [0 ..] everywhere) $ \(k, p) -> forM_ rotations $ \o -> do
-      let place = Position (k `mod` 4) (k `div` 4 `mod` 4)
-          shape = Shape 4 4
-          damaged =
-            [ (at, if at == place then a + 1 else a)
-              | (at, Just a) <- zip (cellsOf shape) (concat (look array shape p))
-            ]
-      (found, wrong) <-
-        located rotations (UpTo 1) (onRows o (patchRows (patchOf shape damaged)))
-      ([candidate | Unique candidate _ <- [found]], wrong)
-        `shouldBe` ([Candidate o p], [onPosition o shape place])
   it "windows that say so are named by where their upper left cells are seen" $ do
     (array, located) <- paper
     let seen = onRows (turned 1) (look array (Shape 2 5) (Position 6 5))
@@ -184,9 +148,17 @@ shiftedBy r c cells = turn r (map (turn c) cells)
 
 -- | The field's order, the degree and the shape of arrays small enough to compare all candidates
 -- with all.
-small :: [(Int, Natural, Shape)]
+small :: [Setting]
 small =
-  [(2, 4, Shape 3 5), (2, 6, Shape 7 9), (3, 3, Shape 2 13), (4, 2, Shape 3 5), (9, 2, Shape 5 16)]
+  [ (q, n, Diagonal, shape, Shape 1 1)
+    | (q, n, shape) <-
+        [ (2, 4, Shape 3 5),
+          (2, 6, Shape 7 9),
+          (3, 3, Shape 2 13),
+          (4, 2, Shape 3 5),
+          (9, 2, Shape 5 16)
+        ]
+  ]
 
 byDefinition :: KnownField k => PseudorandomArray k -> [Symmetry] -> Shape -> [Position] -> Natural
 byDefinition array possible size offsets =

@@ -66,6 +66,36 @@ spec = do
       (\choice -> asked Torus array window choice Guaranteed unsure)
       [Nothing, Just PosteriorDecoder, Just ListDecoder]
       `shouldBe` [Right ListDecoder, tooMany, Right ListDecoder]
+  it "reasons have their names on the wire" $
+    [(r, reasonName r) | r <- reasons]
+      `shouldBe` [ (ZeroWindow, "zero-window"),
+                   (TooFewCells, "too-few-cells"),
+                   (NoCompleteWindow, "no-complete-window"),
+                   (NotInArray, "not-in-array"),
+                   (Contradiction, "contradiction"),
+                   (OffSheet, "off-sheet"),
+                   (BeyondRadius, "beyond-radius"),
+                   (BelowThreshold, "below-threshold")
+                 ]
+  it "the algebra needs no table, on 2^60 cells: a 15 x 2 window, or any 30 independent cells" $ do
+    array <- vastArray
+    algebra <- vastAlgebra
+    forM_
+      [ Position 0 0,
+        Position 123456789 987654321,
+        Position (4 ^ (15 :: Int) - 2) (4 ^ (15 :: Int))
+      ]
+      $ \place -> do
+        let located cells = right (patch cells) >>= right . algebraPatch algebra
+            seven = look array (Shape 7 7) place
+            changed f = zipWith (\i -> zipWith (f i) [0 ..]) [0 :: Int ..] seven
+        located (look array (Shape 15 2) place) `shouldReturn` Unique place [Position 0 0]
+        located (changed (\i j a -> if (i * 7 + j * 3) `mod` 4 == 0 then Nothing else a))
+          `shouldReturn` Unique place []
+        located (changed (\i j a -> if (i, j) == (3, 4 :: Int) then (+ 1) <$> a else a))
+          `shouldReturn` Refused Contradiction
+        located (look array (Shape 1 10) place)
+          `shouldReturn` AmbiguousMany (4 ^ (20 :: Int)) (Just 20)
   it "on a surface that is not the array's own, those that go by the sequence refuse" $ do
     array <- paperArray
     window <- paperWindow

@@ -32,16 +32,17 @@ spec = do
             filledAlike (Proxy :: Proxy GF8) offset,
             filledAlike (Proxy :: Proxy GF9) offset
           ]
-    it "of an m-sequence, by whichever way, is the sequence: 40000 terms, six fields" $
+    it "of an m-sequence, by whichever way, is the sequence: to 40000 terms, six fields" $
       forM_ [(2, 17), (3, 10), (4, 9), (9, 5), (251, 2), (256, 2)] $ \(q, n) ->
         overField q $ \k -> do
           h <- firstOver k n
-          forM_ [h, reciprocal h] $ \g ->
+          forM_ [h, reciprocal h] $ \g -> forM_ [-1, 0, 1, 40000] $ \count ->
             ( q,
-              Primitive.toList (sequenceVector g (canonicalState g) 40000)
-                == take 40000 (mSequence g (canonicalState g))
+              count,
+              Primitive.toList (sequenceVector g (canonicalState g) count)
+                == take count (mSequence g (canonicalState g))
             )
-              `shouldBe` (q, True)
+              `shouldBe` (q, count, True)
     it "is left alone where the recurrence would look outside it, and else goes on" $
       forM_ [(from, to) | from <- [-1 .. 11], to <- [-1 .. 11]] $ \(from, to) -> do
         -- v(i) = v(i-1) + v(i-3).

@@ -1,6 +1,7 @@
 {-# LANGUAGE RankNTypes #-}
 
--- | The two forms of the shift register, and which register produced some symbols.
+-- | The two forms of the shift register, and which register produced some symbols. The properties
+-- of m-sequences are laws of the conformance suite.
 module Test.Code.Sequence.ShiftRegisters (spec) where
 
 import Control.Monad (forM_)
@@ -20,6 +21,17 @@ import Test.QuickCheck hiding (elements)
 
 spec :: Spec
 spec = do
+  it "over GF(3), x^2 + x + 2 gives 0 1 2 2 0 2 1 1" $ do
+    -- By hand: s(i+2) = - (2 s(i) + s(i+1)) = s(i) + 2 s(i+1).
+    h <- right (polynomialFromCodes [2, 1, 1])
+    p <- right (checkPrimitive (h :: Polynomial GF3))
+    map toCode (take 9 (mSequence p (canonicalState p))) `shouldBe` [0, 1, 2, 2, 0, 2, 1, 1, 0]
+  it "a state has n elements, and they are not all zero" $ do
+    h <- paperPrimitive
+    initialState h [0, 0, 0, 0] `shouldBe` Left StateZero
+    initialState h [0, 0, 1] `shouldBe` Left (StateLength 3 4)
+    initialState h [0, 0, 0, 1, 1] `shouldBe` Left (StateLength 5 4)
+    initialState h (repeat 1) `shouldBe` Left (StateLength 5 4)
   describe "stepping" $ do
     it "forward and back again, and back and forward again, is no step, in both forms" $
       forRegisters $ \h -> forM_ (states h) $ \s -> do

@@ -90,34 +90,8 @@ spec = do
     it "the first cell is the most significant digit, or the least" $ do
       pack MostSignificantFirst 4 [3, 2, 3, 1] `shouldBe` 3 * 64 + 2 * 16 + 3 * 4 + 1
       pack LeastSignificantFirst 4 [3, 2, 3, 1] `shouldBe` 3 + 2 * 4 + 3 * 16 + 1 * 64
-    it "unpack . pack = Right" $
-      forAllShrink genCodes shrinkCodes $ \(q, codes) ->
-        conjoin
-          [ unpack packing q (length codes) (pack packing q codes) === Right codes
-            | packing <- [minBound .. maxBound]
-          ]
-    it "pack . unpack = id on the numbers below q^cells, exhaustively for small ones" $
-      [ (packing, q, cells, n)
-        | packing <- [minBound .. maxBound],
-          q <- [2 .. 5],
-          cells <- [0 .. 4],
-          n <- [0 .. fromIntegral q ^ cells - 1],
-          fmap (pack packing q) (unpack packing q cells n) /= Right n
-      ]
-        `shouldBe` []
     it "other numbers are refused" $ do
       unpack MostSignificantFirst 4 4 256 `shouldBe` Left (PackedOutOfRange 256)
       unpack MostSignificantFirst 4 0 1 `shouldBe` Left (PackedOutOfRange 1)
   where
     offsets m = [(i, j) | Position i j <- maskOffsets m]
-
--- | A base from 2 to 256, and digits.
-genCodes :: Gen (Int, [Int])
-genCodes = do
-  q <- choose (2, 256)
-  codes <- listOf (choose (0, q - 1))
-  pure (q, codes)
-
--- | Fewer and smaller digits; the base as it is.
-shrinkCodes :: (Int, [Int]) -> [(Int, [Int])]
-shrinkCodes (q, codes) = [(q, map abs fewer) | fewer <- shrink codes]

@@ -1,5 +1,5 @@
 -- | Visiting all windows of any matrix, by lists and sets alone.
-module Test.Code.Window.Visiting (visitingSpec, shrinkOffsets) where
+module Test.Code.Window.Visiting (visitingSpec) where
 
 import Control.Monad (forM_, void)
 import qualified Data.IntSet as IntSet
