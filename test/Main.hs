@@ -15,10 +15,10 @@ import qualified Test.Code.Certificate.EachFlawFound
 import qualified Test.Code.Certificate.ForgeriesRefused
 import qualified Test.Code.Certificate.IssuedAndChecked
 import qualified Test.Code.Factorisation.FactorsAndPrimes
-import qualified Test.Code.Field.AxiomsAndDefinition
 import qualified Test.Code.Field.ExtensionModuloH
 import qualified Test.Code.Field.FactsFromElsewhere
 import qualified Test.Code.Field.StructureByDefinition
+import qualified Test.Code.Field.TablesAndElements
 import qualified Test.Code.LinearCode.AllCodewords
 import qualified Test.Code.Locate.ByInformationSets
 import qualified Test.Code.Locate.ChanceByEnumeration
@@ -26,7 +26,7 @@ import qualified Test.Code.Locate.EveryDecoderAsDefined
 import qualified Test.Code.Locate.FarBelowDoubles
 import qualified Test.Code.Locate.ForeignMixture
 import qualified Test.Code.Locate.ForeignPatches
-import qualified Test.Code.Locate.InBulkAsOneByOne
+import qualified Test.Code.Locate.MemoryTable
 import qualified Test.Code.Locate.ParityChecks
 import qualified Test.Code.Locate.ProbabilitiesByBayes
 import qualified Test.Code.Locate.SeveralPatches
@@ -226,7 +226,7 @@ together :: Spec
 together = do
   describe "The house" Test.House.spec
   describe "The code" $ do
-    describe "Fields" Test.Code.Field.AxiomsAndDefinition.spec
+    describe "Fields" Test.Code.Field.TablesAndElements.spec
     describe "The structure of fields" Test.Code.Field.StructureByDefinition.spec
     describe "Factorisation" Test.Code.Factorisation.FactorsAndPrimes.spec
     describe "Linear codes" Test.Code.LinearCode.AllCodewords.spec
@@ -249,7 +249,7 @@ together = do
     describe "Forged certificates" Test.Code.Certificate.ForgeriesRefused.spec
     describe "Census" Test.Code.Census.AllArraysOfASize.spec
     describe "Exhaustive proofs" Test.Code.Window.ProvedExhaustively.spec
-    describe "The memory table" Test.Code.Locate.InBulkAsOneByOne.spec
+    describe "The memory table" Test.Code.Locate.MemoryTable.spec
     describe
       "Locating with errors and erasures on large arrays"
       Test.Code.Locate.ByInformationSets.spec

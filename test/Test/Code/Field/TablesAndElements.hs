@@ -1,7 +1,7 @@
 -- | The fields: the tables of all of them beside the definition, the default moduli, elements and
 -- refusals. That each operation is what it should be, field axioms among it, is a law of the
 -- conformance suite.
-module Test.Code.Field.AxiomsAndDefinition (spec) where
+module Test.Code.Field.TablesAndElements (spec) where
 
 import Control.Monad (forM_)
 import Data.Either (isRight)

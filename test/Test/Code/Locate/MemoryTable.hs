@@ -1,6 +1,6 @@
 -- | The memory table: which positions it holds, and that in bulk it answers as one by one. What it
 -- answers about patches is held by "Test.Code.Locate.EveryDecoderAsDefined".
-module Test.Code.Locate.InBulkAsOneByOne (spec) where
+module Test.Code.Locate.MemoryTable (spec) where
 
 import Control.Monad (forM_)
 import Data.Int (Int32)
