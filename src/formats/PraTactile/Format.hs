@@ -101,7 +101,7 @@ import PraTactile.Format.Answer
 import PraTactile.Format.Answer.Report
 import PraTactile.Format.Calibration
 import PraTactile.Format.Census
-import PraTactile.Format.Census.Row
+import PraTactile.Format.Census.Row (Row (..))
 import PraTactile.Format.Certificate
 import PraTactile.Format.Error
 import PraTactile.Format.Manifest

@@ -38,8 +38,9 @@ import PraTactile.Shape (Alphabet)
 import PraTactile.Symmetry
 import PraTactile.Truth
 import System.Random (mkStdGen)
+import Test.Effort
 import Test.Hspec hiding (around)
-import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (generate, within)
 import Test.Touch.Paper (paperAlphabet, paperNetwork, stitch)
 
@@ -135,7 +136,7 @@ pictureSpec ::
   Recogniser k ->
   Spec
 pictureSpec (layout, _, alphabet) array reader = describe "pictures of recognitions" $ do
-  modifyMaxSuccess (const 30) $
+  withCases 8 30 $
     prop "composite, face, answer and legend keep apart, and so does all text" $ \seed ->
       forAll (elements (laidFaces layout)) $ \face ->
         forAll (elements [(40, 52), (24, 36), (16, 16), (52, 40)]) $ \size ->
@@ -155,7 +156,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
                     }
            in length (named "symbol" (pageComposite page)) === length symbols + length others
                 .&&. apart page
-  modifyMaxSuccess (const 20) $
+  withCases 6 20 $
     prop "the window that gives the answer is framed on both sides, its place in the middle" $
       \seed ->
         forAll (elements (laidFaces layout)) $ \face ->
@@ -206,7 +207,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
                               )
                   (Right _, _) -> counterexample "another face" False
                   (Left _, page) -> pageFace page === []
-  modifyMaxSuccess (const 20) $
+  withCases 6 20 $
     -- The faces lie upright: a tilt that is found is an error, which moves the corners.
     prop "the outline on the face is where the composite was, to two taxels and by its tilt" $
       \seed -> forAll (elements (laidFaces layout)) $ \face ->

@@ -17,6 +17,7 @@ import PraTactile.Sensor.Calibration (Calibration (..))
 import PraTactile.Symmetry
 import System.FilePath ((</>))
 import Test.CommandLine.Run
+import Test.Effort
 import Test.Hspec
 import Test.Support
 
@@ -82,7 +83,7 @@ spec = do
       image <- readImage composite
       centres <- maybe (fail "no symbols") pure (key ["symbols"] whole >>= points)
       length centres `shouldSatisfy` (>= 9)
-      for_ (zip [0 :: Int ..] centres) $ \(i, (x, y)) -> do
+      for_ (zip [0 :: Int ..] (byEffort (take 2) id centres)) $ \(i, (x, y)) -> do
         -- Blotted out: as the flat face is.
         writeImage
           folder

@@ -9,6 +9,7 @@ import Data.List (isInfixOf, isSuffixOf)
 import System.Directory (listDirectory)
 import System.FilePath ((</>))
 import Test.CommandLine.Run
+import Test.Effort
 import Test.Hspec
 import Test.Support
 
@@ -148,13 +149,14 @@ spec = do
         (Just (Array dead), Just (Array gain)) -> (length dead, length gain) `shouldBe` (2, 16)
         other -> expectationFailure (show other)
   it "presses on foreign arrangements are none of them right, and change no others" $ do
-    (0, foreign', "") <- pra (words "evaluate --presses 12 --seed 2 --foreign 1 --json")
+    let presses = ["--presses", byEffort "4" "12"]
+    (0, foreign', "") <- pra (words "evaluate --seed 2 --foreign 1 --json" ++ presses)
     (key ["stitching", "right"] foreign', key ["foreign"] foreign')
       `shouldBe` (Just (Number 0), Just (Number 1))
-    (0, without, "") <- pra (words "evaluate --presses 3 --seed 2 --json")
-    (0, none, "") <- pra (words "evaluate --presses 3 --seed 2 --turn 0 --json")
+    (0, without, "") <- pra (words "evaluate --presses 1 --seed 2 --json")
+    (0, none, "") <- pra (words "evaluate --presses 1 --seed 2 --turn 0 --json")
     (0, others, "") <-
-      pra (words "evaluate --presses 12 --seed 2 --foreign 1 --foreign-arrays 1 --json")
+      pra (words "evaluate --seed 2 --foreign 1 --foreign-arrays 1 --json" ++ presses)
     (key ["stitching", "right"] others, key ["foreign_arrays"] others)
       `shouldBe` (Just (Number 0), Just (Number 1))
     map (key ["foreign"]) [without, others] `shouldBe` [Nothing, Just (Number 1)]

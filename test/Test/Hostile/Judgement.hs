@@ -12,7 +12,7 @@ where
 
 import Control.Concurrent (forkIO, killThread, myThreadId, threadDelay)
 import Control.Exception
-import Control.Monad (forever)
+import Control.Monad (forever, replicateM_)
 import Data.IORef (modifyIORef', newIORef, readIORef)
 import Data.Int (Int64)
 import Data.List (isInfixOf)
@@ -70,8 +70,10 @@ withinBounds action = (quickly `catch` \AllocationLimitExceeded -> watched) `cat
     watched = do
       before <- alive
       greatest <- newIORef before
-      watcher <-
-        forkIO (forever (alive >>= \now -> modifyIORef' greatest (max now) >> threadDelay 20000))
+      -- A collection takes long where much lives beside what is judged.
+      watcher <- forkIO . forever $ do
+        alive >>= modifyIORef' greatest . max
+        replicateM_ 25 (threadDelay 20000 >> live >>= modifyIORef' greatest . max)
       found <- computingFor 5 action `finally` killThread watcher
       used <- subtract before <$> readIORef greatest
       pure
@@ -79,7 +81,8 @@ withinBounds action = (quickly `catch` \AllocationLimitExceeded -> watched) `cat
             then Left ("memory of " ++ show used ++ " bytes was taken")
             else ended found
         )
-    alive = performMajorGC >> (fromIntegral . gcdetails_live_bytes . gc <$> getRTSStats)
+    alive = performMajorGC >> live
+    live = fromIntegral . gcdetails_live_bytes . gc <$> getRTSStats
     most = 300 * 1000 * 1000 :: Int64
     ended = maybe (Left "there was no answer in time") Right
     -- QuickCheck's own interruptions go on.
@@ -196,4 +199,4 @@ internals =
 
 -- | A count in thousandths of all hostile inputs.
 shareOf :: Int -> Int
-shareOf thousandths = max 1 (byEffort 25000 100000 * thousandths `div` 1000)
+shareOf thousandths = max 1 (byEffort 10000 100000 * thousandths `div` 1000)

@@ -5,18 +5,26 @@ module Test.Store.Asking
     checking,
     asked,
     plain,
+    somePositions,
   )
 where
 
 import Control.Monad (void)
 import Data.List (isInfixOf)
 import Message.Objects (storeMessage)
+import PraTactile.Array (Position)
 import PraTactile.Store
+import Test.Effort
 import Test.Hspec
+import Test.Recognition.Object.Support (everyPosition)
 
 -- | What the profile's text may be.
 profileText :: String
 profileText = "any text, \"quoted\"; with ' and \955\n"
+
+-- | Positions of the canonical array, in a full run all.
+somePositions :: [Position]
+somePositions = [at | (i, at) <- zip [0 :: Int ..] everyPosition, i `mod` byEffort 5 1 == 0]
 
 -- | Whether it opens.
 opening :: String -> IO (Either StoreError ())

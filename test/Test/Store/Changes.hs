@@ -32,6 +32,7 @@ import PraTactile.Store
 import PraTactile.Store.Query
 import System.FilePath ((</>))
 import Test.CommandLine.Run (refuses, scripted)
+import Test.Effort
 import Test.Hspec hiding (before)
 import Test.QuickCheck
 import Test.Recognition.Object.Support
@@ -42,7 +43,7 @@ spec :: SpecWith Home
 spec = describe "change" $ do
   it "objects come, go and are replaced as in the placement, and all look-ups are its" $
     \home ->
-      withMaxSuccess (cases home 6) . forAllBlind (vectorOf 3 ((,) <$> genStep <*> arbitrary)) $
+      withMaxSuccess (max 1 (cases home (byEffort 3 6))) . forAllBlind (vectorOf 3 ((,) <$> genStep <*> arbitrary)) $
         \steps -> ioProperty (stored (\path place -> walk path place steps) home)
   it "what is refused leaves the store as it was" $
     stored $ \path place -> do
@@ -127,7 +128,7 @@ spec = describe "change" $ do
           there one = whereabouts one canonicalWindow at
       end <- newEmptyMVar
       _ <- forkIO $ do
-        for_ (take 12 (cycle [fewer, place])) $ \other ->
+        for_ (take (byEffort 6 12) (cycle [fewer, place])) $ \other ->
           create path "profile" other `shouldReturn` Right ()
         putMVar end ()
       let asking = do
@@ -146,7 +147,7 @@ spec = describe "change" $ do
       let now = either (const place) id outcome
       asked path $ \store -> do
         storedPlacement store `shouldReturn` Right now
-        for_ everyPosition $ \at ->
+        for_ somePositions $ \at ->
           storedWhereabouts store canonicalWindow at
             `shouldReturn` Right (whereabouts now canonicalWindow at)
         for_ (laidFaces now) $ \laid ->
