@@ -66,6 +66,7 @@ import qualified Test.CommandLine.Sensor
 import qualified Test.CommandLine.Sequences
 import qualified Test.CommandLine.Shapes
 import qualified Test.CommandLine.Smallest
+import qualified Test.CommandLine.SolidsInWords
 import qualified Test.Common.DecimalsByDefinition
 import qualified Test.Common.PlainTexts
 import qualified Test.Common.SymmetryGroup
@@ -419,6 +420,7 @@ commands = do
   describe "The command line: networks" Test.CommandLine.Networks.spec
   describe "The command line: sequences and foldings" Test.CommandLine.Sequences.spec
   describe "The command line: faces of files on the array" Test.CommandLine.Place.spec
+  describe "The command line: solids in words and in JSON" Test.CommandLine.SolidsInWords.spec
   describe "The command line: the smallest array" Test.CommandLine.Smallest.spec
   describe "The command line: rates" Test.CommandLine.Rates.spec
   describe "The command line: poses" Test.CommandLine.Pose.spec

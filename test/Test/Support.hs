@@ -11,6 +11,7 @@ module Test.Support
     below,
     rowsOf,
     cellsOf,
+    signedArea,
 
     -- * Files
     inFolder,
@@ -70,6 +71,11 @@ rowsOf w cells = case splitAt (fromIntegral w) cells of
 -- | The cells of a rectangle, row by row.
 cellsOf :: Shape -> [Position]
 cellsOf (Shape h w) = [Position i j | i <- below h, j <- below w]
+
+-- | The area of a polygon with these corners, negative where they are clockwise with y up.
+signedArea :: [(Double, Double)] -> Double
+signedArea corners =
+  sum [x * y' - x' * y | ((x, y), (x', y')) <- zip corners (drop 1 (cycle corners))] / 2
 
 -- | With a folder of its own, removed afterwards.
 inFolder :: (FilePath -> IO a) -> IO a

@@ -4,17 +4,22 @@ module Test.CommandLine.Emboss (spec) where
 
 import Codec.Picture
 import qualified Data.ByteString as Bytes
+import Data.ByteString.Builder (toLazyByteString)
 import qualified Data.ByteString.Char8 as Char8
+import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
 import Data.List (isInfixOf, isPrefixOf, isSuffixOf, sort, stripPrefix, tails)
 import Data.Maybe (mapMaybe)
 import Data.Traversable (for)
+import PraTactile.Format.Solid
+import PraTactile.Object.Mesh (fromDescription)
 import System.Directory
 import System.Exit (ExitCode (..))
 import System.Process (readProcessWithExitCode)
 import Test.CommandLine.Run
 import Test.Effort
 import Test.Hspec hiding (after)
+import Test.Solid.Drilled (ring)
 import Test.Support
 
 spec :: Spec
@@ -64,7 +69,9 @@ spec = do
   it "symbols on a net have the area of their taxels, also where faces with holes are cut" $
     inFolder $ \folder ->
       for_ [(160, True), (220, False)] $ \(wide, cut) -> do
-        writeFile (folder ++ "/ring.obj") (ring wide)
+        Lazy.writeFile
+          (folder ++ "/ring.obj")
+          (toLazyByteString (writtenBytes (writeSolid Obj (fromDescription (ring wide)))))
         (status, out, _) <-
           scripted folder $
             "rm -rf p.json net.svg nets; pra place ring.obj --output p.json > log 2>&1; "
@@ -75,7 +82,7 @@ spec = do
         let taxels = [read count | line <- lines out, (count, "raised") <- neighbours line]
             neighbours line = zip (words line) (drop 1 (words line))
         -- Four units are a millimetre, and a taxel is a sixteenth of 25.4 mm.
-        abs (sum (map areaOf (symbolsOn picture))) / 16 / (25.4 / 16) ^ (2 :: Int)
+        abs (sum (map signedArea (symbolsOn picture))) / 16 / (25.4 / 16) ^ (2 :: Int)
           `shouldSatisfy` \found -> [True] == [abs (one - found) < 0.5 | one <- taxels]
   it "objects and drawings go to a folder, each under a name of its own" $
     inFolder $ \folder -> do
@@ -247,7 +254,7 @@ spec = do
           -- Four units a millimetre.
           taxel = (4 * 1.5875) ^ (2 :: Int)
       length symbols `shouldBe` 120
-      sum (map (abs . areaOf) symbols) / taxel `shouldSatisfy` \taxels -> abs (taxels - 6480) < 0.1
+      sum (map (abs . signedArea) symbols) / taxel `shouldSatisfy` \taxels -> abs (taxels - 6480) < 0.1
       case numbers "viewBox=\"" of
         [[0, 0, wide, high]] ->
           concat symbols `shouldSatisfy` all (\(x, y) -> x > 0 && x < wide && y > 0 && y < high)
@@ -331,23 +338,6 @@ spec = do
     inPairs given = case given of
       x : y : others -> (x, y) : inPairs others
       _ -> [] :: [(Double, Double)]
-
--- | A square plate, 30 mm high, with a square hole 60 mm from its rim, as OBJ.
-ring :: Int -> String
-ring wide =
-  unlines
-    ( [unwords ("v" : map show [x, y, z]) | z <- [30, 0], (x, y) <- square 0 ++ square 60]
-        ++ ["f 1 2 3 4 1 5 8 7 6 5", "f 9 13 14 15 16 13 9 12 11 10"]
-        ++ ["f 1 9 10 2", "f 2 10 11 3", "f 3 11 12 4", "f 4 12 9 1"]
-        ++ ["f 5 6 14 13", "f 6 7 15 14", "f 7 8 16 15", "f 8 5 13 16"]
-    )
-  where
-    square from = let to = wide - from in [(from, from), (to, from), (to, to), (from, to)]
-
--- | The area of a polygon, negative where it is clockwise.
-areaOf :: [(Double, Double)] -> Double
-areaOf corners =
-  sum [x * y' - x' * y | ((x, y), (x', y')) <- zip corners (drop 1 (cycle corners))] / 2
 
 -- | A block of 110 mm, turned by the quaternion (7, 1, 2, 1), whose matrix has fractions over 55,
 -- and moved by 10^12 mm along some axes.

@@ -49,7 +49,7 @@ spec = do
       -- Four units are a millimetre.
       map (4 *) size `shouldSatisfy` and . zipWith near (drop 2 page)
       -- The faces have 2 (20 x 30 + 20 x 50 + 30 x 50) square millimetres.
-      area (pairs (points "cut" drawing)) `shouldSatisfy` near (16 * 6200)
+      abs (signedArea (pairs (points "cut" drawing))) `shouldSatisfy` near (16 * 6200)
   it "every picture is read by a program of another hand" $
     inFolder $ \folder -> do
       drawn folder
@@ -103,9 +103,6 @@ spec = do
           `shouldReturn` (0, "wrote " ++ folder </> name ++ "\n", "")
     near a b = abs (a - b) < 0.1 * max 1 (abs b / 1000)
     occurrences what text = length (filter (what `isPrefixOf`) (tails text))
-    area corners =
-      abs (sum [x * y' - x' * y | ((x, y), (x', y')) <- zip corners (drop 1 corners ++ corners)])
-        / 2
 
 pictures :: [(FilePath, [String])]
 pictures =

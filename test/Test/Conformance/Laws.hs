@@ -43,6 +43,14 @@ spec = do
       failingWith patient {settingStages = touchStages, settingCases = byEffort 4 12} library
     it "of this library's objects" $
       failingWith patient {settingStages = objectStages} library
+    whenFull . it "of this library's reports on solids, a hundred of each defect" $
+      failingWith
+        patient
+          { settingStages = objectStages,
+            settingRun = ["objects/solid-as-defined"],
+            settingCases = 1900
+          }
+        library
   it "laws have ids of their own" $ do
     let ids = map lawId openingLaws ++ map lawId laws ++ map lawId lawsWithoutProfile
     ids \\ nub ids `shouldBe` []

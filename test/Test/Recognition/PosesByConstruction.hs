@@ -40,6 +40,7 @@ import PraTactile.Shape (area, shapes)
 import qualified PraTactile.Symmetry as Symmetry
 import PraTactile.Truth (Truth (..), truthFrom)
 import qualified PraTactile.Truth as Truth
+import Test.Effort
 import Test.Hspec hiding (fit)
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (total)
@@ -179,14 +180,6 @@ entries (RigidMotion rows by) = concat rows ++ by
 
 spec :: Spec
 spec = do
-  prop "the pose of exact places is the true one to 1e-9, whatever the covariances" $
-    forAll genLying $ \lying ->
-      forAll (traverse (const (fst <$> genSpread)) (lyingPoints lying)) $ \spreads ->
-        let fit = rigidFit (seenAs lying (map ((,) (0, 0)) spreads))
-            pose = poseOf <$> frameOf' lying <*> fit
-         in counterexample (show pose) $
-              fmap ((< 1e-9) . farthest (entries (truePose lying)) . entries . poseMotion) pose
-                === Just True
   it "of 1000 draws, the squared distance in units of the covariance has the mean 3" $
     once . forAll (replicateM 1000 drawnDistance) $ \distances ->
       -- Of chi-square with three degrees of freedom the variance is 6.
@@ -219,34 +212,6 @@ spec = do
                     ++ [angle * fromRational part / size | part <- [x, y, z]]
              in farthest wanted (poseDifference (motion turned to) (Pose (motion rows from) []))
                   < 1e-9 * min 1 angle
-  prop "another origin of the robot moves the translation alone, a turned robot turns all" $
-    forAll genLying $ \lying ->
-      forAll ((,) <$> genRotation <*> replicateM 3 genLength) $ \(turn, by) ->
-        forAll (traverse (const (fst <$> genSpread)) (lyingPoints lying)) $ \spreads ->
-          case poseOf <$> frameOf' lying <*> rigidFit (seenAs lying (map ((,) (0, 0)) spreads)) of
-            Nothing -> counterexample "no pose" False
-            Just pose ->
-              let motion rows = RigidMotion (map (map fromRational) rows) (map fromRational by)
-                  there = thenPose (motion turn) pose
-                  here = thenPose (motion [[1, 0, 0], [0, 1, 0], [0, 0, 1]]) pose
-                  blocks = [line ++ none | line <- rounded] ++ [none ++ line | line <- rounded]
-                  rounded = map (map fromRational) turn
-                  none = [0, 0, 0]
-                  along c = [[sum (zipWith (*) line other) | other <- blocks] | line <- c]
-                  near a b = property (farthest a b < 1e-9)
-               in conjoin
-                    [ motionRows (poseMotion here) === motionRows (poseMotion pose),
-                      poseCovariance here === poseCovariance pose,
-                      near
-                        (concat (along (transpose (along (transpose (poseCovariance pose))))))
-                        (concat (transpose (poseCovariance there))),
-                      conjoin
-                        [ near
-                            (map fromRational (onPoint (turn, by) (onPoint (lyingInPlane lying) p)))
-                            (moved (poseMotion there) (onPoint (lyingInObject lying) p))
-                          | p <- lyingPoints lying
-                        ]
-                    ]
   prop "heights at one place of each taxel add up to the shape's area, and rise as they change" $
     forAll ((,) <$> choose (0, 1) <*> choose (0, 1)) $ \(u, v) ->
       conjoin
@@ -317,13 +282,15 @@ spec = do
         found -> expectationFailure (show (wanted, found))
   onRecognisers $ \array readers -> do
     it "ideal presses at any angle: the median is within 0.05 mm and 0.02 degrees" $ do
-      errors <- presses array (map snd (take 1 readers)) idealSensor Nothing 12
-      length errors `shouldBe` 12
+      let count = byEffort 4 12
+      errors <- presses array (map snd (take 1 readers)) idealSensor Nothing count
+      length errors `shouldBe` count
       median (map (\(far, _, _) -> far) errors) `shouldSatisfy` (< 0.05)
       median (map (\(_, degrees, _) -> degrees) errors) `shouldSatisfy` (< 0.02)
     it "noisy presses by an unsure robot: off by as much as the covariance says" $ do
-      errors <- presses array (map snd (take 1 readers)) standardSensor (Just 1) 24
-      length errors `shouldSatisfy` (>= 22)
+      let count = byEffort 8 24
+      errors <- presses array (map snd (take 1 readers)) standardSensor (Just 1) count
+      length errors `shouldSatisfy` (>= count - 2)
       let distances = map (\(_, _, distance) -> distance) errors
       -- 99 % of chi-square with three degrees of freedom is below 11.3.
       length (filter (< 11.3) distances) `shouldSatisfy` (>= length errors - 2)

@@ -14,6 +14,7 @@ module Test.Solid.Drilled
     drilledWith,
     plateOf,
     plates,
+    ring,
     bored,
   )
 where
@@ -81,6 +82,10 @@ plateOf it =
     numbers = [1 .. length (holes it)]
     corners k = [4 * k .. 4 * k + 3]
     walk = 0 : bored (map corners numbers) ++ [0 .. 3]
+
+-- | A square plate of this width, 30 mm high, with a square hole 60 mm from its rim.
+ring :: Rational -> Description
+ring wide = plateOf (drilledWith 30 (wide, wide) [(60, 60, wide - 60, wide - 60)])
 
 -- | Such plates, anywhere and in any direction.
 plates :: Gen Description

@@ -12,12 +12,14 @@ import Data.Ratio ((%))
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Array (Position (..), PseudorandomArray, Shape (..))
+import PraTactile.Conformance.Laws.Solids (moved)
 import PraTactile.Emboss
 import PraTactile.Emboss.Rounding
 import PraTactile.Explore (insidePolygon)
 import PraTactile.Field (KnownField)
 import PraTactile.Object.Canonical
-import PraTactile.Object.Cells (Grid (..), bestGrid)
+import PraTactile.Object.Cells (Grid (..), bestGrid, cellsOn)
+import PraTactile.Object.Frame (frameOf)
 import PraTactile.Object.Mesh hiding (named)
 import PraTactile.Object.Named
 import PraTactile.Object.Placement hiding (corner)
@@ -27,9 +29,11 @@ import PraTactile.Profile
 import PraTactile.Relief (classOn)
 import PraTactile.Shape
 import PraTactile.Shape.Outline (outlines)
+import Test.Effort
 import Test.Hspec hiding (before)
-import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (within)
+import Test.Recognition.Object.Support (layingFor)
 import Test.Solid.Drilled (drilledWith, plateOf)
 import Test.Support
 import Test.Touch.Paper (paperAlphabet)
@@ -51,7 +55,7 @@ spec = do
             `shouldBe` ([], [Just size])
           map componentEuler (reportComponents report) `shouldBe` [2]
           roundedMost it' `shouldBe` 0
-  modifyMaxSuccess (const 30) . prop "a point is in a plate if it is below its face or in a taxel" $
+  withCases 10 30 . prop "a point is in a plate if it is below its face or in a taxel" $
     withScene $ \array given layout laid ->
       forAll (elements [2, 3, 7 % 2]) $ \thick ->
         let Face object face = laidFace laid
@@ -64,7 +68,7 @@ spec = do
                    in forAll (vectorOf 60 (genPoint laid (fromRational thickness))) $ \points ->
                         conjoin
                           [counterexample (show p) (within surface p === defined p) | p <- points]
-  modifyMaxSuccess (const 30) . prop "a solid with symbols is one, of as many corners as it takes" $
+  withCases 10 30 . prop "a solid with symbols is one, of as many corners as it takes" $
     withScene $ \array given layout laid ->
       let object = faceObject (laidFace laid)
        in whenRight (embossed given array layout (WholeObject object)) $ \made ->
@@ -145,7 +149,7 @@ spec = do
     it "coordinates of 32 bits where symbols are too small for them" $
       withArray $ \array -> do
         given <- right paperAlphabet
-        far <- right (solid (shifted 100000000 (namedDescription (Box 30 40 5))))
+        far <- right (solid (moved (\(Point x y z) -> Point (x + 100000000) y z) (namedDescription (Box 30 40 5))))
         let top = Face "box" (readFaceName "V1 V2 V3 V4")
             laying = laidWhole top (Position 0 0) (Shape 1 1)
         layout <- right (placement (Shape 15 17) canonicalPitch [far] [laying])
@@ -157,7 +161,7 @@ spec = do
         given <- right paperAlphabet
         slanted <- right (solid (namedDescription (Tetrahedron 200)))
         let grid = gridOn canonicalPitch slanted 0
-        layout <- right (placement (Shape 15 17) canonicalPitch [slanted] [layingFor slanted grid])
+        layout <- right (placement (Shape 15 17) canonicalPitch [slanted] [layingFor slanted grid (gridCells grid)])
         made <- right (embossed given array layout (WholeObject "tetrahedron"))
         either show (const "") (rounded Fractions made) `shouldStartWith` "Irrational"
   where
@@ -220,17 +224,12 @@ slotted wide =
     outline = (0, 0) : map ((,) (100 + wide)) [0, 80] ++ slot ++ [(0, 80)]
     slot = [(50 + wide, 80), (50 + wide, 20), (50, 20), (50, 80)]
 
-shifted :: Rational -> Description -> Description
-shifted by body = body {describedVertices = map (fmap moved) (describedVertices body)}
-  where
-    moved (Point x y z) = Point (x + by) y z
-
 -- | The canonical array.
 withArray :: (forall k. KnownField k => PseudorandomArray k -> IO a) -> IO a
 withArray test = either (fail . show) id (withProfile canonicalProfile (\array _ -> test array))
 
--- | A face of some solid, laid on as many of its cells as the array has room for, with symbols of
--- some size, and shapes drawn by chance.
+-- | A face of some solid, laid somewhere on the array, amid the face or at a margin, on as many of
+-- its cells as there is room for, with symbols of some size, and shapes drawn by chance.
 withScene ::
   Testable p =>
   (forall k. KnownField k => PseudorandomArray k -> Alphabet -> Placement -> LaidFace -> p) ->
@@ -241,11 +240,27 @@ withScene test =
       forAll (elements solids) $ \which ->
         whenRight (solid which) $ \whole ->
           forAll (choose (0, V.length (meshWalks (solidMesh whole)) - 1)) $ \f ->
-            let between = Pitch (size * 127 / 5) (size * 127 / 4)
-                grid = gridOn between whole f
-             in not (null (usedCells grid))
-                  ==> whenRight (placement (Shape 15 17) between [whole] [layingFor whole grid])
-                  $ \layout -> conjoin (map (tested given layout) (laidFaces layout))
+            forAll ((,) <$> choose (0, 4) <*> choose (0, 4)) $ \(i, j) ->
+              forAll (elements [Centred, Centred, Margin 9 (11 / 3), Margin (size * 20) 5]) $
+                \anchor ->
+                  let between@(Pitch right' down) = Pitch (size * 127 / 5) (size * 127 / 4)
+                      grid = gridOn between whole f
+                      cells =
+                        [ (r, c)
+                          | Just frame <- [frameOf (solidMesh whole) (gridWalk grid)],
+                            (r, c) <-
+                              cellsOn frame (right', down) anchor (gridRows grid, gridColumns grid),
+                            r + i < 15,
+                            c + j < 17
+                        ]
+                      laying =
+                        (layingFor whole grid cells)
+                          { layAt = Position (fromInteger i) (fromInteger j),
+                            layAnchor = anchor
+                          }
+                   in not (null cells)
+                        ==> whenRight (placement (Shape 15 17) between [whole] [laying])
+                        $ \layout -> conjoin (map (tested given layout) (laidFaces layout))
   where
     solids =
       plateOf (drilledWith 40 (160, 190) [(30, 60, 70, 100), (90, 60, 130, 120)]) :
@@ -262,24 +277,6 @@ withScene test =
 gridOn :: Pitch -> Solid -> Int -> Grid
 gridOn (Pitch right' down) whole f =
   bestGrid (solidMesh whole) (right', down) (meshWalks (solidMesh whole) V.! f)
-
--- | The cells of a grid that the array has room for.
-usedCells :: Grid -> [(Integer, Integer)]
-usedCells grid = [(r, c) | (r, c) <- gridCells grid, r < 15, c < 17]
-
-layingFor :: Solid -> Grid -> Laying
-layingFor whole grid =
-  Laying
-    { layFace = Face (solidName whole) (FaceName (map name (U.toList (gridWalk grid)))),
-      layAt = Position 0 0,
-      layAnchor = Centred,
-      layBlock =
-        blockOf
-          (Shape (fromInteger (gridRows grid)) (fromInteger (gridColumns grid)))
-          [Position (fromInteger r) (fromInteger c) | (r, c) <- usedCells grid]
-    }
-  where
-    name = vertexAt (solidMesh whole)
 
 -- | Four shapes of rectangles and of holes in them, which meet nowhere at a corner only.
 genAlphabet :: Gen Alphabet

@@ -8,8 +8,8 @@ import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Ratio ((%))
 import qualified Data.Vector as V
-import qualified Data.Vector.Unboxed as U
-import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Array (Shape (..))
+import PraTactile.Conformance.Laws.Solids (moved)
 import PraTactile.Emboss
 import PraTactile.Emboss.Rounding
 import PraTactile.Format.Solid
@@ -24,6 +24,7 @@ import PraTactile.Profile
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck
+import Test.Recognition.Object.Support (layingFor)
 import Test.Support
 import Test.Touch.Paper (paperAlphabet)
 
@@ -118,7 +119,7 @@ described :: Body -> Description
 described body = case body of
   Upright -> block
   Slanted -> namedDescription (Tetrahedron 150)
-  Tilted -> block {describedVertices = map (fmap tilted) (describedVertices block)}
+  Tilted -> moved tilted block
   where
     block = namedDescription (Box 110 110 110)
     -- The rotation of the quaternion (7, 1, 2, 1), whose matrix has fractions over 55.
@@ -148,16 +149,12 @@ lens wide =
     sides = [("a", "b"), ("b", "c"), ("c", "d"), ("d", "a")]
 
 movedBy :: [Rational] -> Description -> Description
-movedBy way body = body {describedVertices = map (fmap moved) (describedVertices body)}
-  where
-    moved (Point x y z) = case zipWith (+) way [x, y, z] of
-      [x', y', z'] -> Point x' y' z'
-      _ -> Point x y z
+movedBy way = moved $ \(Point x y z) -> case zipWith (+) way [x, y, z] of
+  [x', y', z'] -> Point x' y' z'
+  _ -> Point x y z
 
 scaledBody :: Rational -> Description -> Description
-scaledBody k body = body {describedVertices = map (fmap larger) (describedVertices body)}
-  where
-    larger (Point x y z) = Point (k * x) (k * y) (k * z)
+scaledBody k = moved (\(Point x y z) -> Point (k * x) (k * y) (k * z))
 
 -- | A solid with one symbol on its first face, so much larger than the paper's.
 embossedOn :: Rational -> Description -> IO (Solid, Embossed)
@@ -167,19 +164,7 @@ embossedOn larger body = do
   let walk = V.head (meshWalks (solidMesh whole))
       between = Pitch (larger * 127 / 5) (larger * 127 / 4)
       grid = bestGrid (solidMesh whole) (larger * 127 / 5, larger * 127 / 4) walk
-      laying =
-        Laying
-          { layFace =
-              Face
-                (solidName whole)
-                (FaceName (map (vertexAt (solidMesh whole)) (U.toList (gridWalk grid)))),
-            layAt = Position 0 0,
-            layAnchor = Centred,
-            layBlock =
-              blockOf
-                (Shape (fromInteger (gridRows grid)) (fromInteger (gridColumns grid)))
-                [Position (fromInteger r) (fromInteger c) | (r, c) <- take 1 (gridCells grid)]
-          }
+      laying = layingFor whole grid (take 1 (gridCells grid))
   layout <- right (placement (Shape 15 17) between [whole] [laying])
   made <-
     right

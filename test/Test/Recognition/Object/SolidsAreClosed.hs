@@ -5,11 +5,13 @@ module Test.Recognition.Object.SolidsAreClosed (spec) where
 import Data.Either (isLeft)
 import Data.Foldable (for_)
 import Data.List (nub, sort)
+import PraTactile.Conformance.Laws.Solids (solids)
 import PraTactile.Object.Description (cyclicPairs, rotations)
 import PraTactile.Object.Named (Named (..), namedDescription)
 import PraTactile.Object.Solid
 import PraTactile.Object.Validity
 import PraTactile.Object.WingedEdge
+import Test.Effort
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
@@ -35,7 +37,7 @@ spec = describe "winged-edge models" $ do
       theCube $ \it_ ->
         sort [(sort [edgeStart e, edgeEnd e], sort [edgeLeft e, edgeRight e]) | e <- solidEdges it_]
           `shouldBe` sort (expectedEdges 'C')
-    lawsOf theCube
+    boxFacts theCube
 
   describe "the parallelepiped" $ do
     it "is 177.8 mm along P2 P3, 101.6 mm along P1 P2, 95.25 mm tall" $
@@ -54,7 +56,9 @@ spec = describe "winged-edge models" $ do
       theParallelepiped $ \it_ ->
         sort [(sort [edgeStart e, edgeEnd e], sort [edgeLeft e, edgeRight e]) | e <- solidEdges it_]
           `shouldBe` sort (expectedEdges 'P')
-    lawsOf theParallelepiped
+    boxFacts theParallelepiped
+
+  describe "any solid" lawsOfAny
 
   describe "names" $ do
     it "a face's name is read back as it is written" $
@@ -112,19 +116,16 @@ spec = describe "winged-edge models" $ do
                     }
              in reportDefects (examineDescription other) === []
 
--- What holds for every winged edge of every solid.
-lawsOf :: ((Solid -> Expectation) -> Expectation) -> Spec
-lawsOf given = do
+-- | What holds of every solid: of several pieces, with handles and cavities, and with faces that
+-- are not convex.
+lawsOfAny :: Spec
+lawsOfAny = withCases 10 100 $ do
   it "is a solid, and rebuilding it from its description gives it again" $
-    given $ \it_ -> do
+    ofAny $ \it_ -> do
       reportDefects (examineDescription (description it_)) `shouldBe` []
       solid (description it_) `shouldBe` Right it_
-  it "V - E + F = 8 - 12 + 6 = 2" $
-    given $ \it_ ->
-      (length (solidVertices it_), length (solidEdges it_), length (solidFaces it_))
-        `shouldBe` (8, 12, 6)
   it "every edge has two vertices and two faces, and both faces have both vertices" $
-    given $ \it_ ->
+    ofAny $ \it_ ->
       for_ (solidEdges it_) $ \edge -> do
         edgeStart edge `shouldNotBe` edgeEnd edge
         edgeLeft edge `shouldNotBe` edgeRight edge
@@ -132,7 +133,7 @@ lawsOf given = do
           filter (`elem` [edgeStart edge, edgeEnd edge]) (faceVertices face)
             `shouldSatisfy` ((== 2) . length)
   it "next leaves where the edge arrives, previous arrives where it leaves, on the same face" $
-    given $ \it_ ->
+    ofAny $ \it_ ->
       for_ (solidEdges it_) $ \edge -> do
         let wings = edgeWings edge
             on face named = named `elem` map edgeName (edgesOf it_ face)
@@ -147,26 +148,54 @@ lawsOf given = do
             wing `shouldNotBe` edgeName edge
             [a, b] `shouldSatisfy` elem vertex
   it "previous undoes next, and next goes round a face in as many steps as it has vertices" $
-    given $ \it_ ->
+    ofAny $ \it_ ->
       for_ [(edge, face) | face <- solidFaces it_, edge <- edgesOf it_ face] $ \(edge, face) -> do
         (follow it_ nextOn face edge >>= follow it_ previousOn face) `shouldBe` Just edge
         let round_ = iterate (>>= follow it_ nextOn face) (Just edge)
         take 1 (drop (length (faceVertices face)) round_) `shouldBe` [Just edge]
         length (nub (map (fmap edgeName) (take (length (faceVertices face)) round_)))
           `shouldBe` length (faceVertices face)
+  it "round a vertex its faces follow each other, each the neighbour of the one before" $
+    ofAny $ \it_ ->
+      for_ (solidVertices it_) $ \(vertex, _) -> do
+        let ring = facesAt it_ vertex
+        sort ring `shouldBe` sort (filter (elem vertex . faceVertices) (solidFaces it_))
+        for_ (zip ring (drop 1 (cycle ring))) $ \(face, next) ->
+          neighbours it_ face `shouldSatisfy` elem next
+  it "the neighbours of a face are those that have a side of it, the other way round" $
+    ofAny $ \it_ ->
+      for_ (solidFaces it_) $ \face ->
+        sort (neighbours it_ face)
+          `shouldBe` sort
+            [ other
+              | (a, b) <- cyclicPairs (faceVertices face),
+                other <- solidFaces it_,
+                (b, a) `elem` cyclicPairs (faceVertices other)
+            ]
+  where
+    ofAny law = forAll solids $ \drawn -> ioProperty (right (solid drawn) >>= law)
+    follow it_ step face edge = case [e | e <- solidEdges it_, edgeName e == step face edge] of
+      [found] -> Just found
+      _ -> Nothing
+    nextOn face edge = (if edgeLeft edge == face then leftNext else rightNext) (edgeWings edge)
+    previousOn face edge =
+      (if edgeLeft edge == face then leftPrevious else rightPrevious) (edgeWings edge)
+
+-- | What is known of a box.
+boxFacts :: ((Solid -> Expectation) -> Expectation) -> Spec
+boxFacts given = do
+  it "V - E + F = 8 - 12 + 6 = 2" $
+    given $ \it_ ->
+      (length (solidVertices it_), length (solidEdges it_), length (solidFaces it_))
+        `shouldBe` (8, 12, 6)
   it "every normal points away from the middle of the solid" $
     given $ \it_ ->
       for_ (solidFaces it_) $ \face -> do
         let away = middle (cornerPoints it_ face) `less` middle (map snd (solidVertices it_))
         outwardNormal (cornerPoints it_ face) `inner` away `shouldSatisfy` (> 0)
-  it "three faces meet at each vertex, each the neighbour of the one before" $
+  it "three faces meet at each vertex" $
     given $ \it_ ->
-      for_ (solidVertices it_) $ \(vertex, _) -> do
-        let ring = facesAt it_ vertex
-        sort ring `shouldBe` sort (filter (elem vertex . faceVertices) (solidFaces it_))
-        length ring `shouldBe` 3
-        for_ (zip ring (drop 1 (cycle ring))) $ \(face, next) ->
-          neighbours it_ face `shouldSatisfy` elem next
+      map (length . facesAt it_ . fst) (solidVertices it_) `shouldBe` replicate 8 3
   it "the neighbours of a face are all others but the opposite one, which shares no vertex" $
     given $ \it_ ->
       for_ (solidFaces it_) $ \face ->
@@ -183,12 +212,6 @@ lawsOf given = do
       neighbours it_ (readFaceName "X Y Z") `shouldBe` []
       facesAt it_ "X" `shouldBe` []
   where
-    follow it_ step face edge = case [e | e <- solidEdges it_, edgeName e == step face edge] of
-      [found] -> Just found
-      _ -> Nothing
-    nextOn face edge = (if edgeLeft edge == face then leftNext else rightNext) (edgeWings edge)
-    previousOn face edge =
-      (if edgeLeft edge == face then leftPrevious else rightPrevious) (edgeWings edge)
     middle points = scaled (1 / fromIntegral (length points)) (foldr add (Point 0 0 0) points)
     scaled k (Point a b c) = Point (k * a) (k * b) (k * c)
     add (Point a b c) (Point d e f) = Point (a + d) (b + e) (c + f)

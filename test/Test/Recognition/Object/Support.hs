@@ -14,15 +14,21 @@ module Test.Recognition.Object.Support
     everyPosition,
     owners,
     expectedWhereabouts,
+
+    -- * Any solid
+    layingFor,
   )
 where
 
 import qualified Data.Map.Strict as Map
 import Data.Maybe (mapMaybe)
 import Data.Ratio ((%))
+import qualified Data.Vector.Unboxed as U
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Canonical (canonicalPlacement)
+import PraTactile.Object.Cells (Grid (..))
+import PraTactile.Object.Mesh (vertexAt)
 import PraTactile.Object.Placement hiding (Block (..), blockCells)
 import PraTactile.Object.Solid (cube, parallelepiped)
 import PraTactile.Object.WingedEdge
@@ -129,3 +135,18 @@ expectedWhereabouts (Shape high wide) (Position r c) = case traverse cellOwner o
             local
             (spotAt (x % 2000) (y % 2000))
             [vertex | (vertex, at) <- vertices, away at == nearest]
+
+-- | A face laid on some of the cells of its grid, from the upper left cell of the array on.
+layingFor :: Solid -> Grid -> [(Integer, Integer)] -> Laying
+layingFor whole grid cells =
+  Laying
+    { layFace = Face (solidName whole) (FaceName (map name (U.toList (gridWalk grid)))),
+      layAt = Position 0 0,
+      layAnchor = Centred,
+      layBlock =
+        blockOf
+          (Shape (fromInteger (gridRows grid)) (fromInteger (gridColumns grid)))
+          [Position (fromInteger r) (fromInteger c) | (r, c) <- cells]
+    }
+  where
+    name = vertexAt (solidMesh whole)

@@ -24,9 +24,9 @@ import Test.QuickCheck
 -- | A window of a placement, mostly near what is laid.
 windowOn :: Mapped -> Gen (Question WhereaboutsReport)
 windowOn mapped = do
-  window <- Shape <$> side <*> side
-  at <- frequency ((1, anywhere) : [(4, near' cells) | cells@(_ : _) <- [taken]])
-  pure (Whereabouts mapped window at)
+  window <- (,) <$> side <*> side
+  at <- frequency ((1, anywhere) : [(4, near' window cells) | cells@(_ : _) <- [taken]])
+  pure (Whereabouts mapped (uncurry Shape window) at)
   where
     Shape high wide = mappedShape mapped
     side = fromInteger <$> frequency [(3, chooseInteger (1, 2)), (1, chooseInteger (1, 4))]
@@ -35,9 +35,11 @@ windowOn mapped = do
       oneof
         [Position <$> upTo (3 * high) <*> upTo (3 * wide), Position <$> anyNatural <*> anyNatural]
     upTo n = fromInteger <$> chooseInteger (0, toInteger n)
-    near' cells = do
+    -- A corner of the window is on what is laid, or just beyond.
+    near' (tall, broad) cells = do
       (r, c) <- elements cells
-      (i, j) <- (,) <$> chooseInteger (0, 1) <*> chooseInteger (0, 1)
+      i <- toInteger <$> elements [0, 1, tall - 1, tall]
+      j <- toInteger <$> elements [0, 1, broad - 1, broad]
       pure (Position (fromInteger (max 0 (r - i))) (fromInteger (max 0 (c - j))))
 
 -- | The cells of the array that a laying takes.
@@ -54,7 +56,12 @@ placements = do
   (high, wide) <- (,) <$> chooseInteger (1, 9) <*> chooseInteger (1, 9)
   pitch@(right, _) <- elements [(1, 1), (127 / 5, 127 / 4), (3 / 2, 2)]
   count <- chooseInt (1, 3)
-  objects <- mapM (body right) [1 .. count]
+  drawn <- mapM (body right) [1 .. count]
+  -- Half of the time they are of one form and size.
+  alike <- arbitrary
+  let objects
+        | alike = [it {describedName = describedName other} | it <- take 1 drawn, other <- drawn]
+        | otherwise = drawn
   walks <-
     nub
       <$> vectorOf
