@@ -153,7 +153,7 @@ import qualified Test.Touch.Classification.DescentByRule
 import qualified Test.Touch.Classification.EstimatesByPosterior
 import qualified Test.Touch.Classification.FirstWeightsByFormula
 import qualified Test.Touch.Classification.GradientByDifferences
-import qualified Test.Touch.Classification.NetworkByDefinition
+import qualified Test.Touch.Classification.NetworksAndVerdicts
 import qualified Test.Touch.Classification.OtherShapes
 import qualified Test.Touch.Classification.PaperExperiment
 import qualified Test.Touch.Classification.SpecimensOfEachKind
@@ -313,7 +313,7 @@ together = do
     describe "Drawings checked" Test.Touch.Shape.CheckedDrawings.spec
     describe "Outlines" Test.Touch.Shape.OutlinesByDefinition.spec
     describe "What recognising is made of" Test.Touch.Classification.EstimatesByPosterior.spec
-    describe "The network" Test.Touch.Classification.NetworkByDefinition.spec
+    describe "The network" Test.Touch.Classification.NetworksAndVerdicts.spec
     describe "Training" Test.Touch.Classification.GradientByDifferences.spec
     describe "Training step by step" Test.Touch.Classification.DescentByRule.spec
     describe "Other shapes" Test.Touch.Classification.OtherShapes.spec

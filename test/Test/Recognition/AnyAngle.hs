@@ -7,14 +7,12 @@ import Data.List (sort)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, mapMaybe)
 import PraTactile.Array
-import PraTactile.Classification.Reader (readerOf)
+import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Composite.Tilt
-import PraTactile.Field (KnownField, toCode)
+import PraTactile.Field (KnownField)
 import PraTactile.Geometry (symbolThickness)
 import PraTactile.Image
-import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
-import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Recognition (preferred)
@@ -32,17 +30,14 @@ import PraTactile.Segmentation (SymbolImage (..), onComposite)
 import PraTactile.Sensor (HeightMap (..))
 import PraTactile.Sensor.Frame (Motion (..), movePoint, taxelPitch)
 import PraTactile.Sensor.Manifest (axesNamed, straight)
-import PraTactile.Shape
 import PraTactile.Symmetry
 import Test.Code.Locate.OtherPolynomials
+import Test.Effort (byEffort, withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (classes, generate, tolerance)
-import qualified Test.QuickCheck as QuickCheck
-import Test.QuickCheck.Gen (unGen)
-import Test.QuickCheck.Random (mkQCGen)
+import Test.Recognition.Setting
 import Test.Recognition.Symbols
-import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 spec :: Spec
 spec = do
@@ -50,20 +45,9 @@ spec = do
   describe "a composite set upright" uprightSpec
   describe "the tilt of symbols on a grid" gridSpec
   describe "symbols read as they are, or set upright" preferredSpec
-  either (it "the shipped parts fit together" . expectationFailure) id $ do
-    layout <- shown canonicalPlacement
-    net <- shown paperNetwork
-    alphabetOfAll <- shown paperAlphabet
-    shown $
-      withProfile canonicalProfile $ \array mask ->
-        case recogniser (ArrayOn Torus array) mask layout (readerOf alphabetOfAll net) of
-          Left e -> it "the canonical array has a recogniser" (expectationFailure (show e))
-          Right reader -> do
-            describe "a face at any angle" (angleSpec array reader alphabetOfAll)
-            describe "what is none of the array's" (foreignSpec array reader alphabetOfAll)
-  where
-    shown :: Show e => Either e a -> Either String a
-    shown = either (Left . show) Right
+  onPaper $ \setting -> do
+    describe "a face at any angle" (angleSpec setting)
+    describe "what is none of the array's" (foreignSpec setting)
 
 gridSpec :: Spec
 gridSpec = do
@@ -189,9 +173,9 @@ uprightSpec = do
     rasterDistance a b = either (const (1 / 0)) biggest (zipRaster (\u v -> abs (u - v)) a b)
     biggest image = fromMaybe 0 (maximumValue image)
 
-angleSpec :: KnownField k => PseudorandomArray k -> Recogniser k -> Alphabet -> Spec
-angleSpec array reader alphabetOfAll =
-  modifyMaxSuccess (const 30) $
+angleSpec :: KnownField k => Setting k -> Spec
+angleSpec setting =
+  withCases 3 30 $
     prop "is read: object, face, place, and the angle to two degrees" $
       forAllShow (elements faces) (show . laidFace . fst) $ \(face, heights) ->
         forAll (choose (0, 360)) $ \angle ->
@@ -201,12 +185,8 @@ angleSpec array reader alphabetOfAll =
              in counterexample (either show (show . recognisedAnswer) recognition) $
                   either (const False) (isTrue face motion angle) recognition
   where
-    layout = recogniserPlacement reader
-    faces =
-      [ (face, heights)
-        | face <- laidFaces layout,
-          Right heights <- [relief array layout alphabetOfAll face]
-      ]
+    reader = recogniserOf setting
+    faces = facesFelt setting
     (wide, high) = (40, 52) :: (Int, Int)
     -- From the pixels' coordinates, in millimetres, to the face's: the middle of the image lies on
     -- the face where the shares say, far enough from its sides that a window is seen whole.
@@ -252,8 +232,8 @@ angleSpec array reader alphabetOfAll =
        in abs (off - 90 * fromIntegral (round (off / 90) :: Int)) < 3.5
     remainder d = d - 360 * fromIntegral (round (d / 360) :: Int)
 
-foreignSpec :: KnownField k => PseudorandomArray k -> Recogniser k -> Alphabet -> Spec
-foreignSpec array reader alphabetOfAll = do
+foreignSpec :: KnownField k => Setting k -> Spec
+foreignSpec setting = do
   it "is as likely, of four clear symbols, as Bayes' theorem has it for each share" $
     for_ [0.001, 0.005, 0.3] $ \share ->
       for_ [Position 0 0, Position 6 5, Position 14 16] $ \place -> do
@@ -365,31 +345,32 @@ foreignSpec array reader alphabetOfAll = do
             reader
             [here {compositeContradiction = Just AgreeingNowhere}]
     fmap recognisedAnswer told `shouldBe` Right (Left (FramesContradict AgreeingNowhere))
-  it "of arrangements of six symbols, half of them foreign, as many are wrong as is told" $ do
-    let drawn = unGen ((++) <$> vectorOf 100 byChance <*> vectorOf 100 ofOthers) (mkQCGen 5) 30
+  it "of arrangements of six symbols, half of them foreign, as many are wrong as is told" $
+    let count = byEffort 40 100
         byChance = vectorOf 2 (vectorOf 3 (choose (0, 3)))
         ofOthers = do
-          other <- QuickCheck.elements (byOtherPolynomials array)
-          classesOf other 2 3 <$> QuickCheck.elements everywhere
+          other <- elements (byOtherPolynomials array)
+          classesOf other 2 3 <$> elements everywhere
         tolerant = standardTolerance {foreignPrior = 0.5, toleratedDoubt = 0.999}
-        located = mapMaybe (doubtIn tolerant) drawn
-        true = mapMaybe (doubtIn tolerant . ours 2 3) (take 200 everywhere)
-        wrong = fromIntegral (length located)
-        expected = sum (located ++ true)
-    length true `shouldBe` 200
-    abs (wrong - expected) `shouldSatisfy` (<= 3 * sqrt expected)
+        true = mapMaybe (doubtIn tolerant . ours 2 3) (take (2 * count) everywhere)
+     in once . forAllBlind ((++) <$> vectorOf count byChance <*> vectorOf count ofOthers) $
+          \arrangements ->
+            let located = mapMaybe (doubtIn tolerant) arrangements
+                wrong = fromIntegral (length located)
+                expected = sum (located ++ true)
+             in length true === 2 * count
+                  .&&. counterexample
+                    (show (wrong, expected))
+                    (abs (wrong - expected) <= 5 * sqrt (expected + 1))
   where
     ours = classesOf array
-    classesOf from h w (Position r c) =
-      [ [toCode (cellAt from (Position (r + i) (c + j))) | j <- naturalsBelow w]
-        | i <- naturalsBelow h
-      ]
+    array = settingArray setting
+    reader = recogniserOf setting
     axesDoubt composites = do
       found <- either (const Nothing) Just (recogniseWith standardTolerance reader composites)
       doubtOfAxes . supportDoubts <$> recognisedSupport found
     acrossNegated = fromMaybe straight (lookup "-x,y" axesNamed)
     near' tolerance expected = maybe False (near tolerance expected)
-    everywhere = [Position r c | r <- [0 .. 14], c <- [0 .. 16]]
     near tolerance expected told = abs (told - expected) < tolerance
     seen tolerance classes =
       either (const Nothing) Just (recogniseWith tolerance reader [compositeOf (drawing classes)])
@@ -404,12 +385,4 @@ foreignSpec array reader alphabetOfAll = do
       recognition <- seen tolerance classes
       support <- recognisedSupport recognition
       if isFound recognition then Just (supportDoubt support) else Nothing
-    -- The symbols as they are on a face, each in the middle of its cell.
-    drawing classes =
-      generate (16 * maximum (map length classes)) (20 * length classes) $ \x y ->
-        let (j, u) = x `divMod` 16
-            (i, v) = y `divMod` 20
-         in case concatMap (take 1 . drop j) (take 1 (drop i classes)) of
-              c : _
-                | Right shape <- shapeOf alphabetOfAll c, embossedAt shape (u - 4) (v - 4) -> 1
-              _ -> 0
+    drawing = drawingOf (readerAlphabet (settingReader setting)) . asDrawn

@@ -8,8 +8,6 @@ import Data.Foldable (for_)
 import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
 import PraTactile.Array hiding (toRows)
-import PraTactile.Classification.Network (Network)
-import PraTactile.Classification.Reader (readerOf)
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField, toCode)
@@ -34,18 +32,15 @@ import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Recogniser
 import PraTactile.Relief
 import PraTactile.Sensor
-import PraTactile.Shape (Alphabet)
 import PraTactile.Symmetry
-import PraTactile.Window (Mask)
 import System.Random (mkStdGen)
+import Test.Effort (byEffort, withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (tolerance)
-import Test.Recognition.EveryAlphabet (locatedAround)
 import Test.Recognition.Scenes
+import Test.Recognition.Setting
 import Test.Recognition.Symbols
 import Test.Support
-import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 spec :: Spec
 spec = do
@@ -90,46 +85,44 @@ plateSpec = do
 
 reliefSpec :: Spec
 reliefSpec = do
-  modifyMaxSuccess (const 60) $
+  withCases 7 60 $
     it "a region is felt by the relief under it as by the whole face's, to the bit" $
       forAll ((,) <$> elements sensors <*> pure Nothing) $
         feltAlike ((,) <$> choose (18, 70) <*> choose (18, 90))
-  modifyMaxSuccess (const 40) $
+  withCases 5 40 $
     it "so also bent, by a narrow sensor that is turned anyhow and comes down on all of it" $
       forAll ((,) soft . Just <$> (Bend (1.001 * leastRadius soft) <$> elements [minBound ..])) $
         feltAlike ((,) <$> choose (18, 40) <*> choose (30, 60))
   it "what is drawn is the whole's rows and columns" $
-    withParts $ \array _ alphabet _ ->
-      whenRight (platePlacement (Shape 15 17)) $ \plate ->
-        forAllBlind (elements (laidFaces plate)) $ \face ->
-          whenRight (relief array plate alphabet face) $ \whole ->
-            forAll ((,) <$> choose (0, 200) <*> choose (0, 200)) $ \at ->
-              forAll ((,) <$> choose (1, 70) <*> choose (1, 90)) $ \size ->
-                fmap toRows (crop at size (heightValues (reliefHeights whole)))
-                  === Right (toRows (reliefDrawn whole at size))
+    whenRight (platePlacement (Shape 15 17)) $ \plate ->
+      onArray canonicalProfile plate paperReader $ \setting ->
+        forAllBlind (elements (facesFelt setting)) $ \(_, whole) ->
+          forAll ((,) <$> choose (0, 200) <*> choose (0, 200)) $ \at ->
+            forAll ((,) <$> choose (1, 70) <*> choose (1, 90)) $ \size ->
+              fmap toRows (crop at size (heightValues (reliefHeights whole)))
+                === Right (toRows (reliefDrawn whole at size))
   it "of a plate of four million cells no more is drawn than the region and what surrounds it" $
-    withLarge $ \array _ alphabet _ plate ->
+    withLarge $ \setting ->
       forAll (choose (1, 99999)) $ \seed ->
-        forAllBlind (elements (laidFaces plate)) $ \face ->
-          whenRight (relief array plate alphabet face) $ \whole ->
-            let (region, _) = drawnRegion AnyAngle (80, 80) face (mkStdGen seed)
-                (w, h) = rasterSize (heightValues (heightsUnder standardSensor region whole))
-             in counterexample (show (w, h)) (w <= 160 && h <= 160)
+        forAllBlind (elements (facesFelt setting)) $ \(face, whole) ->
+          let (region, _) = drawnRegion AnyAngle (80, 80) face (mkStdGen seed)
+              (w, h) = rasterSize (heightValues (heightsUnder standardSensor region whole))
+           in counterexample (show (w, h)) (w <= 160 && h <= 160)
   where
     feltAlike sizes (sensor, bend) =
       forAll ((,) <$> choose (1, 99999) <*> sizes) $ \(seed, size) ->
-        forAll genTurns $ \turns -> withParts $ \array _ alphabet _ ->
-          onAnyFace $ \layout face ->
-            whenRight (relief array layout alphabet face) $ \flat ->
-              let whole = flat {reliefBend = bend}
-                  (region, g) = drawnRegion turns size face (mkStdGen seed)
-                  moved = onRelief whole region
-                  frames heights = fst <$> exploreWith sensor 13 (flawless sensor) heights moved g
-               in frames (heightsUnder sensor region whole) === frames (reliefHeights whole)
+        forAll genTurns $ \turns ->
+          onAnyFace $ \(face, flat) ->
+            let whole = flat {reliefBend = bend}
+                (region, g) = drawnRegion turns size face (mkStdGen seed)
+                moved = onRelief whole region
+                frames heights = fst <$> exploreWith sensor 13 (flawless sensor) heights moved g
+             in frames (heightsUnder sensor region whole) === frames (reliefHeights whole)
     genTurns = oneof [AmongTurns . pure <$> elements rotations, TurnedBy <$> choose (0, 360)]
     onAnyFace test =
       whenRight (sequence [canonicalPlacement, platePlacement (Shape 15 17)]) $ \layouts ->
-        forAllBlind (elements [(on, face) | on <- layouts, face <- laidFaces on]) (uncurry test)
+        forAllBlind (elements layouts) $ \layout ->
+          onArray canonicalProfile layout paperReader (\setting -> forAllBlind (elements (facesFelt setting)) test)
     sensors =
       [ idealSensor,
         standardSensor {sensorPositionError = 3, sensorRotationError = 4},
@@ -145,55 +138,24 @@ reliefSpec = do
           sensorStiffness = 0.001
         }
 
--- | The paper's array with its window, the shapes and the network.
-withParts ::
-  Testable p =>
-  (forall k. KnownField k => PseudorandomArray k -> Mask -> Alphabet -> Network -> p) ->
-  Property
-withParts test =
-  whenRight ((,) <$> shown paperAlphabet <*> shown paperNetwork) $ \(alphabet, net) ->
-    whenRight
-      (withProfile canonicalProfile (\array mask -> property (test array mask alphabet net)))
-      id
-
--- | An array of 2047 x 2049 cells with its window of 3 x 4, likewise, and its plate.
-withLarge :: Testable p => OnPlate p -> Property
+-- | An array of 2047 x 2049 cells with its window of 3 x 4, and its plate.
+withLarge :: Testable p => (forall k. KnownField k => Setting k -> p) -> Property
 withLarge = withPlate choice {chosenWindow = Just (Shape 3 4)}
   where
     choice = profileChoice 4 polynomial (Shape 2047 2049)
     polynomial = [2, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1]
 
--- | What is tried with an array, its window, the shipped alphabet and network, and the plate.
-type OnPlate p =
-  forall k.
-  KnownField k =>
-  PseudorandomArray k ->
-  Mask ->
-  Alphabet ->
-  Network ->
-  Placement ->
-  p
-
--- | An array over GF(4), likewise, and its plate.
-withPlate :: Testable p => ProfileChoice -> OnPlate p -> Property
+-- | An array over GF(4) and its plate.
+withPlate :: Testable p => ProfileChoice -> (forall k. KnownField k => Setting k -> p) -> Property
 withPlate choice test =
-  whenRight ((,,) <$> shown paperAlphabet <*> shown paperNetwork <*> shown plated) $
-    \(alphabet, net, (profile, plate)) ->
-      whenRight
-        (withProfile profile (\array mask -> property (test array mask alphabet net plate)))
-        id
-  where
-    plated = do
-      profile <- shown (chooseProfile choice)
-      (,) profile <$> shown (platePlacement (profileShape profile))
-
-shown :: Show e => Either e a -> Either String a
-shown = either (Left . show) Right
+  whenRight (chooseProfile choice) $ \profile ->
+    whenRight (platePlacement (profileShape profile)) $ \plate ->
+      onArray profile plate paperReader (\setting -> property (test setting))
 
 decoderSpec :: Spec
 decoderSpec = do
   for_ arrays $ \(name, profile, surfaces) ->
-    modifyMaxSuccess (const 60) $
+    withCases 7 60 $
       it ("a grid is where comparing with all positions has it: " ++ name) $
         forAll (elements surfaces) $ \surface ->
           onBothRoads profile surface $ \array reader without ->
@@ -226,20 +188,16 @@ decoderSpec = do
                   _ -> False
             ]
   it "an array on a surface that is foreign to it has no recogniser without a codebook" $
-    withParts $ \array mask alphabet net ->
-      whenRight canonicalPlacement $ \layout ->
-        let refused most =
-              either Just (const Nothing) $
-                recogniserUpTo most (ArrayOn TwistedTorus array) mask layout (readerOf alphabet net)
-         in [refused 255, refused 254]
-              === [ Nothing,
-                    Just (RecogniserArray (LocatorPatch (TooManyPlaces 255 254)))
-                  ]
+    onPaper $ \(Setting array mask layout symbols) ->
+      let refused most =
+            either Just (const Nothing) $
+              recogniserUpTo most (ArrayOn TwistedTorus array) mask layout symbols
+       in [refused 255, refused 254]
+            === [Nothing, Just (RecogniserArray (LocatorPatch (TooManyPlaces 255 254)))]
   it "a press costs what was touched from 2^16 cells on, unless nothing but comparing leads there" $
     once . conjoin $
-      [ withPlate choice $ \array mask alphabet net plate ->
-          let made = recogniser (ArrayOn surface array) mask plate (readerOf alphabet net)
-           in (shown made >>= shown . decoderOfProbabilities . recogniserLocator) === Right decoder
+      [ withPlate choice $ \setting ->
+          decoderOfProbabilities (recogniserLocator (recogniserOn surface setting)) === Right decoder
         | (choice, surface, decoder) <- decoders
       ]
   where
@@ -279,20 +237,10 @@ onBothRoads ::
   (forall k. KnownField k => PseudorandomArray k -> Recogniser k -> Recogniser k -> p) ->
   Property
 onBothRoads profile surface test =
-  whenRight parts $ \(nothingLaid, alphabet, net) ->
-    whenRight
-      ( withProfile profile $ \array mask ->
-          let made most =
-                recogniserUpTo most (ArrayOn surface array) mask nothingLaid (readerOf alphabet net)
-           in whenRight ((,) <$> made (2 ^ (20 :: Int)) <*> made 0) (uncurry (test array))
-      )
-      id
-  where
-    parts =
-      (,,)
-        <$> shown (placement (profileShape profile) canonicalPitch [] [])
-        <*> shown paperAlphabet
-        <*> shown paperNetwork
+  whenRight (placement (profileShape profile) canonicalPitch [] []) $ \nothingLaid ->
+    onArray profile nothingLaid paperReader $ \(Setting array mask _ symbols) ->
+      let made most = recogniserUpTo most (ArrayOn surface array) mask nothingLaid symbols
+       in whenRight ((,) <$> made (2 ^ (20 :: Int)) <*> made 0) (property . uncurry (test array))
 
 -- | What is found without a codebook beside what is found with it: what it places is there; its
 -- doubts are those, or more; and where it places nothing, more than half of what is tolerated is in
@@ -316,26 +264,23 @@ agreeing tolerated exact bounded = case (locationOutcome exact, locationOutcome 
 pressSpec :: Spec
 pressSpec = do
   it "in its corners and along its edges are located: the paper's array" $
-    withParts $ \array mask alphabet net ->
-      whenRight (platePlacement (Shape 15 17)) $ \plate ->
-        locatedAround array mask (readerOf alphabet net) plate (40, 52)
+    whenRight (platePlacement (Shape 15 17)) $ \plate ->
+      onArray canonicalProfile plate paperReader (`locatedAround` (40, 52))
   it "in its corners and along its edges are located: 2047 x 2049 cells" $
-    withLarge $ \array mask alphabet net plate ->
-      locatedAround array mask (readerOf alphabet net) plate (80, 80)
+    withLarge (`locatedAround` (80, 80))
 
 edgeSpec :: Spec
 edgeSpec =
   it "are right or refused, and most are right" $
-    withParts $ \array mask alphabet net ->
-      whenRight (shown canonicalPlacement) $ \layout ->
-        whenRight (recogniser (naturally array) mask layout (readerOf alphabet net)) $ \reader ->
-          let how = standardExperiment standardSensor
-              exploring = exploration standardSensor AnyAngle (110, 66)
-              results =
-                evaluated
-                  how {experimentPresses = 12, experimentExploration = exploring}
-                  array
-                  reader
-           in once . whenRight (shown results) $ \found ->
-                let counted = tally (map withStitching found)
-                 in (tallyWrong counted, tallyRight counted >= 10) === (0, True)
+    onPaper $ \setting ->
+      let count = byEffort 3 12
+          how = standardExperiment standardSensor
+          exploring = exploration standardSensor AnyAngle (110, 66)
+          results =
+            evaluated
+              how {experimentPresses = count, experimentExploration = exploring}
+              (settingArray setting)
+              (recogniserOf setting)
+       in once . whenRight results $ \found ->
+            let counted = tally (map withStitching found)
+             in (tallyWrong counted, 6 * tallyRight counted >= 5 * count) === (0, True)

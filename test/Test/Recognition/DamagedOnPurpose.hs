@@ -12,58 +12,39 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Classification.Calibration (standardCalibration)
 import PraTactile.Classification.Estimate
-import PraTactile.Classification.Network (Network)
 import PraTactile.Classification.Part
-import PraTactile.Classification.Reader (readerOf)
+import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Classification.Templates
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field
 import PraTactile.Image
 import PraTactile.Locate (Radius (..), Reason (..))
-import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.Radicals
-import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Registration hiding (stitch)
-import PraTactile.Relief (relief)
+import PraTactile.Relief (classOn)
 import PraTactile.Segmentation
 import PraTactile.Sensor
 import PraTactile.Sensor.Frame (movePoint, taxelPitch)
 import PraTactile.Shape hiding (area)
 import PraTactile.Symmetry
-import PraTactile.Window
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (generate, tolerance)
-import Test.Touch.Paper (paperAlphabet, paperNetwork, stitch)
+import Test.Recognition.Setting
+import Test.Support (below, rowsOf)
+import Test.Touch.Paper (stitch)
 
 spec :: Spec
-spec = either (it "the shipped parts fit together" . expectationFailure) id $ do
-  alphabetOfAll <- shown paperAlphabet
-  net <- shown paperNetwork
-  layout <- shown canonicalPlacement
-  shown $
-    withProfile canonicalProfile $ \array mask -> do
-      damageSpec alphabetOfAll layout net array mask
-      doubtSpec alphabetOfAll layout net array mask
-  where
-    shown :: Show e => Either e a -> Either String a
-    shown = either (Left . show) Right
+spec = onPaper $ \setting -> do
+  damageSpec setting
+  doubtSpec setting
 
--- | What stands in a cell: a class, and how its shape is changed; nothing is left blank.
-type Drawn = [[Maybe (Int, Raster -> Raster)]]
-
-damageSpec ::
-  KnownField k =>
-  Alphabet ->
-  Placement ->
-  Network ->
-  PseudorandomArray k ->
-  Mask ->
-  Spec
-damageSpec alphabetOfAll layout net array mask = do
+damageSpec :: KnownField k => Setting k -> Spec
+damageSpec setting = do
   describe "missing symbols" $ do
     it "of a 3 x 3 block any four may be missing that leave four independent ones" $
       for_ (zip (choose4 [0 .. 8]) (cycle [Position 1 1, Position 5 6, Position 14 16])) $
@@ -90,7 +71,7 @@ damageSpec alphabetOfAll layout net array mask = do
           length (catMaybes (concat (windowClasses (foundWindow found)))) `shouldBe` 2
         _ -> expectationFailure "not located"
     it "symbols along an edge of a face are on that face, whichever windows they fill" $ do
-      told <- mapM told' (concatMap edges (laidFaces layout))
+      told <- mapM told' (concatMap edges (laidFaces (settingLayout setting)))
       [(face, spot, which) | (face, spot, Just which) <- told, which /= Just face] `shouldBe` []
       length [() | (_, _, Just _) <- told] `shouldSatisfy` (> 20)
   describe "wrong symbols" $ do
@@ -117,14 +98,14 @@ damageSpec alphabetOfAll layout net array mask = do
     it "a radius beyond the guaranteed one answers more, at the caller's risk" $ do
       let damaged = changing 0 (otherBy 1) (cells 2 3 (Position 7 9))
           lax = Tolerance 0.9 (UpTo 1) 0 Nothing 0
-      answer <- recognisedAnswer <$> recognisedWith lax [compositeOf (drawing damaged)]
+      answer <- recognisedAnswer <$> recognisedWith lax [shown damaged]
       answer `shouldSatisfy` either (const False) (const True)
     it "no doubt tolerated, no answer" $ do
       answer <-
         recognisedAnswer
           <$> recognisedWith
             (Tolerance 0 Guaranteed 0 Nothing 0)
-            [compositeOf (drawing (cells 2 2 (Position 6 5)))]
+            [shown (cells 2 2 (Position 6 5))]
       either Just (const Nothing) answer `shouldBe` Just (NotLocated BelowThreshold)
     it "all zeros are refused: zero-window" $ do
       answer <- read' (replicate 2 (replicate 2 (Just (0, id))))
@@ -138,12 +119,12 @@ damageSpec alphabetOfAll layout net array mask = do
       either Just (const Nothing) alone `shouldBe` Just (NotLocated NoCompleteWindow)
     it "a group that is no whole number of cells away contradicts the grid" $ do
       let image = beside 8 (drawing (cells 2 2 (Position 6 5))) (drawing (cells 2 2 (Position 6 8)))
-      answer <- recognisedAnswer <$> recognisedWith standardTolerance [compositeOf image]
+      answer <- answerTo [compositeOf image]
       either Just (const Nothing) answer `shouldBe` Just GridContradicts
     it "whole groups that lead to different places are named as that" $ do
       let image =
             beside 16 (drawing (cells 2 2 (Position 6 5))) (drawing (cells 2 2 (Position 2 2)))
-      answer <- recognisedAnswer <$> recognisedWith standardTolerance [compositeOf image]
+      answer <- answerTo [compositeOf image]
       either Just (const Nothing) answer `shouldBe` Just WindowsContradict
   describe "several composites of one face" $ do
     it "that are too little each are enough together, whichever way the face lies" $
@@ -158,28 +139,28 @@ damageSpec alphabetOfAll layout net array mask = do
                 (compositeOf (turn (drawing (cells 2 1 (Position 6 7)))))
                   { compositeOrigin = shift (2 :: Double)
                   }
-          together <- recognisedAnswer <$> recognisedWith standardTolerance [left, right]
+          together <- answerTo [left, right]
           either
             (const False)
             (placed (Position 6 5) (removing [1, 4] (cells 2 3 (Position 6 5))))
             together
             `shouldBe` True
           for_ [left, right] $ \one' -> do
-            alone <- recognisedAnswer <$> recognisedWith standardTolerance [one']
+            alone <- answerTo [one']
             either Just (const Nothing) alone `shouldBe` Just (NotLocated NoCompleteWindow)
     it "a symbol that both show counts for both" $ do
-      let left = compositeOf (drawing (cells 2 2 (Position 6 5)))
-          right = (compositeOf (drawing (cells 2 2 (Position 6 6)))) {compositeOrigin = (25.4, 0)}
+      let left = shown (cells 2 2 (Position 6 5))
+          right = (shown (cells 2 2 (Position 6 6))) {compositeOrigin = (25.4, 0)}
       recognition <- recognisedWith standardTolerance [left, right]
       fmap supportAgreeing (recognisedSupport recognition) `shouldBe` Just 8
       fmap (map symbolCell . positionsOf) (rightOf (recognisedAnswer recognition))
         `shouldBe` Just (sort [Position (6 + i) (5 + j) | i <- [0, 1], j <- [0, 1, 1, 2]])
     it "one that is a cell out of place beside larger ones is outvoted and named" $ do
-      let left = compositeOf (drawing (cells 3 3 (Position 6 5)))
+      let left = shown (cells 3 3 (Position 6 5))
           middle =
-            (compositeOf (drawing (cells 3 3 (Position 6 8)))) {compositeOrigin = (3 * 25.4, 0)}
+            (shown (cells 3 3 (Position 6 8))) {compositeOrigin = (3 * 25.4, 0)}
           right =
-            (compositeOf (drawing (cells 2 2 (Position 6 12)))) {compositeOrigin = (6 * 25.4, 0)}
+            (shown (cells 2 2 (Position 6 12))) {compositeOrigin = (6 * 25.4, 0)}
       recognition <- recognisedWith standardTolerance {toleratedDoubt = 0.1} [left, middle, right]
       fmap supportInconsistent (recognisedSupport recognition) `shouldBe` Just [2]
       either
@@ -189,17 +170,17 @@ damageSpec alphabetOfAll layout net array mask = do
         `shouldBe` True
     it "one is named just when more of its certain symbols are wrong than not" $
       for_ [(1, 0), (1, 1), (2, 0), (2, 1), (3, 1), (3, 2)] $ \(n, wrong) -> do
-        let left = compositeOf (drawing (cells 3 3 (Position 6 5)))
+        let left = shown (cells 3 3 (Position 6 5))
             line = foldr (\i -> changing i (otherBy 1)) (cells 1 n (Position 6 8)) [0 .. wrong - 1]
-            right = (compositeOf (drawing line)) {compositeOrigin = (3 * 25.4, 0)}
+            right = (shown line) {compositeOrigin = (3 * 25.4, 0)}
         recognition <- recognisedWith standardTolerance [left, right]
         (n, wrong, fmap supportInconsistent (recognisedSupport recognition))
           `shouldBe` (n, wrong, Just [1 | 2 * wrong > fromIntegral n])
     it "composites a cell out of place contradict each other" $ do
-      let left = compositeOf (drawing (cells 2 2 (Position 6 5)))
+      let left = shown (cells 2 2 (Position 6 5))
           right =
-            (compositeOf (drawing (cells 2 2 (Position 6 8)))) {compositeOrigin = (2 * 25.4, 0)}
-      answer <- recognisedAnswer <$> recognisedWith standardTolerance [left, right]
+            (shown (cells 2 2 (Position 6 8))) {compositeOrigin = (2 * 25.4, 0)}
+      answer <- answerTo [left, right]
       answer `shouldSatisfy` either (const True) (const False)
   describe "parts of symbols" $ do
     it "a 2 x 2 block cut through its last row or column, or its first, is found by what is left" $
@@ -213,9 +194,7 @@ damageSpec alphabetOfAll layout net array mask = do
             (4 + min 3 cut, 0, w, h)
           ]
           $ \(l, t, r, b) -> do
-            answer <-
-              recognisedAnswer
-                <$> recognisedWith standardTolerance [compositeOf (cropped (l, t, r, b) whole)]
+            answer <- answerTo [compositeOf (cropped (l, t, r, b) whole)]
             (cut, fmap (map symbolCell . positionsOf) (rightOf answer))
               `shouldBe` (cut, Just (sort (blockFrom 2 2 place)))
     it "they are not counted among the symbols known, and a flat place is none" $ do
@@ -272,9 +251,9 @@ damageSpec alphabetOfAll layout net array mask = do
         recognisedAnswer onSheet `shouldSatisfy` either (const True) (const False)
     it "windows in the sheet's corners are found on the sheet" $
       for_ [Position r c | r <- [0, 13], c <- [0, 15]] $ \place -> do
-        let drawn = cells 2 2 place
-        onSheet <- recognisedOn Sheet standardTolerance [compositeOf (drawing drawn)]
-        either (const False) (placed place drawn) (recognisedAnswer onSheet) `shouldBe` True
+        let cells' = cells 2 2 place
+        onSheet <- recognisedOn Sheet standardTolerance [shown cells']
+        either (const False) (placed place cells') (recognisedAnswer onSheet) `shouldBe` True
     it "every window of the torus is told as on a face, across faces, or on no object" $ do
       answers <- mapM (\place -> (,) place <$> read' (cells 2 2 place)) everywhere
       let whereOf (place, Right (Found found)) =
@@ -293,16 +272,11 @@ damageSpec alphabetOfAll layout net array mask = do
       counts `shouldBe` [("face", 132), ("wrong", 0), ("none", 0)]
       length (nub (map fst answers)) `shouldBe` 255
   where
-    recognisedOn surface tolerance composites = case recogniser
-      (ArrayOn surface array)
-      mask
-      layout
-      (readerOf alphabetOfAll net) of
-      Left e -> fail (show e)
-      Right reader -> either (fail . show) pure (recogniseWith tolerance reader composites)
+    recognisedOn surface = recognisedIn (recogniserOn surface setting)
     recognisedWith = recognisedOn Torus
-    recognised drawn = recognisedWith standardTolerance [compositeOf (drawing drawn)]
-    read' drawn = recognisedAnswer <$> recognised drawn
+    answerTo composites = recognisedAnswer <$> recognisedWith standardTolerance composites
+    recognised cells' = recognisedWith standardTolerance [shown cells']
+    read' cells' = answerTo [shown cells']
     -- Rows and columns of cells along the edges of a face.
     edges laid =
       [ (laidFace laid, h, w, Position (row at + i) (column at + j))
@@ -325,16 +299,16 @@ damageSpec alphabetOfAll layout net array mask = do
     onFace w = case w of
       OnFace _ -> True
       _ -> False
-    everywhere = [Position r c | r <- [0 .. 14], c <- [0 .. 16]]
-    codeAt (Position r c) = toCode (cellAt array (Position r c))
-    cells :: Natural -> Natural -> Position -> Drawn
-    cells h w (Position r c) =
-      [[Just (codeAt (Position (r + i) (c + j)), id) | j <- upTo w] | i <- upTo h]
-    upTo n = takeWhile (< n) [0 ..]
+    array = settingArray setting
+    alphabetOfAll = readerAlphabet (settingReader setting)
+    codeAt = classesOf array 1 1
+    cells high wide = asDrawn . classesOf array high wide
+    drawing = drawingOf alphabetOfAll
+    shown = compositeOf . drawing
     blockFrom h w (Position r c) =
       [ Position ((r + i) `mod` 15) ((c + j) `mod` 17)
-        | i <- upTo (h :: Natural),
-          j <- upTo (w :: Natural)
+        | i <- below (h :: Natural),
+          j <- below (w :: Natural)
       ]
     cropped (l, t, r, b) image =
       generate (r - l) (b - t) (\x y -> fromMaybe 0 (index image (x + l) (y + t)))
@@ -375,21 +349,13 @@ damageSpec alphabetOfAll layout net array mask = do
                 (j, Just _) <- zip [0 ..] line
             ]
       Several _ _ -> False
-    drawing :: Drawn -> Raster
-    drawing drawn = generate (16 * maximum (0 : map length drawn)) (20 * length drawn) $ \x y ->
-      case drop (x `div` 16) (concat (take 1 (drop (y `div` 20) drawn))) of
-        Just (c, change) : _
-          | Right shape <-
-              shapeOf alphabetOfAll c,
-            Just v <- index (change (toRaster shape)) (x `mod` 16 - 4) (y `mod` 20 - 4) ->
-            v
-        _ -> 0
 
 -- | Two images side by side, with this many blank columns between them.
 beside :: Int -> Raster -> Raster -> Raster
 beside gap a b =
-  generate (rasterWidth a + gap + rasterWidth b) (max (rasterHeight a) (rasterHeight b)) $ \x y ->
-    fromMaybe 0 (if x < rasterWidth a then index a x y else index b (x - rasterWidth a - gap) y)
+  pasted
+    (rasterWidth a + gap + rasterWidth b, max (rasterHeight a) (rasterHeight b))
+    [(0, 0, a), (rasterWidth a + gap, 0, b)]
 
 removing :: [Int] -> Drawn -> Drawn
 removing gone = numbered (\i cell -> if i `elem` gone then Nothing else cell)
@@ -407,8 +373,8 @@ choose4 :: [Int] -> [[Int]]
 choose4 xs = [[a, b, c, d] | a <- xs, b <- xs, a < b, c <- xs, b < c, d <- xs, c < d]
 
 -- | Are the doubts of symbols honest? Simulated explorations, whose truth is known.
-doubtSpec :: KnownField k => Alphabet -> Placement -> Network -> PseudorandomArray k -> Mask -> Spec
-doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol" $ do
+doubtSpec :: KnownField k => Setting k -> Spec
+doubtSpec setting = describe "the doubt of a symbol" $ do
   for_ [(0.1, 60), (0.3, 30), (0.4, 40)] $ \(noise, count) ->
     it ("is as large as the share of wrong ones, or larger, with noise " ++ show noise) $ do
       let doubts =
@@ -436,9 +402,8 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
       wrong `shouldSatisfy` (<= expected + 5 * sqrt (expected + 1))
       when (noise > 0.35) $ wrong `shouldSatisfy` (>= expected - 5 * sqrt (expected + 1))
   it "that is only partly seen is honest, too" $ do
-    let on = ArrayOn Torus array
-    reader <- either (fail . show) pure (recogniser on mask layout (readerOf alphabetOfAll net))
-    let ofParts t = case stitch standardRegistration (trialFrames t)
+    let reader = recogniserOf setting
+        ofParts t = case stitch standardRegistration (trialFrames t)
           >>= \c -> either (const (Left NoFrames)) (Right . (,) c) (recognise reader c) of
           Left _ -> []
           Right (composite, recognition) ->
@@ -465,10 +430,10 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
         wrong = fromIntegral (length (filter snd doubts)) :: Double
     length doubts `shouldSatisfy` (> 150)
     wrong `shouldSatisfy` (<= expected + 5 * sqrt (expected + 1))
-  modifyMaxSuccess (const 200) $
+  withCases 25 200 $
     prop "is between 10^-7 and that of a blind choice, for any image" $
       forAll (vectorOf 96 (choose (-1, 2))) $ \values ->
-        case fromRows (rowsOf values) of
+        case fromRows (rowsOf 8 values) of
           Left e -> counterexample (show e) False
           Right image -> case estimate sure (templates alphabetOfAll) net image of
             Left e -> counterexample (show e) False
@@ -499,14 +464,9 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
             then (> 0.999)
             else (< 0.8)
   where
-    faces =
-      [ (face, heights)
-        | face <- laidFaces layout,
-          Right heights <- [relief array layout alphabetOfAll face]
-      ]
-    rowsOf values = case splitAt 8 values of
-      ([], _) -> []
-      (line, rest) -> line : rowsOf rest
+    faces = facesFelt setting
+    alphabetOfAll = readerAlphabet (settingReader setting)
+    net = readerNetwork (settingReader setting)
     sure = standardCalibration 4
     -- Of each symbol the doubt, and whether the likeliest is wrong.
     judged noise t = case stitch standardRegistration {registrationNoise = noise} (trialFrames t) of
@@ -535,16 +495,7 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
           < 0.3
           && abs (fi - centre i)
           < 0.3 =
-        Just
-          ( toCode
-              ( cellAt
-                  array
-                  ( Position
-                      (row (laidAt face) + fromInteger i)
-                      (column (laidAt face) + fromInteger j)
-                  )
-              )
-          )
+        Just (classOn (settingArray setting) face (Position (fromInteger i) (fromInteger j)))
       | otherwise = Nothing
       where
         face = trialFace t

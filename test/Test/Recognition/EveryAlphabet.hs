@@ -1,13 +1,12 @@
 -- | The whole way with every shipped alphabet: an array over each field as a plate, pressed and
 -- decoded; and what becomes of it where press and decoder do not mean the same shapes.
-module Test.Recognition.EveryAlphabet (spec, locatedAround) where
+module Test.Recognition.EveryAlphabet (spec) where
 
 import qualified Data.ByteString as Bytes
 import Data.Foldable (for_)
 import Data.List (elemIndex)
 import qualified Data.Text as T
 import Numeric.LinearAlgebra (fromRows, toRows)
-import PraTactile.Array hiding (toRows)
 import PraTactile.Classification.Calibration (Calibration (..))
 import PraTactile.Classification.Classifier
 import PraTactile.Classification.Estimate
@@ -17,10 +16,7 @@ import PraTactile.Classification.Samples (withNoise)
 import PraTactile.Classification.Shipped
 import PraTactile.Classification.Specimens
 import PraTactile.Evaluate
-import PraTactile.Explore
-import PraTactile.Field (KnownField)
 import PraTactile.Format (decodeProfile)
-import PraTactile.Geometry (taxelPitch)
 import PraTactile.Image (onRaster)
 import PraTactile.Object.Placement
 import PraTactile.Object.Plate
@@ -32,26 +28,22 @@ import PraTactile.Sensor
 import PraTactile.Shape
 import PraTactile.Symmetry
 import PraTactile.Truth (truthRegion)
-import PraTactile.Window (Mask)
 import System.Random (mkStdGen)
 import Test.Hspec hiding (after, before)
 import Test.QuickCheck
+import Test.Recognition.Setting
 import Test.Support
 
 spec :: Spec
 spec = do
   for_ others $ \q ->
-    it ("presses in the corners and along the edges are located: GF(" ++ show q ++ ")") $ do
+    it ("presses in the corners and along the edges are located: GF(" ++ show q ++ ")") . ioProperty $ do
       profile <- shippedProfile q
       symbols <- right (shippedReader q)
       plate <- right (platePlacement (profileShape profile))
       -- With windows of four rows, more of them must be felt.
       let size = if q == 2 then (40, 92) else (40, 52)
-      located <-
-        right
-          ( withProfile profile (\array mask -> locatedAround array mask symbols plate size)
-          )
-      holds 1 located
+      pure (onArray profile plate symbols (`locatedAround` size))
   it "classes exchanged, shapes and outputs alike, are told exchanged" $
     for_ shippedSizes $ \q -> do
       symbols <- right (shippedReader q)
@@ -110,24 +102,14 @@ spec = do
       theirs <- right (shippedAlphabet other)
       pressed' <- right (alphabet (take q (zip (shapeNames theirs) (shapes theirs))))
       symbols <- right (shippedReader q)
-      outcomes <-
-        right
-          ( withProfile
-              profile
-              ( \array mask -> do
-                  reader <-
-                    either (Left . show) Right (recogniser (naturally array) mask plate symbols)
-                  pure
-                    [ withStitching (runTrial standardTolerance reader standardRegistration trial')
-                      | seed <- [1 .. 6],
-                        let how = pressingWith standardSensor seed,
-                        Right (frames, truth) <- [pressed how pressed' array plate plateName],
-                        face <- laidFaces plate,
-                        let trial' = Trial face (truthRegion truth) frames Nothing True
-                    ]
-              )
-          )
-      found <- right outcomes
+      let found = onArray profile plate symbols $ \setting@(Setting array _ _ _) ->
+            [ withStitching (runTrial standardTolerance (recogniserOf setting) standardRegistration t)
+              | seed <- [1 .. 6],
+                Right (frames, truth) <-
+                  [pressed (pressingWith standardSensor seed) pressed' array plate plateName],
+                face <- laidFaces plate,
+                let t = Trial face (truthRegion truth) frames Nothing True
+            ]
       length found `shouldBe` 6
       [doubt | Mistaken doubt <- found, doubt < 1e-3] `shouldBe` []
   where
@@ -139,43 +121,3 @@ spec = do
 shippedProfile :: Int -> IO Profile
 shippedProfile q =
   Bytes.readFile ("data/profiles/gf" ++ show q ++ ".json") >>= right . decodeProfile
-
--- | Each of eight presses, in the corners and along the edges of an array's plate, is decoded as
--- where it is.
-locatedAround ::
-  KnownField k =>
-  PseudorandomArray k ->
-  Mask ->
-  Reader ->
-  Placement ->
-  (Int, Int) ->
-  Property
-locatedAround array mask symbols plate (w, h) =
-  once . whenRight (recogniser (naturally array) mask plate symbols) $ \reader ->
-    conjoin
-      [ whenRight (pressed (how at) (readerAlphabet symbols) array plate plateName) $
-          \(frames, truth) ->
-            counterexample (show at) . property $
-              case withStitching
-                ( runTrial
-                    standardTolerance
-                    reader
-                    standardRegistration
-                    (Trial face (truthRegion truth) frames Nothing False)
-                ) of
-                Correct _ -> True
-                _ -> False
-        | face <- laidFaces plate,
-          let (right', bottom) = spotMillimetres (laidExtent face),
-          let free = right' - taxelPitch * fromIntegral w,
-          let below' = bottom - taxelPitch * fromIntegral h,
-          at <- (,) <$> [0, free / 2, free] <*> [0, below' / 2, below'],
-          at /= (free / 2, below' / 2)
-      ]
-  where
-    how at =
-      (pressingWith standardSensor 3)
-        { pressingAt = Just at,
-          pressingSize = (w, h),
-          pressingTurns = AmongTurns [identity]
-        }

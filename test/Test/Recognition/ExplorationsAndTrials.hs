@@ -8,15 +8,12 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, isJust)
 import qualified Data.Vector.Storable as V
 import PraTactile.Array
-import PraTactile.Classification.Reader (readerOf)
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
 import PraTactile.Image
-import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge (FaceName (..), ObjectName (..), VertexName (..))
-import PraTactile.Profile
 import PraTactile.Random (uniform)
 import PraTactile.Recognise
 import PraTactile.Registration (Composite, StitchError, placeOnly, standardRegistration)
@@ -25,11 +22,12 @@ import PraTactile.Sensor
 import PraTactile.Sensor.Frame
 import PraTactile.Symmetry
 import System.Random (StdGen, mkStdGen, split)
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
+import Test.Recognition.Setting
 import Test.Support (below)
-import Test.Touch.Paper (paperAlphabet, paperNetwork, stitch)
+import Test.Touch.Paper (stitch)
 
 spec :: Spec
 spec = do
@@ -38,23 +36,7 @@ spec = do
   describe "Trials" trialSpec
   describe "Results" $ do
     countSpec
-    either (it "the shipped parts fit together" . expectationFailure) id $ do
-      layout <- shown canonicalPlacement
-      net <- shown paperNetwork
-      known <- shown paperAlphabet
-      shown $
-        withProfile canonicalProfile $ \array mask ->
-          case ( recogniser (naturally array) mask layout (readerOf known net),
-                 raised array layout known
-               ) of
-            (Right reader, Right faces) -> resultSpec reader faces
-            (Left e, _) -> it "the array has a recogniser" (expectationFailure (show e))
-            (_, Left e) -> it "the faces have reliefs" (expectationFailure (show e))
-  where
-    shown :: Show e => Either e a -> Either String a
-    shown = either (Left . show) Right
-    raised array layout known =
-      traverse (\face -> (,) face <$> relief array layout known face) (laidFaces layout)
+    onPaper $ \setting -> resultSpec (recogniserOf setting) (facesFelt setting)
 
 -- | A face of that many taxels, with a grid of that many rows and columns.
 faceOf :: (Int, Int) -> Shape -> LaidFace
@@ -170,7 +152,7 @@ pressSpec = do
     forAll ((,) <$> choose (1, 40) <*> choose (1, 40)) $ \(wide, high) ->
       defaultSpacing idealSensor {sensorColumns = wide, sensorRows = high}
         === (if min wide high < 2 then 1 else min wide high `div` 2)
-  modifyMaxSuccess (const 15)
+  withCases 2 15
     . it "a region's frames are the plan's, with what is felt where the region has them"
     $ forAll ((,,) <$> elements [16, 12] <*> elements [8, 10, 16] <*> choose (1, 9)) $
       \(wide, high, spacing) -> forAll ((,) <$> choose (16, 24) <*> choose (16, 24)) $ \size ->
@@ -205,7 +187,7 @@ pressSpec = do
 
 trialSpec :: Spec
 trialSpec = do
-  modifyMaxSuccess (const 6)
+  withCases 2 6
     . it "each is of the next face, with a generator of its own, split from the seed"
     $ forAll ((,) <$> choose (1, 3) <*> choose (1, 99999)) $ \(count, seed) ->
       forAll (elements [AnyAngle, AmongTurns rotations, TurnedBy 30]) $ \turns ->
@@ -336,7 +318,7 @@ countSpec =
 
 resultSpec :: KnownField k => Recogniser k -> [(LaidFace, Relief)] -> Spec
 resultSpec reader faces = do
-  modifyMaxSuccess (const 2)
+  withCases 2 2
     . it "an answer is right if face, orientation and place are the true ones, and wrong if not"
     $ forAllShow (elements faces) (show . laidFace . fst) $ \face ->
       forAll (choose (1, 99999 :: Int)) $ \seed ->

@@ -37,9 +37,9 @@ import System.Posix.Files (setFileMode)
 import System.Posix.IO (closeFd, createPipe, fdToHandle)
 import Test.Hspec
 import Test.QuickCheck hiding (generate)
-import qualified Test.QuickCheck as QuickCheck
 import Test.Support
 import Test.Touch.Paper (paperAlphabet, paperTables)
+import Text.Printf (printf)
 
 spec :: Spec
 spec = do
@@ -186,21 +186,21 @@ diskSpec = do
       readFolder folder
         `shouldReturn` Right (Folder (listed ["a.pgm", "../a.pgm"]) (Map.singleton "a.pgm" flat))
   it "frames are written and read again, by either manifest; the one in JSON goes first" $
-    inFolder $ \folder ->
-      forM_ [(standardTaxelGrid, manifestName), (TaxelGrid 16 9 0.8, jsonManifestName)] $
-        \(grid, name) -> do
-          drawn <- QuickCheck.generate (vectorOf 3 genFrame)
-          let cut = crop (0, 0) (taxelGridColumns grid, taxelGridRows grid) . frameImage
-          images <- right (traverse cut drawn)
-          let frames =
-                [ frame {frameImage = image, frameTaxel = taxelGridPitch grid}
-                  | (frame, image) <- zip drawn images
-                ]
-          files <- right (folderFiles grid 8 frames)
-          map fst files `shouldContain` [name]
-          forM_ files $ \(file, bytes) -> Bytes.writeFile (folder </> file) bytes
-          found <- readFolder folder >>= right
-          folderFrames found `shouldBe` Right frames
+    withMaxSuccess 3 . forAllBlind (vectorOf 3 genFrame) $ \drawn ->
+      ioProperty . inFolder $ \folder ->
+        forM_ [(standardTaxelGrid, manifestName), (TaxelGrid 16 9 0.8, jsonManifestName)] $
+          \(grid, name) -> do
+            let cut = crop (0, 0) (taxelGridColumns grid, taxelGridRows grid) . frameImage
+            images <- right (traverse cut drawn)
+            let frames =
+                  [ frame {frameImage = image, frameTaxel = taxelGridPitch grid}
+                    | (frame, image) <- zip drawn images
+                  ]
+            files <- right (folderFiles grid 8 frames)
+            map fst files `shouldContain` [name]
+            forM_ files $ \(file, bytes) -> Bytes.writeFile (folder </> file) bytes
+            found <- readFolder folder >>= right
+            folderFrames found `shouldBe` Right frames
   it "of more than 8 bits, images have as many grey values as the readings" $
     inFolder $ \folder -> do
       let frame = Frame (Pose 0 0 0) 1 (generate 16 16 (\x y -> level (x + y))) taxelPitch []
@@ -366,6 +366,14 @@ decodeSpec = do
         `shouldBe` replicate
           2
           (Right (Just (Position 6 5, "C1 C2 C3 C4", ["C2"], (of' * 25.4, of' * 95.25))))
+      -- In words the same numbers.
+      fmap (take 1 . drop 1 . summary) (decodeFolder known atSize)
+        `shouldBe` Right
+          [ printf
+              "%.2f mm to the right of and %.2f mm below C1"
+              (of' * 25.4 :: Double)
+              (of' * 95.25 :: Double)
+          ]
   it "a face felt by a sensor of half the pitch, or of twice, is found where it was pressed" $
     forM_ [(32, 0.79375), (8, 3.175)] $ \(side, taxel) ->
       inFolder $ \folder -> do

@@ -9,87 +9,57 @@ import Numeric.LinearAlgebra (konst)
 import PraTactile.Array
   ( ArrayOn (..),
     Position (..),
-    PseudorandomArray,
     Shape (..),
     Surface (..),
     cellAt,
   )
-import PraTactile.Classification.Network (Network, network)
-import PraTactile.Classification.Reader (Reader, readerOf)
+import PraTactile.Classification.Network (network)
+import PraTactile.Classification.Reader (Reader (..), readerOf)
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField, toCode)
 import PraTactile.Geometry (symbolThickness)
 import PraTactile.Image
 import PraTactile.Locate (Reason (..))
-import PraTactile.Object.Canonical (canonicalLayings, canonicalPlacement)
+import PraTactile.Object.Canonical (canonicalLayings)
 import PraTactile.Object.Placement
 import PraTactile.Object.Radicals
-import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.Reading (Group (..), groups)
 import PraTactile.Registration (compositeOf, standardRegistration)
 import PraTactile.Relief
-import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Sensor (HeightMap (..), standardSensor)
 import PraTactile.Sensor.Frame (movePoint, taxelPitch)
 import PraTactile.Sensor.Manifest (Remedy (..), axesNamed)
 import PraTactile.Shape
 import PraTactile.Symmetry
-import PraTactile.Window (Mask)
 import System.Random (mkStdGen)
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (generate)
-import Test.Support (below)
-import Test.Touch.Paper (paperAlphabet, paperNetwork)
+import Test.Recognition.Setting
+import Test.Recognition.Symbols
 
 spec :: Spec
-spec = case shippedParts of
-  Left problem -> it "the shipped parts fit together" (expectationFailure problem)
-  Right parts ->
-    either (\e -> it "the canonical profile has an array" (expectationFailure (show e))) id $
-      withProfile canonicalProfile $ \array mask ->
-        let on = ArrayOn Torus array
-         in case recogniser on mask (placementOf parts) (readerFrom parts) of
-              Left e -> it "the canonical array has a recogniser" (expectationFailure (show e))
-              Right reader -> do
-                recogniserSpec parts array mask
-                groupSpec
-                reliefSpec parts array
-                exploreSpec parts
-                recogniseSpec parts array reader
+spec = onPaper $ \setting -> do
+  recogniserSpec setting
+  groupSpec
+  reliefSpec setting
+  exploreSpec setting
+  recogniseSpec setting
 
-data Parts = Parts {placementOf :: Placement, networkOf :: Network, alphabetOf :: Alphabet}
-
-readerFrom :: Parts -> Reader
-readerFrom parts = readerOf (alphabetOf parts) (networkOf parts)
-
-shippedParts :: Either String Parts
-shippedParts = Parts <$> shown canonicalPlacement <*> shown paperNetwork <*> shown paperAlphabet
-  where
-    shown :: Show e => Either e a -> Either String a
-    shown = either (Left . show) Right
-
-reliefs :: KnownField k => Parts -> PseudorandomArray k -> [(LaidFace, HeightMap)]
-reliefs parts array = map (fmap reliefHeights) (facesFelt parts array)
-
-facesFelt :: KnownField k => Parts -> PseudorandomArray k -> [(LaidFace, Relief)]
-facesFelt parts array =
-  [ (face, found)
-    | face <- laidFaces (placementOf parts),
-      Right found <- [relief array (placementOf parts) (alphabetOf parts) face]
-  ]
+reliefs :: KnownField k => Setting k -> [(LaidFace, HeightMap)]
+reliefs = map (fmap reliefHeights) . facesFelt
 
 -- | The classes of a face's block, row by row.
-classesOf :: KnownField k => PseudorandomArray k -> LaidFace -> [[Int]]
-classesOf array face =
-  [[classOn array face (Position i j) | j <- below wide] | i <- below high]
+classesOn :: KnownField k => Setting k -> LaidFace -> [[Int]]
+classesOn setting face = classesOf (settingArray setting) high wide (laidAt face)
   where
     Shape high wide = laidGrid face
 
-recogniserSpec :: KnownField k => Parts -> PseudorandomArray k -> Mask -> Spec
-recogniserSpec parts array mask = describe "a recogniser" $ do
+recogniserSpec :: KnownField k => Setting k -> Spec
+recogniserSpec (Setting array mask layout reader) = describe "a recogniser" $ do
   it "refuses a placement whose symbols are at another pitch than they are read at" $
     for_ [Pitch 25 31.75, Pitch 25.4 31, Pitch 12.7 31.75] $ \pitch ->
       refusal (Shape 15 17) pitch `shouldBe` Just (PitchesDiffer pitch (Pitch 25.4 31.75))
@@ -97,32 +67,26 @@ recogniserSpec parts array mask = describe "a recogniser" $ do
     for_ [Shape 17 17, Shape 15 18, Shape 63 65] $ \shape ->
       refusal shape (Pitch 25.4 31.75) `shouldBe` Just (ArraysDiffer shape (Shape 15 17))
   it "refuses where the network's outputs, the shapes and the elements are not as many" $ do
-    let all' = alphabetOf parts
+    let all' = readerAlphabet reader
     Right two <- pure (alphabet (take 2 (zip (shapeNames all') (shapes all'))))
     Right three <- pure (network (konst 0 (5, 97)) (konst 0 (3, 6)))
     let refused names with =
           either
             Just
             (const Nothing)
-            (recogniser (ArrayOn Torus array) mask (placementOf parts) (readerOf names with))
-    refused two (networkOf parts) `shouldBe` Just (ClassesDiffer 4 2 4)
-    refused (alphabetOf parts) three `shouldBe` Just (ClassesDiffer 3 4 4)
+            (recogniser (ArrayOn Torus array) mask layout (readerOf names with))
+    refused two (readerNetwork reader) `shouldBe` Just (ClassesDiffer 4 2 4)
+    refused all' three `shouldBe` Just (ClassesDiffer 3 4 4)
     refused two three `shouldBe` Just (ClassesDiffer 3 2 4)
-    refused (alphabetOf parts) (networkOf parts) `shouldBe` Nothing
+    refused all' (readerNetwork reader) `shouldBe` Nothing
   it "takes the canonical placement, laid again" $
     refusal (Shape 15 17) (Pitch 25.4 31.75) `shouldBe` Nothing
   where
-    refusal shape pitch = case placement
-      shape
-      pitch
-      (placementSolids (placementOf parts))
-      canonicalLayings of
-      Left e -> error ("no placement: " ++ show e)
-      Right laid ->
-        either
-          Just
-          (const Nothing)
-          (recogniser (ArrayOn Torus array) mask laid (readerFrom parts))
+    refusal shape pitch =
+      case placement shape pitch (placementSolids layout) canonicalLayings of
+        Left e -> error ("no placement: " ++ show e)
+        Right laid ->
+          either Just (const Nothing) (recogniser (ArrayOn Torus array) mask laid reader)
 
 groupSpec :: Spec
 groupSpec = describe "groups of symbols" $ do
@@ -145,57 +109,47 @@ groupSpec = describe "groups of symbols" $ do
             === [Just (Map.fromList [(cell, n) | (n, cell) <- placed])]
   where
     symbolAt number source centre =
-      ReadSymbol
-        { readNumber = number,
-          readSource = source,
-          readImage = SymbolImage centre (constant 8 12 0) 0 (8, 12),
-          readAt = centre,
-          readClass = Nothing,
-          readSeen = 1,
-          readLikeliest = (identity, 0),
-          readChances = [((identity, 0), 1)],
-          readUnlike = 0
-        }
+      (symbolOf number centre (identity, 0)) {readSource = source, readClass = Nothing}
 
 -- | A rectangle of a face as an image of full contrast: x, y, width, height in taxels.
 region :: HeightMap -> (Int, Int, Int, Int) -> Raster
 region heights (x, y, w, h) =
   generate w h (\i j -> maybe 0 (/ symbolThickness) (index (heightValues heights) (x + i) (y + j)))
 
-reliefSpec :: KnownField k => Parts -> PseudorandomArray k -> Spec
-reliefSpec parts array = describe "reliefs" $ do
+reliefSpec :: KnownField k => Setting k -> Spec
+reliefSpec setting = describe "reliefs" $ do
   it "every face has one, as large as the face in taxels" $ do
-    length (reliefs parts array) `shouldBe` 12
-    for_ (reliefs parts array) $ \(face, heights) ->
+    length (reliefs setting) `shouldBe` 12
+    for_ (reliefs setting) $ \(face, heights) ->
       map
         ((* (127 / 80)) . fromIntegral)
         [rasterWidth (heightValues heights), rasterHeight (heightValues heights)]
         `shouldBe` mapMaybe asFraction [spotRight (laidExtent face), spotDown (laidExtent face)]
   it "a face's classes are the array's codes where it is laid" $
-    for_ (laidFaces (placementOf parts)) $ \face ->
-      concat (classesOf array face)
-        `shouldBe` [ toCode (cellAt array (Position r c))
+    for_ (laidFaces (settingLayout setting)) $ \face ->
+      concat (classesOn setting face)
+        `shouldBe` [ toCode (cellAt (settingArray setting) (Position r c))
                      | let Position r0 c0 = laidAt face,
                        let Shape h w = laidGrid face,
                        r <- [r0 .. r0 + h - 1],
                        c <- [c0 .. c0 + w - 1]
                    ]
   it "each cell holds its symbol's bitmap, 8 x 12 amid 16 x 20 taxels, nothing else" $
-    for_ (reliefs parts array) $ \(face, heights) -> do
+    for_ (reliefs setting) $ \(face, heights) -> do
       let margin side = round (nearestDouble (side (laidMargin face)) / taxelPitch) :: Int
-      for_ (zip [0 ..] (classesOf array face)) $ \(i, line) ->
+      for_ (zip [0 ..] (classesOn setting face)) $ \(i, line) ->
         for_ (zip [0 ..] line) $ \(j, c) -> do
           let cell = region heights (margin spotRight + 16 * j, margin spotDown + 20 * i, 16, 20)
               expected shape x y = if embossedAt shape (x - 4) (y - 4) then 1 else 0
           Right (toRows cell)
             `shouldBe` fmap
               (\shape -> toRows (generate 16 20 (expected shape)))
-              (shapeOf (alphabetOf parts) c)
+              (shapeOf (readerAlphabet (settingReader setting)) c)
 
-exploreSpec :: Parts -> Spec
-exploreSpec parts = describe "explorations" $ do
+exploreSpec :: Setting k -> Spec
+exploreSpec setting = describe "explorations" $ do
   prop "a random region lies on its face, in the robot's frame as in the face's" $ \seed ->
-    forAll (elements (laidFaces (placementOf parts))) $ \face ->
+    forAll (elements (laidFaces (settingLayout setting))) $ \face ->
       let (r, _) = randomRegion rotations standardRegionSize face (mkStdGen seed)
           extent side = nearestDouble (side (laidExtent face)) + 1e-9
        in property
@@ -205,7 +159,7 @@ exploreSpec parts = describe "explorations" $ do
                 ]
             )
   prop "askew, by any whole angle, its corners are on the face or equally far off it" $ \seed ->
-    forAll ((,) <$> elements (laidFaces (placementOf parts)) <*> anyAngle) $
+    forAll ((,) <$> elements (laidFaces (settingLayout setting)) <*> anyAngle) $
       \(face, degrees) -> conjoin . flip map [seed .. seed + 9] $ \seed' ->
         let lying = TurnedBy (fromIntegral (degrees :: Int))
             (r, _) = drawnRegion lying standardRegionSize face (mkStdGen seed')
@@ -230,12 +184,12 @@ exploreSpec parts = describe "explorations" $ do
           y <- [0, h]
       ]
 
-recogniseSpec :: KnownField k => Parts -> PseudorandomArray k -> Recogniser k -> Spec
-recogniseSpec parts array reader = describe "recognition" $ do
+recogniseSpec :: KnownField k => Setting k -> Spec
+recogniseSpec setting = describe "recognition" $ do
   it "each of the 132 windows that lie on a face is found there, whichever way up" $ do
     let cases =
           [ (face, heights, i, j)
-            | (face, heights) <- reliefs parts array,
+            | (face, heights) <- reliefs setting,
               let Shape h w = laidGrid face,
               i <- [0 .. h - 2],
               j <- [0 .. w - 2]
@@ -269,16 +223,16 @@ recogniseSpec parts array reader = describe "recognition" $ do
   it "an image of no size is refused: no-symbols" $
     refusal (constant 0 0 0) `shouldBe` Just (ShownInstead InsteadFlat NoSymbols)
   it "three symbols are too few" $
-    refusal (pasted [(4, 4, 0, id), (20, 4, 1, id), (4, 24, 2, id)])
+    refusal (windowOf [(4, 4, 0, id), (20, 4, 1, id), (4, 24, 2, id)])
       `shouldBe` Just (NotLocated NoCompleteWindow)
   it "one symbol half-turned among upright ones is a contradiction of orientation" $
     refusal
-      (pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, onRaster (turned 2))])
+      (windowOf [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, onRaster (turned 2))])
       `shouldBe` Just OrientationContradicts
   it "a mirror image is refused as one, whichever way up" $
     for_ [symmetry <> mirror | symmetry <- rotations] $ \symmetry -> do
-      let window = pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, id)]
-      refusal (onRaster symmetry window)
+      let seen = windowOf [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, id)]
+      refusal (onRaster symmetry seen)
         `shouldBe` Just (Mirrored [Remedy Nothing (lookup "-x,y" axesNamed)])
   it "every refusal has a name of its own" $
     length (nub (map refusalName refusals)) `shouldBe` length refusals
@@ -301,9 +255,9 @@ recogniseSpec parts array reader = describe "recognition" $ do
                           "beyond-radius",
                           "below-threshold"
                         ]
-  modifyMaxSuccess (const 40) $
+  withCases 5 40 $
     prop "a random exploration with noise is right or refused, never wrong" $ \seed ->
-      forAllShow (elements (facesFelt parts array)) (show . laidFace . fst) $ \face ->
+      forAllShow (elements (facesFelt setting)) (show . laidFace . fst) $ \face ->
         case trial usual face (mkStdGen seed) of
           Nothing -> counterexample "the region does not lie on the face" False
           Just t ->
@@ -311,6 +265,7 @@ recogniseSpec parts array reader = describe "recognition" $ do
               Mistaken doubt -> counterexample ("wrong, with a doubt of " ++ show doubt) False
               _ -> property True
   where
+    reader = recogniserOf setting
     usual = exploration standardSensor (AmongTurns rotations) standardRegionSize
     found image = case recognise reader (compositeOf image) of
       Left e -> Left (show e)
@@ -330,13 +285,9 @@ recogniseSpec parts array reader = describe "recognition" $ do
         (const Nothing)
         (either Just (const Nothing) . recognisedAnswer)
         (recognise reader (compositeOf image))
-    pasted placed = generate 32 40 $ \x y ->
-      maximum
-        ( 0 :
-            [ v
-              | (x0, y0, c, change) <-
-                  placed,
-                Right shape <- [shapeOf (alphabetOf parts) c],
-                Just v <- [index (change (toRaster shape)) (x - x0) (y - y0)]
-            ]
-        )
+    windowOf placed =
+      pasted
+        (32, 40)
+        [ (x, y, change (toRaster (shapes (readerAlphabet (settingReader setting)) !! c)))
+          | (x, y, c, change) <- placed
+        ]

@@ -2,7 +2,6 @@
 -- too small for symbols, and which refusal is said of what.
 module Test.Recognition.GridsAndRefusals (spec) where
 
-import Control.Monad (join)
 import Data.Foldable (for_)
 import Data.List (nub, partition, sort)
 import qualified Data.Map.Strict as Map
@@ -27,9 +26,10 @@ import PraTactile.Symmetry
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.QuickCheck hiding (generate)
+import Test.Recognition.Setting
 import Test.Recognition.Symbols
 import Test.Support
-import Test.Touch.Paper (paperAlphabet, paperNetwork)
+import Test.Touch.Paper (paperAlphabet)
 
 spec :: Spec
 spec = do
@@ -38,14 +38,13 @@ spec = do
   describe "room on a face" roomSpec
   describe "distances of symbols" $
     it "that are not the paper's times one factor are refused, and no others" $
-      either (expectationFailure . show) id $
-        withProfile canonicalProfile (\array _ -> notFelt array)
+      onPaper (notFelt . settingArray)
   describe "what is said" saidSpec
 
 gridSpec :: Spec
 gridSpec = do
   it "has each symbol in its cell, counted from the uppermost row and the leftmost column" $
-    forAllShrink (sublistOf everywhere) (filter (not . null) . shrinkList (const [])) $ \some ->
+    forAllShrink (sublistOf anywhere) (filter (not . null) . shrinkList (const [])) $ \some ->
       forAll (shuffle (if null some then [(0, 0)] else some)) $ \cells ->
         let symbols = zipWith symbolIn [0 ..] cells
             top = minimum (map fst cells)
@@ -102,7 +101,7 @@ gridSpec = do
       ]
     -- Two are off by a taxel more and less: their mean is on the grid, or is not.
     taxelOff n = if n == 0 then [0, 0, 0, 0] else [1, -1]
-    everywhere = [(i, j) | i <- [0 .. 4], j <- [0 .. 4]]
+    anywhere = [(i, j) | i <- [0 .. 4], j <- [0 .. 4]]
     -- Every third one is known to the network.
     symbolIn n cell = (symbolAt n cell (identity, 0)) {readClass = known n}
     known n = if n `mod` 3 == 0 then Just (identity, 0) else Nothing
@@ -130,34 +129,30 @@ certainSpec = do
         certain symbol {readSeen = fromIntegral taxels / 96, readClass = Nothing}
           `shouldBe` (if p < 0.001 && taxels >= 32 then Just (turned 2, 3) else Nothing)
   it "stands against an answer from beside the grid or along the other axis; the rest does not" $ do
-    layout <- right canonicalPlacement
-    alphabetOfAll <- right paperAlphabet
-    net <- right paperNetwork
-    join . right $
-      withProfile canonicalProfile $ \array mask -> do
-        reader <- right (recogniser (ArrayOn Torus array) mask layout (readerOf alphabetOfAll net))
-        let classOf r c = toCode (cellAt array (Position (6 + r) (5 + c)))
-            block =
-              [ symbolAt (3 * i + j) (i, j) (identity, classOf r c)
-                | (i, r) <- [(0, 0), (1, 1)],
-                  (j, c) <- [(0, 0), (1, 1), (2, 2)]
-              ]
-            located among strays along =
-              locationOutcome
-                (locateGrid reader standardTolerance along (gridOf (block ++ among) strays))
-            gridOf symbols strays =
-              FaceGrid
-                { gridCells = Map.fromList [(readNumber s `divMod` 3, [s]) | s <- symbols],
-                  gridGroups = [Set.fromList (map readNumber symbols)],
-                  gridStrays = strays
-                }
-            turnedOver = symbolAt 8 (2, 2) (turned 2, 1)
-            sideways = symbolAt 9 (5, 5) (turned 1, 1)
-            placed = Placed (Position 6 5)
-        [located [] [] [], located [doubtful 0.6 turnedOver] [] [], located [turnedOver] [] []]
-          `shouldBe` [placed, placed, WrongWayUp]
-        [located [] [doubtful p turnedOver] [] | p <- [0.3, 0]] `shouldBe` [placed, OffTheGrid]
-        [located [] [] [doubtful p sideways] | p <- [0.3, 0]] `shouldBe` [placed, WrongWayUp]
+    onPaper $ \setting -> do
+      let reader = recogniserOf setting
+          classOf r c = toCode (cellAt (settingArray setting) (Position (6 + r) (5 + c)))
+          block =
+            [ symbolAt (3 * i + j) (i, j) (identity, classOf r c)
+              | (i, r) <- [(0, 0), (1, 1)],
+                (j, c) <- [(0, 0), (1, 1), (2, 2)]
+            ]
+          located among strays along =
+            locationOutcome
+              (locateGrid reader standardTolerance along (gridOf (block ++ among) strays))
+          gridOf symbols strays =
+            FaceGrid
+              { gridCells = Map.fromList [(readNumber s `divMod` 3, [s]) | s <- symbols],
+                gridGroups = [Set.fromList (map readNumber symbols)],
+                gridStrays = strays
+              }
+          turnedOver = symbolAt 8 (2, 2) (turned 2, 1)
+          sideways = symbolAt 9 (5, 5) (turned 1, 1)
+          placed = Placed (Position 6 5)
+      [located [] [] [], located [doubtful 0.6 turnedOver] [] [], located [turnedOver] [] []]
+        `shouldBe` [placed, placed, WrongWayUp]
+      [located [] [doubtful p turnedOver] [] | p <- [0.3, 0]] `shouldBe` [placed, OffTheGrid]
+      [located [] [] [doubtful p sideways] | p <- [0.3, 0]] `shouldBe` [placed, WrongWayUp]
   where
     knowing = [Nothing, Just (turned 2, 3)]
 
@@ -228,19 +223,9 @@ saidSpec = do
     recognition <- right (decodeFolder reader frames)
     map ("    " ++) (summary recognition) `shouldBe` printed
   where
-    unclear = either ((== "symbols-unclear") . refusalName) (const False)
-    saying composite = do
-      layout <- right canonicalPlacement
-      alphabetOfAll <- right paperAlphabet
-      net <- right paperNetwork
-      answered <-
-        right $
-          withProfile canonicalProfile $ \array mask -> do
-            reader <-
-              right (recogniser (ArrayOn Torus array) mask layout (readerOf alphabetOfAll net))
-            recognition <- right (recognise reader composite)
-            pure (either Left (const (Right ())) (recognisedAnswer recognition))
-      answered
+    unclear = maybe False ((== "symbols-unclear") . refusalName) . refusedIn
+    saying composite =
+      onPaper $ \setting -> recognisedIn (recogniserOf setting) standardTolerance [composite]
     -- Boxes of 8 x 12 in cells of 16 x 20.
     boxes cells = generate 40 48 $ \x y ->
       if (y `div` 20, x `div` 16) `elem` cells

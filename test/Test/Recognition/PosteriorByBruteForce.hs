@@ -16,14 +16,14 @@ import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.GridLocation
 import PraTactile.Symmetry
 import Test.Code.Locate.OtherPolynomials
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (tolerance, total)
 import Test.Recognition.Scenes
 
 spec :: Spec
 spec = onRecognisers $ \array readers ->
-  modifyMaxSuccess (const 400) $
+  withCases 50 400 $
     it "a grid is where that is likeliest, with the doubt that is left, or it is nowhere" $
       forAllBlind (elements readers) $ \(surface, reader) -> do
         let scenes = genScene (cellOf surface array)

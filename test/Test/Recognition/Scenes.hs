@@ -13,35 +13,20 @@ where
 
 import qualified Data.Map.Strict as Map
 import PraTactile.Array
-import PraTactile.Classification.Reader (readerOf)
 import PraTactile.Field (KnownField, toCode)
-import PraTactile.Object.Canonical (canonicalPlacement)
-import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Symmetry
 import Test.Hspec
 import Test.QuickCheck hiding (tolerance)
+import Test.Recognition.Setting
 import Test.Recognition.Symbols
-import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 -- | Tests of the shipped recogniser on the torus and on the sheet, given the array.
 onRecognisers ::
   (forall k. KnownField k => PseudorandomArray k -> [(Surface, Recogniser k)] -> Spec) -> Spec
-onRecognisers tests = either (it "the shipped parts fit together" . expectationFailure) id $ do
-  layout <- shown canonicalPlacement
-  net <- shown paperNetwork
-  known <- shown paperAlphabet
-  shown $
-    withProfile canonicalProfile $ \array mask ->
-      case traverse (reading array mask layout known net) [Torus, Sheet] of
-        Right readers -> tests array readers
-        Left e -> it "the array has a recogniser" (expectationFailure (show e))
-  where
-    reading array mask layout known net on =
-      (,) on <$> recogniser (ArrayOn on array) mask layout (readerOf known net)
-    shown :: Show e => Either e a -> Either String a
-    shown = either (Left . show) Right
+onRecognisers tests = onPaper $ \setting ->
+  tests (settingArray setting) [(on, recogniserOn on setting) | on <- [Torus, Sheet]]
 
 -- | A grid of symbols as the array has them from a position on, seen in an orientation, with
 -- damage; some cells have none, some two.

@@ -18,8 +18,8 @@ import PraTactile.Recognise.GridLocation
 import PraTactile.Symmetry
 import PraTactile.Window (Mask, rectangle)
 import Test.Code.Generators (right)
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (tolerance)
 import Test.Recognition.Scenes
 import Test.Recognition.Symbols
@@ -151,7 +151,7 @@ symbolsOf array (Drawn (high, wide) at@(r, c) _ beside) =
 
 supportSpec :: KnownField k => PseudorandomArray k -> Recogniser k -> Spec
 supportSpec array reader =
-  modifyMaxSuccess (const 300) $
+  withCases 37 300 $
     it "is which symbols agree and which are wrong, by composites, of cells of a known distance" $
       forAll (elements [((3, 3), 4), ((3, 4), 6), ((4, 4), 9), ((5, 5), 16)]) $ \(size, distance) ->
         forAll (elements [Guaranteed, Guaranteed, UpTo 0, UpTo 1, UpTo 3]) $ \stated ->

@@ -19,41 +19,32 @@ import PraTactile.Segmentation
 import PraTactile.Sensor.Frame (taxelPitch)
 import PraTactile.Shape
 import PraTactile.Symmetry
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)
+import Test.Recognition.Setting
 import Test.Recognition.Symbols
-import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 spec :: Spec
-spec = either (it "the shipped parts fit together" . expectationFailure) id $ do
-  known <- either (Left . show) Right paperAlphabet
-  network <- either (Left . show) Right paperNetwork
-  let seen = templates known
-      reader = readerOf known network
-  pure $ do
-    modifyMaxSuccess (const 10) (symbolSpec known reader)
-    modifyMaxSuccess (const 20) (placeSpec known reader)
-    knownSpec known reader
-    modifyMaxSuccess (const 20) (partSpec known seen reader)
+spec = do
+  let known = readerAlphabet paperReader
+  withCases 2 10 (symbolSpec known paperReader)
+  withCases 2 20 (placeSpec known paperReader)
+  knownSpec known paperReader
+  withCases 2 20 (partSpec known (templates known) paperReader)
 
 -- | A symbol that is drawn: its cell, its class, and how it is turned.
-type Drawn = ((Int, Int), Int, Symmetry)
+type Placed = ((Int, Int), Int, Symmetry)
 
 -- | An image of so many rows and columns of cells of 16 x 20, or, on their side, of 20 x 16, with
 -- symbols in the middle of theirs.
-picture :: Alphabet -> Bool -> (Int, Int) -> [Drawn] -> Raster
-picture known sideways (high, wide) drawn =
-  generate (wide * across) (high * down) $ \x y ->
-    sum
-      [ fromMaybe 0 (index shape (x - left) (y - top))
-        | ((i, j), c, symmetry) <- drawn,
-          let shape = onRaster symmetry (toRaster (shapes known !! c)),
-          let left = j * across + (across - rasterWidth shape) `div` 2,
-          let top = i * down + (down - rasterHeight shape) `div` 2
-      ]
-  where
-    (across, down) = if sideways then (20, 16) else (16, 20)
+picture :: Alphabet -> Bool -> (Int, Int) -> [Placed] -> Raster
+picture known sideways size drawn' =
+  inCells
+    known
+    (if sideways then (20, 16) else (16, 20))
+    size
+    [(cell, c, onRaster symmetry) | (cell, c, symmetry) <- drawn']
 
 -- | Where the middle of a cell's symbol is, in pixels.
 middle :: Bool -> (Int, Int) -> (Double, Double)
@@ -64,7 +55,7 @@ middle sideways (i, j)
 cleanly :: Composite -> Cleaned
 cleanly composite = Cleaned composite Nothing []
 
-genDrawn :: Bool -> (Int, Int) -> Gen [Drawn]
+genDrawn :: Bool -> (Int, Int) -> Gen [Placed]
 genDrawn sideways (high, wide) = do
   cells <- sublistOf [(i, j) | i <- [0 .. high - 1], j <- [0 .. wide - 1]]
   traverse one (if null cells then [(0, 0)] else cells)

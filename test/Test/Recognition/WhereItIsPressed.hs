@@ -2,9 +2,7 @@
 module Test.Recognition.WhereItIsPressed (spec) where
 
 import Data.Maybe (catMaybes)
-import Data.Traversable (for)
-import PraTactile.Array (ArrayOn (..), Surface (Torus))
-import PraTactile.Classification.Reader (readerOf)
+import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Image (Raster)
@@ -12,19 +10,18 @@ import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Pressing
-import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Registration.Stitching
-import PraTactile.Relief (relief, reliefHeights)
+import PraTactile.Relief (reliefHeights)
 import PraTactile.Sensor
 import PraTactile.Sensor.Frame
 import PraTactile.Symmetry
 import PraTactile.Truth
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck
+import Test.Recognition.Setting
 import Test.Support
-import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 spec :: Spec
 spec = do
@@ -33,7 +30,7 @@ spec = do
 
 pressSpec :: Spec
 pressSpec = do
-  modifyMaxSuccess (const 10) $
+  withCases 2 10 $
     it "frames are what is felt of the true face where the true region has them" $
       forAll ((,) <$> choose (1, 99999) <*> elements [(0, 0), (10, -20)]) $ \(seed, origin) ->
         forAll (elements [AmongTurns halfTurns, TurnedBy 33, AmongTurns [turned 1]]) $ \lying ->
@@ -93,71 +90,47 @@ pressSpec = do
 -- | What is pressed of an object of the paper's.
 pressingOf :: Pressing -> String -> Either PressError ([Frame], Truth)
 pressingOf how object =
-  case (,) <$> shown canonicalPlacement <*> shown paperAlphabet of
-    Right (layout, alphabet) ->
-      either
-        (const (Left NoFaceLaid))
-        id
-        ( withProfile canonicalProfile $ \array _ ->
-            pressed how alphabet array layout (ObjectName object)
-        )
-    Left _ -> Left NoFaceLaid
+  onPaper $ \(Setting array _ layout reader) ->
+    pressed how (readerAlphabet reader) array layout (ObjectName object)
 
 -- | What the ideal sensor feels of the true face at a pose in the robot's coordinates.
 feltAt :: Truth -> Either String (Pose -> Raster)
 feltAt truth = do
-  layout <- shown canonicalPlacement
-  alphabet <- shown paperAlphabet
-  face <-
-    maybe (Left "no such face") Right $
-      lookup (truthFace truth) [(laidFace one, one) | one <- laidFaces layout]
-  heights <-
-    shown (withProfile canonicalProfile (\array _ -> relief array layout alphabet face)) >>= shown
+  heights <- maybe (Left "no such face") Right (lookup (truthFace truth) felt)
   let (x, y) = truthOrigin truth
       onFace pose =
         move
           (regionMotion (truthRegion truth))
           pose {poseX = poseX pose - x, poseY = poseY pose - y}
   pure (forwardImage idealSensor (reliefHeights heights) . onFace)
-
-shown :: Show e => Either e a -> Either String a
-shown = either (Left . show) Right
+  where
+    felt = onPaper (\setting -> [(laidFace face, surface) | (face, surface) <- facesFelt setting])
 
 experimentSpec :: Spec
 experimentSpec = do
   it "as many results as presses, each that of the trial with its number" $
-    withParts $ \alphabet layout net -> do
-      let made array mask = do
-            reader <- shown (recogniser (ArrayOn Torus array) mask layout (readerOf alphabet net))
-            faces <- for (laidFaces layout) $ \face ->
-              (,) face <$> shown (relief array layout alphabet face)
-            found <- shown (evaluated experiment array reader)
-            let one t =
-                  runTrial
-                    standardTolerance
-                    reader
-                    (registrationFor (assumedStitching standardSensor) (trialFrames t))
-                    t
-                how = experimentExploration experiment
-            pure (found, map one (take 3 (catMaybes (trials how faces 5))))
-          experiment =
+    onPaper $ \setting -> do
+      let experiment =
             (standardExperiment standardSensor) {experimentPresses = 3, experimentSeed = 5}
-      (found, wanted) <- right (shown (withProfile canonicalProfile made) >>= id)
-      found `shouldBe` wanted
+          reader = recogniserOf setting
+          one t =
+            runTrial
+              standardTolerance
+              reader
+              (registrationFor (assumedStitching standardSensor) (trialFrames t))
+              t
+          each = catMaybes (trials (experimentExploration experiment) (facesFelt setting) 5)
+      found <- right (evaluated experiment (settingArray setting) reader)
+      found `shouldBe` map one (take 3 each)
   it "a region below the sensor is refused" $
-    withParts $ \alphabet layout net -> do
-      let refused size =
-            shown $
-              withProfile canonicalProfile $ \array mask -> do
-                reader <-
-                  shown (recogniser (ArrayOn Torus array) mask layout (readerOf alphabet net))
-                pure (evaluated (over size) array reader)
+    onPaper $ \setting -> do
+      let refused size = evaluated (over size) (settingArray setting) (recogniserOf setting)
           over size =
             (standardExperiment standardSensor)
               { experimentExploration =
                   exploration standardSensor (AmongTurns halfTurns) size
               }
-          cause = either (const "parts") (either (const "parts") (either name (const "none")))
+          cause = either name (const "none")
           name e = case e of
             PressesRefused _ -> "presses"
             ReliefRefused _ -> "relief"
@@ -171,9 +144,3 @@ experimentSpec = do
       `shouldBe` Just 0.625
     stitchingPositionError (assumedStitching standardSensor {sensorPositionError = 1.5})
       `shouldBe` Just 1.5
-  where
-    withParts check = do
-      alphabet <- right paperAlphabet
-      layout <- right canonicalPlacement
-      net <- right paperNetwork
-      check alphabet layout net :: Expectation

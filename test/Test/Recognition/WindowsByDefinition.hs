@@ -2,42 +2,46 @@
 -- symbols that are wrong, unsure, upside down, missing, or in doubt.
 module Test.Recognition.WindowsByDefinition (spec) where
 
+import Data.Foldable (for_)
 import Data.List (nub)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust, listToMaybe, mapMaybe)
 import PraTactile.Array
-import PraTactile.Field (KnownField)
 import PraTactile.Object.Placement
 import PraTactile.Recognise
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation
 import PraTactile.Symmetry
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (classes)
 import Test.Recognition.Scenes
+import Test.Recognition.Setting
 
 spec :: Spec
-spec = onRecognisers $ \array readers -> modifyMaxSuccess (const 200) (foundSpec array readers)
-
-foundSpec :: KnownField k => PseudorandomArray k -> [(Surface, Recogniser k)] -> Spec
-foundSpec array readers =
-  it "what is found are the windows whose symbols are the array's, or where most of them are" $
-    forAllBlind (elements readers) $ \(surface, reader) ->
-      forAllBlind (genScene (cellOf surface array) [0]) $ \scene ->
-        let location =
-              GridLocation
-                (sceneOrientation scene)
-                (sceneCells scene)
-                Nothing
-                Nothing
-                GroupsApart
-            found = findingAt reader location (scenePosition scene)
-         in foundAsDefined (recogniserPlacement reader) (cellOf surface array) scene found
+spec =
+  for_ [Shape 2 2, Shape 2 3, Shape 3 2, Shape 3 3] $ \window ->
+    describe (unwords ["windows of", show (rows window), "x", show (columns window)]) $
+      onPaperWith window $ \setting ->
+        withCases 25 100 $
+          it "what is found are those whose symbols are the array's, or where most of them are" $
+            forAll (elements [Torus, Sheet]) $ \surface ->
+              let onArray' = cellOf surface (settingArray setting)
+                  reader = recogniserOn surface setting
+               in forAllBlind (genScene onArray' [0]) $ \scene ->
+                    let location =
+                          GridLocation
+                            (sceneOrientation scene)
+                            (sceneCells scene)
+                            Nothing
+                            Nothing
+                            GroupsApart
+                        found = findingAt reader location (scenePosition scene)
+                     in foundAsDefined window (settingLayout setting) onArray' scene found
 
 -- | Whether what is found at a scene's position is what the definition says.
-foundAsDefined :: Placement -> OnArray -> Scene -> Maybe Finding -> Property
-foundAsDefined layout onArray (Scene orientation position cells) answered =
+foundAsDefined :: Shape -> Placement -> OnArray -> Scene -> Maybe Finding -> Property
+foundAsDefined window' layout onArray' (Scene orientation position cells) answered =
   label (if null complete then "incomplete" else "complete") $ case (answered, wanted) of
     (Just found, Just window) ->
       conjoin
@@ -56,7 +60,8 @@ foundAsDefined layout onArray (Scene orientation position cells) answered =
     (Nothing, Nothing) -> property True
     (found, _) -> counterexample (show (isJust found, fmap third wanted)) False
   where
-    at = onArray position
+    at = onArray' position
+    (high, wide) = (fromIntegral (rows window'), fromIntegral (columns window'))
     third (_, _, w) = w
     end part = maximum (0 : map part (Map.keys cells))
     -- Cells with a symbol that is the array's there.
@@ -68,18 +73,17 @@ foundAsDefined layout onArray (Scene orientation position cells) answered =
       ]
     right' = agreeing readClass
     known = if null right' then agreeing (Just . readLikeliest) else right'
-    windowsFrom first =
-      [ (cell, block, ReadWindow p classes (seenAt cell block) (whereabouts layout (Shape 2 2) p))
-        | i <- [first .. end fst],
-          j <- [first .. end snd],
-          let cell = (i, j),
+    windowsFrom (top, left) =
+      [ (cell, concat block, ReadWindow p classes (seenAt cell (concat block)) there)
+        | cell@(i, j) <- (,) <$> [top .. end fst] <*> [left .. end snd],
           Just (p, _) <- [at cell],
-          let block = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)],
+          let block = [[(i + di, j + dj) | dj <- [0 .. wide - 1]] | di <- [0 .. high - 1]],
           let class' b = if b `elem` right' then snd <$> at b else Nothing,
-          let classes = [map class' (take 2 block), map class' (drop 2 block)]
+          let classes = map (map class') block,
+          let there = whereabouts layout window' p
       ]
-    complete = filter (\(_, block, _) -> all (`elem` right') block) (windowsFrom 0)
-    -- Where its symbols have the centre, which is half a pitch from each.
+    complete = filter (\(_, block, _) -> all (`elem` right') block) (windowsFrom (0, 0))
+    -- Where its symbols have the centre.
     seenAt (i, j) block =
       mean
         [ (x - dx, y - dy)
@@ -89,7 +93,9 @@ foundAsDefined layout onArray (Scene orientation position cells) answered =
             let (dx, dy) =
                   onOffset
                     orientation
-                    (16 * (fromIntegral (j' - j) - 0.5), 20 * (fromIntegral (i' - i) - 0.5))
+                    ( 16 * (fromIntegral (j' - j) - fromIntegral (wide - 1) / 2),
+                      20 * (fromIntegral (i' - i) - fromIntegral (high - 1) / 2)
+                    )
         ]
     mean places =
       let n = fromIntegral (max 1 (length places))
@@ -107,11 +113,11 @@ foundAsDefined layout onArray (Scene orientation position cells) answered =
     onTheFace =
       [ w
         | [face] <- [faces],
-          w@(_, _, window) <- windowsFrom (-1),
+          w@(_, _, window) <- windowsFrom (1 - high, 1 - wide),
           fst (felt w) > 0,
           faceOf window == Just face
       ]
-    wanted = listToMaybe (mapMaybe best [take 1 complete, onTheFace, windowsFrom 0])
+    wanted = listToMaybe (mapMaybe best [take 1 complete, onTheFace, windowsFrom (0, 0)])
     -- The first of those with the most.
     best ws = listToMaybe [w | w <- ws, felt w == maximum (map felt ws)]
     sameWindow a (_, _, b) =

@@ -3,6 +3,7 @@
 module Test.Touch.Paper
   ( paperAlphabet,
     paperNetwork,
+    paperReader,
     paperTables,
     arrange,
     assemble,
@@ -12,6 +13,7 @@ module Test.Touch.Paper
 where
 
 import PraTactile.Classification.Network (Network)
+import PraTactile.Classification.Reader (Reader (..), readerOf)
 import PraTactile.Classification.Shipped
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image (Raster)
@@ -20,7 +22,7 @@ import qualified PraTactile.Registration as Registration
 import PraTactile.Registration.Arrangement (Arrangement, StitchMethod, TooMuch)
 import qualified PraTactile.Registration.Arrangement as Arrangement
 import PraTactile.Registration.Lattice.Fit (whole)
-import PraTactile.Registration.Lattice.Template (LatticeTables, latticeTables)
+import PraTactile.Registration.Lattice.Template (LatticeTables)
 import PraTactile.Registration.Search (Registration)
 import PraTactile.Registration.Stitching (Stitching)
 import qualified PraTactile.Registration.Stitching as Stitching
@@ -33,9 +35,12 @@ paperAlphabet = shippedAlphabet 4
 paperNetwork :: Either ShippedError Network
 paperNetwork = shippedNetwork 4
 
--- | Made once for all tests.
+-- | The symbols' shapes and network with what is made of them, once for all tests.
+paperReader :: Reader
+paperReader = either (error . show) id (readerOf <$> paperAlphabet <*> paperNetwork)
+
 paperTables :: LatticeTables
-paperTables = either (error . show) latticeTables paperAlphabet
+paperTables = readerTables paperReader
 
 arrange :: StitchMethod -> Registration -> [(Taxels, Raster)] -> Either TooMuch Arrangement
 arrange method settings = Arrangement.arrange paperTables method settings . map (fmap whole)

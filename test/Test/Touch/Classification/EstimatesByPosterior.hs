@@ -13,6 +13,7 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Classification.Calibration
 import PraTactile.Classification.Estimate
 import PraTactile.Classification.Part
+import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Classification.Regimen
 import PraTactile.Classification.Specimens
 import PraTactile.Classification.Templates
@@ -25,11 +26,11 @@ import PraTactile.Shape.Distance (separation)
 import PraTactile.Steps
 import PraTactile.Symmetry
 import System.Random (mkStdGen)
+import Test.Effort (byEffort)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
-import Test.Support
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
-import Test.Touch.Paper (paperAlphabet)
+import Test.Touch.Paper (paperReader)
 
 spec :: Spec
 spec = do
@@ -37,7 +38,6 @@ spec = do
   describe "Estimates" estimateSpec
   describe "A part of a symbol" partSpec
   it "of no levels of noise, images are as of none; those of symbols alone are of a class" $ do
-    known <- drawnAlphabet
     let made noises = fst (roundImages [(Upright, 2), (Bare, 3)] noises known (mkStdGen 7))
     made [] `shouldBe` made [0]
     map snd (made []) `shouldBe` concat [[Just k, Just k] | k <- [0 .. 3]] ++ replicate 12 Nothing
@@ -49,8 +49,11 @@ spec = do
 near :: Double -> Double -> Property
 near wanted came = counterexample (show (wanted, came)) (abs (wanted - came) < 1e-9)
 
-drawnAlphabet :: IO Alphabet
-drawnAlphabet = either (fail . show) pure paperAlphabet
+known :: Alphabet
+known = readerAlphabet paperReader
+
+seen :: Templates
+seen = readerTemplates paperReader
 
 -- | A shape moved by so many taxels to the right and down, between its taxels in proportion; flat
 -- outside its box.
@@ -71,29 +74,24 @@ moved shape (dx, dy) =
 
 likenessSpec :: Spec
 likenessSpec = do
-  it "is the greatest correlation with the shape, moved by up to half a taxel" $ do
-    known <- drawnAlphabet
-    let seen = templates known
-        offsets = (,) <$> [-0.5, 0, 0.5] <*> [-0.5, 0, 0.5]
-    templateCount seen `shouldBe` length (shapes known)
-    holds 15 $
+  it "is the greatest correlation with the shape, moved by up to half a taxel" $
+    withMaxSuccess 15 $
       forAll (genRasterOf 8 12) $ \image ->
         conjoin
           [ near
-              (maximum [correlated image (moved shape d) | d <- offsets])
+              (maximum [correlated image (moved shape (dx, dy)) | dx <- halves, dy <- halves])
               (match seen c image)
             | (c, shape) <- zip [0 ..] (shapes known)
           ]
-  it "is the same of an image at any gain, however faint" $ do
-    seen <- templates <$> drawnAlphabet
-    holds 15 $
+  it "has a template a shape" $ templateCount seen `shouldBe` length (shapes known)
+  it "is the same of an image at any gain, however faint" $
+    withMaxSuccess 15 $
       forAll (genRasterOf 8 12) $ \image -> forAll (elements [1e-3, 0.1, 30]) $ \gain ->
         conjoin
           [ near (match seen c image) (match seen c (mapRaster (\v -> 0.3 + gain * v) image))
             | c <- [0 .. 3]
           ]
   it "is 0 of what is alike everywhere, of another size, and to a class that there is not" $ do
-    seen <- templates <$> drawnAlphabet
     let shape = generate 8 12 (\x y -> fromIntegral (x * y))
     [match seen c (constant 8 12 v) | c <- [0 .. 3], v <- [0, 0.3, 0.5, 1]]
       `shouldSatisfy` all ((< 1e-9) . abs)
@@ -101,13 +99,11 @@ likenessSpec = do
       match seen 0 (generate w h (\x y -> fromIntegral (x * y))) `shouldBe` 0
     [match seen c shape | c <- [-1, 4]] `shouldBe` [0, 0]
     [squaredDistances seen c shape shape | c <- [-1, 4]] `shouldBe` [[], []]
-  it "by distance: the sum of squares where the weight is, for each move by up to a taxel" $ do
-    known <- drawnAlphabet
-    let line = [-1, -0.5, 0, 0.5, 1]
-    holds 15 $
+  it "by distance: the sum of squares where the weight is, for each move by up to a taxel" $
+    withMaxSuccess 15 $
       forAll ((,) <$> genRasterOf 8 12 <*> genRasterOf 8 12) $ \(image, weight) ->
         conjoin
-          [ map fst found === [(dx, dy) | dx <- line, dy <- line]
+          [ map fst found === [(dx, dy) | dx <- [-1, -0.5 .. 1], dy <- [-1, -0.5 .. 1]]
               .&&. conjoin
                 [ near
                     ( sum
@@ -123,8 +119,10 @@ likenessSpec = do
                   | (move, distance) <- found
                 ]
             | (c, shape) <- zip [0 ..] (shapes known),
-              let found = squaredDistances (templates known) c image weight
+              let found = squaredDistances seen c image weight
           ]
+  where
+    halves = [-0.5, 0, 0.5]
 
 correlated :: Raster -> [[Double]] -> Double
 correlated image rows = correlation (concat (toRows image)) (concat rows)
@@ -138,17 +136,11 @@ correlation us vs = product' a b / sqrt (product' a a * product' b b)
 
 estimateSpec :: Spec
 estimateSpec = do
-  it "are as probable as outputs, likenesses and offsets say" $ do
-    known <- drawnAlphabet
-    let seen = templates known
-        drawnOutput = oneof [choose (0, 1), choose (0.9, 1), elements [0, 1, 1e-20, 1 - 1e-16]]
-        calibrations =
-          Calibration <$> choose (0, 1) <*> choose (0, 9) <*> vectorOf 4 (choose (-2, 2))
-            <*> vectorOf 4 (choose (-2, 2))
-    holds 200 $
+  it "are as probable as outputs, likenesses and offsets say" $
+    withMaxSuccess (byEffort 60 200) $
       forAll
-        ( (,,,) <$> calibrations <*> genRasterOf 8 12 <*> vectorOf 4 drawnOutput
-            <*> vectorOf 4 drawnOutput
+        ( (,,,) <$> genCalibration <*> genRasterOf 8 12 <*> vectorOf 4 genOutput
+            <*> vectorOf 4 genOutput
         )
         $ \(fitted', image, upright, upsideDown) ->
           let Calibration alpha beta gammas deltas = fitted'
@@ -197,12 +189,49 @@ estimateSpec = do
         choices = take 4000 (unfoldr (Just . drawnChoice) (mkStdGen 3))
         found = V.toList (conditionalLogit (V.fromList [0, 0]) (V.fromList [0.01, 0.01]) choices)
     for_ (zip true found) $ \(wanted, came) -> abs (wanted - came) `shouldSatisfy` (< 0.1)
+  it "a calibration without information is the prior's mean, however sure the prior is" $
+    forAll ((,) <$> vectorOf 3 (choose (-9, 9)) <*> vectorOf 3 (choose (0.01, 99))) $
+      \(means, precisions) -> forAll (listOf (vectorOf 3 (choose (-2, 2)))) $ \alternatives ->
+        -- Alternatives that are alike tell nothing, whichever is chosen.
+        let alike = [(x, [x, x, x]) | x <- map V.fromList alternatives]
+         in conditionalLogit (V.fromList means) (V.fromList precisions) alike
+              === V.fromList means
+  it "a calibration is where likelihood and prior balance: their slope is 0" $
+    forAll ((,) <$> vectorOf 2 (choose (-1, 1)) <*> vectorOf 2 (choose (0.1, 9))) $
+      \(means, precisions) -> forAll (choose (1, 30) >>= (`vectorOf` genChoice)) $ \choices ->
+        let w = conditionalLogit (V.fromList means) (V.fromList precisions) choices
+            slope i =
+              (precisions !! i) * (means !! i - w V.! i)
+                + sum
+                  [ chosen V.! i - sum (zipWith (\p x -> p * x V.! i) (shares xs) xs)
+                    | (chosen, xs) <- choices
+                  ]
+            shares xs =
+              let powers = [exp (V.sum (V.zipWith (*) w x)) | x <- xs]
+               in map (/ sum powers) powers
+         in conjoin [counterexample (show (i, slope i)) (abs (slope i) < 1e-6) | i <- [0, 1]]
+  it "a calibration from each choice twice is that from each once under half the prior" $
+    forAll (vectorOf 2 (choose (0.1, 9))) $ \precisions ->
+      forAll (choose (1, 30) >>= (`vectorOf` genChoice)) $ \choices ->
+        let found prior = conditionalLogit (V.fromList [0.5, -0.5]) (V.fromList prior)
+            twice = found precisions (choices ++ choices)
+            once' = found (map (/ 2) precisions) choices
+         in counterexample (show (twice, once')) $
+              V.and (V.zipWith (\a b -> abs (a - b) < 1e-6) twice once')
   it "is read as it is written" $
     forAll ((,) <$> choose (1, 9) <*> vectorOf 20 arbitrary) $ \(q, numbers) ->
       let some from count = take count (drop from numbers)
           written = Calibration (numbers !! 0) (numbers !! 1) (some 6 q) (some 2 4)
        in decodeCalibration (encodeUtf8 (renderCalibration written)) === Right written
   where
+    genOutput = oneof [choose (0, 1), choose (0.9, 1), elements [0, 1, 1e-20, 1 - 1e-16]]
+    genCalibration =
+      Calibration <$> choose (0, 1) <*> choose (0, 9) <*> vectorOf 4 (choose (-2, 2))
+        <*> vectorOf 4 (choose (-2, 2))
+    genChoice = do
+      alternatives <- choose (1, 4) >>= (`vectorOf` (V.fromList <$> vectorOf 2 (choose (-2, 2))))
+      chosen <- elements alternatives
+      pure (chosen, alternatives)
     drawnMany n g = case n :: Int of
       0 -> ([], g)
       _ -> let (u, g') = uniform g in first ((2 * u - 1) * 2 :) (drawnMany (n - 1) g')
@@ -212,19 +241,17 @@ estimateSpec = do
 partSpec :: Spec
 partSpec = do
   it "is in doubt by what is nothing of the kind at least, however well one shape alone fits" $ do
-    known <- drawnAlphabet
     for_ [1 .. 12] $ \rows ->
-      minimum [doubtOf known rows c | c <- [0 .. 3]]
+      minimum [doubtOf rows c | c <- [0 .. 3]]
         `shouldSatisfy` (> 7 / 8 * nothingOfTheKind (8 * fromIntegral rows) - 1e-12)
-    maximum [doubtOf known 12 c | c <- [0 .. 3]] `shouldSatisfy` (< 0.0011)
-  it "is each shape moved a little, flat, or nothing of the kind: the posterior of all these" $ do
-    known <- drawnAlphabet
-    holds 60 $
+    maximum [doubtOf 12 c | c <- [0 .. 3]] `shouldSatisfy` (< 0.0011)
+  it "is each shape moved a little, flat, or nothing of the kind: the posterior of all these" $
+    withMaxSuccess (byEffort 20 60) $
       forAll (elements [0, 0.5, 1, 2]) $ \sigma ->
         forAll (choose (1, 12) >>= \rows -> (,) rows <$> genRasterOf 8 rows) $ \(rows, image) ->
           let part = upper rows image
               taxels = 8 * fromIntegral rows
-              (distances, flat) = partDistances (templates known) part
+              (distances, flat) = partDistances seen part
               least = minimum (flat : concatMap (map snd . snd) distances)
               asOne = 3500 / fromIntegral (separation known) ** 2 + 0.75 * sigma ** 2
               -- By a normal law of each variance of a taxel, e^u times the likeliest one's.
@@ -241,7 +268,7 @@ partSpec = do
               rubbish = max (50 ** (sigma - 1) / 1000) (nothingOfTheKind taxels)
               everything = normal flat + sum (map (ofShape . snd) distances)
               chance l = (1 - rubbish) * (l + normal flat / 8) / everything + rubbish / 8
-              e = estimatePart (templates known) sigma part
+              e = estimatePart seen sigma part
            in conjoin $
                 near (1 - estimateChance e (estimateLikeliest e)) (estimateDoubt e) :
                 (maximum (map snd (estimateChances e)) === estimateChance e (estimateLikeliest e)) :
@@ -252,9 +279,9 @@ partSpec = do
     line = [-1, -0.5, 0, 0.5, 1]
     nothingOfTheKind :: Double -> Double
     nothingOfTheKind taxels = if taxels < 32 then 0.006 else 0.001
-    doubtOf known rows c =
+    doubtOf rows c =
       let part = upper rows (toRaster (shapes known !! c))
-       in estimateDoubt (estimatePart (templates known) 0 part)
+       in estimateDoubt (estimatePart seen 0 part)
     -- Only the upper rows are seen, of which the image has at least as many.
     upper rows image =
       Part

@@ -14,6 +14,7 @@ import PraTactile.Image (Raster, constant, generate, index, rasterValues, toRows
 import PraTactile.Shape
 import PraTactile.Symmetry (onRows, turned)
 import System.Random (mkStdGen)
+import Test.Effort (byEffort, whenFull)
 import Test.Hspec
 import Test.QuickCheck hiding (classify, generate, label, output)
 import Test.Touch.Paper (paperAlphabet)
@@ -97,13 +98,14 @@ spec = do
   describe "A training" $ do
     it "from the same seed gives the same network to the bit; from another, another" $ do
       let trained seed =
-            paperAlphabet' >>= \a -> either (Left . show) (Right . fst) (trainWith small a seed)
+            paperAlphabet' >>= \a -> either (Left . show) (Right . fst) (trainWith short a seed)
+          short = regimenOf (byEffort 20 200)
       trained 5 `shouldBe` trained 5
       (trained 5 == trained 6) `shouldBe` False
-    it "of 400 epochs on a fifth of the images tells every clean shape and its half turn" $ do
+    whenFull . it "of 400 epochs on a fifth of the images tells every clean shape and its half turn" $ do
       let verdicts = do
             a <- paperAlphabet'
-            (n, _) <- either (Left . show) Right (trainWith small a 5)
+            (n, _) <- either (Left . show) Right (trainWith (regimenOf 200) a 5)
             either
               (Left . show)
               Right
@@ -204,13 +206,13 @@ errorBefore, errorAfter :: Trace -> Double
 errorBefore = epochError . NonEmpty.head
 errorAfter = epochError . lastEpoch
 
--- | Two rounds of 200 epochs, on a fifth of the images.
-small :: Regimen
-small =
+-- | Two rounds of so many epochs, on a fifth of the images.
+regimenOf :: Int -> Regimen
+regimenOf count =
   shippedRegimen
     { composition = [(kind, count `div` 5) | (kind, count) <- composition shippedRegimen],
       stages =
-        [Stage 1 shippedDescent {epochs = 200} [0], Stage 1 shippedDescent {epochs = 200} [0, 0.1]]
+        [Stage 1 shippedDescent {epochs = count} noise | noise <- [[0], [0, 0.1]]]
     }
 
 paperAlphabet' :: Either String Alphabet

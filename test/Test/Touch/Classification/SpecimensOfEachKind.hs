@@ -13,8 +13,8 @@ import PraTactile.Sensor.Frame (Pose (..))
 import PraTactile.Shape
 import PraTactile.Symmetry
 import System.Random (mkStdGen)
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 import Test.Touch.Paper (paperAlphabet)
@@ -147,7 +147,7 @@ specimens = do
 
 parts :: Spec
 parts =
-  modifyMaxSuccess (const 3)
+  withCases 2 3
     . it "partDistances are sums of squares, from a flat face and from shapes moved by half taxels"
     $ forAll ((,) <$> genRasterOf 8 12 <*> genRasterOf 8 12) $ \(values, dice) ->
       let seen = mapRaster (\v -> if v < 0.6 then 1 else 0) dice

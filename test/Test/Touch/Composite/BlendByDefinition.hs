@@ -8,8 +8,8 @@ import PraTactile.Image.Correlate (Reference, reference)
 import PraTactile.Registration hiding (assemble)
 import PraTactile.Registration.Search
 import PraTactile.Sensor.Frame
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 import Test.Touch.Paper (assemble)
@@ -109,7 +109,7 @@ blending = do
 -- sigma^2 (1 + 1/k) in all.
 growing :: Spec
 growing =
-  modifyMaxSuccess (const 60) $
+  withCases 7 60 $
     it "the frame after k that agree is placed by a prior of variance sigma^2 (1 + 1/k)" $
       forAll ((,) <$> choose (2, 5) <*> choose (0.3, 1.5)) $ \(k, sigma) ->
         forAll ((,) <$> genRasterOf 16 16 <*> genRasterOf 16 16) $ \(strong, texture) ->

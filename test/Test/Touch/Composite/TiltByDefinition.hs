@@ -7,13 +7,13 @@ import PraTactile.Composite
 import PraTactile.Composite.Tilt
 import PraTactile.Image
 import PraTactile.Sensor.Manifest (standardTaking)
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 spec :: Spec
-spec = modifyMaxSuccess (const 60) $ do
+spec = withCases 7 60 $ do
   tiltSpec
   uprightSpec
 

@@ -35,7 +35,9 @@ genRasterOf :: Int -> Int -> Gen Raster
 genRasterOf w h = fromList w h <$> vectorOf (w * h) (choose (0, 1))
 
 fromList :: Int -> Int -> [Double] -> Raster
-fromList w h values = generate w h (\x y -> fromMaybe 0 (V.fromList values V.!? (y * w + x)))
+fromList w h values = generate w h (\x y -> fromMaybe 0 (numbered V.!? (y * w + x)))
+  where
+    numbered = V.fromList values
 
 spec :: Spec
 spec = do

@@ -10,14 +10,14 @@ import PraTactile.Image
 import PraTactile.Registration.Lattice.Angle
 import PraTactile.Registration.Lattice.Fit (Fit (..), Fits (..))
 import PraTactile.Registration.Spectrum
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 spec :: Spec
 spec =
-  modifyMaxSuccess (const 200) $
+  withCases 25 200 $
     it "the angle is found as defined, whatever frames tell, to where there is none" $
       forAllBlind genTold $ \(images, roughly, finely) ->
         forAll (choose (0, 4) >>= \n -> vectorOf n (choose (-45, 45))) $ \hints ->

@@ -16,8 +16,8 @@ import PraTactile.Registration.Pair.Blind
 import PraTactile.Registration.Pair.Straight
 import PraTactile.Registration.Posterior
 import PraTactile.Registration.Spectrum
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (Blind, generate, sample, tables)
 import Test.Support
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
@@ -28,11 +28,11 @@ import Test.Touch.Registration.Reliefs (genFrames)
 spec :: Spec
 spec = do
   askedSpec
-  modifyMaxSuccess (const 60) posteriorSpec
-  modifyMaxSuccess (const 60) refusalSpec
-  modifyMaxSuccess (const 20) methodSpec
-  modifyMaxSuccess (const 20) knownSpec
-  modifyMaxSuccess (const 60) straightSpec
+  withCases 7 60 posteriorSpec
+  withCases 7 60 refusalSpec
+  withCases 2 20 methodSpec
+  withCases 2 20 knownSpec
+  withCases 7 60 straightSpec
 
 askedSpec :: Spec
 askedSpec = do

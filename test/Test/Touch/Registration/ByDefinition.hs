@@ -21,8 +21,8 @@ import PraTactile.Registration.Model
 import PraTactile.Registration.Pair.Lattice
 import PraTactile.Registration.Posterior (Hypothesis (..), Posterior (..))
 import PraTactile.Registration.Search (Registration (..), standardRegistration)
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (classes, generate, sample, tables, total)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 import Test.Touch.Paper (paperTables)
@@ -33,10 +33,10 @@ import Test.Touch.Sensor.MeanHeights (embossing)
 spec :: Spec
 spec = do
   cellSpec
-  modifyMaxSuccess (const 10) frameSpec
-  modifyMaxSuccess (const 12) ascentSpec
-  modifyMaxSuccess (const 6) jointSpec
-  modifyMaxSuccess (const 6) pairSpec
+  withCases 2 10 frameSpec
+  withCases 2 12 ascentSpec
+  withCases 2 6 jointSpec
+  withCases 2 6 pairSpec
 
 cellSpec :: Spec
 cellSpec =

@@ -17,14 +17,14 @@ import PraTactile.Registration.Neighbours (Neighbours (..), neighboursAround)
 import PraTactile.Registration.Search
 import PraTactile.Sensor.Frame (Pose (..))
 import PraTactile.Sensor.Manifest (Axes, alongAxes, axesNamed, straight)
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 spec :: Spec
 spec =
-  modifyMaxSuccess (const 60)
+  withCases 7 60
     . it "frames contradict each other as defined, to where the answer changes"
     $ forAllBlind genMixed $ \(settings, frames) ->
       let answer = defined settings . frames

@@ -9,13 +9,13 @@ import PraTactile.Image hiding (mean)
 import PraTactile.Image.Correlate
 import PraTactile.Registration.Incremental
 import PraTactile.Registration.Search
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 spec :: Spec
-spec = modifyMaxSuccess (const 200) $ do
+spec = withCases 25 200 $ do
   it "frames are displaced by eighths of a taxel, in the mean by less than one" $
     forAllBlind genFrames $ \frames -> forAll (genSettings [0, 1, 5]) $ \settings ->
       let moves = register settings frames

@@ -11,13 +11,13 @@ import PraTactile.Registration.Lattice.Places (Places (..), placesAt)
 import PraTactile.Registration.Levelling (randomEffects)
 import PraTactile.Registration.Neighbours
 import PraTactile.Registration.Posterior
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
 
 spec :: Spec
 spec = do
-  describe "What is known of a displacement" $ modifyMaxSuccess (const 200) posteriorSpec
+  describe "What is known of a displacement" $ withCases 25 200 posteriorSpec
   describe "Which frames overlap" neighbourSpec
   describe "The noise of frames" noiseSpec
   describe "The places of symbols" placesSpec

@@ -23,8 +23,9 @@ import PraTactile.Registration.Lattice.Places (placesGrid)
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search (Registration (..), standardRegistration, supposedSigma)
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (classes, scale, tables, total)
 import Test.Touch.Paper (paperTables)
 import Test.Touch.Registration.Definition (Robot (..), Seen (..), estimate, likely)
@@ -33,10 +34,10 @@ import qualified Test.Touch.Registration.Definition as Definition
 spec :: Spec
 spec = do
   gridSpec
-  modifyMaxSuccess (const 24) phaseSpec
-  modifyMaxSuccess (const 40) optionSpec
-  modifyMaxSuccess (const 400) consensusSpec
-  modifyMaxSuccess (const 300) locatedSpec
+  withCases 3 24 phaseSpec
+  withCases 5 40 optionSpec
+  withCases 50 400 consensusSpec
+  withCases 37 300 locatedSpec
 
 -- | What a frame of nothing tells, to be told otherwise.
 blank :: Likelihood

@@ -8,16 +8,16 @@ import PraTactile.Image
 import PraTactile.Registration.Pair.Blind
 import PraTactile.Registration.Posterior
 import PraTactile.Registration.Spectrum
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, tables)
 import Test.Touch.Registration.PairDefinition
 import Test.Touch.Registration.Reliefs (genFrames)
 
 spec :: Spec
 spec = do
-  modifyMaxSuccess (const 25) processSpec
-  modifyMaxSuccess (const 50) pairSpec
+  withCases 3 25 processSpec
+  withCases 6 50 pairSpec
 
 tables :: Spectra
 tables = spectra 9 8

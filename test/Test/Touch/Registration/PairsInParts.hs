@@ -16,13 +16,13 @@ import PraTactile.Registration.Spectrum
 import PraTactile.Sensor.Resample
 import PraTactile.Symmetry
 import System.Random (mkStdGen, randomRs)
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf, genRasterWithin)
 
 spec :: Spec
-spec = modifyMaxSuccess (const 100) $ do
+spec = withCases 12 100 $ do
   overlapSpec
   blindSpec
   straightSpec

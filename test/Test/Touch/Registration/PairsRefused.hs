@@ -13,8 +13,9 @@ import PraTactile.Registration.Pair.Lattice (latticePosterior)
 import PraTactile.Registration.Posterior (hypotheses)
 import PraTactile.Shape (Alphabet, embossedAt, shapes)
 import System.Random (mkStdGen)
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (Blind, generate, tables)
 import Test.Touch.Paper (paperAlphabet)
 
@@ -28,9 +29,9 @@ spec = do
         level = found (clean (\_ y -> if y < 7 then 0 else 1))
     (matchRefusal upright, matchFixed upright) `shouldBe` (Just OneAxis, (True, False))
     (matchRefusal level, matchFixed level) `shouldBe` (Just OneAxis, (False, True))
-  modifyMaxSuccess (const 60) straight
-  modifyMaxSuccess (const 20) turnedAbout
-  modifyMaxSuccess (const 10) byLattice
+  withCases 7 60 straight
+  withCases 2 20 turnedAbout
+  withCases 2 10 byLattice
   it "ambiguous: a pattern that repeats within the search fixes neither axis" $
     refusalOf (\x y -> if even (x `div` 2 + y `div` 2) then 0 else 1) `shouldBe` Just Ambiguous
   it "no overlap: frames further apart than they are wide" $

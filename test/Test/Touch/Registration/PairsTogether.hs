@@ -15,15 +15,15 @@ import PraTactile.Registration.AllPairs.Pair
 import PraTactile.Registration.Joint.Estimate (Estimate (..))
 import PraTactile.Registration.Posterior
 import PraTactile.Registration.Search
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 spec :: Spec
 spec = do
-  modifyMaxSuccess (const 30) fieldSpec
-  modifyMaxSuccess (const 20) truthSpec
+  withCases 3 30 fieldSpec
+  withCases 2 20 truthSpec
   it "each frame chooses eight pairs at most: of nine at one place all, of more not" $ do
     let compared count = comparedPixels told (replicate count ((0, 0), constant 16 16 0.5))
         pairs count = compared count `div` compared 2

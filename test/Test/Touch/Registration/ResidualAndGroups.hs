@@ -10,14 +10,14 @@ import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Residual (residual)
 import PraTactile.Registration.Search (Registration (..), standardRegistration)
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf, genRasterWithin)
 import Test.Touch.Registration.Face (arranged)
 
 spec :: Spec
-spec = modifyMaxSuccess (const 100) $ do
+spec = withCases 12 100 $ do
   residualSpec
   groupSpec
   othersSpec

@@ -12,14 +12,14 @@ import PraTactile.Registration.Pair.Alike (agreements)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 import Test.Touch.Paper (assemble)
 
 spec :: Spec
-spec = modifyMaxSuccess (const 100) $ do
+spec = withCases 12 100 $ do
   describe "What registration supposes" settingsSpec
   describe "The most probable displacement" searchSpec
   describe "Other places" otherSpec
@@ -141,7 +141,7 @@ otherSpec = do
             line t = map fromIntegral [t - search .. t + search :: Int]
          in agreements (fromIntegral dx, fromIntegral dy) (fromIntegral search) plane plane
               === [(x, y) | y <- line dy, x <- line dx]
-  modifyMaxSuccess (const 10) . it "of frames put together the four most probable are weighed" $
+  withCases 2 10 . it "of frames put together the four most probable are weighed" $
     forAll (genRasterOf 40 4) $ \stripes ->
       let -- Any relief across, and every four taxels the same down; five pairs of frames of it.
           relief x y = fromMaybe 0 (index stripes x (y `mod` 4))

@@ -14,8 +14,8 @@ import PraTactile.Registration.Lattice.Fit
 import PraTactile.Registration.Lattice.Likelihood hiding (eStep, mStep)
 import PraTactile.Registration.Lattice.Template (tablesAt)
 import PraTactile.Registration.Model
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
 import Test.Touch.Paper (paperTables)
 import Test.Touch.Registration.Definition (drawn)
@@ -23,9 +23,9 @@ import Test.Touch.Sensor.MeanHeights (embossing)
 
 spec :: Spec
 spec = do
-  modifyMaxSuccess (const 60) stepSpec
-  modifyMaxSuccess (const 8) planeSpec
-  modifyMaxSuccess (const 3) weightSpec
+  withCases 7 60 stepSpec
+  withCases 2 8 planeSpec
+  withCases 2 3 weightSpec
 
 -- | The reliefs that a taxel may have.
 reliefs :: [Double]

@@ -10,13 +10,13 @@ import Data.Ord (comparing)
 import PraTactile.Image (constant)
 import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Segmentation.Lattice
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck
 
 spec :: Spec
 spec =
-  modifyMaxSuccess (const 400)
+  withCases 50 400
     . it "are what chains of neighbours connect, by the shortest chains, or how these contradict"
     $ forAllShrink (oneof [genSymbols, genRoads]) (shrinkList (const [])) $
       \symbols ->

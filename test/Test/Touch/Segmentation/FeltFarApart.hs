@@ -19,14 +19,14 @@ import PraTactile.Segmentation.Region
 import PraTactile.Sensor.Frame
 import PraTactile.Symmetry
 import Test.Hostile.Judgement (withinBounds)
+import Test.Effort (withCases)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)
 
 spec :: Spec
 spec = do
-  modifyMaxSuccess (const 3) rasterSpec
-  modifyMaxSuccess (const 4) turnedSpec
+  withCases 2 3 rasterSpec
+  withCases 2 4 turnedSpec
   it "six frames of stripes, one of them thirty metres away, take no more than six" $ do
     composite <- composed [(0, 0), (12.7, 0), (25.4, 0), (0, 12.7), (12.7, 12.7), (3e4, 0)]
     reader <- either (fail . show) pure (shippedReader 4)

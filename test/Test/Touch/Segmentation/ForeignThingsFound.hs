@@ -13,17 +13,17 @@ import PraTactile.Segmentation.Foreign.Height
 import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region
 import PraTactile.Segmentation.Symbol (Cause (..), Reject (..))
+import Test.Effort (withCases)
 import Test.Hspec hiding (around)
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
 
 spec :: Spec
 spec = do
-  modifyMaxSuccess (const 100) sizeSpec
+  withCases 12 100 sizeSpec
   straightSpec
-  modifyMaxSuccess (const 40) heightSpec
+  withCases 5 40 heightSpec
   foreignSpec
-  modifyMaxSuccess (const 50) removedSpec
+  withCases 6 50 removedSpec
 
 wide, high :: Int
 (wide, high) = (34, 30)
@@ -104,7 +104,7 @@ sizeSpec = do
 
 straightSpec :: Spec
 straightSpec = do
-  modifyMaxSuccess (const 60)
+  withCases 7 60
     . it "straight is what lies on lines of 17 pixels of which 16 are in the region, at 16 angles"
     $ forAll genThing $
       \region ->

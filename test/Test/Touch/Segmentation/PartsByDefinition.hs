@@ -17,8 +17,8 @@ import PraTactile.Segmentation.Box
 import PraTactile.Segmentation.Lattice
 import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region
+import Test.Effort (withCases)
 import Test.Hspec hiding (around)
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
@@ -43,7 +43,7 @@ instance Arbitrary Marked where
     Marked . (,,) w h <$> vectorOf (w * h) (frequency [(1, pure True), (often, pure False)])
 
 regionSpec :: Spec
-regionSpec = modifyMaxSuccess (const 200) $ do
+regionSpec = withCases 25 200 $ do
   it "are what chains of near pixels connect, each pixel in one" $
     property $ \(Marked (w, h, marks)) -> forAll (choose (0, 2)) $ \gap ->
       let pixels = [p | (p, True) <- zip [0 ..] marks]
@@ -323,7 +323,7 @@ stepSpec = do
 -- | Around a place from which a symbol's box lies on pixels.
 partSpec :: Spec
 partSpec =
-  modifyMaxSuccess (const 200)
+  withCases 25 200
     . it "are the pixels of the box as shares of the contrast, where they were touched"
     $ forAll ((,) <$> genRasterOf 14 17 <*> genRasterOf 14 17) $ \(image, dice) ->
       forAll ((,) <$> choose (-7, 13) <*> choose (-11, 16)) $ \(left, top) ->

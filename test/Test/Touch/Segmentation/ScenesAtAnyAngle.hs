@@ -262,7 +262,7 @@ besideForeign = do
   where
     scenes =
       [ (k, sceneOf k (if even k then 37 * fromIntegral k else 180))
-        | k <- byEffort [1, 4] [1 .. 4]
+        | k <- byEffort [4] [1 .. 4]
       ]
     -- The symbols of an answer that are said to be other cells of the array than they are.
     misplaced scene recognition = case recognisedAnswer recognition of

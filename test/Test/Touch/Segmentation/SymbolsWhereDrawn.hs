@@ -92,29 +92,27 @@ one = do
         | bitmap <- embossing ++ map (onRaster (turned 2)) embossing
       ]
   it "comes as 8 x 12 pixels with the background at 0 and the embossing at 1, upright" $
-    conjoin
-      [ alone
-          (compositeOf (mapRaster (\v -> 0.2 + 0.5 * v) (embossedAt 30 30 [((10, 9), bitmap)])))
-          $ \symbol ->
-            closeTo (symbolPixels symbol) bitmap
-              .&&. symbolAxis symbol === 0
-              .&&. near (symbolSize symbol) (8, 12)
-              .&&. near (symbolCentre symbol) (13.5, 14.5)
-        | bitmap <- embossing
-      ]
+    forAll ((,,) <$> elements embossing <*> choose (0, 0.4) <*> choose (0.3, 0.6)) $
+      \(bitmap, low, contrast) -> forAll genPlace $ \place ->
+        let (x, y) = place :: (Int, Int)
+            (left, top) = (fromIntegral x, fromIntegral y)
+            raised = embossedAt 30 40 [((left, top), bitmap)]
+         in alone (compositeOf (mapRaster (\v -> low + contrast * v) raised)) $ \symbol ->
+              closeTo (symbolPixels symbol) bitmap
+                .&&. symbolAxis symbol === 0
+                .&&. near (symbolSize symbol) (8, 12)
+                .&&. near (symbolCentre symbol) (left + 3.5, top + 5.5)
   it "is the same at any gain and offset" $
-    forAll
-      ((,,) <$> choose (1, 100000) <*> choose (0.3, 0.7) <*> choose (0, 0.3))
-      $ \(seed, gain, offset) ->
-        let plain =
-              mapRaster (\v -> 0.1 + 0.8 * v) (embossedAt 30 40 [((9.3, 11.6), bitmapOf seed)])
+    forAll ((,,) <$> elements embossing <*> choose (0.3, 0.7) <*> choose (0, 0.3)) $
+      \(bitmap, gain, offset) -> forAll ((,) <$> choose (3, 19) <*> choose (3, 25)) $ \place ->
+        let plain = mapRaster (\v -> 0.1 + 0.8 * v) (embossedAt 30 40 [(place, bitmap)])
          in alone (compositeOf plain) $ \a ->
               alone (compositeOf (mapRaster (\v -> gain * v + offset) plain)) $ \b ->
                 near (symbolCentre a) (symbolCentre b)
                   .&&. property (likeness (symbolPixels a) (symbolPixels b) > 0.9999)
   it "in the half-turned composite is half-turned" $
-    forAll (choose (1, 100000)) $ \seed ->
-      let composite = noisy seed 0.05 (embossedAt 30 40 [((9.3, 11.6), bitmapOf seed)])
+    forAll ((,) <$> choose (1, 100000) <*> elements embossing) $ \(seed, bitmap) ->
+      let composite = noisy seed 0.05 (embossedAt 30 40 [((9.3, 11.6), bitmap)])
           upsideDown = compositeOf (onRaster (turned 2) (compositeImage composite))
        in alone composite $ \a -> alone upsideDown $ \b ->
             let (x, y) = symbolCentre a
@@ -133,9 +131,7 @@ one = do
             (maybe True (< 0.01) . maximumValue)
             (zipRaster (\p q -> abs (p - q)) a b)
         )
-    bitmapOf seed = case drop (seed `mod` 4) embossing of
-      bitmap : _ -> bitmap
-      [] -> constant 8 12 1
+    genPlace = (,) <$> choose (2, 20) <*> choose (2, 26)
 
 -- | The one symbol of a composite, if it holds one and nothing else.
 alone :: Testable t => Composite -> (SymbolImage -> t) -> Property
@@ -182,16 +178,18 @@ rejected = do
       ]
   it "a symbol at the edge of what was touched within a larger composite is cut off" $
     forAll (choose (3, 6)) $ \cut ->
-      let whole = compositeOf (embossedAt 40 52 [((15, 20), solid)])
-          seen =
-            whole
-              { compositeCoverage =
-                  generate
-                    40
-                    52
-                    (\x _ -> if fromIntegral x < 15 + cut - (0.5 :: Double) then 0 else 1)
-              }
-       in causes (segment seen) === ([], [CutOff])
+      forAll (elements [identity, turned 2, mirror, mirror <> turned 2]) $ \side ->
+        forAll arbitrary $ \across ->
+          let whole = compositeOf (embossedAt 40 52 [((15, 20), solid)])
+              -- From one edge, as far as that into the symbol.
+              touched x y =
+                (if across then fromIntegral x - 15 else fromIntegral y - 20) >= cut - (0.5 :: Double)
+              seen =
+                whole
+                  { compositeCoverage =
+                      generate 40 52 (\x y -> if touched x y then 1 else 0)
+                  }
+           in causes (segment (onComposite side seen)) === ([], [CutOff])
   it "what is not of a symbol's size is called so" $
     [ causes (segment (compositeOf (embossedAt 40 52 [((14, 20), constant w h 1)])))
       | (w, h) <- [(4, 4), (8, 8), (12, 12), (8, 16), (12, 8), (8, 10), (6, 12)]
@@ -302,22 +300,25 @@ lattice = do
       [Contradiction (TwoCells _ a b) members] -> (a /= b, length members) `shouldBe` (True, 8)
       other -> expectationFailure (show other)
   it "distances are measured along the symbols' axes" $
-    -- Axes turned by 30 degrees clockwise, and the neighbour to the right with them.
-    let slanted (x, y) = (at (x, y)) {symbolAxis = 30}
-        (c, s) = (cos (pi / 6), sin (pi / 6))
-     in do
-          arrange id [slanted (0, 0), slanted (16 * c, 16 * s)]
-            `shouldBe` [ Cluster
-                           ( Map.fromList
-                               [((0, 0), slanted (0, 0)), ((0, 1), slanted (16 * c, 16 * s))]
-                           )
-                       ]
-          length (arrange id [slanted (0, 0), slanted (16, 0)]) `shouldBe` 2
+    forAll ((,) <$> choose (-180, 180) <*> elements [((0, 1), (16, 0)), ((1, 0), (0, 20))]) $
+      \(angle, (cell, (right', down))) ->
+        let slanted place = (at place) {symbolAxis = angle}
+            (c, s) = (cos (angle * pi / 180), sin (angle * pi / 180))
+            there = (c * right' - s * down, s * right' + c * down)
+            two = Map.fromList [((0, 0), slanted (0, 0)), (cell, slanted there)]
+            -- A symbol that lies a pitch off along the composite's axes, by its own.
+            (x, y) = (c * right' + s * down, c * down - s * right')
+            beside (a, b) = abs (x - a) <= 4 && abs (y - b) <= 4
+            isBeside = any beside [(16, 0), (-16, 0), (0, 20), (0, -20)]
+         in arrange id [slanted (0, 0), slanted there] === [Cluster two]
+              .&&. length (arrange id [slanted (0, 0), slanted (right', down)])
+              === (if isBeside then 1 else 2)
   it "no symbols make no cluster" $ arrange id [] `shouldBe` []
-  it "halfTurned (halfTurned cells) = cells, when the first row and column are taken" $
-    let cells = Map.fromList [((0, 1), 'a'), ((1, 0), 'b'), ((1, 2), 'c')]
-     in do
-          halfTurned cells `shouldBe` Map.fromList [((1, 1), 'a'), ((0, 2), 'b'), ((0, 0), 'c')]
-          halfTurned (halfTurned cells) `shouldBe` cells
+  it "half turned, each cell lies as far from the last row and column as from the first before" $
+    forAll (Map.fromList <$> listOf1 ((,) <$> ((,) <$> choose (0, 5) <*> choose (0, 5)) <*> letter)) $
+      \cells ->
+        let (bottom, right') = (maximum (map fst (Map.keys cells)), maximum (map snd (Map.keys cells)))
+         in halfTurned cells === Map.mapKeys (\(i, j) -> (bottom - i, right' - j)) cells
   where
+    letter = choose ('a', 'z')
     at place = SymbolImage place (constant 8 12 0) 0 (8, 12)

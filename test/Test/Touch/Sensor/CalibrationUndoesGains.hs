@@ -4,7 +4,7 @@ module Test.Touch.Sensor.CalibrationUndoesGains (spec) where
 import Control.Exception (evaluate)
 import Data.Aeson.Types (JSONPathElement (..))
 import Data.Foldable (for_)
-import Data.List (sort, subsequences)
+import Data.List (partition, sort, subsequences)
 import Data.Maybe (fromMaybe)
 import Data.String (fromString)
 import qualified Data.Vector.Storable as V
@@ -39,24 +39,31 @@ spread image = fromMaybe 0 (maximumValue image) - fromMaybe 0 (minimumValue imag
 
 calibrating :: Spec
 calibrating = do
-  it "without noise the gains are the specimen's, and its dead elements are found" $ do
-    let sensor = idealSensor {sensorGainSpread = 0.1, sensorDead = 0.05}
-        (specimen, _) = drawSpecimen sensor (mkStdGen 9)
-        gains = specimenGains specimen
-        images frames = map frameImage (frames sensor specimen 2 (mkStdGen 1))
-        dead = [(y, x) | y <- [0 .. 15], x <- [0 .. 15], at gains x y == 0]
-    found <- right (calibrate (images darkFrames) (images flatFrames))
-    calibrationDead found `shouldBe` dead
-    let ratios =
-          [ at (calibrationGain found) x y / at gains x y
-            | y <- [0 .. 15],
-              x <- [0 .. 15],
-              (y, x) `notElem` dead
-          ]
-    maximum ratios / minimum ratios - 1 `shouldSatisfy` (< 1e-9)
-    -- So a flat frame is flat again, dead elements too.
-    flat <- right (traverse (corrected found) (flatFrames sensor specimen 1 (mkStdGen 2)))
-    map (spread . frameImage) flat `shouldSatisfy` all (< 1e-9)
+  it "without noise the gains are the specimen's, and its dead elements are found" $
+    forAll ((,,) <$> choose (4, 17) <*> choose (4, 17) <*> choose (1, 99999)) $ \(w, h, seed) ->
+      let sensor =
+            idealSensor
+              { sensorColumns = w,
+                sensorRows = h,
+                sensorGainSpread = 0.1,
+                sensorDead = 0.05
+              }
+          (specimen, _) = drawSpecimen sensor (mkStdGen seed)
+          gains = specimenGains specimen
+          images frames = map frameImage (frames sensor specimen 2 (mkStdGen 1))
+          (dead, living) =
+            partition
+              (\(y, x) -> at gains x y == 0)
+              [(y, x) | y <- [0 .. h - 1], x <- [0 .. w - 1]]
+       in whenRight (calibrate (images darkFrames) (images flatFrames)) $ \found ->
+            let ratios = [at (calibrationGain found) x y / at gains x y | (y, x) <- living]
+             in conjoin
+                  [ calibrationDead found === dead,
+                    property (maximum ratios / minimum ratios - 1 < 1e-9),
+                    -- So a flat frame is flat again, dead elements too.
+                    whenRight (traverse (corrected found) (flatFrames sensor specimen 1 (mkStdGen 2))) $
+                      all ((< 1e-9) . spread . frameImage)
+                  ]
   it "offsets are taken away" $ do
     let dark = generate 5 4 (\x y -> 0.01 * fromIntegral (x + y))
         lit = mapRaster (+ 0.5) dark
@@ -80,20 +87,14 @@ calibrating = do
           lit = generate 5 4 (\x y -> if (y, x) == place then 0.15 else 0.5)
       found <- right (calibrate [dark, dark] [lit, lit, lit])
       calibrationDead found `shouldBe` [place]
-  it "in the place of a dead element stands the mean of its neighbours" $ do
+  it "what felt nothing stays that beside dead elements, and keeps its reading" $ do
     let dead = [(2, 3), (0, 0), (0, 1), (1, 0), (1, 1)]
-        plain = Calibration (constant 6 6 0) (constant 6 6 1) dead
-        image = generate 6 6 (\x y -> 0.02 * fromIntegral x + 0.05 * fromIntegral y)
-    frame <- right (corrected plain (Frame (Pose 0 0 0) 0 image 1 [(5, 5), (0, 1)]))
-    let seen = frameImage frame
-        -- The nearest ring around the corner with living elements is the second.
-        ring = [at image x y | (x, y) <- [(2, 0), (2, 1), (2, 2), (1, 2), (0, 2)]]
-    abs (at seen 3 2 - at image 3 2) `shouldSatisfy` (< 1e-12)
-    abs (at seen 0 0 - sum ring / 5) `shouldSatisfy` (< 1e-12)
-    at seen 5 5 `shouldBe` at image 5 5
-    -- It felt nothing, beside what felt nothing before.
-    sort (frameDead frame) `shouldBe` sort ((5, 5) : dead)
-  it "it is that of the nearest living ones whichever are dead, of all 4096 sets of 4 x 3" $
+        plain = Calibration (constant 6 5 0) (constant 6 5 1) dead
+        image = generate 6 5 (\x y -> 0.02 * fromIntegral x + 0.05 * fromIntegral y)
+    frame <- right (corrected plain (Frame (Pose 0 0 0) 0 image 1 [(4, 5), (0, 1)]))
+    at (frameImage frame) 5 4 `shouldBe` at image 5 4
+    sort (frameDead frame) `shouldBe` sort ((4, 5) : dead)
+  it "a dead element reads the mean of the nearest living ones, of all 4096 sets of 4 x 3" $
     for_ (subsequences [(y, x) | y <- [0 .. 2], x <- [0 .. 3]]) $ \dead -> do
       let image = generate 4 3 (\x y -> fromIntegral ((7 * x + 5 * y) `mod` 11) / 11)
           living = [(y, x) | y <- [0 .. 2], x <- [0 .. 3], (y, x) `notElem` dead]
@@ -165,10 +166,11 @@ calibrating = do
       either (const Nothing) Just (decodeCalibration (encodeCalibration given))
         `shouldBe` if gain > 0 then Just given else Nothing
   it "another sensor's calibration is refused" $
-    corrected
-      (Calibration (constant 4 4 0) (constant 4 4 1) [])
-      (Frame (Pose 0 0 0) 0 (constant 16 16 0) 1 [])
-      `shouldBe` Left (SensorsDiffer (4, 4) (16, 16))
+    for_ [(4, 4, 16, 16), (5, 4, 4, 5), (5, 4, 5, 5)] $ \(w, h, w', h') ->
+      corrected
+        (Calibration (constant w h 0) (constant w h 1) [])
+        (Frame (Pose 0 0 0) 0 (constant w' h' 0) 1 [])
+        `shouldBe` Left (SensorsDiffer (w, h) (w', h'))
 
 pitches :: Spec
 pitches = do
@@ -209,14 +211,21 @@ pitches = do
         let image = resampled ratio (constant w h 1)
     ]
       `shouldBe` [(0, 0), (0, 5), (12, 0)]
-  it "a sensor of half the pitch sees the same face: its frames, resampled, are the usual ones" $ do
-    let relief = texture 7 60 60
-        pose = Pose (20.3 * taxelPitch) (25.7 * taxelPitch) 90
-        frame sensor = Frame pose 0 (forwardImage sensor relief pose) (sensorTaxel sensor) []
-        fine = (withTaxel (taxelPitch / 2) idealSensor) {sensorColumns = 32, sensorRows = 32}
-        usual = frameImage (frame idealSensor)
-    differences <- right (zipRaster (-) usual (frameImage (atCanonicalPitch (frame fine))))
-    V.maximum (V.map abs (rasterValues differences)) `shouldSatisfy` (< 1e-9)
+  it "a sensor of half the pitch sees the same face: its frames, resampled, are the usual ones" $
+    forAll ((,) <$> choose (2, 16) <*> choose (2, 16)) $ \(w, h) ->
+      forAll ((,,) <$> choose (20, 40) <*> choose (20, 40) <*> elements [0, 90, 180, 270]) $
+        \(x, y, r) ->
+          let relief = texture 7 60 60
+              pose = Pose (x * taxelPitch) (y * taxelPitch) r
+              frame sensor = Frame pose 0 (forwardImage sensor relief pose) (sensorTaxel sensor) []
+              fine =
+                (withTaxel (taxelPitch / 2) idealSensor)
+                  { sensorColumns = 2 * w,
+                    sensorRows = 2 * h
+                  }
+              usual = frameImage (frame idealSensor {sensorColumns = w, sensorRows = h})
+           in whenRight (zipRaster (-) usual (frameImage (atCanonicalPitch (frame fine)))) $
+                V.all ((< 1e-9) . abs) . rasterValues
 
 sizes :: Spec
 sizes = do

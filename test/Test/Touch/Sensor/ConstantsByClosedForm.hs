@@ -76,11 +76,16 @@ rigid = do
           Just z -> near (1e-9 * force) (sum [k * s * max 0 (z + h) | (s, h) <- under]) force
   prop "on a plane that all tabs meet, the displacements are F / (k n) and the tilts" $
     forAll ((,) <$> choose (-0.1, 0.1) <*> choose (-0.1, 0.1)) $ \(a, b) ->
-      forAll ((,) <$> choose (0, 15) <*> choose (0, 15)) $ \(i, j) ->
-        let plane = Footing (constant 16 16 1) (constant 16 16 0.3)
-            across k = (2 * fromIntegral k - 15) / 16
-            expected = 20 / (0.19 * 256) + a * across i + b * across j
-         in near 1e-9 (at (displacements 0.19 20 (a, b) plane) i j) expected
+      forAll ((,) <$> choose (1, 16) <*> choose (1, 16)) $ \(w, h) ->
+        let plane = Footing (constant w h 1) (constant w h 0.3)
+            across n k = (2 * fromIntegral k + 1 - fromIntegral n) / fromIntegral n
+            expected i j =
+              20 / (0.19 * fromIntegral (w * h)) + a * across w i + b * across h j
+         in conjoin
+              [ near 1e-9 (at (displacements 0.19 20 (a, b) plane) i j) (expected i j)
+                | i <- [0, w - 1],
+                  j <- [0, h - 1]
+              ]
   prop "what the elements read adds up to the force" $
     forAll ((,,) <$> choose (1, 40) <*> choose (15, 30) <*> choose (15, 30)) $ \(force, x, y) ->
       let relief = heightMap 3 (generate 20 20 (\u v -> if even (u + v) then 1.5875 else 0))
@@ -148,15 +153,19 @@ readings = do
         (noiseDeviation linear {sensorNoise = least, sensorNoiseSlope = slope} v)
         (if v < 0 then least else if v > 1 then least + slope else least + slope * v)
   prop "crosstalk of one: s / w to its row, s / h to its column, 1 - 2 s and both to itself" $
-    forAll (choose (0.005, 0.02)) $ \s ->
-      let seen = crosstalk s (generate 8 5 (\x y -> if (x, y) == (2, 3) then 1 else 0))
-       in conjoin
-            [ near 1e-12 (at seen 2 3) (1 - 2 * s + s / 8 + s / 5),
-              near 1e-12 (at seen 6 3) (s / 8),
-              near 1e-12 (at seen 2 0) (s / 5),
-              near 1e-12 (at seen 5 1) 0,
-              near 1e-12 (at (crosstalk s (constant 8 5 0.3)) 4 4) 0.3
-            ]
+    forAll ((,,) <$> choose (0.005, 0.02) <*> choose (1, 9) <*> choose (1, 9)) $ \(s, w, h) ->
+      forAll ((,) <$> choose (0, w - 1) <*> choose (0, h - 1)) $ \place@(i, j) ->
+        let seen = crosstalk s (generate w h (\x y -> if (x, y) == place then 1 else 0))
+            share n = s / fromIntegral n
+            wanted x y =
+              (if (x, y) == place then 1 - 2 * s else 0)
+                + (if y == j then share w else 0)
+                + (if x == i then share h else 0)
+         in conjoin
+              [ near 1e-12 (at seen x y) (wanted x y)
+                | x <- [0 .. w - 1],
+                  y <- [0 .. h - 1]
+              ]
   prop "the converter: the nearest code of 2^bits - 1, the lowest ones 0, no bits no change" $
     forAll ((,,) <$> choose (1, 12) <*> choose (0, 4) <*> choose (0, 1)) $ \(bits, zeroed, v) ->
       let top = 2 ^ bits - 1 :: Double

@@ -17,14 +17,14 @@ import Data.Text.Encoding (decodeUtf8', encodeUtf8)
 import PraTactile.PlainText (otherEncoding)
 import PraTactile.Sensor.Frame
 import PraTactile.Sensor.Manifest
+import Test.Effort (withCases)
 import Test.Hspec hiding (after, before)
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (once)
 import Test.Support
 
 spec :: Spec
 spec = do
-  modifyMaxSuccess (const 2000) $
+  withCases 250 2000 $
     it "a file is read as it is defined, or refused for something that is wrong with it" $
       property $ \(Pieces pieces) -> readAsDefined defined parseManifest id (B.concat pieces)
   it "a number of 1000 characters is read, and one of 1001 is not, in every column" $

@@ -9,6 +9,7 @@ where
 
 import Data.List (genericLength)
 import Data.Maybe (fromMaybe)
+import Data.Tuple (swap)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
 import PraTactile.Random (uniform)
@@ -55,10 +56,10 @@ spec = do
   describe "Forward model" forward
   describe "Noise and position errors" errors
 
--- | The mean height under an element, as a share of full scale, from points of a fine grid: the
--- definition, up to the grid's fineness.
-sampled :: HeightMap -> Pose -> Int -> Int -> Double
-sampled (HeightMap cell _ heights _) (Pose px py r) i j = sum hs / genericLength hs
+-- | The mean height under an element of a sensor of so many columns and rows, as a share of full
+-- scale, from points of a fine grid: the definition, up to the grid's fineness.
+sampled :: (Int, Int) -> HeightMap -> Pose -> Int -> Int -> Double
+sampled (columns, rows) (HeightMap cell _ heights _) (Pose px py r) i j = sum hs / genericLength hs
   where
     fine = 40 :: Int
     hs =
@@ -66,30 +67,35 @@ sampled (HeightMap cell _ heights _) (Pose px py r) i j = sum hs / genericLength
           / sensorFullScale idealSensor
         | a <- [0 .. fine - 1],
           b <- [0 .. fine - 1],
-          let (x, y) = movePoint (Motion r px py) (at i a, at j b)
+          let (x, y) = movePoint (Motion r px py) (at columns i a, at rows j b)
       ]
-    at k a = taxelPitch * (fromIntegral k - 8 + (fromIntegral a + 0.5) / fromIntegral fine)
+    at n k a =
+      taxelPitch
+        * (fromIntegral k - fromIntegral n / 2 + (fromIntegral a + 0.5) / fromIntegral fine)
+
+-- | A sensor without any error of so many columns and rows, whose full scale is 1 mm.
+sensorOf :: (Int, Int) -> Sensor
+sensorOf (columns, rows) =
+  idealSensor {sensorFullScale = 1, sensorColumns = columns, sensorRows = rows}
+
+-- | Columns and rows, as many or not.
+genSize :: Gen (Int, Int)
+genSize = (,) <$> choose (1, 17) <*> choose (1, 17)
 
 forward :: Spec
 forward = do
   it "with the sensor's grid on the map's, the image is the map" $
-    forAll (genRasterOf 16 16) $ \heights ->
-      let seen =
-            forwardImage
-              idealSensor {sensorFullScale = 1}
-              (heightMap taxelPitch heights)
-              (Pose (8 * taxelPitch) (8 * taxelPitch) 0)
-       in closeTo 1e-9 seen heights
+    forAll genSize $ \size -> forAll (uncurry genRasterOf size) $ \heights ->
+      closeTo 1e-9 (forwardImage (sensorOf size) (heightMap taxelPitch heights) (middle size 0)) heights
   it "the image is the mean height under each element, on maps of any fineness" $
     forAll
-      ((,,) <$> genRasterOf 9 9 <*> choose (0.8, 4) <*> genNearPose)
-      $ \(heights, cell, pose) ->
-        forAll ((,) <$> choose (0, 15) <*> choose (0, 15)) $ \(i, j) ->
-          let sensor = idealSensor {sensorFullScale = 1}
-              relief = heightMap cell heights
+      ((,,,) <$> genSize <*> genRasterOf 9 7 <*> choose (0.8, 4) <*> genNearPose)
+      $ \(size@(w, h), heights, cell, pose) ->
+        forAll ((,) <$> choose (0, w - 1) <*> choose (0, h - 1)) $ \(i, j) ->
+          let relief = heightMap cell heights
               full = sensorFullScale idealSensor
-              exact = index (forwardImage sensor relief pose) i j
-              fine = full * sampled relief pose i j
+              exact = index (forwardImage (sensorOf size) relief pose) i j
+              fine = full * sampled size relief pose i j
            in counterexample
                 (show (exact, fine))
                 (maybe False (\v -> abs (v - fine) < fineness pose) exact)
@@ -104,13 +110,11 @@ forward = do
               * V.sum (rasterValues (forwardImage sensor (heightMap cell heights) (Pose x y 0)))
        in counterexample (show (volume, seen)) (abs (volume - seen) < 1e-9)
   it "a turned sensor sees the turned image" $
-    forAll (genRasterOf 16 16) $ \heights ->
-      let sensor = idealSensor {sensorFullScale = 1}
-          seen r =
-            forwardImage
-              sensor
-              (heightMap taxelPitch heights)
-              (Pose (8 * taxelPitch) (8 * taxelPitch) r)
+    forAll genSize $ \size -> forAll (uncurry genRasterOf size) $ \heights ->
+      let relief = heightMap taxelPitch heights
+          -- On its side, a sensor of the same elements has as many rows as the relief has columns.
+          seen r = forwardImage (sensorOf (lying r)) relief (middle size r)
+          lying r = if r `elem` [90, 270] then swap size else size
        in conjoin
             [ closeTo 1e-9 (seen 180) (onRaster (turned 2) heights),
               closeTo 1e-9 (seen (-180)) (onRaster (turned 2) heights),
@@ -130,6 +134,8 @@ forward = do
     -- What the points of the two grids can miss at the borders of cells whose heights differ by
     -- up to 1.
     fineness pose = if poseRotation pose `elem` [0, 90, 180, 270] then 0.06 else 0.2
+    -- In the middle of a relief of as many taxels.
+    middle (w, h) = Pose (taxelPitch * fromIntegral w / 2) (taxelPitch * fromIntegral h / 2)
     genNearPose =
       Pose
         <$> choose (0, 20)
