@@ -172,9 +172,9 @@ spec = do
     with "--q 6 --polynomial 1,1 --shape 1x5" "6 is not a prime power"
   it "docs/locating.md: the table has the lines and the exact rates of the command" $ do
     page <- lines <$> readFile "docs/locating.md"
-    (_, out, _) <- pra (words "rates --trials 1" ++ concat [["--size", size] | size <- sizes])
     let sizes = byEffort ["2x2", "3x3"] ["2x2", "3x3", "4x4", "5x5"]
-        exact ls =
+    (_, out, _) <- pra (words "rates --trials 1" ++ concat [["--size", size] | size <- sizes])
+    let exact ls =
           take
             (8 * length sizes)
             [ (take 3 fields', take 3 (drop 6 fields'))

@@ -22,25 +22,28 @@ spec =
       for_ ["octahedron:110", "l:100x60x110", "box:60x90x50"] $ \solid -> do
         (said, told) <- bothOf ["place", solid, "--symbols", symbols]
         let layings = parts (at ["layings"] told)
-        map (numbersIn . afterColon) (take (1 + length layings) said)
-          `shouldBe` ( [ fromIntegral (length layings),
-                         sum (concatMap (figures . at ["symbols"]) layings)
-                       ]
-                         ++ figures (at ["cells"] told)
-                     ) :
-          [ figuresAt one ["symbols"]
-              ++ sizeOf (parts (at ["cells"] one))
-              ++ concatMap (figuresAt one . pure) ["row", "column", "rank", "distance"]
-            | one <- layings
-          ]
-        map numbersIn (drop (1 + length layings) said)
-          `shouldBe` [ figures (at ["profile", "window"] told)
-                         ++ concat
-                           [ figures (at ["windows", name] told)
-                             | name <- ["on_faces", "straddling", "on_none"]
-                           ],
-                       figures (at ["press_taxels"] told)
-                     ]
+        if null layings
+          then map numbersIn said `shouldBe` [figuresAt told ["cells_needed"] ++ figuresAt told ["cells"]]
+          else do
+            map (numbersIn . afterColon) (take (1 + length layings) said)
+              `shouldBe` ( [ fromIntegral (length layings),
+                             sum (concatMap (figures . at ["symbols"]) layings)
+                           ]
+                             ++ figures (at ["cells"] told)
+                         ) :
+              [ figuresAt one ["symbols"]
+                  ++ onArray one
+                  ++ concatMap (figuresAt one . pure) ["rank", "distance"]
+                | one <- layings
+              ]
+            map numbersIn (drop (1 + length layings) said)
+              `shouldBe` [ figures (at ["profile", "window"] told)
+                             ++ concat
+                               [ figures (at ["windows", name] told)
+                                 | name <- ["on_faces", "straddling", "on_none"]
+                               ],
+                           figures (at ["press_taxels"] told)
+                         ]
     it ("solid, with symbols " ++ size) $
       for_ ["octahedron:110", "frame:99x80x30", "l:100x60x110"] $ \solid -> do
         (said, told) <- bothOf ["solid", solid, "--symbols", symbols]
@@ -54,7 +57,8 @@ spec =
                      ]
         map (numbersIn . afterColon) (drop 3 said)
           `shouldBe` [ figuresAt face ["cells"] ++ figuresAt face ["size_mm"]
-                       | face <- parts (at ["carrying"] told)
+                       | face <- parts (at ["carrying"] told),
+                         figuresAt face ["cells"] /= [0]
                      ]
     it ("emboss, with symbols " ++ size) $
       inFolder $ \folder -> do
@@ -65,8 +69,8 @@ spec =
               ++ "pra emboss --placement p.json --object box --output b.stl --json"
         status `shouldBe` 0
         case lines out of
-          [said, json] ->
-            for_ (parts (maybe Null (at ["files"]) (key [] json))) $ \made ->
+          [said, written] ->
+            for_ (parts (maybe Null (at ["files"]) (key [] written))) $ \made ->
               numbersIn (afterColon said)
                 `shouldBe` concatMap
                   (figuresAt made . pure)
@@ -75,10 +79,16 @@ spec =
   where
     bothOf arguments = do
       (_, said, _) <- pra arguments
-      (_, json, _) <- pra (arguments ++ ["--json"])
-      pure (lines said, fromMaybe Null (key [] json))
+      (_, written, _) <- pra (arguments ++ ["--json"])
+      pure (lines said, fromMaybe Null (key [] written))
     figuresAt value path = figures (at path value)
-    sizeOf rows = [fromIntegral (length rows), fromIntegral (maximum (0 : map textLength rows))]
+    -- The size and the corner of the face's cells, as far as they lie on the array.
+    onArray laying = case (figuresAt laying ["row"], figuresAt laying ["column"]) of
+      ([row], [column]) ->
+        let rows = parts (at ["cells"] laying)
+            (high, wide) = (fromIntegral (length rows), fromIntegral (maximum (0 : map textLength rows)))
+         in [high + min 0 row, wide + min 0 column, max 0 row, max 0 column]
+      _ -> []
     textLength value = case value of
       String text -> Text.length text
       _ -> 0

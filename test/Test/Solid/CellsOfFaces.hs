@@ -6,7 +6,6 @@ import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Conformance.Laws.Solids (solids)
 import PraTactile.Object.Cells
-import PraTactile.Object.Description
 import PraTactile.Object.Mesh
 import PraTactile.Object.Named
 import Test.Effort

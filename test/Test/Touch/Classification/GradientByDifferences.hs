@@ -206,13 +206,13 @@ errorBefore, errorAfter :: Trace -> Double
 errorBefore = epochError . NonEmpty.head
 errorAfter = epochError . lastEpoch
 
--- | Two rounds of so many epochs, on a fifth of the images.
+-- | Two rounds of @many@ epochs, on a fifth of the images.
 regimenOf :: Int -> Regimen
-regimenOf count =
+regimenOf many =
   shippedRegimen
     { composition = [(kind, count `div` 5) | (kind, count) <- composition shippedRegimen],
       stages =
-        [Stage 1 shippedDescent {epochs = count} noise | noise <- [[0], [0, 0.1]]]
+        [Stage 1 shippedDescent {epochs = many} noise | noise <- [[0], [0, 0.1]]]
     }
 
 paperAlphabet' :: Either String Alphabet
