@@ -73,8 +73,6 @@ import qualified Test.Common.SymmetryGroup
 import qualified Test.Conformance.Definition
 import qualified Test.Conformance.InProcess
 import qualified Test.Conformance.Laws
-import qualified Test.Conformance.Laws.Shrinking
-import qualified Test.Conformance.Laws.Tolerances
 import qualified Test.Conformance.Process.Checks
 import qualified Test.Conformance.Process.Faults
 import qualified Test.Conformance.Process.Output
@@ -378,9 +376,7 @@ together = do
   describe "Sources" Test.Recognition.FromBytesToAnswers.spec
   describe "README" Test.Readme.spec
   describe "Conformance laws on this library" Test.Conformance.Laws.spec
-  describe "Conformance: tolerances" Test.Conformance.Laws.Tolerances.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec
-  describe "Conformance: smaller cases" Test.Conformance.Laws.Shrinking.spec
   describe "Conformance: what fails" Test.Conformance.Properties.spec
   describe "Conformance: profiles in force" Test.Conformance.InProcess.spec
   describe "Conformance: lines" Test.Conformance.Wire.Lines.spec
