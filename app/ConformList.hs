@@ -11,8 +11,9 @@ import Data.List (nub)
 import Data.String (fromString)
 import Json
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Operations (allOperations, nameOf)
 import PraTactile.Conformance.Process (checkTexts)
-import PraTactile.Conformance.Question
+import PraTactile.Conformance.Question (SomeOp)
 import PraTactile.Conformance.Run
 import PraTactile.Conformance.Run.Pattern
 import PraTactile.Conformance.Version
@@ -21,7 +22,7 @@ import PraTactile.Conformance.Version
 data Listed = Listed
   { listedId :: String,
     listedStage :: Stage,
-    listedNeeds :: [Operation],
+    listedNeeds :: [SomeOp],
     listedSentence :: String,
     listedSource :: String,
     listedFull :: Int,
@@ -41,7 +42,7 @@ listOfLaws settings suite =
            own@(first : _) <- [filter ((== name) . workId) work]
        ]
   where
-    work = workOf settings [minBound ..] suite
+    work = workOf settings allOperations suite
     listed one =
       Listed (workId one) (workStage one) (workNeeds one) (workSentence one) (workSource one)
     exhaustive one = case workCases one of
@@ -58,7 +59,7 @@ listText settings suite = concatMap shown (listOfLaws settings suite)
         ++ "\n"
     asks one = case listedNeeds one of
       [] -> ""
-      needs -> ": " ++ unwords (map operationName needs)
+      needs -> ": " ++ unwords (map nameOf needs)
     domain full all'
       | full == all' = ", exhaustive"
       | full == 0 = ""
@@ -75,7 +76,7 @@ listJson settings suite =
       object
         [ fromString "law" .= listedId law,
           fromString "stage" .= stageName (listedStage law),
-          fromString "needs" .= map operationName (listedNeeds law),
+          fromString "needs" .= map nameOf (listedNeeds law),
           fromString "sentence" .= listedSentence law,
           fromString "source" .= listedSource law,
           fromString "exhaustive" .= listedFull law,

@@ -85,7 +85,7 @@ conformOptions =
   where
     stagesNamed =
       [(name, [stage]) | (name, stage) <- allNamed stageName]
-        ++ [(name, own) | (name, own@(_ : _ : _), _) <- stagesApart]
+        ++ [(name, own) | (name, own@(_ : _ : _)) <- stagesApart]
     stageHelp =
       "Try only the laws of a stage; may be repeated (default: all stages of the code); touch: \
       \register, stitch, segment and network"
@@ -180,7 +180,7 @@ settingsOf suite options = do
       for_ patterns $ \one ->
         unless (any (matches one) ids) . misused $
           name ++ ": "
-            ++ case [set | (set, own, _) <- stagesApart, any (matches one) (idsOf own suite)] of
+            ++ case [set | (set, own) <- stagesApart, any (matches one) (idsOf own suite)] of
               set : _ -> quoted one ++ " is a law of " ++ set ++ "; it needs --stage " ++ set
               [] -> "no law is called " ++ quoted one ++ "; 'pra-tactile conform --list' has all"
     mebibyte = 1024 * 1024

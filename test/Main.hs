@@ -73,6 +73,7 @@ import qualified Test.Common.SymmetryGroup
 import qualified Test.Conformance.Definition
 import qualified Test.Conformance.InProcess
 import qualified Test.Conformance.Laws
+import qualified Test.Conformance.Operations
 import qualified Test.Conformance.Process.Checks
 import qualified Test.Conformance.Process.Faults
 import qualified Test.Conformance.Process.Output
@@ -85,7 +86,6 @@ import qualified Test.Conformance.Run.Whole
 import qualified Test.Conformance.Serve
 import qualified Test.Conformance.Vectors
 import qualified Test.Conformance.Versions
-import qualified Test.Conformance.Wire.Forms
 import qualified Test.Conformance.Wire.Lines
 import qualified Test.Documents
 import Test.Effort (byEffort)
@@ -380,7 +380,7 @@ together = do
   describe "Conformance: what fails" Test.Conformance.Properties.spec
   describe "Conformance: profiles in force" Test.Conformance.InProcess.spec
   describe "Conformance: lines" Test.Conformance.Wire.Lines.spec
-  describe "Conformance: questions and answers" Test.Conformance.Wire.Forms.spec
+  describe "Conformance: operations" Test.Conformance.Operations.spec
   describe "Conformance: reports" Test.Conformance.Report.spec
   describe "Conformance: the runner" Test.Conformance.Run.Search.spec
   describe "Conformance: what the runner tries" Test.Conformance.Run.Choice.spec

@@ -14,13 +14,9 @@ import FormatFile (readProfile)
 import Message (formatMessage)
 import Options
 import Output (writeMessage, writeWhole)
+import PraTactile.Conformance.Operations (codeOperations, definedOperations, nameOf)
 import PraTactile.Conformance.Profiles (profileNamed)
-import PraTactile.Conformance.Question
-  ( Operation,
-    codeOperations,
-    definedOperations,
-    operationName,
-  )
+import PraTactile.Conformance.Question (SomeOp)
 import PraTactile.Conformance.Vectors
 import PraTactile.Conformance.Vectors.Text
 import PraTactile.Profile (Profile)
@@ -38,7 +34,7 @@ import Visible (visibleName)
 -- | What is to be done.
 data Work
   = -- | Write the vectors of some operations, or all, and a profile, or all, into a folder.
-    Make FilePath (Maybe Operation) (Maybe FilePath) Int
+    Make FilePath (Maybe SomeOp) (Maybe FilePath) Int
   | -- | Make all that are in a folder again, and compare.
     Check FilePath
 
@@ -54,7 +50,7 @@ command =
     ]
     (run <$> (making <|> Check <$> folderOption "check" "Check the vectors in this folder"))
   where
-    operations = [(operationName one, one) | one <- codeOperations ++ definedOperations]
+    operations = [(nameOf one, one) | one <- codeOperations ++ definedOperations]
     making =
       Make
         <$> folderOption "output" "Write the vectors here; files of the same name are replaced"
@@ -68,7 +64,7 @@ run work = case work of
   Make folder operation profile seed -> make folder operation profile seed
   Check folder -> check folder
 
-make :: FilePath -> Maybe Operation -> Maybe FilePath -> Int -> IO ExitStatus
+make :: FilePath -> Maybe SomeOp -> Maybe FilePath -> Int -> IO ExitStatus
 make folder chosen file seed = do
   profiles <- maybe (pure vectorProfiles) (fmap pure . named) file
   let among operations = maybe operations (\one -> filter (== one) operations) chosen
@@ -85,7 +81,7 @@ make folder chosen file seed = do
       prepared <- preparing >>= usable
       forM operations $ \operation -> do
         vectors <- makeVectors seed prepared operation >>= usable
-        let place = folder </> operationName operation
+        let place = folder </> nameOf operation
         createFolder place
         writeWhole (place </> name <.> "json") (vectorsText vectors)
         pure (testsOf vectors)
@@ -140,7 +136,7 @@ misplaced file stated
   | takeFileName (takeDirectory file) == operation = Nothing
   | otherwise = Just ("it has tests of " ++ operation ++ ", whose folder is another one")
   where
-    operation = operationName (statedOperation stated)
+    operation = nameOf (statedOperation stated)
 
 -- | What is prepared for a profile, found among the last ones or made and kept with them.
 preparedFor ::

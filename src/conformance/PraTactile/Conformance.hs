@@ -7,15 +7,15 @@
 -- > yours =
 -- >   Implementation
 -- >     { implementationName = "yours",
--- >       offered = [OfAdd, OfCell],
+-- >       offered = [SomeOp Add, SomeOp Cell],
 -- >       open = \profile -> pure (answering (answers profile)),
 -- >       withoutProfile = answering (const notOffered)
 -- >     }
 -- >
 -- > answers :: Profile -> Question a -> Wire a
 -- > answers profile question = case question of
--- >   Add a b -> pure (yourSum a b)
--- >   Cell row column -> pure (yourCell profile row column)
+-- >   Add :? (a, b) -> pure (yourSum a b)
+-- >   Cell :? Position row column -> pure (yourCell profile row column)
 -- >   _ -> notOffered
 --
 -- Then run
@@ -33,6 +33,9 @@ module PraTactile.Conformance
   ( -- * Implementations under test
     module PraTactile.Conformance.Implementation,
     module PraTactile.Conformance.Question,
+    allOperations,
+    nameOf,
+    operationOf,
     library,
 
     -- * Running all laws
@@ -61,6 +64,7 @@ import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Law (Law (..))
 import PraTactile.Conformance.Laws (laws, lawsWithoutProfile, openingLaws)
 import PraTactile.Conformance.Library (library)
+import PraTactile.Conformance.Operations (allOperations, nameOf, operationOf)
 import PraTactile.Conformance.Profiles (defaultProfiles)
 import PraTactile.Conformance.Properties
 import PraTactile.Conformance.Question

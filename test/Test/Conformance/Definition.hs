@@ -27,17 +27,17 @@ spec = do
     for_ ["paper", "gf2-3x5-row-major", "gf3-2x13", "gf9-5x16"] $ \name ->
       for_ (underName name) $ \k ->
         for_ [["##", "##"], ["###"], ["#.#", ".#."], ["##", "##", "##"], ["#", "#", "#"]] $ \mask ->
-          expected k (Distance mask) `shouldBe` Right (leastOfPairs k mask)
+          expected k (Distance :? mask) `shouldBe` Right (leastOfPairs k mask)
   it "the probabilities of a patch as large as the array are numbers that add up to 1" $
     for_ (underName "paper") $ \k -> do
       -- The products of 255 of these, in 64ths, are beyond all doubles.
       let felt r c =
             Probably
-              [ if Right code == expected k (Cell r c) then 61 / 64 else 1 / 64
+              [ if Right code == expected k (Cell :? Position r c) then 61 / 64 else 1 / 64
                 | code <- [0 .. 3]
               ]
           array = [[felt r c | c <- [0 .. 16]] | r <- [0 .. 14]]
-      case expected k (Posterior array) of
+      case expected k (Posterior :? array) of
         Left refusal -> expectationFailure (show refusal)
         Right chances -> do
           abs (sum (map snd chances) - 1) `shouldSatisfy` (< 1e-12)
@@ -54,7 +54,7 @@ spec = do
               profileShape = Shape 1 4,
               profileWindow = Shape 1 1
             }
-    fmap (\k -> traverse (expected k . Cell 0) [0 .. 3]) (known powers)
+    fmap (\k -> traverse (expected k . (Cell :?) . Position 0) [0 .. 3]) (known powers)
       `shouldBe` Right (Right [1, 2, 4, 3])
     lawsFailing [("powers", powers)] library `shouldReturn` []
   it "the library opens the profiles that the definition does" (openedOtherwise `shouldReturn` [])
@@ -75,7 +75,7 @@ leastOfPairs k mask =
     Shape n1 n2 = profileShape (knownProfile k)
     places = [(r, c) | r <- naturalsBelow n1, c <- naturalsBelow n2]
     window (r, c) =
-      [ expected k (Cell (r + i) (c + j))
+      [ expected k (Cell :? Position (r + i) (c + j))
         | (i, line) <- zip [0 ..] mask,
           (j, '#') <- zip [0 ..] line
       ]

@@ -16,10 +16,10 @@ import PraTactile.Conformance.Ask (answerAll)
 import PraTactile.Conformance.Definition
 import PraTactile.Conformance.InProcess (inProcess)
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Run (Suite (..))
 import PraTactile.Conformance.Subject
 import PraTactile.Conformance.Suite (noSuiteText, standardSuite)
-import PraTactile.Conformance.Wire
 import PraTactile.Format.Json.Codec (writeValue)
 import PraTactile.Profile (Profile (..))
 import Test.Hspec
@@ -27,11 +27,11 @@ import Test.Hspec
 spec :: Spec
 spec = do
   it "who has no operation refuses each as not offered, and what is no input as invalid" $ do
-    map (operationIn . exampleOf) [minBound ..] `shouldBe` [minBound ..]
-    forM_ (map exampleOf [minBound ..]) $ \(SomeQuestion question) -> do
+    map (operationIn . exampleOf) allOperations `shouldBe` allOperations
+    forM_ (map exampleOf allOperations) $ \(SomeQuestion question) -> do
       let session = answering (const notOffered)
           operation = operationOf question
-          ofFrames = operation `elem` touchOperations && operation `notElem` definedOperations
+          ofFrames = operation `notElem` codeOperations ++ definedOperations
           says wire = either refusalReason (const "answered") <$> runExceptT wire
       says (answerTo session question) `shouldReturn` "not-offered"
       says (answerTo session (Raw operation (questionInput question)))
@@ -46,20 +46,20 @@ spec = do
       inProcess
         library
           { implementationName = "mine",
-            offered = [OfTerm, OfAdd],
+            offered = [SomeOp Term, SomeOp Add],
             open = \p -> liftIO (modifyIORef opened (p :)) >> open library p
           }
     (subjectName subject, subjectOffers subject, subjectBatch subject)
-      `shouldBe` ("mine", [OfTerm, OfAdd], 64)
+      `shouldBe` ("mine", [SomeOp Term, SomeOp Add], 64)
     (subjectUnknown subject, length (subjectChecks subject)) `shouldBe` ([], 0)
-    let sum' = subjectAsk subject [SomeQuestion (Add 1 1), SomeQuestion (Add 1 0)]
+    let sum' = subjectAsk subject [SomeQuestion (Add :? (1, 1)), SomeQuestion (Add :? (1, 0))]
         -- Not by replicate: of such a text, given once, GHC 9.0.2 makes another.
         none = map (Right . ResponseErrored) ["no profile is in force", "no profile is in force"]
         sums = map (Right . ResponseResult . toJSON) [0, 1 :: Int]
         blank = replicate 4 (replicate 4 0)
     sum' `shouldReturn` none
-    subjectAsk subject [SomeQuestion (Segment blank)]
-      `shouldReturn` [Right (ResponseResult (answerValue (Segment blank) []))]
+    subjectAsk subject [SomeQuestion (Segment :? blank)]
+      `shouldReturn` [Right (ResponseResult (answerValue (Segment :? blank) []))]
     subjectProfile subject possible `shouldReturn` Right (ResponseResult (Bool True))
     sum' `shouldReturn` sums
     subjectProfile subject impossible `shouldReturn` Right (ResponseRefused "impossible-profile")
@@ -67,8 +67,8 @@ spec = do
     reverse <$> readIORef opened `shouldReturn` [possible, impossible]
   it "in this process an answer is computed to its end, a reason too; what throws ends a batch" $ do
     let session = answering $ \question -> case question of
-          Terms _ count -> pure (if count == 2 then [1, error "no such term"] else [count])
-          Term i -> refuse (if i == 2 then "be" ++ error "no such reason" else "because")
+          Terms :? (_, count) -> pure (if count == 2 then [1, error "no such term"] else [count])
+          Term :? i -> refuse (if i == 2 then "be" ++ error "no such reason" else "because")
           _ -> notOffered
     subject <- inProcess library {open = const (pure session)}
     _ <- subjectProfile subject possible
@@ -79,11 +79,11 @@ spec = do
           (faultKind fault, filter (`isInfixOf` faultDetail fault) said)
         said = ["no such term", "no such reason"]
         three = Right (ResponseResult (toJSON [3 :: Int]))
-    came [SomeQuestion (Terms 0 3), SomeQuestion (Terms 0 2), SomeQuestion (Terms 0 3)]
+    came [SomeQuestion (Terms :? (0, count)) | count <- [3, 2, 3]]
       `shouldReturn` [three, Left (Crashed, ["no such term"])]
-    came [SomeQuestion (Term 1), SomeQuestion (Term 2), SomeQuestion (Terms 0 3)]
+    came [SomeQuestion (Term :? 1), SomeQuestion (Term :? 2), SomeQuestion (Terms :? (0, 3))]
       `shouldReturn` [Right (ResponseRefused "because"), Left (Crashed, ["no such reason"])]
-    came [SomeQuestion (Terms 0 3), SomeQuestion (Term 1)]
+    came [SomeQuestion (Terms :? (0, 3)), SomeQuestion (Term :? 1)]
       `shouldReturn` [three, Right (ResponseRefused "because")]
   it "laws of profiles hold if possible ones are opened and others refused, for that reason" $ do
     -- One of them asks questions as well.
@@ -122,7 +122,7 @@ spec = do
     map lawId (suiteOpenings suite) `shouldBe` map lawId openingLaws
     map lawId (suiteWithoutProfile suite) `shouldBe` map lawId lawsWithoutProfile
     Just about <- pure (suiteAbout suite possible)
-    map (suiteAnswer suite about) [SomeQuestion (Add 1 1), SomeQuestion (Inverse 0)]
+    map (suiteAnswer suite about) [SomeQuestion (Add :? (1, 1)), SomeQuestion (Inverse :? 0)]
       `shouldBe` [Result (toJSON (0 :: Int)), RefusedFor "division-by-zero"]
   where
     operationIn (SomeQuestion question) = operationOf question

@@ -1,5 +1,5 @@
--- | The conformance laws: they hold of the library, and of the definition; and each of them finds an
--- impostor.
+-- | The conformance laws: they hold of the library, and of the definition; and each of them finds
+-- an impostor.
 module Test.Conformance.Laws (spec, lawsFailing) where
 
 import Data.Aeson (encode, toJSON)

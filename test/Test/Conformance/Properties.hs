@@ -60,7 +60,7 @@ spec = do
       let relief x y = sin (x * x / 40 + y / 3) + cos (y * y / 37 - x / 2) :: Double
           grey x y = round (30000 + 12000 * relief (fromInteger x) (fromInteger y))
           frame (dx, dy) = [[grey (x + dx) (y + dy) | x <- [1 .. w]] | y <- [1 .. h]]
-      let asked = Register Nothing (Pair (frame (0, 0)) (frame (5, 1)) (4, 0) 3)
+      let asked = Register :? (Nothing, Pair (frame (0, 0)) (frame (5, 1)) (4, 0) 3)
       found <- runExceptT (answerTo (withoutProfile library) asked)
       let near (x, y) = max (abs (x - 5)) (abs (y - 1)) <= 0.5
       ((w, h), near . registeredBest <$> either (const Nothing) Just found)
@@ -70,7 +70,7 @@ spec = do
       \about -> do
         -- Of a cell the rank is 1, and the degree 4.
         let several = OneOf [Position 0 0, Position 1 2, Position 3 4]
-            same = agrees about (Locate [[Just 1]])
+            same = agrees about (Locate :? [[Just 1]])
         map (same several) [several, Coset 3 3, Coset 2 3, Coset 4 3, Coset 3 2]
           `shouldBe` [True, True, False, False, False]
         map (same several) [OneOf [Position 0 0], At (Position 0 0)] `shouldBe` [False, False]
@@ -79,7 +79,7 @@ spec = do
     for_ [about | (_, p) <- take 1 defaultProfiles, Right about <- [known p]] $ \about -> do
       let Shape n1 n2 = profileShape (knownProfile about)
           wanted = [(Position 0 0, 0.75), (Position (n1 - 1) (n2 - 1), 0.25)]
-          same = agrees about (Posterior [[Unfelt]])
+          same = agrees about (Posterior :? [[Unfelt]])
       for_ [0, 1e-10, 1e-9, 1.0001e-9, 1e-8] $ \d -> do
         let near = d <= (1e-9 :: Double)
         (d, same wanted ((Position 1 1, d) : wanted)) `shouldBe` (d, near)
@@ -96,11 +96,11 @@ spec = do
   it "of all laws in one call the status is 0 if they certify it, 1 if not, 2 without an array" $ do
     let one = [under | under@(name, _) <- defaultProfiles, name == "gf2-3x5"]
         spoilt = [("spoilt", p {profileOrder = 6}) | (_, p) <- one]
-        adding = library {offered = [OfAdd]}
+        adding = library {offered = [SomeOp Add]}
         status stages profiles = fmap fst . lawsReported stages profiles
     status codeStages one adding `shouldReturn` ExitSuccess
     [wrong] <- pure [i | i <- impostors, impostorName i == "keeps-the-second-summand"]
-    status codeStages one (impostorMade wrong) {offered = [OfAdd]} `shouldReturn` ExitFailure 1
+    status codeStages one (impostorMade wrong) {offered = [SomeOp Add]} `shouldReturn` ExitFailure 1
     status codeStages one (library {offered = []}) `shouldReturn` ExitFailure 1
     status touchStages [] adding `shouldReturn` ExitFailure 1
     lawsReported codeStages (one ++ spoilt) adding

@@ -47,7 +47,8 @@ spec = do
       certified
         right' {reportLaws = reportLaws right' ++ [(held "c" 1) {lawReportOutcome = outcome}]}
         `shouldBe` True
-    uncovered right' {reportOffers = [OfAdd, OfTerm, OfNegate]} `shouldBe` [OfNegate]
+    uncovered right' {reportOffers = [SomeOp Add, SomeOp Term, SomeOp Negate]}
+      `shouldBe` [SomeOp Negate]
   it "in words: a heading, a line a stage, what failed, what else there is to say" $
     reportText ("try " ++) whole
       `shouldBe` unlines
@@ -193,16 +194,16 @@ whole :: Report
 whole =
   Report
     { reportSubject = "subject",
-      reportAsks = [OfAdd, OfNegate, OfTerm],
-      reportOffers = [OfAdd, OfTerm],
+      reportAsks = [SomeOp Add, SomeOp Negate, SomeOp Term],
+      reportOffers = [SomeOp Add, SomeOp Term],
       reportUnknown = ["x", "y"],
       reportSeed = 5,
       reportPartial = False,
       reportSeconds = 2.3456,
       reportUnexpected = ["field/*"],
       reportLaws =
-        [ (held "a" 3) {lawReportNeeds = [OfAdd]},
-          (held "b" 4) {lawReportNeeds = [OfAdd], lawReportExhaustive = True},
+        [ (held "a" 3) {lawReportNeeds = [SomeOp Add]},
+          (held "b" 4) {lawReportNeeds = [SomeOp Add], lawReportExhaustive = True},
           failed "field/c" (Just "p"),
           (failed "field/c" (Just "q")) {lawReportCases = 2},
           (held "d" 0)
@@ -222,8 +223,8 @@ right' =
   whole
     { reportUnexpected = [],
       reportLaws =
-        [ (held "a" 3) {lawReportNeeds = [OfAdd]},
-          (held "b" 4) {lawReportNeeds = [OfTerm]}
+        [ (held "a" 3) {lawReportNeeds = [SomeOp Add]},
+          (held "b" 4) {lawReportNeeds = [SomeOp Term]}
         ]
     }
 

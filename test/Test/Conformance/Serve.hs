@@ -22,13 +22,13 @@ import PraTactile.Conformance.Impostors.Killers
 import PraTactile.Conformance.Law (codeStages, lawId, objectStages, stageName, touchStages)
 import PraTactile.Conformance.Laws (laws, lawsWithoutProfile, openingLaws)
 import PraTactile.Conformance.Library (library)
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Serve (replyOnce, serveOnce)
-import PraTactile.Conformance.Wire (questionInput)
 import PraTactile.Conformance.Wire.Line (longestLine)
 import PraTactile.Format.Json (naturalValue)
 import PraTactile.Format.Profile (profileValue)
-import PraTactile.Position (Shape (..))
+import PraTactile.Position (Position (..), Shape (..))
 import PraTactile.Profile (ProfileChoice (..), canonicalProfile, chooseProfile, profileChoice)
 import System.FilePath ((</>))
 import System.IO (IOMode (..), withBinaryFile)
@@ -78,7 +78,7 @@ spec = do
                      ( object
                          [ "protocol" .= (1 :: Int),
                            "name" .= implementationName library,
-                           "operations" .= map operationName [minBound ..],
+                           "operations" .= map nameOf allOperations,
                            "in_flight" .= (64 :: Int)
                          ]
                      )
@@ -103,14 +103,14 @@ spec = do
                          else "{\"result\":true}\n"
                      )
   describe "whatever number stands in a request, the reply is a line, from little memory" $
-    for_ [minBound ..] $ \some -> it (operationName some) $
+    for_ allOperations $ \some -> it (nameOf some) $
       for_ (extremes (exampleOf some)) $ \question -> do
         reply <- withinBounds (replyTo question)
         (show question, (<= longestLine) . lineLength <$> reply)
           `shouldBe` (show question, Right True)
   it "as many terms are told as a line has room for, and more are refused as too-long" $ do
     let most = (longestLine - lineLength "{\"result\":[]}" + 1) `div` 2
-        terms count = replyTo (SomeQuestion (Terms 0 (fromIntegral count)))
+        terms count = replyTo (SomeQuestion (Terms :? (0, fromIntegral count)))
         tooLong = "{\"refused\":\"too-long\"}\n"
     full <- terms most
     lineLength full `shouldSatisfy` (`elem` [longestLine - 1, longestLine])
@@ -122,9 +122,9 @@ spec = do
     under <- binary [0, 1, 2, 5, 6, 7, 34] (Shape 3 5726623061) (Shape 2 17)
     let nowhere = "{\"refused\":\"table-too-large\"}\n"
     for_
-      [ (SomeQuestion (Cell 0 33), "{\"result\":1}\n"),
-        (SomeQuestion (Locate (replicate 2 (replicate 17 (Just 1)))), nowhere),
-        (SomeQuestion (Nearest Nothing [[Just 1]]), nowhere)
+      [ (SomeQuestion (Cell :? Position 0 33), "{\"result\":1}\n"),
+        (SomeQuestion (Locate :? replicate 2 (replicate 17 (Just 1))), nowhere),
+        (SomeQuestion (Nearest :? (Nothing, [[Just 1]])), nowhere)
       ]
       $ \(question, reply) -> replyOnce library (requestOf under question) `shouldReturn` reply
   it "of an array of 2^20 cells all probabilities are too long; those that are not 0 are told" $ do
@@ -132,29 +132,29 @@ spec = do
     under <- binary [0, 3, 20] (Shape 1023 1025) (Shape 10 2)
     let asked = replyOnce library . requestOf under . SomeQuestion
         seen = read . filter isDigit . Lazy.Char8.unpack :: Lazy.ByteString -> Natural
-    withinBounds (asked (Posterior [[Unfelt]]))
+    withinBounds (asked (Posterior :? [[Unfelt]]))
       `shouldReturn` Right "{\"refused\":\"too-long\"}\n"
-    cells <- for [7 .. 16] $ \r -> for [5, 6] (fmap seen . asked . Cell r)
-    withinBounds (asked (Posterior (map (map Certainly) cells)))
+    cells <- for [7 .. 16] $ \r -> for [5, 6] (fmap seen . asked . (Cell :?) . Position r)
+    withinBounds (asked (Posterior :? map (map Certainly) cells))
       `shouldReturn` Right "{\"result\":[[7,5,1]]}\n"
   it "what is not known of a polynomial is refused as not-factored, not denied" $ do
     let unknown = "{\"refused\":\"not-factored\"}\n"
         high lead = 1 : replicate 599 0 ++ [lead]
     -- Over GF(4) to degree 512 factors are looked for.
     for_
-      [ (FirstPrimitive 513, unknown),
-        (FirstPrimitive 2000, unknown),
-        (FirstPrimitive 0, "{\"refused\":\"invalid\"}\n")
+      [ (FirstPrimitive :? 513, unknown),
+        (FirstPrimitive :? 2000, unknown),
+        (FirstPrimitive :? 0, "{\"refused\":\"invalid\"}\n")
       ]
       $ \(question, reply) -> replyTo (SomeQuestion question) `shouldReturn` reply
     for_ [(high 1, unknown), (high 2, "{\"result\":false}\n")] $ \(codes, reply) ->
-      replyTo (SomeQuestion (Primitive codes)) `shouldReturn` reply
+      replyTo (SomeQuestion (Primitive :? codes)) `shouldReturn` reply
     under <- binary [0, 1, 1030] (Shape 1 (2 ^ (1030 :: Int) - 1)) (Shape 1 1030)
-    replyOnce library (requestOf under (SomeQuestion (Term 0))) `shouldReturn` unknown
+    replyOnce library (requestOf under (SomeQuestion (Term :? 0))) `shouldReturn` unknown
   it "a reply repeats a whole number as its sequence, and nothing else" $
     for_ [(Number 7, "{\"sequence\":7,\"result\":1}\n"), (longText, "{\"result\":1}\n")] $
       \(number, reply) ->
-        replyOnce library (requestOf (KeyMap.singleton "sequence" number) (exampleOf OfAdd))
+        replyOnce library (requestOf (KeyMap.singleton "sequence" number) (exampleOf (SomeOp Add)))
           `shouldReturn` reply
   for_ strange $ \(what, requests, replies) -> it what $ do
     (status, out, err) <- praAloneWith ["serve"] (unlines requests)
@@ -178,7 +178,7 @@ spec = do
     filter (`notElem` ids) (concatMap (killersOf . impostorName) impostors) `shouldBe` []
   where
     replyTo = replyOnce library . requestOf mempty
-    growing = [SomeQuestion . Terms 0, SomeQuestion . FirstPrimitive]
+    growing = [SomeQuestion . (Terms :?) . (,) 0, SomeQuestion . (FirstPrimitive :?)]
     -- The profile of an array over GF(2), given which coefficients are 1.
     binary :: [Int] -> Shape -> Shape -> IO Object
     binary taps shape window = do
@@ -237,7 +237,7 @@ requestOf keys (SomeQuestion question) =
     keys
       <> KeyMap.fromList
         [ "profile" .= profileValue canonicalProfile,
-          "operation" .= operationName (operationOf question),
+          "operation" .= nameOf (operationOf question),
           "input" .= questionInput question
         ]
 

@@ -1,3 +1,4 @@
+{-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | The shipped test vectors: they are what the program makes, and what is called exhaustive is.
@@ -16,12 +17,8 @@ import Data.Ord (comparing)
 import qualified Data.Set as Set
 import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (..), area, naturalsBelow)
-import PraTactile.Conformance.Question
-  ( Operation (..),
-    codeOperations,
-    definedOperations,
-    operationName,
-  )
+import PraTactile.Conformance.Operations (codeOperations, definedOperations, nameOf)
+import PraTactile.Conformance.Question (Op (..), SomeOp (..))
 import PraTactile.Conformance.Vectors
 import qualified PraTactile.Conformance.Vectors.Draw as Draw
 import PraTactile.Conformance.Vectors.Text
@@ -86,9 +83,10 @@ shippedSpec = describe "those shipped" $ do
           (name, operation, inOrder whole)
             `shouldBe` (name, operation, inOrder (domain profile operation))
   it "are whole tables of small fields, and of others there is the SHA-256" $
-    forM_ vectorProfiles $ \(name, profile) -> forM_ [OfAdd, OfMultiply] $ \operation -> do
-      tests <- testsIn (shipped operation name)
-      text <- Bytes.readFile (shipped operation name)
+    forM_ [(one, op) | one <- vectorProfiles, op <- [SomeOp Add, SomeOp Multiply]] $ \it' -> do
+      let ((name, profile), op) = it'
+      tests <- testsIn (shipped op name)
+      text <- Bytes.readFile (shipped op name)
       let q = profileOrder profile
           whole = fromIntegral (length (mapMaybe exhaustive tests))
       (name, whole, "\"digest\":{" `Bytes.isInfixOf` text)
@@ -97,7 +95,7 @@ shippedSpec = describe "those shipped" $ do
     ids <- concat <$> forM everyFile (fmap (mapMaybe (at ["id"])) . testsIn)
     Set.size (Set.fromList (map show ids)) `shouldBe` length ids
     -- By Python: json.dumps with sort_keys and the separators (',', ':'), then hashlib.sha256.
-    powers <- testsIn (shipped OfPower "paper")
+    powers <- testsIn (shipped (SomeOp Power) "paper")
     let squared = object ["a" .= (2 :: Int), "exponent" .= (-2 :: Int)]
     [at ["id"] test | test <- powers, at ["input"] test == Just squared]
       `shouldBe` [Just "3714fc324e04"]
@@ -180,8 +178,8 @@ mine =
 folder :: FilePath
 folder = "data/vectors"
 
-shipped :: Operation -> String -> FilePath
-shipped operation name = folder </> operationName operation </> name <.> "json"
+shipped :: SomeOp -> String -> FilePath
+shipped operation name = folder </> nameOf operation </> name <.> "json"
 
 testsIn :: FilePath -> IO [Value]
 testsIn file = statedTests <$> (Bytes.readFile file >>= right . readVectors)
@@ -195,18 +193,18 @@ at path value = case (path, value) of
 
 -- | All inputs of an operation that has finitely many under a profile, or that are meant where
 -- there is no end of them: a period of the sequence, and the array's own cells.
-domain :: Profile -> Operation -> [Value]
-domain profile operation = case operation of
-  OfAdd -> pairs "a" codes "b" codes
-  OfMultiply -> pairs "a" codes "b" codes
-  OfNegate -> singles "a" codes
-  OfInverse -> singles "a" codes
-  OfLogarithm -> singles "a" codes
-  OfTrace -> singles "a" codes
-  OfTerm -> singles "index" (naturalsBelow (n1 * n2))
-  OfCell -> pairs "row" (naturalsBelow n1) "column" (naturalsBelow n2)
-  OfUnpack -> singles "packed" (naturalsBelow (q ^ cells))
-  OfPack -> [object ["cells" .= content] | content <- traverse (const codes) [1 .. cells]]
+domain :: Profile -> SomeOp -> [Value]
+domain profile (SomeOp operation) = case operation of
+  Add -> pairs "a" codes "b" codes
+  Multiply -> pairs "a" codes "b" codes
+  Negate -> singles "a" codes
+  Inverse -> singles "a" codes
+  Logarithm -> singles "a" codes
+  Trace -> singles "a" codes
+  Term -> singles "index" (naturalsBelow (n1 * n2))
+  Cell -> pairs "row" (naturalsBelow n1) "column" (naturalsBelow n2)
+  Unpack -> singles "packed" (naturalsBelow (q ^ cells))
+  Pack -> [object ["cells" .= content] | content <- traverse (const codes) [1 .. cells]]
   _ -> []
   where
     q = profileOrder profile

@@ -65,7 +65,7 @@ inCode =
       Listed
         (lawId law)
         (stageName (lawStage law))
-        (map operationName (lawNeeds law))
+        (map nameOf (lawNeeds law))
         (lawSentence law)
         (lawSource law)
 

@@ -14,116 +14,71 @@ module PraTactile.Conformance.Definition
     inFormOf,
     expectedWithoutProfile,
     agreesWithoutProfile,
+    why,
   )
 where
 
-import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
-import Numeric.Natural (Natural)
-import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Conformance.Definition.Array
-import PraTactile.Conformance.Definition.Field
-import qualified PraTactile.Conformance.Definition.Locate as Locate
-import PraTactile.Conformance.Definition.Objects
-import PraTactile.Conformance.Definition.Polynomial
-import qualified PraTactile.Conformance.Definition.Windows as Windows
+import PraTactile.Conformance.Operation
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
-import PraTactile.Conformance.Wire
-import PraTactile.Profile (Profile (..))
 
 -- | The answer to a question of the code, or the reason of its refusal.
 expected :: Known -> Question a -> Either Refusal a
-expected k question = case question of
-  Add a b -> coded <$> (add f <$> code a <*> code b)
-  Multiply a b -> coded <$> (multiply f <$> code a <*> code b)
-  Negate a -> coded . negation f <$> code a
-  Inverse a -> code a >>= orRefuse "division-by-zero" . fmap coded . inverse f
-  Power a i -> code a >>= \b -> orRefuse "division-by-zero" (coded <$> power f b i)
-  Logarithm a -> code a >>= orRefuse "out-of-range" . fmap fromIntegral . logarithm f
-  Trace a -> coded . trace f <$> code a
-  Primitive codes -> isPrimitive f <$> traverse code codes
-  FirstPrimitive n
-    | n == 0 -> refused "invalid"
-    | otherwise -> Right (map coded (firstPrimitive f (fromIntegral n)))
-  Term i -> Right (coded (termOf k i))
-  Terms from count -> Right (map (coded . termOf k) (takeWhile (< from + count) [from ..]))
-  Cell r c -> Right (coded (cellOf k r c))
-  Pack codes -> do
-    cells <- traverse code codes
-    if length cells == windowSize then Right (Windows.pack k cells) else refused "invalid"
-  Unpack n
-    | n >= profileOrder (knownProfile k) ^ windowSize -> refused "out-of-range"
-    | otherwise -> Right (map coded (Windows.unpack k n))
-  Locate patch -> Locate.locate k patch
-  Nearest radius patch -> Locate.nearest k radius patch
-  Posterior chances -> Locate.posterior k chances
-  Prove mask -> offsets mask >>= orRefuse "off-sheet" . Windows.prove k
-  Distance mask -> Windows.distance k <$> offsets mask
+expected k = fromMaybe (Left (Refusal "not-offered")) . meant (Just k)
+
+-- | The answer to a question that needs no profile, or the reason of its refusal. 'Nothing' for one
+-- that needs a profile, and for one about frames, whose definition is in the scene that a law
+-- draws.
+expectedWithoutProfile :: Question a -> Maybe (Either Refusal a)
+expectedWithoutProfile = meant Nothing
+
+meant :: Maybe Known -> Question a -> Maybe (Either Refusal a)
+meant about question = case question of
+  op :? input -> case operationWays (recordOf op) of
+    UnderProfile means _ -> (\k -> definition means k input) <$> about
+    WithoutProfile means _ -> Just (definition means () input)
+    ByScene _ _ -> Nothing
   Raw operation input -> case someQuestion operation input of
-    Nothing -> refused "invalid"
-    Just (SomeQuestion asked) -> answerValue asked <$> expected k asked
-  _ -> fromMaybe (refused "not-offered") (expectedWithoutProfile question)
-  where
-    f = knownField k
-    windowSize = length (Windows.windowOffsets k)
-    offsets = orRefuse "invalid" . Windows.maskOf
-    code a
-      | a < profileOrder (knownProfile k) = Right (fromIntegral a :: Int)
-      | otherwise = refused "invalid"
-    coded a = fromIntegral (a :: Int) :: Natural
+    Nothing -> Just (Left (Refusal "invalid"))
+    Just (SomeQuestion asked') -> fmap (answerValue asked') <$> meant about asked'
 
--- | Whether an answer, the last argument, is as good as the expected one. Probabilities are held to
--- 10^-9, and those of positions left out are 0.
+-- | Whether an answer, the last argument, is as good as the expected one.
 agrees :: Known -> Question a -> a -> a -> Bool
-agrees k question wanted got = case question of
-  Locate patch -> sameLocation k patch wanted got
-  Nearest _ patch -> sameLocation k patch wanted got
-  Posterior _ -> sameChances k wanted got
-  Raw operation input
-    | Just (SomeQuestion asked) <- someQuestion operation input,
-      Just a <- readAnswer asked wanted ->
-      maybe False (agrees k asked a) (readAnswer asked got)
-  _ -> answerValue question got == answerValue question wanted
+agrees k = agreesBy (Just k)
 
--- | Each position once, and each one of the array.
-sameChances :: Known -> [(Position, Double)] -> [(Position, Double)] -> Bool
-sameChances k wanted got =
-  Map.size given == length got
-    && all inside (Map.keys given)
-    && all ((<= 1e-9) . abs) (Map.unionWith (+) given (negate <$> Map.fromList wanted))
-  where
-    given = Map.fromList got
-    inside (Position r c) = r < rows shape && c < columns shape
-    shape = profileShape (knownProfile k)
+-- | Whether an answer to a question that needs no profile, the last argument, is as good as the
+-- expected one.
+agreesWithoutProfile :: Question a -> a -> a -> Bool
+agreesWithoutProfile = agreesBy Nothing
 
--- | The expected answer as it is shown beside another one: positions by their number where that is
--- what came.
+agreesBy :: Maybe Known -> Question a -> a -> a -> Bool
+agreesBy about question wanted got =
+  answerValue question (likenedTo about question got wanted) == answerValue question got
+
+-- | The expected answer, the last argument, in the form of another one.
 inFormOf :: Known -> Question a -> a -> a -> a
-inFormOf k question got wanted = case question of
-  Locate patch -> counted k patch got wanted
-  Nearest _ patch -> counted k patch got wanted
-  _ -> wanted
+inFormOf k = likenedTo (Just k)
 
--- | In place of a list of positions their number may stand, with the dimension of the coset that
--- they are.
-sameLocation :: Known -> Patch -> Location -> Location -> Bool
-sameLocation k patch wanted got = counted k patch got wanted == got
+likenedTo :: Maybe Known -> Question a -> a -> a -> a
+likenedTo about question got wanted = case question of
+  op :? input -> case operationWays (recordOf op) of
+    UnderProfile means _ -> maybe wanted (\k -> likened means k input got wanted) about
+    WithoutProfile means _ -> likened means () input got wanted
+    ByScene _ _ -> wanted
+  Raw operation input -> fromMaybe wanted $ do
+    SomeQuestion asked' <- someQuestion operation input
+    answerValue asked'
+      <$> (likenedTo about asked' <$> readAnswer asked' got <*> readAnswer asked' wanted)
 
--- | The positions by their number, and by the degree less the rank of the observed cells, if the
--- other answer tells these and the rank is known.
-counted :: Known -> Patch -> Location -> Location -> Location
-counted k patch got wanted = case (wanted, got) of
-  (OneOf several, Coset _ _) ->
-    maybe wanted (Coset (fromIntegral (length several)) . less) rank
-  _ -> wanted
-  where
-    degree = fromIntegral (length (profilePolynomial (knownProfile k))) - 1
-    less r = degree - min degree r
-    rank = either (const Nothing) proofRank (expected k (Prove (map (map drawn) patch)))
-    drawn = maybe '.' (const '#')
-
-orRefuse :: String -> Maybe a -> Either Refusal a
-orRefuse reason = maybe (refused reason) Right
-
-refused :: String -> Either Refusal a
-refused = Left . Refusal
+-- | Why the definition answers so under a profile, in a sentence for somebody whose implementation
+-- answered something else: the convention of the profile that decides it, or the rule of a refusal.
+why :: Known -> Question a -> Either Refusal a -> String
+why k question wanted = case wanted of
+  Left (Refusal reason) -> ruleOf (operationOf question) reason
+  Right _ -> case operationOf question of
+    SomeOp op -> case operationWays (recordOf op) of
+      UnderProfile means _ -> because means k
+      WithoutProfile means _ -> because means ()
+      ByScene _ _ -> "by definition"

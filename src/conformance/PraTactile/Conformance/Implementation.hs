@@ -19,25 +19,17 @@ module PraTactile.Conformance.Implementation
   )
 where
 
-import Control.Monad.Trans.Except (ExceptT, throwE)
-import Numeric.Natural (Natural)
+import PraTactile.Conformance.Answer
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
-import PraTactile.Conformance.Wire
 import PraTactile.Conformance.Wire.Line (longestLine)
 import PraTactile.Profile (Profile (..))
-
--- | An answer of an implementation, or its refusal.
-type Wire = ExceptT Refusal IO
-
--- | Refuse for a reason.
-refuse :: String -> Wire a
-refuse = throwE . Refusal
 
 -- | An implementation opens a session for a profile, or refuses one that names no array.
 data Implementation = Implementation
   { implementationName :: String,
     -- | What it can do. The laws that need anything else are skipped.
-    offered :: [Operation],
+    offered :: [SomeOp],
     -- | Refuses a profile that names no array as @impossible-profile@: a polynomial that is not
     -- primitive, say, or sides of a diagonal fold that have a common divisor. Where it is not known
     -- whether it names one, it may be refused as @not-factored@; no law asks for one of that size.
@@ -65,21 +57,6 @@ answering answers = Session asked
         | leastBytes question > fromIntegral longestLine -> refuse "too-long"
         | otherwise -> answers question
 
--- | What a session says to a question of an operation that it lacks.
-notOffered :: Wire a
-notOffered = refuse "not-offered"
-
 -- | What a session answers.
 answerTo :: Session -> Question a -> Wire a
 answerTo (Session answers) = answers
-
--- | What is known of a cell as the probabilities of all symbols, of which there are so many: for
--- certain, 1 of one of them; 'Nothing' where nothing is known. Refuses a code that is none as
--- @invalid@.
-probabilities :: Natural -> Chance -> Wire (Maybe [Double])
-probabilities q chance = case chance of
-  Unfelt -> pure Nothing
-  Probably chances -> pure (Just chances)
-  Certainly code
-    | code < q -> pure (Just [if c == code then 1 else 0 | c <- [0 .. q - 1]])
-    | otherwise -> refuse "invalid"

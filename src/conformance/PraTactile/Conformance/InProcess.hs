@@ -14,9 +14,9 @@ import Control.Monad.Trans.Except (runExceptT)
 import Data.Aeson (Value (Bool), encode)
 import Data.IORef
 import PraTactile.Conformance.Implementation
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Subject
-import PraTactile.Conformance.Wire
 import PraTactile.Conformance.Wire.Line (lineHolds)
 import PraTactile.Profile (Profile)
 

@@ -6,12 +6,7 @@
 module PraTactile.Conformance.Law
   ( -- * Laws
     Law (..),
-    Stage (..),
-    stageName,
-    codeStages,
-    touchStages,
-    objectStages,
-    stagesApart,
+    module PraTactile.Conformance.Stage,
 
     -- * Cases
     Cases (..),
@@ -28,6 +23,7 @@ where
 import Data.Aeson (Value)
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Question
+import PraTactile.Conformance.Stage
 import PraTactile.Format.Json.Codec (Codec)
 import Test.QuickCheck (Gen)
 
@@ -40,75 +36,13 @@ data Law about = Law
     lawId :: String,
     lawStage :: Stage,
     -- | What it asks for. An implementation that does not offer one of these skips the law.
-    lawNeeds :: [Operation],
+    lawNeeds :: [SomeOp],
     -- | What holds, in a sentence.
     lawSentence :: String,
     -- | Where that is from: a definition, a theorem, a paper.
     lawSource :: String,
     lawCases :: about -> Cases
   }
-
--- | The stages of a decoder, in the order in which one is written.
-data Stage
-  = -- | How a process starts, keeps a profile and stops, whatever it is asked.
-    OnProtocol
-  | OnProfile
-  | OnField
-  | OnPolynomial
-  | OnSequence
-  | OnArray
-  | OnWindow
-  | OnProof
-  | OnLocate
-  | OnDamage
-  | OnChances
-  | -- | From here on the stages of touch.
-    OnRegister
-  | OnStitch
-  | OnSegment
-  | -- | What a network says of images, and how it is trained.
-    OnNetwork
-  | -- | Solids, faces laid on an array, and poses.
-    OnObjects
-  deriving stock (Eq, Ord, Show, Enum, Bounded)
-
--- | As @--stage@ takes it.
-stageName :: Stage -> String
-stageName stage = case stage of
-  OnProtocol -> "protocol"
-  OnProfile -> "profile"
-  OnField -> "field"
-  OnPolynomial -> "polynomial"
-  OnSequence -> "sequence"
-  OnArray -> "array"
-  OnWindow -> "window"
-  OnProof -> "proof"
-  OnLocate -> "locate"
-  OnDamage -> "damage"
-  OnChances -> "chances"
-  OnRegister -> "register"
-  OnStitch -> "stitch"
-  OnSegment -> "segment"
-  OnNetwork -> "network"
-  OnObjects -> "objects"
-
--- | The stages of the code, with the protocol that carries them.
-codeStages :: [Stage]
-codeStages = [OnProtocol .. OnChances]
-
--- | The stages of touch.
-touchStages :: [Stage]
-touchStages = [OnRegister .. OnNetwork]
-
--- | The stage of objects.
-objectStages :: [Stage]
-objectStages = [OnObjects]
-
--- | The stages that know no profile, which are tried where they are named: each set with its name,
--- and with the operations that its laws ask for.
-stagesApart :: [(String, [Stage], [Operation])]
-stagesApart =
-  [("touch", touchStages, touchOperations), (stageName OnObjects, objectStages, objectOperations)]
 
 -- | The cases of a law under a profile. A case can be written and read, so that a failure is tried
 -- again from a text alone.
@@ -151,7 +85,7 @@ data Violation = Violation
 -- | A question in the form of the protocol, and what came.
 data Exchange = Exchange
   { -- | 'Nothing' for putting a profile in force, which then is the input.
-    exchangeOperation :: Maybe Operation,
+    exchangeOperation :: Maybe SomeOp,
     exchangeInput :: Value,
     exchangeReply :: Reply
   }

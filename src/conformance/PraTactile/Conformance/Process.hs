@@ -10,6 +10,7 @@ module PraTactile.Conformance.Process
 where
 
 import Data.IORef
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Process.Checks
 import PraTactile.Conformance.Process.Child (Command (..))
 import PraTactile.Conformance.Process.OneShot
@@ -42,19 +43,19 @@ inSession :: Limits -> Session -> Subject
 inSession limits session =
   Subject
     { subjectName = startedName started,
-      subjectOffers = [known | known <- [minBound ..], operationName known `elem` said],
+      subjectOffers = [known | known <- allOperations, nameOf known `elem` said],
       subjectProfile = putProfile session,
       subjectAsk = askAll session,
       subjectFresh = Just (anew session),
       subjectBatch = max 64 (min 1024 (8 * startedInFlight started)),
-      subjectUnknown = filter (`notElem` map operationName [minBound ..]) said,
+      subjectUnknown = filter (`notElem` map nameOf allOperations) said,
       subjectChecks = sessionChecks limits session
     }
   where
     started = sessionStarted session
     said = startedOperations started
 
-inOneShot :: Limits -> Command -> [Operation] -> IO Subject
+inOneShot :: Limits -> Command -> [SomeOp] -> IO Subject
 inOneShot limits command offers = do
   force <- newIORef (canonicalProfile :: Profile)
   pure

@@ -19,6 +19,7 @@ import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.InProcess (inProcess)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws (laws, lawsWithoutProfile, openingLaws)
+import PraTactile.Conformance.Operations (nameOf)
 import PraTactile.Conformance.Profiles (defaultProfiles)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report (certified)
@@ -137,5 +138,5 @@ inWords violation =
       ++ ["because         " ++ violationReason violation]
   where
     asked (Exchange operation input _) =
-      "asked           " ++ maybe "profile" operationName operation ++ " " ++ valueText input
+      "asked           " ++ maybe "profile" nameOf operation ++ " " ++ valueText input
     replied = responseText . responseOf

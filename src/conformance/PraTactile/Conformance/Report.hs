@@ -29,9 +29,9 @@ import PraTactile.Conformance.Subject
 data Report = Report
   { reportSubject :: String,
     -- | The operations that the laws ask for, those of the stages that were tried.
-    reportAsks :: [Operation],
+    reportAsks :: [SomeOp],
     -- | Those of them that it offers.
-    reportOffers :: [Operation],
+    reportOffers :: [SomeOp],
     -- | What it offers and nobody here knows.
     reportUnknown :: [String],
     reportSeed :: Int,
@@ -49,7 +49,7 @@ data Report = Report
 data LawReport = LawReport
   { lawReportId :: !String,
     lawReportStage :: !Stage,
-    lawReportNeeds :: ![Operation],
+    lawReportNeeds :: ![SomeOp],
     lawReportSentence :: !String,
     lawReportSource :: !String,
     -- | The profile's name; 'Nothing' for a law of profiles or of the protocol.
@@ -123,7 +123,7 @@ sound report =
     && countOf Held report > 0
 
 -- | The operations that are offered, but of which no law held.
-uncovered :: Report -> [Operation]
+uncovered :: Report -> [SomeOp]
 uncovered report =
   [ operation
     | operation <- reportOffers report,

@@ -25,6 +25,7 @@ import qualified Data.Text as Text
 import Data.Traversable (for)
 import GHC.Clock (getMonotonicTime)
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Run.Case
@@ -133,21 +134,21 @@ contradicts :: LawReport -> Bool
 contradicts one = lawReportOutcome one `elem` [Failed, Errored]
 
 -- | The operation that a law ended at, where no reply came.
-operationWithoutReply :: LawReport -> Maybe Operation
+operationWithoutReply :: LawReport -> Maybe SomeOp
 operationWithoutReply report = case lawReportCounterexample report of
   Just one
     | Left fault <- counterGot one,
       faultKind fault /= WrongType,
       Object keys : _ <- reverse (counterRequests one),
       Just (String name) <- KeyMap.lookup "operation" keys ->
-      find ((== Text.unpack name) . operationName) [minBound ..]
+      find ((== Text.unpack name) . nameOf) allOperations
   _ -> Nothing
 
 -- | Why a law that needs these operations is skipped.
-noReplyTo :: [Operation] -> Maybe String
+noReplyTo :: [SomeOp] -> Maybe String
 noReplyTo operations = case operations of
   [] -> Nothing
-  one : _ -> Just ("not asked: there was no reply to " ++ operationName one ++ " before")
+  one : _ -> Just ("not asked: there was no reply to " ++ nameOf one ++ " before")
 
 -- | Why something is not tried.
 leftAlone :: String

@@ -21,11 +21,12 @@ import Data.List (find)
 import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
 import GHC.Clock (getMonotonicTime)
+import PraTactile.Conformance.Forms (readWhole)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.InProcess
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Subject (Response (..), responseItem)
-import PraTactile.Conformance.Wire (readWhole)
 import PraTactile.Conformance.Wire.Line (lineHolds, longestLine, readLine)
 import PraTactile.Format.Json.Codec (readValue)
 import PraTactile.Format.Profile (profileCodec)
@@ -113,7 +114,7 @@ started implementation keys
   | KeyMap.lookup "protocol" keys == Just (Number 1) =
     "protocol" .= (1 :: Int)
       <> "name" .= implementationName implementation
-      <> "operations" .= map operationName (offered implementation)
+      <> "operations" .= map nameOf (offered implementation)
       <> "in_flight" .= (64 :: Int)
   | otherwise = errored "only protocol 1 is spoken here"
 
@@ -138,7 +139,7 @@ integersAsText value = case value of
 ran :: Implementation -> Force -> Object -> IO Series
 ran implementation force keys = case KeyMap.lookup "operation" keys of
   Just (String name)
-    | Just operation <- find ((== Text.unpack name) . operationName) (offered implementation) ->
+    | Just operation <- find ((== Text.unpack name) . nameOf) (offered implementation) ->
       responseKeys <$> answerIn implementation force (Raw operation input)
     | otherwise ->
       let skipped = ResponseSkipped (Text.unpack name ++ " is not offered")

@@ -29,7 +29,7 @@ import System.Timeout (timeout)
 -- | An implementation in this process or another one.
 data Subject = Subject
   { subjectName :: String,
-    subjectOffers :: [Operation],
+    subjectOffers :: [SomeOp],
     -- | Put a profile in force; what came, or what went wrong.
     subjectProfile :: Profile -> IO (Either Fault Response),
     -- | Ask these questions, in this order; the replies in the same order, up to the first fault,

@@ -9,9 +9,9 @@ import Data.Bifunctor (bimap)
 import PraTactile.Conformance.Definition
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws (laws, lawsWithoutProfile, openingLaws)
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Run.Work
-import PraTactile.Conformance.Wire
 import PraTactile.Profile (Profile)
 
 -- | All laws under these profiles, by their names. 'Left' with the name of one of which the
@@ -36,7 +36,7 @@ standardSuite profiles = suite <$> traverse possible profiles
 
 -- | Why there is no suite about such a profile.
 noSuiteText :: (String, Unknown) -> String
-noSuiteText (name, why) = name ++ ": " ++ unknownText why
+noSuiteText (name, unknown) = name ++ ": " ++ unknownText unknown
 
 -- | What the definition answers, as a reply of the protocol.
 answered :: Known -> SomeQuestion -> Reply

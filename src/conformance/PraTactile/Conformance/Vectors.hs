@@ -20,30 +20,30 @@ where
 
 import Control.Monad.Trans.Class (lift)
 import Control.Monad.Trans.Except (ExceptT, runExceptT, throwE)
-import Data.Aeson (Value (..))
+import Data.Aeson (Value (..), toJSON)
 import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString as Bytes
+import Data.List (sort)
 import Data.Maybe (fromMaybe)
+import Data.Scientific (scientific)
 import qualified Data.Set as Set
-import PraTactile.Array (Shape (..), naturalsBelow)
 import PraTactile.Conformance.Definition
 import PraTactile.Conformance.Implementation (Implementation (..), Session, answerTo)
 import PraTactile.Conformance.Library (library)
+import PraTactile.Conformance.Operation
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Profiles (defaultProfiles)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Vectors.Canonical
+import PraTactile.Conformance.Vectors.Draw (drawn)
 import PraTactile.Conformance.Vectors.Flag
-import PraTactile.Conformance.Vectors.Inputs
-import PraTactile.Conformance.Vectors.Network
-import PraTactile.Conformance.Vectors.Objects
-import PraTactile.Conformance.Wire
 import PraTactile.Format.Digest (digestOf)
-import PraTactile.Pose (Pose (..), RigidMotion (..))
+import PraTactile.Format.Json.Codec (writeValue)
 import PraTactile.Profile
 
 -- | The test vectors of an operation under a profile.
 data Vectors = Vectors
-  { vectorsOperation :: Operation,
+  { vectorsOperation :: SomeOp,
     -- | 'Nothing' for an operation that needs none.
     vectorsProfile :: Maybe Profile,
     -- | Of a table too large to be listed.
@@ -102,33 +102,76 @@ withoutAProfile = Prepared Nothing (withoutProfile library)
 -- | Prepare them. 'Left' is the reason why the profile is refused.
 prepare :: Profile -> IO (Either String Prepared)
 prepare profile = case known profile of
-  Left why -> pure (Left (unknownText why))
+  Left unknown -> pure (Left (unknownText unknown))
   Right k -> do
     opened <- runExceptT (open library profile)
     pure (either (Left . refusalReason) (Right . Prepared (Just k)) opened)
 
 -- | The vectors of an operation, from a seed. 'Left' says where the library and the definition do
 -- not agree.
-makeVectors :: Int -> Prepared -> Operation -> IO (Either String Vectors)
+makeVectors :: Int -> Prepared -> SomeOp -> IO (Either String Vectors)
 makeVectors seed prepared operation = runExceptT (vectorsOf seed prepared operation)
 
-vectorsOf :: Int -> Prepared -> Operation -> ExceptT String IO Vectors
-vectorsOf seed prepared@(Prepared about session) operation = do
-  groups <- traverse tested (maybe withoutProfileGroups (groupsOf seed) about operation)
-  digest <-
-    traverse
-      (\(k, of') -> digested k session of')
-      (about >>= \k -> (,) k <$> table k operation)
-  pure (Vectors operation (knownProfile <$> about) digest (withoutRepeated groups))
+vectorsOf :: Int -> Prepared -> SomeOp -> ExceptT String IO Vectors
+vectorsOf seed prepared@(Prepared about session) some@(SomeOp op) = do
+  groups <- traverse tested questions
+  digest <- traverse (\(k, of') -> digested k session of') ((,) <$> about <*> table)
+  pure (Vectors some (knownProfile <$> about) digest (withoutRepeated groups))
   where
-    withoutProfileGroups one = networkGroups one ++ objectGroups one
-    tested group =
-      TestGroup (groupSource group)
-        <$> traverse (testOf prepared operation (proofOf group)) (groupQuestions group)
-    proofOf group = case groupKind group of
-      WholeDomain -> Exhaustive
-      Chosen -> uncurry TwoRoads (roads operation)
-      Drawn -> Sampled seed
+    tested (source, proof, asks) = TestGroup source <$> traverse (testOf prepared proof) asks
+    (questions, table) = case recordOf op of
+      it@Operation {} -> case (operationWays it, about) of
+        (UnderProfile means _, Just k) ->
+          ( map (grouped seed op (roads means)) (asked means k) ++ [refusals k op (roads means)],
+            (\(over, inputs, code) -> (over, map (op :?) inputs, code)) <$> tabled means k
+          )
+        (WithoutProfile means _, _) ->
+          (map (grouped seed op (roads means)) (asked means ()), Nothing)
+        _ -> ([], Nothing)
+
+-- | The questions of a group, with where they are from and how their answers are known.
+grouped ::
+  Show i =>
+  Int ->
+  Op i o ->
+  (String, String) ->
+  Group i ->
+  (String, TestProof, [SomeQuestion])
+grouped seed op ways (Group source inputs) = case inputs of
+  WholeDomain all' -> (source, Exhaustive, map asking all')
+  Chosen some -> (source, uncurry TwoRoads ways, map asking some)
+  Drawn draw -> (source, Sampled seed, map asking (drawn seed draw))
+  OtherForms values ->
+    (source, uncurry TwoRoads ways, map (SomeQuestion . Raw (SomeOp op)) values)
+  where
+    asking = SomeQuestion . (op :?)
+
+-- | Inputs of an operation's form with each key left out, or with a value of another type, that are
+-- refused.
+refusals :: Known -> Op i o -> (String, String) -> (String, TestProof, [SomeQuestion])
+refusals k op ways =
+  ( "Inputs of the wrong form, or nearly so.",
+    uncurry TwoRoads ways,
+    [SomeQuestion (Raw (SomeOp op) value) | value <- values, isRefused value]
+  )
+  where
+    isRefused value = either (const True) (const False) (expected k (Raw (SomeOp op) value))
+    values =
+      Null :
+      Object KeyMap.empty :
+        [ Object (maybe (KeyMap.delete name) (KeyMap.insert name) wrong form)
+          | Object form <- [exampleUnder],
+            name <- sort (KeyMap.keys form),
+            wrong <- Nothing : map Just wrongs
+        ]
+    exampleUnder = case recordOf op of
+      it -> case operationWays it of
+        UnderProfile means _ -> writeValue (operationInput it) (example means k)
+        _ -> Null
+    wrongs =
+      [Bool True, real, Number (-1), String "x", toJSON [real], toJSON [[real]], toJSON [[True]]]
+    -- 1.0, not 1.
+    real = Number (scientific 10 (-1))
 
 -- | Each input once, where it comes first.
 withoutRepeated :: [TestGroup] -> [TestGroup]
@@ -143,84 +186,49 @@ withoutRepeated = filter (not . null . groupTests) . go Set.empty
       | otherwise = (test :) <$> once (Set.insert (testId test) seen) more
 
 -- | A test, if both roads lead to the same answer.
-testOf :: Prepared -> Operation -> TestProof -> SomeQuestion -> ExceptT String IO Test
-testOf (Prepared about session) operation proof (SomeQuestion question) = do
+testOf :: Prepared -> TestProof -> SomeQuestion -> ExceptT String IO Test
+testOf (Prepared about session) proof (SomeQuestion question) = do
   got <- lift (runExceptT (answerTo session question))
   outcome <- case (maybe (defined question) (`expected` question) about, got) of
     (Right wanted, Right given)
       | maybe agreesWithoutProfile agrees about question wanted given ->
-        pure
-          (Right (shown wanted given))
+        pure (Right (statedValue question wanted given))
     (Left wanted, Left given) | wanted == given -> pure (Left wanted)
-    _ -> throwE ("the two roads part at " ++ operationName operation ++ ": " ++ show question)
+    _ -> throwE ("the two roads part at " ++ nameOf operation ++ ": " ++ show question)
   let input = questionInput question
       severalPlaces = case outcome of
         Right (Object fields) -> KeyMap.member "positions" fields
         _ -> False
-      flags = case someQuestion operation input of
-        Just (SomeQuestion read') -> maybe [] (\p -> flagsOf p severalPlaces read') profile
-        Nothing -> [Malformed]
-  pure (Test (identifier operation profile input) input outcome flags proof)
+      found = maybe [Malformed] (flagsOf profile severalPlaces) (someQuestion operation input)
+  pure (Test (identifier operation profile input) input outcome found proof)
   where
+    operation = operationOf question
     profile = knownProfile <$> about
     defined = fromMaybe (Left (Refusal "not-offered")) . expectedWithoutProfile
-    -- Probabilities as the definition has them, exact up to one rounding; those of the library
-    -- depend on the machine's logarithms in their last digits.
-    shown wanted given = case question of
-      Posterior _ -> answerValue question wanted
-      -- Far finer than they are compared, and free of the last digits of sines and exponentials.
-      FacePose _ -> answerValue question (toTenPlaces wanted)
-      Outputs _ _ -> answerValue question (map places wanted)
-      _ -> answerValue question given
-    toTenPlaces (Pose (RigidMotion rows' by) covariance) =
-      Pose (RigidMotion (map (map places) rows') (map places by)) (map (map places) covariance)
-    places x = fromInteger (round (x * 1e10)) / 1e10 :: Double
 
--- | The two ways to an answer: the library's, and that of the definition.
-roads :: Operation -> (String, String)
-roads operation = case operation of
-  OfAdd -> ("table of sums", "sums of polynomials modulo p")
-  OfMultiply -> ("table of logarithms", "products of polynomials modulo the modulus")
-  OfNegate -> ("table", "search for the element whose sum is 0")
-  OfInverse -> ("table", "search for the element whose product is 1")
-  OfPower -> ("logarithm times exponent", "repeated multiplication")
-  OfLogarithm -> ("table", "counting powers of the primitive element")
-  OfTrace -> ("Frobenius by logarithms", "sum of repeated p-th powers")
-  OfPrimitive -> ("irreducible, and the order by the factors of q^n - 1", "walking the powers of x")
-  OfFirstPrimitive -> ("sieve of candidates", "all polynomials in order")
-  OfTerm -> ("jump by powers of x", "the recurrence")
-  OfTerms -> ("jump by powers of x", "the recurrence")
-  OfCell -> ("Chinese remainder of row and column", "folding the sequence")
-  OfPack -> ("Horner's rule in the library", "Horner's rule in the definition")
-  OfUnpack -> ("repeated division in the library", "digits in the definition")
-  OfLocate -> ("the memory table", "comparison with every position")
-  OfNearest -> ("totals of differing cells", "comparison with every position")
-  OfPosterior -> ("sums of logarithms", "products of exact fractions")
-  OfProve -> ("visit and rank of powers of alpha", "counting contents, elimination of windows")
-  OfDistance -> ("search among information sets", "the lightest of all windows")
-  OfOutputs -> ("products of matrices", "sums on lists")
-  OfSolid -> ("sweeps and trees of boxes", "everything compared with everything")
-  OfCells -> ("lines that separate sides and cells", "strips between corners")
-  OfWhereabouts -> ("runs of cells", "lists of cells")
-  OfPose -> ("Gauss and Newton", "the closed form")
-  _ -> ("the library", "the definition")
+-- | The answer that is stated, of the defined one and the library's.
+statedValue :: Question a -> a -> a -> Value
+statedValue question wanted given = answerValue question $ case question of
+  op :? _ -> case operationWays (recordOf op) of
+    UnderProfile means _ -> stated means wanted given
+    WithoutProfile means _ -> stated means wanted given
+    ByScene _ _ -> given
+  Raw _ _ -> given
 
--- | All values of an operation that are too many to list, in an order.
-table :: Known -> Operation -> Maybe (String, [Question Code])
-table k operation = case (wholeDomain k operation, operation) of
-  (Nothing, OfAdd) -> Just ("sums, row by row", [Add a b | a <- codes, b <- codes])
-  (Nothing, OfMultiply) -> Just ("products, row by row", [Multiply a b | a <- codes, b <- codes])
-  (Nothing, OfTerm) -> Just ("terms of a period", map Term (naturalsBelow (n1 * n2)))
-  (Nothing, OfCell) ->
-    Just ("cells, row by row", [Cell r c | r <- naturalsBelow n1, c <- naturalsBelow n2])
-  _ -> Nothing
-  where
-    codes = naturalsBelow (profileOrder (knownProfile k))
-    Shape n1 n2 = profileShape (knownProfile k)
+-- | What is remarkable about a question under a profile, and whether several positions answer.
+flagsOf :: Maybe Profile -> Bool -> SomeQuestion -> [Flag]
+flagsOf profile several (SomeQuestion question) = case (question, profile) of
+  (op :? input, Just p) -> case operationWays (recordOf op) of
+    UnderProfile means _ -> [SeveralPlaces | several] ++ flags means p input
+    _ -> []
+  _ -> []
 
-digested :: Known -> Session -> (String, [Question Code]) -> ExceptT String IO Digest
-digested k session (over, questions) = do
+digested ::
+  Known -> Session -> (String, [Question a], a -> Code) -> ExceptT String IO Digest
+digested k session (over, questions, code) = do
   got <- lift (runExceptT (traverse (answerTo session) questions))
-  if got == traverse (expected k) questions
-    then pure (Digest over (digestOf (Bytes.pack (map fromIntegral (either (const []) id got)))))
+  if codes got == codes (traverse (expected k) questions)
+    then pure (Digest over (digestOf (Bytes.pack (concat (either (const []) pure (codes got))))))
     else throwE ("the two roads part at the table of " ++ over)
+  where
+    codes = fmap (map (fromIntegral . code))

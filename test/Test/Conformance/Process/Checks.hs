@@ -7,6 +7,7 @@ module Test.Conformance.Process.Checks (spec) where
 import Control.Monad (forM, forM_)
 import Data.Aeson (Value (..), object, toJSON, (.=))
 import Data.List (nub)
+import PraTactile.Conformance.Operations (exampleOf)
 import PraTactile.Conformance.Process
 import PraTactile.Conformance.Process.Reply
 import PraTactile.Conformance.Question
@@ -46,7 +47,7 @@ spec = do
     pure ()
   it "after a refused profile none is in force: what is answered all the same is told" $ do
     let impossible = canonicalProfile {profileOrder = 6}
-        operands = SomeQuestion (Add 1 0)
+        operands = exampleOf (SomeOp Add)
         requests =
           [profileRequest canonicalProfile, profileRequest impossible, runRequest 1 operands]
         noProfile = ResponseErrored "no profile is in force"

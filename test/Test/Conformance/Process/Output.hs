@@ -10,6 +10,7 @@ import Control.Monad (forM_, replicateM, replicateM_)
 import Data.Aeson (Value (..), toJSON)
 import qualified Data.ByteString.Char8 as Bytes
 import GHC.Clock (getMonotonicTime)
+import PraTactile.Conformance.Operations (allOperations)
 import PraTactile.Conformance.Process
 import PraTactile.Conformance.Process.Await
 import PraTactile.Conformance.Process.Child
@@ -41,7 +42,7 @@ sessionSpec = do
           ( (subjectName subject, subjectBatch subject),
             (subjectOffers subject, subjectUnknown subject)
           )
-      said `shouldBe` Right (("shell", batch), ([OfAdd, OfTerm], ["fly", "sit"]))
+      said `shouldBe` Right (("shell", batch), ([SomeOp Add, SomeOp Term], ["fly", "sit"]))
   it "a question that ends the process is the one at fault, however many wait for replies" $
     forM_ [(flight, bad) | flight <- [1, 3, 8], bad <- [0, 2, 5]] $ \(flight, bad) -> do
       came <- session (adding flight (onceAsked bad "exit 3")) (`asked` map adds [0 .. 5])
@@ -144,7 +145,7 @@ oneShotSpec = do
             ]
         )
         canonicalProfile
-    offers `shouldBe` Right [o | o <- [minBound ..], o `notElem` [OfAdd, OfStitch]]
+    offers `shouldBe` Right [o | o <- allOperations, o `notElem` [SomeOp Add, SomeOp Stitch]]
 
   it "offers all others where it ends at some of them, and nothing where it cannot be started" $ do
     let script =
@@ -152,7 +153,7 @@ oneShotSpec = do
           \*'\"pack\"'*) echo '{\"sequence\":1,\"skipped\":\"\"}' ;; \
           \*) echo '{\"sequence\":1,\"result\":0}' ;; esac"
     offers <- offeredOneShot (Limits 20 60) (shell script) canonicalProfile
-    offers `shouldBe` Right [o | o <- [minBound ..], o /= OfPack]
+    offers `shouldBe` Right [o | o <- allOperations, o /= SomeOp Pack]
     none <- offeredOneShot (Limits 20 60) (Command "./no-such-program" []) canonicalProfile
     none `shouldBe` Left (Fault CannotStart "there is no such program")
   it "is asked with numbers from 1 on, which the replies have, and no more than one" $ do
@@ -423,7 +424,7 @@ onceAsked :: Int -> String -> String
 onceAsked a action = "if [ $a = " ++ show a ++ " ]; then " ++ action ++ "; fi"
 
 adds :: Int -> SomeQuestion
-adds a = SomeQuestion (Add (fromIntegral a) 1)
+adds a = SomeQuestion (Add :? (fromIntegral a, 1))
 
 sumOf :: Int -> Either Fault Response
 sumOf = Right . ResponseResult . toJSON

@@ -5,6 +5,7 @@ import Control.Monad (forM_)
 import Data.Aeson (Value (..))
 import Data.List (nub, sort, subsequences)
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Run
 import PraTactile.Conformance.Run.Token
@@ -51,12 +52,12 @@ spec = do
     left everything {settingSkip = ["field/*"]} codeAndTouch `shouldBe` [("field/sums", "left out")]
     left everything {settingSkip = ["field/*"], settingSkipMustFail = True} codeAndTouch
       `shouldBe` []
-    left everything [OfTerm]
+    left everything [SomeOp Term]
       `shouldBe` [ ("field/sums", "not offered: add"),
                    ("sequence/terms", "not offered: terms"),
                    ("segment/none", "not offered: segment")
                  ]
-    left everything {settingSkip = ["sums"]} [OfAdd]
+    left everything {settingSkip = ["sums"]} [SomeOp Add]
       `shouldBe` [ ("field/sums", "left out"),
                    ("sequence/terms", "not offered: term terms"),
                    ("segment/none", "not offered: segment")
@@ -74,8 +75,8 @@ spec = do
                      )
         operationsOf tried
           `shouldBe` [o | o <- codeOperations, any (`elem` codeStages) tried]
-            ++ [o | o <- touchOperations, any (`elem` touchStages) tried]
-            ++ [o | o <- objectOperations, any (`elem` objectStages) tried]
+            ++ [o | o <- operationsOf touchStages, any (`elem` touchStages) tried]
+            ++ [o | o <- operationsOf objectStages, any (`elem` objectStages) tried]
   it "unless they are told, 100 cases of each law are drawn from the seed 1, in 300 seconds" $ do
     let settings = standardSettings
     (settingSeed settings, settingCases settings, settingLimit settings) `shouldBe` (1, 100, 300)

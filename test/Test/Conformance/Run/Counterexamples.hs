@@ -29,8 +29,8 @@ spec = do
       counterExpected shown `shouldBe` Just (ResponseResult (toJSON (0 :: Int)))
       -- 1 + 2 is the second question of the second case.
       counterRequests shown
-        `shouldBe` [ runRequest 1 (SomeQuestion (Add 0 2)),
-                     runRequest 2 (SomeQuestion (Add 1 2))
+        `shouldBe` [ runRequest 1 (SomeQuestion (Add :? (0, 2))),
+                     runRequest 2 (SomeQuestion (Add :? (1, 2)))
                    ]
       (lawReportCases law, lawReportExhaustive law, counterShrinks shown) `shouldBe` (2, True, 0)
       fmap readToken (counterToken shown)
@@ -41,7 +41,9 @@ spec = do
     lawReportOutcome law `shouldBe` Failed
     Just shown <- pure (lawReportCounterexample law)
     counterRequests shown
-      `shouldBe` [runRequest 1 (SomeQuestion (Add 0 2)), runRequest 2 (SomeQuestion (Add 1 2))]
+      `shouldBe` [ runRequest 1 (SomeQuestion (Add :? (0, 2))),
+                   runRequest 2 (SomeQuestion (Add :? (1, 2)))
+                 ]
     (counterGot shown, counterExpected shown)
       `shouldBe` (result 7, Just (ResponseResult (toJSON (0 :: Int))))
     (counterRoad shown, counterReason shown) `shouldBe` ("a road", "a reason")
@@ -90,7 +92,8 @@ spec = do
         suite {suiteProfiles = [("one", one)]}
         (const (pure ()))
         [subject]
-    answeringAt came = answering (\asked -> if asked `is` Add 1 2 then came else allZero asked)
+    answeringAt came =
+      answering (\asked -> if asked `is` (Add :? (1, 2)) then came else allZero asked)
     gone = Fault Crashed "gone"
     yes = Right (ResponseResult (Bool True))
     noAnswers =

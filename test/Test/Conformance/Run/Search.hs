@@ -16,7 +16,7 @@ import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.InProcess
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Question (Question (..))
+import PraTactile.Conformance.Question (Op (Terms), Question (..))
 import PraTactile.Conformance.Run.Case
 import PraTactile.Conformance.Run.Pattern
 import PraTactile.Conformance.Run.Token
@@ -124,8 +124,8 @@ base64 = concatMap digits . groups
 -- | Wrong where a < b and the terms at both are 1, by two questions, one after the other.
 judged :: (Natural, Natural) -> Ask Verdict
 judged (a, b) = do
-  first <- ask (Terms a 1)
-  second <- ask (Terms b 1)
+  first <- ask (Terms :? (a, 1))
+  second <- ask (Terms :? (b, 1))
   pure $
     if (first, second) == (Right [1], Right [1]) && a < b
       then Violated (Violation [] (Result (toJSON ())) "" "")
@@ -172,7 +172,7 @@ steps =
     }
   where
     onTerms = answering $ \question -> case question of
-      Terms from _ -> pure [if from == 3 || from >= 7 then 1 else 0]
+      Terms :? (from, _) -> pure [if from == 3 || from >= 7 then 1 else 0]
       _ -> notOffered
 
 summary :: Tried -> (Maybe (Value, Int), Int)

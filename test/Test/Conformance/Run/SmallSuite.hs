@@ -27,10 +27,10 @@ import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (..))
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Operations (operationOf, questionInput)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Run
 import PraTactile.Conformance.Subject
-import PraTactile.Conformance.Wire (questionInput)
 import PraTactile.Format.Json.Codec (natural)
 import PraTactile.Format.Profile (profileCodec)
 import PraTactile.Profile
@@ -42,16 +42,16 @@ suite =
     { suiteProfiles = [("one", one), ("impossible", impossible), ("two", two)],
       suiteAbout = \p -> if p == impossible then Nothing else Just p,
       suiteLaws =
-        [ made ("field/sums", OnField, [OfAdd]) (Cases natural (Every [0, 2]) sums),
+        [ made ("field/sums", OnField, [SomeOp Add]) (Cases natural (Every [0, 2]) sums),
           made
-            ("sequence/terms", OnSequence, [OfTerm, OfTerms])
+            ("sequence/terms", OnSequence, [SomeOp Term, SomeOp Terms])
             (Cases natural (Every [7]) (const (pure Inapplicable)))
         ],
       suiteOpenings =
         [made ("profile/opens", OnProfile, []) (Cases profileCodec (Every [two]) opens)],
       suiteWithoutProfile =
         [ made
-            ("segment/none", OnSegment, [OfSegment])
+            ("segment/none", OnSegment, [SomeOp Segment])
             (Cases natural (Some (pure 0) (const [])) (const (pure Holds)))
         ],
       suiteAnswer = \_ _ -> Result (toJSON (0 :: Int))
@@ -59,21 +59,21 @@ suite =
   where
     opens p = either (const Inapplicable) (const Holds) <$> opening p
 
-made :: (String, Stage, [Operation]) -> Cases -> Law about
+made :: (String, Stage, [SomeOp]) -> Cases -> Law about
 made (name, stage, needs) cases = Law name stage needs "sentence" "source" (const cases)
 
 -- | Of one number two sums, which must be 0.
 sums :: Natural -> Ask Verdict
 sums n = do
-  first <- ask (Add 0 n)
-  second <- ask (Add 1 n)
+  first <- ask (Add :? (0, n))
+  second <- ask (Add :? (1, n))
   pure $
     if [first, second] == replicate 2 (Right 0)
       then Holds
       else
         Violated
           ( Violation
-              [exchange (Add 0 n) first, exchange (Add 1 n) second]
+              [exchange (Add :? (0, n)) first, exchange (Add :? (1, n)) second]
               (Result (toJSON (0 :: Int)))
               "a road"
               "a reason"
@@ -81,7 +81,7 @@ sums n = do
   where
     exchange question came =
       Exchange
-        (Just OfAdd)
+        (Just (SomeOp Add))
         (questionInput question)
         (either (RefusedFor . refusalReason) (Result . toJSON) came)
 
@@ -91,8 +91,8 @@ two = canonicalProfile {profileShape = Shape 3 85}
 other = canonicalProfile {profileShape = Shape 5 51}
 impossible = canonicalProfile {profileOrder = 6}
 
-codeAndTouch :: [Operation]
-codeAndTouch = [OfTerms, OfAdd, OfSegment, OfTerm]
+codeAndTouch :: [SomeOp]
+codeAndTouch = [SomeOp Terms, SomeOp Add, SomeOp Segment, SomeOp Term]
 
 everything :: Settings
 everything = standardSettings {settingStages = codeStages ++ touchStages, settingCases = 20}

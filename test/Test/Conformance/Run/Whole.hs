@@ -15,6 +15,7 @@ import GHC.Clock (getMonotonicTime)
 import Numeric.Natural (Natural)
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Run
@@ -60,7 +61,7 @@ runSpec = do
       sort (map lawReportId heard) `shouldBe` sort [name | (name, _, _) <- said]
       (reportSubject report, reportSeed report, reportPartial report) `shouldBe` ("made", 5, True)
       (reportAsks report, reportOffers report)
-        `shouldBe` (codeOperations ++ touchOperations, codeAndTouch)
+        `shouldBe` (codeOperations ++ operationsOf touchStages, codeAndTouch)
       (reportUnknown report, reportUnexpected report) `shouldBe` (["unknown"], [])
       end <- getMonotonicTime
       reportSeconds report `shouldSatisfy` (\seconds -> seconds > 0 && seconds <= end - start)
@@ -70,8 +71,8 @@ runSpec = do
         `shouldBe` [(2, True), (2, True), (20, False), (1, True)]
   it "asks for the operations of its stages, and counts those that are offered of them" $
     forM_
-      [ ([OnSequence], codeOperations, [OfTerms, OfAdd, OfTerm]),
-        ([OnSegment], touchOperations, [OfSegment])
+      [ ([OnSequence], codeOperations, [SomeOp Terms, SomeOp Add, SomeOp Term]),
+        ([OnSegment], operationsOf touchStages, [SomeOp Segment])
       ]
       $ \(stages, asks, offers) -> do
         report <-
@@ -107,8 +108,8 @@ runSpec = do
       let asks (name, operation, question) =
             made (name, OnField, [operation]) (Cases natural (Every [0]) (const question))
           two' =
-            [ asks ("field/a", OfAdd, Holds <$ ask (Add 0 0)),
-              asks ("field/b", OfTerm, Holds <$ ask (Term 0))
+            [ asks ("field/a", SomeOp Add, Holds <$ ask (Add :? (0, 0))),
+              asks ("field/b", SomeOp Term, Holds <$ ask (Term :? 0))
             ]
           silent = answering (const (Left (Fault kind "")))
           subject =
@@ -139,7 +140,7 @@ runSpec = do
         suite
           { suiteLaws =
               [ made
-                  ("field/sums", OnField, [OfAdd])
+                  ("field/sums", OnField, [SomeOp Add])
                   (Cases natural (Some (pure 9) (\n -> [n - 1 | n > 3])) sums)
               ]
           }
@@ -162,11 +163,8 @@ runSpec = do
       [shown] <- pure (mapMaybe lawReportCounterexample (reportLaws report))
       (counterDepends shown, () <$ counterToken shown) `shouldBe` (remembers, token)
   it "the law of the order says nothing of an answer that is wrong whatever was asked before" $
-    forM_
-      [ (True, Failed, Nothing),
-        (False, Skipped, Just "not judged: an answer is wrong whatever was asked before")
-      ]
-      $ \(remembers, outcome, note) -> do
+    forM_ [(True, Failed, Nothing), (False, Skipped, Just notJudged)] $
+      \(remembers, outcome, note) -> do
         asked <- newIORef (0 :: Int)
         let subject =
               (answering allZero)
@@ -177,14 +175,20 @@ runSpec = do
                   subjectBatch = 1,
                   subjectFresh = Just (writeIORef asked 0)
                 }
-            law = made ("field/in-any-order", OnField, [OfAdd]) (Cases natural (Every [0]) once')
+            law =
+              made ("field/in-any-order", OnField, [SomeOp Add]) (Cases natural (Every [0]) once')
             once' n = do
-              first' <- ask (Add n 0)
+              first' <- ask (Add :? (n, 0))
               pure (if first' == Right 0 then Holds else violated)
             violated =
               Violated
-                (Violation [Exchange (Just OfAdd) (toJSON ()) (Result Null)] (Result Null) "" "")
-        _ <- subjectAsk subject [SomeQuestion (Add 0 0)]
+                ( Violation
+                    [Exchange (Just (SomeOp Add)) (toJSON ()) (Result Null)]
+                    (Result Null)
+                    ""
+                    ""
+                )
+        _ <- subjectAsk subject [SomeQuestion (Add :? (0, 0))]
         report <-
           runSuite
             everything {settingRun = ["order"]}
@@ -290,7 +294,7 @@ runSpec = do
   it "a token's case is tried again alone" $ do
     let again token = replay everything {settingSeed = 3} suite token
         case' n = Token "field/sums" (Just one) (toJSON (n :: Int))
-        wrong = answering (\asked -> if asked `is` Add 1 2 then result 7 else allZero asked)
+        wrong = answering (\asked -> if asked `is` (Add :? (1, 2)) then result 7 else allZero asked)
         summary report =
           ( [ (lawReportId law, lawReportOutcome law, lawReportCases law)
               | law <- reportLaws report
@@ -303,7 +307,7 @@ runSpec = do
             ( Just
                 ( [("field/sums", outcome, 1)],
                   (True, 3, "made"),
-                  (codeOperations, [OfTerms, OfAdd, OfTerm])
+                  (codeOperations, [SomeOp Terms, SomeOp Add, SomeOp Term])
                 )
             )
         run subject token = fmap (either (const Nothing) (Just . summary)) <$> again token subject
@@ -317,21 +321,23 @@ runSpec = do
     run (answering allZero) (case' 2) `shouldReturn` ofCode Held
     run wrong (Token "field/sums" (Just one) (String "x")) `shouldReturn` Just Nothing
     run wrong (Token "field/none" (Just one) Null) `shouldReturn` Nothing
+  where
+    notJudged = "not judged: an answer is wrong whatever was asked before"
 
 -- | The number of a question about a term.
 termOf :: SomeQuestion -> Maybe Natural
 termOf (SomeQuestion question) = case question of
-  Term n -> Just n
+  Term :? n -> Just n
   _ -> Nothing
 
 asksTerm :: Natural -> Ask Verdict
-asksTerm = fmap (const Holds) . ask . Term
+asksTerm = fmap (const Holds) . ask . (Term :?)
 
 caseSpec :: Spec
 caseSpec = do
   it "are made smaller, unless each would take as long again" $
     forM_ [minBound ..] $ \kind -> do
-      let numbers = Cases natural (Some (pure 9) (\n -> [n - 1 | n > 0])) (judge' . Term)
+      let numbers = Cases natural (Some (pure 9) (\n -> [n - 1 | n > 0])) (judge' . (Term :?))
           judge' question = Holds <$ ask question
           subject = answering (const (Left (Fault kind "")))
       came <- tryLaw (Plan 1 3 2 True) subject "law" numbers

@@ -10,10 +10,10 @@ import Data.Char (isDigit)
 import Data.Foldable (for_, toList)
 import Data.Maybe (isJust)
 import qualified Data.Text as Text
+import PraTactile.Conformance.Forms (readWhole)
 import PraTactile.Conformance.Process.Reply
-import PraTactile.Conformance.Question (Question (Add), SomeQuestion (..))
+import PraTactile.Conformance.Question (Op (Add), Question (..), SomeQuestion (..))
 import PraTactile.Conformance.Subject
-import PraTactile.Conformance.Wire (readWhole)
 import PraTactile.Conformance.Wire.Line
 import PraTactile.Format.Profile (profileValue)
 import PraTactile.Profile (canonicalProfile)
@@ -58,7 +58,7 @@ spec = do
         `shouldBe` if size <= 100 then line else take 80 line ++ " ... (" ++ show size ++ " bytes)"
   it "requests have the keys of the protocol; one of a process a request has the profile, too" $ do
     let profile = profileValue canonicalProfile
-        question = SomeQuestion (Add 1 2)
+        question = SomeQuestion (Add :? (1, 2))
         input = object ["a" .= (1 :: Int), "b" .= (2 :: Int)]
         run = ["sequence" .= (7 :: Int), "operation" .= String "add", "input" .= input]
         command name = "command" .= String name

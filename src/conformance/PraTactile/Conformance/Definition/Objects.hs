@@ -1,44 +1,22 @@
-{-# LANGUAGE GADTs #-}
-
--- | What the answers to questions about networks and objects are, by definition: on lists, those
--- about objects exactly, and sharing no code with the library.
+-- | Cells of faces and places on them, by definition: on lists, exactly, and sharing no code with
+-- the library.
 module PraTactile.Conformance.Definition.Objects
-  ( expectedWithoutProfile,
-    agreesWithoutProfile,
+  ( cellsOf,
+    whereaboutsOf,
+    rotations,
   )
 where
 
-import Data.List (genericLength, nub, sort, sortOn)
-import Data.Maybe (isNothing)
+import Data.List (genericLength, nub)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Conformance.Definition.Face
-import PraTactile.Conformance.Definition.Network
-import PraTactile.Conformance.Definition.Pose
 import PraTactile.Conformance.Definition.Solid
 import PraTactile.Conformance.Question
-import PraTactile.Conformance.Wire
 import PraTactile.Format.Object (On (..), WhereaboutsReport (..))
 import PraTactile.Format.Placement (Drawing (..))
-import PraTactile.Object.Defect (Defect (..))
 import PraTactile.Object.Description (Description (..), FaceName (..), Point)
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.Validity (Report (..))
-import PraTactile.Pose (Pose (..), RigidMotion (..))
-
--- | The answer to a question that needs no profile, or the reason of its refusal. 'Nothing' for one
--- that needs a profile, and for one about frames, whose definition is in the scene that a law
--- draws.
-expectedWithoutProfile :: Question a -> Maybe (Either Refusal a)
-expectedWithoutProfile question = case question of
-  Outputs weights image -> Just (outputsOf weights image)
-  SolidReport it -> Just (Right (reportOf it))
-  FaceCells corners pitch -> Just (cellsOf corners pitch)
-  Whereabouts mapped window at -> Just (whereaboutsOf mapped window at)
-  FacePose felt -> Just (poseOf felt)
-  Raw operation input -> case someQuestion operation input of
-    Nothing -> Just (Left (Refusal "invalid"))
-    Just (SomeQuestion asked) -> fmap (answerValue asked) <$> expectedWithoutProfile asked
-  _ -> Nothing
 
 -- | A walk from each of its vertices.
 rotations :: [a] -> [[a]]
@@ -131,53 +109,3 @@ whereaboutsOf (Mapped (Shape high wide) pitch objects layings) (Shape k1 k2) (Po
         centre =
           centreIn face block (r - drawnRow laid, c - drawnColumn laid) (toInteger k1, toInteger k2)
         corners = map (faceVertices (faceName (drawnFace laid)) !!) (nearest face centre)
-
--- | Whether an answer, the last argument, is as good as the expected one. Defects, and the faces
--- and vertices of each, may come in any order, and so may faces and vertices of a place; lengths
--- are held to 10^-9 of themselves and of a millimetre, and outputs of a network to 10^-9.
-agreesWithoutProfile :: Question a -> a -> a -> Bool
-agreesWithoutProfile question wanted got = case question of
-  Outputs _ _ ->
-    length wanted == length got && and (zipWith (\a b -> abs (a - b) <= 1e-9) wanted got)
-  SolidReport _ -> sameReport wanted got
-  Whereabouts {} -> sameWhereabouts wanted got
-  FacePose _ -> samePose wanted got
-  FaceCells _ _ -> wanted == got
-  _ -> False
-
-near :: Double -> Double -> Bool
-near a b = abs (a - b) <= 1e-9 * (1 + abs a)
-
-sameReport :: Report -> Report -> Bool
-sameReport wanted got =
-  numbers wanted == numbers got
-    && reportComponents wanted == reportComponents got
-    && map what (inOrder wanted) == map what (inOrder got)
-    && and (zipWith measured (inOrder wanted) (inOrder got))
-  where
-    numbers it = (reportVertices it, reportEdges it, reportFaces it)
-    inOrder = sortOn what . map sorted . reportDefects
-    sorted (Defect kind faces vertices measure) = Defect kind (sort faces) (sort vertices) measure
-    what (Defect kind faces vertices _) = (kind, faces, vertices)
-    measured a b = case (defectMeasure a, defectMeasure b) of
-      (Just x, Just y) -> near x y
-      (x, y) -> isNothing x && isNothing y
-
-sameWhereabouts :: WhereaboutsReport -> WhereaboutsReport -> Bool
-sameWhereabouts wanted got =
-  exact wanted == exact got
-    && sort (whereFaces wanted) == sort (whereFaces got)
-    && sort (whereCorners wanted) == sort (whereCorners got)
-    && case (whereMillimetres wanted, whereMillimetres got) of
-      (Just (x, y), Just (x', y')) -> near x x' && near y y'
-      (a, b) -> isNothing a && isNothing b
-  where
-    exact it = (whereOn it, whereFace it, whereCorner it)
-
-samePose :: Pose -> Pose -> Bool
-samePose (Pose motion covariance) (Pose motion' covariance') =
-  and (zipWith near (numbers motion) (numbers motion'))
-    && and (zipWith alike (concat covariance) (concat covariance'))
-  where
-    numbers it = concat (motionRows it) ++ motionBy it
-    alike a b = abs (a - b) <= 1e-9 * maximum (map abs (concat covariance))

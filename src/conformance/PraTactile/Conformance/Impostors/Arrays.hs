@@ -13,7 +13,14 @@ where
 import Control.Monad.Trans.Except (except)
 import qualified Data.Vector.Unboxed as Vector
 import Numeric.Natural (Natural)
-import PraTactile.Array (Folding (..), Shape (..), Surface (..), area, naturalSurface)
+import PraTactile.Array
+  ( Folding (..),
+    Position (..),
+    Shape (..),
+    Surface (..),
+    area,
+    naturalSurface,
+  )
 import PraTactile.Conformance.Definition (expected)
 import PraTactile.Conformance.Definition.Array
 import PraTactile.Conformance.Definition.Field (negation)
@@ -44,7 +51,7 @@ sequenceImpostors =
       "counts-a-run-to-its-end"
       "takes the length of a run for the index of its last term"
       $ \_ right question -> case question of
-        Terms from count -> right (Terms from (if count > from then count - from else 0))
+        Terms :? (from, count) -> right (Terms :? (from, if count > from then count - from else 0))
         _ -> right question
   ]
   where
@@ -53,9 +60,9 @@ sequenceImpostors =
       answeringOtherwise name mistake $ \k right question ->
         let index = change (knownProfile k)
          in case question of
-              Term i -> right (Term (index i))
-              Terms from count -> right (Terms (index from) count)
-              Cell r c -> right (Cell (index r) (index c))
+              Term :? i -> right (Term :? (index i))
+              Terms :? (from, count) -> right (Terms :? (index from, count))
+              Cell :? Position r c -> right (Cell :? Position (index r) (index c))
               _ -> right question
 
 -- | In the array.
@@ -72,7 +79,7 @@ arrayImpostors =
          in if profileFolding (knownProfile k) == Diagonal then k {knownCells = transposed} else k,
     answeringOtherwise "ends-at-the-edges" "refuses cells beyond the edges" $
       \k right question -> case question of
-        Cell r c
+        Cell :? Position r c
           | Shape n1 n2 <- profileShape (knownProfile k),
             r >= n1 || c >= n2 ->
             refuse "off-sheet"
@@ -81,13 +88,13 @@ arrayImpostors =
       "goes-on-as-the-profiles-surface"
       "continues cells on the profile's surface, not on the folding's own"
       $ \k right question -> case question of
-        Cell r c -> right (uncurry Cell (on (knownProfile k) (r, c)))
+        Cell :? Position r c -> right (Cell :? uncurry Position (on (knownProfile k) (r, c)))
         _ -> right question,
     answeringOtherwise "counts-cells-from-one" "counts rows and columns from 1" $
       \k right question -> case question of
-        Cell r c ->
+        Cell :? Position r c ->
           let Shape n1 n2 = profileShape (knownProfile k)
-           in right (Cell (r + n1 - 1) (c + n2 - 1))
+           in right (Cell :? Position (r + n1 - 1) (c + n2 - 1))
         _ -> right question,
     under "takes-the-sheet-for-the-torus" "looks on where the sheet ends" $ \p ->
       p {profileSurface = if profileSurface p == Sheet then Torus else profileSurface p}
@@ -110,12 +117,13 @@ windowImpostors =
         },
     answeringOtherwise "drops-leading-zeros" "unpacks as many cells as the number has digits" $
       \_ right question -> case question of
-        Unpack n -> dropWhile (== 0) <$> right (Unpack n)
+        Unpack :? n -> dropWhile (== 0) <$> right (Unpack :? n)
         _ -> right question,
     answeringOtherwise "unpacks-modulo" "unpacks any number by its lowest digits" $
       \k right question -> case question of
-        Unpack n ->
-          let p = knownProfile k in right (Unpack (n `mod` profileOrder p ^ area (profileWindow p)))
+        Unpack :? n ->
+          let p = knownProfile k
+           in right (Unpack :? n `mod` profileOrder p ^ area (profileWindow p))
         _ -> right question
   ]
 
@@ -126,8 +134,8 @@ proofImpostors =
       "counts-windows-without-zeros"
       "leaves the window of zeros out of the count"
       $ \k right question -> case question of
-        Prove mask -> do
-          proof <- right (Prove mask)
+        Prove :? mask -> do
+          proof <- right (Prove :? mask)
           let zeros = if proofRank proof == Just (degree k) then 0 else 1
           pure proof {proofWindows = proofWindows proof - zeros}
         _ -> right question,
@@ -135,7 +143,7 @@ proofImpostors =
       "proves-on-the-torus"
       "counts the windows on the folding's own surface, whatever the profile's"
       $ \k right question -> case question of
-        Prove _ -> do
+        Prove :? _ -> do
           let p = knownProfile k
           own <- knownUnder p {profileSurface = naturalSurface (profileFolding p)}
           except (expected own question)
@@ -144,14 +152,14 @@ proofImpostors =
       \_ right question ->
         let filled = map (map (\mark -> if mark == '.' then '#' else mark))
          in case question of
-              Prove mask -> right (Prove (filled mask))
-              Distance mask -> right (Distance (filled mask))
+              Prove :? mask -> right (Prove :? (filled mask))
+              Distance :? mask -> right (Distance :? (filled mask))
               _ -> right question,
     answeringOtherwise
       "looks-at-different-windows-only"
       "takes the least distance above 0, also where two windows are the same"
       $ \_ right question -> case question of
-        Distance mask -> max 1 <$> right (Distance mask)
+        Distance :? mask -> max 1 <$> right (Distance :? mask)
         _ -> right question
   ]
   where

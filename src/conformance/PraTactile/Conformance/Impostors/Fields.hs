@@ -14,7 +14,9 @@ import PraTactile.Conformance.Definition (expected)
 import PraTactile.Conformance.Definition.Array (Known (..))
 import PraTactile.Conformance.Definition.Field (Field (..), field)
 import PraTactile.Conformance.Impostors.Impostor
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
+import PraTactile.Conformance.Stage
 import PraTactile.Profile (Profile (..))
 
 -- | In the operations of the field.
@@ -43,7 +45,7 @@ tables =
     -- The array is right all the same, and logarithms, which may not end.
     calculating name mistake edit =
       answeringOtherwise name mistake $ \k right question ->
-        if operationOf question `elem` [OfAdd, OfMultiply, OfNegate, OfInverse, OfPower, OfTrace]
+        if operationOf question `elem` filter (/= SomeOp Logarithm) (operationsIn OnField)
           then except (expected (edit k) question)
           else right question
 
@@ -63,44 +65,44 @@ operations =
       \k right question ->
         let cut a = a `mod` profileOrder (knownProfile k)
          in case question of
-              Add a b -> right (Add (cut a) (cut b))
-              Multiply a b -> right (Multiply (cut a) (cut b))
-              Negate a -> right (Negate (cut a))
-              Inverse a -> right (Inverse (cut a))
-              Power a i -> right (Power (cut a) i)
-              Logarithm a -> right (Logarithm (cut a))
-              Trace a -> right (Trace (cut a))
-              Primitive codes -> right (Primitive (map cut codes))
-              Pack codes -> right (Pack (map cut codes))
-              Locate rows -> right (Locate (map (map (fmap cut)) rows))
+              Add :? (a, b) -> right (Add :? (cut a, cut b))
+              Multiply :? (a, b) -> right (Multiply :? (cut a, cut b))
+              Negate :? a -> right (Negate :? (cut a))
+              Inverse :? a -> right (Inverse :? (cut a))
+              Power :? (a, i) -> right (Power :? (cut a, i))
+              Logarithm :? a -> right (Logarithm :? (cut a))
+              Trace :? a -> right (Trace :? (cut a))
+              Primitive :? codes -> right (Primitive :? (map cut codes))
+              Pack :? codes -> right (Pack :? (map cut codes))
+              Locate :? rows -> right (Locate :? (map (map (fmap cut)) rows))
               _ -> right question,
     answeringOtherwise "keeps-the-second-summand" "takes the second summand for the sum" $
       \_ right question -> case question of
-        Add a b -> right (Add a b) >> right (Add b 0)
+        Add :? (a, b) -> right (Add :? (a, b)) >> right (Add :? (b, 0))
         _ -> right question,
     answeringOtherwise "squares-the-second-factor" "multiplies by the second factor twice" $
       \_ right question -> case question of
-        Multiply a b -> right (Multiply a b) >>= right . (`Multiply` b)
+        Multiply :? (a, b) -> right (Multiply :? (a, b)) >>= \c -> right (Multiply :? (c, b))
         _ -> right question,
     answeringOtherwise "negates-nothing" "takes an element for its own negative" $
       \_ right question -> case question of
-        Negate a -> right (Add a 0)
+        Negate :? a -> right (Add :? (a, 0))
         _ -> right question,
     answeringOtherwise "takes-exponents-modulo-q" "reduces exponents modulo q, not q - 1" $
       \k right question -> case question of
-        Power a i -> right (Power a (i `mod` toInteger (profileOrder (knownProfile k))))
+        Power :? (a, i) -> right (Power :? (a, i `mod` toInteger (profileOrder (knownProfile k))))
         _ -> right question,
     answeringOtherwise "counts-logarithms-from-one" "has q - 1, not 0, for the logarithm of 1" $
       \k right question -> case question of
-        Logarithm 1 -> pure (profileOrder (knownProfile k) - 1)
+        Logarithm :? 1 -> pure (profileOrder (knownProfile k) - 1)
         _ -> right question,
     answeringOtherwise "traces-one-power-short" "leaves the last conjugate out of the trace" $
       \k right question -> case question of
-        Trace a -> do
+        Trace :? a -> do
           let (q, m) = (profileOrder (knownProfile k), length (profileModulus (knownProfile k)) - 1)
               p = toInteger (sum (take 1 [i | i <- [2 .. q], q `mod` i == 0]))
-          powers <- traverse (\i -> right (Power a (p ^ i))) [0 .. max 0 (m - 2)]
-          foldr (\b total -> total >>= right . Add b) (pure 0) powers
+          powers <- traverse (\i -> right (Power :? (a, p ^ i))) [0 .. max 0 (m - 2)]
+          foldr (\b total -> total >>= right . (Add :?) . (,) b) (pure 0) powers
         _ -> right question
   ]
 
@@ -109,23 +111,25 @@ polynomialImpostors :: [Impostor]
 polynomialImpostors =
   [ answeringOtherwise "takes-x-plus-one-for-the-first" "has x + 1 for the first of degree 1" $
       \_ right question -> case question of
-        FirstPrimitive 1 -> pure [1, 1]
+        FirstPrimitive :? 1 -> pure [1, 1]
         _ -> right question,
     answeringOtherwise "demands-a-linear-term" "takes only polynomials with a linear term" $
       \_ right question -> case question of
-        Primitive h -> (&& any (/= 0) (take 1 (drop 1 h))) <$> right (Primitive h)
+        Primitive :? h -> (&& any (/= 0) (take 1 (drop 1 h))) <$> right (Primitive :? h)
         _ -> right question,
     answeringOtherwise "reads-polynomials-backwards" "takes polynomials highest degree first" $
       \_ right question -> case question of
-        Primitive codes -> right (Primitive (reverse codes))
-        FirstPrimitive n -> reverse <$> right (FirstPrimitive n)
+        Primitive :? codes -> right (Primitive :? (reverse codes))
+        FirstPrimitive :? n -> reverse <$> right (FirstPrimitive :? n)
         _ -> right question,
     answeringOtherwise "looks-for-roots-only" "takes a polynomial without roots for primitive" $
       \k right question -> case question of
-        Primitive codes
+        Primitive :? codes
           | 1 : _ : _ : _ <- reverse codes,
             take 1 codes /= [0] -> do
-            let value x = foldr (\c rest -> rest >>= right . Multiply x >>= right . Add c) (pure 0)
+            let value x = foldr (\c rest -> rest >>= times x >>= plus c) (pure 0)
+                times x a = right (Multiply :? (x, a))
+                plus c a = right (Add :? (c, a))
             values <- traverse (`value` codes) [1 .. profileOrder (knownProfile k) - 1]
             pure (0 `notElem` values)
         _ -> right question

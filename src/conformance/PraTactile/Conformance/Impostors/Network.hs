@@ -44,12 +44,12 @@ networkImpostors =
     by :: String -> String -> Rule -> Impostor
     by name mistake rule =
       withoutProfileOtherwise name mistake $ \right question -> case question of
-        Outputs weights rows -> except (outputsBy rule weights rows)
+        Outputs :? (weights, rows) -> except (outputsBy rule weights rows)
         _ -> right question
     reads' :: String -> String -> (Weights -> Weights) -> (Values -> Values) -> Impostor
     reads' name mistake ofWeights ofRows =
       withoutProfileOtherwise name mistake $ \right question -> case question of
-        Outputs weights rows -> right (Outputs (ofWeights weights) (ofRows rows))
+        Outputs :? (weights, rows) -> right (Outputs :? (ofWeights weights, ofRows rows))
         _ -> right question
 
 chunks :: Int -> [a] -> [[a]]

@@ -1,6 +1,5 @@
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
-{-# LANGUAGE RankNTypes #-}
 {-# LANGUAGE TypeOperators #-}
 
 -- | Mistakes in solids, cells of faces, places on them, and poses.
@@ -12,7 +11,7 @@ where
 import Control.Monad.Trans.Except (catchE)
 import Data.Aeson (Value (..))
 import Data.Type.Equality ((:~:) (..))
-import PraTactile.Array (Position, Shape (Shape))
+import PraTactile.Array (Shape (Shape))
 import PraTactile.Conformance.Implementation (Wire)
 import PraTactile.Conformance.Impostors.Impostor
 import PraTactile.Conformance.Question
@@ -42,14 +41,14 @@ objectImpostors =
 
 solidImpostors :: [Impostor]
 solidImpostors =
-  [ told ofSolids "takes-handles-for-defects" "tells every solid by V - E + F = 2" $ \_ it ->
+  [ told SolidReport "takes-handles-for-defects" "tells every solid by V - E + F = 2" $ \_ it ->
       it
         { reportComponents =
             [piece {componentGenus = 0 <$ componentGenus piece} | piece <- reportComponents it]
         },
-    told ofSolids "sees-no-faces-that-cut" "never asks whether faces cut each other" $ \_ it ->
+    told SolidReport "sees-no-faces-that-cut" "never asks whether faces cut each other" $ \_ it ->
       it {reportDefects = filter ((/= FacesIntersect) . defectKind) (reportDefects it)},
-    told ofSolids "takes-cavities-for-faults" "wants every piece outward" $ \it found ->
+    told SolidReport "takes-cavities-for-faults" "wants every piece outward" $ \it found ->
       found
         { reportDefects =
             reportDefects found
@@ -59,7 +58,7 @@ solidImpostors =
                      face <- take 1 (describedFaces it)
                  ]
         },
-    asked ofSolids "rounds-coordinates" "takes coordinates to a thousandth" $ \it ->
+    asked SolidReport "rounds-coordinates" "takes coordinates to a thousandth" $ \it ->
       it
         { describedVertices =
             [ (v, Point (thousandth x) (thousandth y) (thousandth z))
@@ -67,7 +66,7 @@ solidImpostors =
                   describedVertices it
             ]
         },
-    asked ofSolids "knows-vertices-by-their-places" "takes equal points for one vertex" $ \it ->
+    asked SolidReport "knows-vertices-by-their-places" "takes equal points for one vertex" $ \it ->
       let first p = head [v | (v, q) <- describedVertices it, p == q]
           known v = maybe v first (lookup v (describedVertices it))
        in it
@@ -80,38 +79,44 @@ solidImpostors =
 
 cellImpostors :: [Impostor]
 cellImpostors =
-  [ told ofCells "counts-the-whole-box" "counts all cells of the box round a face" $ \_ ->
+  [ told FaceCells "counts-the-whole-box" "counts all cells of the box round a face" $ \_ ->
       map (map (const '#')),
-    told ofCells "leaves-the-rim" "leaves cells at the edges of the box" $ \_ rows ->
+    told FaceCells "leaves-the-rim" "leaves cells at the edges of the box" $ \_ rows ->
       [ [ if i `elem` [0, length rows - 1] || j `elem` [0, length line - 1] then '.' else mark
           | (j, mark) <- zip [0 ..] line
         ]
         | (i, line) <- zip [0 ..] rows
       ],
-    unrefused ofCells "takes-any-corners" "finds no cell on what is no face" [],
-    asked ofCells "measures-from-the-first-side" "takes x along the walk's first side" $
+    unrefused FaceCells "takes-any-corners" "finds no cell on what is no face" [],
+    asked FaceCells "measures-from-the-first-side" "takes x along the walk's first side" $
       \(corners, pitch) ->
         (drop 1 corners ++ take 1 corners, pitch),
-    asked ofCells "exchanges-the-pitches" "takes the distance along a row for that along a column" $
-      \(corners, (right, down)) -> (corners, (down, right))
+    asked
+      FaceCells
+      "exchanges-the-pitches"
+      "takes the distance along a row for that along a column"
+      $ \(corners, (right, down)) -> (corners, (down, right))
   ]
 
 placeImpostors :: [Impostor]
 placeImpostors =
-  [ told ofPlaces "names-one-corner" "names one vertex where several are as near" $ \_ it ->
+  [ told Whereabouts "names-one-corner" "names one vertex where several are as near" $ \_ it ->
       it {whereCorner = first it, whereCorners = take 1 (whereCorners it)},
-    told ofPlaces "forgets-the-size-of-windows" "tells the middle of a window's upper left cell" $
-      \(mapped, Shape high wide, _) it ->
+    told
+      Whereabouts
+      "forgets-the-size-of-windows"
+      "tells the middle of a window's upper left cell"
+      $ \(mapped, Shape high wide, _) it ->
         let (right, down) = mappedPitch mapped
             less size along = fromRational (along * (fromIntegral size - 1) / 2)
             before (x, y) = (x - less wide right, y - less high down)
          in it {whereMillimetres = before <$> whereMillimetres it},
-    told ofPlaces "needs-one-cell" "is content with one cell of a face" $ \_ it ->
+    told Whereabouts "needs-one-cell" "is content with one cell of a face" $ \_ it ->
       case (whereOn it, whereFaces it) of
         (Just SeveralFaces, face : _) ->
           it {whereOn = Just OneFace, whereFace = Just face, whereFaces = [face]}
         _ -> it,
-    asked ofPlaces "centres-whatever-margin" "centres every block on its face" $
+    asked Whereabouts "centres-whatever-margin" "centres every block on its face" $
       \(mapped, window, at) ->
         let centred = [laid {drawnMargin = Nothing} | laid <- mappedLayings mapped]
          in (mapped {mappedLayings = centred}, window, at)
@@ -124,13 +129,13 @@ placeImpostors =
 poseImpostors :: [Impostor]
 poseImpostors =
   [ told
-      ofPoses
+      FacePose
       "turns-the-other-way"
       "tells the motion from the robot's frame to the object's"
       $ \_ (Pose (RigidMotion rows by) c) ->
         let back = foldr (zipWith (:)) [[], [], []] rows
          in Pose (RigidMotion back (map (negate . sum . zipWith (*) by) back)) c,
-    told ofPoses "knows-no-lever" "leaves out what an error of the angle does to the translation" $
+    told FacePose "knows-no-lever" "leaves out what an error of the angle does to the translation" $
       \_ (Pose motion c) ->
         Pose
           motion
@@ -142,75 +147,43 @@ poseImpostors =
             ]
             | (i, line) <- zip [0 ..] c
           ],
-    unrefused ofPoses "guesses-poses" "tells that nothing moved where a pose is undetermined" $
+    unrefused FacePose "guesses-poses" "tells that nothing moved where a pose is undetermined" $
       Pose (RigidMotion (one 3) [0, 0, 0]) (one 6),
-    asked ofPoses "leaves-the-plane" "tells poses in the robot's frame, whatever the plane" $ \it ->
-      it
-        { feltPlane = Nothing
-        },
-    asked ofPoses "sees-y-upwards" "takes the face's y for upwards" $ \it ->
+    asked FacePose "leaves-the-plane" "tells poses in the robot's frame, whatever the plane" $
+      \it -> it {feltPlane = Nothing},
+    asked FacePose "sees-y-upwards" "takes the face's y for upwards" $ \it ->
       it {feltSeen = [((x, negate y), p) | ((x, y), p) <- feltSeen it]}
   ]
   where
     one n = [[if i == j then 1 else 0 | j <- [1 .. n]] | i <- [1 .. n :: Int]]
 
--- | The questions of an operation: what one of them asks, and the one that asks it.
-data Questions asked answer
-  = Questions
-      (forall other. Question other -> Maybe (asked, other :~: answer))
-      (asked -> Question answer)
-
 -- | Telling something else, given what is asked and what is to be told.
-told :: Questions asked answer -> String -> String -> (asked -> answer -> answer) -> Impostor
-told those name mistake change = edited those name mistake (\it -> fmap (change it))
+told :: Op i o -> String -> String -> (i -> o -> o) -> Impostor
+told op name mistake change = edited op name mistake (\it -> fmap (change it))
 
 -- | Telling this instead of a refusal.
-unrefused :: Questions asked answer -> String -> String -> answer -> Impostor
-unrefused those name mistake instead =
-  edited those name mistake (\_ right -> right `catchE` const (pure instead))
+unrefused :: Op i o -> String -> String -> o -> Impostor
+unrefused op name mistake instead =
+  edited op name mistake (\_ right -> right `catchE` const (pure instead))
 
-edited ::
-  Questions asked answer -> String -> String -> (asked -> Wire answer -> Wire answer) -> Impostor
-edited (Questions only _) name mistake change =
-  withoutProfileOtherwise name mistake $ \right question -> case only question of
-    Just (it, Refl) -> change it (right question)
-    Nothing -> right question
+edited :: Op i o -> String -> String -> (i -> Wire o -> Wire o) -> Impostor
+edited op name mistake change =
+  withoutProfileOtherwise name mistake $ \right question -> case question of
+    other :? it | Just Refl <- same op other -> change it (right question)
+    _ -> right question
 
 -- | Answering another question.
-asked :: Questions asked answer -> String -> String -> (asked -> asked) -> Impostor
-asked (Questions only asking) name mistake change =
-  withoutProfileOtherwise name mistake $ \right question -> case only question of
-    Just (it, Refl) -> right (asking (change it))
-    Nothing -> right question
+asked :: Op i o -> String -> String -> (i -> i) -> Impostor
+asked op name mistake change =
+  withoutProfileOtherwise name mistake $ \right question -> case question of
+    other :? it | Just Refl <- same op other -> right (other :? change it)
+    _ -> right question
 
-ofSolids :: Questions Description Report
-ofSolids = Questions only SolidReport
-  where
-    only :: Question other -> Maybe (Description, other :~: Report)
-    only question = case question of
-      SolidReport it -> Just (it, Refl)
-      _ -> Nothing
-
-ofCells :: Questions ([Point], (Rational, Rational)) [String]
-ofCells = Questions only (uncurry FaceCells)
-  where
-    only :: Question other -> Maybe (([Point], (Rational, Rational)), other :~: [String])
-    only question = case question of
-      FaceCells corners pitch -> Just ((corners, pitch), Refl)
-      _ -> Nothing
-
-ofPlaces :: Questions (Mapped, Shape, Position) WhereaboutsReport
-ofPlaces = Questions only (\(mapped, window, at) -> Whereabouts mapped window at)
-  where
-    only :: Question other -> Maybe ((Mapped, Shape, Position), other :~: WhereaboutsReport)
-    only question = case question of
-      Whereabouts mapped window at -> Just ((mapped, window, at), Refl)
-      _ -> Nothing
-
-ofPoses :: Questions Felt Pose
-ofPoses = Questions only FacePose
-  where
-    only :: Question other -> Maybe (Felt, other :~: Pose)
-    only question = case question of
-      FacePose it -> Just (it, Refl)
-      _ -> Nothing
+-- | Whether both are the same operation on objects.
+same :: Op i o -> Op j p -> Maybe ((i, o) :~: (j, p))
+same op other = case (op, other) of
+  (SolidReport, SolidReport) -> Just Refl
+  (FaceCells, FaceCells) -> Just Refl
+  (Whereabouts, Whereabouts) -> Just Refl
+  (FacePose, FacePose) -> Just Refl
+  _ -> Nothing

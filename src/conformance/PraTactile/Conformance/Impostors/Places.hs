@@ -47,9 +47,9 @@ locateImpostors =
       "refuses-cells-not-felt"
       "refuses a patch of which a cell was not felt as one of which none was"
       $ \_ right question -> case question of
-        Locate rows
+        Locate :? rows
           | any (any isJust) rows && any (elem Nothing) rows ->
-            right (Locate (map (map (const Nothing)) rows))
+            right (Locate :? (map (map (const Nothing)) rows))
         _ -> right question,
     felt "takes-cells-not-felt-for-zeros" "takes a cell that was not felt for a 0" $
       map (map (Just . fromMaybe 0)),
@@ -60,19 +60,19 @@ locateImpostors =
     located :: String -> String -> (Known -> Patch -> Patch) -> Impostor
     located name mistake change =
       answeringOtherwise name mistake $ \k right question -> case question of
-        Locate rows -> right (Locate (change k rows))
+        Locate :? rows -> right (Locate :? (change k rows))
         _ -> right question
     felt :: String -> String -> (Patch -> Patch) -> Impostor
     felt name mistake change =
       answeringOtherwise name mistake $ \_ right question -> case question of
-        Locate rows -> right (Locate (change rows))
-        Nearest radius rows -> right (Nearest radius (change rows))
+        Locate :? rows -> right (Locate :? (change rows))
+        Nearest :? (radius, rows) -> right (Nearest :? (radius, change rows))
         _ -> right question
     placing :: String -> String -> (Wire Location -> Wire Location) -> Impostor
     placing name mistake change =
       answeringOtherwise name mistake $ \_ right question -> case question of
-        Locate _ -> change (right question)
-        Nearest _ _ -> change (right question)
+        Locate :? _ -> change (right question)
+        Nearest :? (_, _) -> change (right question)
         _ -> right question
 
 -- | The cells of each complete window of a patch, row by row.
@@ -97,18 +97,18 @@ damageImpostors :: [Impostor]
 damageImpostors =
   [ nearing "corrects-half-the-distance" "corrects e cells if 2 e <= d" $ \right radius rows -> do
       d <- distanceOf right (map (map isJust) rows)
-      right (Nearest (Just (fromMaybe (d `div` 2) radius)) rows),
+      right (Nearest :? (Just (fromMaybe (d `div` 2) radius), rows)),
     nearing
       "measures-the-whole-patch"
       "takes the distance of the whole patch, also where cells are missing"
       $ \right radius rows -> do
         d <- distanceOf right (map (map (const True)) rows)
-        right (Nearest (Just (fromMaybe (guaranteedRadius d) radius)) rows),
+        right (Nearest :? (Just (fromMaybe (guaranteedRadius d) radius), rows)),
     nearing "stops-before-the-radius" "takes a radius as a bound that is not reached" $
       \right radius rows ->
-        right (Nearest ((\e -> if e == 0 then 0 else e - 1) <$> radius) rows),
+        right (Nearest :? ((\e -> if e == 0 then 0 else e - 1) <$> radius, rows)),
     nearing "takes-no-radius-for-none" "corrects nothing where no radius is stated" $
-      \right radius rows -> right (Nearest (Just (fromMaybe 0 radius)) rows)
+      \right radius rows -> right (Nearest :? (Just (fromMaybe 0 radius), rows))
   ]
   where
     nearing ::
@@ -118,11 +118,11 @@ damageImpostors =
       Impostor
     nearing name mistake change =
       answeringOtherwise name mistake $ \_ right question -> case question of
-        Nearest radius rows -> change right radius rows
+        Nearest :? (radius, rows) -> change right radius rows
         _ -> right question
     distanceOf :: RightAnswers -> [[Bool]] -> Wire Natural
     distanceOf right cells =
-      right (Distance (map (map (\counts -> if counts then '#' else '.')) cells))
+      right (Distance :? (map (map (\counts -> if counts then '#' else '.')) cells))
 
 -- | In probabilities.
 chanceImpostors :: [Impostor]
@@ -150,9 +150,9 @@ chanceImpostors =
     believing :: String -> String -> (Natural -> Chance -> Chance) -> Impostor
     believing name mistake change =
       answeringOtherwise name mistake $ \k right question -> case question of
-        Posterior cells ->
+        Posterior :? cells ->
           let q = profileOrder (knownProfile k)
-           in right (Posterior (map (map (change q)) cells))
+           in right (Posterior :? (map (map (change q)) cells))
         _ -> right question
     telling ::
       String ->
@@ -161,5 +161,5 @@ chanceImpostors =
       Impostor
     telling name mistake change =
       answeringOtherwise name mistake $ \_ right question -> case question of
-        Posterior cells -> change cells <$> right question
+        Posterior :? cells -> change cells <$> right question
         _ -> right question

@@ -19,8 +19,8 @@ alphabetImpostors :: [Impostor]
 alphabetImpostors =
   [ withoutProfileOtherwise "knows-one-alphabet" "takes all shapes for the usual ones" $
       \right question -> case question of
-        Register _ pair -> right (Register Nothing pair)
-        Stitch _ search frames -> right (Stitch Nothing search frames)
+        Register :? (_, pair) -> right (Register :? (Nothing, pair))
+        Stitch :? (_, search, frames) -> right (Stitch :? (Nothing, search, frames))
         _ -> right question
   ]
 
@@ -37,19 +37,19 @@ registerImpostors =
       found {registeredReason = Nothing, registeredFixed = (True, True)},
     withoutProfileOtherwise "takes-the-least-frame" "cuts frames of two sizes to what both have" $
       \right question -> case question of
-        Register shapes pair ->
+        Register :? (shapes, pair) ->
           let (a, b) = (pairFirst pair, pairSecond pair)
               cut rows = map (take (least width)) (take (least length) rows)
               least f = min (f a) (f b)
               width rows = length (concat (take 1 rows))
-           in right (Register shapes pair {pairFirst = cut a, pairSecond = cut b})
+           in right (Register :? (shapes, pair {pairFirst = cut a, pairSecond = cut b}))
         _ -> right question
   ]
   where
     registered :: String -> String -> (Pair -> Registered -> Registered) -> Impostor
     registered name mistake change =
       withoutProfileOtherwise name mistake $ \right question -> case question of
-        Register _ pair -> change pair <$> right question
+        Register :? (_, pair) -> change pair <$> right question
         _ -> right question
 
 -- | The whole displacement within the search at which the mean squared difference is least.
@@ -78,18 +78,18 @@ stitchImpostors =
       \(Placed _ (px, py)) (x, y) -> (x + 0.05 * fromInteger px, y + 0.05 * fromInteger py),
     withoutProfileOtherwise "stitches-frames-of-any-size" "cuts frames of two sizes alike" $
       \right question -> case question of
-        Stitch shapes search frames ->
+        Stitch :? (shapes, search, frames) ->
           let high = minimum (256 : [length rows | Placed rows _ <- frames])
               wide = minimum (256 : [length row | Placed rows _ <- frames, row <- rows])
               cut (Placed rows place) = Placed (map (take wide) (take high rows)) place
-           in right (Stitch shapes search (map cut frames))
+           in right (Stitch :? (shapes, search, map cut frames))
         _ -> right question
   ]
   where
     stitched :: String -> String -> (Placed -> Taxels -> Taxels) -> Impostor
     stitched name mistake change =
       withoutProfileOtherwise name mistake $ \right question -> case question of
-        Stitch _ _ frames -> zipWith change frames <$> right question
+        Stitch :? (_, _, frames) -> zipWith change frames <$> right question
         _ -> right question
 
 -- | In where symbols are, and in what is one.
@@ -112,12 +112,12 @@ segmentImpostors =
     segmented :: String -> String -> (Rows -> [Symbol] -> [Symbol]) -> Impostor
     segmented name mistake change =
       withoutProfileOtherwise name mistake $ \right question -> case question of
-        Segment rows -> change rows <$> right question
+        Segment :? rows -> change rows <$> right question
         _ -> right question
     changed :: String -> String -> (Rows -> Rows) -> Impostor
     changed name mistake change =
       withoutProfileOtherwise name mistake $ \right question -> case question of
-        Segment rows -> right (Segment (change rows))
+        Segment :? rows -> right (Segment :? (change rows))
         _ -> right question
     cut v
       | v > fullScale = v

@@ -20,7 +20,8 @@ import PraTactile.Conformance.Laws.Forms
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
 import PraTactile.Conformance.Laws.Order
-import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Operations (operationsIn, smallerQuestions)
+import PraTactile.Conformance.Operations.Conventions (lessList, lessNatural)
 import PraTactile.Conformance.Question
 import PraTactile.Format.Json.Codec (listOf, natural)
 import PraTactile.Profile (Profile (..))
@@ -28,39 +29,43 @@ import Test.QuickCheck hiding (listOf)
 
 -- | The laws of the array's cells.
 arrayLaws :: [Law Known]
-arrayLaws = cellLaws ++ formLaws OnArray [OfCell]
+arrayLaws = cellLaws ++ formLaws OnArray [SomeOp Cell]
 
 cellLaws :: [Law Known]
 cellLaws =
-  [ defined OnArray "cell-as-defined" OfCell "every cell of the array" folding $ \known ->
+  [ defined OnArray "cell-as-defined" Cell "every cell of the array" folding $ \known ->
       let shape@(Shape n1 n2) = profileShape (knownProfile known)
        in if isVast (knownProfile known)
-            then Some (fmap SomeQuestion (Cell <$> upTo (n1 - 1) <*> upTo (n2 - 1))) smaller
-            else Every [SomeQuestion (Cell r c) | Position r c <- shapeCells shape],
-    defined OnArray "cell-at-the-edges" OfCell beyond folding $ \known ->
+            then
+              Some
+                (SomeQuestion . (Cell :?) <$> (Position <$> upTo (n1 - 1) <*> upTo (n2 - 1)))
+                smallerQuestions
+            else Every [SomeQuestion (Cell :? Position r c) | Position r c <- shapeCells shape],
+    defined OnArray "cell-at-the-edges" Cell beyond folding $ \known ->
       Every
-        [ SomeQuestion (Cell r c)
+        [ SomeQuestion (Cell :? Position r c)
           | (r, c) <-
               aroundTheEdges
                 (profileShape (knownProfile known))
         ],
-    defined OnArray "cell-far-beyond-the-edges" OfCell beyond folding $ \_ ->
-      Some (fmap SomeQuestion (Cell <$> anyNatural <*> anyNatural)) smaller,
+    defined OnArray "cell-far-beyond-the-edges" Cell beyond folding $ \_ ->
+      Some (SomeQuestion . (Cell :?) <$> (Position <$> anyNatural <*> anyNatural)) smallerQuestions,
     law
       OnArray
       "cells-are-terms"
-      [OfCell, OfTerm]
+      [SomeOp Cell, SomeOp Term]
       "a[i mod n1][i mod n2] = s(i) for the diagonal fold, a[i div n2][i mod n2] = s(i) for the \
       \row-major one"
       folding
       ( \known ->
           Cases
             natural
-            (Some (upTo (periodOf (knownProfile known) - 1)) smallerNatural)
+            (Some (upTo (periodOf (knownProfile known) - 1)) lessNatural)
             (trial . folded known)
       ),
-    invalid OnArray "cell-refuses-what-is-invalid" OfCell $ \_ ->
-      [rawWith (Cell 0 0) name (Number (-1)) | name <- ["row", "column"]] ++ malformed (Cell 1 1)
+    invalid OnArray "cell-refuses-what-is-invalid" Cell $ \_ ->
+      [rawWith (Cell :? Position 0 0) name (Number (-1)) | name <- ["row", "column"]]
+        ++ malformed (Cell :? Position 1 1)
   ]
 
 folding :: String
@@ -84,7 +89,7 @@ aroundTheEdges (Shape n1 n2) =
 
 folded :: Known -> Natural -> Trial ()
 folded known i = do
-  wanted <- answer known (Term i)
+  wanted <- answer known (Term :? i)
   got <- answer known question
   demand
     ( Because
@@ -98,67 +103,69 @@ folded known i = do
     p = knownProfile known
     Shape n1 n2 = profileShape p
     question = case profileFolding p of
-      Diagonal -> Cell (i `mod` n1) (i `mod` n2)
-      RowMajor -> Cell ((i `div` n2) `mod` n1) (i `mod` n2)
+      Diagonal -> Cell :? Position (i `mod` n1) (i `mod` n2)
+      RowMajor -> Cell :? Position ((i `div` n2) `mod` n1) (i `mod` n2)
 
 -- | The laws of packing.
 windowLaws :: [Law Known]
 windowLaws =
-  packingLaws ++ [orderLaw OnWindow [OfPack, OfUnpack]] ++ formLaws OnWindow [OfPack, OfUnpack]
+  packingLaws
+    ++ [orderLaw OnWindow (operationsIn OnWindow)]
+    ++ formLaws OnWindow (operationsIn OnWindow)
 
 packingLaws :: [Law Known]
 packingLaws =
   [ defined
       OnWindow
       "pack-as-defined"
-      OfPack
+      Pack
       "a window is packed as the base-q number of its cells"
       packing
-      (contents (SomeQuestion . Pack)),
+      (contents (SomeQuestion . (Pack :?))),
     defined
       OnWindow
       "unpack-as-defined"
-      OfUnpack
+      Unpack
       "a number below q^cells is unpacked to the window"
       packing
       numbers,
     defined
       OnWindow
       "unpack-refuses-what-packs-no-window"
-      OfUnpack
+      Unpack
       "a number of q^cells or more is refused: out-of-range"
       packing
       ( \known ->
           let most = profileOrder (knownProfile known) ^ cellsOf known
            in Every
-                [ SomeQuestion (Unpack n)
+                [ SomeQuestion (Unpack :? n)
                   | n <- nub ([most, most + 1, 2 * most] ++ filter (>= most) bigNaturals)
                 ]
       ),
     law
       OnWindow
       "unpack-inverts-pack"
-      [OfPack, OfUnpack]
+      [SomeOp Pack, SomeOp Unpack]
       "what is packed is unpacked again"
       packing
       ( \known ->
           let lower codes =
                 filter
                   ((== cellsOf known) . fromIntegral . length)
-                  (smallerList smallerNatural codes)
+                  (lessList lessNatural codes)
            in Cases (listOf natural) (Some (genContent known) lower) (trial . unpacked known)
       ),
-    invalid OnWindow "pack-refuses-what-is-invalid" OfPack $ \known ->
+    invalid OnWindow "pack-refuses-what-is-invalid" Pack $ \known ->
       let k = fromIntegral (cellsOf known)
           q = profileOrder (knownProfile known)
           zeros n = replicate n 0
-       in [SomeQuestion (Pack (zeros n)) | n <- [0, k - 1, k + 1, 2 * k], n /= k]
-            ++ [SomeQuestion (Pack (take k (a : zeros k))) | a <- noCodes (knownProfile known)]
-            ++ [SomeQuestion (Pack (zeros (k - 1) ++ [q]))]
-            ++ [rawWith (Pack [0]) "cells" (toJSON (replicate k (-1 :: Int)))]
-            ++ malformed (Pack (zeros k)),
-    invalid OnWindow "unpack-refuses-what-is-invalid" OfUnpack $ \_ ->
-      rawWith (Unpack 0) "packed" (Number (-1)) : malformed (Unpack 1)
+       in [SomeQuestion (Pack :? zeros n) | n <- [0, k - 1, k + 1, 2 * k], n /= k]
+            ++ [SomeQuestion (Pack :? take k (a : zeros k)) | a <- noCodes (knownProfile known)]
+            ++ [SomeQuestion (Pack :? zeros (k - 1) ++ [q])]
+            ++ [rawWith (Pack :? [0]) "cells" (toJSON (replicate k (-1 :: Int)))]
+            ++ malformed (Pack :? zeros k),
+    invalid OnWindow "unpack-refuses-what-is-invalid" Unpack $ \_ ->
+      rawWith (Unpack :? 0) "packed" (Number (-1)) : malformed (Unpack :? 1)
   ]
 
 packing :: String
@@ -172,7 +179,7 @@ contents :: ([Code] -> SomeQuestion) -> Known -> Domain SomeQuestion
 contents asked known
   | profileOrder p ^ cellsOf known <= 1024 =
     Every (asked <$> replicateM (fromIntegral (cellsOf known)) (elementsOf p))
-  | otherwise = Some (asked <$> genContent known) smaller
+  | otherwise = Some (asked <$> genContent known) smallerQuestions
   where
     p = knownProfile known
 
@@ -182,17 +189,17 @@ genContent known =
 
 numbers :: Known -> Domain SomeQuestion
 numbers known
-  | most <= 1024 = Every (SomeQuestion . Unpack <$> naturalsBelow most)
-  | otherwise = Some (SomeQuestion . Unpack <$> upTo (most - 1)) smaller
+  | most <= 1024 = Every (SomeQuestion . (Unpack :?) <$> naturalsBelow most)
+  | otherwise = Some (SomeQuestion . (Unpack :?) <$> upTo (most - 1)) smallerQuestions
   where
     most = profileOrder (knownProfile known) ^ cellsOf known
 
 unpacked :: Known -> [Code] -> Trial ()
 unpacked known codes = do
-  number <- answer known (Pack codes)
-  got <- answer known (Unpack number)
+  number <- answer known (Pack :? codes)
+  got <- answer known (Unpack :? number)
   demand
     (Because "the other answer of the same implementation" "it was packed so")
-    (Unpack number)
+    (Unpack :? number)
     codes
     (codes == got)

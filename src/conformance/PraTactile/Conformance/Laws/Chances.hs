@@ -19,7 +19,7 @@ import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Locate
 import PraTactile.Conformance.Laws.Malformed
 import PraTactile.Conformance.Laws.Order
-import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Operations (smallerQuestions)
 import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile (..))
 import Test.QuickCheck
@@ -29,8 +29,8 @@ chanceLaws :: [Law Known]
 chanceLaws =
   map ofFew $
     systematicLaws ++ drawnLaws
-      ++ [orderLaw OnChances [OfLocate, OfPosterior]]
-      ++ formLaws OnChances [OfPosterior]
+      ++ [orderLaw OnChances [SomeOp Locate, SomeOp Posterior]]
+      ++ formLaws OnChances [SomeOp Posterior]
       ++ [invalidLaw]
   where
     -- A line has no room for the probabilities of very many positions.
@@ -47,13 +47,13 @@ bayes what sentence =
   defined
     OnChances
     what
-    OfPosterior
+    Posterior
     sentence
     "Bayes, cells being independent and positions equally likely beforehand; the \
     \protocol, posterior"
 
 asked :: Chances -> SomeQuestion
-asked = SomeQuestion . Posterior
+asked = SomeQuestion . (Posterior :?)
 
 certain :: Patch -> Chances
 certain = map (map (maybe Unfelt Certainly))
@@ -155,9 +155,9 @@ drawnLaws =
       "the probability of a position is the product of the probabilities of its symbols, \
       \divided by \
       \the sum over all positions"
-      (\known -> Some (asked <$> genChances (knownProfile known)) smaller),
+      (\known -> Some (asked <$> genChances (knownProfile known)) smallerQuestions),
     bayes "contradictions" "what fits no position is refused: contradiction" $ \known ->
-      Some (asked . certain <$> genDamaged known (Damage 10 30)) smaller,
+      Some (asked . certain <$> genDamaged known (Damage 10 30)) smallerQuestions,
     bayes "likely-patches" "a patch that was seen, each cell a little doubtful" $ \known ->
       Some
         ( genDamaged known (Damage 20 5)
@@ -165,7 +165,7 @@ drawnLaws =
               . traverse
                 (traverse (doubtful (knownProfile known)))
         )
-        smaller
+        smallerQuestions
   ]
 
 -- | In each cell, probabilities in 64ths, which doubles have exactly; of a few cells now and then
@@ -204,7 +204,7 @@ doubtful p cell = case cell of
 
 invalidLaw :: Law Known
 invalidLaw =
-  invalid OnChances "posterior-refuses-what-is-invalid" OfPosterior $ \known ->
+  invalid OnChances "posterior-refuses-what-is-invalid" Posterior $ \known ->
     let p = knownProfile known
         q = fromIntegral (profileOrder p) :: Int
         certainly = map toJSON (drop 1 (sure p 0))
@@ -221,7 +221,9 @@ invalidLaw =
                    naturalsBelow 3 >>= \i ->
                      [profileOrder p + i :: Natural]
              ]
-          ++ [ rawWith (Posterior [[Unfelt]]) "patch" (toJSON [[wrong : certainly]])
+          ++ [ rawWith (Posterior :? [[Unfelt]]) "patch" (toJSON [[wrong : certainly]])
                | wrong <- [toJSON True, toJSON ("1" :: String), Null, toJSON [1 :: Int]]
              ]
-          ++ illFormedPatches (Posterior [[Certainly 1, Unfelt], [Certainly 0, Certainly 1]]) known
+          ++ illFormedPatches
+            (Posterior :? [[Certainly 1, Unfelt], [Certainly 0, Certainly 1]])
+            known

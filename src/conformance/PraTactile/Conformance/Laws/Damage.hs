@@ -19,7 +19,7 @@ import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Locate
 import PraTactile.Conformance.Laws.Malformed
 import PraTactile.Conformance.Laws.Order
-import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Operations (smallerQuestions)
 import PraTactile.Conformance.Question
 import PraTactile.Format.Json.Codec (Codec, key, listOf, natural, nullable, object, position)
 import PraTactile.Profile (Profile (..))
@@ -29,8 +29,8 @@ import Test.QuickCheck hiding (listOf)
 damageLaws :: [Law Known]
 damageLaws =
   correctionLaws ++ systematicLaws ++ drawnLaws
-    ++ [orderLaw OnDamage [OfLocate, OfNearest]]
-    ++ formLaws OnDamage [OfNearest]
+    ++ [orderLaw OnDamage [SomeOp Locate, SomeOp Nearest]]
+    ++ formLaws OnDamage [SomeOp Nearest]
     ++ [invalidLaw]
 
 source :: String
@@ -39,7 +39,7 @@ source =
   \protocol, nearest"
 
 comparing :: String -> String -> (Known -> Domain SomeQuestion) -> Law Known
-comparing what sentence = defined OnDamage what OfNearest sentence source
+comparing what sentence = defined OnDamage what Nearest sentence source
 
 -- | A patch, where it was seen, and as it was there.
 data Seen = Seen
@@ -80,7 +80,7 @@ correctionLaws =
   [ law
       OnDamage
       "corrects-within-the-guaranteed-radius"
-      [OfNearest]
+      [SomeOp Nearest]
       "e wrong cells are corrected if 2 e < d, d being the least number in which two contents \
       \of the \
       \observed cells differ on the folding's own surface"
@@ -94,7 +94,7 @@ correctionLaws =
     law
       OnDamage
       "corrects-as-far-as-it-is-told"
-      [OfNearest]
+      [SomeOp Nearest]
       "the same with the radius stated"
       source
       ( \known ->
@@ -127,11 +127,12 @@ corrected known radius seen
   | otherwise = inapplicable
   where
     p = knownProfile known
-    question = Nearest radius (seenPatch seen)
+    question = Nearest :? (radius, seenPatch seen)
 
 -- | The distance of the observed cells on the folding's own surface; 0 if nothing was observed.
 observedDistance :: Known -> Patch -> Natural
-observedDistance known rows = either (const 0) id (expected known (Distance (map (map drawn) rows)))
+observedDistance known rows =
+  either (const 0) id (expected known (Distance :? map (map drawn) rows))
   where
     drawn = maybe '.' (const '#')
 
@@ -215,14 +216,14 @@ asCompared =
   \positions says"
 
 asked :: Maybe Natural -> Patch -> SomeQuestion
-asked radius = SomeQuestion . Nearest radius
+asked radius = SomeQuestion . (Nearest :?) . (,) radius
 
 drawnLaws :: [Law Known]
 drawnLaws =
   [ comparing "guaranteed-radius" (asCompared ++ ", to the guaranteed radius") $ \known ->
-      Some (asked Nothing <$> genDamaged known (Damage 15 15)) smaller,
+      Some (asked Nothing <$> genDamaged known (Damage 15 15)) smallerQuestions,
     comparing "cells-observed-decide" "the cells observed decide what is guaranteed" $ \known ->
-      Some (asked Nothing <$> genDamaged known (Damage 35 6)) smaller,
+      Some (asked Nothing <$> genDamaged known (Damage 35 6)) smallerQuestions,
     comparing "stated-radius" (asCompared ++ ", to a radius that is stated") $ \known ->
       Some
         ( do
@@ -230,7 +231,7 @@ drawnLaws =
             wrong <- elements [5, 15, 30, 60]
             asked (Just radius) <$> genDamaged known (Damage 15 wrong)
         )
-        smaller,
+        smallerQuestions,
     comparing "large-radius" "a radius of as many cells as there are, or more, is one too" $
       \known ->
         Some
@@ -239,20 +240,20 @@ drawnLaws =
               radius <- elements (fromIntegral (length (concat rows)) : bigNaturals)
               pure (asked (Just radius) rows)
           )
-          smaller,
+          smallerQuestions,
     comparing "few-cells" "cells too few to tell a position are answered with all that agree" $
       \known ->
-        Some (asked Nothing <$> genDamaged known (Damage 75 0)) smaller
+        Some (asked Nothing <$> genDamaged known (Damage 75 0)) smallerQuestions
   ]
 
 invalidLaw :: Law Known
 invalidLaw =
-  invalid OnDamage "nearest-refuses-what-is-invalid" OfNearest $ \known ->
-    [ rawWith (Nearest Nothing [[Just 1]]) "radius" radius
+  invalid OnDamage "nearest-refuses-what-is-invalid" Nearest $ \known ->
+    [ rawWith (Nearest :? (Nothing, [[Just 1]])) "radius" radius
       | radius <- [Number (-1), Number (scientific 10 (-1)), toJSON True, toJSON ([] :: [Int])]
     ]
-      ++ [noSymbols (Nearest radius [[Just 1]]) known | radius <- [Nothing, Just 1]]
+      ++ [noSymbols (Nearest :? (radius, [[Just 1]])) known | radius <- [Nothing, Just 1]]
       ++ concat
-        [ illFormedPatches (Nearest radius [[Just 1, Nothing], [Just 0, Just 1]]) known
+        [ illFormedPatches (Nearest :? (radius, [[Just 1, Nothing], [Just 0, Just 1]])) known
           | radius <- [Nothing, Just 1]
         ]

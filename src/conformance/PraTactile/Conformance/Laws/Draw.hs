@@ -36,7 +36,7 @@ import Control.Monad (replicateM)
 import Data.List (sortOn)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..), Surface (..), area, naturalsBelow, shapeCells)
-import PraTactile.Conformance.Definition (Known, expected, knownProfile)
+import PraTactile.Conformance.Definition.Array (Known, cellOf, knownProfile)
 import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile (..))
 import Test.QuickCheck
@@ -105,13 +105,14 @@ ofVast few p cases
 -- | The cell at a place that may lie beyond the edges, where the profile's surface continues; a
 -- sheet as the torus.
 surfaceCell :: Known -> Position -> Code
-surfaceCell known = either (const 0) id . expected known . cellAt (knownProfile known)
+surfaceCell known at =
+  let Position r c = cellAt (knownProfile known) at in fromIntegral (cellOf known r c)
 
--- | The question about the cell of the array that is there.
-cellAt :: Profile -> Position -> Question Code
+-- | The cell of the array that is there.
+cellAt :: Profile -> Position -> Position
 cellAt p (Position r c) = case profileSurface p of
-  TwistedTorus -> Cell ((r + c `div` n2) `mod` n1) (c `mod` n2)
-  _ -> Cell (r `mod` n1) (c `mod` n2)
+  TwistedTorus -> Position ((r + c `div` n2) `mod` n1) (c `mod` n2)
+  _ -> Position (r `mod` n1) (c `mod` n2)
   where
     Shape n1 n2 = profileShape p
 

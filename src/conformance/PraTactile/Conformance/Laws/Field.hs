@@ -8,7 +8,7 @@ module PraTactile.Conformance.Laws.Field
 where
 
 import Control.Monad (replicateM)
-import Data.Aeson (Value (..))
+import Data.Aeson (Value (Number))
 import Numeric.Natural (Natural)
 import PraTactile.Conformance.Definition (Known, knownProfile)
 import PraTactile.Conformance.Law
@@ -17,65 +17,64 @@ import PraTactile.Conformance.Laws.Forms
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
 import PraTactile.Conformance.Laws.Order
-import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Operations
+import PraTactile.Conformance.Operations.Conventions (lessList, lessNatural)
 import PraTactile.Conformance.Question
 import PraTactile.Format.Json.Codec (listOf, natural)
 import PraTactile.Profile (Profile (..))
-import Test.QuickCheck (vectorOf)
+import Test.QuickCheck (elements, vectorOf)
 
 -- | The laws of GF(q).
 fieldLaws :: [Law Known]
 fieldLaws =
   operationLaws ++ powerLaws ++ additionAxioms ++ multiplicationAxioms ++ otherLaws
-    ++ [orderLaw OnField [OfAdd, OfMultiply, OfNegate, OfInverse, OfPower, OfLogarithm, OfTrace]]
-    ++ formLaws OnField [OfAdd, OfMultiply, OfNegate, OfInverse, OfPower, OfLogarithm, OfTrace]
+    ++ [orderLaw OnField (operationsIn OnField)]
+    ++ formLaws OnField (operationsIn OnField)
     ++ invalidLaws
 
 -- | Each operation on all codes.
 operationLaws :: [Law Known]
 operationLaws =
-  [ ofCodes "addition-as-defined" OfAdd 2 "a + b is the sum of polynomials over the prime field" $
-      \codes -> [SomeQuestion (Add a b) | [a, b] <- [codes]],
+  [ ofCodes "addition-as-defined" Add 2 "a + b is the sum of polynomials over the prime field" two,
     ofCodes
       "multiplication-as-defined"
-      OfMultiply
+      Multiply
       2
       "a b is the product of polynomials modulo the profile's modulus"
-      (\codes -> [SomeQuestion (Multiply a b) | [a, b] <- [codes]]),
-    ofCodes "negation-as-defined" OfNegate 1 "-a is what a is added to for 0" $
-      \codes -> [SomeQuestion (Negate a) | [a] <- [codes]],
+      two,
+    ofCodes "negation-as-defined" Negate 1 "-a is what a is added to for 0" id,
     ofCodes
       "inverse-as-defined"
-      OfInverse
+      Inverse
       1
       "1/a is what a is multiplied by for 1; 1/0 is refused: division-by-zero"
-      (\codes -> [SomeQuestion (Inverse a) | [a] <- [codes]]),
+      id,
     ofCodes
       "logarithm-as-defined"
-      OfLogarithm
+      Logarithm
       1
       "log a is the least i with A^i = a, A being the smallest code of order q - 1; log 0 is \
       \refused: out-of-range"
-      (\codes -> [SomeQuestion (Logarithm a) | [a] <- [codes]]),
+      id,
     ofCodes
       "trace-as-defined"
-      OfTrace
+      Trace
       1
       "the trace of a to the prime field is a + a^p + a^(p^2) + ..."
-      (\codes -> [SomeQuestion (Trace a) | [a] <- [codes]])
+      id
   ]
+  where
+    two codes = [(a, b) | [a, b] <- [codes]]
 
 -- | A law that all codes, or pairs of them, are answered as the definition says.
-ofCodes :: String -> Operation -> Int -> String -> ([Code] -> [SomeQuestion]) -> Law Known
-ofCodes what operation count sentence questions =
+ofCodes :: Show i => String -> Op i o -> Int -> String -> ([Code] -> [i]) -> Law Known
+ofCodes what operation count sentence inputs =
   defined OnField what operation sentence byModulus $ \known ->
     case codesDomain count (knownProfile known) of
       Every every -> Every (every >>= questions)
-      Some draw _ -> Some (draw >>= firstOf . questions) smaller
+      Some draw _ -> Some (draw >>= elements . questions) smallerQuestions
   where
-    firstOf found = case found of
-      question : _ -> pure question
-      [] -> pure (SomeQuestion (Raw operation Null))
+    questions codes = [SomeQuestion (operation :? input) | input <- inputs codes]
 
 byModulus :: String
 byModulus = "Lidl and Niederreiter, Finite Fields, chapter 2; the profile's modulus"
@@ -87,20 +86,20 @@ codesDomain count p
   | otherwise =
     Some
       (vectorOf count (upTo (profileOrder p - 1)))
-      (filter ((== count) . length) . smallerList smallerNatural)
+      (filter ((== count) . length) . lessList lessNatural)
 
 powerLaws :: [Law Known]
 powerLaws =
   [ defined
       OnField
       "power-as-defined"
-      OfPower
+      Power
       "a^i for i from -q to q; a^0 = 1, 0^0 = 1 too, and 0^-i is refused: division-by-zero"
       byModulus
       ( \known ->
           let q = toInteger (profileOrder (knownProfile known))
            in Every
-                [ SomeQuestion (Power a i)
+                [ SomeQuestion (Power :? (a, i))
                   | i <- 0 : concat [[j, -j] | j <- [1 .. min 32 q]],
                     a <- take 32 (elementsOf (knownProfile known))
                 ]
@@ -108,7 +107,7 @@ powerLaws =
     defined
       OnField
       "power-of-any-exponent"
-      OfPower
+      Power
       "a^i = a^(i mod (q - 1)) for a other than 0 and i of any size"
       "Lidl and Niederreiter, Finite Fields, lemma 2.3"
       ( \known ->
@@ -117,16 +116,17 @@ powerLaws =
                 a <- upTo (profileOrder (knownProfile known) - 1)
                 i <- toInteger <$> anyNatural
                 sign <- upTo 1
-                pure (SomeQuestion (Power a (if sign == 0 then i else -i)))
+                pure (SomeQuestion (Power :? (a, if sign == 0 then i else -i)))
             )
-            smaller
+            smallerQuestions
       )
   ]
 
--- | An equation between what two trials come to, over all lists of so many codes.
+-- | An equation between what two trials come to, over all lists of so many codes. It needs the
+-- operations.
 equation ::
   String ->
-  [Operation] ->
+  [SomeOp] ->
   Int ->
   String ->
   (Known -> [Code] -> Trial ()) ->
@@ -137,25 +137,25 @@ equation what needs count sentence held =
       Cases (listOf natural) (codesDomain count (knownProfile known)) (trial . held known)
 
 add :: Known -> Code -> Code -> Trial Code
-add known a b = answer known (Add a b)
+add known a b = answer known (Add :? (a, b))
 
 multiply :: Known -> Code -> Code -> Trial Code
-multiply known a b = answer known (Multiply a b)
+multiply known a b = answer known (Multiply :? (a, b))
 
 -- | The last answer must be the other one.
 same :: String -> Code -> Code -> Trial ()
 same sentence wanted got =
   demand
     (Because "an axiom of fields, with the other answers of the same implementation" sentence)
-    (Add 0 0)
+    (Add :? (0, 0))
     wanted
     (wanted == got)
 
 -- | That an operation, by its name and the equation, is associative.
 associates ::
-  String -> Operation -> (Known -> Code -> Code -> Trial Code) -> String -> Law Known
+  String -> Op i o -> (Known -> Code -> Code -> Trial Code) -> String -> Law Known
 associates name operation ask sentence =
-  equation (name ++ "-associates") [operation] 3 sentence $ \known codes -> case codes of
+  equation (name ++ "-associates") [SomeOp operation] 3 sentence $ \known codes -> case codes of
     [a, b, c] -> do
       left <- ask known b c >>= ask known a
       right <- ask known a b >>= \ab -> ask known ab c
@@ -163,9 +163,9 @@ associates name operation ask sentence =
     _ -> inapplicable
 
 -- | That it is commutative.
-commutes :: String -> Operation -> (Known -> Code -> Code -> Trial Code) -> String -> Law Known
+commutes :: String -> Op i o -> (Known -> Code -> Code -> Trial Code) -> String -> Law Known
 commutes name operation ask sentence =
-  equation (name ++ "-commutes") [operation] 2 sentence $ \known codes -> case codes of
+  equation (name ++ "-commutes") [SomeOp operation] 2 sentence $ \known codes -> case codes of
     [a, b] -> do
       left <- ask known a b
       right <- ask known b a
@@ -174,33 +174,33 @@ commutes name operation ask sentence =
 
 additionAxioms :: [Law Known]
 additionAxioms =
-  [ associates "addition" OfAdd add "a + (b + c) = (a + b) + c",
-    commutes "addition" OfAdd add "a + b = b + a",
-    equation "zero-is-neutral" [OfAdd] 1 "a + 0 = a" $ \known codes -> case codes of
+  [ associates "addition" Add add "a + (b + c) = (a + b) + c",
+    commutes "addition" Add add "a + b = b + a",
+    equation "zero-is-neutral" [SomeOp Add] 1 "a + 0 = a" $ \known codes -> case codes of
       [a] -> add known a 0 >>= same "a + 0 = a" a
       _ -> inapplicable,
-    equation "negation-inverts-addition" [OfAdd, OfNegate] 1 "a + (-a) = 0" $ \known codes ->
-      case codes of
-        [a] -> answer known (Negate a) >>= add known a >>= same "a + (-a) = 0" 0
+    equation "negation-inverts-addition" [SomeOp Add, SomeOp Negate] 1 "a + (-a) = 0" $
+      \known codes -> case codes of
+        [a] -> answer known (Negate :? a) >>= add known a >>= same "a + (-a) = 0" 0
         _ -> inapplicable
   ]
 
 multiplicationAxioms :: [Law Known]
 multiplicationAxioms =
-  [ associates "multiplication" OfMultiply multiply "a (b c) = (a b) c",
-    commutes "multiplication" OfMultiply multiply "a b = b a",
-    equation "one-is-neutral" [OfMultiply] 1 "1 a = a" $ \known codes -> case codes of
+  [ associates "multiplication" Multiply multiply "a (b c) = (a b) c",
+    commutes "multiplication" Multiply multiply "a b = b a",
+    equation "one-is-neutral" [SomeOp Multiply] 1 "1 a = a" $ \known codes -> case codes of
       [a] -> multiply known 1 a >>= same "1 a = a" a
       _ -> inapplicable,
     equation
       "inverse-inverts-multiplication"
-      [OfMultiply, OfInverse]
+      [SomeOp Multiply, SomeOp Inverse]
       1
       "a (1/a) = 1 for a other than 0"
       $ \known codes -> case codes of
-        [a] | a > 0 -> answer known (Inverse a) >>= multiply known a >>= same "a (1/a) = 1" 1
+        [a] | a > 0 -> answer known (Inverse :? a) >>= multiply known a >>= same "a (1/a) = 1" 1
         _ -> inapplicable,
-    equation "multiplication-distributes" [OfAdd, OfMultiply] 3 "a (b + c) = a b + a c" $
+    equation "multiplication-distributes" [SomeOp Add, SomeOp Multiply] 3 "a (b + c) = a b + a c" $
       \known
        codes ->
           case codes of
@@ -216,49 +216,52 @@ multiplicationAxioms =
 -- | What characteristic, powers, logarithms and traces have to do with sums and products.
 otherLaws :: [Law Known]
 otherLaws =
-  [ equation "characteristic-is-p" [OfAdd] 1 "a + a + ... + a = 0 with p summands" $ \known codes ->
-      case codes of
+  [ equation "characteristic-is-p" [SomeOp Add] 1 "a + a + ... + a = 0 with p summands" $
+      \known codes -> case codes of
         [a] -> do
           total <- multiple known (characteristicOf (knownProfile known)) a
           same "p times a is 0, p the characteristic" 0 total
         _ -> inapplicable,
-    equation "power-is-repeated-multiplication" [OfPower, OfMultiply] 2 "a^(i+1) = a a^i" $
-      \known codes ->
-        case codes of
-          [a, i] -> do
-            before <- answer known (Power a (toInteger i))
-            product' <- multiply known a before
-            after <- answer known (Power a (toInteger i + 1))
-            same "a^(i+1) = a a^i" product' after
-          _ -> inapplicable,
+    equation
+      "power-is-repeated-multiplication"
+      [SomeOp Power, SomeOp Multiply]
+      2
+      "a^(i+1) = a a^i"
+      $ \known codes -> case codes of
+        [a, i] -> do
+          before <- answer known (Power :? (a, toInteger i))
+          product' <- multiply known a before
+          after <- answer known (Power :? (a, toInteger i + 1))
+          same "a^(i+1) = a a^i" product' after
+        _ -> inapplicable,
     equation
       "logarithm-of-a-product"
-      [OfLogarithm, OfMultiply]
+      [SomeOp Logarithm, SomeOp Multiply]
       2
       "log (a b) = log a + log b modulo q - 1"
       $ \known codes -> case codes of
         [a, b] | a > 0 && b > 0 -> do
-          la <- answer known (Logarithm a)
-          lb <- answer known (Logarithm b)
-          lab <- multiply known a b >>= answer known . Logarithm
+          la <- answer known (Logarithm :? a)
+          lb <- answer known (Logarithm :? b)
+          lab <- multiply known a b >>= answer known . (Logarithm :?)
           same "log (a b) = log a + log b" (modulo known (la + lb)) lab
         _ -> inapplicable,
-    equation "trace-is-additive" [OfTrace, OfAdd] 2 "Tr (a + b) = Tr a + Tr b" $ \known codes ->
-      case codes of
+    equation "trace-is-additive" [SomeOp Trace, SomeOp Add] 2 "Tr (a + b) = Tr a + Tr b" $
+      \known codes -> case codes of
         [a, b] -> do
-          right <- add known a b >>= answer known . Trace
-          ta <- answer known (Trace a)
-          tb <- answer known (Trace b)
+          right <- add known a b >>= answer known . (Trace :?)
+          ta <- answer known (Trace :? a)
+          tb <- answer known (Trace :? b)
           left <- add known ta tb
           same "Tr (a + b) = Tr a + Tr b" right left
         _ -> inapplicable,
-    equation "trace-of-a-pth-power" [OfTrace, OfPower] 1 "Tr (a^p) = Tr a" $
+    equation "trace-of-a-pth-power" [SomeOp Trace, SomeOp Power] 1 "Tr (a^p) = Tr a" $
       \known
        codes -> case codes of
           [a] -> do
-            ta <- answer known (Trace a)
-            raised <- answer known (Power a (toInteger (characteristicOf (knownProfile known))))
-            answer known (Trace raised) >>= same "Tr (a^p) = Tr a" ta
+            ta <- answer known (Trace :? a)
+            raised <- answer known (Power :? (a, toInteger (characteristicOf (knownProfile known))))
+            answer known (Trace :? raised) >>= same "Tr (a^p) = Tr a" ta
           _ -> inapplicable
   ]
   where
@@ -275,19 +278,22 @@ otherLaws =
 -- | What is no code, and what is malformed.
 invalidLaws :: [Law Known]
 invalidLaws =
-  [ none "add" OfAdd (Add 1 1) (\a -> [SomeQuestion (Add a 0), SomeQuestion (Add 0 a)]),
-    none "multiply" OfMultiply (Multiply 1 1) $ \a ->
-      [SomeQuestion (Multiply a 0), SomeQuestion (Multiply 0 a)],
-    none "negate" OfNegate (Negate 1) (\a -> [SomeQuestion (Negate a)]),
-    none "inverse" OfInverse (Inverse 1) (\a -> [SomeQuestion (Inverse a)]),
-    none "power" OfPower (Power 1 1) (\a -> [SomeQuestion (Power a i) | i <- [0, 1, 2, -1]]),
-    none "logarithm" OfLogarithm (Logarithm 1) (\a -> [SomeQuestion (Logarithm a)]),
-    none "trace" OfTrace (Trace 1) (\a -> [SomeQuestion (Trace a)])
+  [ none Add (1, 1) (\a -> [(a, 0), (0, a)]),
+    none Multiply (1, 1) (\a -> [(a, 0), (0, a)]),
+    none Negate 1 pure,
+    none Inverse 1 pure,
+    none Power (1, 1) (\a -> [(a, i) | i <- [0, 1, 2, -1]]),
+    none Logarithm 1 pure,
+    none Trace 1 pure
   ]
   where
-    none :: String -> Operation -> Question Natural -> (Code -> [SomeQuestion]) -> Law Known
-    none name operation question tooLarge =
-      invalid OnField (name ++ "-refuses-what-is-invalid") operation $ \known ->
-        concatMap tooLarge (noCodes (knownProfile known))
-          ++ [rawWith question "a" (Number (-1))]
-          ++ malformed question
+    none :: Show i => Op i o -> i -> (Code -> [i]) -> Law Known
+    none operation input tooLarge =
+      invalid OnField (nameOf (SomeOp operation) ++ "-refuses-what-is-invalid") operation $
+        \known ->
+          [ SomeQuestion (operation :? other)
+            | a <- noCodes (knownProfile known),
+              other <- tooLarge a
+          ]
+            ++ [rawWith (operation :? input) "a" (Number (-1))]
+            ++ malformed (operation :? input)

@@ -6,7 +6,6 @@ module PraTactile.Conformance.Laws.Forms
   ( formLaws,
     otherForms,
     otherText,
-    typical,
   )
 where
 
@@ -21,22 +20,19 @@ import Data.Foldable (toList)
 import Data.List (intersperse, nub)
 import qualified Data.Text as Text
 import qualified Data.Vector as Vector
-import Numeric.Natural (Natural)
-import PraTactile.Array (Shape (..), area)
-import PraTactile.Conformance.Definition (Known, knownProfile)
+import PraTactile.Conformance.Definition (Known)
+import PraTactile.Conformance.Forms (readWhole)
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Laws.Draw
 import PraTactile.Conformance.Laws.Judge
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
-import PraTactile.Conformance.Wire (questionInput, readWhole)
-import PraTactile.Profile (Profile (..))
 
 -- | A law of each operation that takes integers, under its stage.
-formLaws :: Stage -> [Operation] -> [Law Known]
+formLaws :: Stage -> [SomeOp] -> [Law Known]
 formLaws stage operations =
   [ law
       stage
-      (operationName operation ++ "-takes-either-form")
+      (nameOf operation ++ "-takes-either-form")
       [operation]
       "an integer is a JSON number or a decimal string, be it small or large"
       "the protocol, integers"
@@ -45,7 +41,7 @@ formLaws stage operations =
             rawForm
             ( Every . map (SomeQuestion . Raw operation) . nub $
                 [ input
-                  | SomeQuestion question <- typical known operation,
+                  | SomeQuestion question <- typicalOf known operation,
                     input <- otherForms (questionInput question)
                 ]
             )
@@ -97,40 +93,3 @@ otherText value = case value of
       Just (begin, rest) | begin <= '\xFFFF' -> "\"" <> escape begin <> Lazy.drop 1 (encode rest)
       _ -> encode string
     escape = ("\\u" <>) . toLazyByteString . word16HexFixed . fromIntegral . ord
-
--- | Questions of an operation to which every profile has an answer: with small numbers, and where
--- these may be of any size with large ones.
-typical :: Known -> Operation -> [SomeQuestion]
-typical known operation = case operation of
-  OfAdd -> [SomeQuestion (Add 1 (q - 1))]
-  OfMultiply -> [SomeQuestion (Multiply 1 (q - 1))]
-  OfNegate -> [SomeQuestion (Negate (q - 1))]
-  OfInverse -> [SomeQuestion (Inverse (q - 1))]
-  OfPower -> [SomeQuestion (Power (q - 1) (sign * toInteger i)) | i <- sizes, sign <- [1, -1]]
-  OfLogarithm -> [SomeQuestion (Logarithm (q - 1))]
-  OfTrace -> [SomeQuestion (Trace (q - 1))]
-  OfPrimitive -> [SomeQuestion (Primitive (profilePolynomial p))]
-  OfFirstPrimitive -> [SomeQuestion (FirstPrimitive 1)]
-  OfTerm -> SomeQuestion . Term <$> sizes
-  OfTerms -> [SomeQuestion (Terms i 3) | i <- sizes]
-  OfCell -> [SomeQuestion (Cell i j) | i <- sizes, j <- take 2 sizes]
-  OfPack -> [SomeQuestion (Pack (map (const (q - 1)) (naturalCells (profileWindow p))))]
-  OfUnpack -> SomeQuestion . Unpack . (`mod` (q ^ area (profileWindow p))) <$> sizes
-  OfLocate -> SomeQuestion . Locate <$> patches
-  OfNearest -> [SomeQuestion (Nearest radius patch) | patch <- patches, radius <- [Nothing, Just 1]]
-  OfPosterior -> SomeQuestion . Posterior . map (map (maybe Unfelt Certainly)) <$> patches
-  OfProve -> SomeQuestion . Prove <$> masks
-  OfDistance -> SomeQuestion . Distance <$> masks
-  _ -> []
-  where
-    p = knownProfile known
-    q = profileOrder p
-    sizes = [7, 2 ^ (53 :: Int) + 1, 10 ^ (19 :: Int) + 7, 10 ^ (40 :: Int) + 3] :: [Natural]
-    masks = [["#"], ["##"], ["#", "#"], ["#.#", "..#"]]
-    naturalCells shape = [1 .. area shape]
-    Shape h w = profileWindow p
-    patches =
-      [ map (map Just) (seenAt known shape place)
-        | shape <- [Shape h w, Shape 1 1],
-          place <- take 1 (places p shape)
-      ]

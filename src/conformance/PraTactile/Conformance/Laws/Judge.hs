@@ -36,31 +36,30 @@ import Data.Maybe (fromMaybe)
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Definition hiding (known)
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Laws.Why (why)
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
-import PraTactile.Conformance.Wire
 import PraTactile.Format.Error (Misfit (NotPair))
-import PraTactile.Format.Json.Codec (Codec, anything, listOf, named, readValue, refuse, via)
+import PraTactile.Format.Json.Codec (Codec, anything, listOf, readValue, refuse, via)
 
 -- | A law that all these questions are answered, or refused, as the definition says. What it needs
 -- is the operation they ask for. The texts are the name of what holds, the sentence and its source.
 defined ::
   Stage ->
   String ->
-  Operation ->
+  Op i o ->
   String ->
   String ->
   (Known -> Domain SomeQuestion) ->
   Law Known
 defined stage what operation sentence source domain =
-  law stage what [operation] sentence source $ \known ->
+  law stage what [SomeOp operation] sentence source $ \known ->
     Cases questionForm (domain known) (asDefined known)
 
 -- | The same of questions that need no profile.
 definedWithoutProfile ::
-  Stage -> String -> Operation -> String -> String -> String -> Domain SomeQuestion -> Law ()
+  Stage -> String -> Op i o -> String -> String -> String -> Domain SomeQuestion -> Law ()
 definedWithoutProfile stage what operation sentence source reason domain =
-  law stage what [operation] sentence source $ \() -> Cases questionForm domain judged
+  law stage what [SomeOp operation] sentence source $ \() -> Cases questionForm domain judged
   where
     judged (SomeQuestion question) = case expectedWithoutProfile question of
       Nothing -> pure Inapplicable
@@ -70,13 +69,13 @@ definedWithoutProfile stage what operation sentence source reason domain =
           fits = either (const (const False)) (agreesWithoutProfile question) wanted
 
 -- | A law that all these questions are refused as @invalid@.
-invalid :: Stage -> String -> Operation -> (about -> [SomeQuestion]) -> Law about
+invalid :: Stage -> String -> Op i o -> (about -> [SomeQuestion]) -> Law about
 invalid stage what operation questions =
   law
     stage
     what
-    [operation]
-    ( operationName operation
+    [SomeOp operation]
+    ( nameOf (SomeOp operation)
         ++ " refuses as invalid every input that is none: codes that are none, values of a wrong \
            \type, keys that are missing, what is malformed"
     )
@@ -93,7 +92,7 @@ invalid stage what operation questions =
         <$> ask question
 
 -- | A law, under the name of its stage and of what holds.
-law :: Stage -> String -> [Operation] -> String -> String -> (about -> Cases) -> Law about
+law :: Stage -> String -> [SomeOp] -> String -> String -> (about -> Cases) -> Law about
 law stage what = Law (stageName stage ++ "/" ++ what) stage
 
 -- | Ask, and judge by the definition.
@@ -107,7 +106,7 @@ judgedAsDefined known question got = judge question shown fits road reason got
     fits = either (const (const False)) (agrees known question) wanted
     wanted = expected known question
     road = "the definition"
-    reason = why (knownProfile known) question wanted
+    reason = why known question wanted
 
 -- | Ask these one after the other, and judge each by the definition.
 inOrder :: Known -> [SomeQuestion] -> Ask Verdict
@@ -148,13 +147,13 @@ reply question = either (RefusedFor . refusalReason) (Result . answerValue quest
 questionForm :: Codec SomeQuestion
 questionForm = formOf some
 
-formOf :: (Operation -> Value -> SomeQuestion) -> Codec SomeQuestion
+formOf :: (SomeOp -> Value -> SomeQuestion) -> Codec SomeQuestion
 formOf made = via written asked (listOf anything)
   where
     written (SomeQuestion question) =
-      [toJSON (operationName (operationOf question)), questionInput question]
+      [toJSON (nameOf (operationOf question)), questionInput question]
     asked given = case given of
-      [name, input] -> (`made` input) <$> readValue (named operationName) name
+      [name, input] -> (`made` input) <$> readValue operationForm name
       _ -> refuse NotPair
 
 -- | The same, and what is read is kept as it was written.
@@ -162,7 +161,7 @@ rawForm :: Codec SomeQuestion
 rawForm = formOf (\operation -> SomeQuestion . Raw operation)
 
 -- | The question of an operation with this input, typed where the input is well formed.
-some :: Operation -> Value -> SomeQuestion
+some :: SomeOp -> Value -> SomeQuestion
 some operation input =
   fromMaybe (SomeQuestion (Raw operation input)) (someQuestion operation input)
 
@@ -198,7 +197,7 @@ answer known question = do
                   []
                   (reply question wanted)
                   "the definition"
-                  (why (knownProfile known) question wanted)
+                  (why known question wanted)
               )
           )
   where

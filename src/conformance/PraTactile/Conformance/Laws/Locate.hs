@@ -12,7 +12,7 @@ module PraTactile.Conformance.Laws.Locate
   )
 where
 
-import Data.Aeson (Value (..), toJSON)
+import Data.Aeson (toJSON)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..), naturalsBelow)
 import PraTactile.Conformance.Definition (Known, knownProfile)
@@ -22,7 +22,8 @@ import PraTactile.Conformance.Laws.Forms
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
 import PraTactile.Conformance.Laws.Order
-import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Operations (smallerQuestions)
+import PraTactile.Conformance.Operations.Conventions (lessNatural)
 import PraTactile.Conformance.Question
 import PraTactile.Format.Json.Codec (position)
 import PraTactile.Profile (Profile (..))
@@ -32,18 +33,18 @@ import Test.QuickCheck
 locateLaws :: [Law Known]
 locateLaws =
   systematicLaws ++ drawnLaws ++ [inverseOfLooking]
-    ++ [orderLaw OnLocate [OfLocate]]
-    ++ formLaws OnLocate [OfLocate]
+    ++ [orderLaw OnLocate [SomeOp Locate]]
+    ++ formLaws OnLocate [SomeOp Locate]
     ++ [invalidLaw]
 
 ofTable :: String -> String -> (Known -> Domain SomeQuestion) -> Law Known
-ofTable what sentence = defined OnLocate what OfLocate sentence table
+ofTable what sentence = defined OnLocate what Locate sentence table
 
 table :: String
 table = "the memory table of Petriu and others (2004), section II; the protocol, locate"
 
 asked :: Patch -> SomeQuestion
-asked = SomeQuestion . Locate
+asked = SomeQuestion . (Locate :?)
 
 systematicLaws :: [Law Known]
 systematicLaws =
@@ -80,10 +81,10 @@ drawnLaws =
       (drawing (Damage 0 12)),
     ofTable "damaged-patches" "patches with cells not felt and cells wrong" (drawing (Damage 15 8)),
     ofTable "drawn-patches" "patches of any cells" $ \known ->
-      Some (asked <$> anyPatch (knownProfile known)) smaller
+      Some (asked <$> anyPatch (knownProfile known)) smallerQuestions
   ]
   where
-    drawing damage known = Some (asked <$> genDamaged known damage) smaller
+    drawing damage known = Some (asked <$> genDamaged known damage) smallerQuestions
     anyPatch p = do
       Shape h w <- elements (shapesAround p)
       vectorOf
@@ -160,7 +161,7 @@ inverseOfLooking =
   law
     OnLocate
     "inverse-of-looking"
-    [OfCell, OfLocate]
+    [SomeOp Cell, SomeOp Locate]
     "what the implementation itself has as cells is located where they are, or there too"
     table
     ( \known ->
@@ -171,15 +172,15 @@ inverseOfLooking =
     )
   where
     nearer (Position r c) =
-      [Position r' c | r' <- smallerNatural r] ++ [Position r c' | c' <- smallerNatural c]
+      [Position r' c | r' <- lessNatural r] ++ [Position r c' | c' <- lessNatural c]
 
 looked :: Known -> Position -> Trial ()
 looked known place@(Position r c) = do
-  cells <- traverse (traverse (fmap Just . answer known . cellAt (knownProfile known))) offsets
-  found <- answer known (Locate cells)
+  cells <- traverse (traverse (fmap Just . answer known . (Cell :?) . cellAt p)) offsets
+  found <- answer known (Locate :? cells)
   demand
     (Because "the window was read there" "each cell of the patch is the implementation's own")
-    (Locate cells)
+    (Locate :? cells)
     (At place)
     ( case found of
         At place' -> place == place'
@@ -187,14 +188,15 @@ looked known place@(Position r c) = do
         Coset _ _ -> True
     )
   where
-    Shape h w = profileWindow (knownProfile known)
+    p = knownProfile known
+    Shape h w = profileWindow p
     offsets = [[Position (r + i) (c + j) | j <- naturalsBelow w] | i <- naturalsBelow h]
 
 invalidLaw :: Law Known
 invalidLaw =
-  invalid OnLocate "locate-refuses-what-is-invalid" OfLocate $ \known ->
-    noSymbols (Locate [[Just 1]]) known :
-    illFormedPatches (Locate [[Just 1, Nothing], [Just 0, Just 1]]) known
+  invalid OnLocate "locate-refuses-what-is-invalid" Locate $ \known ->
+    noSymbols (Locate :? [[Just 1]]) known :
+    illFormedPatches (Locate :? [[Just 1, Nothing], [Just 0, Just 1]]) known
 
 -- | Probabilities where a code must stand.
 noSymbols :: Question a -> Known -> SomeQuestion
@@ -220,4 +222,4 @@ illFormedPatches question known =
                [[["0" :: String]]]
            ]
         ++ [toJSON (replicate (fromIntegral h) (replicate (fromIntegral w) (toInteger q)))]
-        ++ [toJSON [[0, toInteger q + 1]], toJSON [[Nothing, Just (toInteger q)]], Null]
+        ++ [toJSON [[0, toInteger q + 1]], toJSON [[Nothing, Just (toInteger q)]]]

@@ -10,13 +10,10 @@ module PraTactile.Conformance.Laws.Lying
   )
 where
 
-import Control.Monad ((>=>))
 import Data.List (nub)
 import PraTactile.Conformance.Laws.Faces
+import PraTactile.Conformance.Operations.Objects (feltForm)
 import PraTactile.Conformance.Question
-import PraTactile.Conformance.Wire.Objects (feltValue, readFelt)
-import PraTactile.Conformance.Wire.Read (readObject)
-import PraTactile.Format.Error (Misfit (NotObject))
 import PraTactile.Format.Json.Codec (Codec)
 import qualified PraTactile.Format.Json.Codec as Codec
 import PraTactile.Format.Pose (motionCodec)
@@ -36,12 +33,6 @@ lyingForm =
     Lying
       <$> Codec.key "felt" feltForm lyingFelt
       <*> Codec.key "motion" motionCodec lyingMotion
-  where
-    feltForm =
-      Codec.via
-        feltValue
-        (maybe (Codec.refuse NotObject) Right . (readObject >=> readFelt))
-        Codec.anything
 
 -- | A face of a staircase, moved in the plane of the robot and in space by rational rotations.
 lying :: Gen Lying

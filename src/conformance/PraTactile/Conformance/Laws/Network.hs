@@ -1,4 +1,3 @@
-{-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | The outputs of a network.
@@ -8,13 +7,11 @@ module PraTactile.Conformance.Laws.Network
 where
 
 import Data.Aeson (toJSON)
-import Data.Maybe (isNothing)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
-import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Operations (smallerQuestions)
 import PraTactile.Conformance.Question
-import PraTactile.Conformance.Wire (someQuestion)
 import Test.QuickCheck
 
 -- | The laws of networks.
@@ -23,24 +20,25 @@ networkLaws =
   [ definedWithoutProfile
       OnNetwork
       "outputs-as-defined"
-      OfOutputs
+      Outputs
       "the output units have the values that the weights and the image say"
       theNetwork
       theFormula
-      (Some (SomeQuestion <$> (Outputs <$> genWeights <*> genImage)) smaller),
+      (Some (SomeQuestion . (Outputs :?) <$> ((,) <$> genWeights <*> genImage)) smallerQuestions),
     definedWithoutProfile
       OnNetwork
       "outputs-of-each-taxel"
-      OfOutputs
+      Outputs
       "each of the 96 weights belongs to a taxel of its own, row by row"
       theNetwork
       theFormula
-      (Every [SomeQuestion (Outputs counting (single i j)) | i <- [0 .. 11], j <- [0 .. 7]]),
-    invalid OnNetwork "outputs-refuses-what-is-invalid" OfOutputs . const $
-      [ SomeQuestion (Outputs weights rows)
+      (Every [SomeQuestion (Outputs :? (counting, single i j)) | i <- [0 .. 11], j <- [0 .. 7]]),
+    invalid OnNetwork "outputs-refuses-what-is-invalid" Outputs . const $
+      [ SomeQuestion (Outputs :? (weights, rows))
         | (weights, rows) <- [(other, flat) | other <- misfits] ++ [(plain, r) | r <- noImages]
       ]
-        ++ malformedIn (Outputs plain flat)
+        ++ malformed (Outputs :? (plain, flat))
+        ++ [rawWith (Outputs :? (plain, flat)) "hidden" (toJSON ["0" :: String])]
   ]
   where
     theNetwork = "two layers of logistic units; the paper's section IV"
@@ -71,13 +69,6 @@ networkLaws =
     counting = Weights [[fromIntegral k / 16 | k <- [-48 .. 48 :: Int]]] [[4, -2]]
     single :: Int -> Int -> Values
     single i j = [[if (r, c) == (i, j) then 1 else 0 | c <- [0 .. 7]] | r <- [0 .. 11]]
-    -- What Malformed has of whole numbers may be an input where any number is one.
-    malformedIn question =
-      [ SomeQuestion (Raw operation input)
-        | SomeQuestion (Raw operation input) <- malformed question,
-          isNothing (someQuestion operation input)
-      ]
-        ++ [rawWith question "hidden" (toJSON ["0" :: String])]
 
 -- | One to four hidden units and one to five classes, of weights that leave no unit saturated.
 genWeights :: Gen Weights

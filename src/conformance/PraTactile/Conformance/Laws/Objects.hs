@@ -18,8 +18,8 @@ import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Lying
 import PraTactile.Conformance.Laws.Malformed
 import PraTactile.Conformance.Laws.Placements
-import PraTactile.Conformance.Laws.Smaller
 import PraTactile.Conformance.Laws.Solids
+import PraTactile.Conformance.Operations (smallerQuestions)
 import PraTactile.Conformance.Question
 import PraTactile.Object.Description
 import PraTactile.Object.Named
@@ -38,23 +38,23 @@ solidLaws =
   [ definedWithoutProfile
       OnObjects
       "solid-as-defined"
-      OfSolid
+      SolidReport
       "of a polyhedron all that is wrong is told, each defect with its faces, vertices and \
       \measure, \
       \and nothing else; and of its pieces what has a meaning"
       "the definitions of the defects; Euler and Poincare; the divergence theorem"
       "each kind of defect is looked for where no other leaves it without meaning"
-      (Some (SomeQuestion . SolidReport <$> polyhedra) smaller),
+      (Some (SomeQuestion . (SolidReport :?) <$> polyhedra) smallerQuestions),
     law
       OnObjects
       "solid-of-known-measures"
-      [OfSolid]
+      [SomeOp SolidReport]
       "solids with many sides, with many handles, with others inside them, and with very large and \
       \fine coordinates have the pieces and volumes that they were made with"
       "how they were made"
       $ \() ->
-        Cases questionForm (Every (map (SomeQuestion . SolidReport . fst) measured)) measure,
-    invalid OnObjects "solid-refuses-what-is-invalid" OfSolid (const badSolids)
+        Cases questionForm (Every (map (SomeQuestion . (SolidReport :?) . fst) measured)) measure,
+    invalid OnObjects "solid-refuses-what-is-invalid" SolidReport (const badSolids)
   ]
   where
     polyhedra = frequency [(1, solids), (4, eachKind >>= \kind -> solids >>= spoilt kind)]
@@ -62,7 +62,7 @@ solidLaws =
     eachKind = sized (\size -> pure (cycle [minBound ..] !! size))
     measure :: SomeQuestion -> Ask Verdict
     measure (SomeQuestion question) = case question of
-      SolidReport it
+      SolidReport :? it
         | Just wanted <- lookup it measured ->
           judge question (Right wanted) (agreesWithoutProfile question wanted) road why
             <$> ask question
@@ -73,7 +73,7 @@ solidLaws =
       [rawWith plain "vertices" (vertex name (String "0")) | name <- ["", "a b", "a\t"]]
         ++ [rawWith plain "vertices" (vertex "A" number) | number <- notExact]
         ++ malformed plain
-    plain = SolidReport (Description "" [("A", Point 1 2 (1 / 3))] [FaceName ["A"]])
+    plain = SolidReport :? (Description "" [("A", Point 1 2 (1 / 3))] [FaceName ["A"]])
     vertex :: String -> Value -> Value
     vertex name number = toJSON [object ["name" .= name, "at" .= [number, String "0", String "0"]]]
 
@@ -179,41 +179,43 @@ cellLaws =
   [ definedWithoutProfile
       OnObjects
       "cells-as-defined"
-      OfCells
+      FaceCells
       "of the grid centred on the box round a face those cells are told that lie wholly on it"
       "the face's frame: x from the walk's first vertex to its last, y into the face"
       "a cell, its rim included, lies in the polygon; lengths that are no fractions are compared \
       \exactly"
       ( Some
-          (SomeQuestion <$> (faces >>= \corners -> FaceCells corners <$> pitchFor corners))
-          smaller
+          ( faces >>= \corners ->
+              SomeQuestion . (FaceCells :?) . (,) corners <$> pitchFor corners
+          )
+          smallerQuestions
       ),
     definedWithoutProfile
       OnObjects
       "cells-at-the-rim"
-      OfCells
+      FaceCells
       "cells that touch the rim of a face from inside lie on it, and as many columns and rows as \
       \fit \
       \exactly are there"
       "the face's frame: x from the walk's first vertex to its last, y into the face"
       "a cell, its rim included, lies in the polygon"
-      (Some (SomeQuestion <$> rims) smaller),
+      (Some (SomeQuestion <$> rims) smallerQuestions),
     definedWithoutProfile
       OnObjects
       "cells-refuses-what-is-no-face"
-      OfCells
+      FaceCells
       "corners that are no simple polygon in a plane, and distances that are not positive, are \
       \refused \
       \as impossible-face"
       "the protocol, cells"
       "it is no face of a solid that carries symbols"
-      (Some (SomeQuestion <$> noFaces) smaller),
-    invalid OnObjects "cells-refuses-what-is-invalid" OfCells . const $
+      (Some (SomeQuestion <$> noFaces) smallerQuestions),
+    invalid OnObjects "cells-refuses-what-is-invalid" FaceCells . const $
       [rawWith plain "pitch_mm" (toJSON [number, String "1"]) | number <- notExact]
         ++ malformed plain
   ]
   where
-    plain = FaceCells [Point 0 0 0, Point 0 3 0, Point 4 0 0] (1, 1)
+    plain = FaceCells :? ([Point 0 0 0, Point 0 3 0, Point 4 0 0], (1, 1))
     -- Such that there is room for a few cells.
     pitchFor corners = do
       n <- fromInteger <$> chooseInteger (2, 8)
@@ -237,26 +239,24 @@ cellLaws =
       (right, down) <- elements [(1, 1), (127 / 5, 127 / 4), (2 / 3, 5)]
       steps <- map (\(x, y) -> (x * right, y * down)) <$> staircase (chooseInteger (1, 4))
       place <- elements [((1, 0, 0), (0, 1, 0)), ((1 / 3, 2 / 3, 2 / 3), (2 / 3, 1 / 3, -2 / 3))]
-      pure (FaceCells (inPlane place (Point 5 0 0) steps) (right, down))
+      pure (FaceCells :? (inPlane place (Point 5 0 0) steps, (right, down)))
     noFaces = do
       corners <- faces
       pitch <- pitchFor corners
       i <- chooseInt (0, length corners - 1)
       let (before, after) = splitAt i corners
       elements
-        [ FaceCells (before ++ take 1 after ++ after) pitch,
-          FaceCells (take 2 corners) pitch,
+        [ FaceCells :? (before ++ take 1 after ++ after, pitch),
+          FaceCells :? (take 2 corners, pitch),
           FaceCells
-            ( before ++ [Point x y (z + 1 / 7) | Point x y z <- take 1 after]
-                ++ drop
-                  1
-                  after
-                ++ [Point 0 0 1]
-            )
-            pitch,
-          FaceCells corners (0, snd pitch),
-          FaceCells corners (fst pitch, negate (snd pitch)),
-          FaceCells [] pitch
+            :? ( before ++ [Point x y (z + 1 / 7) | Point x y z <- take 1 after]
+                   ++ drop 1 after
+                   ++ [Point 0 0 1],
+                 pitch
+               ),
+          FaceCells :? (corners, (0, snd pitch)),
+          FaceCells :? (corners, (fst pitch, negate (snd pitch))),
+          FaceCells :? ([], pitch)
         ]
 
 -- Windows.
@@ -266,27 +266,27 @@ whereaboutsLaws =
   [ definedWithoutProfile
       OnObjects
       "whereabouts-as-defined"
-      OfWhereabouts
+      Whereabouts
       "a window whose cells are all a face's is on that face, at its place there, with all \
       \vertices \
       \nearest to its middle; one on several faces straddles them; any other is on no object"
       "section II.B of the paper; the face's frame"
       "the window's cells are compared with those of every face; a face does not go round the torus"
-      (Some (SomeQuestion <$> (placements >>= windowOn)) smaller),
+      (Some (SomeQuestion <$> (placements >>= windowOn)) smallerQuestions),
     definedWithoutProfile
       OnObjects
       "whereabouts-refuses-what-cannot-be-laid"
-      OfWhereabouts
+      Whereabouts
       "faces that cannot be laid so are refused as impossible-placement"
       "the protocol, whereabouts"
       "cells are shared, off the face or off the sheet, or an object or a face is none"
-      (Some (SomeQuestion <$> (placements >>= impossible >>= windowOn)) smaller),
-    invalid OnObjects "whereabouts-refuses-what-is-invalid" OfWhereabouts . const $
+      (Some (SomeQuestion <$> (placements >>= impossible >>= windowOn)) smallerQuestions),
+    invalid OnObjects "whereabouts-refuses-what-is-invalid" Whereabouts . const $
       malformed plain
         ++ [rawWith plain "layings" (toJSON [changed name value]) | (name, value) <- wrongLayings]
   ]
   where
-    plain = Whereabouts (Mapped (Shape 3 3) (1, 1) [] []) (Shape 1 1) (Position 1 1)
+    plain = Whereabouts :? (Mapped (Shape 3 3) (1, 1) [] [], Shape 1 1, Position 1 1)
     changed name value =
       object
         [ key .= (if key == name then value else usual)
@@ -317,11 +317,11 @@ poseLaws =
   [ law
       OnObjects
       "pose-of-exact-places"
-      [OfPose]
+      [SomeOp FacePose]
       "an object of which points of a face were felt where they are has the pose at which it lies"
       "how it was made: the object was moved, and the face with it"
       ( \() -> Cases lyingForm (Some lying smallerLying) $ \(Lying felt motion) ->
-          let question = FacePose felt
+          let question = FacePose :? felt
            in case expectedWithoutProfile question of
                 Just (Right it) ->
                   let wanted = it {poseMotion = motion}
@@ -337,12 +337,12 @@ poseLaws =
     definedWithoutProfile
       OnObjects
       "pose-by-least-squares"
-      OfPose
+      FacePose
       "of points that were felt with errors the most probable pose is told, and its covariance"
       "least squares of a rigid motion in the plane (Procrustes); first-order errors"
       "the sum of squared distances is least, and errors are carried to the object's frame"
-      (Some (SomeQuestion . FacePose <$> (lying >>= noisy . lyingFelt)) smaller),
-    invalid OnObjects "pose-refuses-what-is-invalid" OfPose . const $
+      (Some (SomeQuestion . (FacePose :?) <$> (lying >>= noisy . lyingFelt)) smallerQuestions),
+    invalid OnObjects "pose-refuses-what-is-invalid" FacePose . const $
       [ rawWith plain name value
         | (name, value) <-
             [ ("sd_mm", Number 0),
@@ -363,20 +363,20 @@ poseLaws =
     definedWithoutProfile
       OnObjects
       "pose-refuses-what-is-undetermined"
-      OfPose
+      FacePose
       "fewer than two different points of the face are refused as undetermined, and corners that \
       \are no \
       \simple polygon in a plane as impossible-face"
       "the protocol, pose"
       "one point does not tell how the face is turned"
-      (Every ([SomeQuestion (FacePose felt) | felt <- unfit]))
+      (Every ([SomeQuestion (FacePose :? felt) | felt <- unfit]))
   ]
   where
     why = "the points were moved with the object"
     plane :: [[Double]] -> Value
     plane rows = object ["rotation" .= rows, "translation_mm" .= [0 :: Double, 0, 0]]
     square = [Point 0 0 0, Point 0 (-30) 0, Point 30 (-30) 0, Point 30 0 0]
-    plain = FacePose (Felt square [((0, 0), (1, 2)), ((10, 0), (11, 2))] 1 Nothing)
+    plain = FacePose :? (Felt square [((0, 0), (1, 2)), ((10, 0), (11, 2))] 1 Nothing)
     unfit =
       [ Felt square seen 1 Nothing
         | seen <-

@@ -49,7 +49,7 @@ openingLaws =
     law
       OnProfile
       "profiles-return"
-      [OfTerm, OfCell, OfPack, OfDistance, OfLocate]
+      [SomeOp Term, SomeOp Cell, SomeOp Pack, SomeOp Distance, SomeOp Locate]
       "what is answered is of the profile in force, whichever ones were before it"
       "the protocol: a profile may come at any time"
       ( \profiles ->
@@ -114,11 +114,11 @@ inTurns before profiles = case profiles of
 -- | A question of each operation that depends on another part of the profile.
 fewOf :: Known -> [SomeQuestion]
 fewOf about =
-  [ SomeQuestion (Term (degreeOf p)),
-    SomeQuestion (Cell n1 (n2 - 1)),
-    SomeQuestion (Pack (take (fromIntegral (area (profileWindow p))) (cycle [1, 0, 0]))),
-    SomeQuestion (Distance ["##", "##"]),
-    SomeQuestion (Locate (map (map Just) (seenAt about (profileWindow p) lastPlace)))
+  [ SomeQuestion (Term :? degreeOf p),
+    SomeQuestion (Cell :? Position n1 (n2 - 1)),
+    SomeQuestion (Pack :? take (fromIntegral (area (profileWindow p))) (cycle [1, 0, 0])),
+    SomeQuestion (Distance :? ["##", "##"]),
+    SomeQuestion (Locate :? map (map Just) (seenAt about (profileWindow p) lastPlace))
   ]
   where
     p = knownProfile about

@@ -26,7 +26,7 @@ windowOn :: Mapped -> Gen (Question WhereaboutsReport)
 windowOn mapped = do
   window <- (,) <$> side <*> side
   at <- frequency ((1, anywhere) : [(4, near' window cells) | cells@(_ : _) <- [taken]])
-  pure (Whereabouts mapped (uncurry Shape window) at)
+  pure (Whereabouts :? (mapped, uncurry Shape window, at))
   where
     Shape high wide = mappedShape mapped
     side = fromInteger <$> frequency [(3, chooseInteger (1, 2)), (1, chooseInteger (1, 4))]

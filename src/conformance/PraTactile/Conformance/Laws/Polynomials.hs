@@ -18,7 +18,8 @@ import PraTactile.Conformance.Laws.Draw
 import PraTactile.Conformance.Laws.Forms
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
-import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Operations (operationsIn, smallerQuestions)
+import PraTactile.Conformance.Operations.Conventions (lessList, lessNatural)
 import PraTactile.Conformance.Question
 import PraTactile.Format.Json.Codec (listOf, natural)
 import PraTactile.Profile (Profile (..))
@@ -28,36 +29,36 @@ import Test.QuickCheck hiding (listOf)
 polynomialLaws :: [Law Known]
 polynomialLaws =
   definitionLaws ++ relationLaws
-    ++ formLaws OnPolynomial [OfPrimitive, OfFirstPrimitive]
+    ++ formLaws OnPolynomial (operationsIn OnPolynomial)
     ++ invalidLaws
 
 definitionLaws :: [Law Known]
 definitionLaws =
-  [ defined OnPolynomial "primitive-as-defined" OfPrimitive primitiveSentence source $ \known ->
-      Every (SomeQuestion . Primitive <$> smallPolynomials (knownProfile known)),
-    defined OnPolynomial "primitive-of-drawn-ones" OfPrimitive primitiveSentence source $ \known ->
+  [ defined OnPolynomial "primitive-as-defined" Primitive primitiveSentence source $ \known ->
+      Every (SomeQuestion . (Primitive :?) <$> smallPolynomials (knownProfile known)),
+    defined OnPolynomial "primitive-of-drawn-ones" Primitive primitiveSentence source $ \known ->
       let degrees = [(9, drawn), (1, drawnUpTo (2 ^ (40 :: Int)))]
           draws = frequency [(often, draw (knownProfile known)) | (often, draw) <- degrees]
-       in Some (SomeQuestion . Primitive <$> draws) smaller,
+       in Some (SomeQuestion . (Primitive :?) <$> draws) smallerQuestions,
     defined
       OnPolynomial
       "primitive-of-high-degrees"
-      OfPrimitive
+      Primitive
       ( "a polynomial is primitive only if the order of its root is q^n - 1 itself, and not that "
           ++ "divided by one of its primes, a large one perhaps"
       )
       source
-      $ \known -> Every (SomeQuestion . Primitive <$> highDegrees known),
+      $ \known -> Every (SomeQuestion . (Primitive :?) <$> highDegrees known),
     defined
       OnPolynomial
       "primitive-of-what-ends-in-zeros"
-      OfPrimitive
+      Primitive
       "coefficients of 0 at a polynomial's end count for nothing; none of degree 0 is primitive"
       source
       ( \known ->
           let p = knownProfile known
            in Every
-                [ SomeQuestion (Primitive (codes ++ replicate zeros 0))
+                [ SomeQuestion (Primitive :? codes ++ replicate zeros 0)
                   | codes <- [[], [1], profilePolynomial p] ++ linear p,
                     zeros <- [0, 1, 3]
                 ]
@@ -65,13 +66,13 @@ definitionLaws =
     defined
       OnPolynomial
       "first-primitive-as-defined"
-      OfFirstPrimitive
+      FirstPrimitive
       "the first primitive polynomial of a degree, coefficients being compared from the highest \
       \degree down"
       "the profile's order of polynomials"
       ( \known ->
           let q = profileOrder (knownProfile known)
-           in Every [SomeQuestion (FirstPrimitive n) | n <- [1 .. 14], q ^ n <= 2 ^ (17 :: Int)]
+           in Every [SomeQuestion (FirstPrimitive :? n) | n <- [1 .. 14], q ^ n <= 2 ^ (17 :: Int)]
       )
   ]
 
@@ -134,7 +135,7 @@ relationLaws =
   [ law
       OnPolynomial
       "first-primitive-is-primitive"
-      [OfFirstPrimitive, OfPrimitive]
+      [SomeOp FirstPrimitive, SomeOp Primitive]
       "the first primitive polynomial of a degree is primitive"
       source
       ( \known ->
@@ -147,13 +148,13 @@ relationLaws =
     law
       OnPolynomial
       "reciprocals-are-primitive-alike"
-      [OfPrimitive]
+      [SomeOp Primitive]
       "a monic polynomial and its reciprocal, made monic, are both primitive or both not"
       source
       ( \known ->
           Cases
             (listOf natural)
-            (Some (drawn (knownProfile known)) (filter monic . smallerList smallerNatural))
+            (Some (drawn (knownProfile known)) (filter monic . lessList lessNatural))
             (alike known)
       )
   ]
@@ -161,49 +162,49 @@ relationLaws =
     monic codes = length codes > 1 && last codes == 1
     isPrimitive known degrees = trial (mapM_ (first' known) degrees)
     first' known n = do
-      h <- answer known (FirstPrimitive n)
-      yes <- answer known (Primitive h)
+      h <- answer known (FirstPrimitive :? n)
+      yes <- answer known (Primitive :? h)
       demand
         ( Because
             "the other answer of the same implementation"
             "it was told as the first one"
         )
-        (Primitive h)
+        (Primitive :? h)
         True
         yes
 
 alike :: Known -> [Code] -> Ask Verdict
 alike known codes = case inverted of
   Right factor -> trial $ do
-    one' <- answer known (Primitive codes)
-    let mirrored = traverse (expected known . Multiply factor) (reverse codes)
+    one' <- answer known (Primitive :? codes)
+    let mirrored = traverse (expected known . (Multiply :?) . (,) factor) (reverse codes)
     case mirrored of
       Right backwards -> do
-        other <- answer known (Primitive backwards)
+        other <- answer known (Primitive :? backwards)
         demand
           (Because "a theorem" "the roots of the reciprocal are the inverses of the roots")
-          (Primitive backwards)
+          (Primitive :? backwards)
           one'
           (one' == other)
       Left _ -> inapplicable
   Left _ -> trial inapplicable
   where
-    inverted = expected known (Inverse (head' codes))
+    inverted = expected known (Inverse :? head' codes)
     head' xs = case xs of
       x : _ -> x
       [] -> 0
 
 invalidLaws :: [Law Known]
 invalidLaws =
-  [ invalid OnPolynomial "primitive-refuses-what-is-invalid" OfPrimitive $ \known ->
-      [ SomeQuestion (Primitive codes)
+  [ invalid OnPolynomial "primitive-refuses-what-is-invalid" Primitive $ \known ->
+      [ SomeQuestion (Primitive :? codes)
         | a <- noCodes (knownProfile known),
           codes <- [[a, 1], [1, a], [1, 0, a, 1]]
       ]
-        ++ [rawWith (Primitive [1, 1]) "polynomial" (toJSON [-1, 1 :: Int])]
-        ++ malformed (Primitive [1, 1]),
-    invalid OnPolynomial "first-primitive-refuses-what-is-invalid" OfFirstPrimitive $ \_ ->
-      SomeQuestion (FirstPrimitive 0) :
-      rawWith (FirstPrimitive 1) "degree" (Number (-1)) :
-      malformed (FirstPrimitive 1)
+        ++ [rawWith (Primitive :? [1, 1]) "polynomial" (toJSON [-1, 1 :: Int])]
+        ++ malformed (Primitive :? [1, 1]),
+    invalid OnPolynomial "first-primitive-refuses-what-is-invalid" FirstPrimitive $ \_ ->
+      SomeQuestion (FirstPrimitive :? 0) :
+      rawWith (FirstPrimitive :? 1) "degree" (Number (-1)) :
+      malformed (FirstPrimitive :? 1)
   ]

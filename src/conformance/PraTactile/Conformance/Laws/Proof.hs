@@ -17,7 +17,7 @@ import PraTactile.Conformance.Laws.Draw
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
 import PraTactile.Conformance.Laws.Order
-import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile (..))
 import Test.QuickCheck (Gen, frequency, listOf1)
@@ -26,10 +26,10 @@ import Test.QuickCheck (Gen, frequency, listOf1)
 proofLaws :: [Law Known]
 proofLaws =
   concat
-    [ ofMasks "prove" OfProve (SomeQuestion . Prove) proves,
-      ofMasks "distance" OfDistance (SomeQuestion . Distance) differs,
+    [ ofMasks Prove proves,
+      ofMasks Distance differs,
       relationLaws,
-      [orderLaw OnProof [OfProve, OfDistance]],
+      [orderLaw OnProof (operationsIn OnProof)],
       invalidLaws
     ]
   where
@@ -42,8 +42,8 @@ proofLaws =
       \folding's own surface differ"
 
 -- | What both operations on masks are held to.
-ofMasks :: String -> Operation -> (MaskRows -> SomeQuestion) -> String -> [Law Known]
-ofMasks name operation asked sentence =
+ofMasks :: Op MaskRows o -> String -> [Law Known]
+ofMasks operation sentence =
   [ defined OnProof (name ++ "-small-masks") operation sentence source $ \known ->
       let p = knownProfile known
        in Every (map asked (ofVast 2 p (filter (affordable p) smallMasks))),
@@ -58,9 +58,11 @@ ofMasks name operation asked sentence =
                 then within 2 2
                 else frequency [(14, within 5 5), (1, within 20 20), (1, asked <$> farMask n1 n2)]
             )
-            smaller
+            smallerQuestions
   ]
   where
+    name = nameOf (SomeOp operation)
+    asked = SomeQuestion . (operation :?)
     special =
       "; blank rows and columns at a mask's end count for nothing, and a mask of which no window \
       \lies on the sheet is refused: off-sheet"
@@ -109,26 +111,26 @@ relationLaws =
   [ law
       OnProof
       "rank-counts-windows"
-      [OfProve]
+      [SomeOp Prove]
       "on the folding's own surface a mask of rank r has q^r windows, but q^n - 1 if r is the \
       \degree n, and is proved then alone"
       source
       ( \known ->
           Cases
             questionForm
-            (Some (SomeQuestion . Prove <$> genMask 3 3) smaller)
+            (Some (SomeQuestion . (Prove :?) <$> genMask 3 3) smallerQuestions)
             (\question -> trial (onMask question (counted known)))
       ),
     law
       OnProof
       "distance-is-0-where-the-rank-is-less"
-      [OfProve, OfDistance]
+      [SomeOp Prove, SomeOp Distance]
       "two windows of a mask are the same exactly where its rank is less than the degree"
       source
       ( \known ->
           Cases
             questionForm
-            (Some (SomeQuestion . Prove <$> genMask 3 3) smaller)
+            (Some (SomeQuestion . (Prove :?) <$> genMask 3 3) smallerQuestions)
             (\question -> trial (onMask question (apart known)))
       )
   ]
@@ -138,25 +140,25 @@ relationLaws =
 -- | The mask of a question about one.
 reProve :: SomeQuestion -> Maybe MaskRows
 reProve question = case question of
-  SomeQuestion (Prove mask) -> Just mask
+  SomeQuestion (Prove :? mask) -> Just mask
   _ -> Nothing
 
 counted :: Known -> MaskRows -> Trial ()
 counted known mask
   | profileSurface p /= naturalSurface (profileFolding p) = inapplicable
   | otherwise = do
-    proof <- answer known (Prove mask)
+    proof <- answer known (Prove :? mask)
     case proofRank proof of
       Just r ->
         demand
           (Because "a theorem on linear codes" "the windows are the codewords of the mask")
-          (Prove mask)
+          (Prove :? mask)
           (Proof (r == n) (Just r) (windows r))
           (proofHolds proof == (r == n) && proofWindows proof == windows r)
       Nothing ->
         demand
           (Because "the protocol" "the rank is known on this surface")
-          (Prove mask)
+          (Prove :? mask)
           proof
           False
   where
@@ -166,21 +168,25 @@ counted known mask
 
 apart :: Known -> MaskRows -> Trial ()
 apart known mask = do
-  proof <- answer known (Prove mask)
-  d <- answer known (Distance mask)
+  proof <- answer known (Prove :? mask)
+  d <- answer known (Distance :? mask)
   case proofRank proof of
     Just r ->
       demand
         (Because "a theorem on linear codes" "windows of one content are told by the rank")
-        (Distance mask)
+        (Distance :? mask)
         (if r < degreeOf (knownProfile known) then 0 else max 1 d)
         ((d == 0) == (r < degreeOf (knownProfile known)))
     Nothing -> inapplicable
 
 invalidLaws :: [Law Known]
 invalidLaws =
-  [ invalid OnProof "prove-refuses-what-is-invalid" OfProve $ \_ -> illFormed (Prove ["#"]),
-    invalid OnProof "distance-refuses-what-is-invalid" OfDistance $ \_ -> illFormed (Distance ["#"])
+  [ invalid OnProof "prove-refuses-what-is-invalid" Prove (const (illFormed (Prove :? ["#"]))),
+    invalid
+      OnProof
+      "distance-refuses-what-is-invalid"
+      Distance
+      (const (illFormed (Distance :? ["#"])))
   ]
 
 illFormed :: Question a -> [SomeQuestion]

@@ -119,7 +119,7 @@ placeLaws =
 placed ::
   String -> String -> String -> (Int -> (WholeTaxels, Pair) -> (WholeTaxels, Pair)) -> Law ()
 placed what sentence reason change =
-  law OnRegister what [OfRegister] sentence theCut $ \() ->
+  law OnRegister what [SomeOp Register] sentence theCut $ \() ->
     Cases pressForm (Some genPress smallerPress) $ \press ->
       let (shift, pair) = change (pressChange press) (pressed press)
        in if telling pair shift
@@ -142,7 +142,7 @@ latticeLaw =
   law
     OnRegister
     "by-the-lattice"
-    [OfRegister]
+    [SomeOp Register]
     "two frames of symbols of the alphabet lie where the lattice of both lies, to half a taxel, \
     \also where they have hardly anything in common"
     theCut
@@ -169,7 +169,7 @@ asking ::
 asking shapes pair wanted fits reason =
   judge question (Right wanted) fits "the scene" reason <$> ask question
   where
-    question = Register shapes pair
+    question = Register :? (shapes, pair)
 
 near :: Double -> WholeTaxels -> Taxels -> Bool
 near most (x, y) (x', y') = max (abs (fromInteger x - x')) (abs (fromInteger y - y')) <= most
@@ -178,7 +178,7 @@ near most (x, y) (x', y') = max (abs (fromInteger x - x')) (abs (fromInteger y -
 refusal ::
   String -> String -> String -> (Press -> Maybe (Pair, Registered, Registered -> Bool)) -> Law ()
 refusal what sentence reason scene =
-  law OnRegister what [OfRegister] sentence theCut $ \() ->
+  law OnRegister what [SomeOp Register] sentence theCut $ \() ->
     Cases pressForm (Some genPress smallerPress) $ \press ->
       case scene press of
         Nothing -> pure Inapplicable
@@ -273,8 +273,8 @@ oneAxis press
 
 invalidLaw :: Law ()
 invalidLaw =
-  invalid OnRegister "refuses-what-is-invalid" OfRegister $ \() ->
-    [ SomeQuestion (Register Nothing pair)
+  invalid OnRegister "refuses-what-is-invalid" Register $ \() ->
+    [ SomeQuestion (Register :? (Nothing, pair))
       | pair <-
           [ Pair a (frameOf (16, 15) relief (8, 0)) (8, 0) 3,
             Pair (take 3 a) (take 3 b) (0, 0) 1,
@@ -285,10 +285,11 @@ invalidLaw =
             Pair a (drop 1 b ++ [replicate 16 (fullScale + 1)]) (8, 0) 3
           ]
     ]
-      ++ [SomeQuestion (Register (Just shapes) (Pair a b (8, 0) 3)) | shapes <- noShapes]
-      ++ [rawWith (Register Nothing (Pair a b (8, 0) 3)) "alphabet" other | other <- [Null, "#"]]
-      ++ malformed (Register Nothing (Pair a b (8, 0) 3))
+      ++ [SomeQuestion (Register :? (Just shapes, Pair a b (8, 0) 3)) | shapes <- noShapes]
+      ++ [rawWith plain "alphabet" other | other <- [Null, "#"]]
+      ++ malformed plain
   where
+    plain = Register :? (Nothing, Pair a b (8, 0) 3)
     relief = bumpy 1
     a = frameOf (16, 16) relief (0, 0)
     b = frameOf (16, 16) relief (8, 0)

@@ -97,10 +97,10 @@ comesOut = comesOutOf (Some genDrawing smallerDrawing)
 comesOutOf ::
   Domain Drawing -> String -> String -> String -> (Drawing -> (Rows, [Symbol])) -> Law ()
 comesOutOf drawings what sentence reason scene =
-  law OnSegment what [OfSegment] sentence "how it was drawn; the protocol, segment" $ \() ->
+  law OnSegment what [SomeOp Segment] sentence "how it was drawn; the protocol, segment" $ \() ->
     Cases drawingForm drawings $ \drawing ->
       let (rows, wanted) = scene drawing
-          question = Segment rows
+          question = Segment :? rows
           fits got = length got == length wanted && all (\one -> any (same one) got) wanted
        in judge question (Right wanted) fits "the scene" reason <$> ask question
   where
@@ -115,8 +115,8 @@ comesOutOf drawings what sentence reason scene =
 
 invalidLaw :: Law ()
 invalidLaw =
-  invalid OnSegment "refuses-what-is-invalid" OfSegment $ \() ->
-    [ SomeQuestion (Segment rows)
+  invalid OnSegment "refuses-what-is-invalid" Segment $ \() ->
+    [ SomeQuestion (Segment :? rows)
       | rows <-
           [ [],
             [[]],
@@ -124,4 +124,4 @@ invalidLaw =
             replicate 20 (replicate 20 (fullScale + 1))
           ]
     ]
-      ++ malformed (Segment (replicate 20 (replicate 20 1)))
+      ++ malformed (Segment :? (replicate 20 (replicate 20 1)))

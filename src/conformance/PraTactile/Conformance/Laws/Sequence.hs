@@ -21,7 +21,7 @@ import PraTactile.Conformance.Laws.Forms
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
 import PraTactile.Conformance.Laws.Order
-import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Operations (operationsIn, smallerQuestions)
 import PraTactile.Conformance.Question
 import PraTactile.Format.Json.Codec (Codec, natural)
 import PraTactile.Profile (Profile (..), Reading (..), canonicalProfile)
@@ -31,28 +31,30 @@ import Test.QuickCheck hiding (listOf)
 sequenceLaws :: [Law Known]
 sequenceLaws =
   definitionLaws ++ recurrenceLaws ++ countingLaws ++ shiftLaws
-    ++ [orderLaw OnSequence [OfTerm, OfTerms]]
-    ++ formLaws OnSequence [OfTerm, OfTerms]
+    ++ [orderLaw OnSequence (operationsIn OnSequence)]
+    ++ formLaws OnSequence (operationsIn OnSequence)
     ++ invalidLaws
 
 definitionLaws :: [Law Known]
 definitionLaws =
-  [ defined OnSequence "term-as-defined" OfTerm "s(i) for all i of a period" recurrence $ \known ->
+  [ defined OnSequence "term-as-defined" Term "s(i) for all i of a period" recurrence $ \known ->
       let p = knownProfile known
        in if isShort p
-            then Every (SomeQuestion . Term <$> naturalsBelow (periodOf p))
-            else Some (SomeQuestion . Term <$> upTo (periodOf p)) smaller,
+            then Every (SomeQuestion . (Term :?) <$> naturalsBelow (periodOf p))
+            else Some (SomeQuestion . (Term :?) <$> upTo (periodOf p)) smallerQuestions,
     defined
       OnSequence
       "term-of-any-index"
-      OfTerm
+      Term
       "s(i) for indices of any size: s(i + q^n - 1) = s(i)"
       recurrence
-      (\known -> Some (SomeQuestion . Term <$> anyIndex (knownProfile known)) smaller),
+      ( \known ->
+          Some (SomeQuestion . (Term :?) <$> anyIndex (knownProfile known)) smallerQuestions
+      ),
     defined
       OnSequence
       "terms-as-defined"
-      OfTerms
+      Terms
       "s(i), ..., s(i + length - 1), of lengths and from indices up to two more than the degree; \
       \none for the length 0; and of short sequences many periods"
       recurrence
@@ -60,19 +62,19 @@ definitionLaws =
           let p = knownProfile known
               n = degreeOf p + 2
            in Every $
-                [SomeQuestion (Terms i count) | count <- [0 .. n], i <- [0 .. n]]
-                  ++ [SomeQuestion (Terms n 65537) | p == canonicalProfile || periodOf p < 25]
+                [SomeQuestion (Terms :? (i, count)) | count <- [0 .. n], i <- [0 .. n]]
+                  ++ [SomeQuestion (Terms :? (n, 65537)) | p == canonicalProfile || periodOf p < 25]
       ),
     defined
       OnSequence
       "terms-of-any-index"
-      OfTerms
+      Terms
       "runs of the sequence from indices of any size, over the end of a period"
       recurrence
       ( \known ->
           Some
-            (fmap SomeQuestion (Terms <$> anyIndex (knownProfile known) <*> anyLength))
-            smaller
+            (SomeQuestion . (Terms :?) <$> ((,) <$> anyIndex (knownProfile known) <*> anyLength))
+            smallerQuestions
       )
   ]
 
@@ -97,7 +99,7 @@ recurrenceLaws :: [Law Known]
 recurrenceLaws =
   [ ofIndex "begins-with-the-state" "s(0), ..., s(n-1) are the profile's state" [0] $ \known i -> do
       let p = knownProfile known
-          question = Terms i (degreeOf p)
+          question = Terms :? (i, degreeOf p)
       got <- answer known question
       demand
         (Because "the profile's state" "the sequence begins with it")
@@ -110,7 +112,7 @@ recurrenceLaws =
       [0 .. 600]
       ( \known i -> do
           let p = knownProfile known
-              question = Terms i (degreeOf p + 1)
+              question = Terms :? (i, degreeOf p + 1)
           got <- answer known question
           demand
             ( Because
@@ -129,13 +131,13 @@ recurrenceLaws =
       Characteristic -> profilePolynomial p
       Reciprocal -> reverse (profilePolynomial p)
     combination known coefficients values =
-      traverse (expected known . uncurry Multiply) (zip coefficients values)
-        >>= foldM (\a b -> expected known (Add a b)) 0
+      traverse (expected known . (Multiply :?)) (zip coefficients values)
+        >>= foldM (\a b -> expected known (Add :? (a, b))) 0
 
 -- | A law of the terms from these indices on, so far as they are in a period.
 ofIndex :: String -> String -> [Natural] -> (Known -> Natural -> Trial ()) -> Law Known
 ofIndex what sentence indices held =
-  law OnSequence what [OfTerms] sentence recurrence $ \known ->
+  law OnSequence what [SomeOp Terms] sentence recurrence $ \known ->
     Cases
       index
       (Every (takeWhile (< periodOf (knownProfile known)) indices))
@@ -149,10 +151,10 @@ ofPeriod ::
   (Known -> Natural -> [Code] -> Bool) ->
   Law Known
 ofPeriod what sentence distances held =
-  law OnSequence what [OfTerms] sentence "MacWilliams and Sloane (1976), section II" $ \known ->
-    Cases index (Every (distances (knownProfile known))) $ \d -> trial $ do
+  law OnSequence what [SomeOp Terms] sentence "MacWilliams and Sloane (1976), section II" $
+    \known -> Cases index (Every (distances (knownProfile known))) $ \d -> trial $ do
       let p = knownProfile known
-          question = Terms 0 (periodOf p)
+          question = Terms :? (0, periodOf p)
       if isShort p && d > 0
         then do
           got <- answer known question
@@ -190,9 +192,9 @@ countingLaws =
       ( \known d terms ->
           let p = knownProfile known
               difference later now =
-                expected known (Negate now) >>= expected known . Add later
+                expected known (Negate :? now) >>= expected known . (Add :?) . (,) later
                   >>= expected known
-                    . Trace
+                    . (Trace :?)
               characteristic = characteristicOf p
            in fmap counted (zipWithM difference (shifted d terms) terms)
                 == Right (allButOne characteristic ((periodOf p + 1) `div` characteristic))
@@ -232,7 +234,7 @@ shiftLaws =
       (\known _ terms -> everyNth (profileOrder (knownProfile known)) terms `isShiftOf` terms)
   ]
   where
-    sum' known a b = expected known (Add a b)
+    sum' known a b = expected known (Add :? (a, b))
     everyNth d terms =
       let looked = Map.fromDistinctAscList (zip [0 :: Natural ..] terms)
           period = fromIntegral (length terms)
@@ -270,8 +272,9 @@ isShort p = periodOf p <= 4096
 
 invalidLaws :: [Law Known]
 invalidLaws =
-  [ invalid OnSequence "term-refuses-what-is-invalid" OfTerm $ \_ ->
-      rawWith (Term 0) "index" (Number (-1)) : malformed (Term 1),
-    invalid OnSequence "terms-refuses-what-is-invalid" OfTerms $ \_ ->
-      [rawWith (Terms 0 1) name (Number (-1)) | name <- ["from", "length"]] ++ malformed (Terms 1 1)
+  [ invalid OnSequence "term-refuses-what-is-invalid" Term $ \_ ->
+      rawWith (Term :? 0) "index" (Number (-1)) : malformed (Term :? 1),
+    invalid OnSequence "terms-refuses-what-is-invalid" Terms $ \_ ->
+      [rawWith (Terms :? (0, 1)) name (Number (-1)) | name <- ["from", "length"]]
+        ++ malformed (Terms :? (1, 1))
   ]

@@ -153,8 +153,8 @@ found ::
   (Int -> Truth -> Truth) ->
   Law ()
 found what sentence reason most before change =
-  law OnStitch what [OfStitch] sentence "how the frames were cut; the protocol, stitch" $ \() ->
-    Cases surveyForm (Some genSurvey smallerSurvey) $ \survey ->
+  law OnStitch what [SomeOp Stitch] sentence "how the frames were cut; the protocol, stitch" $
+    \() -> Cases surveyForm (Some genSurvey smallerSurvey) $ \survey ->
       let truth = change (surveyChange survey) (surveyed (before survey))
        in if allTelling truth
             then asking Nothing truth most reason
@@ -166,7 +166,7 @@ latticeLaw =
   law
     OnStitch
     "by-the-lattice"
-    [OfStitch]
+    [SomeOp Stitch]
     "frames of symbols of the alphabet lie where the lattice of all lies, to half a taxel, also \
     \where they have hardly anything in common"
     "how the frames were cut; the protocol, stitch"
@@ -179,7 +179,7 @@ asking :: Maybe Drawings -> Truth -> Double -> String -> Ask Verdict
 asking shapes truth most reason =
   judge question (Right errors) fits "the scene" reason <$> ask question
   where
-    question = Stitch shapes 2 (map fst truth)
+    question = Stitch :? (shapes, 2, map fst truth)
     errors = [(fromInteger x, fromInteger y) | (_, (x, y)) <- truth]
     fits got = length got == length errors && alike most errors got
 
@@ -205,8 +205,8 @@ allTelling truth =
 
 invalidLaw :: Law ()
 invalidLaw =
-  invalid OnStitch "refuses-what-is-invalid" OfStitch $ \() ->
-    [ SomeQuestion (Stitch Nothing 2 frames)
+  invalid OnStitch "refuses-what-is-invalid" Stitch $ \() ->
+    [ SomeQuestion (Stitch :? (Nothing, 2, frames))
       | frames <-
           [ [],
             [a, Placed (frameOf (16, 15) relief (8, 0)) (8, 0)],
@@ -216,10 +216,11 @@ invalidLaw =
             [a, Placed (replicate 16 (replicate 16 (fullScale + 1))) (8, 0)]
           ]
     ]
-      ++ [SomeQuestion (Stitch (Just shapes) 2 [a, b]) | shapes <- noShapes]
-      ++ [rawWith (Stitch Nothing 2 [a, b]) "alphabet" other | other <- [Null, "#"]]
-      ++ malformed (Stitch Nothing 2 [a, b])
+      ++ [SomeQuestion (Stitch :? (Just shapes, 2, [a, b])) | shapes <- noShapes]
+      ++ [rawWith plain "alphabet" other | other <- [Null, "#"]]
+      ++ malformed plain
   where
+    plain = Stitch :? (Nothing, 2, [a, b])
     relief = bumpy 1
     a = Placed (frameOf (16, 16) relief (0, 0)) (0, 0)
     b = Placed (frameOf (16, 16) relief (8, 0)) (8, 0)

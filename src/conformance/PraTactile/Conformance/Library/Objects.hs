@@ -1,19 +1,22 @@
-{-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | What this library says of solids, of faces laid on an array, and of poses.
 module PraTactile.Conformance.Library.Objects
-  ( libraryObjects,
+  ( librarySolid,
+    libraryCells,
+    libraryWhereabouts,
+    libraryPose,
   )
 where
 
 import Control.Monad (unless, when)
 import qualified Data.Set as Set
 import qualified Data.Vector.Unboxed as Unboxed
-import PraTactile.Conformance.Implementation
+import PraTactile.Array (Position, Shape)
+import PraTactile.Conformance.Answer
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Wire.Line (longestLine)
-import PraTactile.Format.Object (whereaboutsReport)
+import PraTactile.Format.Object (WhereaboutsReport, whereaboutsReport)
 import PraTactile.Format.Placement (drawnPlacement)
 import PraTactile.Object.Cells (Grid (..), gridOf)
 import PraTactile.Object.Defect
@@ -24,16 +27,14 @@ import PraTactile.Object.Validity (Report (..), examine)
 import PraTactile.Pose (Pose, Seen (..), faceFrame, poseOf, rigidFit, thenPose)
 import PraTactile.Pose.Matrix (diagonal)
 
-libraryObjects :: Question a -> Wire a
-libraryObjects question = case question of
-  SolidReport it -> pure (examine (fromDescription it))
-  FaceCells corners pitch -> cellsOf corners pitch
-  Whereabouts (Mapped shape (right, down) objects layings) window at ->
-    case drawnPlacement shape (Pitch right down) objects layings of
-      Left _ -> refuse "impossible-placement"
-      Right place -> pure (whereaboutsReport (Just (whereabouts place window at)))
-  FacePose felt -> poseFelt felt
-  _ -> notOffered
+librarySolid :: Description -> Wire Report
+librarySolid = pure . examine . fromDescription
+
+libraryWhereabouts :: Mapped -> Shape -> Position -> Wire WhereaboutsReport
+libraryWhereabouts (Mapped shape (right, down) objects layings) window at =
+  case drawnPlacement shape (Pitch right down) objects layings of
+    Left _ -> refuse "impossible-placement"
+    Right place -> pure (whereaboutsReport (Just (whereabouts place window at)))
 
 -- | The face with these corners as a polyhedron's only one.
 oneFace :: [Point] -> Wire Mesh
@@ -46,8 +47,8 @@ oneFace corners = do
     names = [VertexName (show i) | i <- [1 .. length corners]]
     faults = [CoincidentVertices, TooFewVertices, NoArea, NotPlanar, FaceCrossesItself]
 
-cellsOf :: [Point] -> (Rational, Rational) -> Wire [String]
-cellsOf corners pitch@(right, down) = do
+libraryCells :: [Point] -> (Rational, Rational) -> Wire [String]
+libraryCells corners pitch@(right, down) = do
   it <- oneFace corners
   unless (right > 0 && down > 0) (refuse "impossible-face")
   let grid = gridOf it pitch (Unboxed.fromList [0 .. length corners - 1])
@@ -60,8 +61,8 @@ cellsOf corners pitch@(right, down) = do
       | r <- [0 .. gridRows grid - 1]
     ]
 
-poseFelt :: Felt -> Wire Pose
-poseFelt (Felt corners seen sd plane) = do
+libraryPose :: Felt -> Wire Pose
+libraryPose (Felt corners seen sd plane) = do
   _ <- oneFace corners
   case (,) <$> faceFrame corners <*> rigidFit points of
     Nothing -> refuse "undetermined"

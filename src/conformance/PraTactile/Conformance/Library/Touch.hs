@@ -1,8 +1,8 @@
-{-# LANGUAGE GADTs #-}
-
 -- | The stages of touch of this library as an implementation under test.
 module PraTactile.Conformance.Library.Touch
-  ( libraryTouch,
+  ( libraryRegister,
+    libraryStitch,
+    librarySegment,
   )
 where
 
@@ -11,7 +11,7 @@ import Data.Maybe (isNothing)
 import qualified Data.Text as Text
 import qualified Data.Vector as Vector
 import Numeric.Natural (Natural)
-import PraTactile.Conformance.Implementation
+import PraTactile.Conformance.Answer
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Shapes
 import PraTactile.Image (Raster, fromRows, mapRaster, rasterHeight, rasterWidth)
@@ -21,14 +21,13 @@ import PraTactile.Registration.Pair
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
 import PraTactile.Shape (Alphabet, ShapeError (UnreadableLine), alphabet, bitmap)
 
--- | Registration by the better of its methods, stitching as for an exact sensor, and the symbols of
--- the agreed shapes as recognition sees them.
-libraryTouch :: Question a -> Wire a
-libraryTouch question = case question of
-  Register shapes pair -> tablesOf shapes >>= (`registered` pair)
-  Stitch shapes search frames -> tablesOf shapes >>= \made -> stitched made search frames
-  Segment rows -> segmented rows
-  _ -> notOffered
+-- | Registration by the better of its methods.
+libraryRegister :: Maybe Drawings -> Pair -> Wire Registered
+libraryRegister shapes pair = tablesOf shapes >>= (`registered` pair)
+
+-- | Stitching as for an exact sensor.
+libraryStitch :: Maybe Drawings -> Natural -> [Placed] -> Wire [Taxels]
+libraryStitch shapes search frames = tablesOf shapes >>= \made -> stitched made search frames
 
 -- | Grey values as shares of full scale.
 image :: Rows -> Wire Raster
@@ -125,8 +124,9 @@ stitched known search frames = do
           pose = Pose (centre (rasterWidth made) x) (centre (rasterHeight made) y) 0
       pure (Frame pose 0 made taxelPitch [])
 
-segmented :: Rows -> Wire [Symbol]
-segmented rows = do
+-- | Segmentation at any angle.
+librarySegment :: Rows -> Wire [Symbol]
+librarySegment rows = do
   composite <- Stitch.compositeOf <$> image rows
   reader <- either (const (refuse "invalid")) pure agreedReader
   shown <- either (const (refuse "invalid")) pure (features reader composite)

@@ -19,6 +19,7 @@ import Data.Char (toUpper)
 import Data.Scientific (scientific)
 import GHC.Clock (getMonotonicTime)
 import PraTactile.Conformance.Laws.Forms (otherForms, otherText)
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Process.Await
 import PraTactile.Conformance.Process.Child
 import PraTactile.Conformance.Process.Lines
@@ -182,9 +183,9 @@ answersFirst :: Limits -> Session -> IO Checked
 answersFirst limits session = case startedQuestions session of
   [] -> pure CheckHeld
   question : _ -> do
-    let long = SomeQuestion (Terms 0 100000)
+    let long = SomeQuestion (Terms :? (0, 100000))
         offered = startedOperations (sessionStarted session)
-        last' = if operationName OfTerms `elem` offered then long else question
+        last' = if nameOf (SomeOp Terms) `elem` offered then long else question
         runs = zipWith runRequest [1 ..] (replicate 2000 question ++ [last', last'])
         requests = profileRequest canonicalProfile : runs
     got <- withStarted session $ \child -> do
@@ -235,7 +236,7 @@ unknownInSession limits session =
         (`notElem` offered)
         ["no-such-operation", "", "length", "toString", "constructor", "__proto__", "__class__"]
     misspelt =
-      [ change (operationName (operationOf one))
+      [ change (nameOf (operationOf one))
         | SomeQuestion one <- example,
           change <- [(++ " "), (++ "s"), map toUpper]
       ]
@@ -263,9 +264,9 @@ unknownQuestion number name =
 startedQuestions :: Session -> [SomeQuestion]
 startedQuestions session =
   [ question
-    | question@(SomeQuestion asked) <- map exampleOf [minBound ..],
+    | question@(SomeQuestion asked) <- map exampleOf allOperations,
       operationOf asked `elem` codeOperations,
-      operationName (operationOf asked) `elem` startedOperations (sessionStarted session)
+      nameOf (operationOf asked) `elem` startedOperations (sessionStarted session)
   ]
 
 -- | Those of a command that answers one request.

@@ -12,6 +12,7 @@ import Control.Exception
 import Data.Aeson (Value)
 import qualified Data.ByteString.Char8 as Bytes
 import GHC.Clock (getMonotonicTime)
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Process.Await
 import PraTactile.Conformance.Process.Child
 import PraTactile.Conformance.Process.Lines
@@ -76,9 +77,9 @@ ended child deadline reply = do
 
 -- | The operations that a command knows: each is asked for once, and is not known where the reply
 -- is @skipped@. 'Left' where it answers none of them.
-offeredOneShot :: Limits -> Command -> Profile -> IO (Either Fault [Operation])
+offeredOneShot :: Limits -> Command -> Profile -> IO (Either Fault [SomeOp])
 offeredOneShot limits command profile = do
-  replies <- sampled (map exampleOf [minBound ..])
+  replies <- sampled (map exampleOf allOperations)
   pure $ case [why | (_, Left why) <- replies] of
     why : _ | null [() | (_, Right _) <- replies] -> Left why
     _ -> Right [operation | (operation, reply) <- replies, not (skips reply)]

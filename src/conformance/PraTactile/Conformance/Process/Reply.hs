@@ -30,9 +30,9 @@ import Data.Foldable (toList)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Text.Encoding.Error as Text
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Subject
-import PraTactile.Conformance.Wire (questionInput)
 import PraTactile.Conformance.Wire.Line (readLine)
 import PraTactile.Format.Error
   ( JsonError (JsonInEncoding, NoText, NotUtf8, RepeatedKey, TooDeep, TooLong),
@@ -59,7 +59,7 @@ runRequest number (SomeQuestion question) =
   object
     [ "command" .= text "run",
       "sequence" .= number,
-      "operation" .= operationName (operationOf question),
+      "operation" .= nameOf (operationOf question),
       "input" .= questionInput question
     ]
 

@@ -9,7 +9,7 @@ where
 import Data.Aeson
 import Data.ByteString (ByteString)
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Question
+import PraTactile.Conformance.Operations (nameOf)
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Subject
 import PraTactile.Conformance.Version
@@ -31,10 +31,10 @@ encodeReport report =
       <> "cases" .= casesOf report
       <> "at_a_glance" .= False
       <> "seconds" .= rounded (reportSeconds report)
-      <> "offered" .= map operationName (reportOffers report)
+      <> "offered" .= map nameOf (reportOffers report)
       <> "not_offered"
-        .= map operationName (filter (`notElem` reportOffers report) (reportAsks report))
-      <> "not_held" .= map operationName (uncovered report)
+        .= map nameOf (filter (`notElem` reportOffers report) (reportAsks report))
+      <> "not_held" .= map nameOf (uncovered report)
       <> "unknown" .= reportUnknown report
       <> "unexpected" .= reportUnexpected report
       <> "laws" .= map lawValue (reportLaws report)

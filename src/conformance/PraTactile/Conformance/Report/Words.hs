@@ -24,6 +24,7 @@ import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Text.Encoding.Error as Text
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Operations (nameOf)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Subject
@@ -194,7 +195,7 @@ apartMost counter got wanted = case (got, wanted) of
   _ -> Nothing
   where
     ofPositions =
-      operationName OfPosterior
+      nameOf (SomeOp Posterior)
         `elem` map (takeWhile (/= ' ') . requestText) (counterRequests counter)
     entriesOf value = case value of
       Json.Array items
@@ -238,7 +239,7 @@ cut most text
 notes :: Report -> [String]
 notes report =
   concat
-    [ [ "not offered: " ++ unwords (map operationName missing) ++ "; their laws were skipped"
+    [ [ "not offered: " ++ unwords (map nameOf missing) ++ "; their laws were skipped"
         | missing@(_ : _) <- [filter (`notElem` reportOffers report) (reportAsks report)]
       ],
       [ counted (length (filter (== why) others)) "law" ++ " skipped: " ++ why
@@ -248,7 +249,7 @@ notes report =
         | unknown@(_ : _) <- [reportUnknown report]
       ],
       ["held, but must fail: " ++ pattern' | pattern' <- reportUnexpected report],
-      [ "offered, but no law of it held: " ++ unwords (map operationName none)
+      [ "offered, but no law of it held: " ++ unwords (map nameOf none)
         | not (reportPartial report),
           none@(_ : _) <- [uncovered report]
       ]

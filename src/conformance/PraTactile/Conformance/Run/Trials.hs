@@ -18,10 +18,10 @@ import Data.Maybe (listToMaybe)
 import GHC.Conc (par)
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Process.Reply (excerpt)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Subject
-import PraTactile.Conformance.Wire
 import PraTactile.Format.Profile (profileValue)
 import PraTactile.Profile (Profile)
 

@@ -9,7 +9,6 @@ module PraTactile.Conformance.Run.Work
     mustFail,
     choosesAll,
     stagesTried,
-    operationsOf,
     idsOf,
 
     -- * Work
@@ -21,6 +20,7 @@ where
 
 import Control.Applicative ((<|>))
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Run.Pattern
 import PraTactile.Conformance.Run.Token
@@ -84,7 +84,7 @@ mustFail settings =
 -- | Whether no law is left out of the sets of stages that are tried.
 choosesAll :: Settings -> Bool
 choosesAll settings =
-  all whole (codeStages : [stages | (_, stages, _) <- stagesApart]) && null (settingRun settings)
+  all whole (codeStages : [stages | (_, stages) <- stagesApart]) && null (settingRun settings)
     && null (settingSkip settings)
   where
     whole stages =
@@ -94,20 +94,11 @@ choosesAll settings =
 stagesTried :: Settings -> [Stage]
 stagesTried settings = if null (settingStages settings) then codeStages else settingStages settings
 
--- | The operations that the laws of such stages ask for, with those of all stages of their sets.
-operationsOf :: [Stage] -> [Operation]
-operationsOf stages =
-  concat
-    [ operations
-      | (own, operations) <- (codeStages, codeOperations) : [(s, o) | (_, s, o) <- stagesApart],
-        any (`elem` own) stages
-    ]
-
 -- | A law under a profile, of profiles, or without one.
 data Work = Work
   { workId :: String,
     workStage :: Stage,
-    workNeeds :: [Operation],
+    workNeeds :: [SomeOp],
     workSentence :: String,
     workSource :: String,
     -- | Its name and the profile that must be in force.
@@ -129,7 +120,7 @@ idsOf stages suite =
     own some = [lawId law | law <- some, lawStage law `elem` stages]
 
 -- | All that was chosen, in the order in which it is tried; given what is offered.
-workOf :: Settings -> [Operation] -> Suite about -> [Work]
+workOf :: Settings -> [SomeOp] -> Suite about -> [Work]
 workOf settings offers suite =
   filter (chosen settings) . map restricted $
     map (opening suite) (suiteOpenings suite)
@@ -146,7 +137,7 @@ workOf settings offers suite =
         any (`matches` workId work) (settingSkip settings) =
         Just "left out"
       | missing@(_ : _) <- filter (`notElem` offers) (workNeeds work) =
-        Just ("not offered: " ++ unwords (map operationName missing))
+        Just ("not offered: " ++ unwords (map nameOf missing))
       | otherwise = Nothing
 
 chosen :: Settings -> Work -> Bool
@@ -164,13 +155,13 @@ workFor suite token = case tokenProfile token of
         (suiteWithoutProfile suite)
   Just profile -> do
     about <- suiteAbout suite profile
-    found (under suite (nameOf profile, profile) about) (suiteLaws suite)
+    found (under suite (named profile, profile) about) (suiteLaws suite)
   where
     found :: (Law a -> Work) -> [Law a] -> Maybe Work
     found work some = case filter ((== tokenLaw token) . lawId) some of
       law : _ -> Just (work law)
       [] -> Nothing
-    nameOf profile = case filter ((== profile) . snd) (suiteProfiles suite) of
+    named profile = case filter ((== profile) . snd) (suiteProfiles suite) of
       (name, _) : _ -> name
       [] -> "the token's"
 

@@ -13,6 +13,7 @@ import Data.ByteString.Builder (Builder)
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Scientific (FPFormat (..), base10Exponent, coefficient, formatScientific)
+import PraTactile.Conformance.Operations (nameOf)
 import PraTactile.Conformance.Question
 import PraTactile.Format.Digest (digestOf)
 import PraTactile.Format.Json.Canonical
@@ -29,13 +30,13 @@ canonical = canonicalWith $ \n ->
 
 -- | 12 hexadecimal digits of the SHA-256 of an operation, a profile or null, and an input: of the
 -- canonical form of an object with these three keys.
-identifier :: Operation -> Maybe Profile -> Value -> String
+identifier :: SomeOp -> Maybe Profile -> Value -> String
 identifier operation profile input =
   take 12 (digestOf (Lazy.toStrict (Builder.toLazyByteString text)))
   where
     text = canonical (Object (KeyMap.fromList parts))
     parts =
-      [ (Key.fromString "operation", toJSON (operationName operation)),
+      [ (Key.fromString "operation", toJSON (nameOf operation)),
         (Key.fromString "profile", maybe Null profileValue profile),
         (Key.fromString "input", input)
       ]

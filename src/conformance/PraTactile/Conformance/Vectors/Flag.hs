@@ -1,19 +1,25 @@
-{-# LANGUAGE GADTs #-}
-
 -- | The marks of test vectors whose input is an edge of its operation's domain or beyond it, so
 -- that who runs them sees what a failing one is about.
 module PraTactile.Conformance.Vectors.Flag
   ( Flag (..),
     flagName,
     flagNote,
-    flagsOf,
+
+    -- * Of inputs
+    codeFlags,
+    indexFlags,
+    isLarge,
+    polynomialFlags,
+    patchFlags,
+    chanceFlags,
+    maskFlags,
   )
 where
 
 import Data.List (dropWhileEnd, transpose)
 import Data.Maybe (isNothing)
 import Numeric.Natural (Natural)
-import PraTactile.Array (Shape (..), area)
+import PraTactile.Array (area)
 import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile (..))
 
@@ -97,43 +103,17 @@ flagNote flag = case flag of
     "The mask has no cell, other characters than # and ., or rows of different lengths."
   BlankEdge -> "The last rows or columns of the mask are blank; they count for nothing."
 
--- | What is remarkable about a question under a profile; of the answer, only whether several
--- positions answer, which is given.
-flagsOf :: Profile -> Bool -> Question a -> [Flag]
-flagsOf profile several question =
-  [SeveralPlaces | several] ++ case question of
-    Add a b -> codes [a, b]
-    Multiply a b -> codes [a, b]
-    Negate a -> codes [a]
-    Inverse a -> codes [a]
-    Power a i ->
-      codes [a] ++ [NegativeExponent | i < 0] ++ [LargeNumber | abs i > toInteger largest]
-    Logarithm a -> codes [a]
-    Trace a -> codes [a]
-    Primitive h -> polynomialFlags q h
-    FirstPrimitive n -> [DegreeZero | n == 0]
-    Term i -> index i
-    Terms from count -> index from ++ [NoTerms | count == 0]
-    Cell r c -> [BeyondEdge | r >= n1 || c >= n2] ++ [LargeNumber | max r c > largest]
-    Pack cells -> beyond cells ++ [OtherLength | fromIntegral (length cells) /= windowArea]
-    Unpack n -> [NotPacked | n >= q ^ windowArea] ++ [LargeNumber | n > largest]
-    Locate patch -> patchFlags q patch
-    Nearest radius patch -> patchFlags q patch ++ [StatedRadius | not (isNothing radius)]
-    Posterior patch -> chanceFlags q patch
-    Prove mask -> maskFlags mask
-    Distance mask -> maskFlags mask
-    Raw _ _ -> [Malformed]
-    _ -> []
-  where
-    q = profileOrder profile
-    Shape n1 n2 = profileShape profile
-    windowArea = area (profileWindow profile)
-    codes, beyond, large :: [Natural] -> [Flag]
-    codes given = beyond given ++ [ZeroElement | 0 `elem` given] ++ large given
-    beyond given = [NotACode | any (>= q) given]
-    large given = [LargeNumber | any (> largest) given]
-    index i = [BeyondPeriod | i >= n1 * n2] ++ large [i]
+-- | Of codes.
+codeFlags :: Profile -> [Code] -> [Flag]
+codeFlags p given =
+  [NotACode | any (>= profileOrder p) given] ++ [ZeroElement | 0 `elem` given]
+    ++ [LargeNumber | any isLarge given]
 
+-- | Of an index.
+indexFlags :: Profile -> Natural -> [Flag]
+indexFlags p i = [BeyondPeriod | i >= area (profileShape p)] ++ [LargeNumber | isLarge i]
+
+-- | Of a polynomial over the field of this order.
 polynomialFlags :: Natural -> [Code] -> [Flag]
 polynomialFlags q h =
   concat
@@ -145,11 +125,13 @@ polynomialFlags q h =
   where
     meant = dropWhileEnd (== 0) h
 
+-- | Of a patch.
 patchFlags :: Natural -> [[Maybe Code]] -> [Flag]
 patchFlags q patch =
   observedFlags (map (map isNothing) patch)
     ++ [NotACode | or [code >= q | line <- patch, Just code <- line]]
 
+-- | Of a patch of probabilities.
 chanceFlags :: Natural -> Chances -> [Flag]
 chanceFlags q patch =
   concat
@@ -169,6 +151,7 @@ observedFlags missing
   | and (concat missing) = [NothingObserved]
   | otherwise = [MissingCells | or (concat missing)]
 
+-- | Of a mask.
 maskFlags :: MaskRows -> [Flag]
 maskFlags mask
   | ill = [IllFormedMask]
@@ -180,6 +163,6 @@ maskFlags mask
         || any ((/= length (concat (take 1 mask))) . length) mask
     last' = concat . take 1 . reverse
 
--- | 2^53 - 1: larger numbers are decimal strings.
-largest :: Natural
-largest = 2 ^ (53 :: Int) - 1
+-- | Whether a number is above 2^53 - 1, so that it is written as a decimal string.
+isLarge :: Integral a => a -> Bool
+isLarge n = toInteger n >= 2 ^ (53 :: Int)

@@ -1,36 +1,31 @@
 -- | What test vectors ask about networks: with numbers of few digits, so that the files are short.
 module PraTactile.Conformance.Vectors.Network
-  ( networkGroups,
+  ( outputsGroups,
   )
 where
 
+import PraTactile.Conformance.Operation (Group (..), Inputs (..))
 import PraTactile.Conformance.Question
-import PraTactile.Conformance.Vectors.Inputs (Group (..), Kind (..))
 
--- | What is asked of an operation of networks.
-networkGroups :: Operation -> [Group]
-networkGroups operation = case operation of
-  OfOutputs ->
-    [ chosen
-        "Images of one network, and of one with a unit a layer."
-        [Outputs weights rows | weights <- [one, two], rows <- [flat, stroke, corner, noisy]],
-      chosen
-        "What is no network, and no image."
-        [ Outputs weights rows
-          | (weights, rows) <-
-              [ (Weights [] [[1]], flat),
-                (Weights (weightsHidden one) [], flat),
-                (Weights (map (drop 1) (weightsHidden one)) (weightsOutput one), flat),
-                (Weights (weightsHidden one) [[1, 2, 3]], flat),
-                (one, drop 1 flat),
-                (one, map (drop 1) flat),
-                (one, replicate 8 (replicate 12 0))
-              ]
-        ]
-    ]
-  _ -> []
+outputsGroups :: [Group (Weights, Values)]
+outputsGroups =
+  [ Group
+      "Images of one network, and of one with a unit a layer."
+      (Chosen [(weights, rows) | weights <- [one, two], rows <- [flat, stroke, corner, noisy]]),
+    Group
+      "What is no network, and no image."
+      ( Chosen
+          [ (Weights [] [[1]], flat),
+            (Weights (weightsHidden one) [], flat),
+            (Weights (map (drop 1) (weightsHidden one)) (weightsOutput one), flat),
+            (Weights (weightsHidden one) [[1, 2, 3]], flat),
+            (one, drop 1 flat),
+            (one, map (drop 1) flat),
+            (one, replicate 8 (replicate 12 0))
+          ]
+      )
+  ]
   where
-    chosen source questions = Group source Chosen (map SomeQuestion questions)
     one = Weights [[fromIntegral (k * 7 `mod` 5 - 2) / 8 | k <- [0 .. 96 :: Int]]] [[2, -1]]
     two =
       Weights

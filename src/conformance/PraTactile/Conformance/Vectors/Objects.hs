@@ -2,95 +2,105 @@
 
 -- | What test vectors ask about objects.
 module PraTactile.Conformance.Vectors.Objects
-  ( objectGroups,
+  ( solidGroups,
+    cellsGroups,
+    whereaboutsGroups,
+    poseGroups,
+    square,
+    mapped,
   )
 where
 
 import Data.List (nub)
 import PraTactile.Array (Position (..), Shape (..), shapeCells)
-import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Definition.Objects (rotations)
 import PraTactile.Conformance.Laws.Solids
+import PraTactile.Conformance.Operation (Group (..), Inputs (..))
 import PraTactile.Conformance.Question
-import PraTactile.Conformance.Vectors.Inputs (Group (..), Kind (..))
 import PraTactile.Format.Placement (Drawing (..))
-import PraTactile.Object.Description
+import PraTactile.Object.Description hiding (rotations)
 import PraTactile.Object.Named
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Pose (RigidMotion (..))
 
--- | What is asked of an operation that needs no profile.
-objectGroups :: Operation -> [Group]
-objectGroups operation = case operation of
-  OfSolid ->
-    [ chosen "Solids by name." (map SolidReport valid),
-      chosen "A box with something wrong." (map SolidReport wrong),
-      refusals (SolidReport (namedDescription (Tetrahedron 1)))
-    ]
-  OfCells ->
-    [ chosen
-        "The faces of the solids, from the first of their vertices and from the second."
-        [ FaceCells corners (127 / 5, 127 / 4)
-          | it <- valid,
-            FaceName walk <- describedFaces it,
-            length walk <= 12,
-            from <- take 2 (rotations walk),
-            let corners = placesOf it from
-        ],
-      chosen
-        "What is no face, and what leaves no room."
-        [ FaceCells corners pitch
-          | (corners, pitch) <-
-              [ ([], (1, 1)),
-                (take 2 square, (1, 1)),
-                (map (square !!) [0, 2, 1, 3], (1, 1)),
-                (square ++ [Point 5 5 1], (1, 1)),
-                (map (square !!) [0, 0, 1, 2, 3], (1, 1)),
-                (square, (0, 1)),
-                (square, (1, -1)),
-                (square, (11, 1)),
-                (square, (10, 10)),
-                (square, (1 / 3, 7))
-              ]
-        ],
-      refusals (FaceCells square (1, 1))
-    ]
-  OfWhereabouts ->
-    [ chosen
-        "Every other position of a small array, and beyond."
-        [ Whereabouts mapped (Shape 2 2) at
-          | at@(Position r c) <-
-              shapeCells (mappedShape mapped) ++ [Position 7 9, Position 20 2],
-            even (r + c)
-        ],
-      chosen
-        "Other windows."
-        [ Whereabouts mapped window at
-          | window <- [Shape 1 1, Shape 3 1, Shape 7 9, Shape 8 10],
-            at <- [Position 1 1, Position 4 6]
-        ],
-      chosen
-        "What cannot be laid."
-        [Whereabouts other (Shape 1 1) (Position 0 0) | other <- impossible],
-      refusals (Whereabouts mapped (Shape 1 1) (Position 0 0))
-    ]
-  OfPose ->
-    [ chosen "A face felt where it is, turned, with errors, and in a world." (map FacePose felt),
-      chosen
-        "What does not tell a pose."
-        [ FacePose (Felt corners seen 1 Nothing)
-          | (corners, seen) <-
-              [ (square, []),
-                (square, [((1, 1), (2, 2))]),
-                (square, [((1, 1), (2, 2)), ((1, 1), (3, 2))]),
-                (take 2 square, [((0, 0), (1, 1)), ((1, 0), (2, 1))])
-              ]
-        ]
-    ]
-  _ -> []
-  where
-    chosen source questions = Group source Chosen (map SomeQuestion questions)
-    refusals = Group "Inputs of the wrong form, or nearly so." Chosen . malformed
-    square = [Point 0 0 0, Point 0 10 0, Point 10 10 0, Point 10 0 0]
+solidGroups :: [Group Description]
+solidGroups =
+  [ Group "Solids by name." (Chosen valid),
+    Group "A box with something wrong." (Chosen wrong)
+  ]
+
+cellsGroups :: [Group ([Point], (Rational, Rational))]
+cellsGroups =
+  [ Group
+      "The faces of the solids, from the first of their vertices and from the second."
+      ( Chosen
+          [ (placesOf it from, (127 / 5, 127 / 4))
+            | it <- valid,
+              FaceName walk <- describedFaces it,
+              length walk <= 12,
+              from <- take 2 (rotations walk)
+          ]
+      ),
+    Group
+      "What is no face, and what leaves no room."
+      ( Chosen
+          [ ([], (1, 1)),
+            (take 2 square, (1, 1)),
+            (map (square !!) [0, 2, 1, 3], (1, 1)),
+            (square ++ [Point 5 5 1], (1, 1)),
+            (map (square !!) [0, 0, 1, 2, 3], (1, 1)),
+            (square, (0, 1)),
+            (square, (1, -1)),
+            (square, (11, 1)),
+            (square, (10, 10)),
+            (square, (1 / 3, 7))
+          ]
+      )
+  ]
+
+whereaboutsGroups :: [Group (Mapped, Shape, Position)]
+whereaboutsGroups =
+  [ Group
+      "Every other position of a small array, and beyond."
+      ( Chosen
+          [ (mapped, Shape 2 2, at)
+            | at@(Position r c) <-
+                shapeCells (mappedShape mapped) ++ [Position 7 9, Position 20 2],
+              even (r + c)
+          ]
+      ),
+    Group
+      "Other windows."
+      ( Chosen
+          [ (mapped, window, at)
+            | window <- [Shape 1 1, Shape 3 1, Shape 7 9, Shape 8 10],
+              at <- [Position 1 1, Position 4 6]
+          ]
+      ),
+    Group
+      "What cannot be laid."
+      (Chosen [(other, Shape 1 1, Position 0 0) | other <- impossible])
+  ]
+
+poseGroups :: [Group Felt]
+poseGroups =
+  [ Group "A face felt where it is, turned, with errors, and in a world." (Chosen felt),
+    Group
+      "What does not tell a pose."
+      ( Chosen
+          [ Felt corners seen 1 Nothing
+            | (corners, seen) <-
+                [ (square, []),
+                  (square, [((1, 1), (2, 2))]),
+                  (square, [((1, 1), (2, 2)), ((1, 1), (3, 2))]),
+                  (take 2 square, [((0, 0), (1, 1)), ((1, 0), (2, 1))])
+                ]
+          ]
+      )
+  ]
+
+square :: [Point]
+square = [Point 0 0 0, Point 0 10 0, Point 10 10 0, Point 10 0 0]
 
 placesOf :: Description -> [VertexName] -> [Point]
 placesOf it walk = [p | v <- walk, (w, p) <- describedVertices it, v == w]

@@ -10,7 +10,7 @@ import Control.Monad (replicateM)
 import Data.List (sort)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (..), naturalsBelow)
-import PraTactile.Conformance.Definition
+import PraTactile.Conformance.Definition.Array
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Vectors.Draw
 import PraTactile.Profile (Profile (..))
@@ -18,7 +18,7 @@ import PraTactile.Profile (Profile (..))
 -- | What the array has in a rectangle at a position, on the folding's own surface.
 patchAt :: Known -> Natural -> Natural -> Shape -> Patch
 patchAt k r c (Shape high wide) =
-  [ [either (const Nothing) Just (expected k (Cell (r + i) (c + j))) | j <- naturalsBelow wide]
+  [ [Just (fromIntegral (cellOf k (r + i) (c + j))) | j <- naturalsBelow wide]
     | i <- naturalsBelow high
   ]
 

@@ -21,12 +21,13 @@ import Data.List (intersperse)
 import Data.Maybe (listToMaybe, mapMaybe)
 import qualified Data.Set as Set
 import qualified Data.Text as Text
+import PraTactile.Conformance.Forms (readWhole)
+import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Vectors
 import PraTactile.Conformance.Vectors.Canonical
 import PraTactile.Conformance.Vectors.Flag
 import PraTactile.Conformance.Version
-import PraTactile.Conformance.Wire (readWhole)
 import PraTactile.Format.Error (FormatError)
 import qualified PraTactile.Format.Json.Codec as Codec
 import PraTactile.Format.Profile (profileCodec, profileValue)
@@ -38,7 +39,7 @@ vectorsText vectors =
   Builder.toLazyByteString . mconcat $
     [ "{\"schema\":\"pra-tactile/vectors/1\",\n",
       member "suite" (toJSON vectorsVersion) <> ",\n",
-      member "operation" (toJSON (operationName (vectorsOperation vectors))) <> ",\n",
+      member "operation" (toJSON (nameOf (vectorsOperation vectors))) <> ",\n",
       member "profile" (maybe Null profileValue (vectorsProfile vectors)) <> ",\n",
       member "notes" (notesOf vectors) <> ",\n"
     ]
@@ -91,7 +92,7 @@ member name value = Builder.stringUtf8 (show name) <> ":" <> canonical value
 
 -- | What a file of vectors says, as far as they are made again from it.
 data StatedVectors = StatedVectors
-  { statedOperation :: Operation,
+  { statedOperation :: SomeOp,
     statedProfile :: Maybe Profile,
     -- | The seed that a drawn test names.
     statedSeed :: Maybe Int,
@@ -107,7 +108,7 @@ readVectors = Codec.decodeWith keys
     keys =
       Codec.schemaKey "pra-tactile/vectors/1"
         *> ( stated
-               <$> Codec.key "operation" (Codec.named operationName) statedOperation
+               <$> Codec.key "operation" operationForm statedOperation
                <*> Codec.key "profile" (Codec.nullable profileCodec) statedProfile
                <*> Codec.key "groups" (Codec.listOf group) (const [])
            )
@@ -136,12 +137,12 @@ firstDifference :: StatedVectors -> Vectors -> Maybe String
 firstDifference stated made = go (statedTests stated) (concatMap groupTests (vectorsGroups made))
   where
     go [] [] = Nothing
-    go (test : _) [] = Just ("test " ++ nameOf test ++ " is none of those made again")
+    go (test : _) [] = Just ("test " ++ idOf test ++ " is none of those made again")
     go [] (test : _) = Just ("test " ++ testId test ++ " is missing")
     go (test : tests) (again : others)
       | text test == text derived = go tests others
-      | nameOf test /= testId again =
-        Just ("test " ++ nameOf test ++ " stands where test " ++ testId again ++ " belongs")
+      | idOf test /= testId again =
+        Just ("test " ++ idOf test ++ " stands where test " ++ testId again ++ " belongs")
       | otherwise = Just ("test " ++ testId again ++ concatMap (differing test derived) parts)
       where
         derived = object [Key.fromString name .= value | (name, value) <- testMembers again]
@@ -152,7 +153,7 @@ firstDifference stated made = go (statedTests stated) (concatMap groupTests (vec
       where
         a = maybe "missing" text (lookupIn part test)
         b = maybe "missing" text (lookupIn part derived)
-    nameOf test = case lookupIn "id" test of
+    idOf test = case lookupIn "id" test of
       Just (String name) -> Text.unpack name
       _ -> "without an id"
     text = Char8.unpack . Builder.toLazyByteString . canonical

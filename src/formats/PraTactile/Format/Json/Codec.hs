@@ -32,6 +32,7 @@ module PraTactile.Format.Json.Codec
     position,
     positionPair,
     named,
+    among,
     exactOr,
     quarterTurn,
 
@@ -231,15 +232,18 @@ listOfTwo misfit make parts codec =
 position :: Codec Position
 position = object (Position <$> key "row" natural row <*> key "column" natural column)
 
--- | One of all values of a type, by its name.
+-- | A value by its name.
 named :: (Bounded a, Enum a) => (a -> String) -> Codec a
-named nameOf = withSchema (const (Schema.OneOf names)) . via nameOf among $ text
+named nameOf = among nameOf [minBound ..]
+
+-- | One of these, by its name.
+among :: (a -> String) -> [a] -> Codec a
+among nameOf choices = withSchema (const (Schema.OneOf names)) (via nameOf called text)
   where
-    among given =
+    called given =
       maybe (refuse (NotAmong (map nameOf choices) given)) Right $
         find ((== given) . nameOf) choices
     names = map (Text.pack . nameOf) choices
-    choices = [minBound ..]
 
 -- | Whether a number is exact; if not, the name says which bound it is.
 exactOr :: String -> Codec Bool

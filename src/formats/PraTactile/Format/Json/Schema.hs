@@ -154,13 +154,19 @@ otherTypes schema value = case value of
     [Json.Bool True, Json.object []]
       ++ (if isReal then [] else map tenths [10, 15, 10 ^ (8 :: Int)])
       ++ map Json.String ["", "+1", " 1", "1.0", "1e0", "0x1", "one"]
-  Json.Array items -> [Json.Bool True, Json.Number 1, Json.object []] ++ inFirst items
-  Json.String _ -> [Json.Bool True, Json.Number 1, Json.object []]
+  Json.Array items -> notNumbers ++ inFirst items
+  Json.String _ -> notNumbers
   _ -> [Json.Bool True, Json.object []]
   where
     -- As they are written with one digit after the point.
     tenths n = Json.Number (scientific n (-1))
-    isReal = not (null [() | Real _ <- alternatives schema])
+    isReal = or [True | Real _ <- alternatives schema]
+    -- In the place of a list or a text; a large integer is written as a text.
+    notNumbers = [Json.Bool True] ++ [Json.Number 1 | not isNumber] ++ [Json.object []]
+    isNumber =
+      isReal
+        || or [True | Natural <- alternatives schema]
+        || or [True | Integer <- alternatives schema]
     inFirst items = case (Vector.uncons items, concatMap itemsOf (alternatives schema)) of
       (Just (first, rest), inner : _) ->
         [Json.Array (Vector.cons other rest) | other <- otherTypes inner first]
