@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Linear codes over GF(q). The modules below this one know nothing of arrays.
 module PraTactile.LinearCode
   ( LinearCode,

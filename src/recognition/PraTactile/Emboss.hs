@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Objects as they are made: a solid, or one of its faces as a plate, with its symbols raised (the
 -- paper's section II.B, figure 9), as one closed surface of triangles, every point of it exact.
 --

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The pose of an object: the rigid motion from the object's frame to the robot's, from the places
 -- at which symbols of one of its faces were seen.
 --

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The composite tactile image (the paper's figure 10): what the stitcher makes and segmentation
 -- takes.
 module PraTactile.Composite

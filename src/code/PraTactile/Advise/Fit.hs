@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Whether a window determines the position in arrays of a layout and shape: for every primitive
 -- polynomial of the degree, or for one of them at least.
 module PraTactile.Advise.Fit

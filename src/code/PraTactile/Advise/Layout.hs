@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The ways to lay the q^n - 1 terms of a sequence into rectangles, and the windows that are sure
 -- to work in them whatever the polynomial.
 module PraTactile.Advise.Layout

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What neighbouring columns and rows of an array tell of each other: how many of them it takes
 -- before parity checks hold across them, and whether the array is its own mirror. Both depend on
 -- the fold alone, not on the polynomial.

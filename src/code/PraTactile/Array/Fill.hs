@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Writing a folded sequence into memory in the order of its cells. Internal: arrays and array
 -- codes are made into grids by it.
 module PraTactile.Array.Fill

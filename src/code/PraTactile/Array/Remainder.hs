@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Which term of the sequence a cell holds: the Chinese remainder theorem. Internal; arrays, array
 -- codes and the adviser stand on it.
 module PraTactile.Array.Remainder

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Digests that anyone can recompute: SHA-256 (FIPS 180-4), and which bytes of an array's windows
 -- it is taken of.
 module PraTactile.Certificate.Digest

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Arithmetic modulo a polynomial, by Horner's rule: slow, short, and apart from the arithmetic
 -- that it helps to check. Internal.
 module PraTactile.Certificate.Residue

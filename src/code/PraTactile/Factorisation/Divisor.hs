@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Divisors of composite numbers: trial division, then Pollard's rho, each with a stated effort.
 -- Nothing here has to be believed: that a divisor divides is checked before it is given out.
 -- Imports base only.

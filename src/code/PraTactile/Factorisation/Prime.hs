@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Which numbers are primes, with proof: the strong test where a theorem says that it decides,
 -- Pocklington's theorem beyond, with such prime factors as the strong test proves. Imports base
 -- only.

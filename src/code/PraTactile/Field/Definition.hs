@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The definition of GF(p^m): polynomials over the integers modulo p, modulo a monic polynomial f
 -- of degree m. It works on lists, imports nothing but base, and is meant to be read, not used:
 -- "PraTactile.Field" is the fast form, and the test suite compares every sum and every product of

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | One field in another: the isomorphisms between GF(p^m) with one modulus and with another, by
 -- which implementations that chose different moduli translate their codes, and the embeddings of
 -- GF(p^d) into GF(p^m).

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The tables behind "PraTactile.Field": what a field index stands for at run time, and how they
 -- are built and checked. Internal.
 module PraTactile.Field.Tables

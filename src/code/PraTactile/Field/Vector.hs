@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Arithmetic on many elements at once, a byte each: about 900 million products a second on one
 -- core, in fields of any order and whatever optimisation the caller is compiled with.
 module PraTactile.Field.Vector

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The words of independent letters in the order of their probability, the likeliest first, made
 -- one at a time: each option of each letter costs something, and what a word costs is the sum.
 module PraTactile.LinearCode.BestFirst

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Elimination over GF(q): which rows of a matrix are independent, and the inverse of a square
 -- one.
 module PraTactile.LinearCode.Elimination

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Information sets of a linear code: places whose letters determine a codeword, with the basis
 -- that is the unit matrix there.
 module PraTactile.LinearCode.InformationSet

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The minimum distance of a linear code: the weight of a lightest codeword that is not zero.
 module PraTactile.LinearCode.MinimumDistance
   ( Lightest (..),

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | How many codewords a linear code has of each weight.
 module PraTactile.LinearCode.Weights
   ( weight,

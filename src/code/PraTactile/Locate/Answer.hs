@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE DeriveTraversable #-}
 
 -- | The one answer to the one question: where a patch is, and what that rests on. Every decoder

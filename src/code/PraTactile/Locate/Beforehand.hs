@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What is known of candidates beside the observed cells: how probable each is beforehand, and
 -- which of the cells then show something that is not the array's.
 --

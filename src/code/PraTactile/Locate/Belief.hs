@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What is known of a cell: how likely each symbol is in it, and, where the symbols show how the
 -- patch lies, each symmetry with it. These are the probabilities that a classifier gives on seeing
 -- the cell's image when all symbols, in all symmetries, are equally frequent.

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What the code has checked among observed cells. The contents of m cells of rank r are a linear
 -- code of dimension r, so that m - r independent parity checks hold among them. Those that hold
 -- among the cells of one column alone, m_j - r_j for the column j, say nothing of how the columns

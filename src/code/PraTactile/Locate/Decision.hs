@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What a decoder of symbols decides, the same for all of them; and how the decisions in several
 -- symmetries become one.
 module PraTactile.Locate.Decision

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The decoders of an array, each as a function of upright cells, and which of them answers.
 module PraTactile.Locate.Decoder
   ( -- * What is made once for an array

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What locating means, too slow to use on large arrays and too simple to be wrong: every symmetry
 -- with every position is a candidate, and what was observed is compared with what the array has
 -- there. The nearest candidate differs in the fewest cells; how likely one is, is Bayes' theorem.

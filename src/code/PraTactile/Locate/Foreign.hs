@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | That a patch is nothing of the array's: the doubt that no comparison of positions has.
 --
 -- Of what is foreign half is taken to be random: every symmetry is equally likely, and in it every

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Several patches of one face at known displacements from each other, decoded jointly: all their
 -- cells determine the position better than those of one patch, and patches that do not belong are
 -- named.

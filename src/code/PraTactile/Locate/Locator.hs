@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The one way from a question to its answer: the patches are joined to one, as
 -- "PraTactile.Locate.Joint" has it; in each symmetry in which it may be seen, its upright form goes
 -- to the decoder that "PraTactile.Locate.Decoder" chooses; and what these decide is combined, as

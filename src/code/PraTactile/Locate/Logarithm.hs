@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Logarithms of numbers that no 'Double' holds.
 module PraTactile.Locate.Logarithm
   ( naturalLogarithm,

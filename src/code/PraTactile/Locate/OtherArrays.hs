@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The arrays that are not ours but as ours: of the same field, degree, folding and shape, by each
 -- other primitive polynomial. 'worthOfOthers' bounds how likely they make the observed cells, from
 -- all of these arrays or from some that are drawn; docs/locating.md has the formulas.

@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE DeriveTraversable #-}
 
 -- | Patches: what was observed in the cells of a rectangle, and which of them were not observed.

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The one question: cells that were observed, in one patch or in several at known displacements,
 -- seen in one of the symmetries that are possible; and how much of them may be wrong.
 module PraTactile.Locate.Query

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Patches that are seen turned or mirrored, and how far the code alone separates the symmetries.
 -- Often not at all: every quarter turn of a 2 x 2 window of the paper's array is another of its
 -- windows, and an array of windows with two columns is its own mirror image (Note [Two columns]);

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What candidates are weighed against: that a patch is nothing of the array's, as
 -- "PraTactile.Locate.Foreign" has it.
 module PraTactile.Locate.Weighing

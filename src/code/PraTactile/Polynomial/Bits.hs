@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
 
 -- | GF(2)[x] modulo h with 64 coefficients in a word: what "PraTactile.Polynomial.Modulus" does

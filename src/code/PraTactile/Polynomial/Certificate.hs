@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | That a polynomial is primitive, or irreducible, as data that a stranger can check: nothing has
 -- to be searched or factored again, and every number in a certificate is one that the checker
 -- computes too.

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Which polynomials over GF(q) are irreducible (Rabin's test), and how many there are. Internal;
 -- "PraTactile.Polynomial" exports it.
 module PraTactile.Polynomial.Irreducible

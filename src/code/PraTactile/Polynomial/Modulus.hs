@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
 
 -- | GF(q)[x] modulo h on unboxed coefficients: the fast form of what division with remainder

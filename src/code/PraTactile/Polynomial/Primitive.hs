@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Primitive polynomials over GF(q), and the check that makes one. Internal;
 -- "PraTactile.Polynomial" exports all but the constructor and the modulus.
 module PraTactile.Polynomial.Primitive

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Beginnings of the ascending order in which no polynomial is irreducible, so that a search need
 -- not try them: they may be millions. Internal; "PraTactile.Polynomial" exports it.
 module PraTactile.Polynomial.Reducible

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The ring of polynomials over GF(q). Internal; "PraTactile.Polynomial" exports it.
 module PraTactile.Polynomial.Ring
   ( Polynomial,

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Orders in which to look for polynomials: ascending, by the number of terms, and at random.
 -- Internal; "PraTactile.Polynomial" exports it.
 module PraTactile.Polynomial.Search

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The Galois form of the shift register: its content is a residue modulo h, and a step multiplies
 -- it by x. Where the register of "PraTactile.Sequence" (the Fibonacci form) adds up its stages into
 -- one, this one adds what it puts out into its stages. Both give the same sequences; 'toGalois' and

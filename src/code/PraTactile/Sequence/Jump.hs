@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
 
 -- | Terms of a sequence far away: s(t) for any t, from a table of low powers of the root that is

@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
 
 -- | Running a linear recurrence through memory, one byte a term, by powers of its polynomial, which

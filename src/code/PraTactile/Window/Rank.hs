@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The window property by algebra, for arrays of any size. The cell at offset (i, j) from the
 -- position of the term s(t) holds s(t + e(i, j)), and s(t) is a linear function of alpha^t, none
 -- but zero of which is zero for all t. So the window's content is a linear function of alpha^t,

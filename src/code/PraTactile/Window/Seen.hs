@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | A set of small numbers that grows while windows are visited, one bit each. Internal.
 module PraTactile.Window.Seen
   ( Seen,

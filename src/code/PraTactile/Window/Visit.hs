@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
 
 -- | Visiting every window of a grid as a packed machine integer. Internal: shared by the proof by

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The answers of an implementation under test.
 module PraTactile.Conformance.Answer
   ( Wire,

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The stages of a decoder, by which laws are named and chosen.
 module PraTactile.Conformance.Stage
   ( Stage (..),

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | A face with its symbols raised, as triangles. It has three kinds of them. The ground, at height
 -- 0, is its polygon less all that an odd number of the symbols' outlines has inside; along each
 -- side of an outline stands a wall; the tops, at the height of the relief, are what the outlines

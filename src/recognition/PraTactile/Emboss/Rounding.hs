@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What was embossed as a polyhedron with the coordinates that a format has, held against the
 -- exact surface.
 --

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Matrices of a few rows, as lists of rows.
 module PraTactile.Pose.Matrix
   ( Matrix,

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What composites show if their frames do not lie where the robot has them, and what that takes
 -- from an answer: hypotheses beside the one that was put together, each with its probability
 -- beforehand, its likelihood by overlaps and lattice, and by what the array makes of it.

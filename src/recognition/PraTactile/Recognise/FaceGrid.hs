@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | One grid for all the symbols of a face: groups of symbols that no neighbours connect are joined
 -- by their distances, as far as these are whole numbers of cells.
 module PraTactile.Recognise.FaceGrid

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The symbols of a composite with the three features of the paper (section II.B): their
 -- positions, their axes, and their distances to their neighbours. The symbols are those that
 -- recognition sees; the array is not asked.

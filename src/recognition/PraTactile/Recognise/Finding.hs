@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What a located grid of symbols shows: windows of the array, and the place of every symbol.
 module PraTactile.Recognise.Finding
   ( Finding (..),

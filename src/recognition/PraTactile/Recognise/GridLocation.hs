@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | From the symbols on a grid to the place of the grid's upper left cell in the array, by two
 -- judgements that must agree.
 --

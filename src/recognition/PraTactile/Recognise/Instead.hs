@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What composites show in which no symbol was recognised: nothing at all, light and dark
 -- exchanged, or symbols of another size. Each is found by reading the composites so.
 module PraTactile.Recognise.Instead

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What the placement says of where a grid of symbols may lie, before the array is asked.
 --
 -- A sensor touches one face. So the symbols that the network knows are cells of one face; and what

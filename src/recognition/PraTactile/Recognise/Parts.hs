@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Reading parts of symbols: where the grid has a cell beside the symbols that were cut out, and
 -- the composite shows some of it, the shapes tell what it may be.
 module PraTactile.Recognise.Parts

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Reading the symbols of composites: what each most likely is and which way up, and how they lie
 -- beside each other.
 module PraTactile.Recognise.Reading

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What symbols are recognised and located with.
 module PraTactile.Recognise.Recogniser
   ( Recogniser (..),

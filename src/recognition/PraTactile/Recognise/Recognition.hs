@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What comes of recognising composites: symbols, an answer or a refusal, and what is done to all
 -- of them together.
 module PraTactile.Recognise.Recognition

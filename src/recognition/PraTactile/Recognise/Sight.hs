@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What composites of one face show before the array and the objects are asked: symbols, and parts
 -- of symbols beside them, on one grid.
 module PraTactile.Recognise.Sight

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What the symbols read on a grid say: which way up the face may lie, and what the array then has
 -- in each cell, as a symbol or as probabilities.
 module PraTactile.Recognise.SymbolBelief

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The relief of a face as a polyhedron has it that was made: rays along the face's normal find
 -- how high its surface is. Of the placement only where the face and the lattice of its taxels lie
 -- is asked, so that a ray does not fall on the wall of a symbol; of the array nothing.

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Which of many boxes meet a given one or a segment, without asking each: a tree of boxes whose
 -- leaves are sorted along a curve that keeps neighbours together (Morton 1966), so that it is made
 -- by one sort. A box of it holds what lies in it for certain, and more: corners are rounded down,

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What two faces have in common beside what both of them name, exactly.
 --
 -- Two faces A and B, polygons in their planes n_A . x = d_A and n_B . x = d_B, may share

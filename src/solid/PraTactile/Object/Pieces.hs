@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The pieces of a polyhedron: faces that hang together by edges, what each of them bounds, and
 -- which of them are inside which.
 --

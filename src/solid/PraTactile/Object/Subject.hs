@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What is worked out of a polyhedron, once for all that is asked of it.
 module PraTactile.Object.Subject
   ( Subject (..),

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Exact vectors of fractions, where points move to places between the whole units.
 module PraTactile.Object.VectorQ
   ( Q3,

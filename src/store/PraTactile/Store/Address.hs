@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The address of a database on a server, in either of libpq's forms: a URI,
 -- @postgresql://[USER[:PASSWORD]@][HOST[:PORT][,...]][/NAME][?PARAMETER=VALUE[&...]]@, in which
 -- whatever means something there is percent-encoded elsewhere; or settings, @host=HOST dbname=NAME@

@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE RankNTypes #-}
 
 -- | What one kind of database does otherwise than another. All else (tables, rows, seals,

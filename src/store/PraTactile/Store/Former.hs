@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Where objects lay before, which a store remembers of those that were taken out or replaced: a
 -- part that was made for that place is read as another one when the object lies elsewhere. Stores
 -- that were made before there was this table have none, and get it when there is something to

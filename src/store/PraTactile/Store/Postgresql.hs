@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | A store on a server of PostgreSQL: ten tables in the schema that the user's tables go to.

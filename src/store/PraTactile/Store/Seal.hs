@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Seals: what each row carries to tell that it is as it was written. A seal is the first 60 bits
 -- of the SHA-256 of the table's name and of the row's other columns in their order, each on a line
 -- of its own: a number as its decimal digits, a text as the number of its bytes in UTF-8, a colon

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Where a store may be written: under a new name, or in the place of a store. What else is there
 -- stays as it is.
 module PraTactile.Store.Target

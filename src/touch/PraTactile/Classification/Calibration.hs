@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | How sure it is what an image of a symbol shows: from the outputs of a classifier and the match

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The likeliest symbol in an image, in either of two orientations, and how sure that is: by the
 -- formulas of "PraTactile.Classification.Calibration".
 module PraTactile.Classification.Estimate

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The likeliest symbol of which only a part was touched.
 --
 -- What a part shows is N taxels. From a shape in a place they are d off, as squares added up, and

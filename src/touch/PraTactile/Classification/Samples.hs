@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Synthetic images of symbols, and of what is not one, as the classifier meets them: a little
 -- misplaced, blurred and out of register from stitching, of varying contrast, and noisy.
 module PraTactile.Classification.Samples

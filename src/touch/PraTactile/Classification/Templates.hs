@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
 
 -- | The shapes of an alphabet as they are seen when misplaced a little, and how much an image is

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The shape that an image itself draws best, whatever the alphabet.
 module PraTactile.Classification.Unlike
   ( freeLikeness,

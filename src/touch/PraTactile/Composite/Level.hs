@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | How high the background and the embossing lie in a composite, and whether there is any
 -- embossing at all.
 module PraTactile.Composite.Level

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The noise of frames, found from some of the frames themselves.
 module PraTactile.Composite.Noise
   ( frameNoise,

@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
 
 -- | Two-dimensional normalised cross-correlation of an image with a weighted reference, at whole

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The error sum of the image layer: what can be wrong with an image as numbers
 -- ("PraTactile.Image") or as a file ("PraTactile.Image.Pgm").
 module PraTactile.Image.Error

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Whether frames show one relief where they should overlap: what their neighbourhood, which is
 -- claimed by their positions, makes of their images.
 module PraTactile.Registration.Agreement

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The methods to find where frames were: which, and what is told of each frame.
 module PraTactile.Registration.Arrangement
   ( StitchMethod (..),

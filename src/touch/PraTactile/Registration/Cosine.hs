@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The orthonormal two-dimensional discrete cosine transform (DCT-II; Ahmed, Natarajan and Rao,
 -- 1974) of images and of patches of them: its lowest frequencies, without the mean.
 module PraTactile.Registration.Cosine

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Which frames overlap, directly or through others.
 module PraTactile.Registration.Groups
   ( groupsOf,

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Registration: where each frame really was, from its nominal place and from what the frames have
 -- in common.
 --

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Where frames may lie if what the robot tells of them is wrong as a whole, beside the error of
 -- each: hypotheses that neither the lattice of symbols nor the array need refute.
 module PraTactile.Registration.Layout

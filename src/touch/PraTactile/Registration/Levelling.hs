@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Frames on one scale: the sensor is pressed harder here than there, and what it reads of one and
 -- the same relief is more, or begins higher. What a frame tells of the lattice tells that too.
 --

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Which of many frames overlap.
 module PraTactile.Registration.Neighbours
   ( Neighbours (..),

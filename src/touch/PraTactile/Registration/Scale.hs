@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The scales at which positions would fit what the frames show: positions in another unit, or
 -- counted in steps, differ from the true ones by a factor across and down.
 module PraTactile.Registration.Scale

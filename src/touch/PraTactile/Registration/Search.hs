@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The search for one frame's displacement: correlation as evidence, the robot's accuracy as
 -- prior.
 module PraTactile.Registration.Search

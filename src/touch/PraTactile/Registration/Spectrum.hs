@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
 
 -- | Relief as a stationary normal process plus white noise, by the discrete cosine transform, which

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | How frames are put together, by what is known of the robot and of the sensor.
 module PraTactile.Registration.Stitching
   ( Stitching (..),

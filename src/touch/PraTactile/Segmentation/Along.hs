@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Segmentation of symbols that lie on their side, or upside down.
 module PraTactile.Segmentation.Along
   ( onComposite,

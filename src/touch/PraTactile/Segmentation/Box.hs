@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The box around an embossed symbol, measured to a fraction of a taxel.
 module PraTactile.Segmentation.Box
   ( -- * Sides

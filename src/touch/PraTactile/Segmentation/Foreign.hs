@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What in a composite is none of the symbols' making: bars, rims, plateaus, holes, and what lies
 -- beyond the object's edge. It would spoil the levels of background and embossing, and the estimate
 -- of the angle, for the whole composite.

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The lattice that the symbols lie on (the paper's section II.B, feature 3): "the distances along
 -- the symbol axes to the neighbouring symbols" tell which symbols are neighbours in a row or a
 -- column, and so each symbol's place relative to the others.

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | A composite's pixels with a mask of those that were touched.
 module PraTactile.Segmentation.Masked
   ( -- * Masked images

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What was touched of a symbol that does not lie wholly in a composite.
 module PraTactile.Segmentation.Part
   ( Part (..),

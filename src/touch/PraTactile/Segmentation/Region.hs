@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
 
 -- | Regions of an image's pixels: connected components (Jain, Kasturi and Schunck, Machine Vision,

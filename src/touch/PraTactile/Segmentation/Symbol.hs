@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What segmentation finds in a composite: complete symbols, and what is embossed or sunk and is
 -- none.
 module PraTactile.Segmentation.Symbol

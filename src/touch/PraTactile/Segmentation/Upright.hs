@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Segmentation of a composite on which symbols lie upright: Otsu's threshold, connected
 -- components, and of these the ones whose box fits a symbol's and was touched.
 module PraTactile.Segmentation.Upright

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | A face that is wrapped on a cylinder, under a sensor that is flat.
 --
 -- Unrolled, a cylinder is a plane: what lies on the face, and where a robot goes on it, is told in

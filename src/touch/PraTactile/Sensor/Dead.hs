@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What stands in the place of elements that feel nothing: the mean of their nearest living
 -- neighbours.
 module PraTactile.Sensor.Dead

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What the simulation needs to know of a sensor and of the robot that carries it.
 --
 -- A constant that is 0 switches off what it stands for. Lengths are millimetres, forces newtons,

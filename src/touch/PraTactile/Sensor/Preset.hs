@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The sensors that are given by name.
 module PraTactile.Sensor.Preset
   ( Preset (..),

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The mechanics of a press: which tabs of the elastic overlay meet the face, how far a rigid
 -- sensor presses them, and how their forces spread to the elements under them.
 --

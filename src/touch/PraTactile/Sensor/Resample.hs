@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Frames of any taxel pitch at the canonical one, 'taxelPitch', and frames of a turned sensor
 -- turned back, so that everything after it works at one pitch and along the robot's axes.
 module PraTactile.Sensor.Resample

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | From the forces on the elements to their readings: conductance, gains, crosstalk, noise and the
 -- converter. Each is a small function by itself, so that each can be looked at by itself; readings
 -- are shares of full scale.

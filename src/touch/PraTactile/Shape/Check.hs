@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Whether drawings obey the rules of "PraTactile.Shape.Design", which segmentation and
 -- recognition count on: taxel by taxel, and pair by pair.
 module PraTactile.Shape.Check

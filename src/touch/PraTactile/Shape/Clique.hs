@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Sets of items of which every two are related: the cliques of a graph.
 module PraTactile.Shape.Clique
   ( cliques,

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | How far apart shapes are, and how unlike the ordinary features of objects: the numbers behind
 -- the paper's three conditions on its symbols (section II.B).
 module PraTactile.Shape.Distance

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The outlines of shapes, along which they rise out of the face.
 module PraTactile.Shape.Outline
   ( Corner,

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | From observed cells to position by algebra: solve "PraTactile.Locate.Decoder.Equations" for
 -- alpha^t, take the discrete logarithm t, and fold. There is no table, and so no limit to the
 -- array's size but that of the logarithm; and any n independent cells do, whatever their shape.

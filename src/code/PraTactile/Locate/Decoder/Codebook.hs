@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The codebook of an array: every position with what a patch there would hold. For arrays of up
 -- to 2^20 cells decoding is the comparison of a patch with the whole codebook, which is exact. Each
 -- observed cell gives every symbol in its place a score, and scores are added up: 0 and 1 make

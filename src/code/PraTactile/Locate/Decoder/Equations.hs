@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What observed cells say of a position, as linear equations over GF(q). Where the term s(t)
 -- stands, the cell at offset (i, j) holds s(t + e(i, j)), with e as in "PraTactile.Window.Rank".
 -- With alpha^t = x0 + x1 alpha + ... + x(n-1) alpha^(n-1) that is x0 s(e) + x1 s(e + 1) + ... +

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Locating with wrong and missing cells on arrays of any size: what
 -- "PraTactile.Locate.Decoder.Nearest" finds by comparing with every position, found among the words
 -- that agree with what was observed at all but few cells of an information set. Several disjoint

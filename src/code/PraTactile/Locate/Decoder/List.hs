@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Locating from probabilities on arrays of any size: what "PraTactile.Locate.Decoder.Posterior"
 -- finds by comparing with every position, found in a list of likely words (M. P. C. Fossorier and
 -- S. Lin 1995). The surest independent cells are an information set; its contents are gone through

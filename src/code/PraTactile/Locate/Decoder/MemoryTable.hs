@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | From the content of a window to its position, by the memory table (section II of the paper).
 -- The function is total: it answers, or says why not, for every patch and every array, also those
 -- in which windows repeat.

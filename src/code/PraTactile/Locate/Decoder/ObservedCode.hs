@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What the observed cells can hold, at all positions of the array, is a linear code, zero left
 -- out: the images of alpha^t under the equations of the cells. This is that code of a set of cells,
 -- by their offsets, for decoding where there are too many positions to visit.

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Locating from probabilities: how likely each symbol is in each cell is given, and what follows
 -- is how likely each position is (Bayes' theorem). Exact: the patch is compared with every
 -- position.

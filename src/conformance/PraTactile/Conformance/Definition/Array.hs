@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Sequence and array from their definition: the recurrence, and the folding formula.
 module PraTactile.Conformance.Definition.Array
   ( -- * What is known under a profile

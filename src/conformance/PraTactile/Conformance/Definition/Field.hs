@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Finite fields from their definition: an element of GF(p^m) is a polynomial in A of degree below
 -- m over the integers modulo p, A being a root of the modulus; its code is the integer whose base-p
 -- digits are the coefficients, lowest degree first.

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Locating from its definition: every position is compared with what was observed.
 module PraTactile.Conformance.Definition.Locate
   ( locate,

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | A network of two layers, on lists.
 --
 -- A unit has weights w and a bias b; of inputs x its value is

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Cells of faces and places on them, by definition: on lists, exactly, and sharing no code with
 -- the library.
 module PraTactile.Conformance.Definition.Objects

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Primitive polynomials from their definition: the root generates the multiplicative group of
 -- GF(q^n).
 module PraTactile.Conformance.Definition.Polynomial

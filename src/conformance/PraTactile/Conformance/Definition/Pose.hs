@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The pose of an object of which points of a face were felt, in closed form.
 --
 -- With e = v_m - v_0 of the walk and the outward normal n, the face's axes are

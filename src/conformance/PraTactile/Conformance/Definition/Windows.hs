@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Windows from their definition: what a mask covers at each position.
 module PraTactile.Conformance.Definition.Windows
   ( Offset,

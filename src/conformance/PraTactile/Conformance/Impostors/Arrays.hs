@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE GADTs #-}
 
 -- | Mistakes on the way from the profile to the array and its packed windows, and in what is proved

@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE GADTs #-}
 
 -- | Mistakes in the arithmetic of the alphabet, and in polynomials over it.

@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Mistakes in what is taken for a profile, and for an input: each leaves out one check, and goes

@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE GADTs #-}
 
 -- | Mistakes in registering, stitching and segmenting what was touched.

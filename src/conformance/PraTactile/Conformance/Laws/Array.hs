@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | The array is the sequence folded, and goes on beyond its edges; its windows are packed as the

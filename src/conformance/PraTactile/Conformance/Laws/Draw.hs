@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The numbers, patches and masks that laws ask about: systematic ones in an order from small to
 -- large, and drawn ones.
 module PraTactile.Conformance.Laws.Draw

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Profiles that name no array are refused, and those that name one are opened.
 module PraTactile.Conformance.Laws.Opening
   ( openingLaws,

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What was asked before does not matter, answered or refused: questions in an order that is
 -- drawn, each with the answer that it has alone.
 module PraTactile.Conformance.Laws.Order

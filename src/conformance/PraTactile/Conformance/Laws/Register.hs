@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Registration of two frames: where both show one relief is where they lie, and where they do not

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Scenes of which the truth is known because they are drawn here: reliefs without end, of which
 -- frames are cut, and composites with symbols at known places.
 module PraTactile.Conformance.Laws.Relief

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Segmentation: symbols that were drawn come out where they were drawn, along their own axes, and
 -- nothing else does.
 module PraTactile.Conformance.Laws.Segment

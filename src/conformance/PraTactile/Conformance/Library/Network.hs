@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The network of this library as an implementation under test.
 module PraTactile.Conformance.Library.Network
   ( libraryOutputs,

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | This library under a profile: its array, and what is made once for all questions.
 module PraTactile.Conformance.Library.Prepared
   ( Prepared (..),

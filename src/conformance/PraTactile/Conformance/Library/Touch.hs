@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The stages of touch of this library as an implementation under test.
 module PraTactile.Conformance.Library.Touch
   ( libraryRegister,

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The conventions of a profile in sentences, for somebody whose implementation answered something
 -- else, and what records of operations under a profile have in common.
 module PraTactile.Conformance.Operations.Conventions

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | JSON in a canonical form: keys in order, no white space, numbers without exponents; so that
 -- equal inputs have equal digests whoever computes them.
 module PraTactile.Conformance.Vectors.Canonical

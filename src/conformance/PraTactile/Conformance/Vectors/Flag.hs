@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The marks of test vectors whose input is an edge of its operation's domain or beyond it, so
 -- that who runs them sees what a failing one is about.
 module PraTactile.Conformance.Vectors.Flag

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What test vectors ask about networks: with numbers of few digits, so that the files are short.
 module PraTactile.Conformance.Vectors.Network
   ( outputsGroups,

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Patches for test vectors: what the array has somewhere, with cells missing and wrong.
 module PraTactile.Conformance.Vectors.Patches
   ( patchAt,

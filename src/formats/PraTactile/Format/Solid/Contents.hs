@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What files of polyhedra say, whatever their format, and what can be written of it.
 module PraTactile.Format.Solid.Contents
   ( Contents (..),

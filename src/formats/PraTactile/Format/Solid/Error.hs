@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Why bytes are no polyhedron of a format.
 module PraTactile.Format.Solid.Error
   ( SolidFileError (..),

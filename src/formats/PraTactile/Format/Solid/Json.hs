@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Polyhedra as JSON of our own, @pra-tactile/object/1@: with names, and with exact numbers.

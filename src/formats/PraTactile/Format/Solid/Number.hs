@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Numbers of files as exactly what they are: decimal numbers as integers times a power of 10,
 -- machine numbers as integers times a power of 2.
 module PraTactile.Format.Solid.Number

@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | The object files of Wavefront: @v X Y Z@ is a vertex, @f A B C ..@ a face by vertices counted

@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | The Object File Format of Geomview, as text: after the word @OFF@, on its line or the next, the

@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | The stereolithography files of 3D Systems (1988), of both kinds: triangles with their normals,

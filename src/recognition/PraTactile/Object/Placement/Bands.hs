@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | An array's sheet as what a look-up in a database rests on: bands, the rows in which the same
 -- faces have the same columns, and the runs of each, cells side by side that one face has or that
 -- none has. Bands part the rows and runs the columns without a gap, so that a cell that is nobody's

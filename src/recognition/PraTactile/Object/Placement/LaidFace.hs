@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | A face of a solid and the cells that it takes, by itself: which block of cells, where the block
 -- lies on the face, and where on the array.
 module PraTactile.Object.Placement.LaidFace

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Faces of solids laid on the cells of the array, checked (section II.B of the paper, figure 8):
 -- each face takes cells of its own of a block, upright, and unless a margin is stated the block's
 -- grid of symbols is centred on the face. No two faces take one cell; the runs of cells side by

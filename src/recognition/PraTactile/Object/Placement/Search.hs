@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Where faces are laid, by search: a face takes all cells of its grid, and it may be begun at any
 -- of its vertices, for another first vertex is another frame and so another grid.
 --

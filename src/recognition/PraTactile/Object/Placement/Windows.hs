@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What the windows of an array lie on, counted.
 module PraTactile.Object.Placement.Windows
   ( WindowCounts (..),

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | An unfolded solid on a page.
 module PraTactile.Object.Net.Layout
   ( Net (..),

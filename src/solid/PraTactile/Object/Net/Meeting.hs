@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | How two faces lie in the plane, once they are unfolded.
 --
 -- They overlap if they have an inner point in common. They are cut into convex parts, and two

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | A net as it is cut out and glued: in one piece, or in parts that each fit on a page, with tabs
 -- along the edges that are glued.
 --

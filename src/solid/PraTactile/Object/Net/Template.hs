@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The faces of a solid, each in a plane of its own, and how the planes of two faces with a common
 -- edge are put together.
 --

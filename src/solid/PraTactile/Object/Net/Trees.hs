@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | How many spanning trees the graph has that has the faces of a solid for nodes and its edges for
 -- arcs (its dual graph; two faces may have several edges in common). Each is a way to unfold the
 -- solid: its edges are folded, the others are cut.

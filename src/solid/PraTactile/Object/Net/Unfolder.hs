@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What is made of a solid before its faces are unfolded: their planes, their convex parts, and
 -- how each plane comes to that of its neighbours, exactly and as enclosures of more and more
 -- places.

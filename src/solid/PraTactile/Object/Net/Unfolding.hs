@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | One unfolding: which edges are glued, and where all faces come to lie.
 module PraTactile.Object.Net.Unfolding
   ( Unfolding,

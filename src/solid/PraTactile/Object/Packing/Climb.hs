@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Better and better orders of pieces for bottom-left fill, by hill climbing. Those by size are
 -- tried first, and the best of them is then changed, a stretch of it at a time, as long as that is
 -- no worse.

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Whether kinds of pieces can be laid at all, by exact cover with cells to spare (Knuth, Dancing
 -- links, 2000, algorithm X). An option is a figure of a kind at a place; of each kind k, needs(k)
 -- options are to be chosen, so that no cell is in two of them.

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Bottom-left fill (Baker, Coffman and Rivest, SIAM J. Comput. 9, 1980; with holes filled,
 -- Chazelle, IEEE Trans. Comput. 32, 1983), row 0 being the bottom: one piece after the other is
 -- laid at the first place where one of its figures fits, row by row. Cells are only ever taken, so

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Pieces by kind. Two pieces are of one kind if their alternatives are the same set of figures:
 -- they are interchangeable, so that a search need only say how many of a kind lie where.
 --

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The cells that a face takes of the block round them, as runs: maximal rows of neighbours.
 --
 -- A mask is a finite set P of cells in Z^2, by row and column within its block. Kept are the upper

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Which cells of a sheet are taken, a bit each, and the first place where a figure fits.
 --
 -- Of a run (i, j, l) of a figure laid at (r, c), let x be the last taken one of the columns c + j

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The search for a packing.
 --
 -- Pieces are laid one after the other, in orders that are made better step by step

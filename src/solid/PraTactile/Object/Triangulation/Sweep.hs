@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Some triangles of a plane region, by a line that sweeps over it (Hertel and Mehlhorn 1983).
 --
 -- Points are met in the order of x, those of one x in the order of y. Behind the line lie

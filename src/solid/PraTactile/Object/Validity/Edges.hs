@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What is wrong where faces meet at edges and vertices.
 module PraTactile.Object.Validity.Edges
   ( withoutTwo,

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What is wrong with single faces, and with what two of them have in common.
 module PraTactile.Object.Validity.Faces
   ( noAreas,

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What is wrong with the names of a polyhedron's vertices and with the walks of its faces,
 -- wherever the vertices are.
 module PraTactile.Object.Validity.Walks

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | How one looks at a solid, where its points are on the picture, and on which side of a face's
 -- plane a point is, exactly.
 module PraTactile.Object.View.Camera

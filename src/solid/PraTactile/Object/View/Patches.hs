@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The faces of a solid that are turned to the eye, as convex parts in an order in which each may
 -- be painted over those before it.
 module PraTactile.Object.View.Patches

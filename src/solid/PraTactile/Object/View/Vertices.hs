@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The vertices of a solid that nothing hides.
 module PraTactile.Object.View.Vertices
   ( SeenVertex (..),

@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE TypeFamilies #-}
 
 -- | From the rows of the database back to a placement, and from those that a look-up rests on to

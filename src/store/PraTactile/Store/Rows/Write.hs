@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | From a placement to the rows of the database.
 module PraTactile.Store.Rows.Write
   ( Numbers (..),

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Reading PGM files as the netpbm manual (pgm(5)) defines them and libnetpbm reads them.
 module PraTactile.Image.Pgm.Decode
   ( decodePgm,

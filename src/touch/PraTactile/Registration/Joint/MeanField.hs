@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What each frame's displacement is, by itself and by what all others say of the symbols.
 module PraTactile.Registration.Joint.MeanField
   ( MeanField (..),

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The angle at which the lattice of cells lies under frames, before any of them is registered.
 module PraTactile.Registration.Lattice.Angle
   ( latticeAngle,

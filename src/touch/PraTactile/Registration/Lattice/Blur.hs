@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
 
 -- | What symbols' taxels at any place would read of a frame. A taxel that is felt at (x, y) is seen

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | How a frame reads relief, and with it what it tells of the lattice under it: found from coarse
 -- to fine by the steps of "PraTactile.Registration.Lattice.Likelihood".
 module PraTactile.Registration.Lattice.Fit

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The part of a frame that the lattice's angle is told from.
 module PraTactile.Registration.Lattice.Glimpse
   ( glimpse,

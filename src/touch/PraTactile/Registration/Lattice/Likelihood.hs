@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
 
 -- | What one frame tells of the lattice of cells under it: the likelihood of phases of the lattice

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Where symbols are tried on frames of one size: places on a grid along the symbols' axes, which
 -- may be turned from the frames'; and the phases of a lattice of cells there.
 module PraTactile.Registration.Lattice.Places

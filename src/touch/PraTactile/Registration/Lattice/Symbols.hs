@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
 
 -- | The symbols of an alphabet as tables are made of them, whatever the frames' size and angle:

@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
 
 -- | The symbols of an alphabet as a sensor sees them, at every place on a frame: what a frame is

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The places at which two frames agree exactly: where there are several, nothing tells which it
 -- is.
 module PraTactile.Registration.Pair.Alike

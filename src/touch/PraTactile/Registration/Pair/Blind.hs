@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Two frames registered by what they show alone, whatever it is: as a normal process, and by the
 -- paper's zero-mean normalised cross-correlation, the baseline.
 module PraTactile.Registration.Pair.Blind

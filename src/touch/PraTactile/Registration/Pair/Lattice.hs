@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
 
 -- | Two frames registered by the lattice of cells that lies under both: wherever the lattice lies

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What two frames have in common, at each displacement that is looked at.
 module PraTactile.Registration.Pair.Overlap
   ( displacementGrid,

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Relief that is the same along one direction, as a straight edge is: a displacement along it
 -- cannot be told, and that some noise fits best somewhere tells nothing.
 module PraTactile.Registration.Pair.Straight

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | Of what size and shape regions of pixels are, beside symbols.
 module PraTactile.Segmentation.Foreign.Extent
   ( tooLong,

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | How high symbols stand in an image, by what is of their size.
 module PraTactile.Segmentation.Foreign.Height
   ( symbolLevels,

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The words of a patch in each symmetry in which it may be seen, the next one where that lowers
 -- most what is not in the list; and bounds of that: Note [What is not in the list].
 module PraTactile.Locate.Decoder.List.Bounds

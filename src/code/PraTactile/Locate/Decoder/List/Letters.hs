@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What the observed cells say of the letters of a word, in one symmetry.
 module PraTactile.Locate.Decoder.List.Letters
   ( Letters (..),

@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | What a list of likely words comes to: how likely candidates are.
 module PraTactile.Locate.Decoder.List.Result
   ( summary,

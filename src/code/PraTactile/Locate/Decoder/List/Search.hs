@@ -1,3 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+
 -- | The search for likely words: the list as it grows, and when it is long enough.
 module PraTactile.Locate.Decoder.List.Search
   ( -- * What is asked
