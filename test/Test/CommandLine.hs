@@ -12,6 +12,7 @@ import Data.List (isInfixOf, isPrefixOf)
 import System.Directory
 import System.FilePath ((</>))
 import Test.CommandLine.Run
+import Test.Effort
 import Test.Hspec
 import Test.Support
 
@@ -108,9 +109,9 @@ codeSpec = describe "the code" $ do
 
 touchSpec :: Spec
 touchSpec = describe "touch" $ do
-  it "decode: the paper's worked example, from the shipped composite and from the shipped frames" $
-    for_ ["data/worked-example/composite.pgm", "data/worked-example/frames"] $ \path -> do
-      (status, out, _) <- pra ["decode", "--json", path]
+  it "decode: the paper's worked example, from the shipped composite and the shipped frames" $ do
+    ofComposite <- pra ["decode", "--json", "data/worked-example/composite.pgm"]
+    for_ [ofComposite, workedExample] $ \(status, out, _) -> do
       status `shouldBe` 0
       map
         (`key` out)
@@ -127,10 +128,11 @@ touchSpec = describe "touch" $ do
       key ["place_mm"] out `shouldBe` Just (toJSON [25.4, 95.25 :: Double])
   it "decode: frames by their names are one composite; several composites are an answer a line" $ do
     names <- filter (".pgm" `isInfixOf`) <$> listDirectory "data/worked-example/frames"
-    folder <- pra ["decode", "--json", "data/worked-example/frames"]
-    pra (["decode", "--json"] ++ map ("data/worked-example/frames" </>) names) `shouldReturn` folder
-    (_, out, _) <-
-      pra (words "decode --json data/worked-example/composite.pgm data/worked-example/frames")
+    pra (["decode", "--json"] ++ map ("data/worked-example/frames" </>) names)
+      `shouldReturn` workedExample
+    let composite = "data/worked-example/composite.pgm"
+        other = byEffort composite "data/worked-example/frames"
+    (_, out, _) <- pra ["decode", "--json", composite, other]
     length (lines out) `shouldBe` 2
   it "decode --database: the same answer from the database" $
     inFolder $ \folder -> do
@@ -142,37 +144,30 @@ touchSpec = describe "touch" $ do
   it "evaluate --database: the same counts from the few objects that are read" $
     inFolder $ \folder -> do
       let (placed, file) = (folder </> "placement.json", folder </> "mapping.sqlite")
-          counts source = pra (words "evaluate --presses 2 --seed 2 --json" ++ source)
+          counts source = pra (words "evaluate --seed 2 --json --presses" ++ presses : source)
+          presses = byEffort "1" "2"
       void (pra (words "place --output" ++ placed : words "a=cube b=box:60x70x70"))
       void (pra ["objects", "--placement", placed, "--write", file])
       expected <- counts ["--placement", placed]
       counts ["--database", file] `shouldReturn` expected
   it "probe, stitch, decode: a place that is told is found, upright and turned" $
-    inFolder $ \folder ->
+    inFolder $ \folder -> do
+      -- The region from (25.4, 12.7) mm holds the cells of columns 1 and 2 and rows 1 and 2 whole:
+      -- 19.05 <= 31.75 + 3.175 + ... The smaller one is these cells.
+      let region = byEffort ["25.4,31.75", "--size", "32x40"] ["25.4,12.7"]
       for_ [("--upright", 0), ("--turned", 180)] $ \(way, degrees) -> do
         let frames = folder </> drop 2 way
         (probed, _, _) <-
           pra
-            [ "probe",
-              "--object",
-              "parallelepiped",
-              "--face",
-              "P6 P5 P8 P7",
-              "--at",
-              "25.4,12.7",
-              way,
-              "--seed",
-              "5",
-              "--output",
-              frames
-            ]
+            ( ["probe", "--object", "parallelepiped", "--face", "P6 P5 P8 P7", way, "--seed", "5"]
+                ++ ("--at" : region)
+                ++ ["--output", frames]
+            )
         probed `shouldBe` 0
         (stitched, _, _) <- pra ["stitch", frames, "--output", folder </> "composite.pgm"]
         stitched `shouldBe` 0
         for_ [frames, folder </> "composite.pgm"] $ \path -> do
           (status, out, _) <- pra ["decode", "--json", path]
-          -- The region from (25.4, 12.7) mm holds the cells of columns 1 and 2 and rows 1 and 2
-          -- whole: 19.05 <= 31.75 + 3.175 + ...
           (status, key ["object"] out, key ["orientation_deg"] out)
             `shouldBe` (0, Just "parallelepiped", Just (Number degrees))
           key ["face"] out `shouldBe` Just (toJSON ["P6", "P5", "P8", "P7" :: String])
@@ -183,17 +178,22 @@ touchSpec = describe "touch" $ do
       (status, key ["outcome"] out, key ["reason"] out)
         `shouldBe` (1, Just "refused", Just "no-symbols")
   it "evaluate: the counts add up, nothing is wrong, and stitching is clearly better than none" $ do
-    (status, out, _) <-
-      pra (words "evaluate --presses 48 --seed 11 --position-error 2 --json")
+    -- At an error of 3 taxels none of the 100 presses in docs/evaluation.md is read without
+    -- stitching, and 98 are with it: there one press tells.
+    let (presses, taxels) = byEffort (1, 3) (48, 2) :: (Int, Int)
+        chosen = ["--presses", show presses, "--position-error", show taxels]
+    (status, out, _) <- pra (words "evaluate --seed 11 --json" ++ chosen)
     status `shouldBe` 0
     let count way what = key [way, what] out >>= number
         number v = case fromJSON v of Success n -> Just (n :: Int); _ -> Nothing
     for_
       ["stitching", "no_stitching"]
-      (\way -> (sum <$> traverse (count way) ["right", "wrong", "refused"]) `shouldBe` Just 48)
+      (\way -> (sum <$> traverse (count way) ["right", "wrong", "refused"]) `shouldBe` Just presses)
     count "stitching" "wrong" `shouldBe` Just 0
     ((,) <$> count "stitching" "right" <*> count "no_stitching" "right")
-      `shouldSatisfy` maybe False (\(with, without) -> with >= 42 && with > without + 24)
+      `shouldSatisfy` maybe
+        False
+        (\(with, without) -> 8 * with >= 7 * presses && 2 * with > 2 * without + presses)
 
 badInputSpec :: Spec
 badInputSpec = describe "bad input: one line, status 2, nothing written" $ do

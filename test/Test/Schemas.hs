@@ -8,11 +8,14 @@ module Test.Schemas
 where
 
 import Control.Monad (filterM, forM)
-import Data.List (isPrefixOf, isSuffixOf, nub, sort, tails)
+import qualified Data.ByteString.Char8 as Bytes
+import Data.Char (isDigit)
+import Data.List (isSuffixOf, nub, sort)
 import System.Directory
 import System.Exit (ExitCode (..))
 import System.FilePath (takeBaseName, (</>))
 import System.Process (readProcessWithExitCode)
+import Test.Effort (byEffort)
 import Test.Hspec
 import Test.Support
 
@@ -37,9 +40,10 @@ spec = do
 validated :: [(String, String)] -> IO (Maybe [(String, String)])
 validated = validator []
 
--- | The same of all ways to spoil each line: @good@ if every one is refused.
+-- | The same of all ways to spoil each line: @good@ if every one is refused. In a quick run each
+-- way is tried on one line of each schema.
 spoilt :: [(String, String)] -> IO (Maybe [(String, String)])
-spoilt = validator ["--spoil"]
+spoilt = validator ("--spoil" : byEffort ["--once"] [])
 
 validator :: [String] -> [(String, String)] -> IO (Maybe [(String, String)])
 validator options values = do
@@ -89,7 +93,7 @@ samples = inFolder $ \folder -> do
       ["120", "sh", "-c", "cd '" ++ folder ++ "'; pra() { pra-tactile \"$@\"; }; " ++ script]
 
 -- | Scripts that print JSON of one form, in the order in which they are run. In each @pra@ is the
--- program.
+-- program. A quick run leaves out scripts that take long and print what others print.
 commands :: [(String, String)]
 commands =
   concat
@@ -159,7 +163,6 @@ locating =
 touching :: [(String, String)]
 touching =
   [ ("decode", "pra decode --json " ++ worked ++ " data/worked-example/composite.pgm"),
-    ("decode", "pra decode --json --together " ++ worked ++ " " ++ worked),
     ("decode", "{ echo P2 40 52 255; yes 0 | head -2080; } > b.pgm; pra decode --json b.pgm"),
     ("plane", "echo '" ++ plane ++ "'"),
     ( "decode",
@@ -171,34 +174,20 @@ touching =
     ("register", "pra register " ++ frame "000" ++ frame "001" ++ "--step 8,0 --json"),
     ("register", "pra register " ++ frame "000" ++ frame "001" ++ "--step 40,0 --json || true"),
     ( "stitch",
-      "pra stitch " ++ worked ++ " --json; pra stitch " ++ worked ++ " --method lattice --json"
+      ("pra stitch " ++ worked ++ " --json")
+        ++ byEffort "" ("; pra stitch " ++ worked ++ " --method lattice --json")
     ),
     ("placement", "pra place octahedron:80 box:100x80x60 --symbols 3/4 --output -"),
     ("place", "pra place cube --json; pra place octahedron:150 --json"),
     ("place", "pra place a=cube b=cube --json; pra place cube --smallest --json"),
     ("truth", "pra probe --object cube --seed 7 --output frames --truth t.json > log; cat t.json"),
     ("compare", "pra decode --json frames > a.json; pra compare a.json t.json --json"),
-    ("compare", "pra decode --json " ++ worked ++ " > b.json; pra compare b.json t.json --json"),
-    ( "decode",
-      "pra probe --profile data/profiles/gf9.json --object sheet --seed 4 --output f9 > log; "
-        ++ "pra decode --profile data/profiles/gf9.json --json f9"
-    ),
-    ("evaluate", "pra evaluate --json --presses 2 --seed 1"),
-    ("evaluate", "pra evaluate --json --object sheet --presses 1"),
+    ("evaluate", "pra evaluate --json --seed 1 --presses " ++ byEffort "1" "2"),
     ("evaluate", "pra evaluate --json --presses 1 --sensor real --any-angle --foreign 0.5"),
-    ("evaluate", "pra evaluate --json --presses 1 --foreign-arrays 0.5"),
-    ("evaluate", "pra evaluate --json --presses 1 --bend 80 --bend-axis x"),
     ( "truth",
       "pra probe --object cube --seed 7 --bend 80 --output bent --truth v.json > log; cat v.json"
     ),
-    ("evaluate", "pra evaluate --json --presses 1 --rotation-error 1 --tilt 1 --turn 5"),
-    ( "truth",
-      "pra probe --object cube --seed 7 --turn 5 --output f5 --truth u.json > log; cat u.json"
-    ),
     ("network", "pra network --json; pra network --q 9 data/alphabets/gf9/network.txt --json"),
-    ( "network",
-      "pra train --uncalibrated --regimen manual --seed 5 --output n.json > log; cat n.json"
-    ),
     ( "classify",
       "pra images --set bitmap --count 1 --seed 1 --output bits > log; "
         ++ "pra classify bits/2_0.pgm --levels 0.25,0.75 --json; "
@@ -252,7 +241,28 @@ touching =
         ++ "pra solid r.obj --json; true"
     )
   ]
+    ++ byEffort [] atLength
   where
+    atLength =
+      [ ("decode", "pra decode --json --together " ++ worked ++ " " ++ worked),
+        ( "compare",
+          "pra decode --json " ++ worked ++ " > b.json; pra compare b.json t.json --json"
+        ),
+        ( "decode",
+          "pra probe --profile data/profiles/gf9.json --object sheet --seed 4 --output f9 > log; "
+            ++ "pra decode --profile data/profiles/gf9.json --json f9"
+        ),
+        ("evaluate", "pra evaluate --json --object sheet --presses 1"),
+        ("evaluate", "pra evaluate --json --presses 1 --foreign-arrays 0.5"),
+        ("evaluate", "pra evaluate --json --presses 1 --bend 80 --bend-axis x"),
+        ("evaluate", "pra evaluate --json --presses 1 --rotation-error 1 --tilt 1 --turn 5"),
+        ( "truth",
+          "pra probe --object cube --seed 7 --turn 5 --output f5 --truth u.json > log; cat u.json"
+        ),
+        ( "network",
+          "pra train --uncalibrated --regimen manual --seed 5 --output n.json > log; cat n.json"
+        )
+      ]
     plane =
       "{\"schema\": \"pra-tactile/plane/1\", \"rotation\": [[0, 1, 0], [1, 0, 0], [0, 0, -1]], "
         ++ "\"translation_mm\": [400, 250, 75]}"
@@ -262,13 +272,15 @@ touching =
 -- | A report of a subject that is right, of one that is wrong, and of one that ends at once.
 conforming :: [(String, String)]
 conforming =
-  [ ("conform-laws", "pra conform --list --json"),
+  [ ("conform-laws", "pra conform --list --json" ++ quickly),
     ("suite", "tr -d '\\n' < data/suite.json"),
     ("impostors", "pra serve --impostors --json"),
     ("conform", conform ("--run window/pack" ++ paper) "pra-tactile serve"),
-    ("conform", conform ("--one-shot --run field/negation-as-defined" ++ paper) adapter),
-    ("conform", conform "--stage touch --run displacement --cases 2" "pra-tactile serve"),
-    ("conform-laws", "pra conform --list --stage touch --json"),
+    ("conform", python ++ conform ("--one-shot --run field/negation-as-defined" ++ paper) adapter),
+    ( "conform",
+      conform ("--stage touch --run displacement --cases 2" ++ quickly) "pra-tactile serve"
+    ),
+    ("conform-laws", "pra conform --list --stage touch --json" ++ quickly),
     ( "badge",
       "pra conform --badge badge.json --run window/pack" ++ paper ++ " -- pra-tactile serve > log"
         ++ "; cat badge.json"
@@ -278,7 +290,11 @@ conforming =
   where
     conform options subject = "pra conform --json " ++ options ++ " -- " ++ subject
     paper = " --profile examples/adapter/paper.json"
-    adapter = "python3 examples/adapter/adapter.py"
+    -- Otherwise the definition prepares all default profiles.
+    quickly = byEffort paper ""
+    -- What is called python3 may be a script that takes longer than the interpreter to start.
+    python = "python=$(python3 -c 'import sys; print(sys.executable)'); "
+    adapter = "\"$python\" -S examples/adapter/adapter.py"
     started =
       "echo '{\"protocol\": 1, \"name\": \"brief\", \"operations\": [\"pack\"], \"in_flight\": 1}'"
         ++ " > started; "
@@ -353,16 +369,23 @@ inputs =
 formsOfSources :: IO [String]
 formsOfSources = do
   files <- concat <$> mapM sourcesIn ["app", "src"]
-  nub . sort . concatMap forms <$> mapM readFile files
+  nub . sort . concatMap forms <$> mapM Bytes.readFile files
   where
-    forms text = [name | rest <- tails text, Just name <- map (`namedIn` rest) marks]
+    forms text = [name | mark <- marks, Just name <- map named (behind (Bytes.pack mark) text)]
     marks = ["\"pra-tactile/", "encodeSchema \"", "schema = \""]
-    namedIn mark rest
-      | mark `isPrefixOf` rest,
-        (name, '/' : digit : '"' : _) <- span (`elem` '-' : ['a' .. 'z']) (drop (length mark) rest),
-        digit `elem` ['0' .. '9'],
-        not (null name) =
-        Just name
+    -- What follows each place of a mark.
+    behind mark text
+      | Bytes.null found = []
+      | otherwise = rest : behind mark rest
+      where
+        found = snd (Bytes.breakSubstring mark text)
+        rest = Bytes.drop (Bytes.length mark) found
+    named rest
+      | (name, end) <- Bytes.span (`elem` '-' : ['a' .. 'z']) rest,
+        ['/', digit, '"'] <- Bytes.unpack (Bytes.take 3 end),
+        isDigit digit,
+        not (Bytes.null name) =
+        Just (Bytes.unpack name)
       | otherwise = Nothing
     sourcesIn folder = do
       entries <- map (folder </>) <$> listDirectory folder

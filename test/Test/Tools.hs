@@ -17,7 +17,6 @@ import Test.Support
 spec :: Spec
 spec = do
   completionSpec
-  manualSpec
   installSpec
 
 -- | What completes the last of these words.
@@ -98,40 +97,38 @@ longOptions text = case text of
   where
     ofName c = isAlphaNum c || c == '-'
 
-manualSpec :: Spec
-manualSpec = describe "manual pages" $
-  it "one for the program and one a command, each with every option that its help names" $
-    inFolder $ \folder -> do
-      program <- fromMaybe "pra-tactile" <$> findExecutable "pra-tactile"
-      _ <- readProcess "sh" ["tools/manual.sh", program, folder] ""
-      commands <- commandsOfHelp
-      length commands `shouldSatisfy` (> 20)
-      pages <- listDirectory folder
-      sort pages
-        `shouldBe` sort ("pra-tactile.1" : ["pra-tactile-" ++ name ++ ".1" | name <- commands])
-      lacking <- forM commands $ \name -> do
-        (_, help, _) <- pra [name, "--help"]
-        page <- filter (/= '\\') <$> readFile (folder </> "pra-tactile-" ++ name ++ ".1")
-        pure
-          [ (name, missing)
-            | missing <-
-                (longOptions help \\ longOptions page)
-                  ++ [ heading
-                       | heading <-
-                           [ ".SH NAME",
-                             ".SH SYNOPSIS",
-                             ".SH DESCRIPTION",
-                             ".SH OPTIONS",
-                             ".SH EXAMPLES"
-                           ],
-                         heading `notElem` lines page
-                     ]
-          ]
-      concat lacking `shouldBe` []
+-- | The manual pages in a folder are one for the program and one a command, each with every option
+-- that its help names.
+completeManual :: FilePath -> Expectation
+completeManual folder = do
+  commands <- commandsOfHelp
+  length commands `shouldSatisfy` (> 20)
+  pages <- listDirectory folder
+  sort pages
+    `shouldBe` sort ("pra-tactile.1" : ["pra-tactile-" ++ name ++ ".1" | name <- commands])
+  lacking <- forM commands $ \name -> do
+    (_, help, _) <- pra [name, "--help"]
+    page <- filter (/= '\\') <$> readFile (folder </> "pra-tactile-" ++ name ++ ".1")
+    pure
+      [ (name, missing)
+        | missing <-
+            (longOptions help \\ longOptions page)
+              ++ [ heading
+                   | heading <-
+                       [ ".SH NAME",
+                         ".SH SYNOPSIS",
+                         ".SH DESCRIPTION",
+                         ".SH OPTIONS",
+                         ".SH EXAMPLES"
+                       ],
+                     heading `notElem` lines page
+                 ]
+      ]
+  concat lacking `shouldBe` []
 
 installSpec :: Spec
 installSpec = describe "installing" $
-  it "puts program, pages and completions under DESTDIR and PREFIX; and takes them away" $
+  it "puts program, whole manual and completions under DESTDIR and PREFIX; and takes them away" $
     inFolder $ \folder -> do
       program <- fromMaybe "pra-tactile" <$> findExecutable "pra-tactile"
       let run what =
@@ -149,14 +146,13 @@ installSpec = describe "installing" $
       installed `shouldBe` ExitSuccess
       files <- map (makeRelative (folder </> "opt/here")) <$> filesUnder folder
       [ "bin/pra-tactile",
-        "share/man/man1/pra-tactile.1",
-        "share/man/man1/pra-tactile-locate.1",
         "share/bash-completion/completions/pra-tactile",
         "share/zsh/site-functions/_pra-tactile",
         "share/fish/vendor_completions.d/pra-tactile.fish"
         ]
         \\ files
         `shouldBe` []
+      completeManual (folder </> "opt/here/share/man/man1")
       (removed, _, _) <- run "uninstall"
       removed `shouldBe` ExitSuccess
       filesUnder folder `shouldReturn` []

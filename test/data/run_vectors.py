@@ -1,5 +1,5 @@
-"""Put the test vectors in data/vectors, but those that need no profile, to a decoder, all in one session: run_vectors.py COMMAND ARGS...
-Prints those that it does not pass, and how many there are."""
+"""Put the test vectors in data/vectors, but those that need no profile, to a decoder, all in one session: run_vectors.py PROFILES COMMAND ARGS...
+PROFILES is a pattern of their profiles' names. Prints those that it does not pass, and how many there are."""
 
 import json
 import subprocess
@@ -23,7 +23,7 @@ def ask(request, outcome):
 
 
 ask({"command": "start", "protocol": 1}, None)
-for file in sorted(Path("data/vectors").glob("*/*.json"), key=lambda file: file.name):
+for file in sorted(Path("data/vectors").glob(f"*/{sys.argv[1]}.json"), key=lambda file: file.name):
     vectors = json.loads(file.read_text())
     if vectors["profile"] is None:
         continue
@@ -34,7 +34,7 @@ for file in sorted(Path("data/vectors").glob("*/*.json"), key=lambda file: file.
             outcome = ("result", test["result"]) if test["outcome"] == "result" else ("refused", test["reason"])
             ask(run, outcome)
 requests.append(json.dumps({"command": "stop"}) + "\n")
-replies = subprocess.run(sys.argv[1:], input="".join(requests), capture_output=True, text=True).stdout.splitlines()
+replies = subprocess.run(sys.argv[2:], input="".join(requests), capture_output=True, text=True).stdout.splitlines()
 for (request, outcome), line in zip(wanted[1:], replies[1:]):
     reply = json.loads(line)
     kind = next(kind for kind in ("result", "refused", "skipped", "errored") if kind in reply)

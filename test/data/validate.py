@@ -2,7 +2,8 @@
 
 Reads lines of {"schema": NAME, "value": VALUE} and prints a line for each: "good", or what is wrong.
 With --spoil each value is spoilt in all the ways below, and the line is "good" if its schema refuses
-every one of them, or the first that it accepts.
+every one of them, or the first that it accepts. With --once as well, each way is tried once for each
+schema, on the shortest value that can be spoilt so.
 """
 
 import copy
@@ -22,18 +23,18 @@ OPEN = {"request", "reply"}
 FREE = {"input", "requests", "got"}
 
 
-def validators():
+def validators(names):
     schemas = {}
-    for name in os.listdir(FOLDER):
-        with open(os.path.join(FOLDER, name)) as file:
-            schemas[name] = json.load(file)
-        Draft202012Validator.check_schema(schemas[name])
-    return {
-        name[: -len(".json")]: Draft202012Validator(
-            schema, resolver=RefResolver(schema["$id"], schema, store=schemas)
-        )
-        for name, schema in schemas.items()
-    }
+    for file_name in os.listdir(FOLDER):
+        with open(os.path.join(FOLDER, file_name)) as file:
+            schemas[file_name] = json.load(file)
+    found = {}
+    for name in names:
+        schema = schemas[name + ".json"]
+        Draft202012Validator.check_schema(schema)
+        resolver = RefResolver(schema["$id"], schema, store=schemas)
+        found[name] = Draft202012Validator(schema, resolver=resolver)
+    return found
 
 
 def places(value, path=()):
@@ -45,13 +46,19 @@ def places(value, path=()):
 
 
 def changed(value, path, change):
-    """A copy in which `change` was done to what holds the last step of a path."""
-    copied = copy.deepcopy(value)
+    """A copy in which `change` was done to what holds the last step of a path; what is beside the
+    path is not copied."""
+    copied = copy.copy(value)
     holder = copied
     for step in path[:-1]:
+        holder[step] = copy.copy(holder[step])
         holder = holder[step]
     change(holder, path[-1])
     return copied
+
+
+def with_another_key(holder, step):
+    holder[step] = {**holder[step], "no such key": 0}
 
 
 def spoilt(value, always, is_open):
@@ -63,34 +70,41 @@ def spoilt(value, always, is_open):
         if FREE.intersection(path):
             continue
         if type(part) is dict and not is_open:
-            further = changed([value], (0, *path), lambda h, k: h[k].update({"no such key": 0}))
+            further = changed([value], (0, *path), with_another_key)
             yield f"a further key in {path}", further[0]
         if path and type(part) not in (dict, list):
             yield f"spoilt {path}", changed(value, path, lambda h, k: h.__setitem__(k, [{"": {}}]))
     yield "a list of it", [value]
 
 
-def first_accepted(validator, value, always, is_open):
+def first_accepted(validator, value, always, is_open, tried):
     for what, bad in spoilt(value, always, is_open):
-        if validator.is_valid(bad):
+        if what not in tried and validator.is_valid(bad):
             return what
+        tried.add(what)
     return "good"
 
 
 def main():
-    known = validators()
-    given = [json.loads(line) for line in sys.stdin]
+    lines = sys.stdin.readlines()
+    given = [json.loads(line) for line in lines]
+    known = validators({line["schema"] for line in given})
     common = defaultdict(list)
     for line in given:
         common[line["schema"]].append(set(line["value"]))
-    for line in given:
-        name, value = line["schema"], line["value"]
+    found = [""] * len(given)
+    before = defaultdict(set)
+    for i in sorted(range(len(given)), key=lambda i: len(lines[i])):
+        name, value = given[i]["schema"], given[i]["value"]
         if "--spoil" in sys.argv:
             always = sorted(set.intersection(*common[name]))
-            print(first_accepted(known[name], value, always, name in OPEN))
+            tried = before[name] if "--once" in sys.argv else set()
+            found[i] = first_accepted(known[name], value, always, name in OPEN, tried)
         else:
             error = next(known[name].iter_errors(value), None)
-            print("good" if error is None else f"{list(error.path)}: {error.message}"[:1000])
+            found[i] = "good" if error is None else f"{list(error.path)}: {error.message}"[:1000]
+    for line in found:
+        print(line)
 
 
 main()

@@ -1,7 +1,6 @@
 """A subject that answers rightly until it does one thing wrong, which the first argument names."""
 
 import os
-import subprocess
 import sys
 import time
 
@@ -78,6 +77,8 @@ def at_fault(profile, request):
         os.write(2, b"complaint " * 1_000_000 + b"the last word\n")
         honest.say(right)
     elif FAULT == "children":
+        import subprocess
+
         subprocess.Popen(["sleep", "1000"])
         os._exit(1)
     else:

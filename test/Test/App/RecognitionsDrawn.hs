@@ -247,7 +247,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
     once . conjoin
       . ( <$>
             [ (face, heights)
-              | face <- laidFaces layout,
+              | face <- byEffort firstAndLast id (laidFaces layout),
                 Right heights <- [reliefHeights <$> relief array layout alphabet face]
             ]
         )
@@ -328,6 +328,8 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
     concat [content | Mark _ (Words _ _ _ content) <- pageAnswer page]
       `shouldSatisfy` ("no complete symbol" `isInfixOf`)
   where
+    -- One of each of the paper's solids.
+    firstAndLast faces = take 1 faces ++ take 1 (reverse faces)
     pageOf = pageWith Nothing
     pageWith = recognitionPage alphabet show layout (classOn array)
     encloses corners (u, v) =

@@ -31,7 +31,7 @@ spec = do
           changed folder turn
           (status, out, _) <- pra ["decode", "--json", folder </> "changed.pgm"]
           (status, key ["orientation_deg"] out, key ["position"] out)
-            `shouldBe` (0, Just (Number degrees), Just workedExample)
+            `shouldBe` (0, Just (Number degrees), Just workedCell)
           key ["place_mm"] out `shouldBe` Just (toJSON [25.4, 95.25 :: Double])
   it "a whole image of two pixels a taxel is read with its pitch, and lies where the other does" $
     inFolder $ \folder -> do
@@ -58,11 +58,13 @@ spec = do
           file = folder </> "calibration.json"
           everywhere side v = generate side side (\_ _ -> v)
       changed folder (\whole -> generate w h (\u v -> at offset u v + at gain u v * at whole u v))
-      (uncorrected, _, _) <- pra ["decode", "--json", folder </> "changed.pgm"]
+      whenFull $ do
+        (uncorrected, _, _) <- pra ["decode", "--json", folder </> "changed.pgm"]
+        uncorrected `shouldBe` 1
       Bytes.writeFile file (encodeCalibration (Calibration offset gain []))
       (status, out, _) <-
         pra ["decode", "--json", "--calibration", file, folder </> "changed.pgm"]
-      (uncorrected, status, key ["position"] out) `shouldBe` (1, 0, Just workedExample)
+      (status, key ["position"] out) `shouldBe` (0, Just workedCell)
       Bytes.writeFile file (encodeCalibration (Calibration (everywhere 16 0) (everywhere 16 1) []))
       outcome <- pra ["decode", "--calibration", file, worked]
       outcome `refuses` "the calibration is of a sensor of 16 x 16 taxels"
@@ -83,7 +85,7 @@ spec = do
       image <- readImage composite
       centres <- maybe (fail "no symbols") pure (key ["symbols"] whole >>= points)
       length centres `shouldSatisfy` (>= 9)
-      for_ (zip [0 :: Int ..] (byEffort (take 2) id centres)) $ \(i, (x, y)) -> do
+      for_ (zip [0 :: Int ..] (byEffort (take 1) id centres)) $ \(i, (x, y)) -> do
         -- Blotted out: as the flat face is.
         writeImage
           folder
@@ -172,7 +174,7 @@ spec = do
     (status, out, _) <- pra ["decode", "--json", "--doubt", "0", worked]
     (status, key ["reason"] out) `shouldBe` (1, Just "below-threshold")
     (sheet, onSheet, _) <- pra ["decode", "--json", "--surface", "sheet", worked]
-    (sheet, key ["position"] onSheet) `shouldBe` (0, Just workedExample)
+    (sheet, key ["position"] onSheet) `shouldBe` (0, Just workedCell)
   it "frames without a manifest: what is missing is said in one line" $
     inFolder $ \folder -> do
       let copied = folder </> "frame_000.pgm"
@@ -198,7 +200,7 @@ spec = do
     err `shouldSatisfy` (not . null)
   where
     worked = "data/worked-example/composite.pgm"
-    workedExample = object ["row" .= (6 :: Int), "column" .= (5 :: Int)]
+    workedCell = object ["row" .= (6 :: Int), "column" .= (5 :: Int)]
     changed folder f = readImage worked >>= writeImage folder . f
     readImage file = Bytes.readFile file >>= either (fail . show) (pure . pgmIntensity) . decodePgm
     writeImage folder image =
@@ -234,10 +236,17 @@ spec = do
             "56x72",
             "--seed",
             "7",
+            -- Frames that lie where they are said to lie make the composite as they are.
+            "--position-error",
+            byEffort "0" "1",
             "--output",
             folder </> "frames"
           ]
-      (status, _, _) <- pra ["stitch", folder </> "frames", "--output", folder </> "composite.pgm"]
+      (status, _, _) <-
+        pra
+          ( ["stitch", folder </> "frames", "--output", folder </> "composite.pgm", "--method"]
+              ++ [byEffort "nominal" "auto"]
+          )
       pure (status, folder </> "composite.pgm")
     small v = case fromJSON v of
       Success doubt -> Just (doubt < (1e-6 :: Double))

@@ -27,7 +27,10 @@ spec = do
   it "every format has the same of the cube, and is read as a solid" $
     inFolder $ \folder ->
       for_
-        (byEffort (take 2) id [("", "c.stl"), ("", "c.json"), ("--format ascii-stl ", "d.stl"), ("", "c.OBJ")])
+        -- Other tests read the cube as binary STL.
+        ( [("", "c.OBJ")]
+            ++ byEffort [] [("", "c.stl"), ("", "c.json"), ("--format ascii-stl ", "d.stl")]
+        )
         $ \(format, file) -> do
           (status, out, _) <-
             scripted folder $
@@ -68,7 +71,7 @@ spec = do
         drop 1 (lines out) `shouldBe` ["made: a solid"]
   it "symbols on a net have the area of their taxels, also where faces with holes are cut" $
     inFolder $ \folder ->
-      for_ [(160, True), (220, False)] $ \(wide, cut) -> do
+      for_ (byEffort (take 1) id [(160, True), (220, False)]) $ \(wide, cut) -> do
         Lazy.writeFile
           (folder ++ "/ring.obj")
           (toLazyByteString (writtenBytes (writeSolid Obj (fromDescription (ring wide)))))
@@ -100,7 +103,8 @@ spec = do
     inFolder $ \folder -> do
       (status, _, _) <- scripted folder "pra emboss --output made > log"
       status `shouldBe` 0
-      for_ (byEffort (take 2 . drop 5) id (zip [1 :: Int ..] faces)) $ \(seed, (object', face)) -> do
+      let chosen = byEffort (take 1 . drop 5) id (zip [1 :: Int ..] faces)
+      for_ chosen $ \(seed, (object', face)) -> do
         let press =
               "pra probe --sensor ideal --seed " ++ show seed
                 ++ (" --object " ++ object' ++ " --face '" ++ face ++ "' ")
@@ -254,7 +258,8 @@ spec = do
           -- Four units a millimetre.
           taxel = (4 * 1.5875) ^ (2 :: Int)
       length symbols `shouldBe` 120
-      sum (map (abs . signedArea) symbols) / taxel `shouldSatisfy` \taxels -> abs (taxels - 6480) < 0.1
+      sum (map (abs . signedArea) symbols) / taxel
+        `shouldSatisfy` \taxels -> abs (taxels - 6480) < 0.1
       case numbers "viewBox=\"" of
         [[0, 0, wide, high]] ->
           concat symbols `shouldSatisfy` all (\(x, y) -> x > 0 && x < wide && y > 0 && y < high)

@@ -41,7 +41,7 @@ memorySpec =
       praUnder "-A1m -M80m" (words ("evaluate --presses " ++ show presses ++ " --seed 1")) ""
     (status, length (lines out), err) `shouldBe` (0, 3, "")
   where
-    presses = byEffort 16 200 :: Int
+    presses = byEffort 8 200 :: Int
 
 countSpec :: Spec
 countSpec = do

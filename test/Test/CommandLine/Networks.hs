@@ -57,9 +57,7 @@ spec = do
           worked = "data/worked-example/frames"
       pra ["network", "data/network.txt", "--output", json]
         `shouldReturn` (0, "wrote " ++ json ++ "\n", "")
-      (status, out, _) <- pra ["decode", "--json", worked, "--network", json]
-      (_, shipped, _) <- pra ["decode", "--json", worked]
-      (status, out) `shouldBe` (0, shipped)
+      pra ["decode", "--json", worked, "--network", json] `shouldReturn` workedExample
       ["decode", worked, "--network", json, "--shapes", "data/alphabets/gf5/shapes.txt"]
         `complains` "has 5 shapes"
       ["network", "--q", "3", json] `complains` "other shapes"
@@ -89,10 +87,11 @@ spec = do
     inFolder $ \folder -> do
       let json = folder </> "n.json"
           images = folder </> "images"
+          count = byEffort 1 2 :: Int
       _ <- pra ["network", "--output", json]
-      _ <- pra (words "images --set press --count 2 --seed 5 --output" ++ [images])
+      _ <- pra (words "images --set press --seed 5 --count" ++ [show count, "--output", images])
       names <- filter (".pgm" `isInfixOf`) <$> listDirectory images
-      length names `shouldBe` 8
+      length names `shouldBe` 4 * count
       let script = "examples/python/outputs.py"
       told <- readProcess "python3" (script : json : map (images </>) names) ""
       let greatest line = case words line of
@@ -109,8 +108,8 @@ spec = do
               [realToFrac n :: Double | Number n <- toList ps ++ [none]]
             _ -> []
           numbers line = map read (drop 1 (words line)) :: [Double]
-      map (length . numbers) (lines likely) `shouldBe` replicate 8 5
-      map (length . all') (lines classified) `shouldBe` replicate 8 5
+      map (length . numbers) (lines likely) `shouldBe` replicate (4 * count) 5
+      map (length . all') (lines classified) `shouldBe` replicate (4 * count) 5
       for_ (zip (lines likely) (lines classified)) $ \(theirs, ours) ->
         maximum (zipWith (\a b -> abs (a - b)) (numbers theirs) (all' ours))
           `shouldSatisfy` (< 1e-6)
@@ -163,10 +162,12 @@ spec = do
           json = folder </> "n.json"
           train more =
             pra
-              ( words "train --uncalibrated --regimen stopped --seed 2 --output"
-                  ++ [json, "--trace", trace]
+              ( words "train --uncalibrated --seed 2 --regimen"
+                  ++ [regimen, "--output", json, "--trace", trace]
                   ++ more
               )
+          -- The toolbox's manual ends its noisy stage sooner.
+          regimen = byEffort "manual" "stopped"
       (status, out, _) <- train []
       (status, length (filter ("stage " `isPrefixOf`) (lines out))) `shouldBe` (0, 3)
       rows <- map cells . lines <$> readFile trace
@@ -178,17 +179,20 @@ spec = do
         `shouldSatisfy` all (\is -> is == map show [0 .. length is - 1])
       described <- readFile json
       (key ["regimen"] described, key ["seed"] described)
-        `shouldBe` (Just "stopped", Just (Number 2))
+        `shouldBe` (Just (toJSON regimen), Just (Number 2))
       (_, without, _) <- train ["--without-noise"]
       length (filter ("stage " `isPrefixOf`) (lines without)) `shouldBe` 2
   it "weights on the standard output are nothing else" $
     inFolder $ \folder -> do
       let file = folder </> "n.txt"
+          -- Without the noisy stage it is one stage less.
+          stages = byEffort 2 3
+          fewer = byEffort ["--without-noise"] []
           train to =
-            pra (words "train --uncalibrated --regimen manual --seed 1 --output" ++ [to])
-      (_, stages, _) <- train file
+            pra (words "train --uncalibrated --regimen manual --seed 1 --output" ++ to : fewer)
+      (_, said, _) <- train file
       weights <- readFile file
-      train "-" `shouldReturn` (0, weights, unlines (take 4 (lines stages)))
+      train "-" `shouldReturn` (0, weights, unlines (take (1 + stages) (lines said)))
   it "a file's name may have any bytes, also a line of a batch" $
     inFolder $ \folder -> do
       _ <- pra (words "images --set bitmap --count 1 --seed 1 --output" ++ [folder </> "i"])
@@ -267,13 +271,21 @@ spec = do
   it "the experiment writes its tables and curves, of one table the same rows" $
     inFolder $ \folder -> do
       let made = folder </> "made"
-          asked = words "experiment --training manual,stopped --vary formula --set bitmap --seeds 2"
+          asked =
+            words
+              ( "experiment --set bitmap "
+                  ++ byEffort
+                    "--training manual --seeds 1"
+                    "--training manual,stopped --vary formula --seeds 2"
+              )
+          -- A row has noisy images, clean copies, or no such stage; a level of noise is a line.
+          results = 3 * byEffort 1 4
       (status, out, _) <- pra (asked ++ ["--output", made])
       status `shouldBe` 0
-      length (lines out) `shouldBe` 2 + 12
+      length (lines out) `shouldBe` 2 + results
       rows <- lines <$> readFile (made </> "rows.csv")
       levels <- lines <$> readFile (made </> "levels.csv")
-      (length rows, length levels) `shouldBe` (1 + 12, 1 + 12 * 11)
+      (length rows, length levels) `shouldBe` (1 + results, 1 + results * 11)
       whole <- readFile (made </> "experiment.json")
       (_, json, _) <- pra (asked ++ ["--json"])
       json `shouldBe` whole

@@ -24,8 +24,8 @@ spec = do
         complains ["rates", "--trials", "1000000000", "--plot", folder </> name] ".svg"
         complains ["stitch", "no/such/folder", "--report", folder </> name] ".svg"
       listDirectory folder `shouldReturn` []
+      answer <- pra ["decode", worked]
       for_ ["picture.svg", "PICTURE.SVG", "picture"] $ \name -> do
-        answer <- pra ["decode", worked]
         pra ["decode", worked, "--picture", folder </> name] `shouldReturn` answer
         picture <- readFile (folder </> name)
         for_ ["<svg ", "cube, face C1 C2 C3 C4, corner C2", "</svg>"] $ \part ->
@@ -39,7 +39,8 @@ spec = do
       _ <- pra (words "rates --trials 20 --size 2x2 --plot" ++ [folder </> "rates.svg"])
       plot <- readFile (folder </> "rates.svg")
       pra (words "rates --trials 20 --size 2x2 --plot -") `shouldReturn` (0, plot, "")
-      let frames = "data/worked-example/frames"
+      let frames = byEffort (folder </> "frames") "data/worked-example/frames"
+      _ <- pra (words "probe --object cube --seed 1 --size 24x16 --output" ++ [folder </> "frames"])
       _ <- pra ["stitch", frames, "--report", folder </> "report.svg"]
       report <- readFile (folder </> "report.svg")
       pra ["stitch", frames, "--report", "-"] `shouldReturn` (0, report, "")
@@ -111,7 +112,8 @@ spec = do
               "--face",
               "C1 C2 C3 C4",
               "--at",
-              "12.7,12.7",
+              -- Four whole cells, or half a cell more on each side.
+              byEffort "25.4,31.75" "12.7,12.7",
               "--turn",
               show degrees,
               "--origin",
@@ -119,7 +121,7 @@ spec = do
               "--seed",
               "3",
               "--size",
-              "48x48",
+              byEffort "32x40" "48x48",
               "--truth",
               file "truth",
               "--output",

@@ -19,6 +19,7 @@ import System.FilePath ((</>))
 import System.Process (readProcessWithExitCode)
 import Test.Code.Certificate.CheckerInPython
 import Test.CommandLine.Run
+import Test.Effort
 import Test.Hspec
 import Test.Support
 
@@ -143,13 +144,17 @@ certificateSpec = describe "certificate and check" $ do
   it "what is certified is found good, by this program and in Python" $
     inFolder $ \folder ->
       forM_
-        [ ("rank", []),
-          ("enumeration", ["--enumeration"]),
-          ("sheet", words "--surface sheet --mask ##./.##"),
-          ("odd", words "--q 3 --polynomial 1,2,0,1 --shape 2x13 --window 1x3"),
-          ("gf9", words "--q 9 --polynomial 3,1,1 --shape 1x80 --window 1x2 --enumeration"),
-          ("packed", words "--q 2 --polynomial 1,1,0,0,1 --shape 3x5")
-        ]
+        ( [ ("sheet", words "--surface sheet --mask ##./.##"),
+            ("odd", words "--q 3 --polynomial 1,2,0,1 --shape 2x13 --window 1x3"),
+            ("gf9", words "--q 9 --polynomial 3,1,1 --shape 1x80 --window 1x2 --enumeration")
+          ]
+            ++ byEffort
+              []
+              [ ("rank", []),
+                ("enumeration", ["--enumeration"]),
+                ("packed", words "--q 2 --polynomial 1,1,0,0,1 --shape 3x5")
+              ]
+        )
         $ \(name, options) -> do
           let file = folder </> name
           certified <- pra (["certificate", "--output", file] ++ options)

@@ -11,6 +11,7 @@ module Test.CommandLine.Run
     locates,
     complains,
     refuses,
+    workedExample,
 
     -- * As processes
     praAlone,
@@ -58,6 +59,12 @@ praWith arguments input = withMVar turn $ \_ -> inFolder $ \folder -> do
       replaced stdin (file "input") ReadMode . replaced stdout (file "output") WriteMode $
         replaced stderr (file "complaints") WriteMode (runToExit (answering arguments))
   outcome (either id absurd code) <$> readText (file "output") <*> readText (file "complaints")
+
+-- | What @decode --json@ answers of the frames of the paper's worked example. Several tests compare
+-- an answer with it; it is computed once.
+workedExample :: Outcome
+workedExample = unsafePerformIO (pra ["decode", "--json", "data/worked-example/frames"])
+{-# NOINLINE workedExample #-}
 
 -- | Only one command at a time has the process's standard streams and arguments.
 turn :: MVar ()

@@ -4,8 +4,11 @@
 module Test.CommandLine.Sensor (spec) where
 
 import Data.Aeson
+import qualified Data.ByteString as Bytes
 import Data.Foldable (for_)
 import Data.List (isInfixOf, isSuffixOf)
+import qualified Data.Text as Text
+import qualified Data.Text.IO as Text
 import System.Directory (listDirectory)
 import System.FilePath ((</>))
 import Test.CommandLine.Run
@@ -23,7 +26,7 @@ spec = do
             (status, _, err) <- pra (pressing ++ options ++ ["--output", folder </> name])
             (name, status, err) `shouldBe` (name, 0, "")
             files <- listDirectory (folder </> name)
-            mapM (\file -> (,) file <$> readFile' (folder </> name </> file)) files
+            mapM (\file -> (,) file <$> Bytes.readFile (folder </> name </> file)) files
       usual <- pressed "usual" []
       for_
         [ ("named", ["--sensor", "paper"]),
@@ -34,8 +37,12 @@ spec = do
   it "an option beside a preset replaces its constant" $
     inFolder $ \folder -> do
       (0, constants, "") <- pra (words "sensor --preset real --json")
+      -- How large the region is does not matter here: that of one frame is the smallest.
       (0, out, "") <-
-        pra (words "evaluate --presses 1 --sensor real --noise 0.25 --position-error 0.5 --json")
+        pra
+          ( words "evaluate --presses 1 --sensor real --noise 0.25 --position-error 0.5 --json"
+              ++ ["--size", "16x16"]
+          )
       (key ["noise"] out, key ["position_error_taxels"] out, key ["sensor"] out)
         `shouldBe` (Just (Number 0.25), Just (Number 0.5), Just "real")
       writeFile (folder </> "real.json") constants
@@ -79,8 +86,11 @@ spec = do
     inFolder $ \folder -> do
       (status, out, err) <-
         scripted folder $
-          "pra probe --object cube --seed 7 --frame 8x8 --taxel 3.175 --output f > log; "
-            ++ "pra probe --object cube --seed 7 --output g > log; "
+          "pra probe --object cube --seed 7 --frame 8x8 --taxel 3.175 --output f"
+            ++ byEffort " --at 0,0 --size 16x20 > log; " " > log; "
+            ++ "pra probe --object cube --seed 7 --output g"
+            -- Four whole cells.
+            ++ byEffort " --at 0,0 --size 32x40 > log; " " > log; "
             ++ "for i in f g; do pra stitch $i --output $i.pgm > log; done; "
             ++ "cat > flip.py <<'END'\n"
             ++ unlines
@@ -149,12 +159,14 @@ spec = do
         (Just (Array dead), Just (Array gain)) -> (length dead, length gain) `shouldBe` (2, 16)
         other -> expectationFailure (show other)
   it "presses on foreign arrangements are none of them right, and change no others" $ do
-    let presses = ["--presses", byEffort "4" "12"]
+    let presses = byEffort (words "--presses 2 --size 32x40") ["--presses", "12"]
+        -- Of these only the keys are looked at: a region of one frame will do.
+        one = words "evaluate --presses 1 --seed 2 --size 16x16 --json"
     (0, foreign', "") <- pra (words "evaluate --seed 2 --foreign 1 --json" ++ presses)
     (key ["stitching", "right"] foreign', key ["foreign"] foreign')
       `shouldBe` (Just (Number 0), Just (Number 1))
-    (0, without, "") <- pra (words "evaluate --presses 1 --seed 2 --json")
-    (0, none, "") <- pra (words "evaluate --presses 1 --seed 2 --turn 0 --json")
+    (0, without, "") <- pra one
+    (0, none, "") <- pra (one ++ ["--turn", "0"])
     (0, others, "") <-
       pra (words "evaluate --seed 2 --foreign 1 --foreign-arrays 1 --json" ++ presses)
     (key ["stitching", "right"] others, key ["foreign_arrays"] others)
@@ -172,9 +184,11 @@ spec = do
       (status, key ["agree"] out, key ["pose_mm"] out) `shouldBe` (0, Just (Bool True), Just Null)
       map (`key` err) [["pose"], ["bend", "radius_mm"], ["bend", "axis"]]
         `shouldBe` [Just Null, Just (Number 100), Just "x"]
-      (0, counted, "") <- pra (words "evaluate --presses 2 --seed 1 --bend 100 --json")
+      let presses = byEffort 1 2 :: Int
+      (0, counted, "") <-
+        pra (words "evaluate --seed 1 --bend 100 --json --presses" ++ [show presses])
       map (`key` counted) [["pose"], ["bend", "axis"], ["stitching", "right"]]
-        `shouldBe` [Just Null, Just "y", Just (Number 2)]
+        `shouldBe` [Just Null, Just "y", Just (toJSON presses)]
   it "under symbols half as large half the radius is as sharp a bend" $
     inFolder $ \folder -> do
       (status, out, err) <-
@@ -189,14 +203,6 @@ spec = do
 
 pressing :: [String]
 pressing = words "probe --object cube --seed 7"
-
--- | Read to its end.
-readFile' :: FilePath -> IO String
-readFile' file = readProcess' file
-  where
-    readProcess' path = do
-      (_, out, _) <- scripted "." ("od -An -tx1 '" ++ path ++ "'")
-      pure out
 
 bad :: Spec
 bad = do
@@ -230,79 +236,97 @@ bad = do
     $ \(arguments, about) -> it arguments (words arguments `complains` about)
   it "manifests in JSON that are none" $
     inFolder $ \folder -> do
-      (0, _, _) <-
-        scripted folder "pra probe --object cube --seed 1 --frame 8x8 --taxel 3.175 --output f"
+      let frames = folder </> "f"
+          manifest = frames </> "manifest.json"
+      (0, _, "") <-
+        pra
+          ( words "probe --object cube --seed 1 --frame 8x8 --taxel 3.175 --output"
+              ++ [frames]
+          )
+      written <- Text.readFile manifest
       for_
-        [ ("s/\"taxel_mm\":3.175/\"taxel_mm\":0/", "taxel_mm"),
-          ("s/\"taxel_mm\":3.175/\"taxel_mm\":50.1/", "from 0.05 to 50"),
-          ("s/\"taxel_mm\":3.175/\"taxel_mm\":NaN/", "JSON"),
-          ("s/\"x,y\"/\"x,z\"/", "axes"),
-          ("s/\"frame\":.8,8./\"frame\":[8,9]/", "8 x 9"),
-          ("s/\"frames\":.*/\"frames\":[]}/", "names no frame"),
-          ("s/frame_000.pgm/..\\/f.pgm/", "not a file in the manifest's folder")
+        [ (Text.replace "\"taxel_mm\":3.175" "\"taxel_mm\":0", "taxel_mm"),
+          (Text.replace "\"taxel_mm\":3.175" "\"taxel_mm\":50.1", "from 0.05 to 50"),
+          (Text.replace "\"taxel_mm\":3.175" "\"taxel_mm\":NaN", "JSON"),
+          (Text.replace "\"x,y\"" "\"x,z\"", "axes"),
+          (Text.replace "\"frame\":[8,8]" "\"frame\":[8,9]", "8 x 9"),
+          ((<> "\"frames\":[]}\n") . fst . Text.breakOn "\"frames\":", "names no frame"),
+          (Text.replace "frame_000.pgm" "../f.pgm", "not a file in the manifest's folder")
         ]
         $ \(change, about) -> do
-          outcome <-
-            scripted folder $
-              "rm -rf g; cp -r f g; sed -i '" ++ change ++ "' g/manifest.json; pra decode g"
+          Text.writeFile manifest (change written)
+          outcome <- pra ["decode", frames]
           outcome `refuses` about
   it "frames that do not go together, or say nothing: an answer or one line" $
     inFolder $ \folder -> do
       writeFile (folder </> "make.py") badFrames
       (0, _, "") <- scripted folder "python3 make.py"
+      -- What decode does with frames is the method without a name; full scale is as blank as dead.
+      let methods = byEffort [lattice] [[], lattice]
+          lattice = ["--method", "lattice"]
       for_
-        [ ("unequal", Just "15 x 16"),
-          ("apart", Nothing),
-          ("dead", Nothing),
-          ("saturated", Nothing),
-          ("same", Nothing),
-          ("nan", Just "not a finite number"),
-          ("far", Just "lie so far apart")
-        ]
+        ( [ ("unequal", Just "15 x 16"),
+            ("apart", Nothing),
+            ("dead", Nothing),
+            ("same", Nothing),
+            ("nan", Just "not a finite number"),
+            ("far", Just "lie so far apart")
+          ]
+            ++ [("saturated", Nothing) | effort == Full]
+        )
         $ \(name, complaint) -> do
-          let decoding = scripted folder ("pra decode --json " ++ name)
-              stitching method = scripted folder ("pra stitch " ++ name ++ " --json" ++ method)
+          let decoding = pra ["decode", "--json", folder </> name]
+              stitching method = pra (["stitch", folder </> name, "--json"] ++ method)
           case complaint of
             Just about -> do
               decoding >>= (`refuses` about)
-              for_ ["", " --method lattice"] $ \method -> stitching method >>= (`refuses` about)
+              for_ methods $ \method -> stitching method >>= (`refuses` about)
             Nothing -> do
               (status, out, _) <- decoding
               (name, status, key ["outcome"] out) `shouldBe` (name, 1, Just "refused")
-              for_ ["", " --method lattice"] $ \method -> do
+              for_ methods $ \method -> do
                 (stitched, told, err) <- stitching method
                 (name, stitched, err) `shouldBe` (name, 0, "")
                 key ["schema"] told `shouldBe` Just "pra-tactile/stitch/1"
+      let registering name =
+            pra $
+              words "register --json --step 8,0"
+                ++ [folder </> name </> file | file <- ["0.pgm", "1.pgm"]]
+          calibrating dark flat =
+            pra
+              ["calibrate", "--dark", folder </> dark, "--flat", folder </> flat, "--output", made]
+          made = folder </> "c.json"
       for_ [("dead", "blank"), ("saturated", "blank")] $ \(name, reason) -> do
-        (status, out, _) <-
-          scripted folder $
-            "pra register --json --step 8,0 " ++ name ++ "/0.pgm " ++ name ++ "/1.pgm"
+        (status, out, _) <- registering name
         (status, key ["reason"] out) `shouldBe` (1, Just reason)
-      scripted folder "pra register unequal/0.pgm unequal/1.pgm --step 8,0"
-        >>= (`refuses` "differ in size")
-      scripted folder "pra calibrate --dark dead --flat saturated --output c.json"
-        >>= (`refuses` "full scale")
-      scripted folder "pra calibrate --dark unequal --flat saturated --output c.json"
-        >>= (`refuses` "15 x 16")
+      registering "unequal" >>= (`refuses` "differ in size")
+      calibrating "dead" "saturated" >>= (`refuses` "full scale")
+      calibrating "unequal" "saturated" >>= (`refuses` "15 x 16")
   it "another sensor's calibration, and frames that calibrate nothing" $
     inFolder $ \folder -> do
-      (0, _, _) <-
-        scripted folder $
-          "pra probe --dark 2 --sensor ideal --seed 1 --output dark; "
-            ++ "pra probe --flat 2 --sensor ideal --seed 1 --output flat; "
-            ++ "pra probe --flat 2 --sensor ideal --frame 8x8 --seed 1 --output small; "
-            ++ "pra probe --object cube --frame 8x8 --taxel 3.175 --seed 1 --output f; "
-            ++ "pra calibrate --dark dark --flat flat --output c.json"
+      let file name = folder </> name
+          calibrating flat output =
+            pra ["calibrate", "--dark", file "dark", "--flat", file flat, "--output", file output]
+          folders =
+            [ ("--dark 2 --sensor ideal", "dark"),
+              ("--flat 2 --sensor ideal", "flat"),
+              ("--flat 2 --sensor ideal --frame 8x8", "small"),
+              ("--object cube --frame 8x8 --taxel 3.175", "f")
+            ]
+      for_ folders $ \(options, name) -> do
+        (status, _, _) <- pra (words "probe --seed 1" ++ words options ++ ["--output", file name])
+        (name, status) `shouldBe` (name, 0)
+      (0, _, _) <- calibrating "flat" "c.json"
+      let calibrated = ["--calibration", file "c.json"]
+          two = map (file "f" </>) ["frame_000.pgm", "frame_001.pgm"]
       for_
-        [ ("pra decode f --calibration c.json", "16 x 16"),
-          ("pra calibrate --dark dark --flat dark --output d.json", "all are dead"),
-          ("pra calibrate --dark dark --flat small --output d.json", "8 x 8"),
-          ( "pra register f/frame_000.pgm f/frame_001.pgm --step 4,0 --calibration c.json",
-            "16 x 16"
-          ),
-          ("pra calibrate --dark dark --flat nowhere --output d.json", "nowhere")
+        [ (pra (["decode", file "f"] ++ calibrated), "16 x 16"),
+          (calibrating "dark" "d.json", "all are dead"),
+          (calibrating "small" "d.json", "8 x 8"),
+          (pra (("register" : two) ++ ["--step", "4,0"] ++ calibrated), "16 x 16"),
+          (calibrating "nowhere" "d.json", "nowhere")
         ]
-        $ \(script, about) -> scripted folder script >>= (`refuses` about)
+        $ \(refused, about) -> refused >>= (`refuses` about)
 
 -- | Makes folders of frames of which something is wrong, in Python.
 badFrames :: String

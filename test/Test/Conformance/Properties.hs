@@ -31,7 +31,8 @@ spec :: Spec
 spec = do
   it "a property that fails says what was asked and answered, what should have been, and why" $ do
     [one] <- pure [one | one <- impostors, impostorName one == "keeps-the-second-summand"]
-    [law] <- pure [p | (name, p) <- lawProperties (impostorMade one), ofAddition name]
+    -- The first one, as the definition takes its time to prepare all profiles.
+    law : _ <- pure [p | (name, p) <- lawProperties (impostorMade one), ofAddition name]
     came <- quickCheckWithResult stdArgs {chatty = False} law
     let said = lines (output came)
         beginnings =
@@ -39,7 +40,7 @@ spec = do
             ++ ["because         "]
     [length (filter (beginning `isPrefixOf`) said) | beginning <- beginnings]
       `shouldBe` [1, 1, 1, 1, 1]
-    [right] <- pure [p | (name, p) <- lawProperties library, ofAddition name]
+    right : _ <- pure [p | (name, p) <- lawProperties library, ofAddition name]
     held <- quickCheckWithResult stdArgs {chatty = False} right
     isSuccess held `shouldBe` True
   it "what an implementation throws is its fault, and what others throw at it is not" $ do
@@ -109,7 +110,7 @@ spec = do
     said `shouldContain` "1 operation of 19 offered, 1 profile, seed 1"
     said `shouldContain` "certified: "
   where
-    ofAddition = (== "field/addition-as-defined, gf3-2x13")
+    ofAddition = (== "field/addition-as-defined, paper")
     line = Lazy.toStrict . encode
     started :: Integer -> Maybe Int
     started given =

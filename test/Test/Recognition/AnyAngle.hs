@@ -346,7 +346,7 @@ foreignSpec setting = do
             [here {compositeContradiction = Just AgreeingNowhere}]
     fmap recognisedAnswer told `shouldBe` Right (Left (FramesContradict AgreeingNowhere))
   it "of arrangements of six symbols, half of them foreign, as many are wrong as is told" $
-    let count = byEffort 40 100
+    let count = byEffort 15 100
         byChance = vectorOf 2 (vectorOf 3 (choose (0, 3)))
         ofOthers = do
           other <- elements (byOtherPolynomials array)

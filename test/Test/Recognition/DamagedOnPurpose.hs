@@ -30,7 +30,7 @@ import PraTactile.Sensor
 import PraTactile.Sensor.Frame (movePoint, taxelPitch)
 import PraTactile.Shape hiding (area)
 import PraTactile.Symmetry
-import Test.Effort (withCases)
+import Test.Effort
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (generate, tolerance)
@@ -47,8 +47,12 @@ damageSpec :: KnownField k => Setting k -> Spec
 damageSpec setting = do
   describe "missing symbols" $ do
     it "of a 3 x 3 block any four may be missing that leave four independent ones" $
-      for_ (zip (choose4 [0 .. 8]) (cycle [Position 1 1, Position 5 6, Position 14 16])) $
-        \(gone, place) -> do
+      -- In a quick run every fifth choice, so that each of the places has some.
+      for_
+        ( everyNth (byEffort 5 1) $
+            zip (choose4 [0 .. 8]) (cycle [Position 1 1, Position 5 6, Position 14 16])
+        )
+        $ \(gone, place) -> do
           let kept = [o | (i, o) <- zip [0 :: Int ..] offsets3, i `notElem` gone]
           let damaged = removing gone (cells 3 3 place)
           answer <- read' damaged
@@ -211,14 +215,17 @@ damageSpec setting = do
       for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) ->
         for_ [identity, turned 2] $ \symmetry ->
           for_
-            [ (l, t, r, b)
-              | l <- [0, 2, 4],
-                r <- [4, 6, 8],
-                r > l,
-                t <- [0, 3, 6],
-                b <- [6, 9, 12],
-                b > t
-            ]
+            ( everyNth
+                (byEffort 3 1)
+                [ (l, t, r, b)
+                  | l <- [0, 2, 4],
+                    r <- [4, 6, 8],
+                    r > l,
+                    t <- [0, 3, 6],
+                    b <- [6, 9, 12],
+                    b > t
+                ]
+            )
             $ \(l, t, r, b) -> do
               let image = onRaster symmetry (toRaster shape)
                   seen = generate 8 12 (\x y -> if x >= l && x < r && y >= t && y < b then 1 else 0)
@@ -254,23 +261,25 @@ damageSpec setting = do
         let cells' = cells 2 2 place
         onSheet <- recognisedOn Sheet standardTolerance [shown cells']
         either (const False) (placed place cells') (recognisedAnswer onSheet) `shouldBe` True
-    it "every window of the torus is told as on a face, across faces, or on no object" $ do
-      answers <- mapM (\place -> (,) place <$> read' (cells 2 2 place)) everywhere
-      let whereOf (place, Right (Found found)) =
-            if windowPosition (foundWindow found) == place
-              then sort' (windowWhereabouts (foundWindow found))
-              else "wrong"
-          whereOf _ = "none"
-          sort' w = case w of
-            OnFace _ -> "face"
-            Straddles _ -> "straddles"
-            OnNoObject -> "none of them"
-          counts =
-            [ (name, length (filter ((== name) . whereOf) answers))
-              | name <- ["face", "wrong", "none"]
+    it "windows of the torus are found, and told as on a face just where they are on one" $ do
+      let onFaces =
+            [ Position (row at + i) (column at + j)
+              | face <- laidFaces (settingLayout setting),
+                let (Shape high wide, at) = (laidGrid face, laidAt face),
+                i <- [0 .. high - 2],
+                j <- [0 .. wide - 2]
             ]
-      counts `shouldBe` [("face", 132), ("wrong", 0), ("none", 0)]
-      length (nub (map fst answers)) `shouldBe` 255
+      (length onFaces, length (nub everywhere)) `shouldBe` (132, 255)
+      for_ (everyNth (byEffort 8 1) everywhere) $ \place -> do
+        answer <- read' (cells 2 2 place)
+        let told = case answer of
+              Right (Found found) ->
+                Just
+                  ( windowPosition (foundWindow found),
+                    onFace (windowWhereabouts (foundWindow found))
+                  )
+              _ -> Nothing
+        told `shouldBe` Just (place, place `elem` onFaces)
   where
     recognisedOn surface = recognisedIn (recogniserOn surface setting)
     recognisedWith = recognisedOn Torus
@@ -369,13 +378,19 @@ numbered f cells =
   where
     wide = maximum (0 : map length cells)
 
+-- | The first of each so many.
+everyNth :: Int -> [a] -> [a]
+everyNth n list = [item | (k, item) <- zip [0 ..] list, k `mod` n == 0]
+
 choose4 :: [Int] -> [[Int]]
 choose4 xs = [[a, b, c, d] | a <- xs, b <- xs, a < b, c <- xs, b < c, d <- xs, c < d]
 
 -- | Are the doubts of symbols honest? Simulated explorations, whose truth is known.
 doubtSpec :: KnownField k => Setting k -> Spec
 doubtSpec setting = describe "the doubt of a symbol" $ do
-  for_ [(0.1, 60), (0.3, 30), (0.4, 40)] $ \(noise, count) ->
+  -- The bounds leave the few trials of a quick run more room: it notices if many symbols are told
+  -- wrong.
+  for_ (byEffort [(0.1, 6), (0.4, 8)] [(0.1, 60), (0.3, 30), (0.4, 40)]) $ \(noise, count) ->
     it ("is as large as the share of wrong ones, or larger, with noise " ++ show noise) $ do
       let doubts =
             concatMap
@@ -396,12 +411,13 @@ doubtSpec setting = describe "the doubt of a symbol" $ do
               )
           expected = sum (map fst doubts)
           wrong = fromIntegral (length (filter snd doubts)) :: Double
-      length doubts `shouldSatisfy` (> 100)
+      length doubts `shouldSatisfy` (> byEffort count 100)
       -- Wrong ones come in clusters, several to a badly stitched composite, and so vary more than
       -- independent ones.
       wrong `shouldSatisfy` (<= expected + 5 * sqrt (expected + 1))
       when (noise > 0.35) $ wrong `shouldSatisfy` (>= expected - 5 * sqrt (expected + 1))
-  it "that is only partly seen is honest, too" $ do
+  -- Parts are often in doubt, and bounds for the few of a quick run would notice nothing.
+  whenFull . it "that is only partly seen is honest, too" $ do
     let reader = recogniserOf setting
         ofParts t = case stitch standardRegistration (trialFrames t)
           >>= \c -> either (const (Left NoFrames)) (Right . (,) c) (recognise reader c) of

@@ -34,7 +34,7 @@ import PraTactile.Sensor.Manifest (Remedy (..), axesNamed)
 import PraTactile.Shape
 import PraTactile.Symmetry
 import System.Random (mkStdGen)
-import Test.Effort (withCases)
+import Test.Effort (byEffort, withCases)
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (generate)
@@ -186,36 +186,32 @@ exploreSpec setting = describe "explorations" $ do
 
 recogniseSpec :: KnownField k => Setting k -> Spec
 recogniseSpec setting = describe "recognition" $ do
-  it "each of the 132 windows that lie on a face is found there, whichever way up" $ do
-    let cases =
+  it "a window that lies on a face is found there, whichever way up" $ do
+    let windows =
           [ (face, heights, i, j)
             | (face, heights) <- reliefs setting,
               let Shape h w = laidGrid face,
               i <- [0 .. h - 2],
               j <- [0 .. w - 2]
           ]
-    length cases `shouldBe` 132
-    for_ cases $ \(face, heights, i, j) ->
-      for_
-        [ (identity, id),
-          (turned 1, onRaster (turned 1)),
-          (turned 2, onRaster (turned 2)),
-          (turned 3, onRaster (turned 3))
-        ]
-        $ \(orientation, turn) -> do
-          let margin side = round (nearestDouble (side (laidMargin face)) / taxelPitch) :: Int
-              image =
-                region
-                  heights
-                  ( margin spotRight + 16 * fromIntegral j,
-                    margin spotDown + 20 * fromIntegral i,
-                    32,
-                    40
-                  )
-              Position r c = laidAt face
-          found (turn image)
-            `shouldBe` Right
-              (orientation, Position (r + i) (c + j), Just (laidFace face, Position i j))
+        cases = (,) <$> windows <*> rotations
+    length windows `shouldBe` 132
+    -- A quick run takes every eleventh: windows of each face, and each way up.
+    for_ [chosen | (k, chosen) <- zip [0 :: Int ..] cases, k `mod` byEffort 11 1 == 0] $
+      \((face, heights, i, j), orientation) -> do
+        let margin side = round (nearestDouble (side (laidMargin face)) / taxelPitch) :: Int
+            image =
+              region
+                heights
+                ( margin spotRight + 16 * fromIntegral j,
+                  margin spotDown + 20 * fromIntegral i,
+                  32,
+                  40
+                )
+            Position r c = laidAt face
+        found (onRaster orientation image)
+          `shouldBe` Right
+            (orientation, Position (r + i) (c + j), Just (laidFace face, Position i j))
   it "nothing at all is refused: no-symbols" $
     refusal (constant 40 52 0) `shouldBe` Just (ShownInstead InsteadFlat NoSymbols)
   it "uniform contact is refused: no-symbols" $
@@ -255,7 +251,7 @@ recogniseSpec setting = describe "recognition" $ do
                           "beyond-radius",
                           "below-threshold"
                         ]
-  withCases 5 40 $
+  withCases 2 40 $
     prop "a random exploration with noise is right or refused, never wrong" $ \seed ->
       forAllShow (elements (facesFelt setting)) (show . laidFace . fst) $ \face ->
         case trial usual face (mkStdGen seed) of

@@ -23,7 +23,7 @@ import Test.Recognition.Scenes
 
 spec :: Spec
 spec = onRecognisers $ \array readers ->
-  withCases 50 400 $
+  withCases 20 400 $
     it "a grid is where that is likeliest, with the doubt that is left, or it is nowhere" $
       forAllBlind (elements readers) $ \(surface, reader) -> do
         let scenes = genScene (cellOf surface array)

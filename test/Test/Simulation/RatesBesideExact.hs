@@ -19,6 +19,7 @@ import PraTactile.Rates.Trial
 import PraTactile.Window
 import System.Random (mkStdGen)
 import Test.Code.Generators
+import Test.Effort
 import Test.Hspec
 import Test.Paper
 import Test.QuickCheck hiding (elements)
@@ -41,9 +42,9 @@ spec = do
     window <- paperWindow
     let judged name array size damage = do
           setup <- right (trialSetup array size)
-          let drawn = take 150 (trialsOf setup damage 5)
+          let drawn = take (byEffort 15 150) (trialsOf setup damage 5)
               by decoder = locator (Just decoder) MostSignificantFirst array window
-              located = decodeByLocate by
+              located = decodeByLocate (by NearestDecoder) (by PosteriorDecoder)
           forM_ drawn $ \trial ->
             forM_ [Guaranteed, UpTo 0, UpTo 2, UpTo 100] $ \radius -> do
               let TrialResult a b doubt = decodeTrial radius setup trial
@@ -106,7 +107,8 @@ spec = do
       m <- right (rectangle (Shape 4 4))
       setup <- right (trialSetup array (Shape 4 4))
       let damage = Damage 0.2 0
-          found = map (\e -> hardRates (simulate (UpTo e) setup damage 20000 (Seed 5))) [0 .. 7]
+          drawn = byEffort 2500 20000
+          found = map (\e -> hardRates (simulate (UpTo e) setup damage drawn (Seed 5))) [0 .. 7]
       forM_ (zip [0 .. 4] found) $ \(e, rates) -> do
         exact <-
           maybe
@@ -114,8 +116,8 @@ spec = do
             pure
             (exactOn (UpTo e) array m damage)
         forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
-          abs (rate rates - rate exact)
-            `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / 20000) + 1e-9)
+          let spread = sqrt (rate exact * (1 - rate exact) / fromIntegral drawn)
+           in abs (rate rates - rate exact) `shouldSatisfy` (<= 4 * spread + 1e-9)
       exactOn (UpTo 5) array m damage `shouldBe` Nothing
       -- Whether there are any is known before anything is computed.
       [large, larger] <- mapM (right . rectangle) [Shape 25 40, Shape 7 143]
@@ -234,25 +236,26 @@ spec = do
       noiseFor (fieldOrder (arrayItself (setupArray setup))) (damageErrors damage)
 
 -- | What a trial comes to by 'locate', asked about the likeliest symbols of a locator that looks
--- for the nearest position, and about the probabilities of one that has the posterior, both given
--- by the decoder's name. 'Nothing' where a question is refused.
+-- for the nearest position, and about the probabilities of one that has the posterior. 'Nothing'
+-- where a question is refused.
 decodeByLocate ::
   forall k.
   KnownField k =>
-  (DecoderName -> Locator k) ->
+  Locator k ->
+  Locator k ->
   Radius ->
   TrialSetup k ->
   Trial ->
   Maybe TrialResult
-decodeByLocate by radius setup trial = do
+decodeByLocate nearest withPosterior radius setup trial = do
   beliefs <-
     traverse
       (traverse reading)
       (chunked (fromIntegral (columns (setupShape setup))) [0 .. setupCells setup - 1])
       >>= rightOnly . patch
-  hard <- rightOnly (locate (by NearestDecoder) (query (Symbol . likeliest <$> beliefs)))
+  hard <- rightOnly (locate nearest (query (Symbol . likeliest <$> beliefs)))
   soft <-
-    rightOnly (locate (by PosteriorDecoder) (query (Probabilities <$> beliefs)))
+    rightOnly (locate withPosterior (query (Probabilities <$> beliefs)))
       >>= answerPosterior
   pure
     TrialResult

@@ -34,7 +34,7 @@ spec = do
       map rowsOf (take 1 (grids (Tetrahedron 200))) `shouldBe` [[9, 7, 5, 3, 3, 1, 0]]
   it "of the L face of l:200x100x200, 30 of 6 x 7" $
     take 1 (gridsOf (LShape 200 100 200)) `shouldBe` [(6, 7, Just 30)]
-  withCases 20 100 . prop "of a plate with holes, are those of the plate that meet none of these" $
+  withCases 10 100 . prop "of a plate with holes, are those of the plate that meet none of these" $
     forAll drilled $ \plate ->
       let it_ = fromDescription (plateOf plate)
           grid = gridOf it_ (2, 3) (meshWalks it_ V.! 0)
@@ -66,7 +66,7 @@ spec = do
          in map gridCount [whole, upTo tests, few]
               === [Just count, Just count, if full then Just count else Nothing]
               .&&. counterexample (show (gridAtLeast few, count)) (gridAtLeast few <= count)
-  withCases 20 100 . prop "are those of the first vertex that gives a face the most" $
+  withCases 10 100 . prop "are those of the first vertex that gives a face the most" $
     forAll solids $ \drawn ->
       let it_ = fromDescription drawn
           begun walk =
@@ -75,7 +75,8 @@ spec = do
             ]
           first found = take 1 [one | one <- found, gridCount one == maximum (map gridCount found)]
           -- Fewer tests than would leave some of them uncounted.
-          few walk = and [tests one * toInteger (U.length walk) < 100000 | one <- begun walk]
+          few walk = and [tests one * toInteger (U.length walk) < most | one <- begun walk]
+          most = byEffort 10000 100000
           tests grid = gridRows grid * gridColumns grid * toInteger (U.length (gridWalk grid))
           counted = filter few (V.toList (meshWalks it_))
        in map (bestGrid it_ pitch) counted === concatMap (first . begun) counted

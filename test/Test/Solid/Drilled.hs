@@ -21,6 +21,7 @@ where
 
 import PraTactile.Conformance.Laws.Solids
 import PraTactile.Object.Description
+import Test.Effort
 import Test.QuickCheck
 
 -- | A plate: its thickness, where its upper face's vertices are, and the corners of its holes as in
@@ -32,10 +33,10 @@ data Drilled = Drilled
   }
   deriving stock (Show)
 
--- | A rectangle with one to four holes.
+-- | A rectangle with one to four holes; in a quick run, with one or two.
 drilled :: Gen Drilled
 drilled = do
-  count <- choose (1, 4 :: Int)
+  count <- choose (1, byEffort 2 4 :: Int)
   steps <- mapM (const (fromInteger <$> choose (5, 60))) [1 .. 2 * count + 1]
   (low, high) <- (,) <$> length' <*> length'
   (above, deep) <- (,) <$> length' <*> length'

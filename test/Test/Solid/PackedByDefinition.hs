@@ -3,9 +3,9 @@
 -- answers are known. Whatever is packed is counted on lists, cell by cell.
 module Test.Solid.PackedByDefinition (spec) where
 
+import qualified Data.IntSet as IntSet
 import Data.List (nub, sort, (\\))
 import Data.Maybe (fromMaybe)
-import qualified Data.Set as Set
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Cells
@@ -31,8 +31,8 @@ spec = do
     it "of all cells is the block" $
       and [maskOf (r, c) (allCells (r, c)) == Just (block (r, c)) | r <- [1 .. 4], c <- [1 .. 4]]
   describe "on small sheets" $ do
-    withCases 300 10000 . prop "is decided, with its reason, as the definition has it" $
-      checkCoverage . asDefined
+    withCases 1000 10000 . prop "is decided, with its reason, as the definition has it" $
+      byEffort property checkCoverage . asDefined
     it "is so of all threes of pieces up to three cells, on all sheets up to 4 x 5" $
       [ question
         | size <- allCells (4, 5),
@@ -44,7 +44,7 @@ spec = do
   describe "on larger sheets" $ do
     prop "equal blocks are as many as those of a grid, at most" blocksOfAGrid
     prop "single cells fill what a block of any length leaves" besideALongBlock
-    withCases 50 200 . prop "is not impossible of what a sheet was cut into" $ cutUp
+    withCases 30 200 . prop "is not impossible of what a sheet was cut into" $ cutUp
     prop "does not depend on the order of pieces and alternatives" anyOrder
   describe "puzzles" $ do
     it "pentominoes: all twelve on 3 x 20, 4 x 15, 5 x 12 and 6 x 10" $
@@ -96,8 +96,10 @@ spec = do
          in not (null layings)
               .&&. outcomeOf (Question (144, 65) layings (concat (replicate 4 others)))
                 === "packed"
-    it "ten thousand cubes on 2047 x 2049" $
-      filled (Question (2047, 2049) [] (replicate 60000 [rectangle 4 5])) `shouldSatisfy` (>= 0.99)
+    it "thousands of cubes on a sheet of over a million cells: of their rows 99 % are taken" $
+      let (size, cubes) = byEffort ((1023, 1025), 1025) ((2047, 2049), 10000)
+       in filled (Question size [] (replicate (6 * cubes) [rectangle 4 5]))
+            `shouldSatisfy` (>= 0.99)
     it "on a sheet of more cells than there is memory" $
       outcomeOf (Question (1000000007, 1000000009) [] (concatMap facesOf [Cube, Parallelepiped]))
         `shouldBe` "packed"
@@ -135,11 +137,11 @@ allCells (rows, columns) = [(r, c) | r <- [0 .. rows - 1], c <- [0 .. columns - 
 -- | Whether these layings are a packing: one of each piece's alternatives, no cell twice, none
 -- outside, none that is taken.
 isPacking :: Question -> [Laid] -> Bool
-isPacking question@(Question size taken pieces) laid =
+isPacking question@(Question size@(_, columns) taken pieces) laid =
   length laid == length pieces
     && and [i >= 0 && i < length piece | (piece, Laid i _) <- zip pieces laid]
     && all (inside size) cells
-    && Set.size (Set.fromList cells) == length cells
+    && IntSet.size (IntSet.fromList [r * columns + c | (r, c) <- cells]) == length cells
   where
     cells = concat [from at s | (s, at) <- taken] ++ concat (cellsLaid question laid)
 
@@ -246,12 +248,13 @@ besideALongBlock =
           singles = replicate (2 * columns - long) [rectangle 1 1]
        in outcomeOf (Question (2, columns) [(rectangle 1 long, (0, left))] singles) === "packed"
 
--- | A sheet cut into pieces, some of which lie already and some of which are left out.
+-- | A sheet cut into pieces, some of which lie already and some of which are left out. A quick run
+-- has too few for the share that is packed.
 cutUp :: Property
 cutUp =
   forAll cutSheet $ \question ->
     let said = outcomeOf question
-     in checkCoverage . cover 90 (said == "packed") "packed" $
+     in byEffort property checkCoverage . cover 90 (said == "packed") "packed" $
           counterexample said (said `elem` ["packed", "NotFound"])
 
 -- | Pieces in another order, and their alternatives, lie as the same sets of cells.

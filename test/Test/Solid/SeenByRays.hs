@@ -9,14 +9,15 @@ import PraTactile.Object.Description
 import PraTactile.Object.Named
 import PraTactile.Object.View
 import PraTactile.Object.WingedEdge
+import Test.Effort
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
 import Test.Solid.Drilled
 
 spec :: Spec
 spec = do
-  modifyMaxSuccess (const 300) . prop "what is painted last is what the eye meets first" $
+  withCases 80 300 . prop "what is painted last is what the eye meets first" $
     forAll drawn $ \(it_, azimuth, elevation, away) ->
       let view = viewFrom azimuth elevation away
           looking = camera view it_
@@ -35,7 +36,7 @@ spec = do
                     case met of
                       (near, _) : (next, _) : _ | abs (near - next) < 1e-3 -> property True
                       _ -> painted === fmap snd (listToMaybe met)
-  modifyMaxSuccess (const 300) . prop "a vertex is named if nothing lies between it and the eye" $
+  withCases 60 300 . prop "a vertex is named if nothing lies between it and the eye" $
     forAll drawn $ \(it_, azimuth, elevation, away) ->
       let view = viewFrom azimuth elevation away
           names = map seenName (seenVertices (camera view it_))
@@ -44,7 +45,7 @@ spec = do
               | (v, p) <- solidVertices it_,
                 Just free <- [unhidden it_ view p]
             ]
-  modifyMaxSuccess (const 100) . prop "turned with the eye, a solid looks the same" $
+  withCases 40 100 . prop "turned with the eye, a solid looks the same" $
     forAll solids $ \it_ ->
       forAll (elements [0, 90, 180, 270]) $ \quarter ->
         forAll ((,) <$> choose (0, 90) <*> choose (-80, 80)) $ \(azimuth, elevation) ->

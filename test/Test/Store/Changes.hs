@@ -43,8 +43,9 @@ spec :: SpecWith Home
 spec = describe "change" $ do
   it "objects come, go and are replaced as in the placement, and all look-ups are its" $
     \home ->
-      withMaxSuccess (max 1 (cases home (byEffort 3 6))) . forAllBlind (vectorOf 3 ((,) <$> genStep <*> arbitrary)) $
-        \steps -> ioProperty (stored (\path place -> walk path place steps) home)
+      withMaxSuccess (max 1 (cases home (byEffort 2 6)))
+        . forAllBlind (vectorOf 3 ((,) <$> genStep <*> arbitrary))
+        $ \steps -> ioProperty (stored (\path place -> walk path place steps) home)
   it "what is refused leaves the store as it was" $
     stored $ \path place -> do
       change path (adding 1 (placementSolids place))

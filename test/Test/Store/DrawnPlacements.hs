@@ -21,7 +21,7 @@ import Test.Support
 spec :: SpecWith Home
 spec =
   it "drawn placements are asked as they are without the store, faces as large as the array too" $
-    \home -> ofDrawn (cases home (byEffort 12 60)) asking $
+    \home -> ofDrawn (cases home (byEffort 5 60)) asking $
       \(place, windows, cells, window') -> do
         path <- newName home
         create path "a profile" place `shouldReturn` Right ()

@@ -20,6 +20,7 @@ import PraTactile.Sequence
 import PraTactile.Window
 import PraTactile.Window.Proof
 import Test.Code.Generators
+import Test.Effort
 import Test.Hspec
 
 spec :: Spec
@@ -143,8 +144,8 @@ spec = do
             told count = maybe [] pure (count (fromIntegral q) n layout size)
         (layout, size, told columnsToCheck) `shouldBe` (layout, size, least column (columns size))
         (layout, size, told rowsToCheck) `shouldBe` (layout, size, least row (rows size))
-  it "their own mirror are arrays that read the same mirrored, every polynomial: q^n <= 256" $
-    forM_ [(q, n) | (q, n) <- smallFields, (fromIntegral q :: Natural) ^ n <= 256] $ \(q, n) ->
+  it "their own mirror are arrays that read the same mirrored, with every polynomial" $
+    forM_ [(q, n) | (q, n) <- smallFields, fromIntegral q ^ n <= mostStates] $ \(q, n) ->
       overField q $ \(_ :: Proxy k) -> do
         found <- right (primitivePolynomials n)
         forM_ (found :: [Primitive k]) $ \h ->
@@ -197,6 +198,8 @@ spec = do
     refusal (advise (Request 4 1 (most + 1) Nothing)) `shouldBe` Just (AdviceTooLarge (most + 1))
     refusal (singleArrays 4 (most + 1)) `shouldBe` Just (AdviceTooLarge (most + 1))
   where
+    -- All places of an array are compared with all.
+    mostStates = byEffort 81 256 :: Natural
     isField e = case e of
       AdviceField _ -> True
       _ -> False

@@ -1,3 +1,5 @@
+{-# OPTIONS_GHC -O1 #-}
+
 -- | The fields: the tables of all of them beside the definition, the default moduli, elements and
 -- refusals. That each operation is what it should be, field axioms among it, is a law of the
 -- conformance suite.
@@ -13,6 +15,7 @@ import qualified PraTactile.Field.Definition as Definition
 import PraTactile.Field.Named
 import PraTactile.Field.Vector
 import Test.Code.Generators
+import Test.Effort
 import Test.Hspec
 import Test.QuickCheck hiding (elements)
 import qualified Test.QuickCheck as QuickCheck
@@ -20,7 +23,7 @@ import qualified Test.QuickCheck as QuickCheck
 spec :: Spec
 spec = do
   describe "the tables are the definition" $ do
-    it "for all sums and products of all 70 fields up to 256 elements" $
+    it "for sums and products of all 70 fields up to 256 elements" $
       forM_ everyField $ \(q, SomeField k) -> (q, differences k) `shouldBe` (q, [])
     it "for those of the named types" $
       forM_ namedFields $ \(q, SomeField k) -> (q, differences k) `shouldBe` (q, [])
@@ -62,17 +65,20 @@ rootCode k
     (fieldOrder k - fromIntegral (sum (take 1 (fieldModulus k)))) `mod` fieldOrder k
   | otherwise = fieldCharacteristic k
 
--- | The pairs of codes whose sum or product is not that of the definition.
+-- | The pairs of codes whose sum or product is not that of the definition. In a quick run each
+-- element of a larger field is paired with some.
 differences :: forall k. KnownField k => Proxy k -> [(Int, Int)]
 differences k =
   [ (toCode a, toCode b)
     | (a, a') <- both,
-      (b, b') <- both,
+      (b, b') <- byEffort some id both,
       fromIntegral (toCode (a + b)) /= Definition.toCode ring (Definition.add ring a' b')
         || fromIntegral (toCode (a * b)) /= Definition.toCode ring (Definition.multiply ring a' b')
   ]
   where
     ring = Definition.Ring (fromIntegral (fieldCharacteristic k)) (fieldModulus k)
+    some = map snd . filter (\(i, _) -> i < few || i `mod` 7 == 0) . zip [0 ..]
+    few = if fieldOrder k <= 32 then 32 else 4 :: Int
     both = [(a, Definition.fromCode ring (fromIntegral (toCode a))) | a <- elements :: [GF k]]
 
 isPrime' :: Natural -> Bool

@@ -18,6 +18,7 @@ import PraTactile.LinearCode.MinimumDistance
 import PraTactile.LinearCode.Search
 import PraTactile.LinearCode.Weights
 import Test.Code.Generators
+import Test.Effort (byEffort)
 import Test.Hspec
 import Test.QuickCheck hiding (elements)
 import qualified Test.QuickCheck as QuickCheck
@@ -274,7 +275,7 @@ spec = do
 
 -- | A law of the vectors that span a code, of their length, over some small fields.
 codes :: String -> (forall k. KnownField k => Int -> [[GF k]] -> Property) -> Spec
-codes name law = it name . withMaxSuccess 1000 $
+codes name law = it name . withMaxSuccess (byEffort 300 1000) $
   forAll (QuickCheck.elements [(2, 7), (3, 5), (4, 4), (5, 4)]) $ \(q, longest) ->
     forAll (choose (1, longest)) $ \size ->
       case lookup q everyField of

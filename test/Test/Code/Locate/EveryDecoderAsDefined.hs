@@ -21,14 +21,15 @@ import Test.Code.Generators
 import Test.Code.Locate.Asking
 import Test.Code.Locate.Laws
 import Test.Code.Locate.Scenes
+import Test.Effort
 import Test.Hspec
 import Test.QuickCheck hiding (elements)
 import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
-  it "every content of a window of every small array has one outcome by all decoders" $
-    forM_ smallArrays $ \(q, n, shape, window) ->
+  it "every content of a window of small arrays has one outcome by all decoders" $
+    forM_ (byEffort (filter quicklyCompared) id smallArrays) $ \(q, n, shape, window) ->
       forM_
         [ (folding, surface)
           | folding <- [minBound ..],
@@ -39,13 +40,13 @@ spec = do
   forM_ settings $ \setting -> describe (settingName setting) $ do
     forM_ (Nothing : map Just symbolDecoders) $ \decoder ->
       it ("symbols: " ++ decoderName decoder) $
-        withMaxSuccess 120 $
+        withMaxSuccess (byEffort 30 120) $
           ofArray setting $ \array m ->
             forAll (genScene array genSymbol) $ \patches ->
               forAll (genQuestion array decoder) $ \(surface, possible, radius) ->
                 asDefined decoder (surface, array, m) possible radius patches
     it "symbols: decoders that correct alike answer alike" $
-      withMaxSuccess 150 $
+      withMaxSuccess (byEffort 40 150) $
         ofArray setting $ \array m ->
           forAll (genScene array genSymbol) $ \patches ->
             forAll (genQuestion array (Just InformationSetDecoder)) $
@@ -53,7 +54,7 @@ spec = do
                 alike (surface, array, m) possible radius patches
     forM_ [NearestDecoder, InformationSetDecoder] $ \decoder ->
       it ("symbols: as many wrong cells as are promised are corrected: " ++ decoderText decoder) $
-        withMaxSuccess 150 $
+        withMaxSuccess (byEffort 40 150) $
           ofArray setting $ \array m ->
             forAll (genWithin array) $ \(surface, possible, truth, wrong, cells) ->
               asPromised decoder (surface, array, m) possible truth wrong cells
@@ -61,7 +62,7 @@ spec = do
       forM_ [("probabilities", False), ("probabilities that show how it lies", True)] $
         \(name, shows') ->
           it (name ++ ": " ++ decoderName decoder) $
-            withMaxSuccess 80 $
+            withMaxSuccess (byEffort 18 80) $
               ofArray setting $ \array m ->
                 forAll (genScene array (genLook shows')) $ \patches ->
                   forAll (genQuestion array decoder) $ \(surface, possible, _) ->
@@ -69,7 +70,7 @@ spec = do
                       asBayes decoder (surface, array, m) possible tolerated patches
     forM_ [PosteriorDecoder, ListDecoder] $ \decoder ->
       it ("probabilities that leave no doubt are symbols: " ++ decoderText decoder) $
-        withMaxSuccess 100 $
+        withMaxSuccess (byEffort 30 100) $
           ofArray setting $ \array m ->
             forAll (genScene array genSymbol) $ \patches ->
               forAll (genQuestion array (Just ListDecoder)) $ \(surface, possible, _) ->
@@ -81,10 +82,10 @@ spec = do
   describe "on a sheet of 63 x 65 cells, a few cells in a patch as large as it" $
     -- One cell leaves 2048 positions of the torus, more than are listed.
     forM_
-      [ (NearestDecoder, [identity], 150),
-        (NearestDecoder, rotations, 60),
-        (InformationSetDecoder, [identity], 300),
-        (AlgebraDecoder, [identity], 300)
+      [ (NearestDecoder, [identity], byEffort 40 150),
+        (NearestDecoder, rotations, byEffort 20 60),
+        (InformationSetDecoder, [identity], byEffort 45 300),
+        (AlgebraDecoder, [identity], byEffort 45 300)
       ]
       $ \(decoder, possible, count) ->
         it (decoderText decoder ++ ", symmetries: " ++ show (length possible)) $
@@ -132,6 +133,10 @@ smallArrays =
     (9, 2, Shape 5 16, Shape 1 2),
     (16, 1, Shape 3 5, Shape 1 2)
   ]
+
+-- | Whether its cells and the contents of its window are so few that to compare them all is quick.
+quicklyCompared :: (Int, Natural, Shape, Shape) -> Bool
+quicklyCompared (q, n, _, window) = fromIntegral q ^ (n + area window) <= (10000 :: Natural)
 
 -- | The decoders that correct nothing, and the nearest position at distance 0, have one outcome for
 -- each content of the window on this surface, and it has the positions where the content stands.

@@ -13,6 +13,7 @@ import PraTactile.Locate.Definition
 import PraTactile.Locate.Logarithm (naturalLogarithm)
 import PraTactile.Symmetry
 import Test.Code.Generators
+import Test.Effort
 import Test.Hspec
 import Test.Paper
 import Test.QuickCheck hiding (elements)
@@ -32,7 +33,7 @@ spec = do
         isNoLess
         (\(most, tolerated) -> listPatch most (10 ** fromIntegral tolerated) algebra [identity])
   it "several looks at a cell come to their product, in any order, however small that is" $
-    withMaxSuccess 400 $
+    withMaxSuccess (byEffort 50 400) $
       forAll (choose (1, 7) >>= (`vectorOf` genLook)) $ \given ->
         whenRight (traverse (either belief oriented) given) $ \looks ->
           forAll (shuffle looks) $ \others ->
@@ -52,7 +53,7 @@ doubtsHold ::
   ((Int, Int) -> Patch (Belief GF4) -> Either AlgebraError (Posterior Candidate)) ->
   Property
 doubtsHold array holdsOf find =
-  withMaxSuccess 200 $
+  withMaxSuccess (byEffort 50 200) $
     forAll ((,) <$> genNearlySure array <*> genBounds) $ \(chances, bounds) ->
       whenRight (traverse (traverse belief) chances) $ \beliefs ->
         whenRight (patch (map (map Just) beliefs)) $ \p ->

@@ -1,3 +1,5 @@
+{-# OPTIONS_GHC -O1 #-}
+
 -- | The memory table: which positions it holds, and that in bulk it answers as one by one. What it
 -- answers about patches is held by "Test.Code.Locate.EveryDecoderAsDefined".
 module Test.Code.Locate.MemoryTable (spec) where
@@ -18,9 +20,10 @@ import PraTactile.Locate.Bulk
 import PraTactile.Window
 import Test.Code.Generators
 import Test.Code.Locate.EveryDecoderAsDefined (smallArrays)
+import Test.Effort
 import Test.Hspec
 import Test.Paper
-import Test.QuickCheck (forAll, forAllShrink, ioProperty, withMaxSuccess, (===))
+import Test.QuickCheck (conjoin, forAll, forAllShrink, ioProperty, withMaxSuccess, (===))
 import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
@@ -92,13 +95,11 @@ spec = do
   beforeAll (firstOver gf4 7)
     . it "every window of 3 x 5461 cells, for any mask and surface, is where its cells are"
     $ \h ->
-      withMaxSuccess 20
+      withMaxSuccess (byEffort 2 7)
         . forAllShrink genMask (filter (not . null) . QuickCheck.shrinkList (const []))
         $ \offsets ->
-          forAll
-            (QuickCheck.elements [(Diagonal, Torus), (RowMajor, TwistedTorus), (Diagonal, Sheet)])
-            $ \(folding, surface) ->
-              ioProperty $ do
+          conjoin
+            [ ioProperty $ do
                 m <- right (mask offsets)
                 array <- right (folded folding (Shape 3 5461) h)
                 table <- right (buildTable LeastSignificantFirst (ArrayOn surface array) m)
@@ -111,6 +112,9 @@ spec = do
                   ( Map.fromListWith (flip (++)) [(w, [p]) | (w, p) <- standing]
                       === Map.fromList (tableEntries table)
                   )
+              | (folding, surface) <-
+                  [(Diagonal, Torus), (RowMajor, TwistedTorus), (Diagonal, Sheet)]
+            ]
   it "numbers that are no packed window occur nowhere: from q^cells up to the largest" $ do
     memory <- paperMemory
     let beyond =

@@ -21,6 +21,7 @@ import PraTactile.Symmetry
 import PraTactile.Window
 import Test.Code.Generators
 import Test.Code.Locate.Asking
+import Test.Effort
 import Test.Hspec
 import Test.Paper
 import Test.QuickCheck hiding (elements)
@@ -32,12 +33,12 @@ spec = do
   describe "by a list, what is said of doubt, margin and unlisted places holds" $
     forM_ settings $ \setting@(q, n, folding, _, _) ->
       it ("over GF(" ++ show q ++ "), n = " ++ show n ++ ", " ++ show folding) $
-        withMaxSuccess (if q == 4 then 600 else 150) $
+        withMaxSuccess (byEffort 60 (if q == 4 then 600 else 150)) $
           ofArray setting $ \array m ->
             conjoin [listingIsRight surface array m | surface <- [naturalSurface folding, Sheet]]
   beforeAll ((,,) <$> paperArray <*> paperCodebook Torus <*> paperAlgebra Torus)
     . it "a list that may be as long as need be is as good as the posterior"
-    $ \(array, codebook, algebra) -> withMaxSuccess 800 $
+    $ \(array, codebook, algebra) -> withMaxSuccess (byEffort 300 800) $
       forAll ((,) <$> genChancesOver array <*> QuickCheck.elements [0.001, 0.01, 0.1, 0.3]) $
         \(chances, tolerated) -> softly chances $ \p ->
           let exact = posterior codebook p
@@ -51,7 +52,7 @@ spec = do
                   not close ==> decide tolerated found === decide tolerated exact
   beforeAll ((,) <$> paperArray <*> paperAlgebra Torus)
     . it "such a list's margin is at least that of what it has and of all that it has not"
-    $ \(array, algebra) -> withMaxSuccess 400 $
+    $ \(array, algebra) -> withMaxSuccess (byEffort 150 400) $
       forAll
         ( (,,)
             <$> genChancesOver array
@@ -76,9 +77,11 @@ spec = do
                         _ -> property True
                     ]
   it "such a list decides as Bayes' theorem does, in one symmetry or several" $
-    withMaxSuccess 300 $ ofArray (3, 3, Diagonal, Shape 2 13, Shape 1 3) listingDecides
+    withMaxSuccess (byEffort 100 300) $
+      ofArray (3, 3, Diagonal, Shape 2 13, Shape 1 3) listingDecides
   it "in several symmetries a list of any length gives no doubt too small, and misses no more" $
-    withMaxSuccess 600 $ ofArray (3, 3, Diagonal, Shape 2 13, Shape 1 3) listingIsSafe
+    withMaxSuccess (byEffort 200 600) $
+      ofArray (3, 3, Diagonal, Shape 2 13, Shape 1 3) listingIsSafe
   largeSpec
   where
     settings =
@@ -106,7 +109,7 @@ codebookSpec = do
     decide 0.09 found `shouldBe` Refused BelowThreshold
   beforeAll ((,) <$> paperArray <*> paperWindow)
     . it "what is known beforehand makes places as much likelier as it says, and loses none"
-    $ \(array, window) -> withMaxSuccess 200 $
+    $ \(array, window) -> withMaxSuccess (byEffort 70 200) $
       forAll ((,) <$> genChancesOver array <*> vectorOf 7 (choose (-5, 0))) $
         \(chances, priors) -> softly chances $ \p ->
           let question = onePatch (Probabilities <$> p)
@@ -179,7 +182,7 @@ largeSpec = describe "on 2^60 cells" $ do
         posteriorUnlisted found `shouldBe` Just 0
   beforeAll ((,) <$> vastArray <*> vastAlgebra)
     . it "honest probabilities lead to the position, misleading ones to it or to none"
-    $ \(array, algebra) -> withMaxSuccess 12 $
+    $ \(array, algebra) -> withMaxSuccess (byEffort 3 12) $
       forAll
         ((,) <$> choose (0, 4 ^ (15 :: Int) - 2) <*> vectorOf 64 (vectorOf 4 (choose (0, 100))))
         $ \(r, noise) ->
@@ -193,16 +196,20 @@ largeSpec = describe "on 2^60 cells" $ do
                     counterexample (show found {posteriorRanking = []}) $
                       answer (decide 0.001 found)
            in decided standardListing cells (=== Unique place [])
-                .&&. decided 20000 misled (`elem'` [Unique place [], Refused BelowThreshold])
+                .&&. decided
+                  (byEffort 5000 20000)
+                  misled
+                  (`elem'` [Unique place [], Refused BelowThreshold])
   it "where nothing is known, none is the answer" $ do
     algebra <- vastAlgebra
     vague <-
       right (belief [0.25, 0.25, 0.25, 0.25])
         >>= right . patch . replicate 8 . replicate 8 . Just
-    found <- right (listed 1000 0.001 algebra vague)
+    let most = byEffort 100 1000
+    found <- right (listed most 0.001 algebra vague)
     decide 0.001 found `shouldBe` Refused BelowThreshold
-    posteriorWords found `shouldBe` 1000
-    nothing <- right (patch [[Nothing, Nothing]]) >>= right . listed 1000 0.001 algebra
+    posteriorWords found `shouldBe` most
+    nothing <- right (patch [[Nothing, Nothing]]) >>= right . listed most 0.001 algebra
     decide 0.001 nothing `shouldBe` AmbiguousMany (4 ^ (30 :: Int) - 1) (Just 30)
   where
     -- A Gaussian reading: 6 is the distance between the right symbol and the others, in standard

@@ -1,3 +1,5 @@
+{-# LANGUAGE RankNTypes #-}
+
 -- | What the code says of turned and mirrored patches.
 module Test.Code.Locate.UnknownOrientation (spec) where
 
@@ -17,6 +19,7 @@ import PraTactile.Symmetry
 import PraTactile.Window (Packing (..))
 import Test.Code.Generators
 import Test.Code.Locate.Asking
+import Test.Effort
 import Test.Hspec
 import Test.Paper
 import Test.QuickCheck hiding (elements, total)
@@ -38,7 +41,8 @@ distanceSpec = do
       `shouldBe` [[0, 0, 4, 8], [0, 0, 5, 10], [0, 0, 0, 0], [1, 4, 9, 16]]
   forM_ small $ \setting@(q, _, _, shape, _) ->
     it ("is the least by which two candidates differ: GF(" ++ show q ++ "), " ++ show shape) $
-      withMaxSuccess 60 $
+      -- All candidates are compared with all: fewer cases of larger arrays.
+      withMaxSuccess (byEffort (min 60 (600 `div` fromIntegral (area shape))) 60) $
         ofArray setting $ \array _ ->
           forAll (genObserved 4) $ \(size, offsets) -> forAll genOrientations $ \possible ->
             candidateDistance (ArrayOn Torus array) possible size offsets
@@ -119,18 +123,20 @@ nearestSpec = do
 mirrorSpec :: Spec
 mirrorSpec = do
   it "are their own mirror image but for a shift; the axis is the column of zeros" $
-    forM_ [(2, k1) | k1 <- [1 .. 6]] mirrorImages
+    forM_ [(2, k1) | k1 <- [1 .. 6]] (mirrorImages id)
   it "over GF(4), GF(8), GF(16), GF(32) and GF(64) as well" $
-    forM_ [(4, 1), (4, 2), (4, 3), (8, 1), (8, 2), (16, 1), (32, 1), (64, 1)] mirrorImages
+    forM_ [(4, 1), (4, 2), (4, 3), (8, 1), (8, 2), (16, 1), (32, 1), (64, 1)] $
+      mirrorImages (byEffort (take 20) id)
   it "while one of windows with three columns is not" $ do
     cells <- arrayOver gf2 9 Diagonal (Shape 7 73) >>= right . toRows
     [(r, c) | r <- [0 .. 6], c <- [0 .. 72], shiftedBy r c cells == map reverse cells]
       `shouldBe` []
   where
-    -- Every primitive polynomial.
-    mirrorImages (order, k1) = overField order $ \(_ :: Proxy k) -> do
-      let q = fromIntegral order ^ (k1 :: Natural)
-      polynomials <- right (primitivePolynomials (2 * k1)) :: IO [Primitive k]
+    -- Of every primitive polynomial, or of some.
+    mirrorImages :: (forall a. [a] -> [a]) -> (Int, Natural) -> Expectation
+    mirrorImages some (order, k1) = overField order $ \(_ :: Proxy k) -> do
+      let q = fromIntegral order ^ k1
+      polynomials <- some <$> right (primitivePolynomials (2 * k1)) :: IO [Primitive k]
       polynomials `shouldNotBe` []
       forM_ polynomials $ \h -> do
         cells <- right (folded Diagonal (Shape (q - 1) (q + 1)) h) >>= right . toRows

@@ -1,11 +1,15 @@
+{-# OPTIONS_GHC -O1 #-}
+
 -- | Visiting all windows of any matrix, by lists and sets alone.
 module Test.Code.Window.Visiting (visitingSpec) where
 
 import Control.Monad (forM_, void)
-import qualified Data.IntSet as IntSet
-import Data.List (elemIndex, foldl', nub, tails)
+import Data.List (elemIndex, foldl', nub)
 import Data.Maybe (listToMaybe)
 import qualified Data.Set as Set
+import qualified Data.Vector.Primitive as Primitive
+import qualified Data.Vector.Primitive.Mutable as Mutable
+import Data.Word (Word8)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Grid
@@ -13,6 +17,7 @@ import PraTactile.Window
 import PraTactile.Window.Enumeration
 import PraTactile.Window.Proof
 import Test.Code.Generators
+import Test.Effort
 import Test.Hspec hiding (before)
 import Test.Paper
 import Test.QuickCheck hiding (elements)
@@ -53,23 +58,24 @@ pseudorandom q =
 chunksOf :: Int -> [a] -> [[a]]
 chunksOf n xs = let (first, rest) = splitAt n xs in first : chunksOf n rest
 
--- | The contents of all windows of k1 x k2 cells over three symbols, by lists alone.
-contentsOf :: Surface -> Int -> Int -> [[Int]] -> IntSet.IntSet
-contentsOf on k1 k2 codes =
-  IntSet.fromList (concatMap rowOfWindows (take visitedRows (tails continued)))
+-- | How many contents the windows of k1 x k2 cells have, of h x w cells over three symbols row by
+-- row: each window by itself.
+differentContents :: Surface -> (Int, Int) -> (Int, Int) -> Primitive.Vector Int -> Int
+differentContents on (h, w) (k1, k2) cells =
+  Primitive.foldl' (\count mark -> count + fromIntegral mark) 0 marks
   where
-    h = length codes
-    w = length (concat (take 1 codes))
+    marks = Primitive.create $ do
+      seen <- Mutable.replicate (3 ^ (k1 * k2)) (0 :: Word8)
+      forM_ [0 .. visitedRows - 1] $ \r -> forM_ [0 .. visitedColumns - 1] $ \c ->
+        Mutable.write seen (contentAt r c) 1
+      pure seen
     (visitedRows, visitedColumns) = if on == Sheet then (h - k1 + 1, w - k2 + 1) else (h, w)
-    beneath = take (h + k1) (cycle codes)
-    continued = case on of
-      Torus -> map (\r -> r ++ take k2 r) beneath
-      TwistedTorus -> zipWith (\r next -> r ++ take k2 next) beneath (drop 1 (cycle codes))
-      Sheet -> codes
-    -- Each column as a number, then each window as that of its columns.
-    rowOfWindows rows' = take visitedColumns (map packed (tails (asNumbers (take k1 rows'))))
-    packed columns' = foldl' (\n c -> 3 ^ k1 * n + c) 0 (take k2 columns')
-    asNumbers rows' = foldl' (zipWith (\a b -> 3 * a + b)) (repeat 0) rows'
+    contentAt r c = foldl' (\n (i, j) -> 3 * n + cells Primitive.! index (r + i) (c + j)) 0 window
+    window = [(i, j) | i <- [0 .. k1 - 1], j <- [0 .. k2 - 1]]
+    index r c = case on of
+      Torus -> (r `mod` h) * w + c `mod` w
+      TwistedTorus -> (r * w + c) `mod` (h * w)
+      Sheet -> r * w + c
 
 shrinkMatrix :: ([[Int]], [(Natural, Natural)]) -> [([[Int]], [(Natural, Natural)])]
 shrinkMatrix (codes, offsets) =
@@ -162,14 +168,17 @@ visitingSpec = do
     -- 3 x 9000 has two strips and a part of one; 31 x 8500 and 8500 x 31 have more than 2^18
     -- windows; 4 x 4 ones are sorted.
     forM_
-      [(3, 9000, 2, 3), (3, 9000, 3, 1), (31, 8500, 2, 5), (8500, 31, 3, 3), (31, 8500, 4, 4)]
+      ( [(3, 9000, 2, 3), (31, 8500, 2, 5), (8500, 31, 3, 3)]
+          ++ byEffort [] [(3, 9000, 3, 1), (31, 8500, 4, 4)]
+      )
       $ \(h, w, k1, k2) -> do
-        let codes = take h (chunksOf w (pseudorandom 3))
-        grid <- right (gridFromRows 3 codes)
+        let cells = take (h * w) (pseudorandom 3)
+            known = Primitive.fromList cells
+        grid <- right (gridFromRows 3 (take h (chunksOf w cells)))
         m <- right (rectangle (Shape (fromIntegral k1) (fromIntegral k2)))
         forM_ [minBound .. maxBound] $ \on ->
           fmap differentWindows (enumerate on grid m)
-            `shouldBe` Right (fromIntegral (IntSet.size (contentsOf on k1 k2 codes)))
+            `shouldBe` Right (fromIntegral (differentContents on (h, w) (k1, k2) known))
   it "windows with more contents than machine words have, too" $ do
     -- 25 cells over 4 symbols: 2^50 contents; 36 cells: 2^72.
     array <- paperArray

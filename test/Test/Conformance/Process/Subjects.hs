@@ -6,7 +6,7 @@ module Test.Conformance.Process.Subjects
     conform,
     adder,
     once,
-    withProfile,
+    paperFile,
 
     -- * Reading reports
     outcomes,
@@ -16,14 +16,15 @@ module Test.Conformance.Process.Subjects
   )
 where
 
+import Control.Monad (filterM)
 import Data.Aeson
 import qualified Data.Aeson.KeyMap as KeyMap
+import qualified Data.ByteString as Bytes
 import Data.Foldable (toList)
 import qualified Data.Text as Text
-import System.FilePath ((</>))
-import System.Process (readProcess)
+import System.Directory (findExecutables)
+import System.IO (IOMode (..), withBinaryFile)
 import Test.CommandLine.Run
-import Test.Support (inFolder)
 
 -- | @conform@ with these options on this command.
 conform :: [String] -> [String] -> IO Outcome
@@ -33,34 +34,31 @@ conform options subject = praAlone ("conform" : options ++ "--" : subject)
 -- what concerns it is tried.
 adder :: [String] -> [String] -> IO Outcome
 adder options arguments =
-  withProfile $ \profile ->
-    python ("test/subjects/faulty.py" : arguments)
-      >>= conform
-        (words tried ++ "--profile" : profile : options)
+  python ("test/subjects/faulty.py" : arguments)
+    >>= conform (words tried ++ "--profile" : paperFile : options)
   where
     tried = "--run field/addition-as-defined --run protocol/none-in-force --run protocol/ends-*"
 
 -- | The same with a process a request.
 once :: [String] -> [String] -> IO Outcome
 once options arguments =
-  withProfile $ \profile ->
-    python ("test/subjects/once.py" : arguments)
-      >>= conform
-        (words "--one-shot --run field/addition-as-defined --profile" ++ profile : options)
+  python ("test/subjects/once.py" : arguments)
+    >>= conform
+      (words "--one-shot --run field/addition-as-defined --profile" ++ paperFile : options)
 
 -- | The command that runs this in Python: the interpreter itself, as what is called python3 may be
 -- a script that takes longer than the interpreter to start.
 python :: [String] -> IO [String]
 python arguments = do
-  found <- readProcess "python3" ["-c", "import sys; print(sys.executable)"] ""
-  pure (takeWhile (/= '\n') found : "-S" : arguments)
+  found <- findExecutables "python3" >>= filterM (fmap (/= "#!") . beginning)
+  pure (take 1 (found ++ ["python3"]) ++ "-S" : arguments)
+  where
+    beginning file = withBinaryFile file ReadMode (`Bytes.hGet` 2)
 
--- | With a file that has the paper's profile.
-withProfile :: (FilePath -> IO a) -> IO a
-withProfile use = inFolder $ \folder -> do
-  (_, profile, _) <- praAlone ["profile"]
-  writeFile (folder </> "paper.json") profile
-  use (folder </> "paper.json")
+-- | The paper's profile. Where no profile is named, the definition prepares all default ones first,
+-- which takes most of a second.
+paperFile :: FilePath
+paperFile = "examples/adapter/paper.json"
 
 -- | The laws of a report with their outcomes.
 outcomes :: String -> [(String, String)]

@@ -40,12 +40,17 @@ import Test.Touch.Paper (paperAlphabet)
 
 spec :: Spec
 spec = do
-  it "of the cube and the parallelepiped: 6480 and 5840 taxels, one closed surface each" $
+  it "of the paper's solids: one closed surface each, as large as its solid and its taxels" $
     withArray $ \array -> do
       layout <- right canonicalPlacement
       paper <- right paperAlphabet
-      for_ [("cube", 6480, 13275570223 % 6400), ("parallelepiped", 5840, 11161638967 % 6400)] $
-        \(name, taxels, size) -> do
+      for_
+        ( byEffort
+            (drop 1)
+            id
+            [("cube", 6480, 13275570223 % 6400), ("parallelepiped", 5840, 11161638967 % 6400)]
+        )
+        $ \(name, taxels, size) -> do
           made <- right (embossed paper array layout (WholeObject name))
           embossedTaxels made `shouldBe` taxels
           embossedVolume made `shouldBe` Volume size 0

@@ -313,7 +313,7 @@ fileSpec = do
 touchSpec :: Spec
 touchSpec = do
   it "are pressed and recognised, with symbols of any size" $ do
-    recognised AnyVertex 1 [Octahedron 250]
+    whenFull $ recognised AnyVertex 1 [Octahedron 250]
     recognised AnyVertex (1 / 2) [LShape 120 60 120, Prism 5 100 80]
   it "are recognised where they are two rows high and the window three" $
     recognised AsNamed 1 [Box 250 250 80]
@@ -322,7 +322,8 @@ touchSpec = do
       alphabet <- right paperAlphabet
       network <- right paperNetwork
       place <- right (laidBy 1 size begun (map namedDescription chosen))
-      let profile =
+      let presses = byEffort 2 8
+          profile =
             canonicalProfile
               { profilePolynomial = [2, 1, 1, 0, 0, 0, 1],
                 profileState = [0, 0, 0, 0, 0, 1],
@@ -331,7 +332,7 @@ touchSpec = do
               }
           experiment =
             (standardExperiment idealSensor)
-              { experimentPresses = 8,
+              { experimentPresses = presses,
                 experimentExploration = exploration idealSensor AnyAngle (40, 72)
               }
       results <-
@@ -350,4 +351,6 @@ touchSpec = do
             either (Left . show) Right (evaluated experiment array reader)
       outcomes <- map withStitching <$> right results
       [() | Mistaken _ <- outcomes] `shouldBe` []
-      length [() | Correct _ <- outcomes] `shouldSatisfy` (>= 6)
+      -- All but a few.
+      length [() | Correct _ <- outcomes]
+        `shouldSatisfy` (>= presses - max 1 (presses `div` 4))

@@ -21,8 +21,9 @@ import PraTactile.Object.Validity
 import PraTactile.Object.Vector
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
+import Test.Effort
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
 import Test.Recognition.Object.Support (layingFor)
 import Test.Support
@@ -32,7 +33,7 @@ spec :: Spec
 spec = do
   -- A tilted block 10^12 mm away along one axis was written as a plane figure, of volume 0: no two
   -- points became one, and no triangle turned over.
-  modifyMaxSuccess (const 100) . prop "far away it is the same solid, or it is refused" $
+  withCases 25 100 . prop "far away it is the same solid, or it is refused" $
     forAll (elements [minBound ..]) $ \body ->
       forAll (elements [Binary32, Decimals]) $ \precision ->
         forAll (elements [1, 1e-6, 1e-30, 1e-41]) $ \size ->

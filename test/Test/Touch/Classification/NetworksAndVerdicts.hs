@@ -29,7 +29,7 @@ import PraTactile.Image
 import PraTactile.Shape
 import PraTactile.Symmetry
 import System.Random (StdGen, mkStdGen)
-import Test.Effort (byEffort)
+import Test.Effort (byEffort, withCases)
 import Test.Hspec
 import Test.QuickCheck hiding (classify, generate)
 import Test.Support
@@ -66,7 +66,7 @@ spec = do
                         (a, b) <- zip as bs
                     ]
                   .&&. map length found === replicate (outputCount n) (length drawn)
-    it "refuses drawn that are not 8 x 12, or hold values that are not numbers" $
+    it "refuses images that are not 8 x 12, or hold values that are not numbers" $
       property $
         forAll networkGen $ \n ->
           map (outputs n) [constant 12 8 0, constant 8 11 0, constant 0 0 0, constant 8 12 (0 / 0)]
@@ -75,7 +75,7 @@ spec = do
                   Left (WrongImageSize 0 0),
                   Left NotFinite
                 ]
-    it "sigmoid x = 1 / (1 + e^-x)" $
+    withCases 25 100 . it "sigmoid x = 1 / (1 + e^-x)" $
       property $
         -- Where the powers of two end between which e^x is a series, too.
         forAll (oneof [choose (-40, 40), besidePowers]) $ \x ->
@@ -234,7 +234,7 @@ spec = do
           | kind <- impostors,
             let tallies = specimens n a kind 5
         ]
-          `shouldSatisfy` all (\(_, taken, classes) -> 500 * taken < classes * images)
+          `shouldSatisfy` all (\(_, taken, drawn) -> 500 * taken < drawn * images)
     it "with another number of classes than the alphabet a network gives no estimate" $
       onShipped $ \_ a -> do
         single <- right (network (fromLists [replicate 97 0]) (fromLists [[0, 0]]))

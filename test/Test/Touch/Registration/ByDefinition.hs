@@ -21,7 +21,7 @@ import PraTactile.Registration.Model
 import PraTactile.Registration.Pair.Lattice
 import PraTactile.Registration.Posterior (Hypothesis (..), Posterior (..))
 import PraTactile.Registration.Search (Registration (..), standardRegistration)
-import Test.Effort (withCases)
+import Test.Effort (byEffort, withCases)
 import Test.Hspec
 import Test.QuickCheck hiding (classes, generate, sample, tables, total)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
@@ -35,8 +35,8 @@ spec = do
   cellSpec
   withCases 2 10 frameSpec
   withCases 2 12 ascentSpec
-  withCases 2 6 jointSpec
-  withCases 2 6 pairSpec
+  withCases 1 6 jointSpec
+  withCases 1 6 pairSpec
 
 cellSpec :: Spec
 cellSpec =
@@ -219,7 +219,7 @@ jointSpec =
               .&&. near 1e-3 "sigma" (toList sigma) [sigma' | length frames > 1]
   where
     genFrames = do
-      count <- choose (1, 3)
+      count <- choose (byEffort 2 1, 3)
       forM [1 .. count :: Int] $ \k -> do
         jitter <- (,) <$> choose (-1, 1) <*> choose (-1, 1)
         noise <- genRasterOf 12 13

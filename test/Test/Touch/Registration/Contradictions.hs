@@ -17,14 +17,14 @@ import PraTactile.Registration.Neighbours (Neighbours (..), neighboursAround)
 import PraTactile.Registration.Search
 import PraTactile.Sensor.Frame (Pose (..))
 import PraTactile.Sensor.Manifest (Axes, alongAxes, axesNamed, straight)
-import Test.Effort (withCases)
+import Test.Effort (byEffort, withCases)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 spec :: Spec
 spec =
-  withCases 7 60
+  withCases 4 60
     . it "frames contradict each other as defined, to where the answer changes"
     $ forAllBlind genMixed $ \(settings, frames) ->
       let answer = defined settings . frames
@@ -37,7 +37,7 @@ spec =
     -- A share from 0 to 1 and one next to it for which the answer is another, if there are such.
     changing answer
       | answer 0 == answer 1 = (0, 1)
-      | otherwise = closer (30 :: Int) (0, 1)
+      | otherwise = closer (byEffort 12 30 :: Int) (0, 1)
       where
         closer n (a, b)
           | n <= 0 = (a, b)

@@ -23,7 +23,7 @@ import PraTactile.Registration.Lattice.Places (placesGrid)
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search (Registration (..), standardRegistration, supposedSigma)
-import Test.Effort (withCases)
+import Test.Effort (byEffort, withCases)
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (classes, scale, tables, total)
@@ -34,7 +34,7 @@ import qualified Test.Touch.Registration.Definition as Definition
 spec :: Spec
 spec = do
   gridSpec
-  withCases 3 24 phaseSpec
+  withCases 2 24 phaseSpec
   withCases 5 40 optionSpec
   withCases 50 400 consensusSpec
   withCases 37 300 locatedSpec
@@ -94,7 +94,11 @@ phaseSpec = do
   it "the lattice lies where all frames, each where its prior lets it be, have it likeliest" $
     forAllBlind (choose (2, 3) >>= (`vectorOf` ((,) <$> genPlace <*> genPhases))) $ \frames ->
       forAll (choose (0.2, 0.5)) $ \sigma ->
-        let settings = standardRegistration {registrationSigma = Just sigma, registrationReach = 3}
+        let settings =
+              standardRegistration
+                { registrationSigma = Just sigma,
+                  registrationReach = byEffort 1.5 3
+                }
             robot = robotOf settings
             (o, y, x) = Definition.commonPhase robot [seenAt p v V.empty | (p, v) <- frames]
             found = commonPhase (gridOf settings) [(p, blank {phaseLogs = v}) | (p, v) <- frames]

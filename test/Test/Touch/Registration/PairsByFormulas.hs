@@ -17,7 +17,7 @@ import Test.Touch.Registration.Reliefs (genFrames)
 spec :: Spec
 spec = do
   withCases 3 25 processSpec
-  withCases 6 50 pairSpec
+  withCases 3 50 pairSpec
 
 tables :: Spectra
 tables = spectra 9 8

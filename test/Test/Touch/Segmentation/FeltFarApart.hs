@@ -18,14 +18,14 @@ import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region
 import PraTactile.Sensor.Frame
 import PraTactile.Symmetry
+import Test.Effort (byEffort, withCases)
 import Test.Hostile.Judgement (withinBounds)
-import Test.Effort (withCases)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
 
 spec :: Spec
 spec = do
-  withCases 2 3 rasterSpec
+  withCases 1 3 rasterSpec
   withCases 2 4 turnedSpec
   it "six frames of stripes, one of them thirty metres away, take no more than six" $ do
     composite <- composed [(0, 0), (12.7, 0), (25.4, 0), (0, 12.7), (12.7, 12.7), (3e4, 0)]
@@ -47,7 +47,7 @@ spec = do
 rasterSpec :: Spec
 rasterSpec =
   it "of a large image of which few pixels are kept, all is as if each were" $
-    forAll (IntSet.fromList <$> listOf (choose (0, w * h - 1))) $ \some ->
+    forAll (IntSet.fromList <$> listed (choose (0, w * h - 1))) $ \some ->
       let numbers = V.fromList (IntSet.toAscList some)
           value x y = fromIntegral (x + 2 * y + 1)
           few = generateAt w h numbers value
@@ -55,7 +55,7 @@ rasterSpec =
           places = [(x + 0.25, y - 0.5) | x <- [-1, 7, fromIntegral w - 1], y <- [0, 9]]
        in conjoin
             [ few === full,
-              conjoin [onRaster o few === onRaster o full | o <- symmetries],
+              conjoin [onRaster o few === onRaster o full | o <- someTurns],
               mapRaster (+ 1) few === mapRaster (+ 1) full,
               zipRaster (\a b -> a - 2 * b + 1) few few
                 === zipRaster (\a b -> a - 2 * b + 1) full full,
@@ -68,6 +68,10 @@ rasterSpec =
             ]
   where
     (w, h) = (1500, 800)
+    -- A single case would have no pixel.
+    listed = byEffort (resize 60 . listOf1) listOf
+    -- One that exchanges the axes, and one that does not.
+    someTurns = byEffort [turned 1, turned 2] symmetries
 
 -- | What was felt far apart, set upright.
 turnedSpec :: Spec

@@ -2,7 +2,8 @@
 -- how high symbols stand, and what is foreign beside them: each against its definition.
 module Test.Touch.Segmentation.ForeignThingsFound (spec) where
 
-import Data.List (nub, sort)
+import qualified Data.IntSet as IntSet
+import Data.List (sort)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite (Composite (..), compositeOf)
 import PraTactile.Composite.Level (Levels (..))
@@ -113,19 +114,18 @@ straightSpec = do
                 | p <- region,
                   k <- [0 .. 15],
                   let line =
-                        [ (x, y)
+                        [ y * wide + x
                           | t <- [0 .. 16],
                             let along part = round (t * part (radians k)) :: Int,
                             let (x, y) = (p `mod` wide + along cos, p `div` wide + along sin),
-                            x `elem` [0 .. wide - 1],
-                            y `elem` [0 .. high - 1]
+                            x >= 0 && x < wide,
+                            y >= 0 && y < high
                         ],
-                  length (filter (`elem` places) line) >= 16,
+                  length (filter (`IntSet.member` places) line) >= 16,
                   place <- line
               ]
-            places = [(p `mod` wide, p `div` wide) | p <- region]
-         in sort (concat (straight field region))
-              === sort (nub [y * wide + x | (x, y) <- onLines])
+            places = IntSet.fromList region
+         in sort (concat (straight field region)) === IntSet.toList (IntSet.fromList onLines)
   it "a line of 16 pixels is straight, of 15 is not, one may be missing; of 12 on a diagonal" $
     [ null (straight field region)
       | region <-

@@ -16,6 +16,7 @@ import PraTactile.Sensor
 import PraTactile.Sensor.Frame
 import PraTactile.Symmetry
 import System.Random (mkStdGen)
+import Test.Effort (byEffort, withCases)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
 import Test.Touch.Paper (stitch)
@@ -78,8 +79,9 @@ blanks = do
 
 one :: Spec
 one = do
-  it "is found to a third of a taxel wherever it lies, and shows what is embossed" $
-    conjoin
+  withCases 20 100
+    . it "is found to a third of a taxel wherever it lies, and shows what is embossed"
+    $ conjoin
       [ forAll
           ((,,) <$> choose (1, 100000) <*> choose (6, 26) <*> choose (6, 34))
           $ \(seed, x, y) ->
@@ -141,7 +143,7 @@ alone composite check = case segment composite of
 
 rejected :: Spec
 rejected = do
-  it "a symbol cut off by three taxels or more is called so, in all its pieces" $
+  withCases 10 100 . it "a symbol cut off by three taxels or more is called so, in all its pieces" $
     conjoin
       [ forAll (choose (3, 6)) $ \cut ->
           conjoin
@@ -150,8 +152,9 @@ rejected = do
             ]
         | bitmap <- solid : embossing
       ]
-  it "a symbol is found where it is while a row at its edge, or half a column, was not touched" $
-    conjoin
+  withCases 10 100
+    . it "a symbol is found where it is while a row at its edge or half a column was not touched"
+    $ conjoin
       [ forAll ((,) <$> choose (0, 0.5) <*> choose (0, 0.9)) $ \(columns, rows') ->
           conjoin
             [ alone (compositeOf (embossedAt 40 52 [(place, bitmap)])) $ \symbol ->
@@ -167,8 +170,9 @@ rejected = do
             ]
         | bitmap <- embossing
       ]
-  it "one of which less than nine tenths was touched is cut off, though its box fits" $
-    conjoin
+  withCases 10 100
+    . it "one of which less than nine tenths was touched is cut off, though its box fits"
+    $ conjoin
       [ forAll (choose (0.7, 1.5)) $ \cut ->
           conjoin
             [ nothingBut CutOff (segment (compositeOf (embossedAt 40 52 [(place, bitmap)])))
@@ -223,7 +227,7 @@ presses =
       flip
         map
         [ (seed, fromIntegral (seed * 7 `mod` 160) / 8, fromIntegral (seed * 11 `mod` 160) / 8)
-          | seed <- [1 .. 24 :: Int]
+          | seed <- [1 .. byEffort 4 24 :: Int]
         ]
         $ \(seed, x, y :: Double) ->
           let cells = [[0, 1, 2, 3], [3, 2, 0, 1], [1, 0, 3, 2], [2, 3, 1, 0]]

@@ -12,6 +12,7 @@ import PraTactile.Image
 import PraTactile.Sensor
 import PraTactile.Sensor.Frame
 import PraTactile.Sensor.Press
+import Test.Effort (withCases)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, within)
 import Test.Touch.Sensor.MeanHeights (texture)
@@ -29,12 +30,10 @@ spec = do
              in radius - (area (u + taxelPitch) - area u) / taxelPitch
           wanted i j = (50 - low (if axis == AboutY then i else j)) / 100
        in within 2e-4 (forwardImage sensor plain (Pose 100 100 0)) (generate 16 16 wanted)
-  it "an element has under it what is as far along the circle as a chain of chords is long" $
-    forAll ((,) <$> choose (18, 200) <*> anyTurn) $ \(radius, turn) ->
+  withCases 6 100
+    . it "an element has under it what is as far along the circle as a chain of chords is long"
+    $ forAll ((,) <$> choose (18, 200) <*> anyTurn) $ \(radius, turn) ->
       let sensor = idealSensor {sensorColumns = 3, sensorRows = 14, sensorFullScale = 100}
-          -- Rises by 1 mm a millimetre of arc, from 50 under the sensor's middle.
-          cell = 0.05
-          ramp = heightMap cell (generate 800 600 (\x _ -> cell * (fromIntegral x + 0.5) + 30))
           seen = forwardImage sensor (bent radius AboutY ramp) (Pose 20 15 turn)
           under i j =
             mean'
@@ -120,6 +119,12 @@ spec = do
             ]
           centre n k one = sensorTaxel one * (fromIntegral k - (fromIntegral n - 1) / 2)
       abs (leastRadius sensor - maximum points) `shouldSatisfy` (< 1e-3)
+
+-- | Rises by 1 mm a millimetre of arc, from 50 under the middle of a sensor at (20, 15).
+ramp :: HeightMap
+ramp = heightMap cell (generate 800 600 (\x _ -> cell * (fromIntegral x + 0.5) + 30))
+  where
+    cell = 0.05
 
 anyTurn :: Gen Double
 anyTurn = oneof [elements [0, 90, 180, 270], choose (0, 360)]

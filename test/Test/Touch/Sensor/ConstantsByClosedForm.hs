@@ -11,6 +11,7 @@ import PraTactile.Sensor.Frame
 import PraTactile.Sensor.Press
 import PraTactile.Sensor.Response
 import System.Random (mkStdGen)
+import Test.Effort (withCases)
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (generate, sample)
@@ -106,8 +107,9 @@ spreading = do
           boussinesq far = t ** 3 * (far + t * t) ** (-2.5)
           r2 = 1.5875 * 1.5875 * fromIntegral (i * i + j * j :: Int)
        in near 1e-12 (at felt (15 + i) (15 + j) / at felt 15 15) (boussinesq r2 / boussinesq 0)
-  prop "a point's force adds up to itself, and a load that is even everywhere stays so" $
-    forAll (choose (1, 2)) $ \t ->
+  withCases 30 100
+    . prop "a point's force adds up to itself, and a load that is even everywhere stays so"
+    $ forAll (choose (1, 2)) $ \t ->
       let point = generate 41 41 (\x y -> if (x, y) == (20, 20) then 3 else 0)
        in near 1e-9 (V.sum (rasterValues (spreadForces 1.5875 t point))) 3
             .&&. near 1e-9 (at (spreadForces 1.5875 t (constant 41 41 0.2)) 20 20) 0.2

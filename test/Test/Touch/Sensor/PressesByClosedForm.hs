@@ -13,6 +13,7 @@ import PraTactile.Sensor.Frame
 import PraTactile.Sensor.Press
 import PraTactile.Sensor.Response
 import System.Random (mkStdGen)
+import Test.Effort (byEffort)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
 import Test.Touch.Sensor.MeanHeights (texture)
@@ -189,25 +190,29 @@ pressSpec = do
        in closeTo (forwardImage rigid relief pose) wanted
             .&&. closeTo (fst (press rigid relief pose (mkStdGen 1))) wanted
   it "bears a twentieth of its force at least, and tilts alike across and down" $ do
-    let even' = heightMap 5 (constant 20 20 0)
+    let many = byEffort 100 400 :: Int
+        count = fromIntegral many
+        even' = heightMap 5 (constant 20 20 0)
         linear = idealSensor {sensorTab = 1.1, sensorStiffness = 0.19, sensorFullForce = 10}
         images sensor =
-          map frameImage (fst (scan sensor even' stay (replicate 400 (Pose 50 50 0)) (mkStdGen 2)))
+          map frameImage (fst (scan sensor even' stay (replicate many (Pose 50 50 0)) (mkStdGen 2)))
         forces = [10 * V.sum (rasterValues i) | i <- images linear {sensorForceSpread = 1}]
         tilted = images linear {sensorTiltSpread = 0.02}
         -- From the outer elements' centres to the middle is 15 / 16 of half the sensor.
         tilts (x, y) = [(at i x y - at i (15 - x) (15 - y)) / 0.019 / 2 * 16 / 15 | i <- tilted]
-        deviation values = sqrt (sum (map (^ (2 :: Int)) values) / 400)
+        deviation values = sqrt (sum (map (^ (2 :: Int)) values) / count)
         (right', down) = (tilts (15, 8), tilts (8, 15))
         -- Opposite elements lie a row or a column beside the middle.
         own = 0.02 * 1.5875
     minimum forces `shouldSatisfy` (\least -> abs (least - 0.5) < 1e-9)
-    -- 17 % of the draws are below that.
-    length (filter (< 0.5000001) forces) `shouldSatisfy` (\n -> n > 30 && n < 110)
+    -- 17 % of the draws are below that: within five standard errors.
+    fromIntegral (length (filter (< 0.5000001) forces)) / count
+      `shouldSatisfy` (\part -> part > 0 && abs (part - 0.171) < 5 * sqrt (0.171 * 0.829 / count))
     [deviation right', deviation down]
-      `shouldSatisfy` all (\sd -> abs (sd - own) < 5 * own / sqrt 800 + own / 200)
+      `shouldSatisfy` all (\sd -> abs (sd - own) < 5 * own / sqrt (2 * count) + own / 200)
     -- The two are drawn apart.
-    abs (sum (zipWith (*) right' down) / 400) `shouldSatisfy` (< 5 * own * own / 20 + own * own / 7)
+    abs (sum (zipWith (*) right' down) / count)
+      `shouldSatisfy` (< 5 * own * own / sqrt count + own * own / 7)
   it "has noise of which a row and a column have their shares in common, the last ones too" $ do
     let sensor =
           idealSensor

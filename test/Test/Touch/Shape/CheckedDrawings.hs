@@ -4,6 +4,7 @@
 -- with it.
 module Test.Touch.Shape.CheckedDrawings (spec) where
 
+import Control.Monad (when)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Foldable (for_)
 import Data.List (tails)
@@ -23,7 +24,7 @@ import System.Directory (findExecutable)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
 import System.Process (readProcessWithExitCode)
-import Test.Effort (whenFull)
+import Test.Effort (byEffort, whenFull)
 import Test.Hspec
 import Test.QuickCheck
 import Test.Support
@@ -42,7 +43,9 @@ spec = do
     for_ drawnFaults $ \(kinds, rows) -> do
       a <- right (drawing [("x", rows)])
       faults a `shouldBe` map (Fault "x") kinds
-      checkedInPython a >>= mapM_ (`shouldBe` ExitFailure 1)
+      -- One that is drawn by taxels, and one of several faults.
+      when (byEffort (kinds `elem` [[Stroke], [Side, Area, OwnImage]]) True) $
+        checkedInPython a >>= mapM_ (`shouldBe` ExitFailure 1)
   it "two shapes are too near below 32 taxels, each however it is turned, mirrored or shifted" $ do
     four <- right (shippedAlphabet 4)
     let first = take 1 (zip ["a"] (shapes four))
@@ -85,8 +88,9 @@ spec = do
     (a, report) <- right (design 1 few)
     reportAlphabets report `shouldBe` Nothing
     reportSeparation report `shouldBe` separation a
-    (b, _) <- right (design 2 few)
-    separation b `shouldBe` separation a
+    whenFull $ do
+      (b, _) <- right (design 2 few)
+      separation b `shouldBe` separation a
   where
     -- Whether taxel (u, v) of the first's box, or beside it, is not as that of the second is,
     -- transformed about the boxes' common middle and then shifted.

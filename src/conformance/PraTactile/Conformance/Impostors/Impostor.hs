@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE RankNTypes #-}
 
@@ -52,7 +53,7 @@ definition = library {open = fmap (\k -> answering (defined k)) . knownUnder}
 knownUnder :: Profile -> Wire Known
 knownUnder = withExceptT (Refusal . reason) . except . known
   where
-    reason why = case why of
+    reason cause = case cause of
       NoArray -> "impossible-profile"
       TooManyCells -> "table-too-large"
 

@@ -1,3 +1,4 @@
+{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Faces of solids laid on arrays, by the definition of what lies on a face.
@@ -162,8 +163,7 @@ impossible mapped =
                              (map (const '#' <$>) (drawnCells laid))
                      },
                    laid {drawnCells = map ('#' :) (drawnCells laid)},
-                   laid {drawnCells = []},
-                   laid {drawnMargin = Just (-1 / 7, 0)}
+                   laid {drawnCells = []}
                  ]
              elements
                [ mapped {mappedLayings = before ++ [changed] ++ after},
@@ -172,6 +172,12 @@ impossible mapped =
                    { mappedLayings = layings ++ [laid {drawnFace = begunLater (drawnFace laid)}]
                    }
                ]
+           | not (null layings)
+         ]
+      -- A margin that leaves the face.
+      ++ [ do
+             (before, laid, after) <- elements (eachOf layings)
+             pure mapped {mappedLayings = before ++ [laid {drawnMargin = Just (-1 / 7, 0)}] ++ after}
            | not (null layings)
          ]
   where
