@@ -207,7 +207,7 @@ main = do
   _ <- installHandler sigPIPE Ignore Nothing
   hspecWith
     defaultConfig
-      { configConcurrentJobs = Just 2,
+      { configConcurrentJobs = Just 3,
         configQuickCheckSeed = byEffort (Just 20041) Nothing
       }
     specs

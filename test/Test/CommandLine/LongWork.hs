@@ -140,12 +140,13 @@ progressSpec = do
     it (name ++ " tells it on a terminal") $
       inFolder $ \folder -> do
         let command =
-              "timeout 60 pra-tactile "
+              "exec pra-tactile "
                 ++ arguments
                 ++ " --output "
                 ++ folder </> "out > "
                 ++ folder </> "printed"
-        -- script runs it on a pseudo-terminal, where here the standard error goes alone.
+        -- script runs it on a pseudo-terminal, to which the standard error alone goes here, and ends
+        -- it when script itself is ended.
         seen (proc "script" ["-qfc", command, "/dev/null"]) [shown, "\r["]
   it "evaluate tells it on a terminal, and clears its line" $ do
     told <-

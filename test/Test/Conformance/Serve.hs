@@ -66,11 +66,13 @@ spec = do
         ofEach =
           ["register/blank", "stitch/truth-stays", "segment/blank", "network/outputs-of-each-taxel"]
         oneShot = "--one-shot" : byEffort (running ["register/blank"]) []
-    for_ [(byEffort (running ofEach) [], []), (oneShot, ["--one-shot"])] $ \(how, server) -> do
+        session = (byEffort (running ofEach) [], [], True)
+    -- Certified is what holds a law of each operation that it offers.
+    for_ [session, (oneShot, ["--one-shot"], effort == Full)] $ \(how, server, certified) -> do
       (status, out, err) <- conform (options ++ how) (served ++ server)
       (status, err) `shouldBe` (0, "")
       [law | law@(_, outcome) <- outcomes out, outcome /= "held"] `shouldBe` []
-      reported "certified" out `shouldBe` Just (Bool (effort == Full))
+      reported "certified" out `shouldBe` Just (Bool certified)
   it "says of a law of touch that it needs its stage" $ do
     (status, out, err) <- conform ["--profile", paperFile, "--run", "register/blank"] served
     (status, out) `shouldBe` (2, "")
