@@ -27,10 +27,10 @@ import Numeric.Natural (Natural)
 import PraTactile.Factorisation.Divisor
 import PraTactile.Factorisation.Prime
 
--- | The primes that divide a number, ascending, each with its exponent. Refuses 0, numbers left with
--- two prime factors of more than about 12 digits, and those with a prime above 'millerRabinDomain'
--- for which 'pocklingtonFactors' are too few. O(sqrt p) products modulo the number for its second
--- largest prime p, at most 2^23.
+-- | The primes that divide a number, ascending, each with its exponent. Refuses 0, a number left
+-- with two prime factors of more than about 12 digits, and one with a prime above
+-- 'millerRabinDomain' for which 'pocklingtonFactors' are too few. O(sqrt p) products modulo the
+-- number for its second largest prime p, at most 2^23.
 --
 -- >>> factorise (2 ^ 64 - 1)
 -- Right [(3,1),(5,1),(17,1),(257,1),(641,1),(65537,1),(6700417,1)]

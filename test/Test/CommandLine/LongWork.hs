@@ -145,8 +145,8 @@ progressSpec = do
                 ++ " --output "
                 ++ folder </> "out > "
                 ++ folder </> "printed"
-        -- script runs it on a pseudo-terminal, to which the standard error alone goes here, and ends
-        -- it when script itself is ended.
+        -- script runs it on a pseudo-terminal, to which only the standard error goes, and ends it
+        -- when script itself is ended.
         seen (proc "script" ["-qfc", command, "/dev/null"]) [shown, "\r["]
   it "evaluate tells it on a terminal, and clears its line" $ do
     told <-

@@ -23,7 +23,9 @@ spec =
         (said, told) <- bothOf ["place", solid, "--symbols", symbols]
         let layings = parts (at ["layings"] told)
         if null layings
-          then map numbersIn said `shouldBe` [figuresAt told ["cells_needed"] ++ figuresAt told ["cells"]]
+          then
+            map numbersIn said
+              `shouldBe` [figuresAt told ["cells_needed"] ++ figuresAt told ["cells"]]
           else do
             map (numbersIn . afterColon) (take (1 + length layings) said)
               `shouldBe` ( [ fromIntegral (length layings),
@@ -86,7 +88,8 @@ spec =
     onArray laying = case (figuresAt laying ["row"], figuresAt laying ["column"]) of
       ([row], [column]) ->
         let rows = parts (at ["cells"] laying)
-            (high, wide) = (fromIntegral (length rows), fromIntegral (maximum (0 : map textLength rows)))
+            high = fromIntegral (length rows)
+            wide = fromIntegral (maximum (0 : map textLength rows))
          in [high + min 0 row, wide + min 0 column, max 0 row, max 0 column]
       _ -> []
     textLength value = case value of

@@ -27,7 +27,7 @@ spec = do
     for_ allOperations $ \operation ->
       readValue operationForm (writeValue operationForm operation) `shouldBe` Right operation
   for_ allOperations $ \operation -> describe (nameOf operation) $ do
-    let questions = [(about, question) | (about, question) <- questionsOf operation, isTyped question]
+    let questions = filter (isTyped . snd) (questionsOf operation)
         inputOf (SomeQuestion question) = questionInput question
     it "inputs are read as they are written, whatever other keys there are" $
       for_ questions $ \(_, SomeQuestion question) -> do

@@ -123,7 +123,8 @@ reliefSpec = do
     onAnyFace test =
       whenRight (sequence [canonicalPlacement, platePlacement (Shape 15 17)]) $ \layouts ->
         forAllBlind (elements layouts) $ \layout ->
-          onArray canonicalProfile layout paperReader (\setting -> forAllBlind (elements (facesFelt setting)) test)
+          onArray canonicalProfile layout paperReader $ \setting ->
+            forAllBlind (elements (facesFelt setting)) test
     sensors =
       [ idealSensor,
         standardSensor {sensorPositionError = 3, sensorRotationError = 4},
@@ -198,7 +199,8 @@ decoderSpec = do
   it "a press costs what was touched from 2^16 cells on, unless nothing but comparing leads there" $
     once . conjoin $
       [ withPlate choice $ \setting ->
-          decoderOfProbabilities (recogniserLocator (recogniserOn surface setting)) === Right decoder
+          let locator = recogniserLocator (recogniserOn surface setting)
+           in decoderOfProbabilities locator === Right decoder
         | (choice, surface, decoder) <- decoders
       ]
   where

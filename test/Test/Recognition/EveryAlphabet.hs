@@ -40,7 +40,7 @@ spec = do
   -- A quick run has a field of two elements, one of a prime, and one of a prime's square; the
   -- paper's array is over another.
   for_ (byEffort [2, 7, 9] others) $ \q ->
-    it ("presses in the corners and along the edges are located: GF(" ++ show q ++ ")") . ioProperty $ do
+    it ("presses in corners and along edges are located: GF(" ++ show q ++ ")") . ioProperty $ do
       profile <- shippedProfile q
       symbols <- right (shippedReader q)
       plate <- right (platePlacement (profileShape profile))

@@ -31,9 +31,9 @@ spec = do
               fewer = byEffort everyFifth somePositions
           for_
             ( (Shape 2 2, somePositions) :
-                map
-                  (flip (,) fewer)
-                  [Shape 1 1, Shape 3 4, Shape 0 2, Shape 4 5, Shape 1 17, Shape 16 18]
+              map
+                (flip (,) fewer)
+                [Shape 1 1, Shape 3 4, Shape 0 2, Shape 4 5, Shape 1 17, Shape 16 18]
             )
             $ \(window, positions) ->
               for_ positions $ \at ->

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The window property of an array code: no content occurs twice in all its arrays. By visiting
 -- every window of every array, and by the rank of the mask; where both methods are possible they

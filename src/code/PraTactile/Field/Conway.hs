@@ -1,8 +1,8 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE AllowAmbiguousTypes #-}
 {-# LANGUAGE DefaultSignatures #-}
 {-# LANGUAGE FlexibleInstances #-}
 {-# LANGUAGE TypeApplications #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The Conway polynomials of the fields up to 256 elements (F. Luebeck's tables; the test suite
 -- compares them with those of another program), and the fields that have a type of their own.

@@ -1,8 +1,8 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE AllowAmbiguousTypes #-}
 {-# LANGUAGE FlexibleInstances #-}
 {-# LANGUAGE TypeApplications #-}
 {-# LANGUAGE TypeOperators #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The kind of field indices, and how an index written in a type is read as a value. Internal;
 -- "PraTactile.Field" exports what a user needs.

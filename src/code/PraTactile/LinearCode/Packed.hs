@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Words over GF(q) in few bits, to count the places in which two of them differ.
 module PraTactile.LinearCode.Packed

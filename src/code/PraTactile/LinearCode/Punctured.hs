@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | A code of which cells are missing: each set of observed cells makes another code, a punctured
 -- one, with a minimum distance and weights of its own (F. J. MacWilliams and N. J. A. Sloane 1977,

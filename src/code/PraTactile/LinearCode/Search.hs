@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The search for codewords near a word, among those that agree with it at all but few places of
 -- an information set. With the zero word it finds a lightest codeword; with a received word it

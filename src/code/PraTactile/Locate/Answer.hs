@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE DeriveTraversable #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The one answer to the one question: where a patch is, and what that rests on. Every decoder
 -- answers in these terms, whatever was asked.

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE DeriveTraversable #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Patches: what was observed in the cells of a rectangle, and which of them were not observed.
 module PraTactile.Locate.Patch

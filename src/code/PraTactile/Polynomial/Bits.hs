@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | GF(2)[x] modulo h with 64 coefficients in a word: what "PraTactile.Polynomial.Modulus" does
 -- over any field, for the binary field. Internal. A residue is a vector of words, coefficient i in

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | GF(q)[x] modulo h on unboxed coefficients: the fast form of what division with remainder
 -- defines, for the tests of irreducibility and order and for the positions in GF(q^n). Internal.

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Terms of a sequence far away: s(t) for any t, from a table of low powers of the root that is
 -- made once a polynomial. Internal; 'PraTactile.Sequence.termAt' is what a user needs.

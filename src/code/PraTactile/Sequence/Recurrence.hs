@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Running a linear recurrence through memory, one byte a term, by powers of its polynomial, which
 -- leave many terms free to be computed at once. Internal: the vector form of sequences and the

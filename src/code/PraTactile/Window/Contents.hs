@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Which contents occur among the windows of a grid, as one bit a content: the inner loop of the
 -- proof by enumeration. Internal; "PraTactile.Window.Enumeration" says what it means.

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The window property by visiting every window, for any rectangular matrix of symbols: nothing is
 -- assumed of how the matrix was made.

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Visiting every window of a grid as a packed machine integer. Internal: shared by the proof by
 -- enumeration and the memory table.

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | How a face lies under frames, by all their pixels: the relief that is known to be there is
 -- aligned with what each frame felt.

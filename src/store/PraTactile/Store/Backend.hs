@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE RankNTypes #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | What one kind of database does otherwise than another. All else (tables, rows, seals,
 -- look-ups, what refuses) is the same for each.

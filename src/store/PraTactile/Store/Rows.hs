@@ -1,7 +1,7 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE ExistentialQuantification #-}
 {-# LANGUAGE FlexibleContexts #-}
 {-# LANGUAGE TypeFamilies #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The rows of the database, written, read and changed by every back end that persistent has.
 -- "PraTactile.Store.Rows.Write" makes them of a placement, "PraTactile.Store.Rows.Read" turns them

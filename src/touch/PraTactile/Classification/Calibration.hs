@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | How sure it is what an image of a symbol shows: from the outputs of a classifier and the match
 -- with the shapes to probabilities.

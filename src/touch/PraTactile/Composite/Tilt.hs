@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The angle at which the symbols of a composite lie, from the image alone and before any symbol
 -- is found.

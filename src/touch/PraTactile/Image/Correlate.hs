@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Two-dimensional normalised cross-correlation of an image with a weighted reference, at whole
 -- and at fractional displacements (the paper's section IV: "a 2-D cross-correlation algorithm is

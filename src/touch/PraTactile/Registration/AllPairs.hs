@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Many frames registered by all their pairs together, whatever they show: each pair that
 -- overlaps, diagonal ones too, says how likely every displacement of its frames against each other

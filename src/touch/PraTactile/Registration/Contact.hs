@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Presses that are tilted: the plane between a rigid sensor and the face is found with the gain
 -- and the offset of each frame, and taken away; and what does not touch is told. The formulas are

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Many frames registered to one lattice of cells: where the lattice lies is found from all of
 -- them, each frame's displacement from the lattice and from the symbols that the other frames saw

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Tables and products of vectors, as loops: the library's own zips are not fused where the
 -- compiler keeps memory alive around each element, and take five times as long.

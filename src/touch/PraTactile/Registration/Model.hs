@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The mathematics of registration, in a page. The modules of this folder are its computation; the
 -- tests hold them to the same formulas on lists, summed in full.

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Relief as a stationary normal process plus white noise, by the discrete cosine transform, which
 -- nearly makes its coefficients independent: which process a frame is likely of, and how much

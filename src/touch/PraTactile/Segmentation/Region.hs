@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Regions of an image's pixels: connected components (Jain, Kasturi and Schunck, Machine Vision,
 -- chapter 2; the paper's [15]), what lies around them, and how far they extend.

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Alphabets of shapes for a reader: drawn side by side, and the table of their distances.
 module PraTactile.Shape.Report

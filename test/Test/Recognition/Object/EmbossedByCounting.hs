@@ -154,7 +154,8 @@ spec = do
     it "coordinates of 32 bits where symbols are too small for them" $
       withArray $ \array -> do
         given <- right paperAlphabet
-        far <- right (solid (moved (\(Point x y z) -> Point (x + 100000000) y z) (namedDescription (Box 30 40 5))))
+        let away (Point x y z) = Point (x + 100000000) y z
+        far <- right (solid (moved away (namedDescription (Box 30 40 5))))
         let top = Face "box" (readFaceName "V1 V2 V3 V4")
             laying = laidWhole top (Position 0 0) (Shape 1 1)
         layout <- right (placement (Shape 15 17) canonicalPitch [far] [laying])
@@ -166,7 +167,8 @@ spec = do
         given <- right paperAlphabet
         slanted <- right (solid (namedDescription (Tetrahedron 200)))
         let grid = gridOn canonicalPitch slanted 0
-        layout <- right (placement (Shape 15 17) canonicalPitch [slanted] [layingFor slanted grid (gridCells grid)])
+            laid = layingFor slanted grid (gridCells grid)
+        layout <- right (placement (Shape 15 17) canonicalPitch [slanted] [laid])
         made <- right (embossed given array layout (WholeObject "tetrahedron"))
         either show (const "") (rounded Fractions made) `shouldStartWith` "Irrational"
   where

@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_GHC -O1 #-}
 
--- | Networks, their verdicts and files, and what the shipped one makes of images. What its outputs are
--- by definition, the conformance laws of networks say.
+-- | Networks, their verdicts and files, and what the shipped one makes of images. The conformance
+-- laws of networks define its outputs.
 module Test.Touch.Classification.NetworksAndVerdicts (spec) where
 
 import Control.Monad (forM_, replicateM)

@@ -285,8 +285,9 @@ contradicting alphabet = do
     for_ (byEffort [1, 7] [1 .. 12]) $ \seed ->
       contradictionOf (scan seed) `shouldBe` Nothing
   it "do where an axis is flipped or both are exchanged, and it says along which they agree" $
-    for_ (zip [1 ..] [(a, b) | (a, _) <- axesNamed, a /= "x,y", b <- byEffort [1] [1 .. 3 :: Int]]) $
-      \(seed, (name, _)) -> for_ (lookup name axesNamed) $ \axes ->
+    for_
+      (zip [1 ..] [(a, b) | (a, _) <- axesNamed, a /= "x,y", b <- byEffort [1] [1 .. 3 :: Int]])
+      $ \(seed, (name, _)) -> for_ (lookup name axesNamed) $ \axes ->
         -- Along which of the axes the positions so told are those that were.
         contradictionOf [f {framePose = unalong axes (framePose f)} | f <- scan seed]
           `shouldBe` Just (AgreeingAlong axes)

@@ -208,7 +208,7 @@ truth = do
       c
       `shouldBe` Right [replicate 8 1 ++ replicate 16 2 ++ replicate 8 1]
     fmap compositeDisplacements c `shouldBe` Right (replicate 3 (0, 0))
-  it "frames count as compared where some overlap and their places are not taken as they are" $ \_ -> do
+  it "frames count as compared where some overlap and are not left where they are" $ \_ -> do
     let frames places = pressed idealSensor (texture 1 60 60) [(pose, (0, 0)) | pose <- places]
         three = region 32 16
         compared assemble = fmap ((== 0) . compositeUncompared) . assemble . frames

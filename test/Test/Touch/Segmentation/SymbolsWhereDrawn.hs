@@ -187,7 +187,8 @@ rejected = do
           let whole = compositeOf (embossedAt 40 52 [((15, 20), solid)])
               -- From one edge, as far as that into the symbol.
               touched x y =
-                (if across then fromIntegral x - 15 else fromIntegral y - 20) >= cut - (0.5 :: Double)
+                (if across then fromIntegral x - 15 else fromIntegral y - 20)
+                  >= cut - (0.5 :: Double)
               seen =
                 whole
                   { compositeCoverage =
@@ -319,10 +320,11 @@ lattice = do
               === (if isBeside then 1 else 2)
   it "no symbols make no cluster" $ arrange id [] `shouldBe` []
   it "half turned, each cell lies as far from the last row and column as from the first before" $
-    forAll (Map.fromList <$> listOf1 ((,) <$> ((,) <$> choose (0, 5) <*> choose (0, 5)) <*> letter)) $
-      \cells ->
-        let (bottom, right') = (maximum (map fst (Map.keys cells)), maximum (map snd (Map.keys cells)))
-         in halfTurned cells === Map.mapKeys (\(i, j) -> (bottom - i, right' - j)) cells
+    let place = (,) <$> choose (0, 5) <*> choose (0, 5)
+     in forAll (Map.fromList <$> listOf1 ((,) <$> place <*> letter)) $ \cells ->
+          let bottom = maximum (map fst (Map.keys cells))
+              right' = maximum (map snd (Map.keys cells))
+           in halfTurned cells === Map.mapKeys (\(i, j) -> (bottom - i, right' - j)) cells
   where
     letter = choose ('a', 'z')
     at place = SymbolImage place (constant 8 12 0) 0 (8, 12)

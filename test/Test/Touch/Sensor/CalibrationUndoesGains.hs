@@ -61,8 +61,9 @@ calibrating = do
                   [ calibrationDead found === dead,
                     property (maximum ratios / minimum ratios - 1 < 1e-9),
                     -- So a flat frame is flat again, dead elements too.
-                    whenRight (traverse (corrected found) (flatFrames sensor specimen 1 (mkStdGen 2))) $
-                      all ((< 1e-9) . spread . frameImage)
+                    whenRight
+                      (traverse (corrected found) (flatFrames sensor specimen 1 (mkStdGen 2)))
+                      $ all ((< 1e-9) . spread . frameImage)
                   ]
   it "offsets are taken away" $ do
     let dark = generate 5 4 (\x y -> 0.01 * fromIntegral (x + y))

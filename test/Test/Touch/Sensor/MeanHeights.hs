@@ -86,7 +86,8 @@ forward :: Spec
 forward = do
   it "with the sensor's grid on the map's, the image is the map" $
     forAll genSize $ \size -> forAll (uncurry genRasterOf size) $ \heights ->
-      closeTo 1e-9 (forwardImage (sensorOf size) (heightMap taxelPitch heights) (middle size 0)) heights
+      let seen = forwardImage (sensorOf size) (heightMap taxelPitch heights) (middle size 0)
+       in closeTo 1e-9 seen heights
   it "the image is the mean height under each element, on maps of any fineness" $
     forAll
       ((,,,) <$> genSize <*> genRasterOf 9 7 <*> choose (0.8, 4) <*> genNearPose)

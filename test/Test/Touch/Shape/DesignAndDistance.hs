@@ -188,8 +188,8 @@ spec = do
 
   describe "Design" $ do
     whenFull $ do
-      -- The four numbers were counted by a separate program, which visited all 2^24 drawings and all
-      -- sets of four; it found 2560 alphabets, ten times 4^4, at a separation of 44 and none at 46,
+      -- A separate program counted the four numbers: it visited all 2^24 drawings and all sets of
+      -- four; it found 2560 alphabets, ten times 4^4, at a separation of 44 and none at 46,
       -- and differences between shapes of whole blocks of four taxels are even.
       it "visits all 43608 admissible shapes; no separation exceeds 44, 10 alphabets have it" $
         fmap snd designed `shouldBe` Right (Report paperSeed 43608 10948 44 (Just 10))

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Locating with wrong and missing cells: the position whose content differs from the observed
 -- cells in the fewest of them. With d the minimum distance of the cells that were observed, e wrong

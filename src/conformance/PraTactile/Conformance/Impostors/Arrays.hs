@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE GADTs #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Mistakes on the way from the profile to the array and its packed windows, and in what is proved
 -- of masks.

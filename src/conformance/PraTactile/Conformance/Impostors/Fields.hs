@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE GADTs #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Mistakes in the arithmetic of the alphabet, and in polynomials over it.
 module PraTactile.Conformance.Impostors.Fields

@@ -1,6 +1,6 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE RankNTypes #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Implementations that are wrong, each in one way in which a decoder may be wrong: the
 -- definition, with one edit.

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE GADTs #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Mistakes in a network's outputs.
 module PraTactile.Conformance.Impostors.Network

@@ -1,7 +1,7 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
 {-# LANGUAGE TypeOperators #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Mistakes in solids, cells of faces, places on them, and poses.
 module PraTactile.Conformance.Impostors.Objects

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Mistakes in what is taken for a profile, and for an input: each leaves out one check, and goes
 -- on with what it has.

@@ -1,6 +1,6 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE RankNTypes #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Mistakes in finding places.
 module PraTactile.Conformance.Impostors.Places

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE GADTs #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Mistakes in registering, stitching and segmenting what was touched.
 module PraTactile.Conformance.Impostors.Touch

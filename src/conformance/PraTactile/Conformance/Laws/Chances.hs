@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Locating from probabilities: the rule of Bayes.
 module PraTactile.Conformance.Laws.Chances

@@ -1,6 +1,6 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The nearest position: with cells that are missing and cells that are wrong.
 module PraTactile.Conformance.Laws.Damage

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The alphabet is the field that the profile says: every operation on all codes, and the axioms
 -- on all triples (of fields of more than 10 elements, on drawn ones).

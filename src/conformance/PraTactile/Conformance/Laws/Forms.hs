@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | An integer is the same in either form that it may have, a JSON number or a decimal string,
 -- whether it is small or large; and a value, however its JSON text is written.

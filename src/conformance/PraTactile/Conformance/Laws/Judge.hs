@@ -1,6 +1,6 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | How an answer is judged: by what the definition says of the same question, or by several
 -- answers that must fit together.

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Objects that lie somewhere, of which points of a face were felt: for the laws of poses.
 module PraTactile.Conformance.Laws.Lying

@@ -1,6 +1,6 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Objects: what is wrong with a polyhedron, which cells lie on a face, where a window of the
 -- array lies on them, and the pose of one whose face was felt.

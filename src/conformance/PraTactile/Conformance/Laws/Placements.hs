@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Faces of solids laid on arrays, by the definition of what lies on a face.
 module PraTactile.Conformance.Laws.Placements
@@ -177,7 +177,8 @@ impossible mapped =
       -- A margin that leaves the face.
       ++ [ do
              (before, laid, after) <- elements (eachOf layings)
-             pure mapped {mappedLayings = before ++ [laid {drawnMargin = Just (-1 / 7, 0)}] ++ after}
+             let changed = laid {drawnMargin = Just (-1 / 7, 0)}
+             pure mapped {mappedLayings = before ++ [changed] ++ after}
            | not (null layings)
          ]
   where

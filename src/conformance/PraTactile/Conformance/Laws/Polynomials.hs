@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Which polynomials over the field are primitive, and which of them comes first.
 module PraTactile.Conformance.Laws.Polynomials

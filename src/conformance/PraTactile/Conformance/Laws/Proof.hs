@@ -1,6 +1,6 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Which masks tell all positions apart, and in how many cells their windows differ.
 module PraTactile.Conformance.Laws.Proof

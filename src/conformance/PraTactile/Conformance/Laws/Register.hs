@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Registration of two frames: where both show one relief is where they lie, and where they do not
 -- tell that, it is refused for the right reason.

@@ -126,4 +126,4 @@ invalidLaw =
             replicate 20 (replicate 20 (fullScale + 1))
           ]
     ]
-      ++ malformed (Segment :? (replicate 20 (replicate 20 1)))
+      ++ malformed (Segment :? replicate 20 (replicate 20 1))

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The sequence obeys the profile's recurrence from the profile's state, at any index, and is a
 -- maximal-length one (MacWilliams and Sloane, 1976).

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Stitching: frames cut from one relief are found where they were cut, whatever their order and
 -- whatever the robot takes for its origin.

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | What this library says of solids, of faces laid on an array, and of poses.
 module PraTactile.Conformance.Library.Objects

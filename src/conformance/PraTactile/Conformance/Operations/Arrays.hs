@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The operations of the sequence, the array, its windows and masks.
 module PraTactile.Conformance.Operations.Arrays

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The operations of objects: polyhedra, cells of faces, places on them, poses.
 module PraTactile.Conformance.Operations.Objects

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The operations that find places: by the table of all windows, by the fewest differences, by
 -- probabilities.
@@ -184,8 +184,8 @@ locate =
               refused = refusedPatches,
               smaller = lessPatch lessObserved,
               asked = \k ->
-                [Group "Every content of a window." (Chosen (everyWindow k))]
-                  ++ ofCode Nothing (replicateM 96 (somePatch k)) (patchEdges k),
+                Group "Every content of a window." (Chosen (everyWindow k)) :
+                ofCode Nothing (replicateM 96 (somePatch k)) (patchEdges k),
               flags = patchFlags . profileOrder
             }
           ( \it rows -> do

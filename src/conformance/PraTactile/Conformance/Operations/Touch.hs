@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The operations of touch. Registering, stitching and segmenting are judged by scenes of known
 -- truth; a network's outputs have a definition.
@@ -137,7 +137,7 @@ segment =
   where
     symbol =
       object
-        ( (\x y -> Symbol (x, y))
+        ( curry Symbol
             <$> key "x" real (fst . symbolPlace)
             <*> key "y" real (snd . symbolPlace)
             <*> key "axis_deg" real symbolDegrees

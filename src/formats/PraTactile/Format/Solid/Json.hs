@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Polyhedra as JSON of our own, @pra-tactile/object/1@: with names, and with exact numbers.
 module PraTactile.Format.Solid.Json

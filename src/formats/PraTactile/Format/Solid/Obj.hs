@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The object files of Wavefront: @v X Y Z@ is a vertex, @f A B C ..@ a face by vertices counted
 -- from 1, or back from the last one by negative numbers.

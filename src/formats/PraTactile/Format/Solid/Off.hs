@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The Object File Format of Geomview, as text: after the word @OFF@, on its line or the next, the
 -- numbers of vertices, faces and edges, then a line a vertex and a line a face, which begins with

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The Polygon File Format of Stanford, of all three kinds: a header that names elements and their
 -- properties, and then their values, as text or as machine numbers in either order of bytes.

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The stereolithography files of 3D Systems (1988), of both kinds: triangles with their normals,
 -- as text, or 50 bytes each after 80 bytes that mean nothing and a count. A file is binary where

@@ -1,6 +1,6 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE FlexibleContexts #-}
 {-# LANGUAGE PatternSynonyms #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | A PGM image that is known to be one: sizes of at least 1 and at most 'maxPixels' in all,
 -- samples within the maximum value.

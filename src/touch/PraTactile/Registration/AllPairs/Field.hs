@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Where frames lie by what their pairs say and by the robot's error, whose standard deviation is
 -- found with them: how probable each displacement of each is, on a grid of whole taxels.

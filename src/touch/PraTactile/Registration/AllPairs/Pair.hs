@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | What two frames that overlap say of their displacements, whatever they show.
 module PraTactile.Registration.AllPairs.Pair

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | What symbols' taxels at any place would read of a frame. A taxel that is felt at (x, y) is seen
 -- at (u, v) by g (u - x) g (v - y), where g is the share of a taxel's width that a normal blur

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | What one frame tells of the lattice of cells under it: the likelihood of phases of the lattice
 -- and of each cell's class. The alphabet and the pitch of the cells are known; the array,

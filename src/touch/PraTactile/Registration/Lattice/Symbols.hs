@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The symbols of an alphabet as tables are made of them, whatever the frames' size and angle:
 -- their outlines, and the squares of what they read.

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The symbols of an alphabet as a sensor sees them, at every place on a frame: what a frame is
 -- held against to find the lattice of cells under it.

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Two frames registered by the lattice of cells that lies under both: wherever the lattice lies
 -- under the first frame, a displacement says where it lies under the second, and a cell that both

@@ -1,5 +1,5 @@
-{-# OPTIONS_HADDOCK hide #-}
 {-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | The codewords of one information set, the likeliest letters at its places first.
 module PraTactile.Locate.Decoder.List.Source
