@@ -28,8 +28,8 @@ spec = do
     inFolder $ \folder ->
       for_
         -- Other tests read the cube as binary STL.
-        ( [("", "c.OBJ")]
-            ++ byEffort [] [("", "c.stl"), ("", "c.json"), ("--format ascii-stl ", "d.stl")]
+        ( ("", "c.OBJ") :
+          byEffort [] [("", "c.stl"), ("", "c.json"), ("--format ascii-stl ", "d.stl")]
         )
         $ \(format, file) -> do
           (status, out, _) <-

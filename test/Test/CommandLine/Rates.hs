@@ -179,7 +179,7 @@ spec = do
             (8 * length sizes)
             [ (take 3 fields', take 3 (drop 6 fields'))
               | l <- ls,
-                any (`isPrefixOf` l) (map (++ " ") sizes),
+                any ((`isPrefixOf` l) . (++ " ")) sizes,
                 let fields' = words l
             ]
     length (exact page) `shouldBe` 8 * length sizes

@@ -137,7 +137,7 @@ spec = do
 -- example, and under small profiles typical ones, refused ones, and those that vectors choose.
 questionsOf :: SomeOp -> [(Maybe Known, SomeQuestion)]
 questionsOf some@(SomeOp op) =
-  (if under then [] else [(Nothing, exampleOf some)]) ++ case recordOf op of
+  [(Nothing, exampleOf some) | not under] ++ case recordOf op of
     it'@Operation {} -> case operationWays it' of
       UnderProfile means _ ->
         [ (Just k, question)

@@ -61,7 +61,7 @@ sequenceImpostors =
       answeringOtherwise name mistake $ \k right question ->
         let index = change (knownProfile k)
          in case question of
-              Term :? i -> right (Term :? (index i))
+              Term :? i -> right (Term :? index i)
               Terms :? (from, count) -> right (Terms :? (index from, count))
               Cell :? Position r c -> right (Cell :? Position (index r) (index c))
               _ -> right question
@@ -153,8 +153,8 @@ proofImpostors =
       \_ right question ->
         let filled = map (map (\mark -> if mark == '.' then '#' else mark))
          in case question of
-              Prove :? mask -> right (Prove :? (filled mask))
-              Distance :? mask -> right (Distance :? (filled mask))
+              Prove :? mask -> right (Prove :? filled mask)
+              Distance :? mask -> right (Distance :? filled mask)
               _ -> right question,
     answeringOtherwise
       "looks-at-different-windows-only"

@@ -68,14 +68,14 @@ operations =
          in case question of
               Add :? (a, b) -> right (Add :? (cut a, cut b))
               Multiply :? (a, b) -> right (Multiply :? (cut a, cut b))
-              Negate :? a -> right (Negate :? (cut a))
-              Inverse :? a -> right (Inverse :? (cut a))
+              Negate :? a -> right (Negate :? cut a)
+              Inverse :? a -> right (Inverse :? cut a)
               Power :? (a, i) -> right (Power :? (cut a, i))
-              Logarithm :? a -> right (Logarithm :? (cut a))
-              Trace :? a -> right (Trace :? (cut a))
-              Primitive :? codes -> right (Primitive :? (map cut codes))
-              Pack :? codes -> right (Pack :? (map cut codes))
-              Locate :? rows -> right (Locate :? (map (map (fmap cut)) rows))
+              Logarithm :? a -> right (Logarithm :? cut a)
+              Trace :? a -> right (Trace :? cut a)
+              Primitive :? codes -> right (Primitive :? map cut codes)
+              Pack :? codes -> right (Pack :? map cut codes)
+              Locate :? rows -> right (Locate :? map (map (fmap cut)) rows)
               _ -> right question,
     answeringOtherwise "keeps-the-second-summand" "takes the second summand for the sum" $
       \_ right question -> case question of
@@ -120,7 +120,7 @@ polynomialImpostors =
         _ -> right question,
     answeringOtherwise "reads-polynomials-backwards" "takes polynomials highest degree first" $
       \_ right question -> case question of
-        Primitive :? codes -> right (Primitive :? (reverse codes))
+        Primitive :? codes -> right (Primitive :? reverse codes)
         FirstPrimitive :? n -> reverse <$> right (FirstPrimitive :? n)
         _ -> right question,
     answeringOtherwise "looks-for-roots-only" "takes a polynomial without roots for primitive" $

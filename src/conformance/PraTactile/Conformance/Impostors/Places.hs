@@ -50,7 +50,7 @@ locateImpostors =
       $ \_ right question -> case question of
         Locate :? rows
           | any (any isJust) rows && any (elem Nothing) rows ->
-            right (Locate :? (map (map (const Nothing)) rows))
+            right (Locate :? map (map (const Nothing)) rows)
         _ -> right question,
     felt "takes-cells-not-felt-for-zeros" "takes a cell that was not felt for a 0" $
       map (map (Just . fromMaybe 0)),
@@ -61,12 +61,12 @@ locateImpostors =
     located :: String -> String -> (Known -> Patch -> Patch) -> Impostor
     located name mistake change =
       answeringOtherwise name mistake $ \k right question -> case question of
-        Locate :? rows -> right (Locate :? (change k rows))
+        Locate :? rows -> right (Locate :? change k rows)
         _ -> right question
     felt :: String -> String -> (Patch -> Patch) -> Impostor
     felt name mistake change =
       answeringOtherwise name mistake $ \_ right question -> case question of
-        Locate :? rows -> right (Locate :? (change rows))
+        Locate :? rows -> right (Locate :? change rows)
         Nearest :? (radius, rows) -> right (Nearest :? (radius, change rows))
         _ -> right question
     placing :: String -> String -> (Wire Location -> Wire Location) -> Impostor
@@ -123,7 +123,7 @@ damageImpostors =
         _ -> right question
     distanceOf :: RightAnswers -> [[Bool]] -> Wire Natural
     distanceOf right cells =
-      right (Distance :? (map (map (\counts -> if counts then '#' else '.')) cells))
+      right (Distance :? map (map (\counts -> if counts then '#' else '.')) cells)
 
 -- | In probabilities.
 chanceImpostors :: [Impostor]
@@ -153,7 +153,7 @@ chanceImpostors =
       answeringOtherwise name mistake $ \k right question -> case question of
         Posterior :? cells ->
           let q = profileOrder (knownProfile k)
-           in right (Posterior :? (map (map (change q)) cells))
+           in right (Posterior :? map (map (change q)) cells)
         _ -> right question
     telling ::
       String ->

@@ -118,7 +118,7 @@ segmentImpostors =
     changed :: String -> String -> (Rows -> Rows) -> Impostor
     changed name mistake change =
       withoutProfileOtherwise name mistake $ \right question -> case question of
-        Segment :? rows -> right (Segment :? (change rows))
+        Segment :? rows -> right (Segment :? change rows)
         _ -> right question
     cut v
       | v > fullScale = v

@@ -74,7 +74,7 @@ solidLaws =
       [rawWith plain "vertices" (vertex name (String "0")) | name <- ["", "a b", "a\t"]]
         ++ [rawWith plain "vertices" (vertex "A" number) | number <- notExact]
         ++ malformed plain
-    plain = SolidReport :? (Description "" [("A", Point 1 2 (1 / 3))] [FaceName ["A"]])
+    plain = SolidReport :? Description "" [("A", Point 1 2 (1 / 3))] [FaceName ["A"]]
     vertex :: String -> Value -> Value
     vertex name number = toJSON [object ["name" .= name, "at" .= [number, String "0", String "0"]]]
 
@@ -377,7 +377,7 @@ poseLaws =
     plane :: [[Double]] -> Value
     plane rows = object ["rotation" .= rows, "translation_mm" .= [0 :: Double, 0, 0]]
     square = [Point 0 0 0, Point 0 (-30) 0, Point 30 (-30) 0, Point 30 0 0]
-    plain = FacePose :? (Felt square [((0, 0), (1, 2)), ((10, 0), (11, 2))] 1 Nothing)
+    plain = FacePose :? Felt square [((0, 0), (1, 2)), ((10, 0), (11, 2))] 1 Nothing
     unfit =
       [ Felt square seen 1 Nothing
         | seen <-
