@@ -8,7 +8,7 @@ MATCH =
 # The seed of random cases, as in: make test SEED=7
 SEED =
 export PREFIX DESTDIR
-.PHONY: all help setup build demo test test-full lint format mutants calibration archive types bench evaluate figures docs shapes network \
+.PHONY: all help setup build demo test test-full lint format mutants calibration archive operations types bench evaluate figures docs shapes network \
         check-network check-newer-ghc install uninstall clean
 # cabal holds one build at a time in dist-newstyle.
 .NOTPARALLEL:
@@ -68,6 +68,10 @@ calibration: setup ## how many symbols are told and counted wrong with each ship
 mutants: setup ## which laws find which impostor, and whether each is found with each of 20 seeds
 	@tools/build.sh bench:mutants
 	@"$$(tools/cabal.sh list-bin -v0 bench:mutants)" $(or $(SEEDS),20)
+
+# From the records in src/conformance/PraTactile/Conformance/Operations; a test holds them equal.
+operations: setup ## write the operations of the protocol into docs/conformance.md and data/schemas
+	@runghc $$(tools/extensions.sh) $(patsubst %,-i%,$(wildcard src/*)) tools/Operations.hs
 
 types: ## types from the schemas in Python, TypeScript and Go, compiled (FOLDER=... keeps them)
 	@tools/types.sh $(FOLDER)

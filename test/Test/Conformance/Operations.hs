@@ -5,18 +5,21 @@
 -- ones are not, and refusals are for the reasons that are listed.
 module Test.Conformance.Operations (spec) where
 
-import Data.Aeson (Value (..), encode, object, toJSON, (.=))
+import Data.Aeson (Value (..), eitherDecodeFileStrict', encode, object, toJSON, (.=))
 import qualified Data.Aeson.KeyMap as KeyMap
+import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
 import Data.List (nub)
 import Data.Maybe (isNothing)
+import Data.Text.Encoding (decodeUtf8)
 import PraTactile.Array (Position (..))
 import PraTactile.Conformance
 import PraTactile.Conformance.Definition (expected, expectedWithoutProfile)
 import PraTactile.Conformance.Law (Cases (..))
 import PraTactile.Conformance.Operation
 import PraTactile.Conformance.Operations
+import PraTactile.Conformance.Protocol
 import PraTactile.Format.Json.Codec (readValue, writeValue)
 import Test.Hspec
 
@@ -26,6 +29,12 @@ spec = do
     map nameOf allOperations `shouldBe` nub (map nameOf allOperations)
     for_ allOperations $ \operation ->
       readValue operationForm (writeValue operationForm operation) `shouldBe` Right operation
+  it "docs/conformance.md and data/schemas have them as their records have" $ do
+    page <- decodeUtf8 <$> Bytes.readFile "docs/conformance.md"
+    withOperations page `shouldBe` page
+    for_ schemasOfOperations $ \name -> do
+      schema <- eitherDecodeFileStrict' ("data/schemas/" ++ name ++ ".json")
+      fmap statingOperations schema `shouldBe` schema
   for_ allOperations $ \operation -> describe (nameOf operation) $ do
     let questions = filter (isTyped . snd) (questionsOf operation)
         inputOf (SomeQuestion question) = questionInput question

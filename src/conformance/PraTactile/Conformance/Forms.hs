@@ -33,7 +33,9 @@ import qualified PraTactile.Format.Json.Schema as Schema
 natural :: Codec Natural
 natural =
   Codec
-    (Schema.Named "natural" (Schema.Described "A natural number in either form." Schema.Natural))
+    ( Schema.Named "read-natural" $
+        Schema.Described "A natural number in either form, as the program reads it." Schema.Natural
+    )
     naturalValue
     $ \value -> case readWhole value of
       Just i | i >= 0 -> Right (fromInteger i)
@@ -43,7 +45,9 @@ natural =
 integer :: Codec Integer
 integer =
   Codec
-    (Schema.Named "integer" (Schema.Described "An integer in either form." Schema.Integer))
+    ( Schema.Named "read-integer" $
+        Schema.Described "An integer in either form, as the program reads it." Schema.Integer
+    )
     integerValue
     (maybe (refuse NotInteger) Right . readWhole)
 
@@ -70,8 +74,9 @@ exact :: Codec Rational
 exact = withSchema (const schema) (via written fraction text)
   where
     schema =
-      Schema.Named "exact" . Schema.Described "An integer, or two with a slash between." $
-        Schema.Text ["pattern" .= ("^-?[0-9]+(/[0-9]+)?$" :: Text)]
+      Schema.Named "exact"
+        . Schema.Described "A number as a text: an integer, or two with a slash between."
+        $ Schema.Text ["pattern" .= ("^-?[0-9]+(/[0-9]+)?$" :: Text)]
     written x =
       show (numerator x) ++ (if denominator x == 1 then "" else '/' : show (denominator x))
     fraction given = case Text.splitOn "/" (Text.pack given) of
@@ -89,7 +94,7 @@ shapeForm = via (\(Shape high wide) -> (high, wide)) (Right . uncurry Shape) (pa
 -- | A position as @{"row": r, "column": c}@.
 positionForm :: Codec Position
 positionForm =
-  withSchema (Schema.Named "position") $
+  withSchema (Schema.Named "read-position") $
     object (Position <$> key "row" natural row <*> key "column" natural column)
 
 -- | An object with one value.

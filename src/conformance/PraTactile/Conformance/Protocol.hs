@@ -1,0 +1,131 @@
+{-# LANGUAGE OverloadedStrings #-}
+{-# OPTIONS_HADDOCK hide #-}
+
+-- | The operations as the protocol's document and its schemas state them: functions of their
+-- records. @make operations@ writes both.
+module PraTactile.Conformance.Protocol
+  ( withOperations,
+    statingOperations,
+    schemasOfOperations,
+  )
+where
+
+import Data.Aeson (Value (..), toJSON)
+import qualified Data.Aeson.Key as Key
+import qualified Data.Aeson.KeyMap as KeyMap
+import Data.Foldable (toList)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import PraTactile.Conformance.Operation
+import PraTactile.Conformance.Operations
+import PraTactile.Conformance.Question (SomeOp (..))
+import PraTactile.Format.Json.Codec (schemaOf)
+import PraTactile.Format.Json.Schema (Schema (OneOf), brief, namedSchemas, schemaValue)
+import qualified PraTactile.Format.Json.Schema as Schema
+
+-- | The document, with a row for each operation in its table of operations: name, input, result,
+-- refusals.
+withOperations :: Text -> Text
+withOperations page = case break (== heading) (Text.lines page) of
+  (before, first : rule : rows) ->
+    Text.unlines (before ++ first : rule : operationTable ++ dropWhile isRow rows)
+  _ -> page
+  where
+    heading = "| operation | input | result | refused |"
+    isRow = Text.isPrefixOf "|"
+
+operationTable :: [Text]
+operationTable = map row allOperations
+  where
+    row some@(SomeOp op) =
+      let it = recordOf op
+          input = schemaOf (operationInput it)
+       in cells
+            [ code (Text.pack (nameOf some)),
+              Text.intercalate ", and perhaps " (map code (brief input : optional input)),
+              Text.pack (operationSays it),
+              Text.intercalate
+                "; "
+                [ code (Text.pack reason) <> ": " <> Text.pack rule
+                  | (reason, rule) <- operationReasons it
+                ]
+            ]
+    cells texts = Text.concat (map cell texts) <> "|"
+    cell text = if Text.null text then "| " else "| " <> text <> " "
+    code text = "`" <> text <> "`"
+    optional schema = case schema of
+      Schema.Object fields -> [Text.pack (show (Key.toText name)) | (name, False, _) <- fields]
+      Schema.Named _ inner -> optional inner
+      Schema.Described _ inner -> optional inner
+      _ -> []
+
+-- | A schema file with the operations that there are. The definitions of operations, of their
+-- inputs and results, and of the parts of these are those of the codecs. A list of which the first
+-- item refers to the input or the result of one operation has such an item for each operation.
+statingOperations :: Value -> Value
+statingOperations value = case value of
+  Object keys ->
+    Object (KeyMap.fromList [(key, statedUnder key inner) | (key, inner) <- KeyMap.toList keys])
+  Array items
+    | first : _ <- toList items,
+      [name] <- filter (`isAbout` first) names ->
+      toJSON [renamed name other first | other <- names]
+    | otherwise -> Array (fmap statingOperations items)
+  _ -> value
+  where
+    statedUnder key inner = case inner of
+      Object known
+        | key == "$defs",
+          KeyMap.member "operation" known ->
+          let others = KeyMap.filterWithKey (\name _ -> not (ofOperations name)) known
+           in Object (KeyMap.union definitions others)
+      _ -> statingOperations inner
+    ofOperations key = any (`Text.isPrefixOf` Key.toText key) ["input-", "result-"]
+
+-- | The schema files that speak of operations.
+schemasOfOperations :: [String]
+schemasOfOperations = ["common", "reply", "request", "vectors"]
+
+names :: [Text]
+names = map (Text.pack . nameOf) allOperations
+
+-- | The definitions that schemas refer to, by their names.
+definitions :: KeyMap.KeyMap Value
+definitions =
+  KeyMap.fromList $
+    ("operation", schemaValue (OneOf names)) :
+    concat
+      [ concat
+          [ (Key.fromText (part <> name), schemaValue schema) :
+              [(Key.fromText inner, schemaValue its) | (inner, its) <- namedSchemas schema]
+            | (part, schema) <-
+                [ ("input-", schemaOf (operationInput (recordOf op))),
+                  ("result-", schemaOf (operationOutput (recordOf op)))
+                ]
+          ]
+        | (name, SomeOp op) <- zip names allOperations
+      ]
+
+-- | Whether a value refers to the input or the result of an operation.
+isAbout :: Text -> Value -> Bool
+isAbout name value = case value of
+  String text -> any (`Text.isSuffixOf` text) (references name)
+  Object keys -> any (isAbout name) (toList keys)
+  Array items -> any (isAbout name) (toList items)
+  _ -> False
+
+references :: Text -> [Text]
+references name = ["#/$defs/input-" <> name, "#/$defs/result-" <> name]
+
+-- | What is said of one operation, of another.
+renamed :: Text -> Text -> Value -> Value
+renamed name other value = case value of
+  String text
+    | text == name -> String other
+    | otherwise ->
+      String (foldr replaced text (zip (references name) (references other)))
+  Object keys -> Object (fmap (renamed name other) keys)
+  Array items -> Array (fmap (renamed name other) items)
+  _ -> value
+  where
+    replaced (from, to) text = maybe text (<> to) (Text.stripSuffix from text)
