@@ -40,6 +40,19 @@ axesSpec = do
       ended <- snd <$> followed 3 asStated written
       (axesName positions, axesName images, ended)
         `shouldBe` (axesName positions, axesName images, Right (Just exampleWindow))
+  -- Frames agree where the positions are taken along a besides, and with them whatever is done to
+  -- positions and images alike.
+  it "remedies keep positions and images together, and show what is not mirrored" $
+    for_ [(p, i, a, m) | p <- axes, i <- axes, a <- axes, m <- [Nothing, Just False, Just True]] $
+      \(positions, images, Axes a, mirroredThen) -> do
+        let given = standardTaking {takenPositions = positions, takenImages = images}
+            found = remedies given (Axes a) mirroredThen
+        found `shouldNotBe` []
+        for_ found $ \remedy -> do
+          let taken now = axesSymmetry . fromMaybe now
+              h = taken images (remedyImages remedy) <> invert (axesSymmetry images)
+          taken positions (remedyPositions remedy) `shouldBe` h <> a <> axesSymmetry positions
+          maybe True (== mirrored h) mirroredThen `shouldBe` True
   it "of a whole image that is mirrored are named" $ do
     image <- reencoded (onRaster mirror) <$> Bytes.readFile "data/worked-example/composite.pgm"
     refused <- decoded asStated (WholeImage image)

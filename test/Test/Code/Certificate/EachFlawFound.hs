@@ -27,14 +27,28 @@ spec = do
         \state ->
           checkCertificate (ofProfile c (\p -> p {profileState = state}))
             `shouldBe` Left (StateFault state)
-    it "the fold: diagonal with sides that have a common divisor" $ do
-      rowByRow <- certificateOver [1, 1, 0, 0, 0, 0, 1] (Shape 3 21) RowMajor (Shape 1 6)
-      checkCertificate rowByRow `shouldBe` Right ()
-      checkCertificate
-        ( ofProfile rowByRow $ \p ->
-            p {profileFolding = Diagonal, profileSurface = Torus}
-        )
-        `shouldBe` Left (CommonDivisorFault 3)
+    it "the fold: diagonal with sides that have a common divisor g, of every shape of four sizes" $
+      forM_ [(2, [1, 1, 0, 0, 0, 0, 1]), (3, [2, 1, 1]), (3, [2, 0, 0, 2, 1]), (5, [2, 4, 1])] $
+        \(q, h) -> do
+          let n = fromIntegral (length h) - 1
+              size = q ^ n - 1
+              shapes =
+                [ (shape, g)
+                  | k <- [1 .. size],
+                    size `mod` k == 0,
+                    let shape = Shape k (size `div` k),
+                    let g = gcd k (size `div` k),
+                    g > 1
+                ]
+          shapes `shouldNotBe` []
+          forM_ shapes $ \(shape, g) -> do
+            rowByRow <- certificateIn q h shape RowMajor (Shape 1 n)
+            checkCertificate rowByRow `shouldBe` Right ()
+            checkCertificate
+              ( ofProfile rowByRow $ \p ->
+                  p {profileFolding = Diagonal, profileSurface = Torus}
+              )
+              `shouldBe` Left (CommonDivisorFault g)
     it "the factors: one twice, out of order, to the power 0, to one that has no end" $ do
       c <- certificateOver [1, 1, 0, 0, 0, 0, 1] (Shape 3 21) RowMajor (Shape 1 6)
       -- 63 = 3^2 7.
@@ -230,8 +244,12 @@ paper = right (rectangle (Shape 2 2)) >>= right . certify RankMethod canonicalPr
 
 -- | Over GF(2), by rank, of a polynomial, a shape, a folding and a window.
 certificateOver :: [Natural] -> Shape -> Folding -> Shape -> IO Certificate
-certificateOver h shape folding window = do
-  let choice = profileChoice 2 h (Shape 1 (area shape))
+certificateOver = certificateIn 2
+
+-- | Over GF(q), by rank, of a polynomial, a shape, a folding and a window.
+certificateIn :: Natural -> [Natural] -> Shape -> Folding -> Shape -> IO Certificate
+certificateIn q h shape folding window = do
+  let choice = profileChoice q h (Shape 1 (area shape))
   chosen <- right (chooseProfile choice {chosenWindow = Just window'})
   let profile =
         chosen
