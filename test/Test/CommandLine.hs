@@ -9,6 +9,8 @@ import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Bytes8
 import Data.Foldable (for_)
 import Data.List (isInfixOf, isPrefixOf)
+import PraTactile.Image (toRows)
+import PraTactile.Image.Pgm (decodePgm, pgmIntensity)
 import System.Directory
 import System.FilePath ((</>))
 import Test.CommandLine.Run
@@ -51,6 +53,17 @@ codeSpec = describe "the code" $ do
     let cells = map (words . map (\c -> if c == ',' then ' ' else c)) (lines out)
     (status, length cells, map length cells) `shouldBe` (0, 15, replicate 15 17)
     [cells !! r !! c | (r, c) <- [(6, 5), (6, 6), (7, 5), (7, 6)]] `shouldBe` words "3 2 3 1"
+  it "array: csv, json and pgm have the same codes in the same rows" $
+    inFolder $ \folder -> do
+      let file = folder </> "array.pgm"
+      (_, comma, _) <- pra ["array", "--format", "csv"]
+      (_, written, _) <- pra ["array", "--format", "json"]
+      (status, _, _) <- pra ["array", "--format", "pgm", "--output", file]
+      image <- Bytes.readFile file >>= either (fail . show) (pure . pgmIntensity) . decodePgm
+      let rows = map (map read . words . map (\c -> if c == ',' then ' ' else c)) (lines comma)
+      status `shouldBe` 0
+      key ["rows"] written `shouldBe` Just (toJSON (rows :: [[Int]]))
+      map (map (round . (* 3))) (toRows image) `shouldBe` rows
   it "prove --json: the canonical array; a refuted window with its collision, status 1" $ do
     (proved, out, _) <- pra ["prove", "--json"]
     proved `shouldBe` 0

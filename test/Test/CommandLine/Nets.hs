@@ -90,6 +90,15 @@ spec = do
       seen <- readFile (folder </> "encoded.svg")
       -- Each of the three faces has one path, and each of its symbols several rows.
       occurrences "class=\"embossed\"" seen `shouldBe` 3
+  it "a solid is seen from 30,25 unless --from says another place" $
+    inFolder $ \folder -> do
+      let seen name from = do
+            (status, _, _) <- pra (["draw", "solid", "--output", folder </> name] ++ from)
+            status `shouldBe` 0
+            readFile (folder </> name)
+      usual <- seen "usual.svg" []
+      seen "told.svg" ["--from", "30,25"] `shouldReturn` usual
+      seen "other.svg" ["--from", "25,30"] >>= (`shouldNotBe` usual)
   it "what a picture is not of is refused" $ do
     complains ["draw", "sheet", "--from", "1,2", "--output", "x.svg"] "--from"
     complains ["draw", "placement", "--object", "cube", "--output", "x.svg"] "--object"

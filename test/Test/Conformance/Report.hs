@@ -111,13 +111,18 @@ spec = do
   it "as JSON: every count, and every law" $
     decodeStrict (encodeReport whole) `shouldBe` Just json
   it "as a badge: certified, what was chosen held, or how many laws are wrong, each once" $
-    [ decodeStrict (encodeBadge right' {reportLaws = some, reportPartial = partial})
-      | (some, partial) <-
-          [ (reportLaws right', False),
-            (take 1 (reportLaws right'), True),
-            (take 1 (reportLaws right'), False),
-            (failed "field/c" (Just "p") : reportLaws right', True),
-            (errored "field/d" : [failed "field/c" (Just p) | p <- ["p", "q"]], False)
+    [ decodeStrict
+        ( encodeBadge
+            right' {reportLaws = some, reportPartial = partial, reportUnexpected = unexpected}
+        )
+      | (some, partial, unexpected) <-
+          [ (reportLaws right', False, []),
+            (take 1 (reportLaws right'), True, []),
+            (take 1 (reportLaws right'), False, []),
+            -- A law holds that must fail.
+            (take 1 (reportLaws right'), True, ["field/c"]),
+            (failed "field/c" (Just "p") : reportLaws right', True, []),
+            (errored "field/d" : [failed "field/c" (Just p) | p <- ["p", "q"]], False, [])
           ]
     ]
       `shouldBe` [ Just . object $
@@ -129,6 +134,7 @@ spec = do
                    | (message, color) <-
                        [ ("certified, suite " ++ suiteVersion, "brightgreen"),
                          ("chosen laws held, suite " ++ suiteVersion, "blue"),
+                         ("not certified", "red"),
                          ("not certified", "red"),
                          ("1 law wrong", "red"),
                          ("2 laws wrong", "red")
