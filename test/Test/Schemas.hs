@@ -223,8 +223,8 @@ touching =
     ("nets", "pra nets cube --json; pra nets pyritohedron:9 --json; pra nets prism:80,90,9 --json"),
     ( "emboss",
       "pra emboss --output e --json; pra emboss --format svg --object cube --output f --json; "
-        ++ "pra place tetrahedron:120 --output t.json > log; "
-        ++ "pra emboss --placement t.json --object tetrahedron --face V1,V2,V3 "
+        ++ "pra place tetrahedron:120 --output tetrahedron.json > log; "
+        ++ "pra emboss --placement tetrahedron.json --object tetrahedron --face V1,V2,V3 "
         ++ "--output t.stl --json"
     ),
     ("object", "pra solid prism:5,70,1/3 --output p.json > log; cat p.json"),

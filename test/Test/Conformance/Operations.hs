@@ -15,7 +15,7 @@ import Data.Maybe (isNothing)
 import Data.Text.Encoding (decodeUtf8)
 import PraTactile.Array (Position (..))
 import PraTactile.Conformance
-import PraTactile.Conformance.Definition (expected, expectedWithoutProfile)
+import PraTactile.Conformance.Definition (agrees, expected, expectedWithoutProfile)
 import PraTactile.Conformance.Law (Cases (..))
 import PraTactile.Conformance.Operation
 import PraTactile.Conformance.Operations
@@ -107,6 +107,19 @@ spec = do
           String "add"
         ]
         `shouldBe` replicate 7 Nothing
+  it "a probability is the same with other digits, also where the question's form is another" $
+    for_ (known <$> lookup "gf2-3x5" defaultProfiles) $ \about -> do
+      [k] <- pure [k | Right k <- [about]]
+      let input = object ["patch" .= [[Just (String "1"), Nothing]]]
+      SomeQuestion posed <- maybe (fail "no input") pure (someQuestion (SomeOp Posterior) input)
+      Right wanted <- pure (expected k (Raw (SomeOp Posterior) input))
+      let off by value = case value of
+            Array places -> Array (fmap (off by) places)
+            Number n | n /= fromInteger (round n) -> Number (n + by)
+            _ -> value
+          agreed by = agrees k (Raw (SomeOp Posterior) input) wanted (off by wanted)
+      (answerValue posed <$> readAnswer posed wanted) `shouldBe` Just wanted
+      map agreed [0, 1e-18, 1e-12, 1e-6] `shouldBe` [True, True, True, False]
   it "of a place exactly one is told: a position, several, or how many" $ do
     let at r c = object ["row" .= (r :: Int), "column" .= (c :: Int)]
         position = "position" .= at 1 2

@@ -54,8 +54,12 @@ agreesWithoutProfile :: Question a -> a -> a -> Bool
 agreesWithoutProfile = agreesBy Nothing
 
 agreesBy :: Maybe Known -> Question a -> a -> a -> Bool
-agreesBy about question wanted got =
-  answerValue question (likenedTo about question got wanted) == answerValue question got
+agreesBy about question wanted got = case question of
+  _ :? _ -> answerValue question (likenedTo about question got wanted) == answerValue question got
+  -- Values of one number are many: 0.2 and 0.20000000000000001.
+  Raw operation input -> fromMaybe (wanted == got) $ do
+    SomeQuestion asked' <- someQuestion operation input
+    agreesBy about asked' <$> readAnswer asked' wanted <*> readAnswer asked' got
 
 -- | The expected answer, the last argument, in the form of another one.
 inFormOf :: Known -> Question a -> a -> a -> a
