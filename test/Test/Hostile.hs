@@ -10,7 +10,6 @@ import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Bytes8
 import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8, encodeUtf8)
-import Test.Effort (byEffort)
 import Test.Hostile.Arguments
 import Test.Hostile.Judgement
 import Test.Hostile.Mutation
@@ -119,11 +118,10 @@ foundSpec = describe "what was found so" $ do
             kindName kind `elem` ["patches", "patches in unknown orientation"],
             count <- [100, 101, 2000, 20000]
         ]
-  -- Their time grew with the square.
-  it "a number of very many digits: aeson and cassava took 40 seconds to read a million" $
+  it "a number of a million digits: aeson and cassava took 40 seconds to read it" $
     once $
       conjoin
-        [ judgedIn (kindJudged kind (Bytes.concat [front, many '9', rest]))
+        [ judgedIn (kindJudged kind (Bytes.concat [front, Bytes8.replicate 1000000 '9', rest]))
           | (name, front, rest) <-
               [ ("profiles", "[0.", "]"),
                 ("certificates", "{\"windows\":1", "}"),
@@ -170,7 +168,6 @@ foundSpec = describe "what was found so" $ do
           "it is not UTF-8 text"
         ]
   where
-    many = Bytes8.replicate (byEffort 400000 1000000)
     longWord = replicate 130000 '9'
     emptied =
       encodeUtf8 . Text.replace "\"modulus\":[0,1]" "\"modulus\":[]" . decodeUtf8

@@ -199,4 +199,4 @@ internals =
 
 -- | A count in thousandths of all hostile inputs.
 shareOf :: Int -> Int
-shareOf thousandths = max 1 (byEffort 1000 100000 * thousandths `div` 1000)
+shareOf thousandths = max 1 (byEffort 10000 100000 * thousandths `div` 1000)
