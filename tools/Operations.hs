@@ -6,7 +6,6 @@ import Control.Monad (forM_, when)
 import Data.Aeson (eitherDecodeFileStrict', encode)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy
-import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8, encodeUtf8)
 import PraTactile.Conformance.Protocol
 import System.Process (readProcess)
@@ -14,7 +13,8 @@ import System.Process (readProcess)
 main :: IO ()
 main = do
   page <- decodeUtf8 <$> Bytes.readFile document
-  renewed document page (withOperations page)
+  let renewed = withOperations page
+  when (renewed /= page) $ Bytes.writeFile document (encodeUtf8 renewed)
   forM_ schemas $ \file -> do
     schema <- eitherDecodeFileStrict' file >>= either fail pure
     let stated = statingOperations schema
@@ -22,6 +22,5 @@ main = do
       readProcess "python3" ["-m", "json.tool", "--indent", "2"] (Lazy.unpack (encode stated))
         >>= writeFile file
   where
-    renewed file old new = when (new /= old) (Bytes.writeFile file (encodeUtf8 new))
     document = "docs/conformance.md"
     schemas = ["data/schemas/" ++ name ++ ".json" | name <- schemasOfOperations]

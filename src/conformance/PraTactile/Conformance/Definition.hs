@@ -54,12 +54,8 @@ agreesWithoutProfile :: Question a -> a -> a -> Bool
 agreesWithoutProfile = agreesBy Nothing
 
 agreesBy :: Maybe Known -> Question a -> a -> a -> Bool
-agreesBy about question wanted got = case question of
-  _ :? _ -> answerValue question (likenedTo about question got wanted) == answerValue question got
-  -- Values of one number are many: 0.2 and 0.20000000000000001.
-  Raw operation input -> fromMaybe (wanted == got) $ do
-    SomeQuestion asked' <- someQuestion operation input
-    agreesBy about asked' <$> readAnswer asked' wanted <*> readAnswer asked' got
+agreesBy about question wanted got =
+  answerValue question (likenedTo about question got wanted) == answerValue question got
 
 -- | The expected answer, the last argument, in the form of another one.
 inFormOf :: Known -> Question a -> a -> a -> a
@@ -73,8 +69,11 @@ likenedTo about question got wanted = case question of
     ByScene _ _ -> wanted
   Raw operation input -> fromMaybe wanted $ do
     SomeQuestion asked' <- someQuestion operation input
-    answerValue asked'
-      <$> (likenedTo about asked' <$> readAnswer asked' got <*> readAnswer asked' wanted)
+    came <- readAnswer asked' got
+    form <- likenedTo about asked' came <$> readAnswer asked' wanted
+    -- Values of one number are many: 0.2 and 0.20000000000000001.
+    Just $
+      if answerValue asked' form == answerValue asked' came then got else answerValue asked' form
 
 -- | Why the definition answers so under a profile, in a sentence for somebody whose implementation
 -- answered something else: the convention of the profile that decides it, or the rule of a refusal.
