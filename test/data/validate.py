@@ -61,25 +61,28 @@ def with_another_key(holder, step):
     holder[step] = {**holder[step], "no such key": 0}
 
 
+def with_no_type(holder, step):
+    holder[step] = [{"": {}}]
+
+
 def spoilt(value, always, is_open):
-    """Each with what was done: a key that every such value has left out, a key too many, a value of
-    a type that stands nowhere."""
+    """What to do, and the value where it is done: leave out a key that every such value has, add a
+    key, put a value of a type that stands nowhere."""
     for key in always:
-        yield f"without {key}", {k: v for k, v in value.items() if k != key}
+        yield f"without {key}", lambda: {k: v for k, v in value.items() if k != key}
     for path, part in places(value):
         if FREE.intersection(path):
             continue
         if type(part) is dict and not is_open:
-            further = changed([value], (0, *path), with_another_key)
-            yield f"a further key in {path}", further[0]
+            yield f"a further key in {path}", lambda: changed([value], (0, *path), with_another_key)[0]
         if path and type(part) not in (dict, list):
-            yield f"spoilt {path}", changed(value, path, lambda h, k: h.__setitem__(k, [{"": {}}]))
-    yield "a list of it", [value]
+            yield f"spoilt {path}", lambda: changed(value, path, with_no_type)
+    yield "a list of it", lambda: [value]
 
 
 def first_accepted(validator, value, always, is_open, tried):
     for what, bad in spoilt(value, always, is_open):
-        if what not in tried and validator.is_valid(bad):
+        if what not in tried and validator.is_valid(bad()):
             return what
         tried.add(what)
     return "good"
