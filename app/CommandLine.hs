@@ -17,6 +17,7 @@ import qualified Command.Check
 import qualified Command.Classify
 import qualified Command.Compare
 import qualified Command.Conform
+import qualified Command.Convert
 import qualified Command.Decode
 import qualified Command.Draw
 import qualified Command.Emboss
@@ -160,6 +161,7 @@ commands =
       ( commandGroup "Touch:" <> hidden
           <> mconcat
             [ Command.Probe.command,
+              Command.Convert.command,
               Command.Register.command,
               Command.Stitch.command,
               Command.Segment.command,

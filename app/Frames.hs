@@ -1,16 +1,20 @@
 -- | Sources of composites on disk, for the commands that take what @decode@ takes.
 module Frames
   ( framesArgument,
+    chosenSources,
     loadSources,
-    loadFolder,
+    loadFrames,
+    loadUnplaced,
     onlyImages,
   )
 where
 
-import Control.Monad (forM_)
+import Control.Monad (forM_, when)
+import Data.Foldable (for_)
 import Data.List (nub)
 import Data.Traversable (for)
 import ExitStatus
+import FramesChoice (FramesChoice (..))
 import Message
 import Options
 import PraTactile.Decode (Stitching, sourceComposite)
@@ -19,7 +23,9 @@ import PraTactile.Image (rasterSize)
 import PraTactile.Registration (Composite, LatticeTables, compositeImage)
 import PraTactile.Sensor.Frame (sensorSide)
 import PraTactile.Source
-import System.FilePath (takeDirectory)
+import System.Directory (doesDirectoryExist)
+import System.FilePath (takeDirectory, takeFileName)
+import Visible (visibleName)
 
 -- | The paths of images, folders of frames, and frames.
 framesArgument :: Parser [FilePath]
@@ -32,6 +38,13 @@ framesArgument =
         )
     )
 
+-- | What these paths are, one of which is a movie where its poses are given.
+chosenSources :: FramesChoice -> [FilePath] -> IO [SourcePath]
+chosenSources choice paths = case (posesFile choice, paths) of
+  (Nothing, _) -> sourcePaths paths >>= orUnusable filesMessage
+  (Just poses, [movie]) -> pure [MoviePath poses movie]
+  _ -> misused "--poses is of one movie; give its file as the one PATH"
+
 -- | The composites of sources, given the tables of the symbols that may have been felt, and how
 -- much larger than the paper's they are, as 'sourceComposite' makes them. Says so where images of a
 -- frame's size are taken for composites, because they stand in no manifest. Leaves with status 2
@@ -39,11 +52,19 @@ framesArgument =
 loadSources ::
   LatticeTables -> Double -> Preparation -> Stitching -> [SourcePath] -> IO [Composite]
 loadSources tables size known stitching paths = do
-  composites <- for paths $ \path -> do
-    source <- readSource path >>= orUnusable filesMessage
+  sources <- for paths $ \path -> readSource path >>= orUnusable filesMessage
+  composites <- for (zip paths sources) $ \(path, source) ->
     orUnusable
       (decodeMessage (sourcePath path))
       (sourceComposite tables size known stitching source)
+  for_ (zip paths sources) $ \(path, source) -> do
+    let (clipped, count) = clippedReadings known source
+        name = visibleName (sourcePath path)
+    when (clipped > 0) $
+      warn
+        ( "warning: " ++ name ++ ": " ++ show clipped ++ " of " ++ show count
+            ++ " readings are above full scale and count as that; --full-scale sets it"
+        )
   let lone =
         [ takeDirectory file
           | (ImagePath file, composite) <- zip paths composites,
@@ -59,6 +80,21 @@ loadSources tables size known stitching paths = do
 onlyImages :: [SourcePath] -> Bool
 onlyImages sources = and [case source of ImagePath _ -> True; _ -> False | source <- sources]
 
--- | A folder of frames.
-loadFolder :: FilePath -> IO Folder
-loadFolder folder = readFolder folder >>= orUnusable filesMessage
+-- | A folder of frames, or a movie with its poses.
+loadFrames :: FramesChoice -> FilePath -> IO Folder
+loadFrames choice path = do
+  found <- readSource (maybe (FolderPath path) (`MoviePath` path) (posesFile choice))
+  case found of
+    Right (FrameFolder folder) -> pure folder
+    Right (WholeImage _) -> unusable (filesMessage (IsFile path))
+    Left why -> unusable (filesMessage why)
+
+-- | A folder of frames, or a movie or an image of which nobody says where it was pressed.
+loadUnplaced :: FilePath -> IO Folder
+loadUnplaced path = do
+  isFolder <- doesDirectoryExist path
+  if isFolder
+    then readFolder path >>= orUnusable filesMessage
+    else do
+      bytes <- readImage path >>= orUnusable filesMessage
+      orUnusable (movieMessage path) (movieFolder (takeFileName path) Nothing bytes)

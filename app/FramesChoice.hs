@@ -5,6 +5,9 @@ module FramesChoice
   ( FramesChoice (..),
     framesOptions,
     calibrationOption,
+    taxelOption,
+    posesOption,
+    fullScaleOption,
     preparation,
     StitchingChoice (asTheyAre),
     stitchingOptions,
@@ -16,8 +19,10 @@ where
 
 import Data.Maybe (fromMaybe, isJust)
 import FormatFile (readCalibration)
+import Message.Format (rangeText)
 import Options
 import PraTactile.Decode (Stitching (..), nominalStitching, standardStitching)
+import PraTactile.Image.File
 import PraTactile.Sensor.Manifest (Axes, axesNamed, straight)
 import PraTactile.Source (Preparation (..))
 import SensorChoice (usableTaxel)
@@ -30,22 +35,21 @@ data FramesChoice = FramesChoice
     chosenImageAxes :: Maybe Axes,
     chosenPositionScale :: Maybe (Double, Double),
     chosenInverted :: Bool,
+    -- | the reading of full contact
+    chosenFullScale :: Maybe Double,
+    -- | of a movie
+    posesFile :: Maybe FilePath,
     calibrationFile :: Maybe FilePath
   }
 
 -- | How frames and whole images are taken: @--taxel@, @--axes@, @--image-axes@, @--position-scale@,
--- @--inverted@ and @--calibration@.
+-- @--inverted@, @--full-scale@, @--poses@ and @--calibration@.
 framesOptions :: Parser FramesChoice
 framesOptions =
   FramesChoice
-    <$> optional
-      ( valued
-          decimalReader
-          "taxel"
-          "MM"
-          "The distance between the sensor's neighbouring taxels, or the pixels of a whole image \
-          \(default: as manifest.json says, or 1.5875)"
-      )
+    <$> taxelOption
+      "The distance between the sensor's neighbouring taxels, or the pixels of a whole image \
+      \(default: as manifest.json or the file says, or 1.5875)"
     <*> optional
       ( choosing
           "pair of axes"
@@ -77,6 +81,8 @@ framesOptions =
       )
     <*> switch
       (long "inverted" <> help "No contact is white in the images, and full contact black")
+    <*> fullScaleOption
+    <*> posesOption "Where the frames of a movie, the one PATH, were pressed"
     <*> calibrationOption
   where
     scaleReader = do
@@ -84,6 +90,33 @@ framesOptions =
       if all (\s -> s > 0 && s <= 1e9) [across, down]
         then pure (across, down)
         else readerError "a scale is a number above 0, up to 10^9"
+
+-- | @--taxel@.
+taxelOption :: String -> Parser (Maybe Double)
+taxelOption = optional . valued decimalReader "taxel" "MM"
+
+-- | @--poses@.
+posesOption :: String -> Parser (Maybe FilePath)
+posesOption what =
+  optionalFile "poses" "FILE" (what ++ ": a line a frame, x_mm,y_mm or x_mm,y_mm,rotation_deg")
+
+-- | @--full-scale@.
+fullScaleOption :: Parser (Maybe Double)
+fullScaleOption =
+  optional
+    ( valued
+        fullScaleReader
+        "full-scale"
+        "READING"
+        "The reading of full contact; what is above counts as that (default: as manifest.json \
+        \says, or the file: the largest of its type, 1 of numbers with a point and of text)"
+    )
+  where
+    fullScaleReader = do
+      full <- decimalReader
+      if isFullScale full
+        then pure full
+        else readerError (rangeText "the reading of full contact" fullScales)
 
 -- | @--calibration@.
 calibrationOption :: Parser (Maybe FilePath)
@@ -102,6 +135,7 @@ preparation choice =
     (fromMaybe straight (chosenImageAxes choice))
     (fromMaybe (1, 1) (chosenPositionScale choice))
     (chosenInverted choice)
+    (chosenFullScale choice)
     <$> traverse usableTaxel (chosenTaxel choice)
     <*> traverse readCalibration (calibrationFile choice)
 
@@ -150,6 +184,7 @@ ofFrames :: StitchingChoice -> FramesChoice -> [(String, Bool)]
 ofFrames stitching frames =
   ("--axes", isJust (chosenAxes frames)) :
   ("--position-scale", isJust (chosenPositionScale frames)) :
+  ("--poses", isJust (posesFile frames)) :
   ("--no-stitching", asTheyAre stitching) :
   ofRegistration stitching
 

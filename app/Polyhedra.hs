@@ -5,6 +5,7 @@ module Polyhedra
     asUsual,
     readingOptions,
     readingWith,
+    formatOption,
     Polyhedron (..),
     polyhedron,
     readBy,
@@ -56,18 +57,20 @@ asUsual = SolidReading Nothing 1 asItIs {mendMerging = TrianglesMerged}
 -- @--fix-orientation@, @--keep-triangles@ and @--format@.
 readingOptions :: Parser SolidReading
 readingOptions =
-  readingWith $
-    flag
-      TrianglesMerged
-      AsWritten
-      ( long "keep-triangles"
-          <> help
-            "Leave triangles of one plane that share sides as they are (default: they are one face)"
-      )
+  readingWith
+    ( flag
+        TrianglesMerged
+        AsWritten
+        ( long "keep-triangles"
+            <> help
+              "Leave triangles of one plane that share sides as they are (default: one face)"
+        )
+    )
+    formatOption
 
--- | The same, given the option that says which faces are put together.
-readingWith :: Parser Merging -> Parser SolidReading
-readingWith merging =
+-- | The same, given the options that say which faces are put together, and the format.
+readingWith :: Parser Merging -> Parser (Maybe SolidFormat) -> Parser SolidReading
+readingWith merging format =
   made
     <$> option
       (positiveReader "a factor")
@@ -87,10 +90,10 @@ readingWith merging =
           <> help "Turn faces so that all are counter-clockwise seen from outside"
       )
     <*> merging
-    <*> formatOption
+    <*> format
   where
-    made scale tolerance turning faces format =
-      SolidReading format scale (Mending tolerance turning faces)
+    made scale tolerance turning faces said =
+      SolidReading said scale (Mending tolerance turning faces)
 
 -- | A polyhedron that was read.
 data Polyhedron = Polyhedron

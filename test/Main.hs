@@ -50,6 +50,7 @@ import qualified Test.CommandLine.Chance
 import qualified Test.CommandLine.Decode
 import qualified Test.CommandLine.Emboss
 import qualified Test.CommandLine.Fields
+import qualified Test.CommandLine.Images
 import qualified Test.CommandLine.Json
 import qualified Test.CommandLine.Locate
 import qualified Test.CommandLine.LongWork
@@ -157,6 +158,7 @@ import qualified Test.Touch.Classification.PaperExperiment
 import qualified Test.Touch.Classification.SpecimensOfEachKind
 import qualified Test.Touch.Composite.BlendByDefinition
 import qualified Test.Touch.Composite.TiltByDefinition
+import qualified Test.Touch.Image.FilesOfOthers
 import qualified Test.Touch.Image.PgmByTheManual
 import qualified Test.Touch.Image.PgmLaws
 import qualified Test.Touch.Image.RastersAndCorrelation
@@ -268,6 +270,7 @@ together = do
   describe "Touch" $ do
     describe "Images" Test.Touch.Image.RastersAndCorrelation.spec
     describe "PGM" Test.Touch.Image.PgmLaws.spec
+    describe "Files of other programs" Test.Touch.Image.FilesOfOthers.spec
     describe "PGM by the manual's examples" Test.Touch.Image.PgmByTheManual.spec
     describe "Probing" Test.Touch.Sensor.MotionsAndPlans.spec
     describe "Manifests word by word" Test.Touch.Sensor.ManifestAgainstGrammar.spec
@@ -404,6 +407,7 @@ commands = do
   describe "The command line: output, arguments, names" Test.CommandLine.Output.spec
   describe "The command line: what answers are worth" Test.CommandLine.Chance.spec
   describe "The command line: decoding" Test.CommandLine.Decode.spec
+  describe "The command line: frames in other forms" Test.CommandLine.Images.spec
   describe "The command line: embossing" Test.CommandLine.Emboss.spec
   describe "The command line: pictures and truths" Test.CommandLine.Picture.spec
   describe "The command line: locating" Test.CommandLine.Locate.spec

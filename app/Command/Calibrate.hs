@@ -8,14 +8,15 @@ where
 
 import qualified Data.ByteString.Lazy as Lazy
 import ExitStatus
-import Frames (loadFolder)
+import Frames (loadUnplaced)
+import FramesChoice (fullScaleOption)
 import Message
 import Options
 import Output (sayWritten, writeWhole)
 import PraTactile.Format (encodeCalibration)
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Sensor.Calibration
-import PraTactile.Source (folderRasters)
+import PraTactile.Source (folderRasters, withFullScale)
 
 command :: Mod CommandFields (IO ExitStatus)
 command =
@@ -28,13 +29,14 @@ command =
       "pra-tactile calibrate --dark dark --flat flat --output calibration.json"
     ]
     ( run
-        <$> folderOption "dark" "The folder of frames where nothing is touched"
-        <*> folderOption "flat" "The folder of frames where all taxels are pressed alike"
+        <$> folderOption "dark" "The folder of frames, or the movie, where nothing is touched"
+        <*> folderOption "flat" "The same where all taxels are pressed alike"
+        <*> fullScaleOption
         <*> fileOption "output" "FILE" "The calibration, which stitch, decode and register take"
     )
 
-run :: FilePath -> FilePath -> FilePath -> IO ExitStatus
-run dark flat output = do
+run :: FilePath -> FilePath -> Maybe Double -> FilePath -> IO ExitStatus
+run dark flat full output = do
   darks <- images dark
   flats <- images flat
   calibration <- orUnusable calibrationMessage (calibrate darks flats)
@@ -48,5 +50,5 @@ run dark flat output = do
     )
   pure Answered
   where
-    images folder =
-      loadFolder folder >>= orUnusable (sourceMessage folder) . folderRasters
+    images path =
+      loadUnplaced path >>= orUnusable (sourceMessage path) . folderRasters . withFullScale full

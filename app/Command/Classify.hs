@@ -8,6 +8,7 @@ import Control.Monad (when)
 import Data.Bifunctor (first)
 import qualified Data.ByteString.Char8 as Bytes
 import ExitStatus
+import FramesChoice (fullScaleOption)
 import Lines
 import Message
 import Options
@@ -15,8 +16,7 @@ import PraTactile.Classification.Classifier
 import PraTactile.Files (largestInput, readUpTo)
 import PraTactile.Format.Classification
 import PraTactile.Image (Raster, mapRaster, maximumValue, minimumValue)
-import PraTactile.Image.Pgm (decodePgmUpTo, pgmIntensity)
-import PraTactile.Registration (maxImagePixels)
+import PraTactile.Source (Preparation (..), asStated, wholeImage)
 import PraTactile.Symmetry
 import Setup
 import System.IO (hFlush, stdout)
@@ -27,6 +27,7 @@ data Options = Options
   { weights :: Maybe FilePath,
     method :: Method,
     levels :: (Double, Double),
+    fullScale :: Maybe Double,
     form :: AnswerForm,
     -- | 'Nothing': a path a line of the standard input
     given :: Maybe [FilePath]
@@ -60,6 +61,7 @@ command =
               <> value (0, 1)
               <> help "What a flat and an embossed taxel are, of full scale (default: 0,1)"
           )
+        <*> fullScaleOption
         <*> jsonSwitch "Print a line of JSON an image"
         <*> ( flag' Nothing (long "batch" <> help "Read a path a line from the standard input")
                 <|> (Just <$> some (pathArgument (metavar "IMAGE" <> action "file")))
@@ -78,7 +80,7 @@ run choice options
       ByMeans -> pure (meansClassifier (calibrationFor alphabet) alphabet)
       ByLogistic -> pure (logisticClassifier (calibrationFor alphabet) alphabet)
       ByNetwork -> networkClassifier <$> readerWith alphabet (weights options)
-    let ask path = (>>= answered path) <$> imageIn (levels options) path
+    let ask path = (>>= answered path) <$> imageIn (fullScale options) (levels options) path
         answered path = first (ofImage path . networkMessage) . classified classifier
         how = form options
         one path = ask path >>= orUnusable sentence >>= told how path
@@ -107,8 +109,8 @@ ofImage :: FilePath -> String -> NoImage
 ofImage path why = NoImage why (visibleName path ++ ": " ++ why)
 
 -- | The image in a file, flat taxels at 0 and embossed ones at 1; or what is wrong with it.
-imageIn :: (Double, Double) -> FilePath -> IO (Either NoImage Raster)
-imageIn (low, high) path
+imageIn :: Maybe Double -> (Double, Double) -> FilePath -> IO (Either NoImage Raster)
+imageIn full (low, high) path
   | null path = pure (Left (NoImage nameless nameless))
   | otherwise = do
     bytes <- readUpTo largestInput path
@@ -119,7 +121,7 @@ imageIn (low, high) path
       seen <-
         first
           (ofImage path . imageMessage)
-          (pgmIntensity <$> decodePgmUpTo maxImagePixels bytes)
+          (fst <$> wholeImage asStated {preparedFullScale = full} bytes)
       when (minimumValue seen == maximumValue seen) $
         Left (ofImage path "all of its values are the same")
       Right (mapRaster (\v -> (v - low) / (high - low)) seen)

@@ -26,7 +26,7 @@ import PraTactile.Array (ArrayOn (..), Position, PseudorandomArray, Surface)
 import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Decode (Stitching (..))
 import PraTactile.Field (KnownField)
-import PraTactile.Files (SourcePath (..), sourcePath, sourcePaths)
+import PraTactile.Files (SourcePath (..), sourcePath)
 import PraTactile.Format
   ( ObjectPose (..),
     RecognitionContext (..),
@@ -208,7 +208,7 @@ run choice options
     misused "--plane places the pose in the world, which --json alone tells; give --json as well"
   | otherwise = do
     for_ (picture options) orNotSvg
-    found <- sourcePaths (paths options) >>= orUnusable filesMessage
+    found <- chosenSources (frames options) (paths options)
     heeded options found
     world <- traverse readPlane (plane options)
     withNear choice (objects options) (decodeAll world options found)

@@ -9,8 +9,9 @@ where
 import ArrayChoice
 import Control.Monad (when)
 import qualified Data.ByteString.Lazy as Lazy
+import Data.Either (lefts, rights)
 import Data.Foldable (for_)
-import Data.Maybe (fromMaybe, isJust, isNothing)
+import Data.Maybe (fromMaybe, isJust, isNothing, listToMaybe)
 import ExitStatus
 import Message
 import Options
@@ -19,7 +20,8 @@ import PlacementChoice
 import Polyhedra
 import PraTactile.Explore
 import PraTactile.Format (encodePosedTruth, folderFiles)
-import PraTactile.Format.Solid (SolidFormat (Stl))
+import PraTactile.Format.Solid (SolidFormat (Stl), formatName)
+import PraTactile.Image.File (ImageFormat (Pgm), imageFormatName)
 import PraTactile.Object.Mend (Merging (..), asItIs)
 import PraTactile.Object.Mesh (Mesh, scaledBy)
 import PraTactile.Object.Placement
@@ -57,6 +59,8 @@ data Options = Options
     -- | what was made of the object, pressed in its place
     meshFile :: Maybe FilePath,
     meshReading :: SolidReading,
+    -- | of the frames' files and of the mesh
+    formats :: [Either ImageFormat SolidFormat],
     output :: FilePath
   }
 
@@ -77,8 +81,8 @@ command :: Mod CommandFields (IO ExitStatus)
 command =
   subcommand
     "probe"
-    "Press the simulated sensor on an object's face and write the frames, as PGM files with a \
-    \manifest, into a new folder."
+    "Press the simulated sensor on an object's face and write the frames, with a manifest, \
+    \into a new folder."
     [ "pra-tactile probe --object cube --seed 7 --output frames",
       "pra-tactile probe --object cube --face 'C1 C2 C3 C4' --at 12.7,40 --upright --seed 1 \
       \--output frames",
@@ -135,10 +139,24 @@ optionsParser =
       "FILE"
       "Press this polyhedron, as 'emboss' writes it, in place of the object: its surface is felt \
       \where the placement has the face, and the array is not asked"
-    <*> readingWith (pure AsWritten)
+    <*> readingWith (pure AsWritten) (pure Nothing)
+    <*> many
+      ( choosing
+          "format"
+          (map (fmap Left) (allNamed imageFormatName) ++ map (fmap Right) (allNamed formatName))
+          "format"
+          "FORMAT"
+          "What the frames' files are: pgm (default), png or npy; or the format of a --mesh whose \
+          \file's end does not tell it"
+          mempty
+      )
     <*> folderOption "output" "A folder that is new or empty"
   where
     place = pairReader ',' "12.7,40"
+
+-- | That of the mesh, if it is given.
+meshFormat :: Options -> Maybe SolidFormat
+meshFormat = listToMaybe . reverse . rights . formats
 
 -- | @--object@, @--dark@ or @--flat@.
 workOption :: Parser Work
@@ -184,7 +202,8 @@ run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options
   | any (not . (< 1e6) . abs) [fst placed, snd placed] =
     misused "--origin is a place in millimetres"
-  | isNothing (meshFile options) && meshReading options /= asUsual {readingMending = asItIs} =
+  | isNothing (meshFile options)
+      && (meshReading options /= asUsual {readingMending = asItIs} || isJust (meshFormat options)) =
     misused "--scale, --tolerance and --format are for a --mesh"
   | otherwise = do
     simulated <- chosenSensor (sensor options)
@@ -252,7 +271,10 @@ pressing choice options how object = do
             pressingOrigin = smaller (pressingOrigin how),
             pressingBend = bendBySymbols scale <$> pressingBend how
           }
-  mesh <- traverse (meshIn (meshReading options)) (meshFile options)
+  mesh <-
+    traverse
+      (meshIn (meshReading options) {readingFormat = meshFormat options})
+      (meshFile options)
   (frames, found) <-
     orUnusable (pressMessage larger (at options))
       =<< case mesh of
@@ -282,13 +304,15 @@ writeFrames options simulated frames = do
   writeFolder (output options)
     =<< orUnusable
       imageMessage
-      (folderFiles (sensorTaxelGrid simulated) (sensorBits simulated) frames)
+      (folderFiles format (sensorTaxelGrid simulated) (sensorBits simulated) frames)
   putStrLn
     ( "wrote "
         ++ show (length frames)
         ++ " frames and their manifest to "
         ++ visibleName (output options)
     )
+  where
+    format = fromMaybe Pgm (listToMaybe (reverse (lefts (formats options))))
 
 truthText :: Truth -> String
 truthText truth =

@@ -9,18 +9,17 @@ import qualified Data.ByteString.Char8 as Bytes
 import Data.Text.Encoding (encodeUtf8)
 import ExitStatus
 import FormatFile (readCalibration)
-import FramesChoice (calibrationOption)
+import FramesChoice (calibrationOption, fullScaleOption)
 import Lines
 import Message
 import Options
-import PraTactile.Files (readImage)
+import PraTactile.Files (readFrame)
 import PraTactile.Format.Registration
 import PraTactile.Image (Raster, rasterSize)
-import PraTactile.Registration (compositeImage)
 import PraTactile.Registration.Pair
 import PraTactile.Sensor.Calibration (CalibrationError, correctedImage)
 import PraTactile.Shape (Alphabet)
-import PraTactile.Source (imageComposite)
+import PraTactile.Source (frameOf)
 import Setup
 import System.IO (hFlush, stdout)
 import Text.Printf (printf)
@@ -40,6 +39,7 @@ command =
         <*> pairingOptions
         <*> alphabetChoice
         <*> calibrationOption
+        <*> fullScaleOption
         <*> jsonSwitch "Print the answer as JSON"
     )
   where
@@ -81,23 +81,25 @@ run ::
   ((Double, Double) -> Pairing) ->
   AlphabetChoice ->
   Maybe FilePath ->
+  Maybe Double ->
   AnswerForm ->
   IO ExitStatus
-run asked pairing symbols calibrationFile form = do
+run asked pairing symbols calibrationFile full form = do
   known <- chosenAlphabet symbols
   calibrated <- maybe Right correctedImage <$> traverse readCalibration calibrationFile
+  let frame = frameIn calibrated full
   case asked of
     Right request -> do
-      (match, _) <- answered known calibrated pairing Nothing request
+      (match, _) <- answered known frame pairing Nothing request
       printAs form (matchText match) (encodeMatch match)
       pure (statusOf match)
     Left () ->
       (\(_, _, worst) -> worst)
-        <$> forLines (answerLine known calibrated) (1, Nothing, Answered)
+        <$> forLines (answerLine known frame) (1, Nothing, Answered)
   where
-    answerLine known calibrated (number, tables, worst) line = do
+    answerLine known frame (number, tables, worst) line = do
       request <- orUnusable id (requested number line)
-      (match, tables') <- answered known calibrated pairing tables request
+      (match, tables') <- answered known frame pairing tables request
       Bytes.putStrLn (encodeMatch match)
       hFlush stdout
       pure (number + 1, Just tables', max worst (statusOf match))
@@ -112,14 +114,14 @@ run asked pairing symbols calibrationFile form = do
 -- | The answer to a request, and the tables for the next.
 answered ::
   Alphabet ->
-  (Raster -> Either CalibrationError Raster) ->
+  (FilePath -> IO Raster) ->
   ((Double, Double) -> Pairing) ->
   Maybe ((Int, Int), Tables) ->
   PairRequest ->
   IO (Match, ((Int, Int), Tables))
-answered known calibrated pairing made (PairRequest fileA fileB step) = do
-  a <- prepared fileA
-  b <- prepared fileB
+answered known frame pairing made (PairRequest fileA fileB step) = do
+  a <- frame fileA
+  b <- frame fileB
   let size = rasterSize a
       tables = case made of
         Just (forSize, already) | forSize == size -> already
@@ -129,18 +131,14 @@ answered known calibrated pairing made (PairRequest fileA fileB step) = do
       (\e -> fileA ++ ", " ++ fileB ++ ": " ++ pairMessage e)
       (registerPair tables (pairing step) a b)
   pure (match, (size, tables))
-  where
-    prepared file = do
-      felt <- image file
-      orUnusable (\e -> file ++ ": " ++ calibrationMessage e) (calibrated felt)
 
-image :: FilePath -> IO Raster
-image file =
-  compositeImage
-    <$> ( readImage file
-            >>= orUnusable filesMessage
-            >>= orUnusable (fileMessage file) . imageComposite
-        )
+-- | The frame in a file, or of a movie, corrected, given the reading of full contact if it is.
+frameIn ::
+  (Raster -> Either CalibrationError Raster) -> Maybe Double -> FilePath -> IO Raster
+frameIn calibrated full path = do
+  (bytes, number) <- readFrame path >>= orUnusable filesMessage
+  (felt, _) <- orUnusable (fileMessage path) (frameOf full number bytes)
+  orUnusable (\e -> path ++ ": " ++ calibrationMessage e) (calibrated felt)
 
 statusOf :: Match -> ExitStatus
 statusOf match = maybe Answered (const NotAnswered) (matchRefusal match)

@@ -15,7 +15,7 @@ import FramesChoice
 import Message
 import Options
 import PraTactile.Classification.Reader (Reader (..))
-import PraTactile.Files (sourcePath, sourcePaths)
+import PraTactile.Files (sourcePath)
 import PraTactile.Format.Segmentation
 import PraTactile.Recognise.Features
 import PraTactile.Segmentation.Symbol
@@ -51,7 +51,7 @@ run ::
   [FilePath] ->
   IO ExitStatus
 run symbols weights stitching choice form paths = do
-  found <- sourcePaths paths >>= orUnusable filesMessage
+  found <- chosenSources choice paths
   when (onlyImages found) $
     leaveOut
       "whole images are not put together of frames"

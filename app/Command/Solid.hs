@@ -68,6 +68,7 @@ command =
                           <> help "Put faces together that share sides and lie in one plane"
                       )
                   )
+                  formatOption
                 <*> symbolsOption
                 <*> optionalFile
                   "output"

@@ -88,7 +88,7 @@ run symbols stitching choice asked folder output report form = do
   encoder <- traverse encoderFor output
   tables <- latticeTables <$> chosenAlphabet symbols
   known <- preparation choice
-  contents <- loadFolder folder
+  contents <- loadFrames choice folder
   frames <- orUnusable (sourceMessage folder) (preparedFrames known contents)
   made <- orUnusable (\e -> folder ++ ": " ++ stitchMessage e) (assembledBy tables asAsked frames)
   let composite = assemblyComposite made

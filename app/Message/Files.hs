@@ -3,6 +3,7 @@ module Message.Files
   ( ManifestPresence (..),
     filesMessage,
     sourceMessage,
+    movieMessage,
     decodeMessage,
     fileMessage,
     loneFramesMessage,
@@ -41,6 +42,8 @@ filesMessage e = case e of
       ++ header
   ManifestRefused file why -> file ++ ": " ++ manifestMessage why
   JsonManifestRefused file why -> formatMessage file "a manifest of frames" why
+  PosesRefused file why -> file ++ ": " ++ posesMessage why
+  MovieRefused file why -> movieMessage file why
   NotPermitted file -> "no permission to read " ++ file
   TooLarge path limit ->
     path
@@ -63,6 +66,9 @@ sourceMessage folder e = case e of
   ImageSize name (w, h) (w', h') ->
     (folder </> name) ++ " is " ++ by w h ++ " taxels; the manifest says " ++ by w' h'
   ImageRefused name why -> fileMessage (folder </> name) why
+  PosesOfAnother poses frames ->
+    folder ++ ": there are " ++ show poses ++ " poses, and the movie has " ++ show frames
+      ++ " frames"
   ImagesTooLarge n -> folder ++ ": " ++ stitchMessage (TooManyFramePixels n)
   CalibrationRefused why -> folder ++ ": " ++ calibrationMessage why
   ImagePitch pitch ->
@@ -75,6 +81,12 @@ sourceMessage folder e = case e of
       ++ " are examined; is --taxel right?"
   where
     by w h = show w ++ " x " ++ show h
+
+-- | Of a movie.
+movieMessage :: FilePath -> SourceError -> String
+movieMessage file e = case e of
+  ImageRefused _ why -> fileMessage file why
+  _ -> sourceMessage file e
 
 -- | Of what is decoded, a folder of frames or an image.
 decodeMessage :: FilePath -> DecodeError -> String

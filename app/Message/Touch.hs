@@ -2,6 +2,7 @@
 module Message.Touch
   ( imageMessage,
     manifestMessage,
+    posesMessage,
     probeMessage,
     stitchMessage,
     contradictionMessage,
@@ -16,6 +17,7 @@ where
 
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Char8 as Bytes8
 import Data.Char (isDigit)
 import Data.List (find, intercalate)
 import qualified Data.Text as Text
@@ -65,7 +67,9 @@ imageMessage e = case e of
     "the image has " ++ by (wide, high) ++ " pixels; an image of what was touched has at most "
       ++ show most
       ++ ", each a taxel of 1.5875 mm: cut out what was pressed, or scale it down"
-  NotPgm start -> "not a PGM file" ++ formatText start ++ "; a PGM file begins with P2 or P5"
+  NotPgm start ->
+    "not an image that is read" ++ formatText start
+      ++ "; PGM, PNG, .npy, numbers as text and Tekscan's exports are"
   BadHeader field found -> headerMessage field found
   MaxvalOutOfRange n -> "the PGM header's maximum value is " ++ show n ++ ", not 1 to 65535"
   BadSample i found -> "sample " ++ show i ++ " is not a number: " ++ show found
@@ -73,7 +77,33 @@ imageMessage e = case e of
     "the file is cut off: " ++ show needs ++ " samples are announced, " ++ show has ++ " are there"
   SampleAboveMaxval place v top ->
     "the sample at " ++ at place ++ " is " ++ show v ++ ", above the maximum value " ++ show top
-  TrailingData n -> show n ++ " bytes follow the image; one image a file is read"
+  TrailingData n -> show n ++ " bytes follow the image, and are none"
+  IsMovie n ->
+    "a movie of " ++ show n
+      ++ " frames; --poses FILE tells where they were pressed, FILE#0 is the \
+         \first of them"
+  NoSuchImage i n ->
+    "there is no frame #" ++ show i ++ "; the file has " ++ show n ++ ", from #0 on"
+  NumpyHeader -> "the .npy header is none"
+  NumpyType descr ->
+    "the .npy type is " ++ Bytes8.unpack descr ++ "; u1, u2, i2, i4, f4 and f8 are read"
+  NumpyShape shape ->
+    "the .npy shape is " ++ show shape ++ "; an image has two dimensions, a movie three"
+  PngRefused why -> case why of
+    PngBroken -> "the PNG file is broken"
+    PngDepth -> "the PNG file has neither 8 nor 16 bits a sample"
+    PngPalette -> "the PNG file has a palette; save it as grey"
+    PngTransparent -> "the PNG file has transparency; save it as grey"
+    PngColour -> "the PNG file has colours; save it as grey"
+  ImageInEncoding encoding -> "the text" ++ encodingMessage encoding
+  NotNumber line field found ->
+    "line " ++ show line ++ ", number " ++ show field ++ " is " ++ show found ++ ", no number"
+  DecimalComma line found ->
+    "line " ++ show line ++ " has a decimal comma, " ++ show found ++ "; write a decimal point"
+  TekscanHeader key -> "the header of the Tekscan export has no usable " ++ key
+  TekscanFrame i -> "the Tekscan export lacks frame " ++ show i ++ ", or has only a part of it"
+  UnequalSpacing across down ->
+    printf "columns are %.4g mm apart and rows %.4g mm; both must be the same" across down
   where
     by (w, h) = show w ++ " x " ++ show h
     at (x, y) = show x ++ "," ++ show y
@@ -120,6 +150,16 @@ manifestMessage e = case e of
       (whole, ',' : fraction) ->
         all isDigit (dropWhile (`elem` "+- ") whole) && all isDigit fraction
       _ -> False
+
+-- | Of a movie's poses.
+posesMessage :: ManifestError -> String
+posesMessage e = case e of
+  EmptyManifest -> "there are no poses"
+  WrongHeader found ->
+    "the first line is " ++ intercalate "," (map Text.unpack found)
+      ++ "; it must be x_mm,y_mm,rotation_deg, or such numbers"
+  NoEntries -> "there are no poses"
+  _ -> manifestMessage e
 
 probeMessage :: ProbeError -> String
 probeMessage e = case e of

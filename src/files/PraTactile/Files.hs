@@ -8,6 +8,7 @@ module PraTactile.Files
 
     -- * Images
     readImage,
+    readFrame,
 
     -- * Whatever a path holds
     SourcePath (..),
@@ -36,7 +37,7 @@ import qualified Data.Map.Strict as Map
 import GHC.IO.Exception (IOException (..))
 import PraTactile.Format (FormatError, decodeManifest)
 import PraTactile.Sensor.Manifest
-import PraTactile.Source (Folder (..), Source (..), imagesNamed)
+import PraTactile.Source (Folder (..), Source (..), SourceError, imagesNamed, movieFolder)
 import System.Directory (doesDirectoryExist, doesFileExist, doesPathExist)
 import System.FilePath (takeDirectory, takeFileName, (</>))
 import System.IO (Handle, IOMode (..), hFileSize, stdin, withBinaryFile)
@@ -60,6 +61,10 @@ data FilesError
     ManifestRefused FilePath ManifestError
   | -- | The file is no manifest in the JSON form.
     JsonManifestRefused FilePath FormatError
+  | -- | The file is no table of poses.
+    PosesRefused FilePath ManifestError
+  | -- | The file is no movie of which there are such poses.
+    MovieRefused FilePath SourceError
   | -- | The file may not be read.
     NotPermitted FilePath
   | -- | The file, or the folder's images together, is larger than this many bytes.
@@ -116,13 +121,21 @@ readManifest folder = do
 
 -- | These images of a folder, by their names, if they are no more than so many bytes together.
 readImages :: Int -> FilePath -> [FilePath] -> IO (Either FilesError (Map FilePath ByteString))
-readImages limit folder = fmap (fmap Map.fromList) . images limit
+readImages limit folder names = do
+  files <- traverse fileOf names
+  fmap Map.fromList <$> images limit (nub files)
   where
+    -- A name that no file has may be that of a movie's frame.
+    fileOf name = case frameOfMovie name of
+      Just (movie, _) -> do
+        whole <- doesPathExist (folder </> name)
+        pure (if whole then name else movie)
+      Nothing -> pure name
     images _ [] = pure (Right [])
-    images room (name : names) = do
+    images room (name : others) = do
       read' <- readUpTo room (folder </> name)
       case read' of
-        Right bytes -> fmap ((name, bytes) :) <$> images (room - Bytes.length bytes) names
+        Right bytes -> fmap ((name, bytes) :) <$> images (room - Bytes.length bytes) others
         Left (TooLarge file _) ->
           pure (Left (TooLarge (if room < limit then folder else file) limit))
         Left other -> pure (Left other)
@@ -130,6 +143,16 @@ readImages limit folder = fmap (fmap Map.fromList) . images limit
 -- | An image's bytes.
 readImage :: FilePath -> IO (Either FilesError ByteString)
 readImage = readUpTo largestInput
+
+-- | An image's bytes, and its number where the path is that of a movie's frame ('frameOfMovie').
+readFrame :: FilePath -> IO (Either FilesError (ByteString, Maybe Int))
+readFrame path = do
+  whole <- doesPathExist path
+  case frameOfMovie path of
+    Just (movie, number) | not whole -> numbered (Just number) movie
+    _ -> numbered Nothing path
+  where
+    numbered number file = fmap (\bytes -> (bytes, number)) <$> readImage file
 
 -- | Where a source is.
 data SourcePath
@@ -139,6 +162,8 @@ data SourcePath
     FramePaths FilePath [FilePath]
   | -- | one image that is a whole composite; @-@ is the standard input
     ImagePath FilePath
+  | -- | a movie, with the file of its poses
+    MoviePath FilePath FilePath
   deriving stock (Eq, Show)
 
 -- | The path that stands for a source: its file or its folder.
@@ -147,6 +172,7 @@ sourcePath source = case source of
   FolderPath folder -> folder
   FramePaths folder _ -> folder
   ImagePath file -> file
+  MoviePath _ file -> file
 
 -- | Paths as sources: folders and whole images each by itself, in their order; then, folder by
 -- folder, the files that the manifest beside them lists, which belong together. Refuses a path
@@ -175,15 +201,17 @@ sourceAt path = do
   case () of
     _
       | isFolder -> pure (Right (FolderPath path))
-      | not isFile -> pure (Left (NoSuchPath path))
-      | listed -> fmap besideOthers <$> readManifest folder
-      | otherwise -> pure (Right (ImagePath path))
+      | listed -> (>>= besideOthers isFile) <$> readManifest folder
+      | otherwise -> pure (alone isFile)
   where
     folder = takeDirectory path
     name = takeFileName path
-    besideOthers manifest
-      | name `elem` map entryFile (manifestEntries manifest) = FramePaths folder [name]
-      | otherwise = ImagePath path
+    alone isFile = if isFile then Right (ImagePath path) else Left (NoSuchPath path)
+    -- A movie stands for all its frames that are listed.
+    besideOthers isFile manifest = case filter (isOf . entryFile) (manifestEntries manifest) of
+      [] -> alone isFile
+      entries -> Right (FramePaths folder (map entryFile entries))
+    isOf listed = listed == name || fmap fst (frameOfMovie listed) == Just name
 
 -- | What a source holds.
 readSource :: SourcePath -> IO (Either FilesError Source)
@@ -191,6 +219,13 @@ readSource source = case source of
   FolderPath folder -> fmap FrameFolder <$> readFolder folder
   FramePaths folder names -> fmap FrameFolder <$> readListed largestInput (`elem` names) folder
   ImagePath file -> fmap WholeImage <$> readImage file
+  MoviePath poses file ->
+    readUpTo largestInput poses `andThen` \told ->
+      readImage file `andThen` \bytes ->
+        pure $ do
+          entries <- first (PosesRefused poses) (parsePoses told)
+          first (MovieRefused file) . fmap FrameFolder $
+            movieFolder (takeFileName file) (Just entries) bytes
 
 -- | A file's bytes, if there are not more than so many; of a pipe or a device as well. @-@ is the
 -- standard input.

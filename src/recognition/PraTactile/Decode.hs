@@ -28,6 +28,7 @@ module PraTactile.Decode
   )
 where
 
+import Control.Applicative ((<|>))
 import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import PraTactile.Array (ArrayOn (..))
@@ -113,7 +114,7 @@ standardDecoding = Decoding asStated standardStitching standardTolerance
 -- | The composite of a source: the frames of a folder, prepared and put together, or the image that
 -- is one, likewise prepared. Tables and size are those of the symbols that may have been felt: a
 -- size of 2 is twice the paper's. The composite's lengths are divided by the size. Refuses what
--- 'preparedFrames', 'stitchedBy', 'imageComposite' and 'preparedImage' refuse.
+-- 'preparedFrames', 'stitchedBy', 'wholeImage' and 'preparedImage' refuse.
 sourceComposite ::
   LatticeTables -> Double -> Preparation -> Stitching -> Source -> Either DecodeError Composite
 sourceComposite tables size known stitching source = case source of
@@ -121,8 +122,9 @@ sourceComposite tables size known stitching source = case source of
     first FolderRefused (preparedFrames known folder)
       >>= fmap (stated folder) . framesComposite tables size stitching
   WholeImage bytes ->
-    first FileRefused (imageComposite bytes)
-      >>= first FolderRefused . preparedImage size known . compositeImage
+    first FileRefused (wholeImage known bytes)
+      >>= first FolderRefused . \(image, pixel) ->
+        preparedImage size known {preparedTaxel = preparedTaxel known <|> pixel} image
   where
     stated folder composite =
       composite
@@ -147,7 +149,7 @@ decodeSources how with@(SomeRecogniser reader size _) sources =
 decodeFolder :: SomeRecogniser -> Folder -> Either DecodeError Recognition
 decodeFolder with folder = decodeSources standardDecoding with [FrameFolder folder]
 
--- | What one PGM file shows that is a whole composite, likewise.
+-- | What a file of one image shows that is a whole composite, likewise.
 decodeImage :: SomeRecogniser -> ByteString -> Either DecodeError Recognition
 decodeImage with bytes = decodeSources standardDecoding with [WholeImage bytes]
 

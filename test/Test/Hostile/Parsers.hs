@@ -42,6 +42,7 @@ import PraTactile.Format.Solid hiding (Written)
 import qualified PraTactile.Format.Solid as Solid
 import PraTactile.Grid (gridRows)
 import PraTactile.Image (constant, rasterSize, rasterValues)
+import PraTactile.Image.File (Felt (..), decodeImages, imagesCount, imagesSize, numberedImage)
 import PraTactile.Image.Pgm
 import PraTactile.Locate hiding (Outcome (..))
 import PraTactile.Object.Canonical (canonicalPlacement)
@@ -86,6 +87,14 @@ kinds =
             "decode --json -",
             "decode input --picture out.svg",
             "decode --together input input --at 0,0 --at 76.2,0 --json"
+          ]
+      },
+    (kind "images in other forms" 80 otherImages judgedImages)
+      { kindRuns =
+          [ "decode input",
+            "segment --json -",
+            "convert input --output out",
+            "decode --poses frames/poses.csv input"
           ]
       },
     (kind "manifests" 80 manifests judgedManifest)
@@ -182,6 +191,19 @@ judgedPgm :: ByteString -> Judged
 judgedPgm = judged imageMessage decodePgm $ \image ->
   [ ("decode . encode = Right", decodePgm (encodePgm format image) == Right image)
     | format <- [Plain, Binary]
+  ]
+
+-- | All its images are shares of full scale, of its size.
+judgedImages :: ByteString -> Judged
+judgedImages = judged imageMessage (decodeImages maxPixels) $ \images ->
+  [ ( "its images are shares of full scale",
+      and
+        [ rasterSize (feltImage felt) == imagesSize images
+            && Storable.all (\v -> v >= 0 && v <= 1) (rasterValues (feltImage felt))
+          | i <- [0 .. min 3 (imagesCount images - 1)],
+            Right felt <- [numberedImage Nothing (Just i) images]
+        ]
+    )
   ]
 
 judgedManifest, judgedJsonManifest, judgedSensor, judgedCalibration :: ByteString -> Judged

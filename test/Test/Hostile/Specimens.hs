@@ -3,6 +3,7 @@
 -- | Valid inputs of every kind: shipped files, and small ones as the library writes them.
 module Test.Hostile.Specimens
   ( pgms,
+    otherImages,
     manifests,
     jsonManifests,
     patches,
@@ -50,6 +51,8 @@ import PraTactile.Format.Network
 import PraTactile.Format.Profile (profileValue)
 import PraTactile.Format.Solid (Written (..), writeSolid)
 import PraTactile.Image (constant)
+import PraTactile.Image.File (ImageFormat (..), encodeImage)
+import PraTactile.Image.Pgm (decodePgm)
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Mesh (fromDescription)
 import PraTactile.Object.Named (Named (Frame, Tetrahedron), namedDescription)
@@ -72,6 +75,22 @@ pgms :: IO [ByteString]
 pgms =
   (: ["P2 # a comment\n3 2\n# another\n9\n0 1 2\n9 8 7\n", "P5 3 1 65535\n\0\1\2\3\255\255"])
     <$> Bytes.readFile "data/worked-example/frames/frame_000.pgm"
+
+-- | A frame of the worked example in each form, a movie, a matrix, and an export of Tekscan's.
+otherImages :: IO [ByteString]
+otherImages = do
+  frame <- Bytes.readFile "data/worked-example/frames/frame_000.pgm"
+  pure $
+    [encodeImage format pgm | Right pgm <- [decodePgm frame], format <- [Png, Npy]]
+      ++ [ frame <> frame,
+           "\x93NUMPY\1\0>\0{'descr': '<f4', 'fortran_order': True, 'shape': (2, 2, 1), }\n"
+             <> "\0\0\0\0\0\0\x80\x3f\0\0\xc0\x7f\0\0\x40\x40",
+           "# a frame\n0.5, 1, nan\n-1e-3, 0, B\n",
+           "0;1\n1;0\n\n0.25;1e-2\n1;0\n",
+           "ROWS 1\r\nCOLS 2\r\nROW_SPACING 1.27 mm\r\nCOL_SPACING 0.127 cm\r\nUNITS kPa\r\n"
+             <> "SATURATION_PRESSURE 200\r\nSTART_FRAME 1\r\nEND_FRAME 2\r\nASCII_DATA @@\r\n"
+             <> "\r\nFrame 1\r\n0,B\r\n\r\nFrame 2\r\n100,3\r\n@@\r\n"
+         ]
 
 -- | The worked example's manifest, and one as a spreadsheet writes it.
 manifests :: IO [ByteString]

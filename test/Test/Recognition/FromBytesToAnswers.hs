@@ -16,6 +16,7 @@ import PraTactile.Files
 import PraTactile.Format (FormatError (..), JsonError (..), folderFiles)
 import PraTactile.Image (constant, crop, generate)
 import PraTactile.Image.Error (ImageError (..))
+import PraTactile.Image.File (ImageFormat (..))
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity)
 import PraTactile.Object.Placement (Face (..), scaledPlacement, spotMillimetres)
 import PraTactile.Object.WingedEdge (ObjectName (..), faceText, vertexText)
@@ -103,7 +104,7 @@ genFrame = do
 -- | The folder of frames of the standard sensor.
 folderOf :: [Frame] -> Either String Folder
 folderOf frames = do
-  files <- first show (folderFiles standardTaxelGrid 8 frames)
+  files <- first show (folderFiles Pgm standardTaxelGrid 8 frames)
   let (lists, images) = Map.partitionWithKey (\name _ -> name == manifestName) (Map.fromList files)
   entries <- traverse (first show . parseManifest) (Map.elems lists)
   pure (Folder (listing (concat entries)) images)
@@ -196,7 +197,7 @@ diskSpec = do
                   [ frame {frameImage = image, frameTaxel = taxelGridPitch grid}
                     | (frame, image) <- zip drawn images
                   ]
-            files <- right (folderFiles grid 8 frames)
+            files <- right (folderFiles Pgm grid 8 frames)
             map fst files `shouldContain` [name]
             forM_ files $ \(file, bytes) -> Bytes.writeFile (folder </> file) bytes
             found <- readFolder folder >>= right
@@ -205,7 +206,7 @@ diskSpec = do
     inFolder $ \folder -> do
       let frame = Frame (Pose 0 0 0) 1 (generate 16 16 (\x y -> level (x + y))) taxelPitch []
           level k = fromIntegral (135 * k) / 4095
-      files <- right (folderFiles standardTaxelGrid 12 [frame])
+      files <- right (folderFiles Pgm standardTaxelGrid 12 [frame])
       forM_ files $ \(file, bytes) -> Bytes.writeFile (folder </> file) bytes
       found <- readFolder folder >>= right
       folderFrames found `shouldBe` Right [frame]
@@ -350,7 +351,7 @@ decodeSpec = do
             folder
               { folderManifest =
                   (folderManifest folder)
-                    { manifestTaxel = of' * manifestTaxel (folderManifest folder),
+                    { manifestTaxel = Just (of' * taxelPitch),
                       manifestEntries = map longer (manifestEntries (folderManifest folder))
                     }
               }
@@ -387,7 +388,7 @@ decodeSpec = do
                 }
             cube array = pressed (pressingWith sensor 7) alphabet array layout (ObjectName "cube")
         (frames, truth) <- right (withProfile canonicalProfile (const . cube)) >>= right
-        files <- right (folderFiles (sensorTaxelGrid sensor) 8 frames)
+        files <- right (folderFiles Pgm (sensorTaxelGrid sensor) 8 frames)
         forM_ files $ \(name, bytes) -> Bytes.writeFile (folder </> name) bytes
         source <- FrameFolder <$> (readFolder folder >>= right)
         composite <- right (sourceComposite paperTables 1 asStated standardStitching source)

@@ -11,15 +11,18 @@ where
 
 import Data.ByteString (ByteString)
 import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Codec
 import PraTactile.Image.Error (ImageError)
+import PraTactile.Image.File (ImageFormat (..), fullScales, isFullScale)
 import PraTactile.Sensor.Frame
   ( Frame,
     Pose (..),
     TaxelGrid (..),
     isTaxelPitch,
     standardTaxelGrid,
+    taxelPitch,
     taxelPitches,
   )
 import PraTactile.Sensor.Manifest
@@ -36,21 +39,26 @@ encodeManifest = writeLine manifestKeys
 decodeManifest :: ByteString -> Either FormatError Manifest
 decodeManifest = decodeWith manifestKeys
 
--- | The files of a folder of frames, by their names: its manifest, and images as binary PGM, of a
--- sensor of this grid whose readings have so many bits, 0 for real numbers. Of the standard
+-- | The files of a folder of frames, by their names: its manifest, and images in this format, of
+-- a sensor of this grid whose readings have so many bits, 0 for real numbers. Of the standard
 -- sensor and at most 8 bits the manifest is in its CSV form, else in its JSON form, and images have
 -- as many grey values as the readings. Refuses what 'frameImages' refuses.
-folderFiles :: TaxelGrid -> Int -> [Frame] -> Either ImageError [(FilePath, ByteString)]
-folderFiles grid bits frames = do
-  (entries, images) <- frameImages (if bits <= 8 then 255 else 2 ^ bits - 1) frames
+folderFiles ::
+  ImageFormat -> TaxelGrid -> Int -> [Frame] -> Either ImageError [(FilePath, ByteString)]
+folderFiles format grid bits frames = do
+  (entries, images) <- frameImages format top frames
   pure (manifest entries : Map.toList images)
   where
+    top = if bits <= 8 then 255 else 2 ^ bits - 1
+    -- PGM says its own.
+    full = if format == Pgm || top `elem` [255, 65535] then Nothing else Just (fromIntegral top)
     manifest entries
       | grid == standardTaxelGrid && bits <= 8 = (manifestName, renderManifest entries)
       | otherwise = (jsonManifestName, encodeManifest (listed entries) <> "\n")
     listed entries =
       (listing entries)
-        { manifestTaxel = taxelGridPitch grid,
+        { manifestTaxel = Just (taxelGridPitch grid),
+          manifestFullScale = full,
           manifestFrame = Just (taxelGridColumns grid, taxelGridRows grid),
           manifestAxes = Just straight
         }
@@ -59,12 +67,14 @@ manifestKeys :: Keys Manifest Manifest
 manifestKeys =
   schemaKey "pra-tactile/manifest/1"
     *> ( Manifest
-           <$> key "taxel_mm" pitch manifestTaxel
+           <$> (Just <$> key "taxel_mm" pitch (fromMaybe taxelPitch . manifestTaxel))
            <*> optionalKey "frame" (pairOf int) manifestFrame
            <*> optionalKey "axes" axes manifestAxes
+           <*> optionalKey "full_scale" fullScale manifestFullScale
            <*> key "frames" some' manifestEntries
        )
   where
+    fullScale = such isFullScale (OutOfRange "the full scale" fullScales) real
     pitch = such isTaxelPitch (OutOfRange "the pitch" taxelPitches) real
     some' = such (not . null) NoFrame (listOf (object entryKeys))
     axes = flip (via axesName) text $ \given ->

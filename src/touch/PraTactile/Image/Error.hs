@@ -6,11 +6,13 @@ module PraTactile.Image.Error
   ( -- * The error sum
     ImageError (..),
     HeaderField (..),
+    PngProblem (..),
   )
 where
 
 import Data.ByteString (ByteString)
 import Numeric.Natural (Natural)
+import PraTactile.PlainText (OtherEncoding)
 
 -- | Why there is no image. One constructor a cause.
 data ImageError
@@ -45,7 +47,43 @@ data ImageError
     SampleAboveMaxval !(Int, Int) !Natural !Int
   | -- | Something other than white space follows the image: how many bytes there are from it on.
     TrailingData !Int
+  | -- | The file has this many images, where one is needed.
+    IsMovie !Int
+  | -- | The file's image of this number, from 0, was asked for, and it has so many.
+    NoSuchImage !Int !Int
+  | -- | A file that begins as numpy's has no header that can be read.
+    NumpyHeader
+  | -- | A file of numpy's has numbers of another type than is read: its description.
+    NumpyType !ByteString
+  | -- | A file of numpy's has this shape, neither of two dimensions nor of three.
+    NumpyShape ![Integer]
+  | -- | A PNG file is none that is read.
+    PngRefused !PngProblem
+  | -- | A text is in this encoding, and not in UTF-8.
+    ImageInEncoding !OtherEncoding
+  | -- | The line and the field of a text, from 1, that is no number; what it is.
+    NotNumber !Int !Int !ByteString
+  | -- | The line, from 1, with a decimal comma; what has it.
+    DecimalComma !Int !ByteString
+  | -- | An export of Tekscan's lacks a key of its header, or has another value than can be.
+    TekscanHeader !String
+  | -- | An export of Tekscan's lacks the frame of this number, or some rows of it.
+    TekscanFrame !Integer
+  | -- | Columns and rows are not equally far apart, millimetres.
+    UnequalSpacing !Double !Double
   deriving stock (Eq, Show)
+
+-- | Why a PNG file is not read.
+data PngProblem
+  = -- | It cannot be decoded.
+    PngBroken
+  | -- | It has neither 8 nor 16 bits a sample.
+    PngDepth
+  | -- | It has colours, or transparency.
+    PngPalette
+  | PngTransparent
+  | PngColour
+  deriving stock (Eq, Show, Enum, Bounded)
 
 -- | A number of the PGM header.
 data HeaderField = HeaderWidth | HeaderHeight | HeaderMaxval

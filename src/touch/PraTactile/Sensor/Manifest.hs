@@ -8,6 +8,7 @@ module PraTactile.Sensor.Manifest
     Manifest (..),
     listing,
     Entry (..),
+    frameOfMovie,
     manifestName,
     jsonManifestName,
 
@@ -26,6 +27,7 @@ module PraTactile.Sensor.Manifest
 
     -- * As CSV
     parseManifest,
+    parsePoses,
     renderManifest,
     manifestHeader,
 
@@ -39,7 +41,7 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString as B
 import qualified Data.ByteString.Char8 as C
 import qualified Data.ByteString.Lazy as L
-import Data.Char (isSpace)
+import Data.Char (isDigit, isSpace)
 import Data.Csv
   ( DecodeOptions (decDelimiter),
     EncodeOptions (encUseCrLf),
@@ -63,7 +65,8 @@ import PraTactile.PlainText (OtherEncoding, plainText)
 import PraTactile.Sensor.Frame (Pose (..), taxelPitch)
 import PraTactile.Symmetry
 
--- | One line: the frame's PGM file, relative to the manifest's folder; the pose of the press, which
+-- | One line: the frame's file, relative to the manifest's folder, or @FILE#3@ for the fourth frame
+-- of a movie ('frameOfMovie'); the pose of the press, which
 -- calibration frames need not have; and its force, which nothing needs.
 data Entry = Entry
   { entryFile :: !FilePath,
@@ -72,20 +75,31 @@ data Entry = Entry
   }
   deriving stock (Eq, Show)
 
--- | A manifest: the distance of neighbouring taxels in millimetres, the frames' width and height if
--- it says them, what its two coordinates are, if it says that, and a line a frame.
+-- | A manifest: the distance of neighbouring taxels in millimetres, the frames' width and height,
+-- what its two coordinates are and the reading of full contact, as far as it says these; and a line
+-- a frame.
 data Manifest = Manifest
-  { manifestTaxel :: !Double,
+  { manifestTaxel :: !(Maybe Double),
     manifestFrame :: !(Maybe (Int, Int)),
     manifestAxes :: !(Maybe Axes),
+    manifestFullScale :: !(Maybe Double),
     manifestEntries :: ![Entry]
   }
   deriving stock (Eq, Show)
 
--- | What a manifest of these entries says that says nothing else: taxels of 'taxelPitch', frames of
--- any size, which are 'straight' then.
+-- | What a manifest of these entries says that says nothing else.
 listing :: [Entry] -> Manifest
-listing = Manifest taxelPitch Nothing Nothing
+listing = Manifest Nothing Nothing Nothing Nothing
+
+-- | The file of a movie and the number of its frame, from 0, that a name means.
+--
+-- >>> frameOfMovie "press.npy#3"
+-- Just ("press.npy",3)
+frameOfMovie :: FilePath -> Maybe (FilePath, Int)
+frameOfMovie name = case break (== '#') (reverse name) of
+  (digits@(_ : _), _ : file@(_ : _))
+    | all isDigit digits && length digits <= 9 -> Just (reverse file, read (reverse digits))
+  _ -> Nothing
 
 -- | The name of the manifest in a folder of frames.
 manifestName :: FilePath
@@ -225,28 +239,47 @@ parseManifest :: ByteString -> Either ManifestError [Entry]
 parseManifest = either (Left . ManifestInEncoding) parsePlain . plainText
 
 parsePlain :: ByteString -> Either ManifestError [Entry]
-parsePlain text = case filter (not . B.null . snd) (zip [1 ..] (C.lines text)) of
+parsePlain = entriesOf (elem File)
+
+-- | The poses of a movie's frames, one line a frame: the columns of a manifest but for the file's.
+-- Where the first line is numbers, these are x, y, perhaps the rotation, and perhaps the force.
+parsePoses :: ByteString -> Either ManifestError [Entry]
+parsePoses = either (Left . ManifestInEncoding) (entriesOf (elem X)) . plainText
+
+-- | The entries under a header with such columns.
+entriesOf :: ([Column] -> Bool) -> ByteString -> Either ManifestError [Entry]
+entriesOf enough text = case filter (not . B.null . snd) (zip [1 ..] (C.lines text)) of
   [] -> Left EmptyManifest
   (i, header) : rest -> do
     let separator = separatorOf header
     names <- V.toList <$> record separator i header
-    columns <- maybe (Left (WrongHeader (map shown names))) Right (columnsOf names)
-    entries <- traverse (uncurry (entry separator columns)) rest
+    let withoutHeader = length names `elem` [2 .. 4] && all isNumber names
+        found
+          | withoutHeader = Just (take (length names) [X, Y, Rotation, Force])
+          | otherwise = columnsOf names
+    columns <-
+      maybe (Left (WrongHeader (map shown names))) Right (mfilter enough found)
+    entries <-
+      traverse
+        (uncurry (entry separator columns))
+        ([(i, header) | withoutHeader] ++ rest)
     if null entries then Left NoEntries else Right entries
+  where
+    isNumber = either (const False) (const True) . readDouble . C.strip
 
 -- | What parts the fields of a file with this header.
 separatorOf :: ByteString -> Char
 separatorOf header = if C.elem ',' header || C.notElem ';' header then ',' else ';'
 
--- | The columns that these names name: each once, the file among them, of the position both or
--- none, and no rotation without it.
+-- | The columns that these names name: each once, of the position both or none, and no rotation
+-- without it.
 columnsOf :: [ByteString] -> Maybe [Column]
 columnsOf names = do
   columns <- traverse ((`lookup` named) . normal) names
   let ofPosition = filter (`elem` columns) [X, Y]
       placed = null ofPosition || ofPosition == [X, Y]
       turnedAlone = Rotation `elem` columns && null ofPosition
-  if nub columns == columns && File `elem` columns && placed && not turnedAlone
+  if nub columns == columns && placed && not turnedAlone
     then Just columns
     else Nothing
   where
@@ -279,7 +312,7 @@ entry separator columns i line = do
   let given = zip columns fields
       field column = lookup column given
   name <- either (const (Left (BadFileName i))) Right (decodeUtf8' (fromMaybe "" (field File)))
-  unless (isFileName (T.unpack name)) (Left (BadFileName i))
+  unless (File `notElem` columns || isFileName (T.unpack name)) (Left (BadFileName i))
   x <- traverse (number X) (field X)
   y <- traverse (number Y) (field Y)
   rotation <- traverse (number Rotation) (field Rotation)

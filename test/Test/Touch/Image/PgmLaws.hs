@@ -3,7 +3,7 @@
 -- | The laws of PGM files and images. Files are held against a reader that follows pgm(5) word by
 -- word: comments become blanks, the header is three words, the samples are the words or the bytes
 -- after them. It is slow, and says all that is wrong with a file.
-module Test.Touch.Image.PgmLaws (spec) where
+module Test.Touch.Image.PgmLaws (spec, genPgm) where
 
 import Codec.Picture (DynamicImage (..), Image (..), decodePng)
 import Data.ByteString (ByteString)

@@ -4,6 +4,7 @@
 module PraTactile.Image.Pgm.Decode
   ( decodePgm,
     decodePgmUpTo,
+    decodePgms,
     pgmSize,
     formatName,
   )
@@ -21,7 +22,7 @@ import qualified Data.Vector.Storable as V
 import Data.Word (Word16)
 import Numeric.Natural (Natural)
 import PraTactile.Image.Error (HeaderField (..), ImageError (..))
-import PraTactile.Image.Pgm.Type (Pgm, checkSize, maxPixels, pgm16, pgm8)
+import PraTactile.Image.Pgm.Type
 
 -- | The image in a PGM file: plain (P2) or raw (P5), 8 or 16 bits (the more significant byte
 -- first), with comments wherever white space may stand in the header and, in plain files, among the
@@ -38,12 +39,37 @@ decodePgm = decodePgmUpTo maxPixels
 -- before its samples are read.
 decodePgmUpTo :: Int -> ByteString -> Either ImageError Pgm
 decodePgmUpTo most file = do
-  Header w h maxval samplesOf rest <- headerOf file
+  (pgm, rest) <- firstPgm most file
+  unless (B.null rest) (Left (TrailingData (B.length rest)))
+  Right pgm
+
+-- | All images of a file, one after the other, each as 'decodePgmUpTo' reads it. Refuses images of
+-- different sizes.
+decodePgms :: Int -> ByteString -> Either ImageError [Pgm]
+decodePgms most file = do
+  (pgm, rest) <- firstPgm most file
+  (pgm :) <$> others (pgmWidth pgm, pgmHeight pgm) rest
+  where
+    others size rest
+      | B.null rest = Right []
+      | Left _ <- samplesOf rest = Left (TrailingData (B.length rest))
+      | otherwise = do
+        (pgm, after) <- firstPgm most rest
+        let found = (pgmWidth pgm, pgmHeight pgm)
+        when (found /= size) (Left (SizesDiffer size found))
+        (pgm :) <$> others size after
+
+-- | The first image of a file, and what follows it and blanks.
+firstPgm :: Int -> ByteString -> Either ImageError (Pgm, ByteString)
+firstPgm most file = do
+  Header w h maxval samplesIn start <- headerOf file
   when (w * h > most) (Left (LargerThanTouched most w h))
-  samples <- samplesOf w (w * h) maxval rest
-  if maxval < 256
-    then pgm8 (fromIntegral maxval) (Image w h (V.map fromIntegral samples))
-    else pgm16 (fromIntegral maxval) (Image w h samples)
+  (samples, rest) <- samplesIn w (w * h) maxval start
+  pgm <-
+    if maxval < 256
+      then pgm8 (fromIntegral maxval) (Image w h (V.map fromIntegral samples))
+      else pgm16 (fromIntegral maxval) (Image w h samples)
+  Right (pgm, rest)
 
 -- | The width and height of the image in a PGM file, by its header alone.
 pgmSize :: ByteString -> Either ImageError (Int, Int)
@@ -56,20 +82,24 @@ data Header = Header !Int !Int !Int Samples !ByteString
 
 headerOf :: ByteString -> Either ImageError Header
 headerOf file = do
-  samplesOf <- case (C.unpack (B.take 2 file), endsToken (B.drop 2 file)) of
-    ("P2", True) -> Right plainSamples
-    ("P5", True) -> Right rawSamples
-    _ -> Left (NotPgm (B.take 8 file))
+  samplesIn <- samplesOf file
   (width, afterWidth) <- headerNumber HeaderWidth (B.drop 2 file)
   (height, afterHeight) <- headerNumber HeaderHeight afterWidth
   (maxval, afterMaxval) <- headerNumber HeaderMaxval afterHeight
   (w, h) <- checkSize width height
   when (maxval < 1 || maxval > 65535) (Left (MaxvalOutOfRange maxval))
-  pure (Header w h (fromIntegral maxval) samplesOf afterMaxval)
+  pure (Header w h (fromIntegral maxval) samplesIn afterMaxval)
 
--- | What turns the rest of a file into samples: the width, the number of samples, the maximum
--- value, and the rest.
-type Samples = Int -> Int -> Int -> ByteString -> Either ImageError (V.Vector Word16)
+-- | How samples are read, by the file's first bytes.
+samplesOf :: ByteString -> Either ImageError Samples
+samplesOf file = case (C.unpack (B.take 2 file), endsToken (B.drop 2 file)) of
+  ("P2", True) -> Right plainSamples
+  ("P5", True) -> Right rawSamples
+  _ -> Left (NotPgm (B.take 8 file))
+
+-- | What turns the rest of a file into samples, and what follows them and blanks: the width, the
+-- number of samples, the maximum value, and the rest.
+type Samples = Int -> Int -> Int -> ByteString -> Either ImageError (V.Vector Word16, ByteString)
 
 -- | The samples of a raw file: after one single white space (or comment, see the Note), one or two
 -- bytes each.
@@ -79,9 +109,7 @@ rawSamples _ count maxval rest = do
   let found = B.length bytes
       needed = size * count
   when (found < needed) (Left (Truncated count (found `div` size)))
-  let trailing = C.dropWhile isWhite (B.drop needed bytes)
-  unless (B.null trailing) (Left (TrailingData (B.length trailing)))
-  Right (V.unfoldrN count sample bytes)
+  Right (V.unfoldrN count sample bytes, C.dropWhile isWhite (B.drop needed bytes))
   where
     size = if maxval < 256 then 1 else 2
     sample bytes
@@ -108,16 +136,7 @@ rawSamples _ count maxval rest = do
 plainSamples :: Samples
 plainSamples width count maxval rest0 = do
   rest <- check 0 rest0
-  let trailing = skipWhite rest
-  if B.null trailing
-    then
-      Right
-        ( V.unfoldrN
-            count
-            (fmap (\(n, after) -> (fromIntegral n, after)) . number . skipWhite)
-            rest0
-        )
-    else Left (TrailingData (B.length trailing))
+  Right (V.unfoldrN count (fmap (first fromIntegral) . number . skipWhite) rest0, skipWhite rest)
   where
     -- Read once for what may be wrong and once for the values, so that a large image is never held
     -- as a list.

@@ -13,6 +13,7 @@ module PraTactile.Image.Pgm.Type
     pgmWidth,
     pgmHeight,
     pgmMaxval,
+    pgmSamples,
     pgmDynamic,
     checkSize,
     maxPixels,
@@ -98,6 +99,11 @@ pgmHeight (Sixteen _ image) = imageHeight image
 pgmMaxval :: Pgm -> Int
 pgmMaxval (Eight m _) = fromIntegral m
 pgmMaxval (Sixteen m _) = fromIntegral m
+
+-- | The samples, row by row.
+pgmSamples :: Pgm -> V.Vector Word16
+pgmSamples (Eight _ image) = V.map fromIntegral (imageData image)
+pgmSamples (Sixteen _ image) = imageData image
 
 -- | The image as JuicyPixels' writers take it, 'ImageY8' or 'ImageY16'; the samples stay as they
 -- are, so the maximum value is lost.

@@ -1,0 +1,121 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | @pra-tactile convert@: images and movies in any form that is read, as a folder of PGM files.
+module Command.Convert
+  ( command,
+  )
+where
+
+import Control.Monad (join, unless, when, zipWithM)
+import Data.ByteString (ByteString)
+import Data.List (intercalate, nub)
+import Data.Maybe (fromMaybe, isNothing, listToMaybe, mapMaybe)
+import Data.Traversable (for)
+import ExitStatus
+import Frames (loadUnplaced)
+import FramesChoice (fullScaleOption, posesOption, taxelOption)
+import Message
+import Options
+import Output
+import PraTactile.Files
+import PraTactile.Format (encodeManifest)
+import PraTactile.Image.File
+import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity)
+import PraTactile.Sensor.Manifest
+import PraTactile.Source
+import SensorChoice (usableTaxel)
+import Text.Printf (printf)
+import Visible
+
+data Options = Options
+  { taxel :: Maybe Double,
+    fullScale :: Maybe Double,
+    poses :: Maybe FilePath,
+    output :: FilePath,
+    paths :: [FilePath]
+  }
+
+command :: Mod CommandFields (IO ExitStatus)
+command =
+  subcommand
+    "convert"
+    "Write images, movies and folders of frames, in any form that is read, as a new folder of PGM \
+    \files with a manifest.json."
+    ["pra-tactile convert data/worked-example/frames --output frames"]
+    ( run
+        <$> ( Options
+                <$> taxelOption
+                  "The distance between neighbouring taxels (default: as the files say, or 1.5875)"
+                <*> fullScaleOption
+                <*> posesOption "Where the frames were pressed, all of them in their order"
+                <*> folderOption "output" "A folder that is new or empty"
+                <*> some
+                  ( pathArgument
+                      (metavar "IN..." <> action "file" <> help "Images, movies, folders of frames")
+                  )
+            )
+    )
+
+run :: Options -> IO ExitStatus
+run options = do
+  orTaken (output options)
+  chosen <- traverse usableTaxel (taxel options)
+  folders <- traverse loadUnplaced (paths options)
+  felt <- concat <$> zipWithM feltIn (paths options) folders
+  placed <- for (poses options) $ \file -> do
+    text <- readUpTo largestInput file >>= orUnusable filesMessage
+    orUnusable (filesMessage . PosesRefused file) (parsePoses text)
+  let manifests = map folderManifest folders
+      entries = fromMaybe (concatMap manifestEntries manifests) placed
+      spacings = nub (mapMaybe manifestTaxel manifests ++ mapMaybe (imagesSpacing . snd) felt)
+      axes = nub (map manifestAxes manifests)
+      sizes = nub (map (imagesSize . snd) felt)
+      count = length felt
+      names = [printf "frame_%0*d.pgm" width i | i <- [0 .. count - 1]] :: [FilePath]
+      width = max 3 (length (show (count - 1)))
+  unless (length entries == count) . unusable $
+    "there are " ++ show (length entries) ++ " poses and " ++ show count ++ " frames"
+  when (isNothing chosen && several spacings) . unusable $
+    "taxels are " ++ intercalate " and " (map (printf "%.4g") spacings)
+      ++ " mm apart; say by --taxel which it is"
+  when (several axes) (unusable "the manifests say different axes; convert one folder at a time")
+  -- What is asked of all frames is known before the first is made, so that none is kept.
+  images <- length sizes `seq` for felt (asPgm (fullScale options))
+  let taken =
+        (listing [entry {entryFile = name} | (name, entry) <- zip names entries])
+          { manifestTaxel = chosen <|> listToMaybe spacings,
+            manifestFrame = if several sizes then Nothing else listToMaybe sizes,
+            manifestAxes = join (listToMaybe axes)
+          }
+  writeFolder
+    (output options)
+    ((jsonManifestName, encodeManifest taken <> "\n") : zip names [bytes | (bytes, _, _) <- images])
+  putStrLn
+    ( "wrote " ++ show (length images) ++ " frames and their manifest to "
+        ++ visibleName (output options)
+        ++ counted
+          "taxels without a reading are the mean of their neighbours"
+          [n | (_, n, _) <- images]
+        ++ counted "readings above full scale count as that" [n | (_, _, n) <- images]
+    )
+  pure Answered
+  where
+    several list = not (null (drop 1 list))
+    feltIn path folder =
+      orUnusable (sourceMessage path) (folderFelt (withFullScale (fullScale options) folder))
+    counted what numbers = case sum numbers of
+      0 -> ""
+      n -> "; " ++ show n ++ " " ++ what
+
+-- | A frame as a binary PGM file, and how many of its taxels have no reading, and of its readings
+-- are above full scale. Readings stay as they are where PGM has room for them and full scale is the
+-- file's own.
+asPgm :: Maybe Double -> (Felt, Images) -> IO (ByteString, Int, Int)
+asPgm full (felt, images) = do
+  pgm <- orUnusable imageMessage (pgmFromIntensity levels (feltImage felt))
+  let bytes = encodePgm Binary pgm
+      dead = length (feltDead felt)
+      clipped = feltClipped felt
+  bytes `seq` dead `seq` clipped `seq` pure (bytes, dead, clipped)
+  where
+    levels = if isNothing full then imagesLevels images else maxBound

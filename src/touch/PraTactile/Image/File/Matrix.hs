@@ -1,0 +1,242 @@
+{-# OPTIONS_HADDOCK hide #-}
+
+-- | Readings as text: matrices of numbers, and what Tekscan's programs export.
+module PraTactile.Image.File.Matrix
+  ( isTekscan,
+    decodeTekscan,
+    beginsAsMatrix,
+    decodeMatrix,
+  )
+where
+
+import Control.Monad (unless, when)
+import Data.Bifunctor (first)
+import Data.ByteString (ByteString)
+import qualified Data.ByteString as B
+import qualified Data.ByteString.Char8 as C
+import Data.Char (isDigit, toLower)
+import Data.List (find)
+import Data.Maybe (fromMaybe, isJust)
+import qualified Data.Vector.Storable as V
+import PraTactile.Decimal (NotDecimal (..), readDouble)
+import PraTactile.Image.Error (ImageError (..))
+import PraTactile.Image.Images
+import PraTactile.Image.Pgm.Type (checkSize)
+import PraTactile.PlainText (plainText)
+
+-- | A line and its number, from 1.
+type Line = (Int, ByteString)
+
+-- | Whether a text may be a matrix: after what is passed over, it begins with a number, or with
+-- what stands for none.
+beginsAsMatrix :: ByteString -> Bool
+beginsAsMatrix text = case C.uncons begin of
+  Just ('#', rest) -> beginsAsMatrix (C.dropWhile (`notElem` "\r\n") rest)
+  Just (c, _) -> isDigit c || c `elem` "+-." || isJust (missing firstWord)
+  Nothing -> False
+  where
+    begin = C.dropWhile (`elem` " \t\r\n") text
+    firstWord = C.takeWhile (`notElem` ",; \t\r\n") begin
+
+-- | Rows of numbers, one image or several with blank lines between them. Numbers are parted by
+-- commas, by semicolons or by blanks; @nan@ and @B@ are taxels without a reading; lines that begin
+-- with @#@ are passed over.
+decodeMatrix :: ByteString -> Either ImageError Images
+decodeMatrix file = do
+  text <- first ImageInEncoding (plainText file)
+  let images = blocks [line | line <- numbered text, not (C.isPrefixOf (C.pack "#") (snd line))]
+      separator = separatorOf (maybe B.empty snd (find (not . isBlank) (concat images)))
+  case images of
+    [] -> Left (ZeroSize 0 0)
+    _ -> imagesOf 1 Nothing =<< traverse (traverse (rowOf separator)) images
+
+-- | The runs of lines that are not blank.
+blocks :: [Line] -> [[Line]]
+blocks text = case dropWhile isBlank text of
+  [] -> []
+  begin -> let (block, rest) = break isBlank begin in block : blocks rest
+
+numbered :: ByteString -> [Line]
+numbered = zip [1 ..] . C.lines
+
+isBlank :: Line -> Bool
+isBlank = C.all (`elem` " \t\r") . snd
+
+-- | The images of these rows, all of one size.
+imagesOf :: Double -> Maybe Double -> [[V.Vector Double]] -> Either ImageError Images
+imagesOf full apart images = do
+  (w, h) <- checkSize (size width) (size height)
+  sequence_
+    [ Left (RaggedRow i (V.length row) width)
+      | (i, row) <- zip [0 ..] (concat images),
+        V.length row /= width
+    ]
+  sequence_
+    [ Left (SizesDiffer (width, height) (width, length image))
+      | image <- images,
+        length image /= height
+    ]
+  Right
+    Images
+      { imagesColumns = w,
+        imagesRows = h,
+        imagesCount = length images,
+        imagesFull = full,
+        imagesSpacing = apart,
+        imagesReadings = Listed (V.concat (concat images))
+      }
+  where
+    firstImage = concat (take 1 images)
+    height = length firstImage
+    width = maximum (0 : map V.length (take 1 firstImage))
+    size = fromIntegral
+
+-- | What parts the numbers of a line.
+separatorOf :: ByteString -> Maybe Char
+separatorOf line = find (`C.elem` line) ";,"
+
+-- | The numbers of a line. An empty field after the last one is none.
+rowOf :: Maybe Char -> Line -> Either ImageError (V.Vector Double)
+rowOf separator (number, text) = V.fromList <$> traverse value (zip [1 ..] fields)
+  where
+    fields = case separator of
+      Nothing -> C.words text
+      Just mark -> map C.strip (withoutLast (C.split mark text))
+    withoutLast parts = if B.null (C.strip (last parts)) then init parts else parts
+    value (column, field) = case numberIn field of
+      Just found -> Right found
+      Nothing
+        | hasDecimalComma field -> Left (DecimalComma number field)
+        | otherwise -> Left (NotNumber number column (B.take 20 field))
+
+hasDecimalComma :: ByteString -> Bool
+hasDecimalComma field = case C.split ',' field of
+  [before, after] -> all plain [before, after]
+  _ -> False
+  where
+    plain part = C.all (\c -> isDigit c || c == '-') part && not (B.null part)
+
+-- | A number, or none where a taxel has no reading.
+numberIn :: ByteString -> Maybe Double
+numberIn field = case missing field of
+  Nothing -> decimalIn field
+  found -> found
+
+missing :: ByteString -> Maybe Double
+missing field = lookup (map toLower (C.unpack (B.take 5 field))) [("nan", none), ("b", none)]
+  where
+    none = 0 / 0
+
+-- | A decimal number. Short ones are a quotient of two integers that doubles hold exactly, which
+-- rounds once.
+decimalIn :: ByteString -> Maybe Double
+decimalIn field
+  | shortEnough = Just ((if negative then negate else id) (fromIntegral digits / 10 ^ places))
+  | otherwise = case readDouble field of
+    Right found -> Just found
+    Left Infinite -> infinite
+    Left _ -> Nothing
+  where
+    (negative, text) = case C.uncons field of
+      Just ('-', rest) -> (True, rest)
+      Just ('+', rest) -> (False, rest)
+      _ -> (False, field)
+    (before, point) = C.span isDigit text
+    fraction = B.drop 1 point
+    places = B.length fraction
+    shortEnough =
+      not (B.null text) && B.length text <= 15
+        && not (B.null before && places == 0)
+        && (B.null point || C.head point == '.')
+        && C.all isDigit fraction
+    digits = B.foldl' digit (B.foldl' digit 0 before) fraction :: Int
+    digit n c = 10 * n + fromIntegral c - 48
+    infinite = if negative then Just (-1 / 0) else Just (1 / 0)
+
+-- | Whether a file is an export of Tekscan's: among its first lines is that which ends the header.
+isTekscan :: ByteString -> Bool
+isTekscan file = any isEnd (take 200 (C.lines (B.take 65536 file)))
+
+isEnd :: ByteString -> Bool
+isEnd = C.isPrefixOf (C.pack "ASCII_DATA")
+
+-- | Such an export: a header of keys and values, and frames with their numbers. Full scale is the
+-- saturation pressure, and 255 of raw readings.
+decodeTekscan :: ByteString -> Either ImageError Images
+decodeTekscan file = do
+  text <- first ImageInEncoding (plainText file)
+  let (header, rest) = break (isEnd . snd) (numbered text)
+  columns <- whole header "COLS"
+  rows <- whole header "ROWS"
+  (w, h) <- checkSize (fromInteger columns) (fromInteger rows)
+  across <- spacing header "COL_SPACING"
+  down <- spacing header "ROW_SPACING"
+  unless (across == down) (Left (UnequalSpacing across down))
+  start <- whole header "START_FRAME"
+  end <- whole header "END_FRAME"
+  full <- fullScale header
+  frames <- framesFrom (w, h) start (filter (not . isBlank) (drop 1 rest))
+  let there = toInteger (length frames)
+      announced = max 0 (end - start + 1)
+  when (there /= announced) (Left (TekscanFrame (start + min there announced)))
+  imagesOf full (Just across) frames
+
+-- | The value of a key.
+valueOf :: [Line] -> String -> Either ImageError Line
+valueOf header key = maybe (Left (TekscanHeader key)) Right (find ours header >>= Just . fmap after)
+  where
+    ours (_, text) = C.takeWhile (/= ' ') text == C.pack key
+    after = C.strip . C.dropWhile (/= ' ')
+
+whole :: [Line] -> String -> Either ImageError Integer
+whole header key = do
+  (_, text) <- valueOf header key
+  case C.readInteger (B.take 12 text) of
+    Just (n, rest) | B.null rest && n >= 0 -> Right n
+    _ -> Left (TekscanHeader key)
+
+-- | A length in millimetres.
+spacing :: [Line] -> String -> Either ImageError Double
+spacing header key = do
+  (line, text) <- valueOf header key
+  let (number, unit) = C.span (/= ' ') text
+  when (hasDecimalComma number) (Left (DecimalComma line number))
+  case (decimalIn number, lookup (C.unpack (C.strip unit)) units) of
+    (Just n, Just times) | n > 0 -> Right (times * n)
+    _ -> Left (TekscanHeader key)
+  where
+    units =
+      [(name, 1) | name <- ["", "mm", "millimeters", "millimetres"]]
+        ++ [(name, 10) | name <- ["cm", "centimeters", "centimetres"]]
+
+fullScale :: [Line] -> Either ImageError Double
+fullScale header = case (valueOf header "UNITS", valueOf header key) of
+  (Right (_, unit), _) | map toLower (C.unpack unit) == "raw" -> Right 255
+  (_, Left _) -> Right 255
+  (_, Right (line, text)) -> do
+    let number = C.takeWhile (/= ' ') text
+    when (hasDecimalComma number) (Left (DecimalComma line number))
+    case decimalIn number of
+      Just n | n > 0 -> Right n
+      _ -> Left (TekscanHeader key)
+  where
+    key = "SATURATION_PRESSURE"
+
+-- | Frames one after the other, of which the first has this number.
+framesFrom :: (Int, Int) -> Integer -> [Line] -> Either ImageError [[V.Vector Double]]
+framesFrom (w, h) = go
+  where
+    go _ [] = Right []
+    go _ ((_, text) : _) | C.isPrefixOf (C.pack "@@") text = Right []
+    go number ((_, text) : rest)
+      | take 2 (C.words text) /= [C.pack "Frame", C.pack (show number)] = Left (TekscanFrame number)
+      | length lines' < h || any (\(_, line) -> C.take 1 line `elem` map C.pack ["F", "@"]) lines' =
+        Left (TekscanFrame number)
+      | otherwise = (:) <$> traverse row lines' <*> go (number + 1) after
+      where
+        (lines', after) = splitAt h rest
+    row line@(number, text) = do
+      when (C.elem ';' text && C.elem ',' text) (Left (DecimalComma number (B.take 20 text)))
+      values <- rowOf (Just (fromMaybe ',' (separatorOf text))) line
+      when (V.length values == 2 * w) (Left (DecimalComma number (B.take 20 text)))
+      pure values

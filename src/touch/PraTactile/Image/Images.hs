@@ -1,0 +1,146 @@
+{-# OPTIONS_HADDOCK hide #-}
+
+-- | The images of one file, all of one size, as the readings that stand there.
+module PraTactile.Image.Images
+  ( Images (..),
+    Readings (..),
+    Number (..),
+    numberBytes,
+    numberFull,
+    Felt (..),
+    imageAt,
+  )
+where
+
+import qualified Data.Bits as Bits
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Unsafe as B
+import Data.Int (Int16, Int32)
+import Data.Maybe (fromMaybe)
+import qualified Data.Set as Set
+import qualified Data.Vector as Boxed
+import qualified Data.Vector.Storable as V
+import Data.Word (Word16, Word64)
+import GHC.Float (castWord32ToFloat, castWord64ToDouble, float2Double)
+import PraTactile.Image (Raster, constant, raster)
+import PraTactile.Image.Pgm.Type (Pgm, pgmMaxval, pgmSamples)
+import PraTactile.Sensor.Dead (filled)
+
+-- | One image or more.
+data Images = Images
+  { imagesColumns :: !Int,
+    imagesRows :: !Int,
+    imagesCount :: !Int,
+    -- | The reading of full contact, as far as the file tells; of PGM each image tells its own.
+    imagesFull :: !Double,
+    -- | The distance of neighbouring taxels in millimetres, if the file says it.
+    imagesSpacing :: !(Maybe Double),
+    imagesReadings :: !Readings
+  }
+  deriving stock (Eq, Show)
+
+-- | Readings, of which those that are not a number were not taken.
+data Readings
+  = -- | All of them one after the other as numbers of a machine, the more significant byte first if
+    -- so; whether the last index counts least.
+    Packed !Number !Bool !Bool !ByteString
+  | Listed !(V.Vector Double)
+  | Several !(Boxed.Vector Pgm)
+  deriving stock (Eq, Show)
+
+-- | A type of numbers.
+data Number = U1 | U2 | I2 | I4 | F4 | F8
+  deriving stock (Eq, Show, Enum, Bounded)
+
+-- | How many bytes one takes.
+numberBytes :: Number -> Int
+numberBytes number = case number of
+  U1 -> 1
+  U2 -> 2
+  I2 -> 2
+  I4 -> 4
+  F4 -> 4
+  F8 -> 8
+
+-- | Full scale: the largest integer of the type, 1 of the others.
+numberFull :: Number -> Double
+numberFull number = case number of
+  U1 -> 255
+  U2 -> 65535
+  I2 -> 32767
+  I4 -> 2147483647
+  F4 -> 1
+  F8 -> 1
+
+-- | An image as shares of full scale, 0 to 1.
+data Felt = Felt
+  { feltImage :: !Raster,
+    -- | Rows and columns from 0 of taxels without a reading, in whose place the mean of their
+    -- nearest neighbours stands.
+    feltDead :: ![(Int, Int)],
+    -- | How many readings were above full scale, and are 1.
+    feltClipped :: Int
+  }
+  deriving stock (Eq, Show)
+
+-- | The image of this number, from 0, given the reading of full contact if the file does not tell.
+imageAt :: Maybe Double -> Images -> Int -> Felt
+imageAt given images i =
+  Felt
+    { feltImage = either (const (constant w h 0)) id (raster w h shares),
+      feltDead = dead,
+      feltClipped = V.length (V.filter (> full) readings)
+    }
+  where
+    (w, h) = (imagesColumns images, imagesRows images)
+    full = fromMaybe (fullOf images i) given
+    readings = readingsAt images i
+    dead
+      | whole (imagesReadings images) = []
+      | otherwise = [k `quotRem` w | k <- V.toList (V.findIndices isNaN readings)]
+    shares = filled (w, h) (Set.fromDistinctAscList dead) (V.map share readings)
+    share reading
+      | reading >= full = 1
+      | reading > 0 = reading / full
+      | otherwise = 0 -- what is not a number, too
+
+-- | Whether every reading is a number, because it is an integer.
+whole :: Readings -> Bool
+whole readings = case readings of
+  Packed number _ _ _ -> number `notElem` [F4, F8]
+  Listed _ -> False
+  Several _ -> True
+
+fullOf :: Images -> Int -> Double
+fullOf images i = case imagesReadings images of
+  Several pgms -> fromIntegral (pgmMaxval (pgms Boxed.! i))
+  _ -> imagesFull images
+
+-- | Row by row.
+readingsAt :: Images -> Int -> V.Vector Double
+readingsAt images i = case imagesReadings images of
+  Several pgms -> V.map fromIntegral (pgmSamples (pgms Boxed.! i))
+  Listed numbers -> V.slice (i * w * h) (w * h) numbers
+  Packed number big rowMajor bytes
+    | rowMajor -> numbersAt (i * w * h +)
+    | otherwise -> numbersAt (\k -> i + imagesCount images * (k `quot` w + h * (k `rem` w)))
+    where
+      numbersAt place = case number of
+        U1 -> V.generate (w * h) (fromIntegral . B.unsafeIndex bytes . place)
+        U2 -> V.generate (w * h) (\k -> fromIntegral (fromIntegral (word 2 k) :: Word16))
+        I2 -> V.generate (w * h) (\k -> fromIntegral (fromIntegral (word 2 k) :: Int16))
+        I4 -> V.generate (w * h) (\k -> fromIntegral (fromIntegral (word 4 k) :: Int32))
+        F4 -> V.generate (w * h) (float2Double . castWord32ToFloat . fromIntegral . word 4)
+        F8 -> V.generate (w * h) (castWord64ToDouble . word 8)
+        where
+          word :: Int -> Int -> Word64
+          word size k = go 0 0
+            where
+              go n high
+                | n == size = high
+                | otherwise = go (n + 1) (Bits.unsafeShiftL high 8 Bits..|. byte n)
+              byte n = fromIntegral (B.unsafeIndex bytes (place k * size + nth n))
+              nth n = if big then n else size - 1 - n
+      {-# INLINE numbersAt #-}
+  where
+    (w, h) = (imagesColumns images, imagesRows images)
