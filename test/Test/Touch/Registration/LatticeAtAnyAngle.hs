@@ -140,7 +140,7 @@ templatesSpec alphabet = do
                       )
                       $ abs (templateSums tables V.! i - total) < 0.1
                         && abs (templateSquares tables V.! i - squares)
-                          < (if angle == 0 then 0.05 else 0.9)
+                          < (if angle == 0 then 0.1 else 0.9)
   withCases 2 10 $
     prop "has in single cells the numbers that the tables have there" $
       forAll (elements [0, 37, -61]) $ \angle -> forAll (genRasterOf 16 16) $ \image ->
