@@ -8,7 +8,7 @@ MATCH =
 # The seed of random cases, as in: make test SEED=7
 SEED =
 export PREFIX DESTDIR
-.PHONY: all help setup build demo test test-full lint format mutants calibration archive operations types bench evaluate figures docs shapes network \
+.PHONY: all help setup build demo test test-full static packages check-packages lint format mutants calibration archive operations types bench evaluate figures docs shapes network \
         check-network check-newer-ghc install uninstall clean
 # cabal holds one build at a time in dist-newstyle.
 .NOTPARALLEL:
@@ -34,6 +34,15 @@ format: ## format the sources by ormolu 0.3.1
 
 build: setup ## build the program, as bin/pra-tactile
 	@tools/build.sh
+
+static: build ## link one program that needs nothing of the system it runs on, dist/pra-tactile
+	@tools/static.sh
+
+packages: build ## an archive, a Debian package and a Python wheel of it, in dist/
+	@tools/packages.sh
+
+check-packages: ## use each of them as its users would, in an empty root, a bare Debian, a virtual environment (root)
+	@tools/check-packages.sh
 
 install: bin/pra-tactile ## install program, manual pages and completions under PREFIX (/usr/local)
 	@tools/install.sh install
@@ -106,7 +115,7 @@ check-newer-ghc: ## demo and tests on a bare Debian with a newer GHC, in a chroo
 	@tools/newer-ghc.sh
 
 clean: ## remove what was built
-	rm -rf dist-newstyle bin demo-out
+	rm -rf dist-newstyle bin dist demo-out
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-16s %s\n", $$1, $$2 }' Makefile

@@ -11,6 +11,7 @@ import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isAlphaNum)
 import Data.Foldable (for_)
 import Data.IORef
+import Data.List (isPrefixOf)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import ExitStatus
@@ -72,7 +73,12 @@ run options = do
 chosenProfiles :: [FilePath] -> IO [(String, Profile)]
 chosenProfiles files = case files of
   [] -> pure defaultProfiles
-  _ -> traverse (\file -> (,) (visibleName (takeBaseName file)) <$> readProfile file) files
+  _ -> traverse (\file -> (,) (name file) <$> readProfile file) files
+  where
+    -- What a script hands over as a descriptor has no name.
+    name file
+      | "/dev/" `isPrefixOf` file = "profile"
+      | otherwise = visibleName (takeBaseName file)
 
 -- | Run the suite, or the case of a token, on as many processes as are to be.
 conformed :: Options -> Settings -> Suite Known -> Command -> IO Report

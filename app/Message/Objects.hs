@@ -224,8 +224,8 @@ storeMessage e = case e of
   UnknownScheme scheme -> "no database is named by " ++ scheme ++ "://; " ++ addressForm
   WithoutServers name ->
     name
-      ++ " cannot be asked: this program was built without PostgreSQL; build it again where the \
-         \library persistent-postgresql is installed"
+      ++ " cannot be asked: this program has no PostgreSQL, as no static one has; one that is \
+         \built where the library persistent-postgresql is installed has"
   Unreachable name why -> "cannot connect to " ++ name ++ ": " ++ failureMessage why
   WrongEncoding name encoding ->
     name ++ " has texts in the encoding " ++ encoding ++ "; a database with UTF8 is needed here"

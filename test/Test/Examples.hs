@@ -84,6 +84,48 @@ spec = do
   it "on galois: it is short" $ do
     text <- readFile "examples/galois/subject.py"
     length (lines text) `shouldSatisfy` (< 60)
+  it "the Python package as a wheel installs it: its own tests hold, and its page's lines run" $
+    withPython $ \python -> inFolder $ \folder -> do
+      Just program <- findExecutable "pra-tactile"
+      top <- getCurrentDirectory
+      (made, _, _) <- readProcessWithExitCode python ["-m", "venv", folder </> "venv"] ""
+      if made /= ExitSuccess
+        then pendingWith "Python has no venv here"
+        else do
+          -- It is large, and is not copied.
+          writeFile (folder </> "program") ("#!/bin/sh\nexec '" ++ program ++ "' \"$@\"\n")
+          createDirectoryLink (top </> "data") (folder </> "data")
+          createDirectoryLink (top </> "data/worked-example/frames") (folder </> "frames")
+          for_ [("README.md", "readme.py"), ("python/README.md", "page.py")] $ \(from, to) -> do
+            page <- lines <$> readFile from
+            writeFile
+              (folder </> to)
+              (unlines (takeWhile (/= "```") (drop 1 (dropWhile (/= "```python") page))))
+          (_, wheel, "") <-
+            readProcessWithExitCode
+              python
+              ["tools/wheel.py", folder </> "program", "LICENSE", folder]
+              ""
+          let script = "cd '" ++ folder ++ "' && PATH=venv/bin:$PATH && "
+              run = readProcessWithExitCode "sh" ["-c", script ++ commands] ""
+              commands =
+                "pip install -q --no-index --disable-pip-version-check " ++ filter (/= '\n') wheel
+                  ++ " && python -m unittest -q pra_tactile.test 2>&1 | tail -n 1 | cut -c 1-2\
+                     \ && python readme.py && python page.py\
+                     \ && venv/bin/pra-tactile locate '3 2 / 3 1'"
+          (status, out, _) <- run
+          (status, out)
+            `shouldBe` ( ExitSuccess,
+                         unlines
+                           [ "OK",
+                             "cube, face C1 C2 C3 C4, corner C2",
+                             "{'column': 5, 'row': 6}",
+                             "cube, face C1 C2 C3 C4, corner C2",
+                             "{'column': 5, 'row': 6}",
+                             "[]",
+                             "row 6, column 5"
+                           ]
+                       )
   it "the adapter is the one that its page shows" $ do
     page <- lines <$> readFile "docs/conformance.md"
     adapter <- readFile "examples/adapter/adapter.py"

@@ -1,7 +1,10 @@
 {-# LANGUAGE CPP #-}
+{-# OPTIONS_GHC -O0 #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Which kind of database a name means.
+-- | Which kind of database a name means. Nothing of this module is inlined elsewhere, so that the
+-- static program, which has no PostgreSQL, is linked with another one in its place
+-- (@tools/static.sh@).
 module PraTactile.Store.Known
   ( backendOf,
   )
