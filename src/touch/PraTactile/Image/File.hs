@@ -54,10 +54,16 @@ decodeImages most file
   | isTekscan file = decodeTekscan file >>= small
   | Nothing <- formatName file, beginsAsMatrix (withoutMark file) = decodeMatrix file >>= small
   | otherwise = do
-    pgms <- Boxed.fromList <$> decodePgms most file
-    let one = Boxed.head pgms
-        (w, h) = (pgmWidth one, pgmHeight one)
-    Right (Images w h (length pgms) (fromIntegral (pgmMaxval one)) Nothing (Several pgms))
+    (one, others) <- decodePgms most file
+    Right
+      Images
+        { imagesColumns = pgmWidth one,
+          imagesRows = pgmHeight one,
+          imagesCount = 1 + length others,
+          imagesFull = fromIntegral (pgmMaxval one),
+          imagesSpacing = Nothing,
+          imagesReadings = Several (Boxed.fromList (one : others))
+        }
   where
     small images
       | w * h > most = Left (LargerThanTouched most w h)

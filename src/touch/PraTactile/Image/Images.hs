@@ -14,7 +14,7 @@ where
 
 import qualified Data.Bits as Bits
 import Data.ByteString (ByteString)
-import qualified Data.ByteString.Unsafe as B
+import qualified Data.ByteString as B
 import Data.Int (Int16, Int32)
 import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
@@ -126,7 +126,7 @@ readingsAt images i = case imagesReadings images of
     | otherwise -> numbersAt (\k -> i + imagesCount images * (k `quot` w + h * (k `rem` w)))
     where
       numbersAt place = case number of
-        U1 -> V.generate (w * h) (fromIntegral . B.unsafeIndex bytes . place)
+        U1 -> V.generate (w * h) (fromIntegral . B.index bytes . place)
         U2 -> V.generate (w * h) (\k -> fromIntegral (fromIntegral (word 2 k) :: Word16))
         I2 -> V.generate (w * h) (\k -> fromIntegral (fromIntegral (word 2 k) :: Int16))
         I4 -> V.generate (w * h) (\k -> fromIntegral (fromIntegral (word 4 k) :: Int32))
@@ -139,7 +139,7 @@ readingsAt images i = case imagesReadings images of
               go n high
                 | n == size = high
                 | otherwise = go (n + 1) (Bits.unsafeShiftL high 8 Bits..|. byte n)
-              byte n = fromIntegral (B.unsafeIndex bytes (place k * size + nth n))
+              byte n = fromIntegral (B.index bytes (place k * size + nth n))
               nth n = if big then n else size - 1 - n
       {-# INLINE numbersAt #-}
   where

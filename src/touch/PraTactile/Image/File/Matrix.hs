@@ -102,7 +102,9 @@ rowOf separator (number, text) = V.fromList <$> traverse value (zip [1 ..] field
     fields = case separator of
       Nothing -> C.words text
       Just mark -> map C.strip (withoutLast (C.split mark text))
-    withoutLast parts = if B.null (C.strip (last parts)) then init parts else parts
+    withoutLast parts = case reverse parts of
+      end : others | B.null (C.strip end) -> reverse others
+      _ -> parts
     value (column, field) = case numberIn field of
       Just found -> Right found
       Nothing
@@ -147,7 +149,7 @@ decimalIn field
     shortEnough =
       not (B.null text) && B.length text <= 15
         && not (B.null before && places == 0)
-        && (B.null point || C.head point == '.')
+        && (B.null point || C.isPrefixOf (C.pack ".") point)
         && C.all isDigit fraction
     digits = B.foldl' digit (B.foldl' digit 0 before) fraction :: Int
     digit n c = 10 * n + fromIntegral c - 48

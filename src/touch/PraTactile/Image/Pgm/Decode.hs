@@ -43,12 +43,12 @@ decodePgmUpTo most file = do
   unless (B.null rest) (Left (TrailingData (B.length rest)))
   Right pgm
 
--- | All images of a file, one after the other, each as 'decodePgmUpTo' reads it. Refuses images of
--- different sizes.
-decodePgms :: Int -> ByteString -> Either ImageError [Pgm]
+-- | The images of a file, the first and those that follow it, each as 'decodePgmUpTo' reads it.
+-- Refuses images of different sizes.
+decodePgms :: Int -> ByteString -> Either ImageError (Pgm, [Pgm])
 decodePgms most file = do
   (pgm, rest) <- firstPgm most file
-  (pgm :) <$> others (pgmWidth pgm, pgmHeight pgm) rest
+  (,) pgm <$> others (pgmWidth pgm, pgmHeight pgm) rest
   where
     others size rest
       | B.null rest = Right []
