@@ -27,7 +27,7 @@ inside() { env -i "$(command -v chroot)" "$work/empty" /pra-tactile "$@"; }
 [ "$(inside decode /frames)" = "$answer" ] || fail "the archive's program decodes otherwise"
 inside objects --write /objects.db > /dev/null
 [ "$(inside decode --database /objects.db /frames)" = "$answer" ] || fail "the archive's program reads no database"
-inside conform --stage field --one-shot --cases 2 -- /pra-tactile serve > /dev/null || fail "the archive's program does not conform"
+inside conform --stage field --cases 2 -- /pra-tactile serve > /dev/null || fail "the archive's program does not conform"
 inside decode --database postgresql://nobody@localhost/none /frames > "$work/said" 2>&1 && fail "there is no PostgreSQL in it"
 grep -q 'has no PostgreSQL' "$work/said" || fail "it says of PostgreSQL: $(cat "$work/said")"
 echo "archive: decodes, stores, serves and conforms in an empty root"

@@ -18,7 +18,7 @@ tools/licences.sh > "$work/LICENCES.txt"
 
 name=pra-tactile-$version-linux-x86_64
 mkdir "$work/$name"
-PREFIX="" DESTDIR=$work/$name PROGRAM=dist/pra-tactile tools/install.sh install > /dev/null
+PREFIX=/ DESTDIR=$work/$name PROGRAM=dist/pra-tactile tools/install.sh install > /dev/null
 cp LICENSE README.md CHANGELOG.md "$work/LICENCES.txt" "$work/$name"
 mkdir -p "$work/$name/share/pra-tactile"
 cp -R data/worked-example "$work/$name/share/pra-tactile"
