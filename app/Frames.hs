@@ -24,7 +24,7 @@ import PraTactile.Registration (Composite, LatticeTables, compositeImage)
 import PraTactile.Sensor.Frame (sensorSide)
 import PraTactile.Source
 import System.Directory (doesDirectoryExist)
-import System.FilePath (takeDirectory, takeFileName)
+import System.FilePath (takeDirectory)
 import Visible (visibleName)
 
 -- | The paths of images, folders of frames, and frames.
@@ -82,19 +82,14 @@ onlyImages sources = and [case source of ImagePath _ -> True; _ -> False | sourc
 
 -- | A folder of frames, or a movie with its poses.
 loadFrames :: FramesChoice -> FilePath -> IO Folder
-loadFrames choice path = do
-  found <- readSource (maybe (FolderPath path) (`MoviePath` path) (posesFile choice))
-  case found of
-    Right (FrameFolder folder) -> pure folder
-    Right (WholeImage _) -> unusable (filesMessage (IsFile path))
-    Left why -> unusable (filesMessage why)
+loadFrames choice path = case posesFile choice of
+  Nothing -> readFolder path >>= orUnusable filesMessage
+  Just file -> do
+    entries <- readPoses file >>= orUnusable filesMessage
+    readMovie (Just entries) path >>= orUnusable filesMessage
 
 -- | A folder of frames, or a movie or an image of which nobody says where it was pressed.
 loadUnplaced :: FilePath -> IO Folder
 loadUnplaced path = do
   isFolder <- doesDirectoryExist path
-  if isFolder
-    then readFolder path >>= orUnusable filesMessage
-    else do
-      bytes <- readImage path >>= orUnusable filesMessage
-      orUnusable (movieMessage path) (movieFolder (takeFileName path) Nothing bytes)
+  (if isFolder then readFolder path else readMovie Nothing path) >>= orUnusable filesMessage

@@ -184,7 +184,6 @@ ofFrames :: StitchingChoice -> FramesChoice -> [(String, Bool)]
 ofFrames stitching frames =
   ("--axes", isJust (chosenAxes frames)) :
   ("--position-scale", isJust (chosenPositionScale frames)) :
-  ("--poses", isJust (posesFile frames)) :
   ("--no-stitching", asTheyAre stitching) :
   ofRegistration stitching
 

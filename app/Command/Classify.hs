@@ -16,7 +16,7 @@ import PraTactile.Classification.Classifier
 import PraTactile.Files (largestInput, readUpTo)
 import PraTactile.Format.Classification
 import PraTactile.Image (Raster, mapRaster, maximumValue, minimumValue)
-import PraTactile.Source (Preparation (..), asStated, wholeImage)
+import PraTactile.Source (frameOf)
 import PraTactile.Symmetry
 import Setup
 import System.IO (hFlush, stdout)
@@ -121,7 +121,7 @@ imageIn full (low, high) path
       seen <-
         first
           (ofImage path . imageMessage)
-          (fst <$> wholeImage asStated {preparedFullScale = full} bytes)
+          (fst <$> frameOf full Nothing bytes)
       when (minimumValue seen == maximumValue seen) $
         Left (ofImage path "all of its values are the same")
       Right (mapRaster (\v -> (v - low) / (high - low)) seen)

@@ -62,9 +62,7 @@ run options = do
   chosen <- traverse usableTaxel (taxel options)
   folders <- traverse loadUnplaced (paths options)
   felt <- concat <$> zipWithM feltIn (paths options) folders
-  placed <- for (poses options) $ \file -> do
-    text <- readUpTo largestInput file >>= orUnusable filesMessage
-    orUnusable (filesMessage . PosesRefused file) (parsePoses text)
+  placed <- for (poses options) $ \file -> readPoses file >>= orUnusable filesMessage
   let manifests = map folderManifest folders
       entries = fromMaybe (concatMap manifestEntries manifests) placed
       spacings = nub (mapMaybe manifestTaxel manifests ++ mapMaybe (imagesSpacing . snd) felt)

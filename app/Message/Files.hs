@@ -3,7 +3,6 @@ module Message.Files
   ( ManifestPresence (..),
     filesMessage,
     sourceMessage,
-    movieMessage,
     decodeMessage,
     fileMessage,
     loneFramesMessage,

@@ -15,6 +15,8 @@ module PraTactile.Files
     sourcePath,
     sourcePaths,
     readSource,
+    readPoses,
+    readMovie,
 
     -- * Bytes
     readUpTo,
@@ -220,12 +222,16 @@ readSource source = case source of
   FramePaths folder names -> fmap FrameFolder <$> readListed largestInput (`elem` names) folder
   ImagePath file -> fmap WholeImage <$> readImage file
   MoviePath poses file ->
-    readUpTo largestInput poses `andThen` \told ->
-      readImage file `andThen` \bytes ->
-        pure $ do
-          entries <- first (PosesRefused poses) (parsePoses told)
-          first (MovieRefused file) . fmap FrameFolder $
-            movieFolder (takeFileName file) (Just entries) bytes
+    readPoses poses `andThen` \entries -> fmap FrameFolder <$> readMovie (Just entries) file
+
+-- | The poses of a movie's frames.
+readPoses :: FilePath -> IO (Either FilesError [Entry])
+readPoses file = (>>= first (PosesRefused file) . parsePoses) <$> readUpTo largestInput file
+
+-- | The folder that a movie is, given its poses if it is told where it was pressed.
+readMovie :: Maybe [Entry] -> FilePath -> IO (Either FilesError Folder)
+readMovie entries file =
+  (>>= first (MovieRefused file) . movieFolder (takeFileName file) entries) <$> readImage file
 
 -- | A file's bytes, if there are not more than so many; of a pipe or a device as well. @-@ is the
 -- standard input.
