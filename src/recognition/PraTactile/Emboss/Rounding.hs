@@ -85,8 +85,9 @@ rounded precision made = do
   where
     height = embossedHeight made
     irrational = V.length (V.filter (not . rational) (embossedPoints made))
-    it = roundedBy way made
-    most = V.maximum (V.zipWith furthest points (V.map (nearPoint way) points))
+    near = V.map (nearPoint way) points
+    it = movedTo near made
+    most = V.maximum (V.zipWith furthest points near)
     points = embossedPoints made
     way = case precision of
       Binary32 -> Way single single
@@ -142,9 +143,13 @@ decimal x
 
 -- | The polyhedron whose points are moved so.
 roundedBy :: Way -> Embossed -> Mesh
-roundedBy way made = mesh (subjectName (embossedSubject made)) names over points walks
+roundedBy way made = movedTo (V.map (nearPoint way) (embossedPoints made)) made
+
+-- | The polyhedron whose points are moved to these.
+movedTo :: V.Vector Point -> Embossed -> Mesh
+movedTo near made = mesh (subjectName (embossedSubject made)) names over points walks
   where
-    (over, points) = overOne (map (nearPoint way) (V.toList (embossedPoints made)))
+    (over, points) = overOne (V.toList near)
     walks = V.map (\(a, b, c) -> U.fromList [a, b, c]) (embossedTriangles made)
     names = V.take (V.length points) (embossedNames made V.++ V.fromList new)
     own = Set.fromList (V.toList (embossedNames made))
