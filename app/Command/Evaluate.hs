@@ -20,7 +20,7 @@ import PraTactile.Array (ArrayOn (..), PseudorandomArray, arrayPrimitive)
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
-import PraTactile.Format (EvaluationConditions (..), EvaluationReport (..), encodeEvaluation)
+import PraTactile.Format.Evaluation
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Polynomial (primitiveDegree)

@@ -68,9 +68,6 @@ module PraTactile.Format
     -- * Rates and objects
     encodeRates,
     RatesReport (..),
-    encodeEvaluation,
-    EvaluationReport (..),
-    EvaluationConditions (..),
     encodeObjects,
     encodeWhereabouts,
     encodePlacement,
