@@ -25,23 +25,33 @@ import Test.QuickCheck
 -- | A window of a placement, mostly near what is laid.
 windowOn :: Mapped -> Gen (Question WhereaboutsReport)
 windowOn mapped = do
-  window <- (,) <$> side <*> side
-  at <- frequency ((1, anywhere) : [(4, near' window cells) | cells@(_ : _) <- [taken]])
-  pure (Whereabouts :? (mapped, uncurry Shape window, at))
+  (window, at) <-
+    frequency $
+      (1, (,) <$> sides <*> anywhere) :
+      [(4, sides >>= near' cells) | cells@(_ : _) <- [concat taken]]
+        ++ [(2, across faces) | faces@(_ : _ : _) <- [taken]]
+  pure (Whereabouts :? (mapped, window, at))
   where
     Shape high wide = mappedShape mapped
+    sides = Shape <$> side <*> side
     side = fromInteger <$> frequency [(3, chooseInteger (1, 2)), (1, chooseInteger (1, 4))]
-    taken = concatMap cellsTaken (mappedLayings mapped)
+    taken = map cellsTaken (mappedLayings mapped)
     anywhere =
       oneof
         [Position <$> upTo (3 * high) <*> upTo (3 * wide), Position <$> anyNatural <*> anyNatural]
     upTo n = fromInteger <$> chooseInteger (0, toInteger n)
     -- A corner of the window is on what is laid, or just beyond.
-    near' (tall, broad) cells = do
+    near' cells window@(Shape tall broad) = do
       (r, c) <- elements cells
       i <- toInteger <$> elements [0, 1, tall - 1, tall]
       j <- toInteger <$> elements [0, 1, broad - 1, broad]
-      pure (Position (fromInteger (max 0 (r - i))) (fromInteger (max 0 (c - j))))
+      pure (window, Position (fromInteger (max 0 (r - i))) (fromInteger (max 0 (c - j))))
+    -- From a cell of one face to one of another.
+    across faces = do
+      ends <- shuffle faces >>= traverse elements . take 2
+      let (top, left) = (max 0 (minimum (map fst ends)), max 0 (minimum (map snd ends)))
+          size end from = fromInteger (1 + maximum (map end ends) - from)
+      pure (Shape (size fst top) (size snd left), Position (fromInteger top) (fromInteger left))
 
 -- | The cells of the array that a laying takes.
 cellsTaken :: Drawing -> [(Integer, Integer)]
