@@ -3,12 +3,14 @@
 module Files
   ( readBytes,
     readBytesUpTo,
+    alreadyIn,
   )
 where
 
 import Data.ByteString (ByteString)
 import ExitStatus
 import Message.Files (filesMessage)
+import Output (Target (..), targetOf)
 import PraTactile.Files (largestInput, readUpTo)
 
 -- | A file's bytes; at most 256 MiB.
@@ -18,3 +20,10 @@ readBytes = readBytesUpTo largestInput
 -- | A file's bytes; leaves with status 2 if there are more than this many.
 readBytesUpTo :: Int -> FilePath -> IO ByteString
 readBytesUpTo limit file = readUpTo limit file >>= orUnusable filesMessage
+
+-- | What is in a file that is to be continued: nothing where there is none, or no regular file.
+alreadyIn :: FilePath -> IO ByteString
+alreadyIn name =
+  targetOf name >>= orUnusable id >>= \target -> case target of
+    Regular file (Just _) -> readBytes file
+    _ -> pure mempty

@@ -15,6 +15,7 @@ module Options
     folderOption,
     pathArgument,
     outputFileOption,
+    shardOption,
     choosing,
     allNamed,
 
@@ -96,6 +97,20 @@ pathArgument = argument pathReader
 -- | @--output FILE@, in place of the standard output.
 outputFileOption :: Parser (Maybe FilePath)
 outputFileOption = optionalFile "output" "FILE" "Write to a file instead of the standard output"
+
+-- | @--shard I/K@: I from 1 to K; the whole where nothing is said.
+shardOption :: Parser (Maybe (Natural, Natural))
+shardOption =
+  optional . option shard $
+    long "shard"
+      <> metavar "I/K"
+      <> help "Only the I-th of K parts, which 'merge' puts together"
+  where
+    shard =
+      pairReader '/' "--shard 1/8" >>= \(i, k) ->
+        if 1 <= i && i <= (k :: Integer)
+          then pure (fromInteger i, fromInteger k)
+          else readerError "a shard is I/K with I from 1 to K, as in --shard 1/8"
 
 -- | An option whose values have names. The first argument is what a message calls such a value, the
 -- second the values by their names; then the option's name, what stands for its value in the help,

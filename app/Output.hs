@@ -9,6 +9,7 @@ module Output
     orUnwritable,
     orUnwritableAmong,
     writtenTo,
+    writtenAfter,
     sayBeside,
     sayWritten,
     Target (..),
@@ -129,6 +130,26 @@ writtenTo name write = do
       pure result
   where
     guarded action = try action >>= either (unusable . writeMessage name) pure
+
+-- | Continue a regular file of so many bytes: cut it to the first so many of them, and write after
+-- these. Leaves with status 2 where another run is writing it. What is no regular file is written
+-- to as it is.
+writtenAfter :: FilePath -> (Int, Int) -> (Handle -> IO a) -> IO a
+writtenAfter name (size, kept) write = do
+  target <- targetOf name >>= orUnusable id
+  case target of
+    Regular file _ -> do
+      outcome <- try $
+        withBinaryFile file ReadWriteMode $ \handle -> do
+          ours <- hTryLock handle ExclusiveLock
+          now <- hFileSize handle
+          unless (ours && now == toInteger size) . unusable $
+            "another run is writing " ++ visibleName name
+          hSetFileSize handle (toInteger kept)
+          hSeek handle SeekFromEnd 0
+          write handle
+      either (unusable . writeMessage name) pure outcome
+    _ -> writtenTo name write
 
 -- | Say something of what is written there: on the standard output, or where that has what is
 -- written, on the standard error.

@@ -8,7 +8,6 @@ module Command.Census
 where
 
 import CensusChoice
-import Control.Exception (try)
 import Control.Monad (foldM, when)
 import Control.Parallel.Strategies (parBuffer, rdeepseq, withStrategy)
 import Data.Bifunctor (first)
@@ -18,7 +17,7 @@ import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Either (rights)
 import Data.Maybe (fromMaybe)
 import ExitStatus
-import Files (readBytes)
+import Files (alreadyIn)
 import Message (censusMessage, proofMessage)
 import Message.Census
 import Numeric.Natural (Natural)
@@ -32,7 +31,6 @@ import PraTactile.Format.Census.Contradiction (foundProved)
 import PraTactile.Format.Census.Row
 import PraTactile.Window.Proof (Verdict (..))
 import Progress
-import System.Directory (doesPathExist)
 import System.IO
 
 -- | What the command line says.
@@ -76,24 +74,11 @@ asked =
           "A window, instead of all rectangles of n cells and those with one row or column more; \
           \may be repeated"
       )
-    <*> option
-      shardReader
-      ( long "shard"
-          <> metavar "I/K"
-          <> value (1, 1)
-          <> help "Only the I-th of K parts, which 'merge' puts together"
-      )
+    <*> (fromMaybe (1, 1) <$> shardOption)
     <*> keepWholeSwitch
       "Continue a damaged file too: rows that are whole are kept, the others made again"
     <*> fileOption "output" "FILE" "The file to write or to continue"
     <*> jsonSwitch "Tell as JSON what was written"
-
-shardReader :: ReadM (Natural, Natural)
-shardReader =
-  pairReader '/' "--shard 1/8" >>= \(i, k) ->
-    if 1 <= i && i <= (k :: Integer)
-      then pure (fromInteger i, fromInteger k)
-      else readerError "a shard is I/K with I from 1 to K, as in --shard 1/8"
 
 run :: Asked -> IO ExitStatus
 run given = do
@@ -109,13 +94,10 @@ run given = do
   found <- orUnusable censusMessage (census (\number -> number `mod` k == i - 1) scope)
   let shardSize = if entries < i then 0 else (entries - i) `div` k + 1
       wanted = Wanted scope entries [(entry, rowBody scope entries entry) | entry <- found]
-  target <- targetOf (askedOutput given) >>= orUnusable id
-  (kept, writing) <- case target of
-    Regular _ _ -> do
-      kept <- continued (askedDamage given) (askedOutput given) wanted
-      pure (kept, append (askedOutput given) kept)
-    _ -> pure (Kept 0 0 0, writtenTo (askedOutput given))
-  provedOnes <- writing (rowsAfter (toInteger shardSize) kept (rowsToMake wanted kept))
+  (size, kept) <- continued (askedDamage given) (askedOutput given) wanted
+  provedOnes <-
+    writtenAfter (askedOutput given) (size, keptBytes kept) $
+      rowsAfter (toInteger shardSize) kept (rowsToMake wanted kept)
   Answered <$ sayCensus (askedForm given) (askedOutput given) shardSize provedOnes
 
 -- | The rows after those that are kept, made on all cores, each with whether it says that the
@@ -128,20 +110,21 @@ rowsToMake wanted kept =
       | (entry, body) <- drop (keptCount kept) (wantedInOrder wanted)
     ]
 
--- | What is in the file already: nothing, or the first of the rows that it is to have. Leaves with
--- status 2 if it is anything else, and does not touch it; unless it is damaged and what is whole is
+-- | The file's length, and what is in it already: nothing, or the first of the rows that it is to
+-- have. Leaves with status 2 if it is anything else, and does not touch it; unless it is damaged and what is whole is
 -- to be kept: then the damaged rows are made again first.
-continued :: Damage -> FilePath -> Wanted -> IO Kept
+continued :: Damage -> FilePath -> Wanted -> IO (Int, Kept)
 continued damage file wanted = do
-  there <- doesPathExist file
-  bytes <- if there then readBytes file else pure ""
-  if not there || beginsHeader bytes
-    then pure (Kept 0 0 0)
+  bytes <- alreadyIn file
+  let sized kept = pure (Bytes.length bytes, kept)
+  if beginsHeader bytes
+    then sized (Kept 0 0 0)
     else do
       contents <- orUnusable (censusFileMessage file) (contentsOf bytes)
       case keptInOrder wanted bytes contents of
-        Right kept -> pure kept
-        Left _ | damage == Repaired -> repaired file wanted contents
+        Right kept -> sized kept
+        Left _
+          | damage == Repaired -> (\kept -> (keptBytes kept, kept)) <$> repaired file wanted contents
         Left fault -> unusable (censusFileMessage file fault)
 
 -- | The file with its damaged rows made again, up to the last whole one; it is replaced whole, so
@@ -159,16 +142,6 @@ repaired file wanted contents = do
 
 isProved :: Entry -> Bool
 isProved = either (const False) proved . entryVerdict
-
--- | Cut the file to what is kept of it and write after that.
-append :: FilePath -> Kept -> (Handle -> IO a) -> IO a
-append file kept write = do
-  outcome <- try $
-    withBinaryFile file ReadWriteMode $ \handle -> do
-      hSetFileSize handle (fromIntegral (keptBytes kept))
-      hSeek handle SeekFromEnd 0
-      write handle
-  either (unusable . writeMessage file) pure outcome
 
 -- | Write the rows after those that are kept, each at once and whole, given how many there are in
 -- all; the number of rows that say that the windows are distinct.

@@ -1,4 +1,7 @@
--- | @pra-tactile evaluate@: simulated presses by the thousand, counted right, wrong and refused.
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | @pra-tactile evaluate@: simulated presses by the thousand, counted right, wrong and refused; in
+-- one run, or in shards whose files can be continued.
 module Command.Evaluate
   ( command,
   )
@@ -7,20 +10,32 @@ where
 import ArrayChoice
 import Command.Decode (ToleranceChoice (..), toleranceComplaint, toleranceOptions)
 import Control.Monad (foldM, when)
-import Control.Parallel.Strategies (evalTuple2, parBuffer, rseq, withStrategy)
+import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
+import Data.Aeson ((.=))
 import Data.Bifunctor (first)
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Char8 as Bytes
 import Data.Foldable (toList)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import ExitStatus
+import Files (alreadyIn)
+import Json (sayWrittenAs)
 import Message
+import Message.Evaluation
+import Numeric.Natural (Natural)
 import Options
+import Output
 import PlacementChoice
 import PraTactile.Array (ArrayOn (..), PseudorandomArray, arrayPrimitive)
+import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
+import PraTactile.Format (encodePlacement)
+import PraTactile.Format.Digest (digestOf)
 import PraTactile.Format.Evaluation
+import PraTactile.Format.Network
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Polynomial (primitiveDegree)
@@ -34,6 +49,7 @@ import PraTactile.Window.Proof (windowRank)
 import Progress
 import SensorChoice
 import Setup
+import System.IO (Handle, hFlush, stdout)
 import Text.Printf (printf)
 import Visible (visible, visibleName)
 
@@ -50,6 +66,8 @@ data Options = Options
     tolerance :: ToleranceChoice,
     symbolReader :: ReaderChoice,
     objects :: PlacementChoice,
+    shard :: Maybe (Natural, Natural),
+    output :: Maybe FilePath,
     form :: AnswerForm
   }
 
@@ -67,7 +85,8 @@ command =
       "pra-tactile evaluate --presses 12 --seed 1 --foreign-arrays 0.5",
       "pra-tactile evaluate --presses 12 --seed 1 --position-error 2 --any-angle --untold",
       "pra-tactile evaluate --presses 12 --seed 1 --bend 100 --bend-axis x",
-      "pra-tactile evaluate --presses 12 --seed 1 --object sheet"
+      "pra-tactile evaluate --presses 12 --seed 1 --object sheet",
+      "pra-tactile evaluate --presses 12 --seed 1 --shard 1/3 --output part1.json"
     ]
     (run <$> arrayChoice <*> options)
   where
@@ -100,7 +119,13 @@ command =
         <*> toleranceOptions (pure (foreignPrior standardTolerance))
         <*> readerChoice
         <*> plateOr (placementChoice "The same from a database that 'objects --write' made")
-        <*> jsonSwitch "Print the counts as JSON"
+        <*> shardOption
+        <*> optionalFile
+          "output"
+          "FILE"
+          "Write each press to a file, which 'merge' counts; running it again continues an \
+          \unfinished file"
+        <*> jsonSwitch "Print the counts as JSON; of a shard, with each press, for 'merge'"
 
 -- | How the faces lie.
 turnsOption :: Parser Turns
@@ -126,6 +151,8 @@ run choice options
     misused "--foreign is a share from 0 to 1"
   | not (all (>= 0) arrays && all (<= fromMaybe 1 (foreignPresses options)) arrays) =
     misused "--foreign-arrays is a share from 0 to that of --foreign"
+  | any ((> fromIntegral (presses options)) . snd) (shard options) =
+    misused "--shard I/K has at most as many parts as there are presses"
   | otherwise = do
     real <- chosenSensor (sensor options)
     let feltAs scale = feltBySymbols scale real
@@ -162,13 +189,100 @@ run choice options
               recogniserMessage
               (recogniser (ArrayOn (profileSurface profile) array) mask layout symbols)
           first (experimentMessage larger) (evaluatedPoses experiment array reader)
+        inMillimetres pose = pose {poseErrorFar = larger * poseErrorFar pose}
+        evaluation = evaluationOf profile options simulated
+        how = experimentExploration experiment
+        part =
+          Part
+            { partNumber = maybe 1 (fromIntegral . fst) (shard options),
+              partOf = maybe 1 (fromIntegral . snd) (shard options),
+              partSetting =
+                digestOf . Bytes.unlines $
+                  [ encodePlacement profile layout,
+                    encodeNetwork (fileOf symbols),
+                    Bytes.pack . show $
+                      ( (simulated, explorationSpacing how, region, turns options, bend options),
+                        (allForeign options, arrays, untold options, tolerated (tolerance options))
+                      )
+                  ]
+            }
     results <- orUnusable profileMessage (withProfile profile made) >>= orUnusable id
-    (counted, poses) <- tallied (form options == AsJson) (presses options) results
-    let inMillimetres counts = counts {poseMedianFar = larger * poseMedianFar counts}
-    printed profile options region simulated counted (inMillimetres <$> poseTally poses)
+    let pressesOf keepPose =
+          [ Press number outcome (if keepPose then inMillimetres <$> pose else Nothing)
+            | (number, (outcome, pose)) <- zip [1 ..] results,
+              isInPart part number
+          ]
+    case (output options, shard options) of
+      (Just file, _) -> do
+        bytes <- alreadyIn file
+        (kept, before) <- continued file bytes (beginning evaluation part)
+        counts <-
+          writtenAfter file (Bytes.length bytes, kept) $
+            document evaluation part (kept, before) (drop (length before) (pressesOf True))
+        sayWrittenAs (form options) file (": " ++ pressesText evaluation part) "evaluate-written/1" $
+          "presses" .= partSize evaluation part
+        when (form options == AsText && file /= "-") $
+          putStr (countsText options region evaluation part counts)
+      (Nothing, Just _)
+        | form options == AsJson -> do
+          _ <- document evaluation part (0, []) (pressesOf True) stdout
+          pure ()
+      _ -> do
+        counts <- pressesCounted evaluation part [] (const (pure ())) (pressesOf (form options == AsJson))
+        printAs
+          (form options)
+          (countsText options region evaluation part counts)
+          (encodeEvaluation evaluation counts)
     pure Answered
   where
     arrays = foreignArrayPresses options
+    fileOf (Reader alphabet _ _ network sure) =
+      NetworkFile network (alphabetDigest alphabet) sure Nothing Nothing
+
+-- | How many presses a shard has.
+partSize :: Evaluation -> Part -> Int
+partSize evaluation part = length (filter (isInPart part) [1 .. evaluationPresses evaluation])
+
+-- | What an unfinished file has already: its length up to the last whole press, and the presses; it
+-- must begin so. Leaves with status 2, and does not touch it, where it is anything else.
+continued :: FilePath -> ByteString -> ByteString -> IO (Int, [Press])
+continued file bytes begins
+  | bytes `Bytes.isPrefixOf` begins = pure (0, [])
+  | begins `Bytes.isPrefixOf` bytes = do
+    contents <- orUnusable (evaluationFileMessage file) (contentsOf bytes)
+    pure (contentsKept contents, contentsPresses contents)
+  | otherwise = unusable (otherEvaluationMessage file)
+
+-- | Write what a shard's file lacks, each press at once and whole, after so many bytes with those
+-- that are there; the counts of all of them.
+document :: Evaluation -> Part -> (Int, [Press]) -> [Press] -> Handle -> IO Counts
+document evaluation part (kept, before) others handle = do
+  when (kept == 0) (Bytes.hPutStr handle (beginning evaluation part))
+  counts <- pressesCounted evaluation part before put others
+  Bytes.hPutStr handle (ending counts)
+  pure counts
+  where
+    put press = do
+      Bytes.hPutStr handle (pressLine (pressNumber press == partNumber part) press)
+      hFlush handle
+
+-- | The counts of presses, those that were made before among them; others are made on all cores as
+-- they are needed, and let go once something is done with each and it is counted. Says how far it
+-- is where a person looks on.
+pressesCounted :: Evaluation -> Part -> [Press] -> (Press -> IO ()) -> [Press] -> IO Counts
+pressesCounted evaluation part before put others =
+  withProgress (doneBefore done (evenly (partSize evaluation part) "presses")) $ \bar ->
+    foldM
+      (include bar)
+      (counted before)
+      (zip [done + 1 ..] (withStrategy (parBuffer 32 rseq) others))
+  where
+    done = toInteger (length before)
+    include bar counts (i, press) = do
+      put press
+      let counts' = countingPress counts press
+      counts' `seq` tell bar i
+      pure counts'
 
 -- | Faces whose symbols, all of them together, do not tell where on the array they are.
 unreadable :: KnownField k => PseudorandomArray k -> [LaidFace] -> [LaidFace]
@@ -192,54 +306,16 @@ unreadWarning profile unread pressed = case unread of
         ++ ": too few symbols, of rank below "
         ++ show (length (profilePolynomial profile) - 1)
 
--- | The tallies with stitching and without, of results that are made on all cores as they are
--- needed; says how far it is where a person looks on. Trials are let go once counted. With them
--- come the poses' errors, if they are asked for.
-tallied ::
-  Bool -> Int -> [(TrialResult, Maybe PoseError)] -> IO ((Tally, Tally), [PoseError])
-tallied withPoses count results =
-  withProgress (evenly count "presses") $ \bar ->
-    foldM
-      (include bar)
-      ((noResults, noResults), [])
-      (zip [1 ..] (withStrategy (parBuffer 32 (evalTuple2 rseq rseq)) (map wanted results)))
-  where
-    wanted (outcome, pose)
-      | withPoses = (outcome, (\found -> found `seq` pose) =<< pose)
-      | otherwise = (outcome, Nothing)
-    include bar ((stitched, unstitched), poses) (i, (outcome, pose)) =
-      let stitched' = counting stitched (withStitching outcome)
-          unstitched' = counting unstitched (withoutStitching outcome)
-          poses' = maybe poses (: poses) pose
-       in stitched'
-            `seq` unstitched'
-            `seq` poses'
-            `seq` tell bar (i :: Integer) >> pure ((stitched', unstitched'), poses')
-
-printed ::
-  Profile -> Options -> (Int, Int) -> Sensor -> (Tally, Tally) -> Maybe PoseTally -> IO ()
-printed profile options region simulated (stitched, unstitched) poses =
-  printAs
-    (form options)
-    ( unlines
-        [ headingText options region simulated,
-          tallyText "stitching" stitched,
-          tallyText "no-stitching" unstitched
-        ]
-    )
-    (encodeEvaluation (report profile options simulated stitched unstitched poses))
-
-report ::
-  Profile -> Options -> Sensor -> Tally -> Tally -> Maybe PoseTally -> EvaluationReport
-report profile options simulated stitched unstitched poses =
-  EvaluationReport
+evaluationOf :: Profile -> Options -> Sensor -> Evaluation
+evaluationOf profile options simulated =
+  Evaluation
     { evaluationProfile = profile,
       evaluationPresses = presses options,
       evaluationSeed = seed options,
       evaluationPositionError = sensorPositionError simulated,
       evaluationNoise = sensorNoise simulated,
       evaluationConditions =
-        EvaluationConditions
+        Conditions
           { conditionSensor = sensorNamed (sensor options),
             conditionRotationError = rotationSigma (sensor options),
             conditionTilt = tiltSigma (sensor options),
@@ -248,23 +324,36 @@ report profile options simulated stitched unstitched poses =
             conditionForeign = allForeign options,
             conditionForeignArrays = foreignArrayPresses options,
             conditionUntold = untold options
-          },
-      evaluationStitched = stitched,
-      evaluationUnstitched = unstitched,
-      evaluationPose = poses
+          }
     }
 
-headingText :: Options -> (Int, Int) -> Sensor -> String
-headingText options region simulated =
+-- | How many presses are meant, and how many of them a shard has.
+pressesText :: Evaluation -> Part -> String
+pressesText evaluation part
+  | partOf part == 1 = count ++ " presses"
+  | otherwise = show (partSize evaluation part) ++ " of " ++ count ++ " presses"
+  where
+    count = show (evaluationPresses evaluation)
+
+countsText :: Options -> (Int, Int) -> Evaluation -> Part -> Counts -> String
+countsText options region evaluation part counts =
+  unlines
+    [ headingText options region evaluation part,
+      tallyText "stitching" (countsStitched counts),
+      tallyText "no-stitching" (countsUnstitched counts)
+    ]
+
+headingText :: Options -> (Int, Int) -> Evaluation -> Part -> String
+headingText options region evaluation part =
   printf
-    "%d presses, seed %d, regions of %d x %d taxels, position error sigma %g taxels, noise sd %g \
+    "%s, seed %d, regions of %d x %d taxels, position error sigma %g taxels, noise sd %g \
     \of full scale%s"
-    (presses options)
-    (seed options)
+    (pressesText evaluation part)
+    (evaluationSeed evaluation)
     (fst region)
     (snd region)
-    (sensorPositionError simulated)
-    (sensorNoise simulated)
+    (evaluationPositionError evaluation)
+    (evaluationNoise evaluation)
     (concatMap (", " ++) (named ++ turned ++ map bendText (toList (bend options)) ++ others))
   where
     named = ["sensor " ++ visibleName name | Just name <- [sensorNamed (sensor options)]]
@@ -283,25 +372,25 @@ headingText options region simulated =
         ++ ["position error untold" | untold options]
 
 tallyText :: String -> Tally -> String
-tallyText name counted =
+tallyText name counts =
   printf
     "%-13s right %d  wrong %d (expected: %.2g)  refused %d (%.1f %%)%s"
     name
-    (tallyRight counted)
-    (tallyWrong counted)
-    (tallyExpected counted)
+    (tallyRight counts)
+    (tallyWrong counts)
+    (tallyExpected counts)
     refused
     share
     ( concat
         [ printf "%s %s %d" (if i == 0 then ":" else "," :: String) reason n
-          | (i, (reason, n)) <- zip [0 :: Int ..] (Map.toAscList (tallyRefused counted))
+          | (i, (reason, n)) <- zip [0 :: Int ..] (Map.toAscList (tallyRefused counts))
         ] ::
         String
     )
   where
-    refused = sum (tallyRefused counted)
+    refused = sum (tallyRefused counts)
     share =
       100
         * fromIntegral refused
-        / fromIntegral (max 1 (refused + tallyRight counted + tallyWrong counted)) ::
+        / fromIntegral (max 1 (refused + tallyRight counts + tallyWrong counts)) ::
         Double

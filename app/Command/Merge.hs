@@ -1,4 +1,6 @@
--- | @pra-tactile merge@: the shards of a census as one file.
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | @pra-tactile merge@: the shards of a census as one file, or those of an evaluation counted.
 module Command.Merge
   ( command,
   )
@@ -7,36 +9,47 @@ where
 import CensusChoice
 import Control.Exception (IOException, try)
 import Control.Monad (filterM, unless)
+import Data.Aeson ((.=))
+import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (for_)
+import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
 import ExitStatus
 import Files (readBytes)
+import Json (sayWrittenAs)
 import Message.Census
+import Message.Evaluation
 import Options
 import Output
 import PraTactile.Format.Census
 import PraTactile.Format.Census.Contradiction (foundProved)
 import PraTactile.Format.Census.Merge
 import PraTactile.Format.Census.Row
+import PraTactile.Format.Evaluation (Evaluation (..), encodeEvaluation, merged)
+import qualified PraTactile.Format.Evaluation as Evaluation
 import System.Posix.Files (deviceID, fileID, getFileStatus)
 
 command :: Mod CommandFields (IO ExitStatus)
 command =
   subcommand
     "merge"
-    "Put the shards of a census together: the file that the census would be if it had been made \
-    \in one run. They must be of one census, complete, undamaged, and have no entry in common."
-    ["pra-tactile merge part1.csv part2.csv part3.csv --output census.csv"]
+    "Put the shards of a census or of an evaluation together: the file, or the JSON, that one run \
+    \would have made. They must be of one census or evaluation, complete, undamaged, and have \
+    \nothing in common."
+    [ "pra-tactile merge part1.csv part2.csv part3.csv --output census.csv",
+      "pra-tactile merge part1.json part2.json part3.json"
+    ]
     ( run
         <$> some
           ( pathArgument
-              (metavar "FILE..." <> action "file" <> help "Files of 'pra-tactile census --shard'")
+              (metavar "FILE..." <> action "file" <> help "Files of 'census --shard', or of 'evaluate --shard'")
           )
         <*> keepWholeSwitch
-          "Of damaged files, take the rows that are whole; entries that are then missing are told"
+          "Of damaged files of a census, take the rows that are whole; entries that are then \
+          \missing are told"
         <*> optionalFile
           "output"
           "FILE"
@@ -47,7 +60,7 @@ command =
 run :: [FilePath] -> Damage -> Maybe FilePath -> AnswerForm -> IO ExitStatus
 run files damage output form = do
   unless (isJust output) $
-    leaveOut "the census is printed, and nothing is told of it" [("--json", form == AsJson)]
+    leaveOut "what is merged is printed, and nothing is told of it" [("--json", form == AsJson)]
   for_ output $ \file -> do
     inputs <- filterM (sameFile file) files
     for_ (take 1 inputs) $ \input ->
@@ -58,20 +71,42 @@ run files damage output form = do
             ++ input
             ++ ", which would be lost; give another --output"
         )
-  (shards, notes) <- unzip <$> mapM (shard damage) files
-  merged <- orUnusable mergeMessage (mergeShards shards)
-  mapM_ warn (concat notes)
-  let text = encodeCensus (map rowText merged)
-      provedOnes = length (filter (foundProved . rowFindings) merged)
-  maybe (Lazy8.putStr text) (`writeWhole` text) output
-  for_ output $ \file -> sayCensus form file (fromIntegral (length merged)) provedOnes
+  contents <- mapM readBytes files
+  let written bytes = maybe (Lazy8.putStr bytes) (`writeWhole` bytes) output
+  case zip files contents of
+    one : others | all (isJson . snd) (one : others) -> do
+      leaveOut "an evaluation's file is whole or refused" [("--keep-whole", damage == Repaired)]
+      shards <- traverse (\(file, bytes) -> (,) file <$> evaluationShard file bytes) (one :| others)
+      (evaluation, counts) <- orUnusable notMergedMessage (merged shards)
+      written (Lazy8.fromStrict (encodeEvaluation evaluation counts) <> "\n")
+      for_ output $ \file ->
+        sayWrittenAs
+          form
+          file
+          (": " ++ show (evaluationPresses evaluation) ++ " presses")
+          "evaluate-written/1"
+          ("presses" .= evaluationPresses evaluation)
+    all' -> do
+      (shards, notes) <- unzip <$> mapM (uncurry (shard damage)) all'
+      together' <- orUnusable mergeMessage (mergeShards shards)
+      mapM_ warn (concat notes)
+      written (encodeCensus (map rowText together'))
+      for_ output $ \file ->
+        sayCensus
+          form
+          file
+          (fromIntegral (length together'))
+          (length (filter (foundProved . rowFindings) together'))
   pure Answered
+  where
+    -- What no census begins with.
+    isJson = ("{" `Bytes.isPrefixOf`)
+    evaluationShard file = orUnusable (evaluationFileMessage file) . Evaluation.contentsOf
 
 -- | The rows of a file, all of them, or those that are whole if that is asked for, and what is to
 -- be said of them. Leaves with status 2 if it is damaged.
-shard :: Damage -> FilePath -> IO (Shard, [String])
-shard damage file = do
-  bytes <- readBytes file
+shard :: Damage -> FilePath -> ByteString -> IO (Shard, [String])
+shard damage file bytes = do
   contents <- orUnusable (censusFileMessage file) (contentsOf bytes)
   case completeRows contents of
     Right rows -> pure (Shard file rows, [])

@@ -3,6 +3,7 @@ module Message.Census
   ( censusFileMessage,
     mergeMessage,
     keptMessage,
+    partsMessage,
   )
 where
 
@@ -11,6 +12,7 @@ import Data.List (intercalate)
 import Message.Code (numeral)
 import PraTactile.Format.Census.Merge
 import PraTactile.Format.Error
+import PraTactile.Format.Shards
 
 -- | What is wrong with a file, which stands before it.
 censusFileMessage :: FilePath -> CensusFileError -> String
@@ -69,24 +71,12 @@ mergeMessage fault = case fault of
   DifferentCensuses a b
     | a == b -> a ++ " has rows of different censuses"
     | otherwise -> a ++ " and " ++ b ++ " are of different censuses"
-  EntryTwice entry a b ->
-    "entry " ++ show entry ++ " is in " ++ a ++ (if a == b then " twice" else " and in " ++ b)
-  EntriesMissing entries missing ->
-    numeral (sum [b - a + 1 | (a, b) <- missing])
-      ++ " of "
-      ++ numeral entries
-      ++ " entries are missing: "
-      ++ intercalate ", " (map run (take 8 missing) ++ ["and others" | not (null (drop 8 missing))])
-      ++ "; run the other shards, or finish these"
+  EntriesApart why -> partsMessage "entry" "entries" why
   NotAsNumbered file line ->
     file
       ++ ": line "
       ++ show line
       ++ " is damaged: it does not have the folding, shape and window of its entry"
-  where
-    run (a, b)
-      | a == b = numeral a
-      | otherwise = numeral a ++ " to " ++ numeral b
 
 -- | What is said where damaged lines are left out: how many rows are kept, and how many lines are
 -- not.
@@ -97,3 +87,22 @@ keptMessage file kept left =
     ++ show kept
     ++ "; damaged or repeated lines left out: "
     ++ show left
+
+-- | Why parts of one name, and of another where there are many, are not a whole.
+partsMessage :: String -> String -> PartsError -> String
+partsMessage one many why = case why of
+  PartTwice part a b ->
+    one ++ " " ++ numeral part ++ " is in " ++ a ++ (if a == b then " twice" else " and in " ++ b)
+  PartsMissing count missing ->
+    numeral (sum [b - a + 1 | (a, b) <- missing])
+      ++ " of "
+      ++ numeral count
+      ++ " "
+      ++ many
+      ++ " are missing: "
+      ++ intercalate ", " (map run (take 8 missing) ++ ["and others" | not (null (drop 8 missing))])
+      ++ "; run the other shards, or finish these"
+  where
+    run (a, b)
+      | a == b = numeral a
+      | otherwise = numeral a ++ " to " ++ numeral b

@@ -93,6 +93,8 @@ misfitMessage misfit = case misfit of
   NotReal -> "a number is needed"
   BeyondMillion -> "a number of at most a million is needed"
   NotPair -> "a list of two is needed"
+  NotShard -> "a shard is a list of two numbers, the first of them from 1 to the second"
+  NotOutcome -> "an outcome has one key: right or wrong, with a doubt, or refused, with a reason"
   NotShape -> "a shape is a list of two numbers, rows and columns"
   NotCell -> "a cell of the mask is a list of two numbers, row and column"
   NotPrimeWitness ->

@@ -32,6 +32,11 @@ module PraTactile.Evaluate
     tally,
     noResults,
     counting,
+    Press (..),
+    Counts (..),
+    counted,
+    noCounts,
+    countingPress,
   )
 where
 
@@ -470,13 +475,48 @@ noResults = Tally 0 0 0 Map.empty
 
 -- | Count one more result, in constant memory.
 counting :: Tally -> Result -> Tally
-counting counted r = case r of
+counting before r = case r of
   Correct doubt ->
-    counted {tallyRight = tallyRight counted + 1, tallyExpected = tallyExpected counted + doubt}
+    before {tallyRight = tallyRight before + 1, tallyExpected = tallyExpected before + doubt}
   Mistaken doubt ->
-    counted {tallyWrong = tallyWrong counted + 1, tallyExpected = tallyExpected counted + doubt}
-  NoAnswer name -> counted {tallyRefused = Map.insertWith (+) name 1 (tallyRefused counted)}
+    before {tallyWrong = tallyWrong before + 1, tallyExpected = tallyExpected before + doubt}
+  NoAnswer name -> before {tallyRefused = Map.insertWith (+) name 1 (tallyRefused before)}
 
 -- | Count results; the doubts are added up in their order.
 tally :: [Result] -> Tally
 tally = foldl' counting noResults
+
+-- | What came of a press.
+data Press = Press
+  { -- | from 1
+    pressNumber :: !Int,
+    pressResult :: !TrialResult,
+    -- | how far the pose is off, of a right answer with stitching
+    pressPose :: !(Maybe PoseError)
+  }
+  deriving stock (Eq, Show)
+
+-- | What presses come to.
+data Counts = Counts
+  { countsStitched :: !Tally,
+    countsUnstitched :: !Tally,
+    -- | the last one first
+    countsPoses :: ![PoseError]
+  }
+  deriving stock (Eq, Show)
+
+-- | Count presses, in their order.
+counted :: [Press] -> Counts
+counted = foldl' countingPress noCounts
+
+-- | The counts of no press.
+noCounts :: Counts
+noCounts = Counts noResults noResults []
+
+-- | Count one more press.
+countingPress :: Counts -> Press -> Counts
+countingPress (Counts stitched unstitched poses) (Press _ outcome pose) =
+  Counts
+    (counting stitched (withStitching outcome))
+    (counting unstitched (withoutStitching outcome))
+    (maybe poses (: poses) pose)

@@ -65,6 +65,10 @@ data Misfit
     BeyondMillion
   | -- | No list of two.
     NotPair
+  | -- | No shard: a list of two numbers, the first of them from 1 to the second.
+    NotShard
+  | -- | No outcome of a press: an object with one of three keys.
+    NotOutcome
   | -- | No shape: a list of two numbers, rows and columns.
     NotShape
   | -- | No cell: a list of two numbers, row and column.

@@ -1,30 +1,63 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The JSON of what @evaluate@ counts.
+-- | The JSON of what @evaluate@ counts; of a shard, with each press on a line of its own, so that a
+-- file can be continued and shards can be merged.
+--
+-- > {"schema":"pra-tactile/evaluate/1",...,"shard":[1,3],"setting":"5c0e...","results":[
+-- > {"press":1,"stitching":{"right":2.1e-6},"no_stitching":{"refused":"ambiguous"}}
+-- > ,{"press":4,...}
+-- > ],"stitching":{"right":...},...}
 module PraTactile.Format.Evaluation
-  ( EvaluationReport (..),
-    EvaluationConditions (..),
+  ( -- * Counts
+    Evaluation (..),
+    Conditions (..),
     encodeEvaluation,
+
+    -- * Shards
+    Part (..),
+    isInPart,
+    beginning,
+    pressLine,
+    ending,
+
+    -- * Files of shards
+    Contents (..),
+    contentsOf,
+    EvaluationFileError (..),
+
+    -- * The whole
+    merged,
+    MergeError (..),
   )
 where
 
-import Data.Aeson (Value, object, (.=))
+import Control.Monad (unless)
+import Data.Aeson (Series, Value, (.=))
+import qualified Data.Aeson as Json
+import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
+import qualified Data.ByteString.Char8 as Bytes
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Foldable (for_, toList)
+import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Map.Strict as Map
 import Data.String (fromString)
-import PraTactile.Evaluate (PoseTally (..), Tally (..))
-import PraTactile.Explore (Turns (..))
+import PraTactile.Evaluate
+import PraTactile.Explore (Turns (..), halfTurns)
+import PraTactile.Format.Error
 import PraTactile.Format.Json
-import PraTactile.Format.Json.Codec (writeValue)
+import PraTactile.Format.Json.Codec
 import PraTactile.Format.Profile
 import PraTactile.Format.Sensor (bendCodec)
+import PraTactile.Format.Shards
 import PraTactile.Profile (Profile)
 import PraTactile.Sensor (Bend)
 
--- | What came of simulated presses, and how they were made.
-data EvaluationReport = EvaluationReport
+-- | Simulated presses, and how they were made.
+data Evaluation = Evaluation
   { evaluationProfile :: Profile,
+    -- | of all shards together
     evaluationPresses :: Int,
     evaluationSeed :: Int,
     -- | standard deviation, taxels
@@ -32,15 +65,11 @@ data EvaluationReport = EvaluationReport
     -- | standard deviation, of full scale
     evaluationNoise :: Double,
     -- | what was chosen beyond that, where it was
-    evaluationConditions :: EvaluationConditions,
-    evaluationStitched :: Tally,
-    evaluationUnstitched :: Tally,
-    -- | of right answers with stitching
-    evaluationPose :: Maybe PoseTally
+    evaluationConditions :: Conditions
   }
 
 -- | How presses were made beyond the usual.
-data EvaluationConditions = EvaluationConditions
+data Conditions = Conditions
   { -- | the preset or the file
     conditionSensor :: Maybe String,
     -- | standard deviation, degrees
@@ -58,45 +87,222 @@ data EvaluationConditions = EvaluationConditions
   }
 
 -- | The counts on one line, without its end.
-encodeEvaluation :: EvaluationReport -> ByteString
-encodeEvaluation report =
-  encodeSchema "evaluate/1" $
-    "profile" .= profileValue (evaluationProfile report)
-      <> "presses" .= evaluationPresses report
-      <> "seed" .= evaluationSeed report
-      <> "position_error_taxels" .= evaluationPositionError report
-      <> "noise" .= evaluationNoise report
-      <> foldMap ("sensor" .=) (conditionSensor chosen)
-      <> foldMap ("rotation_error_deg" .=) (conditionRotationError chosen)
-      <> foldMap ("tilt_deg" .=) (conditionTilt chosen)
-      <> foldMap ("any_angle" .=) (if conditionTurns chosen == AnyAngle then Just True else Nothing)
-      <> foldMap ("turn_deg" .=) (case conditionTurns chosen of TurnedBy t -> Just t; _ -> Nothing)
-      <> foldMap (("bend" .=) . writeValue bendCodec) (conditionBend chosen)
-      <> foldMap ("foreign" .=) (conditionForeign chosen)
-      <> foldMap ("foreign_arrays" .=) (conditionForeignArrays chosen)
-      <> foldMap ("untold" .=) (if conditionUntold chosen then Just True else Nothing)
-      <> "stitching" .= tallyValue (evaluationStitched report)
-      <> "no_stitching" .= tallyValue (evaluationUnstitched report)
-      <> "pose" .= fmap poseValue (evaluationPose report)
-  where
-    chosen = evaluationConditions report
+encodeEvaluation :: Evaluation -> Counts -> ByteString
+encodeEvaluation evaluation counts =
+  Lazy.toStrict (encodeLine (series evaluationKeys evaluation <> countsSeries counts))
 
-poseValue :: PoseTally -> Value
-poseValue counted =
-  object
-    [ "median_mm" .= poseMedianFar counted,
-      "median_deg" .= poseMedianTurned counted,
-      "within_50" .= poseWithin50 counted,
-      "within_95" .= poseWithin95 counted
-    ]
+evaluationKeys :: Keys Evaluation Evaluation
+evaluationKeys =
+  schemaKey "pra-tactile/evaluate/1"
+    *> ( Evaluation
+           <$> key "profile" profileCodec evaluationProfile
+           <*> key "presses" int evaluationPresses
+           <*> key "seed" int evaluationSeed
+           <*> key "position_error_taxels" real evaluationPositionError
+           <*> key "noise" real evaluationNoise
+           <*> withKeys evaluationConditions conditionKeys
+       )
+
+conditionKeys :: Keys Conditions Conditions
+conditionKeys =
+  Conditions
+    <$> optionalKey "sensor" text conditionSensor
+    <*> optionalKey "rotation_error_deg" real conditionRotationError
+    <*> optionalKey "tilt_deg" real conditionTilt
+    <*> (turnsOf <$> isSo "any_angle" anyAngle <*> optionalKey "turn_deg" real turn)
+    <*> optionalKey "bend" bendCodec conditionBend
+    <*> optionalKey "foreign" real conditionForeign
+    <*> optionalKey "foreign_arrays" real conditionForeignArrays
+    <*> isSo "untold" conditionUntold
+  where
+    isSo name part =
+      (== Just True) <$> optionalKey name bool (\r -> if part r then Just True else Nothing)
+    anyAngle r = conditionTurns r == AnyAngle
+    turn r = case conditionTurns r of
+      TurnedBy degrees -> Just degrees
+      _ -> Nothing
+    turnsOf free stated
+      | free = AnyAngle
+      | otherwise = maybe (AmongTurns halfTurns) TurnedBy stated
+
+countsSeries :: Counts -> Series
+countsSeries counts =
+  "stitching" .= tallyValue (countsStitched counts)
+    <> "no_stitching" .= tallyValue (countsUnstitched counts)
+    <> "pose" .= fmap poseValue (poseTally (countsPoses counts))
 
 tallyValue :: Tally -> Value
-tallyValue counted =
-  object
-    [ "right" .= tallyRight counted,
-      "wrong" .= tallyWrong counted,
-      "wrong_expected" .= tallyExpected counted,
-      "refused" .= sum (tallyRefused counted),
+tallyValue counts =
+  Json.object
+    [ "right" .= tallyRight counts,
+      "wrong" .= tallyWrong counts,
+      "wrong_expected" .= tallyExpected counts,
+      "refused" .= sum (tallyRefused counts),
       "reasons"
-        .= object [fromString reason .= n | (reason, n) <- Map.toAscList (tallyRefused counted)]
+        .= Json.object
+          [fromString reason .= n | (reason, n) <- Map.toAscList (tallyRefused counts)]
     ]
+
+poseValue :: PoseTally -> Value
+poseValue counts =
+  Json.object
+    [ "median_mm" .= poseMedianFar counts,
+      "median_deg" .= poseMedianTurned counts,
+      "within_50" .= poseWithin50 counts,
+      "within_95" .= poseWithin95 counts
+    ]
+
+-- | Which presses of an evaluation a shard has: the I-th of N has I, I + N, I + 2 N, ...
+data Part = Part
+  { partNumber :: Int,
+    partOf :: Int,
+    -- | a digest of all that the results depend on, equal in all shards of one evaluation
+    partSetting :: String
+  }
+
+-- | Whether a shard has the press of this number, from 1.
+isInPart :: Part -> Int -> Bool
+isInPart part number = (number - partNumber part) `mod` partOf part == 0
+
+partKeys :: Keys Part Part
+partKeys =
+  (\(number, count) -> Part number count)
+    <$> key "shard" (such valid NotShard (pairOf int)) (\it -> (partNumber it, partOf it))
+    <*> key "setting" text partSetting
+  where
+    valid (number, count) = 1 <= number && number <= count
+
+pressKeys :: Keys Press Press
+pressKeys =
+  Press
+    <$> key "press" int pressNumber
+    <*> ( TrialResult
+            <$> key "stitching" outcome (withStitching . pressResult)
+            <*> key "no_stitching" outcome (withoutStitching . pressResult)
+        )
+    <*> optionalKey "pose" (object poseKeys) pressPose
+  where
+    poseKeys =
+      PoseError
+        <$> key "mm" real poseErrorFar
+        <*> key "deg" real poseErrorTurned
+        <*> key "distance" real poseErrorDistance
+
+-- | An object with one key: @right@ or @wrong@ with the answer's doubt, or @refused@ with the
+-- reason.
+outcome :: Codec Result
+outcome = via parts one (object keys)
+  where
+    keys =
+      (,,)
+        <$> optionalKey "right" real (\(right, _, _) -> right)
+        <*> optionalKey "wrong" real (\(_, wrong, _) -> wrong)
+        <*> optionalKey "refused" text (\(_, _, reason) -> reason)
+    parts result = case result of
+      Correct doubt -> (Just doubt, Nothing, Nothing)
+      Mistaken doubt -> (Nothing, Just doubt, Nothing)
+      NoAnswer reason -> (Nothing, Nothing, Just reason)
+    one given = case given of
+      (Just doubt, Nothing, Nothing) -> Right (Correct doubt)
+      (Nothing, Just doubt, Nothing) -> Right (Mistaken doubt)
+      (Nothing, Nothing, Just reason) -> Right (NoAnswer reason)
+      _ -> refuse NotOutcome
+
+-- | The first line of a shard's file.
+beginning :: Evaluation -> Part -> ByteString
+beginning evaluation part =
+  Bytes.init (Lazy.toStrict (encodeLine (series evaluationKeys evaluation <> series partKeys part)))
+    <> opened
+    <> "\n"
+
+-- | What follows the shard's own keys on that line.
+opened :: ByteString
+opened = ",\"results\":["
+
+-- | The line of a press, given whether it is the first one.
+pressLine :: Bool -> Press -> ByteString
+pressLine isFirst press = (if isFirst then "" else ",") <> writeLine pressKeys press <> "\n"
+
+-- | The last line of a shard's file.
+ending :: Counts -> ByteString
+ending counts = "]," <> Bytes.drop 1 (Lazy.toStrict (encodeLine (countsSeries counts))) <> "\n"
+
+-- | What is in a file of a shard.
+data Contents = Contents
+  { contentsEvaluation :: Evaluation,
+    contentsPart :: Part,
+    -- | in their order, from the shard's first one on; evaluated
+    contentsPresses :: [Press],
+    -- | whether they are all, and the last line is there
+    contentsFinished :: Bool,
+    -- | the length of the file up to the end of the last press's line
+    contentsKept :: Int
+  }
+
+-- | Why bytes are no file of a shard. Lines are counted from 1.
+data EvaluationFileError
+  = -- | The first line is not that of a shard.
+    NoShard FormatError
+  | -- | This line is no press.
+    DamagedPress Int FormatError
+  | -- | The press on this line is not the one that belongs there.
+    OtherPress Int
+  | -- | On this line the file ends otherwise than its presses add up.
+    OtherEnding Int
+  deriving stock (Eq, Show)
+
+-- | What is in the file of a shard, finished or cut off anywhere after its first line. Its last line
+-- must be what its presses add up to, so that a change in one of them is found.
+contentsOf :: ByteString -> Either EvaluationFileError Contents
+contentsOf bytes = do
+  keys <- maybe (Left (NoShard (JsonRefused NotJson))) Right (Bytes.stripSuffix opened firstLine)
+  (evaluation, part) <- first NoShard (decodeWith shardKeys (keys <> "}"))
+  let numbers = [partNumber part, partNumber part + partOf part .. evaluationPresses evaluation]
+  (presses, finished, kept) <- go 2 (Bytes.length firstLine + 1) [] numbers (Bytes.drop 1 others)
+  pure (Contents evaluation part presses finished kept)
+  where
+    (firstLine, others) = Bytes.break (== '\n') bytes
+    shardKeys = (,) <$> withKeys fst evaluationKeys <*> withKeys snd partKeys
+    go line kept found numbers rest
+      | Bytes.null more = Right (reverse found, False, kept)
+      | otherwise = case numbers of
+        [] | rest == ending (counted (reverse found)) -> Right (reverse found, True, kept)
+        [] -> Left (OtherEnding line)
+        number : numbers' -> do
+          press <- first (DamagedPress line) (pressOn line one)
+          unless (pressNumber press == number) (Left (OtherPress line))
+          go (line + 1) (kept + Bytes.length one + 1) (press : found) numbers' (Bytes.drop 1 more)
+      where
+        (one, more) = Bytes.break (== '\n') rest
+    pressOn line one
+      | line == (2 :: Int) = decodeWith pressKeys one
+      | otherwise =
+        maybe (Left (JsonRefused NotJson)) (decodeWith pressKeys) (Bytes.stripPrefix "," one)
+
+-- | Why shards are not one evaluation.
+data MergeError
+  = -- | These two files are of different evaluations.
+    DifferentEvaluations FilePath FilePath
+  | -- | This file is cut off.
+    Unfinished FilePath
+  | -- | The presses are not all of the evaluation, each once.
+    PressesApart PartsError
+  deriving stock (Eq, Show)
+
+-- | The evaluation that shards are of, and the counts of all its presses: those of one run. The
+-- shards must be of one evaluation, finished, without a common press, and lack none.
+merged :: NonEmpty (FilePath, Contents) -> Either MergeError (Evaluation, Counts)
+merged shards@((file, one) :| _) = do
+  for_ shards $ \(file', other) ->
+    unless (identity other == identity one) (Left (DifferentEvaluations file file'))
+  for_ shards $ \(file', other) -> unless (contentsFinished other) (Left (Unfinished file'))
+  presses <-
+    first PressesApart . together 1 (fromIntegral (evaluationPresses evaluation)) $
+      [ (file', fromIntegral (pressNumber press), press)
+        | (file', other) <- toList shards,
+          press <- contentsPresses other
+      ]
+  pure (evaluation, counted presses)
+  where
+    evaluation = contentsEvaluation one
+    identity it = (writeLine evaluationKeys (contentsEvaluation it), partSetting (contentsPart it))

@@ -12,13 +12,13 @@ import Data.Bifunctor (first)
 import Data.ByteString.Char8 (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.List (find)
-import qualified Data.Map.Strict as Map
 import qualified Data.Sequence as Seq
 import Numeric.Natural (Natural)
 import PraTactile.Array (Folding (..), Shape)
 import PraTactile.Census
 import PraTactile.Format.Census.Contradiction
 import PraTactile.Format.Census.Row
+import PraTactile.Format.Shards
 
 -- | The rows of a file, with the numbers of their lines.
 data Shard = Shard
@@ -32,11 +32,8 @@ data MergeError
     NoEntries
   | -- | These two files have rows of different censuses; they may be the same file.
     DifferentCensuses FilePath FilePath
-  | -- | This entry is in both files; they may be the same file.
-    EntryTwice Natural FilePath FilePath
-  | -- | Of this number of entries, those from the first to the second number of each pair,
-    -- ascending, are missing.
-    EntriesMissing Natural [(Natural, Natural)]
+  | -- | The entries are not all of the census, each once.
+    EntriesApart PartsError
   | -- | The row on this line does not have the folding, shape and window of the entry whose number
     -- it has.
     NotAsNumbered FilePath Int
@@ -52,10 +49,8 @@ mergeShards shards = case [(shardFile shard, row) | shard <- shards, row <- shar
       unless (identity row == identity one) (Left (DifferentCensuses file file'))
     forM_ everything $ \(file', (line, row)) ->
       unless (maybe True (isPlacedAt row) (standard one)) (Left (NotAsNumbered file' line))
-    merged <- go Map.empty everything
-    let missing = gaps (rowEntries one) (Map.keys merged)
-    unless (null missing) (Left (EntriesMissing (rowEntries one) missing))
-    pure (map snd (Map.elems merged))
+    first EntriesApart $
+      together 0 (rowEntries one) [(file', rowEntry row, row) | (file', (_, row)) <- everything]
   where
     identity row =
       let s = rowSubject row
@@ -65,16 +60,6 @@ mergeShards shards = case [(shardFile shard, row) | shard <- shards, row <- shar
     isPlacedAt row placed =
       let s = rowSubject row
        in placed (rowEntry row) == Just (subjectFolding s, subjectShape s, subjectWindow s)
-    go merged [] = Right merged
-    go merged ((file, (_, row)) : others) = do
-      forM_ (Map.lookup (rowEntry row) merged) $ \(file', _) ->
-        Left (EntryTwice (rowEntry row) file' file)
-      go (Map.insert (rowEntry row) (file, row) merged) others
-
--- | The runs of numbers below a bound that are not among these, which ascend.
-gaps :: Natural -> [Natural] -> [(Natural, Natural)]
-gaps bound present =
-  [(a, b - 1) | (a, b) <- zip (0 : map (+ 1) present) (present ++ [bound]), a < b]
 
 -- | If a census has the name of one with the standard windows of this field and degree: what its
 -- entries are of, by their numbers. Of a census with chosen windows the name alone does not tell.
