@@ -274,7 +274,7 @@ pressesCounted evaluation part before put others =
   withProgress (doneBefore done (evenly (partSize evaluation part) "presses")) $ \bar ->
     foldM
       (include bar)
-      (counted before)
+      (countPresses before)
       (zip [done + 1 ..] (withStrategy (parBuffer 32 rseq) others))
   where
     done = toInteger (length before)

@@ -34,7 +34,7 @@ module PraTactile.Evaluate
     counting,
     Press (..),
     Counts (..),
-    counted,
+    countPresses,
     noCounts,
     countingPress,
   )
@@ -506,8 +506,8 @@ data Counts = Counts
   deriving stock (Eq, Show)
 
 -- | Count presses, in their order.
-counted :: [Press] -> Counts
-counted = foldl' countingPress noCounts
+countPresses :: [Press] -> Counts
+countPresses = foldl' countingPress noCounts
 
 -- | The counts of no press.
 noCounts :: Counts

@@ -239,7 +239,7 @@ data Contents = Contents
     contentsKept :: Int
   }
 
--- | Why bytes are no file of a shard. Lines are counted from 1.
+-- | Why bytes are no file of a shard. Lines are countPresses from 1.
 data EvaluationFileError
   = -- | The first line is not that of a shard.
     NoShard FormatError
@@ -266,7 +266,7 @@ contentsOf bytes = do
     go line kept found numbers rest
       | Bytes.null more = Right (reverse found, False, kept)
       | otherwise = case numbers of
-        [] | rest == ending (counted (reverse found)) -> Right (reverse found, True, kept)
+        [] | rest == ending (countPresses (reverse found)) -> Right (reverse found, True, kept)
         [] -> Left (OtherEnding line)
         number : numbers' -> do
           press <- first (DamagedPress line) (pressOn line one)
@@ -302,7 +302,7 @@ merged shards@((file, one) :| _) = do
         | (file', other) <- toList shards,
           press <- contentsPresses other
       ]
-  pure (evaluation, counted presses)
+  pure (evaluation, countPresses presses)
   where
     evaluation = contentsEvaluation one
     identity it = (writeLine evaluationKeys (contentsEvaluation it), partSetting (contentsPart it))

@@ -29,13 +29,16 @@ windowOn mapped = do
     frequency $
       (1, (,) <$> sides <*> anywhere) :
       [(4, sides >>= near' cells) | cells@(_ : _) <- [concat taken]]
-        ++ [(2, across faces) | faces@(_ : _ : _) <- [taken]]
+        ++ [(2, boxOf <$> elements faces) | faces@(_ : _) <- [taken]]
+        ++ [ (2, boxOf <$> (shuffle faces >>= traverse elements . take 2))
+             | faces@(_ : _ : _) <- [taken]
+           ]
   pure (Whereabouts :? (mapped, window, at))
   where
     Shape high wide = mappedShape mapped
     sides = Shape <$> side <*> side
     side = fromInteger <$> frequency [(3, chooseInteger (1, 2)), (1, chooseInteger (1, 4))]
-    taken = map cellsTaken (mappedLayings mapped)
+    taken = filter (not . null) (map cellsTaken (mappedLayings mapped))
     anywhere =
       oneof
         [Position <$> upTo (3 * high) <*> upTo (3 * wide), Position <$> anyNatural <*> anyNatural]
@@ -46,12 +49,11 @@ windowOn mapped = do
       i <- toInteger <$> elements [0, 1, tall - 1, tall]
       j <- toInteger <$> elements [0, 1, broad - 1, broad]
       pure (window, Position (fromInteger (max 0 (r - i))) (fromInteger (max 0 (c - j))))
-    -- From a cell of one face to one of another.
-    across faces = do
-      ends <- shuffle faces >>= traverse elements . take 2
-      let (top, left) = (max 0 (minimum (map fst ends)), max 0 (minimum (map snd ends)))
-          size end from = fromInteger (1 + maximum (map end ends) - from)
-      pure (Shape (size fst top) (size snd left), Position (fromInteger top) (fromInteger left))
+    -- All cells of a face, or from a cell of one face to one of another.
+    boxOf cells =
+      let (top, left) = (max 0 (minimum (map fst cells)), max 0 (minimum (map snd cells)))
+          size end from = fromInteger (1 + max from (maximum (map end cells)) - from)
+       in (Shape (size fst top) (size snd left), Position (fromInteger top) (fromInteger left))
 
 -- | The cells of the array that a laying takes.
 cellsTaken :: Drawing -> [(Integer, Integer)]
