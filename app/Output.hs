@@ -24,6 +24,7 @@ module Output
   )
 where
 
+import Control.Concurrent (threadDelay)
 import Control.Exception (IOException, bracket, onException, try)
 import Control.Monad (forM_, unless, void, when)
 import Data.ByteString (ByteString)
@@ -141,7 +142,7 @@ writtenAfter name (size, kept) write = do
     Regular file _ -> do
       outcome <- try $
         withBinaryFile file ReadWriteMode $ \handle -> do
-          ours <- hTryLock handle ExclusiveLock
+          ours <- locked (20 :: Int) handle
           now <- hFileSize handle
           unless (ours && now == toInteger size) . unusable $
             "another run is writing " ++ visibleName name
@@ -150,6 +151,11 @@ writtenAfter name (size, kept) write = do
           write handle
       either (unusable . writeMessage name) pure outcome
     _ -> writtenTo name write
+  where
+    -- A run that was just ended may hold it for a moment.
+    locked tries handle = do
+      ours <- hTryLock handle ExclusiveLock
+      if ours || tries == 0 then pure ours else threadDelay 50000 >> locked (tries - 1) handle
 
 -- | Say something of what is written there: on the standard output, or where that has what is
 -- written, on the standard error.

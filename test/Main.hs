@@ -66,6 +66,7 @@ import qualified Test.CommandLine.Rates
 import qualified Test.CommandLine.Sensor
 import qualified Test.CommandLine.Sequences
 import qualified Test.CommandLine.Shapes
+import qualified Test.CommandLine.Shards
 import qualified Test.CommandLine.Smallest
 import qualified Test.CommandLine.SolidsInWords
 import qualified Test.Common.DecimalsByDefinition
@@ -93,6 +94,7 @@ import Test.Effort (byEffort)
 import qualified Test.Examples
 import qualified Test.Formats
 import qualified Test.Formats.CensusFile
+import qualified Test.Formats.EvaluationFile
 import qualified Test.Formats.Json
 import qualified Test.Formats.Networks
 import qualified Test.Formats.Rates
@@ -374,6 +376,7 @@ together = do
   describe "Formats: values" Test.Formats.Values.spec
   describe "Formats: networks" Test.Formats.Networks.spec
   describe "Formats: census files" Test.Formats.CensusFile.spec
+  describe "Formats: files of evaluations' shards" Test.Formats.EvaluationFile.spec
   describe "Pictures" Test.App.RecognitionsDrawn.spec
   describe "Pictures of assemblies" Test.App.AssembliesDrawn.spec
   describe "Sources" Test.Recognition.FromBytesToAnswers.spec
@@ -426,6 +429,7 @@ commands = do
   describe "The command line: poses" Test.CommandLine.Pose.spec
   describe "The command line: proofs and certificates" Test.CommandLine.Proof.spec
   describe "The command line: census" Test.CommandLine.Census.spec
+  describe "The command line: shards of evaluations" Test.CommandLine.Shards.spec
   describe "The tools" Test.Tools.spec
   describe "The command line: JSON" Test.CommandLine.Json.spec
   describe "The command line: advice" Test.CommandLine.Advice.spec

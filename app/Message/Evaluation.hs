@@ -16,6 +16,7 @@ evaluationFileMessage :: FilePath -> EvaluationFileError -> String
 evaluationFileMessage file fault = case fault of
   NoShard why -> formatMessage (visibleName file) "a file of 'pra-tactile evaluate --shard'" why
   DamagedPress line why -> formatMessage (on line) "a press" why
+  CheckOfPress line -> on line ++ " is damaged: its check does not fit the rest"
   OtherPress line -> on line ++ " has another press than the one that belongs there"
   OtherEnding line -> on line ++ " is not what the presses before it come to"
   where

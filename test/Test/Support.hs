@@ -13,6 +13,10 @@ module Test.Support
     cellsOf,
     signedArea,
 
+    -- * Texts
+    onLine,
+    firstReplaced,
+
     -- * Files
     inFolder,
   )
@@ -76,6 +80,18 @@ cellsOf (Shape h w) = [Position i j | i <- below h, j <- below w]
 signedArea :: [(Double, Double)] -> Double
 signedArea corners =
   sum [x * y' - x' * y | ((x, y), (x', y')) <- zip corners (drop 1 (cycle corners))] / 2
+
+-- | The lines with the one of this number, from 1, changed.
+onLine :: Int -> (a -> a) -> [a] -> [a]
+onLine i change ls = [if j == i then change line else line | (j, line) <- zip [1 ..] ls]
+
+-- | The text with the second one in place of the first one, where that is first in it.
+firstReplaced :: String -> String -> String -> String
+firstReplaced from to text
+  | take (length from) text == from = to ++ drop (length from) text
+  | otherwise = case text of
+    c : rest -> c : firstReplaced from to rest
+    [] -> []
 
 -- | With a folder of its own, removed afterwards.
 inFolder :: (FilePath -> IO a) -> IO a

@@ -50,7 +50,7 @@ spec = do
     inFolder $ \folder -> do
       _ <- pra (small folder "c.csv")
       whole <- readFile (folder </> "c.csv")
-      let changed = unlines (onLine 3 (replaced "yes,yes,yes" "no,yes,yes") (lines whole))
+      let changed = unlines (onLine 3 (firstReplaced "yes,yes,yes" "no,yes,yes") (lines whole))
           file = folder </> "new.csv"
       writeFile file changed
       changed `shouldNotBe` whole
@@ -64,7 +64,7 @@ spec = do
       let file = folder </> "d.csv"
           ls = lines whole
           damaged =
-            [ unlines (onLine 3 (replaced "yes,yes,yes" "no,yes,yes") ls),
+            [ unlines (onLine 3 (firstReplaced "yes,yes,yes" "no,yes,yes") ls),
               unlines (take 4 ls ++ drop 5 ls),
               unlines (take 4 ls ++ drop 3 ls),
               unlines (take 3 ls ++ reverse (drop 3 ls)),
@@ -102,7 +102,7 @@ spec = do
         pra (small folder ("part" ++ show i) ++ ["--shard", show i ++ "/2"])
       whole <- pra (small folder "c.csv") >> readFile (file "c.csv")
       part <- readFile (file "part1")
-      writeFile (file "bad") (unlines (onLine 3 (replaced "yes" "no") (lines part)))
+      writeFile (file "bad") (unlines (onLine 3 (firstReplaced "yes" "no") (lines part)))
       complains ["merge", "--keep-whole", file "bad", file "part2"] "entries are missing: 2;"
       writeFile (file "bad") (unlines (lines part ++ ["garbage"]))
       complains ["merge", file "bad", file "part2"] "is damaged: it has 1 fields, not 18"
@@ -189,12 +189,6 @@ spec = do
         (status, out) `shouldBe` (2, "")
   where
     small folder name = words "census --q 2 --degree 3 --output" ++ [folder </> name]
-    onLine i change ls = [if j == i then change line else line | (j, line) <- zip [1 :: Int ..] ls]
-    replaced from to text
-      | take (length from) text == from = to ++ drop (length from) text
-      | otherwise = case text of
-        c : rest -> c : replaced from to rest
-        [] -> []
     census folder name =
       words "census --q 4 --degree 4 --folding diagonal --window 2x2 --window 2x3 --output"
         ++ [folder </> name]

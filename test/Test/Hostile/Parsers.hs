@@ -24,6 +24,7 @@ import qualified Data.Vector.Primitive as Primitive
 import qualified Data.Vector.Storable as Storable
 import Explain
 import Message
+import Message.Evaluation
 import PatchText
 import PraTactile.Array
 import PraTactile.Certificate
@@ -37,6 +38,7 @@ import PraTactile.Explore (Region (..), regionCorner)
 import PraTactile.Field
 import PraTactile.FileName (isFileName)
 import PraTactile.Format
+import qualified PraTactile.Format.Evaluation as Evaluation
 import PraTactile.Format.Network
 import PraTactile.Format.Solid hiding (Written)
 import qualified PraTactile.Format.Solid as Solid
@@ -61,6 +63,7 @@ import PraTactile.Truth
 import PraTactile.Window
 import PraTactile.Window.Proof
 import System.FilePath ((</>))
+import Test.Effort
 import Test.Hostile.Judgement
 import Test.Hostile.Specimens
 import Test.Support (inFolder)
@@ -81,88 +84,99 @@ data Kind = Kind
 
 kinds :: [Kind]
 kinds =
-  [ (kind "PGM files" 100 pgms judgedPgm)
-      { kindRuns =
-          [ "decode input",
-            "decode --json -",
-            "decode input --picture out.svg",
-            "decode --together input input --at 0,0 --at 76.2,0 --json"
-          ]
-      },
-    (kind "images in other forms" 80 otherImages judgedImages)
-      { kindRuns =
-          [ "decode input",
-            "segment --json -",
-            "convert input --output out",
-            "decode --poses frames/poses.csv input"
-          ]
-      },
-    (kind "manifests" 80 manifests judgedManifest)
-      { kindFile = "frames/manifest.csv",
-        kindRuns = ["decode frames", "stitch frames --output out.pgm"]
-      },
-    kind "manifests in JSON" 70 (pure jsonManifests) judgedJsonManifest,
-    (kind "patches" 120 (pure patches) judgedPatch)
-      { kindRuns =
-          [ "locate --batch",
-            "locate --batch --explain --orientation any",
-            "synthesise --q 4",
-            "synthesise --q 2 --json"
-          ]
-      },
-    kind "patches in unknown orientation" 40 (pure patches) judgedTurned,
-    (kind "certificates" 100 (pure certificates) judgedCertificate)
-      { kindRuns = ["check input", "check --json input", "check -"]
-      },
-    (kind "census files" 60 (pure censuses) judgedCensus)
-      { kindRuns =
-          [ "merge input",
-            "merge input input",
-            "merge input --output out.csv --json",
-            "census --q 2 --degree 3 --output input"
-          ]
-      },
-    (kind "profiles" 80 profiles judgedProfile)
-      { kindRuns =
-          [ "array --profile input",
-            "locate --profile input 1",
-            "sequence --profile input --length 9",
-            "objects --profile input"
-          ]
-      },
-    kind "sensors" 60 (pure sensors) judgedSensor,
-    kind "calibrations" 70 (pure calibrations) judgedCalibration,
-    (kind "requests of serve" 15 requests (const (Refused "")))
-      { kindJudged = judgedRequest
-      },
-    kind "truths" 20 (pure truths) judgedTruth,
-    kind "answers to compare" 20 (pure claims) judgedClaim,
-    (kind "arrays as CSV" 60 (pure grids) judgedGrid)
-      { kindRuns =
-          [ "prove input --window 2x2",
-            "prove input --mask ##./.## --json",
-            "prove input --window 1x2 --surface sheet --q 4"
-          ]
-      },
-    (kind "networks" 10 (pure networks) judgedNetwork)
-      { kindRuns = ["decode --network input composite.pgm"]
-      },
-    kind "networks in JSON" 10 (pure jsonNetworks) judgedJsonNetwork,
-    kind "drawings of shapes" 20 drawings judgedDrawing,
-    kind "files of solids" 100 (pure solidFiles) judgedSolid,
-    kind "placements" 40 (pure placements) judgedPlacement,
-    kind "planes" 20 (pure planes) judgedPlane,
-    (kind "databases" 2 databases (const (Refused "")))
-      { kindJudged = judgedDatabase,
-        kindRuns =
-          [ "objects --database input",
-            "objects --database input --at 6,5",
-            "decode --json composite.pgm --database input"
-          ]
-      }
-  ]
+  imageKinds
+    ++ [ (kind "PGM files" 100 pgms judgedPgm)
+           { kindRuns =
+               [ "decode input",
+                 "decode --json -",
+                 "decode input --picture out.svg",
+                 "decode --together input input --at 0,0 --at 76.2,0 --json"
+               ]
+           },
+         (kind "manifests" 80 manifests judgedManifest)
+           { kindFile = "frames/manifest.csv",
+             kindRuns = ["decode frames", "stitch frames --output out.pgm"]
+           },
+         kind "manifests in JSON" 70 (pure jsonManifests) judgedJsonManifest,
+         (kind "patches" 120 (pure patches) judgedPatch)
+           { kindRuns =
+               [ "locate --batch",
+                 "locate --batch --explain --orientation any",
+                 "synthesise --q 4",
+                 "synthesise --q 2 --json"
+               ]
+           },
+         kind "patches in unknown orientation" 40 (pure patches) judgedTurned,
+         (kind "certificates" 100 (pure certificates) judgedCertificate)
+           { kindRuns = ["check input", "check --json input", "check -"]
+           },
+         (kind "census files" 60 (pure censuses) judgedCensus)
+           { kindRuns =
+               [ "merge input",
+                 "merge input input",
+                 "merge input --output out.csv --json",
+                 "census --q 2 --degree 3 --output input"
+               ]
+           },
+         (kind "shards of evaluations" 40 (pure shards) judgedShard)
+           { kindRuns =
+               [ "merge input",
+                 "merge input input --output out.json --json",
+                 "evaluate --presses 3 --seed 1 --shard 1/2 --output input"
+               ]
+           },
+         (kind "profiles" 80 profiles judgedProfile)
+           { kindRuns =
+               [ "array --profile input",
+                 "locate --profile input 1",
+                 "sequence --profile input --length 9",
+                 "objects --profile input"
+               ]
+           },
+         kind "sensors" 60 (pure sensors) judgedSensor,
+         kind "calibrations" 70 (pure calibrations) judgedCalibration,
+         (kind "requests of serve" 15 requests (const (Refused "")))
+           { kindJudged = judgedRequest
+           },
+         kind "truths" 20 (pure truths) judgedTruth,
+         kind "answers to compare" 20 (pure claims) judgedClaim,
+         (kind "arrays as CSV" 60 (pure grids) judgedGrid)
+           { kindRuns =
+               [ "prove input --window 2x2",
+                 "prove input --mask ##./.## --json",
+                 "prove input --window 1x2 --surface sheet --q 4"
+               ]
+           },
+         (kind "networks" 10 (pure networks) judgedNetwork)
+           { kindRuns = ["decode --network input composite.pgm"]
+           },
+         kind "networks in JSON" 10 (pure jsonNetworks) judgedJsonNetwork,
+         kind "drawings of shapes" 20 drawings judgedDrawing,
+         kind "files of solids" 100 (pure solidFiles) judgedSolid,
+         kind "placements" 40 (pure placements) judgedPlacement,
+         kind "planes" 20 (pure planes) judgedPlane,
+         (kind "databases" 2 databases (const (Refused "")))
+           { kindJudged = judgedDatabase,
+             kindRuns =
+               [ "objects --database input",
+                 "objects --database input --at 6,5",
+                 "decode --json composite.pgm --database input"
+               ]
+           }
+       ]
   where
     kind name share specimens answer = Kind name share specimens (pure . answer) "input" []
+    imageKinds =
+      [ (kind form (byEffort 20 1000) specimens judgedImages)
+          { kindRuns =
+              [ "decode input",
+                "segment --json -",
+                "convert input --output out",
+                "decode --poses frames/poses.csv input"
+              ]
+          }
+        | (form, specimens) <- otherImages
+      ]
 
 -- | What is read of bytes: refused in words, or with laws that hold of it.
 judged ::
@@ -233,6 +247,15 @@ judgedCensus = judgedForm (formatMessage "it" "a census") decodeCensus written $
   ]
   where
     written = Lazy.toStrict . encodeCensus . map rowText
+
+-- | A file of a shard of an evaluation.
+judgedShard :: ByteString -> Judged
+judgedShard = judged (evaluationFileMessage "it") Evaluation.contentsOf $ \found ->
+  [ ( "every press is an original one",
+      all (`elem` concatMap (either (const []) Evaluation.contentsPresses . Evaluation.contentsOf) shards) $
+        Evaluation.contentsPresses found
+    )
+  ]
 
 -- | The reply of the library, which is one line of the protocol with one thing in it.
 judgedRequest :: ByteString -> IO Judged

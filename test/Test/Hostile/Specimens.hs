@@ -9,6 +9,7 @@ module Test.Hostile.Specimens
     patches,
     certificates,
     censuses,
+    shards,
     profiles,
     sensors,
     calibrations,
@@ -44,9 +45,11 @@ import PraTactile.Certificate
 import PraTactile.Classification.Calibration (standardCalibration)
 import PraTactile.Classification.Network
 import PraTactile.Classification.Network.File
-import PraTactile.Explore (Region (..))
+import PraTactile.Evaluate
+import PraTactile.Explore (Region (..), Turns (..))
 import PraTactile.Format
 import PraTactile.Format.Census.Row
+import PraTactile.Format.Evaluation hiding (Contents (..), contentsOf)
 import PraTactile.Format.Network
 import PraTactile.Format.Profile (profileValue)
 import PraTactile.Format.Solid (Written (..), writeSolid)
@@ -76,21 +79,32 @@ pgms =
   (: ["P2 # a comment\n3 2\n# another\n9\n0 1 2\n9 8 7\n", "P5 3 1 65535\n\0\1\2\3\255\255"])
     <$> Bytes.readFile "data/worked-example/frames/frame_000.pgm"
 
--- | A frame of the worked example in each form, a movie, a matrix, and an export of Tekscan's.
-otherImages :: IO [ByteString]
-otherImages = do
-  frame <- Bytes.readFile "data/worked-example/frames/frame_000.pgm"
-  pure $
-    [encodeImage format pgm | Right pgm <- [decodePgm frame], format <- [Png, Npy]]
-      ++ [ frame <> frame,
-           "\x93NUMPY\1\0>\0{'descr': '<f4', 'fortran_order': True, 'shape': (2, 2, 1), }\n"
-             <> "\0\0\0\0\0\0\x80\x3f\0\0\xc0\x7f\0\0\x40\x40",
-           "# a frame\n0.5, 1, nan\n-1e-3, 0, B\n",
-           "0;1\n1;0\n\n0.25;1e-2\n1;0\n",
-           "ROWS 1\r\nCOLS 2\r\nROW_SPACING 1.27 mm\r\nCOL_SPACING 0.127 cm\r\nUNITS kPa\r\n"
-             <> "SATURATION_PRESSURE 200\r\nSTART_FRAME 1\r\nEND_FRAME 2\r\nASCII_DATA @@\r\n"
-             <> "\r\nFrame 1\r\n0,B\r\n\r\nFrame 2\r\n100,3\r\n@@\r\n"
-         ]
+-- | Images in each form but single PGM files, by its name: made of a frame, and written by hand.
+otherImages :: [(String, IO [ByteString])]
+otherImages =
+  [ ( ".npy files",
+      ofFrame $ \frame ->
+        written Npy frame
+          ++ [ "\x93NUMPY\1\0>\0{'descr': '<f4', 'fortran_order': True, 'shape': (2, 2, 1), }\n"
+                 <> "\0\0\0\0\0\0\x80\x3f\0\0\xc0\x7f\0\0\x40\x40"
+             ]
+    ),
+    ("PNG files", ofFrame (written Png)),
+    ("movies of PGM images", ofFrame (\frame -> [frame <> frame])),
+    ( "matrices as text",
+      pure ["# a frame\n0.5, 1, nan\n-1e-3, 0, B\n", "0;1\n1;0\n\n0.25;1e-2\n1;0\n"]
+    ),
+    ( "Tekscan's exports",
+      pure
+        [ "ROWS 1\r\nCOLS 2\r\nROW_SPACING 1.27 mm\r\nCOL_SPACING 0.127 cm\r\nUNITS kPa\r\n"
+            <> "SATURATION_PRESSURE 200\r\nSTART_FRAME 1\r\nEND_FRAME 2\r\nASCII_DATA @@\r\n"
+            <> "\r\nFrame 1\r\n0,B\r\n\r\nFrame 2\r\n100,3\r\n@@\r\n"
+        ]
+    )
+  ]
+  where
+    ofFrame make = make <$> Bytes.readFile "data/worked-example/frames/frame_000.pgm"
+    written format frame = [encodeImage format pgm | Right pgm <- [decodePgm frame]]
 
 -- | The worked example's manifest, and one as a spreadsheet writes it.
 manifests :: IO [ByteString]
@@ -156,6 +170,26 @@ censuses =
       Right entries <- [censusSize scope],
       Right found <- [census (const True) scope]
   ]
+
+-- | The two shards of an evaluation of three presses.
+shards :: [ByteString]
+shards =
+  [ beginning evaluation part
+      <> Bytes.concat (zipWith pressLine (True : repeat False) presses)
+      <> ending (countPresses presses)
+    | i <- [1, 2],
+      let part = Part i 2 "5c0e"
+          presses = filter (isInPart part . pressNumber) made
+  ]
+  where
+    evaluation =
+      Evaluation canonicalProfile 3 1 1 0.1 $
+        Conditions (Just "real") Nothing (Just 5) AnyAngle Nothing (Just 0.5) Nothing True
+    made =
+      [ Press 1 (TrialResult (Correct 1e-6) (NoAnswer "ambiguous")) (Just (PoseError 0.5 0.1 3)),
+        Press 2 (TrialResult (Mistaken 0.25) (NoAnswer "no-symbols")) Nothing,
+        Press 3 (TrialResult (NoAnswer "not-stitched") (Correct 0)) Nothing
+      ]
 
 -- | Profiles of the paper's array, of one over another field, and of one that is laid row by row.
 profiles :: IO [ByteString]

@@ -5,7 +5,7 @@
 -- file can be continued and shards can be merged.
 --
 -- > {"schema":"pra-tactile/evaluate/1",...,"shard":[1,3],"setting":"5c0e...","results":[
--- > {"press":1,"stitching":{"right":2.1e-6},"no_stitching":{"refused":"ambiguous"}}
+-- > {"press":1,"stitching":{"right":2.1e-6},"no_stitching":{"refused":"ambiguous"},"check":"0f3a..."}
 -- > ,{"press":4,...}
 -- > ],"stitching":{"right":...},...}
 module PraTactile.Format.Evaluation
@@ -45,6 +45,7 @@ import qualified Data.Map.Strict as Map
 import Data.String (fromString)
 import PraTactile.Evaluate
 import PraTactile.Explore (Turns (..), halfTurns)
+import PraTactile.Format.Digest (digestOf)
 import PraTactile.Format.Error
 import PraTactile.Format.Json
 import PraTactile.Format.Json.Codec
@@ -67,6 +68,7 @@ data Evaluation = Evaluation
     -- | what was chosen beyond that, where it was
     evaluationConditions :: Conditions
   }
+  deriving stock (Eq, Show)
 
 -- | How presses were made beyond the usual.
 data Conditions = Conditions
@@ -85,6 +87,7 @@ data Conditions = Conditions
     -- | whether decoders had to find the position error
     conditionUntold :: Bool
   }
+  deriving stock (Eq, Show)
 
 -- | The counts on one line, without its end.
 encodeEvaluation :: Evaluation -> Counts -> ByteString
@@ -159,6 +162,7 @@ data Part = Part
     -- | a digest of all that the results depend on, equal in all shards of one evaluation
     partSetting :: String
   }
+  deriving stock (Eq, Show)
 
 -- | Whether a shard has the press of this number, from 1.
 isInPart :: Part -> Int -> Bool
@@ -221,7 +225,14 @@ opened = ",\"results\":["
 
 -- | The line of a press, given whether it is the first one.
 pressLine :: Bool -> Press -> ByteString
-pressLine isFirst press = (if isFirst then "" else ",") <> writeLine pressKeys press <> "\n"
+pressLine isFirst press = (if isFirst then "" else ",") <> writeLine checkedKeys press <> "\n"
+
+-- | With the first 16 digits of the SHA-256 of the same without them.
+checkedKeys :: Keys Press (Press, String)
+checkedKeys = (,) <$> pressKeys <*> key "check" text checkOf
+
+checkOf :: Press -> String
+checkOf = take 16 . digestOf . writeLine pressKeys
 
 -- | The last line of a shard's file.
 ending :: Counts -> ByteString
@@ -238,6 +249,7 @@ data Contents = Contents
     -- | the length of the file up to the end of the last press's line
     contentsKept :: Int
   }
+  deriving stock (Eq, Show)
 
 -- | Why bytes are no file of a shard. Lines are countPresses from 1.
 data EvaluationFileError
@@ -245,6 +257,8 @@ data EvaluationFileError
     NoShard FormatError
   | -- | This line is no press.
     DamagedPress Int FormatError
+  | -- | The check on this line is not that of the press.
+    CheckOfPress Int
   | -- | The press on this line is not the one that belongs there.
     OtherPress Int
   | -- | On this line the file ends otherwise than its presses add up.
@@ -252,7 +266,7 @@ data EvaluationFileError
   deriving stock (Eq, Show)
 
 -- | What is in the file of a shard, finished or cut off anywhere after its first line. Its last line
--- must be what its presses add up to, so that a change in one of them is found.
+-- must be what its presses add up to.
 contentsOf :: ByteString -> Either EvaluationFileError Contents
 contentsOf bytes = do
   keys <- maybe (Left (NoShard (JsonRefused NotJson))) Right (Bytes.stripSuffix opened firstLine)
@@ -269,15 +283,16 @@ contentsOf bytes = do
         [] | rest == ending (countPresses (reverse found)) -> Right (reverse found, True, kept)
         [] -> Left (OtherEnding line)
         number : numbers' -> do
-          press <- first (DamagedPress line) (pressOn line one)
+          (press, check) <- first (DamagedPress line) (pressOn line one)
+          unless (check == checkOf press) (Left (CheckOfPress line))
           unless (pressNumber press == number) (Left (OtherPress line))
           go (line + 1) (kept + Bytes.length one + 1) (press : found) numbers' (Bytes.drop 1 more)
       where
         (one, more) = Bytes.break (== '\n') rest
     pressOn line one
-      | line == (2 :: Int) = decodeWith pressKeys one
+      | line == (2 :: Int) = decodeWith checkedKeys one
       | otherwise =
-        maybe (Left (JsonRefused NotJson)) (decodeWith pressKeys) (Bytes.stripPrefix "," one)
+        maybe (Left (JsonRefused NotJson)) (decodeWith checkedKeys) (Bytes.stripPrefix "," one)
 
 -- | Why shards are not one evaluation.
 data MergeError
@@ -305,4 +320,4 @@ merged shards@((file, one) :| _) = do
   pure (evaluation, countPresses presses)
   where
     evaluation = contentsEvaluation one
-    identity it = (writeLine evaluationKeys (contentsEvaluation it), partSetting (contentsPart it))
+    identity it = (contentsEvaluation it, partSetting (contentsPart it))

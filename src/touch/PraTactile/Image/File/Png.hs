@@ -42,6 +42,7 @@ decodePngFile file = do
     2 -> Right ()
     3 -> Left (PngRefused PngPalette)
     _ -> Left (PngRefused PngTransparent)
+  unless (roomFor w h) (Left (PngRefused PngBroken))
   pgm <- case decodePng file of
     Right (ImageY8 image) -> pgm8 255 image
     Right (ImageY16 image) -> pgm16 65535 image
@@ -49,6 +50,11 @@ decodePngFile file = do
     Right (ImageRGB16 image) -> grey (imageData image) >>= pgm16 65535 . Image w h
     _ -> Left (PngRefused PngBroken)
   Right (Images w h 1 (fromIntegral (pgmMaxval pgm)) Nothing (Several (Boxed.singleton pgm)))
+  where
+    -- Deflate makes at most 1032 bytes of one: who states a larger image than that is not believed.
+    roomFor w h = h * (1 + w * channels * depth `div` 8) <= 1032 * B.length file
+    channels = if B.index file 25 == 2 then 3 else 1
+    depth = fromIntegral (B.index file 24)
 
 -- | One of three channels, if they are equal.
 grey :: (Eq a, V.Storable a) => V.Vector a -> Either ImageError (V.Vector a)
