@@ -8,7 +8,7 @@ MATCH =
 # The seed of random cases, as in: make test SEED=7
 SEED =
 export PREFIX DESTDIR
-.PHONY: all help setup build demo test test-full static packages check-packages lint format mutants calibration archive operations types bench evaluate figures docs shapes network \
+.PHONY: all help setup build demo test test-full static packages check-packages check-slurm lint format mutants calibration archive operations types bench evaluate figures docs shapes network \
         check-network check-newer-ghc install uninstall clean
 # cabal holds one build at a time in dist-newstyle.
 .NOTPARALLEL:
@@ -43,6 +43,9 @@ packages: build ## an archive, a Debian package and a Python wheel of it, in dis
 
 check-packages: ## use each of them as its users would, in an empty root, a bare Debian, a virtual environment (root)
 	@tools/check-packages.sh
+
+check-slurm: build ## census and evaluation as job arrays of a Slurm of its own, one task killed (root, slurm-wlm)
+	@tools/check-slurm.sh
 
 install: bin/pra-tactile ## install program, manual pages and completions under PREFIX (/usr/local)
 	@tools/install.sh install

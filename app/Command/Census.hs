@@ -111,8 +111,8 @@ rowsToMake wanted kept =
     ]
 
 -- | The file's length, and what is in it already: nothing, or the first of the rows that it is to
--- have. Leaves with status 2 if it is anything else, and does not touch it; unless it is damaged and what is whole is
--- to be kept: then the damaged rows are made again first.
+-- have. Leaves with status 2 if it is anything else, and does not touch it; unless it is damaged
+-- and what is whole is to be kept: then the damaged rows are made again first.
 continued :: Damage -> FilePath -> Wanted -> IO (Int, Kept)
 continued damage file wanted = do
   bytes <- alreadyIn file
@@ -123,8 +123,9 @@ continued damage file wanted = do
       contents <- orUnusable (censusFileMessage file) (contentsOf bytes)
       case keptInOrder wanted bytes contents of
         Right kept -> sized kept
-        Left _
-          | damage == Repaired -> (\kept -> (keptBytes kept, kept)) <$> repaired file wanted contents
+        Left _ | damage == Repaired -> do
+          kept <- repaired file wanted contents
+          pure (keptBytes kept, kept)
         Left fault -> unusable (censusFileMessage file fault)
 
 -- | The file with its damaged rows made again, up to the last whole one; it is replaced whole, so

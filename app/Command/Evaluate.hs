@@ -9,7 +9,7 @@ where
 
 import ArrayChoice
 import Command.Decode (ToleranceChoice (..), toleranceComplaint, toleranceOptions)
-import Control.Monad (foldM, when)
+import Control.Monad (foldM, void, when)
 import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
 import Data.Aeson ((.=))
 import Data.Bifunctor (first)
@@ -151,8 +151,8 @@ run choice options
     misused "--foreign is a share from 0 to 1"
   | not (all (>= 0) arrays && all (<= fromMaybe 1 (foreignPresses options)) arrays) =
     misused "--foreign-arrays is a share from 0 to that of --foreign"
-  | any ((> fromIntegral (presses options)) . snd) (shard options) =
-    misused "--shard I/K has at most as many parts as there are presses"
+  | any ((> 1000000000) . snd) (shard options) =
+    misused "--shard I/K has at most a billion parts"
   | otherwise = do
     real <- chosenSensor (sensor options)
     let feltAs scale = feltBySymbols scale real
@@ -212,32 +212,35 @@ run choice options
             | (number, (outcome, pose)) <- zip [1 ..] results,
               isInPart part number
           ]
-    case (output options, shard options) of
-      (Just file, _) -> do
-        bytes <- alreadyIn file
-        (kept, before) <- continued file bytes (beginning evaluation part)
-        counts <-
-          writtenAfter file (Bytes.length bytes, kept) $
-            document evaluation part (kept, before) (drop (length before) (pressesOf True))
-        sayWrittenAs (form options) file (": " ++ pressesText evaluation part) "evaluate-written/1" $
-          "presses" .= partSize evaluation part
-        when (form options == AsText && file /= "-") $
-          putStr (countsText options region evaluation part counts)
-      (Nothing, Just _)
-        | form options == AsJson -> do
-          _ <- document evaluation part (0, []) (pressesOf True) stdout
-          pure ()
-      _ -> do
-        counts <- pressesCounted evaluation part [] (const (pure ())) (pressesOf (form options == AsJson))
-        printAs
-          (form options)
-          (countsText options region evaluation part counts)
-          (encodeEvaluation evaluation counts)
+    delivered options region evaluation part pressesOf
     pure Answered
   where
     arrays = foreignArrayPresses options
     fileOf (Reader alphabet _ _ network sure) =
       NetworkFile network (alphabetDigest alphabet) sure Nothing Nothing
+
+-- | Print or write what comes of the presses of a shard, which are given with the poses' errors or
+-- without.
+delivered :: Options -> (Int, Int) -> Evaluation -> Part -> (Bool -> [Press]) -> IO ()
+delivered options region evaluation part pressesOf = case (output options, shard options) of
+  (Just file, _) -> do
+    bytes <- alreadyIn file
+    (kept, before) <- continued file bytes (beginning evaluation part)
+    counts <-
+      writtenAfter file (Bytes.length bytes, kept) $
+        document evaluation part (kept, before) (drop (length before) (pressesOf True))
+    sayWrittenAs asked file (": " ++ pressesText evaluation part) "evaluate-written/1" $
+      "presses" .= partSize evaluation part
+    when (asked == AsText && file /= "-") (putStr (told counts))
+  (Nothing, Just _)
+    | asked == AsJson ->
+      void (document evaluation part (0, []) (pressesOf True) stdout)
+  _ -> do
+    counts <- pressesCounted evaluation part [] (const (pure ())) (pressesOf (asked == AsJson))
+    printAs asked (told counts) (encodeEvaluation evaluation counts)
+  where
+    asked = form options
+    told = countsText options region evaluation part
 
 -- | How many presses a shard has.
 partSize :: Evaluation -> Part -> Int

@@ -45,7 +45,10 @@ command =
     ( run
         <$> some
           ( pathArgument
-              (metavar "FILE..." <> action "file" <> help "Files of 'census --shard', or of 'evaluate --shard'")
+              ( metavar "FILE..."
+                  <> action "file"
+                  <> help "Files of 'census --shard', or of 'evaluate --shard'"
+              )
           )
         <*> keepWholeSwitch
           "Of damaged files of a census, take the rows that are whole; entries that are then \

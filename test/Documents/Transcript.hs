@@ -32,6 +32,7 @@ documents =
     "docs/json.md",
     "docs/network.md",
     "docs/objects.md",
+    "docs/machines.md",
     "docs/making.md",
     "docs/locating.md",
     "docs/conformance.md",

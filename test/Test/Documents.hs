@@ -104,6 +104,7 @@ isTried command = byEffort (not (any (`isInfixOf` command) laborious)) True
   where
     laborious =
       [ "pra-tactile evaluate",
+        "part-",
         "pressed",
         "frames9",
         "large",
@@ -213,11 +214,13 @@ furnish folder line = forM_ files $ \(name, command) -> do
         ("left.pgm", half "left" "0,19.05"),
         ("right.pgm", half "right" "76.2,19.05")
       ]
-        ++ [ ( name,
-               "pra-tactile census --q 4 --degree 4 --shard " ++ show i ++ "/3 --output " ++ name
-             )
-             | i <- [1 .. 3 :: Int],
-               let name = "part" ++ show i ++ ".csv"
+        ++ [ (name, "pra-tactile " ++ work ++ " --shard " ++ show i ++ "/3 --output " ++ name)
+             | (work, ending) <-
+                 [ ("census --q 4 --degree 4", ".csv"),
+                   ("evaluate --presses 3 --seed 1", ".json")
+                 ],
+               i <- [1 .. 3 :: Int],
+               let name = "part" ++ show i ++ ending
            ]
     -- A part of one face, 50.8 mm wide.
     half name at =

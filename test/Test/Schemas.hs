@@ -184,6 +184,12 @@ touching =
     ("compare", "pra decode --json frames > a.json; pra compare a.json t.json --json"),
     ("evaluate", "pra evaluate --json --seed 1 --presses " ++ byEffort "1" "2"),
     ("evaluate", "pra evaluate --json --presses 1 --sensor real --any-angle --foreign 0.5"),
+    ( "evaluate",
+      "pra evaluate --json --presses 2 --seed 1 --noise 0.4 --shard 1/1 | tr -d '\\n'; echo"
+    ),
+    ( "evaluate-written",
+      "pra evaluate --json --presses 1 --output e.json; pra merge e.json --output m.json --json"
+    ),
     ( "truth",
       "pra probe --object cube --seed 7 --bend 80 --output bent --truth v.json > log; cat v.json"
     ),

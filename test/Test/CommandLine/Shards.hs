@@ -17,9 +17,9 @@ spec = do
   it "evaluate: the shards of an evaluation, merged, are one run to the byte" $
     forM_ settings $ \setting -> inFolder $ \folder -> do
       (_, whole, _) <- pra (setting ++ ["--json"])
-      forM_ (byEffort [3] [1, 2, 5]) $ \count -> do
+      forM_ (byEffort [3] [1, 2, 6]) $ \count -> do
         names <- forM [1 .. count] $ \i -> do
-          let name = folder </> show i
+          let name = folder </> show count ++ "-" ++ show i
           (status, _, err) <- pra (shardOf setting i count ++ ["--output", name])
           (status, err) `shouldBe` (0, "")
           pure name
@@ -50,8 +50,12 @@ spec = do
               (firstReplaced "\"seed\":1" "\"seed\":2" one, "is not an unfinished file"),
               (firstReplaced "\"press\":3" "\"press\":5" one, "line 3 is damaged: its check"),
               (firstReplaced "right" "wrong" one, "line 2 is damaged: its check"),
-              (firstReplaced ",\"right\":3," ",\"right\":2," one, "is not what the presses before it come to"),
-              (unlines (onLine 2 (const (drop 1 (lines one !! 2))) (lines one)), "line 2 has another"),
+              ( firstReplaced ",\"right\":3," ",\"right\":2," one,
+                "is not what the presses before it come to"
+              ),
+              ( unlines (onLine 2 (const (drop 1 (lines one !! 2))) (lines one)),
+                "line 2 has another press"
+              ),
               (firstReplaced "\n," "\n" one, "line 3 is not a press")
             ]
       forM_ damaged $ \(content, why) -> do
@@ -63,12 +67,13 @@ spec = do
       complains ["merge", file "1", file "2", file "2"] "press 2 is in"
       writeFile (file "cut") (take (length one - 9) one)
       complains ["merge", file "cut", file "2"] "is cut off"
-      _ <- pra (words "evaluate --presses 5 --seed 1 --noise 0.2 --shard 2/2 --output" ++ [file "n"])
+      _ <- pra (shardOf (plain ++ words "--noise 0.2") 2 2 ++ ["--output", file "n"])
       complains ["merge", file "1", file "n"] "of different evaluations"
       complains ["merge", file "1", file "2", "--keep-whole"] "leave out --keep-whole"
-      complains (plain ++ ["--shard", "1/6"]) "at most as many parts as there are presses"
+      complains (plain ++ ["--shard", "6/5"]) "a shard is I/K"
+      complains (plain ++ ["--shard", "1/1000000001"]) "at most a billion parts"
       readFile (file "1") `shouldReturn` one
-  it "evaluate: shards of the same options but other shapes are of different evaluations" $
+  it "evaluate: shards with regions of other sizes are of different evaluations" $
     inFolder $ \folder -> do
       let file name = folder </> name
           sized = words "evaluate --presses 2 --seed 1 --size 44x52 --shard 2/2 --output"

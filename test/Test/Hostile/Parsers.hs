@@ -252,10 +252,12 @@ judgedCensus = judgedForm (formatMessage "it" "a census") decodeCensus written $
 judgedShard :: ByteString -> Judged
 judgedShard = judged (evaluationFileMessage "it") Evaluation.contentsOf $ \found ->
   [ ( "every press is an original one",
-      all (`elem` concatMap (either (const []) Evaluation.contentsPresses . Evaluation.contentsOf) shards) $
-        Evaluation.contentsPresses found
+      all (`elem` originals) (Evaluation.contentsPresses found)
     )
   ]
+  where
+    originals =
+      concatMap (either (const []) Evaluation.contentsPresses . Evaluation.contentsOf) shards
 
 -- | The reply of the library, which is one line of the protocol with one thing in it.
 judgedRequest :: ByteString -> IO Judged

@@ -5,7 +5,7 @@
 -- file can be continued and shards can be merged.
 --
 -- > {"schema":"pra-tactile/evaluate/1",...,"shard":[1,3],"setting":"5c0e...","results":[
--- > {"press":1,"stitching":{"right":2.1e-6},"no_stitching":{"refused":"ambiguous"},"check":"0f3a..."}
+-- > {"press":1,"stitching":{"right":2.1e-6},"no_stitching":{"refused":"ambiguous"},"check":...}
 -- > ,{"press":4,...}
 -- > ],"stitching":{"right":...},...}
 module PraTactile.Format.Evaluation
@@ -214,10 +214,9 @@ outcome = via parts one (object keys)
 
 -- | The first line of a shard's file.
 beginning :: Evaluation -> Part -> ByteString
-beginning evaluation part =
-  Bytes.init (Lazy.toStrict (encodeLine (series evaluationKeys evaluation <> series partKeys part)))
-    <> opened
-    <> "\n"
+beginning evaluation part = Bytes.take (Bytes.length keys - 1) keys <> opened <> "\n"
+  where
+    keys = Lazy.toStrict (encodeLine (series evaluationKeys evaluation <> series partKeys part))
 
 -- | What follows the shard's own keys on that line.
 opened :: ByteString
@@ -265,8 +264,8 @@ data EvaluationFileError
     OtherEnding Int
   deriving stock (Eq, Show)
 
--- | What is in the file of a shard, finished or cut off anywhere after its first line. Its last line
--- must be what its presses add up to.
+-- | What is in the file of a shard, finished or cut off anywhere after its first line. Its last
+-- line must be what its presses add up to.
 contentsOf :: ByteString -> Either EvaluationFileError Contents
 contentsOf bytes = do
   keys <- maybe (Left (NoShard (JsonRefused NotJson))) Right (Bytes.stripSuffix opened firstLine)
