@@ -76,7 +76,7 @@ calibration: setup ## how many symbols are told and counted wrong with each ship
 	@tools/build.sh bench:calibrate
 	@"$$(tools/cabal.sh list-bin -v0 bench:calibrate)" $(or $(SYMBOLS),300)
 
-# SEEDS=20; about ten minutes. Which laws find which is kept in data/impostors.txt.
+# SEEDS=20; about 20 minutes on two cores. Which laws find which is kept in data/impostors.txt.
 mutants: setup ## which laws find which impostor, and whether each is found with each of 20 seeds
 	@tools/build.sh bench:mutants
 	@"$$(tools/cabal.sh list-bin -v0 bench:mutants)" $(or $(SEEDS),20)
