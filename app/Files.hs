@@ -4,6 +4,7 @@ module Files
   ( readBytes,
     readBytesUpTo,
     alreadyIn,
+    largestWork,
   )
 where
 
@@ -21,9 +22,13 @@ readBytes = readBytesUpTo largestInput
 readBytesUpTo :: Int -> FilePath -> IO ByteString
 readBytesUpTo limit file = readUpTo limit file >>= orUnusable filesMessage
 
+-- | 16 GiB: the most that is read of what the program itself wrote line by line.
+largestWork :: Int
+largestWork = 64 * largestInput
+
 -- | What is in a file that is to be continued: nothing where there is none, or no regular file.
 alreadyIn :: FilePath -> IO ByteString
 alreadyIn name =
   targetOf name >>= orUnusable id >>= \target -> case target of
-    Regular file (Just _) -> readBytes file
+    Regular file (Just _) -> readBytesUpTo largestWork file
     _ -> pure mempty

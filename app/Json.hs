@@ -11,7 +11,7 @@ import Data.Aeson (Series, (.=))
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.String (fromString)
 import Options (AnswerForm (..))
-import Output (sayWritten)
+import Output (leadsToStandardOutput, sayWritten)
 import PraTactile.Format.Json
 import PraTactile.Format.Name
 import Visible (nameInJson)
@@ -21,8 +21,9 @@ import Visible (nameInJson)
 sayWrittenAs :: AnswerForm -> FilePath -> String -> String -> Series -> IO ()
 sayWrittenAs form file inWords schema keys = case form of
   AsText -> sayWritten file inWords
-  AsJson ->
-    unless (file == "-") . Lazy.putStrLn . encodeLine $
+  AsJson -> do
+    standard <- leadsToStandardOutput file
+    unless standard . Lazy.putStrLn . encodeLine $
       fromString "schema" .= ("pra-tactile/" ++ schema)
         <> fromString "file" .= nameInJson file
         <> keys

@@ -1,7 +1,8 @@
 -- | Where output goes, decided in one place for every command. A regular file is replaced whole or
 -- not at all and keeps its mode; a link is followed; a device or a FIFO is written to as it is; @-@
 -- is the standard output. What cannot be written is one line and status 2. Until it is whole, a
--- file is called NAME.part; what a run that was ended leaves there is used up by the next one. A
+-- file is called NAME.part; what a run that was ended leaves there is used up by the next one.
+-- Files that a next run continues are written in place instead ('writtenAfter'). A
 -- folder is made whole in one of the run's own beside it, so that several runs do not meet.
 module Output
   ( -- * Files
@@ -12,6 +13,7 @@ module Output
     writtenAfter,
     sayBeside,
     sayWritten,
+    leadsToStandardOutput,
     Target (..),
     targetOf,
 
@@ -24,8 +26,7 @@ module Output
   )
 where
 
-import Control.Concurrent (threadDelay)
-import Control.Exception (IOException, bracket, onException, try)
+import Control.Exception (IOException, bracket, finally, onException, try)
 import Control.Monad (forM_, unless, void, when)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
@@ -35,6 +36,7 @@ import Data.List (nub, (\\))
 import Data.Maybe (listToMaybe)
 import ExitStatus
 import GHC.IO.Handle (LockMode (..), hTryLock)
+import GHC.IO.Handle.Lock (hUnlock)
 import Interrupt
 import System.Directory
 import System.FilePath (dropTrailingPathSeparator, isRelative, takeDirectory, (</>))
@@ -47,6 +49,7 @@ import System.IO.Error
     mkIOError,
   )
 import System.Posix.Files
+import System.Posix.IO (stdOutput)
 import System.Posix.Temp (mkdtemp)
 import System.Posix.Types (FileMode)
 import System.Posix.User (getEffectiveUserID)
@@ -72,8 +75,10 @@ targetOf name = either (Left . writeMessage name) id <$> try (resolved name >>= 
         else do
           status <- getFileStatus file
           mayWrite <- fileAccess file False True False
+          standard <- isStandardOutput status
           pure $ case () of
             _
+              | standard -> Right StandardOutput
               | isRegularFile status,
                 not mayWrite ->
                 Left ("no permission to write " ++ visibleName name)
@@ -83,6 +88,14 @@ targetOf name = either (Left . writeMessage name) id <$> try (resolved name >>= 
               | isSocket status ->
                 Left (visibleName name ++ " is a socket, which cannot be written to as a file")
               | otherwise -> Right (Stream file)
+
+-- | Whether this is what the standard output leads to, under whatever name.
+isStandardOutput :: FileStatus -> IO Bool
+isStandardOutput status = either none same <$> try (getFdStatus stdOutput)
+  where
+    same own = (deviceID own, fileID own) == (deviceID status, fileID status)
+    none :: IOException -> Bool
+    none _ = False
 
 -- | The name at the end of a chain of symbolic links, which need not lead to anything.
 resolved :: FilePath -> IO FilePath
@@ -132,9 +145,9 @@ writtenTo name write = do
   where
     guarded action = try action >>= either (unusable . writeMessage name) pure
 
--- | Continue a regular file of so many bytes: cut it to the first so many of them, and write after
--- these. Leaves with status 2 where another run is writing it. What is no regular file is written
--- to as it is.
+-- | Continue a regular file, given its size and how many of its first bytes are kept: cut it to
+-- these, and write after them. Leaves with status 2 where another run is writing it. What is no
+-- regular file is written to as it is.
 writtenAfter :: FilePath -> (Int, Int) -> (Handle -> IO a) -> IO a
 writtenAfter name (size, kept) write = do
   target <- targetOf name >>= orUnusable id
@@ -142,30 +155,40 @@ writtenAfter name (size, kept) write = do
     Regular file _ -> do
       outcome <- try $
         withBinaryFile file ReadWriteMode $ \handle -> do
-          ours <- locked (20 :: Int) handle
+          ours <- hTryLock handle ExclusiveLock
           now <- hFileSize handle
           unless (ours && now == toInteger size) . unusable $
             "another run is writing " ++ visibleName name
           hSetFileSize handle (toInteger kept)
           hSeek handle SeekFromEnd 0
-          write handle
+          -- Programs that were started meanwhile would hold the lock on.
+          (write handle <* hFlush handle) `finally` hUnlock handle
       either (unusable . writeMessage name) pure outcome
     _ -> writtenTo name write
-  where
-    -- A run that was just ended may hold it for a moment.
-    locked tries handle = do
-      ours <- hTryLock handle ExclusiveLock
-      if ours || tries == 0 then pure ours else threadDelay 50000 >> locked (tries - 1) handle
 
 -- | Say something of what is written there: on the standard output, or where that has what is
 -- written, on the standard error.
 sayBeside :: FilePath -> String -> IO ()
-sayBeside name = hPutStr (if name == "-" then stderr else stdout)
+sayBeside name text = do
+  standard <- leadsToStandardOutput name
+  hPutStr (if standard then stderr else stdout) text
+
+-- | Whether what is written there stands on the standard output.
+leadsToStandardOutput :: FilePath -> IO Bool
+leadsToStandardOutput "-" = pure True
+leadsToStandardOutput name =
+  either none id <$> try (doesPathExist name >>= \there -> if there then same else pure False)
+  where
+    same = getFileStatus name >>= isStandardOutput
+    none :: IOException -> Bool
+    none _ = False
 
 -- | Say on the standard output that a file was written, and what is in it; nothing where the file
 -- is the standard output.
 sayWritten :: FilePath -> String -> IO ()
-sayWritten name content = unless (name == "-") (putStrLn ("wrote " ++ visibleName name ++ content))
+sayWritten name content = do
+  standard <- leadsToStandardOutput name
+  unless standard (putStrLn ("wrote " ++ visibleName name ++ content))
 
 -- | The file beside it that will take its name, empty, and only ours while it is open.
 openPart :: FilePath -> FilePath -> IO (FilePath, Handle)

@@ -37,7 +37,7 @@ def seconds(commands):
 
 
 def main():
-    print("| | start | 1 task | 2 tasks | 8 | 64 | merged in |")
+    print("| | start | 1 task | 2 tasks | 8 tasks (computed) | 64 tasks (computed) | 2 files merged in |")
     print("|---|--:|--:|--:|--:|--:|--:|")
     for name, (ending, command, many) in WORK.items():
         with tempfile.TemporaryDirectory() as folder:

@@ -17,6 +17,7 @@ done
 [ -x bin/pra-tactile ] || refuse "run 'make build' first"
 
 work=$(mktemp -d)
+program=$(readlink -f bin/pra-tactile)
 name=$(hostname -s)
 mkdir "$work/state" "$work/spool"
 daemons=
@@ -86,14 +87,19 @@ check() {
     pra-tactile evaluate "$@" --json > whole
   fi
   job=$(sbatch --parsable "$here/examples/slurm/$script.sh" "$@")
-  until_so 60 begun "part-1.$ending" || fail "task 1 does not begin: $(cat part-1.log "$work"/slurmd.log)"
-  pkill -KILL -f "$script .*--shard 1/8" || fail "there is no task 1 to kill"
+  until_so 60 begun "part-1.$ending" || fail "task 1 does not begin: $(cat "$script-1.log" "$work"/slurmd.log)"
+  killed=
+  for task in $(pgrep -f "$script .*--shard 1/8"); do
+    [ "$(readlink "/proc/$task/exe")" = "$program" ] && [ "$(readlink "/proc/$task/cwd")" = "$work/$script" ] || continue
+    kill -KILL "$task" && killed=$task
+  done
+  [ -n "$killed" ] || fail "there is no task 1 to kill"
   rows=$(wc -l < "part-1.$ending")
   # Slurm lets two minutes go by before a task that was requeued runs again.
   until_so 60 waiting "${job}_1" || fail "task 1 was not requeued: $(squeue -h)"
   scontrol update JobId="${job}_1" StartTime=now
   until_so 600 ended "$job" || fail "the tasks do not end: $(squeue -h)"
-  grep -q Killed part-1.log || fail "task 1 was not killed: $(cat part-1.log)"
+  grep -q Killed "$script-1.log" || fail "task 1 was not killed: $(cat "$script-1.log")"
   pra-tactile merge part-*."$ending" --output merged > merged.log
   cmp whole merged || fail "what is merged is not what one run makes"
   echo "$script: task 1 was killed with $rows lines written, requeued, and continued to $(wc -l < "part-1.$ending")"

@@ -18,6 +18,7 @@ import qualified Data.ByteString.Char8 as Bytes
 import Data.Foldable (toList)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
+import Data.Version (showVersion)
 import ExitStatus
 import Files (alreadyIn)
 import Json (sayWrittenAs)
@@ -26,6 +27,7 @@ import Message.Evaluation
 import Numeric.Natural (Natural)
 import Options
 import Output
+import Paths_pra_tactile (version)
 import PlacementChoice
 import PraTactile.Array (ArrayOn (..), PseudorandomArray, arrayPrimitive)
 import PraTactile.Classification.Reader (Reader (..))
@@ -198,7 +200,8 @@ run choice options
               partOf = maybe 1 (fromIntegral . snd) (shard options),
               partSetting =
                 digestOf . Bytes.unlines $
-                  [ encodePlacement profile layout,
+                  [ Bytes.pack (showVersion version),
+                    encodePlacement profile layout,
                     encodeNetwork (fileOf symbols),
                     Bytes.pack . show $
                       ( (simulated, explorationSpacing how, region, turns options, bend options),
@@ -207,8 +210,8 @@ run choice options
                   ]
             }
     results <- orUnusable profileMessage (withProfile profile made) >>= orUnusable id
-    let pressesOf keepPose =
-          [ Press number outcome (if keepPose then inMillimetres <$> pose else Nothing)
+    let pressesOf kept =
+          [ Press number outcome (if kept == WithPoses then inMillimetres <$> pose else Nothing)
             | (number, (outcome, pose)) <- zip [1 ..] results,
               isInPart part number
           ]
@@ -219,55 +222,64 @@ run choice options
     fileOf (Reader alphabet _ _ network sure) =
       NetworkFile network (alphabetDigest alphabet) sure Nothing Nothing
 
--- | Print or write what comes of the presses of a shard, which are given with the poses' errors or
--- without.
-delivered :: Options -> (Int, Int) -> Evaluation -> Part -> (Bool -> [Press]) -> IO ()
+-- | What is kept of a press: the error of its pose as well, or not.
+data Kept = WithPoses | CountsAlone
+  deriving stock (Eq)
+
+-- | Print or write what comes of the presses of a shard.
+delivered :: Options -> (Int, Int) -> Evaluation -> Part -> (Kept -> [Press]) -> IO ()
 delivered options region evaluation part pressesOf = case (output options, shard options) of
   (Just file, _) -> do
     bytes <- alreadyIn file
-    (kept, before) <- continued file bytes (beginning evaluation part)
+    (kept, before, finished) <- continued file bytes evaluation part
     counts <-
-      writtenAfter file (Bytes.length bytes, kept) $
-        document evaluation part (kept, before) (drop (length before) (pressesOf True))
+      if finished
+        then pure (countPresses before)
+        else
+          writtenAfter file (Bytes.length bytes, kept) $
+            document evaluation part (kept, before) (drop (length before) (pressesOf WithPoses))
     sayWrittenAs asked file (": " ++ pressesText evaluation part) "evaluate-written/1" $
       "presses" .= partSize evaluation part
-    when (asked == AsText && file /= "-") (putStr (told counts))
+    standard <- leadsToStandardOutput file
+    when (asked == AsText && not standard) (putStr (told counts))
   (Nothing, Just _)
     | asked == AsJson ->
-      void (document evaluation part (0, []) (pressesOf True) stdout)
+      void (document evaluation part (0, []) (pressesOf WithPoses) stdout)
   _ -> do
-    counts <- pressesCounted evaluation part [] (const (pure ())) (pressesOf (asked == AsJson))
+    counts <-
+      pressesCounted evaluation part [] (const (pure ())) $
+        pressesOf (if asked == AsJson then WithPoses else CountsAlone)
     printAs asked (told counts) (encodeEvaluation evaluation counts)
   where
     asked = form options
     told = countsText options region evaluation part
 
--- | How many presses a shard has.
-partSize :: Evaluation -> Part -> Int
-partSize evaluation part = length (filter (isInPart part) [1 .. evaluationPresses evaluation])
-
--- | What an unfinished file has already: its length up to the last whole press, and the presses; it
--- must begin so. Leaves with status 2, and does not touch it, where it is anything else.
-continued :: FilePath -> ByteString -> ByteString -> IO (Int, [Press])
-continued file bytes begins
-  | bytes `Bytes.isPrefixOf` begins = pure (0, [])
+-- | What an unfinished file has already: its length up to the last whole press, the presses, and
+-- whether they are all; it must begin so. Leaves with status 2, and does not touch it, where it is
+-- anything else.
+continued :: FilePath -> ByteString -> Evaluation -> Part -> IO (Int, [Press], Bool)
+continued file bytes evaluation part
+  | bytes `Bytes.isPrefixOf` begins = pure (0, [], False)
   | begins `Bytes.isPrefixOf` bytes = do
-    contents <- orUnusable (evaluationFileMessage file) (contentsOf bytes)
-    pure (contentsKept contents, contentsPresses contents)
-  | otherwise = unusable (otherEvaluationMessage file)
+    it <- orUnusable (evaluationFileMessage file) (contentsOf bytes)
+    pure (contentsKept it, contentsPresses it, contentsFinished it)
+  | otherwise =
+    unusable . otherEvaluationMessage file $
+      either (const []) (differing (evaluation, part)) (headingOf bytes)
+  where
+    begins = beginning evaluation part
 
 -- | Write what a shard's file lacks, each press at once and whole, after so many bytes with those
 -- that are there; the counts of all of them.
 document :: Evaluation -> Part -> (Int, [Press]) -> [Press] -> Handle -> IO Counts
 document evaluation part (kept, before) others handle = do
-  when (kept == 0) (Bytes.hPutStr handle (beginning evaluation part))
-  counts <- pressesCounted evaluation part before put others
-  Bytes.hPutStr handle (ending counts)
+  when (kept == 0) (put (beginning evaluation part))
+  counts <- pressesCounted evaluation part before (put . line) others
+  put (ending counts)
   pure counts
   where
-    put press = do
-      Bytes.hPutStr handle (pressLine (pressNumber press == partNumber part) press)
-      hFlush handle
+    line = pressLine evaluation part
+    put bytes = Bytes.hPutStr handle bytes >> hFlush handle
 
 -- | The counts of presses, those that were made before among them; others are made on all cores as
 -- they are needed, and let go once something is done with each and it is counted. Says how far it

@@ -18,7 +18,7 @@ import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
 import ExitStatus
-import Files (readBytes)
+import Files (largestWork, readBytesUpTo)
 import Json (sayWrittenAs)
 import Message.Census
 import Message.Evaluation
@@ -28,7 +28,7 @@ import PraTactile.Format.Census
 import PraTactile.Format.Census.Contradiction (foundProved)
 import PraTactile.Format.Census.Merge
 import PraTactile.Format.Census.Row
-import PraTactile.Format.Evaluation (Evaluation (..), encodeEvaluation, merged)
+import PraTactile.Format.Evaluation (Evaluation (..), MergeError (..), encodeEvaluation, merged)
 import qualified PraTactile.Format.Evaluation as Evaluation
 import System.Posix.Files (deviceID, fileID, getFileStatus)
 
@@ -74,10 +74,10 @@ run files damage output form = do
             ++ input
             ++ ", which would be lost; give another --output"
         )
-  contents <- mapM readBytes files
+  contents <- mapM (readBytesUpTo largestWork) files
   let written bytes = maybe (Lazy8.putStr bytes) (`writeWhole` bytes) output
   case zip files contents of
-    one : others | all (isJson . snd) (one : others) -> do
+    one : others | any (isJson . snd) (one : others) -> do
       leaveOut "an evaluation's file is whole or refused" [("--keep-whole", damage == Repaired)]
       shards <- traverse (\(file, bytes) -> (,) file <$> evaluationShard file bytes) (one :| others)
       (evaluation, counts) <- orUnusable notMergedMessage (merged shards)
@@ -89,22 +89,24 @@ run files damage output form = do
           (": " ++ show (evaluationPresses evaluation) ++ " presses")
           "evaluate-written/1"
           ("presses" .= evaluationPresses evaluation)
-    all' -> do
-      (shards, notes) <- unzip <$> mapM (uncurry (shard damage)) all'
-      together' <- orUnusable mergeMessage (mergeShards shards)
+    given -> do
+      (shards, notes) <- unzip <$> mapM (uncurry (shard damage)) given
+      rows <- orUnusable mergeMessage (mergeShards shards)
       mapM_ warn (concat notes)
-      written (encodeCensus (map rowText together'))
+      written (encodeCensus (map rowText rows))
       for_ output $ \file ->
         sayCensus
           form
           file
-          (fromIntegral (length together'))
-          (length (filter (foundProved . rowFindings) together'))
+          (fromIntegral (length rows))
+          (length (filter (foundProved . rowFindings) rows))
   pure Answered
   where
     -- What no census begins with.
     isJson = ("{" `Bytes.isPrefixOf`)
-    evaluationShard file = orUnusable (evaluationFileMessage file) . Evaluation.contentsOf
+    evaluationShard file bytes
+      | Bytes.null bytes = unusable (notMergedMessage (Unfinished file))
+      | otherwise = orUnusable (evaluationFileMessage file) (Evaluation.contentsOf bytes)
 
 -- | The rows of a file, all of them, or those that are whole if that is asked for, and what is to
 -- be said of them. Leaves with status 2 if it is damaged.

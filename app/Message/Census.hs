@@ -3,16 +3,15 @@ module Message.Census
   ( censusFileMessage,
     mergeMessage,
     keptMessage,
-    partsMessage,
   )
 where
 
 import qualified Data.ByteString.Char8 as Bytes
 import Data.List (intercalate)
 import Message.Code (numeral)
+import Message.Shards (partsMessage)
 import PraTactile.Format.Census.Merge
 import PraTactile.Format.Error
-import PraTactile.Format.Shards
 
 -- | What is wrong with a file, which stands before it.
 censusFileMessage :: FilePath -> CensusFileError -> String
@@ -87,22 +86,3 @@ keptMessage file kept left =
     ++ show kept
     ++ "; damaged or repeated lines left out: "
     ++ show left
-
--- | Why parts of one name, and of another where there are many, are not a whole.
-partsMessage :: String -> String -> PartsError -> String
-partsMessage one many why = case why of
-  PartTwice part a b ->
-    one ++ " " ++ numeral part ++ " is in " ++ a ++ (if a == b then " twice" else " and in " ++ b)
-  PartsMissing count missing ->
-    numeral (sum [b - a + 1 | (a, b) <- missing])
-      ++ " of "
-      ++ numeral count
-      ++ " "
-      ++ many
-      ++ " are missing: "
-      ++ intercalate ", " (map run (take 8 missing) ++ ["and others" | not (null (drop 8 missing))])
-      ++ "; run the other shards, or finish these"
-  where
-    run (a, b)
-      | a == b = numeral a
-      | otherwise = numeral a ++ " to " ++ numeral b

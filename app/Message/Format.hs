@@ -94,6 +94,7 @@ misfitMessage misfit = case misfit of
   BeyondMillion -> "a number of at most a million is needed"
   NotPair -> "a list of two is needed"
   NotShard -> "a shard is a list of two numbers, the first of them from 1 to the second"
+  NotListed -> "its presses are not listed in it, or its first line is cut off"
   NotOutcome -> "an outcome has one key: right or wrong, with a doubt, or refused, with a reason"
   NotShape -> "a shape is a list of two numbers, rows and columns"
   NotCell -> "a cell of the mask is a list of two numbers, row and column"

@@ -7,6 +7,6 @@
 #SBATCH --cpus-per-task=1
 #SBATCH --requeue
 #SBATCH --open-mode=append
-#SBATCH --output=part-%a.log
+#SBATCH --output=census-%a.log
 shard=$SLURM_ARRAY_TASK_ID
 pra-tactile census "$@" --shard "$shard/8" --output "part-$shard.csv"

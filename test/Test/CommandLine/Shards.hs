@@ -47,7 +47,7 @@ spec = do
       let continuing name = shardOf plain 1 2 ++ ["--output", file name]
           damaged =
             [ ("precious\n", "is not an unfinished file"),
-              (firstReplaced "\"seed\":1" "\"seed\":2" one, "is not an unfinished file"),
+              (firstReplaced "\"seed\":1" "\"seed\":2" one, "and shard (other seed)"),
               (firstReplaced "\"press\":3" "\"press\":5" one, "line 3 is damaged: its check"),
               (firstReplaced "right" "wrong" one, "line 2 is damaged: its check"),
               ( firstReplaced ",\"right\":3," ",\"right\":2," one,
@@ -62,13 +62,18 @@ spec = do
         writeFile (file "bad") content
         complains (continuing "bad") why
         readFile (file "bad") `shouldReturn` content
-      complains (shardOf plain 2 2 ++ ["--output", file "1"]) "is not an unfinished file"
+      complains (shardOf plain 2 2 ++ ["--output", file "1"]) "and shard (other shard)"
+      writeFile (file "bad") (firstReplaced "\"seed\":1" "\"seed\":2" one)
+      complains ["merge", file "bad"] "line 2 is damaged: its check"
+      writeFile (file "bad") ""
+      complains ["merge", file "1", file "bad"] "bad is cut off"
+      complains ["merge", file "1", "Makefile"] "is not a file of"
       complains ["merge", file "1"] "2 of 5 presses are missing: 2, 4;"
       complains ["merge", file "1", file "2", file "2"] "press 2 is in"
       writeFile (file "cut") (take (length one - 9) one)
       complains ["merge", file "cut", file "2"] "is cut off"
       _ <- pra (shardOf (plain ++ words "--noise 0.2") 2 2 ++ ["--output", file "n"])
-      complains ["merge", file "1", file "n"] "of different evaluations"
+      complains ["merge", file "1", file "n"] "of different evaluations: other noise, objects"
       complains ["merge", file "1", file "2", "--keep-whole"] "leave out --keep-whole"
       complains (plain ++ ["--shard", "6/5"]) "a shard is I/K"
       complains (plain ++ ["--shard", "1/1000000001"]) "at most a billion parts"

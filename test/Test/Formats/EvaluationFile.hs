@@ -24,7 +24,7 @@ spec = do
       let file = fileOf shard
           header = Bytes.length (beginning evaluation part)
       forAll (choose (header, Bytes.length file)) $ \end -> do
-        let whole = length (takeWhile (<= end) (drop 1 (scanl (+) header (lineLengths presses))))
+        let whole = length (takeWhile (<= end) (drop 1 (scanl (+) header (lineLengths shard))))
         contentsOf (Bytes.take end file)
           === Right
             Contents
@@ -32,7 +32,7 @@ spec = do
                 contentsPart = part,
                 contentsPresses = take whole presses,
                 contentsFinished = end == Bytes.length file,
-                contentsKept = header + sum (take whole (lineLengths presses))
+                contentsKept = header + sum (take whole (lineLengths shard))
               }
   it "a file with another digit in it is refused, or of another evaluation or shard" $
     forAll someShard $ \shard -> do
@@ -73,18 +73,18 @@ spec = do
               ]
   where
     isDifferent got = case got of
-      Left (DifferentEvaluations "x" _) -> True
-      Left (DifferentEvaluations _ "x") -> True
+      Left (DifferentEvaluations "x" _ ["setting"]) -> True
+      Left (DifferentEvaluations _ "x" ["setting"]) -> True
       _ -> False
-    lineLengths presses =
-      zipWith (\first' press -> Bytes.length (pressLine first' press)) (True : repeat False) presses
+    lineLengths (evaluation, part, presses) =
+      map (Bytes.length . pressLine evaluation part) presses
 
 type Shard = (Evaluation, Part, [Press])
 
 fileOf :: Shard -> ByteString
 fileOf (evaluation, part, presses) =
   beginning evaluation part
-    <> Bytes.concat (zipWith pressLine (True : repeat False) presses)
+    <> Bytes.concat (map (pressLine evaluation part) presses)
     <> ending (countPresses presses)
 
 mergedOf :: [(FilePath, ByteString)] -> Either MergeError ByteString

@@ -175,7 +175,7 @@ censuses =
 shards :: [ByteString]
 shards =
   [ beginning evaluation part
-      <> Bytes.concat (zipWith pressLine (True : repeat False) presses)
+      <> Bytes.concat (map (pressLine evaluation part) presses)
       <> ending (countPresses presses)
     | i <- [1, 2],
       let part = Part i 2 "5c0e"

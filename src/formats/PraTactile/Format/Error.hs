@@ -67,6 +67,8 @@ data Misfit
     NotPair
   | -- | No shard: a list of two numbers, the first of them from 1 to the second.
     NotShard
+  | -- | No evaluation that lists its presses.
+    NotListed
   | -- | No outcome of a press: an object with one of three keys.
     NotOutcome
   | -- | No shape: a list of two numbers, rows and columns.

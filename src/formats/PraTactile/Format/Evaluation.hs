@@ -17,16 +17,19 @@ module PraTactile.Format.Evaluation
     -- * Shards
     Part (..),
     isInPart,
+    partSize,
     beginning,
     pressLine,
     ending,
 
     -- * Files of shards
     Contents (..),
+    headingOf,
     contentsOf,
     EvaluationFileError (..),
 
     -- * The whole
+    differing,
     merged,
     MergeError (..),
   )
@@ -35,6 +38,8 @@ where
 import Control.Monad (unless)
 import Data.Aeson (Series, Value, (.=))
 import qualified Data.Aeson as Json
+import qualified Data.Aeson.Key as Key
+import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
@@ -159,7 +164,8 @@ poseValue counts =
 data Part = Part
   { partNumber :: Int,
     partOf :: Int,
-    -- | a digest of all that the results depend on, equal in all shards of one evaluation
+    -- | a digest of all that the results depend on beside the keys before it, equal in all shards
+    -- of one evaluation
     partSetting :: String
   }
   deriving stock (Eq, Show)
@@ -167,6 +173,11 @@ data Part = Part
 -- | Whether a shard has the press of this number, from 1.
 isInPart :: Part -> Int -> Bool
 isInPart part number = (number - partNumber part) `mod` partOf part == 0
+
+-- | How many presses a shard has.
+partSize :: Evaluation -> Part -> Int
+partSize evaluation part =
+  (evaluationPresses evaluation - partNumber part) `div` partOf part + 1
 
 partKeys :: Keys Part Part
 partKeys =
@@ -222,16 +233,23 @@ beginning evaluation part = Bytes.take (Bytes.length keys - 1) keys <> opened <>
 opened :: ByteString
 opened = ",\"results\":["
 
--- | The line of a press, given whether it is the first one.
-pressLine :: Bool -> Press -> ByteString
-pressLine isFirst press = (if isFirst then "" else ",") <> writeLine checkedKeys press <> "\n"
+-- | The line of a press.
+pressLine :: Evaluation -> Part -> Press -> ByteString
+pressLine evaluation part =
+  let keys = checkedKeys (digestOf (beginning evaluation part))
+   in \press ->
+        (if pressNumber press == partNumber part then "" else ",")
+          <> writeLine keys press
+          <> "\n"
 
--- | With the first 16 digits of the SHA-256 of the same without them.
-checkedKeys :: Keys Press (Press, String)
-checkedKeys = (,) <$> pressKeys <*> key "check" text checkOf
+-- | A press and its check, given the digest of the first line.
+checkedKeys :: String -> Keys Press (Press, String)
+checkedKeys header = (,) <$> pressKeys <*> key "check" text (checkOf header)
 
-checkOf :: Press -> String
-checkOf = take 16 . digestOf . writeLine pressKeys
+-- | The first 16 digits of the SHA-256 of the first line's digest and the press: no press of
+-- another evaluation or shard has it.
+checkOf :: String -> Press -> String
+checkOf header press = take 16 (digestOf (Bytes.pack header <> writeLine pressKeys press))
 
 -- | The last line of a shard's file.
 ending :: Counts -> ByteString
@@ -250,7 +268,7 @@ data Contents = Contents
   }
   deriving stock (Eq, Show)
 
--- | Why bytes are no file of a shard. Lines are countPresses from 1.
+-- | Why bytes are no file of a shard. Lines are counted from 1.
 data EvaluationFileError
   = -- | The first line is not that of a shard.
     NoShard FormatError
@@ -268,35 +286,47 @@ data EvaluationFileError
 -- line must be what its presses add up to.
 contentsOf :: ByteString -> Either EvaluationFileError Contents
 contentsOf bytes = do
-  keys <- maybe (Left (NoShard (JsonRefused NotJson))) Right (Bytes.stripSuffix opened firstLine)
-  (evaluation, part) <- first NoShard (decodeWith shardKeys (keys <> "}"))
-  let numbers = [partNumber part, partNumber part + partOf part .. evaluationPresses evaluation]
-  (presses, finished, kept) <- go 2 (Bytes.length firstLine + 1) [] numbers (Bytes.drop 1 others)
+  (evaluation, part) <- headingOf bytes
+  let header = digestOf (firstLine <> "\n")
+      numbers = [partNumber part, partNumber part + partOf part .. evaluationPresses evaluation]
+  (presses, finished, kept) <-
+    go header 2 (Bytes.length firstLine + 1) [] numbers (Bytes.drop 1 others)
   pure (Contents evaluation part presses finished kept)
   where
     (firstLine, others) = Bytes.break (== '\n') bytes
-    shardKeys = (,) <$> withKeys fst evaluationKeys <*> withKeys snd partKeys
-    go line kept found numbers rest
+    go header line kept found numbers text'
       | Bytes.null more = Right (reverse found, False, kept)
       | otherwise = case numbers of
-        [] | rest == ending (countPresses (reverse found)) -> Right (reverse found, True, kept)
+        [] | text' == ending (countPresses (reverse found)) -> Right (reverse found, True, kept)
         [] -> Left (OtherEnding line)
         number : numbers' -> do
-          (press, check) <- first (DamagedPress line) (pressOn line one)
-          unless (check == checkOf press) (Left (CheckOfPress line))
+          (press, check) <- first (DamagedPress line) (pressOn header line one)
+          unless (check == checkOf header press) (Left (CheckOfPress line))
           unless (pressNumber press == number) (Left (OtherPress line))
-          go (line + 1) (kept + Bytes.length one + 1) (press : found) numbers' (Bytes.drop 1 more)
+          go header (line + 1) (kept + Bytes.length one + 1) (press : found) numbers' rest
       where
-        (one, more) = Bytes.break (== '\n') rest
-    pressOn line one
-      | line == (2 :: Int) = decodeWith checkedKeys one
+        (one, more) = Bytes.break (== '\n') text'
+        rest = Bytes.drop 1 more
+    pressOn header line one
+      | line == (2 :: Int) = decodeWith (checkedKeys header) one
       | otherwise =
-        maybe (Left (JsonRefused NotJson)) (decodeWith checkedKeys) (Bytes.stripPrefix "," one)
+        maybe
+          (Left (JsonRefused NotJson))
+          (decodeWith (checkedKeys header))
+          (Bytes.stripPrefix "," one)
+
+-- | Of which evaluation and shard a file is, by its first line.
+headingOf :: ByteString -> Either EvaluationFileError (Evaluation, Part)
+headingOf bytes = case Bytes.stripSuffix opened (Bytes.takeWhile (/= '\n') bytes) of
+  Nothing -> Left (NoShard (Misfit [] NotListed))
+  Just keys -> first NoShard (decodeWith headingKeys (keys <> "}"))
+  where
+    headingKeys = (,) <$> withKeys fst evaluationKeys <*> withKeys snd partKeys
 
 -- | Why shards are not one evaluation.
 data MergeError
-  = -- | These two files are of different evaluations.
-    DifferentEvaluations FilePath FilePath
+  = -- | These two files are of different evaluations; their first lines differ in these keys.
+    DifferentEvaluations FilePath FilePath [String]
   | -- | This file is cut off.
     Unfinished FilePath
   | -- | The presses are not all of the evaluation, each once.
@@ -308,7 +338,9 @@ data MergeError
 merged :: NonEmpty (FilePath, Contents) -> Either MergeError (Evaluation, Counts)
 merged shards@((file, one) :| _) = do
   for_ shards $ \(file', other) ->
-    unless (identity other == identity one) (Left (DifferentEvaluations file file'))
+    case filter (/= "shard") (differing (heading one) (heading other)) of
+      [] -> Right ()
+      keys -> Left (DifferentEvaluations file file' keys)
   for_ shards $ \(file', other) -> unless (contentsFinished other) (Left (Unfinished file'))
   presses <-
     first PressesApart . together 1 (fromIntegral (evaluationPresses evaluation)) $
@@ -319,4 +351,15 @@ merged shards@((file, one) :| _) = do
   pure (evaluation, countPresses presses)
   where
     evaluation = contentsEvaluation one
-    identity it = (contentsEvaluation it, partSetting (contentsPart it))
+    heading it = (contentsEvaluation it, contentsPart it)
+
+-- | The keys in which the first lines of two shards' files differ.
+differing :: (Evaluation, Part) -> (Evaluation, Part) -> [String]
+differing one other =
+  [ Key.toString name
+    | name <- KeyMap.keys (KeyMap.union (keysOf one) (keysOf other)),
+      KeyMap.lookup name (keysOf one) /= KeyMap.lookup name (keysOf other)
+  ]
+  where
+    keysOf (evaluation, part) =
+      KeyMap.union (writeObject evaluationKeys evaluation) (writeObject partKeys part)
