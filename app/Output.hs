@@ -139,11 +139,13 @@ writtenTo name write = do
       -- Closing a handle whose last bytes could not be written fails once more.
       let discard = removeFile part >> void (try (hClose handle) :: IO (Either IOException ()))
       result <-
-        (mapM_ (keepingMode part) status >> write handle <* hClose handle) `onException` discard
+        (mapM_ (keepingMode part) status >> write handle <* closed handle) `onException` discard
       renameFile part file `onException` removeFile part
       pure result
   where
     guarded action = try action >>= either (unusable . writeMessage name) pure
+    -- Programs that were started meanwhile would hold the lock on.
+    closed handle = hFlush handle >> hUnlock handle >> hClose handle
 
 -- | Continue a regular file, given its size and how many of its first bytes are kept: cut it to
 -- these, and write after them. Leaves with status 2 where another run is writing it. What is no
@@ -161,7 +163,6 @@ writtenAfter name (size, kept) write = do
             "another run is writing " ++ visibleName name
           hSetFileSize handle (toInteger kept)
           hSeek handle SeekFromEnd 0
-          -- Programs that were started meanwhile would hold the lock on.
           (write handle <* hFlush handle) `finally` hUnlock handle
       either (unusable . writeMessage name) pure outcome
     _ -> writtenTo name write
