@@ -24,6 +24,7 @@ where
 import Data.List.NonEmpty (NonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
 import PraTactile.Composite.Blend (Blend (..), Taxels, blend)
+import PraTactile.Composite.Lattice (Lattice)
 import PraTactile.Composite.Noise (readingStep)
 import PraTactile.Image (Raster, constant, mapRaster, rasterHeight, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Reference, reference, referenceOf)
@@ -70,7 +71,9 @@ data Composite = Composite
     -- | The same frames along the axes of 'AgreeingAlong', where these are named.
     compositeAgreeing :: Maybe Composite,
     -- | The frames themselves, each that was seen once; none of a whole image.
-    compositeFrames :: [PutFrame]
+    compositeFrames :: [PutFrame],
+    -- | The lattice of cells, in the composite's pixels, where registration found one.
+    compositeLattice :: Maybe Lattice
   }
   deriving stock (Eq, Show)
 
@@ -173,7 +176,8 @@ compositeOf image =
       compositeOthers = [],
       compositeContradiction = Nothing,
       compositeAgreeing = Nothing,
-      compositeFrames = []
+      compositeFrames = [],
+      compositeLattice = Nothing
     }
 
 -- | A place on the composite, x and y in pixels, as millimetres in the robot's coordinates.
@@ -224,7 +228,8 @@ blended (left, top) images displacements =
       compositeOthers = [],
       compositeContradiction = Nothing,
       compositeAgreeing = Nothing,
-      compositeFrames = []
+      compositeFrames = [],
+      compositeLattice = Nothing
     }
   where
     (x0, x1) = reach fst rasterWidth

@@ -60,6 +60,7 @@ import PraTactile.Composite
     contradictionBy,
   )
 import PraTactile.Composite.Blend (Taxels, minus, plus)
+import PraTactile.Composite.Lattice (Lattice (..))
 import PraTactile.Composite.Noise (frameNoise)
 import PraTactile.Image
   ( Raster,
@@ -87,6 +88,7 @@ import PraTactile.Registration.Contact (evened)
 import PraTactile.Registration.Lattice.Fit (Touched)
 import PraTactile.Registration.Lattice.Template (LatticeTables, latticeTables)
 import PraTactile.Registration.Layout (Layout (..), layoutsLeft)
+import PraTactile.Registration.Levelling (Level (..), levelled, unlevelled)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search
   ( Registration (..),
@@ -216,14 +218,13 @@ compose arranging settings frames = do
   let nominal = nominalOf placed
       arranged = arrangementFrames arrangement
       displacements = map registeredShift arranged
-      levels = arrangementLevelling arrangement
-      levelled = maybe nominal (NonEmpty.zipWith onLevel nominal) (nonEmpty levels)
-      onLevel (place, image) (level, _) = (place, level image)
-      counts = fromMaybe (fmap (const 1) placed) (nonEmpty (map snd levels))
+      levels = fromMaybe (fmap (const unlevelled) placed) (nonEmpty (arrangementLevels arrangement))
+      onLevel = NonEmpty.zipWith (\level -> fmap (levelled level)) levels nominal
+      counts = fmap levelWeight levels
       counted = NonEmpty.zipWith worthOf counts placed
       worthOf count p = Worth count (placedTouch p) (placedFelt p)
-      at shifts = maybe levelled moved (nonEmpty shifts)
-      moved = NonEmpty.zipWith movedBy levelled
+      at shifts = maybe onLevel moved (nonEmpty shifts)
+      moved = NonEmpty.zipWith movedBy onLevel
       movedBy (place, image) shift = (place `plus` shift, image)
       together shifts =
         (blended (left, top) (NonEmpty.zip (at shifts) counted) (ofEach shifts))
@@ -250,7 +251,7 @@ compose arranging settings frames = do
             otherwise' <-
               layoutsLeft
                 found
-                (arrangementAngle arrangement)
+                (latticeAngle <$> arrangementLattice arrangement)
                 (arrangementScales arrangement)
                 [(place `plus` robot, image) | (place, image) <- toList nominal]
                 (elsewhere . map fromRobot)
@@ -281,12 +282,17 @@ compose arranging settings frames = do
       inMillimetres (x, y) = (taxelPitch * x, taxelPitch * y)
       -- The frames as they were put, from where the robot would have them.
       putAs ats shifts =
-        zipWith4 PutFrame ats shifts (map snd (toList levelled)) (map touchOf (toList placed))
+        zipWith4 PutFrame ats shifts (map snd (toList onLevel)) (map touchOf (toList placed))
       touchOf one = placedTouch one <|> placedFelt one
       sigma = registrationSigma settings <|> arrangementSigma arrangement
       found = settings {registrationSigma = sigma}
       with k shift shifts = take k shifts ++ shift : drop (k + 1) shifts
-      made = together displacements
+      laid = together displacements
+      made = laid {compositeLattice = inPixels <$> arrangementLattice arrangement}
+      inPixels lattice =
+        lattice
+          { latticeOrigin = latticeOrigin lattice `minus` inTaxelsFrom (compositeOrigin laid)
+          }
   -- Blending relies on it.
   checkArea (at displacements)
   pure

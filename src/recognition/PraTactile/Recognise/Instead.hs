@@ -56,7 +56,10 @@ seenInstead readable composites
 -- | A composite of the contact that is left where it was touched: none counts as full.
 inverted :: Composite -> Composite
 inverted composite =
-  composite {compositeImage = either (const image) id (zipRaster other image coverage)}
+  composite
+    { compositeImage = either (const image) id (zipRaster other image coverage),
+      compositeLattice = Nothing
+    }
   where
     image = compositeImage composite
     coverage = compositeCoverage composite

@@ -185,7 +185,8 @@ setUpright angle composite = (upright, back)
       composite
         { compositeImage = drawn fst,
           compositeCoverage = drawn snd,
-          compositeOrigin = (left, top)
+          compositeOrigin = (left, top),
+          compositeLattice = Nothing
         }
 
 -- | Squares of pixels, the columns and rows of the first and the last, that hold all pixels of a

@@ -20,6 +20,7 @@ import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite (Fault (..), compositeOf)
 import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Composite.Lattice (Lattice)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Composite.Tilt (tilts)
 import PraTactile.Image (Raster, rasterSize, rasterValues, standardDeviation)
@@ -33,7 +34,7 @@ import PraTactile.Registration.Lattice.Fit (Fits (..), Touched, fitsAt)
 import PraTactile.Registration.Lattice.Glimpse
 import PraTactile.Registration.Lattice.Template (LatticeTables)
 import PraTactile.Registration.Layout (Layout (..))
-import PraTactile.Registration.Levelling (levelling)
+import PraTactile.Registration.Levelling
 import PraTactile.Registration.Posterior (Hypothesis)
 import PraTactile.Registration.Residual (residual)
 import PraTactile.Registration.Scale (likelyScales)
@@ -73,14 +74,14 @@ data Registered = Registered
 data Arrangement = Arrangement
   { arrangementMethod :: !StitchMethod,
     arrangementFrames :: ![Registered],
-    -- | What brings each frame to the scale of all, and what it then counts.
-    arrangementLevelling :: [(Raster -> Raster, Double)],
+    -- | What brings each frame to the scale of all.
+    arrangementLevels :: [Level],
     -- | The standard deviation of the robot's position error, taxels, where the method tells it.
     arrangementSigma :: Maybe Double,
     -- | The standard deviation of one frame from what others saw at the same place, grey values.
     arrangementResidual :: Maybe Double,
-    -- | The angle of the lattice, in degrees clockwise, where the method tells it.
-    arrangementAngle :: Maybe Double,
+    -- | The lattice, in taxels from the origin of the places, where the method finds one.
+    arrangementLattice :: Maybe Lattice,
     -- | Scales of the positions across and down that make the lattice likelier than the positions
     -- as told.
     arrangementScales :: [(Double, Double)],
@@ -153,10 +154,12 @@ arrange tables method settings touched
         (tilts (map compositeOf (spacedOut tiltFrames images)))
         (map glimpse images)
     oneByOne =
-      arranged frames Incremental (asRead frames) $
+      arranged frames Incremental (map (const unlevelled) frames) $
         [Registered d Nothing Nothing [] | d <- register settings frames]
     byPairs =
-      (arranged frames Jointly (asRead frames) (map estimated (pairwiseFrames found)))
+      ( arranged frames Jointly (map (const unlevelled) frames) $
+          map estimated (pairwiseFrames found)
+      )
         { arrangementSigma = pairwiseSigma found,
           arrangementElsewhere = Just $ \others ->
             map (flip (,) (map estimateShift (pairwiseFrames found))) (byOverlaps sigma others)
@@ -170,14 +173,13 @@ arrange tables method settings touched
         frames
         (map layoutPlaces others)
     byLattice fits' =
-      (arranged frames ByLattice levels (map estimated (jointFrames found)))
+      (arranged frames ByLattice (jointLevels found) (map estimated (jointFrames found)))
         { arrangementSigma = jointSigma found,
-          arrangementAngle = Just (fitsAngle fits'),
+          arrangementLattice = Just (jointLattice found),
           arrangementScales = scales,
           arrangementElsewhere = Just elsewhere
         }
       where
-        levels = levelling (zip (map snd touched) (jointThetas found))
         registered lying =
           registerJointly settings fits' {fitsFrames = map snd lying} (map fst lying)
         lyingAt places = zip (zip places (map snd touched)) (fitsFrames fits')
@@ -221,37 +223,33 @@ arrange tables method settings touched
 -- | The frames where they nominally are.
 unarranged :: StitchMethod -> [(Taxels, Raster)] -> Arrangement
 unarranged method frames =
-  arranged frames used (asRead frames) (map (const stays) frames)
+  arranged frames used (map (const unlevelled) frames) (map (const stays) frames)
   where
     used = if method == Automatic then Jointly else method
     stays = Registered (0, 0) Nothing Nothing []
-
--- | Frames on the scale that they are read on, each counted in full.
-asRead :: [frame] -> [(Raster -> Raster, Double)]
-asRead = map (const (id, 1))
 
 -- | Frames by the method used, their levelling, and what is told of each but its group.
 arranged ::
   [(Taxels, Raster)] ->
   StitchMethod ->
-  [(Raster -> Raster, Double)] ->
+  [Level] ->
   [Int -> Registered] ->
   Arrangement
 arranged frames used levels frameOf =
   Arrangement
     { arrangementMethod = used,
       arrangementFrames = zipWith ($) frameOf (groupsOf places),
-      arrangementLevelling = levels,
+      arrangementLevels = levels,
       arrangementSigma = Nothing,
       arrangementResidual = residual places,
-      arrangementAngle = Nothing,
+      arrangementLattice = Nothing,
       arrangementScales = [],
       arrangementElsewhere = Nothing
     }
   where
     places =
       moved
-        [(place, level image) | ((place, image), (level, _)) <- zip frames levels]
+        [(place, levelled level image) | ((place, image), level) <- zip frames levels]
         [registeredShift (a 0) | a <- frameOf]
 
 -- | The most frames that the angle at which symbols seem to lie is told from, before it is told by

@@ -15,6 +15,7 @@ module PraTactile.Registration.Joint
 where
 
 import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Composite.Lattice (Lattice (..))
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (cosineSine, rotated)
 import PraTactile.Image (rasterHeight, rasterSize, rasterWidth)
@@ -25,12 +26,19 @@ import PraTactile.Registration.Joint.Displacement
   )
 import PraTactile.Registration.Joint.Estimate
 import PraTactile.Registration.Joint.Grid (Grid (..), gridOf, gridSpacing, logSum)
-import PraTactile.Registration.Joint.MeanField (MeanField (..), cellsAlone, fieldBound, meanField)
+import PraTactile.Registration.Joint.MeanField
+  ( MeanField (..),
+    cellsAlone,
+    fieldBound,
+    fieldCells,
+    meanField,
+  )
 import PraTactile.Registration.Joint.Phase (CommonPhase (..), commonPhase, glimpsedLog)
 import PraTactile.Registration.Lattice.Fit
 import PraTactile.Registration.Lattice.Likelihood (likelihoodTheta)
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Template
+import PraTactile.Registration.Levelling
 import PraTactile.Registration.Model (Theta, eighth, outlier, placesPerTaxel)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search (Registration (..))
@@ -60,7 +68,11 @@ data Joint = Joint
     -- | E, the log evidence of the nominal places.
     jointEvidence :: Double,
     -- | E_0, the log evidence that each frame lies anywhere.
-    jointAnywhere :: Double
+    jointAnywhere :: Double,
+    -- | What brings each to the scale of all.
+    jointLevels :: [Level],
+    -- | The lattice where the frames are found, in taxels from the origin of their places.
+    jointLattice :: Lattice
   }
 
 -- | Frames registered from the nominal places (taxels) of their upper left pixels, and what they
@@ -77,10 +89,23 @@ registerJointly settings fits frames =
         bound - log (commonShare common) - log (2 * phasesOfOne)
           - fromIntegral (length onLattice) * log (2 * pi)
           - log (fromIntegral (length (gridSigmas grid))),
-      jointAnywhere = logSum [sum (map fst alone), sum (map snd alone)] - log 2
+      jointAnywhere = logSum [sum (map fst alone), sum (map snd alone)] - log 2,
+      jointLevels = levellingFrames levels,
+      jointLattice =
+        Lattice
+          { latticeAngle = angle,
+            latticeHalfTurned = commonOrientation common == 1,
+            latticeOrigin = less (rotated angle (taxelsOf (commonRowColumn common))),
+            latticeFlat = levellingFlat levels,
+            latticeContrast = levellingContrast levels,
+            latticeCells = fieldCells field
+          }
     }
   where
     bound = fieldBound grid field
+    levels = levelling (zip (map snd frames) thetas)
+    taxelsOf (row, column) =
+      (fromIntegral column / gridSpacing, fromIntegral row / gridSpacing)
     alone = map anywhere onLattice
     (across, down) = phaseCount placesPerTaxel
     phasesOfOne = fromIntegral (across * down)

@@ -24,7 +24,11 @@
 -- reads less shows its noise the more, and counts so much less: as the square of its gain, which is
 -- one over its noise's variance; a hundredth at least.
 module PraTactile.Registration.Levelling
-  ( levelling,
+  ( Levelling (..),
+    Level (..),
+    levelling,
+    unlevelled,
+    levelled,
     randomEffects,
   )
 where
@@ -34,13 +38,43 @@ import PraTactile.Registration.Lattice.Fit (Touched, standardOf)
 import PraTactile.Registration.Model (Theta (..), negligible)
 import PraTactile.Registration.Search (independent)
 
--- | What brings each frame to the scale of all, and what it then counts beside a usual one, from
--- the frames and how each reads relief.
-levelling :: [(Touched, Theta)] -> [(Raster -> Raster, Double)]
+-- | What all frames read on their common scale, and how each is brought to it.
+data Levelling = Levelling
+  { -- | What flat ground reads, grey values.
+    levellingFlat :: !Double,
+    -- | How much more relief reads.
+    levellingContrast :: !Double,
+    -- | In the order of the frames.
+    levellingFrames :: ![Level]
+  }
+  deriving stock (Eq, Show)
+
+-- | How a frame is brought to a common scale: each value v becomes offset + factor v.
+data Level = Level
+  { levelOffset :: !Double,
+    levelFactor :: !Double,
+    -- | The weight of the frame in a mean, beside 1 of a usual one.
+    levelWeight :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | The level of a frame that stays as it is read.
+unlevelled :: Level
+unlevelled = Level 0 1 1
+
+-- | A frame on the common scale.
+levelled :: Level -> Raster -> Raster
+levelled level
+  | level == unlevelled = id
+  | otherwise = mapRaster (\v -> levelOffset level + levelFactor level * v)
+
+-- | The common scale of frames, from the frames and how each reads relief.
+levelling :: [(Touched, Theta)] -> Levelling
 levelling frames
-  | alike gains && alike offsets = map (const (id, 1)) frames
-  | otherwise = zipWith onto gains offsets
+  | alike gains && alike offsets = Levelling flat unit (map (const unlevelled) frames)
+  | otherwise = Levelling flat unit (zipWith onto gains offsets)
   where
+    flat = usual * unit
     told = map (uncurry reading) frames
     (usualGain, logGains) = randomEffects [(log (gain r), gainError r) | r <- told]
     unit = exp usualGain
@@ -49,7 +83,7 @@ levelling frames
       randomEffects [(offset r / unit, offsetError r / (unit * unit) + unlikeOffset) | r <- told]
     offsets = map (* unit) shares
     alike xs = and (zipWith (==) xs (drop 1 xs))
-    onto g o = (mapRaster (\v -> usual * unit + (v - o) / share), max 0.01 (share * share))
+    onto g o = Level (flat - o / share) (1 / share) (max 0.01 (share * share))
       where
         share = g / unit
 

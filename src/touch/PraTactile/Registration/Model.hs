@@ -280,6 +280,7 @@ module PraTactile.Registration.Model
     independentShare,
 
     -- * The lattice
+    cellShare,
     placesPerTaxel,
     absence,
     classPrior,
@@ -355,6 +356,12 @@ reliefShare r
 leastTouch, independentShare :: Double
 leastTouch = 0.25
 independentShare = 0.2
+
+-- | What share of a cell's log-likelihood counts where the symbol in it is told: errors that all
+-- frames have in common, as those of their elements, are not white. Measured: with it as many
+-- symbols are wrong as are told to be (@bench/calibration.py@).
+cellShare :: Double
+cellShare = 0.05
 
 -- | How finely phases and displacements are told apart, in places to the taxel.
 placesPerTaxel :: Int

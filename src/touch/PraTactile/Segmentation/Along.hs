@@ -13,12 +13,14 @@ import PraTactile.Segmentation.Symbol
 import PraTactile.Segmentation.Upright (segment)
 import PraTactile.Symmetry
 
--- | The composite as it is seen turned or mirrored; its origin is left as it was.
+-- | The composite as it is seen turned or mirrored; its origin is left as it was, its
+-- lattice left away.
 onComposite :: Symmetry -> Composite -> Composite
 onComposite symmetry composite =
   composite
     { compositeImage = onRaster symmetry (compositeImage composite),
-      compositeCoverage = onRaster symmetry (compositeCoverage composite)
+      compositeCoverage = onRaster symmetry (compositeCoverage composite),
+      compositeLattice = Nothing
     }
 
 -- | The segmentation of a composite along an axis: of symbols that are turned so, or by 180 degrees

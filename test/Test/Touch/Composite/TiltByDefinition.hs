@@ -38,7 +38,8 @@ genComposite sides = do
         compositeOthers = [],
         compositeContradiction = Nothing,
         compositeAgreeing = Nothing,
-        compositeFrames = []
+        compositeFrames = [],
+        compositeLattice = Nothing
       }
 
 at :: Raster -> Int -> Int -> Double

@@ -10,6 +10,7 @@ module PraTactile.Registration.Joint.Displacement
     ClassLogs,
     displacementsOf,
     cellsOfPhases,
+    cellRowColumn,
   )
 where
 
@@ -17,6 +18,7 @@ import Data.List (transpose)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Composite.Lattice (ClassLogs)
 import PraTactile.Registration.Joint.Grid
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Lattice.Places
@@ -34,9 +36,6 @@ data Displacement = Displacement
     displacementNumbers :: !(Unboxed.Vector Int),
     displacementLogs :: !ClassLogs
   }
-
--- | A number for each class of symbols.
-type ClassLogs = Unboxed.Vector Double
 
 -- | A displacement with |d|^2 and l_k of each cell, by its number; all of as many classes.
 displacementOf :: (Int, Int) -> Double -> [(Int, ClassLogs)] -> Displacement
@@ -142,3 +141,9 @@ cellsOfPhases given = (turnedBy 0, turnedBy 1)
 -- than 2^20 columns.
 cellNumber :: Int -> Int -> Int
 cellNumber row column = row * 1048576 + column
+
+-- | The row and column of a cell's number.
+cellRowColumn :: Int -> (Int, Int)
+cellRowColumn number = (row, number - row * 1048576)
+  where
+    row = (number + 524288) `div` 1048576

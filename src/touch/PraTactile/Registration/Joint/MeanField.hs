@@ -5,6 +5,7 @@ module PraTactile.Registration.Joint.MeanField
   ( MeanField (..),
     meanField,
     fieldBound,
+    fieldCells,
     cellsAlone,
   )
 where
@@ -12,14 +13,24 @@ where
 import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (foldl')
+import Data.Map.Strict (Map)
+import qualified Data.Map.Strict as Map
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Registration.Joint.Displacement
   ( ClassLogs,
     Displacement (..),
+    cellRowColumn,
     displacementCells,
   )
 import PraTactile.Registration.Joint.Grid
-import PraTactile.Registration.Model (absence, cellLog, classPrior, independentShare, outlier)
+import PraTactile.Registration.Model
+  ( absence,
+    cellLog,
+    cellShare,
+    classPrior,
+    independentShare,
+    outlier,
+  )
 
 -- | What is found of the displacements of all frames, and of sigma.
 data MeanField = MeanField
@@ -73,27 +84,34 @@ meanField grid frames = MeanField found (sigmaShares grid (foldMap squaresOf fou
 -- | F, which log P of what the frames show is at least, up to what does not depend on their places.
 fieldBound :: Grid -> MeanField -> Double
 fieldBound grid (MeanField frames _) =
-  sum (map cell (IntMap.elems (together (expected 0 told) frames)))
+  sum (map cell (IntMap.elems (together (expected 0 (orAstray independentShare)) frames)))
     + logSum (sigmaLogs grid (foldMap squaresOf frames))
     - sum [p * log p | ds <- frames, (_, p) <- ds, p > 0]
   where
-    -- g of nothing there, and then of the classes.
-    told logs = Unboxed.map mixed (Unboxed.cons 0 l)
-      where
-        l = tempered logs
-        own = cellGiven Nothing l
-        mixed x = logSum [log (1 - outlier) + x, log outlier + own]
     cell g = cellLog (Unboxed.length g - 1) (\k -> g Unboxed.! (k + 1) - nothing) + nothing
       where
         nothing = g Unboxed.! 0
 
+-- | For each cell, by its row and column, the sum over the frames of \<g_fck> - \<g_fc0>, with
+-- 'cellShare' of the taxels independent.
+fieldCells :: MeanField -> Map (Int, Int) ClassLogs
+fieldCells (MeanField frames _) =
+  Map.fromDistinctAscList
+    [ (cellRowColumn c, Unboxed.map (subtract (g Unboxed.! 0)) (Unboxed.drop 1 g))
+      | (c, g) <- IntMap.toAscList (together (expected 0 (orAstray cellShare)) frames)
+    ]
+
+-- | g_fck of an empty cell, and then of the classes, if that share of the taxels is independent.
+orAstray :: Double -> ClassLogs -> ClassLogs
+orAstray share logs = Unboxed.map mixed (Unboxed.cons 0 l)
+  where
+    l = Unboxed.map (share *) logs
+    own = cellGiven Nothing l
+    mixed x = logSum [log (1 - outlier) + x, log outlier + own]
+
 -- | The sum of h_fc over the cells that one frame sees at a phase.
 cellsAlone :: [ClassLogs] -> Double
-cellsAlone = sum . map (cellGiven Nothing . tempered)
-
--- | h_fck: log-likelihoods of a cell's classes by the share of taxels that are independent.
-tempered :: ClassLogs -> ClassLogs
-tempered = Unboxed.map (independentShare *)
+cellsAlone = sum . map (cellGiven Nothing . Unboxed.map (independentShare *))
 
 -- | What a frame's displacements tell of sigma.
 squaresOf :: [(Displacement, Double)] -> Squares
