@@ -22,6 +22,7 @@ module PraTactile.Segmentation
     Part (..),
     partAt,
     leastSeen,
+    leastTouched,
   )
 where
 
@@ -29,4 +30,4 @@ import PraTactile.Segmentation.Along (onComposite, segmentAlong)
 import PraTactile.Segmentation.Foreign (Cleaned (..), cleaned)
 import PraTactile.Segmentation.Part (Part (..), leastSeen, partAt)
 import PraTactile.Segmentation.Symbol
-import PraTactile.Segmentation.Upright (segment)
+import PraTactile.Segmentation.Upright (leastTouched, segment)

@@ -259,7 +259,7 @@ partsIn seen sigma grid view =
                           (viewAxis view)
                           (16 * fromIntegral (j - j'), 20 * fromIntegral (i - i'))
               ],
-      Just part <- [partAt (viewComposite view) (viewSegmentation view) (onView view (x, y))],
+      Just part <- [partAt (viewComposite view) levels 0 (onView view (x, y))],
       let estimated = estimatePart seen sigma part,
       estimateDoubt estimated < 0.5,
       let along (c, way) = (viewAxis view <> way, c),
@@ -279,6 +279,8 @@ partsIn seen sigma grid view =
               }
   ]
   where
+    levels = (segmentedBackground there, segmentedContrast there)
+    there = viewSegmentation view
     own =
       [ (cell, s)
         | (cell, here) <- Map.toList (gridCells grid),

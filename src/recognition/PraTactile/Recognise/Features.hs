@@ -2,7 +2,7 @@
 
 -- | The symbols of a composite with the three features of the paper (section II.B): their
 -- positions, their axes, and their distances to their neighbours. The symbols are those that
--- recognition sees; the array is not asked.
+-- segmentation finds; the array is not asked.
 module PraTactile.Recognise.Features
   ( features,
     Features (..),
@@ -65,7 +65,7 @@ data Incomplete = Incomplete
 -- read as it is and set upright, and the reading that leaves less doubt about the symbols holds.
 -- Refuses what the network refuses.
 features :: Reader -> Composite -> Either NetworkError Features
-features reader composite = shown <$> sight reader [composite]
+features reader composite = shown <$> bySegmentation reader [composite]
   where
     shown seen = case sightUpright seen of
       Just (angle, back : _, upright)

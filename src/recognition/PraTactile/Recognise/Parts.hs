@@ -48,7 +48,8 @@ partsOf reader cells view =
   ]
   where
     sigma = compositeUncompared (viewComposite view)
-    look = partAt (viewComposite view) (viewSegmentation view)
+    look = partAt (viewComposite view) (segmentedBackground found, segmentedContrast found) 0
+    found = viewSegmentation view
     own = [(cell, s) | (cell, here) <- Map.toList cells, s <- here, readSource s == viewSource view]
     taken = Set.fromList (map fst own)
     -- Where the symbols around a free cell say that its centre is.

@@ -9,6 +9,7 @@ module PraTactile.Recognise.Reading
     readDoubt,
     readNone,
     readSymbols,
+    readSymbol,
     mostKnown,
     mostRecognised,
     readMirrored,

@@ -1,3 +1,4 @@
+{-# LANGUAGE MultiWayIf #-}
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | What composites of one face show before the array and the objects are asked: symbols, and parts
@@ -7,19 +8,28 @@ module PraTactile.Recognise.Sight
     Reading (..),
     Look (..),
     sight,
+    bySegmentation,
   )
 where
 
-import Data.Maybe (isJust, isNothing)
+import Data.Bifunctor (second)
+import Data.List (mapAccumL, partition)
+import Data.Map.Strict (Map)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust, isNothing, listToMaybe)
 import PraTactile.Classification.Network (NetworkError)
 import PraTactile.Classification.Reader (Reader)
+import PraTactile.Composite (compositePixel)
+import PraTactile.Composite.Lattice (Lattice)
 import PraTactile.Composite.Tilt (leastTilt, setUpright, tilt)
 import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.LatticeReading
 import PraTactile.Recognise.Parts
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recognition
 import PraTactile.Registration (Composite (..))
 import PraTactile.Segmentation (Cleaned (..), Reject, Segmentation (..), cleaned)
+import PraTactile.Segmentation.Lattice (Cell)
 import PraTactile.Sensor.Manifest (Remedy (..), remedies, straight)
 import PraTactile.Symmetry
 
@@ -53,9 +63,17 @@ data Look = Look
     lookTilt :: Double
   }
 
--- | Read the symbols of composites of one face. Refuses only what the network refuses.
+-- | Read the symbols of composites of one face: in the cells of the lattices that registration
+-- found under all of them, else as the paper does, by segmentation. Refuses only what the network
+-- refuses.
 sight :: Reader -> [Composite] -> Either NetworkError Sight
-sight reader given = case tilt (map cleanedComposite composites) of
+sight reader given = case traverse compositeLattice given of
+  Just lattices@(_ : _) -> inLattices reader (zip given lattices)
+  _ -> bySegmentation reader given
+
+-- | Composites read by segmentation.
+bySegmentation :: Reader -> [Composite] -> Either NetworkError Sight
+bySegmentation reader given = case tilt (map cleanedComposite composites) of
   Just angle
     | abs angle > leastTilt -> do
       asGiven <- lookUpright reader Nothing composites
@@ -73,6 +91,56 @@ cleanedUpright angle (Cleaned composite forParts foreignThings) =
   (Cleaned upright (fst . setUpright angle <$> forParts) foreignThings, back)
   where
     (upright, back) = setUpright angle composite
+
+-- | Composites read in the cells of their lattices.
+inLattices :: Reader -> [(Composite, Lattice)] -> Either NetworkError Sight
+inLattices reader given = do
+  found <-
+    sequence
+      [ readCells reader tilted source (shiftOf composite) (composite, clean) lattice
+        | (source, (composite, lattice), clean) <- zip3 [0 ..] given composites
+      ]
+  let numberedCells = numberCells found
+      (own, others) = partition ((== axis) . cellsAxis) numberedCells
+      symbols = concatMap (Map.elems . cellsWhole) numberedCells
+      known = filter (isJust . readClass)
+      look =
+        case faceGrid (map (cellsGroup angle) own) of
+          Just grid ->
+            Right
+              Look
+                { lookSymbols = symbols,
+                  lookDissenters = known (concatMap (Map.elems . cellsWhole) others),
+                  lookParts = concatMap (Map.elems . cellsParts) own,
+                  lookGrid = grid,
+                  lookTilt = tilted
+                }
+          Nothing -> Left (unanswered symbols GridContradicts)
+  isMirrored <- if null (known symbols) then cellsMirrored reader symbols else pure False
+  pure . (\shown -> Sight foreignThings (Reading [] shown) Nothing) $
+    if
+        | isMirrored -> Left (unanswered symbols (Mirrored (unmirroring composites)))
+        | null symbols -> Left (unanswered symbols NoSymbols)
+        | null (known symbols) -> Left (unanswered symbols SymbolsUnclear)
+        | otherwise -> look
+  where
+    composites = map (cleaned . fst) given
+    foreignThings = concatMap cleanedRejects composites
+    (axis, tilted, _) = maybe (identity, 0, False) (alongTilt 0 . snd) (listToMaybe given)
+    angle = degreesClockwise axis + tilted
+    shiftOf composite =
+      maybe (0, 0) ((`pixelsFrom` composite) . fst) (listToMaybe given)
+    pixelsFrom base composite = compositePixel base (compositeOrigin composite)
+
+-- | Complete symbols numbered from 0, and then parts.
+numberCells :: [CellsRead] -> [CellsRead]
+numberCells found = zipWith withParts' wholes (snd (numberedFrom next (map cellsParts found)))
+  where
+    (next, wholes) = second (zipWith withWhole found) (numberedFrom 0 (map cellsWhole found))
+    withWhole cells whole = cells {cellsWhole = whole}
+    withParts' cells parts = cells {cellsParts = parts}
+    numberedFrom :: Int -> [Map Cell ReadSymbol] -> (Int, [Map Cell ReadSymbol])
+    numberedFrom = mapAccumL (mapAccumL (\n s -> (n + 1, s {readNumber = n})))
 
 -- | What composites show whose symbols' axes are nearly theirs: turned from them by the angle, in
 -- degrees clockwise, as far as the images show it.

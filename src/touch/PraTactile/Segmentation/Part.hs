@@ -11,10 +11,9 @@ where
 import Data.Maybe (fromMaybe, isJust)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite (Composite, leastCoverage, weighted)
-import PraTactile.Geometry (symbolHeight, symbolWidth)
+import PraTactile.Geometry (rotated, symbolHeight, symbolWidth)
 import PraTactile.Image (Raster, generate, rasterValues)
 import PraTactile.Image.Correlate (referenceAt)
-import PraTactile.Segmentation.Symbol
 
 -- | What was touched of a place where a symbol is expected.
 data Part = Part
@@ -25,26 +24,27 @@ data Part = Part
   }
   deriving stock (Eq, Show)
 
--- | What was touched of the upright box of a symbol with its centre at a place, x and y in pixels,
--- given the composite's segmentation. 'Nothing' where that is less than 'leastSeen' taxels, or
--- nothing embossed was found. What is computed once a composite is computed when it is given.
-partAt :: Composite -> Segmentation -> (Double, Double) -> Maybe Part
-partAt composite found = look
+-- | What was touched of the box of a symbol with its centre at a place, x and y in pixels, given
+-- what flat ground reads in the composite, how much more relief reads, and the angle of the box in
+-- degrees clockwise. 'Nothing' where that is less than 'leastSeen' taxels, or relief reads no more.
+-- What is computed once a composite is computed when it is given.
+partAt :: Composite -> (Double, Double) -> Double -> (Double, Double) -> Maybe Part
+partAt composite (flat, contrast) angle = look
   where
     image = weighted composite
     look (x, y)
-      | segmentedContrast found > 0 && V.sum (rasterValues seen) >= fromIntegral leastSeen =
+      | contrast > 0 && V.sum (rasterValues seen) >= fromIntegral leastSeen =
         Just (Part pixels seen)
       | otherwise = Nothing
       where
-        here i j = case referenceAt
-          image
-          (x + fromIntegral i - (fromIntegral symbolWidth - 1) / 2)
-          (y + fromIntegral j - (fromIntegral symbolHeight - 1) / 2) of
-          Just (v, m)
-            | m >= leastCoverage ->
-              Just ((v - segmentedBackground found) / segmentedContrast found)
+        here i j = case uncurry (referenceAt image) (place i j) of
+          Just (v, m) | m >= leastCoverage -> Just ((v - flat) / contrast)
           _ -> Nothing
+        place i j = (x + u, y + v)
+          where
+            (u, v) = rotated angle (fromMiddle symbolWidth i, fromMiddle symbolHeight j)
+        fromMiddle :: Int -> Int -> Double
+        fromMiddle side k = fromIntegral k - (fromIntegral side - 1) / 2
         pixels = generate symbolWidth symbolHeight (\i j -> fromMaybe 0 (here i j))
         seen = generate symbolWidth symbolHeight (\i j -> if isJust (here i j) then 1 else 0)
 

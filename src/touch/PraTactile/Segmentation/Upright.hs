@@ -4,6 +4,7 @@
 -- components, and of these the ones whose box fits a symbol's and was touched.
 module PraTactile.Segmentation.Upright
   ( segment,
+    leastTouched,
   )
 where
 

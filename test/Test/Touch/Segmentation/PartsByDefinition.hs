@@ -341,9 +341,9 @@ partSpec =
               pure (if there > 0 then (value - 0.2) / 0.6 else 0)
             enough = V.sum (rasterValues seen) >= fromIntegral leastSeen
             close a b = V.and (V.zipWith (\u v -> abs (u - v) < 1e-9) a b)
-            seenThere = partAt composite found at
+            seenThere = partAt composite (segmentedBackground found, segmentedContrast found) 0 at
          in counterexample (show (seenThere, seen, pixels)) $
-              partAt composite found {segmentedContrast = 0} at === Nothing
+              partAt composite (segmentedBackground found, 0) 0 at === Nothing
                 .&&. case seenThere of
                   Nothing -> property (not enough)
                   Just part ->
