@@ -53,7 +53,6 @@ module PraTactile.Recognise
 where
 
 import Data.Foldable (toList)
-import Data.List (partition)
 import Data.Maybe (isJust)
 import PraTactile.Array (Position)
 import PraTactile.Classification.Network (NetworkError)
@@ -61,16 +60,16 @@ import PraTactile.Composite (asTaken)
 import PraTactile.Composite.Tilt (leastTilt)
 import PraTactile.Field (KnownField)
 import PraTactile.Locate (ForeignDoubts (..), Reason (..), doubtOfForeign)
-import PraTactile.Recognise.Elsewhere
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Instead (Instead (..), seenInstead)
+import PraTactile.Recognise.Layouts
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
 import PraTactile.Recognise.Recognition
 import PraTactile.Recognise.Sight
-import PraTactile.Registration (Composite (..), Fault (..))
+import PraTactile.Registration (Composite (..))
 
 -- | Recognise what a composite image shows, with 'standardTolerance'. Refuses, through 'Either',
 -- only what the network refuses.
@@ -81,8 +80,8 @@ recognise reader composite = recogniseWith standardTolerance reader [composite]
 -- other, to less than a quarter of the symbols' pitch. The face may be turned by any angle. All
 -- places are in the given composites' pixels.
 --
--- Composites whose frames contradict each other are not answered. What they show if their frames
--- are put together otherwise adds to the doubt where it is something else.
+-- Composites whose frames contradict each other are not answered. Other layouts of the frames add
+-- to the doubt where they show something else.
 recogniseWith ::
   KnownField k =>
   Tolerance ->
@@ -107,21 +106,14 @@ recogniseSeen tolerance reader composites seen =
       let contradiction =
             asTaken (compositeTaking composite) (agreeing >>= shownMirrored) found
       pure shown {recognisedAnswer = Left (FramesContradict contradiction)}
-    ([], Right (Found _)) -> do
-      let (frames, layouts) =
-            partition
-              ((== OneFrame) . elsewhereFault)
-              (putOtherwise tolerance (recognisedTilt shown) composites)
-      others <- traverse (recogniseAsPut tolerance reader . elsewhereComposites) frames
-      let oneFrame = sum [elsewhereOdds f | (f, other) <- zip frames others, differs shown other]
-          misplaced = layoutDoubts reader tolerance composites shown oneFrame layouts
-      pure (doubting tolerance misplaced shown)
+    ([], Right (Found _)) ->
+      pure (doubting tolerance (layoutDoubts reader tolerance composites shown) shown)
     (_, Left refusal)
       | refusal `elem` [NoSymbols, SymbolsUnclear] -> do
         there <- seenInstead (fmap mostly . recogniseAsPut tolerance reader) composites
         pure shown {recognisedAnswer = Left (ShownInstead there refusal)}
       | notMirrored refusal,
-        Just layout <- likelierByFrames tolerance (recognisedTilt shown) composites ->
+        Just layout <- likelierByFrames tolerance composites ->
         pure shown {recognisedAnswer = Left (FramesContradict layout)}
     _ -> pure shown
   where
@@ -180,6 +172,7 @@ locatedLook tolerance reader look =
     (lookSymbols look)
     (lookParts look)
     (gridCells (lookGrid look))
+    (gridAnchor (lookGrid look))
     (locationSupport location)
     (locationLikeliest location)
     (lookTilt look)

@@ -63,8 +63,8 @@ data Composite = Composite
     compositeAxesStated :: !Bool,
     -- | How the positions and images of its frames are taken.
     compositeTaking :: !Taking,
-    -- | What the frames would show if they were put together otherwise: with one frame elsewhere,
-    -- the most probable first, or all where they would be if what the robot told is wrong.
+    -- | How else the frames may lie: one of them elsewhere, the most probable first, or all where
+    -- they would be if what the robot told is wrong.
     compositeOthers :: [Otherwise],
     -- | Whether the frames contradict each other where they should overlap.
     compositeContradiction :: Maybe Contradiction,
@@ -72,7 +72,7 @@ data Composite = Composite
     compositeAgreeing :: Maybe Composite,
     -- | The frames themselves, each that was seen once; none of a whole image.
     compositeFrames :: [PutFrame],
-    -- | The lattice of cells, in the composite's pixels, where registration found one.
+    -- | The lattice of cells, where registration found one.
     compositeLattice :: Maybe Lattice
   }
   deriving stock (Eq, Show)
@@ -89,15 +89,16 @@ data PutFrame = PutFrame
   }
   deriving stock (Eq, Show)
 
--- | Frames put together otherwise.
+-- | An alternative layout of a composite's frames.
 data Otherwise = Otherwise
   { otherwiseFault :: !Fault,
-    -- | The share that it has of the probability of such faults; of 'OneFrame' its probability.
+    -- | The share that it has of the prior probability of such faults; 1 of 'OneFrame'.
     otherwiseShare :: !Double,
-    -- | How many times as likely as the composite as it is the frames make it, by their overlaps
-    -- and the lattice that they show.
+    -- | The likelihood ratio of this layout to the composite's, by what the frames show; of
+    -- 'OneFrame' the odds.
     otherwiseLikelier :: !Double,
-    otherwiseComposite :: Composite
+    -- | The lattice under the frames where they then lie; 'Nothing' where they have none in common.
+    otherwiseLattice :: Maybe Lattice
   }
   deriving stock (Eq, Show)
 

@@ -60,7 +60,7 @@ import PraTactile.Composite
     contradictionBy,
   )
 import PraTactile.Composite.Blend (Taxels, minus, plus)
-import PraTactile.Composite.Lattice (Lattice (..))
+import PraTactile.Composite.Lattice (movedLattice)
 import PraTactile.Composite.Noise (frameNoise)
 import PraTactile.Image
   ( Raster,
@@ -87,9 +87,7 @@ import PraTactile.Registration.Arrangement
 import PraTactile.Registration.Contact (evened)
 import PraTactile.Registration.Lattice.Fit (Touched)
 import PraTactile.Registration.Lattice.Template (LatticeTables, latticeTables)
-import PraTactile.Registration.Layout (Layout (..), layoutsLeft)
 import PraTactile.Registration.Levelling (Level (..), levelled, unlevelled)
-import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search
   ( Registration (..),
     standardRegistration,
@@ -163,7 +161,7 @@ withNoiseOf frames settings = settings {registrationNoise = frameNoise (map fram
 placeOnly :: [Frame] -> Either StitchError Composite
 placeOnly =
   fmap assemblyComposite
-    . assembledAs (\_ -> Right . unarranged Nominal . map (fmap fst)) standardRegistration
+    . assembledAs (\_ _ -> Right . unarranged Nominal . map (fmap fst)) standardRegistration
 
 -- | A composite, and how it came about.
 data Assembly = Assembly
@@ -182,8 +180,9 @@ data Assembly = Assembly
 assemble :: LatticeTables -> StitchMethod -> Registration -> [Frame] -> Either StitchError Assembly
 assemble tables method = assembledAs (arrange tables method)
 
--- | How frames are arranged by settings, each with its nominal place in taxels.
-type Arranging = Registration -> [(Taxels, Touched)] -> Either TooMuch Arrangement
+-- | How frames are arranged by settings, where their places count from in the robot's coordinates,
+-- and each frame with its nominal place; taxels.
+type Arranging = Registration -> Taxels -> [(Taxels, Touched)] -> Either TooMuch Arrangement
 
 -- | Frames arranged so, and blended.
 assembledAs :: Arranging -> Registration -> [Frame] -> Either StitchError Assembly
@@ -200,11 +199,14 @@ compose arranging settings frames = do
   let left = minimum (fmap (fst . placedAt) given)
       top = minimum (fmap (snd . placedAt) given)
       inTaxelsFrom (x, y) = (inTaxels (x - left), inTaxels (y - top))
+      -- In the robot's own coordinates, which its axes and its scale are of.
+      robot = (inTaxels left, inTaxels top)
       (asRead, ofEach) = witnesses (\p -> (swap (inTaxelsFrom (placedAt p)), shown p)) given
       nominalOf = fmap (\p -> (inTaxelsFrom (placedAt p), placedImage p))
       arrangedAs ps =
         arranging
           (supposed ps)
+          robot
           [(inTaxelsFrom (placedAt p), (placedImage p, placedTouch p)) | p <- toList ps]
       supposed ps
         | all isCanonical frames = settings
@@ -234,32 +236,14 @@ compose arranging settings frames = do
           }
       compared =
         arrangementMethod arrangement /= Nominal && isJust (arrangementResidual arrangement)
-      others = [(k, h) | (k, a) <- zip [0 ..] arranged, h <- registeredOthers a]
-      oneElsewhere =
-        [ Otherwise
-            OneFrame
-            (hypothesisProbability h)
-            1
-            (together (with k (hypothesisShift h) displacements))
-          | (k, h) <- take mostOthers (sortOn (negate . hypothesisProbability . snd) others)
-        ]
-      -- In the robot's own coordinates, which its axes and its scale are of.
-      robot = (inTaxels left, inTaxels top)
-      allElsewhere =
-        [ otherwise'
-          | Just elsewhere <- [arrangementElsewhere arrangement],
-            otherwise' <-
-              layoutsLeft
-                found
-                (latticeAngle <$> arrangementLattice arrangement)
-                (arrangementScales arrangement)
-                [(place `plus` robot, image) | (place, image) <- toList nominal]
-                (elsewhere . map fromRobot)
-                laidAt
+      others =
+        [ other {otherwiseLattice = movedLattice robot <$> otherwiseLattice other}
+          | other <- arrangementOthers arrangement
         ]
       -- Where another layout is that much likelier than the one that was told, the likeliest is
       -- named if no layout of another kind comes near it.
-      likelierLayout = case sortOn (negate . otherwiseLikelier) allElsewhere of
+      ofAll = filter ((/= OneFrame) . otherwiseFault) others
+      likelierLayout = case sortOn (negate . otherwiseLikelier) ofAll of
         Otherwise fault _ likelier _ : rest
           | likelier > exp decisive && fault /= Slip ->
             contradictionBy
@@ -276,22 +260,15 @@ compose arranging settings frames = do
         either (const Nothing) (Just . assemblyComposite) $
           compose arranging settings (fmap (along axes) frames)
       along axes frame = frame {framePose = alongAxes axes (framePose frame)}
-      fromRobot layout = layout {layoutPlaces = map (`minus` robot) (layoutPlaces layout)}
-      laidAt places shifts =
-        made {compositeFrames = putAs (map inMillimetres places) shifts}
-      inMillimetres (x, y) = (taxelPitch * x, taxelPitch * y)
       -- The frames as they were put, from where the robot would have them.
       putAs ats shifts =
         zipWith4 PutFrame ats shifts (map snd (toList onLevel)) (map touchOf (toList placed))
       touchOf one = placedTouch one <|> placedFelt one
       sigma = registrationSigma settings <|> arrangementSigma arrangement
       found = settings {registrationSigma = sigma}
-      with k shift shifts = take k shifts ++ shift : drop (k + 1) shifts
-      laid = together displacements
-      made = laid {compositeLattice = inPixels <$> arrangementLattice arrangement}
-      inPixels lattice =
-        lattice
-          { latticeOrigin = latticeOrigin lattice `minus` inTaxelsFrom (compositeOrigin laid)
+      made =
+        (together displacements)
+          { compositeLattice = movedLattice robot <$> arrangementLattice arrangement
           }
   -- Blending relies on it.
   checkArea (at displacements)
@@ -299,7 +276,7 @@ compose arranging settings frames = do
     Assembly
       { assemblyComposite =
           made
-            { compositeOthers = oneElsewhere ++ allElsewhere,
+            { compositeOthers = others,
               compositeContradiction = contradicting,
               compositeAgreeing = case contradicting of
                 Just (AgreeingAlong axes) -> agreeingAlong axes
@@ -327,10 +304,6 @@ witnesses key given = (fmap (\((_, one) :| _) -> one) groups, ofEach)
 -- | How much likelier, as a natural logarithm, other axes are than all else if they are named.
 decisive :: Double
 decisive = 20
-
--- | The most other ways to put frames together that are told.
-mostOthers :: Int
-mostOthers = 4
 
 -- | Millimetres as taxels, rounded to a millionth of one, so that rounding errors of the poses do
 -- not decide anything.

@@ -6,8 +6,10 @@ import Data.Foldable (for_)
 import Data.List (sort)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, mapMaybe)
+import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Array
 import PraTactile.Classification.Reader (Reader (..))
+import PraTactile.Composite.Lattice
 import PraTactile.Composite.Tilt
 import PraTactile.Field (KnownField)
 import PraTactile.Geometry (symbolThickness)
@@ -72,7 +74,7 @@ gridSpec = do
 -- angle about a place.
 gridOf :: Symmetry -> Double -> (Int, Int) -> FaceGrid
 gridOf way angle (rowCount, columnCount) =
-  FaceGrid (Map.fromList (zipWith symbol [0 ..] cells)) [] []
+  FaceGrid (Map.fromList (zipWith symbol [0 ..] cells)) [] [] (0, 0)
   where
     cells = [(i, j) | i <- [0 .. rowCount - 1], j <- [0 .. columnCount - 1]]
     symbol n (i, j) =
@@ -107,7 +109,7 @@ preferredSpec =
       answer <- elements [Left NoSymbols, Right (Several identity [])]
       pure (doubts :: [Double], answer)
     reading (doubts, answer) =
-      Recognition (zipWith doubtful [0 ..] doubts) [] Map.empty Nothing Nothing 0 answer
+      Recognition (zipWith doubtful [0 ..] doubts) [] Map.empty (0, 0) Nothing Nothing 0 answer
     doubtful n doubt =
       (readSymbol identity n (0, 0))
         { readChances = [((identity, 0), 1 - doubt), ((identity, 1), doubt)]
@@ -255,71 +257,42 @@ foreignSpec setting = do
   it
     "frames that may lie otherwise weigh as much as that is probable where they then differ"
     $ do
-      let here = compositeOf (drawing (ours 3 4 (Position 6 5)))
-          there = compositeOf (drawing (ours 3 4 (Position 2 9)))
+      let here = ours 3 4 (Position 6 5)
+          there = ours 3 4 (Position 2 9)
           among others =
             either (const Nothing) Just $
-              recogniseWith standardTolerance reader [here {compositeOthers = others}]
+              recogniseWith standardTolerance reader [(latticed here) {compositeOthers = others}]
           told others =
             fmap doubtOfStitching (among others >>= fmap supportDoubts . recognisedSupport)
-          blank = compositeOf (constant 60 60 0)
-          oneFrame p = Otherwise OneFrame p 1
+          oneFrame odds shown = Otherwise OneFrame 1 odds (latticeOf shown)
       told [] `shouldBe` Just 0
-      told [oneFrame 0.004 there] `shouldBe` Just 0.004
-      told [oneFrame 0.004 here, oneFrame 0.3 blank] `shouldBe` Just 0
+      told [oneFrame 0.004 there] `shouldSatisfy` near' 1e-6 (0.004 / 1.004)
+      told [oneFrame 0.3 here] `shouldBe` Just 0
+      -- What shows nothing in common shows something else.
+      told [Otherwise OneFrame 1 0.004 Nothing] `shouldSatisfy` near' 1e-6 (0.004 / 1.004)
       map (fmap isFound . among) [[], [oneFrame 0.004 there], [oneFrame 0.2 there]]
         `shouldBe` [Just True, Just True, Just False]
   it "other axes weigh as their odds are beforehand, where the array has them as likely" $ do
-    -- Six columns by frames of two, and as many rows; told along other axes whole frames move.
-    let frames high wide flipped =
-          [ PutFrame (25.4 * 2 * fromIntegral x, 31.75 * 2 * fromIntegral y) (0, 0) image Nothing
-            | y <- [0 .. high - 1 :: Int],
-              x <- [0 .. wide - 1 :: Int]
-          ]
-            `along` flipped
-        image = constant 32 40 0
-        along told' flipped = [f {putAt = flipped (putAt f)} | f <- told']
-        acrossFlipped (x, y) = (negate x, y)
+    -- Six columns by frames of two, and as many rows; along other axes whole frames move.
+    let acrossFlipped (x, y) = (negate x, y)
         downFlipped (x, y) = (x, negate y)
-        told stated flipped =
+        told classes size stated flipped =
           axesDoubt
-            [ (compositeOf (drawing (ours 4 6 (Position 6 5))))
-                { compositeDisplacements = replicate 6 (0, 0),
-                  compositeAxesStated = stated,
-                  compositeFrames = frames 2 3 id,
+            [ (latticed classes)
+                { compositeAxesStated = stated,
+                  compositeFrames = replicate 2 (PutFrame (0, 0) (0, 0) (constant 4 4 0) Nothing),
+                  compositeLattice = inFrames size id classes,
                   compositeOthers =
-                    [ Otherwise
-                        (OtherAxes acrossNegated)
-                        0.4
-                        1
-                        (compositeOf (constant 8 8 0)) {compositeFrames = frames 2 3 flipped}
-                    ]
+                    [Otherwise (OtherAxes acrossNegated) 0.4 1 (inFrames size flipped classes)]
                 }
             ]
+        sixColumns = told (ours 4 6 (Position 6 5)) (2, 2) False
     -- The symbols of a frame stay beside each other, which no column mirror of the array has.
-    told False downFlipped `shouldSatisfy` maybe False (< 1e-6)
-    told False acrossFlipped `shouldSatisfy` maybe False (< 1e-6)
-    told False id `shouldBe` Just 0
+    sixColumns downFlipped `shouldSatisfy` maybe False (< 1e-6)
+    sixColumns acrossFlipped `shouldSatisfy` maybe False (< 1e-6)
+    sixColumns id `shouldBe` Just 0
     -- One frame across, of a column each: the array is its own column mirror.
-    let ofColumns place stated =
-          axesDoubt
-            [ (compositeOf (drawing (ours 4 3 place)))
-                { compositeDisplacements = replicate 3 (0, 0),
-                  compositeAxesStated = stated,
-                  compositeFrames = narrow id,
-                  compositeOthers =
-                    [ Otherwise
-                        (OtherAxes acrossNegated)
-                        0.4
-                        1
-                        (compositeOf (constant 8 8 0)) {compositeFrames = narrow acrossFlipped}
-                    ]
-                }
-            ]
-        narrow flipped =
-          [ PutFrame (flipped (25.4 * fromIntegral x, 0)) (0, 0) (constant 16 80 0) Nothing
-            | x <- [0 .. 2 :: Int]
-          ]
+    let ofColumns place stated = told (ours 4 3 place) (4, 1) stated acrossFlipped
     -- On one face, and in reverse on several, which is no less doubted for that.
     ofColumns (Position 4 7) False `shouldSatisfy` near' 1e-6 (0.004 / 1.004)
     ofColumns (Position 4 7) True `shouldSatisfy` near' 1e-6 (0.001 / 1.001)
@@ -369,6 +342,36 @@ foreignSpec setting = do
     axesDoubt composites = do
       found <- either (const Nothing) Just (recogniseWith standardTolerance reader composites)
       doubtOfAxes . supportDoubts <$> recognisedSupport found
+    -- A composite as its lattice shows it, which leaves no doubt of the classes in its cells.
+    latticed classes = (compositeOf (drawing classes)) {compositeLattice = latticeOf classes}
+    latticeOf classes = inFrames (length classes, length (concat (take 1 classes))) id classes
+    -- The lattice under frames of so many rows and columns of cells, each moved as a whole.
+    inFrames (high, wide) move classes =
+      Just
+        Lattice
+          { latticeAngle = 0,
+            latticeHalfTurned = False,
+            latticeOrigin = (4, 4),
+            latticeFrames =
+              [ (16 * fromIntegral (wide * x) + 8, 20 * fromIntegral (high * y) + 10)
+                | frame <- Map.keys (Map.fromList [(frameOf cell, ()) | (cell, _) <- cells]),
+                  let (x, y) = move frame
+              ],
+            latticeFlat = 0,
+            latticeContrast = 1,
+            latticeCells =
+              Map.fromList
+                [ ( (high * y + i `mod` high, wide * x + j `mod` wide),
+                    Unboxed.generate 4 (\k -> if k == c then 60 else -60)
+                  )
+                  | ((i, j), c) <- cells,
+                    let (x, y) = move (frameOf (i, j))
+                ]
+          }
+      where
+        cells = [((i, j), c) | (i, line) <- zip [0 ..] classes, (j, c) <- zip [0 ..] line]
+        frameOf :: (Int, Int) -> (Int, Int)
+        frameOf (i, j) = (j `div` wide, i `div` high)
     acrossNegated = fromMaybe straight (lookup "-x,y" axesNamed)
     near' tolerance expected = maybe False (near tolerance expected)
     near tolerance expected told = abs (told - expected) < tolerance

@@ -170,7 +170,7 @@ decoderSpec = do
                             with
                             (Tolerance tolerated radius share Nothing 0)
                             []
-                            (FaceGrid (scattered scene) [] [])
+                            (FaceGrid (scattered scene) [] [] (0, 0))
                      in agreeing tolerated (found reader) (found without)
   it "what is too much to decode is refused by name" $
     onBothRoads canonicalProfile Torus $ \array reader without ->
@@ -181,7 +181,7 @@ decoderSpec = do
                   j <- [0 .. 64],
                   let c = toCode (cellAt array (Position (fromIntegral i) (fromIntegral j)))
               ]
-          found with = locateGrid with standardTolerance [] (FaceGrid cells [] [])
+          found with = locateGrid with standardTolerance [] (FaceGrid cells [] [] (0, 0))
        in once . conjoin $
             [ show (locationOutcome (found reader)) === show (Placed (Position 0 0)),
               counterexample (show (locationOutcome (found without))) $

@@ -144,7 +144,8 @@ certainSpec = do
             FaceGrid
               { gridCells = Map.fromList [(readNumber s `divMod` 3, [s]) | s <- symbols],
                 gridGroups = [Set.fromList (map readNumber symbols)],
-                gridStrays = strays
+                gridStrays = strays,
+                gridAnchor = (0, 0)
               }
           turnedOver = symbolAt 8 (2, 2) (turned 2, 1)
           sideways = symbolAt 9 (5, 5) (turned 1, 1)
@@ -206,7 +207,7 @@ saidSpec = do
     alone <- saying (compositeOf (boxes [(1, 0)]))
     alone `shouldSatisfy` unclear
   it "a refusal, or several places that fit, are said with the doubt if there is one" $ do
-    let said answer support = summary (Recognition [] [] Map.empty support Nothing 0 answer)
+    let said answer support = summary (Recognition [] [] Map.empty (0, 0) support Nothing 0 answer)
         several = Right (Several identity [Position 1 2, Position 3 4])
         alien = ForeignDoubts 0.03 0.02 True 0
         unsure = Just (Support (Doubts 0.2 0 0 0 alien) 4 [] [] (Exactly 3) 1 Nothing Nothing)

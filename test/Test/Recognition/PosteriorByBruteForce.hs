@@ -41,7 +41,9 @@ spec = onRecognisers $ \array readers ->
             (laidFaces (recogniserPlacement reader))
             (cellOf surface array)
             (if whole then Just (map (cellOf surface) (byOtherPolynomials array)) else Nothing)
-            (\limits -> locateGrid reader limits dissenters (FaceGrid (seenCells seen) [] strays))
+            ( \limits ->
+                locateGrid reader limits dissenters (FaceGrid (seenCells seen) [] strays (0, 0))
+            )
             (Tolerance tolerated radius share Nothing 0)
             seen
 

@@ -72,10 +72,12 @@ unsure p s = s {readChances = (what, 1 - p) : [(other, p / 7) | other <- axis, o
 
 -- | A grid with these symbols in cells, all of one group.
 gridOf :: [InCell] -> [ReadSymbol] -> FaceGrid
-gridOf placed =
+gridOf placed strays =
   FaceGrid
     (Map.fromListWith (flip (++)) [(at, [s]) | (at, s) <- placed])
     [Set.fromList (map (readNumber . snd) placed)]
+    strays
+    (0, 0)
 
 -- | A block seen in an orientation, as recognition finds it: cells along the symbols' axes.
 seenAs :: Symmetry -> [InCell] -> [InCell]

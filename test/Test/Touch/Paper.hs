@@ -43,7 +43,7 @@ paperTables :: LatticeTables
 paperTables = readerTables paperReader
 
 arrange :: StitchMethod -> Registration -> [(Taxels, Raster)] -> Either TooMuch Arrangement
-arrange method settings = Arrangement.arrange paperTables method settings . map (fmap whole)
+arrange method settings = Arrangement.arrange paperTables method settings (0, 0) . map (fmap whole)
 
 assemble :: StitchMethod -> Registration -> [Frame] -> Either StitchError Assembly
 assemble = Registration.assemble paperTables

@@ -8,6 +8,7 @@ module PraTactile.Recognise.FaceGrid
     gridTilt,
     Cells,
     fromZero,
+    firstOf,
     seenOnFace,
     gridRows,
     offsetOf,
@@ -36,7 +37,9 @@ data FaceGrid = FaceGrid
     -- | the numbers of the symbols of each group
     gridGroups :: [Set Int],
     -- | symbols of groups whose distance from the others is no whole number of cells
-    gridStrays :: [ReadSymbol]
+    gridStrays :: [ReadSymbol],
+    -- | where the centre of cell (0, 0) is along the symbols' axes, pixels across and down
+    gridAnchor :: (Double, Double)
   }
 
 -- | Join groups to the one with the most symbols that the network knows. 'Nothing' if the distances
@@ -45,7 +48,7 @@ faceGrid :: [Group] -> Maybe FaceGrid
 faceGrid found = do
   gridded <- traverse (\g -> (,) g <$> groupCells g) found
   pure $ case sortOn (negate . known . fst) gridded of
-    [] -> FaceGrid Map.empty [] []
+    [] -> FaceGrid Map.empty [] [] (0, 0)
     (base, cells) : others ->
       let (joined, strays) =
             partition (isJust . fst) [(displacement base g, (g, own)) | (g, own) <- others]
@@ -54,11 +57,13 @@ faceGrid found = do
        in FaceGrid
             { gridCells = fromZero (Map.unionsWith (++) placed),
               gridGroups = map (Set.fromList . map readNumber . groupSymbols) members,
-              gridStrays = concatMap (groupSymbols . fst . snd) strays
+              gridStrays = concatMap (groupSymbols . fst . snd) strays,
+              gridAnchor = anchorOf (groupAnchor base) (firstOf (Map.unionsWith (++) placed))
             }
   where
     known g = length (filter (isJust . readClass) (groupSymbols g))
     once = Map.map pure
+    anchorOf (x, y) (i, j) = (x + columnPitch * fromIntegral j, y + rowPitch * fromIntegral i)
 
 -- | By how many degrees, clockwise, the grid is turned from where the symbols' orientations have
 -- it: the rotation that brings their cells closest to their centres, by least squares, weighed with
@@ -113,7 +118,13 @@ movedBy (di, dj) = Map.mapKeysMonotonic (\(i, j) -> (i + di, j + dj))
 
 -- | The cells with rows and columns counted from 0, if any is less.
 fromZero :: Map Cell a -> Map Cell a
-fromZero cells = movedBy (negate (first fst), negate (first snd)) cells
+fromZero cells = movedBy (negate i, negate j) cells
+  where
+    (i, j) = firstOf cells
+
+-- | The least row and column that cells have, 0 at most.
+firstOf :: Map Cell a -> Cell
+firstOf cells = (first fst, first snd)
   where
     first part = minimum (0 : map part (Map.keys cells))
 

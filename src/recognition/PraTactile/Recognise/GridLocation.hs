@@ -22,6 +22,7 @@ module PraTactile.Recognise.GridLocation
 
     -- * Where it lies most probably
     Likeliest (..),
+    likeliestAt,
     likeliestElsewhere,
     likelyCells,
 
@@ -35,7 +36,6 @@ where
 
 import Control.Monad (join)
 import Data.List (maximumBy, partition)
-import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, isJust, mapMaybe)
 import Data.Ord (comparing)
@@ -249,10 +249,23 @@ data Likeliest = Likeliest
     likeliestEvidence :: Double,
     -- | that of how probable the place is beforehand, at most 0
     likeliestPrior :: Double,
-    -- | by the symbols' numbers, their cells in the array, and how the face is seen
-    likeliestPlaces :: Map Int (Symmetry, Position)
+    -- | how the face is seen
+    likeliestOrientation :: Symmetry,
+    -- | where in the array the upper left cell is, as it lies on the face
+    likeliestFirst :: Position,
+    -- | the greatest row and column of the cells, along the symbols' axes
+    likeliestEnd :: Cell
   }
   deriving stock (Eq, Show)
+
+-- | The cell of the array at a cell of a grid, which need not be seen; 'Nothing' beyond the sheet.
+likeliestAt :: KnownField k => Recogniser k -> Likeliest -> Cell -> Maybe Position
+likeliestAt reader found (i, j) = fst <$> cellFrom reader (likeliestFirst found) onFace
+  where
+    (lastRow, lastColumn) = likeliestEnd found
+    onFace
+      | quarterTurns (likeliestOrientation found) >= 2 = (lastRow - i, lastColumn - j)
+      | otherwise = (i, j)
 
 -- | Where cells lie most probably if frames lie elsewhere; 'Nothing' where nothing is possible. Of
 -- a large array, where most such cells agree with no place, 2^10 words are looked at: what is
@@ -264,22 +277,20 @@ likeliestElsewhere reader tolerance cells =
     briefly = reader {recogniserLocator = withListing 1024 (recogniserLocator reader)}
 
 -- | Where cells lie most probably by the answer for them.
-likeliestFrom :: KnownField k => Recogniser k -> Cells -> Answer -> Maybe Likeliest
+likeliestFrom :: Recogniser k -> Cells -> Answer -> Maybe Likeliest
 likeliestFrom reader cells answer = do
   candidate <- answerPosterior answer >>= posteriorBest
   speaking <- answerEvidence answer
-  let orientation = axisOf cells <> candidateSymmetry candidate
   pure
     Likeliest
       { likeliestEvidence = speaking,
         likeliestPrior = beforehandPrior (beforehandOf reader cells candidate),
-        likeliestPlaces =
-          Map.fromList
-            [ (readNumber s, (orientation, place))
-              | (place, here) <- lyingAt reader cells candidate,
-                s <- here
-            ]
+        likeliestOrientation = axisOf cells <> candidateSymmetry candidate,
+        likeliestFirst = candidatePosition candidate,
+        likeliestEnd = (end fst, end snd)
       }
+  where
+    end part = maximum (0 : map part (Map.keys cells))
 
 -- | The cells of the array that may lie under these, in their likely places: the first thousand.
 -- That they may be foreign makes none of these likelier than another.

@@ -6,15 +6,17 @@
 -- symbols beside that, from the composite, as in the paper: what it does not know is no witness.
 module PraTactile.Recognise.LatticeReading
   ( CellsRead (..),
+    latticesRead,
     readCells,
+    numberCells,
     cellsGroup,
-    alongTilt,
+    axisOfAll,
     cellsMirrored,
   )
 where
 
 import Data.Bifunctor (first)
-import Data.List (foldl')
+import Data.List (foldl', mapAccumL)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import qualified Data.Vector.Storable as V
@@ -23,10 +25,10 @@ import PraTactile.Classification.Estimate
 import PraTactile.Classification.Network (NetworkError)
 import PraTactile.Classification.Part (estimatePart)
 import PraTactile.Classification.Reader (Reader (..))
-import PraTactile.Composite.Blend (Taxels, plus)
+import PraTactile.Composite.Blend (Taxels, minus, plus)
 import PraTactile.Composite.Lattice
 import PraTactile.Geometry
-import PraTactile.Image (onRaster, rasterValues)
+import PraTactile.Image (constant, onRaster, rasterValues)
 import PraTactile.Recognise.Reading
 import PraTactile.Registration (Composite (..))
 import PraTactile.Registration.Model (absence, classPrior)
@@ -34,57 +36,70 @@ import PraTactile.Segmentation
 import PraTactile.Segmentation.Lattice (Cell)
 import PraTactile.Symmetry
 
--- | What the cells of a composite show.
+-- | The symbols in the cells of a composite.
 data CellsRead = CellsRead
-  { -- | How the symbols are turned, up to 180 degrees: 'identity' or @turned 1@.
+  { -- | How they are turned, up to 180 degrees: 'identity' or @turned 1@.
     cellsAxis :: !Symmetry,
     -- | By how many degrees, clockwise, they are turned beside that.
     cellsTilt :: !Double,
     -- | The centre of cell (0, 0) on the first composite's grid of pixels.
     cellsFirst :: !Taxels,
-    -- | Complete symbols, by row and column along their axis.
-    cellsWhole :: !(Map Cell ReadSymbol),
-    -- | Parts of symbols, likewise.
-    cellsParts :: !(Map Cell ReadSymbol)
+    -- | By row and column along their axis.
+    cellsSymbols :: !(Map Cell ReadSymbol)
   }
+
+-- | The axis of the symbols on the first of some lattices, and by how many degrees, clockwise, they
+-- are turned beside that.
+axisOfAll :: [Lattice] -> (Symmetry, Double)
+axisOfAll lattices = case map (axisAlong 0) lattices of
+  (axis, tilt, _) : _ -> (axis, tilt)
+  [] -> (identity, 0)
+
+-- | What the frames of composites of one face tell of the cells of lattices under them, with the
+-- places on the first composite's grid.
+latticesRead :: [(Composite, Lattice)] -> [CellsRead]
+latticesRead given =
+  [ cellsOf tilt source (originOf composite, base) lattice
+    | (source, (composite, lattice)) <- zip [0 ..] given
+  ]
+  where
+    (_, tilt) = axisOfAll (map snd given)
+    base = case given of
+      (composite, _) : _ -> originOf composite
+      [] -> (0, 0)
+    originOf composite =
+      let (x, y) = compositeOrigin composite in (x / taxelPitch, y / taxelPitch)
 
 -- | How the axes of a lattice lie beside a tilt, in degrees: the axis of the symbols, what is left
 -- of the tilt, and whether the lattice's axes point against theirs.
-alongTilt :: Double -> Lattice -> (Symmetry, Double, Bool)
-alongTilt tilt lattice =
-  (if odd quarters then turned 1 else identity, beyond, quarters `mod` 4 >= 2)
+axisAlong :: Double -> Lattice -> (Symmetry, Double, Bool)
+axisAlong tilt lattice =
+  (if odd quarters then turned 1 else identity, beyond, odd (quarters `div` 2))
   where
-    quarters = floor ((latticeAngle lattice - tilt + 45) / 90) :: Int
+    quarters :: Int
+    quarters = floor ((latticeAngle lattice - tilt + 45) / 90)
     beyond = latticeAngle lattice - 90 * fromIntegral quarters
 
--- | The symbols in the cells of the composite with this number, given the tilt that those of the
--- first composite have, where its pixel (0, 0) is on the first one's grid, and the composite
--- without what is foreign. Refuses what the network refuses.
-readCells ::
-  Reader ->
-  Double ->
-  Int ->
-  Taxels ->
-  (Composite, Cleaned) ->
-  Lattice ->
-  Either NetworkError CellsRead
-readCells reader tilt source shift (composite, Cleaned clean forParts foreignThings) lattice = do
-  found <- traverse (uncurry readCell) (Map.fromList (concatMap seenIn cells))
-  let (whole, parts) = Map.partition ((>= 1) . readSeen) (Map.filter ((< 0.5) . readDoubt) found)
-  pure
-    CellsRead
-      { cellsAxis = axis,
-        cellsTilt = beyond,
-        cellsFirst = centreOf (0, 0) `plus` shift,
-        cellsWhole = whole,
-        cellsParts = parts
-      }
+-- | What the frames tell of the cells that are more likely one symbol than all others together,
+-- without their images; given the tilt of the first composite's symbols, the number of the
+-- composite, and where its own pixel (0, 0) and the first composite's are; taxels from where the
+-- robot counts. They count as complete, and as known where that leaves less than a tenth of doubt.
+cellsOf :: Double -> Int -> (Taxels, Taxels) -> Lattice -> CellsRead
+cellsOf tilt source (own, base) lattice =
+  CellsRead
+    { cellsAxis = axis,
+      cellsTilt = beyond,
+      cellsFirst = centreOf (0, 0) `minus` base,
+      cellsSymbols =
+        Map.filter ((< 0.5) . readDoubt) . Map.fromList $
+          [(along cell, symbol (centreOf cell) logs) | (cell, logs) <- Map.toList cells]
+    }
   where
-    (axis, beyond, against) = alongTilt tilt lattice
+    (axis, beyond, against) = axisAlong tilt lattice
     way = if latticeHalfTurned lattice /= against then turned 2 else identity
-    angle = degreesClockwise axis + beyond
-    cells = Map.toList (latticeCells lattice)
+    cells = latticeCells lattice
     along (i, j) = if against then (negate i, negate j) else (i, j)
+    centreOf :: Cell -> Taxels
     centreOf (i, j) =
       latticeOrigin lattice
         `plus` rotated
@@ -92,58 +107,101 @@ readCells reader tilt source shift (composite, Cleaned clean forParts foreignThi
           ( columnPitch * fromIntegral j + (fromIntegral symbolWidth - 1) / 2,
             rowPitch * fromIntegral i + (fromIntegral symbolHeight - 1) / 2
           )
+    symbol centre logs
+      | readDoubt told < 0.1 = told {readClass = Just (readLikeliest told)}
+      | otherwise = told
+      where
+        told =
+          estimatedAs axis (estimateOf way logs) $
+            ReadSymbol
+              { readNumber = 0,
+                readSource = source,
+                readImage =
+                  SymbolImage
+                    { symbolCentre = centre `minus` own,
+                      symbolPixels = constant symbolWidth symbolHeight 0,
+                      symbolAxis = degreesClockwise axis + beyond,
+                      symbolSize = (fromIntegral symbolWidth, fromIntegral symbolHeight)
+                    },
+                readAt = centre `minus` base,
+                readClass = Nothing,
+                readSeen = 1,
+                readLikeliest = (axis, 0),
+                readChances = [],
+                readUnlike = 0
+              }
+
+-- | A symbol with the orientations and classes of an estimate along an axis.
+estimatedAs :: Symmetry -> Estimate -> ReadSymbol -> ReadSymbol
+estimatedAs axis estimated s =
+  s
+    { readLikeliest = alongAxis axis (estimateLikeliest estimated),
+      readChances = map (first (alongAxis axis)) (estimateChances estimated)
+    }
+
+-- | The same cells as the composite shows them, with and without what is foreign: complete symbols
+-- as the network knows them, and parts of symbols. What a foreign thing takes a part of is told by
+-- the rest of it. Refuses what the network refuses.
+readCells ::
+  Reader -> (Composite, Cleaned) -> Lattice -> CellsRead -> Either NetworkError CellsRead
+readCells reader (composite, Cleaned clean forParts foreignThings) lattice found = do
+  symbols <- Map.traverseMaybeWithKey (const inImage) (cellsSymbols found)
+  pure found {cellsSymbols = Map.filter ((< 0.5) . readDoubt) symbols}
+  where
+    axis = cellsAxis found
     cutFrom image =
-      partAt image (latticeFlat lattice, latticeContrast lattice) angle
+      partAt
+        image
+        (latticeFlat lattice, latticeContrast lattice)
+        (degreesClockwise axis + cellsTilt found)
     cutWhole = cutFrom clean
     cutPart = maybe cutWhole cutFrom forParts
     cutAll = cutFrom composite
-    -- What of each cell was seen, and of which no foreign thing takes a part its classes.
-    seenIn (cell, logs) =
-      [ (along cell, (centre, if spoilt then Left part else Right (logs, part)))
-        | let centre = centreOf cell,
-          Just part <- [wholeOr (cutWhole centre) (cutPart centre)],
-          let spoilt =
-                not (null foreignThings)
-                  && maybe False ((> taxelsOf part) . taxelsOf) (cutAll centre)
-      ]
-    wholeOr whole part = case whole of
-      Just it | isWhole it -> whole
-      _ -> part
     taxelsOf = V.sum . rasterValues . partSeen
     isWhole part = taxelsOf part >= leastTouched
-    readCell centre seen = case seen of
-      Left part -> byItself part (estimatePart (readerTemplates reader) 0 part)
-      Right (logs, part) -> byItself part (estimateOf way logs)
+    inImage s = case cutWhole centre of
+      Just whole | isWhole whole -> Just . told whole <$> network whole
+      _ -> pure (asPart <$> cutPart centre)
       where
-        byItself part estimated
-          | isWhole part = told estimated <$> readSymbol reader axis source shift (imageOf part)
-          | otherwise =
-            pure . told estimated $
-              ReadSymbol
-                { readNumber = 0,
-                  readSource = source,
-                  readImage = imageOf part,
-                  readAt = centre `plus` shift,
-                  readClass = Nothing,
-                  readSeen = taxelsOf part / fromIntegral (symbolWidth * symbolHeight),
-                  readLikeliest = (axis, 0),
-                  readChances = [],
-                  readUnlike = 0
-                }
-        imageOf part =
-          SymbolImage
-            { symbolCentre = centre,
-              symbolPixels = partPixels part,
-              symbolAxis = angle,
-              symbolSize = (fromIntegral symbolWidth, fromIntegral symbolHeight)
-            }
-    told estimated s =
-      s
-        { readLikeliest = alongAxis axis (estimateLikeliest estimated),
-          readChances = map (first (alongAxis axis)) (estimateChances estimated)
-        }
+        centre = symbolCentre (readImage s)
+        network whole = do
+          seen <- readSymbol reader axis (readSource s) (0, 0) (imageOf whole)
+          pure
+            s
+              { readImage = imageOf whole,
+                readClass = readClass seen,
+                readUnlike = readUnlike seen
+              }
+        asPart part =
+          told
+            part
+            s
+              { readImage = imageOf part,
+                readClass = Nothing,
+                readSeen = taxelsOf part / fromIntegral (symbolWidth * symbolHeight)
+              }
+        imageOf part = (readImage s) {symbolPixels = partPixels part}
+        told part
+          | spoilt part = estimatedAs axis (estimatePart (readerTemplates reader) 0 part)
+          | otherwise = id
+        spoilt part =
+          not (null foreignThings)
+            && maybe False ((> taxelsOf part) . taxelsOf) (cutAll centre)
 
--- | The posterior of the symbol in a cell, which stands this way up, by what the frames show of its
+-- | Symbols numbered: complete ones from 0, and then parts.
+numberCells :: [CellsRead] -> [CellsRead]
+numberCells = snd . numbered (< 1) . numbered (>= 1) . (,) 0
+  where
+    numbered which (from, found) = mapAccumL (inCells which) from found
+    inCells which from cells =
+      (\symbols -> cells {cellsSymbols = symbols})
+        <$> mapAccumL (number which) from (cellsSymbols cells)
+    number :: (Double -> Bool) -> Int -> ReadSymbol -> (Int, ReadSymbol)
+    number which n s
+      | which (readSeen s) = (n + 1, s {readNumber = n})
+      | otherwise = (n, s)
+
+-- | The posterior of the symbol in a cell, which stands this way up, by what the frames tell of its
 -- classes. An empty cell may be of any class.
 estimateOf :: Symmetry -> ClassLogs -> Estimate
 estimateOf way logs = Estimate (likeliest, way) chances 0
@@ -165,16 +223,14 @@ estimateOf way logs = Estimate (likeliest, way) chances 0
     spread = leastDoubt * n / (n - 1)
     n = 2 * fromIntegral q
 
--- | The symbols and parts of a composite as one group, whose places are along axes at this angle.
+-- | The symbols of a composite as one group, whose places are along axes at this angle.
 cellsGroup :: Double -> CellsRead -> Group
 cellsGroup angle found =
   Group
-    { groupCells = Just cells,
+    { groupCells = Just (cellsSymbols found),
       groupAnchor = rotated (negate angle) (cellsFirst found),
-      groupSymbols = Map.elems cells
+      groupSymbols = Map.elems (cellsSymbols found)
     }
-  where
-    cells = Map.union (cellsWhole found) (cellsParts found)
 
 -- | Whether the network knows most of some complete symbols mirrored.
 cellsMirrored :: Reader -> [ReadSymbol] -> Either NetworkError Bool

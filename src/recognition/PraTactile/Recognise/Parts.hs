@@ -27,8 +27,16 @@ import PraTactile.Symmetry
 -- symbols, and the parts. Numbers them from the one given.
 withParts :: Reader -> [View] -> Int -> FaceGrid -> (FaceGrid, [ReadSymbol])
 withParts reader views from grid =
-  (grid {gridCells = fromZero (Map.unionWith (++) (gridCells grid) cells)}, map snd found)
+  ( grid
+      { gridCells = fromZero all',
+        gridAnchor = (left + columnPitch * fromIntegral j, top + rowPitch * fromIntegral i)
+      },
+    map snd found
+  )
   where
+    all' = Map.unionWith (++) (gridCells grid) cells
+    (i, j) = firstOf all'
+    (left, top) = gridAnchor grid
     found =
       zipWith
         (\n (cell, part) -> (cell, part {readNumber = n}))

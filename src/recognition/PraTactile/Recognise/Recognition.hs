@@ -13,7 +13,6 @@ module PraTactile.Recognise.Recognition
 
     -- * The answer
     Identification (..),
-    differs,
     Misplaced (..),
     doubting,
 
@@ -26,8 +25,7 @@ where
 
 import Data.Either (isRight)
 import qualified Data.Map.Strict as Map
-import qualified Data.Set as Set
-import PraTactile.Array (Position (..))
+import PraTactile.Array (Position)
 import PraTactile.Locate (LocatorError (..), Reason (..), foreignBut, reasonName, reasons)
 import PraTactile.Recognise.FaceGrid (Cells)
 import PraTactile.Recognise.Finding
@@ -48,6 +46,9 @@ data Recognition = Recognition
     recognisedParts :: [ReadSymbol],
     -- | symbols and parts by their cells, along the symbols' axes, where they lie on one grid
     recognisedCells :: Cells,
+    -- | where the centre of cell (0, 0) is along the symbols' axes, in pixels across and down on
+    -- the first composite's grid; of composites that were set upright for reading, on theirs
+    recognisedAnchor :: (Double, Double),
     -- | for the likeliest position, where there is one
     recognisedSupport :: Maybe Support,
     -- | that position
@@ -122,7 +123,7 @@ refusalName refusal = case refusal of
 
 -- | Symbols without an answer, and why.
 unanswered :: [ReadSymbol] -> Refusal -> Recognition
-unanswered symbols = Recognition symbols [] Map.empty Nothing Nothing 0 . Left
+unanswered symbols = Recognition symbols [] Map.empty (0, 0) Nothing Nothing 0 . Left
 
 -- | How much symbols say together, in nats: the fewer doubts they leave, the better they were cut
 -- out.
@@ -204,17 +205,6 @@ recognisedAngle recognition orientation
   where
     angle = degreesClockwise orientation + recognisedTilt recognition
 
--- | Whether the second found something else than the first: another orientation, or none of its
--- windows. What shows nothing is not something else.
-differs :: Recognition -> Recognition -> Bool
-differs shown other = case (recognisedAnswer shown, recognisedAnswer other) of
-  (Right (Found this), Right (Found that)) ->
-    foundOrientation this /= foundOrientation that
-      || Set.null (Set.intersection (windows this) (windows that))
-  _ -> False
-  where
-    windows found = Set.fromList (map windowPosition (foundWindow found : foundWindows found))
-
 -- | How probable it is that frames lie otherwise, and then show something else.
 data Misplaced = Misplaced
   { -- | one of them
@@ -242,15 +232,13 @@ doubting tolerance (Misplaced stitched axes slip layout) recognition =
     }
   where
     tooDoubtful support = supportDoubt support > toleratedDoubt tolerance
-    -- Frames that lie where they were told may be put together wrongly.
-    laid = 1 - axes - slip
-    put = laid * (1 - stitched)
+    put = 1 - stitched - axes - slip
     weighed support =
       support
         { supportDoubts =
             (supportDoubts support)
               { doubtOfPosition = put * doubtOfPosition (supportDoubts support),
-                doubtOfStitching = laid * stitched,
+                doubtOfStitching = stitched,
                 doubtOfAxes = axes,
                 doubtOfSlip = slip,
                 doubtsOfOrigin = foreignBut (1 - put) (doubtsOfOrigin (supportDoubts support))

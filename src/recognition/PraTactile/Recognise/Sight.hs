@@ -12,14 +12,11 @@ module PraTactile.Recognise.Sight
   )
 where
 
-import Data.Bifunctor (second)
-import Data.List (mapAccumL, partition)
-import Data.Map.Strict (Map)
+import Data.List (partition)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (isJust, isNothing, listToMaybe)
+import Data.Maybe (isJust, isNothing)
 import PraTactile.Classification.Network (NetworkError)
 import PraTactile.Classification.Reader (Reader)
-import PraTactile.Composite (compositePixel)
 import PraTactile.Composite.Lattice (Lattice)
 import PraTactile.Composite.Tilt (leastTilt, setUpright, tilt)
 import PraTactile.Recognise.FaceGrid
@@ -29,7 +26,6 @@ import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recognition
 import PraTactile.Registration (Composite (..))
 import PraTactile.Segmentation (Cleaned (..), Reject, Segmentation (..), cleaned)
-import PraTactile.Segmentation.Lattice (Cell)
 import PraTactile.Sensor.Manifest (Remedy (..), remedies, straight)
 import PraTactile.Symmetry
 
@@ -97,21 +93,20 @@ inLattices :: Reader -> [(Composite, Lattice)] -> Either NetworkError Sight
 inLattices reader given = do
   found <-
     sequence
-      [ readCells reader tilted source (shiftOf composite) (composite, clean) lattice
-        | (source, (composite, lattice), clean) <- zip3 [0 ..] given composites
+      [ readCells reader (composite, clean) lattice cells
+        | ((composite, lattice), clean, cells) <- zip3 given composites (latticesRead given)
       ]
   let numberedCells = numberCells found
       (own, others) = partition ((== axis) . cellsAxis) numberedCells
-      symbols = concatMap (Map.elems . cellsWhole) numberedCells
-      known = filter (isJust . readClass)
+      symbols = concatMap wholeIn numberedCells
       look =
         case faceGrid (map (cellsGroup angle) own) of
           Just grid ->
             Right
               Look
                 { lookSymbols = symbols,
-                  lookDissenters = known (concatMap (Map.elems . cellsWhole) others),
-                  lookParts = concatMap (Map.elems . cellsParts) own,
+                  lookDissenters = known (concatMap wholeIn others),
+                  lookParts = concatMap (filter ((< 1) . readSeen) . Map.elems . cellsSymbols) own,
                   lookGrid = grid,
                   lookTilt = tilted
                 }
@@ -126,21 +121,10 @@ inLattices reader given = do
   where
     composites = map (cleaned . fst) given
     foreignThings = concatMap cleanedRejects composites
-    (axis, tilted, _) = maybe (identity, 0, False) (alongTilt 0 . snd) (listToMaybe given)
+    (axis, tilted) = axisOfAll (map snd given)
     angle = degreesClockwise axis + tilted
-    shiftOf composite =
-      maybe (0, 0) ((`pixelsFrom` composite) . fst) (listToMaybe given)
-    pixelsFrom base composite = compositePixel base (compositeOrigin composite)
-
--- | Complete symbols numbered from 0, and then parts.
-numberCells :: [CellsRead] -> [CellsRead]
-numberCells found = zipWith withParts' wholes (snd (numberedFrom next (map cellsParts found)))
-  where
-    (next, wholes) = second (zipWith withWhole found) (numberedFrom 0 (map cellsWhole found))
-    withWhole cells whole = cells {cellsWhole = whole}
-    withParts' cells parts = cells {cellsParts = parts}
-    numberedFrom :: Int -> [Map Cell ReadSymbol] -> (Int, [Map Cell ReadSymbol])
-    numberedFrom = mapAccumL (mapAccumL (\n s -> (n + 1, s {readNumber = n})))
+    known = filter (isJust . readClass)
+    wholeIn = filter ((>= 1) . readSeen) . Map.elems . cellsSymbols
 
 -- | What composites show whose symbols' axes are nearly theirs: turned from them by the angle, in
 -- degrees clockwise, as far as the images show it.

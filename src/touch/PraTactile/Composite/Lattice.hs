@@ -3,12 +3,14 @@
 -- | The lattice of cells under the frames of a composite, as registration found it.
 module PraTactile.Composite.Lattice
   ( Lattice (..),
+    movedLattice,
     ClassLogs,
   )
 where
 
 import Data.Map.Strict (Map)
 import qualified Data.Vector.Unboxed as Unboxed
+import PraTactile.Composite.Blend (Taxels, plus)
 
 -- | A lattice of cells, and what the frames show in each cell.
 data Lattice = Lattice
@@ -16,8 +18,11 @@ data Lattice = Lattice
     latticeAngle :: !Double,
     -- | Whether the symbols stand upside down along these axes.
     latticeHalfTurned :: !Bool,
-    -- | The centre of the upper left taxel of the symbol in cell (0, 0), in taxels right and down.
-    latticeOrigin :: !(Double, Double),
+    -- | The centre of the upper left taxel of the symbol in cell (0, 0), in taxels right and down
+    -- from where the robot counts.
+    latticeOrigin :: !Taxels,
+    -- | The centre of each frame, likewise.
+    latticeFrames :: ![Taxels],
     -- | What flat ground reads in the composite, and how much more relief reads; grey values.
     latticeFlat :: !Double,
     latticeContrast :: !Double,
@@ -29,3 +34,11 @@ data Lattice = Lattice
 
 -- | For each class its log-likelihood ratio to an empty cell.
 type ClassLogs = Unboxed.Vector Double
+
+-- | A lattice and its frames that far right and down.
+movedLattice :: Taxels -> Lattice -> Lattice
+movedLattice by lattice =
+  lattice
+    { latticeOrigin = latticeOrigin lattice `plus` by,
+      latticeFrames = map (plus by) (latticeFrames lattice)
+    }

@@ -5,16 +5,12 @@
 module PraTactile.Registration.Agreement
   ( contradiction,
     evidenceAt,
-    tiedGroups,
   )
 where
 
-import Data.IntMap.Strict (IntMap)
-import qualified Data.IntMap.Strict as IntMap
-import qualified Data.IntSet as IntSet
-import Data.List (foldl', maximumBy, partition, sortOn)
+import Data.List (foldl', maximumBy, partition)
 import qualified Data.Map.Lazy as Map
-import Data.Ord (Down (..), comparing)
+import Data.Ord (comparing)
 import qualified Data.Set as Set
 import qualified Data.Vector as Boxed
 import PraTactile.Composite (Contradiction (..))
@@ -22,7 +18,7 @@ import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (frameNoise, spacedOut)
 import PraTactile.Image (Raster)
 import PraTactile.Image.Correlate (Overlap (..), overlapAt, referenceOf)
-import PraTactile.Registration.Neighbours (Neighbours (..), neighbours, neighboursAround)
+import PraTactile.Registration.Neighbours (Neighbours (..), neighboursAround)
 import PraTactile.Registration.Search
 import PraTactile.Sensor.Frame (Pose (..))
 import PraTactile.Sensor.Manifest (alongAxes, axesNamed, straight)
@@ -84,32 +80,6 @@ tie settings noise (Shared n total unlike)
     p = expectedAlike noise n total
     like = sqrt (max 0 (1 - unlike / total))
     cost = max 0 (log (4 * pi * supposedSigma settings * supposedSigma settings))
-
--- | For each image at its place its group: images that overlap, directly or through others, where
--- they show one relief ('tie' in odds of 99) are of one group. Groups are numbered as they come.
-tiedGroups :: Registration -> [(Taxels, Raster)] -> [Int]
-tiedGroups settings frames
-  | length frames > mostTied = map (const 0) frames
-  | otherwise = map (rank IntMap.!) roots
-  where
-    roots = [rootIn joined k | (k, _) <- zip [0 ..] frames]
-    rank = IntMap.fromList (zip (IntSet.toAscList (IntSet.fromList roots)) [0 ..])
-    images = Boxed.fromList (map snd frames)
-    noise = noiseOf settings (map snd frames)
-    joined = foldl' join IntMap.empty (sortOn (Down . neighboursShare) (neighbours frames))
-    -- A group points to one that begins earlier.
-    join groups (Neighbours k l step _)
-      | a /= b && tie settings noise (sharedBy settings images (k, l, step)) > log 99 =
-        IntMap.insert (max a b) (min a b) groups
-      | otherwise = groups
-      where
-        (a, b) = (rootIn groups k, rootIn groups l)
-    rootIn :: IntMap Int -> Int -> Int
-    rootIn groups k = maybe k (rootIn groups) (IntMap.lookup k groups)
-
--- | The most frames of which it is asked which ones relief ties; more are one group.
-mostTied :: Int
-mostTied = 256
 
 -- | The standard deviation of the noise: the one told, or what images show if that is more.
 noiseOf :: Registration -> [Raster] -> Double

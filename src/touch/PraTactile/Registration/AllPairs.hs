@@ -71,7 +71,8 @@ registerPairwise settings frames = Pairwise (zipWith estimated fields places) si
                 | h <- hypotheses 5 0.001 field,
                   let (x, y) = hypothesisShift h,
                   max (abs (x - fst place)) (abs (y - snd place)) >= 2
-              ]
+              ],
+          estimateElsewhere = []
         }
 
 -- | The pairs that are compared: those that share at least a fifth of a frame, as diagonal ones

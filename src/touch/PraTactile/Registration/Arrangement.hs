@@ -18,26 +18,24 @@ where
 import Control.Applicative ((<|>))
 import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite (Fault (..), compositeOf)
+import PraTactile.Composite (Otherwise, compositeOf)
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Lattice (Lattice)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Composite.Tilt (tilts)
 import PraTactile.Image (Raster, rasterSize, rasterValues, standardDeviation)
-import PraTactile.Registration.Agreement (evidenceAt)
 import PraTactile.Registration.AllPairs
 import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Incremental (comparisons, register)
 import PraTactile.Registration.Joint
 import PraTactile.Registration.Lattice.Angle (latticeAngle)
-import PraTactile.Registration.Lattice.Fit (Fits (..), Touched, fitsAt)
+import PraTactile.Registration.Lattice.Fit (Touched, fitsAt)
 import PraTactile.Registration.Lattice.Glimpse
 import PraTactile.Registration.Lattice.Template (LatticeTables)
-import PraTactile.Registration.Layout (Layout (..))
 import PraTactile.Registration.Levelling
+import PraTactile.Registration.Others
 import PraTactile.Registration.Posterior (Hypothesis)
 import PraTactile.Registration.Residual (residual)
-import PraTactile.Registration.Scale (likelyScales)
 import PraTactile.Registration.Search (Registration (..))
 import PraTactile.Registration.Spectrum (spectra)
 
@@ -82,12 +80,9 @@ data Arrangement = Arrangement
     arrangementResidual :: Maybe Double,
     -- | The lattice, in taxels from the origin of the places, where the method finds one.
     arrangementLattice :: Maybe Lattice,
-    -- | Scales of the positions across and down that make the lattice likelier than the positions
-    -- as told.
-    arrangementScales :: [(Double, Double)],
-    -- | How much likelier, as a natural logarithm, what the frames show is if they lie otherwise,
-    -- and their displacements from there; 'Nothing' where nothing is registered.
-    arrangementElsewhere :: Maybe ([Layout] -> [(Double, [Taxels])])
+    -- | Alternative layouts that the frames do not refute; places count as the frames' do. None
+    -- where nothing is registered.
+    arrangementOthers :: [Otherwise]
   }
 
 -- | The most pixels that frames are compared in for a first look at which of them tell most of
@@ -115,16 +110,18 @@ data TooMuch
     LatticePixels !Int
   deriving stock (Eq, Show)
 
--- | Find the displacements, given the nominal places (taxels) of the frames' upper left pixels.
+-- | Find the displacements, given the nominal places (taxels) of the frames' upper left pixels, and
+-- where these count from in the robot's coordinates.
 -- Frames that show nothing, or of which there is one, stay where they are. The lattice is that of
 -- the symbols whose tables are given.
 arrange ::
   LatticeTables ->
   StitchMethod ->
   Registration ->
+  Taxels ->
   [(Taxels, Touched)] ->
   Either TooMuch Arrangement
-arrange tables method settings touched
+arrange tables method settings robot touched
   | method == Nominal || length frames < 2 || all (flat . snd) frames =
     Right (unarranged method frames)
   | otherwise = case method of
@@ -161,58 +158,19 @@ arrange tables method settings touched
           map estimated (pairwiseFrames found)
       )
         { arrangementSigma = pairwiseSigma found,
-          arrangementElsewhere = Just $ \others ->
-            map (flip (,) (map estimateShift (pairwiseFrames found))) (byOverlaps sigma others)
+          arrangementOthers = othersByPairs (knowing (pairwiseSigma found)) robot frames
         }
       where
         found = registerPairwise settings frames
-        sigma = pairwiseSigma found
-    byOverlaps sigma others =
-      evidenceAt
-        settings {registrationSigma = registrationSigma settings <|> sigma}
-        frames
-        (map layoutPlaces others)
     byLattice fits' =
       (arranged frames ByLattice (jointLevels found) (map estimated (jointFrames found)))
         { arrangementSigma = jointSigma found,
           arrangementLattice = Just (jointLattice found),
-          arrangementScales = scales,
-          arrangementElsewhere = Just elsewhere
+          arrangementOthers = othersOnLattice settings fits' robot touched found
         }
       where
-        registered lying =
-          registerJointly settings fits' {fitsFrames = map snd lying} (map fst lying)
-        lyingAt places = zip (zip places (map snd touched)) (fitsFrames fits')
-        asTold = lyingAt (map fst touched)
-        found = registered asTold
-        scales
-          | maybe False (> largeError) (jointSigma found) =
-            likelyScales
-              (jointGlimpse . registered . spacedOut scaleFrames . lyingAt)
-              (map fst touched)
-          | otherwise = []
-        -- A slip leaves frames on the lattice.
-        elsewhere others =
-          map laidAs ofAll
-            ++ map (flip (,) (shiftsOf found)) (byOverlaps (jointSigma found) slips)
-          where
-            (ofAll, slips) = span ((/= Slip) . layoutFault) others
-        shiftsOf = map estimateShift . jointFrames
-        laidAs layout = case layoutFault layout of
-          Anywhere -> (beyondUnsure (jointAnywhere here - jointEvidence here), [])
-          _ -> asLaid (lyingAt (layoutPlaces layout))
-        beyondUnsure likelier = signum likelier * max 0 (abs likelier - unsure)
-        asLaid lying
-          | byPhase < hopeless = (byPhase, [])
-          | otherwise = (beyondUnsure (jointBound there - jointBound here), shifts)
-          where
-            shifts = shiftsOf (whole lying there)
-            byPhase = jointGlimpse there - jointGlimpse here
-            there = registered (spacedOut mostOfLayout lying)
-        -- By some of the frames, where there are very many.
-        few = length touched <= mostOfLayout
-        here = if few then found else registered (spacedOut mostOfLayout asTold)
-        whole lying there = if few then there else registered lying
+        found = registerJointly settings fits' touched
+    knowing sigma = settings {registrationSigma = registrationSigma settings <|> sigma}
     estimated l =
       Registered
         (estimateShift l)
@@ -243,8 +201,7 @@ arranged frames used levels frameOf =
       arrangementSigma = Nothing,
       arrangementResidual = residual places,
       arrangementLattice = Nothing,
-      arrangementScales = [],
-      arrangementElsewhere = Nothing
+      arrangementOthers = []
     }
   where
     places =
@@ -256,27 +213,6 @@ arranged frames used levels frameOf =
 -- the lattice: more would take memory for nothing.
 tiltFrames :: Int
 tiltFrames = 256
-
--- | The most frames that are asked where all may lie instead.
-mostOfLayout :: Int
-mostOfLayout = 256
-
--- | The position error, taxels, beyond which the frames are asked for another scale.
-largeError :: Double
-largeError = 1.5
-
--- | The most frames that are asked for a scale.
-scaleFrames :: Int
-scaleFrames = 32
-
--- | Where the lattice is so much less likely, as a natural logarithm, nobody asks for the symbols.
-hopeless :: Double
-hopeless = -30
-
--- | By how much a layout must be more or less likely, as a natural logarithm, before that counts:
--- where frames share no symbol, slivers of them make a difference of some four either way.
-unsure :: Double
-unsure = 6
 
 -- | Settings for frames of another pitch, brought to the canonical one: their noise has, beside the
 -- sensor's, what two frames differ by because their pixels are interpolated: as variance, a share

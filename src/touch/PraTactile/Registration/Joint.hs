@@ -14,7 +14,7 @@ module PraTactile.Registration.Joint
   )
 where
 
-import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Composite.Blend (Taxels, plus)
 import PraTactile.Composite.Lattice (Lattice (..))
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (cosineSine, rotated)
@@ -28,9 +28,11 @@ import PraTactile.Registration.Joint.Estimate
 import PraTactile.Registration.Joint.Grid (Grid (..), gridOf, gridSpacing, logSum)
 import PraTactile.Registration.Joint.MeanField
   ( MeanField (..),
+    Told,
     cellsAlone,
+    cellsTold,
     fieldBound,
-    fieldCells,
+    fieldTold,
     meanField,
   )
 import PraTactile.Registration.Joint.Phase (CommonPhase (..), commonPhase, glimpsedLog)
@@ -71,6 +73,9 @@ data Joint = Joint
     jointAnywhere :: Double,
     -- | What brings each to the scale of all.
     jointLevels :: [Level],
+    jointField :: MeanField,
+    -- | What each frame tells of its cells.
+    jointTold :: [Told],
     -- | The lattice where the frames are found, in taxels from the origin of their places.
     jointLattice :: Lattice
   }
@@ -91,6 +96,8 @@ registerJointly settings fits frames =
           - log (fromIntegral (length (gridSigmas grid))),
       jointAnywhere = logSum [sum (map fst alone), sum (map snd alone)] - log 2,
       jointLevels = levellingFrames levels,
+      jointField = field,
+      jointTold = told',
       jointLattice =
         Lattice
           { latticeAngle = angle,
@@ -98,12 +105,19 @@ registerJointly settings fits frames =
             latticeOrigin = less (rotated angle (taxelsOf (commonRowColumn common))),
             latticeFlat = levellingFlat levels,
             latticeContrast = levellingContrast levels,
-            latticeCells = fieldCells field
+            latticeFrames =
+              [ place `plus` middle image `plus` estimateShift l
+                | ((place, (image, _)), l) <- zip frames centredEstimates
+              ],
+            latticeCells = cellsTold told'
           }
     }
   where
-    bound = fieldBound grid field
+    bound = fieldBound grid field told'
+    told' = fieldTold field
     levels = levelling (zip (map snd frames) thetas)
+    middle image = (half (rasterWidth image), half (rasterHeight image))
+    half side = fromIntegral (side - 1) / 2
     taxelsOf (row, column) =
       (fromIntegral column / gridSpacing, fromIntegral row / gridSpacing)
     alone = map anywhere onLattice

@@ -5,41 +5,36 @@
 module PraTactile.Registration.Layout
   ( Layout (..),
     layouts,
-    layoutsLeft,
-
-    -- * What faults do to places
+    refuted,
     faultAt,
     cellsAround,
   )
 where
 
 import Data.List (nub, sort, sortOn)
-import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
-import PraTactile.Composite (Composite, Fault (..), Otherwise (..))
+import PraTactile.Composite (Fault (..))
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (columnPitch, rotated, rowPitch)
-import PraTactile.Image (Raster)
-import PraTactile.Registration.Agreement (tiedGroups)
-import PraTactile.Registration.Search (Registration)
 import PraTactile.Sensor.Frame (Pose (..))
 import PraTactile.Sensor.Manifest (Axes, alongAxes, axesNamed, straight)
 
 -- | A hypothesis of where all frames lie.
 data Layout = Layout
   { layoutFault :: !Fault,
-    -- | Which share it has of the probability of such faults.
+    -- | The share that it has of the prior probability of such faults.
     layoutShare :: !Double,
-    -- | Of the frames, in their order.
-    layoutPlaces :: [Taxels]
+    -- | The place of each frame, in their order; of a slip as told.
+    layoutPlaces :: [Taxels],
+    -- | By how many rows and columns of cells each frame has slipped.
+    layoutSteps :: [(Int, Int)]
   }
 
--- | All layouts beside the places that are told. Given are the angle of the lattice of symbols in
--- degrees clockwise, the scales across and down that the frames make likely, and for each place
--- the group of frames that relief ties to each other.
-layouts :: Double -> [(Double, Double)] -> [Int] -> [Taxels] -> [Layout]
-layouts angle scales groups places =
+-- | All layouts beside the places that are told. Given are the scales across and down that the
+-- frames make likely, and for each place the group of frames that show the same.
+layouts :: [(Double, Double)] -> [Int] -> [Taxels] -> [Layout]
+layouts scales groups places =
   [ ofAll (OtherAxes axes) (axesShare axes)
     | (_, axes) <- axesNamed,
       axes /= straight
@@ -54,14 +49,17 @@ layouts angle scales groups places =
     found = if null scales then 0 else 0.5
     ofScales share these =
       [ofAll (uncurry OtherScale scale) (share / fromIntegral (length these)) | scale <- these]
-    ofAll fault share = Layout fault share (map (faultAt fault) places)
+    ofAll fault share = Layout fault share (map (faultAt fault) places) (map (const (0, 0)) places)
     -- That one of some sets of frames has slipped, by any cell.
     slips share sets =
-      [ Layout Slip (share / fromIntegral (4 * length sets)) (zipWith (slipped cell) set places)
+      [ Layout
+          Slip
+          (share / fromIntegral (4 * length sets))
+          places
+          [if moved then cell else (0, 0) | moved <- set]
         | set <- sets,
-          cell <- cellsAround angle
+          cell <- [(0, 1), (0, -1), (1, 0), (-1, 0)]
       ]
-    slipped (dx, dy) moved (x, y) = if moved then (x + dx, y + dy) else (x, y)
     several = 1 + maximum (-1 : groups)
     some = spacedOut mostGroups [0 .. several - 1]
     beyond part = [map ((> t) . part) places | t <- lines' part]
@@ -112,29 +110,6 @@ mostGroups = 16
 leastGap :: Double
 leastGap = 2
 
--- | The layouts that the frames at these nominal places do not refute, each with its composite.
--- Given are the lattice's angle, where it is known; the scales that the frames make likely; how
--- much likelier, as a natural logarithm, what
--- the frames show is by each of some layouts, with the displacements from there; and the composite
--- of frames that are so displaced from other places.
-layoutsLeft ::
-  Registration ->
-  Maybe Double ->
-  [(Double, Double)] ->
-  [(Taxels, Raster)] ->
-  ([Layout] -> [(Double, [Taxels])]) ->
-  ([Taxels] -> [Taxels] -> Composite) ->
-  [Otherwise]
-layoutsLeft settings angle scales frames elsewhere laidAt =
-  [ Otherwise fault share (exp (min certain likelier)) (laidAt places shifts)
-    | (Layout fault share places, (likelier, shifts)) <- zip hypotheses (elsewhere hypotheses),
-      likelier > refuted
-  ]
-  where
-    hypotheses = layouts (fromMaybe 0 angle) scales (tiedGroups settings frames) (map fst frames)
-    -- So that products of probabilities are numbers.
-    certain = 300
-
--- | What is so much less likely, as a natural logarithm, is no hypothesis any more.
+-- | A layout whose log-likelihood ratio to the one told is below this is no hypothesis any more.
 refuted :: Double
 refuted = -12

@@ -142,17 +142,25 @@
 -- cannot be seen.
 --
 -- How likely nominal places make what all frames show is told by a bound: log P is at least F, if
--- one taxel in five is independent of its neighbours, and each frame shows with probability delta
--- something of its own in a cell (<.> is the mean over q_f, and h_fc0 = 0). Otherwise a sliver of a
--- symbol that is felt a little otherwise than supposed would count as much as a symbol.
+-- a twentieth of the log-likelihood counts, since errors of taxels go together and frames have
+-- some in common, and each frame shows with probability delta something of its own in a cell (<.>
+-- is the mean over q_f, and h_fc0 = 0). Otherwise a sliver of a symbol that is felt a little
+-- otherwise than supposed would count as much as a symbol.
 --
--- > h_fck(d) = l_fck(d) / 5
+-- > h_fck(d) = l_fck(d) / 20
 -- > h_fc(d)  = log (epsilon + sum over k of P(k) exp h_fck(d))
 -- > g_fck(d) = log ((1 - delta) exp h_fck(d) + delta exp h_fc(d))
 -- > F = sum over c of log (epsilon exp (sum over f of <g_fc0>)
 -- >                        + sum over k of P(k) exp (sum over f of <g_fck>))
 -- >     + log (sum over sigma of exp (sum over f of <log pi_sigma(d_f)>))
 -- >     - sum over f, d of q_f(d) log q_f(d)
+--
+-- By the same g a cell's class is told, of which recognition makes its answer:
+--
+-- > P(k in c) ~ P(k) exp (sum over f of <g_fck>)
+--
+-- Frames that slip by a cell, or one that is elsewhere, stay on the lattice, so that F of them is
+-- that of the same g in other cells.
 --
 -- So other axes and scales have against them the robot's errors that they need, symbols that frames
 -- have in common and see otherwise, and those that a seam cuts into parts that do not fit. They are
@@ -352,14 +360,13 @@ reliefShare r
 {-# INLINE reliefShare #-}
 
 -- | The least t of a taxel that touches, and what share of taxels counts where it is asked whether
--- presses are tilted, and how likely a layout is (assumptions).
+-- presses are tilted (assumptions).
 leastTouch, independentShare :: Double
 leastTouch = 0.25
 independentShare = 0.2
 
--- | What share of a cell's log-likelihood counts where the symbol in it is told: errors that all
--- frames have in common, as those of their elements, are not white. Measured: with it as many
--- symbols are wrong as are told to be (@bench/calibration.py@).
+-- | What share of a cell's log-likelihood counts where the symbol in it is told, and how likely a
+-- layout is. Measured: as many symbols are wrong as are told to be (@bench/calibration.py@).
 cellShare :: Double
 cellShare = 0.05
 

@@ -364,6 +364,7 @@ estimate (px, py) options =
     (deviation (fromIntegral . fst) meanX, deviation (fromIntegral . snd) meanY)
     (min 1 (mass best))
     [Hypothesis (eighths (exact d)) (mass d) | d <- take 2 others]
+    (take 2 others)
   where
     masses = Map.fromListWith (+) options
     beside (x, y) =

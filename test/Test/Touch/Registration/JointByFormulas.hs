@@ -21,6 +21,7 @@ import PraTactile.Registration.Lattice.Fit (likelihood, whole)
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Lattice.Places (placesGrid)
 import PraTactile.Registration.Lattice.Template
+import PraTactile.Registration.Model (cellShare)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search (Registration (..), standardRegistration, supposedSigma)
 import Test.Effort (byEffort, withCases)
@@ -182,14 +183,15 @@ consensusSpec = do
     forAll (choose (1, 3) >>= (`vectorOf` genTold)) $ \frames ->
       forAll (elements [[2], [1, 3, 8]]) $ \some ->
         let grid = Grid 5 some
-            bound = fieldBound grid (meanField grid (map (map option) frames))
-            exact = Definition.togetherLog some (map (map fifth) frames)
+            field = meanField grid (map (map option) frames)
+            bound = fieldBound grid field (fieldTold field)
+            exact = Definition.togetherLog some (map (map part) frames)
             sure = length some == 1 && all ((== 1) . length) frames
          in counterexample (show (bound, exact)) $
               bound <= exact + 1e-9 * max 1 (abs exact) && (not sure || abs (bound - exact) < 1e-6)
   where
     sigmas = [1, 1.3, 2, 5, 8]
-    fifth (d, square, cells) = (d, square, fmap (map (/ 5)) cells)
+    part (d, square, cells) = (d, square, fmap (map (cellShare *)) cells)
     option (d, square, cells) =
       displacementOf d square [(c, Unboxed.fromList l) | (c, l) <- Map.toList cells]
     genTold :: Gen [((Int, Int), Double, Map.Map Int [Double])]
@@ -212,8 +214,8 @@ locatedSpec = do
        in estimateProbability found <= 1 && estimateProbability found > 0.999
   it "a frame is in the mean of the places around where most lies; others lie two taxels off" $
     forAll genPlace $ \place -> forAll genMasses $ \options ->
-      let Estimate shift (alongX, alongY) probability others = estimateAt place options
-          Estimate shift' (alongX', alongY') probability' others' = estimate place options
+      let Estimate shift (alongX, alongY) probability others onGrid' = estimateAt place options
+          Estimate shift' (alongX', alongY') probability' others' onGrid'' = estimate place options
           probabilities = map hypothesisProbability
           close a b = counterexample (show (a, b)) (abs (a - b) < 1e-9)
        in conjoin
@@ -222,6 +224,7 @@ locatedSpec = do
               close alongY alongY',
               close probability probability',
               map hypothesisShift others === map hypothesisShift others',
+              onGrid' === onGrid'',
               conjoin (zipWith close (probabilities others) (probabilities others'))
             ]
   where

@@ -3,16 +3,20 @@ module Test.Touch.Registration.OtherLayouts (spec) where
 
 import Data.Foldable (for_)
 import Data.List (nub, sort)
+import qualified Data.Map.Strict as Map
+import PraTactile.Composite.Lattice (Lattice (..))
 import PraTactile.Image (constant, mapRaster)
 import PraTactile.Registration hiding (assemble)
-import PraTactile.Registration.Agreement (tiedGroups)
+import PraTactile.Registration.Alternatives (slipped, tiedGroups)
+import PraTactile.Registration.Joint (Joint (..), registerJointly)
+import PraTactile.Registration.Lattice.Fit (fitsAt, whole)
 import PraTactile.Registration.Layout
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
 import PraTactile.Sensor.Manifest (axesName, axesNamed, straight)
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
-import Test.Touch.Paper (assemble)
+import Test.Touch.Paper (assemble, paperTables)
 import Test.Touch.Registration.Face (frameAt)
 
 spec :: Spec
@@ -23,14 +27,14 @@ spec = do
         let places = [(x * 12, y * 9) | y <- upTo rows, x <- upTo columns]
             tied = [k `mod` several | (k, _) <- zip [0 ..] places]
             groups = 1 + maximum tied
-            all' = layouts 0 likely tied places
+            all' = layouts likely tied places
             shareOf which = sum [layoutShare l | l <- all', which (layoutFault l)]
             -- A share of all that is no slip, and of slips as far as there are lines, and half of
             -- that for groups where there are several.
             slips = (if columns + rows > 2 then 1 else 0) + (if groups > 1 then 0.5 else 0)
             alike a b = abs (a - b) < 1e-9 :: Bool
             extent part ps = maximum (map part ps) - minimum (map part ps)
-            scales = [((x, y), ps) | Layout (OtherScale x y) _ ps <- all']
+            scales = [((x, y), ps) | Layout (OtherScale x y) _ ps _ <- all']
          in zipWith alike (map shareOf [isAxes, isScale, (== Slip)]) [1, 1, slips]
               === [True, True, True]
               .&&. length (filter (isAxes . layoutFault) all')
@@ -47,24 +51,27 @@ spec = do
             gapBefore moved =
               [b - a | ((same, a), (changed, b)) <- zip moved (drop 1 moved), same /= changed]
             told =
-              [ gapBefore [(p == p', uncurry (+) p) | (p, p') <- zip places (layoutPlaces l)]
-                | l <- layouts 0 [] (map (const 0) places) places,
+              [ gapBefore (zip (map (== (0, 0)) (layoutSteps l)) (map (uncurry (+)) places))
+                | l <- layouts [] (map (const 0) places) places,
                   layoutFault l == Slip
               ]
          in sort (nub (concat told)) === drop (length gaps - 8) (sort gaps)
-  it "slips move what is beyond a line by a cell of the lattice, at its angle" $
-    nub [layoutPlaces l | l <- layouts 90 [] [0, 0] [(0, 0), (16, 0)], layoutFault l == Slip]
-      `shouldSatisfy` all
-        ( \moved ->
-            any
-              (closeTo moved)
-              [[(0, 0), (16 + dx, dy)] | (dx, dy) <- [(0, 16), (0, -16), (-20, 0), (20, 0)]]
-        )
-  it "are of one group what relief ties, and of others what it does not" $ do
-    let frames = [((x, 20), frameAt (16, 16) (x, 20)) | x <- [20, 24, 28, 52, 56, 60]]
-        blank = [((x, 0), constant 16 16 0.5) | x <- [0, 8, 16]]
-    tiedGroups standardRegistration frames `shouldBe` [0, 0, 0, 1, 1, 1]
-    tiedGroups standardRegistration blank `shouldBe` [0, 1, 2]
+  it "slips move what is beyond a line by a cell either way" $
+    nub [layoutSteps l | l <- layouts [] [0, 0] [(0, 0), (16, 0)], layoutFault l == Slip]
+      `shouldBe` [[(0, 0), step] | step <- [(0, 1), (0, -1), (1, 0), (-1, 0)]]
+  it "a slip of all frames alike moves the cells and makes nothing less likely" $ do
+    let found = jointOf [(x, y) | y <- [20, 30, 40], x <- [20, 30, 40]]
+    for_ [(0, 1), (-1, 0)] $ \(i, j) -> do
+      let (likelier, lattice) = slipped found (replicate 9 (i, j))
+      abs likelier `shouldSatisfy` (< 1e-9)
+      Map.toList (latticeCells lattice)
+        `shouldBe` [ ((i' + i, j' + j), logs)
+                     | ((i', j'), logs) <- Map.toList (latticeCells (jointLattice found))
+                   ]
+  it "are of one group frames with symbols in common; those that show nothing are of none" $ do
+    tiedGroups (jointOf [(x, 20) | x <- [20, 24, 28, 84, 86, 88]]) `shouldBe` [0, 0, 0, 1, 1, 1]
+    tiedGroups (jointFrom [((x, 0), constant 16 16 0.5) | x <- [0, 8, 16]])
+      `shouldBe` [-1, -1, -1]
   it "are refuted by overlaps that show relief, but for some slips, whatever gain and offset" $ do
     let places = [(x, y) | y <- [20, 28 .. 52], x <- [20, 28 .. 44]]
         faults (gain, offset) = map otherwiseFault (left gain offset places)
@@ -93,7 +100,12 @@ spec = do
     isScale fault = case fault of
       OtherScale _ _ -> True
       _ -> False
-    closeTo as bs = and (zipWith (\(a, b) (c, d) -> abs (a - c) + abs (b - d) < 1e-9) as bs)
+    jointOf places = jointFrom [((x, y), frameAt (16, 16) (x, y)) | (x, y) <- places]
+    jointFrom frames =
+      registerJointly
+        standardRegistration
+        (fitsAt paperTables (map (whole . snd) frames) 0)
+        (map (fmap whole) frames)
     left = othersOf Automatic (0, 0)
     leftFrom origin = othersOf Automatic origin 1 0
     othersOf method origin gain offset places =

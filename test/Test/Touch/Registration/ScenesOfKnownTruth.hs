@@ -283,7 +283,10 @@ seenOtherwise = withCases 1 10 $ do
        in forAllBlind (sublistOf frames >>= shuffle . (++ frames) . concat . replicate 3) $
             \shuffled -> both (sceneStitched scene) (together (map snd shuffled)) $ \c d ->
               let told e = (compositeImage e, compositeCoverage e, compositeContradiction e)
-                  others e = [told (otherwiseComposite o) | o <- compositeOthers e]
+                  others e =
+                    [ (otherwiseFault o, otherwiseLikelier o, otherwiseLattice o)
+                      | o <- compositeOthers e
+                    ]
                in (told c, others c) === (told d, others d)
                     .&&. compositeDisplacements d
                     === [compositeDisplacements c !! key | (key, _) <- shuffled]

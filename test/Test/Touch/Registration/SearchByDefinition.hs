@@ -141,28 +141,3 @@ otherSpec = do
             line t = map fromIntegral [t - search .. t + search :: Int]
          in agreements (fromIntegral dx, fromIntegral dy) (fromIntegral search) plane plane
               === [(x, y) | y <- line dy, x <- line dx]
-  withCases 2 10 . it "of frames put together the four most probable are weighed" $
-    forAll (genRasterOf 40 4) $ \stripes ->
-      let -- Any relief across, and every four taxels the same down; five pairs of frames of it.
-          relief x y = fromMaybe 0 (index stripes x (y `mod` 4))
-          frame (k, j) =
-            Frame
-              (Pose (taxelPitch * 40 * fromIntegral k) (taxelPitch * 8 * fromIntegral j) 0)
-              1
-              (generate 16 16 (\x y -> relief (4 * k + x) (8 * j + y)))
-              taxelPitch
-              []
-          settings = standardRegistration {registrationSigma = Just 2, registrationNoise = 0.05}
-          frames = [frame (k, j) | k <- [0 .. 4 :: Int], j <- [0, 1]]
-       in case assemble Jointly settings frames of
-            Left e -> counterexample (show e) False
-            Right made ->
-              let others = concatMap registeredOthers (assemblyFrames made)
-                  probable = sortOn Down (map hypothesisProbability others)
-                  told =
-                    [ otherwiseShare other
-                      | other <- compositeOthers (assemblyComposite made),
-                        otherwiseFault other == OneFrame
-                    ]
-               in counterexample (show probable) $
-                    length probable > 4 .&&. told === take 4 probable

@@ -11,6 +11,7 @@ module PraTactile.Registration.Joint.Displacement
     displacementsOf,
     cellsOfPhases,
     cellRowColumn,
+    cellNumber,
   )
 where
 

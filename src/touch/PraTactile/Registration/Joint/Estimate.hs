@@ -25,7 +25,9 @@ data Estimate = Estimate
     estimateProbability :: !Double,
     -- | Displacements that it may have instead, at least two taxels away, with their probabilities,
     -- the most probable first: at most two, each of at least a thousandth.
-    estimateOthers :: [Hypothesis]
+    estimateOthers :: [Hypothesis],
+    -- | These displacements on the grid that the frame's are on, where it has one.
+    estimateElsewhere :: [(Int, Int)]
   }
   deriving stock (Eq, Show)
 
@@ -38,12 +40,14 @@ estimateAt place options =
     (finally meanX rx, finally meanY ry)
     (spreadOf meanX fst, spreadOf meanY snd)
     (min 1 mass)
-    (take 2 (instead (filter (far (meanX, meanY) . snd) (sortOn (negate . fst) held))))
+    (map fst others)
+    (map snd others)
   where
+    others = take 2 (instead (filter (far (meanX, meanY) . snd) (sortOn (negate . fst) held)))
     instead found = case found of
       (p, (x, y)) : rest
         | p >= 0.001 ->
-          Hypothesis (finally (fromIntegral x) rx, finally (fromIntegral y) ry) p :
+          (Hypothesis (finally (fromIntegral x) rx, finally (fromIntegral y) ry) p, (x, y)) :
           instead (filter (far (fromIntegral x, fromIntegral y) . snd) rest)
       _ -> []
     far (x, y) (x', y') =

@@ -5,7 +5,11 @@ module PraTactile.Registration.Joint.MeanField
   ( MeanField (..),
     meanField,
     fieldBound,
-    fieldCells,
+    Told,
+    fieldTold,
+    toldAt,
+    cellsBound,
+    cellsTold,
     cellsAlone,
   )
 where
@@ -28,7 +32,6 @@ import PraTactile.Registration.Model
     cellLog,
     cellShare,
     classPrior,
-    independentShare,
     outlier,
   )
 
@@ -81,37 +84,55 @@ meanField grid frames = MeanField found (sigmaShares grid (foldMap squaresOf fou
     expectedOf = together heard
     heard = expected 0.02 id
 
--- | F, which log P of what the frames show is at least, up to what does not depend on their places.
-fieldBound :: Grid -> MeanField -> Double
-fieldBound grid (MeanField frames _) =
-  sum (map cell (IntMap.elems (together (expected 0 (orAstray independentShare)) frames)))
+-- | F, which log P of what the frames show is at least, up to what does not depend on their places;
+-- by what each tells of its cells.
+fieldBound :: Grid -> MeanField -> [Told] -> Double
+fieldBound grid (MeanField frames _) told =
+  cellsBound told
     + logSum (sigmaLogs grid (foldMap squaresOf frames))
     - sum [p * log p | ds <- frames, (_, p) <- ds, p > 0]
+
+-- | What one frame tells of each cell that it sees: \<g_fck> of an empty cell, and then of the
+-- classes; by the cell's number.
+type Told = IntMap ClassLogs
+
+-- | What each frame tells of its cells.
+fieldTold :: MeanField -> [Told]
+fieldTold = map (expected 0 orAstray) . fieldFrames
+
+-- | What a frame of these displacements tells, if it is at the one with this shift.
+toldAt :: (Int, Int) -> [(Displacement, Double)] -> Told
+toldAt shift ds =
+  expected 0 orAstray [(d, 1) | (d, _) <- ds, displacementShift d == shift]
+
+-- | The part of F that is of the cells: how likely they are together, by what frames tell of them.
+cellsBound :: [Told] -> Double
+cellsBound = sum . map cell . IntMap.elems . together id
   where
     cell g = cellLog (Unboxed.length g - 1) (\k -> g Unboxed.! (k + 1) - nothing) + nothing
       where
         nothing = g Unboxed.! 0
 
--- | For each cell, by its row and column, the sum over the frames of \<g_fck> - \<g_fc0>, with
--- 'cellShare' of the taxels independent.
-fieldCells :: MeanField -> Map (Int, Int) ClassLogs
-fieldCells (MeanField frames _) =
+-- | For each cell, by its row and column, the log-likelihood ratio of each class to an empty cell,
+-- by what frames tell of it.
+cellsTold :: [Told] -> Map (Int, Int) ClassLogs
+cellsTold told =
   Map.fromDistinctAscList
     [ (cellRowColumn c, Unboxed.map (subtract (g Unboxed.! 0)) (Unboxed.drop 1 g))
-      | (c, g) <- IntMap.toAscList (together (expected 0 (orAstray cellShare)) frames)
+      | (c, g) <- IntMap.toAscList (together id told)
     ]
 
--- | g_fck of an empty cell, and then of the classes, if that share of the taxels is independent.
-orAstray :: Double -> ClassLogs -> ClassLogs
-orAstray share logs = Unboxed.map mixed (Unboxed.cons 0 l)
+-- | g_fck of an empty cell, and then of the classes.
+orAstray :: ClassLogs -> ClassLogs
+orAstray logs = Unboxed.map mixed (Unboxed.cons 0 l)
   where
-    l = Unboxed.map (share *) logs
+    l = Unboxed.map (cellShare *) logs
     own = cellGiven Nothing l
     mixed x = logSum [log (1 - outlier) + x, log outlier + own]
 
 -- | The sum of h_fc over the cells that one frame sees at a phase.
 cellsAlone :: [ClassLogs] -> Double
-cellsAlone = sum . map (cellGiven Nothing . Unboxed.map (independentShare *))
+cellsAlone = sum . map (cellGiven Nothing . Unboxed.map (cellShare *))
 
 -- | What a frame's displacements tell of sigma.
 squaresOf :: [(Displacement, Double)] -> Squares

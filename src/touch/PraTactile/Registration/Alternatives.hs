@@ -1,0 +1,102 @@
+{-# OPTIONS_HADDOCK hide #-}
+
+-- | Alternatives to the layout that frames on a lattice are found in: one frame elsewhere, or some
+-- of them a whole cell further along the face. Frames stay on the lattice, so that what each tells
+-- of its cells is told of others.
+module PraTactile.Registration.Alternatives
+  ( oneElsewhere,
+    slipped,
+    tiedGroups,
+  )
+where
+
+import Data.Foldable (toList)
+import Data.Graph (buildG, components)
+import qualified Data.IntMap.Strict as IntMap
+import Data.List (sortOn, tails)
+import qualified Data.Vector.Unboxed as Unboxed
+import PraTactile.Composite.Blend (minus, plus)
+import PraTactile.Composite.Lattice
+import PraTactile.Geometry (columnPitch, rotated, rowPitch)
+import PraTactile.Registration.Joint
+import PraTactile.Registration.Joint.Displacement (cellNumber)
+import PraTactile.Registration.Joint.MeanField
+import PraTactile.Registration.Posterior (Hypothesis (..))
+
+-- | The lattice with one frame where else it may be, for the most probable such places of all
+-- frames, with the odds of each to where the frame was found.
+oneElsewhere :: Joint -> [(Double, Lattice)]
+oneElsewhere found =
+  take mostElsewhere . sortOn (negate . fst) $
+    [ (p / max 1e-9 (1 - p), laid k (hypothesisShift h) shift)
+      | (k, l) <- zip [0 ..] (jointFrames found),
+        (h, shift) <- zip (estimateOthers l) (estimateElsewhere l),
+        let p = hypothesisProbability h
+    ]
+  where
+    lattice = jointLattice found
+    laid k to shift =
+      lattice
+        { latticeFrames = changed k (`plus` (to `minus` shiftOf k)) (latticeFrames lattice),
+          latticeCells = cellsTold (changed k (const (toldAt shift (displacementsOf' k))) told)
+        }
+    told = jointTold found
+    shiftOf k = estimateShift (jointFrames found !! k)
+    displacementsOf' k = fieldFrames (jointField found) !! k
+    changed :: Int -> (a -> a) -> [a] -> [a]
+    changed k change xs = [if k == n then change x else x | (n, x) <- zip [0 ..] xs]
+
+-- | The most places of single frames that are told.
+mostElsewhere :: Int
+mostElsewhere = 4
+
+-- | The lattice with each frame so many rows and columns of cells further, and the log-likelihood
+-- ratio of that to where the frames were found.
+slipped :: Joint -> [(Int, Int)] -> (Double, Lattice)
+slipped found steps = (cellsBound told - cellsBound (jointTold found), laid)
+  where
+    told = zipWith slip steps (jointTold found)
+    slip (i, j) = IntMap.mapKeysMonotonic (+ cellNumber i j)
+    lattice = jointLattice found
+    laid =
+      lattice
+        { latticeFrames = zipWith further steps (latticeFrames lattice),
+          latticeCells = cellsTold told
+        }
+    further (i, j) =
+      plus
+        ( rotated
+            (latticeAngle lattice)
+            (columnPitch * fromIntegral j, rowPitch * fromIntegral i)
+        )
+
+-- | For each frame its group: frames that more likely than not have the symbols in common that both
+-- see, directly or through others. Groups are numbered as they come; -1 is none, of frames that
+-- show no symbol in odds of 99. Of more than 'mostTied' frames all are one group.
+tiedGroups :: Joint -> [Int]
+tiedGroups found
+  | length told > mostTied = map (const 0) told
+  | otherwise = [IntMap.findWithDefault (-1) k groups | (k, _) <- zip [0 ..] told]
+  where
+    told = jointTold found
+    showing = [(k, t) | (k, t) <- zip [0 ..] told, any symbolIn t]
+    symbolIn g = Unboxed.maximum g - g Unboxed.! 0 > sure
+    showing' = IntMap.fromList showing
+    groups =
+      IntMap.fromList
+        [ (k, group)
+          | (group, component) <- zip [0 ..] (filter symbolsIn (map toList joined)),
+            k <- component
+        ]
+    symbolsIn = any (`IntMap.member` showing')
+    joined = components (buildG (0, length told - 1) ties)
+    ties = [(k, l) | (k, a) : others <- tails showing, (l, b) <- others, tie a b > 0]
+    -- The log-likelihood ratio of one symbol in each cell that both see to two.
+    tie a b = cellsBound [a', b'] - cellsBound [a'] - cellsBound [b']
+      where
+        (a', b') = (IntMap.intersection a b, IntMap.intersection b a)
+    sure = log 99
+
+-- | The most frames of which it is asked which ones show the same.
+mostTied :: Int
+mostTied = 256
