@@ -176,15 +176,16 @@ locatedLook tolerance reader look =
     (locationSupport location)
     (locationLikeliest location)
     (lookTilt look)
-    (identificationAt reader location)
+    (identificationAt reader (lookTilt look) location)
   where
     location = locateGrid reader tolerance (lookDissenters look) (lookGrid look)
 
--- | The answer where a grid is located.
-identificationAt :: KnownField k => Recogniser k -> GridLocation -> Either Refusal Identification
-identificationAt reader location = case locationOutcome location of
+-- | The answer where a grid is located whose symbols are turned by this tilt.
+identificationAt ::
+  KnownField k => Recogniser k -> Double -> GridLocation -> Either Refusal Identification
+identificationAt reader tilt location = case locationOutcome location of
   Placed position ->
-    maybe (Left (NotLocated NoCompleteWindow)) (Right . Found) (findingAt reader location position)
+    maybe (Left (NotLocated NoCompleteWindow)) (Right . Found) (findingAt reader tilt location position)
   Undecided positions -> Right (Several (locationOrientation location) positions)
   WrongWayUp -> Left OrientationContradicts
   OffTheGrid -> Left GridContradicts

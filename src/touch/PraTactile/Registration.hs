@@ -59,7 +59,7 @@ import PraTactile.Composite
     compositePosition,
     contradictionBy,
   )
-import PraTactile.Composite.Blend (Taxels, minus, plus)
+import PraTactile.Composite.Blend (Taxels, plus)
 import PraTactile.Composite.Lattice (movedLattice)
 import PraTactile.Composite.Noise (frameNoise)
 import PraTactile.Image

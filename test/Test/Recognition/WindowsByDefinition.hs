@@ -7,6 +7,8 @@ import Data.List (nub)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust, listToMaybe, mapMaybe)
 import PraTactile.Array
+import PraTactile.Field (KnownField)
+import PraTactile.Geometry (rotated)
 import PraTactile.Object.Placement
 import PraTactile.Recognise
 import PraTactile.Recognise.Finding
@@ -36,8 +38,31 @@ spec =
                             Nothing
                             Nothing
                             GroupsApart
-                        found = findingAt reader location (scenePosition scene)
+                        found = findingAt reader 0 location (scenePosition scene)
                      in foundAsDefined window (settingLayout setting) onArray' scene found
+                          .&&. forAll
+                            (choose (-45, 45))
+                            (\tilt -> foundTilted reader tilt location (scenePosition scene) found)
+
+-- | Whether windows are seen where they turn to with their symbols.
+foundTilted ::
+  KnownField k =>
+  Recogniser k ->
+  Double ->
+  GridLocation ->
+  Position ->
+  Maybe Finding ->
+  Property
+foundTilted reader tilt location position found =
+  conjoin (zipWith close (seenIn found id) (seenIn (findingAt reader tilt turnedSo position) back))
+  where
+    turnedSo = location {locationCells = Map.map (map tilted) (locationCells location)}
+    tilted s = s {readAt = rotated tilt (readAt s)}
+    back = rotated (negate tilt)
+    seenIn answer place = concatMap (map (place . windowSeenAt) . windowsOf) answer
+    windowsOf answer = foundWindow answer : foundWindows answer
+    close (x, y) (x', y') =
+      counterexample (show ((x, y), (x', y'))) (abs (x - x') + abs (y - y') < 1e-6)
 
 -- | Whether what is found at a scene's position is what the definition says.
 foundAsDefined :: Shape -> Placement -> OnArray -> Scene -> Maybe Finding -> Property

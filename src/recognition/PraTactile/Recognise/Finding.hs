@@ -18,7 +18,7 @@ import Data.Set (Set)
 import qualified Data.Set as Set
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Field (KnownField, toCode)
-import PraTactile.Geometry (columnPitch, rowPitch)
+import PraTactile.Geometry (columnPitch, rotated, rowPitch)
 import PraTactile.Object.Placement
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
@@ -62,9 +62,10 @@ data SymbolPlace = SymbolPlace
   }
   deriving stock (Eq, Show)
 
--- | The answer when the grid's upper left cell is at this position.
-findingAt :: KnownField k => Recogniser k -> GridLocation -> Position -> Maybe Finding
-findingAt reader location position = do
+-- | The answer when the grid's upper left cell is at this position. The symbols are turned by the
+-- tilt, in degrees clockwise, beside quarter turns.
+findingAt :: KnownField k => Recogniser k -> Double -> GridLocation -> Position -> Maybe Finding
+findingAt reader tilt location position = do
   window <- listToMaybe (if null complete then incomplete else complete)
   pure
     Finding
@@ -96,7 +97,7 @@ findingAt reader location position = do
       [ ((i, j), window)
         | i <- [i0 .. fst end],
           j <- [j0 .. snd end],
-          Just window <- [windowIn reader location right place0 (i, j)]
+          Just window <- [windowIn reader tilt location right place0 (i, j)]
       ]
     end = (maximum (0 : map fst (Map.keys cells)), maximum (0 : map snd (Map.keys cells)))
     complete = filter (all (all isJust) . windowClasses) (map snd (windowsFrom (0, 0)))
@@ -161,12 +162,13 @@ facesAt place positions =
 -- | The window whose upper left cell is this one of the grid.
 windowIn ::
   Recogniser k ->
+  Double ->
   GridLocation ->
   Map Cell Int ->
   (Cell -> Maybe Position) ->
   Cell ->
   Maybe ReadWindow
-windowIn reader location right place0 (i, j) = do
+windowIn reader tilt location right place0 (i, j) = do
   position <- place0 (i, j)
   pure
     ReadWindow
@@ -191,5 +193,5 @@ windowIn reader location right place0 (i, j) = do
       let (x, y) = readAt s
           across = columnPitch * (fromIntegral (j' - j) - (fromIntegral (columns window) - 1) / 2)
           down = rowPitch * (fromIntegral (i' - i) - (fromIntegral (rows window) - 1) / 2)
-          (dx, dy) = onOffset (locationOrientation location) (across, down)
+          (dx, dy) = rotated tilt (onOffset (locationOrientation location) (across, down))
        in (x - dx, y - dy)
