@@ -103,16 +103,16 @@ fitted angle image = (theta, classLogsOf theta fine, (rough, counts))
     n = taxels image
     start = firstTheta standard
     -- Those that are not less likely at first by e^30; and those less than a taxel from them.
-    counts = amongAll 640 (likelyOf (const True) start)
+    counts = amongAll 640 (likelyOf start)
     rough = iterate (mStep 1 n counts coarse) (mStep 1 n (const True) coarse start) !! 3
     theta = mStep 2 n (amongAll 2560 fineOnes) fine rough
-    likelyOf among' at = Map.keysSet (Map.filter (> maximum phases - 30) phases)
+    likelyOf at = Map.keysSet (Map.filter (> maximum phases - 30) phases)
       where
-        phases = Map.filterWithKey (const . among') (phaseLogsOf 1 (classLogsOf at coarse))
+        phases = phaseLogsOf 1 (classLogsOf at coarse)
     fineOnes =
       Set.fromList
         [ (o, (2 * y + j) `mod` 40, (2 * x + i) `mod` 32)
-          | (o, y, x) <- Set.toList (likelyOf counts rough),
+          | (o, y, x) <- Set.toList (likelyOf rough),
             j <- [-1 .. 1],
             i <- [-1 .. 1]
         ]

@@ -98,7 +98,8 @@ fitOf tables (image, shares) =
     -- At all places.
     felt = feltAt (Just atWhole) (templatePlaces tables)
     fineLikely =
-      somePhases tables felt (finePhases (coarser tables) tables (likelyPhases coarse))
+      somePhases tables felt (finePhases (coarser tables) tables (likelyPhases coarsely))
+    coarsely = eStep coarseAll (likelihoodTheta coarse)
     fine = eStep fineLikely (step fineLikely (likelihoodTheta coarse))
 
 -- | N, how many taxels count, and the mean and the standard deviation of their readings.
