@@ -34,9 +34,7 @@ othersOnLattice settings fits robot touched found =
   where
     weighed layout = case layoutFault layout of
       Anywhere -> (jointAnywhere here - jointEvidence here, Nothing)
-      Slip ->
-        let (likelier, lattice) = slipped found (layoutSteps layout)
-         in (min 0 likelier, Just lattice)
+      Slip -> Just <$> slipped found (layoutSteps layout)
       _ -> laid (lyingAt (map (`minus` robot) (layoutPlaces layout)))
     laid lying
       | byPhase < hopeless = (byPhase, Nothing)
