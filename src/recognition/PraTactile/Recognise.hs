@@ -185,7 +185,10 @@ identificationAt ::
   KnownField k => Recogniser k -> Double -> GridLocation -> Either Refusal Identification
 identificationAt reader tilt location = case locationOutcome location of
   Placed position ->
-    maybe (Left (NotLocated NoCompleteWindow)) (Right . Found) (findingAt reader tilt location position)
+    maybe
+      (Left (NotLocated NoCompleteWindow))
+      (Right . Found)
+      (findingAt reader tilt location position)
   Undecided positions -> Right (Several (locationOrientation location) positions)
   WrongWayUp -> Left OrientationContradicts
   OffTheGrid -> Left GridContradicts
