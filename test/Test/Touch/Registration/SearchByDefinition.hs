@@ -1,22 +1,16 @@
 -- | The search for a frame's displacement, and what it supposes, against their definitions.
 module Test.Touch.Registration.SearchByDefinition (spec) where
 
-import Data.List (foldl', sortOn)
+import Data.List (foldl')
 import Data.Maybe (fromMaybe)
-import Data.Ord (Down (..))
 import PraTactile.Image
 import PraTactile.Image.Correlate
-import PraTactile.Registration (Assembly (..), Composite (..), Fault (..), Otherwise (..))
-import PraTactile.Registration.Arrangement (Registered (..), StitchMethod (..))
 import PraTactile.Registration.Pair.Alike (agreements)
-import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search
-import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
 import Test.Effort (withCases)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
-import Test.Touch.Paper (assemble)
 
 spec :: Spec
 spec = withCases 12 100 $ do
