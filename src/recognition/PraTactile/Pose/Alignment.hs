@@ -73,10 +73,10 @@ import PraTactile.Geometry
   )
 import PraTactile.Pose
 import PraTactile.Pose.Matrix
-import PraTactile.Probability (normalDensity, normalDistribution)
 import PraTactile.Sensor.Frame (Motion (..), movePoint)
 import qualified PraTactile.Sensor.Frame as Frame
 import PraTactile.Shape (Bitmap, embossedAt)
+import PraTactile.Shape.Blur (blurredAt, blurredSlope)
 
 -- | The symbols of a face that are known to be there, by row and column, and where the upper left
 -- corner of their cell (0, 0) is; taxels from the face's first vertex.
@@ -121,13 +121,9 @@ height shape u v = down 0 0 0 (near symbolHeight v)
       [] -> (a, b, c)
     near side t =
       let k = floor t
-       in [ Near
-              n
-              (normalDistribution before - normalDistribution after)
-              ((normalDensity before - normalDensity after) / blur)
+       in [ Near n (blurredAt blur from) (blurredSlope blur from)
             | n <- [max 0 (k - 2) .. min (side - 1) (k + 2)],
-              let before = (t - fromIntegral n) / blur
-                  after = before - 1 / blur
+              let from = t - fromIntegral n - 0.5
           ]
 
 -- | A column or a row of taxels near a place, the share of it that is seen there, and its slope.

@@ -15,18 +15,17 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Storable.Mutable as M
 import PraTactile.Image (Raster, rasterValues)
-import PraTactile.Probability (normalDistribution)
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Loops (tabulate)
 import PraTactile.Registration.Model (blurDeviation)
+import PraTactile.Shape.Blur (blurredAt)
 
 -- | The share of a unit taxel, blurred, that is seen at this distance from its centre: nothing from
 -- three taxels on.
 seenAt :: Double -> Double
 seenAt u
   | abs u >= 3 = 0
-  | otherwise =
-    normalDistribution ((u + 0.5) / blurDeviation) - normalDistribution ((u - 0.5) / blurDeviation)
+  | otherwise = blurredAt blurDeviation u
 
 -- | What the padded grid reads of a frame, added up: of values one each whole taxel before a place,
 -- across and down, up to its own, their sum over the rectangle that ends there. The grid begins a
