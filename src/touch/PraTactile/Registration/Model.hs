@@ -17,10 +17,10 @@
 -- > T(u) = sum over the embossed taxels j of class k, turned by o, of g(u - x - j)
 --
 -- where g is that of "PraTactile.Shape.Blur", but 0 from three taxels on along an axis. On a
--- lattice at an angle the taxels j are turned with it, and g, which is nearly the same in all directions,
--- is not. In the sum of the squares of T a taxel of which a symbol brings less than a hundredth
--- counts for nothing. Places x are those from which a symbol's taxels come within two taxels of the
--- frame.
+-- lattice at an angle the taxels j are turned with it, and g, which is nearly the same in all
+-- directions, is not. In the sum of the squares of T a taxel of which a symbol brings less than a
+-- hundredth counts for nothing. Places x are those from which a symbol's taxels come within two
+-- taxels of the frame.
 --
 -- = A tilted press
 --
