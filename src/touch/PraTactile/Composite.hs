@@ -14,6 +14,7 @@ module PraTactile.Composite
     compositeOf,
     compositePosition,
     compositePixel,
+    compositeFrom,
     blended,
     Worth (..),
     inFull,
@@ -193,6 +194,10 @@ compositePixel :: Composite -> (Double, Double) -> (Double, Double)
 compositePixel composite (x, y) = ((x - ox) / taxelPitch, (y - oy) / taxelPitch)
   where
     (ox, oy) = compositeOrigin composite
+
+-- | Where the composite's pixel (0, 0) is, in taxels right and down from where the robot counts.
+compositeFrom :: Composite -> Taxels
+compositeFrom composite = let (x, y) = compositeOrigin composite in (x / taxelPitch, y / taxelPitch)
 
 -- | The composite as a weighted image, to be interpolated.
 weighted :: Composite -> Reference

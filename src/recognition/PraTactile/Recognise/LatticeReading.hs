@@ -25,12 +25,13 @@ import PraTactile.Classification.Estimate
 import PraTactile.Classification.Network (NetworkError)
 import PraTactile.Classification.Part (estimatePart)
 import PraTactile.Classification.Reader (Reader (..))
+import PraTactile.Composite (compositeFrom)
 import PraTactile.Composite.Blend (Taxels, minus, plus)
 import PraTactile.Composite.Lattice
 import PraTactile.Geometry
 import PraTactile.Image (constant, onRaster, rasterValues)
 import PraTactile.Recognise.Reading
-import PraTactile.Registration (Composite (..))
+import PraTactile.Registration (Composite)
 import PraTactile.Registration.Model (absence, classPrior)
 import PraTactile.Segmentation
 import PraTactile.Segmentation.Lattice (Cell)
@@ -59,16 +60,14 @@ axisOfAll lattices = case map (axisAlong 0) lattices of
 -- places on the first composite's grid.
 latticesRead :: [(Composite, Lattice)] -> [CellsRead]
 latticesRead given =
-  [ cellsOf tilt source (originOf composite, base) lattice
+  [ cellsOf tilt source (compositeFrom composite, base) lattice
     | (source, (composite, lattice)) <- zip [0 ..] given
   ]
   where
     (_, tilt) = axisOfAll (map snd given)
     base = case given of
-      (composite, _) : _ -> originOf composite
+      (composite, _) : _ -> compositeFrom composite
       [] -> (0, 0)
-    originOf composite =
-      let (x, y) = compositeOrigin composite in (x / taxelPitch, y / taxelPitch)
 
 -- | How the axes of a lattice lie beside a tilt, in degrees: the axis of the symbols, what is left
 -- of the tilt, and whether the lattice's axes point against theirs.
@@ -100,13 +99,11 @@ cellsOf tilt source (own, base) lattice =
     cells = latticeCells lattice
     along (i, j) = if against then (negate i, negate j) else (i, j)
     centreOf :: Cell -> Taxels
-    centreOf (i, j) =
+    centreOf cell =
       latticeOrigin lattice
-        `plus` rotated
-          (latticeAngle lattice)
-          ( columnPitch * fromIntegral j + (fromIntegral symbolWidth - 1) / 2,
-            rowPitch * fromIntegral i + (fromIntegral symbolHeight - 1) / 2
-          )
+        `plus` latticeStep lattice cell
+        `plus` rotated (latticeAngle lattice) (fromCorner symbolWidth, fromCorner symbolHeight)
+    fromCorner side = (fromIntegral side - 1) / 2
     symbol centre logs
       | readDoubt told < 0.1 = told {readClass = Just (readLikeliest told)}
       | otherwise = told

@@ -22,11 +22,11 @@ import Data.List (find, inits, sortOn, tails)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, listToMaybe)
 import PraTactile.Array (Position)
-import PraTactile.Composite (asTaken, contradictionBy)
+import PraTactile.Composite (asTaken, compositeFrom, contradictionBy)
 import PraTactile.Composite.Blend (Taxels, minus)
 import PraTactile.Composite.Lattice
 import PraTactile.Field (KnownField)
-import PraTactile.Geometry (columnPitch, rotated, rowPitch, taxelPitch)
+import PraTactile.Geometry (columnPitch, rotated, rowPitch)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.LatticeReading
@@ -41,7 +41,6 @@ import PraTactile.Registration
     Otherwise (..),
     PutFrame (..),
   )
-import PraTactile.Registration.Layout (cellsAround)
 import PraTactile.Segmentation.Lattice (Cell)
 import PraTactile.Sensor.Manifest (standardTaking)
 import PraTactile.Symmetry
@@ -115,9 +114,9 @@ laidOut tolerance composites shown = case traverse compositeLattice composites o
   Just lattices@(_ : _) ->
     ( (laidBy lattices) {laidPoints = framesFrom (recognisedAnchor shown) lattices},
       [Alternative fault odds (laidBy <$> others) | (fault, odds, others) <- ofFrames]
-        ++ [ slip (before ++ movedLattice step lattice : after)
+        ++ [ slip (before ++ movedLattice (latticeStep lattice step) lattice : after)
              | (before@(_ : _), lattice : after) <- splits lattices,
-               step <- cellsAround (gridAngle shown)
+               step <- cellSteps
            ]
     )
   _ ->
@@ -125,7 +124,7 @@ laidOut tolerance composites shown = case traverse compositeLattice composites o
       [Alternative fault odds Nothing | (fault, odds, _) <- ofFrames]
         ++ [ Alternative Slip slipOdds (Just (onSymbols (sourceMoved source step cells)))
              | (source, _) <- drop 1 (zip [0 ..] composites),
-               step <- [(0, 1), (0, -1), (1, 0), (-1, 0)]
+               step <- cellSteps
            ]
     )
   where
@@ -141,9 +140,7 @@ laidOut tolerance composites shown = case traverse compositeLattice composites o
         | place <- concatMap latticeFrames lattices,
           let (x, y) = rotated (negate (gridAngle shown)) (place `minus` base) `minus` anchor
       ]
-    base = case composites of
-      composite : _ -> let (x, y) = compositeOrigin composite in (x / taxelPitch, y / taxelPitch)
-      [] -> (0, 0)
+    base = maybe (0, 0) compositeFrom (listToMaybe composites)
 
 -- | By how many degrees, clockwise, the rows of the recognised cells are turned.
 gridAngle :: Recognition -> Double

@@ -4,6 +4,8 @@
 module PraTactile.Composite.Lattice
   ( Lattice (..),
     movedLattice,
+    latticeStep,
+    cellSteps,
     ClassLogs,
   )
 where
@@ -11,6 +13,7 @@ where
 import Data.Map.Strict (Map)
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Composite.Blend (Taxels, plus)
+import PraTactile.Geometry (columnPitch, rotated, rowPitch)
 
 -- | A lattice of cells, and what the frames show in each cell.
 data Lattice = Lattice
@@ -42,3 +45,12 @@ movedLattice by lattice =
     { latticeOrigin = latticeOrigin lattice `plus` by,
       latticeFrames = map (plus by) (latticeFrames lattice)
     }
+
+-- | How far that many rows and columns of cells are, in taxels right and down.
+latticeStep :: Lattice -> (Int, Int) -> Taxels
+latticeStep lattice (i, j) =
+  rotated (latticeAngle lattice) (columnPitch * fromIntegral j, rowPitch * fromIntegral i)
+
+-- | The rows and columns to the four cells beside one.
+cellSteps :: [(Int, Int)]
+cellSteps = [(0, 1), (0, -1), (1, 0), (-1, 0)]

@@ -10,14 +10,12 @@ module PraTactile.Registration.Alternatives
   )
 where
 
-import Data.Foldable (toList)
-import Data.Graph (buildG, components)
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (sortOn, tails)
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Composite.Blend (minus, plus)
 import PraTactile.Composite.Lattice
-import PraTactile.Geometry (columnPitch, rotated, rowPitch)
+import PraTactile.Registration.Groups (joinedBy)
 import PraTactile.Registration.Joint
 import PraTactile.Registration.Joint.Displacement (cellNumber)
 import PraTactile.Registration.Joint.MeanField
@@ -60,15 +58,9 @@ slipped found steps = (cellsBound told - cellsBound (jointTold found), laid)
     lattice = jointLattice found
     laid =
       lattice
-        { latticeFrames = zipWith further steps (latticeFrames lattice),
+        { latticeFrames = zipWith (plus . latticeStep lattice) steps (latticeFrames lattice),
           latticeCells = cellsTold told
         }
-    further (i, j) =
-      plus
-        ( rotated
-            (latticeAngle lattice)
-            (columnPitch * fromIntegral j, rowPitch * fromIntegral i)
-        )
 
 -- | For each frame its group: frames that more likely than not have the symbols in common that both
 -- see, directly or through others. Groups are numbered as they come; -1 is none, of frames that
@@ -81,15 +73,13 @@ tiedGroups found
     told = jointTold found
     showing = [(k, t) | (k, t) <- zip [0 ..] told, any symbolIn t]
     symbolIn g = Unboxed.maximum g - g Unboxed.! 0 > sure
-    showing' = IntMap.fromList showing
     groups =
       IntMap.fromList
         [ (k, group)
-          | (group, component) <- zip [0 ..] (filter symbolsIn (map toList joined)),
+          | (group, component) <- zip [0 ..] (filter (any (`elem` map fst showing)) joined),
             k <- component
         ]
-    symbolsIn = any (`IntMap.member` showing')
-    joined = components (buildG (0, length told - 1) ties)
+    joined = joinedBy (length told) ties
     ties = [(k, l) | (k, a) : others <- tails showing, (l, b) <- others, tie a b > 0]
     -- The log-likelihood ratio of one symbol in each cell that both see to two.
     tie a b = cellsBound [a', b'] - cellsBound [a'] - cellsBound [b']

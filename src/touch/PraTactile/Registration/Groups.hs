@@ -3,6 +3,7 @@
 -- | Which frames overlap, directly or through others.
 module PraTactile.Registration.Groups
   ( groupsOf,
+    joinedBy,
   )
 where
 
@@ -18,12 +19,11 @@ import PraTactile.Image (Raster, rasterHeight, rasterWidth)
 groupsOf :: [(Taxels, Raster)] -> [Int]
 groupsOf placed = map (groups IntMap.!) [0 .. length placed - 1]
   where
-    -- The least image of each component is its root, and components come in the roots' order.
     groups =
       IntMap.fromList
         [ (k, group)
-          | (group, component) <- zip [0 ..] (components (buildG (0, length placed - 1) overlaps)),
-            k <- toList component
+          | (group, component) <- zip [0 ..] (joinedBy (length placed) overlaps),
+            k <- component
         ]
     -- Two images whose corners are in one square overlap, however many there are.
     side =
@@ -52,3 +52,8 @@ groupsOf placed = map (groups IntMap.!) [0 .. length placed - 1]
       x' - x < wide a && x - x' < wide b && y' - y < tall a && y - y' < tall b
     wide = fromIntegral . rasterWidth
     tall = fromIntegral . rasterHeight
+
+-- | The groups of so many things, by their numbers from 0, that pairs of them join, directly or
+-- through others. The least of each group is its first, and groups come in the order of these.
+joinedBy :: Int -> [(Int, Int)] -> [[Int]]
+joinedBy count pairs = map toList (components (buildG (0, count - 1) pairs))

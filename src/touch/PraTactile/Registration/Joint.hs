@@ -41,7 +41,7 @@ import PraTactile.Registration.Lattice.Likelihood (likelihoodTheta)
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Levelling
-import PraTactile.Registration.Model (Theta, eighth, outlier, placesPerTaxel)
+import PraTactile.Registration.Model (eighth, outlier, placesPerTaxel)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search (Registration (..))
 
@@ -58,8 +58,6 @@ data Joint = Joint
   { -- | Where each frame is, in their order. The displacements have mean 0, since a shift common to
     -- all cannot be seen.
     jointFrames :: [Estimate],
-    -- | How each reads relief.
-    jointThetas :: [Theta],
     -- | The standard deviation of the robot's position error, taxels, where two frames or more tell
     -- it.
     jointSigma :: Maybe Double,
@@ -73,6 +71,7 @@ data Joint = Joint
     jointAnywhere :: Double,
     -- | What brings each to the scale of all.
     jointLevels :: [Level],
+    -- | The displacements of each, with their probabilities.
     jointField :: MeanField,
     -- | What each frame tells of its cells.
     jointTold :: [Told],
@@ -86,7 +85,6 @@ registerJointly :: Registration -> Fits -> [(Taxels, Touched)] -> Joint
 registerJointly settings fits frames =
   Joint
     { jointFrames = centredEstimates,
-      jointThetas = thetas,
       jointSigma = sigma,
       jointGlimpse = glimpsedLog grid phases,
       jointBound = bound,

@@ -6,8 +6,6 @@ module PraTactile.Registration.Layout
   ( Layout (..),
     layouts,
     refuted,
-    faultAt,
-    cellsAround,
   )
 where
 
@@ -15,8 +13,8 @@ import Data.List (nub, sort, sortOn)
 import Data.Ord (Down (..))
 import PraTactile.Composite (Fault (..))
 import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Composite.Lattice (cellSteps)
 import PraTactile.Composite.Noise (spacedOut)
-import PraTactile.Geometry (columnPitch, rotated, rowPitch)
 import PraTactile.Sensor.Frame (Pose (..))
 import PraTactile.Sensor.Manifest (Axes, alongAxes, axesNamed, straight)
 
@@ -58,7 +56,7 @@ layouts scales groups places =
           places
           [if moved then cell else (0, 0) | moved <- set]
         | set <- sets,
-          cell <- [(0, 1), (0, -1), (1, 0), (-1, 0)]
+          cell <- cellSteps
       ]
     several = 1 + maximum (-1 : groups)
     some = spacedOut mostGroups [0 .. several - 1]
@@ -78,12 +76,6 @@ faultAt fault (x, y) = case fault of
   OtherAxes axes -> let Pose x' y' _ = alongAxes axes (Pose x y 0) in (x', y')
   OtherScale across down -> (across * x, down * y)
   _ -> (x, y)
-
--- | By how much a slip by a cell moves, taxels: along either axis of a lattice at that angle, in
--- degrees clockwise, either way.
-cellsAround :: Double -> [Taxels]
-cellsAround angle =
-  map (rotated angle) [(columnPitch, 0), (-columnPitch, 0), (0, rowPitch), (0, -rowPitch)]
 
 -- | Of other axes: two fifths each for x or y negated, the rest for the five others.
 axesShare :: Axes -> Double
