@@ -167,7 +167,6 @@ import qualified Test.Touch.Image.RastersAndCorrelation
 import qualified Test.Touch.Registration.AngleByDefinition
 import qualified Test.Touch.Registration.AnswersOfPairs
 import qualified Test.Touch.Registration.ByDefinition
-import qualified Test.Touch.Registration.Contradictions
 import qualified Test.Touch.Registration.CosinesByDefinition
 import qualified Test.Touch.Registration.GrownAndSwept
 import qualified Test.Touch.Registration.HypothesesAndNoise
@@ -299,7 +298,6 @@ together = do
     describe "What joint registration is made of" Test.Touch.Registration.JointByFormulas.spec
     describe "Layouts other than the robot tells" Test.Touch.Registration.OtherLayouts.spec
     describe "The methods of registering frames" Test.Touch.Registration.WhichMethod.spec
-    describe "Whether frames contradict each other" Test.Touch.Registration.Contradictions.spec
     describe "Registration of pairs by its formulas" Test.Touch.Registration.PairsByFormulas.spec
     describe "Registration of pairs" Test.Touch.Registration.PairsRefused.spec
     describe "Registration of pairs as a whole" Test.Touch.Registration.AnswersOfPairs.spec

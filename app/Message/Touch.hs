@@ -259,8 +259,6 @@ contradictionMessage contradiction = case contradiction of
           count
           extent
           along
-  AgreeingNowhere ->
-    overlapping ++ "check the positions, and that all frames are of one object"
   where
     overlapping = "the frames show different things where their positions make them overlap; "
     samePlace = 2 :: Double

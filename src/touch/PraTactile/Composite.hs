@@ -8,7 +8,7 @@ module PraTactile.Composite
     Otherwise (..),
     Fault (..),
     Contradiction (..),
-    contradictionBy,
+    likeliestFault,
     asTaken,
     leastCoverage,
     compositeOf,
@@ -22,6 +22,7 @@ module PraTactile.Composite
   )
 where
 
+import Data.List (sortOn)
 import Data.List.NonEmpty (NonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
 import PraTactile.Composite.Blend (Blend (..), Taxels, blend)
@@ -133,19 +134,34 @@ data Contradiction
   | -- | They fit their positions less well than any others: how many frames, and how far apart
     -- these are across and down, millimetres.
     AgreeingAnywhere !Int !Double !Double
-  | -- | Along no axes they do.
-    AgreeingNowhere
   deriving stock (Eq, Show)
 
--- | That such a fault makes frames likelier, given their places in millimetres; 'Nothing' of faults
--- that not all frames share.
-contradictionBy :: [(Double, Double)] -> Fault -> Maybe Contradiction
+-- | The likeliest of the faults that all frames share, by their odds to the layout that is used, if
+-- these are above a limit; given the frames' places in millimetres. A fault that is not 'farMore'
+-- likely than the layout used and than all others says only that the frames lie anywhere.
+likeliestFault :: Double -> [(Double, Double)] -> [(Fault, Double)] -> Maybe Contradiction
+likeliestFault limit places weighed = case sortOn (negate . snd) (filter ofAll weighed) of
+  (fault, odds) : rest
+    | odds > limit ->
+      let others = 1 : [o | (other, o) <- rest, not (alike fault other)]
+          certain = all ((odds >) . (farMore *)) others
+       in Just (contradictionBy places (if certain then fault else Anywhere))
+  _ -> Nothing
+  where
+    ofAll (fault, _) = fault `notElem` [OneFrame, Slip]
+    alike (OtherScale _ _) (OtherScale _ _) = True
+    alike _ _ = False
+
+-- | How many times as likely as all else a fault is that is named.
+farMore :: Double
+farMore = 1e4
+
+-- | What such a fault says of frames at these places.
+contradictionBy :: [(Double, Double)] -> Fault -> Contradiction
 contradictionBy places fault = case fault of
-  OtherAxes axes -> Just (AgreeingAlong axes)
-  OtherScale across down -> Just (AgreeingAtScale across down)
-  Anywhere -> Just (AgreeingAnywhere (length places) (extent fst) (extent snd))
-  OneFrame -> Nothing
-  Slip -> Nothing
+  OtherAxes axes -> AgreeingAlong axes
+  OtherScale across down -> AgreeingAtScale across down
+  _ -> AgreeingAnywhere (length places) (extent fst) (extent snd)
   where
     extent part = case map part places of
       [] -> 0

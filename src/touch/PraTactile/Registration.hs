@@ -57,7 +57,7 @@ import PraTactile.Composite
     blended,
     compositeOf,
     compositePosition,
-    contradictionBy,
+    likeliestFault,
   )
 import PraTactile.Composite.Blend (Taxels, plus)
 import PraTactile.Composite.Lattice (movedLattice)
@@ -71,7 +71,6 @@ import PraTactile.Image
     rasterValues,
     rasterWidth,
   )
-import PraTactile.Registration.Agreement (contradiction)
 import PraTactile.Registration.Arrangement
   ( Arrangement (..),
     Registered (..),
@@ -88,6 +87,7 @@ import PraTactile.Registration.Contact (evened)
 import PraTactile.Registration.Lattice.Fit (Touched)
 import PraTactile.Registration.Lattice.Template (LatticeTables, latticeTables)
 import PraTactile.Registration.Levelling (Level (..), levelled, unlevelled)
+import PraTactile.Registration.Numbers (decisive)
 import PraTactile.Registration.Search
   ( Registration (..),
     standardRegistration,
@@ -240,22 +240,11 @@ compose arranging settings frames = do
         [ other {otherwiseLattice = movedLattice robot <$> otherwiseLattice other}
           | other <- arrangementOthers arrangement
         ]
-      -- Where another layout is that much likelier than the one that was told, the likeliest is
-      -- named if no layout of another kind comes near it.
-      ofAll = filter ((/= OneFrame) . otherwiseFault) others
-      likelierLayout = case sortOn (negate . otherwiseLikelier) ofAll of
-        Otherwise fault _ likelier _ : rest
-          | likelier > exp decisive && fault /= Slip ->
-            contradictionBy
-              (map placedAt (toList placed))
-              (if all beyond (filter (not . alike) rest) then fault else Anywhere)
-          where
-            alike = bothScales fault . otherwiseFault
-            beyond other = likelier > exp decisive * otherwiseLikelier other
-        _ -> Nothing
-      bothScales (OtherScale _ _) (OtherScale _ _) = True
-      bothScales _ _ = False
-      contradicting = contradiction found (NonEmpty.toList nominal) <|> likelierLayout
+      contradicting =
+        likeliestFault
+          (exp decisive)
+          (map placedAt (toList placed))
+          [(otherwiseFault other, otherwiseLikelier other) | other <- others]
       agreeingAlong axes =
         either (const Nothing) (Just . assemblyComposite) $
           compose arranging settings (fmap (along axes) frames)
@@ -264,8 +253,6 @@ compose arranging settings frames = do
       putAs ats shifts =
         zipWith4 PutFrame ats shifts (map snd (toList onLevel)) (map touchOf (toList placed))
       touchOf one = placedTouch one <|> placedFelt one
-      sigma = registrationSigma settings <|> arrangementSigma arrangement
-      found = settings {registrationSigma = sigma}
       made =
         (together displacements)
           { compositeLattice = movedLattice robot <$> arrangementLattice arrangement
@@ -300,10 +287,6 @@ witnesses key given = (fmap (\((_, one) :| _) -> one) groups, ofEach)
     groups = NonEmpty.groupAllWith1 (key . snd) (NonEmpty.zip (0 :| [1 :: Int ..]) given)
     ofEach told =
       map snd (sortOn fst [(k, b) | (same, b) <- zip (toList groups) told, (k, _) <- toList same])
-
--- | How much likelier, as a natural logarithm, other axes are than all else if they are named.
-decisive :: Double
-decisive = 20
 
 -- | Millimetres as taxels, rounded to a millionth of one, so that rounding errors of the poses do
 -- not decide anything.

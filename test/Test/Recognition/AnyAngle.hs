@@ -316,8 +316,9 @@ foreignSpec setting = do
           recogniseWith
             standardTolerance
             reader
-            [here {compositeContradiction = Just AgreeingNowhere}]
-    fmap recognisedAnswer told `shouldBe` Right (Left (FramesContradict AgreeingNowhere))
+            [here {compositeContradiction = Just nowhere}]
+        nowhere = AgreeingAnywhere 9 3 2
+    fmap recognisedAnswer told `shouldBe` Right (Left (FramesContradict nowhere))
   it "of arrangements of six symbols, half of them foreign, as many are wrong as is told" $
     let count = byEffort 15 100
         byChance = vectorOf 2 (vectorOf 3 (choose (0, 3)))

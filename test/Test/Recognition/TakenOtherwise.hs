@@ -134,7 +134,6 @@ nothingSpec = do
       _ -> False
     anywhere c = case c of
       AgreeingAnywhere 24 _ _ -> True
-      AgreeingNowhere -> True
       _ -> False
     steps ps = zipWith (\(x, y) (x', y') -> (x' - x, y' - y)) ((0, 0) : ps) ps
 

@@ -32,7 +32,8 @@ import PraTactile.Geometry
 import PraTactile.Image (constant, onRaster, rasterValues)
 import PraTactile.Recognise.Reading
 import PraTactile.Registration (Composite)
-import PraTactile.Registration.Model (absence, classPrior)
+import PraTactile.Registration.Model (classPrior)
+import PraTactile.Registration.Numbers (absence)
 import PraTactile.Segmentation
 import PraTactile.Segmentation.Lattice (Cell)
 import PraTactile.Symmetry

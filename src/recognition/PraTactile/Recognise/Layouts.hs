@@ -18,11 +18,11 @@ module PraTactile.Recognise.Layouts
   )
 where
 
-import Data.List (find, inits, sortOn, tails)
+import Data.List (find, inits, tails)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, listToMaybe)
 import PraTactile.Array (Position)
-import PraTactile.Composite (asTaken, compositeFrom, contradictionBy)
+import PraTactile.Composite (asTaken, compositeFrom, likeliestFault)
 import PraTactile.Composite.Blend (Taxels, minus)
 import PraTactile.Composite.Lattice
 import PraTactile.Field (KnownField)
@@ -186,7 +186,7 @@ layoutDoubts reader tolerance composites shown =
     { oneMisplaced = share (== OneFrame),
       axesMisplaced = share (`notElem` [OneFrame, Slip]),
       slipped = share (== Slip),
-      likelierLayout = likeliestFault composites [(fault, odds) | (fault, odds, _) <- weighed]
+      likelierLayout = named composites [(fault, odds) | (fault, odds, _) <- weighed]
     }
   where
     (used, others) = laidOut tolerance composites shown
@@ -231,20 +231,11 @@ layoutDoubts reader tolerance composites shown =
 -- makes of it.
 likelierByFrames :: Tolerance -> [Composite] -> Maybe Contradiction
 likelierByFrames tolerance composites =
-  likeliestFault composites [(fault, odds) | (fault, odds, _) <- alternatives tolerance composites]
+  named composites [(fault, odds) | (fault, odds, _) <- alternatives tolerance composites]
 
--- | The likeliest of some faults, by their odds against the robot's layout, if it is more probable
--- than that. One that is not far more probable than the robot's and all others says only that the
--- frames lie anywhere.
-likeliestFault :: [Composite] -> [(Fault, Double)] -> Maybe Contradiction
-likeliestFault composites weighed = case sortOn (negate . snd) (filter ofAll weighed) of
-  (fault, odds) : rest
-    | odds > 1 -> asTaken taking Nothing <$> contradictionBy places named
-    where
-      named = if all ((odds >) . (farMore *)) (1 : map snd rest) then fault else Anywhere
-  _ -> Nothing
+-- | The likeliest of some faults by their odds, if it is more probable than the robot's layout.
+named :: [Composite] -> [(Fault, Double)] -> Maybe Contradiction
+named composites weighed = asTaken taking Nothing <$> likeliestFault 1 places weighed
   where
-    farMore = 1e4
     places = map putAt (concatMap compositeFrames composites)
-    ofAll (fault, _) = fault `notElem` [OneFrame, Slip]
     taking = maybe standardTaking compositeTaking (listToMaybe composites)

@@ -102,7 +102,7 @@ refusals =
     OrientationContradicts,
     GridContradicts,
     WindowsContradict,
-    FramesContradict AgreeingNowhere,
+    FramesContradict (AgreeingAnywhere 2 0 0),
     NotDecoded NoSymmetry
   ]
     ++ map NotLocated reasons

@@ -10,6 +10,7 @@
 module PraTactile.Registration.AllPairs
   ( Pairwise (..),
     registerPairwise,
+    pairsEvidence,
     comparedPixels,
   )
 where
@@ -18,17 +19,28 @@ import qualified Data.IntMap.Strict as IntMap
 import qualified Data.IntSet as IntSet
 import Data.List (foldl')
 import qualified Data.Vector as Boxed
-import PraTactile.Composite.Blend (Taxels, minus)
+import qualified Data.Vector.Storable as V
+import PraTactile.Composite.Blend (Taxels, minus, plus)
 import PraTactile.Composite.Noise (spacedOut)
-import PraTactile.Image (Raster, rasterHeight, rasterWidth)
+import PraTactile.Image (Raster, rasterHeight, rasterSize, rasterWidth, standardDeviation)
 import PraTactile.Registration.AllPairs.Field
 import PraTactile.Registration.AllPairs.Pair
 import PraTactile.Registration.Joint.Estimate (Estimate (..))
 import PraTactile.Registration.Joint.Grid
-import PraTactile.Registration.Model (eighth)
+import PraTactile.Registration.Model (eighth, normalLog)
 import PraTactile.Registration.Neighbours (Neighbours (..), neighbours)
+import PraTactile.Registration.Numbers
+  ( leastOther,
+    leastOverlap,
+    mostPairs,
+    mostSteps,
+    outlier,
+    pairsOfLayout,
+  )
+import PraTactile.Registration.Overlap
 import PraTactile.Registration.Posterior
-import PraTactile.Registration.Search (Registration)
+import PraTactile.Registration.Search (Registration (..), supposedSigma)
+import PraTactile.Registration.Spectrum (spectra)
 
 -- | Frames put together by their pairs.
 data Pairwise = Pairwise
@@ -36,15 +48,18 @@ data Pairwise = Pairwise
     -- all cannot be seen.
     pairwiseFrames :: [Estimate],
     -- | The standard deviation of the robot's position error, taxels, where pairs tell it.
-    pairwiseSigma :: Maybe Double
+    pairwiseSigma :: Maybe Double,
+    -- | The relief that the frames show.
+    pairwiseRelief :: Relief
   }
 
 -- | Frames registered from the nominal places (taxels) of their upper left pixels.
 registerPairwise :: Registration -> [(Taxels, Raster)] -> Pairwise
-registerPairwise settings frames = Pairwise (zipWith estimated fields places) sigma
+registerPairwise settings frames = Pairwise (zipWith estimated fields places) sigma relief
   where
-    pairs = map (pairOf settings nodes) (compared frames)
-    nodes = Boxed.fromList (map nodeOf frames)
+    relief = reliefBy settings (map snd frames)
+    pairs = map (pairOf settings relief nominal) (compared frames)
+    nominal = Boxed.fromList (map fst frames)
     fields = pairwiseField settings [rest place | (place, _) <- frames] pairs
     told = foldMap momentsOf fields
     sigma
@@ -54,7 +69,7 @@ registerPairwise settings frames = Pairwise (zipWith estimated fields places) si
          in Just (exp (sum (zipWith (*) shares (map log (gridSigmas grid)))) / gridSpacing)
     grid = gridOf settings
     places =
-      between settings told nodes pairs $
+      leastSquares settings relief told nominal pairs $
         [(place, probabilityAround field place) | field <- fields, let place = likeliest field]
     n = fromIntegral (max 1 (length places))
     mean part = sum (map part places) / n
@@ -68,19 +83,29 @@ registerPairwise settings frames = Pairwise (zipWith estimated fields places) si
             take
               2
               [ h {hypothesisShift = less (hypothesisShift h)}
-                | h <- hypotheses 5 0.001 field,
+                | h <- hypotheses 5 leastOther field,
                   let (x, y) = hypothesisShift h,
                   max (abs (x - fst place)) (abs (y - snd place)) >= 2
               ],
           estimateElsewhere = []
         }
 
+-- | The relief of frames, all of one size, by what is known of their noise.
+reliefBy :: Registration -> [Raster] -> Relief
+reliefBy settings images = reliefOf (uncurry spectra size) least images
+  where
+    size = maximum ((1, 1) : map rasterSize images)
+    least = noise / max 1e-9 (variance - noise)
+    noise = registrationNoise settings * registrationNoise settings
+    variance = sum deviations' / fromIntegral (max 1 (length deviations'))
+    deviations' = [sd * sd | Just sd <- map standardDeviation images]
+
 -- | The pairs that are compared: those that share at least a fifth of a frame, as diagonal ones
 -- have whose steps are half a frame; of each frame's pairs at most 'mostPairs', evenly.
 compared :: [(Taxels, Raster)] -> [Neighbours]
 compared frames = [pair | (n, pair) <- numbered, n `IntSet.member` chosen]
   where
-    numbered = zip [0 ..] [pair | pair <- neighbours frames, neighboursShare pair >= 0.2]
+    numbered = zip [0 ..] [pair | pair <- neighbours frames, neighboursShare pair >= leastOverlap]
     chosen = IntSet.fromList (concatMap (spacedOut mostPairs) (IntMap.elems ofEach))
     ofEach =
       IntMap.fromListWith
@@ -90,9 +115,28 @@ compared frames = [pair | (n, pair) <- numbered, n `IntSet.member` chosen]
             k <- [first, second]
         ]
 
--- | The most pairs that a frame chooses: as many as it has where steps are half a frame.
-mostPairs :: Int
-mostPairs = 8
+-- | The log evidence of frames at their nominal places (taxels) against relief of each frame's own,
+-- as some of their pairs tell it for all:
+--
+-- > E = sum over pairs of log (delta + (1 - delta) * sum over e of pi(e) exp L(e))
+--
+-- Pairs of frames that hardly moved tell nothing of how any lie.
+pairsEvidence :: Registration -> Relief -> [(Taxels, Raster)] -> Double
+pairsEvidence settings relief frames = ofEach * sum (map likelier some)
+  where
+    pairs = [pair | pair <- compared frames, moved (neighboursStep pair)]
+    some = spacedOut pairsOfLayout pairs
+    ofEach = fromIntegral (length pairs) / fromIntegral (max 1 (length some))
+    moved (x, y) = max (abs x) (abs y) >= 2
+    likelier (Neighbours k l step _) =
+      log (outlier + (1 - outlier) * mean (V.toList (overlapLogs relief (k, l) step grid)))
+      where
+        grid = displacementsAround step (max 1 (min 9 (2 * sigma)))
+        mean logs = sum (zipWith (\p t -> p * exp (min 600 t)) priors logs) / sum priors
+        priors = [exp (normalLog (sigma * sigma) (apart d)) | d <- allOf grid]
+        apart (x, y) = squared (fromIntegral x - fst step) + squared (fromIntegral y - snd step)
+    sigma = sqrt 2 * supposedSigma settings
+    squared t = t * t
 
 -- | In how many pixels 'registerPairwise' compares frames, at all displacements of its grid.
 comparedPixels :: Registration -> [(Taxels, Raster)] -> Int
@@ -100,30 +144,39 @@ comparedPixels settings frames = sum (map pixels (compared frames))
   where
     pixels pair = displacements * ceiling (neighboursShare pair * fromIntegral area)
     area = maximum (1 : [rasterWidth image * rasterHeight image | (_, image) <- frames])
-    displacements = length [() | y <- line, x <- line, within reach (x, y)]
-    line = [negate reach .. reach]
-    reach = pairReach settings
+    displacements = (2 * pairReach settings + 1) ^ (2 :: Int)
 
 -- | Displacements between grid points, from the likeliest ones on these and how probable each is
--- there: those that fit the pairs best by least squares. What a pair says is the highest place of L
--- near where its frames lie, and how steeply L falls from there, as far as both frames are there.
-between ::
-  Registration -> Moments -> Boxed.Vector Node -> [Pair] -> [(Taxels, Double)] -> [Taxels]
-between settings told nodes pairs start = zip (solved fst) (solved snd)
+-- there: those that fit the pairs best by least squares. A pair says where L is highest near where
+-- its frames lie, and how the frames differ there, as far as both frames are there and show
+-- one relief.
+leastSquares ::
+  Registration ->
+  Relief ->
+  Moments ->
+  Boxed.Vector Taxels ->
+  [Pair] ->
+  [(Taxels, Double)] ->
+  [Taxels]
+leastSquares settings relief told nominal pairs start = zip (solved fst) (solved snd)
   where
     places = Boxed.fromList (map fst start)
     probable = Boxed.fromList (map snd start)
     count = length start
     around = byFrame count (concatMap springs pairs)
-    springs (Pair k l _ _) =
+    springs pair@(Pair k l _ _) =
       [ (l, (k, weight, e)),
         (k, (l, weight, (negate ex, negate ey)))
       ]
       where
         weight = (certain * wx, certain * wy)
-        certain = probable Boxed.! k * probable Boxed.! l
-        (e@(ex, ey), (wx, wy)) = peak settings nodes (k, l) apart
-        apart = (places Boxed.! l) `minus` (places Boxed.! k)
+        certain = one * probable Boxed.! k * probable Boxed.! l
+        e@(ex, ey) = ((fromIntegral i, fromIntegral j) `plus` offset) `minus` beyond
+        ((i, j), one) = highestNear settings pair (round x, round y)
+        (offset, (wx, wy)) = between relief (k, l) (i + stepX, j + stepY)
+        (stepX, stepY) = gridStep (nominal Boxed.! k) (nominal Boxed.! l)
+        (x, y) = ((places Boxed.! l) `minus` (places Boxed.! k)) `plus` beyond
+        beyond = rest (nominal Boxed.! l) `minus` rest (nominal Boxed.! k)
     -- Each frame in turn is where its pairs and the robot have it in the mean.
     solved part =
       let from = IntMap.fromList (zip [0 ..] (map (part . fst) start))
@@ -136,7 +189,3 @@ between settings told nodes pairs start = zip (solved fst) (solved snd)
           let v = part ws in (w + v, t + v * (IntMap.findWithDefault 0 l at + part e))
     robot = robotPrecision (gridOf settings) told
     common = let Moments n x y _ = told in (x / (n * gridSpacing), y / (n * gridSpacing))
-
--- | How often least squares look at each frame.
-mostSteps :: Int
-mostSteps = 40

@@ -19,6 +19,7 @@ import PraTactile.Registration.Groups (joinedBy)
 import PraTactile.Registration.Joint
 import PraTactile.Registration.Joint.Displacement (cellNumber)
 import PraTactile.Registration.Joint.MeanField
+import PraTactile.Registration.Numbers (mostElsewhere, mostTied, sure)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 
 -- | The lattice with one frame where else it may be, for the most probable such places of all
@@ -43,10 +44,6 @@ oneElsewhere found =
     displacementsOf' k = fieldFrames (jointField found) !! k
     changed :: Int -> (a -> a) -> [a] -> [a]
     changed k change xs = [if k == n then change x else x | (n, x) <- zip [0 ..] xs]
-
--- | The most places of single frames that are told.
-mostElsewhere :: Int
-mostElsewhere = 4
 
 -- | The lattice with each frame so many rows and columns of cells further, and the log-likelihood
 -- ratio of that to where the frames were found.
@@ -85,8 +82,3 @@ tiedGroups found
     tie a b = cellsBound [a', b'] - cellsBound [a'] - cellsBound [b']
       where
         (a', b') = (IntMap.intersection a b, IntMap.intersection b a)
-    sure = log 99
-
--- | The most frames of which it is asked which ones show the same.
-mostTied :: Int
-mostTied = 256

@@ -33,6 +33,7 @@ import PraTactile.Registration.Lattice.Fit (Touched, fitsAt)
 import PraTactile.Registration.Lattice.Glimpse
 import PraTactile.Registration.Lattice.Template (LatticeTables)
 import PraTactile.Registration.Levelling
+import PraTactile.Registration.Numbers (interpolated)
 import PraTactile.Registration.Others
 import PraTactile.Registration.Posterior (Hypothesis)
 import PraTactile.Registration.Residual (residual)
@@ -158,7 +159,8 @@ arrange tables method settings robot touched
           map estimated (pairwiseFrames found)
       )
         { arrangementSigma = pairwiseSigma found,
-          arrangementOthers = othersByPairs (knowing (pairwiseSigma found)) robot frames
+          arrangementOthers =
+            othersByPairs (knowing (pairwiseSigma found)) (pairwiseRelief found) robot frames
         }
       where
         found = registerPairwise settings frames
@@ -216,14 +218,14 @@ tiltFrames = 256
 
 -- | Settings for frames of another pitch, brought to the canonical one: their noise has, beside the
 -- sensor's, what two frames differ by because their pixels are interpolated: as variance, a share
--- of that of all the frames' relief (assumption). Noise that was averaged away would otherwise let
+-- of that of all the frames' relief. Noise that was averaged away would otherwise let
 -- patches that hardly vary decide where a frame lies.
 withMisfit :: [Raster] -> Registration -> Registration
-withMisfit images settings = settings {registrationNoise = sqrt (noise * noise + misfit * relief)}
+withMisfit images settings =
+  settings {registrationNoise = sqrt (noise * noise + interpolated * relief)}
   where
     noise = registrationNoise settings
     relief = max 0 (average [sd * sd | Just sd <- map standardDeviation images] - noise * noise)
-    misfit = 0.05
     average values = sum values / fromIntegral (max 1 (length values))
 
 moved :: [(Taxels, Raster)] -> [Taxels] -> [(Taxels, Raster)]

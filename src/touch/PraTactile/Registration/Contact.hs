@@ -1,9 +1,35 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Presses that are tilted: the plane between a rigid sensor and the face is found with the gain
--- and the offset of each frame, and taken away; and what does not touch is told. The formulas are
--- in "PraTactile.Registration.Model", under "A tilted press".
+-- | Presses that are tilted: finds the plane between a rigid sensor and the face with the gain and
+-- the offset of each frame, takes it away, and tells what does not touch.
+--
+-- A rigid sensor that is tilted lies nearer to the face here than there, by p x + q y, where x and
+-- y go from -1 to 1 between its edges. A taxel that does not touch reads c, the mean of the lowest
+-- 1/32 of the readings. A taxel that touches reads the more, the nearer it lies:
+--
+-- > z = c + h_r(x, y) + noise,    h_r(x, y) = max 0 (a r + b + p x + q y)
+--
+-- where r is 0, 1/2 (on an edge) or 1, with the probabilities 0.62, 0.16 and 0.22, independently in
+-- each taxel. (a, b, p, q, v) is maximised, from the even press and from slopes in eight
+-- directions:
+--
+-- > eStep:  rho_r(u) ~ P(r) exp (- (z(u) - c - h_r(u))^2 / (2 v))
+-- > mStep:  (a, b, p, q) = least squares of a r + b + p x + q y against z - c, by rho_r(u), over
+-- >         the taxels u and reliefs r that touch: where the argument of h_r is above 0
+-- >         v = (sum of rho_r (z - c - h_r)^2) / N
+--
+-- Presses are tilted if 'mostAsked' of them show it by 'sure', where slopes cost what Schwarz's
+-- criterion says and 'independentShare' of the taxels counts:
+--
+-- > sum over frames of (share (log p(z) - max over p = q = 0 of log p(z)) - log N) > log 99
+--
+-- Then each frame is read as by an even press of the same depth. A taxel in which embossing would
+-- read t times as much more than what is flat as it does at the centre, and whose noise is 1/t of
+-- the centre's, has the weight w = min 1 t^2; below 'leastTouch' it does not touch, and has none:
+--
+-- > t  = (h_1(x, y) - h_0(x, y)) / (h_1(0, 0) - h_0(0, 0))
+-- > z' = c + h_0(0, 0) + (z - c - h_0(x, y)) / t
 module PraTactile.Registration.Contact
   ( evened,
 
@@ -26,6 +52,14 @@ import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Image (Raster, constant, generate, rasterSize, rasterValues, standardDeviation)
 import qualified PraTactile.Image as Image (mean)
 import PraTactile.Registration.Model
+import PraTactile.Registration.Numbers
+  ( independentShare,
+    leastGain,
+    leastTouch,
+    leastVariance,
+    mostAsked,
+    pressSteps,
+  )
 
 -- | Frames as even presses would read them, each with w, what its taxels count; 'Nothing' where the
 -- frames do not show that they are tilted.
@@ -37,18 +71,13 @@ evened images
     -- By Schwarz's criterion a plane costs half the logarithm of the taxels for each slope.
     shown image =
       let taxels = taxelsOf image
-          (level, press) = climbed Level asked taxels (usualPress taxels)
-          (tilted, _) = climbed Tilted asked taxels press
+          (level, press) = climbed Level pressSteps taxels (usualPress taxels)
+          (tilted, _) = climbed Tilted pressSteps taxels press
        in independentShare * (tilted - level) - log (fromIntegral (length taxels))
     even' image
       | varied image = evenedBy (likeliestPress image) image
       | otherwise = (image, uncurry constant (rasterSize image) 1)
     varied = any (> 1e-9) . standardDeviation
-
--- | The most frames that are asked whether they are tilted, and by how many steps.
-mostAsked, asked :: Int
-mostAsked = 12
-asked = 8
 
 -- | A frame as an even press would read it, and w.
 evenedBy :: Press -> Raster -> (Raster, Raster)
@@ -78,7 +107,7 @@ likeliestPress image = snd (maximumBy (comparing fst) (map (climbed Tilted 15 ta
   where
     taxels = taxelsOf image
     usual = usualPress taxels
-    level = snd (climbed Level asked taxels usual)
+    level = snd (climbed Level pressSteps taxels usual)
     starts =
       level :
         [ usual {pressAcross = 2 * cos t, pressDown = 2 * sin t}

@@ -20,6 +20,7 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Registration.Loops
+import PraTactile.Registration.Numbers (highest)
 
 -- | By length, the cosines of each frequency at the first half of the places, frequency by
 -- frequency: the other half mirrors them, with the sign of the frequency's parity.
@@ -37,10 +38,6 @@ cosinesUpTo longest = Cosines (Boxed.generate (longest + 1) halves)
 
 halfOf :: Int -> Int
 halfOf n = (n + 1) `quot` 2
-
--- | How many frequencies a side are looked at.
-highest :: Int
-highest = 32
 
 -- | The coefficients of a whole image, row by row, at most 'highest' a side, without the first, the
 -- mean. The cosines must reach to its longer side.

@@ -25,7 +25,7 @@ import PraTactile.Registration.Joint.Displacement
     displacementsOf,
   )
 import PraTactile.Registration.Joint.Estimate
-import PraTactile.Registration.Joint.Grid (Grid (..), gridOf, gridSpacing, logSum)
+import PraTactile.Registration.Joint.Grid (Grid (..), gridOf, gridSpacing, onGrid)
 import PraTactile.Registration.Joint.MeanField
   ( MeanField (..),
     Told,
@@ -36,22 +36,16 @@ import PraTactile.Registration.Joint.MeanField
     meanField,
   )
 import PraTactile.Registration.Joint.Phase (CommonPhase (..), commonPhase, glimpsedLog)
+import PraTactile.Registration.Joint.TwoFrames
 import PraTactile.Registration.Lattice.Fit
 import PraTactile.Registration.Lattice.Likelihood (likelihoodTheta)
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Levelling
-import PraTactile.Registration.Model (eighth, outlier, placesPerTaxel)
+import PraTactile.Registration.Model (eighth, logSum)
+import PraTactile.Registration.Numbers (keptPixels, outlier, phaseFrames, placesPerTaxel)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search (Registration (..))
-
--- | The most frames that the lattice's phase is found from.
-phaseFrames :: Int
-phaseFrames = 64
-
--- | The most pixels that frames have on average of which is kept what they tell.
-keptPixels :: Int
-keptPixels = 1024
 
 -- | Frames on one lattice, each part found when it is first looked at.
 data Joint = Joint
@@ -144,7 +138,13 @@ registerJointly settings fits frames =
     small = sum (map pixelsOf some) <= phaseFrames * keptPixels
     pixelsOf (_, (image, _), _) = rasterWidth image * rasterHeight image
     phases = map (fmap fitSome . if small then kept else again) some
-    common = commonPhase grid phases
+    common = commonPhase grid phases (twoPhase <$> two)
+    -- Of two frames all phases are summed.
+    two = case map kept onLattice of
+      [first, second] -> Just (twoFrames (apart grid) (fmap fitSome first) (fmap fitSome second))
+      _ -> Nothing
+    -- The errors of both, which are independent.
+    apart known = known {gridSigmas = map (sqrt 2 *) (gridSigmas known)}
     (thetas, displacements) =
       unzip (map (told . (if few then kept else again)) onLattice)
     few = small && length onLattice <= phaseFrames
@@ -162,10 +162,11 @@ registerJointly settings fits frames =
     sigma
       | length onLattice < 2 = Nothing
       | otherwise = Just (exp (sum (zipWith (*) sigmas (map log (gridSigmas grid)))) / gridSpacing)
-    estimates =
-      [ turnedTo angle (estimateAt place (shifts weights))
-        | ((place, _, _), weights) <- zip onLattice posteriors
-      ]
+    estimates = map (turnedTo angle) $ case (two, rests) of
+      (Just found, [(x, y), (x', y')]) ->
+        halvesOf (estimateAt (x' - x, y' - y) (twoDisplacements found))
+      _ -> zipWith estimateAt rests (map shifts posteriors)
+    rests = [snd (onGrid place) | (place, _, _) <- onLattice]
     shifts weights = [(displacementShift o, p) | (o, p) <- weights]
     n = fromIntegral (max 1 (length estimates))
     mean part = eighth (sum (map (part . estimateShift) estimates) / n)
@@ -175,6 +176,20 @@ registerJointly settings fits frames =
       ]
     less (x, y) = (x - mean fst, y - mean snd)
     lessen h = h {hypothesisShift = less (hypothesisShift h)}
+
+-- | Two frames, as sure as where the second lies against the first: half a step from their middle.
+halvesOf :: Estimate -> [Estimate]
+halvesOf found = [half (-1), half 1]
+  where
+    half sign =
+      found
+        { estimateShift = times sign (estimateShift found),
+          estimateOthers =
+            [ h {hypothesisShift = times sign (hypothesisShift h)} | h <- estimateOthers found
+            ],
+          estimateElsewhere = []
+        }
+    times sign (x, y) = (sign * x / 2, sign * y / 2) :: Taxels
 
 -- | What was found along the lattice's axes, which are turned by that many degrees, along the
 -- frames'.

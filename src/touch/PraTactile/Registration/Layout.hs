@@ -5,7 +5,6 @@
 module PraTactile.Registration.Layout
   ( Layout (..),
     layouts,
-    refuted,
   )
 where
 
@@ -15,6 +14,7 @@ import PraTactile.Composite (Fault (..))
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Lattice (cellSteps)
 import PraTactile.Composite.Noise (spacedOut)
+import PraTactile.Registration.Numbers (groupShare, leastGap, mostGroups, mostLines)
 import PraTactile.Sensor.Frame (Pose (..))
 import PraTactile.Sensor.Manifest (Axes, alongAxes, axesNamed, straight)
 
@@ -84,24 +84,3 @@ axesShare axes
   | otherwise = 0.2 / 5
   where
     oneNegated = [a | (name, a) <- axesNamed, name `elem` ["-x,y", "x,-y"]]
-
--- | The most lines along an axis beyond which frames are supposed to have slipped, those between
--- the rows or columns that are furthest from each other.
-mostLines :: Int
-mostLines = 8
-
--- | Of slips, how probable that of a single group is beside those beyond lines.
-groupShare :: Double
-groupShare = 0.5
-
--- | The most groups of which each is supposed to have slipped.
-mostGroups :: Int
-mostGroups = 16
-
--- | How far rows of frames are at least from each other, taxels; nearer ones are one row.
-leastGap :: Double
-leastGap = 2
-
--- | A layout whose log-likelihood ratio to the one told is below this is no hypothesis any more.
-refuted :: Double
-refuted = -12

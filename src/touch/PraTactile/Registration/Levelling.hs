@@ -35,7 +35,8 @@ where
 
 import PraTactile.Image (Raster, mapRaster)
 import PraTactile.Registration.Lattice.Fit (Touched, standardOf)
-import PraTactile.Registration.Model (Theta (..), negligible)
+import PraTactile.Registration.Model (Theta (..))
+import PraTactile.Registration.Numbers (negligible, unlikeGain, unlikeOffset)
 import PraTactile.Registration.Search (independent)
 
 -- | What all frames read on their common scale, and how each is brought to it.
@@ -104,12 +105,6 @@ reading seen (Theta a b v) = Reading (s * a) (m + s * b) ofGain (s * s * v / (in
       | n / 2 * log (1 / v) < negligible = 1 / 0
       | otherwise = v / (independent * n * (1 - v)) + unlikeGain
     (n, m, s) = standardOf seen
-
--- | The variances of the logarithms of gains, and of offsets as shares of the gain, that presses of
--- one sensor may have.
-unlikeGain, unlikeOffset :: Double
-unlikeGain = 0.3 * 0.3
-unlikeOffset = 0.05 * 0.05
 
 -- | The mean of numbers with variances, and what each is by itself and by all together: the mean,
 -- where its variance is infinite.

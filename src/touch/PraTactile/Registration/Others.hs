@@ -12,11 +12,20 @@ import PraTactile.Composite (Fault (..), Otherwise (..))
 import PraTactile.Composite.Blend (Taxels, minus, plus)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Image (Raster)
-import PraTactile.Registration.Agreement (evidenceAt)
+import PraTactile.Registration.AllPairs (pairsEvidence)
 import PraTactile.Registration.Alternatives
 import PraTactile.Registration.Joint
 import PraTactile.Registration.Lattice.Fit (Fits (..), Touched)
 import PraTactile.Registration.Layout
+import PraTactile.Registration.Numbers
+  ( framesOfLayout,
+    hopeless,
+    largeError,
+    mostLog,
+    refuted,
+    scaleFrames,
+  )
+import PraTactile.Registration.Overlap (Relief)
 import PraTactile.Registration.Scale (likelyScales)
 import PraTactile.Registration.Search (Registration)
 
@@ -26,7 +35,7 @@ othersOnLattice ::
   Registration -> Fits -> Taxels -> [(Taxels, Touched)] -> Joint -> [Otherwise]
 othersOnLattice settings fits robot touched found =
   [Otherwise OneFrame 1 odds (Just lattice) | (odds, lattice) <- oneElsewhere found]
-    ++ [ Otherwise (layoutFault layout) (layoutShare layout) (exp (min certain likelier)) lattice
+    ++ [ Otherwise (layoutFault layout) (layoutShare layout) (exp (min mostLog likelier)) lattice
          | layout <- layouts scales (tiedGroups found) (map (plus robot . fst) touched),
            let (likelier, lattice) = weighed layout,
            likelier > refuted
@@ -44,7 +53,7 @@ othersOnLattice settings fits robot touched found =
         )
       where
         byPhase = jointGlimpse there - jointGlimpse here
-        there = registered (spacedOut mostOfLayout lying)
+        there = registered (spacedOut framesOfLayout lying)
     scales
       | maybe False (> largeError) (jointSigma found) =
         likelyScales (jointGlimpse . registered . spacedOut scaleFrames . lyingAt) (map fst touched)
@@ -53,41 +62,26 @@ othersOnLattice settings fits robot touched found =
       registerJointly settings fits {fitsFrames = map snd lying} (map fst lying)
     lyingAt places = zip (zip places (map snd touched)) (fitsFrames fits)
     -- By some of the frames, where there are very many.
-    few = length touched <= mostOfLayout
-    here = if few then found else registered (spacedOut mostOfLayout (lyingAt (map fst touched)))
+    few = length touched <= framesOfLayout
+    here = if few then found else registered (spacedOut framesOfLayout (lyingAt (map fst touched)))
 
 -- | The alternative layouts that the overlaps of frames do not refute. Where there is no lattice it
 -- is not known what the frames then show.
-othersByPairs :: Registration -> Taxels -> [(Taxels, Raster)] -> [Otherwise]
-othersByPairs settings robot frames =
+othersByPairs :: Registration -> Relief -> Taxels -> [(Taxels, Raster)] -> [Otherwise]
+othersByPairs settings relief robot frames =
   [ Otherwise (layoutFault layout) (layoutShare layout) (exp likelier) Nothing
-    | (layout, likelier) <- zip known (evidenceAt settings frames (map placesOf known)),
+    | layout <- layouts [] (map (const 0) frames) (map (plus robot . fst) frames),
+      layoutFault layout /= Slip,
+      let likelier = min (most (layoutFault layout)) (evidence layout - asTold),
       likelier > refuted
   ]
   where
-    known =
-      [ layout
-        | layout <- layouts [] (map (const 0) frames) (map (plus robot . fst) frames),
-          layoutFault layout /= Slip
-      ]
-    placesOf = map (`minus` robot) . layoutPlaces
-
--- | So that products of likelihood ratios are numbers.
-certain :: Double
-certain = 300
-
--- | The most frames that are asked where all may lie instead.
-mostOfLayout :: Int
-mostOfLayout = 256
-
--- | The position error, taxels, beyond which the frames are asked for another scale.
-largeError :: Double
-largeError = 1.5
-
--- | The most frames that are asked for a scale.
-scaleFrames :: Int
-scaleFrames = 32
-
--- | A layout whose lattice is less likely by this log ratio is not asked for the symbols.
-hopeless :: Double
-hopeless = -30
+    -- A scale changes how many frames overlap, and smooth relief agrees with any other.
+    most fault = case fault of
+      OtherScale _ _ -> 0
+      _ -> mostLog
+    asTold = told (map fst frames)
+    evidence layout
+      | layoutFault layout == Anywhere = 0
+      | otherwise = told (map (`minus` robot) (layoutPlaces layout))
+    told = pairsEvidence settings relief . (`zip` map snd frames)

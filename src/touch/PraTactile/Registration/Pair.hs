@@ -24,9 +24,10 @@ import PraTactile.Registration.Lattice.Fit (likelihood, whole)
 import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Template
+import PraTactile.Registration.Numbers (leastOther)
+import PraTactile.Registration.Overlap
 import PraTactile.Registration.Pair.Alike
-import PraTactile.Registration.Pair.Blind
-import PraTactile.Registration.Pair.Lattice
+import PraTactile.Registration.Pair.Methods
 import PraTactile.Registration.Pair.Straight
 import PraTactile.Registration.Posterior
 import PraTactile.Registration.Spectrum
@@ -138,11 +139,12 @@ sensible (Pairing (x, y) search _ confidence) =
 
 matched :: Tables -> Pairing -> Raster -> Raster -> Match
 matched tables (Pairing step search method confidence) a b =
-  Match refusal best (deviations sure) fixed used (map surely (hypotheses 5 0.001 found))
+  Match refusal best (deviations sure) fixed used (map surely (hypotheses 5 leastOther found))
   where
     (w, h) = rasterSize a
     coefficients = map (coefficientsOf (tablesSpectra tables)) [a, b]
-    process = processOf (tablesSpectra tables) 0 coefficients
+    relief = reliefOf (tablesSpectra tables) 0 [a, b]
+    densities = map (densityLog . fitTo (tablesSpectra tables) (reliefProcess relief)) coefficients
     evidences = map (likelihood (tablesTemplates tables) . whole) [a, b]
     used
       | method /= Auto = method
@@ -151,11 +153,11 @@ matched tables (Pairing step search method confidence) a b =
     -- Whether the frames are likelier to show the lattice than any other relief, if they are large
     -- enough for a symbol.
     latticed =
-      min w h >= symbolWidth && sum (map logDensity evidences) > sum (processLogs process)
+      min w h >= symbolWidth && sum (map logDensity evidences) > sum densities
     found = case (used, evidences) of
       (Lattice, [ea, eb]) -> latticePosterior step search ea eb
       (Correlation, _) -> correlationPosterior step search a b
-      _ -> blindPosterior (tablesSpectra tables) process step search (a, b)
+      _ -> blindPosterior relief step search
     -- The best guess may be what noise seems to tell along straight edges, or the place of a
     -- lattice that is not there; but it is not sure.
     sure = case used of
@@ -175,7 +177,7 @@ matched tables (Pairing step search method confidence) a b =
       | any flat [a, b] = Just Blank
       | severalX || severalY = Just (if uncurry (/=) fixed then OneAxis else Ambiguous)
       | hypothesisProbability best >= confidence = Nothing
-      | any blank (zip3 [a, b] coefficients (processLogs process)) = Just Blank
+      | any blank (zip3 [a, b] coefficients densities) = Just Blank
       | uncurry (/=) fixed = Just OneAxis
       | otherwise = Just Ambiguous
 

@@ -20,7 +20,8 @@ import Data.List (foldl')
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
-import PraTactile.Registration.Model (normalLog, tolerance)
+import PraTactile.Registration.Model (normalLog)
+import PraTactile.Registration.Numbers (tolerance)
 
 -- | Probabilities of displacements on a grid.
 data Posterior = Posterior

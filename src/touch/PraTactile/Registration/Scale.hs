@@ -10,6 +10,7 @@ where
 import Data.List (sortOn)
 import Data.Ord (Down (..))
 import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Registration.Numbers (greatestExtent, leastExtent, mostScales)
 
 -- | The scales across and down, of both axes alike or of one, that make nominal places (taxels)
 -- likelier than they are. Given is the log-likelihood of places. At most 'mostScales', the
@@ -50,12 +51,3 @@ spread :: [Double] -> (Double, Double)
 spread ts = ((least + most) / 2, most - least)
   where
     (least, most) = (minimum ts, maximum ts)
-
--- | How far apart the outermost frames are at least and at most at a scale that is tried, taxels.
-leastExtent, greatestExtent :: Double
-leastExtent = 8
-greatestExtent = 256
-
--- | The most scales whose evidence is weighed in full.
-mostScales :: Int
-mostScales = 4

@@ -1,45 +1,60 @@
-{-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | Relief as a stationary normal process plus white noise, by the discrete cosine transform, which
 -- nearly makes its coefficients independent: which process a frame is likely of, and how much
 -- likelier two patches are when they show one relief than when they show two.
 --
--- The spectra are those of Matern's family (Stein, Interpolation of Spatial Data, 1999): smoothness
--- and range are found from the frames, and so is the share of the noise.
+-- A coefficient of frequency u across and v down (not both 0) is normal, of variance s (S + n),
+-- independent of the others. S is a spectrum of Matern's family (Stein, Interpolation of Spatial
+-- Data, 1999), of mean 1, with smoothness nu and range r (taxels); n is the noise's share. They are
+-- the likeliest of all frames, and so is each frame's own scale s:
+--
+-- > S ~ (1 + r^2 ((pi u / width)^2 + (pi v / height)^2) / (2 nu - 1)) ^ -nu
+--
+-- With A and B the coefficients of what two frames have in common, over the roots of their scales,
+-- and p = kappa S for relief that is kappa times as high there:
+--
+-- > one relief:   A and B have variance p + n, and covariance C p
+-- > two reliefs:  covariance 0, each with a kappa of its own
+-- > C = 1,  or c,  or alike * c,    c = sinc (pi u / (2 width)) sinc (pi v / (2 height))
+-- > L = tempering * log R - g^2 / (2 gainVariance)
+-- > R = ratio of the densities of A e^(g/2) and B e^(-g/2) by one relief and by two,
+-- >     each the mean over kappa and C
+--
+-- where c is the mean cosine of a coefficient's phase over displacements within half a taxel.
 module PraTactile.Registration.Spectrum
   ( -- * Processes
     Spectra,
     spectra,
+    spectraSize,
     spectraCosines,
     coefficientsOf,
     Process (..),
     processOf,
     whiteness,
+    Fitted (..),
+    fitTo,
 
-    -- * Pairs
-    Shared,
-    shared,
-    sharedLog,
+    -- * Patches of two frames
+    PatchWeights,
+    patchWeights,
+    patchLog,
   )
 where
 
-import Data.List (maximumBy)
-import Data.Ord (comparing)
 import qualified Data.Vector as Boxed
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster)
 import PraTactile.Registration.Cosine
 import PraTactile.Registration.Loops
+import PraTactile.Registration.Model (logSum)
+import PraTactile.Registration.Numbers (alike, gainVariance, mostNoise, tempering)
 
--- | Tables for patches of up to a size; each is made when it is first looked at.
+-- | Tables for frames of a size; each is made when it is first looked at.
 data Spectra = Spectra
-  { spectraWidth :: !Int,
+  { spectraSize :: !(Int, Int),
     spectraCosines :: !Cosines,
-    -- | By width and height of a patch: the variances of its coefficients for each shape of the
-    -- spectrum, and their @coherence@.
-    spectraPatches :: !(Boxed.Vector (Boxed.Vector (Vector Double), Vector Double)),
     -- | Of whole frames, by shape and share of the noise: the inverse variances of the
     -- coefficients, and the sum of the logarithms of the variances.
     spectraWhole :: !(Boxed.Vector (Vector Double, Double))
@@ -49,16 +64,12 @@ data Spectra = Spectra
 spectra :: Int -> Int -> Spectra
 spectra w h =
   Spectra
-    w
+    (w, h)
     (cosinesUpTo (max w h))
-    (Boxed.generate ((w + 1) * (h + 1)) bySize)
     ( Boxed.fromList
         [whole alone noise | alone <- map (powers w h) [0 .. shapeCount - 1], noise <- noiseShares]
     )
   where
-    bySize i =
-      let (y, x) = i `quotRem` (w + 1)
-       in (Boxed.generate shapeCount (powers x y), coherence x y)
     whole alone noise =
       let variances = V.map (+ noise) alone
        in (V.map (1 /) variances, V.sum (V.map log variances))
@@ -66,11 +77,6 @@ spectra w h =
 -- | A frame's coefficients.
 coefficientsOf :: Spectra -> Raster -> Vector Double
 coefficientsOf = cosineTransform . spectraCosines
-
--- | How much of the relief's variance a patch may have: relief is not alike everywhere, and two
--- patches of a gap are alike without saying much.
-reliefScales :: [Double]
-reliefScales = [0.003, 0.08, 0.4, 1.5]
 
 -- | Smoothness and range (taxels) of the processes.
 shapesOfSpectrum :: [(Double, Double)]
@@ -80,9 +86,9 @@ shapeCount, noiseCount :: Int
 shapeCount = length shapesOfSpectrum
 noiseCount = length noiseShares
 
--- | The variances of the noise that are tried, as shares of the relief's.
+-- | The variances of the noise that are tried, as shares of the relief's; the last is noise alone.
 noiseShares :: [Double]
-noiseShares = [1e-6, 3e-5, 5e-4, 0.003, 0.01, 0.03, 0.07, 0.15, 0.3, 0.6, 1.2, 2.5, 5]
+noiseShares = [1e-6, 3e-5, 5e-4, 0.003, 0.01, 0.03, 0.07, 0.15, 0.3, 0.6, 1.2, 2.5, 5, 25, 125]
 
 -- | The variances of a patch's coefficients, without the mean's, for a process of variance 1.
 powers :: Int -> Int -> Int -> Vector Double
@@ -131,34 +137,47 @@ data Process = Process
   { -- | Which of the processes that are tried.
     processIndex :: !Int,
     -- | The noise's variance as a share of the relief's.
-    processNoise :: !Double,
-    -- | The relief's variance in each of the frames.
-    processScales :: ![Double],
-    -- | The logarithm of the probability density of each frame, standardised to variance 1.
-    processLogs :: ![Double]
+    processNoise :: !Double
   }
   deriving stock (Eq, Show)
 
 -- | The likeliest process of frames, from their coefficients ('cosineTransform'), each frame with
--- its own scale; among those whose noise has at least that share of the relief's variance.
+-- its own scale; among those whose noise has at least that share of the relief's variance, and if
+-- that is no more than 'mostNoise', no more than this.
 processOf :: Spectra -> Double -> [Vector Double] -> Process
-processOf tables least frames = Process best (noiseShares !! (best `rem` noiseCount)) scales logs
+processOf tables least frames = numbered (V.maxIndex scores)
   where
-    powersSeen = map (\c -> let squares = V.map (\x -> x * x) c in (squares, V.sum squares)) frames
-    scores = V.generate (shapeCount * noiseCount) score
-    score i
-      | noiseShares !! (i `rem` noiseCount) < least = -1 / 0
-      | otherwise = sum (map (fst . fit i) powersSeen)
-    best = V.maxIndex scores
-    (logs, scales) = unzip (map (fit best) powersSeen)
-    fit i (squares, total)
-      | total <= 0 = (0, 0)
-      | otherwise =
-        (n / 2 * (log (total / n) - log scale - 1 - log (2 * pi)) - logs' / 2, scale)
-      where
-        (inverses, logs') = spectraWhole tables Boxed.! i
-        n = fromIntegral (V.length squares)
-        scale = dot squares inverses / n
+    numbered i = Process i (noiseShares !! (i `rem` noiseCount))
+    squares = map (V.map (\x -> x * x)) frames
+    scores = V.generate (shapeCount * noiseCount) $ \i ->
+      let process = numbered i
+       in if processNoise process < min least (maximum noiseShares)
+            || processNoise process > max least mostNoise
+            then -1 / 0
+            else sum (map (densityLog . fitted tables process) squares)
+
+-- | A frame under a process.
+data Fitted = Fitted
+  { -- | The logarithm of the probability density of the frame, standardised to variance 1.
+    densityLog :: !Double,
+    -- | The relief's variance in the frame.
+    reliefScale :: !Double
+  }
+
+-- | A frame under a process, from its coefficients.
+fitTo :: Spectra -> Process -> Vector Double -> Fitted
+fitTo tables process = fitted tables process . V.map (\x -> x * x)
+
+-- | A frame under a process, from the squares of its coefficients.
+fitted :: Spectra -> Process -> Vector Double -> Fitted
+fitted tables process squares
+  | total <= 0 = Fitted 0 0
+  | otherwise = Fitted (n / 2 * (log (total / n) - log scale - 1 - log (2 * pi)) - logs / 2) scale
+  where
+    (inverses, logs) = spectraWhole tables Boxed.! processIndex process
+    total = V.sum squares
+    n = fromIntegral (V.length squares)
+    scale = dot squares inverses / n
 
 -- | The logarithm of the probability density of a standardised frame with that many coefficients if
 -- it is white noise and nothing else.
@@ -167,105 +186,79 @@ whiteness c = negate n / 2 * (1 + log (2 * pi))
   where
     n = fromIntegral (V.length c)
 
--- | What two patches tell at one scale of the relief: of two reliefs, of one that lies exactly so,
--- and of one that lies so to half a taxel.
-data Shared = Shared !Sums !Sums !Sums
+-- | How high the relief of a patch may be, as shares of the process's variance: relief is not alike
+-- everywhere, and two patches of a gap are alike without saying much.
+reliefHeights :: [Double]
+reliefHeights = [0.003, 0.08, 0.4, 1.5]
 
--- | What two patches tell under a normal law of the pairs of their coefficients: the sums of the
--- first's squares, of the products and of the second's squares, each weighed by the inverse of
--- their covariance, and half the logarithm of its determinant.
-data Sums = Sums !Double !Double !Double !Double
+-- | Patches of one width and height under a process.
+data PatchWeights = PatchWeights
+  { -- | By the greatest of 'reliefHeights'.
+    weightsHighest :: ApartWeights,
+    -- | At each of 'reliefHeights': of two reliefs, and of one by each of 'coherences'.
+    weightsByHeight :: [(ApartWeights, [PairWeights])]
+  }
 
--- | What two patches of that width and height tell at each of @reliefScales@, from their
--- coefficients, each divided by the root of its frame's scale.
-shared :: Spectra -> Process -> (Int, Int) -> (Vector Double, Vector Double) -> [Shared]
-shared tables process (w, h) (a, b) =
-  [ Shared
-      (sums scale (\_ _ -> 0))
-      (sums scale const)
-      (sums scale (\p i -> p * V.unsafeIndex coherent i))
-    | scale <- reliefScales
-  ]
+-- | One coefficient is normal: its inverse variance, coefficient by coefficient, and half the sum
+-- of the logarithms of the variances.
+data ApartWeights = ApartWeights !(Vector Double) !Double
+
+-- | Two coefficients are jointly normal: what a square and what their product count, coefficient by
+-- coefficient, and half the sum of the logarithms of the determinants.
+data PairWeights = PairWeights !(Vector Double) !(Vector Double) !Double
+
+-- | What share of a coefficient's relief two frames have in common, for patches of that width and
+-- height: all of it; what is left of it within half a taxel; and 'alike' of that.
+coherences :: Int -> Int -> [Vector Double]
+coherences w h = [V.map (const 1) nearly, nearly, V.map (* alike) nearly]
   where
-    (shapesHere, coherent) = spectraPatches tables Boxed.! (h * (spectraWidth tables + 1) + w)
-    power = shapesHere Boxed.! (processIndex process `quot` noiseCount)
-    noise = processNoise process
-    n = minimum (map V.length [a, b, power, coherent])
-    -- Given the covariance of the patches by the relief's variance at a coefficient. Sixteen
-    -- determinants at a time have one logarithm.
-    sums :: Double -> (Double -> Int -> Double) -> Sums
-    sums !scale covariance = from 0 0 0 0 0
-      where
-        from :: Int -> Double -> Double -> Double -> Double -> Sums
-        from !i !x !y !z !l
-          | i >= n = Sums x y z (l / 2)
-          | otherwise = block i (min n (i + 16)) x y z 1 l
-        block :: Int -> Int -> Double -> Double -> Double -> Double -> Double -> Sums
-        block !i !to !x !y !z !product' !l
-          | i >= to = from to x y z (l + log product')
-          | otherwise =
-            let p = scale * V.unsafeIndex power i
-                v = p + noise
-                c = covariance p i
-                determinant = v * v - c * c
-                squares = v / determinant
-                ca = V.unsafeIndex a i
-                cb = V.unsafeIndex b i
-             in block
-                  (i + 1)
-                  to
-                  (x + ca * ca * squares)
-                  (y + ca * cb * (c / determinant))
-                  (z + cb * cb * squares)
-                  (product' * determinant)
-                  l
-    {-# INLINE sums #-}
+    nearly = coherence w h
 
--- | How much likelier, as a natural logarithm, the patches are of one relief than of two, whatever
--- the second reads times what the first does, beyond the scales: of that the logarithm g is normal,
--- of variance 'gainVariance', and summed over. Relief is no normal process, and the coefficients
--- are not quite independent, so each counts for somewhat less: @tempering@.
+-- | The weights for patches of that width and height under a process.
+patchWeights :: Process -> (Int, Int) -> PatchWeights
+patchWeights process (w, h) =
+  PatchWeights
+    (apart (maximum reliefHeights))
+    [ (apart height, map (together height) (coherences w h))
+      | height <- reliefHeights
+    ]
+  where
+    power = powers w h (processIndex process `quot` noiseCount)
+    variancesAt height = V.map (\s -> height * s + processNoise process) power
+    apart height =
+      let variances = variancesAt height
+       in ApartWeights (V.map (1 /) variances) (V.sum (V.map log variances) / 2)
+    together height coherent =
+      PairWeights
+        (V.zipWith (/) variances determinants)
+        (V.zipWith (/) covariances determinants)
+        (V.sum (V.map log determinants) / 2)
+      where
+        variances = variancesAt height
+        covariances = V.zipWith (\s c -> height * s * c) power coherent
+        determinants = V.zipWith (\v c -> v * v - c * c) variances covariances
+
+-- | How much likelier, as a natural logarithm, two patches are of one relief than of two: from
+-- their coefficients, each divided by the root of its frame's scale. Relief is no normal process,
+-- and the coefficients are not quite independent, so each counts for somewhat less: 'tempering'.
 --
--- The sum is taken by steps of one width of the integrand about its highest place, both as they are
--- for the likeliest of the scales. (Without noise it is far narrower than the prior.)
-sharedLog :: [Shared] -> Double
-sharedLog scales = logSumOf [at (peak + k * width) | k <- [-4 .. 4]] + log width - logRoot
+-- The second frame may read e^g times what the first does, beyond the scales: g is what makes both
+-- patches equally high, and its prior is normal, of variance 'gainVariance'.
+patchLog :: PatchWeights -> Vector Double -> Vector Double -> Double
+patchLog weights a b = tempering * likelier - g * g / (2 * gainVariance)
   where
-    at g = tempering * ratioAt (exp g) - g * g / (2 * gainVariance)
-    logRoot = log (2 * pi * gainVariance) / 2
-    ratioAt ratio =
-      meanOf [one ratio sums | Shared _ exactly nearly <- scales, sums <- [exactly, nearly]]
-        - meanOf [first ratio sums | Shared sums _ _ <- scales]
-        - meanOf [second ratio sums | Shared sums _ _ <- scales]
-    one ratio (Sums x y z l) = negate l - (x * ratio + z / ratio) / 2 + y
-    first ratio (Sums x _ _ l) = negate (l / 2) - x * ratio / 2
-    second ratio (Sums _ _ z l) = negate (l / 2) - z / ratio / 2
-    -- The integrand is the exponential of - (p exp g + r exp (-g)) / 2 - g^2 / 2 v, nearly.
-    (p, r) = (weight xShared xAlone, weight zShared zAlone)
-    weight both alone = tempering * max 0 (both - alone)
-    Sums xShared _ zShared _ =
-      likeliest
-        (\(Sums x y z l) -> y - l - sqrt (x * z))
-        [sums | Shared _ exactly nearly <- scales, sums <- [exactly, nearly]]
-    Sums xAlone _ _ _ = likeliest (first 1) alones
-    Sums _ _ zAlone _ = likeliest (second 1) alones
-    alones = [sums | Shared sums _ _ <- scales]
-    likeliest by = maximumBy (comparing by)
-    curvature g = (p * exp g + r * exp (negate g)) / 2 + 1 / gainVariance
-    peak = iterate newton (bounded 1 (if p > 0 && r > 0 then log (r / p) / 2 else 0)) !! 8
-    newton g = g - bounded 0.5 (slope g / curvature g)
-    slope g = (p * exp g - r * exp (negate g)) / 2 + g / gainVariance
-    width = 1 / sqrt (curvature peak)
-    bounded most = max (negate most) . min most
-    meanOf logs = logSumOf logs - log (fromIntegral (length logs))
-    logSumOf logs = top + log (sum [exp (l - top) | l <- logs, l > top - 40])
-      where
-        top = maximum logs
-
--- | Of the logarithm of the ratio of two frames' gains, beyond their scales (assumption).
-gainVariance :: Double
-gainVariance = 0.16
-
--- | Found on simulated frames of symbols, so that of what is given at 99 % that much is right.
-tempering :: Double
-tempering = 0.8
+    likelier =
+      logMean (concat [map pair pairs | (_, pairs) <- weightsByHeight weights])
+        - logMean [alone apart squaresA | (apart, _) <- weightsByHeight weights]
+        - logMean [alone apart squaresB | (apart, _) <- weightsByHeight weights]
+    alone (ApartWeights inverses constant) z = negate constant - dot inverses z / 2
+    pair (PairWeights ofSquares ofProducts constant) =
+      negate constant - dot ofSquares (V.zipWith (+) squaresA squaresB) / 2
+        + dot ofProducts (V.zipWith (*) a b)
+    squaresA = V.map (\x -> exp g * x * x) a
+    squaresB = V.map (\y -> exp (negate g) * y * y) b
+    g = if isNaN ratio then 0 else max (-1) (min 1 ratio)
+    ratio = log (high b / high a) / 2
+    high z =
+      let ApartWeights inverses _ = weightsHighest weights in dot inverses (V.map (\x -> x * x) z)
+    logMean logs = logSum logs - log (fromIntegral (length logs))

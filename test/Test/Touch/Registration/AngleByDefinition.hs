@@ -126,7 +126,8 @@ defined processes hints images roughly finely
     shown = shownBy finely few
     shownBy told ks a = summed told ks a - genericLength ks * log 25 > others ks + log 99
     -- Any other relief, of which a tenth at least is noise.
-    others = sum . concatMap (processLogs . processOf processes 0.1 . pure . coefficients)
+    others = sum . map (likely . coefficients)
+    likely seen = densityLog (fitTo processes (processOf processes 0.1 [seen]) seen)
     coefficients k = coefficientsOf processes (images !! k)
     likeliest = maximumBy (comparing (\a -> (coarse 5 a, a)))
     -- From there by two degrees, at most three of them, at whole taxels.

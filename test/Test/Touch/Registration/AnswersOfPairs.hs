@@ -10,9 +10,10 @@ import PraTactile.Image
 import PraTactile.Registration.Lattice.Fit (likelihood, whole)
 import PraTactile.Registration.Lattice.Likelihood (logDensity)
 import PraTactile.Registration.Lattice.Template (templates)
+import qualified PraTactile.Registration.Overlap as Overlap
 import PraTactile.Registration.Pair
 import PraTactile.Registration.Pair.Alike
-import PraTactile.Registration.Pair.Blind
+import PraTactile.Registration.Pair.Methods
 import PraTactile.Registration.Pair.Straight
 import PraTactile.Registration.Posterior
 import PraTactile.Registration.Spectrum
@@ -80,9 +81,7 @@ genAsked = do
   pure (Pairing step search method 0.99, frames, placesOf (uncurry (known step search) frames))
   where
     blind step search a b =
-      let tables = spectra 9 8
-          process = processOf tables 0 (map (coefficientsOf tables) [a, b])
-       in blindPosterior tables process step search (a, b)
+      blindPosterior (Overlap.reliefOf (spectra 9 8) 0 [a, b]) step search
     placesOf (Posterior (x, y) _ (columns, rows) masses) =
       zip
         [(round x + i, round y + j) | j <- [0 .. rows - 1], i <- [0 .. columns - 1]]

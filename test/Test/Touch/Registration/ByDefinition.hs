@@ -18,7 +18,7 @@ import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Model
-import PraTactile.Registration.Pair.Lattice
+import PraTactile.Registration.Pair.Methods
 import PraTactile.Registration.Posterior (Hypothesis (..), Posterior (..))
 import PraTactile.Registration.Search (Registration (..), standardRegistration)
 import Test.Effort (byEffort, withCases)
@@ -291,8 +291,8 @@ pairSpec =
             [ ((round (2 * fst step) + i, round (2 * snd step) + j), prior)
               | j <- [-2 .. 2],
                 i <- [-2 .. 2],
-                -- The search is two standard deviations, and these are half taxels.
-                let prior = negate (fromIntegral (i * i + j * j) / 4) / (2 * 0.25)
+                -- The search is two standard deviations; in half taxels, with the cell's variance.
+                let prior = negate (fromIntegral (i * i + j * j)) / (2 * (1 + 1 / 12))
             ]
           wanted = pairPosterior displacements (classesOf a) (classesOf b)
           classesOf image = let (_, classes, _) = fitted 0 image in classes

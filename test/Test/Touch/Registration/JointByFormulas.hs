@@ -21,7 +21,7 @@ import PraTactile.Registration.Lattice.Fit (likelihood, whole)
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Lattice.Places (placesGrid)
 import PraTactile.Registration.Lattice.Template
-import PraTactile.Registration.Model (cellShare)
+import PraTactile.Registration.Numbers (cellShare)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search (Registration (..), standardRegistration, supposedSigma)
 import Test.Effort (byEffort, withCases)
@@ -88,7 +88,8 @@ phaseSpec = do
               [ (place, blank {phaseLogs = phases only, likeliestPhase = only})
                 | (place, only) <- frames
               ]
-            (glimpsed, likeliest) = (glimpsedLog grid seen, commonLog (commonPhase grid seen))
+            glimpsed = glimpsedLog grid seen
+            likeliest = commonLog (commonPhase grid seen Nothing)
          in counterexample (show (glimpsed, likeliest)) $
               glimpsed <= likeliest + 1e-9
                 && (length frames > 1 || abs (glimpsed - likeliest) < 1e-9)
@@ -102,7 +103,8 @@ phaseSpec = do
                 }
             robot = robotOf settings
             (o, y, x) = Definition.commonPhase robot [seenAt p v V.empty | (p, v) <- frames]
-            found = commonPhase (gridOf settings) [(p, blank {phaseLogs = v}) | (p, v) <- frames]
+            seen = [(p, blank {phaseLogs = v}) | (p, v) <- frames]
+            found = commonPhase (gridOf settings) seen Nothing
          in (commonOrientation found, commonRowColumn found) === (o, (y, x))
   where
     genOnePhase = (,) <$> genPlace <*> choose (0, 2559)
@@ -214,7 +216,8 @@ locatedSpec = do
        in estimateProbability found <= 1 && estimateProbability found > 0.999
   it "a frame is in the mean of the places around where most lies; others lie two taxels off" $
     forAll genPlace $ \place -> forAll genMasses $ \options ->
-      let Estimate shift (alongX, alongY) probability others onGrid' = estimateAt place options
+      let Estimate shift (alongX, alongY) probability others onGrid' =
+            estimateAt (snd (onGrid place)) options
           Estimate shift' (alongX', alongY') probability' others' onGrid'' = estimate place options
           probabilities = map hypothesisProbability
           close a b = counterexample (show (a, b)) (abs (a - b) < 1e-9)

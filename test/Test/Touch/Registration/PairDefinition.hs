@@ -18,7 +18,7 @@ module Test.Touch.Registration.PairDefinition
   )
 where
 
-import Data.List (maximumBy, nub, sort)
+import Data.List (maximumBy)
 import Data.Maybe (fromMaybe)
 import Data.Ord (comparing)
 import PraTactile.Image hiding (mean)
@@ -136,23 +136,26 @@ blindly step@(x, y) search a b = knownBy step search told
     brought = zipWith (\scale -> mapRaster (\z -> if scale > 0 then z / sqrt scale else 0)) scales
     nominal = max 1 (pixels (fst (inCommon a b (round x, round y))))
     told d = case brought [a, b] of
-      [a', b'] | pixels one > 1 -> weight * logIntegral (-3, 3) ofGain
+      [a', b']
+        | pixels one > 1 ->
+          log (1 + exp (weight * (0.8 * likelier noise levelled - g * g / 0.32)))
         where
           (one, other) = inCommon a' b' d
           weight = max 0.5 (min 2 (nominal / pixels one))
-          ofGain g =
-            0.8 * likelier noise (map (reading (exp (g / 2))) seen)
-              - g * g / 0.32
-              - log (0.32 * pi) / 2
-          reading gain (Coefficient (z, z') s c) = Coefficient (gain * z, z' / gain) s c
           seen =
             [ Coefficient (z, z') s (coherence f)
               | ((f, z), (_, z'), s) <-
                   zip3 (cosines one) (cosines other) (spectrumOf shape (rasterSize one))
             ]
+          -- As many times as high is the second relief, by the highest process.
+          high which = sum [which z * which z / (1.5 * s + noise) | Coefficient z s _ <- seen]
+          ratio = log (high snd / high fst) / 2
+          g = if isNaN ratio then 0 else max (-1) (min 1 ratio)
+          levelled =
+            [Coefficient (exp (g / 2) * z, exp (-g / 2) * z') s c | Coefficient (z, z') s c <- seen]
           coherence (u, v) = sinc (half u rasterWidth) * sinc (half v rasterHeight)
           half k side = pi * fromIntegral k / (2 * fromIntegral (side one))
-      _ -> 0
+      _ -> log 2
     sinc t = if t == 0 then 1 else sin t / t :: Double
 
 -- | A and B, S, and C of a coefficient.
@@ -160,29 +163,16 @@ data Coefficient = Coefficient !(Double, Double) !Double !Double
 
 -- | How much likelier, as a natural logarithm, coefficients are of one relief than of two.
 likelier :: Double -> [Coefficient] -> Double
-likelier noise seen = logMean (map one heights ++ map nearly heights) - ofTwo fst - ofTwo snd
+likelier noise seen =
+  logMean (concatMap (`map` heights) [one, nearly 1, nearly 0.85]) - ofTwo fst - ofTwo snd
   where
     heights = [0.003, 0.08, 0.4, 1.5]
     one kappa = sum [normalPair (kappa * s + noise) (kappa * s) z | Coefficient z s _ <- seen]
-    nearly kappa =
-      sum [normalPair (kappa * s + noise) (c * kappa * s) z | Coefficient z s c <- seen]
+    nearly share kappa =
+      sum [normalPair (kappa * s + noise) (share * c * kappa * s) z | Coefficient z s c <- seen]
     ofTwo which =
       logMean
         [sum [normal (kappa * s + noise) (which z) | Coefficient z s _ <- seen] | kappa <- heights]
-
--- | The logarithm of the integral of a function, from its logarithm, by trapezia that are the finer
--- the nearer they are to where it is highest.
-logIntegral :: (Double, Double) -> (Double -> Double) -> Double
-logIntegral ends function = top + log (sum (zipWith trapezium points (drop 1 points)))
-  where
-    points = [(g, function g) | g <- nub (sort (concat (take 7 (zooming ends))))]
-    top = maximum (map snd points)
-    trapezium (g, l) (g', l') = (g' - g) * (exp (l - top) + exp (l' - top)) / 2
-    zooming (from, to) = grid : zooming (best - 2 * step, best + 2 * step)
-      where
-        step = (to - from) / 40
-        grid = [from + fromIntegral k * step | k <- [0 .. 40 :: Int]]
-        best = maximumBy (comparing function) grid
 
 -- | By correlation.
 byCorrelation :: (Double, Double) -> Double -> Raster -> Raster -> Known

@@ -9,7 +9,7 @@ import PraTactile.Random (normals)
 import PraTactile.Registration.Lattice.Fit (likelihood, whole)
 import PraTactile.Registration.Lattice.Template (templates)
 import PraTactile.Registration.Pair
-import PraTactile.Registration.Pair.Lattice (latticePosterior)
+import PraTactile.Registration.Pair.Methods (latticePosterior)
 import PraTactile.Registration.Posterior (hypotheses)
 import PraTactile.Shape (Alphabet, embossedAt, shapes)
 import System.Random (mkStdGen)

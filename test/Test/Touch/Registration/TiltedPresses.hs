@@ -14,6 +14,7 @@ import PraTactile.Registration.Lattice.Fit
 import PraTactile.Registration.Lattice.Likelihood hiding (eStep, mStep)
 import PraTactile.Registration.Lattice.Template (tablesAt)
 import PraTactile.Registration.Model
+import PraTactile.Registration.Numbers (leastGain, leastVariance)
 import Test.Effort (byEffort, withCases)
 import Test.Hspec
 import Test.QuickCheck hiding (generate)

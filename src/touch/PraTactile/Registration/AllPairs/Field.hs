@@ -3,6 +3,14 @@
 
 -- | Where frames lie by what their pairs say and by the robot's error, whose standard deviation is
 -- found with them: how probable each displacement of each is, on a grid of whole taxels.
+--
+-- What is common to all displacements is free. The mean of m frames tells it to sigma^2 / m, so
+-- that each frame has for prior the others' mean and shares of sigma, with sigma^2 (1 + 1 / m):
+--
+-- > q_f(d) ~ pi(d) * product over the pairs of f of (1 + sum over d' of q_g(d') exp L_fg(d' - d))
+--
+-- Frames are placed one after the other: the first where the robot has it, for good; next the one
+-- whose pairs with those placed have the highest L. Then each is found anew by all others.
 module PraTactile.Registration.AllPairs.Field
   ( pairwiseField,
     likeliest,
@@ -18,7 +26,9 @@ where
 import Control.Monad (forM_)
 import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
+import qualified Data.IntSet as IntSet
 import Data.List (foldl')
+import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import qualified Data.Set as Set
 import qualified Data.Vector as Boxed
@@ -28,6 +38,7 @@ import qualified Data.Vector.Storable.Mutable as M
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Registration.AllPairs.Pair
 import PraTactile.Registration.Joint.Grid
+import PraTactile.Registration.Numbers (heardOfPairs, pairSweeps)
 import PraTactile.Registration.Posterior
 import PraTactile.Registration.Search
 
@@ -93,7 +104,7 @@ fieldReach settings = max 1 (min 12 (ceiling (3 * snd (sigmasFor settings))))
 -- together where the robot has it, since what is common to all cannot be seen; then each anew by
 -- all others, until none changes its likeliest displacement or ten sweeps are done.
 pairwiseField :: Registration -> [Taxels] -> [Pair] -> [Posterior]
-pairwiseField settings rests pairs = IntMap.elems (go mostSweeps IntMap.empty)
+pairwiseField settings rests pairs = IntMap.elems (go pairSweeps IntMap.empty)
   where
     grid = gridOf settings
     reach = fieldReach settings
@@ -109,7 +120,15 @@ pairwiseField settings rests pairs = IntMap.elems (go mostSweeps IntMap.empty)
       | otherwise = go (n - 1) new
       where
         new = fst (foldl' update (now, foldMap momentsOf now) inOrder)
-    inOrder = [(k, rests' Boxed.! k) | k <- growing (length rests) pairs]
+    inOrder = [(k, rests' Boxed.! k) | k <- order]
+    order = growing (length rests) pairs
+    -- The first of those that hang together: no pair of its own has a frame before it.
+    roots = fst (foldl' rooted (IntSet.empty, IntSet.empty) order)
+    rooted (found, before) k =
+      (if starts then IntSet.insert k found else found, IntSet.insert k before)
+      where
+        others = [g | (g, _, _) <- around Boxed.! k]
+        starts = not (null others) && all (`IntSet.notMember` before) others
     rests' = Boxed.fromList rests
     update (now, total) (k, r) = (IntMap.insert k field now, others <> momentsOf field)
       where
@@ -121,7 +140,7 @@ pairwiseField settings rests pairs = IntMap.elems (go mostSweeps IntMap.empty)
               Just there <- [IntMap.lookup g now]
           ]
         field
-          | null told, Nothing <- old = certainly (fieldBy others r [])
+          | k `IntSet.member` roots = fromMaybe (certainly (fieldBy mempty r [])) old
           | otherwise = fieldBy others r told
     certainly field = field {posteriorMasses = V.imap (\i _ -> if i == best then 1 else 0) masses}
       where
@@ -158,7 +177,7 @@ pairwiseField settings rests pairs = IntMap.elems (go mostSweeps IntMap.empty)
     supported field =
       [ (i, m)
         | (i, m) <- zip [0 ..] (V.toList (posteriorMasses field)),
-          m > silent
+          m > heardOfPairs
       ]
 
 -- | The order in which frames are placed: next the one that pairs with those placed tell most of,
@@ -191,11 +210,3 @@ likeliest (Posterior (ox, oy) spacing (columns, _) masses) =
   (ox + spacing * fromIntegral column, oy + spacing * fromIntegral row)
   where
     (row, column) = V.maxIndex masses `quotRem` columns
-
--- | The most sweeps over all frames.
-mostSweeps :: Int
-mostSweeps = 10
-
--- | What is as improbable as that tells other frames nothing.
-silent :: Double
-silent = 0.002

@@ -9,6 +9,9 @@ module PraTactile.Registration.Joint.Displacement
     displacementCells,
     ClassLogs,
     displacementsOf,
+    displacementScores,
+    displacementAt,
+    phaseCounts,
     cellsOfPhases,
     cellRowColumn,
     cellNumber,
@@ -26,6 +29,7 @@ import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template (Templates (..))
 import PraTactile.Registration.Loops (dotWithin, tabulate)
+import PraTactile.Registration.Numbers (unlikely)
 
 -- | A displacement d of a frame, in places from its grid point: |d|^2 in square places, and what it
 -- says of the cells that the frame sees there: their numbers, and one after the other l_k of each.
@@ -57,55 +61,60 @@ displacementCells (Displacement _ _ numbers logs) =
 -- the lattice's orientation and phase, the place of the frame's first one, in taxels, and what the
 -- frame tells.
 displacementsOf :: Grid -> Int -> (Int, Int) -> (Taxels, Likelihood) -> [Displacement]
-displacementsOf grid orientation (phaseY, phaseX) (place, given) =
-  [ displacementOf (dx, dy) (squared dx rx + squared dy ry) (cells dx dy)
-    | k <- [0 .. side * side - 1],
-      V.unsafeIndex scores k >= likely,
-      let (j, i) = k `quotRem` side,
-      let (dx, dy) = (i - reach, j - reach)
-  ]
+displacementsOf grid orientation phase told =
+  map (displacementAt grid orientation phase told) $
+    V.toList (V.findIndices (>= max least (V.maximum scores - unlikely)) scores)
   where
-    tables = likelihoodTables given
-    !(!across, !down) = phaseCount (placesFineness (templatePlaces tables))
+    scores = displacementScores grid orientation phase told
+
+-- | The least score of a displacement whose phase was looked at.
+least :: Double
+least = -1e300
+
+-- | The logarithm of how likely each displacement of the grid is by the frame alone, row by row, up
+-- to a constant; pi is the mean over one sigma an octave.
+displacementScores :: Grid -> Int -> (Int, Int) -> (Taxels, Likelihood) -> V.Vector Double
+displacementScores grid orientation (phaseY, phaseX) (place, given) =
+  tabulate side side $ \j ->
+    let !row = (orientation * down + V.unsafeIndex phasesDown j) * across
+     in \i ->
+          let !l = V.unsafeIndex phases (row + V.unsafeIndex phasesAcross i)
+           in if l < least then l else l + log (prior i j)
+  where
+    !(!across, !down) = phaseCounts given
     !((!nx, !ny), (!rx, !ry)) = onGrid place
     !reach = gridReach grid
     !side = 2 * reach + 1
     !phases = phaseLogs given
-    squared d rest = let t = fromIntegral d - rest in t * t
-    !likely = max least (V.maximum scores - margin)
-    -- By row and column of displacements; pi is the mean over one sigma an octave.
-    !scores = tabulate side side $ \j ->
-      let !row = (orientation * down + V.unsafeIndex phasesDown j) * across
-       in \i ->
-            let !l = V.unsafeIndex phases (row + V.unsafeIndex phasesAcross i)
-             in if l < least
-                  then l
-                  else
-                    l
-                      + log
-                        ( dotWithin octaves (priorsAcross, i * octaves) (priorsDown, j * octaves)
-                        )
     !phasesAcross = phasesAlong (phaseX - nx) across
     !phasesDown = phasesAlong (phaseY - ny) down
     phasesAlong :: Int -> Int -> V.Vector Int
     phasesAlong phase period = V.generate side (\i -> (phase - i + reach) `mod` period)
+    prior i j = dotWithin octaves (priorsAcross, i * octaves) (priorsDown, j * octaves)
     !octaves = length (gridOctaves grid)
     !priorsAcross = priors rx
     !priorsDown = priors ry
-    priors rest = V.fromList (concat (transpose (map told (gridOctaves grid))))
+    priors beyond = V.fromList (concat (transpose (map told (gridOctaves grid))))
       where
-        told sigma = V.toList (priorsAlong grid sigma rest)
-    -- Of what was looked at.
-    least = -1e300
-    cells dx dy =
-      [ (cellNumber ((y + ny + dy - phaseY) `div` down) ((x + nx + dx - phaseX) `div` across), l)
-        | ((y, x), l) <- cellsOf given orientation (phaseY - ny - dy, phaseX - nx - dx)
-      ]
+        told sigma = V.toList (priorsAlong grid sigma beyond)
 
--- | How much less likely than a frame's likeliest displacement or phase another one is, as a
--- natural logarithm, before it is left out.
-margin :: Double
-margin = 12
+-- | The displacement of that index, row by row on the grid.
+displacementAt :: Grid -> Int -> (Int, Int) -> (Taxels, Likelihood) -> Int -> Displacement
+displacementAt grid orientation (phaseY, phaseX) (place, given) k =
+  displacementOf (dx, dy) (squared dx rx + squared dy ry) $
+    [ (cellNumber ((y + ny + dy - phaseY) `div` down) ((x + nx + dx - phaseX) `div` across), l)
+      | ((y, x), l) <- cellsOf given orientation (phaseY - ny - dy, phaseX - nx - dx)
+    ]
+  where
+    (across, down) = phaseCounts given
+    ((nx, ny), (rx, ry)) = onGrid place
+    (dx, dy) = let (j, i) = k `quotRem` (2 * reach + 1) in (i - reach, j - reach)
+    reach = gridReach grid
+    squared d beyond = let t = fromIntegral d - beyond in t * t :: Double
+
+-- | How many phases there are across and down.
+phaseCounts :: Likelihood -> (Int, Int)
+phaseCounts = phaseCount . placesFineness . templatePlaces . likelihoodTables
 
 -- | The cells that a frame sees at a phase of an orientation, modulo the pitch: the row and column
 -- of each among the frame's places, and l_k of its classes.
@@ -117,23 +126,23 @@ cellsOf given orientation (phaseY, phaseX) =
   ]
   where
     places = templatePlaces (likelihoodTables given)
-    (across, down) = phaseCount (placesFineness places)
+    (across, down) = phaseCounts given
     (columns, rows) = placesGrid places
     count = symbolsClasses (templateSymbols (likelihoodTables given))
     every first period end = [first, first + period .. end - 1]
     classesFrom start = Unboxed.generate count (\k -> classLogs given V.! (start + k))
 
 -- | What a frame says of the cells that it sees, at each phase that may matter: the upright phases,
--- and the half turned ones. Phases more than 'margin' below the likeliest are left out.
+-- and the half turned ones. Phases more than 'unlikely' below the likeliest are left out.
 cellsOfPhases :: Likelihood -> ([[ClassLogs]], [[ClassLogs]])
 cellsOfPhases given = (turnedBy 0, turnedBy 1)
   where
     turnedBy o = [map snd (cellsOf given o (y, x)) | (o', (y, x)) <- likely, o' == o]
     phases = phaseLogs given
-    (across, down) = phaseCount (placesFineness (templatePlaces (likelihoodTables given)))
+    (across, down) = phaseCounts given
     likely =
       [ (o, (y, x))
-        | i <- V.toList (V.findIndices (>= V.maximum phases - margin) phases),
+        | i <- V.toList (V.findIndices (>= V.maximum phases - unlikely) phases),
           let (row, x) = i `quotRem` across
               (o, y) = row `quotRem` down
       ]

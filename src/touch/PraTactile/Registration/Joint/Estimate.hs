@@ -11,8 +11,9 @@ where
 import Data.List (foldl', sortOn)
 import qualified Data.Map.Strict as Map
 import PraTactile.Composite.Blend (Taxels)
-import PraTactile.Registration.Joint.Grid (gridSpacing, onGrid)
-import PraTactile.Registration.Model (eighth, tolerance)
+import PraTactile.Registration.Joint.Grid (gridSpacing)
+import PraTactile.Registration.Model (eighth)
+import PraTactile.Registration.Numbers (leastOther, tolerance)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 
 -- | Where a frame was found.
@@ -31,11 +32,11 @@ data Estimate = Estimate
   }
   deriving stock (Eq, Show)
 
--- | Where a frame is whose nominal place (taxels) is given, by its displacements, in places from
--- the grid point nearest to that, with their probabilities: the mean of those near the likeliest.
--- There must be some.
-estimateAt :: Taxels -> [((Int, Int), Double)] -> Estimate
-estimateAt place options =
+-- | Where a frame is, by its displacements, in places from the grid point nearest to its nominal
+-- place, with their probabilities: the mean of those near the likeliest. Given is what is left of
+-- the nominal place beyond the grid point, in places; there must be some displacements.
+estimateAt :: (Double, Double) -> [((Int, Int), Double)] -> Estimate
+estimateAt (rx, ry) options =
   Estimate
     (finally meanX rx, finally meanY ry)
     (spreadOf meanX fst, spreadOf meanY snd)
@@ -46,13 +47,12 @@ estimateAt place options =
     others = take 2 (instead (filter (far (meanX, meanY) . snd) (sortOn (negate . fst) held)))
     instead found = case found of
       (p, (x, y)) : rest
-        | p >= 0.001 ->
+        | p >= leastOther ->
           (Hypothesis (finally (fromIntegral x) rx, finally (fromIntegral y) ry) p, (x, y)) :
           instead (filter (far (fromIntegral x, fromIntegral y) . snd) rest)
       _ -> []
     far (x, y) (x', y') =
       max (abs (x - fromIntegral x')) (abs (y - fromIntegral y')) >= 2 * gridSpacing
-    (_, (rx, ry)) = onGrid place
     masses = Map.fromListWith (+) options
     reach = floor (gridSpacing * tolerance + 1e-9) :: Int
     around (x, y) =

@@ -16,14 +16,14 @@ module PraTactile.Registration.Joint.Grid
     sigmaLogs,
     sigmaShares,
     displacementLog,
-    logSum,
   )
 where
 
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
-import PraTactile.Registration.Model (normalLog, placesPerTaxel, sigmasPerOctave)
+import PraTactile.Registration.Model (logSum, normalLog)
+import PraTactile.Registration.Numbers (placesPerTaxel, sigmasPerOctave)
 import PraTactile.Registration.Search (Registration (..), sigmasFor)
 
 -- | The displacements that are considered.
@@ -112,9 +112,3 @@ sigmaShares grid told = map (exp . subtract total) logs
 -- its square in square places.
 displacementLog :: Grid -> Squares -> Double -> Double
 displacementLog grid others square = logSum (sigmaLogs grid (others <> Squares 1 square))
-
--- | The logarithm of the sum of what these are the logarithms of, of which there must be some.
-logSum :: [Double] -> Double
-logSum logs = top + log (sum [exp (l - top) | l <- logs])
-  where
-    top = maximum logs

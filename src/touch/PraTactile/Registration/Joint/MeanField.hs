@@ -1,6 +1,26 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What each frame's displacement is, by itself and by what all others say of the symbols.
+-- | What each frame's displacement is, by itself and by what all others say of the symbols: the
+-- mean field of "PraTactile.Registration.Model" over cells, and its bound. It begins from each
+-- frame alone; all frames are found anew in each sweep.
+--
+-- What frames tell of a cell has errors in common, and each frame shows with probability delta
+-- something of its own. So the bound F, which log P of what frames show is at least, counts a share
+-- of the log-likelihoods, 'cellShare'. Otherwise a sliver of a symbol that is felt a little
+-- otherwise than supposed would count as much as a symbol. With <.> the mean over q_f, and h_fc0 =
+-- 0:
+--
+-- > h_fck(d) = share * l_fck(d)
+-- > h_fc(d)  = log (epsilon + sum over k of P(k) exp h_fck(d))
+-- > g_fck(d) = log ((1 - delta) exp h_fck(d) + delta exp h_fc(d))
+-- > F = sum over c of log (epsilon exp (sum over f of <g_fc0>)
+-- >                        + sum over k of P(k) exp (sum over f of <g_fck>))
+-- >     + log (sum over sigma of exp (sum over f of <log pi_sigma(d_f)>))
+-- >     - sum over f, d of q_f(d) log q_f(d)
+--
+-- By the same g a cell's class is told, from which recognition makes its answer:
+--
+-- > P(k in c) ~ P(k) exp (sum over f of <g_fck>)
 module PraTactile.Registration.Joint.MeanField
   ( MeanField (..),
     meanField,
@@ -11,6 +31,7 @@ module PraTactile.Registration.Joint.MeanField
     cellsBound,
     cellsTold,
     cellsAlone,
+    cellOf,
   )
 where
 
@@ -27,13 +48,8 @@ import PraTactile.Registration.Joint.Displacement
     displacementCells,
   )
 import PraTactile.Registration.Joint.Grid
-import PraTactile.Registration.Model
-  ( absence,
-    cellLog,
-    cellShare,
-    classPrior,
-    outlier,
-  )
+import PraTactile.Registration.Model (cellLog, classPrior, logSum)
+import PraTactile.Registration.Numbers (absence, cellShare, heardOfCells, mostSweeps, outlier)
 
 -- | What is found of the displacements of all frames, and of sigma.
 data MeanField = MeanField
@@ -51,24 +67,23 @@ meanField grid frames = MeanField found (sigmaShares grid (foldMap squaresOf fou
     found = go mostSweeps alone (expectedOf alone)
     alone =
       [ normalised
-          [ (d, robotLog mempty d + sum (map byItself (displacementCells d)))
+          [ (d, robotLog mempty d + sum (map (cellOf . snd) (displacementCells d)))
             | d <- ds
           ]
         | ds <- frames
       ]
     robotLog others = displacementLog grid others . displacementSquare
-    byItself (_, l) = cellGiven Nothing l
     go n now expectedByAll
       | n <= 1 || map likeliest now == map likeliest new = new
       | otherwise = go (n - 1) new (expectedOf new)
       where
         new = zipWith (sweep expectedByAll) (allButOne (map squaresOf now)) now
-    sweep expectedByAll others ds =
+    sweep byAll others ds =
       normalised
         [ ( d,
             robotLog others d
               + sum
-                [ cellGiven (fmap (`less` IntMap.lookup c own) (IntMap.lookup c expectedByAll)) l
+                [ maybe cellOf (cellGiven . less (IntMap.lookup c own)) (IntMap.lookup c byAll) l
                   | (c, l) <- displacementCells d
                 ]
           )
@@ -76,13 +91,12 @@ meanField grid frames = MeanField found (sigmaShares grid (foldMap squaresOf fou
         ]
       where
         own = heard ds
-    less total (Just mine) = Unboxed.zipWith (-) total mine
-    less total Nothing = total
+    less mine total = maybe total (Unboxed.zipWith (-) total) mine
     likeliest ds = fmap (displacementShift . fst) (foldl' larger Nothing ds)
     larger Nothing d = Just d
     larger (Just a) b = Just (if snd b > snd a then b else a)
     expectedOf = together heard
-    heard = expected 0.02 id
+    heard = expected heardOfCells id
 
 -- | F, which log P of what the frames show is at least, up to what does not depend on their places;
 -- by what each tells of its cells.
@@ -109,7 +123,7 @@ toldAt shift ds =
 cellsBound :: [Told] -> Double
 cellsBound = sum . map cell . IntMap.elems . together id
   where
-    cell g = cellLog (Unboxed.length g - 1) (\k -> g Unboxed.! (k + 1) - nothing) + nothing
+    cell g = cellOf (Unboxed.map (subtract nothing) (Unboxed.drop 1 g)) + nothing
       where
         nothing = g Unboxed.! 0
 
@@ -127,12 +141,12 @@ orAstray :: ClassLogs -> ClassLogs
 orAstray logs = Unboxed.map mixed (Unboxed.cons 0 l)
   where
     l = Unboxed.map (cellShare *) logs
-    own = cellGiven Nothing l
+    own = cellOf l
     mixed x = logSum [log (1 - outlier) + x, log outlier + own]
 
 -- | The sum of h_fc over the cells that one frame sees at a phase.
 cellsAlone :: [ClassLogs] -> Double
-cellsAlone = sum . map (cellGiven Nothing . Unboxed.map (cellShare *))
+cellsAlone = sum . map (cellOf . Unboxed.map (cellShare *))
 
 -- | What a frame's displacements tell of sigma.
 squaresOf :: [(Displacement, Double)] -> Squares
@@ -141,10 +155,6 @@ squaresOf ds = Squares 1 (sum [p * displacementSquare d | (d, p) <- ds])
 -- | For each, what all others are together.
 allButOne :: Monoid m => [m] -> [m]
 allButOne ms = zipWith (<>) (scanl (<>) mempty ms) (drop 1 (scanr (<>) mempty ms))
-
--- | The most sweeps over all frames.
-mostSweeps :: Int
-mostSweeps = 5
 
 -- | What is expected of the cells that a frame sees, over its displacements of more than that
 -- probability, given what each makes of the log likelihoods of a cell's classes.
@@ -158,28 +168,28 @@ expected least of' ds =
 together :: (frame -> IntMap ClassLogs) -> [frame] -> IntMap ClassLogs
 together told = foldl' (\m -> IntMap.unionWith (Unboxed.zipWith (+)) m . told) IntMap.empty
 
--- | How much likelier a cell is than nothing there: by what one frame says of its classes, and
--- where there is any by what the others say.
-cellGiven :: Maybe ClassLogs -> ClassLogs -> Double
-cellGiven others mine = logMean (maybe prior known others)
+-- | The log-likelihood ratio of a cell, its classes summed, to an empty one.
+cellOf :: ClassLogs -> Double
+cellOf l = cellLog (Unboxed.length l) (l Unboxed.!)
+
+-- | The log-likelihood ratio of a cell to an empty one by one frame, given what the others say.
+cellGiven :: ClassLogs -> ClassLogs -> Double
+cellGiven others mine =
+  top
+    + log
+      ( empty * exp (negate top)
+          + Unboxed.sum (Unboxed.zipWith (\m l -> m * exp (l - top)) classes mine)
+      )
   where
-    n = Unboxed.length mine
-    share = classPrior n
-    prior = (absence, Unboxed.replicate n share)
-    known theirs =
-      let top = max 0 (Unboxed.maximum theirs)
-          likely = Unboxed.map (\l -> share * exp (l - top)) theirs
-          nothing = absence * exp (negate top)
-          total = nothing + Unboxed.sum likely
-       in (mixed absence (nothing / total), Unboxed.map (mixed share . (/ total)) likely)
-    mixed without given = (1 - outlier) * given + outlier * without
-    logMean (nothing, shares) =
-      let top = max 0 (Unboxed.maximum mine)
-       in top
-            + log
-              ( nothing * exp (negate top)
-                  + Unboxed.sum (Unboxed.zipWith (\s l -> s * exp (l - top)) shares mine)
-              )
+    top = max 0 (Unboxed.maximum mine)
+    share = classPrior (Unboxed.length mine)
+    -- m', from m.
+    empty = astray absence (absence * exp (negate most) / total)
+    classes = Unboxed.map (astray share . (/ total)) likely
+    astray prior m = (1 - outlier) * m + outlier * prior
+    most = max 0 (Unboxed.maximum others)
+    likely = Unboxed.map (\l -> share * exp (l - most)) others
+    total = absence * exp (negate most) + Unboxed.sum likely
 
 -- | Probabilities from logarithms of what they are proportional to.
 normalised :: [(Displacement, Double)] -> [(Displacement, Double)]

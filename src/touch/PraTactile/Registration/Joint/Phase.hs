@@ -1,7 +1,11 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Where the lattice lies under all frames together.
+-- | Where the lattice lies under all frames together. With each frame's displacement summed, one
+-- sigma an octave, and L* a frame's greatest L:
+--
+-- > P(lambda) ~ sum over sigma of product over f of
+-- >    (delta + (1 - delta) * sum over d of pi_sigma(d) exp (L_f(lambda - n_f - d) - L*_f))
 module PraTactile.Registration.Joint.Phase
   ( CommonPhase (..),
     commonPhase,
@@ -17,7 +21,8 @@ import PraTactile.Registration.Joint.Grid
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Lattice.Places (phaseCount)
 import PraTactile.Registration.Loops (dotWithin, tabulate)
-import PraTactile.Registration.Model (outlier, placesPerTaxel)
+import PraTactile.Registration.Model (logSum)
+import PraTactile.Registration.Numbers (outlier, placesPerTaxel)
 
 -- | The likeliest phase of the lattice under all frames.
 data CommonPhase = CommonPhase
@@ -30,15 +35,16 @@ data CommonPhase = CommonPhase
     commonRowColumn :: !(Int, Int)
   }
 
--- | The phase of the lattice on the composite that at most 100 frames make likeliest.
-commonPhase :: Grid -> [(Taxels, Likelihood)] -> CommonPhase
-commonPhase grid frames = CommonPhase (log most) (most / V.sum probable) o (y, x)
+-- | The phase of the lattice on the composite that at most 100 frames make likeliest; or the one
+-- that is given, as orientation, row and column.
+commonPhase :: Grid -> [(Taxels, Likelihood)] -> Maybe (Int, (Int, Int)) -> CommonPhase
+commonPhase grid frames known = CommonPhase (log here) (here / V.sum probable) o (y, x)
   where
-    most = probable V.! best
+    here = probable V.! phase
     (across, down) = phaseCount placesPerTaxel
     probable = phasePosterior grid frames
-    best = V.maxIndex probable
-    (row, x) = best `quotRem` across
+    phase = maybe (V.maxIndex probable) (\(o', (y', x')) -> (o' * down + y') * across + x') known
+    (row, x) = phase `quotRem` across
     (o, y) = row `quotRem` down
 
 -- | log P(lambda) of the likeliest lattice up to a constant, at a glance: each frame has its

@@ -1,6 +1,12 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The angle at which the lattice of cells lies under frames, before any of them is registered.
+-- | The angle alpha at which the lattice of cells lies under frames, before any is registered. It
+-- is maximised over the sum of log p(z) of a few frames: at whole taxels over the circle, then by
+-- steps of two degrees, and by a parabola's vertex. Upright is asked first, unless symbols seem to
+-- lie at another angle and five frames at whole taxels show the lattice there and not upright.
+--
+-- There is a lattice if that sum, less log N of each frame (the gain and the offset, by Schwarz's
+-- criterion), is above the same sum of the likeliest normal process by 'sure'.
 module PraTactile.Registration.Lattice.Angle
   ( latticeAngle,
   )
@@ -13,6 +19,7 @@ import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (parabolaVertex)
 import PraTactile.Image (Raster, rasterSize, standardDeviation)
 import PraTactile.Registration.Lattice.Fit
+import PraTactile.Registration.Numbers (misfit, sure)
 import PraTactile.Registration.Spectrum
 
 -- | What frames tell at the angle in [-90, 90), in degrees clockwise, at which a lattice lies under
@@ -77,19 +84,8 @@ latticeAngle at processes hints images
     usable =
       [(k, i) | one : _ <- [images], (k, i) <- zip [0 ..] images, rasterSize i == rasterSize one]
     blind =
-      [ fitShare fit * sum (processLogs (processOf processes misfit [coefficients image]))
-        | (fit, image) <- zip (fitsFrames upright) images
+      [ fitShare fit * densityLog (fitTo processes (processOf processes misfit [seen]) seen)
+        | (fit, image) <- zip (fitsFrames upright) images,
+          let seen = coefficientsOf processes image
       ]
-    coefficients = coefficientsOf processes
     maximumOn score = maximumBy (comparing score)
-
--- | How much likelier, as a natural logarithm, the lattice must be than other relief, where either
--- is as probable beforehand: for a posterior of 0.99.
-sure :: Double
-sure = log 99
-
--- | The least share of noise that relief of any kind is supposed to have where frames are asked
--- whether they show the lattice: symbols are not felt quite as they are drawn, and a frame without
--- noise would be likelier to show anything smooth than them.
-misfit :: Double
-misfit = 0.1

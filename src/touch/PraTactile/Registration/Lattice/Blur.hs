@@ -17,7 +17,7 @@ import qualified Data.Vector.Storable.Mutable as M
 import PraTactile.Image (Raster, rasterValues)
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Loops (tabulate)
-import PraTactile.Registration.Model (blurDeviation)
+import PraTactile.Registration.Numbers (blurDeviation)
 import PraTactile.Shape.Blur (blurredAt)
 
 -- | The share of a unit taxel, blurred, that is seen at this distance from its centre: nothing from

@@ -2,6 +2,16 @@
 
 -- | How a frame reads relief, and with it what it tells of the lattice under it: found from coarse
 -- to fine by the steps of "PraTactile.Registration.Lattice.Likelihood".
+--
+-- The steps begin with v that of white noise, and with a and b as they are usual of symbols: v,
+-- within 0.001 to 0.95, is a quarter of the mean square of
+-- z(x, y) - z(x + 1, y) - z(x, y + 1) + z(x + 1, y + 1), a = root (max 0.02 (1 - v)) / 0.36, and
+-- b = - 0.15 a.
+--
+-- Four steps are at whole taxels, the first over all phases, the others over those that it leaves
+-- likely (within e^30 of the best); then one is at half taxels, over the phases less than a taxel
+-- from one that is still likely. No other phase is looked at, unless all of these have the frame
+-- where the robot's error does not let it be.
 module PraTactile.Registration.Lattice.Fit
   ( Fit (..),
     fitOf,
@@ -36,6 +46,7 @@ import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Model
+import PraTactile.Registration.Numbers (negligible)
 
 -- | What a frame tells, each part made when it is first looked at.
 data Fit = Fit

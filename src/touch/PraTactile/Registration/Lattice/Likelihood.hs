@@ -5,9 +5,33 @@
 -- and of each cell's class. The alphabet and the pitch of the cells are known; the array,
 -- the gain, the offset and the noise of the frame are not.
 --
--- The symbols do not overlap, so the squared error of a whole lattice is a sum over its cells, and
--- with the classes independent and uniform the likelihood of a phase is a product over them. Gain,
--- offset and noise are found by expectation and maximisation, of which these are the steps.
+-- A symbol of class k whose upper left taxel lies at x, in orientation o (upright or half turned),
+-- brings to taxel u the relief
+--
+-- > T(u) = sum over the embossed taxels j of class k, turned by o, of g(u - x - j)
+--
+-- where g is that of "PraTactile.Shape.Blur", but 0 from three taxels on along an axis. On a
+-- lattice at an angle the taxels j are turned with it, and g, which is nearly the same in all
+-- directions, is not. Places x are those from which a symbol's taxels come within two taxels of the
+-- frame. Against an empty cell at x the log-likelihood ratios are
+--
+-- > l_k(x)    = (a <z, T> - a b sum T - a^2 sum T^2 / 2) / v
+-- > l(x)      = log (epsilon + sum over k of P(k) exp l_k(x))               a cell, classes summed
+-- > L(lambda) = sum over the cells x of lambda of l(x)                      a phase
+-- > log p(z)  = log (mean over lambda of exp L(lambda))
+-- >             - N (1 + b^2) / (2 v) - N/2 log (2 pi v)                    the frame
+--
+-- Theta is found by expectation and maximisation, with phases and classes summed. No step makes
+-- p(z) smaller:
+--
+-- > eStep:  w(lambda) ~ exp L(lambda),    p_k(x) = P(k) exp (l_k(x) - l(x))
+-- > mStep:  Y, S, Q = sum of w(lambda) p_k(x) times <z, T>, sum T, sum T^2,
+-- >                   over phases, their cells and classes
+-- >         a = Y / (Q - S^2 / N),    b = - a S / N
+-- >         v = (N (1 + b^2) - 2 a (Y - b S) + a^2 Q) / N
+--
+-- Of a tilted press the sums over taxels are by weight: the mean and variance of z, N, \<z, T>, sum
+-- T and sum T^2, of which the last is taken for as much less as sum T is.
 module PraTactile.Registration.Lattice.Likelihood
   ( Likelihood (..),
     eStep,
@@ -30,6 +54,7 @@ import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Loops (tabulate)
 import PraTactile.Registration.Model
+import PraTactile.Registration.Numbers (leastGain, leastVariance, leastWeight, negligible)
 
 -- | What a frame tells.
 data Likelihood = Likelihood
@@ -179,10 +204,6 @@ overCells (Phases _ !begins !cells) i start step = go (V.unsafeIndex begins i) s
 
 {- Note [Bounds of cells] The beginnings have an end, and each lies within the cells; these have
    their numbers in the tables that they are cells of, as phases have theirs among all. -}
-
--- | What is less probable is left out of a step.
-leastWeight :: Double
-leastWeight = 1e-6
 
 -- | Sums over symbols, each as probable as it is: of their correlations, of the templates and of
 -- the templates' squares.

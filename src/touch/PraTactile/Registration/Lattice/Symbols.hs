@@ -23,7 +23,7 @@ import qualified Data.Vector.Storable.Mutable as M
 import PraTactile.Registration.Lattice.Blur (seenAt)
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Loops (tabulate)
-import PraTactile.Registration.Model (leastShare, placesPerTaxel)
+import PraTactile.Registration.Numbers (leastShare, placesPerTaxel)
 import PraTactile.Shape
   ( Alphabet,
     embossedAt,

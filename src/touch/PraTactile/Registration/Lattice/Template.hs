@@ -39,7 +39,7 @@ import PraTactile.Registration.Lattice.Blur (areaSums)
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Symbols
 import PraTactile.Registration.Loops (tabulate)
-import PraTactile.Registration.Model (placesPerTaxel)
+import PraTactile.Registration.Numbers (placesPerTaxel)
 import PraTactile.Shape (Alphabet)
 
 -- | An alphabet's symbols, upright and half turned, at all places of frames of one size, along axes

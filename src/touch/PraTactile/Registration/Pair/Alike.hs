@@ -12,7 +12,7 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image (Raster, rasterValues)
 import PraTactile.Registration.Loops
-import PraTactile.Registration.Pair.Overlap (displacementGrid, overlapOf)
+import PraTactile.Registration.Overlap (allOf, displacementsAround, patchesAt)
 
 -- | The whole displacements within the search at which what both frames show is the same, but for
 -- gain and offset, to the rounding of 8 bits. Those at which they have few taxels in common, or
@@ -20,14 +20,12 @@ import PraTactile.Registration.Pair.Overlap (displacementGrid, overlapOf)
 agreements :: Taxels -> Double -> Raster -> Raster -> [Taxels]
 agreements step search a b =
   [ (fromIntegral x, fromIntegral y)
-    | y <- [round oy .. round oy + rows - 1],
-      x <- [round ox .. round ox + columns - 1],
-      Just (w, h, pa, pb) <- [overlapOf a b x y],
+    | (x, y) <- allOf (displacementsAround step search),
+      Just ((w, h), pa, pb) <- [patchesAt a b (x, y)],
       min w h >= 3,
       same pa pb
   ]
   where
-    ((ox, oy), (columns, rows)) = displacementGrid step search
     same pa pb =
       va > 0.01 * wholeA && vb > 0.01 * wholeB && cov > 0 && cov * cov >= 0.9999 * 0.9999 * va * vb
       where

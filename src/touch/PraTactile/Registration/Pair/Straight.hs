@@ -13,7 +13,7 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (frameNoise)
 import PraTactile.Image (Raster, rasterValues)
-import PraTactile.Registration.Pair.Overlap (overlapOf)
+import PraTactile.Registration.Overlap (patchesAt)
 import PraTactile.Registration.Posterior
 
 -- | The posterior of a displacement, for a nominal one and a search around it in taxels, of which
@@ -49,7 +49,7 @@ alongStraight step search (a, b) found = case straightness best a b of
 -- is independent in both, so that it adds nothing to the products in the mean.
 straightness :: (Int, Int) -> Raster -> Raster -> Maybe Taxels
 straightness (x, y) a b = do
-  (w, h, pa, pb) <- overlapOf a b x y
+  ((w, h), pa, pb) <- patchesAt a b (x, y)
   let products = foldl' plus (Products 0 0 0) [between w pa pb i | i <- interior w h]
       count = fromIntegral (length (interior w h))
       (least, most, direction) = axesOf products

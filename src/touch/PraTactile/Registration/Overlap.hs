@@ -1,0 +1,174 @@
+{-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_HADDOCK hide #-}
+
+-- | The pair factor: how much likelier two frames are of one relief, at each displacement, than of
+-- two. Relief is a stationary normal process, the likeliest of all frames.
+module PraTactile.Registration.Overlap
+  ( Relief (..),
+    reliefOf,
+    Displacements (..),
+    displacementsAround,
+    allOf,
+    overlapLogs,
+    between,
+    patchesAt,
+  )
+where
+
+import Data.List (foldl')
+import qualified Data.Vector as Boxed
+import Data.Vector.Storable (Vector)
+import qualified Data.Vector.Storable as V
+import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Composite.Noise (spacedOut)
+import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterSize, rasterValues, rasterWidth)
+import PraTactile.Registration.Cosine
+import PraTactile.Registration.Numbers (mostOfProcess)
+import PraTactile.Registration.Spectrum
+
+-- | The process that frames of one size show, and what it makes of their patches.
+data Relief = Relief
+  { reliefProcess :: !Process,
+    reliefCosines :: !Cosines,
+    -- | The frames, each over the root of its scale; 0 where a frame has no variation.
+    reliefFrames :: !(Boxed.Vector Raster),
+    -- | By height and width of the patches; each is made when it is first looked at.
+    reliefWeights :: !(Boxed.Vector (Boxed.Vector PatchWeights))
+  }
+
+-- | The process of frames, all of the size that the tables are for, whose noise has at least that
+-- share of the relief's variance.
+reliefOf :: Spectra -> Double -> [Raster] -> Relief
+reliefOf tables least frames =
+  Relief
+    { reliefProcess = process,
+      reliefCosines = spectraCosines tables,
+      reliefFrames = Boxed.fromList (zipWith over scales frames),
+      reliefWeights =
+        let (w, h) = spectraSize tables
+         in Boxed.generate (h + 1) $ \y ->
+              Boxed.generate (w + 1) $ \x -> patchWeights process (x, y)
+    }
+  where
+    coefficients = map (coefficientsOf tables) frames
+    process = processOf tables least (spacedOut mostOfProcess coefficients)
+    scales = map (reliefScale . fitTo tables process) coefficients
+    over scale = mapRaster (* (if scale > 0 then 1 / sqrt scale else 0))
+
+-- | Whole displacements, taxels right and down: the first, and how many across and down.
+data Displacements = Displacements
+  { displacementsFirst :: !(Int, Int),
+    displacementsSize :: !(Int, Int)
+  }
+  deriving stock (Eq, Show)
+
+-- | The whole displacements within a distance of a nominal one along each axis, at least one.
+displacementsAround :: Taxels -> Double -> Displacements
+displacementsAround (x, y) search = Displacements (x0, y0) (x1 - x0 + 1, y1 - y0 + 1)
+  where
+    (x0, x1) = line x
+    (y0, y1) = line y
+    line :: Double -> (Int, Int)
+    line t =
+      let from = ceiling (t - search - 1e-9) in (from, max from (floor (t + search + 1e-9)))
+
+-- | All of them, row by row.
+allOf :: Displacements -> [(Int, Int)]
+allOf (Displacements (x0, y0) (columns, rows)) =
+  [(x, y) | y <- [y0 .. y0 + rows - 1], x <- [x0 .. x0 + columns - 1]]
+
+-- | L, row by row, of two of the frames by their numbers, the second's upper left pixel lying at
+-- each of the displacements in the first; at a nominal one the overlap has its usual weight.
+--
+-- An overlap of less than two taxels tells nothing: 0. See Note [Weights of overlaps].
+overlapLogs :: Relief -> (Int, Int) -> Taxels -> Displacements -> Vector Double
+overlapLogs relief (k, l) (nominalX, nominalY) (Displacements (x0, y0) (columns, rows)) =
+  V.generate (columns * rows) at
+  where
+    (a, b) = (reliefFrames relief Boxed.! k, reliefFrames relief Boxed.! l)
+    -- What both have in common at each displacement along x; its rows are transformed once.
+    strips = Boxed.generate columns $ \column ->
+      let Common xa xb w = across (x0 + column)
+       in (w, strip (reliefCosines relief) a xa w, strip (reliefCosines relief) b xb w)
+    commons = Boxed.generate rows (\row -> down (y0 + row))
+    across = inCommon (rasterWidth a) (rasterWidth b)
+    down = inCommon (rasterHeight a) (rasterHeight b)
+    at i
+      | w * h < 2 = 0
+      | otherwise = fair (w * h) * patchLog weights (patch ya inA) (patch yb inB)
+      where
+        (row, column) = i `quotRem` columns
+        (w, inA, inB) = strips Boxed.! column
+        Common ya yb h = commons Boxed.! row
+        patch from there = patchTransform (reliefCosines relief) there from h
+        weights = reliefWeights relief Boxed.! h Boxed.! w
+    fair n = max 0.5 (min 2 (nominal / fromIntegral n)) :: Double
+    !nominal =
+      let (Common _ _ w, Common _ _ h) = (across (round nominalX), down (round nominalY))
+       in fromIntegral (max 1 (w * h))
+
+{- Note [Weights of overlaps] Every overlap counts as much as the nominal one, within a factor of
+   two. Relief that is the same everywhere along an axis would else be drawn to where more of it is
+   seen. -}
+
+-- | How far beyond a whole displacement the second of two frames lies in the first, at most half a
+-- taxel along each axis: by least squares of their difference against the slopes of both. With it
+-- its precision along each axis, inverse square taxels.
+between :: Relief -> (Int, Int) -> (Int, Int) -> (Taxels, Taxels)
+between relief (k, l) displacement = case patchesAt a b displacement of
+  Just ((w, h), pa, pb)
+    | min w h >= 3 ->
+      let height = min (deviation pa) (deviation pb)
+       in solved . foldl' plus (0, 0, 0, 0, 0) $
+            map (at w (levelled height pa) (levelled height pb)) (inner w h)
+  _ -> ((0, 0), (0, 0))
+  where
+    (a, b) = (reliefFrames relief Boxed.! k, reliefFrames relief Boxed.! l)
+    -- Of mean 0, and as high as the lower one.
+    levelled height patch = V.map (* (height / max 1e-9 (deviation patch))) (centred patch)
+    centred patch = V.map (subtract (V.sum patch / fromIntegral (V.length patch))) patch
+    deviation patch =
+      sqrt (V.sum (V.map (\t -> t * t) (centred patch)) / fromIntegral (V.length patch))
+    inner w h = [v * w + u | v <- [1 .. h - 2], u <- [1 .. w - 2]]
+    at w pa pb i = (gx * gx, gx * gy, gy * gy, gx * d, gy * d)
+      where
+        d = pb V.! i - pa V.! i
+        slope by = (pa V.! (i + by) + pb V.! (i + by) - pa V.! (i - by) - pb V.! (i - by)) / 4
+        (gx, gy) = (slope 1, slope w)
+    plus (x, y, z, s, t) (x', y', z', s', t') = (x + x', y + y', z + z', s + s', t + t')
+    solved (xx, xy, yy, xd, yd)
+      | determinant <= 1e-9 * (xx + yy) * (xx + yy) || noise <= 0 = ((0, 0), (0, 0))
+      | otherwise =
+        ( (half ((yy * xd - xy * yd) / determinant), half ((xx * yd - xy * xd) / determinant)),
+          (determinant / yy / noise, determinant / xx / noise)
+        )
+      where
+        determinant = xx * yy - xy * xy
+    half = max (-0.5) . min 0.5
+    -- Of the difference.
+    noise = 2 * processNoise (reliefProcess relief)
+
+-- | What two stretches have in common along an axis: from where on in the first, from where on in
+-- the second, and how much.
+data Common = Common !Int !Int !Int
+
+-- | What stretches of those lengths have in common where the second starts at that place of the
+-- first; 0 if nothing.
+inCommon :: Int -> Int -> Int -> Common
+inCommon m n d = Common from (from - d) (max 0 (min m (d + n) - from))
+  where
+    from = max 0 d
+
+-- | The pixels of two images at the same places, row by row, with their width and height, where the
+-- second's upper left pixel lies at that place in the first; 'Nothing' if the images do not meet.
+patchesAt :: Raster -> Raster -> (Int, Int) -> Maybe ((Int, Int), Vector Double, Vector Double)
+patchesAt a b (dx, dy)
+  | w <= 0 || h <= 0 = Nothing
+  | otherwise = Just ((w, h), part a xa ya, part b xb yb)
+  where
+    ((wa, ha), (wb, hb)) = (rasterSize a, rasterSize b)
+    Common xa xb w = inCommon wa wb dx
+    Common ya yb h = inCommon ha hb dy
+    part image x y =
+      let (wide, values) = (rasterWidth image, rasterValues image)
+       in V.concat [V.slice ((y + r) * wide + x) w values | r <- [0 .. h - 1]]

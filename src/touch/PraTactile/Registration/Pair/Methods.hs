@@ -1,0 +1,68 @@
+{-# OPTIONS_HADDOCK hide #-}
+
+-- | The posterior of the place of the second frame's upper left pixel in the first, by each method:
+-- from the nominal place and from how far around it to search (taxels), which is two standard
+-- deviations of the robot's error.
+module PraTactile.Registration.Pair.Methods
+  ( latticePosterior,
+    blindPosterior,
+    correlationPosterior,
+  )
+where
+
+import qualified Data.Vector.Storable as V
+import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Image (Raster)
+import PraTactile.Image.Correlate (Overlap (..), overlapAt, referenceOf)
+import PraTactile.Registration.Joint.Grid (Grid (..), gridSpacing, onGrid)
+import PraTactile.Registration.Joint.TwoFrames
+import PraTactile.Registration.Lattice.Likelihood (Likelihood)
+import PraTactile.Registration.Model (logSum)
+import PraTactile.Registration.Overlap
+import PraTactile.Registration.Posterior
+import PraTactile.Registration.Search (independent)
+
+-- | By the lattice that lies under both frames.
+latticePosterior :: Taxels -> Double -> Likelihood -> Likelihood -> Posterior
+latticePosterior step search a b =
+  posterior (from nx, from ny) (1 / gridSpacing) (side, side) $
+    V.replicate (side * side) (-1 / 0)
+      V.// [((dy + reach) * side + dx + reach, log p) | ((dx, dy), p) <- twoDisplacements found]
+  where
+    found = twoFrames (Grid reach [gridSpacing * search / 2]) ((0, 0), a) (step, b)
+    reach = ceiling (gridSpacing * search) :: Int
+    side = 2 * reach + 1
+    ((nx, ny), _) = onGrid step
+    from n = fromIntegral (n - reach) / gridSpacing
+
+-- | By what the overlap shows, whatever it is: of one relief or of two.
+blindPosterior :: Relief -> Taxels -> Double -> Posterior
+blindPosterior relief step search = overWhole step search $ \grid ->
+  V.map (\l -> logSum [0, l]) (overlapLogs relief (0, 1) step grid)
+
+-- | By the paper's zero-mean normalised cross-correlation: the profile log-likelihood of n normal
+-- pairs of values with correlation rho, -(n/2) ln (1 - rho^2). Neighbouring pixels resemble each
+-- other, so each counts for 'independent' values. An overlap counts no more than the nominal one.
+correlationPosterior :: Taxels -> Double -> Raster -> Raster -> Posterior
+correlationPosterior step search a b = overWhole step search $ \grid ->
+  V.fromList
+    [correlated (overlapAt there b (fromIntegral x) (fromIntegral y)) | (x, y) <- allOf grid]
+  where
+    there = referenceOf a
+    most = overlapWeight (overlapAt there b (fst step) (snd step))
+    correlated (Overlap n va vb cov)
+      | n <= 1 || cov <= 0 || va <= 1e-12 || vb <= 1e-12 = 0
+      | otherwise =
+        negate (independent * min most n / 2) * log (1 - min 0.9999 (cov * cov / (va * vb)))
+
+-- | The prior of the whole displacements, and what frames say of each.
+overWhole :: Taxels -> Double -> (Displacements -> V.Vector Double) -> Posterior
+overWhole step search said =
+  posterior (fromIntegral x0, fromIntegral y0) 1 size (V.zipWith (+) priors (said grid))
+  where
+    grid@(Displacements (x0, y0) size) = displacementsAround step search
+    priors =
+      V.fromList
+        [ priorAround search (fromIntegral x - fst step, fromIntegral y - snd step)
+          | (x, y) <- allOf grid
+        ]
