@@ -39,13 +39,9 @@ import Control.Applicative ((<|>))
 import Control.Monad (unless, when)
 import Data.Bifunctor (first)
 import Data.Foldable (toList, traverse_)
-import Data.List (sortOn, zipWith4)
 import Data.List.NonEmpty (NonEmpty (..), nonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
 import Data.Maybe (fromMaybe, isJust)
-import qualified Data.Set as Set
-import Data.Tuple (swap)
-import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite
   ( Composite (..),
@@ -62,15 +58,7 @@ import PraTactile.Composite
 import PraTactile.Composite.Blend (Taxels, plus)
 import PraTactile.Composite.Lattice (movedLattice)
 import PraTactile.Composite.Noise (frameNoise)
-import PraTactile.Image
-  ( Raster,
-    generate,
-    onRaster,
-    rasterHeight,
-    rasterSize,
-    rasterValues,
-    rasterWidth,
-  )
+import PraTactile.Image (Raster, rasterHeight, rasterSize, rasterValues, rasterWidth)
 import PraTactile.Registration.Arrangement
   ( Arrangement (..),
     Registered (..),
@@ -83,21 +71,20 @@ import PraTactile.Registration.Arrangement
     unarranged,
     withMisfit,
   )
-import PraTactile.Registration.Contact (evened)
 import PraTactile.Registration.Lattice.Fit (Touched)
 import PraTactile.Registration.Lattice.Template (LatticeTables, latticeTables)
 import PraTactile.Registration.Levelling (Level (..), levelled, unlevelled)
 import PraTactile.Registration.Numbers (decisive)
+import PraTactile.Registration.Placed
 import PraTactile.Registration.Search
   ( Registration (..),
     standardRegistration,
     supposedSigma,
     usable,
   )
-import PraTactile.Sensor.Frame (Frame (..), Pose (..), isTaxelPitch, taxelPitch)
+import PraTactile.Sensor.Frame (Frame (..), Pose (..), isTaxelPitch)
 import PraTactile.Sensor.Manifest (alongAxes)
-import PraTactile.Sensor.Resample (atCanonicalPitch, canonicalSize, isCanonical, turnedBack)
-import PraTactile.Symmetry
+import PraTactile.Sensor.Resample (canonicalSize, isCanonical)
 
 -- | Why frames cannot be stitched. Frames are named by their zero-based place in the list.
 data StitchError
@@ -195,108 +182,114 @@ assembledAs arranging settings frames = do
 -- | Place frames in taxels, arrange them, and blend.
 compose :: Arranging -> Registration -> NonEmpty Frame -> Either StitchError Assembly
 compose arranging settings frames = do
-  given <- traverse (uncurry upright) (NonEmpty.zip (0 :| [1 ..]) frames)
-  let left = minimum (fmap (fst . placedAt) given)
-      top = minimum (fmap (snd . placedAt) given)
-      inTaxelsFrom (x, y) = (inTaxels (x - left), inTaxels (y - top))
-      -- In the robot's own coordinates, which its axes and its scale are of.
-      robot = (inTaxels left, inTaxels top)
-      (asRead, ofEach) = witnesses (\p -> (swap (inTaxelsFrom (placedAt p)), shown p)) given
-      nominalOf = fmap (\p -> (inTaxelsFrom (placedAt p), placedImage p))
-      arrangedAs ps =
-        arranging
-          (supposed ps)
-          robot
-          [(inTaxelsFrom (placedAt p), (placedImage p, placedTouch p)) | p <- toList ps]
-      supposed ps
-        | all isCanonical frames = settings
-        | otherwise = withMisfit (map placedImage (toList ps)) settings
-  checkArea (nominalOf asRead)
-  (placed, arrangement) <- first TooMuchToRegister $ do
-    even' <- traverse (\ps -> (,) ps <$> arrangedAs ps) (evenedPlaced asRead)
-    case even' of
-      Just found | arrangementMethod (snd found) == ByLattice -> pure found
-      _ -> (,) asRead <$> arrangedAs asRead
-  let nominal = nominalOf placed
-      arranged = arrangementFrames arrangement
-      displacements = map registeredShift arranged
-      levels = fromMaybe (fmap (const unlevelled) placed) (nonEmpty (arrangementLevels arrangement))
-      onLevel = NonEmpty.zipWith (\level -> fmap (levelled level)) levels nominal
-      counts = fmap levelWeight levels
-      counted = NonEmpty.zipWith worthOf counts placed
-      worthOf count p = Worth count (placedTouch p) (placedFelt p)
-      at shifts = maybe onLevel moved (nonEmpty shifts)
-      moved = NonEmpty.zipWith movedBy onLevel
-      movedBy (place, image) shift = (place `plus` shift, image)
-      together shifts =
-        (blended (left, top) (NonEmpty.zip (at shifts) counted) (ofEach shifts))
-          { compositeUncompared =
-              if length placed == 1 || compared then 0 else supposedSigma settings,
-            compositePositionError = arrangementSigma arrangement
-          }
-      compared =
-        arrangementMethod arrangement /= Nominal && isJust (arrangementResidual arrangement)
-      others =
-        [ other {otherwiseLattice = movedLattice robot <$> otherwiseLattice other}
-          | other <- arrangementOthers arrangement
-        ]
-      contradicting =
-        likeliestFault
-          (exp decisive)
-          (map placedAt (toList placed))
-          [(otherwiseFault other, otherwiseLikelier other) | other <- others]
-      agreeingAlong axes =
-        either (const Nothing) (Just . assemblyComposite) $
-          compose arranging settings (fmap (along axes) frames)
-      along axes frame = frame {framePose = alongAxes axes (framePose frame)}
-      -- The frames as they were put, from where the robot would have them.
-      putAs ats shifts =
-        zipWith4 PutFrame ats shifts (map snd (toList onLevel)) (map touchOf (toList placed))
-      touchOf one = placedTouch one <|> placedFelt one
-      made =
-        (together displacements)
-          { compositeLattice = movedLattice robot <$> arrangementLattice arrangement
-          }
+  given <- traverse (uncurry uprighted) (NonEmpty.zip (0 :| [1 ..]) frames)
+  let scene = sceneOf given
+  checkArea (fmap (nominal scene) (sceneSeen scene))
+  (seen, arrangement) <- first TooMuchToRegister (arrangedScene arranging supposed scene)
+  let put = putTogether scene seen arrangement
+      made = blendedScene settings scene arrangement put
   -- Blending relies on it.
-  checkArea (at displacements)
+  checkArea (fmap (\one -> (laidPlace one, laidImage one)) put)
   pure
     Assembly
-      { assemblyComposite =
-          made
-            { compositeOthers = others,
-              compositeContradiction = contradicting,
-              compositeAgreeing = case contradicting of
-                Just (AgreeingAlong axes) -> agreeingAlong axes
-                _ -> Nothing,
-              compositeFrames =
-                putAs
-                  (map placedAt (toList placed))
-                  (if null displacements then repeat (0, 0) else displacements)
-            },
+      { assemblyComposite = made {compositeAgreeing = agreeing (compositeContradiction made)},
         assemblyMethod = arrangementMethod arrangement,
-        assemblyFrames = ofEach arranged,
+        assemblyFrames = ofEachFrame scene (arrangementFrames arrangement),
         assemblyResidual = arrangementResidual arrangement
       }
-
--- | What was seen, row by row from the top, each once: the order of frames tells nothing, and one
--- that comes again is no second witness. With it, of what is known of each of these, what is known
--- of all that were given, in their order.
-witnesses :: Ord k => (a -> k) -> NonEmpty a -> (NonEmpty a, [b] -> [b])
-witnesses key given = (fmap (\((_, one) :| _) -> one) groups, ofEach)
   where
-    groups = NonEmpty.groupAllWith1 (key . snd) (NonEmpty.zip (0 :| [1 :: Int ..]) given)
-    ofEach told =
-      map snd (sortOn fst [(k, b) | (same, b) <- zip (toList groups) told, (k, _) <- toList same])
+    uprighted i frame = maybe (Left (frameRotation i frame)) Right (placed frame)
+    frameRotation i frame = let Pose _ _ r = framePose frame in FrameRotation i r
+    nominal scene p = (placeIn scene p, placedImage p)
+    supposed seen
+      | all isCanonical frames = settings
+      | otherwise = withMisfit (map placedImage (toList seen)) settings
+    agreeing contradiction = case contradiction of
+      Just (AgreeingAlong axes) ->
+        either (const Nothing) (Just . assemblyComposite) $
+          compose arranging settings (fmap (along axes) frames)
+      _ -> Nothing
+    along axes frame = frame {framePose = alongAxes axes (framePose frame)}
 
--- | Millimetres as taxels, rounded to a millionth of one, so that rounding errors of the poses do
--- not decide anything.
-inTaxels :: Double -> Double
-inTaxels t
-  | abs taxels < 1e9 = fromIntegral (round (taxels * million) :: Int) / million
-  | otherwise = taxels
+-- | The frames of a scene arranged by the settings for them: as even presses would read them, if
+-- they are tilted and then show a lattice; otherwise as they are read.
+arrangedScene ::
+  Arranging ->
+  (NonEmpty Placed -> Registration) ->
+  Scene ->
+  Either TooMuch (NonEmpty Placed, Arrangement)
+arrangedScene arranging supposed scene = do
+  even' <- traverse arranged (evenedPlaced asRead)
+  case even' of
+    Just found | arrangementMethod (snd found) == ByLattice -> pure found
+    _ -> arranged asRead
   where
-    taxels = t / taxelPitch
-    million = 1048576
+    asRead = sceneSeen scene
+    arranged seen =
+      (,) seen
+        <$> arranging
+          (supposed seen)
+          (robotOrigin scene)
+          [(placeIn scene p, (placedImage p, placedTouch p)) | p <- toList seen]
+
+-- | A frame as it is put.
+data Laid = Laid
+  { laidFrom :: !Placed,
+    -- | Its displacement, and where its upper left pixel then lies, taxels.
+    laidShift :: !Taxels,
+    laidPlace :: !Taxels,
+    -- | Its image, on the scale of all.
+    laidImage :: !Raster,
+    laidLevel :: !Level
+  }
+
+-- | The frames of a scene where an arrangement has them, on one scale.
+putTogether :: Scene -> NonEmpty Placed -> Arrangement -> NonEmpty Laid
+putTogether scene seen arrangement = NonEmpty.zipWith put (NonEmpty.zip seen levels) shifts
+  where
+    levels = fromMaybe (fmap (const unlevelled) seen) (nonEmpty (arrangementLevels arrangement))
+    shifts =
+      fromMaybe
+        (fmap (const (0, 0)) seen)
+        (nonEmpty (map registeredShift (arrangementFrames arrangement)))
+    put (p, level) shift =
+      Laid p shift (placeIn scene p `plus` shift) (levelled level (placedImage p)) level
+
+-- | The composite of frames that are put, with what their arrangement tells.
+blendedScene :: Registration -> Scene -> Arrangement -> NonEmpty Laid -> Composite
+blendedScene settings scene arrangement put =
+  (blended (sceneCorner scene) (fmap counted put) (ofEachFrame scene shifts))
+    { compositeUncompared = if length put == 1 || compared then 0 else supposedSigma settings,
+      compositePositionError = arrangementSigma arrangement,
+      compositeLattice = fromRobot <$> arrangementLattice arrangement,
+      compositeOthers = others,
+      compositeContradiction =
+        likeliestFault
+          (exp decisive)
+          (map (placedAt . laidFrom) (toList put))
+          [(otherwiseFault other, otherwiseLikelier other) | other <- others],
+      compositeFrames = map putFrame (toList put)
+    }
+  where
+    shifts = map registeredShift (arrangementFrames arrangement)
+    counted one =
+      ( (laidPlace one, laidImage one),
+        Worth
+          (levelWeight (laidLevel one))
+          (placedTouch (laidFrom one))
+          (placedFelt (laidFrom one))
+      )
+    compared =
+      arrangementMethod arrangement /= Nominal && isJust (arrangementResidual arrangement)
+    fromRobot = movedLattice (robotOrigin scene)
+    others =
+      [ other {otherwiseLattice = fromRobot <$> otherwiseLattice other}
+        | other <- arrangementOthers arrangement
+      ]
+    -- As it was put, from where the robot would have it.
+    putFrame one =
+      let p = laidFrom one
+       in PutFrame (placedAt p) (laidShift one) (laidImage one) (placedTouch p <|> placedFelt p)
 
 checkArea :: NonEmpty (Taxels, Raster) -> Either StitchError ()
 checkArea images
@@ -305,29 +298,6 @@ checkArea images
   where
     width = maximum (fmap (\((x, _), image) -> x + fromIntegral (rasterWidth image)) images)
     height = maximum (fmap (\((_, y), image) -> y + fromIntegral (rasterHeight image)) images)
-
--- | A frame once its sensor's rotation is undone, at the canonical pitch.
-data Placed = Placed
-  { -- | Where the centre of its upper left pixel is, millimetres.
-    placedAt :: !Taxels,
-    placedImage :: !Raster,
-    -- | The share of each pixel that living elements felt, where some are dead.
-    placedFelt :: !(Maybe Raster),
-    -- | What each pixel's touch counts, where some of a tilted press hardly touch.
-    placedTouch :: !(Maybe Raster)
-  }
-
--- | The frames as even presses would read them, where they are tilted.
-evenedPlaced :: NonEmpty Placed -> Maybe (NonEmpty Placed)
-evenedPlaced placed = do
-  images <- evened (map placedImage (toList placed))
-  nonEmpty (zipWith even' (toList placed) images)
-  where
-    even' p (image, touch) = p {placedImage = image, placedTouch = Just touch}
-
--- | All that a frame shows.
-shown :: Placed -> (Vector Double, Maybe (Vector Double))
-shown frame = (rasterValues (placedImage frame), rasterValues <$> placedFelt frame)
 
 -- | Refuses frames that cannot be placed, or would take too much memory, before one is resampled.
 checkFrames :: NonEmpty Frame -> Either StitchError ()
@@ -355,20 +325,3 @@ checkFrame one i given
     (w, h) = rasterSize (frameImage given)
     possible side = side >= 4 && side <= 256
     finite v = not (isNaN v || isInfinite v)
-
--- | A frame with its number as it is placed.
-upright :: Int -> Frame -> Either StitchError Placed
-upright i given =
-  maybe (Left (FrameRotation i r)) Right $ do
-    image <- seen given
-    let place = (x - half (rasterWidth image), y - half (rasterHeight image))
-    felt' <- traverse (seen . felt) (nonEmpty (frameDead given))
-    pure (Placed place image felt' Nothing)
-  where
-    Pose x y r = framePose given
-    seen = uprighted . frameImage . atCanonicalPitch
-    uprighted = maybe (turnedBack r) (\symmetry -> Just . onRaster symmetry) (turnedByDegrees r)
-    felt dead = given {frameImage = generate wide high (share (Set.fromList (toList dead)))}
-    share dead u v = if Set.member (v, u) dead then 0 else 1
-    (wide, high) = rasterSize (frameImage given)
-    half side = taxelPitch * fromIntegral (side - 1) / 2

@@ -1,0 +1,123 @@
+{-# OPTIONS_HADDOCK hide #-}
+
+-- | Frames at their nominal places, each once: their sensors' rotations undone, at the canonical
+-- pitch.
+module PraTactile.Registration.Placed
+  ( Placed (..),
+    placed,
+    evenedPlaced,
+    Scene (..),
+    sceneOf,
+    robotOrigin,
+    placeIn,
+    ofEachFrame,
+  )
+where
+
+import Data.Foldable (toList)
+import qualified Data.IntMap.Strict as IntMap
+import Data.List.NonEmpty (NonEmpty (..), nonEmpty)
+import qualified Data.List.NonEmpty as NonEmpty
+import qualified Data.Set as Set
+import Data.Tuple (swap)
+import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Image
+  ( Raster,
+    generate,
+    onRaster,
+    rasterHeight,
+    rasterSize,
+    rasterValues,
+    rasterWidth,
+  )
+import PraTactile.Registration.Contact (evened)
+import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
+import PraTactile.Sensor.Resample (atCanonicalPitch, turnedBack)
+import PraTactile.Symmetry
+
+-- | A frame once its sensor's rotation is undone, at the canonical pitch.
+data Placed = Placed
+  { -- | Where the centre of its upper left pixel is, millimetres.
+    placedAt :: !Taxels,
+    placedImage :: !Raster,
+    -- | The share of each pixel that living elements felt, where some are dead.
+    placedFelt :: !(Maybe Raster),
+    -- | The weight of each pixel, where some of a tilted press hardly touch.
+    placedTouch :: !(Maybe Raster)
+  }
+
+-- | A frame as it is placed; 'Nothing' if it is too small to be turned by its rotation.
+placed :: Frame -> Maybe Placed
+placed given = do
+  image <- seen given
+  felt' <- traverse (seen . felt) (nonEmpty (frameDead given))
+  let place = (x - half (rasterWidth image), y - half (rasterHeight image))
+  pure (Placed place image felt' Nothing)
+  where
+    Pose x y r = framePose given
+    seen = uprighted . frameImage . atCanonicalPitch
+    uprighted = maybe (turnedBack r) (\symmetry -> Just . onRaster symmetry) (turnedByDegrees r)
+    felt dead = given {frameImage = generate wide high (share (Set.fromList (toList dead)))}
+    share dead u v = if Set.member (v, u) dead then 0 else 1
+    (wide, high) = rasterSize (frameImage given)
+    half side = taxelPitch * fromIntegral (side - 1) / 2
+
+-- | The frames as even presses would read them, where they are tilted.
+evenedPlaced :: NonEmpty Placed -> Maybe (NonEmpty Placed)
+evenedPlaced frames = do
+  images <- evened (map placedImage (toList frames))
+  nonEmpty (zipWith even' (toList frames) images)
+  where
+    even' p (image, touch) = p {placedImage = image, placedTouch = Just touch}
+
+-- | Frames of one face.
+data Scene = Scene
+  { -- | The least x and y of the frames' upper left pixels, millimetres. Places are taxels from
+    -- here.
+    sceneCorner :: !Taxels,
+    -- | The frames, row by row from the top, each once. Their order tells nothing, and a frame that
+    -- comes twice is one witness.
+    sceneSeen :: NonEmpty Placed,
+    -- | Which of these each frame is that was given.
+    sceneGiven :: [Int]
+  }
+
+-- | The scene of frames in any order.
+sceneOf :: NonEmpty Placed -> Scene
+sceneOf given = Scene corner (fmap (snd . NonEmpty.head) groups) (IntMap.elems numbers)
+  where
+    corner = (minimum (fmap (fst . placedAt) given), minimum (fmap (snd . placedAt) given))
+    groups = NonEmpty.groupAllWith1 (key . snd) (NonEmpty.zip (0 :| [1 ..]) given)
+    -- Row by row, and all that the frame shows.
+    key p = (swap (fromCorner corner p), shown (placedImage p), shown <$> placedFelt p)
+    shown = rasterValues
+    numbers =
+      IntMap.fromList [(k, n) | (n, same) <- zip [0 ..] (toList groups), (k, _) <- toList same]
+
+-- | Where the places of a scene count from in the robot's own coordinates, taxels. The robot's axes
+-- and its scale are of these.
+robotOrigin :: Scene -> Taxels
+robotOrigin scene = let (left, top) = sceneCorner scene in (inTaxels left, inTaxels top)
+
+-- | The nominal place of a frame's upper left pixel, taxels.
+placeIn :: Scene -> Placed -> Taxels
+placeIn = fromCorner . sceneCorner
+
+fromCorner :: Taxels -> Placed -> Taxels
+fromCorner (left, top) p = let (x, y) = placedAt p in (inTaxels (x - left), inTaxels (y - top))
+
+-- | What is known of each frame that was given, in their order, from what is known of those seen.
+ofEachFrame :: Scene -> [b] -> [b]
+ofEachFrame scene known = [one | n <- sceneGiven scene, Just one <- [IntMap.lookup n numbered]]
+  where
+    numbered = IntMap.fromList (zip [0 ..] known)
+
+-- | Millimetres as taxels, rounded to a millionth of one, so that rounding errors of the poses do
+-- not decide anything.
+inTaxels :: Double -> Double
+inTaxels t
+  | abs taxels < 1e9 = fromIntegral (round (taxels * million) :: Int) / million
+  | otherwise = taxels
+  where
+    taxels = t / taxelPitch
+    million = 1048576
