@@ -7,6 +7,7 @@ import Data.Maybe (fromMaybe, isJust, isNothing)
 import Data.Ord (comparing)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
+import PraTactile.Registration.Definition.Pairs
 import PraTactile.Registration.Lattice.Fit (likelihood, whole)
 import PraTactile.Registration.Lattice.Likelihood (logDensity)
 import PraTactile.Registration.Lattice.Template (templates)
@@ -23,7 +24,6 @@ import Test.QuickCheck hiding (Blind, generate, sample, tables)
 import Test.Support
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 import Test.Touch.Paper (paperAlphabet)
-import Test.Touch.Registration.PairDefinition
 import Test.Touch.Registration.Reliefs (genFrames)
 
 spec :: Spec

@@ -11,6 +11,7 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
+import PraTactile.Registration.Definition
 import PraTactile.Registration.Joint
 import PraTactile.Registration.Lattice.Fit
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
@@ -25,8 +26,7 @@ import Test.Effort (byEffort, withCases)
 import Test.Hspec
 import Test.QuickCheck hiding (classes, generate, sample, tables, total)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
-import Test.Touch.Paper (paperTables)
-import Test.Touch.Registration.Definition
+import Test.Touch.Paper (paperAlphabet, paperTables)
 import Test.Touch.Registration.Face (frameAt)
 import Test.Touch.Sensor.MeanHeights (embossing)
 
@@ -82,10 +82,13 @@ phaseNumber tables (o, y, x) =
     (firstX, firstY) = placesFirst (templatePlaces tables)
     (across, down) = (16 * q, 20 * q)
 
+paper :: Drawings
+paper = either (error . show) drawings paperAlphabet
+
 -- | What a frame tells at whole and at half taxels: drawn along its axes, by the tables at angles.
 felt :: Double -> Raster -> (Felt, Felt)
 felt angle image
-  | angle == 0 = (drawn 1 image, drawn 2 image)
+  | angle == 0 = (drawn paper 1 image, drawn paper 2 image)
   | otherwise = (tabled (coarser tables) image, tabled tables image)
   where
     tables = tablesOf angle (rasterSize image)

@@ -4,10 +4,10 @@ module Test.Touch.Registration.CosinesByDefinition (spec) where
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
 import PraTactile.Registration.Cosine
+import PraTactile.Registration.Definition.Pairs (cosines)
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (generate)
-import Test.Touch.Registration.PairDefinition (cosines)
 
 spec :: Spec
 spec = do

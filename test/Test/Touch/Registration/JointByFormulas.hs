@@ -12,6 +12,8 @@ import Data.Ord (comparing)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Image (constant)
+import PraTactile.Registration.Definition (Robot (..), Seen (..), estimate, likely)
+import qualified PraTactile.Registration.Definition as Definition
 import PraTactile.Registration.Joint.Displacement
 import PraTactile.Registration.Joint.Estimate
 import PraTactile.Registration.Joint.Grid
@@ -29,8 +31,6 @@ import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (classes, scale, tables, total)
 import Test.Touch.Paper (paperTables)
-import Test.Touch.Registration.Definition (Robot (..), Seen (..), estimate, likely)
-import qualified Test.Touch.Registration.Definition as Definition
 
 spec :: Spec
 spec = do

@@ -5,6 +5,7 @@ module Test.Touch.Registration.PairsByFormulas (spec) where
 
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
+import PraTactile.Registration.Definition.Pairs
 import qualified PraTactile.Registration.Overlap as Overlap
 import PraTactile.Registration.Pair.Methods
 import PraTactile.Registration.Posterior
@@ -12,7 +13,6 @@ import PraTactile.Registration.Spectrum
 import Test.Effort (withCases)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, tables)
-import Test.Touch.Registration.PairDefinition
 import Test.Touch.Registration.Reliefs (genFrames)
 
 spec :: Spec

@@ -10,6 +10,7 @@ import Data.Maybe (isNothing)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image hiding (mean)
 import PraTactile.Registration.Contact
+import PraTactile.Registration.Definition (Drawings, drawings, drawn)
 import PraTactile.Registration.Lattice.Fit
 import PraTactile.Registration.Lattice.Likelihood hiding (eStep, mStep)
 import PraTactile.Registration.Lattice.Template (tablesAt)
@@ -18,8 +19,7 @@ import PraTactile.Registration.Numbers (leastGain, leastVariance)
 import Test.Effort (byEffort, withCases)
 import Test.Hspec
 import Test.QuickCheck hiding (generate)
-import Test.Touch.Paper (paperTables)
-import Test.Touch.Registration.Definition (drawn)
+import Test.Touch.Paper (paperAlphabet, paperTables)
 import Test.Touch.Sensor.MeanHeights (embossing)
 
 spec :: Spec
@@ -198,7 +198,7 @@ weightSpec = do
           wanted =
             [ (a * y - a * b * s - a * a * (if s1 > 1e-6 then q * s / s1 else q) / 2) / v
               | (ofCell, shares) <-
-                  zip (Map.elems (drawn 2 weighed)) (Map.elems (drawn 2 weights)),
+                  zip (Map.elems (drawn paper 2 weighed)) (Map.elems (drawn paper 2 weights)),
                 ((y, s1, q), (s, _, _)) <- zip ofCell shares
             ]
           found = V.toList (V.take (length wanted) (classLogs likely))
@@ -212,3 +212,6 @@ weightSpec = do
     genPart = (,) <$> (part . fst <$> frameOf 0) <*> vectorOf 2 (choose (0, 1))
     -- Of a frame so much that some of a symbol is in it.
     part = either (error . show) id . crop (0, 0) (byEffort (12, 11) (16, 16))
+
+paper :: Drawings
+paper = either (error . show) drawings paperAlphabet

@@ -1,9 +1,12 @@
-{-# OPTIONS_GHC -O1 #-}
+{-# OPTIONS_HADDOCK hide #-}
 
--- | Registration by the formulas of "PraTactile.Registration.Model" alone: every symbol drawn at
--- every place, every phase, class and displacement summed, on lists and maps.
-module Test.Touch.Registration.Definition
+-- | Registration by its formulas alone: every symbol drawn at every place, every phase, class and
+-- displacement summed, on lists and maps. Too slow to use, for a few small frames; the tests hold
+-- the stages to it.
+module PraTactile.Registration.Definition
   ( -- * One frame
+    Drawings,
+    drawings,
     Felt,
     Moments,
     drawn,
@@ -44,8 +47,7 @@ import PraTactile.Image hiding (mean)
 import PraTactile.Registration.Joint.Estimate (Estimate (..))
 import PraTactile.Registration.Model (Theta (..))
 import PraTactile.Registration.Posterior (Hypothesis (..))
-import PraTactile.Shape (embossedAt, halfTurned, shapes)
-import Test.Touch.Paper (paperAlphabet)
+import PraTactile.Shape (Alphabet, embossedAt, halfTurned, shapes)
 
 -- | Of a frame and a symbol at a place: the sum of their products, that of what the symbol brings
 -- to the frame's taxels, and that of its squares.
@@ -57,11 +59,11 @@ type Felt = Map.Map (Int, Int, Int) [Moments]
 
 -- | Every symbol drawn at every place from which it is felt, so many places to the taxel (one or
 -- two), on a frame along whose axes they lie.
-drawn :: Int -> Raster -> Felt
-drawn q image =
+drawn :: Drawings -> Int -> Raster -> Felt
+drawn (Drawings byOrientation) q image =
   Map.fromList
     [ ((o, y, x), [momentsAt shape y x | shape <- shapes'])
-      | (o, shapes') <- zip [0 ..] drawings,
+      | (o, shapes') <- zip [0 ..] byOrientation,
         -- A symbol's 8 x 12 taxels count up to two taxels around them.
         y <- [-14 * q .. (h + 2) * q - 1],
         x <- [-10 * q .. (w + 2) * q - 1]
@@ -84,11 +86,14 @@ drawn q image =
           )
 
 -- | What a symbol brings to a taxel that lies so many half taxels right and down of its upper left
--- one, for both orientations and all classes.
-drawings :: [[Int -> Int -> Double]]
-drawings = [map drawing upright, map (drawing . halfTurned) upright]
+-- one, by orientation and class.
+newtype Drawings = Drawings [[Int -> Int -> Double]]
+
+-- | The drawings of an alphabet's symbols.
+drawings :: Alphabet -> Drawings
+drawings known = Drawings [map drawing upright, map (drawing . halfTurned) upright]
   where
-    upright = either (error . show) shapes paperAlphabet
+    upright = shapes known
     drawing shape = \x y ->
       if inside x 8 && inside y 12 then table Boxed.! ((y + 8) * across + x + 8) else 0
       where

@@ -1,9 +1,9 @@
-{-# OPTIONS_GHC -O1 #-}
+{-# OPTIONS_HADDOCK hide #-}
 
 -- | Two frames registered blindly and by correlation, by the formulas of
 -- "PraTactile.Registration.Model" alone: every coefficient a sum over all pixels, every process,
 -- height and gain tried, as densities of normal numbers.
-module Test.Touch.Registration.PairDefinition
+module PraTactile.Registration.Definition.Pairs
   ( -- * Frames
     cosines,
     Relief (..),
@@ -22,7 +22,7 @@ import Data.List (maximumBy)
 import Data.Maybe (fromMaybe)
 import Data.Ord (comparing)
 import PraTactile.Image hiding (mean)
-import Test.Touch.Registration.Definition (logMean, shares)
+import PraTactile.Registration.Definition (logMean, shares)
 
 -- | The coefficients of the orthonormal cosine transform (DCT-II), by the frequencies across and
 -- down, of which 32 are looked at along each axis; without that of the mean.
