@@ -63,12 +63,16 @@ import PraTactile.Locate (ForeignDoubts (..), Reason (..), doubtOfForeign)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation
+import PraTactile.Recognise.GridOutcome
 import PraTactile.Recognise.Instead (Instead (..), seenInstead)
 import PraTactile.Recognise.Layouts
+import PraTactile.Recognise.Likeliest
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
 import PraTactile.Recognise.Recognition
 import PraTactile.Recognise.Sight
+import PraTactile.Recognise.Support
+import PraTactile.Recognise.Tolerance
 import PraTactile.Registration (Composite (..))
 
 -- | Recognise what a composite image shows, with 'standardTolerance'. Refuses, through 'Either',

@@ -29,6 +29,7 @@ import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.GridLocation
+import PraTactile.Recognise.GridOutcome
 import PraTactile.Recognise.Recogniser
 import PraTactile.Relief
 import PraTactile.Sensor

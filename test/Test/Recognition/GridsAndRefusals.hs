@@ -18,6 +18,7 @@ import PraTactile.Object.Placement hiding (more)
 import PraTactile.Recognise (refusalName)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.GridLocation
+import PraTactile.Recognise.GridOutcome
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.SymbolBelief (certain)
 import PraTactile.Relief

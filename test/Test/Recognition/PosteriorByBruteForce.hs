@@ -14,6 +14,7 @@ import PraTactile.Object.Placement
 import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.GridLocation
+import PraTactile.Recognise.GridOutcome
 import PraTactile.Symmetry
 import Test.Code.Locate.OtherPolynomials
 import Test.Effort (withCases)

@@ -15,6 +15,7 @@ import PraTactile.Object.Placement (placement)
 import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.GridLocation
+import PraTactile.Recognise.GridOutcome
 import PraTactile.Symmetry
 import PraTactile.Window (Mask, rectangle)
 import Test.Code.Generators (right)

@@ -13,6 +13,7 @@ import PraTactile.Object.Placement
 import PraTactile.Recognise
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation
+import PraTactile.Recognise.GridOutcome
 import PraTactile.Symmetry
 import Test.Effort (withCases)
 import Test.Hspec

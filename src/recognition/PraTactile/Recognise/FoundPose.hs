@@ -26,9 +26,9 @@ import PraTactile.Pose
 import PraTactile.Pose.Alignment
 import PraTactile.Pose.Matrix (diagonal)
 import PraTactile.Recognise.Finding
-import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recognition
+import PraTactile.Recognise.Support
 import PraTactile.Registration (Composite (..), PutFrame (..))
 import PraTactile.Relief (classOn, symbolScale)
 import PraTactile.Sensor.Frame (Motion (..), inverse, movePoint)

@@ -28,12 +28,13 @@ import PraTactile.Composite.Lattice
 import PraTactile.Field (KnownField)
 import PraTactile.Geometry (columnPitch, rotated, rowPitch)
 import PraTactile.Recognise.FaceGrid
-import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.LatticeReading
+import PraTactile.Recognise.Likeliest
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser (Recogniser)
 import PraTactile.Recognise.Recognition
 import PraTactile.Recognise.SymbolBelief (axisOf)
+import PraTactile.Recognise.Tolerance
 import PraTactile.Registration
   ( Composite (..),
     Contradiction,

@@ -7,6 +7,7 @@ module PraTactile.Recognise.Recogniser
     recogniserUpTo,
     recogniserWindow,
     recogniserScale,
+    cellFrom,
     RecogniserError (..),
   )
 where
@@ -14,21 +15,24 @@ where
 import Data.Bifunctor (first)
 import Data.Maybe (fromMaybe)
 import Numeric.Natural (Natural)
-import PraTactile.Array (ArrayOn (..), Shape (..), arrayShape)
+import PraTactile.Array (ArrayOn (..), Position (..), Shape (..), arrayShape, cellAt)
 import PraTactile.Classification.Network (outputCount)
 import PraTactile.Classification.Reader (Reader (..))
-import PraTactile.Field (KnownField, fieldOrder)
+import PraTactile.Field (GF, KnownField, fieldOrder)
+import PraTactile.Grid (canonicalPosition)
 import PraTactile.Locate
   ( Locator,
     LocatorError,
     decoderOfProbabilities,
     largestSearchedArray,
+    locatorArray,
     locatorMask,
     locatorUpTo,
   )
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement (Pitch, Placement, placementPitch, placementShape)
 import PraTactile.Relief (symbolScale)
+import PraTactile.Segmentation.Lattice (Cell)
 import PraTactile.Shape (alphabetSize)
 import PraTactile.Window (Mask, Packing (..), maskExtent)
 
@@ -50,6 +54,19 @@ recogniserWindow = maskExtent . locatorMask . recogniserLocator
 -- | How much larger than the paper's the symbols of the placement are.
 recogniserScale :: Recogniser k -> Rational
 recogniserScale = fromMaybe 1 . symbolScale . placementPitch . recogniserPlacement
+
+-- | The position in the array of a cell of a grid, and the symbol there, if the grid's upper left
+-- cell is at the position given. 'Nothing' beyond the sheet.
+cellFrom :: KnownField k => Recogniser k -> Position -> Cell -> Maybe (Position, GF k)
+cellFrom reader (Position r c) (i, j) = (\place -> (place, cellAt array place)) <$> at
+  where
+    ArrayOn surface array = locatorArray (recogniserLocator reader)
+    at =
+      canonicalPosition
+        surface
+        (arrayShape array)
+        (toInteger r + toInteger i)
+        (toInteger c + toInteger j)
 
 -- | Why there is no recogniser.
 data RecogniserError

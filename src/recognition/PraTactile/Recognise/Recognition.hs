@@ -29,9 +29,11 @@ import PraTactile.Array (Position)
 import PraTactile.Locate (LocatorError (..), Reason (..), foreignBut, reasonName, reasons)
 import PraTactile.Recognise.FaceGrid (Cells)
 import PraTactile.Recognise.Finding
-import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Instead (Instead)
+import PraTactile.Recognise.Likeliest
 import PraTactile.Recognise.Reading
+import PraTactile.Recognise.Support
+import PraTactile.Recognise.Tolerance
 import PraTactile.Registration (Contradiction (..))
 import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Sensor.Manifest (Remedy)

@@ -1,0 +1,132 @@
+{-# OPTIONS_HADDOCK hide #-}
+
+-- | Which places in the array are likely for cells, by the probabilities of their symbols.
+module PraTactile.Recognise.Likeliest
+  ( -- * Asking the array
+    Asked (..),
+    ask,
+
+    -- * The likeliest place
+    Likeliest (..),
+    likeliestFrom,
+    likeliestAt,
+    likeliestElsewhere,
+
+    -- * All likely places
+    likelyCells,
+  )
+where
+
+import qualified Data.Map.Strict as Map
+import qualified Data.Set as Set
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Locate hiding (Cell)
+import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.OneFace
+import PraTactile.Recognise.Reading
+import PraTactile.Recognise.Recogniser
+import PraTactile.Recognise.SymbolBelief
+import PraTactile.Recognise.Tolerance
+import PraTactile.Segmentation.Lattice (Cell)
+import PraTactile.Symmetry
+
+-- | What cells show, and what the array answers.
+data Asked k = Asked
+  { askedPatch :: Patch (Belief k),
+    askedAnswer :: Either LocatorError Answer
+  }
+
+-- | Asks where cells lie. 'Nothing' where there are none.
+ask :: KnownField k => Recogniser k -> Tolerance -> Cells -> Maybe (Asked k)
+ask reader tolerance cells = do
+  shown <- patchOf cells
+  pure (Asked shown (locate (recogniserLocator reader) (query reader tolerance cells shown)))
+
+-- | The answer for cells where they are not weighed against being foreign.
+askAsOurs :: KnownField k => Recogniser k -> Tolerance -> Cells -> Maybe Answer
+askAsOurs reader tolerance cells = do
+  question <- query reader tolerance cells <$> patchOf cells
+  rightOnly (locate (recogniserLocator reader) question {queryForeign = Nothing})
+
+-- | What is seen in each cell. 'Nothing' where there are no cells.
+patchOf :: KnownField k => Cells -> Maybe (Patch (Belief k))
+patchOf cells = rightOnly (patch (map (map (>>= beliefAlong (axisOf cells))) (gridRows cells)))
+
+-- | The question where cells lie in which this is seen. The log-likelihood ratio of each symbol for
+-- another shape is cut to between -6 and 4, so that one spoilt symbol, as beside an edge, does not
+-- outweigh many others.
+query :: Recogniser k -> Tolerance -> Cells -> Patch (Belief k) -> Query k
+query reader tolerance cells shown =
+  (onePatch (Probabilities <$> shown))
+    { querySymmetries = waysUp,
+      queryDoubt = toleratedDoubt tolerance,
+      queryForeign = Just (foreignPrior tolerance),
+      queryUnlike = sum [max (-6) (min 4 (readUnlike s)) | here <- Map.elems cells, s <- here],
+      queryBeforehand = Just (beforehandOf reader cells)
+    }
+
+-- | The likeliest place of cells, whether or not it is likely enough for an answer.
+data Likeliest = Likeliest
+  { -- | the log-likelihood ratio of the cells being the array's to their being random
+    likeliestEvidence :: Double,
+    -- | the logarithm of the place's prior, at most 0
+    likeliestPrior :: Double,
+    -- | how the face is seen
+    likeliestOrientation :: Symmetry,
+    -- | where in the array the upper left cell is, as it lies on the face
+    likeliestFirst :: Position,
+    -- | the greatest row and column of the cells, along the symbols' axes
+    likeliestEnd :: Cell
+  }
+  deriving stock (Eq, Show)
+
+-- | The likeliest place of cells by an answer for them. 'Nothing' where no place is possible.
+likeliestFrom :: Recogniser k -> Cells -> Answer -> Maybe Likeliest
+likeliestFrom reader cells answer = do
+  candidate <- answerPosterior answer >>= posteriorBest
+  evidence <- answerEvidence answer
+  pure
+    Likeliest
+      { likeliestEvidence = evidence,
+        likeliestPrior = beforehandPrior (beforehandOf reader cells candidate),
+        likeliestOrientation = axisOf cells <> candidateSymmetry candidate,
+        likeliestFirst = candidatePosition candidate,
+        likeliestEnd = (end fst, end snd)
+      }
+  where
+    end part = maximum (0 : map part (Map.keys cells))
+
+-- | The position in the array of a cell of the grid, seen or not. 'Nothing' beyond the sheet.
+likeliestAt :: KnownField k => Recogniser k -> Likeliest -> Cell -> Maybe Position
+likeliestAt reader found (i, j) = fst <$> cellFrom reader (likeliestFirst found) onFace
+  where
+    (lastRow, lastColumn) = likeliestEnd found
+    onFace
+      | quarterTurns (likeliestOrientation found) >= 2 = (lastRow - i, lastColumn - j)
+      | otherwise = (i, j)
+
+-- | The likeliest place of the cells of an alternative layout. 'Nothing' where no place is
+-- possible. Most alternatives agree with no place, so that in a large array only 2^10 words are
+-- searched: likely places are among the first, and what is left out counts as doubt.
+likeliestElsewhere :: KnownField k => Recogniser k -> Tolerance -> Cells -> Maybe Likeliest
+likeliestElsewhere reader tolerance cells =
+  askAsOurs briefly tolerance cells >>= likeliestFrom reader cells
+  where
+    briefly = reader {recogniserLocator = withListing 1024 (recogniserLocator reader)}
+
+-- | The positions in the array that cells cover in any of their likely places: at most the first
+-- thousand. The prior of a foreign surface does not change which these are.
+likelyCells :: KnownField k => Recogniser k -> Tolerance -> Cells -> [Position]
+likelyCells reader tolerance cells =
+  Set.toAscList . Set.fromList $
+    [ position
+      | Just answer <- [askAsOurs reader tolerance cells],
+        Just posterior <- [answerPosterior answer],
+        (Candidate way first, _) <- fst (weighable (posteriorRanking posterior)),
+        cell <- Map.keys (seenOnFace (axisOf cells <> way) cells),
+        Just (position, _) <- [cellFrom reader first cell]
+    ]
+
+rightOnly :: Either e a -> Maybe a
+rightOnly = either (const Nothing) Just

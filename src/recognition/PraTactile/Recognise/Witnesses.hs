@@ -1,0 +1,129 @@
+{-# OPTIONS_HADDOCK hide #-}
+
+-- | The certain symbols of a grid, which vouch for a position or contradict it. Probabilities rest
+-- on a model of the sensor; the minimum distance of these symbols' cells does not.
+module PraTactile.Recognise.Witnesses
+  ( -- * A grid on a face
+    OnFace (..),
+
+    -- * Witnesses
+    Witnesses (..),
+    witnessesOf,
+    bySource,
+
+    -- * For and against a position
+    Standing (..),
+    standingAt,
+    mostlyWrong,
+  )
+where
+
+import Data.List (partition)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust)
+import Data.Set (Set)
+import qualified Data.Set as Set
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Locate hiding (Cell)
+import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.Reading
+import PraTactile.Recognise.Recogniser
+import PraTactile.Recognise.SymbolBelief
+import PraTactile.Recognise.Tolerance
+import PraTactile.Segmentation.Lattice (Cell)
+import PraTactile.Symmetry
+
+-- | A grid of symbols as it lies on the face.
+data OnFace = OnFace
+  { -- | how the face is seen turned
+    onFaceOrientation :: Symmetry,
+    -- | by cells of the face; a cell that says nothing is there without symbols
+    onFaceCells :: Cells,
+    -- | the numbers of the symbols of each group
+    onFaceGroups :: [Set Int],
+    -- | symbols of the other axis
+    onFaceSideways :: [ReadSymbol],
+    -- | symbols off the grid
+    onFaceStrays :: [ReadSymbol]
+  }
+
+-- | The certain symbols of a grid.
+data Witnesses = Witnesses
+  { -- | those that lie as the face does, each in its cell
+    witnessesKnown :: [(Cell, ReadSymbol)],
+    -- | those that lie another way up
+    witnessesOtherWayUp :: [ReadSymbol],
+    -- | those off the grid
+    witnessesStray :: [ReadSymbol],
+    -- | the cells of those that lie as the face does
+    witnessesCells :: [Position],
+    -- | the minimum distance of these cells
+    witnessesDistance :: Known,
+    -- | how many symbols may be wrong
+    witnessesRadius :: Natural
+  }
+
+-- | The witnesses on a face.
+witnessesOf :: KnownField k => Recogniser k -> Tolerance -> OnFace -> Witnesses
+witnessesOf reader tolerance face =
+  Witnesses
+    { witnessesKnown = [(cell, s) | (cell, s, o) <- inCells, o == orientation],
+      witnessesOtherWayUp =
+        [s | (_, s, o) <- inCells, o /= orientation]
+          ++ filter (isJust . certain) (onFaceSideways face),
+      witnessesStray = filter (isJust . certain) (onFaceStrays face),
+      witnessesCells = offsets,
+      witnessesDistance = distance,
+      witnessesRadius = radiusFor (toleratedErrors tolerance) (atLeast distance)
+    }
+  where
+    orientation = onFaceOrientation face
+    inCells =
+      [ (cell, s, o)
+        | (cell, here) <- Map.toList (onFaceCells face),
+          s <- here,
+          Just (o, _) <- [certain s]
+      ]
+    offsets =
+      map offsetOf (Set.toAscList (Set.fromList [cell | (cell, _, o) <- inCells, o == orientation]))
+    distance = cellsDistance (recogniserLocator reader) offsets
+
+-- | The cells of the witnesses that lie as the face does, composite by composite.
+bySource :: Witnesses -> [[Position]]
+bySource witnesses =
+  Map.elems $
+    Map.fromListWith
+      (++)
+      [(readSource s, [offsetOf cell]) | (cell, s) <- witnessesKnown witnesses]
+
+-- | The witnesses for and against a position.
+data Standing = Standing
+  { standingAgreeing :: [ReadSymbol],
+    -- | those that the array has otherwise, that lie another way up, or that lie off the grid
+    standingWrong :: [ReadSymbol]
+  }
+
+-- | How witnesses stand to a position of the grid's upper left cell.
+standingAt :: KnownField k => Recogniser k -> Witnesses -> Position -> Standing
+standingAt reader witnesses position =
+  Standing
+    { standingAgreeing = map snd agreeing,
+      standingWrong =
+        map snd misfits ++ witnessesOtherWayUp witnesses ++ witnessesStray witnesses
+    }
+  where
+    (agreeing, misfits) = partition agrees (witnessesKnown witnesses)
+    agrees (cell, s) = codeIn cell == fmap snd (certain s)
+    codeIn cell = toCode . snd <$> cellFrom reader position cell
+
+-- | The composites, counted from 0, of whose witnesses more are wrong than agree.
+mostlyWrong :: Standing -> [Int]
+mostlyWrong (Standing agreeing wrong) =
+  [ source
+    | (source, n) <- Map.toAscList (counts wrong),
+      n > Map.findWithDefault 0 source (counts agreeing)
+  ]
+  where
+    counts symbols = Map.fromListWith (+) [(readSource s, 1 :: Int) | s <- symbols]
