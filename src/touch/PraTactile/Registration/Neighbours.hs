@@ -1,17 +1,70 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Which of many frames overlap.
+-- | A spatial index of frames, and which frames overlap.
 module PraTactile.Registration.Neighbours
-  ( Neighbours (..),
+  ( -- * The index
+    Index (..),
+    Square,
+    indexed,
+    squareAt,
+    around,
+    widest,
+
+    -- * Pairs that overlap
+    Neighbours (..),
     neighbours,
     neighboursAround,
+    overlapShare,
   )
 where
 
+import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
-import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Composite.Blend (Taxels, minus)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Image (Raster, rasterHeight, rasterWidth)
+
+-- | A square's row and column.
+type Square = (Int, Int)
+
+-- | Frames by the square of a grid that their upper left pixel lies in.
+data Index frame = Index
+  { -- | the side of a square, taxels
+    indexSide :: !Double,
+    -- | the least x and y of all frames: the corner of square (0, 0), so that it does not matter
+    -- where the robot counts from
+    indexCorner :: !Taxels,
+    -- | the frames of each square that has any, in the order given
+    indexFrames :: !(Map Square [frame])
+  }
+
+-- | Frames at these places (taxels), in squares of this side: O(n log n).
+indexed :: Double -> [(Taxels, frame)] -> Index frame
+indexed side placed = empty {indexFrames = Map.fromListWith (++) (reverse held)}
+  where
+    empty = Index side (least fst, least snd) Map.empty
+    least part = minimum (map (part . fst) placed)
+    held = [(squareAt empty place, [frame]) | (place, frame) <- placed]
+
+-- | The square of a place.
+squareAt :: Index frame -> Taxels -> Square
+squareAt (Index side corner _) place = (floor (y / side), floor (x / side))
+  where
+    (x, y) = place `minus` corner
+
+-- | The squares at most this many rows and columns from one, row by row, with their frames.
+around :: Int -> Index frame -> Square -> [(Square, [frame])]
+around reach index (row, column) =
+  [ (there, held)
+    | j <- [negate reach .. reach],
+      i <- [negate reach .. reach],
+      let there = (row + j, column + i),
+      Just held <- [Map.lookup there (indexFrames index)]
+  ]
+
+-- | The greatest width or height of images, taxels; at least 1.
+widest :: [Raster] -> Double
+widest images = fromIntegral (maximum (1 : [max (rasterWidth i) (rasterHeight i) | i <- images]))
 
 -- | Two frames that overlap, by their numbers, the smaller one first; where the second's upper left
 -- pixel lies in the first; and the share of the smaller frame that the overlap has.
@@ -29,32 +82,28 @@ data Neighbours = Neighbours
 neighbours :: [(Taxels, Raster)] -> [Neighbours]
 neighbours placed = neighboursAround (length placed) placed
 
--- | The same around at most so many of the frames, evenly.
+-- | The pairs whose first frame is one of at most this many, taken evenly from all.
 neighboursAround :: Int -> [(Taxels, Raster)] -> [Neighbours]
 neighboursAround most placed =
-  [ Neighbours k l (x' - x, y' - y) share
-    | (k, ((x, y), a)) <- spacedOut most numbered,
-      let (column, row) = square (x, y),
-      j <- [-1 .. 1],
-      i <- [-1 .. 1],
-      (l, ((x', y'), b)) <- Map.findWithDefault [] (column + i, row + j) squares,
+  [ Neighbours k l step share
+    | (k, (place, a)) <- spacedOut most numbered,
+      (l, (place', b)) <- concatMap snd (around 1 thinned (squareAt thinned place)),
       k < l,
-      let share = meeting rasterWidth a b (x' - x) * meeting rasterHeight a b (y' - y),
+      let step = place' `minus` place
+          share = overlapShare a b step,
       share > 0
   ]
   where
-    meeting :: (Raster -> Int) -> Raster -> Raster -> Double -> Double
-    meeting extent a b apart =
+    numbered = zip [0 :: Int ..] placed
+    index = indexed (widest (map snd placed)) [(place, f) | f@(_, (place, _)) <- numbered]
+    thinned = index {indexFrames = Map.map (spacedOut 16) (indexFrames index)}
+
+-- | The share of the smaller of two images that their overlap has, along each axis, where the
+-- second's upper left pixel lies there in the first.
+overlapShare :: Raster -> Raster -> Taxels -> Double
+overlapShare a b (right, down) = along rasterWidth right * along rasterHeight down
+  where
+    along :: (Raster -> Int) -> Double -> Double
+    along extent apart =
       let (m, n) = (fromIntegral (extent a), fromIntegral (extent b))
        in max 0 (if apart >= 0 then min n (m - apart) else min m (n + apart)) / max 1 (min m n)
-    numbered = zip [0 :: Int ..] placed
-    squares =
-      Map.map (spacedOut 16) $
-        Map.fromListWith (flip (++)) [(square place, [f]) | f@(_, (place, _)) <- numbered]
-    -- Counted from the frames, so that it does not matter where the robot counts from.
-    square (x, y) = (floor ((x - left) / side) :: Int, floor ((y - top) / side) :: Int)
-    left = minimum (map (fst . fst) placed)
-    top = minimum (map (snd . fst) placed)
-    side =
-      fromIntegral (maximum (1 : [max (rasterWidth i) (rasterHeight i) | (_, i) <- placed])) ::
-        Double
