@@ -76,7 +76,7 @@ import PraTactile.Registration.Lattice.Template (LatticeTables, latticeTables)
 import PraTactile.Registration.Levelling (Level (..), levelled, unlevelled)
 import PraTactile.Registration.Numbers (decisive)
 import PraTactile.Registration.Placed
-import PraTactile.Registration.Search
+import PraTactile.Registration.Settings
   ( Registration (..),
     standardRegistration,
     supposedSigma,

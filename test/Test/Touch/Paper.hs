@@ -23,7 +23,7 @@ import PraTactile.Registration.Arrangement (Arrangement, StitchMethod, TooMuch)
 import qualified PraTactile.Registration.Arrangement as Arrangement
 import PraTactile.Registration.Lattice.Fit (whole)
 import PraTactile.Registration.Lattice.Template (LatticeTables)
-import PraTactile.Registration.Search (Registration)
+import PraTactile.Registration.Settings (Registration)
 import PraTactile.Registration.Stitching (Stitching)
 import qualified PraTactile.Registration.Stitching as Stitching
 import PraTactile.Sensor.Frame (Frame)

@@ -66,9 +66,9 @@ locateGrid reader tolerance dissenters grid =
 -- is possible. Cells that lie beyond the edge of the candidate's face keep their place in the grid
 -- and lose their symbols.
 layOnFace ::
-  Recogniser k -> [ReadSymbol] -> FaceGrid -> Symmetry -> Maybe Candidate -> OnFace
+  Recogniser k -> [ReadSymbol] -> FaceGrid -> Symmetry -> Maybe Candidate -> GridOnFace
 layOnFace reader dissenters grid way likeliest' =
-  OnFace
+  GridOnFace
     { onFaceOrientation = orientation,
       onFaceCells = seenOnFace orientation (Map.mapWithKey heard (gridCells grid)),
       onFaceGroups = gridGroups grid,

@@ -53,7 +53,7 @@ gridOutcome ::
   KnownField k =>
   Recogniser k ->
   Tolerance ->
-  OnFace ->
+  GridOnFace ->
   Witnesses ->
   Maybe (Either LocatorError Answer) ->
   GridOutcome
@@ -84,7 +84,7 @@ data Findings = Findings
   }
 
 -- | The findings on a face.
-findingsOf :: KnownField k => Recogniser k -> Tolerance -> OnFace -> Findings
+findingsOf :: KnownField k => Recogniser k -> Tolerance -> GridOnFace -> Findings
 findingsOf reader tolerance face =
   Findings
     { foundTogether = located (onFaceCells face),

@@ -4,7 +4,7 @@
 -- on a model of the sensor; the minimum distance of these symbols' cells does not.
 module PraTactile.Recognise.Witnesses
   ( -- * A grid on a face
-    OnFace (..),
+    GridOnFace (..),
 
     -- * Witnesses
     Witnesses (..),
@@ -36,7 +36,7 @@ import PraTactile.Segmentation.Lattice (Cell)
 import PraTactile.Symmetry
 
 -- | A grid of symbols as it lies on the face.
-data OnFace = OnFace
+data GridOnFace = GridOnFace
   { -- | how the face is seen turned
     onFaceOrientation :: Symmetry,
     -- | by cells of the face; a cell that says nothing is there without symbols
@@ -66,7 +66,7 @@ data Witnesses = Witnesses
   }
 
 -- | The witnesses on a face.
-witnessesOf :: KnownField k => Recogniser k -> Tolerance -> OnFace -> Witnesses
+witnessesOf :: KnownField k => Recogniser k -> Tolerance -> GridOnFace -> Witnesses
 witnessesOf reader tolerance face =
   Witnesses
     { witnessesKnown = [(cell, s) | (cell, s, o) <- inCells, o == orientation],

@@ -39,7 +39,7 @@ import PraTactile.Registration.Numbers
   )
 import PraTactile.Registration.Overlap
 import PraTactile.Registration.Posterior
-import PraTactile.Registration.Search (Registration (..), supposedSigma)
+import PraTactile.Registration.Settings (Registration (..), supposedSigma)
 import PraTactile.Registration.Spectrum (spectra)
 
 -- | Frames put together by their pairs.

@@ -37,7 +37,7 @@ import PraTactile.Registration.Numbers (interpolated)
 import PraTactile.Registration.Others
 import PraTactile.Registration.Posterior (Hypothesis)
 import PraTactile.Registration.Residual (residual)
-import PraTactile.Registration.Search (Registration (..))
+import PraTactile.Registration.Settings (Registration (..))
 import PraTactile.Registration.Spectrum (spectra)
 
 -- | How frames are registered.

@@ -45,7 +45,7 @@ import PraTactile.Registration.Levelling
 import PraTactile.Registration.Model (eighth, logSum)
 import PraTactile.Registration.Numbers (keptPixels, outlier, phaseFrames, placesPerTaxel)
 import PraTactile.Registration.Posterior (Hypothesis (..))
-import PraTactile.Registration.Search (Registration (..))
+import PraTactile.Registration.Settings (Registration (..))
 
 -- | Frames on one lattice, each part found when it is first looked at.
 data Joint = Joint

@@ -36,8 +36,7 @@ where
 import PraTactile.Image (Raster, mapRaster)
 import PraTactile.Registration.Lattice.Fit (Touched, standardOf)
 import PraTactile.Registration.Model (Theta (..))
-import PraTactile.Registration.Numbers (negligible, unlikeGain, unlikeOffset)
-import PraTactile.Registration.Search (independent)
+import PraTactile.Registration.Numbers (independent, negligible, unlikeGain, unlikeOffset)
 
 -- | What all frames read on their common scale, and how each is brought to it.
 data Levelling = Levelling

@@ -2,7 +2,7 @@
 
 -- | Every number that decides in registration, with its unit and its source: a derivation, a
 -- measurement by a command, or "assumption". Settings of the user are in
--- "PraTactile.Registration.Search", limits of size in "PraTactile.Registration".
+-- "PraTactile.Registration.Settings", limits of size in "PraTactile.Registration".
 module PraTactile.Registration.Numbers
   ( -- * Readings: gains in standard deviations of a frame's values
     leastGain,
@@ -40,6 +40,7 @@ module PraTactile.Registration.Numbers
     leastOther,
 
     -- * Overlaps
+    independent,
     tempering,
     gainVariance,
     alike,
@@ -191,6 +192,12 @@ mostCandidates = 30000
 -- | The least probability of another displacement that is told of a frame.
 leastOther :: Double
 leastOther = 0.001
+
+-- | How many independent pairs of values a pixel counts for in a correlation: neighbouring pixels of
+-- relief resemble each other. Measured: of pairs that are given at 99 % at least that much is right
+-- (@bench/peers/stitching.py@).
+independent :: Double
+independent = 0.4
 
 -- | What share of the log-likelihood of an overlap counts: coefficients are not quite independent.
 -- Measured: of what is given at 99 % that much is right (@bench/peers/stitching.py@).

@@ -27,7 +27,7 @@ import PraTactile.Registration.Numbers
   )
 import PraTactile.Registration.Overlap (Relief)
 import PraTactile.Registration.Scale (likelyScales)
-import PraTactile.Registration.Search (Registration)
+import PraTactile.Registration.Settings (Registration)
 
 -- | The alternative layouts that frames on a lattice do not refute, given where the places of the
 -- frames count from in the robot's coordinates, and how the frames were found.

@@ -4,9 +4,10 @@ module Test.Touch.Composite.BlendByDefinition (spec) where
 import Data.Maybe (fromMaybe)
 import PraTactile.Composite.Blend
 import PraTactile.Image
-import PraTactile.Image.Correlate (Reference, reference)
+import PraTactile.Image.Correlate (Reference, overlapAt, reference)
 import PraTactile.Registration hiding (assemble)
-import PraTactile.Registration.Search
+import PraTactile.Registration.Correlation
+import PraTactile.Registration.Settings
 import PraTactile.Sensor.Frame
 import Test.Effort (withCases)
 import Test.Hspec
@@ -133,11 +134,15 @@ growing =
     expected settings k strong faint apart =
       mostProbable
         settings
-        (agreed k strong)
-        faint
-        (\(x, y) -> (x + fromIntegral (apart + border), y + fromIntegral border))
+        ( \(x, y) ->
+            overlapAt
+              (agreed k strong)
+              faint
+              (x + fromIntegral (apart + border))
+              (y + fromIntegral border)
+        )
         (Prior (0, 0) (sigma * sigma * spread))
-        (Window (0, 0) (sqrt spread * registrationReach settings * sigma))
+        (sqrt spread * registrationReach settings * sigma)
         (0, 0)
       where
         sigma = supposedSigma settings

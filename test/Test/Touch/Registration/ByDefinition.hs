@@ -21,7 +21,7 @@ import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Model
 import PraTactile.Registration.Pair.Methods
 import PraTactile.Registration.Posterior (Hypothesis (..), Posterior (..))
-import PraTactile.Registration.Search (Registration (..), standardRegistration)
+import PraTactile.Registration.Settings (Registration (..), standardRegistration)
 import Test.Effort (byEffort, withCases)
 import Test.Hspec
 import Test.QuickCheck hiding (classes, generate, sample, tables, total)

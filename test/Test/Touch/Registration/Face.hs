@@ -6,7 +6,7 @@ import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Geometry (rotated)
 import PraTactile.Image
 import PraTactile.Registration.Arrangement hiding (arrange)
-import PraTactile.Registration.Search (Registration)
+import PraTactile.Registration.Settings (Registration)
 import Test.Touch.Paper (arrange)
 import Test.Touch.Sensor.MeanHeights (embossing)
 

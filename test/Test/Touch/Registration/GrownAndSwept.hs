@@ -2,13 +2,14 @@
 -- robot have it most probably, at first of those placed before it, in the end of all others.
 module Test.Touch.Registration.GrownAndSwept (spec) where
 
-import Data.List ((\\))
+import Data.List (nub, (\\))
 import Data.Maybe (fromMaybe)
 import PraTactile.Composite.Blend
 import PraTactile.Image hiding (mean)
 import PraTactile.Image.Correlate
+import PraTactile.Registration.Correlation
 import PraTactile.Registration.Incremental
-import PraTactile.Registration.Search
+import PraTactile.Registration.Settings
 import Test.Effort (withCases)
 import Test.Hspec
 import Test.QuickCheck hiding (generate)
@@ -25,69 +26,60 @@ spec = withCases 25 200 $ do
     forAllBlind genFrames $ \frames -> forAll (genSettings [0]) $ \settings ->
       let moves = register settings frames
           orders = growing frames
-          grown order = and (zipWith (lying order) [0 ..] order)
-          lying order n k =
-            let earlier = take n order
-                -- The first one is where the robot has it.
-                placed = [move `minus` (moves !! head order) | move <- moves]
-                middle = eighths (meanOf (map (placed !!) earlier))
-                -- They are known up to the error of their mean.
-                spread = 1 + 1 / fromIntegral (max 1 n)
-                start = whole middle
-                prior = Prior middle (spread * variance settings)
-                told = likely settings frames placed earlier k start prior
-                near = windowed (Window middle (sqrt spread * searchRadius settings)) start
-             in best told near (placed !! k)
+          grown order = and [lying n k | (n, k) <- zip [0 ..] order]
+            where
+              -- The first one is where the robot has it.
+              placed = [move `minus` (moves !! head order) | move <- moves]
+              lying n k = anywhere settings frames placed (take n order) k (0, 0)
        in counterexample (show (orders, moves)) (any grown orders)
-  it "in the first sweep each frame is as probable as wherever it may be, by all others" $
-    forAllBlind genFrames $ \frames -> forAll (genSettings [0]) $ \settings ->
-      let lying (Seen _ d old told) =
-            best told (windowed (Window (0, 0) (searchRadius settings)) (old `minus` whole old)) d
-       in all lying (swept settings frames)
-  it "later each frame that moves, or beside which one moved, is so by a taxel around it" $
-    forAllBlind genFrames $ \frames -> forAll (genSettings [1, 2, 3]) $ \settings ->
-      let lying (Seen moved d old told) =
-            (d == old && not moved) || best told (windowed (Window old 1) old) d
-       in all lying (swept settings frames)
+  it "where a sweep changes nothing, each is as probable as around it, or anywhere, by all others" $
+    forAllBlind genFrames $ \frames -> forAll (genSettings [9]) $ \settings ->
+      let moves = register settings frames
+          numbers = [0 .. length frames - 1]
+          still = moves == register settings {registrationSweeps = 8} frames
+          others k = numbers \\ [k]
+          -- All may have moved alike, each when those before it had.
+          alike by = all (\k -> best settings frames (placed k) (others k) k 1 (old k)) numbers
+            where
+              old k = (moves !! k) `minus` by
+              placed k = [if l <= k then moves !! l else old l | l <- numbers]
+          steps = [(x, y) | y <- line, x <- line]
+          line = [signed * t / 8 | t <- [0 .. 16], signed <- [1, -1]]
+          -- Where the first sweep moves none, there is no other.
+          wide k = anywhere settings frames moves (others k) k (moves !! k)
+       in classify still "still" $
+            counterexample (show moves) (not still || all wide numbers || any alike steps)
 
--- | Whether a displacement is as probable as others, one of which it is refined from by a half, a
--- quarter and an eighth.
-best :: (Taxels -> (Double, Double)) -> [Taxels] -> Taxels -> Bool
-best told near d = all ((<= score d + 1e-9) . score) near && any (nearBy (7 / 8) d) near
+-- | Whether a frame is as probable as wherever the robot may have put it, at whole taxels from
+-- where it was before.
+anywhere :: Registration -> [(Taxels, Raster)] -> [Taxels] -> [Int] -> Int -> Taxels -> Bool
+anywhere settings frames placed these k old =
+  any
+    (best settings frames placed these k (spreadBeside these * searchRadius settings) . plus old)
+    (nub [whole ((middle `minus` old) `plus` (u, v)) | u <- hair, v <- hair])
   where
-    score = uncurry (+) . told
+    middle = meanOf (map (placed !!) these)
+    -- What is half a taxel by rounding alone may be either.
+    hair = [-1e-9, 1e-9]
 
--- | A frame in a sweep: whether another that it overlaps at their nominal places has moved since it
--- was looked at, where it is then and where it was, and what all others tell of it.
-data Seen = Seen !Bool !Taxels !Taxels (Taxels -> (Double, Double))
+-- | The standard deviation of a displacement about the mean of these others, which is known up to
+-- its own error, in those of one.
+spreadBeside :: [Int] -> Double
+spreadBeside these = sqrt (1 + 1 / fromIntegral (max 1 (length these)))
 
--- | The frames in the sweep after so many. Their mean is taken away after each sweep, and told by a
--- frame that nothing ties to the others, which the robot alone places.
-swept :: Registration -> [(Taxels, Raster)] -> [Seen]
-swept settings given = [seen (take n order) k | (n, k) <- zip [0 ..] order, k > 0]
+-- | Whether a frame is as probable as at all whole taxels from a start, at most this far, and is
+-- refined from one of them by a half, a quarter and an eighth; given the displacements of all
+-- frames, and which of them it is held against.
+best ::
+  Registration -> [(Taxels, Raster)] -> [Taxels] -> [Int] -> Int -> Double -> Taxels -> Bool
+best settings frames placed these k radius start =
+  all ((<= score d + 1e-9) . score) near && any (nearBy (7 / 8) d) near
   where
-    frames = ((500, -9), generate 6 5 (\x y -> fromIntegral ((3 * x + y * y) `mod` 5))) : given
-    order = [0 .. length given]
-    count = registrationSweeps settings
-    start d = if count == 0 then d `minus` whole d else d
-    (olds, news) = sweep count
-    sweep n = (results !! n, map (`plus` (lone `minus` head next)) next)
-      where
-        next = results !! (n + 1)
-        lone = if n == 0 then (0, 0) else head (results !! n)
-    results = [register settings {registrationSweeps = n} frames | n <- [0 ..]]
-    movedIn n l = let (from, to) = sweep n in n >= 0 && from !! l /= to !! l
-    seen earlier k = Seen moved (news !! k) (olds !! k) (others settings frames placed k from)
-      where
-        from = start (olds !! k)
-        placed = [if l `elem` earlier then news !! l else olds !! l | l <- [0 .. length given]]
-        moved =
-          or
-            [ movedIn (if l `elem` earlier then count else count - 1) l
-              | l <- order \\ [k],
-                meeting (fst (frames !! l)) (fst (frames !! k))
-            ]
-    meeting (x, y) (u, v) = abs (x - u) < 6 && abs (y - v) < 5
+    d = placed !! k
+    sigma = spreadBeside these * supposedSigma settings
+    prior = Prior (meanOf (map (placed !!) these)) (sigma * sigma)
+    score = likely settings frames placed these k start prior
+    near = wholeTaxels radius start
 
 -- | Parts of one relief, some hardly to be seen, near their places or far from all others.
 genFrames :: Gen [(Taxels, Raster)]
@@ -119,9 +111,6 @@ genSettings sweeps =
     <*> pure 2
     <*> elements sweeps
 
-variance :: Registration -> Double
-variance settings = supposedSigma settings * supposedSigma settings
-
 -- | The orders of growth: next is the frame whose nominal overlaps with those placed tell most; of
 -- equals that whose overlaps with all do, and of equals the first. What differs by rounding alone
 -- may be either.
@@ -148,7 +137,7 @@ growing frames = grown [] [0 .. length frames - 1]
     overlapping ((x, y), a) ((u, v), b) =
       let Overlap n va vb _ = overlapAt (referenceOf a) b (u - x) (v - y) in n * sqrt (va * vb)
 
--- | The logarithms of a frame's likelihood and prior at a displacement, given the displacements of
+-- | The logarithm of a frame's likelihood and prior at a displacement, given the displacements of
 -- all frames and which of these it is held against. They are laid on a grid on which the frame's
 -- pixels lie if it is displaced as at the start; each of their pixels counts as surely as the mean
 -- of so many frames is known, and an overlap no more than that at the start.
@@ -161,11 +150,11 @@ likely ::
   Taxels ->
   Prior ->
   Taxels ->
-  (Double, Double)
+  Double
 likely settings frames placed these k start prior = \d ->
   let overlap = at d
       capped = overlap {overlapWeight = min most (overlapWeight overlap)}
-   in (logLikelihood settings capped, logPrior prior d)
+   in logLikelihood settings capped + logPrior prior d
   where
     (place, image) = frames !! k
     border = 20
@@ -185,32 +174,10 @@ likely settings frames placed these k start prior = \d ->
             let (there, other) = frames !! l
         ]
 
--- | By all others and the robot.
-others ::
-  Registration ->
-  [(Taxels, Raster)] ->
-  [Taxels] ->
-  Int ->
-  Taxels ->
-  Taxels ->
-  (Double, Double)
-others settings frames placed k start =
-  likely settings frames placed these k start (Prior (0, 0) (variance settings))
-  where
-    these = [0 .. length frames - 1] \\ [k]
-
--- | The places of a window that lie whole taxels from a start, with the start.
-windowed :: Window -> Taxels -> [Taxels]
-windowed (Window middle radius) start =
-  start :
-    [ d
-      | j <- [-9 .. 9],
-        i <- [-9 .. 9],
-        let d = start `plus` (i, j),
-        distance (d `minus` middle) <= radius
-    ]
-  where
-    distance (x, y) = sqrt (x * x + y * y)
+-- | The places that lie whole taxels from a start, at most this far.
+wholeTaxels :: Double -> Taxels -> [Taxels]
+wholeTaxels radius start =
+  [start `plus` (i, j) | j <- [-9 .. 9], i <- [-9 .. 9], sqrt (i * i + j * j) <= radius]
 
 nearBy :: Double -> Taxels -> Taxels -> Bool
 nearBy most (x, y) (u, v) = max (abs (x - u)) (abs (y - v)) <= most

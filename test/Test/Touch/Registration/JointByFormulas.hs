@@ -25,7 +25,7 @@ import PraTactile.Registration.Lattice.Places (placesGrid)
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Numbers (cellShare)
 import PraTactile.Registration.Posterior (Hypothesis (..))
-import PraTactile.Registration.Search (Registration (..), standardRegistration, supposedSigma)
+import PraTactile.Registration.Settings (Registration (..), standardRegistration, supposedSigma)
 import Test.Effort (byEffort, withCases)
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)

@@ -14,7 +14,7 @@ import PraTactile.Registration.AllPairs.Field
 import PraTactile.Registration.AllPairs.Pair
 import PraTactile.Registration.Joint.Estimate (Estimate (..))
 import PraTactile.Registration.Posterior
-import PraTactile.Registration.Search
+import PraTactile.Registration.Settings
 import Test.Effort (withCases)
 import Test.Hspec
 import Test.QuickCheck hiding (generate)

@@ -9,7 +9,7 @@ import PraTactile.Registration.Arrangement
 import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Residual (residual)
-import PraTactile.Registration.Search (Registration (..), standardRegistration)
+import PraTactile.Registration.Settings (Registration (..), standardRegistration)
 import Test.Effort (withCases)
 import Test.Hspec
 import Test.QuickCheck hiding (generate)

@@ -5,8 +5,9 @@ import Data.List (foldl')
 import Data.Maybe (fromMaybe)
 import PraTactile.Image
 import PraTactile.Image.Correlate
+import PraTactile.Registration.Correlation
 import PraTactile.Registration.Pair.Alike (agreements)
-import PraTactile.Registration.Search
+import PraTactile.Registration.Settings
 import Test.Effort (withCases)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
@@ -43,12 +44,12 @@ settingsSpec = do
                  ]
 
 -- | A reference and an image that is a part of it with some noise, where that part lies, how sure
--- the robot is of a place near it, and a start near that place.
+-- the robot is of a place near it, and a start near that place with how far to search from it.
 data Sought = Sought
   { soughtReference :: Reference,
     soughtImage :: Raster,
     soughtPrior :: Prior,
-    soughtWindow :: Window,
+    soughtRadius :: Double,
     soughtStart :: (Double, Double)
   }
 
@@ -73,7 +74,7 @@ genSought = do
         there
         image
         (Prior centre variance)
-        (Window centre radius)
+        radius
         (fst centre + fst start, snd centre + snd start)
     )
 
@@ -87,40 +88,35 @@ terms settings sought d =
   where
     start = soughtStart sought
     weight = overlapWeight . at
-    at = uncurry (overlapAt (soughtReference sought) (soughtImage sought))
+    at = overlapOf sought
+
+overlapOf :: Sought -> (Double, Double) -> Overlap
+overlapOf sought = uncurry (overlapAt (soughtReference sought) (soughtImage sought))
 
 searchSpec :: Spec
 searchSpec = do
   it
-    "is the best at whole taxels from the start in the window, then the best a half, a quarter\
+    "is the best at whole taxels from the start in the radius, then the best a half, a quarter\
     \ and an eighth of a taxel from there, along x and then along y"
     $ forAllBlind genSought $ \sought ->
       let settings = standardRegistration
           score d = uncurry (+) (terms settings sought d)
-          Window (cx, cy) radius = soughtWindow sought
+          radius = soughtRadius sought
           start@(x0, y0) = soughtStart sought
           whole =
             start :
               [ d
                 | j <- [-5 .. 5],
                   i <- [-5 .. 5],
-                  let d@(x, y) = (x0 + i, y0 + j),
-                  (x - cx) ^ (2 :: Int) + (y - cy) ^ (2 :: Int) <= radius * radius
+                  let d = (x0 + i, y0 + j),
+                  i * i + j * j <= radius * radius
               ]
           refined d step = foldl' (beside step) d [(1, 0), (0, 1)]
           beside step (x, y) (i, j) =
             best [(x, y), (x - i * step, y - j * step), (x + i * step, y + j * step)]
           best = snd . maximumOfFirst score
           wanted = foldl' refined (best whole) [0.5, 0.25, 0.125]
-       in mostProbable
-            settings
-            (soughtReference sought)
-            (soughtImage sought)
-            id
-            (soughtPrior sought)
-            (soughtWindow sought)
-            start
-            === wanted
+       in mostProbable settings (overlapOf sought) (soughtPrior sought) radius start === wanted
   where
     -- The first of the greatest.
     maximumOfFirst score ds =

@@ -12,7 +12,7 @@ import PraTactile.Registration.Incremental (register)
 import PraTactile.Registration.Joint.Estimate (Estimate (..))
 import PraTactile.Registration.Lattice.Glimpse
 import PraTactile.Registration.Residual (residual)
-import PraTactile.Registration.Search (Registration (..), standardRegistration)
+import PraTactile.Registration.Settings (Registration (..), standardRegistration)
 import Test.Effort (whenFull)
 import Test.Hostile.Judgement (withinBounds)
 import Test.Hspec

@@ -40,7 +40,7 @@ import PraTactile.Registration.AllPairs.Pair
 import PraTactile.Registration.Joint.Grid
 import PraTactile.Registration.Numbers (heardOfPairs, pairSweeps)
 import PraTactile.Registration.Posterior
-import PraTactile.Registration.Search
+import PraTactile.Registration.Settings
 
 -- | What a frame's displacement is expected to be, and its square, both of all frames together;
 -- and how many these are. In places and square places.

@@ -18,7 +18,7 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Registration.Neighbours (Neighbours (..))
 import PraTactile.Registration.Overlap
-import PraTactile.Registration.Search
+import PraTactile.Registration.Settings
 
 -- | What two frames say, by their numbers.
 data Pair = Pair

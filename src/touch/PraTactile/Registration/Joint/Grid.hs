@@ -24,7 +24,7 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Registration.Model (logSum, normalLog)
 import PraTactile.Registration.Numbers (placesPerTaxel, sigmasPerOctave)
-import PraTactile.Registration.Search (Registration (..), sigmasFor)
+import PraTactile.Registration.Settings (Registration (..), sigmasFor)
 
 -- | The displacements that are considered.
 data Grid = Grid

@@ -18,9 +18,9 @@ import PraTactile.Registration.Joint.Grid (Grid (..), gridSpacing, onGrid)
 import PraTactile.Registration.Joint.TwoFrames
 import PraTactile.Registration.Lattice.Likelihood (Likelihood)
 import PraTactile.Registration.Model (logSum)
+import PraTactile.Registration.Numbers (independent)
 import PraTactile.Registration.Overlap
 import PraTactile.Registration.Posterior
-import PraTactile.Registration.Search (independent)
 
 -- | By the lattice that lies under both frames.
 latticePosterior :: Taxels -> Double -> Likelihood -> Likelihood -> Posterior
