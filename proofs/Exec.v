@@ -5,7 +5,7 @@
    definitions and these modules against each other. Everything here ends by structural recursion; no function has fuel. *)
 From Coq Require Import NArith List Bool.
 Import ListNotations.
-Open Scope N_scope.
+Local Open Scope N_scope.
 
 (* The operations of a ring. *)
 Record arithmetic (T : Type) := Arithmetic

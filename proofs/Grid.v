@@ -2,7 +2,7 @@
 From Coq Require Import NArith List Bool.
 From PraTactile Require Import Exec.
 Import ListNotations.
-Open Scope N_scope.
+Local Open Scope N_scope.
 
 Inductive reading := Characteristic | Reciprocal.
 Inductive folding := Diagonal | RowMajor.

@@ -4,7 +4,7 @@
 From Coq Require Import NArith List Bool.
 From PraTactile Require Import Exec Grid.
 Import ListNotations.
-Open Scope N_scope.
+Local Open Scope N_scope.
 
 (* q = 4 with A^2 = A + 1, h = x^4 + x^2 + A x + A^2, 15 x 17, folded along the diagonal. *)
 Definition paper : profile :=

@@ -1,0 +1,131 @@
+(* A checker of the certificates that `pra-tactile certificate --rank` writes, executable.
+
+   PraTactile.Certificate.Check and data/check_certificate.py check the same claims. Certificate.v proves this one sound. It
+   knows a prime by trial division, so it refuses a certificate with a prime of 2^34 or more; and it does not check the seal. *)
+From Coq Require Import NArith List Bool.
+From PraTactile Require Import Exec Grid.
+Import ListNotations.
+Local Open Scope N_scope.
+
+(* As in PraTactile.Certificate: a factor is a prime l, its exponent and x^((q^n - 1) / l); a proof of a prime is the prime
+   and, for prime factors of the prime less one, the factor, its exponent and a base. *)
+Record certificate := Certificate
+  { claimed : profile; claimedWindow : N * N; mask : list (N * N); claimedWindows : N; claimedPeriod : N;
+    factors : list (N * N * list N); primes : list (N * list (N * N * N));
+    vectors : list (list N); cells : list N; inverse : list (list N) }.
+
+Definition isPrime (l : N) : bool :=
+  (2 <=? l) && (l <? 2 ^ 34) && forallb (fun d => negb (l mod d =? 0)) (skipn 2 (upTo (N.sqrt l + 1))).
+
+Definition areCodes (q : N) (a : list N) : bool := forallb (fun x => x <? q) a.
+
+Definition hasLength {A} (n : nat) (a : list A) : bool := Nat.eqb (length a) n.
+
+(* c_1 v_1 + c_2 v_2 + ..., of vectors of length n. *)
+Fixpoint combination {T} (K : arithmetic T) (n : nat) (cs : list T) (vs : list (list T)) : list T :=
+  match cs, vs with
+  | c :: cs', v :: vs' => plus K (scale K c v) (combination K n cs' vs')
+  | _, _ => repeat (zero K) n
+  end.
+
+Fixpoint identity {T} (K : arithmetic T) (n : nat) : list (list T) :=
+  match n with
+  | O => []
+  | S n' => (one K :: repeat (zero K) n') :: map (cons (zero K)) (identity K n')
+  end.
+
+Fixpoint sameRows (a b : list (list N)) : bool :=
+  match a, b with
+  | [], [] => true
+  | x :: a', y :: b' => same x y && sameRows a' b'
+  | _, _ => false
+  end.
+
+Fixpoint ascending (a : list N) : bool :=
+  match a with x :: (y :: _) as a' => (x <? y) && ascending a' | _ => true end.
+
+Section Of.
+Variable C : certificate.
+Let P := claimed C.
+Let q := profileOrder P.
+Let K := field P.
+Let h := lower P.
+Let n := length h.
+Let n1 := profileRows P.
+Let n2 := profileColumns P.
+
+(* A field GF(p^m) of at most 256 elements with a modulus of degree m, and h over it of degree n, both monic. *)
+Definition fieldIsRight : bool :=
+  let p := characteristicOf q in
+  let m := pred (length (profileModulus P)) in
+  (2 <=? q) && (q <=? 256) && (1 <=? N.of_nat m) && (N.of_nat m <=? 8) && (p ^ N.of_nat m =? q)
+  && areCodes p (profileModulus P) && (last (profileModulus P) 0 =? 1).
+
+Definition polynomialIsRight : bool :=
+  hasLength (S n) (profilePolynomial P) && (1 <=? N.of_nat n) && areCodes q (profilePolynomial P) && areCodes q h
+  && (last (profilePolynomial P) 0 =? 1) && negb (hd 0 (profilePolynomial P) =? 0).
+
+(* x^(q^n - 1) is 1 modulo h, and x^((q^n - 1) / l) is not, for each prime l that divides q^n - 1. *)
+Definition orderIsRight : bool :=
+  (claimedPeriod C =? period P)
+  && forallb (fun shown => isPrime (fst shown)) (primes C)
+  && ascending (map (fun f => fst (fst f)) (factors C))
+  && forallb (fun f => isPrime (fst (fst f)) && (1 <=? snd (fst f)) && (snd (fst f) <? 4096)) (factors C)
+  && (fold_right N.mul 1 (map (fun f => fst (fst f) ^ snd (fst f)) (factors C)) =? period P)
+  && same (rootPower K h (period P)) (unit K h)
+  && forallb (fun f => let residue := rootPower K h (period P / fst (fst f)) in
+       same residue (snd f) && negb (same residue (unit K h))) (factors C).
+
+Definition foldIsRight : bool :=
+  hasLength n (profileState P) && areCodes q (profileState P) && negb (forallb (fun a => a =? 0) (profileState P))
+  && (n1 * n2 =? period P)
+  && match profileFolding P with Diagonal => N.gcd n1 n2 =? 1 | RowMajor => true end.
+
+(* The window is the extent of the mask, the surface is the fold's own or the sheet, and so many windows lie on it. *)
+Definition maskIsRight : bool :=
+  let high := fold_right N.max 0 (map (fun at' => fst at' + 1) (mask C)) in
+  let wide := fold_right N.max 0 (map (fun at' => snd at' + 1) (mask C)) in
+  let seen := match profileSurface P with Sheet => (n1 + 1 - high) * (n2 + 1 - wide) | _ => n1 * n2 end in
+  (different (map (fun at' => [fst at'; snd at']) (mask C)) =? N.of_nat (length (mask C)))
+  && samePlace (claimedWindow C) (high, wide) && (1 <=? seen) && (claimedWindows C =? seen)
+  && match profileSurface P, profileFolding P with
+     | Torus, Diagonal | TwistedTorus, RowMajor | Sheet, _ => true
+     | _, _ => false
+     end.
+
+(* The inverse of a modulo b by Euclid's algorithm, in pairs r = t a modulo b; it need not be right, as what is made of it is
+   checked. *)
+Fixpoint inverseBy (steps : nat) (b r r' t t' : N) : N :=
+  match steps with
+  | O => t
+  | S steps' => if r' =? 0 then t else inverseBy steps' b r' (r mod r') t' ((t + (b - (r / r' * t') mod b)) mod b)
+  end.
+
+(* e with e = i modulo n1 and e = j modulo n2, on the diagonal; row by row n2 i + j. *)
+Definition exponent (offset : N * N) : N :=
+  let (i, j) := offset in
+  match profileFolding P with
+  | RowMajor => (n2 * i + j) mod (n1 * n2)
+  | Diagonal =>
+    let u := inverseBy (S (S (N.to_nat (2 * N.log2 n1)))) n1 n1 (n2 mod n1) 0 1 in
+    j mod n2 + n2 * ((u * (i + n1 * n2 - j mod n2)) mod n1)
+  end.
+
+Definition exponentIsRight (offset : N * N) : bool :=
+  match profileFolding P with
+  | RowMajor => true
+  | Diagonal => (exponent offset mod n1 =? fst offset mod n1) && (exponent offset mod n2 =? snd offset mod n2)
+  end.
+
+Definition chosen : list (list N) := map (fun i => nth (N.to_nat i) (vectors C) []) (cells C).
+
+Definition rankIsRight : bool :=
+  forallb exponentIsRight (mask C)
+  && sameRows (vectors C) (map (fun offset => rootPower K h (exponent offset)) (mask C))
+  && hasLength n (cells C) && ascending (cells C) && forallb (fun i => i <? N.of_nat (length (mask C))) (cells C)
+  && hasLength n (inverse C) && forallb (fun row => hasLength n row && areCodes q row) (inverse C)
+  && sameRows (map (fun row => combination K n row chosen) (inverse C)) (identity K n).
+
+Definition check : bool :=
+  fieldIsRight && polynomialIsRight && orderIsRight && foldIsRight && maskIsRight && rankIsRight.
+End Of.
