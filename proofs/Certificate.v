@@ -87,7 +87,7 @@ Proof.
   transitivity (q ^ 1); [now apply N.pow_le_mono_l | apply N.pow_le_mono_r; lia].
 Qed.
 
-Theorem sound : primitive P /\ windowsAreDistinct P (mask C).
+Lemma sound : primitive P /\ windowsAreDistinct P (mask C).
 Proof.
   destruct field_of_P as (F & K & e & all & R & H & OZ & A & size & inj & below & onto).
   destruct checked as (HF & HP & HO & HS & HM & HR).

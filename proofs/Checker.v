@@ -14,8 +14,10 @@ Record certificate := Certificate
     factors : list (N * N * list N); primes : list (N * list (N * N * N));
     vectors : list (list N); cells : list N; inverse : list (list N) }.
 
+(* Trial division by all that are at most the square root, and some more. *)
 Definition isPrime (l : N) : bool :=
-  (2 <=? l) && (l <? 2 ^ 34) && forallb (fun d => negb (l mod d =? 0)) (skipn 2 (upTo (N.sqrt l + 1))).
+  (2 <=? l) && (l <? 2 ^ 34)
+  && forallb (fun d => (l <=? d) || negb (l mod d =? 0)) (skipn 2 (upTo (2 ^ (N.size l / 2 + 1)))).
 
 Definition areCodes (q : N) (a : list N) : bool := forallb (fun x => x <? q) a.
 
@@ -107,7 +109,7 @@ Definition exponent (offset : N * N) : N :=
   match profileFolding P with
   | RowMajor => (n2 * i + j) mod (n1 * n2)
   | Diagonal =>
-    let u := inverseBy (S (S (N.to_nat (2 * N.log2 n1)))) n1 n1 (n2 mod n1) 0 1 in
+    let u := inverseBy (N.to_nat (2 * N.size n1 + 2)) n1 n1 (n2 mod n1) 0 1 in
     j mod n2 + n2 * ((u * (i + n1 * n2 - j mod n2)) mod n1)
   end.
 

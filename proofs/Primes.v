@@ -30,8 +30,15 @@ Proof.
   apply N.leb_le in L; split; [lia |]; intros d D.
   assert (forall x y, l = x * y -> 2 <= x -> x <= y -> False) as no.
   { intros x y E L2 LE; assert (x * x <= l) as Q by (rewrite E; apply N.mul_le_mono_l; easy).
-    assert (x <= N.sqrt l) as S by (apply N.sqrt_le_square; exact Q).
-    specialize (H x (in_from_two (N.sqrt l + 1) x ltac:(lia))).
+    assert (x < 2 ^ (N.size l / 2 + 1)) as B.
+    { pose proof (N.size_gt l) as G; clear - Q G; revert G; generalize (N.size l) as s; intros s G.
+      destruct (N.lt_ge_cases x (2 ^ (s / 2 + 1))) as [| X]; [easy | exfalso].
+      assert (2 ^ s <= x * x); [| lia].
+      transitivity (2 ^ (s / 2 + 1) * 2 ^ (s / 2 + 1)); [| now apply N.mul_le_mono].
+      rewrite <- N.pow_add_r; apply N.pow_le_mono_r; [lia |].
+      pose proof (N.div_mod s 2); pose proof (N.mod_lt s 2); lia. }
+    specialize (H x (in_from_two _ x (conj L2 B))).
+    apply orb_true_iff in H as [H | H]; [apply N.leb_le in H; nia |].
     rewrite E, N.mul_comm, N.mod_mul in H by lia; easy. }
   destruct D as [k E]; destruct (N.eq_dec d 1) as [| D1]; [now left | right].
   destruct (N.eq_dec k 1) as [-> | K1]; [lia | exfalso].
