@@ -8,7 +8,7 @@ MATCH =
 # The seed of random cases, as in: make test SEED=7
 SEED =
 export PREFIX DESTDIR
-.PHONY: all help setup build demo test test-full static packages check-packages check-slurm lint format mutants calibration archive operations types bench evaluate figures docs shapes network \
+.PHONY: all help setup build demo test test-full proofs static packages check-packages check-slurm lint format mutants calibration archive operations types bench evaluate figures docs shapes network \
         check-network check-newer-ghc install uninstall clean
 # cabal holds one build at a time in dist-newstyle.
 .NOTPARALLEL:
@@ -25,6 +25,9 @@ test: setup ## run the test suite as far as a person waits for it (MATCH=... for
 
 test-full: ## run all that the suite has, with random cases from a fresh seed, which it prints
 	@PRA_TACTILE_EFFORT=full $(MAKE) --no-print-directory test
+
+proofs: ## check the machine-checked proofs in proofs/ (Coq 8.16, mathcomp 1.15); a line a theorem
+	@tools/proofs.sh
 
 lint: ## check the sources: 100 columns, ormolu, hlint
 	@tools/lint.sh

@@ -1,4 +1,4 @@
-{-# OPTIONS_GHC -w #-}
+{-# OPTIONS_GHC -O1 -w #-}
 
 -- | The definitions of proofs/Exec.v and Grid.v and the checker of proofs/Checker.v, as Coq extracts
 -- them by proofs/Extract.v. Written by @tools/proofs.sh --extract@; proofs/README.md says what is

@@ -105,6 +105,9 @@ import qualified Test.Hostile
 import qualified Test.House
 import Test.Hspec (Spec, describe, parallel)
 import Test.Hspec.Runner (Config (..), defaultConfig, hspecWith)
+import qualified Test.Proofs.Sources
+import qualified Test.Proofs.Subject
+import qualified Test.Proofs.ThreeCheckers
 import qualified Test.Readme
 import qualified Test.Recognition.AnswersBesideTruth
 import qualified Test.Recognition.AnyAngle
@@ -380,6 +383,9 @@ together = do
   describe "Sources" Test.Recognition.FromBytesToAnswers.spec
   describe "README" Test.Readme.spec
   describe "Conformance laws on this library" Test.Conformance.Laws.spec
+  describe "Conformance laws on the definitions in Coq" Test.Proofs.Subject.spec
+  describe "Proofs: three checkers of certificates" Test.Proofs.ThreeCheckers.spec
+  describe "Proofs: their sources" Test.Proofs.Sources.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec
   describe "Conformance: what fails" Test.Conformance.Properties.spec
   describe "Conformance: profiles in force" Test.Conformance.InProcess.spec

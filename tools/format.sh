@@ -1,6 +1,6 @@
 #!/bin/sh
-# Formats all Haskell sources by ormolu, or with `check` finds whether they are formatted. Another version formats otherwise,
-# so that of another, or of none, it says so: with `check` that is no failure.
+# Formats all Haskell sources but test/Extracted.hs by ormolu, or with `check` finds whether they are formatted. Another version
+# formats otherwise, so that of another, or of none, it says so: with `check` that is no failure.
 # usage: tools/format.sh [check]
 set -eu
 cd "$(dirname "$0")/.."
@@ -18,4 +18,4 @@ options=$(for extension in $(tools/extensions.sh); do printf ' --ghc-opt %s' "$e
 mode=inplace
 [ "${1:-}" != check ] || mode=check
 # shellcheck disable=SC2086
-find src app test bench tools -name '*.hs' -exec ormolu $options --mode $mode {} +
+find src app test bench tools -name '*.hs' ! -name Extracted.hs -exec ormolu $options --mode $mode {} +

@@ -8,12 +8,16 @@ cd "$(dirname "$0")/.."
 built=dist-newstyle/proofs
 refuse() { echo "pra-tactile: $*" >&2; exit 1; }
 
+missing() {
+  echo "pra-tactile: $*; the proofs take Coq 8.16 and mathcomp 1.15: apt-get install coq libcoq-mathcomp-field" >&2
+  exit 2
+}
 for program in coqc coq_makefile coqchk; do
-  command -v "$program" >/dev/null 2>&1 || {
-    echo "pra-tactile: there is no $program here; the proofs take Coq 8.16 and mathcomp 1.15: apt-get install coq libcoq-mathcomp-field" >&2
-    exit 2
-  }
+  command -v "$program" >/dev/null 2>&1 || missing "there is no $program here"
 done
+if grep -q mathcomp proofs/*.v; then
+  [ -e "$(coqc -where)/user-contrib/mathcomp/field" ] || missing "there is no mathcomp here"
+fi
 
 listed=$(grep '\.v$' proofs/_CoqProject)
 for file in proofs/*.v; do
@@ -36,12 +40,12 @@ done
 rm -f "$built/Axioms.vo" "$built/Extract.vo"
 (cd "$built" && coq_makefile -f _CoqProject -o Makefile >/dev/null)
 tools/quietly.sh dist-newstyle/proofs.log "checking the proofs; two minutes the first time" \
-  make -C "$built" -j "${JOBS:-2}" --no-print-directory
+  make -C "$built" -j "${JOBS:-2}" --no-print-directory || refuse "a proof does not pass"
 
 extracted=dist-newstyle/Extracted.hs
 {
   cat <<'END'
-{-# OPTIONS_GHC -w #-}
+{-# OPTIONS_GHC -O1 -w #-}
 
 -- | The definitions of proofs/Exec.v and Grid.v and the checker of proofs/Checker.v, as Coq extracts
 -- them by proofs/Extract.v. Written by @tools/proofs.sh --extract@; proofs/README.md says what is
@@ -56,7 +60,7 @@ cmp "$extracted" test/Extracted.hs || refuse "test/Extracted.hs is not what Coq 
 
 # shellcheck disable=SC2046
 tools/quietly.sh dist-newstyle/coqchk.log "having coqchk check what was compiled" \
-  coqchk -silent -Q "$built" PraTactile $(printf '%s\n' "$listed" | sed 's/\(.*\)\.v$/-norec PraTactile.\1/')
+  coqchk -silent -Q "$built" PraTactile $(printf '%s\n' "$listed" | sed 's/\(.*\)\.v$/-norec PraTactile.\1/') || refuse "coqchk does not agree"
 
 # The n-th block that Axioms.v printed is of its n-th theorem.
 (cd "$built" && coqc -Q . PraTactile Axioms.v) > dist-newstyle/axioms.txt

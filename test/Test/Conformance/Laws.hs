@@ -1,6 +1,6 @@
 -- | The conformance laws: they hold of the library, and of the definition; and each of them finds
 -- an impostor.
-module Test.Conformance.Laws (spec, lawsFailing) where
+module Test.Conformance.Laws (spec, lawsFailing, lawsFailingOf) where
 
 import Data.Aeson (encode, toJSON)
 import Data.Foldable (for_)
@@ -124,6 +124,10 @@ failingWith settings implementation = lawsFailingWith settings [] implementation
 -- | The laws of the code that do not hold of an implementation under these profiles.
 lawsFailing :: [(String, Profile)] -> Implementation -> IO [String]
 lawsFailing = lawsFailingWith patient
+
+-- | The laws whose ids contain one of these texts and that do not hold of an implementation.
+lawsFailingOf :: [String] -> [(String, Profile)] -> Implementation -> IO [String]
+lawsFailingOf ids = lawsFailingWith patient {settingRun = ids}
 
 -- | For as long as it takes, on a machine that has other things to do.
 patient :: Settings

@@ -2,7 +2,7 @@
 -- as its order. Row by row on the twisted torus the powers of the root under a window of 1 x n are
 -- 1, x, ..., x^(n - 1) whatever the polynomial, so that the evidence of rank n is in order, and
 -- nothing but the order of the root is wrong.
-module Test.Code.Certificate.ForgeriesRefused (spec) where
+module Test.Code.Certificate.ForgeriesRefused (spec, forgedCertificates) where
 
 import Control.Monad (forM, forM_)
 import Data.Either (isLeft)
@@ -48,6 +48,12 @@ liesAbout factor forged =
     l = orderPrime factor
     withFactors change = forged {certificateFactors = change (certificateFactors forged)}
     instead lie this = if orderPrime this == l then lie else this
+
+-- | The certificates forged over a field of this order for polynomials of this degree.
+forgedCertificates :: (Int, Int) -> IO [Certificate]
+forgedCertificates (q, n) = case lookup q everyField of
+  Nothing -> fail "there is no field of this order"
+  Just (SomeField k) -> map snd . snd <$> forgeries k n
 
 -- | A genuine certificate, and for each of its factors l the one made to speak of a polynomial
 -- whose root has order (q^n - 1) / l.
