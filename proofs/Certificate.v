@@ -3,7 +3,7 @@
    Both are said of the definitions in Exec.v and Grid.v. PraTactile.Certificate.Check and data/check_certificate.py check the
    same claims; the tests hold the three verdicts against each other. *)
 From Coq Require Import NArith List Bool Lia.
-From PraTactile Require Import Exec Quotient Grid Checker Primes Root Period Codes Places.
+From PraTactile Require Import Exec Quotient Grid Checker Lists Primes Root Period Maps Codes Places.
 Import ListNotations.
 Local Open Scope N_scope.
 
@@ -24,32 +24,6 @@ Definition windowsAreDistinct (P : profile) (m : list (N * N)) : Prop :=
   /\ (forall a b w, In a (positions P) -> In b (positions P) ->
         window P (profileSurface P) (folded P) m a = Some w -> window P (profileSurface P) (folded P) m b = Some w -> a = b)
   /\ (profileSurface P <> Sheet -> length (windows P (profileSurface P) (folded P) m) = length (positions P)).
-
-Lemma same_eq a b : same a b = true -> a = b.
-Proof.
-  revert b; induction a as [| x a IH]; intros [| y b]; simpl; try easy.
-  rewrite andb_true_iff, N.eqb_eq; intros [-> E]; f_equal; auto.
-Qed.
-Lemma same_refl a : same a a = true.
-Proof. induction a as [| x a IH]; simpl; [easy |]; now rewrite N.eqb_refl. Qed.
-Lemma sameRows_eq a b : sameRows a b = true -> a = b.
-Proof.
-  revert b; induction a as [| x a IH]; intros [| y b]; simpl; try easy.
-  rewrite andb_true_iff; intros [S E]; f_equal; [now apply same_eq | auto].
-Qed.
-
-(* Parts of lists that do not repeat do not repeat. *)
-Lemma parts_distinct {A B} (f : A -> option B) l : NoDup l ->
-  (forall a b w, In a l -> In b l -> f a = Some w -> f b = Some w -> a = b) ->
-  NoDup (map snd (flat_map (fun a => match f a with Some w => [(a, w)] | None => [] end) l)).
-Proof.
-  induction 1 as [| a l N D IH]; intros I; simpl; [constructor |].
-  rewrite map_app; destruct (f a) as [w |] eqn:E; simpl; [| apply IH; intros; eapply I; simpl; eauto].
-  constructor; [| apply IH; intros; eapply I; simpl; eauto].
-  intros J; apply in_map_iff in J as ([b w'] & E' & J); simpl in E'; subst w'.
-  apply in_flat_map in J as (c & J & F); destruct (f c) as [w' |] eqn:G; [| easy].
-  destruct F as [[= -> ->] | []]; apply N; rewrite (I a b w); simpl; auto.
-Qed.
 
 Section Sound.
 Variable C : certificate.

@@ -3,7 +3,7 @@
    They are of the paper's array, of all 32 primitive quartics over GF(4), of each profile in data/profiles, and of the
    paper's array on other surfaces and with another mask. *)
 From Coq Require Import NArith List Bool.
-From PraTactile Require Import Grid Checker Certificate Certificates Paper.
+From PraTactile Require Import Grid Checker Lists Certificate Certificates Paper.
 Import ListNotations.
 Local Open Scope N_scope.
 

@@ -2,7 +2,7 @@
 
    PraTactile.Window.Proof, Locate and Window.Distance say the same of it; DESIGN's facts 3, 5 and 7. *)
 From Coq Require Import NArith List Bool.
-From PraTactile Require Import Exec Grid.
+From PraTactile Require Import Exec Grid Lists.
 Import ListNotations.
 Local Open Scope N_scope.
 
@@ -16,32 +16,6 @@ Definition paperWindows (high wide : N) : list (N * N * list N) :=
 
 Lemma paperArray_is_folded : folded paper = paperArray.
 Proof. vm_compute. reflexivity. Qed.
-
-Lemma same_eq a b : same a b = true <-> a = b.
-Proof.
-  revert b; induction a as [| x a IH]; intros [| y b]; simpl; split; try easy.
-  - rewrite andb_true_iff, N.eqb_eq, IH; intros [-> ->]; reflexivity.
-  - intros [= -> ->]; rewrite andb_true_iff, N.eqb_eq, IH; easy.
-Qed.
-
-Lemma different_le contents : different contents <= N.of_nat (length contents).
-Proof.
-  induction contents as [| a others IH]; simpl different; simpl length; [easy |].
-  rewrite Nnat.Nat2N.inj_succ.
-  destruct existsb; [rewrite N.add_0_l; apply N.le_le_succ_r, IH |].
-  rewrite N.add_1_l; apply -> N.succ_le_mono; exact IH.
-Qed.
-
-Lemma different_NoDup contents : different contents = N.of_nat (length contents) -> NoDup contents.
-Proof.
-  induction contents as [| a others IH]; simpl different; simpl length; [constructor |].
-  rewrite Nnat.Nat2N.inj_succ; pose proof (different_le others) as L.
-  destruct existsb eqn:E; intros H.
-  - rewrite N.add_0_l in H; rewrite H in L; destruct (N.nle_succ_diag_l _ L).
-  - rewrite N.add_1_l in H; apply N.succ_inj in H; constructor; [| exact (IH H)].
-    intros I; assert (existsb (same a) others = true) as E'; [| congruence].
-    apply existsb_exists; exists a; split; [exact I | apply same_eq; reflexivity].
-Qed.
 
 (* Each of the 255 positions has a 2 x 2 window, and they are distinct. *)
 Theorem paper_windows_are_distinct :

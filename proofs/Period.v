@@ -1,20 +1,9 @@
 (* If x has order q^n - 1 modulo h, every nonzero polynomial of degree below n is a power of x, and the states of the sequence
    in a period are distinct. PraTactile.Polynomial.Primitive and PraTactile.Certificate.Check rely on it. *)
 From Coq Require Import NArith List Bool Ring Lia.
-From PraTactile Require Import Exec Quotient Grid Checker Root Primes.
+From PraTactile Require Import Exec Quotient Lists Root Primes.
 Import ListNotations.
 Local Open Scope N_scope.
-
-Lemma NoDup_image {A B} (f : A -> B) l : NoDup l -> (forall x y, In x l -> In y l -> f x = f y -> x = y) ->
-  NoDup (map f l).
-Proof.
-  induction 1 as [| x l N D IH]; intros I; simpl; constructor.
-  - intros J; apply in_map_iff in J as (y & E & J).
-    assert (y = x) as -> by (apply I; simpl; auto); easy.
-  - apply IH; intros; apply I; simpl; auto.
-Qed.
-Lemma NoDup_upTo n : NoDup (upTo n).
-Proof. apply NoDup_image; [apply seq_NoDup |]; intros; lia. Qed.
 
 Section Period.
 Context {T : Type} (K : arithmetic T).
