@@ -2,6 +2,7 @@
 -- @proofs/@ proves theorems about is asked the same questions as the library is.
 module Test.Proofs.Extraction
   ( profileInCoq,
+    powerInCoq,
     checkedInCoq,
   )
 where
@@ -29,6 +30,12 @@ profileInCoq p =
         TwistedTorus -> Coq.TwistedTorus
         Sheet -> Coq.Sheet
     )
+
+-- | A power of x modulo the profile's polynomial, by its codes, constant term first.
+powerInCoq :: Profile -> Natural -> [Natural]
+powerInCoq p e = map fromInteger (Coq.rootPower (Coq.field it) (Coq.lower it) (toInteger e))
+  where
+    it = profileInCoq p
 
 -- | Whether the checker that is proved sound finds a certificate by rank good. It does not look at
 -- the seal, and refuses a certificate by enumeration.

@@ -36,8 +36,8 @@ spec = do
     genuine <- right (rectangle (Shape 2 2)) >>= right . certify RankMethod canonicalProfile
     [three, five, seventeen] <- pure (certificateFactors genuine)
     let withFactors factors = genuine {certificateFactors = factors}
-        -- x^17 = A^2 x^3 + x + ..., as the kernel computes it in proofs/Tampered.v.
-        composite = OrderFactor 15 1 [1, 0, 0, 0]
+        -- x^17 is x^(255 / 15), and not 1.
+        composite = OrderFactor 15 1 (powerInCoq canonicalProfile 17)
         shown = genuine {certificatePrimes = [PrimeProof 341 [PrimeWitness 2 2 3]]}
         lies =
           [withFactors [composite, seventeen], withFactors [three, five], shown]
