@@ -7,7 +7,7 @@ module Test.Proofs.Subject (spec) where
 import Data.Foldable (for_)
 import qualified Extracted as Coq
 import Numeric.Natural (Natural)
-import PraTactile.Array (Position (..), Surface (Sheet), area)
+import PraTactile.Array (Position (..), Shape (..), Surface (Sheet), area)
 import PraTactile.Conformance
 import PraTactile.Profile (Profile (..))
 import PraTactile.Window (Packing (..))
@@ -20,7 +20,7 @@ spec :: Spec
 spec =
   for_ (byEffort quick small) $ \under ->
     it ("all laws of what they answer hold of them: " ++ fst under) $
-      lawsFailingOf ["field/", "sequence/", "array/", "window/", "proof/"] [under] extracted
+      lawsFailingOf ["field/", "sequence/", "array/", "window/", "locate/", "proof/"] [under] extracted
         `shouldReturn` []
   where
     -- A cell is looked for among all, so that the time grows with the square of the array.
@@ -36,7 +36,8 @@ extracted =
     { implementationName = "proofs",
       offered =
         [SomeOp Add, SomeOp Multiply, SomeOp Negate, SomeOp Inverse, SomeOp Term, SomeOp Terms]
-          ++ [SomeOp Cell, SomeOp Pack, SomeOp Unpack, SomeOp Prove, SomeOp Distance],
+          ++ [SomeOp Cell, SomeOp Pack, SomeOp Unpack, SomeOp Locate, SomeOp Prove]
+          ++ [SomeOp Distance],
       open = \p -> pure (answering (answersUnder p)),
       withoutProfile = answering (const notOffered)
     }
@@ -65,6 +66,9 @@ answersUnder p = answer
         | toInteger w >= q ^ cells -> refuse "out-of-range"
         | otherwise ->
           pure (map number (ordered (Coq.unpacked q (toInteger cells) (toInteger w))))
+      Locate :? patch -> do
+        observed <- observedIn patch
+        located observed
       Prove :? drawing -> do
         offsets <- mask drawing
         case windowsOn surface offsets of
@@ -82,6 +86,63 @@ answersUnder p = answer
         offsets <- mask drawing
         pure (number (Coq.distanceOf (toInteger (length offsets)) (windowsOn own offsets)))
       _ -> notOffered
+    observedIn :: Patch -> Wire [((Integer, Integer), Integer)]
+    observedIn patch
+      | width == 0 || any ((/= width) . length) patch = refuse "invalid"
+      | otherwise =
+        sequenceA
+          [ (,) (i, j) <$> code a
+            | (i, line) <- zip [0 ..] patch,
+              (j, Just a) <- zip [0 ..] line
+          ]
+      where
+        width = sum (map length (take 1 patch))
+    -- By search: where the cells that were observed hold what was observed. Only the reasons of a
+    -- refusal ask about complete windows.
+    located :: [((Integer, Integer), Integer)] -> Wire Location
+    located observed
+      | null observed = refuse "too-few-cells"
+      | null complete = refuse "no-complete-window"
+      | otherwise = case map position found of
+        [at] -> pure (At at)
+        _ : _ -> pure (OneOf (map position found))
+        []
+          | all null standing ->
+            refuse (if all (all (== 0) . snd) complete then "zero-window" else "not-in-array")
+          | any partly (foldr1' (filter . flip elem) (filter (not . null) standing)) ->
+            refuse "off-sheet"
+          | otherwise -> refuse "contradiction"
+      where
+        found =
+          Coq.locate
+            (map snd observed)
+            (Coq.windows profile surface array (map fst observed))
+        complete =
+          [ ((i, j), content)
+            | ((i, j), _) <- observed,
+              Just content <- [traverse (\(a, b) -> lookup (i + a, j + b) observed) shape]
+          ]
+        standing =
+          [ [(r - i, c - j) | (r, c) <- Coq.locate content table]
+            | ((i, j), content) <- complete
+          ]
+        -- On the sheet the cells that lie on it agree, and others lie beside it.
+        partly (r, c) =
+          profileSurface p == Sheet
+            && and
+              [ maybe True (== a) (Coq.symbol profile surface array (r + i, c + j))
+                | ((i, j), a) <- observed,
+                  r + i >= 0,
+                  c + j >= 0
+              ]
+    table = Coq.windows profile surface array shape
+    shape =
+      Coq.rectangle
+        (toInteger (rows (profileWindow p)))
+        (toInteger (columns (profileWindow p)))
+    position (r, c) = Position (fromInteger r) (fromInteger c)
+    foldr1' _ [] = []
+    foldr1' f (a : others) = foldr f a others
     profile = profileInCoq p {profilePolynomial = dropZeros (profilePolynomial p)}
     k = Coq.field profile
     q = toInteger (profileOrder p)
