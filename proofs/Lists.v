@@ -1,4 +1,5 @@
-(* Lists: when two are the same, and that no element comes twice. The theorems rest on these; no Haskell does. *)
+(* Lists: when two are the same, and when no element comes twice. Paper.v, Period.v and Certificate.v use these lemmas; no
+   Haskell module relies on them directly. *)
 From Coq Require Import NArith List Bool Lia.
 From PraTactile Require Import Exec Grid Checker.
 Import ListNotations.

@@ -66,7 +66,7 @@ Definition notPrimitive : certificate :=
   let P := Profile 4 [1; 1; 1] [1; 3; 1; 0; 1] Characteristic [0; 0; 0; 1] 15 17 RowMajor TwistedTorus in
   Certificate P (1, 4) (rectangle 1 4) 255 255 (map (fun l => (l, 1, residueOf P l)) [3; 5; 17]) []
     (identity (field P) 4) [0; 1; 2; 3] (identity (field P) 4).
-(* The same of a primitive polynomial is good, so nothing but the order of the root is wrong there. *)
+(* With a primitive polynomial in its place the certificate is good: nothing but the order of the root was wrong. *)
 Definition primitiveInItsPlace : certificate :=
   let P := Profile 4 [1; 1; 1] [3; 2; 1; 0; 1] Characteristic [0; 0; 0; 1] 15 17 RowMajor TwistedTorus in
   Certificate P (1, 4) (rectangle 1 4) 255 255 (map (fun l => (l, 1, residueOf P l)) [3; 5; 17]) []

@@ -39,7 +39,7 @@ done
 # What is printed is wanted each time.
 rm -f "$built/Axioms.vo" "$built/Extract.vo"
 (cd "$built" && coq_makefile -f _CoqProject -o Makefile >/dev/null)
-tools/quietly.sh dist-newstyle/proofs.log "checking the proofs; two minutes the first time" \
+tools/quietly.sh dist-newstyle/proofs.log "checking the proofs; a minute the first time" \
   make -C "$built" -j "${JOBS:-2}" --no-print-directory || refuse "a proof does not pass"
 
 extracted=dist-newstyle/Extracted.hs
