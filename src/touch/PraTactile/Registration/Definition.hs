@@ -287,13 +287,12 @@ meanField ::
   Ord cell => [Double] -> [[(d, Double, Map.Map cell [Double])]] -> ([[Double]], [Double])
 meanField bySigma frames = (qs', shares (robot (const True) qs'))
   where
-    qs' =
-      head
-        [ next
-          | (k, now, next) <- zip3 [1 :: Int ..] rounds (drop 1 rounds),
-            k == 5 || map leader now == map leader next
-        ]
-    rounds = iterate sweep (map (shares . map alone) frames)
+    qs' = settled (5 :: Int) (map (shares . map alone) frames)
+    settled k now
+      | k <= 1 || map leader now == map leader next = next
+      | otherwise = settled (k - 1) next
+      where
+        next = sweep now
     alone = given (map (const 0) bySigma) (const Nothing)
     leader ps = snd (maximumBy (comparing fst) (zip ps (map Down [0 :: Int ..])))
     given others' expected (_, square, cells) =
@@ -343,7 +342,7 @@ togetherLog bySigma frames =
         ]
       where
         each ls = [(l, ls) | l <- 0 : ls]
-        classes = fromIntegral (length (head told))
+        classes = fromIntegral (maximum (map length told))
 
 -- | The logarithm of the sum of exponentials.
 logOfSum :: [Double] -> Double
@@ -376,7 +375,7 @@ estimate (px, py) options =
       [((i, j), p) | ((i, j), p) <- Map.toList masses, abs (i - x) <= 1, abs (j - y) <= 1]
     mass = sum . map snd . beside
     most = maximum (map mass (Map.keys masses))
-    best = head [d | d <- Map.keys masses, mass d >= most - 1e-9]
+    best = minimum [d | d <- Map.keys masses, mass d >= most - 1e-9]
     mean part = sum [p * part d | (d, p) <- beside best] / mass best
     (meanX, meanY) = (mean (fromIntegral . fst), mean (fromIntegral . snd))
     eighths (x, y) = (eighth ((x - snd (nearest px)) / 2), eighth ((y - snd (nearest py)) / 2))

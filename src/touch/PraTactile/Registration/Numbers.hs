@@ -193,9 +193,9 @@ mostCandidates = 30000
 leastOther :: Double
 leastOther = 0.001
 
--- | How many independent pairs of values a pixel counts for in a correlation: neighbouring pixels of
--- relief resemble each other. Measured: of pairs that are given at 99 % at least that much is right
--- (@bench/peers/stitching.py@).
+-- | How many independent pairs of values a pixel counts for in a correlation: neighbouring pixels
+-- of relief resemble each other. Measured: of pairs that are given at 99 % at least that much is
+-- right (@bench/peers/stitching.py@).
 independent :: Double
 independent = 0.4
 

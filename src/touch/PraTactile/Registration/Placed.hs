@@ -84,7 +84,7 @@ data Scene = Scene
 
 -- | The scene of frames in any order.
 sceneOf :: NonEmpty Placed -> Scene
-sceneOf given = Scene corner (fmap (snd . NonEmpty.head) groups) (IntMap.elems numbers)
+sceneOf given = Scene corner (fmap (\((_, one) :| _) -> one) groups) (IntMap.elems numbers)
   where
     corner = (minimum (fmap (fst . placedAt) given), minimum (fmap (snd . placedAt) given))
     groups = NonEmpty.groupAllWith1 (key . snd) (NonEmpty.zip (0 :| [1 ..]) given)
