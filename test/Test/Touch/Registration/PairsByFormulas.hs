@@ -5,10 +5,12 @@ module Test.Touch.Registration.PairsByFormulas (spec) where
 
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
+import PraTactile.Registration.AllPairs (pairsEvidence)
 import PraTactile.Registration.Definition.Pairs
 import qualified PraTactile.Registration.Overlap as Overlap
 import PraTactile.Registration.Pair.Methods
 import PraTactile.Registration.Posterior
+import PraTactile.Registration.Settings (Registration (..), standardRegistration)
 import PraTactile.Registration.Spectrum
 import Test.Effort (withCases)
 import Test.Hspec
@@ -45,6 +47,18 @@ pairSpec = do
     forAllBlind (genAsked [0, 0.25, 1]) $ \((a, b), step, search) ->
       let relief = Overlap.reliefOf tables 0 [a, b]
        in known (blindPosterior relief step search) (blindly step search a b)
+  it "a layout in which two frames overlap is as likely as their displacements make it" $
+    forAllBlind (genAsked [0, 0.25]) $ \((a, b), (x, y), search) ->
+      forAll (elements [0.5, 1, 2]) $ \sigma ->
+        let step = (if abs x < 2 then 3 else x, y) :: (Double, Double)
+            settings = standardRegistration {registrationSigma = Just sigma}
+            relief = Overlap.reliefOf tables 0 [a, b]
+            -- Of a pair that shares less of a frame nothing is asked.
+            shared = (9 - abs (fst step)) * (8 - abs (snd step)) / 72 :: Double
+         in search >= (0 :: Double) && shared >= 0.2
+              ==> near
+                [pairsEvidence settings relief [((0, 0), a), (step, b)]]
+                [pairEvidence (sqrt 2 * sigma) step a b]
   it "by correlation, a frame lies as probably at each place as rho and the prior say" $
     forAllBlind (genAsked [0, 1]) $ \((a, b), step, search) ->
       known (correlationPosterior step search a b) (byCorrelation step search a b)

@@ -13,6 +13,7 @@ module PraTactile.Registration.Definition.Pairs
     -- * Pairs
     Known,
     blindly,
+    pairEvidence,
     byCorrelation,
     inCommon,
   )
@@ -130,23 +131,34 @@ pixels image = fromIntegral (rasterWidth image * rasterHeight image)
 
 -- | Blind.
 blindly :: (Double, Double) -> Double -> Raster -> Raster -> Known
-blindly step@(x, y) search a b = knownBy step search told
+blindly step search a b = knownBy step search (\d -> log (1 + exp (overlapLog step a b d)))
+
+-- | The log evidence of two frames that overlap at a step, for robot's errors of that standard
+-- deviation, in taxels between both.
+pairEvidence :: Double -> (Double, Double) -> Raster -> Raster -> Double
+pairEvidence sigma step@(x, y) a b = log (0.001 + 0.999 * sum (zipWith (*) (shares priors) told))
   where
-    Relief shape noise scales _ = reliefOf [a, b]
-    brought = zipWith (\scale -> mapRaster (\z -> if scale > 0 then z / sqrt scale else 0)) scales
-    nominal = max 1 (pixels (fst (inCommon a b (round x, round y))))
-    told d = case brought [a, b] of
-      [a', b']
-        | pixels one > 1 ->
-          log (1 + exp (weight * (0.8 * likelier noise levelled - g * g / 0.32)))
-        where
-          (one, other) = inCommon a' b' d
-          weight = max 0.5 (min 2 (nominal / pixels one))
-          seen =
+    places = [(i, j) | j <- reached y, i <- reached x]
+    reached t = let reach = max 1 (min 9 (2 * sigma)) in [ceiling (t - reach) .. floor (t + reach)]
+    priors =
+      [ -(squared (fromIntegral i - x) + squared (fromIntegral j - y)) / (2 * squared sigma)
+        | (i, j) <- places
+      ]
+    squared t = t * t
+    told = [exp (overlapLog step a b d) | d <- places]
+
+-- | L of two frames, the second's upper left pixel lying there in the first, for a nominal step.
+overlapLog :: (Double, Double) -> Raster -> Raster -> (Int, Int) -> Double
+overlapLog (x, y) a b d = case brought [a, b] of
+  [a', b']
+    | (one, other) <- inCommon a' b' d,
+      pixels one > 1 ->
+      let seen =
             [ Coefficient (z, z') s (coherence f)
               | ((f, z), (_, z'), s) <-
                   zip3 (cosines one) (cosines other) (spectrumOf shape (rasterSize one))
             ]
+          weight = max 0.5 (min 2 (nominal / pixels one))
           -- As many times as high is the second relief, by the highest process.
           high which = sum [which z * which z / (1.5 * s + noise) | Coefficient z s _ <- seen]
           ratio = log (high snd / high fst) / 2
@@ -155,7 +167,12 @@ blindly step@(x, y) search a b = knownBy step search told
             [Coefficient (exp (g / 2) * z, exp (-g / 2) * z') s c | Coefficient (z, z') s c <- seen]
           coherence (u, v) = sinc (half u rasterWidth) * sinc (half v rasterHeight)
           half k side = pi * fromIntegral k / (2 * fromIntegral (side one))
-      _ -> log 2
+       in weight * (0.8 * likelier noise levelled - g * g / 0.32)
+  _ -> 0
+  where
+    Relief shape noise scales _ = reliefOf [a, b]
+    brought = zipWith (\scale -> mapRaster (\z -> if scale > 0 then z / sqrt scale else 0)) scales
+    nominal = max 1 (pixels (fst (inCommon a b (round x, round y))))
     sinc t = if t == 0 then 1 else sin t / t :: Double
 
 -- | A and B, S, and C of a coefficient.
