@@ -48,6 +48,7 @@ module PraTactile.Registration.Numbers
     interpolated,
     highest,
     mostOfProcess,
+    keptPatches,
     leastOverlap,
     mostPairs,
     pairSweeps,
@@ -229,6 +230,10 @@ highest = 32
 -- | The most frames that the process is found from. It saves time.
 mostOfProcess :: Int
 mostOfProcess = 64
+
+-- | The most pixels of a frame for which the weights of its patches are kept. It saves memory.
+keptPatches :: Int
+keptPatches = 400
 
 -- | The least share of a frame that a pair has in common: diagonal steps of half a frame leave
 -- 0.25.

@@ -16,6 +16,7 @@ module PraTactile.Registration.Overlap
 where
 
 import Data.List (foldl')
+import Data.Maybe (fromMaybe)
 import qualified Data.Vector as Boxed
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
@@ -23,7 +24,7 @@ import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterSize, rasterValues, rasterWidth)
 import PraTactile.Registration.Cosine
-import PraTactile.Registration.Numbers (mostOfProcess)
+import PraTactile.Registration.Numbers (keptPatches, mostOfProcess)
 import PraTactile.Registration.Spectrum
 
 -- | The process that frames of one size show, and what it makes of their patches.
@@ -32,7 +33,8 @@ data Relief = Relief
     reliefCosines :: !Cosines,
     -- | The frames, each over the root of its scale; 0 where a frame has no variation.
     reliefFrames :: !(Boxed.Vector Raster),
-    -- | By height and width of the patches; each is made when it is first looked at.
+    -- | Of small frames, by height and width of the patches; each is made when it is first looked
+    -- at. Those of large frames would take gigabytes.
     reliefWeights :: !(Boxed.Vector (Boxed.Vector PatchWeights))
   }
 
@@ -45,15 +47,24 @@ reliefOf tables least frames =
       reliefCosines = spectraCosines tables,
       reliefFrames = Boxed.fromList (zipWith over scales frames),
       reliefWeights =
-        let (w, h) = spectraSize tables
-         in Boxed.generate (h + 1) $ \y ->
-              Boxed.generate (w + 1) $ \x -> patchWeights process (x, y)
+        if wide * high > keptPatches
+          then Boxed.empty
+          else Boxed.generate (high + 1) $ \h ->
+            Boxed.generate (wide + 1) $ \w -> patchWeights process (w, h)
     }
   where
+    (wide, high) = spectraSize tables
     coefficients = map (coefficientsOf tables) frames
     process = processOf tables least (spacedOut mostOfProcess coefficients)
     scales = map (reliefScale . fitTo tables process) coefficients
     over scale = mapRaster (* (if scale > 0 then 1 / sqrt scale else 0))
+
+-- | The weights for patches of that width and height.
+weightsOf :: Relief -> (Int, Int) -> PatchWeights
+weightsOf relief (w, h) =
+  fromMaybe
+    (patchWeights (reliefProcess relief) (w, h))
+    (reliefWeights relief Boxed.!? h >>= (Boxed.!? w))
 
 -- | Whole displacements, taxels right and down: the first, and how many across and down.
 data Displacements = Displacements
@@ -101,7 +112,7 @@ overlapLogs relief (k, l) (nominalX, nominalY) (Displacements (x0, y0) (columns,
         (w, inA, inB) = strips Boxed.! column
         Common ya yb h = commons Boxed.! row
         patch from there = patchTransform (reliefCosines relief) there from h
-        weights = reliefWeights relief Boxed.! h Boxed.! w
+        weights = weightsOf relief (w, h)
     fair n = max 0.5 (min 2 (nominal / fromIntegral n)) :: Double
     !nominal =
       let (Common _ _ w, Common _ _ h) = (across (round nominalX), down (round nominalY))

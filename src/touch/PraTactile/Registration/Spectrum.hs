@@ -171,11 +171,13 @@ fitTo tables process = fitted tables process . V.map (\x -> x * x)
 -- | A frame under a process, from the squares of its coefficients.
 fitted :: Spectra -> Process -> Vector Double -> Fitted
 fitted tables process squares
-  | total <= 0 = Fitted 0 0
+  | total <= rounding = Fitted 0 0
   | otherwise = Fitted (n / 2 * (log (total / n) - log scale - 1 - log (2 * pi)) - logs / 2) scale
   where
     (inverses, logs) = spectraWhole tables Boxed.! processIndex process
     total = V.sum squares
+    -- One step of 16 bits in one taxel has 2e-10.
+    rounding = 1e-16
     n = fromIntegral (V.length squares)
     scale = dot squares inverses / n
 
@@ -243,9 +245,12 @@ patchWeights process (w, h) =
 -- and the coefficients are not quite independent, so each counts for somewhat less: 'tempering'.
 --
 -- The second frame may read e^g times what the first does, beyond the scales: g is what makes both
--- patches equally high, and its prior is normal, of variance 'gainVariance'.
+-- patches equally high, and its prior is normal, of variance 'gainVariance'. A patch without any
+-- variation tells nothing.
 patchLog :: PatchWeights -> Vector Double -> Vector Double -> Double
-patchLog weights a b = tempering * likelier - g * g / (2 * gainVariance)
+patchLog weights a b
+  | high a <= 0 || high b <= 0 = 0
+  | otherwise = tempering * likelier - g * g / (2 * gainVariance)
   where
     likelier =
       logMean (concat [map pair pairs | (_, pairs) <- weightsByHeight weights])
@@ -257,8 +262,7 @@ patchLog weights a b = tempering * likelier - g * g / (2 * gainVariance)
         + dot ofProducts (V.zipWith (*) a b)
     squaresA = V.map (\x -> exp g * x * x) a
     squaresB = V.map (\y -> exp (negate g) * y * y) b
-    g = if isNaN ratio then 0 else max (-1) (min 1 ratio)
-    ratio = log (high b / high a) / 2
+    g = max (-1) (min 1 (log (high b / high a) / 2))
     high z =
       let ApartWeights inverses _ = weightsHighest weights in dot inverses (V.map (\x -> x * x) z)
     logMean logs = logSum logs - log (fromIntegral (length logs))

@@ -161,13 +161,14 @@ overlapLog (x, y) a b d = case brought [a, b] of
           weight = max 0.5 (min 2 (nominal / pixels one))
           -- As many times as high is the second relief, by the highest process.
           high which = sum [which z * which z / (1.5 * s + noise) | Coefficient z s _ <- seen]
-          ratio = log (high snd / high fst) / 2
-          g = if isNaN ratio then 0 else max (-1) (min 1 ratio)
+          g = max (-1) (min 1 (log (high snd / high fst) / 2))
           levelled =
             [Coefficient (exp (g / 2) * z, exp (-g / 2) * z') s c | Coefficient (z, z') s c <- seen]
           coherence (u, v) = sinc (half u rasterWidth) * sinc (half v rasterHeight)
           half k side = pi * fromIntegral k / (2 * fromIntegral (side one))
-       in weight * (0.8 * likelier noise levelled - g * g / 0.32)
+       in if high fst <= 0 || high snd <= 0
+            then 0
+            else weight * (0.8 * likelier noise levelled - g * g / 0.32)
   _ -> 0
   where
     Relief shape noise scales _ = reliefOf [a, b]
