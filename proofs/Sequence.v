@@ -139,6 +139,12 @@ Qed.
 Lemma residue0 : residue h 0 = 0.
 Proof. by apply/rowP => j; rewrite !mxE mod0p coef0. Qed.
 
+Lemma residueD p q : residue h (p + q) = residue h p + residue h q.
+Proof. by apply/rowP => j; rewrite !mxE modpD coefD. Qed.
+
+Lemma residueZ c p : residue h (c *: p) = c *: residue h p.
+Proof. by apply/rowP => j; rewrite !mxE modpZl coefZ. Qed.
+
 Lemma residue_rVpoly v : residue h (rVpoly v) = v.
 Proof.
 apply/rowP => j; rewrite !mxE modp_small ?coef_rVpoly_ord //.
