@@ -93,7 +93,7 @@ rewrite -!contentE => /tell[]; rewrite !modn_mod => eq_r eq_c; apply/eqP; rewrit
 by rewrite eq_r eq_c !eqxx.
 Qed.
 
-Let contents_of_cells :
+Lemma torus_contents :
   [set window cell w x.1 x.2 | x : 'I_n1 * 'I_n2] = [set content s e t | t : 'I_(period h)].
 Proof.
 apply/setP => v; apply/imsetP/imsetP => [[[r c] _ ->]|[t _ ->]].
@@ -106,13 +106,13 @@ Qed.
 (* T3 on the torus. The windows of a mask of rank r, with the window of zeros, have q^r contents. *)
 Theorem torus_contents_with_zero :
   #|0 |: [set window cell w x.1 x.2 | x : 'I_n1 * 'I_n2]| = (#|F| ^ torus_rank h n1 n2 w)%N.
-Proof. by rewrite contents_of_cells (contents_with_zero h_primitive s_rec s_neq0). Qed.
+Proof. by rewrite torus_contents (contents_with_zero h_primitive s_rec s_neq0). Qed.
 
 (* T3 on the torus. There are q^r different windows if r < n, and q^n - 1 if r = n. *)
 Theorem torus_contents_count :
   #|[set window cell w x.1 x.2 | x : 'I_n1 * 'I_n2]| =
     if torus_rank h n1 n2 w == degree h then period h else (#|F| ^ torus_rank h n1 n2 w)%N.
-Proof. by rewrite contents_of_cells (contents_count h_primitive s_rec s_neq0). Qed.
+Proof. by rewrite torus_contents (contents_count h_primitive s_rec s_neq0). Qed.
 
 (* With rank n no window is zero. *)
 Theorem torus_rank_n_neq0 r c : torus_rank h n1 n2 w = degree h -> window cell w r c != 0.
@@ -126,7 +126,7 @@ Proof.
 move=> full def_m v_neq0; have [t [[lt_t def_v] _]] :=
   full_once h_primitive s_rec s_neq0 full def_m v_neq0.
 have : v \in [set window cell w x.1 x.2 | x : 'I_n1 * 'I_n2].
-  by rewrite contents_of_cells; apply/imsetP; exists (Ordinal lt_t).
+  by rewrite torus_contents; apply/imsetP; exists (Ordinal lt_t).
 case/imsetP=> x _ def_x; exists x; split=> [//|y def_y].
 have := @torus_rank_n_tells x.1 x.2 y.1 y.2 full; rewrite def_y -def_x => /(_ erefl)[].
 rewrite !modn_small // => /val_inj eq1 /val_inj eq2.
