@@ -6,8 +6,8 @@
 
    This Haskell module relies on this file: PraTactile.Field, whose tables are this arithmetic. *)
 
-From mathcomp Require Import all_ssreflect all_algebra all_field.
 From Coq Require Import NArith Lia.
+From mathcomp Require Import all_ssreflect all_algebra all_field.
 From PraTactile Require Exec.
 
 Set Implicit Arguments.
