@@ -91,33 +91,35 @@ Definition negc x := element (neg (code x)).
 Definition mulc x y := element (mul (code x) (code y)).
 Definition invc x := element (inverse (code x)).
 
-Let closedE := and4P (proj1 (andP checked)).
+Lemma closed_checked : [/\ below zero, below one, N.eqb zero 0
+  & all (fun a => below (neg a) && all (fun b => below (add a b) && below (mul a b)) codes) codes].
+Proof. by apply/and4P; case/andP: checked. Qed.
 
 Lemma code_zero : code (element zero) = zero.
-Proof. by apply: elementK; case: closedE. Qed.
+Proof. by apply: elementK; case: closed_checked. Qed.
 
 Lemma code_one : code (element one) = one.
-Proof. by apply: elementK; case: closedE. Qed.
+Proof. by apply: elementK; case: closed_checked. Qed.
 
-Let closed_pair x y : [/\ below (neg (code x)), below (add (code x) (code y))
+Lemma coded_closed_pair x y : [/\ below (neg (code x)), below (add (code x) (code y))
   & below (mul (code x) (code y))].
 Proof.
-case: closedE => _ _ _ /allP/(_ _ (code_in x))/andP[neg_x /allP/(_ _ (code_in y))/andP[]].
+case: closed_checked => _ _ _ /allP/(_ _ (code_in x))/andP[neg_x /allP/(_ _ (code_in y))/andP[]].
 by split.
 Qed.
 
 Lemma code_add x y : code (addc x y) = add (code x) (code y).
-Proof. by apply: elementK; case: (closed_pair x y). Qed.
+Proof. by apply: elementK; case: (coded_closed_pair x y). Qed.
 
 Lemma code_mul x y : code (mulc x y) = mul (code x) (code y).
-Proof. by apply: elementK; case: (closed_pair x y). Qed.
+Proof. by apply: elementK; case: (coded_closed_pair x y). Qed.
 
 Lemma code_neg x : code (negc x) = neg (code x).
-Proof. by apply: elementK; case: (closed_pair x x). Qed.
+Proof. by apply: elementK; case: (coded_closed_pair x x). Qed.
 
-Let code_inj := can_inj codeK.
+Lemma code_inj : injective code. Proof. exact: can_inj codeK. Qed.
 
-Let triples x y z : [/\ addc x (addc y z) = addc (addc x y) z, mulc x (mulc y z) = mulc (mulc x y) z
+Lemma coded_triples x y z : [/\ addc x (addc y z) = addc (addc x y) z, mulc x (mulc y z) = mulc (mulc x y) z
   & mulc (addc x y) z = addc (mulc x z) (mulc y z)].
 Proof.
 case/and5P: checked => _ /allP/(_ _ (code_in x))/allP/(_ _ (code_in y))/allP/(_ _ (code_in z)).
@@ -125,13 +127,13 @@ case/and3P=> /N.eqb_eq addA /N.eqb_eq mulA /N.eqb_eq mulD _ _ _.
 by split; apply: code_inj; rewrite !(code_add, code_mul).
 Qed.
 
-Let pairs x y : addc x y = addc y x /\ mulc x y = mulc y x.
+Lemma coded_pairs x y : addc x y = addc y x /\ mulc x y = mulc y x.
 Proof.
 case/and5P: checked => _ _ /allP/(_ _ (code_in x))/allP/(_ _ (code_in y))/andP[].
 by move=> /N.eqb_eq addC /N.eqb_eq mulC _ _; split; apply: code_inj; rewrite !(code_add, code_mul).
 Qed.
 
-Let elements x : [/\ addc (element zero) x = x, addc (negc x) x = element zero,
+Lemma coded_elements x : [/\ addc (element zero) x = x, addc (negc x) x = element zero,
   mulc (element one) x = x & x != element zero -> mulc (invc x) x = element one].
 Proof.
 case/and5P: checked => _ _ _ /allP/(_ _ (code_in x))/and4P[] /N.eqb_eq add0 /N.eqb_eq addN.
@@ -141,31 +143,31 @@ case/orP: inv => [/N.eqb_eq eq_x|/andP[lt_i /N.eqb_eq mulV]]; last by rewrite el
 by case/eqP: ne_x; apply: code_inj; rewrite code_zero.
 Qed.
 
-Let one_neq0 : element one != element zero.
+Lemma coded_one_neq0 : element one != element zero.
 Proof.
 apply/eqP => /(congr1 code); rewrite code_zero code_one => eq10.
 by case/and5P: checked => _ _ _ _ /andP[]; rewrite eq10 N.eqb_refl.
 Qed.
 
-Let inv0 : invc (element zero) = element zero.
+Lemma coded_inv0 : invc (element zero) = element zero.
 Proof.
-by case/and5P: checked => _ _ _ _ /andP[_ /N.eqb_eq inv0]; rewrite /invc code_zero inv0.
+by case/and5P: checked => _ _ _ _ /andP[_ /N.eqb_eq inverse0]; rewrite /invc code_zero inverse0.
 Qed.
 
-Definition coded_zmodMixin := ZmodMixin (fun x y z => let: And3 p _ _ := triples x y z in p)
-  (fun x y => proj1 (pairs x y)) (fun x => let: And4 p _ _ _ := elements x in p)
-  (fun x => let: And4 _ p _ _ := elements x in p).
+Definition coded_zmodMixin := ZmodMixin (fun x y z => let: And3 p _ _ := coded_triples x y z in p)
+  (fun x y => proj1 (coded_pairs x y)) (fun x => let: And4 p _ _ _ := coded_elements x in p)
+  (fun x => let: And4 _ p _ _ := coded_elements x in p).
 Canonical coded_zmodType := ZmodType coded coded_zmodMixin.
 
 Definition coded_ringMixin := @ComRingMixin [zmodType of coded] (element one) mulc
-  (fun x y z => let: And3 _ p _ := triples x y z in p) (fun x y => proj2 (pairs x y))
-  (fun x => let: And4 _ _ p _ := elements x in p)
-  (fun x y z => let: And3 _ _ p := triples x y z in p) one_neq0.
+  (fun x y z => let: And3 _ p _ := coded_triples x y z in p) (fun x y => proj2 (coded_pairs x y))
+  (fun x => let: And4 _ _ p _ := coded_elements x in p)
+  (fun x y z => let: And3 _ _ p := coded_triples x y z in p) coded_one_neq0.
 Canonical coded_ringType := RingType coded coded_ringMixin.
-Canonical coded_comRingType := ComRingType coded (fun x y => proj2 (pairs x y)).
+Canonical coded_comRingType := ComRingType coded (fun x y => proj2 (coded_pairs x y)).
 
 Definition coded_unitMixin := @FieldUnitMixin [comRingType of coded] invc
-  (fun x => let: And4 _ _ _ p := elements x in p) inv0.
+  (fun x => let: And4 _ _ _ p := coded_elements x in p) coded_inv0.
 Canonical coded_unitRingType := UnitRingType coded coded_unitMixin.
 Canonical coded_comUnitRingType := [comUnitRingType of coded].
 Lemma coded_fieldMixin : GRing.Field.mixin_of [unitRingType of coded].
