@@ -79,7 +79,7 @@ Proof. by rewrite -muln_gt0 area period_gt0. Qed.
 Theorem torus_rank_n_tells r c r' c' : torus_rank h n1 n2 w = degree h ->
   window cell w r c = window cell w r' c' -> r = r' %[mod n1] /\ c = c' %[mod n2].
 Proof.
-move=> full; rewrite !windowE => /(full_tells h_primitive s_rec s_neq0 full)/eqP.
+move=> full; rewrite !windowE => /(rank_n_tells h_primitive s_rec s_neq0 full)/eqP.
 by rewrite -area chinese_eq // => /andP[/eqP-> /eqP->].
 Qed.
 
@@ -88,7 +88,7 @@ Theorem torus_tells_rank_n : (1 < period h)%N ->
   (forall r c r' c', window cell w r c = window cell w r' c' ->
      r = r' %[mod n1] /\ c = c' %[mod n2]) -> torus_rank h n1 n2 w = degree h.
 Proof.
-move=> N_gt1 tell; apply: (tells_full h_primitive s_rec s_neq0 N_gt1) => t t'.
+move=> N_gt1 tell; apply: (tells_rank_n h_primitive s_rec s_neq0 N_gt1) => t t'.
 rewrite -!contentE => /tell[]; rewrite !modn_mod => eq_r eq_c; apply/eqP; rewrite -area chinese_remainder //.
 by rewrite eq_r eq_c !eqxx.
 Qed.
@@ -116,7 +116,7 @@ Proof. by rewrite torus_contents (contents_count h_primitive s_rec s_neq0). Qed.
 
 (* With rank n no window is zero. *)
 Theorem torus_rank_n_neq0 r c : torus_rank h n1 n2 w = degree h -> window cell w r c != 0.
-Proof. by rewrite windowE; apply: full_neq0. Qed.
+Proof. by rewrite windowE; apply: rank_n_neq0. Qed.
 
 (* T3 on the torus. With n cells of rank n every nonzero content is at exactly one cell. *)
 Theorem torus_pattern_once (v : 'rV[F]_m) :
@@ -124,7 +124,7 @@ Theorem torus_pattern_once (v : 'rV[F]_m) :
   exists! x : 'I_n1 * 'I_n2, window cell w x.1 x.2 = v.
 Proof.
 move=> full def_m v_neq0; have [t [[lt_t def_v] _]] :=
-  full_once h_primitive s_rec s_neq0 full def_m v_neq0.
+  nonzero_content_once h_primitive s_rec s_neq0 full def_m v_neq0.
 have : v \in [set window cell w x.1 x.2 | x : 'I_n1 * 'I_n2].
   by rewrite torus_contents; apply/imsetP; exists (Ordinal lt_t).
 case/imsetP=> x _ def_x; exists x; split=> [//|y def_y].

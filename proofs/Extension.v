@@ -121,8 +121,8 @@ Theorem tells_iff_span (s : nat -> F) m (e : 'I_m -> nat) :
 Proof.
 move=> rec s_neq0 N_gt1; split=> [tells_e|span_e].
   apply/eqP; rewrite eqEdim subvf /= dim_L span_rank.
-  by rewrite (tells_full h_primitive rec s_neq0 N_gt1 tells_e).
-by apply: full_tells => //; rewrite -span_rank span_e.
+  by rewrite (tells_rank_n h_primitive rec s_neq0 N_gt1 tells_e).
+by apply: rank_n_tells => //; rewrite -span_rank span_e.
 Qed.
 
 (* The first n powers of alpha are a basis of L. *)

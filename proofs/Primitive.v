@@ -84,7 +84,7 @@ by rewrite coprimepp size_degree // eqSS (gtn_eqF degree_gt0).
 Qed.
 
 (* Every nonzero residue is a power of x. *)
-Lemma residue_power (v : 'rV[F]_n) : v != 0 -> exists2 t, (t < N)%N & residue h 'X^t = v.
+Theorem residue_power (v : 'rV[F]_n) : v != 0 -> exists2 t, (t < N)%N & residue h 'X^t = v.
 Proof.
 move=> v_neq0; pose f (i : 'I_N) := residue h 'X^i.
 have f_inj : injective f.
@@ -96,7 +96,8 @@ have : v \in [set~ 0] by rewrite !inE.
 by rewrite -im_f => /imsetP[i _ ->]; exists i.
 Qed.
 
-Lemma primitive_irreducible : irreducible_poly h.
+(* A primitive polynomial is irreducible. *)
+Theorem primitive_irreducible : irreducible_poly h.
 Proof.
 split=> [|p size_p dvd_p]; first by rewrite size_degree // ltnS degree_gt0.
 have h_neq0 := monic_neq0 monic_h.
@@ -137,7 +138,7 @@ Qed.
 End Solution.
 
 (* A nonzero solution has least period |F|^n - 1. *)
-Lemma least_period s m : recurrence h s -> nonzero s ->
+Theorem least_period s m : recurrence h s -> nonzero s ->
   ((forall t, s (t + m)%N = s t) <-> (N %| m)%N).
 Proof.
 move=> s_rec s_neq0; split=> [per_m|/dvdnP[k ->] t]; last first.
@@ -151,7 +152,7 @@ by rewrite !row_term; apply/rowP => j; rewrite !mxE add0n addnC per_m.
 Qed.
 
 (* Any two nonzero solutions are shifts of one another. *)
-Lemma solutions_shift s s' : recurrence h s -> nonzero s -> recurrence h s' -> nonzero s' ->
+Theorem solutions_shift s s' : recurrence h s -> nonzero s -> recurrence h s' -> nonzero s' ->
   exists2 d, (d < N)%N & forall t, s' t = s (d + t)%N.
 Proof.
 move=> s_rec s_neq0 s'_rec [m s'm].

@@ -73,7 +73,7 @@ Lemma standard_area (F : finFieldType) (h : {poly F}) k1 k2 : degree h = (k1 * k
 Proof. by move=> deg; rewrite mulnC divnK // /period deg expnM dvdn_pred_predX. Qed.
 
 (* By T4 it can be decided beforehand whether the sides are coprime. *)
-Lemma standard_coprime (F : finFieldType) (h : {poly F}) k1 k2 :
+Theorem standard_coprime (F : finFieldType) (h : {poly F}) k1 k2 :
   primitive h -> degree h = (k1 * k2)%N ->
   coprime (standard_rows F k1) (standard_columns h k1) = coprime (standard_rows F k1) k2.
 Proof.

@@ -59,7 +59,7 @@ Theorem twisted_rank_n_tells r c r' c' : twisted_rank h n2 w = degree h ->
   (r < n1)%N -> (c < n2)%N -> (r' < n1)%N -> (c' < n2)%N ->
   window cell w r c = window cell w r' c' -> r = r' /\ c = c'.
 Proof.
-move=> full lt_r lt_c lt_r' lt_c'; rewrite !windowE => /(full_tells h_primitive s_rec s_neq0 full).
+move=> full lt_r lt_c lt_r' lt_c'; rewrite !windowE => /(rank_n_tells h_primitive s_rec s_neq0 full).
 by rewrite -area; apply: position_eq.
 Qed.
 
@@ -69,7 +69,7 @@ Theorem twisted_tells_rank_n : (1 < period h)%N ->
      window cell w r c = window cell w r' c' -> r = r' /\ c = c') ->
   twisted_rank h n2 w = degree h.
 Proof.
-move=> N_gt1 tell; apply: (tells_full h_primitive s_rec s_neq0 N_gt1) => t t'.
+move=> N_gt1 tell; apply: (tells_rank_n h_primitive s_rec s_neq0 N_gt1) => t t'.
 have lt_mod i : (i %% period h < n1 * n2)%N by rewrite area ltn_mod period_gt0.
 rewrite -(content_mod h_primitive s_rec e t) -(content_mod h_primitive s_rec e t').
 have [/andP[lt_r lt_c] eq_t] := indexE (lt_mod t).
@@ -101,7 +101,7 @@ Theorem twisted_pattern_once (v : 'rV[F]_m) :
   exists! x : 'I_n1 * 'I_n2, window cell w x.1 x.2 = v.
 Proof.
 move=> full def_m v_neq0; have [t [[lt_t def_v] _]] :=
-  full_once h_primitive s_rec s_neq0 full def_m v_neq0.
+  nonzero_content_once h_primitive s_rec s_neq0 full def_m v_neq0.
 have : v \in [set window cell w x.1 x.2 | x : 'I_n1 * 'I_n2].
   by rewrite contents_of_cells; apply/imsetP; exists (Ordinal lt_t).
 case/imsetP=> x _ def_x; exists x; split=> [//|y def_y].

@@ -56,7 +56,8 @@ Local Notation N := (period h).
 Let h_monic := primitive_monic h_primitive.
 Let A := hankel n s *m (mask_matrix h e)^T.
 
-Lemma content_linear t : content s e t = residue h 'X^t *m A.
+(* A content is a linear function of the residue of x^t. *)
+Theorem content_linear t : content s e t = residue h 'X^t *m A.
 Proof.
 apply/rowP => i; rewrite mxE (hankel_term h_monic _ _ s_rec) mulmxA !mxE.
 by apply: eq_bigr => j _; rewrite !mxE.
@@ -80,15 +81,16 @@ rewrite !content_linear; suff /eqP-> : residue h 'X^(t %% N) == residue h 'X^t b
 by rewrite power_eq // modn_mod.
 Qed.
 
-Lemma full_tells : mask_rank h e = n -> tells s N e.
+(* T1. If the mask has rank n, equal contents are at equal places, modulo the period. *)
+Theorem rank_n_tells : mask_rank h e = n -> tells s N e.
 Proof.
 move=> full t t'; rewrite !content_linear; have /row_free_inj inj_A : row_free A.
   by rewrite content_free full.
 by move/inj_A/eqP; rewrite power_eq // => /eqP.
 Qed.
 
-(* Below rank n a nonzero residue has the content zero. *)
-Lemma deficient_zero : (mask_rank h e < n)%N -> exists2 t, (t < N)%N & content s e t = 0.
+(* Below rank n the content is zero at some place. *)
+Theorem deficient_zero : (mask_rank h e < n)%N -> exists2 t, (t < N)%N & content s e t = 0.
 Proof.
 move=> lt_r; have /rowV0Pn[v /sub_kermxP vA0] : kermx A != 0.
   by rewrite kermx_eq0 content_free (ltn_eqF lt_r).
@@ -96,7 +98,8 @@ case/(residue_power h_primitive) => t lt_t def_v.
 by exists t; rewrite // content_linear def_v.
 Qed.
 
-Lemma tells_full : (1 < N)%N -> tells s N e -> mask_rank h e = n.
+(* T2. If equal contents are at equal places only, the mask has rank n; a period of 1 is no case. *)
+Theorem tells_rank_n : (1 < N)%N -> tells s N e -> mask_rank h e = n.
 Proof.
 move=> N_gt1 tells_e; apply/eqP; rewrite eqn_leq rank_le leqNgt; apply/negP => lt_r.
 have [t _ zero_t] := deficient_zero lt_r; set u := residue h 'X^t.
@@ -125,40 +128,44 @@ have [->|/(residue_power h_primitive)[t lt_t <-]] := eqVneq w 0; first by rewrit
 by right; apply/imsetP; exists (Ordinal lt_t); rewrite ?content_linear.
 Qed.
 
-Lemma full_neq0 t : mask_rank h e = n -> content s e t != 0.
+(* With rank n no content is zero. *)
+Theorem rank_n_neq0 t : mask_rank h e = n -> content s e t != 0.
 Proof.
 move=> full; have /row_free_inj inj_A : row_free A by rewrite content_free full.
 rewrite content_linear -(mul0mx 1 A); apply/eqP => /inj_A/eqP.
 by rewrite (negPf (power_neq0 h_primitive t)).
 Qed.
 
-Lemma contents_with_zero :
+(* T3. With rank r there are q^r different contents, the content of zeros included. *)
+Theorem contents_with_zero :
   #|0 |: [set content s e t | t : 'I_N]| = (#|F| ^ mask_rank h e)%N.
 Proof. by rewrite contents_image card_row_image content_rank. Qed.
 
-Lemma contents_count : #|[set content s e t | t : 'I_N]| =
+(* T3. There are q^r different contents if r < n, and q^n - 1 if r = n. *)
+Theorem contents_count : #|[set content s e t | t : 'I_N]| =
   if mask_rank h e == n then N else (#|F| ^ mask_rank h e)%N.
 Proof.
 rewrite -contents_with_zero cardsU1; case: eqP => [full|/eqP ne_r].
-  rewrite card_imset ?card_ord // => i j /(full_tells full)/eqP.
+  rewrite card_imset ?card_ord // => i j /(rank_n_tells full)/eqP.
   by rewrite !modn_small // => /eqP/val_inj.
 have [|t lt_t zero_t] := deficient_zero; first by rewrite ltn_neqAle ne_r rank_le.
 suff -> : 0 \in [set content s e t | t : 'I_N] by [].
 by apply/imsetP; exists (Ordinal lt_t).
 Qed.
 
-Lemma full_once (v : 'rV[F]_m) : mask_rank h e = n -> m = n -> v != 0 ->
+(* T3. With n cells of rank n every nonzero content is at one place below the period. *)
+Theorem nonzero_content_once (v : 'rV[F]_m) : mask_rank h e = n -> m = n -> v != 0 ->
   exists! t, (t < N)%N /\ content s e t = v.
 Proof.
 move=> full def_m v_neq0; have : v \in 0 |: [set content s e t | t : 'I_N].
   rewrite contents_image; have /submxP[w ->] : (v <= A)%MS; last by apply/imsetP; exists w.
   by apply: submx_full; rewrite /row_full content_rank full def_m.
 rewrite !inE (negPf v_neq0) => /imsetP[t _ def_v]; exists (t : nat); split=> [//|t' [lt_t' def_t']].
-by have := @full_tells full t t'; rewrite def_t' -def_v !modn_small //; apply.
+by have := @rank_n_tells full t t'; rewrite def_t' -def_v !modn_small //; apply.
 Qed.
 
 (* The difference of two contents is zero or again a content. *)
-Lemma content_sub t t' :
+Theorem content_sub t t' :
   content s e t - content s e t' \in 0 |: [set content s e t | t : 'I_N].
 Proof.
 rewrite contents_image; apply/imsetP; exists (residue h 'X^t - residue h 'X^t') => //.
