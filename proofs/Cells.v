@@ -22,7 +22,8 @@ Local Open Scope ring_scope.
 Definition mask (m : nat) := 'I_m -> nat * nat.
 
 (* The content of a window on a surface, given the surface's cell at each row and column. *)
-Definition window (T : Type) (m : nat) (cell : nat -> nat -> T) (w : mask m) (r c : nat) : 'rV[T]_m :=
+Definition window (T : Type) (m : nat) (cell : nat -> nat -> T) (w : mask m) (r c : nat) :
+  'rV[T]_m :=
   \row_i cell (r + (w i).1)%N (c + (w i).2)%N.
 
 (* How much later in the sequence each cell of the mask is. *)

@@ -4,11 +4,11 @@
    them, alpha, has order N. The minimal polynomial of alpha is primitive of degree n. Hence the
    theorems about primitive polynomials hold of something for all q and n.
 
-   This Haskell function relies on this file: firstPrimitive of PraTactile.Polynomial, which
-   searches until it finds one. *)
+   These Haskell functions rely on this file: firstPrimitive of PraTactile.Polynomial, which searches
+   until it finds one, and the census of PraTactile.Census. *)
 
 From mathcomp Require Import all_ssreflect all_algebra all_field all_solvable.
-From PraTactile Require Import Sequence Primitive Independent.
+From PraTactile Require Import Sequence Primitive Fold Independent Standard Extension.
 
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -110,4 +110,37 @@ exists h; have deg_h : degree h = n by apply/eqP; rewrite eqn_leq deg_le deg_ge.
 split=> //; rewrite /primitive h_monic /period deg_h n_gt0 -/N order_h dvdnn /=.
 apply/forallP => m; apply/implyP => m_gt0; rewrite order_h.
 by rewrite gtnNdvd.
+Qed.
+
+(* The recurrence of a primitive polynomial has nonzero solutions. *)
+Theorem solution_exists (F : finFieldType) (h : {poly F}) : primitive h ->
+  exists s, recurrence h s /\ nonzero s.
+Proof.
+move=> prim; have [L [dim_L [alpha root_alpha]]] := extension_exists prim.
+pose X := vbasis {:L}.
+have /existsP[i phi_i] : [exists i, coord X i 1 != 0].
+  have one_sum := coord_vbasis (memvf (1 : L)); apply: contraNT (oner_neq0 L).
+  rewrite negb_exists => /forallP coord0; apply/eqP; rewrite [LHS]one_sum; apply: big1 => i _.
+  by move: (coord0 i); rewrite negbK => /eqP->; rewrite scale0r.
+pose phi : {linear L -> F^o} := [linear of coord X i].
+exists (fun t => phi (alpha ^+ t)); split; last by exists 0%N; rewrite expr0.
+by apply: functional_recurrence => //; apply: primitive_monic.
+Qed.
+
+(* Standard arrays exist: if q^k1 - 1 and k2 are coprime, some array of q^k1 - 1 rows has every nonzero
+   pattern of k1 rows and k2 columns at exactly one cell of the torus. *)
+Theorem standard_array_exists (F : finFieldType) (k1 k2 : nat) : (0 < k1)%N -> (0 < k2)%N ->
+  let n1 := (#|F| ^ k1).-1 in let n2 := ((#|F| ^ (k1 * k2)).-1 %/ n1)%N in coprime n1 k2 ->
+  exists a : nat -> nat -> F, forall p : 'M[F]_(k1, k2), p != 0 ->
+    exists! x : 'I_n1 * 'I_n2,
+      forall (i : 'I_k1) (j : 'I_k2), torus n1 n2 a (x.1 + i) (x.2 + j) = p i j.
+Proof.
+move=> k1_gt0 k2_gt0 n1 n2 co; have k_gt0 : (0 < k1 * k2)%N by rewrite muln_gt0 k1_gt0.
+have [h [prim deg]] := primitive_exists F k_gt0; have [s [rec s_neq0]] := solution_exists prim.
+have co_h : coprime (standard_rows F k1) (standard_columns h k1) by rewrite (standard_coprime prim deg).
+exists (fun r c => s (chinese (standard_rows F k1) (standard_columns h k1) r c)) => p p_neq0.
+have n2E : standard_columns h k1 = n2 by rewrite /standard_columns /period deg.
+have fold := diagonal_fold_exists co_h (_ : forall i, s (i %% (_ * _))%N = s i).
+have := @standard_pattern_once _ h s k1 k2 _ prim rec s_neq0 deg co_h (fold _) p p_neq0.
+rewrite n2E; apply => i; rewrite -n2E (standard_area deg); exact: term_mod.
 Qed.

@@ -19,7 +19,8 @@ Import GRing.Theory.
 Local Open Scope ring_scope.
 
 (* What a mask with the exponents e shows at t. *)
-Definition content (F : ringType) (s : nat -> F) (m : nat) (e : 'I_m -> nat) (t : nat) : 'rV[F]_m :=
+Definition content (F : ringType) (s : nat -> F) (m : nat) (e : 'I_m -> nat) (t : nat) :
+  'rV[F]_m :=
   \row_i s (t + e i)%N.
 
 (* The powers of x modulo h that belong to the cells, one a row. *)
