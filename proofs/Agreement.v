@@ -130,7 +130,8 @@ Proof.
 move=> n_gt0; have n_gt0' : (0 < size (elements lower))%N by rewrite size_map.
 rewrite -iter_unit // -{1 2}(codes_elements below_lower) -codes_rootPower -codes_unit.
 rewrite (inj_eq (inj_map (@code_inj _ _ checked))); congr (_ == _); apply: Poly_inj.
-  by rewrite iter_size //; case: e => [|e]; rewrite /= ?size_unit // size_raised ?size_timesRoot ?size_unit.
+  rewrite iter_size //; case: e => [|e]; rewrite /= ?size_unit //.
+  by rewrite size_raised ?size_timesRoot ?size_unit.
 by rewrite rootPower_correct // steps_correct.
 Qed.
 

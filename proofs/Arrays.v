@@ -50,7 +50,8 @@ Lemma folded_list : Grid.folded P =
   [seq ((N.modulo (N.of_nat t) (Grid.profileRows P), N.modulo (N.of_nat t) (Grid.profileColumns P)),
      code (s t)) | t <- iota 0 (N.to_nat (Grid.period P))].
 Proof.
-have [_ terms] := exec_terms checked below_lower below_state (N.to_nat (Grid.period P)) n_gt0 size_state.
+have [_ terms] :=
+  exec_terms checked below_lower below_state (N.to_nat (Grid.period P)) n_gt0 size_state.
 rewrite /Grid.folded terms /Exec.upTo.
 have seqE m k : List.seq m k = iota m k by elim: k m => //= k IHk m; rewrite IHk.
 rewrite seqE; elim: (iota _ _) => //= t r ->.

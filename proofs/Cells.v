@@ -90,7 +90,8 @@ Theorem torus_tells_rank_n : (1 < period h)%N ->
      r = r' %[mod n1] /\ c = c' %[mod n2]) -> torus_rank h n1 n2 w = degree h.
 Proof.
 move=> N_gt1 tell; apply: (tells_rank_n h_primitive s_rec s_neq0 N_gt1) => t t'.
-rewrite -!contentE => /tell[]; rewrite !modn_mod => eq_r eq_c; apply/eqP; rewrite -area chinese_remainder //.
+rewrite -!contentE => /tell[]; rewrite !modn_mod => eq_r eq_c.
+apply/eqP; rewrite -area chinese_remainder //.
 by rewrite eq_r eq_c !eqxx.
 Qed.
 

@@ -119,7 +119,8 @@ Proof. by apply: elementK; case: (coded_closed_pair x x). Qed.
 
 Lemma code_inj : injective code. Proof. exact: can_inj codeK. Qed.
 
-Lemma coded_triples x y z : [/\ addc x (addc y z) = addc (addc x y) z, mulc x (mulc y z) = mulc (mulc x y) z
+Lemma coded_triples x y z : [/\ addc x (addc y z) = addc (addc x y) z,
+  mulc x (mulc y z) = mulc (mulc x y) z
   & mulc (addc x y) z = addc (mulc x z) (mulc y z)].
 Proof.
 case/and5P: checked => _ /allP/(_ _ (code_in x))/allP/(_ _ (code_in y))/allP/(_ _ (code_in z)).
@@ -183,12 +184,18 @@ Canonical coded_finIdomainType := [finIdomainType of coded].
 Canonical coded_finFieldType := [finFieldType of coded].
 
 Lemma card_coded : #|[finFieldType of coded]| = q.
-Proof. by rewrite -[RHS]card_ord (bij_eq_card (f := @number checked)) //; exists (@Coded checked) => [[]|]. Qed.
+Proof.
+rewrite -[RHS]card_ord (bij_eq_card (f := @number checked)) //.
+by exists (@Coded checked) => [[]|].
+Qed.
 
 (* The codes of sums and products are those of the arithmetic. *)
 Theorem code_arithmetic (x y : coded) :
   [/\ code 0 = zero, code 1 = one, code (x + y) = add (code x) (code y), code (- x) = neg (code x)
     & code (x * y) = mul (code x) (code y)].
-Proof. by split; [exact: code_zero | exact: code_one | exact: code_add | exact: code_neg | exact: code_mul]. Qed.
+Proof.
+split; [exact: code_zero | exact: code_one | exact: code_add | exact: code_neg |].
+exact: code_mul.
+Qed.
 
 End Coded.

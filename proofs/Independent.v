@@ -135,8 +135,9 @@ Qed.
 
 Let b_fixed m : b ^+ (Q ^ m) = b.
 Proof.
-elim: m => [|m IHm]; rewrite ?expr1 // expnSr exprM IHm -[in LHS](prednK (n := Q)) ?expn_gt0 ?(ltnW card_gt1) //.
-rewrite exprS -exprM; suff /eqP-> : alpha ^+ (chinese n1 n2 1 0 * n1) == alpha ^+ 0 by rewrite mulr1.
+elim: m => [|m IHm]; rewrite ?expr1 // expnSr exprM IHm.
+rewrite -[in LHS](prednK (n := Q)) ?expn_gt0 ?(ltnW card_gt1) //; rewrite exprS -exprM.
+suff /eqP-> : alpha ^+ (chinese n1 n2 1 0 * n1) == alpha ^+ 0 by rewrite mulr1.
 by rewrite root_power_eq -standard_area /chinese mul0n addn0 mul1n mulnAC [(n2 * n1)%N]mulnC modnMr mod0n.
 Qed.
 
