@@ -190,7 +190,7 @@ by exists (@Coded checked) => [[]|].
 Qed.
 
 (* The codes of sums and products are those of the arithmetic. *)
-Theorem code_arithmetic (x y : coded) :
+Lemma code_arithmetic (x y : coded) :
   [/\ code 0 = zero, code 1 = one, code (x + y) = add (code x) (code y), code (- x) = neg (code x)
     & code (x * y) = mul (code x) (code y)].
 Proof.

@@ -1,8 +1,7 @@
 (* The executable polynomials and sequences are those of the theorems.
 
    Over a field F the lists of Exec.v compute in F[x] modulo h = x^n + lower, and its terms are
-   those of the recurrence of h. So the order of x, found by stepping, decides whether h is
-   primitive.
+   those of the recurrence of h. In this way the theorems hold of what Exec.v computes.
 
    These Haskell functions rely on this file: mSequence of PraTactile.Sequence and powerOfRoot of
    PraTactile.Extension, which the conformance laws compare with the extracted Exec.v. *)
@@ -155,7 +154,7 @@ by rewrite mulr1 mod_exp.
 Qed.
 
 (* Stepping from 1 finds the powers of x one after another. *)
-Theorem steps_correct t : (0 < size lower)%N ->
+Lemma steps_correct t : (0 < size lower)%N ->
   Poly (iter t (Exec.timesRoot K lower) (Exec.unit K lower)) = 'X^t %% h.
 Proof.
 move=> n_gt0.

@@ -1,8 +1,9 @@
 (* The standard fold's theorem, about the executable windows.
 
-   For a profile with a primitive polynomial, folded along the diagonal into the standard shape with
-   coprime sides, two windows of k1 rows and k2 columns on the torus with the same content are at the
-   same cell. The paper's profile is one of these.
+   Take a profile with a primitive polynomial, folded along the diagonal into the standard shape
+   with coprime sides. Two windows of k1 rows and k2 columns on its torus that have the same content
+   are at the same cell, and every content that is not zero occurs. The paper's profile is one of
+   these.
 
    These Haskell functions rely on this file: prove of PraTactile.Window.Proof and windowAt of
    PraTactile.Window, which the conformance laws compare with the extracted Grid.v. *)
@@ -17,14 +18,14 @@ Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-Lemma in_upTo (k : N) (i : nat) : (i < N.to_nat k)%N -> List.In (N.of_nat i) (Exec.upTo k).
+Lemma code_in_upTo (k : N) (i : nat) : (i < N.to_nat k)%N -> List.In (N.of_nat i) (Exec.upTo k).
 Proof. by move=> lt_i; apply/List.in_map/List.in_seq; split; apply/leP. Qed.
 
 Lemma in_rectangle (k1 k2 : N) (i j : nat) : (i < N.to_nat k1)%N -> (j < N.to_nat k2)%N ->
   List.In (N.of_nat i, N.of_nat j) (Grid.rectangle k1 k2).
 Proof.
-move=> lt_i lt_j; apply/List.in_flat_map; exists (N.of_nat i); split; first exact: in_upTo.
-by apply: (List.in_map (fun b => (N.of_nat i, b))); apply: in_upTo.
+move=> lt_i lt_j; apply/List.in_flat_map; exists (N.of_nat i); split; first exact: code_in_upTo.
+by apply: (List.in_map (fun b => (N.of_nat i, b))); apply: code_in_upTo.
 Qed.
 
 (* The rectangle's offsets, row by row. *)
@@ -157,9 +158,11 @@ Definition paper_profile : Grid.profile :=
   Grid.Profile 4 [:: 1; 1; 1]%num [:: 3; 2; 1; 0; 1]%num Grid.Characteristic [:: 0; 0; 0; 1]%num
     15 17 Grid.Diagonal Grid.Torus.
 
-(* Equal executable windows of two rows and two columns of the paper's array are at the same cell. *)
+(* Equal executable windows of two rows and two columns of the paper's array are at the same
+   cell. *)
 Theorem paper_executable_unique r c r' c' :
-  let at_ := Grid.window paper_profile Grid.Torus (Grid.folded paper_profile) (Grid.rectangle 2 2) in
+  let at_ := Grid.window paper_profile Grid.Torus (Grid.folded paper_profile)
+    (Grid.rectangle 2 2) in
   at_ (r, c) = at_ (r', c') ->
   N.modulo r 15 = N.modulo r' 15 /\ N.modulo c 17 = N.modulo c' 17.
 Proof.
@@ -171,7 +174,8 @@ apply: (@executable_standard_unique paper_profile 3 gf4_is_field 2 2) => //.
 exact: esym paper_columns.
 Qed.
 
-(* Every content of four codes below 4 that are not all zero is at some cell of the paper's array. *)
+(* Every content of four codes below 4 that are not all zero is at some cell of the paper's
+   array. *)
 Theorem paper_executable_occurs (w : seq N) :
   size w = 4 -> all (@below 3) w -> has (fun a => a != 0%num) w ->
   exists r c, [/\ N.to_nat r < 15, N.to_nat c < 17 & Grid.window paper_profile Grid.Torus

@@ -4,8 +4,8 @@
    them, alpha, has order N. The minimal polynomial of alpha is primitive of degree n. Hence the
    theorems about primitive polynomials hold of something for all q and n.
 
-   These Haskell functions rely on this file: firstPrimitive of PraTactile.Polynomial, which searches
-   until it finds one, and the census of PraTactile.Census. *)
+   These Haskell functions rely on this file: firstPrimitive of PraTactile.Polynomial, which
+   searches until it finds one, and census of PraTactile.Census. *)
 
 From mathcomp Require Import all_ssreflect all_algebra all_field all_solvable.
 From PraTactile Require Import Sequence Primitive Fold Independent Standard Extension.
@@ -127,8 +127,8 @@ exists (fun t => phi (alpha ^+ t)); split; last by exists 0%N; rewrite expr0.
 by apply: functional_recurrence => //; apply: primitive_monic.
 Qed.
 
-(* Standard arrays exist: if q^k1 - 1 and k2 are coprime, some array of q^k1 - 1 rows has every nonzero
-   pattern of k1 rows and k2 columns at exactly one cell of the torus. *)
+(* Standard arrays exist: if q^k1 - 1 and k2 are coprime, some array of q^k1 - 1 rows has every
+   nonzero pattern of k1 rows and k2 columns at exactly one cell of the torus. *)
 Theorem standard_array_exists (F : finFieldType) (k1 k2 : nat) : (0 < k1)%N -> (0 < k2)%N ->
   let n1 := (#|F| ^ k1).-1 in let n2 := ((#|F| ^ (k1 * k2)).-1 %/ n1)%N in coprime n1 k2 ->
   exists a : nat -> nat -> F, forall p : 'M[F]_(k1, k2), p != 0 ->
@@ -137,7 +137,8 @@ Theorem standard_array_exists (F : finFieldType) (k1 k2 : nat) : (0 < k1)%N -> (
 Proof.
 move=> k1_gt0 k2_gt0 n1 n2 co; have k_gt0 : (0 < k1 * k2)%N by rewrite muln_gt0 k1_gt0.
 have [h [prim deg]] := primitive_exists F k_gt0; have [s [rec s_neq0]] := solution_exists prim.
-have co_h : coprime (standard_rows F k1) (standard_columns h k1) by rewrite (standard_coprime prim deg).
+have co_h : coprime (standard_rows F k1) (standard_columns h k1).
+  by rewrite (standard_coprime prim deg).
 exists (fun r c => s (chinese (standard_rows F k1) (standard_columns h k1) r c)) => p p_neq0.
 have n2E : standard_columns h k1 = n2 by rewrite /standard_columns /period deg.
 have fold := diagonal_fold_exists co_h (_ : forall i, s (i %% (_ * _))%N = s i).

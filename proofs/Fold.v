@@ -95,8 +95,8 @@ Definition row_fold T (s : nat -> T) n1 n2 (a : nat -> nat -> T) : Prop :=
 (* The cell at any row and column, when opposite edges are joined. *)
 Definition torus T n1 n2 (a : nat -> nat -> T) (r c : nat) : T := a (r %% n1) (c %% n2).
 
-(* The cell at any row and column, when each row's end is joined to the next row's beginning, and the
-   last row's end to the first row's beginning. *)
+(* The cell at any row and column, when each row's end is joined to the next row's beginning, and
+   the last row's end to the first row's beginning. *)
 Definition twisted_torus T n1 n2 (a : nat -> nat -> T) (r c : nat) : T :=
   let i := (n2 * r + c) %% (n1 * n2) in a (i %/ n2) (i %% n2).
 

@@ -6,7 +6,8 @@
    conjugates b^(q^m), so it is zero. A polynomial over GF(q^k1) of degree below k2 that vanishes at
    g vanishes at the k2 conjugates of g, so it is zero. So the b^i g^j are independent over GF(q).
 
-   Standard.v relies on this file. *)
+   Standard.v relies on this file, and so do windowRank of PraTactile.Window.Rank and prove of
+   PraTactile.Window.Proof. *)
 
 From mathcomp Require Import all_ssreflect all_algebra all_field.
 From PraTactile Require Import Sequence Primitive.
@@ -30,8 +31,8 @@ rewrite !modn_small ?small // => /eqP eq_pred; apply: (expnI Q_gt1).
 by rewrite -[(Q ^ i)%N]prednK // eq_pred prednK.
 Qed.
 
-(* A polynomial vanishes if the field of its coefficients is fixed by the Q-th power, and it vanishes
-   at an element with at least as many conjugates as it has coefficients. *)
+(* A polynomial vanishes if the field of its coefficients is fixed by the Q-th power, and it
+   vanishes at an element with at least as many conjugates as it has coefficients. *)
 Lemma conjugate_roots (L : fieldType) (Q k : nat) (y : L) (p : {poly L}) :
   [char L].-nat Q -> (forall i, p`_i ^+ Q = p`_i) -> (size p <= k)%N -> p.[y] = 0 ->
   (forall i j, (i < k)%N -> (j < k)%N -> y ^+ (Q ^ i) = y ^+ (Q ^ j) -> i = j) -> p = 0.

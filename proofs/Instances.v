@@ -153,7 +153,8 @@ rewrite paper_rows paper_columns; apply => //.
 exact: paper_fold.
 Qed.
 
-(* Every nonzero pattern of one row and three columns is at exactly one cell of the array of GF(9). *)
+(* Every nonzero pattern of one row and three columns is at exactly one cell of the array over
+   GF(9). *)
 Theorem cubic_pattern_once (p : 'M[GF9]_(1, 3)) : p != 0 ->
   exists! x : 'I_8 * 'I_91,
     forall (i : 'I_1) (j : 'I_3), torus 8 91 cubic_array (x.1 + i) (x.2 + j) = p i j.

@@ -58,7 +58,7 @@ Let h_monic := primitive_monic h_primitive.
 Let A := hankel n s *m (mask_matrix h e)^T.
 
 (* A content is a linear function of the residue of x^t. *)
-Theorem content_linear t : content s e t = residue h 'X^t *m A.
+Lemma content_linear t : content s e t = residue h 'X^t *m A.
 Proof.
 apply/rowP => i; rewrite mxE (hankel_term h_monic _ _ s_rec) mulmxA !mxE.
 by apply: eq_bigr => j _; rewrite !mxE.
@@ -91,7 +91,7 @@ by move/inj_A/eqP; rewrite power_eq // => /eqP.
 Qed.
 
 (* Below rank n the content is zero at some place. *)
-Theorem deficient_zero : (mask_rank h e < n)%N -> exists2 t, (t < N)%N & content s e t = 0.
+Lemma deficient_zero : (mask_rank h e < n)%N -> exists2 t, (t < N)%N & content s e t = 0.
 Proof.
 move=> lt_r; have /rowV0Pn[v /sub_kermxP vA0] : kermx A != 0.
   by rewrite kermx_eq0 content_free (ltn_eqF lt_r).
@@ -166,7 +166,7 @@ by have := @rank_n_tells full t t'; rewrite def_t' -def_v !modn_small //; apply.
 Qed.
 
 (* The difference of two contents is zero or again a content. *)
-Theorem content_sub t t' :
+Lemma content_sub t t' :
   content s e t - content s e t' \in 0 |: [set content s e t | t : 'I_N].
 Proof.
 rewrite contents_image; apply/imsetP; exists (residue h 'X^t - residue h 'X^t') => //.
