@@ -4,8 +4,8 @@
    irreducible, a nonzero solution of the recurrence has least period N, and all nonzero solutions
    are shifts of one another.
 
-   These Haskell functions rely on this file: primitivePolynomial and period of
-   PraTactile.Polynomial, termAt of PraTactile.Sequence, and windowRank of
+   These Haskell functions rely on this file: checkPrimitive and period of
+   PraTactile.Polynomial, termAt and stateAt of PraTactile.Sequence, and windowRank of
    PraTactile.Window.Rank. *)
 
 From mathcomp Require Import all_ssreflect all_algebra all_field.
