@@ -4,7 +4,7 @@
    REASON" in this comment. None is. *)
 From PraTactile Require Import Paper Tampered.
 From PraTactile Require Import Primitive Window Fold Cells Standard Extension Twisted Decode.
-From PraTactile Require Import Correct Stepping Agreement Arrays Instances Executable Existence.
+From PraTactile Require Import Correct Stepping Agreement Arrays Instances Examples Executable Existence.
 From PraTactile Require Import Period Codes Certificate Good.
 
 (* The paper's array. *)
@@ -93,6 +93,14 @@ Print Assumptions paper_pattern_once.
 Print Assumptions paper_window_unique.
 Print Assumptions cubic_pattern_once.
 Print Assumptions paper_functional.
+Print Assumptions paper_rank.
+Print Assumptions paper_corner_contents.
+Print Assumptions cubic_pair_contents.
+Print Assumptions cubic_row_by_row_fills.
+Print Assumptions paper_row_pattern_once.
+Print Assumptions cubic_row_pattern_once.
+Print Assumptions paper_square_distance.
+Print Assumptions paper_at_most_one_position.
 
 (* T8 on the executable windows. *)
 Print Assumptions executable_standard_unique.
