@@ -27,7 +27,7 @@ import PraTactile.Registration.AllPairs.Field
 import PraTactile.Registration.AllPairs.Pair
 import PraTactile.Registration.Joint.Estimate (Estimate (..))
 import PraTactile.Registration.Joint.Grid
-import PraTactile.Registration.Model (eighth, normalLog)
+import PraTactile.Registration.Model (eighth)
 import PraTactile.Registration.Neighbours (Neighbours (..), neighbours)
 import PraTactile.Registration.Numbers
   ( leastOther,
@@ -133,10 +133,11 @@ pairsEvidence settings relief frames = ofEach * sum (map likelier some)
       where
         grid = displacementsAround step (max 1 (min 9 (2 * sigma)))
         mean logs = sum (zipWith (\p t -> p * exp (min 600 t)) priors logs) / sum priors
-        priors = [exp (normalLog (sigma * sigma) (apart d)) | d <- allOf grid]
-        apart (x, y) = squared (fromIntegral x - fst step) + squared (fromIntegral y - snd step)
+        priors =
+          [ exp (priorAround (2 * sigma) ((fromIntegral x, fromIntegral y) `minus` step))
+            | (x, y) <- allOf grid
+          ]
     sigma = sqrt 2 * supposedSigma settings
-    squared t = t * t
 
 -- | In how many pixels 'registerPairwise' compares frames, at all displacements of its grid.
 comparedPixels :: Registration -> [(Taxels, Raster)] -> Int
