@@ -66,7 +66,7 @@ bin/pra-tactile:
 evaluate: build ## the figure that matters: 1000 simulated presses, with and without stitching
 	bin/pra-tactile evaluate --presses 1000 --seed 1
 
-# A file or more: make figures FILES=docs/locating.md. Half an hour for all, on two cores with nothing else to do.
+# A file or more: make figures FILES=docs/explanation/locating.md. Half an hour for all, on two cores with nothing else to do.
 figures: build ## run the commands that README and docs show, and put there what they print
 	@PATH="$(CURDIR)/bin:$$PATH" runghc $$(tools/extensions.sh) -itest tools/Figures.hs $(FILES)
 
@@ -85,7 +85,7 @@ mutants: setup ## which laws find which impostor, and whether each is found with
 	@"$$(tools/cabal.sh list-bin -v0 bench:mutants)" $(or $(SEEDS),20)
 
 # From the records in src/conformance/PraTactile/Conformance/Operations; a test holds them equal.
-operations: setup ## write the operations of the protocol into docs/conformance.md and data/schemas
+operations: setup ## write the operations of the protocol into docs/reference/protocol.md and data/schemas
 	@runghc $$(tools/extensions.sh) $(patsubst %,-i%,$(wildcard src/*)) tools/Operations.hs
 
 types: ## types from the schemas in Python, TypeScript and Go, compiled (FOLDER=... keeps them)

@@ -14,7 +14,8 @@ main = do
   arguments <- getArgs
   let files = [file | file <- arguments, file /= "--quick"]
       wanted pace = pace == Quick || "--quick" `notElem` arguments
-  forM_ (if null files then documents else files) $ \file -> do
+  chosen <- if null files then documents else pure files
+  forM_ chosen $ \file -> do
     text <- withFile file ReadMode $ \handle -> do
       hSetEncoding handle utf8
       content <- hGetContents handle

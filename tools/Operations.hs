@@ -1,5 +1,5 @@
--- | Writes the operations into docs/conformance.md and data/schemas, from their records. Run it
--- from the top of the repository, by @make operations@.
+-- | Writes the operations into docs/reference/protocol.md and data/schemas, from their records.
+-- Run it from the top of the repository, by @make operations@.
 module Main (main) where
 
 import Control.Monad (forM_, when)
@@ -22,5 +22,5 @@ main = do
       readProcess "python3" ["-m", "json.tool", "--indent", "2"] (Lazy.unpack (encode stated))
         >>= writeFile file
   where
-    document = "docs/conformance.md"
+    document = "docs/reference/protocol.md"
     schemas = ["data/schemas/" ++ name ++ ".json" | name <- schemasOfOperations]

@@ -43,9 +43,9 @@ command =
   subcommand
     "conform"
     "Hold an implementation in any language against the laws: start COMMAND, ask it over JSON \
-    \lines, and tell where it is wrong, by the smallest case (the protocol: docs/conformance.md). \
-    \Exit status 0: certified, or all of the chosen laws held; 1: a law failed, or COMMAND erred, \
-    \hung or crashed; 2: it cannot be started or never answers."
+    \lines, and tell where it is wrong, by the smallest case (the protocol: \
+    \docs/reference/protocol.md). Exit status 0: certified, or all of the chosen laws held; 1: a \
+    \law failed, or COMMAND erred, hung or crashed; 2: it cannot be started or never answers."
     [ "pra-tactile conform --stage field -- pra-tactile serve",
       "pra-tactile conform --run 'array/*' --cases 20 --json -- pra-tactile serve",
       "pra-tactile conform --stage touch --cases 5 -- pra-tactile serve",

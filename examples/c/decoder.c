@@ -47,7 +47,7 @@ static void conclude(outcome came)
         break;
     case UNKNOWN:
         reply_with("skipped");
-        put("\"no such operation\",\"link\":\"docs/conformance.md\"}\n");
+        put("\"no such operation\",\"link\":\"docs/reference/protocol.md\"}\n");
         break;
     default:
         reply("refused", reasons[came]);

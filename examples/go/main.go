@@ -67,7 +67,7 @@ func run(a *Array, request object) object {
 	case a == nil:
 		return object{"errored": "no profile is in force"}
 	case !known:
-		return object{"skipped": "no such operation", "link": "docs/conformance.md"}
+		return object{"skipped": "no such operation", "link": "docs/reference/protocol.md"}
 	}
 	return answered(func() (any, error) { return operation(a, request["input"]) })
 }

@@ -1,5 +1,5 @@
 """What images of symbols show: python3 probabilities.py NETWORK.json SHAPES.txt IMAGE.pgm..., a line each of the probabilities of
-the classes, and last that of another shape. Python's standard library alone; docs/network.md has the formulas."""
+the classes, and last that of another shape. Python's standard library alone; docs/explanation/network.md has the formulas."""
 import json, math, re, struct, sys
 
 network, sure = (lambda n: (n, n["calibration"]))(json.load(open(sys.argv[1])))

@@ -27,7 +27,7 @@ def replied(compute):
 def run(array, request):
     operation = request.get("operation")
     if type(operation) is not str or operation not in {**OPERATIONS, **network.OPERATIONS}:
-        return {"skipped": "no such operation", "link": "docs/conformance.md"}
+        return {"skipped": "no such operation", "link": "docs/reference/protocol.md"}
     if operation in network.OPERATIONS:
         return replied(lambda: network.OPERATIONS[operation](request.get("input")))
     if array is None:

@@ -1,7 +1,7 @@
 """Recognise objects by touch, and test a decoder of pseudorandom arrays, from Python.
 
 Everything is computed by the program pra-tactile, which comes with this package; nothing is decoded
-here. An answer is the dictionary of the program's JSON form (docs/json.md), refusals included. Only
+here. An answer is the dictionary of the program's JSON form (docs/reference/json.md), refusals included. Only
 what is no answer raises: `Failed`, and TypeError or ValueError for an argument that says nothing.
 
     import pra_tactile
@@ -124,7 +124,7 @@ def conform(
     **options: Any,
 ) -> Answer:
     """The report of the conformance suite on functions of this process, by the names of their
-    operations (docs/conformance.md).
+    operations (docs/reference/protocol.md).
 
     The keys of an operation's input are the function's arguments (`from` is `from_`), with integers
     as int; what it returns is the result, and raising `Refused(reason)` refuses. A function named

@@ -18,28 +18,23 @@ module Documents.Transcript
   )
 where
 
+import Control.Monad (filterM)
 import Data.Char (isSpace)
-import Data.List (dropWhileEnd, isPrefixOf, stripPrefix)
+import Data.List (dropWhileEnd, isPrefixOf, sort, stripPrefix)
+import System.Directory (doesDirectoryExist, listDirectory)
+import System.FilePath (takeExtension, (</>))
 import System.IO (IOMode (..), hGetContents, hSetEncoding, utf8, withFile)
 import System.Process (CreateProcess (..), proc, readCreateProcessWithExitCode)
 
--- | The files whose commands are run.
-documents :: [FilePath]
-documents =
-  [ "README.md",
-    "READING.md",
-    "docs/cli.md",
-    "docs/json.md",
-    "docs/network.md",
-    "docs/objects.md",
-    "docs/machines.md",
-    "docs/making.md",
-    "docs/locating.md",
-    "docs/conformance.md",
-    "docs/evaluation.md",
-    "docs/benchmarks.md",
-    "docs/mutation.md"
-  ]
+-- | The files whose commands are run: README, the reading guide, and all pages in docs.
+documents :: IO [FilePath]
+documents = (["README.md", "READING.md"] ++) . sort <$> pagesIn "docs"
+  where
+    pagesIn folder = do
+      entries <- map (folder </>) <$> listDirectory folder
+      folders <- filterM doesDirectoryExist entries
+      deeper <- traverse pagesIn folders
+      pure ([entry | entry <- entries, takeExtension entry == ".md"] ++ concat deeper)
 
 -- | The text of a file, read at once and as UTF-8 whatever the locale.
 readText :: FilePath -> IO String

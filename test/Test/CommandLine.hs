@@ -191,7 +191,7 @@ touchSpec = describe "touch" $ do
       (status, key ["outcome"] out, key ["reason"] out)
         `shouldBe` (1, Just "refused", Just "no-symbols")
   it "evaluate: the counts add up, nothing is wrong, and stitching is clearly better than none" $ do
-    -- At an error of 3 taxels none of the 100 presses in docs/evaluation.md is read without
+    -- At an error of 3 taxels none of the 100 presses in docs/results/evaluation.md is read without
     -- stitching, and 98 are with it: there one press tells.
     let (presses, taxels) = byEffort (1, 3) (48, 2) :: (Int, Int)
         chosen = ["--presses", show presses, "--position-error", show taxels]

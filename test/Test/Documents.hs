@@ -18,8 +18,9 @@ import Test.Support
 
 spec :: Spec
 spec = do
+  pages <- runIO documents
   it "a document is made of its pieces" $
-    forM_ documents $ \file -> do
+    forM_ pages $ \file -> do
       text <- readText file
       (file, rendered (pieces text)) `shouldBe` (file, text)
   it "a transcript is read and written alike" $
@@ -29,7 +30,7 @@ spec = do
                 rendered [Transcript Quick [Step ["a", "b"] (map clean shown)]]
            in rendered (pieces text) == text
       )
-  forM_ documents $ \file -> describe file $ do
+  forM_ pages $ \file -> describe file $ do
     it "its commands print what is shown under them" $
       scratch $ \folder -> do
         text <- readText file
@@ -181,7 +182,7 @@ scratch act = inFolder $ \folder -> do
   top <- getCurrentDirectory
   createDirectoryLink (top </> "data") (folder </> "data")
   createDirectoryLink (top </> "examples") (folder </> "examples")
-  createDirectory (folder </> "docs")
+  createDirectoryIfMissing True (folder </> "docs" </> "results")
   act folder
 
 -- | The files that examples speak of, made by the commands that make such files, where the example

@@ -127,7 +127,7 @@ spec = do
                            ]
                        )
   it "the adapter is the one that its page shows" $ do
-    page <- lines <$> readFile "docs/conformance.md"
+    page <- lines <$> readFile "docs/reference/protocol.md"
     adapter <- readFile "examples/adapter/adapter.py"
     takeWhile (/= "```") (drop 1 (dropWhile (/= "```python") page)) `shouldBe` lines adapter
   where

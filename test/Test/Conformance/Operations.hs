@@ -29,8 +29,8 @@ spec = do
     map nameOf allOperations `shouldBe` nub (map nameOf allOperations)
     for_ allOperations $ \operation ->
       readValue operationForm (writeValue operationForm operation) `shouldBe` Right operation
-  it "docs/conformance.md and data/schemas have them as their records have" $ do
-    page <- decodeUtf8 <$> Bytes.readFile "docs/conformance.md"
+  it "docs/reference/protocol.md and data/schemas have them as their records have" $ do
+    page <- decodeUtf8 <$> Bytes.readFile "docs/reference/protocol.md"
     withOperations page `shouldBe` page
     for_ schemasOfOperations $ \name -> do
       schema <- eitherDecodeFileStrict' ("data/schemas/" ++ name ++ ".json")

@@ -1,7 +1,8 @@
 {-# OPTIONS_GHC -O1 #-}
 
--- | Where a grid of symbols is, and how doubtful that is: the posterior of docs/locating.md, summed
--- by brute force over all positions, both ways up, and the share of foreign things.
+-- | Where a grid of symbols is, and how doubtful that is: the posterior of
+-- docs/explanation/locating.md, summed by brute force over all positions, both ways up, and the
+-- share of foreign things.
 module Test.Recognition.PosteriorByBruteForce (spec) where
 
 import Data.List (maximumBy, nub)

@@ -192,7 +192,7 @@ supportSpec array reader =
                         ]
   where
     position (r, c) = Position (fromIntegral r) (fromIntegral c)
-    -- 255 spheres among all contents, as docs/locating.md has it.
+    -- 255 spheres among all contents, as docs/explanation/locating.md has it.
     among (high, wide) radius =
       min 1 (255 * sum [over m i * 3 ^ i | i <- [0 .. min m (toInteger radius)]] `ratio` (4 ^ m))
       where

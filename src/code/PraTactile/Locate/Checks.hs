@@ -4,7 +4,8 @@
 -- code of dimension r, so that m - r independent parity checks hold among them. Those that hold
 -- among the cells of one column alone, m_j - r_j for the column j, say nothing of how the columns
 -- lie beside each other; only the others do, which number sum of r_j, less r. Likewise with rows,
--- and with the sources that cells were seen in. docs/locating.md has which cells have how many.
+-- and with the sources that cells were seen in. docs/explanation/locating.md lists how many there
+-- are.
 module PraTactile.Locate.Checks
   ( Checks (..),
     Split (..),

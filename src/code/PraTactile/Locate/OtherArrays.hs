@@ -2,7 +2,7 @@
 
 -- | The arrays that are not ours but as ours: of the same field, degree, folding and shape, by each
 -- other primitive polynomial. 'worthOfOthers' bounds how likely they make the observed cells, from
--- all of these arrays or from some that are drawn; docs/locating.md has the formulas.
+-- all of these arrays or from some that are drawn; docs/explanation/locating.md has the formulas.
 --
 -- The other arrays need no other polynomial. Every m-sequence of the period N = q^n - 1 is, but for
 -- where it begins, a decimation s(0), s(r), s(2 r), ... of ours with r coprime to N, and two are of

@@ -147,7 +147,7 @@ ran implementation force keys = case KeyMap.lookup "operation" keys of
   _ -> pure (errored "a run has an operation")
   where
     input = fromMaybe Null (KeyMap.lookup "input" keys)
-    page = "docs/conformance.md" :: String
+    page = "docs/reference/protocol.md" :: String
 
 -- | Answer one request of a handle on another one, as 'replyOnce' does.
 serveOnce :: Implementation -> Handle -> Handle -> IO ()

@@ -25,7 +25,7 @@ import PraTactile.Position
 import PraTactile.Profile (Profile)
 import PraTactile.Symmetry
 
--- | An answer of @locate@: its keys, of which docs/locating.md says what they mean.
+-- | An answer of @locate@: its keys, of which docs/explanation/locating.md says what they mean.
 data AnswerReport = AnswerReport
   { statedProfile :: Profile,
     statedOutcome :: OutcomeName,

@@ -34,7 +34,7 @@ import PraTactile.Recognise
 import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Symmetry
 
--- | An answer of @decode@: its keys, of which docs/json.md says what they mean.
+-- | An answer of @decode@: its keys, of which docs/reference/json.md says what they mean.
 data RecognitionReport = RecognitionReport
   { reportProfile :: Profile,
     reportSources :: [String],

@@ -6,7 +6,7 @@
 -- is seen beyond that face's edge, where nothing of the array's lies, is a smear: other cells there
 -- say nothing. Something that carries the array otherwise, a plate or a face that the placement
 -- does not have, is touched now and then: then the array goes on in every direction.
--- docs/locating.md has the formulas.
+-- docs/explanation/locating.md has the formulas.
 module PraTactile.Recognise.OneFace
   ( beforehandOf,
   )

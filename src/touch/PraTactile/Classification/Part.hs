@@ -97,5 +97,5 @@ nothingOfTheKind sigma taxels =
    GF(2) to GF(9), compared and not, with position errors of one to two taxels; about as many of
    these parts are wrong as are told to be under each condition. Likeliest of all would be that next
    to nothing is nothing of the kind: of 1800 parts with no other doubt none was wrong (assumption:
-   of another sensor some are). bench/calibration.py counts other presses, and docs/evaluation.md
-   has what it counted. -}
+   of another sensor some are). bench/calibration.py counts other presses; its tables stand in
+   docs/results/evaluation.md. -}

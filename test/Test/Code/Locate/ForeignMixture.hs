@@ -173,7 +173,7 @@ genSceneOf surfaces kinds array = do
     made = either (error . show) id
 
 -- | That it is foreign by chance, and that it is another of these arrays, if this candidate is told
--- as the likeliest: the formulas of docs/locating.md, added up.
+-- as the likeliest: the formulas of docs/explanation/locating.md, added up.
 mixture ::
   KnownField k =>
   Scene k ->
