@@ -274,9 +274,9 @@ outputSpec = do
     forM_
       [ ( "a part",
           "printf ab; sleep 20",
-          Fault HalfLine "no end of the line within 0.1 seconds: ab"
+          Fault HalfLine "no end of the line within 0.5 seconds: ab"
         ),
-        ("nothing", "sleep 20", Fault TimedOut "no reply within 0.1 seconds"),
+        ("nothing", "sleep 20", Fault TimedOut "no reply within 0.5 seconds"),
         ( "that the input is closed",
           "exec <&-; sleep 20",
           Fault ClosedPipe "it closed its standard input and did not answer"
@@ -290,7 +290,7 @@ outputSpec = do
         )
       ]
       $ \(what, script, fault) ->
-        it what $ child script (`awaitLine` 0.1) `shouldReturn` Left fault
+        it what $ child script (`awaitLine` 0.5) `shouldReturn` Left fault
   it "is too long beyond a mebibyte, though it ends" $ do
     let letters = "head -c " ++ show (3 * longestLine) ++ " /dev/zero | tr '\\0' a; echo"
     child letters (`awaitLine` 20)
