@@ -23,10 +23,10 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels, minus, plus)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Image (Raster, rasterHeight, rasterSize, rasterWidth, standardDeviation)
-import PraTactile.Registration.AllPairs.Field
 import PraTactile.Registration.AllPairs.Pair
-import PraTactile.Registration.Joint.Estimate (Estimate (..))
-import PraTactile.Registration.Joint.Grid
+import PraTactile.Registration.Estimate (Estimate (..))
+import PraTactile.Registration.Field
+import PraTactile.Registration.Field.Pairs
 import PraTactile.Registration.Model (eighth)
 import PraTactile.Registration.Neighbours (Neighbours (..), neighbours)
 import PraTactile.Registration.Numbers

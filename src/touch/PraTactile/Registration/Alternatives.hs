@@ -15,10 +15,10 @@ import Data.List (sortOn, tails)
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Composite.Blend (minus, plus)
 import PraTactile.Composite.Lattice
+import PraTactile.Registration.Field.Cells
 import PraTactile.Registration.Groups (joinedBy)
 import PraTactile.Registration.Joint
 import PraTactile.Registration.Joint.Displacement (cellNumber)
-import PraTactile.Registration.Joint.MeanField
 import PraTactile.Registration.Numbers (mostElsewhere, mostTied, sure)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 

@@ -44,7 +44,7 @@ import Data.Ord (Down (..), comparing)
 import qualified Data.Vector as Boxed
 import qualified Data.Vector.Storable as V
 import PraTactile.Image hiding (mean)
-import PraTactile.Registration.Joint.Estimate (Estimate (..))
+import PraTactile.Registration.Estimate (Estimate (..))
 import PraTactile.Registration.Model (Theta (..))
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Shape (Alphabet, embossedAt, halfTurned, shapes)

@@ -19,14 +19,9 @@ import PraTactile.Composite.Lattice (Lattice (..))
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (cosineSine, rotated)
 import PraTactile.Image (rasterHeight, rasterSize, rasterWidth)
-import PraTactile.Registration.Joint.Displacement
-  ( Displacement (..),
-    cellsOfPhases,
-    displacementsOf,
-  )
-import PraTactile.Registration.Joint.Estimate
-import PraTactile.Registration.Joint.Grid (Grid (..), gridOf, gridSpacing, onGrid)
-import PraTactile.Registration.Joint.MeanField
+import PraTactile.Registration.Estimate
+import PraTactile.Registration.Field (Grid (..), gridOf, gridSpacing, onGrid)
+import PraTactile.Registration.Field.Cells
   ( MeanField (..),
     Told,
     cellsAlone,
@@ -34,6 +29,11 @@ import PraTactile.Registration.Joint.MeanField
     fieldBound,
     fieldTold,
     meanField,
+  )
+import PraTactile.Registration.Joint.Displacement
+  ( Displacement (..),
+    cellsOfPhases,
+    displacementsOf,
   )
 import PraTactile.Registration.Joint.Phase (CommonPhase (..), commonPhase, glimpsedLog)
 import PraTactile.Registration.Joint.TwoFrames

@@ -14,10 +14,10 @@ import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Image (constant)
 import PraTactile.Registration.Definition (Robot (..), Seen (..), estimate, likely)
 import qualified PraTactile.Registration.Definition as Definition
+import PraTactile.Registration.Estimate
+import PraTactile.Registration.Field
+import PraTactile.Registration.Field.Cells
 import PraTactile.Registration.Joint.Displacement
-import PraTactile.Registration.Joint.Estimate
-import PraTactile.Registration.Joint.Grid
-import PraTactile.Registration.Joint.MeanField
 import PraTactile.Registration.Joint.Phase
 import PraTactile.Registration.Lattice.Fit (likelihood, whole)
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))

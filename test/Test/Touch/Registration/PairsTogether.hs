@@ -10,9 +10,9 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels, minus)
 import PraTactile.Image
 import PraTactile.Registration.AllPairs
-import PraTactile.Registration.AllPairs.Field
 import PraTactile.Registration.AllPairs.Pair
-import PraTactile.Registration.Joint.Estimate (Estimate (..))
+import PraTactile.Registration.Estimate (Estimate (..))
+import PraTactile.Registration.Field.Pairs
 import PraTactile.Registration.Posterior
 import PraTactile.Registration.Settings
 import Test.Effort (withCases)

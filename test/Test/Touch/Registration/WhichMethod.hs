@@ -7,9 +7,9 @@ import PraTactile.Composite.Noise
 import PraTactile.Image
 import PraTactile.Registration.AllPairs
 import PraTactile.Registration.Arrangement hiding (arrange)
+import PraTactile.Registration.Estimate (Estimate (..))
 import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Incremental (register)
-import PraTactile.Registration.Joint.Estimate (Estimate (..))
 import PraTactile.Registration.Lattice.Glimpse
 import PraTactile.Registration.Residual (residual)
 import PraTactile.Registration.Settings (Registration (..), standardRegistration)

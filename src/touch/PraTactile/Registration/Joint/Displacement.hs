@@ -23,7 +23,7 @@ import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Lattice (ClassLogs)
-import PraTactile.Registration.Joint.Grid
+import PraTactile.Registration.Field
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)

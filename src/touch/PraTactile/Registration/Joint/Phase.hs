@@ -17,7 +17,7 @@ import Data.List (foldl', foldl1')
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
-import PraTactile.Registration.Joint.Grid
+import PraTactile.Registration.Field
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Lattice.Places (phaseCount)
 import PraTactile.Registration.Loops (dotWithin, tabulate)

@@ -16,9 +16,9 @@ import Data.Ord (comparing)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Registration.Field
+import PraTactile.Registration.Field.Cells (cellOf)
 import PraTactile.Registration.Joint.Displacement
-import PraTactile.Registration.Joint.Grid
-import PraTactile.Registration.Joint.MeanField (cellOf)
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Numbers (mostCandidates)
 

@@ -14,7 +14,7 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image (Raster)
 import PraTactile.Image.Correlate (Overlap (..), overlapAt, referenceOf)
-import PraTactile.Registration.Joint.Grid (Grid (..), gridSpacing, onGrid)
+import PraTactile.Registration.Field (Grid (..), gridSpacing, onGrid)
 import PraTactile.Registration.Joint.TwoFrames
 import PraTactile.Registration.Lattice.Likelihood (Likelihood)
 import PraTactile.Registration.Model (logSum)

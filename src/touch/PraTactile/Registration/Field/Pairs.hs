@@ -11,7 +11,7 @@
 --
 -- Frames are placed one after the other: the first where the robot has it, for good; next the one
 -- whose pairs with those placed have the highest L. Then each is found anew by all others.
-module PraTactile.Registration.AllPairs.Field
+module PraTactile.Registration.Field.Pairs
   ( pairwiseField,
     likeliest,
 
@@ -37,7 +37,7 @@ import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Storable.Mutable as M
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Registration.AllPairs.Pair
-import PraTactile.Registration.Joint.Grid
+import PraTactile.Registration.Field
 import PraTactile.Registration.Numbers (heardOfPairs, pairSweeps)
 import PraTactile.Registration.Posterior
 import PraTactile.Registration.Settings

@@ -21,7 +21,7 @@
 -- By the same g a cell's class is told, from which recognition makes its answer:
 --
 -- > P(k in c) ~ P(k) exp (sum over f of <g_fck>)
-module PraTactile.Registration.Joint.MeanField
+module PraTactile.Registration.Field.Cells
   ( MeanField (..),
     meanField,
     fieldBound,
@@ -41,13 +41,13 @@ import Data.List (foldl')
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import qualified Data.Vector.Unboxed as Unboxed
+import PraTactile.Registration.Field
 import PraTactile.Registration.Joint.Displacement
   ( ClassLogs,
     Displacement (..),
     cellRowColumn,
     displacementCells,
   )
-import PraTactile.Registration.Joint.Grid
 import PraTactile.Registration.Model (cellLog, classPrior, logSum)
 import PraTactile.Registration.Numbers (absence, cellShare, heardOfCells, mostSweeps, outlier)
 

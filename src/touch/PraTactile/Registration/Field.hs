@@ -3,7 +3,7 @@
 
 -- | The displacements that a frame may have from its nominal place, and how probable the robot's
 -- error makes each.
-module PraTactile.Registration.Joint.Grid
+module PraTactile.Registration.Field
   ( Grid (..),
     gridOf,
     gridSpacing,

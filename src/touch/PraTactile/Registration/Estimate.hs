@@ -2,7 +2,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | Where a frame was found, and where else it may be.
-module PraTactile.Registration.Joint.Estimate
+module PraTactile.Registration.Estimate
   ( Estimate (..),
     estimateAt,
   )
@@ -11,7 +11,7 @@ where
 import Data.List (foldl', sortOn)
 import qualified Data.Map.Strict as Map
 import PraTactile.Composite.Blend (Taxels)
-import PraTactile.Registration.Joint.Grid (gridSpacing)
+import PraTactile.Registration.Field (gridSpacing)
 import PraTactile.Registration.Model (eighth)
 import PraTactile.Registration.Numbers (leastOther, tolerance)
 import PraTactile.Registration.Posterior (Hypothesis (..))
