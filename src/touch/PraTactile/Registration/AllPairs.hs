@@ -15,6 +15,7 @@ module PraTactile.Registration.AllPairs
   )
 where
 
+import Data.Foldable (fold)
 import qualified Data.IntMap.Strict as IntMap
 import qualified Data.IntSet as IntSet
 import Data.List (foldl')
@@ -24,14 +25,13 @@ import PraTactile.Composite.Blend (Taxels, minus, plus)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Image (Raster, rasterHeight, rasterSize, rasterWidth, standardDeviation)
 import PraTactile.Registration.AllPairs.Pair
-import PraTactile.Registration.Estimate (Estimate (..))
+import PraTactile.Registration.Estimate
 import PraTactile.Registration.Field
 import PraTactile.Registration.Field.Pairs
 import PraTactile.Registration.Model (eighth)
 import PraTactile.Registration.Neighbours (Neighbours (..), neighbours)
 import PraTactile.Registration.Numbers
-  ( leastOther,
-    leastOverlap,
+  ( leastOverlap,
     mostPairs,
     mostSteps,
     outlier,
@@ -55,40 +55,27 @@ data Pairwise = Pairwise
 
 -- | Frames registered from the nominal places (taxels) of their upper left pixels.
 registerPairwise :: Registration -> [(Taxels, Raster)] -> Pairwise
-registerPairwise settings frames = Pairwise (zipWith estimated fields places) sigma relief
+registerPairwise settings frames = Pairwise (fst (centred estimates)) sigma relief
   where
     relief = reliefBy settings (map snd frames)
     pairs = map (pairOf settings relief nominal) (compared frames)
     nominal = Boxed.fromList (map fst frames)
-    fields = pairwiseField settings [rest place | (place, _) <- frames] pairs
-    told = foldMap momentsOf fields
+    beyond = [rest place | (place, _) <- frames]
+    fields = pairwiseField grid beyond (pairReach settings) pairs
+    told = fold (zipWith (momentsOf grid) beyond fields)
     sigma
       | null pairs = Nothing
-      | otherwise =
-        let shares = sigmaShares grid (squaresAbout told)
-         in Just (exp (sum (zipWith (*) shares (map log (gridSigmas grid)))) / gridSpacing)
-    grid = gridOf settings
+      | otherwise = Just (likelySigma grid (squaresAbout told))
+    grid = pairsGrid settings
+    onGrid' = [estimateAt grid r (onPoints grid field) | (r, field) <- zip beyond fields]
     places =
-      leastSquares settings relief told nominal pairs $
-        [(place, probabilityAround field place) | field <- fields, let place = likeliest field]
-    n = fromIntegral (max 1 (length places))
-    mean part = sum (map part places) / n
-    less (x, y) = (eighth (x - mean fst), eighth (y - mean snd))
-    estimated field place =
-      Estimate
-        { estimateShift = less place,
-          estimateDeviation = deviations field,
-          estimateProbability = probabilityAround field place,
-          estimateOthers =
-            take
-              2
-              [ h {hypothesisShift = less (hypothesisShift h)}
-                | h <- hypotheses 5 leastOther field,
-                  let (x, y) = hypothesisShift h,
-                  max (abs (x - fst place)) (abs (y - snd place)) >= 2
-              ],
-          estimateElsewhere = []
-        }
+      leastSquares grid settings relief told nominal pairs $
+        [ (likeliest grid r field, estimateProbability l)
+          | (r, field, l) <- zip3 beyond fields onGrid'
+        ]
+    estimates = zipWith estimated onGrid' places
+    -- What was found between grid points holds for a frame's other displacements, too.
+    estimated l place = moveBy ((eighth (fst place), eighth (snd place)) `minus` estimateShift l) l
 
 -- | The relief of frames, all of one size, by what is known of their noise.
 reliefBy :: Registration -> [Raster] -> Relief
@@ -152,6 +139,7 @@ comparedPixels settings frames = sum (map pixels (compared frames))
 -- its frames lie, and how the frames differ there, as far as both frames are there and show
 -- one relief.
 leastSquares ::
+  Grid ->
   Registration ->
   Relief ->
   Moments ->
@@ -159,7 +147,7 @@ leastSquares ::
   [Pair] ->
   [(Taxels, Double)] ->
   [Taxels]
-leastSquares settings relief told nominal pairs start = zip (solved fst) (solved snd)
+leastSquares grid settings relief told nominal pairs start = zip (solved fst) (solved snd)
   where
     places = Boxed.fromList (map fst start)
     probable = Boxed.fromList (map snd start)
@@ -188,5 +176,7 @@ leastSquares settings relief told nominal pairs start = zip (solved fst) (solved
         (weight, along) = foldl' add (robot, robot * part common) (around Boxed.! k)
         add (!w, !t) (l, ws, e) =
           let v = part ws in (w + v, t + v * (IntMap.findWithDefault 0 l at + part e))
-    robot = robotPrecision (gridOf settings) told
-    common = let Moments n x y _ = told in (x / (n * gridSpacing), y / (n * gridSpacing))
+    -- The expected inverse of sigma's square, inverse square taxels.
+    robot = sum (zipWith weigh (sigmaShares grid (squaresAbout told)) (gridSigmas grid))
+    weigh share sigma = share / (sigma * sigma)
+    common = let Moments n x y _ = told in (x / n, y / n)

@@ -5,13 +5,15 @@
 module PraTactile.Registration.Estimate
   ( Estimate (..),
     estimateAt,
+    moveBy,
+    centred,
   )
 where
 
 import Data.List (foldl', sortOn)
 import qualified Data.Map.Strict as Map
-import PraTactile.Composite.Blend (Taxels)
-import PraTactile.Registration.Field (gridSpacing)
+import PraTactile.Composite.Blend (Taxels, plus)
+import PraTactile.Registration.Field (Grid (..), inTaxels)
 import PraTactile.Registration.Model (eighth)
 import PraTactile.Registration.Numbers (leastOther, tolerance)
 import PraTactile.Registration.Posterior (Hypothesis (..))
@@ -32,11 +34,11 @@ data Estimate = Estimate
   }
   deriving stock (Eq, Show)
 
--- | Where a frame is, by its displacements, in places from the grid point nearest to its nominal
--- place, with their probabilities: the mean of those near the likeliest. Given is what is left of
--- the nominal place beyond the grid point, in places; there must be some displacements.
-estimateAt :: (Double, Double) -> [((Int, Int), Double)] -> Estimate
-estimateAt (rx, ry) options =
+-- | Where a frame is, given how far its nominal place lies beyond its grid point (steps), and its
+-- displacements on the grid with their probabilities: the mean of those within 'tolerance' of the
+-- likeliest. There must be some displacements.
+estimateAt :: Grid -> (Double, Double) -> [((Int, Int), Double)] -> Estimate
+estimateAt grid (rx, ry) options =
   Estimate
     (finally meanX rx, finally meanY ry)
     (spreadOf meanX fst, spreadOf meanY snd)
@@ -52,9 +54,10 @@ estimateAt (rx, ry) options =
           instead (filter (far (fromIntegral x, fromIntegral y) . snd) rest)
       _ -> []
     far (x, y) (x', y') =
-      max (abs (x - fromIntegral x')) (abs (y - fromIntegral y')) >= 2 * gridSpacing
+      max (abs (x - fromIntegral x')) (abs (y - fromIntegral y')) >= 2 * steps
     masses = Map.fromListWith (+) options
-    reach = floor (gridSpacing * tolerance + 1e-9) :: Int
+    steps = fromIntegral (gridPerTaxel grid) :: Double
+    reach = floor (steps * tolerance + 1e-9) :: Int
     around (x, y) =
       [ ((x', y'), p)
         | y' <- [y - reach .. y + reach],
@@ -66,9 +69,26 @@ estimateAt (rx, ry) options =
     near = around best
     meanX = sum [p * fromIntegral x | ((x, _), p) <- near] / mass
     meanY = sum [p * fromIntegral y | ((_, y), p) <- near] / mass
-    finally mean rest = eighth ((mean - rest) / gridSpacing)
+    finally mean rest = eighth (inTaxels grid (mean - rest))
     spreadOf :: Double -> ((Int, Int) -> Int) -> Double
     spreadOf mean part =
-      sqrt (sum [p * squared (fromIntegral (part d) - mean) | (d, p) <- Map.toList masses] + 1 / 12)
-        / gridSpacing
+      inTaxels grid . sqrt $
+        sum [p * squared (fromIntegral (part d) - mean) | (d, p) <- Map.toList masses] + 1 / 12
     squared !t = t * t
+
+-- | An estimate with all its displacements moved.
+moveBy :: Taxels -> Estimate -> Estimate
+moveBy by l =
+  l
+    { estimateShift = estimateShift l `plus` by,
+      estimateOthers = [h {hypothesisShift = hypothesisShift h `plus` by} | h <- estimateOthers l]
+    }
+
+-- | Estimates whose displacements have mean 0, since a shift common to all frames cannot be seen;
+-- and that shift, to an eighth of a taxel.
+centred :: [Estimate] -> ([Estimate], Taxels)
+centred estimates = (map (moveBy (negate x, negate y)) estimates, common)
+  where
+    common@(x, y) = (mean fst, mean snd)
+    mean part = eighth (sum (map (part . estimateShift) estimates) / n)
+    n = fromIntegral (max 1 (length estimates))

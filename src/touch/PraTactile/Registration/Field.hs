@@ -1,21 +1,37 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The displacements that a frame may have from its nominal place, and how probable the robot's
--- error makes each.
+-- | The mean field of "PraTactile.Registration.Model" over frames, whatever the factors are: the
+-- grid of displacements, their prior by the robot's error sigma, what displacements tell of sigma,
+-- and the sweeps. "PraTactile.Registration.Field.Cells" has the factors of a lattice's cells,
+-- "PraTactile.Registration.Field.Pairs" those of pairs of frames.
+--
+-- With t the expected square of a displacement, and n and S the number and the sum of the squares
+-- that the other frames have:
+--
+-- > v(sigma)  = sigma^2 + 1 / 12                     in square steps of the grid
+-- > s(sigma)  ~ exp (- S / (2 v)) / v^n
+-- > prior     ~ sum over sigma of s(sigma) / v exp (- t / (2 v))
 module PraTactile.Registration.Field
-  ( Grid (..),
-    gridOf,
-    gridSpacing,
-    gridOctaves,
+  ( -- * Displacements
+    Grid (..),
+    latticeGrid,
+    pairsGrid,
     onGrid,
+    inTaxels,
 
     -- * The robot's error
+    gridOctaves,
     priorsAlong,
     Squares (..),
     sigmaLogs,
     sigmaShares,
+    likelySigma,
     displacementLog,
+
+    -- * Sweeps
+    settled,
+    normalised,
   )
 where
 
@@ -23,30 +39,56 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Registration.Model (logSum, normalLog)
-import PraTactile.Registration.Numbers (placesPerTaxel, sigmasPerOctave)
+import PraTactile.Registration.Numbers (mostReach, placesPerTaxel, sigmasPerOctave)
 import PraTactile.Registration.Settings (Registration (..), sigmasFor)
 
--- | The displacements that are considered.
+-- | The displacements that a frame may have: whole steps along both axes from the grid point
+-- nearest to its nominal place.
 data Grid = Grid
-  { -- | How far, in places.
+  { -- | Steps to the taxel.
+    gridPerTaxel :: !Int,
+    -- | The greatest displacement along an axis, steps.
     gridReach :: !Int,
-    -- | sigma, the standard deviations that the robot's error may have, one as probable as another:
-    -- in places, ascending, 'sigmasPerOctave' to each doubling.
+    -- | The values of sigma, steps, ascending: equally probable, 'sigmasPerOctave' to each
+    -- doubling.
     gridSigmas :: ![Double]
   }
 
--- | The displacements that the robot's accuracy leaves.
-gridOf :: Registration -> Grid
-gridOf settings =
+-- | The grid of a lattice: half taxels, as far as the user lets frames be looked for.
+latticeGrid :: Registration -> Grid
+latticeGrid settings = gridFor placesPerTaxel 2 64 (registrationReach settings) settings
+
+-- | The grid of pairs: whole taxels, up to three standard deviations.
+pairsGrid :: Registration -> Grid
+pairsGrid = gridFor 1 1 mostReach 3
+
+-- | A grid of this many steps to the taxel, which reaches from the least to the most steps: as many
+-- of the largest sigma as given.
+gridFor :: Int -> Int -> Int -> Double -> Registration -> Grid
+gridFor perTaxel least most deviations settings =
   Grid
-    (max 2 (min 64 (ceiling (gridSpacing * registrationReach settings * most - 1e-9))))
-    [ gridSpacing * least * 2 ** (fromIntegral k / fromIntegral sigmasPerOctave)
-      | k <- [0 .. round (fromIntegral sigmasPerOctave * logBase 2 (most / least)) :: Int]
+    perTaxel
+    (max least (min most (ceiling (steps * deviations * largest - 1e-9))))
+    [ steps * smallest * 2 ** (fromIntegral k / fromIntegral sigmasPerOctave)
+      | k <- [0 .. round (fromIntegral sigmasPerOctave * logBase 2 (largest / smallest)) :: Int]
     ]
   where
-    (least, most) = sigmasFor settings
+    steps = fromIntegral perTaxel
+    (smallest, largest) = sigmasFor settings
 
--- | One standard deviation to an octave, in places.
+-- | The grid point nearest to a place in taxels, and how far the place lies beyond it, steps.
+onGrid :: Grid -> Taxels -> ((Int, Int), (Double, Double))
+onGrid grid (x, y) = ((round x', round y'), (x' - whole x', y' - whole y'))
+  where
+    (x', y') = (x * steps, y * steps)
+    steps = fromIntegral (gridPerTaxel grid)
+    whole t = fromIntegral (round t :: Int)
+
+-- | Taxels from steps.
+inTaxels :: Grid -> Double -> Double
+inTaxels grid t = t / fromIntegral (gridPerTaxel grid)
+
+-- | One standard deviation to an octave, steps.
 gridOctaves :: Grid -> [Double]
 gridOctaves = every . gridSigmas
   where
@@ -54,40 +96,28 @@ gridOctaves = every . gridSigmas
       sigma : rest -> sigma : every (drop (sigmasPerOctave - 1) rest)
       [] -> []
 
--- | Places to the taxel.
-gridSpacing :: Double
-gridSpacing = fromIntegral placesPerTaxel
-
--- | A nominal place as the nearest grid point, and what is left, in places.
-onGrid :: Taxels -> ((Int, Int), (Double, Double))
-onGrid (x, y) = ((round x', round y'), (x' - whole x', y' - whole y'))
-  where
-    (x', y') = (x * gridSpacing, y * gridSpacing)
-    whole t = fromIntegral (round t :: Int)
-
--- | The variance of a displacement along one axis, in square places: that of the robot's error, and
--- that of a place within the grid's cell around it.
+-- | v(sigma): the variance of the robot's error along an axis, and that of a place within its step.
 displacementVariance :: Double -> Double
 displacementVariance sigma = sigma * sigma + 1 / 12
 
--- | pi_sigma along one axis, of the displacements of a place that lies so many places beyond its
--- grid point: from @-gridReach@ to @gridReach@, each from the one nearer to the grid point by a
--- ratio, which shrinks from one to the next as those of normal densities do.
+-- | pi_sigma along an axis, of the displacements from @-gridReach@ to @gridReach@, of a place that
+-- lies @beyond@ its grid point. Each follows from its neighbour by a ratio, which shrinks by one
+-- factor from step to step.
 priorsAlong :: Grid -> Double -> Double -> Vector Double
-priorsAlong grid sigma rest = V.reverse (V.drop 1 (outward (negate rest))) <> outward rest
+priorsAlong grid sigma beyond = V.reverse (V.drop 1 (outward (negate beyond))) <> outward beyond
   where
-    outward beyond =
+    outward from =
       V.unfoldrN
         (gridReach grid + 1)
         (\(!p, !ratio) -> Just (p, (p * ratio, ratio * shrink)))
-        ( exp (normalLog v (beyond * beyond)) / sqrt (2 * pi * v),
-          exp (normalLog v (1 - 2 * beyond))
+        ( exp (normalLog v (from * from)) / sqrt (2 * pi * v),
+          exp (normalLog v (1 - 2 * from))
         )
     shrink = exp (normalLog v 2)
     v = displacementVariance sigma
 
--- | What displacements tell of sigma: how many there are, and the sum of their squares, as it is
--- expected of each, in square places.
+-- | What displacements tell of sigma: their number n, and the sum S of their expected squares,
+-- square steps.
 data Squares = Squares !Double !Double
 
 instance Semigroup Squares where
@@ -96,19 +126,46 @@ instance Semigroup Squares where
 instance Monoid Squares where
   mempty = Squares 0 0
 
--- | The logarithms of how likely these make each of 'gridSigmas', up to a constant.
+-- | log s(sigma) of each of 'gridSigmas', up to a constant.
 sigmaLogs :: Grid -> Squares -> [Double]
 sigmaLogs grid (Squares n s) =
   [normalLog v s - n * log v | v <- map displacementVariance (gridSigmas grid)]
 
--- | How probable each of 'gridSigmas' is.
+-- | The posterior probability of each of 'gridSigmas'.
 sigmaShares :: Grid -> Squares -> [Double]
 sigmaShares grid told = map (exp . subtract total) logs
   where
     logs = sigmaLogs grid told
     total = logSum logs
 
--- | The logarithm, up to a constant, of a displacement's prior by what others tell of sigma, from
--- its square in square places.
+-- | The geometric mean of sigma under its posterior, taxels.
+likelySigma :: Grid -> Squares -> Double
+likelySigma grid told =
+  inTaxels grid (exp (sum (zipWith (*) (sigmaShares grid told) (map log (gridSigmas grid)))))
+
+-- | The log prior of a displacement, up to a constant, given what the others tell of sigma; from
+-- its square t.
 displacementLog :: Grid -> Squares -> Double -> Double
-displacementLog grid others square = logSum (sigmaLogs grid (others <> Squares 1 square))
+displacementLog grid others = \t ->
+  log (max 1e-300 (V.sum (V.zipWith (\w r -> w * exp (negate r * t)) weights rates)))
+  where
+    !weights = V.fromList (zipWith (/) (sigmaShares grid others) variances)
+    !rates = V.fromList [1 / (2 * v) | v <- variances]
+    variances = map displacementVariance (gridSigmas grid)
+
+-- | Sweeps until one leaves the likeliest displacements as they are, but at most this many.
+settled :: Eq b => Int -> (field -> b) -> (field -> field) -> field -> field
+settled sweeps likeliest sweep = go sweeps
+  where
+    go n now
+      | n <= 1 || likeliest now == likeliest new = new
+      | otherwise = go (n - 1) new
+      where
+        new = sweep now
+
+-- | Probabilities, from logarithms of what they are proportional to.
+normalised :: [(d, Double)] -> [(d, Double)]
+normalised scored = [(d, exp (s - top) / total) | (d, s) <- scored]
+  where
+    top = maximum (map snd scored)
+    total = sum [exp (s - top) | (_, s) <- scored]

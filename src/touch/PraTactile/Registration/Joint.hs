@@ -14,19 +14,20 @@ module PraTactile.Registration.Joint
   )
 where
 
-import PraTactile.Composite.Blend (Taxels, plus)
+import PraTactile.Composite.Blend (Taxels, minus, plus)
 import PraTactile.Composite.Lattice (Lattice (..))
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (cosineSine, rotated)
 import PraTactile.Image (rasterHeight, rasterSize, rasterWidth)
 import PraTactile.Registration.Estimate
-import PraTactile.Registration.Field (Grid (..), gridOf, gridSpacing, onGrid)
+import PraTactile.Registration.Field
 import PraTactile.Registration.Field.Cells
   ( MeanField (..),
     Told,
     cellsAlone,
     cellsTold,
     fieldBound,
+    fieldSquares,
     fieldTold,
     meanField,
   )
@@ -42,7 +43,7 @@ import PraTactile.Registration.Lattice.Likelihood (likelihoodTheta)
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Levelling
-import PraTactile.Registration.Model (eighth, logSum)
+import PraTactile.Registration.Model (logSum)
 import PraTactile.Registration.Numbers (keptPixels, outlier, phaseFrames, placesPerTaxel)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Settings (Registration (..))
@@ -94,7 +95,7 @@ registerJointly settings fits frames =
         Lattice
           { latticeAngle = angle,
             latticeHalfTurned = commonOrientation common == 1,
-            latticeOrigin = less (rotated angle (taxelsOf (commonRowColumn common))),
+            latticeOrigin = rotated angle (taxelsOf (commonRowColumn common)) `minus` middleShift,
             latticeFlat = levellingFlat levels,
             latticeContrast = levellingContrast levels,
             latticeFrames =
@@ -111,7 +112,7 @@ registerJointly settings fits frames =
     middle image = (half (rasterWidth image), half (rasterHeight image))
     half side = fromIntegral (side - 1) / 2
     taxelsOf (row, column) =
-      (fromIntegral column / gridSpacing, fromIntegral row / gridSpacing)
+      (inTaxels grid (fromIntegral column), inTaxels grid (fromIntegral row))
     alone = map anywhere onLattice
     (across, down) = phaseCount placesPerTaxel
     phasesOfOne = fromIntegral (across * down)
@@ -129,7 +130,7 @@ registerJointly settings fits frames =
       [ (firstPlace (tablesOf seen) (rotated (negate angle) place), seen, fitted)
         | ((place, seen), fitted) <- zip frames (fitsFrames fits)
       ]
-    grid = gridOf settings
+    grid = latticeGrid settings
     -- What few frames tell is kept; of many, or of large ones, it would take too much memory.
     kept (place, _, fitted) = (place, fitted)
     again (place, seen, _) = (place, fitOf (tablesOf seen) seen)
@@ -158,24 +159,16 @@ registerJointly settings fits frames =
               [] -> displacements' (fitLikelihood fitted)
               some' -> some'
           )
-    field@(MeanField posteriors sigmas) = meanField grid displacements
+    field = meanField grid displacements
     sigma
       | length onLattice < 2 = Nothing
-      | otherwise = Just (exp (sum (zipWith (*) sigmas (map log (gridSigmas grid)))) / gridSpacing)
-    estimates = map (turnedTo angle) $ case (two, rests) of
+      | otherwise = Just (likelySigma grid (fieldSquares field))
+    (centredEstimates, middleShift) = centred . map (turnedTo angle) $ case (two, rests) of
       (Just found, [(x, y), (x', y')]) ->
-        halvesOf (estimateAt (x' - x, y' - y) (twoDisplacements found))
-      _ -> zipWith estimateAt rests (map shifts posteriors)
-    rests = [snd (onGrid place) | (place, _, _) <- onLattice]
+        halvesOf (estimateAt grid (x' - x, y' - y) (twoDisplacements found))
+      _ -> zipWith (estimateAt grid) rests (map shifts (fieldFrames field))
+    rests = [snd (onGrid grid place) | (place, _, _) <- onLattice]
     shifts weights = [(displacementShift o, p) | (o, p) <- weights]
-    n = fromIntegral (max 1 (length estimates))
-    mean part = eighth (sum (map (part . estimateShift) estimates) / n)
-    centredEstimates =
-      [ l {estimateShift = less (estimateShift l), estimateOthers = map lessen (estimateOthers l)}
-        | l <- estimates
-      ]
-    less (x, y) = (x - mean fst, y - mean snd)
-    lessen h = h {hypothesisShift = less (hypothesisShift h)}
 
 -- | Two frames, as sure as where the second lies against the first: half a step from their middle.
 halvesOf :: Estimate -> [Estimate]

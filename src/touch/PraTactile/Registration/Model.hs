@@ -65,8 +65,9 @@
 --
 -- > q_f(d)     ~ prior * product over pairs of (1 + sum over d' of q_g(d') exp L(d' - d))
 --
--- A shift that is common to all frames cannot be seen, so that the displacements that are given
--- have mean 0. Two frames on a lattice are exact ("PraTactile.Registration.Joint.TwoFrames").
+-- "PraTactile.Registration.Field" has the prior and the sweeps, its two modules the factors. A shift
+-- common to all frames cannot be seen: the phase of a lattice takes it, and with pairs the first
+-- frame stays where the robot has it. The displacements that are given have mean 0. Two frames on a lattice are exact ("PraTactile.Registration.Joint.TwoFrames").
 --
 -- = Evidence
 --
@@ -86,7 +87,8 @@
 -- > epsilon, P(k)      absence, classPrior                   beta         blurDeviation
 -- > pi_sigma           priorsAlong                           delta        outlier
 -- > d, with l_fck      Displacement                          L of a pair  overlapLogs
--- > q_f, F             meanField, fieldBound                 E_0          jointAnywhere
+-- > q_f of cells, F    meanField, fieldBound                 E_0          jointAnywhere
+-- > q_f of pairs       pairwiseField                         s(sigma)     sigmaShares
 module PraTactile.Registration.Model
   ( -- * What a frame reads
     Theta (..),

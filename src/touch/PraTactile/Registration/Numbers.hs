@@ -36,6 +36,7 @@ module PraTactile.Registration.Numbers
     unlikely,
     heardOfCells,
     mostSweeps,
+    mostReach,
     mostCandidates,
     leastOther,
 
@@ -185,6 +186,11 @@ heardOfCells = 0.02
 -- | The most sweeps of the mean field over cells. Most end after two.
 mostSweeps :: Int
 mostSweeps = 5
+
+-- | The greatest displacement on the grid of pairs, taxels: three of the largest standard deviation
+-- that an unknown position error has.
+mostReach :: Int
+mostReach = 12
 
 -- | The most displacements and phases of two frames that are summed. It saves time.
 mostCandidates :: Int

@@ -62,7 +62,7 @@ seenAt place phases classes =
 
 -- | The robot that settings suppose, which know its error.
 robotOf :: Registration -> Robot
-robotOf settings = Robot (sigma / 2, 2 * sigma) (gridReach (gridOf settings))
+robotOf settings = Robot (sigma / 2, 2 * sigma) (gridReach (latticeGrid settings))
   where
     sigma = supposedSigma settings
 
@@ -72,7 +72,7 @@ genPlace = (,) <$> choose (-40, 40) <*> choose (-40, 40)
 gridSpec :: Spec
 gridSpec =
   it "the displacements reach as far as the search, by half taxels: from 2 to 64 of them" $
-    [ gridReach (gridOf standardRegistration {registrationSigma = Just s, registrationReach = r})
+    [ gridReach (latticeGrid standardRegistration {registrationSigma = Just s, registrationReach = r})
       | (s, r) <- [(1, 4.5), (0.1, 1), (0.5, 2.2), (2, 4.5), (7, 4.5), (7.2, 4.5), (1, 0)]
     ]
       `shouldBe` [18, 2, 5, 36, 63, 64, 2]
@@ -82,7 +82,7 @@ phaseSpec = do
   prop "at a glance it is no likelier than at its likeliest, and as likely where one frame tells" $
     forAllBlind (choose (1, 4) >>= (`vectorOf` genOnePhase)) $ \frames ->
       forAll (elements [0.5, 1, 2]) $ \sigma ->
-        let grid = gridOf standardRegistration {registrationSigma = Just sigma}
+        let grid = latticeGrid standardRegistration {registrationSigma = Just sigma}
             phases only = V.generate 2560 (\i -> if i == only then 0 else -1000)
             seen =
               [ (place, blank {phaseLogs = phases only, likeliestPhase = only})
@@ -104,7 +104,7 @@ phaseSpec = do
             robot = robotOf settings
             (o, y, x) = Definition.commonPhase robot [seenAt p v V.empty | (p, v) <- frames]
             seen = [(p, blank {phaseLogs = v}) | (p, v) <- frames]
-            found = commonPhase (gridOf settings) seen Nothing
+            found = commonPhase (latticeGrid settings) seen Nothing
          in (commonOrientation found, commonRowColumn found) === (o, (y, x))
   where
     genOnePhase = (,) <$> genPlace <*> choose (0, 2559)
@@ -116,7 +116,7 @@ optionSpec :: Spec
 optionSpec = do
   it "exactly e^12 less likely than the best is not too little, and a little less is" $
     -- A place to the right of the nominal one, and one to the left, are as probable beforehand.
-    [ map displacementShift (displacementsOf (gridOf robot) 0 (0, 0) ((0, 0), seen l))
+    [ map displacementShift (displacementsOf (latticeGrid robot) 0 (0, 0) ((0, 0), seen l))
       | let robot = standardRegistration {registrationSigma = Just 1},
         let seen l = blank {phaseLogs = V.replicate 2560 (-1000) V.// [(31, 0), (1, l)]},
         l <- [-12, -12.000001]
@@ -129,7 +129,7 @@ optionSpec = do
           let robot = standardRegistration {registrationSigma = Just sigma, registrationReach = 3}
               told = blank {phaseLogs = phases, classLogs = classes}
               upTo margin = likely margin (robotOf robot) (o, y, x) (seenAt place phases classes)
-              found = displacementsOf (gridOf robot) o (y, x) (place, told)
+              found = displacementsOf (latticeGrid robot) o (y, x) (place, told)
               shifts = map displacementShift found
               -- At the edge itself rounding decides.
               wanted = [one | one@(d, _, _) <- upTo (12 + 1e-9), d `elem` shifts]
@@ -163,7 +163,7 @@ consensusSpec :: Spec
 consensusSpec = do
   it "two frames that go on changing their minds together are stopped after five sweeps" $ do
     -- Each begins at one of two displacements of which the other frame's suits the other one.
-    let robot = Grid 5 [1]
+    let robot = Grid 2 5 [1]
         -- The square that makes a displacement so much likelier than none, by a deviation of 1.
         square l = -2 * (1 + 1 / 12) * l
         either' first second =
@@ -174,7 +174,9 @@ consensusSpec = do
     likeliest (fieldFrames (meanField robot [either' 1 0, either' 0 1])) `shouldBe` [(4, 0), (0, 0)]
   it "frames weigh their displacements by what all others say, until none changes its mind" $
     forAll (choose (1, 4) >>= (`vectorOf` genTold)) $ \frames ->
-      let MeanField found bySigma = meanField (Grid 5 sigmas) (map (map option) frames)
+      let grid = Grid 2 5 sigmas
+          field@(MeanField found) = meanField grid (map (map option) frames)
+          bySigma = sigmaShares grid (fieldSquares field)
           (wanted, bySigma') = Definition.meanField sigmas frames
           close a b = abs (a - b) < 1e-9
        in counterexample (show (map (map snd) found, wanted)) $
@@ -184,7 +186,7 @@ consensusSpec = do
   prop "the bound is never above log P of what frames show, and is it where nothing is open" $
     forAll (choose (1, 3) >>= (`vectorOf` genTold)) $ \frames ->
       forAll (elements [[2], [1, 3, 8]]) $ \some ->
-        let grid = Grid 5 some
+        let grid = Grid 2 5 some
             field = meanField grid (map (map option) frames)
             bound = fieldBound grid field (fieldTold field)
             exact = Definition.togetherLog some (map (map part) frames)
@@ -212,12 +214,12 @@ locatedSpec = do
   it "a frame is nowhere more probably than 1, for all rounding" $
     forAll (vectorOf 9 (choose (0.1, 1))) $ \weights ->
       let places = [(i, j) | j <- [-1 .. 1], i <- [-1 .. 1]]
-          found = estimateAt (0, 0) (zip places (map (/ sum weights) weights))
+          found = estimateAt halves (0, 0) (zip places (map (/ sum weights) weights))
        in estimateProbability found <= 1 && estimateProbability found > 0.999
   it "a frame is in the mean of the places around where most lies; others lie two taxels off" $
     forAll genPlace $ \place -> forAll genMasses $ \options ->
       let Estimate shift (alongX, alongY) probability others onGrid' =
-            estimateAt (snd (onGrid place)) options
+            estimateAt halves (snd (onGrid halves place)) options
           Estimate shift' (alongX', alongY') probability' others' onGrid'' = estimate place options
           probabilities = map hypothesisProbability
           close a b = counterexample (show (a, b)) (abs (a - b) < 1e-9)
@@ -231,6 +233,7 @@ locatedSpec = do
               conjoin (zipWith close (probabilities others) (probabilities others'))
             ]
   where
+    halves = Grid 2 12 [1]
     -- Some that count and some that hardly do, in parts of 2^14, so that sums are exact.
     genMasses = do
       reach <- elements [1, 2, 6, 12]

@@ -12,8 +12,8 @@ import PraTactile.Image
 import PraTactile.Registration.AllPairs
 import PraTactile.Registration.AllPairs.Pair
 import PraTactile.Registration.Estimate (Estimate (..))
+import PraTactile.Registration.Field
 import PraTactile.Registration.Field.Pairs
-import PraTactile.Registration.Posterior
 import PraTactile.Registration.Settings
 import Test.Effort (withCases)
 import Test.Hspec
@@ -46,6 +46,12 @@ square = [(x, y) | y <- line, x <- line]
 
 -- | L of two frames by the difference of their displacements.
 type Said = ((Int, Int), Map.Map (Int, Int) Double)
+
+fieldsOf :: Int -> [Said] -> [Masses]
+fieldsOf count = pairwiseField grid (replicate count (0, 0)) 3 . map pairOfLogs
+
+grid :: Grid
+grid = pairsGrid told
 
 pairOfLogs :: Said -> Pair
 pairOfLogs ((k, l), logs) =
@@ -92,11 +98,7 @@ fieldByFormulas count said = Map.elems (go (10 :: Int) Map.empty)
         squared (x, y) = real x * real x + real y * real y
         -- Of one standard deviation out of 13, those of a frame and of the mean of m others.
         variances = [s * s + 1 / 12 | i <- [0 .. 12 :: Int], let s = 0.25 * 2 ** (real i / 6)]
-        -- Places are half taxels, and the cell of one is counted in them.
-        shares v =
-          let w = byPlaces v
-           in exp (negate (max 0 squares) / (2 * w) - max 0 (m - 1) * log (4 * w))
-        byPlaces v = v - 1 / 12 + 1 / 48
+        shares v = exp (negate (max 0 squares) / (2 * v) - max 0 (m - 1) * log v)
         robot (x, y) =
           let t = (real x - mx) ^ (2 :: Int) + (real y - my) ^ (2 :: Int)
               f = if m > 0 then m / (m + 1) else 1
@@ -125,17 +127,17 @@ fieldSpec :: Spec
 fieldSpec = do
   it "displacements are as probable as what pairs and the robot say together" $
     forAll (choose (2, 4)) $ \count -> forAllBlind (genSaid count) $ \said ->
-      let found = pairwiseField told (replicate count (0, 0)) (map pairOfLogs said)
+      let found = fieldsOf count said
           wanted = fieldByFormulas count said
           masses q = [q Map.! d | d <- square]
-          apart' f w = maximum (map abs (zipWith (-) (V.toList (posteriorMasses f)) (masses w)))
+          apart' f w = maximum (map abs (zipWith (-) (V.toList f) (masses w)))
           off = zipWith apart' found wanted
        in counterexample (show off) (length found == count && maximum off < 1e-3)
   it "mirrored, or with the axes exchanged, they lie where that has them" $
     forAll (choose (2, 4)) $ \count -> forAllBlind (genTrue count) $ \(_, said) ->
       conjoin
-        [ map (turn . likeliest) (fieldsOf count said)
-            === map likeliest (fieldsOf count (map (turned turn) said))
+        [ map (turn . top) (fieldsOf count said)
+            === map top (fieldsOf count (map (turned turn) said))
           | turn <- [\(x, y) -> (x, negate y), \(x, y) -> (y, x)]
         ]
   it "where all pairs say one thing, frames lie so; and beside them one that is wrong is nothing" $
@@ -143,14 +145,14 @@ fieldSpec = do
       forAll (elements square) $ \off ->
         let stray = (which, spike 8 off)
             others = [one | one <- said, fst one /= which]
-            steps = map likeliest . fieldsOf 4
+            steps = map top . fieldsOf 4
             relative ds = [d `minus` head ds | d <- ds]
          in relative (steps said) === relative (map both truth)
               .&&. relative (steps (stray : others)) === relative (map both truth)
   it "without pairs they are where the robot has them" $
-    map likeliest (fieldsOf 3 []) `shouldBe` replicate 3 (0, 0)
+    map top (fieldsOf 3 []) `shouldBe` replicate 3 (0, 0)
   where
-    fieldsOf count said = pairwiseField told (replicate count (0, 0)) (map pairOfLogs said)
+    top = likeliest grid (0, 0)
     turned :: (Taxels -> Taxels) -> Said -> Said
     turned turn (which, logs) = (which, Map.mapKeys (whole . turn . both) logs)
     whole (x, y) = (round x, round y)

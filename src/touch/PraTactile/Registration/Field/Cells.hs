@@ -25,6 +25,7 @@ module PraTactile.Registration.Field.Cells
   ( MeanField (..),
     meanField,
     fieldBound,
+    fieldSquares,
     Told,
     fieldTold,
     toldAt,
@@ -51,37 +52,28 @@ import PraTactile.Registration.Joint.Displacement
 import PraTactile.Registration.Model (cellLog, classPrior, logSum)
 import PraTactile.Registration.Numbers (absence, cellShare, heardOfCells, mostSweeps, outlier)
 
--- | What is found of the displacements of all frames, and of sigma.
-data MeanField = MeanField
+-- | The posterior of the displacements of all frames.
+newtype MeanField = MeanField
   { -- | q_f of each frame, over its displacements.
-    fieldFrames :: [[(Displacement, Double)]],
-    -- | q of the grid's sigmas.
-    fieldSigmas :: [Double]
+    fieldFrames :: [[(Displacement, Double)]]
   }
 
--- | Begun from each frame alone, all frames anew in each sweep, until none changes its likeliest
--- displacement or five sweeps are done.
+-- | Begun from each frame alone; each sweep finds all frames anew.
 meanField :: Grid -> [[Displacement]] -> MeanField
-meanField grid frames = MeanField found (sigmaShares grid (foldMap squaresOf found))
+meanField grid frames = MeanField (settled mostSweeps (map likeliest) sweep alone)
   where
-    found = go mostSweeps alone (expectedOf alone)
     alone =
       [ normalised
-          [ (d, robotLog mempty d + sum (map (cellOf . snd) (displacementCells d)))
-            | d <- ds
-          ]
-        | ds <- frames
+          [(d, prior d + sum (map (cellOf . snd) (displacementCells d))) | d <- ds]
+        | let prior = robotLog mempty,
+          ds <- frames
       ]
     robotLog others = displacementLog grid others . displacementSquare
-    go n now expectedByAll
-      | n <= 1 || map likeliest now == map likeliest new = new
-      | otherwise = go (n - 1) new (expectedOf new)
-      where
-        new = zipWith (sweep expectedByAll) (allButOne (map squaresOf now)) now
-    sweep byAll others ds =
+    sweep now = zipWith (frame (together heard now)) (allButOne (map squaresOf now)) now
+    frame byAll others ds =
       normalised
         [ ( d,
-            robotLog others d
+            prior d
               + sum
                 [ maybe cellOf (cellGiven . less (IntMap.lookup c own)) (IntMap.lookup c byAll) l
                   | (c, l) <- displacementCells d
@@ -90,20 +82,20 @@ meanField grid frames = MeanField found (sigmaShares grid (foldMap squaresOf fou
           | (d, _) <- ds
         ]
       where
+        prior = robotLog others
         own = heard ds
     less mine total = maybe total (Unboxed.zipWith (-) total) mine
     likeliest ds = fmap (displacementShift . fst) (foldl' larger Nothing ds)
     larger Nothing d = Just d
     larger (Just a) b = Just (if snd b > snd a then b else a)
-    expectedOf = together heard
     heard = expected heardOfCells id
 
 -- | F, which log P of what the frames show is at least, up to what does not depend on their places;
 -- by what each tells of its cells.
 fieldBound :: Grid -> MeanField -> [Told] -> Double
-fieldBound grid (MeanField frames _) told =
+fieldBound grid field@(MeanField frames) told =
   cellsBound told
-    + logSum (sigmaLogs grid (foldMap squaresOf frames))
+    + logSum (sigmaLogs grid (fieldSquares field))
     - sum [p * log p | ds <- frames, (_, p) <- ds, p > 0]
 
 -- | What one frame tells of each cell that it sees: \<g_fck> of an empty cell, and then of the
@@ -152,6 +144,10 @@ cellsAlone = sum . map (cellOf . Unboxed.map (cellShare *))
 squaresOf :: [(Displacement, Double)] -> Squares
 squaresOf ds = Squares 1 (sum [p * displacementSquare d | (d, p) <- ds])
 
+-- | What all displacements tell of sigma.
+fieldSquares :: MeanField -> Squares
+fieldSquares = foldMap squaresOf . fieldFrames
+
 -- | For each, what all others are together.
 allButOne :: Monoid m => [m] -> [m]
 allButOne ms = zipWith (<>) (scanl (<>) mempty ms) (drop 1 (scanr (<>) mempty ms))
@@ -190,10 +186,3 @@ cellGiven others mine =
     most = max 0 (Unboxed.maximum others)
     likely = Unboxed.map (\l -> share * exp (l - most)) others
     total = absence * exp (negate most) + Unboxed.sum likely
-
--- | Probabilities from logarithms of what they are proportional to.
-normalised :: [(Displacement, Double)] -> [(Displacement, Double)]
-normalised scored = [(o, exp (s - top) / total) | (o, s) <- scored]
-  where
-    top = maximum (map snd scored)
-    total = sum [exp (s - top) | (_, s) <- scored]

@@ -1,25 +1,25 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Where frames lie by what their pairs say and by the robot's error, whose standard deviation is
--- found with them: how probable each displacement of each is, on a grid of whole taxels.
+-- | The mean field of "PraTactile.Registration.Model" over pairs of frames that overlap.
 --
--- What is common to all displacements is free. The mean of m frames tells it to sigma^2 / m, so
--- that each frame has for prior the others' mean and shares of sigma, with sigma^2 (1 + 1 / m):
+-- > q_f(d) ~ prior(d) * product over the pairs of f of (1 + sum over d' of q_g(d') exp L_fg(d' - d))
 --
--- > q_f(d) ~ pi(d) * product over the pairs of f of (1 + sum over d' of q_g(d') exp L_fg(d' - d))
+-- A shift common to all frames is free. The mean of m other frames tells it to sigma^2 / m, so that
+-- squares are taken about that mean, and a frame's own by m / (m + 1).
 --
 -- Frames are placed one after the other: the first where the robot has it, for good; next the one
 -- whose pairs with those placed have the highest L. Then each is found anew by all others.
 module PraTactile.Registration.Field.Pairs
-  ( pairwiseField,
+  ( Masses,
+    pairwiseField,
+    onPoints,
     likeliest,
 
-    -- * The robot's error
+    -- * Moments
     Moments (..),
     momentsOf,
     squaresAbout,
-    robotPrecision,
   )
 where
 
@@ -39,11 +39,12 @@ import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Registration.AllPairs.Pair
 import PraTactile.Registration.Field
 import PraTactile.Registration.Numbers (heardOfPairs, pairSweeps)
-import PraTactile.Registration.Posterior
-import PraTactile.Registration.Settings
 
--- | What a frame's displacement is expected to be, and its square, both of all frames together;
--- and how many these are. In places and square places.
+-- | The probabilities of a frame's displacements on the grid, row by row.
+type Masses = Vector Double
+
+-- | Displacements (taxels) of frames together: their number, the sums of what is expected of each
+-- along both axes, and of its square.
 data Moments = Moments !Double !Double !Double !Double
 
 instance Semigroup Moments where
@@ -55,14 +56,31 @@ instance Monoid Moments where
 without :: Moments -> Moments -> Moments
 without (Moments n x y s) (Moments n' x' y' s') = Moments (n - n') (x - x') (y - y') (s - s')
 
-momentsOf :: Posterior -> Moments
-momentsOf (Posterior (ox, oy) _ (columns, _) masses) = V.ifoldl' with (Moments 1 0 0 0) masses
+-- | The moments of a frame, given how far its nominal place lies beyond its grid point.
+momentsOf :: Grid -> Taxels -> Masses -> Moments
+momentsOf grid beyond = V.ifoldl' with (Moments 1 0 0 0)
   where
     with (Moments n x y s) i m =
-      let (row, column) = i `quotRem` columns
-          px = gridSpacing * (ox + fromIntegral column)
-          py = gridSpacing * (oy + fromIntegral row)
+      let (px, py) = fromNominal grid beyond i
        in Moments n (x + m * px) (y + m * py) (s + m * (px * px + py * py))
+
+-- | The displacement from the nominal place at that point of the grid.
+fromNominal :: Grid -> Taxels -> Int -> Taxels
+fromNominal grid (rx, ry) i = (fromIntegral x - rx, fromIntegral y - ry)
+  where
+    (x, y) = shiftAt grid i
+{-# INLINE fromNominal #-}
+
+-- | The displacement from the grid point nearest to the nominal place.
+shiftAt :: Grid -> Int -> (Int, Int)
+shiftAt grid i = let (y, x) = i `quotRem` (2 * reach + 1) in (x - reach, y - reach)
+  where
+    reach = gridReach grid
+{-# INLINE shiftAt #-}
+
+-- | Displacements on the grid with their probabilities, those of next to none left out.
+onPoints :: Grid -> Masses -> [((Int, Int), Double)]
+onPoints grid masses = [(shiftAt grid i, m) | (i, m) <- zip [0 ..] (V.toList masses), m > 1e-9]
 
 -- | The squares of displacements about their mean, which is free.
 squaresAbout :: Moments -> Squares
@@ -70,57 +88,31 @@ squaresAbout (Moments n x y s)
   | n < 1 = mempty
   | otherwise = Squares (n - 1) (max 0 (s - (x * x + y * y) / n))
 
--- | log pi of a displacement (taxels), by what all other frames make of sigma and of the shift that
--- is common to all.
+-- | The log prior of a displacement from the nominal place, given the other frames.
 priorLog :: Grid -> Moments -> Taxels -> Double
 priorLog grid others@(Moments m sx sy _) = \(x, y) ->
-  let t = counting * (squared (gridSpacing * x - mx) + squared (gridSpacing * y - my))
-   in log (V.sum (V.zipWith (\w r -> w * exp (negate r * t)) weights rates))
+  prior (counting * (squared (x - mx) + squared (y - my)))
   where
+    prior = displacementLog grid (squaresAbout others)
     (mx, my) = if m > 0 then (sx / m, sy / m) else (0, 0)
-    -- A frame and the mean of m others differ by as much more.
     counting = if m > 0 then m / (m + 1) else 1
-    variances = [sigma * sigma + 1 / 3 | sigma <- gridSigmas grid]
-    shares = sigmaShares grid (squaresAbout others)
-    weights = V.fromList (zipWith (/) shares variances)
-    rates = V.fromList [1 / (2 * v) | v <- variances]
     squared t = t * t
 
--- | The expected inverse of sigma's square, inverse square taxels.
-robotPrecision :: Grid -> Moments -> Double
-robotPrecision grid told =
-  gridSpacing * gridSpacing
-    * sum [share / (sigma * sigma) | (share, sigma) <- zip shares (gridSigmas grid)]
+-- | q of each frame, given how far each nominal place lies beyond its grid point, how far from each
+-- other the frames of a pair are compared (taxels), and the pairs. Of frames that hang together the
+-- first stays where the robot has it, since what is common to all cannot be seen.
+pairwiseField :: Grid -> [Taxels] -> Int -> [Pair] -> [Masses]
+pairwiseField grid rests wide pairs =
+  IntMap.elems (settled pairSweeps (IntMap.map V.maxIndex) sweep IntMap.empty)
   where
-    shares = sigmaShares grid (squaresAbout told)
-
--- | How far from its nominal place a frame may lie, taxels: three standard deviations, of the
--- largest that the robot's error may have.
-fieldReach :: Registration -> Int
-fieldReach settings = max 1 (min 12 (ceiling (3 * snd (sigmasFor settings))))
-
--- | q of each frame, given what is left of their nominal places beyond grid points, and the pairs.
--- At first one frame after the other is placed by those before it, the first of those that hang
--- together where the robot has it, since what is common to all cannot be seen; then each anew by
--- all others, until none changes its likeliest displacement or ten sweeps are done.
-pairwiseField :: Registration -> [Taxels] -> [Pair] -> [Posterior]
-pairwiseField settings rests pairs = IntMap.elems (go pairSweeps IntMap.empty)
-  where
-    grid = gridOf settings
-    reach = fieldReach settings
-    side = 2 * reach + 1
-    wide = pairReach settings
+    side = 2 * gridReach grid + 1
     -- By frame: the other one of a pair, and the sign of its own displacement in it.
     around =
       byFrame (length rests) $
         concat [[(k, (l, -1, pair)), (l, (k, 1, pair))] | pair@(Pair k l _ _) <- pairs]
-    go :: Int -> IntMap Posterior -> IntMap Posterior
-    go n now
-      | n <= 1 || IntMap.map likeliest new == IntMap.map likeliest now = new
-      | otherwise = go (n - 1) new
-      where
-        new = fst (foldl' update (now, foldMap momentsOf now) inOrder)
-    inOrder = [(k, rests' Boxed.! k) | k <- order]
+    beyond = Boxed.fromList rests
+    moments k = momentsOf grid (beyond Boxed.! k)
+    sweep now = fst (foldl' update (now, IntMap.foldMapWithKey moments now) order)
     order = growing (length rests) pairs
     -- The first of those that hang together: no pair of its own has a frame before it.
     roots = fst (foldl' rooted (IntSet.empty, IntSet.empty) order)
@@ -129,37 +121,33 @@ pairwiseField settings rests pairs = IntMap.elems (go pairSweeps IntMap.empty)
       where
         others = [g | (g, _, _) <- around Boxed.! k]
         starts = not (null others) && all (`IntSet.notMember` before) others
-    rests' = Boxed.fromList rests
-    update (now, total) (k, r) = (IntMap.insert k field now, others <> momentsOf field)
+    update :: (IntMap Masses, Moments) -> Int -> (IntMap Masses, Moments)
+    update (now, total) k = (IntMap.insert k field now, others <> moments k field)
       where
         old = IntMap.lookup k now
-        others = maybe total (without total . momentsOf) old
+        others = maybe total (without total . moments k) old
         told =
           [ (sign, pair, there)
             | (g, sign, pair) <- around Boxed.! k,
               Just there <- [IntMap.lookup g now]
           ]
         field
-          | k `IntSet.member` roots = fromMaybe (certainly (fieldBy mempty r [])) old
-          | otherwise = fieldBy others r told
-    certainly field = field {posteriorMasses = V.imap (\i _ -> if i == best then 1 else 0) masses}
+          | k `IntSet.member` roots = fromMaybe (certainly (fieldBy mempty k [])) old
+          | otherwise = fieldBy others k told
+    certainly masses = V.imap (\i _ -> if i == V.maxIndex masses then 1 else 0) masses
+    fieldBy others k told = V.map (/ V.sum masses) masses
       where
-        masses = posteriorMasses field
-        best = V.maxIndex masses
-    fieldBy others (rx, ry) told = posterior (ox, oy) 1 (side, side) logs
-      where
-        (ox, oy) = (fromIntegral (negate reach) - rx, fromIntegral (negate reach) - ry)
-        prior = priorLog grid others
-        priors = V.generate (side * side) $ \i ->
-          let (y, x) = i `quotRem` side in prior (ox + fromIntegral x, oy + fromIntegral y)
+        masses = V.map (exp . subtract (V.maximum logs)) logs
         logs = foldl' (V.zipWith (+)) priors [heard sign pair there | (sign, pair, there) <- told]
-    -- The logarithm of what a pair makes of each displacement of a frame, in the mean over those
-    -- of the other one; what these are with next to no probability tells nothing.
-    heard :: Int -> Pair -> Posterior -> Vector Double
+        prior = priorLog grid others
+        priors = V.generate (side * side) (prior . fromNominal grid (beyond Boxed.! k))
+    -- The log of what a pair makes of each displacement of a frame, in the mean over those of the
+    -- other one; improbable ones of these tell nothing.
+    heard :: Int -> Pair -> Masses -> Vector Double
     heard sign (Pair _ _ most shares) there = V.map (\t -> most + log t) $
       V.create $ do
         here <- M.replicate (side * side) (max 1e-300 (exp (negate most)))
-        forM_ (supported there) $ \(j, m) -> do
+        forM_ [(i, m) | (i, m) <- zip [0 ..] (V.toList there), m > heardOfPairs] $ \(j, m) -> do
           let (jy, jx) = j `quotRem` side
               lastX = min (side - 1) (jx + wide)
               column !start !from !x
@@ -174,11 +162,6 @@ pairwiseField settings rests pairs = IntMap.elems (go pairSweeps IntMap.empty)
         pure here
     width = 2 * wide + 1
     centre = wide * width + wide
-    supported field =
-      [ (i, m)
-        | (i, m) <- zip [0 ..] (V.toList (posteriorMasses field)),
-          m > heardOfPairs
-      ]
 
 -- | The order in which frames are placed: next the one that pairs with those placed tell most of,
 -- of equals the one that all pairs do.
@@ -204,9 +187,6 @@ growing count pairs =
    from those of the other frame, so that their difference is one of the pair's displacements,
    whichever of its frames is meant. -}
 
--- | The likeliest displacement.
-likeliest :: Posterior -> Taxels
-likeliest (Posterior (ox, oy) spacing (columns, _) masses) =
-  (ox + spacing * fromIntegral column, oy + spacing * fromIntegral row)
-  where
-    (row, column) = V.maxIndex masses `quotRem` columns
+-- | The likeliest displacement from the nominal place.
+likeliest :: Grid -> Taxels -> Masses -> Taxels
+likeliest grid beyond masses = fromNominal grid beyond (V.maxIndex masses)

@@ -82,7 +82,7 @@ displacementScores grid orientation (phaseY, phaseX) (place, given) =
            in if l < least then l else l + log (prior i j)
   where
     !(!across, !down) = phaseCounts given
-    !((!nx, !ny), (!rx, !ry)) = onGrid place
+    !((!nx, !ny), (!rx, !ry)) = onGrid grid place
     !reach = gridReach grid
     !side = 2 * reach + 1
     !phases = phaseLogs given
@@ -107,7 +107,7 @@ displacementAt grid orientation (phaseY, phaseX) (place, given) k =
     ]
   where
     (across, down) = phaseCounts given
-    ((nx, ny), (rx, ry)) = onGrid place
+    ((nx, ny), (rx, ry)) = onGrid grid place
     (dx, dy) = let (j, i) = k `quotRem` (2 * reach + 1) in (i - reach, j - reach)
     reach = gridReach grid
     squared d beyond = let t = fromIntegral d - beyond in t * t :: Double

@@ -57,7 +57,7 @@ glimpsedLog grid frames =
     seen =
       [ ((o, (y + ny) `mod` down, (x + nx) `mod` across), rest)
         | (place, told) <- frames,
-          let ((nx, ny), rest) = onGrid place
+          let ((nx, ny), rest) = onGrid grid place
               (row, x) = likeliestPhase told `quotRem` across
               (o, y) = row `quotRem` down
       ]
@@ -80,7 +80,7 @@ phasePosterior grid frames = foldl1' (V.zipWith (+)) (map phasesGiven (gridOctav
   where
     (across, down) = phaseCount placesPerTaxel
     phasesGiven sigma = foldl' (given sigma) (V.replicate (2 * across * down) 1) told
-    told = [(onGrid place, massesOf (phaseLogs seen)) | (place, seen) <- frames]
+    told = [(onGrid grid place, massesOf (phaseLogs seen)) | (place, seen) <- frames]
     -- What is too small for delta is nothing.
     massesOf phases =
       let !top = V.maximum phases

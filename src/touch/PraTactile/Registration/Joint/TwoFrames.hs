@@ -70,7 +70,7 @@ twoFrames grid first second =
     -- The scores of the displacements by both frames apart, for each phase that may matter.
     byPhase =
       [ (phase, V.map (+ l) (displacementScores grid o rowColumn second))
-        | (phase@(o, rowColumn), l) <- likelyPhases first
+        | (phase@(o, rowColumn), l) <- likelyPhases grid first
       ]
     apart = maximum (map (V.maximum . snd) byPhase)
     bar = apart - fewest 15
@@ -83,8 +83,8 @@ twoFrames grid first second =
 
 -- | The phases of the lattice under a frame where the robot has it, with their log-likelihoods:
 -- those that are at most 15 below the likeliest.
-likelyPhases :: (Taxels, Likelihood) -> [((Int, (Int, Int)), Double)]
-likelyPhases (place, given) =
+likelyPhases :: Grid -> (Taxels, Likelihood) -> [((Int, (Int, Int)), Double)]
+likelyPhases grid (place, given) =
   [ ((o, ((y + ny) `mod` down, (x + nx) `mod` across)), phases V.! i)
     | i <- V.toList (V.findIndices (>= bar) phases),
       let (row, x) = i `quotRem` across
@@ -93,5 +93,5 @@ likelyPhases (place, given) =
   where
     phases = phaseLogs given
     (across, down) = phaseCounts given
-    ((nx, ny), _) = onGrid place
+    ((nx, ny), _) = onGrid grid place
     bar = V.maximum phases - 15

@@ -14,26 +14,28 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image (Raster)
 import PraTactile.Image.Correlate (Overlap (..), overlapAt, referenceOf)
-import PraTactile.Registration.Field (Grid (..), gridSpacing, onGrid)
+import PraTactile.Registration.Field
 import PraTactile.Registration.Joint.TwoFrames
 import PraTactile.Registration.Lattice.Likelihood (Likelihood)
 import PraTactile.Registration.Model (logSum)
-import PraTactile.Registration.Numbers (independent)
+import PraTactile.Registration.Numbers (independent, placesPerTaxel)
 import PraTactile.Registration.Overlap
 import PraTactile.Registration.Posterior
 
 -- | By the lattice that lies under both frames.
 latticePosterior :: Taxels -> Double -> Likelihood -> Likelihood -> Posterior
 latticePosterior step search a b =
-  posterior (from nx, from ny) (1 / gridSpacing) (side, side) $
+  posterior (from nx, from ny) (inTaxels grid 1) (side, side) $
     V.replicate (side * side) (-1 / 0)
       V.// [((dy + reach) * side + dx + reach, log p) | ((dx, dy), p) <- twoDisplacements found]
   where
-    found = twoFrames (Grid reach [gridSpacing * search / 2]) ((0, 0), a) (step, b)
-    reach = ceiling (gridSpacing * search) :: Int
+    found = twoFrames grid ((0, 0), a) (step, b)
+    grid = Grid placesPerTaxel reach [places * search / 2]
+    places = fromIntegral placesPerTaxel
+    reach = ceiling (places * search)
     side = 2 * reach + 1
-    ((nx, ny), _) = onGrid step
-    from n = fromIntegral (n - reach) / gridSpacing
+    ((nx, ny), _) = onGrid grid step
+    from n = inTaxels grid (fromIntegral (n - reach))
 
 -- | By what the overlap shows, whatever it is: of one relief or of two.
 blindPosterior :: Relief -> Taxels -> Double -> Posterior
