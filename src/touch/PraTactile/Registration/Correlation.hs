@@ -10,7 +10,6 @@ module PraTactile.Registration.Correlation
 
     -- * The search
     mostProbable,
-    finestStep,
   )
 where
 
@@ -25,16 +24,14 @@ import PraTactile.Registration.Settings (Registration (..))
 -- correlation rho, -(n/2) ln (1 - rho^2), for rho > 0, else 0: n times the mutual information of
 -- two normal variables with that correlation.
 --
--- In rho both variances are enlarged by the noise's. So the accidental correlations of two blank
--- patches, of which the largest among some seventy displacements would look telling, say next to
--- nothing, and the prior decides.
-logLikelihood :: Registration -> Overlap -> Double
-logLikelihood settings (Overlap n vf vc cov)
-  | n <= 0 || cov <= 0 = 0
+-- In rho both variances are enlarged by the given variance of the noise. So the accidental
+-- correlations of two blank patches, of which the largest among some seventy displacements would
+-- look telling, say next to nothing, and the prior decides.
+logLikelihood :: Double -> Overlap -> Double
+logLikelihood noise (Overlap n vf vc cov)
+  | n <= 0 || cov <= 0 || vf + noise <= 1e-12 || vc + noise <= 1e-12 = 0
   | otherwise = negate (n / 2) * log (1 - min 0.9999 rhoSquared)
   where
-    -- More than 0 for a sensor without noise, so that rounding errors on flat images say nothing.
-    noise = max 1e-9 (registrationNoise settings * registrationNoise settings)
     rhoSquared = cov * cov / ((vf + noise) * (vc + noise))
 
 -- | A normal distribution of displacements: its mean, and its variance along each axis in square
@@ -51,10 +48,6 @@ logPrior (Prior (mx, my) variance) (x, y) = normalLog variance (squared (x - mx)
   where
     squared t = t * t
 
--- | The search's finest step, taxels.
-finestStep :: Double
-finestStep = 0.125
-
 -- | The most probable displacement by the overlap at each and the prior: the best of those whole
 -- taxels from the start, no further than the radius, and then the best a half, a quarter and an
 -- eighth of a taxel from there, along x and then along y.
@@ -68,11 +61,13 @@ mostProbable settings overlapOf prior radius start = snd (foldl' refined coarse 
     coarse = best (scored start) [start `plus` by | by <- whole]
     whole = [(i, j) | j <- line, i <- line, i * i + j * j <= radius * radius]
     line = let r = fromIntegral (floor radius :: Int) in [negate r .. r]
-    steps = [4 * finestStep, 2 * finestStep, finestStep]
+    steps = [1 / 2, 1 / 4, 1 / 8]
     refined found step = along (0, step) (along (step, 0) found)
     along by found@(_, shift) = best found [shift `minus` by, shift `plus` by]
     best = foldl' (\found shift -> better found (scored shift))
     better a b = if fst b > fst a then b else a
-    scored shift = (logLikelihood settings (capped (overlapOf shift)) + logPrior prior shift, shift)
+    scored shift = (logLikelihood noise (capped (overlapOf shift)) + logPrior prior shift, shift)
+    -- More than 0 for a sensor without noise, so that rounding errors on flat images say nothing.
+    noise = max 1e-9 (registrationNoise settings * registrationNoise settings)
     capped overlap = overlap {overlapWeight = min most (overlapWeight overlap)}
     most = overlapWeight (overlapOf start)

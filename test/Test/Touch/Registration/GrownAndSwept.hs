@@ -154,7 +154,7 @@ likely ::
 likely settings frames placed these k start prior = \d ->
   let overlap = at d
       capped = overlap {overlapWeight = min most (overlapWeight overlap)}
-   in logLikelihood settings capped + logPrior prior d
+   in logLikelihood (max 1e-9 (registrationNoise settings ^ (2 :: Int))) capped + logPrior prior d
   where
     (place, image) = frames !! k
     border = 20

@@ -14,6 +14,7 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image (Raster)
 import PraTactile.Image.Correlate (Overlap (..), overlapAt, referenceOf)
+import PraTactile.Registration.Correlation (logLikelihood)
 import PraTactile.Registration.Field
 import PraTactile.Registration.Joint.TwoFrames
 import PraTactile.Registration.Lattice.Likelihood (Likelihood)
@@ -42,9 +43,9 @@ blindPosterior :: Relief -> Taxels -> Double -> Posterior
 blindPosterior relief step search = overWhole step search $ \grid ->
   V.map (\l -> logSum [0, l]) (overlapLogs relief (0, 1) step grid)
 
--- | By the paper's zero-mean normalised cross-correlation: the profile log-likelihood of n normal
--- pairs of values with correlation rho, -(n/2) ln (1 - rho^2). Neighbouring pixels resemble each
--- other, so each counts for 'independent' values. An overlap counts no more than the nominal one.
+-- | By the paper's zero-mean normalised cross-correlation ('logLikelihood'). Neighbouring pixels
+-- resemble each other, so each counts for 'independent' values. An overlap counts no more than the
+-- nominal one.
 correlationPosterior :: Taxels -> Double -> Raster -> Raster -> Posterior
 correlationPosterior step search a b = overWhole step search $ \grid ->
   V.fromList
@@ -52,10 +53,8 @@ correlationPosterior step search a b = overWhole step search $ \grid ->
   where
     there = referenceOf a
     most = overlapWeight (overlapAt there b (fst step) (snd step))
-    correlated (Overlap n va vb cov)
-      | n <= 1 || cov <= 0 || va <= 1e-12 || vb <= 1e-12 = 0
-      | otherwise =
-        negate (independent * min most n / 2) * log (1 - min 0.9999 (cov * cov / (va * vb)))
+    correlated overlap =
+      logLikelihood 0 overlap {overlapWeight = independent * min most (overlapWeight overlap)}
 
 -- | The prior of the whole displacements, and what frames say of each.
 overWhole :: Taxels -> Double -> (Displacements -> V.Vector Double) -> Posterior
