@@ -170,8 +170,8 @@ spec = do
       \--size 60x60"
       "are simulated"
     with "--q 6 --polynomial 1,1 --shape 1x5" "6 is not a prime power"
-  it "docs/explanation/locating.md: the table has the lines and the exact rates of the command" $ do
-    page <- lines <$> readFile "docs/explanation/locating.md"
+  it "docs/results/rates.md: the table has the lines and the exact rates of the command" $ do
+    page <- lines <$> readFile "docs/results/rates.md"
     let sizes = byEffort ["2x2", "3x3"] ["2x2", "3x3", "4x4", "5x5"]
     (_, out, _) <- pra (words "rates --trials 1" ++ concat [["--size", size] | size <- sizes])
     let exact ls =
