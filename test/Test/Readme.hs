@@ -1,5 +1,5 @@
--- | What README.md says of the library, done: its programs are run, and its package is planned by
--- cabal.
+-- | What README.md and docs/how-to/library.md say of the library is done: their programs are run,
+-- and the package is planned by cabal.
 module Test.Readme (spec) where
 
 import Data.List (isInfixOf, isPrefixOf)
@@ -13,13 +13,13 @@ import Test.Hspec
 import Test.Support
 
 spec :: Spec
-spec = beforeAll (library <$> readText "README.md") $ do
+spec = beforeAll ((,) <$> linesOf "README.md" <*> linesOf "docs/how-to/library.md") $ do
   it ("a program of ten lines or less prints what is printed there; the other " ++ verb) $
-    \text -> inFolder $ \folder -> do
-      let (program, rest) = fenced "```haskell" text
-          (own, afterOwn) = fenced "```haskell" rest
+    \(readme, page) -> inFolder $ \folder -> do
+      let (program, afterProgram) = fenced "```haskell" readme
+          printed = indented afterProgram
+          (own, afterOwn) = fenced "```haskell" page
           (commands, _) = fenced "```sh" afterOwn
-          printed = indented rest
       length program `shouldSatisfy` (\n -> n > 0 && n <= 10)
       (null own, length commands) `shouldBe` (False, 2)
       writeFile (folder </> "Readme.hs") (unlines program)
@@ -42,10 +42,10 @@ spec = beforeAll (library <$> readText "README.md") $ do
       let (first, others) = splitAt (length printed) (lines out)
       (code, first, err) `shouldBe` (ExitSuccess, printed, "")
       map (takeWhile (/= ',')) (take 1 others) `shouldBe` byEffort [] ["lid"]
-  it "plain cabal plans a package with its lines, without a network" $ \text ->
+  it "plain cabal plans a package with these lines, without a network" $ \(_, page) ->
     inFolder $ \folder -> besideGhc $ do
       here <- getCurrentDirectory
-      let (project, afterProject) = fenced "```cabal-project" text
+      let (project, afterProject) = fenced "```cabal-project" page
           (depends, afterDepends) = fenced "```cabal" afterProject
           (configured, _) = fenced "```sh" afterDepends
           package = folder </> "example"
@@ -81,7 +81,7 @@ spec = beforeAll (library <$> readText "README.md") $ do
         then act
         else pendingWith "the libraries are not beside GHC here"
     verb = byEffort "compiles" "decodes"
-    library = dropWhile (/= "## The library") . lines
+    linesOf file = lines <$> readText file
     -- The libraries are static, so a program is compiled and not interpreted.
     compiled how file = unwords ["ghc -v0 -O0", how, file ++ ".hs"]
     cabal arguments = readProcessWithExitCode "tools/cabal.sh" arguments ""
