@@ -16,11 +16,12 @@ spec :: Spec
 spec = beforeAll ((,) <$> linesOf "README.md" <*> linesOf "docs/how-to/library.md") $ do
   it ("a program of ten lines or less prints what is printed there; the other " ++ verb) $
     \(readme, page) -> inFolder $ \folder -> do
-      let (program, afterProgram) = fenced "```haskell" readme
-          printed = indented afterProgram
-          (own, afterOwn) = fenced "```haskell" page
+      let (program, afterProgram) = fenced "```haskell" page
+          (own, afterOwn) = fenced "```haskell" afterProgram
           (commands, _) = fenced "```sh" afterOwn
+          printed = indented readme
       length program `shouldSatisfy` (\n -> n > 0 && n <= 10)
+      readText "examples/haskell/Decode.hs" `shouldReturn` unlines program
       (null own, length commands) `shouldBe` (False, 2)
       writeFile (folder </> "Readme.hs") (unlines program)
       writeFile (folder </> "Own.hs") (unlines own)

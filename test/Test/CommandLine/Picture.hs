@@ -65,11 +65,11 @@ spec = do
       let faces = [line | line <- lines picture, "class=\"face\"" `isInfixOf` line]
       map (length . filter (== ',') . pointsOf) faces
         `shouldSatisfy` \corners -> not (null corners) && all (== 3) corners
-  it "docs/demo.svg is what the command beside it in the README draws" $ do
+  it "docs/demo.svg is what the command below it in README draws" $ do
     readme <- lines <$> readFile "README.md"
     case [ words command
            | l <- readme,
-             Just command <- [stripPrefix "pra-tactile " l],
+             Just command <- [stripPrefix "$ pra-tactile " l],
              "docs/demo.svg" `isInfixOf` command
          ] of
       [arguments] -> do
