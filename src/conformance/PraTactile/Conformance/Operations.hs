@@ -211,4 +211,4 @@ ruleOf :: SomeOp -> String -> String
 ruleOf (SomeOp op) reason = fromMaybe "by definition" (lookup reason rules)
   where
     rules =
-      ("invalid", "the input is none that the operation takes") : operationReasons (recordOf op)
+      ("invalid", "the operation does not take such an input") : operationReasons (recordOf op)

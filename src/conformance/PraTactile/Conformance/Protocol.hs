@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The operations as the protocol's document and its schemas state them: functions of their
+-- | The operations as the protocol's document and its schemas state them, derived from their
 -- records. @make operations@ writes both.
 module PraTactile.Conformance.Protocol
   ( withOperations,
@@ -14,6 +14,7 @@ import Data.Aeson (Value (..), toJSON)
 import qualified Data.Aeson.Key as Key
 import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Foldable (toList)
+import Data.List (nub)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import PraTactile.Conformance.Operation
@@ -23,41 +24,62 @@ import PraTactile.Format.Json.Codec (schemaOf)
 import PraTactile.Format.Json.Schema (Schema (OneOf), brief, namedSchemas, schemaValue)
 import qualified PraTactile.Format.Json.Schema as Schema
 
--- | The document, with a row for each operation in its table of operations: name, input, result,
--- refusals.
+-- | The document with its two generated tables: the operations, each with input, result and the
+-- reasons of refusal; and these reasons, each with its operations and its rule.
 withOperations :: Text -> Text
-withOperations page = case break (== heading) (Text.lines page) of
-  (before, first : rule : rows) ->
-    Text.unlines (before ++ first : rule : operationTable ++ dropWhile isRow rows)
+withOperations =
+  withRows "| operation | input | result | refused |" operationRows
+    . withRows "| reason | operations | when |" reasonRows
+
+-- | The document with these rows under the heading of a table.
+withRows :: Text -> [Text] -> Text -> Text
+withRows heading rows page = case break (== heading) (Text.lines page) of
+  (before, first : rule : others) ->
+    Text.unlines (before ++ first : rule : rows ++ dropWhile isRow others)
   _ -> page
   where
-    heading = "| operation | input | result | refused |"
     isRow = Text.isPrefixOf "|"
 
-operationTable :: [Text]
-operationTable = map row allOperations
+operationRows :: [Text]
+operationRows = map row allOperations
   where
     row some@(SomeOp op) =
       let it = recordOf op
           input = schemaOf (operationInput it)
        in cells
             [ code (Text.pack (nameOf some)),
-              Text.intercalate ", and perhaps " (map code (brief input : optional input)),
+              Text.intercalate ", optionally " (map code (brief input : optional input)),
               Text.pack (operationSays it),
-              Text.intercalate
-                "; "
-                [ code (Text.pack reason) <> ": " <> Text.pack rule
-                  | (reason, rule) <- operationReasons it
-                ]
+              Text.intercalate ", " (map (code . Text.pack . fst) (operationReasons it))
             ]
-    cells texts = Text.concat (map cell texts) <> "|"
-    cell text = if Text.null text then "| " else "| " <> text <> " "
-    code text = "`" <> text <> "`"
     optional schema = case schema of
       Schema.Object fields -> [Text.pack (show (Key.toText name)) | (name, False, _) <- fields]
       Schema.Named _ inner -> optional inner
       Schema.Described _ inner -> optional inner
       _ -> []
+
+-- | A row for each reason and rule, in the order in which operations first have them.
+reasonRows :: [Text]
+reasonRows = [row reason | reason <- nub (concatMap reasonsOf allOperations)]
+  where
+    reasonsOf (SomeOp op) = operationReasons (recordOf op)
+    row reason@(name, rule) =
+      cells
+        [ code (Text.pack name),
+          Text.intercalate
+            ", "
+            [code (Text.pack (nameOf some)) | some <- allOperations, reason `elem` reasonsOf some],
+          Text.pack rule
+        ]
+
+-- | A row of a table.
+cells :: [Text] -> Text
+cells texts = Text.concat (map cell texts) <> "|"
+  where
+    cell text = if Text.null text then "| " else "| " <> text <> " "
+
+code :: Text -> Text
+code text = "`" <> text <> "`"
 
 -- | A schema file with the operations that there are. The definitions of operations, of their
 -- inputs and results, and of the parts of these are those of the codecs. A list of which the first

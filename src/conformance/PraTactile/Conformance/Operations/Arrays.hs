@@ -60,7 +60,7 @@ term =
   Operation
     { operationName = "term",
       operationStage = OnSequence,
-      operationSays = "s(i)",
+      operationSays = "s(index)",
       operationInput = alone "index" natural,
       operationOutput = natural,
       operationReasons = [],
@@ -105,7 +105,7 @@ terms =
   Operation
     { operationName = "terms",
       operationStage = OnSequence,
-      operationSays = "s(from), ..., `length` of them",
+      operationSays = "`length` terms, the first one s(from)",
       operationInput = object ((,) <$> key "from" natural fst <*> key "length" natural snd),
       operationOutput = listOf natural,
       operationReasons = [tooLong],
@@ -138,7 +138,7 @@ cell =
   Operation
     { operationName = "cell",
       operationStage = OnArray,
-      operationSays = "a code; beyond the edges on the folding's own surface",
+      operationSays = "the code of the cell; beyond the edges on the folding's own surface",
       operationInput = object (Position <$> key "row" natural row <*> key "column" natural column),
       operationOutput = natural,
       operationReasons = [],
@@ -177,7 +177,7 @@ pack =
   Operation
     { operationName = "pack",
       operationStage = OnWindow,
-      operationSays = "the number of a window's cells, given in reading order",
+      operationSays = "the window's number; `cells` are in reading order",
       operationInput = alone "cells" (listOf natural),
       operationOutput = natural,
       operationReasons = [],
@@ -235,11 +235,11 @@ unpack =
   Operation
     { operationName = "unpack",
       operationStage = OnWindow,
-      operationSays = "the cells",
+      operationSays = "the window's cells in reading order",
       operationInput = alone "packed" natural,
       operationOutput = listOf natural,
       operationReasons =
-        [("out-of-range", "a packed window is less than q to the number of its cells")],
+        [("out-of-range", "q^(k1 k2) or more is not a packed window")],
       operationLeast = const 1,
       operationWays =
         UnderProfile
@@ -295,8 +295,8 @@ prove =
     }
   where
     why p =
-      "all windows of the mask on the " ++ surfaceText p
-        ++ ", compared; the rank on the surface of the fold"
+      "the rank is that on the folding's own surface; all windows are compared on the "
+        ++ surfaceText p
     ways = ("visit and rank of powers of alpha", "counting contents, elimination of windows")
     proofOf :: KnownField k => Prepared k -> Mask -> Wire Proof
     proofOf it mask = case Proof.prove (ArrayOn (surface it) (preparedArray it)) mask of
@@ -313,8 +313,8 @@ distance =
     { operationName = "distance",
       operationStage = OnProof,
       operationSays =
-        "the least number of cells in which two windows differ on the folding's own surface; 0 if \
-        \two are the same",
+        "the minimum distance: the least number of cells in which two windows differ on the \
+        \folding's own surface; 0 if two are equal",
       operationInput = maskInput,
       operationOutput = natural,
       operationReasons = [tooManyWindows],
@@ -330,11 +330,11 @@ distance =
           )
     }
   where
-    why = "the least number of cells in which two windows differ, on the surface of the fold"
+    why = "the least number of cells in which two windows differ on the folding's own surface"
     ways = ("search among information sets", "the lightest of all windows")
 
 tooManyWindows :: (String, String)
-tooManyWindows = ("too-many-windows", "there are too many windows to compare")
+tooManyWindows = ("too-many-windows", "more windows than this decoder compares")
 
 mask' :: MaskRows -> Wire Mask
 mask' = orRefuse "invalid" . maskFromRows
@@ -346,7 +346,7 @@ maskInput =
     via (intercalate "/") (Right . map Text.unpack . Text.splitOn "/" . Text.pack) text
   where
     schema =
-      Schema.Described "The rows of a mask, # for its cells, parted by a slash." $
+      Schema.Described "The rows of a mask, separated by slashes; # marks its cells." $
         Schema.Text ["pattern" .= ("^[#.]+(/[#.]+)*$" :: Text.Text)]
 
 -- | The meaning of an operation on masks.

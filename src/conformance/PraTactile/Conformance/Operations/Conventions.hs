@@ -49,7 +49,7 @@ of' sentence = sentence . knownProfile
 -- | The digits of a code.
 digitsOf :: Profile -> String
 digitsOf p =
-  "the digits of a code to the base p, p the characteristic of GF(" ++ show (profileOrder p)
+  "a code's base-p digits, p the characteristic of GF(" ++ show (profileOrder p)
     ++ "), are the coefficients of a polynomial, lowest degree first"
 
 -- | The modulus.
@@ -90,7 +90,7 @@ packingRule p =
 surfaceText :: Profile -> String
 surfaceText p = case profileSurface p of
   Torus -> "torus"
-  TwistedTorus -> "twisted torus, where the next row follows on the last column"
+  TwistedTorus -> "twisted torus, where the next row follows the last column"
   Sheet -> "sheet, which ends at its edges"
 
 listed :: [Natural] -> String
@@ -110,9 +110,9 @@ refuseFor = Left . Refusal
 orRefusal :: String -> Maybe a -> Either Refusal a
 orRefusal reason = maybe (refuseFor reason) Right
 
--- | The reason where a line of the protocol has no room for an answer.
+-- | The reason for an answer that does not fit in a line of the protocol.
 tooLong :: (String, String)
-tooLong = ("too-long", "a line has no room for the answer")
+tooLong = ("too-long", "the answer does not fit in a line of 1 MiB")
 
 -- | The least number of bytes of a list of so many codes: a digit each, and what stands around it.
 leastOfList :: Natural -> Natural

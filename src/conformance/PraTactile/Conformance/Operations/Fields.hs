@@ -53,7 +53,7 @@ add =
   ofTwo
     "add"
     Definition.add
-    (\p -> digitsOf p ++ ": they are added digit by digit modulo the characteristic")
+    (\p -> digitsOf p ++ "; digits are added modulo the characteristic")
     ("table of sums", "sums of polynomials modulo p")
     "sums, row by row"
     (+)
@@ -116,7 +116,7 @@ negate' =
     "a code"
     []
     (\f a -> Right (Definition.negation f a))
-    (\p -> digitsOf p ++ ": each digit is negated modulo the characteristic")
+    (\p -> digitsOf p ++ "; each digit is negated modulo the characteristic")
     ("table", "search for the element whose sum is 0")
     (pure . negate)
 
@@ -127,7 +127,7 @@ inverse =
     "a code"
     noInverse
     (\f a -> orRefusal "division-by-zero" (Definition.inverse f a))
-    (\p -> "the product of both is 1, reduced modulo " ++ modulusOf p)
+    (\p -> "the product of an element and its inverse is 1, modulo " ++ modulusOf p)
     ("table", "search for the element whose product is 1")
     (orRefuse "division-by-zero" . Field.inverse)
 
@@ -139,10 +139,10 @@ logarithm =
   ofOneWith
     "logarithm"
     "the least i with A^i = a"
-    [("out-of-range", "0 is no power")]
+    [("out-of-range", "0 is not a power of A")]
     (\f a -> orRefusal "out-of-range" (fromIntegral <$> Definition.logarithm f a))
     ( \p ->
-        "the least exponent to the base that is the smallest code of order q - 1, modulo "
+        "the least exponent; its base is the smallest code of order q - 1, modulo "
           ++ modulusOf p
     )
     ("table", "counting powers of the primitive element")
@@ -152,12 +152,11 @@ trace :: Operation Code Code
 trace =
   ofOne
     "trace"
-    "a + a^p + ..., a code below p"
+    "a + a^p + a^(p^2) + ..., m summands; a code below p"
     []
     (\f a -> Right (Definition.trace f a))
     ( \p ->
-        "a + a^p + a^(p^2) + ..., with as many summands as the modulus " ++ modulusOf p
-          ++ " has degree"
+        "a + a^p + a^(p^2) + ..., one summand for each degree of the modulus " ++ modulusOf p
     )
     ("Frobenius by logarithms", "sum of repeated p-th powers")
     (pure . Structure.trace Structure.primeSubfield)
@@ -268,14 +267,14 @@ power =
       base <- codeIn k a
       orRefusal "division-by-zero" (fromIntegral <$> Definition.power (knownField k) base i)
     why p =
-      "a product of as many factors, modulo " ++ modulusOf p ++ "; a^-i = (1/a)^i; 0^0 = 1"
+      "repeated multiplication modulo " ++ modulusOf p ++ "; a^-i = (1/a)^i; 0^0 = 1"
     ways = ("logarithm times exponent", "repeated multiplication")
     huge = 10 ^ (20 :: Int)
     raised i a = Field.power a (fromInteger i)
 
 -- | The reason where the factors of q^n - 1 are not known.
 notFactored :: (String, String)
-notFactored = ("not-factored", "whether a polynomial is primitive is not known here")
+notFactored = ("not-factored", "the prime factors of q^n - 1 are not known")
 
 primitive :: Operation [Code] Bool
 primitive =
@@ -283,7 +282,7 @@ primitive =
     { operationName = "primitive",
       operationStage = OnPolynomial,
       operationSays =
-        "`true` or `false`; false for what is not monic, of degree 0, or has constant term 0",
+        "`true` or `false`; `false` also if not monic, of degree 0, or with constant term 0",
       operationInput = alone "polynomial" (listOf natural),
       operationOutput = bool,
       operationReasons = [notFactored],
@@ -305,7 +304,7 @@ primitive =
     }
   where
     byDefinition k codes = Definition.isPrimitive (knownField k) <$> traverse (codeIn k) codes
-    why = "monic, of degree n > 0, with x of order q^n - 1 modulo the polynomial"
+    why = "a primitive polynomial is monic, of degree n > 0, and x has order q^n - 1 modulo it"
     ways = ("irreducible, and the order by the factors of q^n - 1", "walking the powers of x")
     -- One that ends in 0 states no degree.
     proper codes = not (null codes) && last codes /= 0
@@ -327,7 +326,7 @@ firstPrimitive =
     { operationName = "first-primitive",
       operationStage = OnPolynomial,
       operationSays =
-        "the codes of the first one, coefficients compared from the highest degree down",
+        "the first primitive polynomial; coefficients are compared from the highest degree down",
       operationInput = alone "degree" natural,
       operationOutput = ofAtLeast 2 (listOf natural),
       operationReasons = [notFactored, tooLong],
@@ -346,7 +345,7 @@ firstPrimitive =
       | n == 0 = refuseFor "invalid"
       | otherwise =
         Right (map fromIntegral (Definition.firstPrimitive (knownField k) (fromIntegral n)))
-    why = "polynomials in the order that compares coefficients from the highest degree down"
+    why = "the first primitive polynomial; coefficients are compared from the highest degree down"
     ways = ("sieve of candidates", "all polynomials in order")
     ours :: forall k. KnownField k => Prepared k -> Natural -> Wire [Code]
     ours _ n = case Polynomial.firstPrimitive n of

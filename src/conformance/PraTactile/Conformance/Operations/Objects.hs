@@ -93,7 +93,7 @@ solidReport =
           librarySolid
     }
   where
-    why = "each kind of defect is looked for where no other leaves it without meaning"
+    why = "each kind of defect is looked for unless another leaves it without meaning"
     ways = ("sweeps and trees of boxes", "everything compared with everything")
     nothing = Description (ObjectName "") [] []
 
@@ -162,7 +162,7 @@ cellsForm = listOf (withSchema (const schema) (such (all (`elem` marks)) NotDraw
 impossibleFace :: (String, String)
 impossibleFace =
   ( "impossible-face",
-    "the corners are no simple polygon in a plane, or a distance is not positive"
+    "the corners are not a simple polygon in one plane, or a distance is not positive"
   )
 
 faceCells :: Operation ([Point], (Rational, Rational)) [String]
@@ -170,7 +170,7 @@ faceCells =
   Operation
     { operationName = "cells",
       operationStage = OnObjects,
-      operationSays = "rows of `#`, a cell on the face, and `.`",
+      operationSays = "rows of text: `#` is a cell on the face, `.` another",
       operationInput = form,
       operationOutput = cellsForm,
       operationReasons = [impossibleFace, tooLong],
@@ -187,7 +187,7 @@ faceCells =
   where
     form =
       object ((,) <$> key "corners" (listOf point) fst <*> key "pitch_mm" (pairOf exact) snd)
-    why = "a cell, its rim included, lies in the polygon"
+    why = "a cell is on the face if all of it, rim included, lies in the polygon"
     ways = ("lines that separate sides and cells", "strips between corners")
 
 -- Windows.
@@ -203,7 +203,7 @@ whereabouts =
       operationOutput = object whereaboutsKeys,
       operationReasons =
         [ ( "impossible-placement",
-            "cells are shared, off the face or off the sheet, or an object or a face is none"
+            "cells are shared, off their face or off the sheet, or an object or a face is invalid"
           )
         ],
       operationLeast = const 1,
@@ -295,7 +295,7 @@ facePose =
       operationOutput = poseCodec,
       operationReasons =
         [ impossibleFace,
-          ("undetermined", "fewer than two different points do not tell how the face is turned")
+          ("undetermined", "fewer than two different points leave the rotation open")
         ],
       operationLeast = const 1,
       operationWays =
@@ -318,7 +318,7 @@ facePose =
           libraryPose
     }
   where
-    why = "the sum of squared distances is least, and errors are carried to the object's frame"
+    why = "the sum of squared distances is least, and errors are those of the object's frame"
     ways = ("Gauss and Newton", "the closed form")
 
 -- Agreement: defects, and the faces and vertices of each, may come in any order, and so may the

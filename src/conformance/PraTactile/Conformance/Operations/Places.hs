@@ -163,13 +163,13 @@ locate =
   Operation
     { operationName = "locate",
       operationStage = OnLocate,
-      operationSays = placesAnswer ++ ", by the table of all windows",
+      operationSays = placesAnswer ++ ", found by the complete windows",
       operationInput = alone "patch" patchForm,
       operationOutput = locationForm,
       operationReasons =
         [ tooFewCells,
           noCompleteWindow,
-          ("zero-window", "the complete windows are all zeros, and none such occurs"),
+          ("zero-window", "all complete windows are zero, and a zero window does not occur"),
           notInArray,
           offSheet,
           contradiction,
@@ -215,20 +215,21 @@ nearest =
   Operation
     { operationName = "nearest",
       operationStage = OnDamage,
-      operationSays = placesAnswer ++ " within a radius; null: the guaranteed one",
+      operationSays =
+        placesAnswer ++ " where at most `radius` cells differ; null is the guaranteed radius",
       operationInput =
         object ((,) <$> key "radius" (nullable natural) fst <*> key "patch" patchForm snd),
       operationOutput = locationForm,
       operationReasons =
         [ tooFewCells,
           noCompleteWindow,
-          ("zero-window", "as few observed cells are other than 0 as the radius corrects"),
+          ("zero-window", "at most `radius` observed cells are not 0"),
           notInArray,
           offSheet,
           contradiction,
-          ("beyond-radius", "no position differs from the observed cells in as few as the radius"),
+          ("beyond-radius", "every position differs in more than `radius` observed cells"),
           tableTooLarge,
-          ("too-many-windows", "there are too many windows to compare")
+          ("too-many-windows", "more windows than this decoder compares")
         ],
       operationLeast = const 1,
       operationWays =
@@ -257,7 +258,7 @@ nearest =
           )
     }
   where
-    why p = "the observed cells, compared with those at every position of the " ++ surfaceText p
+    why p = "the observed cells are compared with those at every position of the " ++ surfaceText p
     ways = ("totals of differing cells", "comparison with every position")
 
 tooFewCells,
@@ -267,12 +268,12 @@ tooFewCells,
   contradiction,
   tableTooLarge ::
     (String, String)
-tooFewCells = ("too-few-cells", "nothing was observed")
+tooFewCells = ("too-few-cells", "no cell was observed")
 noCompleteWindow = ("no-complete-window", "no window of the patch has all its cells observed")
 notInArray = ("not-in-array", "no complete window of the patch occurs on the surface")
-offSheet = ("off-sheet", "what lies on the sheet agrees, but the patch goes beyond it")
+offSheet = ("off-sheet", "the cells on the sheet agree, but the patch extends beyond it")
 contradiction = ("contradiction", "no position agrees with all observed cells")
-tableTooLarge = ("table-too-large", "the array has too many positions to compare them")
+tableTooLarge = ("table-too-large", "the array has more positions than this decoder compares")
 
 observedIn :: KnownField k => Prepared k -> Patch -> Wire (Locate.Patch (GF k))
 observedIn it rows = traverse (traverse (traverse (element it))) rows >>= orRefuse "invalid" . patch
@@ -326,11 +327,12 @@ posterior =
     { operationName = "posterior",
       operationStage = OnChances,
       operationSays =
-        "`[[row, column, probability], ..]`, held to 10^-9; in any order; what is left out has \
-        \probability 0",
+        "`[[row, column, probability], ..]` in any order, correct to 10^-9; positions left out \
+        \have probability 0",
       operationInput = alone "patch" (rowsOf chanceForm),
       operationOutput = listOf likelyForm,
-      operationReasons = [("contradiction", "no position is possible"), tooLong, tableTooLarge],
+      operationReasons =
+        [("contradiction", "every position has probability 0"), tooLong, tableTooLarge],
       operationLeast = const 1,
       operationWays =
         UnderProfile

@@ -42,7 +42,7 @@ alphabetKey = optionalKey "alphabet" (withSchema (const schema) (listOf (listOf 
     schema =
       Schema.Named "drawings" . Schema.Described sentence $
         Schema.List ["minItems" .= (1 :: Int), "maxItems" .= (256 :: Int)] drawing
-    sentence = "The shapes of symbols, a class each; those for GF(4) where none are stated."
+    sentence = "The shapes of the symbols, one per class; without them, those for GF(4)."
     drawing = Schema.listOfLength 12 (Schema.Text ["pattern" .= ("^[#.]{8}$" :: Text)])
 
 -- | A frame or a composite of 4 x 4 taxels that shows nothing.
@@ -170,7 +170,7 @@ outputs =
           (uncurry libraryOutputs)
     }
   where
-    why = "1 / (1 + e^-a), a the weighted sum of the inputs and the bias; rows from the top"
+    why = "1 / (1 + e^-a), a the weighted sum of the inputs plus the bias; rows from the top"
     ways = ("products of matrices", "sums on lists")
     plain = (Weights [replicate 97 0] [[1, 0]], replicate 12 (replicate 8 0))
     near got wanted =
@@ -179,10 +179,10 @@ outputs =
       Weights
         <$> key "hidden" (numbers "hidden-units" hiddenUnits (atLeast 1) (exactly 97)) weightsHidden
         <*> key "output" (numbers "output-units" outputUnits (atLeast 1) (atLeast 2)) weightsOutput
-    hiddenUnits = "A row a unit: 96 weights, for the image's values row by row, and the bias."
-    outputUnits = "A row a class: a weight a hidden unit, and the bias."
+    hiddenUnits = "One row per unit: 96 weights, for the image's values row by row, then the bias."
+    outputUnits = "One row per class: one weight per hidden unit, then the bias."
     imageValues =
-      "12 rows of 8 values each, from the top, 0 where it is flat and 1 where it is embossed."
+      "12 rows of 8 values each, from the top: 0 where flat, 1 where embossed."
     numbers name sentence rows columns =
       withSchema
         (const (Schema.Named name (Schema.Described sentence (rows (columns bounded)))))
