@@ -123,10 +123,10 @@ spec = do
                              "row 6, column 5"
                            ]
                        )
-  it "the adapter is the one that its page shows" $ do
-    page <- lines <$> readFile "docs/reference/protocol.md"
-    adapter <- readFile "examples/adapter/adapter.py"
-    takeWhile (/= "```") (drop 1 (dropWhile (/= "```python") page)) `shouldBe` lines adapter
+  it "the tutorial shows the decoder and its adapter" $ do
+    page <- lines <$> readFile "docs/tutorial/conform.md"
+    shown <- traverse (readFile . ("examples/adapter/" ++)) ["somebody.py", "session.py"]
+    pythonIn page `shouldBe` map lines shown
   where
     haskell options file =
       readProcessWithExitCode
@@ -137,6 +137,10 @@ spec = do
         )
         ""
     name = takeWhile (/= '@')
+    -- The blocks of Python in a page.
+    pythonIn page = case dropWhile (/= "```python") page of
+      [] -> []
+      _ : others -> let (block, after) = break (== "```") others in block : pythonIn after
 
 -- | It is certified, under the default profiles if no others are given.
 certified :: [String] -> [String] -> Expectation
