@@ -35,7 +35,8 @@ for line in sys.stdin:
         reply["skipped"] = "not written yet"
     else:
         try:
-            reply["result"] = operations[request["operation"]](request["input"])
+            answer = operations[request["operation"]]
+            reply["result"] = answer(request["input"])
         except (KeyError, TypeError, ValueError):
             reply["refused"] = "invalid"
     print(json.dumps(reply), flush=True)
