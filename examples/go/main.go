@@ -1,3 +1,5 @@
+// Command decoder is a decoder of pseudorandom arrays that speaks the conformance protocol: JSON
+// lines on standard input and output, or one request with --one-shot.
 package main
 
 import (

@@ -1,4 +1,4 @@
-"""The network: what it says of an image, and how it is trained. No array is needed for it."""
+"""The network: its outputs for an image, and its training. It needs no array."""
 
 import math
 
