@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The composite tactile image (the paper's figure 10): what the stitcher makes and segmentation
--- takes.
+-- | The composite tactile image (the paper's figure 10): the result of stitching and the input of
+-- segmentation.
 module PraTactile.Composite
   ( Composite (..),
     PutFrame (..),
@@ -39,54 +39,56 @@ import PraTactile.Sensor.Manifest
     standardTaking,
   )
 
--- | An image larger than the sensor, on a grid of one taxel's pitch whose axes are the robot's.
+-- | An image larger than the sensor, on a grid with the pitch of one taxel and the robot's axes.
 data Composite = Composite
-  { -- | The mean of what the frames saw at each pixel; 0 where none touched.
+  { -- | The mean of the frames' values at each pixel; 0 where no frame touched.
     compositeImage :: !Raster,
-    -- | How much sensor weight each pixel got: about the number of frames that saw it, 0 for never
-    -- touched. The same size as the image. So the variance of a pixel's noise is that of a frame's,
-    -- divided by this.
+    -- | The sensor weight of each pixel, about the number of frames that touched it; 0 where none
+    -- did. It has the image's size. The noise variance of a pixel is that of a frame divided by its
+    -- coverage.
     compositeCoverage :: !Raster,
-    -- | The centre of pixel (0, 0), x and y in millimetres, in the robot's coordinates.
+    -- | The centre of pixel (0, 0): x and y in millimetres, in the robot's coordinates.
     compositeOrigin :: !(Double, Double),
-    -- | How far each frame was moved from its nominal place, x and y in taxels, in the order of the
-    -- frames.
+    -- | The displacement of each frame from its nominal place, x and y in taxels, in the order of
+    -- the frames.
     compositeDisplacements :: ![(Double, Double)],
-    -- | The standard deviation of the robot's position error along each axis, taxels, where
-    -- registration told it.
+    -- | The standard deviation of the robot's position error along each axis, in taxels, where
+    -- registration estimated it.
     compositePositionError :: Maybe Double,
-    -- | The standard deviation of the robot's position error along each axis, in taxels, with which
-    -- several frames lie because nobody compared them: at their nominal places, or where none
-    -- overlaps another. 0 of frames that were compared, and of one.
+    -- | The standard deviation, in taxels along each axis, of position errors that remain because
+    -- frames were not registered (they lie at their nominal places, or no two overlap). 0 for
+    -- registered frames and for a single frame.
     compositeUncompared :: !Double,
-    -- | The step of what the frames read ('readingStep'): less is no contrast.
+    -- | The step of the readings ('readingStep'). Smaller differences are not contrast.
     compositeStep :: Double,
-    -- | Whether somebody said what the robot's axes are.
+    -- | Whether the robot's axes were given.
     compositeAxesStated :: !Bool,
-    -- | How the positions and images of its frames are taken.
+    -- | How the positions and images of the frames are interpreted.
     compositeTaking :: !Taking,
-    -- | How else the frames may lie: one of them elsewhere, the most probable first, or all where
-    -- they would be if what the robot told is wrong.
+    -- | Alternative layouts of the frames: first those with one frame elsewhere (most probable
+    -- first), then those in which all frames lie elsewhere because the robot's positions are wrong.
     compositeOthers :: [Otherwise],
-    -- | Whether the frames contradict each other where they should overlap.
+    -- | The contradiction of the frames, if they differ where they should overlap.
     compositeContradiction :: Maybe Contradiction,
-    -- | The same frames along the axes of 'AgreeingAlong', where these are named.
+    -- | The composite of the same frames along the axes of 'AgreeingAlong', if that is the
+    -- contradiction.
     compositeAgreeing :: Maybe Composite,
-    -- | The frames themselves, each that was seen once; none of a whole image.
+    -- | The frames themselves without duplicates; empty for a whole image.
     compositeFrames :: [PutFrame],
-    -- | The lattice of cells, where registration found one.
+    -- | The lattice of cells, if registration found one.
     compositeLattice :: Maybe Lattice
   }
   deriving stock (Eq, Show)
 
--- | A frame as it was put: upright, at the canonical pitch, on the scale of the others.
+-- | A frame in its place in a composite: upright, at the canonical pitch, on the common scale of
+-- the frames.
 data PutFrame = PutFrame
-  { -- | Where the robot has the centre of its pixel (0, 0), millimetres.
+  { -- | The centre of its pixel (0, 0) by the robot's position, in millimetres.
     putAt :: !(Double, Double),
-    -- | How far it was moved from there, taxels.
+    -- | Its displacement from there, in taxels.
     putBy :: !(Double, Double),
     putImage :: Raster,
-    -- | The share of each pixel that living elements felt, where some are dead.
+    -- | The share of each pixel that comes from living elements, if some are dead.
     putFelt :: Maybe Raster
   }
   deriving stock (Eq, Show)
@@ -94,51 +96,50 @@ data PutFrame = PutFrame
 -- | An alternative layout of a composite's frames.
 data Otherwise = Otherwise
   { otherwiseFault :: !Fault,
-    -- | The share that it has of the prior probability of such faults; 1 of 'OneFrame'.
+    -- | Its share of the prior probability of such faults; 1 for 'OneFrame'.
     otherwiseShare :: !Double,
-    -- | The likelihood ratio of this layout to the composite's, by what the frames show; of
-    -- 'OneFrame' the odds.
+    -- | The likelihood ratio of this layout to the composite's; for 'OneFrame' the posterior odds.
     otherwiseLikelier :: !Double,
-    -- | The lattice under the frames where they then lie; 'Nothing' where they have none in common.
+    -- | The lattice under the frames in this layout; 'Nothing' if they have none in common.
     otherwiseLattice :: Maybe Lattice
   }
   deriving stock (Eq, Show)
 
--- | Why frames would lie otherwise.
+-- | A reason for another layout.
 data Fault
-  = -- | one of them is elsewhere
+  = -- | one frame is elsewhere
     OneFrame
-  | -- | their positions are along these axes, where they are told to be straight
+  | -- | the positions are along these axes, not along the stated ones
     OtherAxes !Axes
-  | -- | they are so many times as far from each other across and down as was told
+  | -- | the distances across and down are the stated ones times these factors
     OtherScale !Double !Double
-  | -- | beyond a line all of them lie a whole cell further along the face
+  | -- | beyond a line all frames lie a whole cell further along the face
     Slip
-  | -- | each lies anywhere, whatever position was told
+  | -- | each frame lies anywhere, whatever its stated position
     Anywhere
   deriving stock (Eq, Show)
 
--- | The least sensor weight with which a pixel counts as touched.
+-- | The least coverage with which a pixel counts as touched.
 leastCoverage :: Double
 leastCoverage = 0.4
 
--- | The frames show other things where they should overlap.
+-- | What removes the contradiction, when frames differ where they should overlap.
 data Contradiction
-  = -- | If their positions were along these axes instead, they would show the same.
+  = -- | The frames agree if their positions are along these axes.
     AgreeingAlong !Axes
-  | -- | They would show the same by any of these remedies.
+  | -- | The frames agree after any one of these remedies.
     AgreeingBy [Remedy]
-  | -- | If their positions were so many times as far apart across and down, they would show the
-    -- same.
+  | -- | The frames agree if their distances across and down are multiplied by these factors.
     AgreeingAtScale !Double !Double
-  | -- | They fit their positions less well than any others: how many frames, and how far apart
-    -- these are across and down, millimetres.
+  | -- | The frames fit their positions worse than any others: the number of frames, and the
+    -- extents of their positions across and down, in millimetres.
     AgreeingAnywhere !Int !Double !Double
   deriving stock (Eq, Show)
 
--- | The likeliest of the faults that all frames share, by their odds to the layout that is used, if
--- these are above a limit; given the frames' places in millimetres. A fault that is not 'farMore'
--- likely than the layout used and than all others says only that the frames lie anywhere.
+-- | The most probable fault that all frames share, as a contradiction, if its odds against the
+-- layout in use exceed the limit. The arguments are the limit, the frames' places (millimetres),
+-- and the faults with their odds. If the fault is not 'farMore' probable than the layout in use and
+-- all other faults, the result is 'AgreeingAnywhere'.
 likeliestFault :: Double -> [(Double, Double)] -> [(Fault, Double)] -> Maybe Contradiction
 likeliestFault limit places weighed = case sortOn (negate . snd) (filter ofAll weighed) of
   (fault, odds) : rest
@@ -152,11 +153,11 @@ likeliestFault limit places weighed = case sortOn (negate . snd) (filter ofAll w
     alike (OtherScale _ _) (OtherScale _ _) = True
     alike _ _ = False
 
--- | How many times as likely as all else a fault is that is named.
+-- | The ratio of odds above which a single fault is named.
 farMore :: Double
 farMore = 1e4
 
--- | What such a fault says of frames at these places.
+-- | The contradiction that a fault means for frames at the given places (millimetres).
 contradictionBy :: [(Double, Double)] -> Fault -> Contradiction
 contradictionBy places fault = case fault of
   OtherAxes axes -> AgreeingAlong axes
@@ -167,8 +168,8 @@ contradictionBy places fault = case fault of
       [] -> 0
       values -> maximum values - minimum values
 
--- | A contradiction of frames that were so taken, as what to take otherwise, given whether what
--- agrees is mirrored, where that is known.
+-- | A contradiction expressed as changes of how the frames are interpreted. The arguments are the
+-- present interpretation and whether the agreeing composite is mirrored, if known.
 asTaken :: Taking -> Maybe Bool -> Contradiction -> Contradiction
 asTaken taking mirroredThen found = case found of
   AgreeingAlong axes -> AgreeingBy (remedies taking axes mirroredThen)
@@ -177,8 +178,8 @@ asTaken taking mirroredThen found = case found of
   where
     (sx, sy) = takenScale taking
 
--- | A single image, such as one read from a file, as a composite that was touched once everywhere,
--- with its pixel (0, 0) at the origin.
+-- | A single image, such as one read from a file, as a composite with coverage 1 everywhere and
+-- pixel (0, 0) at the origin.
 compositeOf :: Raster -> Composite
 compositeOf image =
   Composite
@@ -198,24 +199,26 @@ compositeOf image =
       compositeLattice = Nothing
     }
 
--- | A place on the composite, x and y in pixels, as millimetres in the robot's coordinates.
+-- | Converts a place on the composite, x and y in pixels, to millimetres in the robot's
+-- coordinates.
 compositePosition :: Composite -> (Double, Double) -> (Double, Double)
 compositePosition composite (x, y) = (ox + taxelPitch * x, oy + taxelPitch * y)
   where
     (ox, oy) = compositeOrigin composite
 
--- | Where a place in the robot's coordinates, x and y in millimetres, is on the composite, in
--- pixels.
+-- | Converts a place in the robot's coordinates, x and y in millimetres, to pixels of the
+-- composite.
 compositePixel :: Composite -> (Double, Double) -> (Double, Double)
 compositePixel composite (x, y) = ((x - ox) / taxelPitch, (y - oy) / taxelPitch)
   where
     (ox, oy) = compositeOrigin composite
 
--- | Where the composite's pixel (0, 0) is, in taxels right and down from where the robot counts.
+-- | The place of pixel (0, 0), in taxels right and down from the origin of the robot's
+-- coordinates.
 compositeFrom :: Composite -> Taxels
 compositeFrom composite = let (x, y) = compositeOrigin composite in (x / taxelPitch, y / taxelPitch)
 
--- | The composite as a weighted image, to be interpolated.
+-- | The composite as a weighted image for interpolation.
 weighted :: Composite -> Reference
 weighted composite =
   either
@@ -226,11 +229,11 @@ weighted composite =
     image = compositeImage composite
     coverage = compositeCoverage composite
 
--- | Images at their places, in taxels from an origin in millimetres, as a composite, with the
--- displacements given, as if these were compared, and no other way to put them together. Its grid
--- is the origin's, moved by whole taxels so that it holds all the images. With an image stands what
--- it counts in the mean, and perhaps the share of each pixel that was felt, 0 to 1: the rest of it
--- counts @interpolated@ in the mean, and @known@ in the coverage.
+-- | Blends images into a composite without alternative layouts, marked as registered. The
+-- arguments are an origin in millimetres; the images with their places in taxels from it and their
+-- weights; and the displacements to record. The grid is shifted from the origin by whole taxels so
+-- that it holds all images. A taxel that no living element felt counts 'interpolated' in the mean
+-- and 'known' in the coverage.
 blended ::
   (Double, Double) ->
   NonEmpty ((Taxels, Raster), Worth) ->
@@ -270,7 +273,7 @@ blended (left, top) images displacements =
         (allSums, allWeights, allWeights)
       | otherwise = (total times, total inMean, total inCoverage)
     total value = blendSums (laid (\((place, im), counts) -> (place, value counts im)))
-    -- What each pixel of an image counts, if it counts that where it was not felt at all.
+    -- The weight of each pixel of an image, if pixels of dead elements have the weight @least@.
     worth least felt im =
       maybe (mapRaster (const 1) im) (mapRaster (\share -> share + least * (1 - share))) felt
     inMean counts im =
@@ -279,35 +282,34 @@ blended (left, top) images displacements =
     touching counts r = maybe r (orElse r . zipRaster (*) r) (worthTouch counts)
     times counts im = orElse im (zipRaster (*) (inMean counts im) im)
     means = orElse sums (zipRaster (\s w -> if w < leastWeight then 0 else s / w) sums weights)
-    -- They are of one size.
+    -- The rasters have one size, so this default is never used.
     orElse other = either (const other) id
 
--- | What an image counts where it is blended with others.
+-- | The weight of an image in a blend.
 data Worth = Worth
-  { -- | What it counts in the mean.
+  { -- | Its weight in the mean.
     worthCount :: !Double,
-    -- | What each pixel's touch counts, 0 to 1: what did not touch is not known. 1 if 'Nothing'.
+    -- | The weight of each pixel, 0 to 1, by how well it touched; 1 if 'Nothing'.
     worthTouch :: !(Maybe Raster),
-    -- | The share of each pixel that living elements felt; 1 if 'Nothing'.
+    -- | The share of each pixel that comes from living elements; 1 if 'Nothing'.
     worthFelt :: !(Maybe Raster)
   }
   deriving stock (Eq, Show)
 
--- | As an image counts of which all was felt.
+-- | The weight of an image without dead elements: 1 everywhere.
 inFull :: Worth
 inFull = Worth 1 Nothing Nothing
 
--- | What a value that stands for a dead element counts in a mean, beside 1 of a living one: enough
--- to be the mean where no other frame felt the place.
+-- | The weight in the mean of a value that replaces a dead element, relative to a living one. It
+-- is enough to be the mean where no other frame felt the place.
 interpolated :: Double
 interpolated = 0.02
 
--- | What it counts in the coverage: segmentation looks at such a pixel, but any frame that felt it
--- covers it better.
+-- | The weight in the coverage of a value that replaces a dead element. Segmentation uses such a
+-- pixel, but any frame that felt it covers it better.
 known :: Double
 known = 0.5
 
--- | A pixel with less sensor weight than this counts as not touched: its value would be mostly
--- rounding.
+-- | The least weight of a touched pixel. Below it the mean would be mostly rounding.
 leastWeight :: Double
 leastWeight = 0.001

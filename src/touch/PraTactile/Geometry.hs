@@ -1,7 +1,6 @@
--- | The sizes of the sensor and of the symbols that it reads (the paper's sections III and IV),
--- once for simulation, reading, objects and pictures; and the formulas of plane geometry that
--- several of these need. Lengths in millimetres are of the type that
--- is calculated with: exact as a 'Rational', the nearest machine number as a 'Double'.
+-- | The sizes of the sensor and of the symbols (the paper's sections III and IV), and formulas of
+-- plane geometry that several modules need. Lengths in millimetres have the caller's number type:
+-- exact as a 'Rational', rounded as a 'Double'.
 --
 -- > +----------------+  - - -      columnPitch = 16 taxels across
 -- > |   . . . . .    |    |        rowPitch    = 20 taxels down
@@ -45,7 +44,7 @@ taxelPitch :: Fractional millimetres => millimetres
 taxelPitch = 127 / 80
 {-# INLINE taxelPitch #-}
 
--- | The sensing elements along each side of the sensor.
+-- | The number of sensing elements along each side of the sensor.
 sensorSide :: Int
 sensorSide = 16
 
@@ -57,7 +56,7 @@ symbolWidth = 8
 symbolHeight :: Int
 symbolHeight = 12
 
--- | How far a symbol stands out of its face, in millimetres: 1.5875.
+-- | The height of a symbol's relief above its face, in millimetres: 1.5875.
 symbolThickness :: Fractional millimetres => millimetres
 symbolThickness = 127 / 80
 {-# INLINE symbolThickness #-}
@@ -72,12 +71,12 @@ rowPitch :: Num taxels => taxels
 rowPitch = 20
 {-# INLINE rowPitch #-}
 
--- | An angle in degrees as one in radians.
+-- | Converts degrees to radians.
 toRadians :: Double -> Double
 toRadians angle = angle * pi / 180
 {-# INLINE toRadians #-}
 
--- | An angle in radians as one in degrees.
+-- | Converts radians to degrees.
 toDegrees :: Double -> Double
 toDegrees angle = angle * 180 / pi
 {-# INLINE toDegrees #-}
@@ -91,8 +90,8 @@ cosineSine angle = case turnedByDegrees angle of
   Just symmetry -> bimap fromInteger fromInteger (onOffset symmetry (1, 0))
   Nothing -> (cos (toRadians angle), sin (toRadians angle))
 
--- | A place or a displacement, to the right and down, turned clockwise about the origin by that
--- many degrees.
+-- | Rotates a place or a displacement (right, down) clockwise about the origin by an angle in
+-- degrees.
 --
 -- >>> rotated 90 (1, 2)
 -- (-2.0,1.0)
@@ -102,8 +101,8 @@ rotated angle = \(x, y) -> (c * x - s * y, s * x + c * y)
     (c, s) = cosineSine angle
 {-# INLINE rotated #-}
 
--- | Where the parabola through three values, at -1, 0 and 1, is highest; 'Nothing' where it has no
--- highest place. Within half a step of the middle if the middle value is the largest.
+-- | The maximum's place of the parabola through three values at -1, 0 and 1; 'Nothing' if it has
+-- no maximum. It lies within half a step of the middle if the middle value is the largest.
 --
 -- >>> parabolaVertex 0 3 2
 -- Just 0.25

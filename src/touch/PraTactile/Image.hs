@@ -1,8 +1,8 @@
--- | Tactile images as numbers: a rectangle of real values, row 0 at the top, 0 for no contact and 1
--- for full scale. Files are the business of "PraTactile.Image.Pgm".
+-- | Tactile images as rasters of real values: row 0 at the top, 0 for no contact, 1 for full
+-- scale. "PraTactile.Image.File" reads and writes files.
 --
--- Wherever a place is named, x (the column, to the right) comes before y (the row, downwards), and
--- pixel centres lie at the integers.
+-- In every pair x (the column, to the right) comes before y (the row, downwards). Pixel centres lie
+-- at the integers.
 module PraTactile.Image
   ( -- * Rasters
     Raster,
@@ -52,17 +52,17 @@ import PraTactile.Image.Ascending (placeIn)
 import PraTactile.Image.Error (ImageError (..))
 import PraTactile.Symmetry
 
--- | An image: its width, its height, and a value for each of its pixels, which are numbered row by
--- row from 0.
+-- | An image: its width, its height and one value per pixel. Pixels are numbered row by row from
+-- 0.
 data Raster
-  = -- | All values. There are always width times height of them.
+  = -- | All values, width times height of them.
     Raster !Int !Int !(Vector Double)
-  | -- | The value of most pixels, and the numbers of the others, ascending, with the value of each:
-    -- a large image in which little was felt takes no more memory than that.
+  | -- | The value of most pixels; then the numbers of the other pixels, ascending, and their
+    -- values. It saves memory for a large image of which little was touched.
     Sparse !Int !Int !Double !(Vector Int) !(Vector Double)
   deriving stock (Show)
 
--- | Of one size and with the same values.
+-- | Rasters are equal if they have one size and the same values.
 instance Eq Raster where
   a == b = rasterSize a == rasterSize b && rasterValues a == rasterValues b
 
@@ -76,7 +76,7 @@ rasterHeight :: Raster -> Int
 rasterHeight = snd . rasterSize
 {-# INLINE rasterHeight #-}
 
--- | The number of columns, and of rows.
+-- | The number of columns and the number of rows.
 rasterSize :: Raster -> (Int, Int)
 rasterSize image = case image of
   Raster w h _ -> (w, h)
@@ -113,27 +113,27 @@ fromRows rows = case [(i, n) | (i, n) <- zip [0 ..] lengths, n /= width] of
       n : _ -> n
       [] -> 0
 
--- | The raster of that width and height whose value at x, y is the function's. A negative size
--- counts as none.
+-- | The raster of the given width and height whose value at x, y is the function's. Negative sizes
+-- count as 0.
 generate :: Int -> Int -> (Int -> Int -> Double) -> Raster
 generate w h f
   | w <= 0 || h <= 0 = Raster (max 0 w) (max 0 h) V.empty
   | otherwise = Raster w h (V.generate (w * h) (\i -> let (y, x) = i `quotRem` w in f x y))
 {-# INLINE generate #-}
 
--- | The same where the function is 0 but at some of the pixels, whose numbers are given, ascending:
--- in memory of these alone where the raster is large.
+-- | 'generate' for a function that is 0 except at the pixels with the given numbers (ascending). A
+-- large raster takes memory for these pixels only.
 generateAt :: Int -> Int -> Vector Int -> (Int -> Int -> Double) -> Raster
 generateAt w h numbers f
   | w * h <= leastSparse = generate w h f
   | otherwise =
     Sparse w h 0 numbers (V.map (\i -> let (y, x) = i `quotRem` w in f x y) numbers)
 
--- | Of so many pixels or fewer each value is kept.
+-- | The number of pixels up to which a raster stores each value.
 leastSparse :: Int
 leastSparse = 1048576
 
--- | The raster of that width and height with one value throughout.
+-- | The raster of the given width and height with one value throughout.
 constant :: Int -> Int -> Double -> Raster
 constant w h value = generate w h (\_ _ -> value)
 
@@ -144,7 +144,7 @@ toRows image = [V.toList (V.slice (y * w) w v) | y <- [0 .. h - 1]]
     (w, h) = rasterSize image
     v = rasterValues image
 
--- | The value at column x and row y, if there is such a pixel.
+-- | The value at column x and row y; 'Nothing' outside the image.
 index :: Raster -> Int -> Int -> Maybe Double
 index image x y
   | x < 0 || y < 0 || x >= w || y >= h = Nothing
@@ -155,27 +155,28 @@ index image x y
     (w, h) = rasterSize image
 {-# INLINE index #-}
 
--- | The value of the pixel of this number, if most have that value, and these the others.
+-- | The value of pixel @i@ of a sparse raster. The first three arguments are the value of most
+-- pixels, and the numbers and values of the others.
 sparseAt :: Double -> Vector Int -> Vector Double -> Int -> Double
 sparseAt most numbers values i = maybe most (values V.!) (placeIn numbers i)
 
--- | The numbers of the pixels whose values are so, ascending. Of a large image in which little was
--- felt it takes no more time than that if the value of most is not so.
+-- | The numbers of the pixels whose values satisfy the test, ascending. For a sparse image it
+-- looks only at the stored pixels, if the value of most fails the test.
 pixelsWhere :: (Double -> Bool) -> Raster -> Vector Int
 pixelsWhere test image = case image of
   Sparse _ _ most numbers values
     | not (test most) -> V.ifilter (\k _ -> test (values V.! k)) numbers
   _ -> V.findIndices test (rasterValues image)
 
--- | The values of the pixels of these numbers; 0 where there is no such pixel.
+-- | The values of the pixels with the given numbers; 0 for a number outside the image.
 valuesAt :: Raster -> Vector Int -> Vector Double
 valuesAt image = case image of
   Raster _ _ v -> V.map (fromMaybe 0 . (v V.!?))
   Sparse _ _ most numbers values -> V.map (sparseAt most numbers values)
 
--- | The value at a real place, bilinearly between the four pixel centres around it. Outside the
--- image the nearest edge pixel's value holds; an empty image is 0 everywhere, and so is a place
--- that is not a number.
+-- | The value at a real place, interpolated bilinearly between the four nearest pixel centres.
+-- Outside the image it is the nearest edge pixel's value. 0 for an empty image and for a NaN
+-- coordinate.
 sample :: Raster -> Double -> Double -> Double
 sample image x y
   | w == 0 || h == 0 || isNaN x || isNaN y = 0
@@ -193,7 +194,8 @@ sample image x y
     {-# INLINE between #-}
 {-# INLINE sample #-}
 
--- | The two pixels around a place on an axis of n >= 1 pixels, and the share of the second.
+-- | The two pixels around a place on an axis of n >= 1 pixels, and the second one's share of the
+-- interpolated value.
 bracket :: Int -> Double -> (Int, Int, Double)
 bracket n t = (i, min (n - 1) (i + 1), t' - fromIntegral i)
   where
@@ -201,12 +203,12 @@ bracket n t = (i, min (n - 1) (i + 1), t' - fromIntegral i)
     i = truncate t' :: Int
 {-# INLINE bracket #-}
 
-{- Note [Bounds] 'bracket' clamps the place to [0, n - 1] before it takes its integer part, so both
-   its indices lie in [0, n - 1]; the constructor is hidden and every function here keeps width *
-   height values; so r * w + x is an index of the vector. -}
+{- Note [Bounds] 'bracket' clamps the place to [0, n - 1] before it takes the integer part, so both
+   its indices lie in [0, n - 1]. The constructor is hidden, and every function here keeps width *
+   height values. So r * w + x is an index of the vector. -}
 
--- | The part whose upper left pixel is at a place, x and y, of that width and height. Refuses
--- ('OutsideImage') what is not wholly in the image.
+-- | The part of an image with the given upper left pixel (x, y) and the given width and height.
+-- Refuses ('OutsideImage') a part that is not wholly in the image.
 crop :: (Int, Int) -> (Int, Int) -> Raster -> Either ImageError Raster
 crop (x, y) (cw, ch) image
   | x < 0 || y < 0 || cw < 0 || ch < 0 || x > w - cw || y > h - ch =
@@ -215,7 +217,7 @@ crop (x, y) (cw, ch) image
   where
     (w, h) = rasterSize image
 
--- | The image as it is seen turned or mirrored.
+-- | The image rotated or mirrored by a symmetry.
 --
 -- >>> toRows . onRaster (turned 1) <$> fromRows [[1, 2], [3, 4]]
 -- Right [[3.0,1.0],[4.0,2.0]]
@@ -237,8 +239,8 @@ onRaster symmetry image
       | exchangesAxes symmetry = (rasterHeight image, rasterWidth image)
       | otherwise = rasterSize image
 
--- | A raster of another size that takes each pixel from the place the function names; 0 where there
--- is none.
+-- | A raster of the given size that takes each pixel from the place that the function names; 0 if
+-- that lies outside the image.
 rearranged :: Int -> Int -> (Int -> Int -> (Int, Int)) -> Raster -> Raster
 rearranged w h place image = generate w h (\x y -> fromMaybe 0 (uncurry (index image) (place x y)))
 {-# INLINE rearranged #-}
@@ -251,7 +253,7 @@ mapRaster f image = case image of
 {-# INLINE mapRaster #-}
 
 -- | The function applied to the two values at each place. Refuses ('SizesDiffer') rasters of
--- different size.
+-- different sizes.
 zipRaster :: (Double -> Double -> Double) -> Raster -> Raster -> Either ImageError Raster
 zipRaster f a b
   | rasterSize a /= rasterSize b = Left (SizesDiffer (rasterSize a) (rasterSize b))
@@ -263,27 +265,27 @@ zipRaster f a b
     (w, h) = rasterSize a
 {-# INLINE zipRaster #-}
 
--- | The mean of the values, if there are any.
+-- | The mean of the values; 'Nothing' for an empty image.
 mean :: Raster -> Maybe Double
 mean = ifAny (\v -> V.sum v / fromIntegral (V.length v))
 
--- | The standard deviation of the values (the root of the mean squared difference from their mean),
--- if there are any.
+-- | The standard deviation of the values (the root of the mean squared difference from their
+-- mean); 'Nothing' for an empty image.
 standardDeviation :: Raster -> Maybe Double
 standardDeviation image = do
   m <- mean image
   sqrt <$> mean (mapRaster (\x -> (x - m) * (x - m)) image)
 
--- | The smallest value, if there is any.
+-- | The smallest value; 'Nothing' for an empty image.
 minimumValue :: Raster -> Maybe Double
 minimumValue = ifAny V.minimum
 
--- | The largest value, if there is any.
+-- | The largest value; 'Nothing' for an empty image.
 maximumValue :: Raster -> Maybe Double
 maximumValue = ifAny V.maximum
 
--- | The value below which that share (clipped to 0..1) of the values lies, linearly between the two
--- nearest in order, if there are any.
+-- | The quantile for a share (clipped to 0..1), interpolated between the two nearest values in
+-- order; 'Nothing' for an empty image.
 --
 -- >>> fromRows [[4, 1, 3, 2]] >>= Right . quantile 0.5
 -- Right (Just 2.5)

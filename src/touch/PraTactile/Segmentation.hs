@@ -1,5 +1,5 @@
--- | Segmentation (the paper's section IV): a composite tactile image to the 8 wide x 12 tall images
--- of the symbols that lie wholly in it, each with its position and its axes.
+-- | Segmentation (the paper's section IV): cuts the symbols that lie wholly in a composite into
+-- images 8 wide and 12 tall, each with its position and its axes.
 module PraTactile.Segmentation
   ( -- * Symbols
     SymbolImage (..),
@@ -10,11 +10,11 @@ module PraTactile.Segmentation
     Reject (..),
     Cause (..),
 
-    -- * On the side
+    -- * Along an axis
     onComposite,
     segmentAlong,
 
-    -- * What is none of the symbols'
+    -- * Foreign regions
     cleaned,
     Cleaned (..),
 

@@ -1,10 +1,10 @@
--- | The sensor's forward model (the paper's section III): the height map of a face in, frames out.
+-- | The sensor's forward model (the paper's section III): from the height map of a face to frames.
 --
 -- Each tab of the elastic overlay expands without stress, so an element's output is proportional to
--- the height it meets; by default it is modelled as the mean height under the element's square
--- aperture, one pitch wide, as a share of full scale, with normal noise added, clipped to 0..1.
--- With other constants ("PraTactile.Sensor.Constants") it is what a force sensing array gives: a
--- rigid press ("PraTactile.Sensor.Press") and its reading ("PraTactile.Sensor.Response").
+-- the height it meets. By default the output is the mean height under the element's square
+-- aperture, one pitch wide, as a share of full scale, plus normal noise, clipped to 0..1. With
+-- other constants ("PraTactile.Sensor.Constants") the model is a force sensing array: a rigid press
+-- ("PraTactile.Sensor.Press") and its reading ("PraTactile.Sensor.Response").
 module PraTactile.Sensor
   ( -- * What is touched
     HeightMap (..),
@@ -66,9 +66,10 @@ import PraTactile.Sensor.Response
 import PraTactile.Symmetry
 import System.Random (RandomGen)
 
--- | How far from where the robot means the sensor's centre to be an element of it may feel, mm:
--- half its diagonal with the tabs, and the position error, whose normal draws by Box and Muller's
--- formula from numbers of 53 bits lie within sqrt (106 ln 2) < 8.6 standard deviations.
+-- | The greatest distance, in mm, from the intended centre of the sensor at which an element may
+-- feel something: half the sensor's diagonal with its tabs, plus the greatest position error.
+-- Normal draws by Box and Muller's formula from numbers of 53 bits lie within sqrt (106 ln 2) < 8.6
+-- standard deviations.
 sensorReach :: Sensor -> Double
 sensorReach sensor =
   sqrt (side sensorColumns * side sensorColumns + side sensorRows * side sensorRows) / 2
@@ -77,14 +78,14 @@ sensorReach sensor =
   where
     side count = fromIntegral (count sensor) * sensorTaxel sensor
 
--- | The image without noise at a pose in the face's coordinates, at the nominal force and without
+-- | The noiseless image at a pose in the face's coordinates, at the nominal force and without
 -- tilt, clipped to 0..1.
 forwardImage :: Sensor -> HeightMap -> Pose -> Raster
 forwardImage sensor heights pose =
   mapRaster (max 0 . min 1 . reading sensor) (felt sensor heights pose (sensorForce sensor) (0, 0))
 
--- | What the elements feel at a pose, force (N) and tilts (mm at the sensor's edge): newtons where
--- force is modelled, else shares of full scale.
+-- | The input of each element at a pose, force (N) and tilts (mm at the sensor's edge): newtons if
+-- the model has forces, else shares of full scale.
 felt :: Sensor -> HeightMap -> Pose -> Double -> (Double, Double) -> Raster
 felt sensor heights pose force tilts
   | stiffness > 0 = spread (mapRaster (stiffness *) (displacements stiffness force tilts under))
@@ -98,14 +99,14 @@ felt sensor heights pose force tilts
     height = footingHeight under
     shares = sharesOfScale (sensorFullScale sensor) tilts
 
--- | The share of full scale that is read for what @felt@ says.
+-- | The reading, as a share of full scale, for an input given by 'felt'.
 reading :: Sensor -> Double -> Double
 reading sensor
   | sensorStiffness sensor > 0 =
     conductance (sensorExponent sensor) (sensorBreakForce sensor) (sensorFullForce sensor)
   | otherwise = conductance (sensorExponent sensor) 0 1
 
--- | Heights in mm as shares of full scale (mm), clipped to 0..1, of a sensor with these tilts.
+-- | Heights in mm as shares of full scale (mm), clipped to 0..1, for a sensor with these tilts.
 sharesOfScale :: Double -> (Double, Double) -> Raster -> Raster
 sharesOfScale full tilts heights = generate w h (\x y -> clipped (at x y + nearer (w, h) tilts x y))
   where
@@ -113,15 +114,15 @@ sharesOfScale full tilts heights = generate w h (\x y -> clipped (at x y + neare
     at x y = fromMaybe 0 (index heights x y)
     clipped height = if full > 0 then max 0 (min 1 (height / full)) else 0
 
--- | The mean height in mm under each element's square aperture: exact for multiples of 90 degrees,
--- where the aperture's overlap with each cell is a product of lengths; for other angles the mean
--- over 8 x 8 points of each aperture, as that of a bent face's fall always is. Where there is
--- nothing to touch, the height is 0.
+-- | The mean height in mm under each element's square aperture. It is exact for multiples of 90
+-- degrees, where the overlap of an aperture and a cell is a product of lengths. For other angles it
+-- is the mean over 8 x 8 points of each aperture; a bent face's fall is always such a mean. Where
+-- there is no surface, the height is 0.
 meanHeights :: Sensor -> HeightMap -> Pose -> Raster
 meanHeights sensor heights (Pose x y r)
   | cell <= 0 = constant columns rows 0
   | otherwise = case turnedByDegrees r of
-    -- A sensor turned clockwise sees its surroundings turned counter-clockwise.
+    -- To a sensor turned clockwise its surroundings appear turned counter-clockwise.
     Just symmetry
       | exchangesAxes symmetry -> onRaster (invert symmetry) (upright rows columns)
       | otherwise -> onRaster (invert symmetry) (upright columns rows)
@@ -137,7 +138,8 @@ meanHeights sensor heights (Pose x y r)
           - (fallen alongX w i + fallen alongY h j)
     (alongX, alongY) = courses (heightBend heights)
     begin count k = taxel * (fromIntegral (k :: Int) - half count)
-    -- The cells an aperture meets along one axis, each with the share of the aperture it covers.
+    -- The cells that an aperture meets along one axis, each with the share of the aperture that it
+    -- covers.
     spans course count centre k = case course of
       Straight -> overlaps (start / cell) ((start + taxel) / cell)
         where
@@ -152,7 +154,7 @@ meanHeights sensor heights (Pose x y r)
           (from, to) = (begin count k, from + taxel)
           cellAt u = floor ((centre + arc course u) / cell)
           border n = chord course (cell * fromIntegral n - centre)
-    -- How much lower the face lies under an aperture, in the mean.
+    -- The mean depth of a bent face under an aperture.
     fallen Straight _ _ = 0
     fallen course count k =
       sum [fall course (begin count k + subsample a) | a <- [0 .. supersampling - 1]]
@@ -169,7 +171,7 @@ meanHeights sensor heights (Pose x y r)
               a <- [0 .. supersampling - 1]
           ]
     subsample a = taxel * (fromIntegral (a :: Int) + 0.5) / fromIntegral supersampling
-    -- The surface's height, so far from the middle along the face's axes.
+    -- The surface's height at a distance from the middle, along the face's axes.
     surface u v =
       heightAt (floor ((x + arc alongX u) / cell)) (floor ((y + arc alongY v) / cell))
         - (fall alongX u + fall alongY v)
@@ -178,8 +180,7 @@ meanHeights sensor heights (Pose x y r)
 supersampling :: Int
 supersampling = 8
 
--- | The unit cells [k, k + 1) that an interval meets, each with the share of the interval that lies
--- in it.
+-- | The unit cells [k, k + 1) that an interval meets, each with its share of the interval.
 overlaps :: Double -> Double -> [(Int, Double)]
 overlaps from to =
   [ (k, share)
@@ -188,17 +189,18 @@ overlaps from to =
       share > 0
   ]
 
--- | What a sensor has of the presses before: the forces of the last one, and how many there were.
+-- | The state of a sensor between presses: the forces of the last press (if the sensor has
+-- hysteresis), and the number of presses.
 data Memory = Memory !(Maybe Raster) !Int
 
--- | One press of a flawless specimen at the true pose, in the face's coordinates, as if it were the
--- first: the image with its noise, clipped to 0..1.
+-- | One press of a flawless specimen at the true pose, in the face's coordinates, as if it were
+-- the first. Returns the noisy image, clipped to 0..1.
 press :: RandomGen g => Sensor -> HeightMap -> Pose -> g -> (Raster, g)
 press sensor heights pose g = (image, g')
   where
     (image, _, g') = pressed sensor (flawless sensor) heights pose (Memory Nothing 0) g
 
--- | The same of any specimen with its memory.
+-- | One press of a specimen at the true pose, with its state before and after.
 pressed ::
   RandomGen g => Sensor -> Specimen -> HeightMap -> Pose -> Memory -> g -> (Raster, Memory, g)
 pressed sensor specimen heights pose (Memory before count) g0 =
@@ -215,12 +217,13 @@ pressed sensor specimen heights pose (Memory before count) g0 =
       Nothing -> now
     (image, g3) = measured sensor specimen (count + 1) (mapRaster (reading sensor) forces) g2
 
--- | Nothing is drawn for a constant that is 0.
+-- | Draws only if the constant is positive; otherwise returns the default and the generator
+-- unchanged.
 drawnIf :: Double -> a -> (g -> (a, g)) -> g -> (a, g)
 drawnIf constantIs without draw g = if constantIs > 0 then draw g else (without, g)
 
--- | What a specimen gives at the press with this number, from 1, for readings without error:
--- gains, drift, crosstalk, noise, dead elements and the converter.
+-- | The output of a specimen at its press with the given number (from 1), from error-free
+-- readings: it applies gains, drift, crosstalk, noise, dead elements and the converter.
 measured :: RandomGen g => Sensor -> Specimen -> Int -> Raster -> g -> (Raster, g)
 measured sensor (Specimen gains) number levels g0 = (mapRaster code (alive withNoise), g')
   where
@@ -231,7 +234,7 @@ measured sensor (Specimen gains) number levels g0 = (mapRaster code (alive withN
     mixed = crosstalk (sensorCrosstalk sensor) amplified
     (withNoise, g') = drawnNoise sensor mixed g0
 
--- | Readings with noise drawn for them.
+-- | The readings with noise added.
 drawnNoise :: RandomGen g => Sensor -> Raster -> g -> (Raster, g)
 drawnNoise sensor image g0
   | sensorNoise sensor <= 0 && sensorNoiseSlope sensor <= 0 = (image, g0)
@@ -242,17 +245,16 @@ drawnNoise sensor image g0
     (ofRows, g2) = drawnIf (sensorRowNoise sensor) V.empty (normals rows) g1
     (ofColumns, g3) = drawnIf (sensorColumnNoise sensor) V.empty (normals columns) g2
 
--- | One press where the robot means it to be, of a specimen by chance: a 'scan' of one pose.
+-- | One press at a nominal pose by a randomly drawn specimen: 'scan' with one pose.
 probe :: RandomGen g => Sensor -> HeightMap -> Motion -> Pose -> g -> (Frame, g)
 probe sensor heights motion nominal g = (frame, g3)
   where
     (specimen, g') = drawSpecimen sensor g
     (frame, _, g3) = probed sensor specimen heights motion (Memory Nothing 0) nominal g'
 
--- | One press where the robot means it to be: the motion carries the robot's coordinates to the
--- face's; the pose is the nominal one, in the robot's coordinates. The frame states the nominal
--- pose and force; its image is taken where the errors of position and rotation, drawn first, have
--- put the sensor.
+-- | One press at a nominal pose. The motion converts the robot's coordinates to the face's; the
+-- nominal pose is in the robot's. The frame states the nominal pose and force. The image is taken
+-- at the pose with the errors of position and rotation, which are drawn first.
 probed ::
   RandomGen g =>
   Sensor ->
@@ -277,13 +279,13 @@ probed sensor specimen heights motion memory nominal g =
         }
     (image, memory', g3) = pressed sensor specimen heights (move motion true) memory g''
 
--- | Presses at each pose in turn, of a specimen by chance, which is drawn first.
+-- | Presses at each pose in turn, by one specimen, which is drawn first.
 scan :: RandomGen g => Sensor -> HeightMap -> Motion -> [Pose] -> g -> ([Frame], g)
 scan sensor heights motion poses g = scanWith sensor specimen heights motion poses g'
   where
     (specimen, g') = drawSpecimen sensor g
 
--- | Presses of this specimen at each pose in turn.
+-- | Presses at each pose in turn, by the given specimen.
 scanWith ::
   RandomGen g => Sensor -> Specimen -> HeightMap -> Motion -> [Pose] -> g -> ([Frame], g)
 scanWith sensor specimen heights motion = go (Memory Nothing 0)
@@ -294,15 +296,17 @@ scanWith sensor specimen heights motion = go (Memory Nothing 0)
           (frames, g'') = go memory' poses g'
        in (frame : frames, g'')
 
--- | So many frames of a specimen that touches nothing.
+-- | The given number of frames of a specimen that touches nothing.
 darkFrames :: RandomGen g => Sensor -> Specimen -> Int -> g -> [Frame]
 darkFrames = framesAt 0
 
--- | So many frames of a specimen on whose elements a bladder presses alike, to half of full scale.
+-- | The given number of frames of a specimen under a bladder that presses all elements equally, to
+-- half of full scale.
 flatFrames :: RandomGen g => Sensor -> Specimen -> Int -> g -> [Frame]
 flatFrames = framesAt 0.5
 
--- | Frames where every element would read this without error, each as if it were the first.
+-- | The given number of frames in which each element's error-free reading is the given level, each
+-- as if it were the first.
 framesAt :: RandomGen g => Double -> Sensor -> Specimen -> Int -> g -> [Frame]
 framesAt level sensor specimen count g0 =
   [Frame (Pose 0 0 0) 0 image (sensorTaxel sensor) [] | image <- take count (unfoldr next g0)]

@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The embossed shapes that stand for the classes of an alphabet (the paper's section II.B):
--- bitmaps 8 taxels wide and 12 tall, and the drawing file they are kept in. Which element a class
--- denotes is not known here.
+-- | The embossed shapes of an alphabet's classes (the paper's section II.B): bitmaps 8 taxels wide
+-- and 12 tall, and their drawing file. Which element of the field a class denotes is defined
+-- elsewhere.
 module PraTactile.Shape
   ( -- * Bitmaps
     Bitmap,
@@ -41,7 +41,7 @@ module PraTactile.Shape
     renderDrawings,
     drawBitmap,
 
-    -- * What can be wrong
+    -- * Errors
     ShapeError (..),
   )
 where
@@ -60,25 +60,25 @@ import PraTactile.Image (Raster, generate)
 import PraTactile.PlainText
 import PraTactile.Symmetry
 
--- | Why a bitmap, an alphabet, its drawing file or a design is refused.
+-- | Why a bitmap, an alphabet, a drawing file or a design is refused.
 data ShapeError
-  = -- | A bitmap must have 12 rows; this one has this many.
+  = -- | The bitmap has this many rows; it must have 12.
     WrongRowCount Int
-  | -- | A row (counted from 0) must be 8 taxels wide; this one has this many.
+  | -- | This row (counted from 0) is this many taxels wide; it must be 8.
     WrongRowWidth Int Int
-  | -- | An alphabet has at least one shape.
+  | -- | The alphabet has no shape.
     EmptyAlphabet
-  | -- | An alphabet has at most 'maxShapes' shapes; this one has more.
+  | -- | The alphabet has more than 'maxShapes' shapes.
     TooManyShapes
-  | -- | A shape without any embossed taxel could not be distinguished from a face without symbols.
+  | -- | The shape has no embossed taxel, so it looks like a face without symbols.
     BlankShape Text
   | -- | Two shapes have the same name.
     RepeatedName Text
-  | -- | The two shapes so named are the same bitmap.
+  | -- | The two named shapes are the same bitmap.
     RepeatedShape Text Text
-  | -- | A name must be printable without spaces at either end, and not empty.
+  | -- | The name is empty, begins or ends with a space, or is not printable.
     BadName Text
-  | -- | There is no such class in an alphabet of this many.
+  | -- | The alphabet does not have this class; its number of classes follows.
     UnknownClass Int Int
   | -- | The line of the drawing file (counted from 1) is neither a row of @#@ and @.@, nor @symbol
     -- NAME@, nor a comment, nor empty.
@@ -89,23 +89,22 @@ data ShapeError
     BadDrawing Int ShapeError
   | -- | The drawing file is not UTF-8 text.
     NotText
-  | -- | The drawing file is text in this encoding, and not in UTF-8.
+  | -- | The drawing file is text in this encoding, not in UTF-8.
     DrawingsInEncoding OtherEncoding
   | -- | No alphabet meets the constraints of a design.
     NoAlphabet
   deriving stock (Eq, Show)
 
--- | A shape: which of its 8 x 12 taxels are embossed. The order is that of the rows' first
--- difference, embossed after flat, read backwards; it serves only to make sets.
+-- | A shape: which of its 8 x 12 taxels are embossed. The ordering is arbitrary and only for sets.
 newtype Bitmap = Bitmap Integer -- bit 8 * row + column
   deriving stock (Eq, Ord)
 
--- | Shown as its drawing, one string a row.
+-- | Shows a bitmap as its drawing, one string per row.
 instance Show Bitmap where
   showsPrec d = showsPrec d . T.lines . drawBitmap
 
--- | A bitmap from its rows, from the top, 'True' where embossed. Refuses anything but 12 rows
--- ('WrongRowCount') of 8 ('WrongRowWidth').
+-- | A bitmap from its rows, top to bottom, 'True' where embossed. Refuses anything but 12 rows
+-- ('WrongRowCount') of 8 taxels ('WrongRowWidth').
 bitmap :: [[Bool]] -> Either ShapeError Bitmap
 bitmap rows
   | length rows /= symbolHeight = Left (WrongRowCount (length rows))
@@ -120,7 +119,7 @@ bitmap rows
       rows
     Right (fromRows rows)
 
--- | The bitmap whose taxel at a column and row is embossed where the function says so.
+-- | The bitmap that is embossed where the function of column and row says so.
 bitmapWhere :: (Int -> Int -> Bool) -> Bitmap
 bitmapWhere f = fromRows [[f x y | x <- [0 .. symbolWidth - 1]] | y <- [0 .. symbolHeight - 1]]
 
@@ -128,8 +127,8 @@ bitmapWhere f = fromRows [[f x y | x <- [0 .. symbolWidth - 1]] | y <- [0 .. sym
 bitmapRows :: Bitmap -> [[Bool]]
 bitmapRows b = [[embossedAt b x y | x <- [0 .. symbolWidth - 1]] | y <- [0 .. symbolHeight - 1]]
 
--- | Whether the taxel at this column and row, counted from 0 at the upper left, is embossed.
--- Outside the box nothing is.
+-- | Whether the taxel at a column and a row, counted from 0 at the upper left, is embossed.
+-- 'False' outside the box.
 embossedAt :: Bitmap -> Int -> Int -> Bool
 embossedAt (Bitmap bits) x y =
   x >= 0 && x < symbolWidth && y >= 0 && y < symbolHeight && testBit bits (y * symbolWidth + x)
@@ -154,19 +153,19 @@ mirroredColumns = seenAs mirror
 mirroredRows :: Bitmap -> Bitmap
 mirroredRows = seenAs (turned 2 <> mirror)
 
--- | Turned or mirrored; the callers exchange no axes.
+-- | The bitmap under a symmetry that does not exchange the axes.
 seenAs :: Symmetry -> Bitmap -> Bitmap
 seenAs symmetry = fromRows . onRows symmetry . bitmapRows
 
--- | The callers hold 12 rows of 8.
+-- | A bitmap from 12 rows of 8, which the callers guarantee.
 fromRows :: [[Bool]] -> Bitmap
 fromRows rows = Bitmap (foldl' setBit 0 [i | (i, True) <- zip [0 ..] (concat rows)])
 
--- | Shapes with a name for each, whatever they show, in order of class.
+-- | Named shapes in order of class, without conditions on the shapes.
 type Drawings = NonEmpty (Text, Bitmap)
 
--- | Drawings from their names and shapes. Refuses none at all, more than 'maxShapes', a repeated
--- name, and one that a drawing file could not hold.
+-- | Drawings from names and shapes. Refuses an empty list, more than 'maxShapes', a repeated name,
+-- and a name that a drawing file cannot hold.
 toDrawings :: [(Text, Bitmap)] -> Either ShapeError Drawings
 toDrawings given
   | not (null (drop maxShapes given)) = Left TooManyShapes
@@ -178,11 +177,11 @@ toDrawings given
       | name `elem` seen = Left (RepeatedName name)
       | otherwise = Right (name : seen)
 
--- | The shapes of the classes 0, 1, ... with a name for each; all different, none blank.
+-- | The named shapes of the classes 0, 1, ...: all different, none blank.
 newtype Alphabet = Alphabet Drawings
   deriving stock (Eq, Show)
 
--- | An alphabet from its names and shapes, class by class. Refuses what 'toDrawings' does, a blank
+-- | An alphabet from names and shapes, class by class. Refuses what 'toDrawings' refuses, a blank
 -- shape and a repeated one.
 alphabet :: [(Text, Bitmap)] -> Either ShapeError Alphabet
 alphabet = toDrawings >=> distinct
@@ -195,7 +194,7 @@ distinct given = Alphabet given <$ foldM shown [] given
       | Just other <- lookup shape seen = Left (RepeatedShape other name)
       | otherwise = Right ((shape, name) : seen)
 
--- | The most shapes of an alphabet, 256: as many as the largest field has elements.
+-- | The greatest number of shapes in an alphabet, 256: the size of the largest field.
 maxShapes :: Int
 maxShapes = 256
 
@@ -203,7 +202,7 @@ maxShapes = 256
 alphabetSize :: Alphabet -> Int
 alphabetSize = length . alphabetDrawings
 
--- | Its drawings.
+-- | The named shapes of an alphabet.
 alphabetDrawings :: Alphabet -> Drawings
 alphabetDrawings (Alphabet given) = given
 
@@ -215,11 +214,11 @@ shapes = map snd . toList . alphabetDrawings
 shapeNames :: Alphabet -> [Text]
 shapeNames = map fst . toList . alphabetDrawings
 
--- | The name of a class's shape; nothing of a class that the alphabet does not have.
+-- | The name of a class's shape; empty for an unknown class.
 shapeName :: Alphabet -> Int -> String
 shapeName a k = concatMap T.unpack (take 1 (drop k (shapeNames a)))
 
--- | The shape of a class. Refuses a class that the alphabet does not have.
+-- | The shape of a class. Refuses an unknown class ('UnknownClass').
 shapeOf :: Alphabet -> Int -> Either ShapeError Bitmap
 shapeOf a k = case drop k (shapes a) of
   shape : _ | k >= 0 -> Right shape
@@ -230,20 +229,20 @@ drawBitmap :: Bitmap -> Text
 drawBitmap = T.unlines . map (T.pack . map (\e -> if e then '#' else '.')) . bitmapRows
 
 -- | The drawing file of an alphabet: for each class in order a line @symbol NAME@ and its drawing,
--- with an empty line between.
+-- separated by empty lines.
 renderAlphabet :: Alphabet -> Text
 renderAlphabet = renderDrawings . alphabetDrawings
 
--- | The same of any drawings.
+-- | The drawing file of any drawings, in the form of 'renderAlphabet'.
 renderDrawings :: Drawings -> Text
 renderDrawings given =
   T.intercalate "\n" ["symbol " <> name <> "\n" <> drawBitmap shape | (name, shape) <- toList given]
 
--- | Reads the bytes of a drawing file, UTF-8, as 'parseAlphabet' does.
+-- | Reads the bytes of an alphabet's drawing file (UTF-8) as 'parseAlphabet' does.
 decodeAlphabet :: ByteString -> Either ShapeError Alphabet
 decodeAlphabet = decodeDrawings >=> distinct
 
--- | The same, but of shapes that an alphabet could not have as well.
+-- | Reads the bytes of a drawing file (UTF-8), also with blank or repeated shapes.
 decodeDrawings :: ByteString -> Either ShapeError Drawings
 decodeDrawings = either (Left . refused) parseDrawings . plainUtf8
   where
@@ -251,8 +250,8 @@ decodeDrawings = either (Left . refused) parseDrawings . plainUtf8
       InEncoding encoding -> DrawingsInEncoding encoding
       NotUtf8Text -> NotText
 
--- | Reads a drawing file as 'renderAlphabet' writes it. Lines that begin with @;@ are comments;
--- empty lines and spaces at the end of a line do not count.
+-- | Reads an alphabet's drawing file in the form of 'renderAlphabet'. Lines that begin with @;@
+-- are comments; empty lines and trailing spaces are ignored.
 parseAlphabet :: Text -> Either ShapeError Alphabet
 parseAlphabet = parseDrawings >=> distinct
 
@@ -279,5 +278,5 @@ parseDrawings text =
     spanRows ((_, Row row) : rest) = let (rows, others) = spanRows rest in (row : rows, others)
     spanRows others = ([], others)
 
--- | What a line of the drawing file says.
+-- | A line of the drawing file: a heading with its name, or a row.
 data DrawingLine = Heading Text | Row [Bool]

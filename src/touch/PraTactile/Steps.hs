@@ -1,7 +1,7 @@
 {-# LANGUAGE DeriveFunctor #-}
 
--- | Long computations that can be looked on at: what each step did, and the result last. Lazy, so
--- that each step is there as soon as it is done, and pure, so that looking on changes nothing.
+-- | Long computations that can be observed: a lazy list of steps, then the result. Each step is
+-- available as soon as it is done. Observing is pure and changes nothing.
 module PraTactile.Steps
   ( Steps (..),
     result,
@@ -16,14 +16,14 @@ where
 
 import Control.Monad (ap, foldM)
 
--- | What was done, step by step, and then the result.
+-- | The steps of a computation, then its result.
 data Steps s a
-  = -- | This was done, and there is more to do.
+  = -- | A step's description, and what follows.
     Step s (Steps s a)
   | Done a
   deriving stock (Eq, Show, Functor)
 
--- | The steps of the first computation, and then those of what its result leads to.
+-- | The steps of the first computation, then those of the continuation.
 instance Applicative (Steps s) where
   pure = Done
   (<*>) = ap
@@ -42,7 +42,7 @@ result steps = case steps of
   Step _ more -> result more
   Done a -> a
 
--- | What each step did.
+-- | The descriptions of all steps.
 --
 -- >>> stepsDone (Step 'a' (Step 'b' (Done 2)))
 -- "ab"
@@ -51,14 +51,14 @@ stepsDone steps = case steps of
   Step s more -> s : stepsDone more
   Done _ -> []
 
--- | Each step as its number, from 1.
+-- | Replaces each step by its number, from 1.
 --
 -- >>> stepsDone (counted (Step 'a' (Step 'b' (Done 2))))
 -- [1,2]
 counted :: Steps s a -> Steps Int a
 counted = summed (const 1)
 
--- | Each step as the sum of what all steps so far count for.
+-- | Replaces each step by the running total of the given measure.
 summed :: (s -> Int) -> Steps s a -> Steps Int a
 summed count = go 0
   where
@@ -66,13 +66,14 @@ summed count = go 0
       Step s more -> let n = before + count s in n `seq` Step n (go n more)
       Done a -> Done a
 
--- | The steps with other words for what each did.
+-- | Applies a function to each step's description.
 relabelled :: (s -> t) -> Steps s a -> Steps t a
 relabelled f steps = case steps of
   Step s more -> Step (f s) (relabelled f more)
   Done a -> Done a
 
--- | Steps that are numbers, counted on from one; with the result comes the last number.
+-- | Replaces steps that are numbers by their running total from a start value. The result comes
+-- with the last total.
 countingOn :: Num n => n -> Steps n a -> Steps n (n, a)
 countingOn start = go start
   where
@@ -80,7 +81,7 @@ countingOn start = go start
       Step n more -> let n' = start + n in n' `seq` Step n' (go n' more)
       Done a -> Done (latest, a)
 
--- | Computations one after the other, whose steps count on from each other.
+-- | Runs computations one after the other, with steps that continue one running total.
 --
 -- >>> inTurn [Step 1 (Step 3 (Done 'a')), Step 2 (Done 'b')]
 -- Step 1 (Step 3 (Step 5 (Done "ab")))

@@ -1,32 +1,32 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | How sure it is what an image of a symbol shows: from the outputs of a classifier and the match
--- with the shapes to probabilities.
+-- | Turns the outputs of a classifier and the match with the shapes into class probabilities.
 --
--- An image shows one of 2 q things, a class k upright or turned by 180 degrees, or another shape.
--- It tells of each of the 2 q the logit z of its output, of the image or of the image turned, and
--- the likeness s to its shape ('match'); and the likeness u to the shape that the image itself
--- draws best ('freeLikeness'). If x is a shape of any gain and offset under normal noise of any
--- variance, the likelihood of the shape is a power of 1 - s^2: so likeness counts as
+-- An image shows one of 2 q things (class k, upright or turned by 180 degrees) or another shape.
+-- Three numbers are computed from it. For each of the 2 q things: the logit z of its output, taken
+-- from the image or from the turned image, and the correlation s with its shape ('match'). For the
+-- image alone: the correlation u with the free-form drawing that fits it best ('freeLikeness').
+-- Assume that the image x is a shape of any gain and offset under normal noise of unknown variance.
+-- Then the likelihood of the shape is a power of 1 - s^2, so correlation enters as
 --
 -- > Lambda(s) = - log (1 - s^2)      s at least 0, and 1 - s^2 at least a hundredth
 --
--- Which of the alphabet's it is, is a conditional logit (McFadden 1974), which is temperature
--- scaling with a second score, and an offset a class (Guo and others 2017; Alexandari and others
--- 2020): of any network, sensor and angle,
+-- Which of the alphabet's shapes it is, is a conditional logit (McFadden 1974). This is temperature
+-- scaling with a second score and one offset per class (Guo and others 2017; Alexandari and others
+-- 2020). It holds for any network, sensor and angle:
 --
 -- > P(k, t | ours)  ~  exp (alpha z_kt + beta Lambda(s_kt) + gamma_k)
 --
--- where independent taxels would make alpha 0 and beta half their number. Whether it is another
--- shape, which is as probable beforehand, is a logistic regression on the s and z of the likeliest
--- of ours, and on how much more like itself the image draws:
+-- Independent taxels would make alpha 0 and beta half their number. Another shape has the same
+-- prior as the alphabet. Its posterior is a logistic regression on s and z of the most likely of
+-- our shapes, and on how much better the free-form drawing fits:
 --
 -- > log (P(other) / P(ours)) = delta_0 + delta_1 (Lambda(u) - Lambda(s)) + delta_2 s + delta_3 z
 --
--- That is q + 6 numbers. They maximise the likelihood of images whose truth is known, times normal
--- priors around 'standardCalibration', since of a thousand symbols few are wrong ('fitted'). The
--- same holds of any classifier with an output a class.
+-- These are q + 6 numbers. 'fitted' maximises the likelihood of images whose truth is known, times
+-- normal priors centred on 'standardCalibration'. The priors are needed because only few of a
+-- thousand symbols are misread. The model fits any classifier that has one output per class.
 module PraTactile.Classification.Calibration
   ( Calibration (..),
     standardCalibration,
@@ -83,31 +83,32 @@ import PraTactile.Image (Raster, onRaster)
 import PraTactile.Symmetry
 import Prelude hiding ((<>))
 
--- | What turns outputs and likenesses into probabilities.
+-- | The numbers that turn a classifier's outputs and the correlations into probabilities.
 data Calibration = Calibration
-  { -- | alpha
+  { -- | alpha, the factor of the logit
     perLogit :: !Double,
-    -- | beta
+    -- | beta, the factor of Lambda
     perLikeness :: !Double,
-    -- | gamma, by class
+    -- | gamma, one per class
     classOffsets :: ![Double],
-    -- | delta_0 to delta_3
+    -- | delta_0 to delta_3, the regression for other shapes
     ofOthers :: ![Double]
   }
   deriving stock (Eq, Show)
 
--- | Of a network for so many classes of which nothing else is known: near what 23000 symbols over
--- all seven fields and 6000 others make likeliest without a prior, pressed by three sensors,
--- upright and at any angle. Of those 23000 seven are told wrong, so that alpha and beta are known
--- only roughly, and one for the other: with 0.1 and 9, or 0.03 and 13, they are hardly less likely.
+-- | The calibration of a network with the given number of classes about which nothing else is
+-- known. It is close to the maximum-likelihood fit, without priors, to 23000 symbols over all seven
+-- fields and 6000 other shapes, pressed by three sensors, upright and at any angle. Only seven of
+-- the 23000 are misread, so alpha and beta are known only roughly and trade off: 0.1 and 9, or 0.03
+-- and 13, are hardly less likely.
 standardCalibration :: Int -> Calibration
 standardCalibration classes = Calibration 0.06 11 (replicate classes 0) [14.4, 6.9, -22.9, -0.26]
 
--- | What an image tells of each thing that it may show, z and s; and u.
+-- | The features of an image: z and s for each class and orientation; then u.
 data Look = Look ![((Int, Symmetry), (Double, Double))] !Double
 
--- | The same from an image and from what the outputs, one a class, are for it and for the image
--- turned by 180 degrees.
+-- | The features of an 8 x 12 image, from the classifier's outputs (one per class) for the image
+-- and for the image turned by 180 degrees.
 look :: Templates -> Raster -> [Double] -> [Double] -> Look
 look shapesSeen image upright upsideDown =
   Look
@@ -117,19 +118,20 @@ look shapesSeen image upright upsideDown =
     ]
     (freeLikeness image)
 
--- | The inverse of the logistic function; outputs are limited to 10^-15 from 0 and 1.
+-- | The inverse of the logistic function; outputs are first clipped to 10^-15 from 0 and 1.
 logit :: Double -> Double
 logit o = log (p / (1 - p))
   where
     p = max 1e-15 (min (1 - 1e-15) o)
 
--- | Lambda.
+-- | Lambda of the module header.
 weight :: Double -> Double
 weight s = negate (log (max 0.01 (1 - r * r)))
   where
     r = max 0 s
 
--- | The probabilities of all that is ours, if it is ours.
+-- | The probability of each class and orientation, given that the image shows one of the
+-- alphabet's shapes.
 chances :: Calibration -> Look -> [((Int, Symmetry), Double)]
 chances (Calibration alpha beta gammas _) (Look told _) =
   zip (map fst told) (softmax [score what seen | (what, seen) <- told])
@@ -142,25 +144,26 @@ softmax scores = map (/ sum powers) powers
   where
     powers = map (\e -> exp (e - maximum scores)) scores
 
--- | The logarithm of how many times as likely an image is of another shape as of the alphabet's,
--- the likeliest of which is given; from -9 to 9: more than ten thousand images would be needed to
--- show that it is more.
+-- | The log-likelihood ratio of another shape to the alphabet's, given the alphabet's most likely
+-- class and orientation. It is clipped to -9..9: more than ten thousand images would be needed to
+-- support a larger value.
 unlikeness :: Calibration -> (Int, Symmetry) -> Look -> Double
 unlikeness calibration likeliest =
   max (-9) . min 9 . sum . zipWith (*) (ofOthers calibration) . otherRegressors likeliest
 
--- | What stands at delta_0 to delta_3.
+-- | The regressors that delta_0 to delta_3 multiply.
 otherRegressors :: (Int, Symmetry) -> Look -> [Double]
 otherRegressors likeliest (Look told u) =
   [1, weight u - weight s, s, z]
   where
     (z, s) = fromMaybe (0, 0) (lookup likeliest told)
 
--- | An image whose truth is known: what it shows, if that is one of the alphabet's.
+-- | An image whose truth is known: what it shows ('Nothing' for another shape), and its features.
 data Seen = Seen !(Maybe (Int, Symmetry)) !Look
 
--- | The calibration that images of an alphabet of so many classes make likeliest, each number to
--- three decimals, so that the last bits of the arithmetic do not matter.
+-- | The calibration of maximum posterior probability for labelled images of an alphabet with the
+-- given number of classes. Each number is rounded to three decimals, so that the last bits of the
+-- arithmetic do not matter.
 fitted :: Int -> [Seen] -> Calibration
 fitted classes images =
   Calibration (rounded alpha) (rounded beta) (map rounded gammas) (map rounded (toList others))
@@ -178,7 +181,7 @@ fitted classes images =
         ]
     regressors ((c, _), (z, s)) =
       vector (z : weight s : [if c == k then 1 else 0 | k <- [0 .. classes - 1]])
-    -- To choose between ours, of which all is 0, and another.
+    -- A choice between ours, whose regressors are all 0, and another shape.
     others =
       conditionalLogit
         (vector (ofOthers prior))
@@ -193,16 +196,17 @@ fitted classes images =
     prior = standardCalibration classes
     rounded x = fromIntegral (round (1000 * x) :: Int) / 1000
 
--- | About how many bytes 'fitted' holds at once, of so many classes and images of them: for each
--- image the regressors of each class either way up.
+-- | The approximate memory in bytes that 'fitted' needs for the given numbers of classes and
+-- images: for each image the regressors of each class, either way up.
 fittedBytes :: Int -> Int -> Integer
 fittedBytes classes images =
   12 * toInteger images * 2 * toInteger classes * (2 + toInteger classes)
 
--- | The weights w that make choices likeliest, each choice an alternative's regressors x and those
--- of all alternatives, of which one is chosen with a probability in proportion to exp (w x); times
--- normal priors, of which the means are given and the inverse variances. By Newton's method from
--- the means, a step that does not raise the likelihood being halved.
+-- | The weights w of a conditional logit with maximum posterior probability. The arguments are the
+-- means and the inverse variances of the normal priors, and the choices. Each choice is the
+-- regressors x of the chosen alternative and those of all alternatives; one is chosen with a
+-- probability proportional to exp (w x). Newton's method starts at the means and halves a step that
+-- does not raise the posterior.
 conditionalLogit ::
   Vector Double -> Vector Double -> [(Vector Double, [Vector Double])] -> Vector Double
 conditionalLogit means precisions choices = go (30 :: Int) means
@@ -229,7 +233,7 @@ conditionalLogit means precisions choices = go (30 :: Int) means
         - ((precisions * (w - means)) <.> (w - means)) / 2
     logSum es = let top = maximum es in top + log (sum [exp (e - top) | e <- es])
 
--- | A calibration as text: a heading, and a line each of alpha, beta, gamma and delta.
+-- | A calibration as text: a heading, then one line each for alpha, beta, gamma and delta.
 renderCalibration :: Calibration -> Text
 renderCalibration (Calibration alpha beta gammas deltas) =
   T.unlines (heading : zipWith line names [[alpha], [beta], gammas, deltas])
@@ -242,8 +246,7 @@ heading = "pra-tactile calibration 1"
 names :: [Text]
 names = ["per_logit", "per_likeness", "classes", "none"]
 
--- | Reads what 'renderCalibration' writes. Refuses anything else, with the line where it goes
--- astray.
+-- | Reads the text of 'renderCalibration'. Refuses anything else and names the first wrong line.
 decodeCalibration :: ByteString -> Either NetworkError Calibration
 decodeCalibration bytes = do
   text <- networkText bytes

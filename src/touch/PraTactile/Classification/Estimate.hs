@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The likeliest symbol in an image, in either of two orientations, and how sure that is: by the
--- formulas of "PraTactile.Classification.Calibration".
+-- | The most likely symbol in an image, in either of two orientations, with its probability. The
+-- formulas are in "PraTactile.Classification.Calibration".
 module PraTactile.Classification.Estimate
   ( Estimate (..),
     estimateDoubt,
@@ -23,29 +23,29 @@ import PraTactile.Symmetry
 -- (@turned 2@).
 data Estimate = Estimate
   { estimateLikeliest :: !(Int, Symmetry),
-    -- | the probabilities of all, each above 0; they add up to 1
+    -- | the probabilities of all classes and orientations, each above 0; they add up to 1
     estimateChances :: ![((Int, Symmetry), Double)],
-    -- | the logarithm of how many times as likely the image is of another shape: 0 where that is
-    -- not asked
+    -- | the log-likelihood ratio of another shape to the alphabet's ('unlikeness'); 0 where it was
+    -- not computed
     estimateUnlike :: !Double
   }
   deriving stock (Eq, Show)
 
--- | The probability that the likeliest is not right.
+-- | The probability that the most likely class and orientation is wrong.
 estimateDoubt :: Estimate -> Double
 estimateDoubt e = sum [chance | (what, chance) <- estimateChances e, what /= estimateLikeliest e]
 
--- | The probability of a class and a turn; 0 for a class that there is not.
+-- | The probability of a class and an orientation; 0 for an unknown class.
 estimateChance :: Estimate -> (Int, Symmetry) -> Double
 estimateChance e what = sum [chance | (this, chance) <- estimateChances e, this == what]
 
--- | The least doubt that is ever stated: more than ten million images would be needed to show that
--- it is less.
+-- | The smallest doubt that is ever reported, 10^-7. More than ten million images would be needed
+-- to support a smaller one.
 leastDoubt :: Double
 leastDoubt = 1e-7
 
--- | The estimate for an 8 x 12 image. Refuses what 'outputs' does, and ('WrongOutputCount') a
--- network whose outputs are not one a shape.
+-- | The estimate for an 8 x 12 image. Refuses what 'outputs' refuses, and a network whose number
+-- of outputs is not the number of shapes ('WrongOutputCount').
 estimate :: Calibration -> Templates -> Network -> Raster -> Either NetworkError Estimate
 estimate calibration shapesSeen n image
   | outputCount n /= templateCount shapesSeen =
@@ -55,8 +55,8 @@ estimate calibration shapesSeen n image
       <$> outputs n image
       <*> outputs n (onRaster (turned 2) image)
 
--- | The same from what the outputs of a classifier, one a shape, are for the image and for the
--- image turned by 180 degrees.
+-- | The estimate for an 8 x 12 image from the outputs of any classifier, one per shape, for the
+-- image and for the image turned by 180 degrees.
 estimateFrom :: Calibration -> Templates -> Raster -> [Double] -> [Double] -> Estimate
 estimateFrom calibration shapesSeen image upright upsideDown =
   case [(what, floored p) | (what, p) <- told] of
@@ -67,7 +67,7 @@ estimateFrom calibration shapesSeen image upright upsideDown =
   where
     seen = look shapesSeen image upright upsideDown
     told = chances calibration seen
-    -- Whatever the regression says, all others together have the least doubt.
+    -- All the other classes together have at least 'leastDoubt', whatever the regression says.
     floored p = (1 - spread) * p + spread / n
     spread = leastDoubt * n / max 1 (n - 1)
     n = fromIntegral (length told)

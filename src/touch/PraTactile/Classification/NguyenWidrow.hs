@@ -1,19 +1,19 @@
--- | First weights of a network: by Nguyen and Widrow (Proc. IJCNN 1990, vol. 3, 21-26), as @initnw@
--- of the Neural Network Toolbox has it, or uniform ones.
+-- | Initial weights of a network, either uniform or by Nguyen and Widrow (Proc. IJCNN 1990, vol.
+-- 3, 21-26) as in @initnw@ of the Neural Network Toolbox.
 --
--- A layer of s sigmoid units has r inputs whose range is more than a point. Let w be s rows of r
+-- A layer has s sigmoid units and r inputs whose range is not a single point. Let w be s rows of r
 -- uniform draws from -1 to 1, each row scaled to the norm
 --
 -- > m = 0.7 s^(1/r)
 --
--- and b_i = m l_i sign (w_i1), where l are s numbers from -1 to 1, equally far apart (of one unit,
--- 0). This is for inputs from -1 to 1 and for units that answer to sums from -1 to 1. The toolbox
--- has a sigmoid unit answer to sums from -4 to 4, so that both are multiplied by 4; and an input x
--- from a to b is brought to 2 (x - a) / (b - a) - 1:
+-- and let b_i = m l_i sign (w_i1), where l are s equally spaced numbers from -1 to 1 (0 if s = 1).
+-- These suit inputs from -1 to 1 and units that respond to sums from -1 to 1. The toolbox takes the
+-- sigmoid's responsive range to be -4 to 4, so it multiplies both by 4. It maps an input x from a
+-- to b to 2 (x - a) / (b - a) - 1:
 --
 -- > W_ij = 4 w_ij 2 / (b_j - a_j),    B_i = 4 b_i - sum_j 4 w_ij (b_j + a_j) / (b_j - a_j)
 --
--- An input whose range is a point has the weight 0.
+-- An input whose range is a single point gets the weight 0.
 module PraTactile.Classification.NguyenWidrow
   ( -- * First weights
     FirstWeights (..),
@@ -33,10 +33,10 @@ import PraTactile.Classification.Train (initialNetwork)
 import PraTactile.Random (uniform)
 import System.Random (StdGen)
 
--- | Which weights a network begins with.
+-- | How the first weights of a network are chosen.
 data FirstWeights
-  = -- | by 'initnw': the hidden layer for inputs of these ranges, one an input, the output layer
-    -- for hidden units from 0 to 1 and times this factor
+  = -- | by 'initnw': the hidden layer for the given range of each input; the output layer for
+    -- hidden units from 0 to 1, times the given factor
     NguyenWidrow [Range] Double
   | -- | uniform from -0.1 to 0.1
     UniformWeights
@@ -45,12 +45,12 @@ data FirstWeights
 -- | The least and the greatest value of an input.
 type Range = (Double, Double)
 
--- | The ranges of inputs over vectors of them; none for none.
+-- | The range of each input over a list of input vectors; an empty list for an empty list.
 rangesOf :: [[Double]] -> [Range]
 rangesOf = map (\values -> (minimum values, maximum values)) . transpose
 
--- | A network with these numbers of hidden units and outputs. Refuses ('LayersDoNotFit') fewer than
--- one of either, and ranges that are not 96.
+-- | A network with the given numbers of hidden units and outputs, and the next generator. Refuses
+-- ('LayersDoNotFit') numbers below 1, and for 'NguyenWidrow' other than 96 ranges.
 firstNetwork :: FirstWeights -> Int -> Int -> StdGen -> Either NetworkError (Network, StdGen)
 firstNetwork weights hidden outs g = case weights of
   UniformWeights -> initialNetwork hidden outs g
@@ -62,9 +62,9 @@ firstNetwork weights hidden outs g = case weights of
       n <- network w1 (scale factor w2)
       Right (n, g'')
 
--- | A layer of so many sigmoid units, at least one, for inputs of these ranges: a row a unit, its
--- weights and its bias last. Without an input whose range is more than a point there are biases
--- alone.
+-- | A layer with the given number of sigmoid units (at least one) for inputs of the given ranges.
+-- Each row is a unit: its weights, then its bias. If all ranges are single points, only the biases
+-- are not 0.
 initnw :: Int -> [Range] -> StdGen -> (Matrix Double, StdGen)
 initnw units ranges g = (fromLists (zipWith unit (spaced units) rows), g')
   where
@@ -85,7 +85,7 @@ initnw units ranges g = (fromLists (zipWith unit (spaced units) rows), g')
     over w (a, b) = if a < b then 2 * w / (b - a) else 0
     middle w (a, b) = if a < b then w * (b + a) / (b - a) else 0
 
--- | So many numbers from -1 to 1, equally far apart; one alone is 0.
+-- | The given number of equally spaced numbers from -1 to 1; a single one is 0.
 spaced :: Int -> [Double]
 spaced 1 = [0]
 spaced n = [2 * fromIntegral i / fromIntegral (n - 1) - 1 | i <- [0 .. n - 1]]

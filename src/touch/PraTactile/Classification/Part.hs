@@ -1,24 +1,23 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The likeliest symbol of which only a part was touched.
+-- | The most likely symbol when only a part of it was touched.
 --
--- What a part shows is N taxels. From a shape in a place they are d off, as squares added up, and
--- every k of them err alike, as one, by a normal law whose variance is not known. Any variance is
--- as likely as one of another size beforehand (H. Jeffreys 1961), so that the shape in that place
--- has the likelihood
+-- A part shows N taxels. Let d be the sum of their squared differences from a shape at a place.
+-- Errors of k neighbouring taxels are taken as one, normal with unknown variance v. With Jeffreys'
+-- prior on v (H. Jeffreys 1961) the likelihood of the shape at that place is
 --
 -- > integral of v^(-n/2) exp (-d / (2 k v)) dv / v ~ d^(-n/2),    n = N / k
 --
--- The nearer to each other shapes are, the sooner errors make another of one: with D taxels, the
--- alphabet's separation, k = 3500 / D^2, which is 1.5 for the least and 2.2 for the most of the
--- shipped alphabets.
+-- The closer the shapes of an alphabet are to each other, the fewer errors turn one into another.
+-- With D taxels, the alphabet's separation, k = 3500 / D^2. For the shipped alphabets k is between
+-- 1.5 and 2.2.
 --
--- A part may lie a little beside its place: a shape's likelihood is the mean over places, whose
--- distances are normal with the standard deviation m = 1/4 of a taxel. And what was touched may be
--- flat, or with the probability r nothing of the kind.
+-- A part may be displaced a little. So a shape's likelihood is the mean over displacements, which
+-- are normal with standard deviation m = 1/4 taxel. The surface may also be flat, and with
+-- probability r it is neither a symbol nor flat.
 --
--- Where frames lie as the robot has them and nobody compared them, strokes in several of them do
--- not meet. With s taxels, the standard deviation of the robot's error along each axis,
+-- Where frames were placed by the robot's positions alone, a stroke may break between frames. With
+-- s taxels, the standard deviation of the robot's error along each axis,
 --
 -- > m^2 = 1/16 + s^2,    k = 3500 / D^2 + 3/4 s^2,    r >= 50^(s - 1) / 1000
 module PraTactile.Classification.Part
@@ -36,14 +35,15 @@ import PraTactile.Image
 import PraTactile.Segmentation (Part (..))
 import PraTactile.Symmetry
 
--- | The estimate for a part of a symbol, by the shapes themselves, because the network knows whole
--- symbols only: of each shape, in either orientation, the posterior by the formulas above. Given
--- are the standard deviation of the robot's position error along each axis, in taxels, that is left
--- in the part because frames were not compared, or 0; and the part. Note [Parts]
+-- | The posterior of each shape, in either orientation, for a part of a symbol, by the formulas
+-- above. It compares with the shapes, because the network knows whole symbols only. The number is
+-- the standard deviation (taxels) of the robot's position error along each axis, if the frames were
+-- not registered; otherwise 0. Note [Parts]
 estimatePart :: Templates -> Double -> Part -> Estimate
 estimatePart shapesSeen sigma part = Estimate best [(what, chance l) | (what, l) <- likelihoods] 0
   where
-    -- What is flat, or nothing of the kind, is any of the shapes alike.
+    -- A flat face and an unknown surface say nothing about the class, so their probability is
+    -- shared equally.
     chance l = (1 - rubbish) * (l + flatLikelihood / n) / total + rubbish / n
     taxels = V.sum (rasterValues (partSeen part))
     rubbish = nothingOfTheKind sigma taxels
@@ -64,8 +64,8 @@ estimatePart shapesSeen sigma part = Estimate best [(what, chance l) | (what, l)
     least = minimum (flat : concatMap (map snd . snd) distances)
     total = sum (map snd likelihoods) + flatLikelihood
 
--- | The sum of squared differences over the taxels seen: from each class upright, and from each
--- turned by 180 degrees, moved in each way by up to a taxel; and from a flat face.
+-- | The sums of squared differences over the observed taxels. First for each class, upright and
+-- turned by 180 degrees, at each displacement of up to a taxel; then for a flat face.
 partDistances :: Templates -> Part -> ([((Int, Symmetry), [((Double, Double), Double)])], Double)
 partDistances shapesSeen part =
   ( concatMap from [identity, turned 2],
@@ -81,21 +81,22 @@ partDistances shapesSeen part =
         (onRaster symmetry (partPixels part))
         (onRaster symmetry (partSeen part))
 
--- What a taxel is off by in any case, squared: so no likelihood is infinite.
+-- The variance of a taxel that is assumed in any case, so that no likelihood is infinite.
 leastVariance :: Double
 leastVariance = 0.003
 
--- The probability of an image that is nothing of the kind, where so many taxels were seen. Of less
--- than a third of a symbol, frames that were put together a taxel wrong may make another symbol;
--- those that nobody compared make anything, if they are several taxels wrong.
+-- The probability that a part shows neither a symbol nor a flat face, from the robot's error
+-- (taxels) and the number of observed taxels. It is higher for less than a third of a symbol, where
+-- frames registered a taxel wrong can look like another symbol. It is higher still for frames that
+-- were not registered.
 nothingOfTheKind :: Double -> Double -> Double
 nothingOfTheKind sigma taxels =
   min 1 (max (0.001 * 50 ** (sigma - 1)) (if taxels < 32 then 0.006 else 0.001))
 
-{- Note [Parts] The numbers k, m and the least variance, and what becomes of them with a robot's
-   error, are nearly likeliest for the 4900 parts of 1600 presses by `paper`, `real` and `hard` over
-   GF(2) to GF(9), compared and not, with position errors of one to two taxels; about as many of
-   these parts are wrong as are told to be under each condition. Likeliest of all would be that next
-   to nothing is nothing of the kind: of 1800 parts with no other doubt none was wrong (assumption:
-   of another sensor some are). bench/calibration.py counts other presses; its tables stand in
-   docs/results/evaluation.md. -}
+{- Note [Parts] The numbers k, m and the least variance, and their dependence on the robot's error,
+   are close to the most likely ones for 4900 parts of 1600 presses. These presses used the sensors
+   `paper`, `real` and `hard` over GF(2) to GF(9), with and without registration, and position
+   errors of one to two taxels. Under each condition about as many parts are wrong as predicted. The
+   most likely r would be close to 0: of 1800 parts with no other doubt none was wrong. It is kept
+   higher, because parts from another sensor may be wrong (assumption). bench/calibration.py counts
+   other presses; docs/results/evaluation.md has its tables. -}

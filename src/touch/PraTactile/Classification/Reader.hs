@@ -1,4 +1,4 @@
--- | All that is made of an alphabet of shapes, so that one value says which symbols are felt.
+-- | A symbol alphabet together with everything derived from it.
 module PraTactile.Classification.Reader
   ( Reader (..),
     readerOf,
@@ -11,24 +11,24 @@ import PraTactile.Classification.Templates (Templates, templates)
 import PraTactile.Registration.Lattice.Template (LatticeTables, latticeTables)
 import PraTactile.Shape (Alphabet)
 
--- | What symbols are read with: their shapes, and what is made of these, each part once, when it is
--- first looked at. Everything that presses, puts frames together or reads them takes its shapes
--- from here, and so from one alphabet.
+-- | The shapes of an alphabet and what is derived from them, each part computed once, on first
+-- use. Pressing, registration and recognition all take their shapes from one 'Reader', so they use
+-- the same alphabet.
 data Reader = Reader
   { -- | the shapes, by class
     readerAlphabet :: Alphabet,
-    -- | what frames are held against when they are put together
+    -- | the tables that registration compares frames with
     readerTables :: LatticeTables,
-    -- | what images of symbols and parts are held against
+    -- | the templates that images of symbols and parts are compared with
     readerTemplates :: Templates,
-    -- | the network that was trained on the shapes, with an output a class
+    -- | the network that was trained on the shapes, one output per class
     readerNetwork :: Network,
-    -- | how sure its estimates are
+    -- | turns the network's outputs into probabilities
     readerCalibration :: Calibration
   }
 
--- | A reader of an alphabet by a network that was trained on it, as sure as 'standardCalibration'
--- has it. Whether they have as many classes is for who uses them to ask.
+-- | The reader for an alphabet and a network that was trained on it, with 'standardCalibration'.
+-- It does not check that both have the same number of classes.
 readerOf :: Alphabet -> Network -> Reader
 readerOf alphabet network =
   Reader

@@ -1,6 +1,6 @@
--- | The training of the shipped network: the paper's regimen (section IV, after Demuth and Beale's
--- character recognition example) of clean images, then noisy ones, then clean ones again, on images
--- as the stitching and segmentation of frames leave them.
+-- | The training of the shipped network. It follows the paper (section IV, after Demuth and
+-- Beale's character recognition example): clean images, then noisy ones, then clean ones again. The
+-- images look as they do after stitching and segmentation.
 module PraTactile.Classification.Regimen
   ( Regimen (..),
     Stage (..),
@@ -28,34 +28,34 @@ import PraTactile.Shape
 import PraTactile.Steps
 import System.Random (StdGen, mkStdGen)
 
--- | A training in stages, each with images of its own.
+-- | A training in stages, each with its own images.
 data Regimen = Regimen
   { -- | Units in the hidden layer.
     hiddenLayerSize :: !Int,
-    -- | How many images of each kind, for each class, make a batch.
+    -- | How many images of each kind a batch has per class.
     composition :: [(Kind, Int)],
     -- | The stages in order.
     stages :: [Stage]
   }
   deriving stock (Eq, Show)
 
--- | One stage: rounds of descent, each on a batch drawn afresh. Note [Rounds]
+-- | One stage: rounds of gradient descent, each on a newly drawn batch. Note [Rounds]
 data Stage = Stage
-  { -- | How many rounds.
+  { -- | The number of rounds.
     stageRounds :: !Int,
-    -- | How each descends.
+    -- | The descent of each round.
     roundDescent :: !Descent,
-    -- | Standard deviations of the noise, which the images of a batch take in turn; none means no
-    -- noise.
+    -- | Standard deviations of the noise. The images of a batch take them in turn; an empty list
+    -- means no noise.
     stageNoise :: [Double]
   }
   deriving stock (Eq, Show)
 
--- | That of the network for the paper's four shapes: eight hidden units; 5000 epochs in all: clean
--- images, then half of them with noise of standard deviation 0.1, then 0.15, then 0.2, then clean
--- ones again. A batch has for each class 375 images of the symbol in place, a third of them
--- curtailed; 225 of it upside down; 5 of a flat face; and 650 of other impostors. It takes less
--- than a minute.
+-- | The regimen of the network for the paper's four shapes: eight hidden units and 5000 epochs.
+-- Clean images come first. Then half of the images have noise of standard deviation 0.1, then 0.15,
+-- then 0.2. Clean images come last. Per class, a batch has 375 images of the symbol in place (a
+-- third of them curtailed), 225 of it upside down, 5 of a flat face, and 650 of other impostors.
+-- The training takes less than a minute.
 shippedRegimen :: Regimen
 shippedRegimen =
   Regimen
@@ -82,9 +82,9 @@ shippedRegimen =
   where
     for n = shippedDescent {epochs = n}
 
--- | The same for so many shapes: two hidden units a class, as four classes have, but no
--- fewer than eight. Eight units do not tell seven classes apart: the squared error of a batch stays
--- a hundred times as great.
+-- | 'shippedRegimen' for the given number of classes: two hidden units per class, but at least
+-- eight. Eight units cannot separate seven classes: the squared error of a batch stays a hundred
+-- times as great.
 regimenFor :: Int -> Regimen
 regimenFor classes =
   shippedRegimen
@@ -92,28 +92,29 @@ regimenFor classes =
     }
 
 {- Note [Rounds] The paper had a few real images of each character; here images can be drawn at
-   will. A stage whose epochs all see one batch drives the error on that batch to zero with ever
-   steeper units: it learns the batch by heart. In rounds, each with a new batch, the same number of
-   epochs gave a network that errs less: at noise 0.5, of 4400 aligned images the greatest output
-   was the wrong one for none instead of 34. -}
+   will. If all epochs of a stage use one batch, the network learns that batch by heart: units
+   become ever steeper and the error on the batch falls to zero. With a new batch in each round, the
+   same number of epochs gave a better network. At noise 0.5 it misread none of 4400 aligned images
+   by its greatest output, instead of 34. -}
 
 -- | The seed of the shipped network.
 shippedSeed :: Int
 shippedSeed = 2004
 
--- | Trains a network for an alphabet as the shipped one was trained: with 'shippedSeed' and the
--- shipped shapes it is the shipped one.
+-- | Trains a network for an alphabet by 'regimenFor', from a seed. With 'shippedSeed' and the
+-- shipped shapes the result is the shipped network. Also returns each round's stage (from 1) and
+-- trace.
 trainShipped :: Alphabet -> Int -> Either NetworkError (Network, [(Int, Trace)])
 trainShipped a = trainWith (regimenFor (alphabetSize a)) a
 
--- | Trains a network for an alphabet by a regimen, from a seed; with each round's stage, from 1,
--- and descent.
+-- | Trains a network for an alphabet by the given regimen and seed. Also returns each round's
+-- stage (from 1) and trace.
 trainWith :: Regimen -> Alphabet -> Int -> Either NetworkError (Network, [(Int, Trace)])
 trainWith regimen a seed = (\n -> (n, roundsOf training)) <$> result training
   where
     training = trainingSteps regimen a seed
 
--- | What a regimen takes for so many classes.
+-- | The cost of a regimen for the given number of classes.
 regimenDemand :: Regimen -> Int -> Demand
 regimenDemand regimen classes =
   demandOf
@@ -123,18 +124,18 @@ regimenDemand regimen classes =
       | s <- stages regimen
     ]
 
--- | What a step of a training did.
+-- | The result of one step of a training.
 data TrainingStep
   = EpochDone
-  | -- | of this stage, from 1
+  | -- | The round of this stage (from 1) ended, with this trace
     RoundDone !Int !Trace
   deriving stock (Eq, Show)
 
--- | The rounds that were done, each with its stage, from 1, and descent.
+-- | The rounds that ended, each with its stage (from 1) and trace.
 roundsOf :: Steps TrainingStep a -> [(Int, Trace)]
 roundsOf steps = [(i, trace) | RoundDone i trace <- stepsDone steps]
 
--- | The steps of 'trainWith', to look on at.
+-- | 'trainWith' as steps that can be observed, one per epoch and one per round.
 trainingSteps :: Regimen -> Alphabet -> Int -> Steps TrainingStep (Either NetworkError Network)
 trainingSteps regimen a seed =
   either
@@ -155,7 +156,9 @@ trainingSteps regimen a seed =
                 Left refusal -> Done (Left refusal)
                 Right (n', trace) -> Step (RoundDone i trace) (go n' g' rest)
 
--- | The images of a round, each with its class if it has one.
+-- | The images of one round, each with its class ('Nothing' for impostors), and the next
+-- generator. The arguments are the number of images of each kind per class, the noise levels, and
+-- the alphabet.
 roundImages :: [(Kind, Int)] -> [Double] -> Alphabet -> StdGen -> ([(Raster, Maybe Int)], StdGen)
 roundImages makeup noises a g = (concat labelled, g')
   where

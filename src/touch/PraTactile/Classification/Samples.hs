@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Synthetic images of symbols, and of what is not one, as the classifier meets them: a little
--- misplaced, blurred and out of register from stitching, of varying contrast, and noisy.
+-- | Synthetic images of symbols and of impostors as the classifier meets them: slightly misplaced,
+-- blurred, torn by stitching, of varying contrast, and noisy.
 module PraTactile.Classification.Samples
   ( -- * What is seen
     Scene,
@@ -34,16 +34,16 @@ import PraTactile.Shape
 import PraTactile.Shape.Distance (Feature, raises)
 import System.Random (StdGen)
 
--- | A surface around the box of a symbol: 0 flat, 1 embossed, in cells of a taxel; beyond it, what
--- its margin has.
+-- | A surface around the box of a symbol, in cells of a taxel: 0 flat, 1 embossed. Beyond it the
+-- surface continues the outermost cells.
 newtype Scene = Scene Raster
 
--- | The cells on each side of the box.
+-- | The width of the surface on each side of the box, in cells.
 margin :: Int
 margin = 8
 
--- | The scene whose cell at a column and row, counted from the box's upper left taxel, is raised
--- where the function says so.
+-- | The scene that is raised where the function says so. Its arguments are column and row, counted
+-- from the box's upper left taxel.
 sceneWhere :: (Int -> Int -> Bool) -> Scene
 sceneWhere f =
   Scene
@@ -57,11 +57,11 @@ sceneWhere f =
 symbolScene :: Bitmap -> Scene
 symbolScene = sceneWhere . embossedAt
 
--- | An ordinary feature of an object.
+-- | An ordinary feature of an object, such as an edge.
 featureScene :: Feature -> Scene
 featureScene = sceneWhere . raises
 
--- | A shape on its side, turned by 90 degrees clockwise about the box's centre.
+-- | A shape turned by 90 degrees clockwise about the box's centre.
 sidewaysScene :: Bitmap -> Scene
 sidewaysScene b = sceneWhere (\x y -> embossedAt b (y - inset) (symbolHeight - 1 - (x + inset)))
   where
@@ -79,30 +79,31 @@ overScene a b = sceneWhere (\x y -> embossedAt (if y < symbolHeight `div` 2 then
 flatScene :: Scene
 flatScene = sceneWhere (\_ _ -> False)
 
--- | How a scene is seen. Lengths are in taxels.
+-- | How a scene is imaged. Lengths are in taxels.
 data View = View
-  { -- | By how much the scene lies too far to the right and down.
+  { -- | The displacement of the scene to the right and down.
     viewShift :: !(Double, Double),
-    -- | By how much its two halves are out of register; they are blended over the image's width.
+    -- | The displacement of the right half against the left half. The halves are blended over the
+    -- image's width.
     viewTear :: !(Double, Double),
-    -- | The share of each taxel that its two neighbours in a row, and in a column, hold: 0 to 0.5,
-    -- as resampling leaves it.
+    -- | The share of each taxel's value that comes from its two neighbours in a row, and in a
+    -- column: 0 to 0.5, as resampling leaves it.
     viewBlur :: !(Double, Double),
-    -- | The contrast: the value of an embossed taxel.
+    -- | The value of an embossed taxel.
     viewGain :: !Double,
-    -- | The value of a flat one.
+    -- | The value of a flat taxel.
     viewBase :: !Double
   }
   deriving stock (Eq, Show)
 
--- | Taxel upon taxel, without any fault.
+-- | The view without displacement, tear or blur, with values 0 and 1.
 exactView :: View
 exactView =
   View {viewShift = (0, 0), viewTear = (0, 0), viewBlur = (0, 0), viewGain = 1, viewBase = 0}
 
--- | A view as stitching and segmentation leave it: misplaced by up to that many taxels in each
--- direction, halves out of register by up to 0.5, up to 0.4 of blur, contrast 0.85 to 1.1, flat
--- parts at -0.03 to 0.05; all uniform.
+-- | A random view as stitching and segmentation produce it, and the next generator. All parameters
+-- are uniform: displacement up to the given number of taxels in each direction, tear up to 0.5,
+-- blur up to 0.4, contrast 0.85 to 1.1, flat parts at -0.03 to 0.05.
 stitchedView :: Double -> StdGen -> (View, StdGen)
 stitchedView misplacement g0 = (View (x, y) (u, v) (a, b) gain base, g8)
   where
@@ -116,8 +117,8 @@ stitchedView misplacement g0 = (View (x, y) (u, v) (a, b) gain base, g8)
     (base, g8) = between (-0.03) 0.05 g7
     between low high g = let (t, g') = uniform g in (low + (high - low) * t, g')
 
--- | The 8 x 12 image of a scene: each taxel the mean over its area, so that a shift by part of a
--- taxel interpolates linearly between cells.
+-- | The 8 x 12 image of a scene under a view. Each taxel is the mean over its area, so a
+-- displacement by part of a taxel interpolates linearly between cells.
 see :: View -> Scene -> Raster
 see view (Scene cells) = generate symbolWidth symbolHeight $ \x y ->
   let right = (fromIntegral x + 0.5) / fromIntegral symbolWidth
@@ -125,8 +126,7 @@ see view (Scene cells) = generate symbolWidth symbolHeight $ \x y ->
    in viewBase view
         + (viewGain view - viewBase view) * ((1 - right) * at x + right * at (symbolWidth + x))
   where
-    -- Separably: first along the rows, the two halves' columns side by side, then along the
-    -- columns.
+    -- The resampling is separable: rows first (the two halves' columns side by side), then columns.
     across = generate (2 * symbolWidth) (rasterHeight cells) $ \i y ->
       let (half, x) = i `quotRem` symbolWidth
        in blurred
@@ -146,14 +146,15 @@ see view (Scene cells) = generate symbolWidth symbolHeight $ \x y ->
             snd (viewShift view) + sign * snd (viewTear view)
           )
 
--- | A part of the image where the sensor never was.
+-- | A part of an image that the sensor never touched.
 data Unseen
-  = -- | Nothing is known there, and it counts as flat.
+  = -- | This corner is unknown and counts as flat.
     CornerUnseen !Corner
-  | -- | So many columns at the left or (flag set) at the right: they repeat the nearest one that
-    -- was seen.
+  | -- | This number of columns at the left, or at the right if the flag is set. They repeat the
+    -- nearest observed column.
     ColumnsUnseen !Bool !Int
-  | -- | The same for rows at the top or the bottom.
+  | -- | This number of rows at the top, or at the bottom if the flag is set. They repeat the
+    -- nearest observed row.
     RowsUnseen !Bool !Int
   deriving stock (Eq, Show)
 
@@ -168,7 +169,7 @@ data Corner = Corner
   }
   deriving stock (Eq, Show)
 
--- | The image as it is when that part was not seen.
+-- | The image with the given part not observed.
 withUnseen :: Unseen -> Raster -> Raster
 withUnseen unseen image = generate w h value
   where
@@ -184,8 +185,8 @@ withUnseen unseen image = generate w h value
     inStrip far size n t = if far then t >= size - n else t < n
     nearestSeen far size n t = if far then min (size - 1 - n) t else max n t
 
--- | The image with white noise of that standard deviation, clipped to 0..1 and rounded to the 256
--- levels of a frame.
+-- | The image with white noise of the given standard deviation, clipped to 0..1 and rounded to the
+-- 256 levels of a frame; and the next generator.
 withNoise :: Double -> Raster -> StdGen -> (Raster, StdGen)
 withNoise deviation image g = (generate (rasterWidth image) (rasterHeight image) noisy, g')
   where

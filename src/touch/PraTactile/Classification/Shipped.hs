@@ -1,6 +1,6 @@
--- | The alphabets that are shipped, with the networks that were trained on them: the one module
--- that has them. How the shapes were designed is "PraTactile.Shape.Design", how the networks were
--- trained "PraTactile.Classification.Regimen".
+-- | The shipped alphabets and the networks that were trained on them. "PraTactile.Shape.Design"
+-- tells how the shapes were designed, "PraTactile.Classification.Regimen" how the networks were
+-- trained.
 module PraTactile.Classification.Shipped
   ( shippedSizes,
     shippedAlphabet,
@@ -19,9 +19,9 @@ import PraTactile.Classification.Reader
 import PraTactile.Embedded
 import PraTactile.Shape (Alphabet, ShapeError, decodeAlphabet)
 
--- | Why there is none. Tests show that only the first is met with.
+-- | Why a shipped alphabet cannot be given. Only 'NotShipped' happens; tests read all the files.
 data ShippedError
-  = -- | None is shipped with this many classes.
+  = -- | No alphabet with this number of classes is shipped.
     NotShipped Int
   | -- | The drawings cannot be read.
     ShippedShapes ShapeError
@@ -29,26 +29,26 @@ data ShippedError
     ShippedWeights NetworkError
   deriving stock (Eq, Show)
 
--- | The numbers of classes of which there is an alphabet, ascending.
+-- | The numbers of classes for which an alphabet is shipped, ascending.
 shippedSizes :: [Int]
 shippedSizes = map fst shippedFiles
 
 ofSize :: Int -> Either ShippedError ShippedFiles
 ofSize q = maybe (Left (NotShipped q)) Right (lookup q shippedFiles)
 
--- | The shapes for so many classes.
+-- | The shipped shapes for the given number of classes.
 shippedAlphabet :: Int -> Either ShippedError Alphabet
 shippedAlphabet q = ofSize q >>= first ShippedShapes . decodeAlphabet . shippedDrawings
 
--- | The network that was trained on them.
+-- | The shipped network for the given number of classes.
 shippedNetwork :: Int -> Either ShippedError Network
 shippedNetwork q = ofSize q >>= first ShippedWeights . decodeNetwork . shippedWeights
 
--- | How sure its estimates are.
+-- | The calibration of the shipped network for the given number of classes.
 shippedCalibration :: Int -> Either ShippedError Calibration
 shippedCalibration q = ofSize q >>= first ShippedWeights . decodeCalibration . shippedDoubts
 
--- | All of it.
+-- | The shapes, network and calibration that are shipped for the given number of classes.
 shippedReader :: Int -> Either ShippedError Reader
 shippedReader q = do
   made <- readerOf <$> shippedAlphabet q <*> shippedNetwork q

@@ -1,5 +1,5 @@
--- | The sorts of things whose images reach the classifier: upright symbols, and what must not be
--- taken for one.
+-- | The kinds of images that reach the classifier: upright symbols, and impostors that it must not
+-- take for one.
 module PraTactile.Classification.Specimens
   ( Kind (..),
     genuine,
@@ -20,21 +20,21 @@ import System.Random (StdGen)
 data Kind
   = -- | A symbol, upright and in place.
     Upright
-  | -- | The same, but a corner of the image at most 3 taxels wide or tall, or a margin of at most
-    -- 2, was not seen.
+  | -- | An upright symbol in place, of which a corner at most 3 taxels wide or tall, or a margin
+    -- of at most 2, was not observed.
     Curtailed
   | -- | A symbol turned by 180 degrees.
     UpsideDown
-  | -- | The same, but a corner at most 4 taxels wide or tall, or a margin of at most 2, was not
-    -- seen.
+  | -- | A symbol turned by 180 degrees, of which a corner at most 4 taxels wide or tall, or a
+    -- margin of at most 2, was not observed.
     CurtailedUpsideDown
   | -- | A symbol turned by 90 degrees.
     Sideways
-  | -- | A symbol out of place by 3 to 6 taxels in at least one direction.
+  | -- | A symbol displaced by 3 to 6 taxels in at least one direction.
     Displaced
   | -- | One half of a symbol and the other half of another.
     Halves
-  | -- | An ordinary feature of an object: edge, ridge, corner, disc, or everything raised.
+  | -- | An ordinary feature of an object: edge, ridge, corner, disc, or a raised plateau.
     Ordinary
   | -- | A flat face.
     Bare
@@ -44,17 +44,18 @@ data Kind
 genuine :: Kind -> Bool
 genuine kind = kind == Upright || kind == Curtailed
 
--- | Everything that is not, so that every answer is wrong.
+-- | The kinds for which every class is a wrong answer.
 impostors :: [Kind]
 impostors = filter (not . genuine) [minBound .. maxBound]
 
--- | How far a symbol may be misplaced in its 8 x 12 image and must still be recognised, in taxels
--- in each direction.
+-- | The displacement, in taxels in each direction, up to which a symbol in its 8 x 12 image must
+-- still be recognised.
 misplacementBound :: Double
 misplacementBound = 0.7
 
--- | The noiseless image of a random specimen of a kind, of the shape given (with another of the
--- alphabet's where the kind wants two), as stitching and segmentation would leave it.
+-- | The noiseless image of a random specimen of a kind, as stitching and segmentation would leave
+-- it, and the next generator. The shape is the given one; a kind that needs two shapes takes
+-- another one from the alphabet.
 specimen :: Alphabet -> Kind -> Bitmap -> StdGen -> (Raster, StdGen)
 specimen alphabetOfAll kind shape g = case kind of
   Upright -> (see view (symbolScene shape), g')
@@ -84,8 +85,8 @@ specimen alphabetOfAll kind shape g = case kind of
           (side, h'') = below 2 h'
        in (if side == 0 then size else -size, h'')
 
--- | The image without a corner at most this many taxels wide, or tall; or without 1 or 2
--- columns or rows.
+-- | The image without one corner, or without 1 or 2 columns or rows. The number is the greatest
+-- width or height of the corner.
 curtailed :: Int -> Raster -> StdGen -> (Raster, StdGen)
 curtailed thickest image g0 = (withUnseen unseen image, g5)
   where
@@ -115,6 +116,6 @@ between low high g = let (u, g') = uniform g in (low + (high - low) * u, g')
 below :: Int -> StdGen -> (Int, StdGen)
 below n g = let (u, g') = uniform g in (floor (u * fromIntegral n), g')
 
--- | One of the list, all equally likely; the first argument if there is none.
+-- | A uniformly drawn element of the list; the first argument if the list is empty.
 oneOf :: a -> [a] -> StdGen -> (a, StdGen)
 oneOf none list g = let (i, g') = below (length list) g in (foldr const none (drop i list), g')

@@ -1,8 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The shapes of an alphabet as they are seen when misplaced a little, and how much an image is
--- like them.
+-- | The shapes of an alphabet at small displacements, and the comparison of images with them.
 module PraTactile.Classification.Templates
   ( Templates,
     templates,
@@ -20,8 +19,8 @@ import PraTactile.Image
 import PraTactile.Shape
 import PraTactile.Shape.Distance (separation)
 
--- | The shapes of an alphabet as they are seen when misplaced a little: to be correlated with, and
--- to be subtracted.
+-- | The shapes of an alphabet at small displacements: standardised for correlation, and as they
+-- are for subtraction.
 data Templates = Templates
   { -- | the alphabet's 'separation', taxels
     templateSeparation :: Int,
@@ -32,8 +31,8 @@ data Templates = Templates
 templateCount :: Templates -> Int
 templateCount = Boxed.length . templateClasses
 
--- | Each shape of the alphabet at its place and moved by half a taxel in each direction; parts,
--- whose place is known less well, by a whole one.
+-- | The templates of an alphabet. For correlation each shape is displaced by -0.5, 0 and 0.5
+-- taxels along both axes; for subtraction (parts, whose place is known less well) by -1 to 1 taxel.
 templates :: Alphabet -> Templates
 templates alphabetOfAll =
   Templates (separation alphabetOfAll) (Boxed.fromList (map seen (shapes alphabetOfAll)))
@@ -54,7 +53,7 @@ templates alphabetOfAll =
         | dx <- offsets,
           dy <- offsets
       ]
-    -- With a flat margin of two taxels, so that what is moved out of the box is replaced by flat.
+    -- A flat margin of two taxels replaces what is moved out of the box.
     framed shape =
       generate
         (symbolWidth + 4)
@@ -62,9 +61,9 @@ templates alphabetOfAll =
         (\x y -> if embossedAt shape (x - 2) (y - 2) then 1 else 0)
     sampled image x y = sample image (x + 2) (y + 2)
 
--- | How much an 8 x 12 image is like the shape of a class: the greatest correlation coefficient of
--- the two, the shape moved by up to half a taxel; from -1 to 1. 0 for an image all of whose values
--- are the same, for one of another size, and for a class that there is not.
+-- | The greatest correlation coefficient, from -1 to 1, of an 8 x 12 image and the shape of a
+-- class at displacements of up to half a taxel. 0 for a constant image, an image of another size,
+-- and an unknown class.
 match :: Templates -> Int -> Raster -> Double
 match known c image = case templateClasses known Boxed.!? c of
   Just (placed@(_ : _), _)
@@ -75,10 +74,10 @@ match known c image = case templateClasses known Boxed.!? c of
     values = rasterValues image
     seen = standardised values
 
--- | How far an 8 x 12 image is from the shape of a class: the sum of squared differences, over the
--- taxels where the weight is 1 and not 0, for each of the ways the shape may be moved by up to a
--- taxel along both axes, in taxels right and down. The image has background 0 and embossing 1. None
--- for a class that there is not.
+-- | The sum of squared differences of an 8 x 12 image from the shape of a class, for each
+-- displacement of up to a taxel (right, down). The second image is the weight: 1 for taxels that
+-- count, otherwise 0. The first image has background 0 and embossing 1. An empty list for an
+-- unknown class.
 squaredDistances :: Templates -> Int -> Raster -> Raster -> [((Double, Double), Double)]
 squaredDistances known c image weight = case templateClasses known Boxed.!? c of
   Just (_, placed) -> map (fmap apart) placed
@@ -95,7 +94,7 @@ squaredDistances known c image weight = case templateClasses known Boxed.!? c of
     !values = rasterValues image
     !weights = rasterValues weight
 
--- | Less the mean, and of length 1; zero where all values are the same.
+-- | The values minus their mean, scaled to length 1; zeros if all values are equal.
 standardised :: V.Vector Double -> V.Vector Double
 standardised values
   | size > 0 = V.map (/ size) centred

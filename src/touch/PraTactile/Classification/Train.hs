@@ -1,6 +1,6 @@
 -- | Training by backpropagation: gradient descent on the sum of squared errors over a whole batch,
--- with momentum and an adaptive learning rate (the paper's section IV), by the rule of
--- "PraTactile.Classification.Traingdx". Which images it is trained with is
+-- with momentum and an adaptive learning rate (the paper's section IV). The rule is in
+-- "PraTactile.Classification.Traingdx", the choice of images in
 -- "PraTactile.Classification.Regimen".
 module PraTactile.Classification.Train
   ( -- * Batches
@@ -49,17 +49,17 @@ import PraTactile.Steps
 import System.Random (StdGen)
 import Prelude hiding ((<>))
 
--- | Images with the outputs they shall have, an image a row; Note [Layouts].
+-- | Images with their target outputs. Note [Layouts]
 data Batch = Batch
-  { -- | the inputs, and a column of ones
+  { -- | one image per row, and a column of ones
     batchInputs :: !(Matrix Double),
-    -- | the same, an image a column
+    -- | one image per column, and a row of ones
     batchImages :: !(Matrix Double),
     batchTargets :: !(Matrix Double)
   }
 
--- | A batch for this many classes: each image with its class, or 'Nothing' when no output shall
--- be high. Refuses no images at all, images that are not 8 x 12, and classes that are not.
+-- | A batch for the given number of classes: images, each with its class, or 'Nothing' if no
+-- output shall be high. Refuses an empty list, images that are not 8 x 12, and unknown classes.
 batch :: Int -> [(Raster, Maybe Int)] -> Either NetworkError Batch
 batch _ [] = Left EmptyBatch
 batch classes labelled = do
@@ -94,13 +94,13 @@ type Units = (Matrix Double, Matrix Double)
 unitsOf :: Network -> Units
 unitsOf n = (hiddenUnits n, outputUnits n)
 
--- | The sum over the batch and the outputs of the squared differences from the targets. Refuses
--- ('WrongOutputCount') a network with another number of outputs than the batch has classes.
+-- | The sum over images and outputs of the squared differences from the targets. Refuses
+-- ('WrongOutputCount') a network whose number of outputs is not the batch's number of classes.
 squaredError :: Network -> Batch -> Either NetworkError Double
 squaredError n b = fst <$> fitting n b (errorAndGradient (unitsOf n) b)
 
--- | The derivatives of 'squaredError' with respect to the hidden and the output units. Refuses what
--- it refuses.
+-- | The derivatives of 'squaredError' with respect to the hidden and the output units. Refuses
+-- what 'squaredError' refuses.
 gradient :: Network -> Batch -> Either NetworkError (Matrix Double, Matrix Double)
 gradient n b = snd <$> fitting n b (errorAndGradient (unitsOf n) b)
 
@@ -128,55 +128,55 @@ errorAndGradient (w1, w2) b =
     delta2 = V.zipWith (\y t -> 2 * (y - t) * y * (1 - y)) out targets
     delta1 = V.zipWith (\d y -> d * y * (1 - y)) (columnsOf (byColumns delta2 <> weights)) hidden
     weights = subMatrix (0, 0) (L.rows w2, L.rows w1) w2
-    -- What is stored by columns, as they follow each other, and back.
+    -- A matrix as its columns in sequence, and back.
     columnsOf = L.flatten . tr'
     byColumns = tr' . L.reshape (batchSize b)
 
-{- Note [Layouts] Reference BLAS is fast where it adds multiples of long columns that lie in memory
-   one number after another, and slow where it takes sums of products along rows. So an image is a
-   row where units are summed over inputs, and a column where the gradient is summed over images,
-   and each matrix of a batch is stored by columns, as products are. A layer's units, stored by
-   rows, are so stored when transposed, which moves nothing. The sums are the same ones in the same
-   order either way, to the bit. -}
+{- Note [Layouts] Reference BLAS is fast where it adds multiples of long columns that are contiguous
+   in memory, and slow where it takes inner products along rows. So an image is a row where units
+   sum over inputs, and a column where the gradient sums over images. Each matrix of a batch is
+   stored by columns, as products are. A layer's units are stored by rows, so their transpose is
+   stored by columns without moving anything. Either way the same terms are added in the same order,
+   so results agree to the bit. -}
 
--- | How the shipped networks were trained: the paper's momentum of 0.95, and the factors of
--- 'toolboxDescent'. But the initial rate is 0.00001, for the error is summed over thousands of
--- images: a first step too long drives all units into saturation, where the slope is 0 and nothing
--- is learnt any more. The first epoch carries nothing on, and no gradient is too small.
+-- | The descent of the shipped networks: the paper's momentum of 0.95 and the factors of
+-- 'toolboxDescent'. The initial rate is 0.00001, because the error is summed over thousands of
+-- images. A first step that is too long would saturate all units, where the slope is 0 and learning
+-- stops. The first epoch has no momentum, and no gradient is too small to continue.
 shippedDescent :: Descent
 shippedDescent =
   toolboxDescent {initialRate = 0.00001, leastGradient = 0, firstChange = AtRest}
 
--- | The descent of a network with one batch, epoch by epoch; each has the network as a point, which
--- 'networkAt' turns back. Refuses ('WrongOutputCount') a batch for another number of classes.
+-- | The descent of a network on one batch, one value per epoch, with the weights as a point
+-- ('networkAt' converts it back). Refuses ('WrongOutputCount') a batch for another number of
+-- classes.
 trainingEpochs ::
   Descent -> Batch -> Network -> Either NetworkError (NonEmpty (Epoch (V.Vector Double)))
 trainingEpochs descent b n = fitting n b (descend descent objective (pointOf (unitsOf n)))
   where
     objective point = pointOf <$> errorAndGradient (unitsAt n point) b
 
--- | The units of a network as one vector: those of the hidden layer, then those of the output
--- layer, row by row.
+-- | The units of a network as one vector: the hidden layer, then the output layer, row by row.
 pointOf :: Units -> V.Vector Double
 pointOf (w1, w2) = L.vjoin [L.flatten w1, L.flatten w2]
 
--- | Such a vector as units, as many as the network has.
+-- | The inverse of 'pointOf', for layers of the given network's sizes.
 unitsAt :: Network -> V.Vector Double -> Units
 unitsAt n point = (L.reshape (inputCount + 1) first, L.reshape (hiddenCount n + 1) second)
   where
     (first, second) = V.splitAt (hiddenCount n * (inputCount + 1)) point
 
--- | The network at a point of a descent that began at the one given. Refuses ('NotFinite') one that
--- the descent has lost.
+-- | The network at a point of a descent that began at the given network. Refuses ('NotFinite') a
+-- point with weights that are not finite.
 networkAt :: Network -> V.Vector Double -> Either NetworkError Network
 networkAt n = uncurry network . unitsAt n
 
--- | Trains a network with one batch, to the end of 'trainingEpochs'. Refuses what they refuse;
--- 'NotFinite' if it diverges.
+-- | Trains a network on one batch until the descent stops. Refuses what 'trainingEpochs' refuses,
+-- and ('NotFinite') a descent that diverges.
 train :: Descent -> Batch -> Network -> Either NetworkError (Network, Trace)
 train descent b n = result (trainSteps descent b n)
 
--- | The steps of 'train', an epoch each.
+-- | 'train' as steps, one per epoch.
 trainSteps ::
   Descent -> Batch -> Network -> Steps (Epoch ()) (Either NetworkError (Network, Trace))
 trainSteps descent b n = case trainingEpochs descent b n of
@@ -184,7 +184,8 @@ trainSteps descent b n = case trainingEpochs descent b n of
   Right (begun :| epochs') -> go (bare begun :| []) begun epochs'
   where
     bare epoch = () <$ epoch
-    -- The epochs so far without their points, the last one first, and the last one.
+    -- The epochs so far without their points, newest first; the newest with its point; and the
+    -- epochs to come.
     go before end more = case more of
       epoch : rest ->
         let there = bare epoch
@@ -192,26 +193,25 @@ trainSteps descent b n = case trainingEpochs descent b n of
       [] ->
         Done ((\trained -> (trained, NonEmpty.reverse before)) <$> networkAt n (epochPoint end))
 
--- | What a training takes, known before it begins.
+-- | The cost of a training, known before it begins.
 data Demand = Demand
-  { -- | the images of its largest batch
+  { -- | the number of images in its largest batch
     demandImages :: !Int,
-    -- | how many epochs there are at the most
+    -- | the greatest number of epochs
     demandEpochs :: !Int,
-    -- | about how many bytes it holds at once
+    -- | the approximate memory in bytes
     demandBytes :: !Integer,
-    -- | how many products of numbers it forms, at the most
+    -- | the greatest number of multiplications
     demandProducts :: !Integer
   }
   deriving stock (Eq, Show)
 
--- | Of batches of so many images of so many classes, each with so many epochs, and a network with
--- so many hidden units. For each of n images there are held: its values three times, as a raster
--- and in both layouts of a batch; some five numbers a hidden unit, its value and what the gradient
--- takes; and some five an output. An epoch forms two products for each weight of the hidden layer
--- and three for each one of the output layer. All is there up to four times, for one batch is made
--- while another is held, and what is no longer needed is let go late: a training of 25 classes, of
--- 168 MB by these numbers, was seen to take 630 MB.
+-- | The cost of a training with the given number of classes and of hidden units, and batches of
+-- (images, epochs). For each image the memory holds its values three times (as a raster and in both
+-- layouts of a batch), some five numbers per hidden unit, and some five per output. An epoch forms
+-- two products per weight of the hidden layer and three per weight of the output layer. Everything
+-- may be there up to four times: one batch is made while another is held, and memory is freed late.
+-- A training of 25 classes, of 168 MB by these numbers, took 630 MB.
 demandOf :: Int -> Int -> [(Int, Int)] -> Demand
 demandOf classes hidden batches =
   Demand
@@ -228,8 +228,8 @@ demandOf classes hidden batches =
     units = wide hidden
     wide = toInteger :: Int -> Integer
 
--- | A network with these numbers of hidden units and outputs, its weights and biases uniform
--- between -0.1 and 0.1. Refuses ('LayersDoNotFit') fewer than one of either.
+-- | A network with the given numbers of hidden units and outputs, and the next generator. Its
+-- weights and biases are uniform between -0.1 and 0.1. Refuses ('LayersDoNotFit') numbers below 1.
 initialNetwork :: Int -> Int -> StdGen -> Either NetworkError (Network, StdGen)
 initialNetwork hidden outs g
   | hidden < 1 || outs < 1 = Left LayersDoNotFit

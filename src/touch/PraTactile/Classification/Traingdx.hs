@@ -1,9 +1,9 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DeriveFunctor #-}
 
--- | Gradient descent with momentum and an adaptive learning rate, as @traingdx@ of the Neural
--- Network Toolbox of 2002 has it, whose guide (Demuth and Beale) the paper cites: over any error
--- with its gradient, an epoch a value.
+-- | Gradient descent with momentum and an adaptive learning rate, as in @traingdx@ of the Neural
+-- Network Toolbox of 2002, whose guide (Demuth and Beale) the paper cites. It minimises any error
+-- with a gradient and yields one value per epoch.
 --
 -- Let E be the error at a point x, g = -grad E, lr the learning rate and mc the momentum. Before
 -- the first epoch dx = lr g. An epoch is
@@ -13,8 +13,8 @@
 -- > E (x + dx) < E (x):       lower: x := x + dx;  lr := 1.05 lr
 -- > otherwise:                tolerated: x := x + dx
 --
--- and there are no more of them once E <= goal, |g| is below the least gradient, or there were as
--- many as are allowed; those that were undone count.
+-- The descent stops when E <= goal, when |g| is below the least gradient, or at the greatest number
+-- of epochs (undone epochs count).
 module PraTactile.Classification.Traingdx
   ( -- * The rule
     Descent (..),
@@ -41,7 +41,7 @@ import Data.List.NonEmpty (NonEmpty (..))
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 
--- | Every constant of the rule.
+-- | The constants of the rule.
 data Descent = Descent
   { -- | mc, the share of the last change in the next
     momentum :: !Double,
@@ -49,41 +49,41 @@ data Descent = Descent
     initialRate :: !Double,
     -- | the factor of lr after an epoch in which the error fell
     rateIncrease :: !Double,
-    -- | its factor after an epoch that is undone,
+    -- | the factor of lr after an epoch that is undone
     rateDecrease :: !Double,
-    -- | because the error grew by more than this factor
+    -- | an epoch is undone if the error grows by more than this factor
     greatestIncrease :: !Double,
-    -- | an error that is low enough
+    -- | the error at which the descent stops
     goal :: !Double,
-    -- | the norm of the gradient below which nothing more is to be gained
+    -- | the norm of the gradient below which the descent stops
     leastGradient :: !Double,
-    -- | how many epochs there are at most
+    -- | the greatest number of epochs
     epochs :: !Int,
     momentumForm :: !Momentum,
     firstChange :: !FirstChange
   }
   deriving stock (Eq, Show)
 
--- | What momentum carries on.
+-- | The form of the momentum term.
 data Momentum
-  = -- | dx := mc dx + (1 - mc) lr g, which the toolbox's program computes
+  = -- | dx := mc dx + (1 - mc) lr g, as the toolbox's program computes
     AsProgrammed
-  | -- | dx := mc dx + lr mc g, which its manual says, then and now
+  | -- | dx := mc dx + lr mc g, as its manuals say, old and new
     AsDocumented
   deriving stock (Eq, Show)
 
--- | The change that the first epoch carries on.
+-- | The change dx before the first epoch.
 data FirstChange
   = -- | lr g: the first epoch is a whole step
     WholeStep
-  | -- | none: the first epoch is a step of (1 - mc) lr g
+  | -- | zero: the first epoch is a step of (1 - mc) lr g
     AtRest
   deriving stock (Eq, Show)
 
--- | The toolbox's values: momentum 0.95, as the guide's character recognition example and the paper
--- have it (the program's own is 0.9), rate 0.01, factors 1.05 and 0.7, greatest increase 1.04, the
--- goal 0, 5000 epochs, again theirs, and a least gradient of 1e-6, which stands in the program; its
--- help says 1e-10, and today's program has 1e-5.
+-- | The toolbox's values. Momentum 0.95 and 5000 epochs are from the guide's character recognition
+-- example and the paper (the program's own momentum is 0.9). Rate 0.01, factors 1.05 and 0.7,
+-- greatest increase 1.04 and goal 0 are the program's. The least gradient, 1e-6, is the program's
+-- of 2002; its help says 1e-10, and later versions have 1e-5.
 toolboxDescent :: Descent
 toolboxDescent =
   Descent
@@ -99,33 +99,33 @@ toolboxDescent =
       firstChange = WholeStep
     }
 
--- | The error at a point, which is not below 0, and its gradient there, as long as the point.
+-- | The error at a point, which is at least 0, and its gradient, a vector as long as the point.
 type Objective = Vector Double -> (Double, Vector Double)
 
--- | Where an epoch leaves the descent, at an @x@.
+-- | The state of a descent after an epoch, with its point of type @x@.
 data Epoch x = Epoch
-  { -- | from 1; 0 is before the first
+  { -- | counted from 1; 0 is the state before the first epoch
     epochNumber :: !Int,
     epochOutcome :: !Outcome,
     epochPoint :: !x,
     -- | the error at that point
     epochError :: !Double,
-    -- | the norm of the gradient there
+    -- | the norm of the gradient at that point
     epochGradient :: !Double,
     -- | the learning rate of the next epoch
     epochRate :: !Double
   }
   deriving stock (Eq, Show, Functor)
 
--- | What became of the step of an epoch.
+-- | What happened to the step of an epoch.
 data Outcome
-  = -- | There was none yet.
+  = -- | The state before the first epoch.
     Begun
   | -- | The error fell.
     Lower
-  | -- | It did not, but did not grow too much.
+  | -- | The error rose, but not too much.
     Tolerated
-  | -- | It grew too much.
+  | -- | The error rose too much, and the step was undone.
     Undone
   deriving stock (Eq, Ord, Show, Bounded, Enum)
 
@@ -141,7 +141,7 @@ outcomeName outcome = case outcome of
 data Stop = GoalReached | GradientVanished | EpochsSpent
   deriving stock (Eq, Show)
 
--- | Whether an epoch is the last, and why.
+-- | Why the descent stops after an epoch; 'Nothing' if it goes on.
 stopped :: Descent -> Epoch x -> Maybe Stop
 stopped rule epoch
   | epochError epoch <= goal rule = Just GoalReached
@@ -149,13 +149,12 @@ stopped rule epoch
   | epochGradient epoch < leastGradient rule = Just GradientVanished
   | otherwise = Nothing
 
--- | What the next epoch starts from: the last one, the gradient at its point, and the change that
--- momentum carries on.
+-- | What the next epoch needs: the last epoch, the gradient at its point, and the change dx.
 data State = State !(Epoch (Vector Double)) !(Vector Double) !(Vector Double)
 
--- | The descent from a point, epoch by epoch, as each is needed: before the first, and after each
--- until it stops. Once an error is no number, so are those after it. Each epoch asks for the error
--- once.
+-- | The descent from a point, computed lazily: the state before the first epoch, then one per
+-- epoch until it stops. Once an error is NaN, all later ones are. Each epoch evaluates the
+-- objective once.
 --
 -- >>> let parabola x = (V.sum (V.map (^ 2) x), V.map (2 *) x)
 -- >>> let rule = toolboxDescent {initialRate = 1, epochs = 4}
@@ -177,7 +176,8 @@ descend rule objective start = begun :| unfoldr next (State begun slope change)
         state = stepped rule objective epoch slope0 change0
         epochAfter (State it _ _) = it
 
--- | One epoch more.
+-- | The state after one more epoch. The arguments are the last epoch, the gradient at its point,
+-- and the change dx.
 stepped ::
   Descent -> Objective -> Epoch (Vector Double) -> Vector Double -> Vector Double -> State
 stepped rule objective (Epoch i _ x e size lr) slope change
@@ -195,21 +195,21 @@ stepped rule objective (Epoch i _ x e size lr) slope change
     (e', slope') = objective x'
     kept outcome = Epoch (i + 1) outcome x' e' (norm slope')
 
--- | lr g, from the gradient.
+-- | lr g, the step along the negative gradient.
 along :: Double -> Vector Double -> Vector Double
 along lr = V.map (negate lr *)
 
 norm :: Vector Double -> Double
 norm = sqrt . V.sum . V.map (^ (2 :: Int))
 
--- | Where a descent ends.
+-- | The last epoch of a descent.
 lastEpoch :: NonEmpty (Epoch x) -> Epoch x
 lastEpoch (begun :| others) = foldl' (\_ epoch -> epoch) begun others
 
--- | A descent without its points, which are most of it.
+-- | A descent without its points, which take most of the memory.
 type Trace = NonEmpty (Epoch ())
 
--- | A descent's trace; what was read of it holds no points.
+-- | The trace of a descent. Evaluated parts of it hold no points.
 traced :: NonEmpty (Epoch x) -> Trace
 traced (begun :| others) = (() <$ begun) :| go others
   where

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The shape that an image itself draws best, whatever the alphabet.
+-- | How well the best free-form drawing, in any alphabet or none, fits an image.
 module PraTactile.Classification.Unlike
   ( freeLikeness,
   )
@@ -10,16 +10,16 @@ import Data.List (sort)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
 
--- | The greatest correlation coefficient of an 8 x 12 image and any drawing of which a third to two
--- thirds of the blocks are embossed: for each number of them those that are highest in the image.
--- 0 for an image all of whose values are the same, and for one of another size.
+-- | The greatest correlation coefficient of an 8 x 12 image and any drawing in blocks of 2 x 2
+-- taxels with a third to two thirds of the blocks embossed. For each number of embossed blocks the
+-- best drawing embosses the highest blocks. 0 for a constant image and for an image of another
+-- size.
 --
--- The mean of a block is the correlation with it, but for a factor; so of k blocks the highest are
--- best, and with n blocks in all, of deviations d from the mean of all, they correlate by
+-- The correlation with a single block is proportional to its mean, so the k highest blocks are
+-- best. With n blocks of m taxels, block deviations d from the overall mean and taxel deviations z,
+-- their correlation is
 --
--- > sum of d over the k highest / root (sum of z^2 / m * k (n - k) / n)    of m taxels a block
---
--- where z are the taxels' deviations.
+-- > sum of d over the k highest / root (sum of z^2 / m * k (n - k) / n)
 freeLikeness :: Raster -> Double
 freeLikeness image
   | rasterSize image /= (8, 12) || spread <= 0 = 0

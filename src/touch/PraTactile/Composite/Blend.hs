@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Blending: images at real places laid onto one grid of pixels.
+-- | Blends images at real-valued places into one grid of pixels.
 module PraTactile.Composite.Blend
   ( Taxels,
     plus,
@@ -25,30 +25,30 @@ plus, minus :: Taxels -> Taxels -> Taxels
 plus (x, y) (dx, dy) = (x + dx, y + dy)
 minus (x, y) (dx, dy) = (x - dx, y - dy)
 
--- | What each pixel of a grid got: the weights times the values, summed, and the weights, summed.
+-- | For each pixel of a grid, the sum of weight times value and the sum of weights.
 data Blend = Blend
   { blendSums :: !Raster,
     blendWeights :: !Raster
   }
 
--- | Images laid onto a grid of that width and height, each with the place on the grid of its pixel
--- (0, 0). Each pixel of an image gives its value to the four grid pixels around its place, with
--- bilinear weights, which add up to 1. What falls off the grid is dropped.
+-- | Blends images into a grid of the given width and height. Each image comes with the place of
+-- its pixel (0, 0) on the grid. Each pixel gives its value to the four grid pixels around it, with
+-- bilinear weights, which add up to 1. What falls outside the grid is dropped.
 blend :: Int -> Int -> [(Taxels, Raster)] -> Blend
 blend width height images = Blend (part 0) (part area)
   where
     w = max 0 width
     h = max 0 height
     area = w * h
-    -- The canvas holds both.
+    -- The canvas holds the sums and then the weights.
     part offset = either (const (constant w h 0)) id (raster w h (V.slice offset area canvas))
     canvas = V.create $ do
       empty <- M.replicate (2 * area) 0
       forM_ images (lay w h empty)
       pure empty
 
--- | Add one image to a canvas of that width and height, which holds all the sums and after them all
--- the weights.
+-- | Adds one image to a canvas for a grid of the given width and height. The canvas holds all
+-- sums, then all weights.
 lay :: Int -> Int -> MVector s Double -> (Taxels, Raster) -> ST s ()
 lay w h canvas ((px, py), image)
   | abs px < 1e9 && abs py < 1e9 = row (max 0 (negate by - 1))

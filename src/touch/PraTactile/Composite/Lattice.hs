@@ -15,21 +15,21 @@ import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Composite.Blend (Taxels, plus)
 import PraTactile.Geometry (columnPitch, rotated, rowPitch)
 
--- | A lattice of cells, and what the frames show in each cell.
+-- | A lattice of cells with the evidence of the frames in each cell.
 data Lattice = Lattice
   { -- | The angle of the lattice's axes, in degrees clockwise from the composite's, in [-90, 90).
     latticeAngle :: !Double,
-    -- | Whether the symbols stand upside down along these axes.
+    -- | Whether the symbols are upside down along these axes.
     latticeHalfTurned :: !Bool,
     -- | The centre of the upper left taxel of the symbol in cell (0, 0), in taxels right and down
-    -- from where the robot counts.
+    -- from the origin of the robot's coordinates.
     latticeOrigin :: !Taxels,
-    -- | The centre of each frame, likewise.
+    -- | The centre of each frame, in taxels right and down from the same origin.
     latticeFrames :: ![Taxels],
-    -- | What flat ground reads in the composite, and how much more relief reads; grey values.
+    -- | The grey value of flat ground in the composite, and the contrast of the relief above it.
     latticeFlat :: !Double,
     latticeContrast :: !Double,
-    -- | By row and column along the lattice's axes: g_c of all frames
+    -- | By row and column along the lattice's axes: g_c summed over all frames
     -- ("PraTactile.Registration.Model").
     latticeCells :: !(Map (Int, Int) ClassLogs)
   }
@@ -38,7 +38,7 @@ data Lattice = Lattice
 -- | For each class its log-likelihood ratio to an empty cell.
 type ClassLogs = Unboxed.Vector Double
 
--- | A lattice and its frames that far right and down.
+-- | A lattice and its frames moved by a displacement.
 movedLattice :: Taxels -> Lattice -> Lattice
 movedLattice by lattice =
   lattice
@@ -46,11 +46,11 @@ movedLattice by lattice =
       latticeFrames = map (plus by) (latticeFrames lattice)
     }
 
--- | How far that many rows and columns of cells are, in taxels right and down.
+-- | The displacement of the given number of rows and columns of cells, in taxels right and down.
 latticeStep :: Lattice -> (Int, Int) -> Taxels
 latticeStep lattice (i, j) =
   rotated (latticeAngle lattice) (columnPitch * fromIntegral j, rowPitch * fromIntegral i)
 
--- | The rows and columns to the four cells beside one.
+-- | The steps (rows, columns) to the four neighbours of a cell.
 cellSteps :: [(Int, Int)]
 cellSteps = [(0, 1), (0, -1), (1, 0), (-1, 0)]

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | How high the background and the embossing lie in a composite, and whether there is any
--- embossing at all.
+-- | The intensities of background and embossing in a composite, and whether there is any
+-- embossing.
 module PraTactile.Composite.Level
   ( Levels (..),
     levels,
@@ -18,26 +18,26 @@ import Data.List (foldl')
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 
--- | The background's and the embossing's intensity.
+-- | The intensities of the background and of the embossing.
 data Levels = Levels
   { levelBackground :: !Double,
     levelEmbossing :: !Double
   }
   deriving stock (Eq, Show)
 
--- | Halfway between the two.
+-- | The intensity halfway between background and embossing.
 threshold :: Levels -> Double
 threshold (Levels low high) = (low + high) / 2
 
--- | The embossing above the background.
+-- | The difference of embossing and background.
 contrast :: Levels -> Double
 contrast (Levels low high) = high - low
 
--- | The levels of a set of intensities, given the least contrast that is one. The intensities are
--- split in two by Otsu's threshold (IEEE Trans. Syst. Man Cybern. 9, 1979), which makes the
--- variance between the two parts largest; the levels are the parts' medians.
+-- | The levels of a set of intensities, given the least contrast. Otsu's threshold (IEEE Trans.
+-- Syst. Man Cybern. 9, 1979) splits the intensities so that the variance between the two parts is
+-- largest; the levels are the parts' medians.
 --
--- 'Nothing' when that shows no embossing: less than that between the two.
+-- 'Nothing' if the levels differ by less than the least contrast, so that there is no embossing.
 levels :: Double -> Vector Double -> Maybe Levels
 levels least intensities
   | V.null intensities || high <= low || contrast found < least = Nothing
@@ -53,19 +53,19 @@ levels least intensities
         (valueAt (fromIntegral split + median (V.drop split counts)))
     valueAt bin = low + (high - low) * bin / fromIntegral bins
 
--- | The least contrast of embossing, given the step and the standard deviation of the noise of what
--- is read: two steps, and four times the noise, which is more than the parts differ by into which
--- noise alone is split (1.35 standard deviations of normal noise).
+-- | The least contrast of embossing, from the step of the readings and the standard deviation of
+-- their noise: the greater of two steps and four standard deviations. Otsu's threshold splits pure
+-- normal noise into parts that differ by only 1.35 standard deviations.
 leastContrast :: Double -> Double -> Double
 leastContrast step noise = max (2 * step) (4 * noise)
 
--- | The standard deviation of the noise of an image, given the second differences @a - 2 b + c@ of
--- neighbours a, b, c in it, in which relief has little part: their median size is 0.6745 sqrt 6
--- standard deviations where the noise is normal and white. 0 for none.
+-- | The standard deviation of the noise of an image, from second differences @a - 2 b + c@ of its
+-- neighbouring pixels, in which relief has little part. For normal white noise their median size is
+-- 0.6745 sqrt 6 standard deviations. 0 for an empty vector.
 noiseFrom :: Vector Double -> Double
 noiseFrom differences = medianSize differences / (0.6745 * sqrt 6)
 
--- | The median of the sizes of numbers, of as many bins as levels have; 0 for none.
+-- | The median of the absolute values, by a histogram of 'bins' bins; 0 for an empty vector.
 medianSize :: Vector Double -> Double
 medianSize numbers
   | V.null numbers = 0
@@ -74,16 +74,15 @@ medianSize numbers
     sizes = V.map abs numbers
     largest = V.maximum sizes
 
--- | What is left of white noise where each pixel becomes the mean of those around it, those beside
--- it with half its weight and those across with a quarter: the root of the sum of the squared
--- weights.
+-- | The standard deviation of unit white noise after smoothing with the weights 1 2 1 in both
+-- directions (sum 1): the root of the sum of the squared weights.
 smoothing :: Double
 smoothing = 6 / 16
 
 bins :: Int
 bins = 512
 
--- | How many values lie in each of the equal parts of an interval.
+-- | The number of values in each of 'bins' equal parts of an interval.
 histogram :: Double -> Double -> Vector Double -> Vector Double
 histogram low high values
   | high > low = V.accumulate_ (+) empty (V.map bin values) (V.map (const 1) values)
@@ -93,7 +92,7 @@ histogram low high values
     empty = V.replicate bins 0
     bin v = max 0 (min (bins - 1) (floor ((v - low) / (high - low) * fromIntegral bins)))
 
--- | The place of the median on the axis of a histogram, in bins, linearly within its bin.
+-- | The place of the median on the axis of a histogram, in bins, interpolated within its bin.
 median :: Vector Double -> Double
 median counts = go 0 0
   where
@@ -104,7 +103,7 @@ median counts = go 0 0
         | c > 0 && below + c >= half -> fromIntegral i + (half - below) / c
         | otherwise -> go (i + 1) (below + c)
 
--- | The bin at which the upper part begins, so that the variance between the two parts is largest.
+-- | The first bin of the upper part for which the variance between the two parts is largest.
 otsu :: Vector Double -> Int
 otsu counts = best
   where

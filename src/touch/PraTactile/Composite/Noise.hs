@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The noise of frames, found from some of the frames themselves.
+-- | The noise and the step of the readings, estimated from frames.
 module PraTactile.Composite.Noise
   ( frameNoise,
     readingStep,
@@ -14,12 +14,11 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Level (medianSize)
 import PraTactile.Image (Raster, rasterSize, rasterValues)
 
--- | The standard deviation of the noise of frames, grey values: from the median size of the
--- differences of neighbours' differences, a - b - c + d of the squares of four pixels, in which a
--- relief has little part but at its corners. That of normal white noise of variance s^2 is 0.6745
--- times 2 s. Where readings are clipped, which leaves nothing of half of the noise, it is less. 0
--- where there is no square. By at most 256 of the frames, whatever their order, each that comes
--- again once.
+-- | The standard deviation of the noise of frames, in grey values. It is estimated from the median
+-- size of a - b - c + d over squares of four pixels, in which relief has a part only at its
+-- corners. For normal white noise of standard deviation s that median is 0.6745 times 2 s. Clipped
+-- readings lower the estimate, because clipping removes half of the noise. 0 if no frame has a
+-- square of pixels. Duplicates count once, and at most 256 frames are used, whatever their order.
 frameNoise :: [Raster] -> Double
 frameNoise frames =
   medianSize (V.concat (map squares (spacedOut mostFrames different))) / (0.6745 * 2)
@@ -27,7 +26,7 @@ frameNoise frames =
     mostFrames = 256
     different = Map.elems (Map.fromList [(rasterValues frame, frame) | frame <- frames])
 
--- | The differences of all squares of four pixels.
+-- | The difference a - b - c + d of each square of four pixels.
 squares :: Raster -> V.Vector Double
 squares image
   | w < 2 || h < 2 = V.empty
@@ -39,9 +38,8 @@ squares image
     (w, h) = rasterSize image
     values = rasterValues image
 
--- | The step of what frames read: the least difference of two different values among some thousand
--- of them, but no more than that of 8 bits, since frames without noise may have two values. 0 for
--- none.
+-- | The step of the readings: the least difference of two different values among about a thousand,
+-- but at most the step of 8 bits, since frames without noise may have only two values.
 readingStep :: [Raster] -> Double
 readingStep frames = minimum (1 / 255 : [b - a | (a, b) <- zip values (drop 1 values)])
   where
@@ -52,7 +50,7 @@ readingStep frames = minimum (1 / 255 : [b - a | (a, b) <- zip values (drop 1 va
           apart = max 1 (V.length v * length frames' `quot` 1024)
        in [v V.! k | k <- [0, apart .. V.length v - 1]]
 
--- | At most so many of a list, evenly.
+-- | At most the given number of elements of a list, evenly spaced.
 spacedOut :: Int -> [a] -> [a]
 spacedOut most xs
   | n <= most = xs

@@ -1,12 +1,12 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The angle at which the symbols of a composite lie, from the image alone and before any symbol
--- is found.
+-- | The angle of the symbols in a composite, estimated from the image before any symbol is found.
 --
 -- The sides of the symbols are straight and parallel, and neighbours' sides lie on common lines. So
--- the sums of the image along the direction of the sides change most abruptly, and along any other
--- direction more gradually: as when a scanned page is set upright by its lines of text.
+-- the sums of the image along lines parallel to the sides change most abruptly from line to line.
+-- Along any other direction they change more gradually. Text lines of a scanned page are
+-- straightened in this way.
 module PraTactile.Composite.Tilt
   ( tilt,
     tilts,
@@ -31,16 +31,15 @@ import PraTactile.Image.Correlate (referenceAt)
 import PraTactile.Sensor.Frame (Motion (..), movePoint, taxelPitch)
 
 -- | The angle of the symbols' axes in composites of one face, in degrees clockwise from the
--- composites' own, in [-45, 45): which of the two axes is which, and which way up they are, it
--- cannot tell. 'Nothing' where no composite has a gradient.
+-- composites' axes, in [-45, 45). It does not determine which axis is which nor which way up the
+-- symbols are. 'Nothing' if no composite has a gradient.
 --
--- Of simulated presses of 40 x 52 taxels, with position errors of one taxel and noise of 0.1 of
+-- In simulated presses of 40 x 52 taxels, with position errors of one taxel and noise of 0.1 of
 -- full scale, the median error is 0.3 degrees, and one in a hundred is off by 1.5.
 tilt :: [Composite] -> Maybe Double
 tilt = listToMaybe . tilts
 
--- | 'tilt', and after it the angles that come next: those where the sums change more abruptly than
--- at angles a little less or more, the most abrupt first.
+-- | 'tilt', followed by the other local maxima of 'sharpness' over the angle, greatest first.
 tilts :: [Composite] -> [Double]
 tilts composites
   | and [V.all (== 0) slopes | (_, across, down) <- found, slopes <- [across, down]] = []
@@ -50,7 +49,7 @@ tilts composites
     score angle = sum (map ($ angle) sharpnesses)
     sharpnesses = [sharpness places across down | (places, across, down) <- found]
     scored = map (\angle -> (score angle, angle))
-    -- The 60 angles up to a quarter turn, around and around.
+    -- The 60 angles of a quarter turn, cyclically.
     circle = cycle (scored [-45, -43.5 .. 44])
     peaks =
       [ here
@@ -59,7 +58,7 @@ tilts composites
       ]
     best = snd . maximum . scored
     finest angle = best [angle - 1, angle - 0.5 .. angle + 1]
-    -- To the vertex of the parabola through three scores, a degree away at most.
+    -- The vertex of the parabola through three scores, at most a degree away.
     vertex angle =
       angle
         + maybe
@@ -67,18 +66,18 @@ tilts composites
           (max (-1) . min 1)
           (parabolaVertex (score (angle - 1)) (score angle) (score (angle + 1)))
 
--- | Symbols that are turned by no more than this, in degrees, are read as they are: as well as
--- those that are not turned at all, and the estimate of the angle is less certain than that.
+-- | Symbols at an angle of at most this, in degrees, are read without rotating the image. They are
+-- read as well as upright ones, and the estimate of so small an angle is less certain.
 leastTilt :: Double
 leastTilt = 3
 
--- | An angle brought to [-45, 45) by quarter turns.
+-- | An angle reduced to [-45, 45) by quarter turns.
 quarter :: Double -> Double
 quarter angle = angle - 90 * fromIntegral (floor ((angle + 45) / 90) :: Int)
 
--- | How abruptly the sums of an image change across lines at an angle (degrees clockwise) and
--- across those at right angles to them: the sum of the squares of both. Given are the places of
--- pixels, x and y in turn, and the image's gradient there along x and along y.
+-- | How abruptly an image's line sums change across lines at an angle (degrees clockwise) and
+-- across the perpendicular lines: the sum of squares of both changes. The arguments are the places
+-- of pixels (x and y alternating), and the image's gradient there along x and along y.
 sharpness :: Vector Double -> Vector Double -> Vector Double -> Double -> Double
 sharpness !places !across !down = \angle ->
   let lines' = sums (cosineSine angle)
@@ -88,7 +87,7 @@ sharpness !places !across !down = \angle ->
     !count = V.length across
     !reach = 2 + ceiling (sqrt 2 * V.foldl' (\m t -> max m (abs t)) 0 places) :: Int
     !side = 2 * reach + 2
-    -- The lines across (c, s), then those across (-s, c).
+    -- The lines across direction (c, s), then those across (-s, c).
     sums (!c, !s) = V.create $ do
       lines' <- M.replicate (2 * side) 0
       let pixel !i
@@ -97,8 +96,8 @@ sharpness !places !across !down = \angle ->
               along c s i reach
               along (negate s) c i (side + reach)
               pixel (i + 1)
-          -- A pixel's gradient along (u, v) is added to the line on which it lies, or in parts to
-          -- the two lines between which it lies; the line through the middle has this number.
+          -- A pixel's gradient along (u, v) is divided between the two lines nearest to it.
+          -- @middle@ is the number of the line through the origin.
           along !u !v !i !middle = do
             -- Note [Bounds]
             let !at = u * V.unsafeIndex places (2 * i) + v * V.unsafeIndex places (2 * i + 1)
@@ -111,13 +110,13 @@ sharpness !places !across !down = \angle ->
           add !i !x = M.unsafeRead lines' i >>= M.unsafeWrite lines' i . (+ x)
       pixel 0
 
-{- Note [Bounds] i < count, and places has two numbers for each pixel. |u| and |v| are at most 1 and
-   u^2 + v^2 = 1, so that |at| <= sqrt 2 max |place| <= reach - 2, and both lines lie in 0 .. 2
-   reach, of each direction's side; and beyond is above 0, where to truncate is to round down. -}
+{- Note [Bounds] i < count, and places has two numbers for each pixel. u^2 + v^2 = 1, so |at| <=
+   sqrt 2 max |place| <= reach - 2, and both lines lie in 0 .. 2 reach of their direction's half.
+   beyond is above 0, where truncating rounds down. -}
 
 -- | The touched pixels whose eight neighbours were touched too: their places from the composite's
--- middle, x and y in turn, and the gradient there along x and along y, by differences of smoothed
--- values.
+-- middle (x and y alternating), and the gradient there along x and along y, from differences of
+-- smoothed values.
 gradients :: Composite -> (Vector Double, Vector Double, Vector Double)
 gradients Composite {compositeImage = image, compositeCoverage = coverage} =
   ( V.generate (2 * V.length inner) $ \k ->
@@ -143,14 +142,15 @@ gradients Composite {compositeImage = image, compositeCoverage = coverage} =
         (V.replicate (V.length inner) 0)
         [V.map (weight along by *) (besides image inner by) | by <- around]
     around = [(i, j) | j <- [-1, 0, 1], i <- [-1, 0, 1], (i, j) /= (0, 0)] :: [(Int, Int)]
-    -- Pixels beside count less than half as much as those straight ahead (Scharr).
+    -- The weights of the Scharr operator: diagonal neighbours count less than half as much as
+    -- straight ones.
     weight along (i, j) =
       fromIntegral (along (i, j)) * (if i == 0 || j == 0 then 10 else 3) / 32
 
--- | The composite in coordinates that are turned clockwise by an angle (degrees) about the origin
--- of the robot's, so that what lay at that angle lies along its axes; its pixels are interpolated
--- from the given one's. And where a place on it, x and y in pixels, is on the given one. The
--- displacements stay as they are, along the robot's axes.
+-- | Rotates a composite clockwise by an angle (degrees) about the origin of the robot's
+-- coordinates, so that what lay at that angle becomes upright. Pixels are interpolated. Also
+-- returns the map from places on the result to places on the given composite, in pixels. The
+-- displacements stay along the robot's axes.
 setUpright :: Double -> Composite -> (Composite, (Double, Double) -> (Double, Double))
 setUpright angle composite = (upright, back)
   where
@@ -189,8 +189,8 @@ setUpright angle composite = (upright, back)
           compositeLattice = Nothing
         }
 
--- | Squares of pixels, the columns and rows of the first and the last, that hold all pixels of a
--- coverage that were felt.
+-- | Squares of pixels, given by the (column, row) of their first and last pixel, that together
+-- hold all touched pixels of a coverage.
 feltBlocks :: Raster -> [((Int, Int), (Int, Int))]
 feltBlocks coverage =
   [ ((side * x, side * y), (side * x + side - 1, side * y + side - 1))
@@ -204,8 +204,8 @@ feltBlocks coverage =
     blocks = V.foldl' (flip IntSet.insert) IntSet.empty (V.map blockOf (pixelsWhere (> 0) coverage))
     blockOf p = let (y, x) = p `quotRem` width in y `quot` side * across + x `quot` side
 
--- | The pixels that are less than one from squares of pixels when these are turned: rows from the
--- top, each with the first and the last column of what lies together there.
+-- | The pixels less than one pixel away from squares after these are rotated: each row from the
+-- top, with the first and last column of each connected span.
 blocksTurned ::
   ((Double, Double) -> (Double, Double)) -> [((Int, Int), (Int, Int))] -> [(Int, (Int, Int))]
 blocksTurned there blocks =

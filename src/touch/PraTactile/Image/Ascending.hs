@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Ascending numbers.
+-- | Search in ascending numbers.
 module PraTactile.Image.Ascending
   ( placeIn,
   )
@@ -10,11 +10,11 @@ where
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 
--- | At which place a number stands among ascending ones, if it does.
+-- | The index of a number in an ascending vector; 'Nothing' if it is not there. Binary search.
 placeIn :: Vector Int -> Int -> Maybe Int
 placeIn numbers wanted = go 0 (V.length numbers)
   where
-    -- It stands from the first place on and before the last, or nowhere.
+    -- The number can only stand in the half-open interval [from, to).
     go !from !to
       | from >= to = Nothing
       | otherwise =

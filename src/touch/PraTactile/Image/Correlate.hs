@@ -13,7 +13,7 @@
 -- > covariance = sum m (f - mean f) (c - mean c) / n
 -- > zncc       = covariance / sqrt (variance f * variance c)
 --
--- The test suite has the same on lists, straight from these formulas, and compares.
+-- The test suite computes these formulas on lists and compares.
 module PraTactile.Image.Correlate
   ( -- * References
     Reference,
@@ -44,16 +44,15 @@ import PraTactile.Image
     rasterWidth,
   )
 
--- | An image with a weight at each pixel, such as the number of frames it is the mean of; nothing
--- is known where the weight is 0.
+-- | An image with a weight at each pixel, such as the number of frames of which it is the mean.
+-- Weight 0 means unknown.
 --
--- Between its pixels it is interpolated as a whole: the weight at a place is the bilinear mean of
--- the weights around it, and the value the mean of the values around it with those shares times
--- their weights.
+-- Between pixels, the weight is the bilinear mean of the weights around, and the value is their
+-- mean with those shares times their weights.
 data Reference
-  = -- | The weight times the value at each pixel, and the weight, of one size.
+  = -- | The weight times the value at each pixel, and the weight. Both have one size.
     Weighted !Raster !Raster
-  | -- | Of weight 1 everywhere.
+  | -- | An image of weight 1 everywhere.
     Whole !Raster
   deriving stock (Show)
 
@@ -67,20 +66,20 @@ referenceWeights :: Reference -> Raster
 referenceWeights (Weighted _ weights) = weights
 referenceWeights (Whole image) = constant (rasterWidth image) (rasterHeight image) 1
 
--- | A reference from the weights times the values, and the weights. Refuses ('SizesDiffer') rasters
--- of different size.
+-- | A reference from two rasters: the weights times the values, and the weights. Refuses
+-- ('SizesDiffer') rasters of different sizes.
 reference :: Raster -> Raster -> Either ImageError Reference
 reference sums weights
   | rasterSize sums /= rasterSize weights =
     Left (SizesDiffer (rasterSize sums) (rasterSize weights))
   | otherwise = Right (Weighted sums weights)
 
--- | A whole image as a reference, of weight 1 everywhere.
+-- | An image as a reference of weight 1 everywhere.
 referenceOf :: Raster -> Reference
 referenceOf = Whole
 
--- | The value and the weight at a place, x and y in pixels; pixels that do not exist have weight 0.
--- 'Nothing' where the weight is.
+-- | The value and the weight at a place, x and y in pixels. Pixels outside the image have weight
+-- 0. 'Nothing' where the weight is 0.
 referenceAt :: Reference -> Double -> Double -> Maybe (Double, Double)
 referenceAt there x y
   | near x && near y && m > 0 = Just (at sums / m, m)
@@ -100,9 +99,9 @@ referenceAt there x y
       where
         pixel i j = fromMaybe 0 (known (bx + i) (by + j))
 
--- | What an image and a reference have in common at one displacement: see the module's head.
+-- | The weighted moments of an image and a reference at one displacement, as in the module header.
 data Overlap = Overlap
-  { -- | n, the sum of the weights; 0 where they do not meet.
+  { -- | n, the sum of the weights; 0 where they do not overlap.
     overlapWeight :: !Double,
     overlapImageVariance :: !Double,
     overlapReferenceVariance :: !Double,
@@ -110,18 +109,18 @@ data Overlap = Overlap
   }
   deriving stock (Eq, Show)
 
--- | The zero-mean normalised cross-correlation, -1 to 1; 'Nothing' where the image or the reference
--- is flat, or they do not meet.
+-- | The zero-mean normalised cross-correlation, -1 to 1; 'Nothing' if the image or the reference
+-- is flat or they do not overlap.
 zncc :: Overlap -> Maybe Double
 zncc (Overlap n vf vc cov)
   | n > 0 && vf > flat && vc > flat = Just (max (-1) (min 1 (cov / sqrt vf / sqrt vc)))
   | otherwise = Nothing
   where
-    -- The variance of a constant comes out of the sums as rounding errors of this order.
+    -- Rounding errors of this order remain of a constant's variance.
     flat = 1e-12
 
--- | The overlap of an image with a reference at a displacement, x and y in pixels. Image pixels
--- between reference pixels not all of which exist are left out.
+-- | The overlap of an image with a reference at a displacement, x and y in pixels. An image pixel
+-- is left out if one of the reference pixels around it lies outside.
 overlapAt :: Reference -> Raster -> Double -> Double -> Overlap
 overlapAt there image dx dy
   | not (near dx && near dy) = Overlap 0 0 0 0
@@ -151,8 +150,8 @@ overlapAt there image dx dy
           meetingStart = by * w + bx
         }
 
--- | The image's columns and rows that meet the reference: the first ones, and those after the last;
--- and the reference's index of the image's pixel (0, 0), which may not exist. See Note [Bounds].
+-- | The columns and rows of the image that overlap the reference, as half-open intervals; and the
+-- reference's index of the image's pixel (0, 0), which may lie outside. See Note [Bounds].
 data Meeting = Meeting
   { meetingLeft :: !Int,
     meetingRight :: !Int,
@@ -161,16 +160,17 @@ data Meeting = Meeting
     meetingStart :: !Int
   }
 
--- | The value between four pixels, from the index of the upper left one: by the fractions to the
--- right and down, and the steps to the next column's index and to the next row's.
+-- | The bilinear value between four pixels. The arguments are the fractions right and down, the
+-- index steps to the next column and to the next row, the values, and the index of the upper left
+-- pixel.
 interpolated :: Double -> Double -> Int -> Int -> Vector Double -> Int -> Double
 interpolated fx fy right below v i =
   (1 - fy) * ((1 - fx) * V.unsafeIndex v i + fx * V.unsafeIndex v (i + right))
     + fy * ((1 - fx) * V.unsafeIndex v (i + below) + fx * V.unsafeIndex v (i + below + right))
 {-# INLINE interpolated #-}
 
--- | The overlap, with ways to read the reference's weights at an index, to divide by them, and to
--- read its sums; and its width.
+-- | The overlap. The arguments are the reference's weight at an index, the division by it, the
+-- reference's sum at an index, and the reference's width.
 moments ::
   (Int -> Double) ->
   (Double -> Double -> Double) ->
@@ -209,12 +209,11 @@ moments weightAt by sumAt w (Meeting x0 x1 y0 y1 start) image = row y0 0 0 0 0 0
 {-# INLINE moments #-}
 
 {- Note [Bounds] 0 <= x < iw and 0 <= y < image height, so the image's index y * iw + x is good. x
-   >= -bx and x < w - stepX - bx give 0 <= x + bx and x + bx + stepX < w, and likewise for y with
-   the reference's height, so all four of the reference's indices are good; where an axis' fraction
-   is 0 its step is 0. Displacements are bounded by 'near', so nothing overflows. -}
+   >= -bx and x < w - stepX - bx give 0 <= x + bx and x + bx + stepX < w; for y the reference's
+   height gives the same bounds. So all four of the reference's indices are good. Where an axis'
+   fraction is 0 its step is 0. 'near' bounds displacements, so nothing overflows. -}
 
--- | The moments from the weighted sums. Rounding may leave a tiny negative variance, which counts
--- as 0.
+-- | The moments from the weighted sums. A tiny negative variance from rounding becomes 0.
 overlapOf :: Double -> Double -> Double -> Double -> Double -> Double -> Overlap
 overlapOf n sf sc sff scc sfc
   | n <= 0 = Overlap 0 0 0 0
@@ -224,6 +223,6 @@ overlapOf n sf sc sff scc sfc
     mf = sf / n
     mc = sc / n
 
--- | Whether a coordinate is a number small enough to be calculated with as an 'Int'.
+-- | Whether a coordinate is small enough for arithmetic as an 'Int'.
 near :: Double -> Bool
 near t = abs t < 1e9

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The error sum of the image layer: what can be wrong with an image as numbers
--- ("PraTactile.Image") or as a file ("PraTactile.Image.Pgm").
+-- | The errors of the image layer: of images as numbers ("PraTactile.Image") and of image files
+-- ("PraTactile.Image.File").
 module PraTactile.Image.Error
   ( -- * The error sum
     ImageError (..),
@@ -14,72 +14,72 @@ import Data.ByteString (ByteString)
 import Numeric.Natural (Natural)
 import PraTactile.PlainText (OtherEncoding)
 
--- | Why there is no image. One constructor a cause.
+-- | Why an image is refused. Each cause has one constructor.
 data ImageError
   = -- | The rows differ in length: the zero-based row, its length, the first row's length.
     RaggedRow !Int !Int !Int
-  | -- | Width, height and a number of values that is not their product.
+  | -- | The number of values is not width times height: width, height, number of values.
     WrongValueCount !Int !Int !Int
-  | -- | Two rasters that must agree in size: width and height of the one and of the other.
+  | -- | Two rasters differ in size: width and height of each.
     SizesDiffer !(Int, Int) !(Int, Int)
-  | -- | A rectangle (x, y, width, height) that does not lie in an image of that width and height.
+  | -- | A rectangle (x, y, width, height) does not lie in the image, whose width and height
+    -- follow.
     OutsideImage !(Int, Int, Int, Int) !(Int, Int)
-  | -- | A width or height of zero, where an image is needed.
+  | -- | The width or the height is zero.
     ZeroSize !Natural !Natural
   | -- | More pixels than 'PraTactile.Image.Pgm.maxPixels': width and height.
     TooManyPixels !Natural !Natural
-  | -- | More pixels than this many, which are the most of an image of what was touched: width and
-    -- height.
+  | -- | More pixels than the largest composite may have: that limit, width and height.
     LargerThanTouched !Int !Int !Int
-  | -- | The file does not begin with a PGM's @P2@ or @P5@; its first bytes (at most eight).
+  | -- | The file does not begin with @P2@ or @P5@; its first bytes (at most eight).
     NotPgm !ByteString
   | -- | A number of the header is missing or malformed: which one, and the bytes found there (at
     -- most eight).
     BadHeader !HeaderField !ByteString
-  | -- | A maximum value outside 1 to 65535.
+  | -- | A maximum value of PGM outside 1 to 65535.
     MaxvalOutOfRange !Natural
-  | -- | Something other than a number among the samples of a plain (P2) file: the zero-based
-    -- sample, and the bytes found there (at most eight).
+  | -- | A sample of a plain (P2) file is not a number: the zero-based sample, and the bytes found
+    -- there (at most eight).
     BadSample !Int !ByteString
   | -- | The file ends too soon: samples needed, samples found.
     Truncated !Int !Int
   | -- | A sample above the maximum value: zero-based x and y, the sample, the maximum value.
     SampleAboveMaxval !(Int, Int) !Natural !Int
-  | -- | Something other than white space follows the image: how many bytes there are from it on.
+  | -- | Something other than white space follows the image: the number of bytes after it.
     TrailingData !Int
-  | -- | The file has this many images, where one is needed.
+  | -- | The file has this many images; exactly one was expected.
     IsMovie !Int
-  | -- | The file's image of this number, from 0, was asked for, and it has so many.
+  | -- | The file has no image with this number (counted from 0), since it has that many.
     NoSuchImage !Int !Int
-  | -- | A file that begins as numpy's has no header that can be read.
+  | -- | A numpy file with an unreadable header.
     NumpyHeader
-  | -- | A file of numpy's has numbers of another type than is read: its description.
+  | -- | A numpy file with an unsupported number type: its description.
     NumpyType !ByteString
-  | -- | A file of numpy's has this shape, neither of two dimensions nor of three.
+  | -- | A numpy file with a shape that has neither two nor three dimensions.
     NumpyShape ![Integer]
-  | -- | A PNG file is none that is read.
+  | -- | A PNG file that is not supported.
     PngRefused !PngProblem
-  | -- | A text is in this encoding, and not in UTF-8.
+  | -- | A text file in this encoding, not in UTF-8.
     ImageInEncoding !OtherEncoding
-  | -- | The line and the field of a text, from 1, that is no number; what it is.
+  | -- | A field of a text file is not a number: line and field (from 1), and its text.
     NotNumber !Int !Int !ByteString
-  | -- | The line, from 1, with a decimal comma; what has it.
+  | -- | A number with a decimal comma: its line (from 1) and its text.
     DecimalComma !Int !ByteString
-  | -- | An export of Tekscan's lacks a key of its header, or has another value than can be.
+  | -- | A Tekscan export lacks this key in its header, or the key's value is invalid.
     TekscanHeader !String
-  | -- | An export of Tekscan's lacks the frame of this number, or some rows of it.
+  | -- | A Tekscan export lacks the frame with this number, or some of its rows.
     TekscanFrame !Integer
-  | -- | Columns and rows are not equally far apart, millimetres.
+  | -- | Columns and rows have different spacings, in millimetres.
     UnequalSpacing !Double !Double
   deriving stock (Eq, Show)
 
--- | Why a PNG file is not read.
+-- | Why a PNG file is refused.
 data PngProblem
   = -- | It cannot be decoded.
     PngBroken
-  | -- | It has neither 8 nor 16 bits a sample.
+  | -- | It has neither 8 nor 16 bits per sample.
     PngDepth
-  | -- | It has colours, or transparency.
+  | -- | It has a palette, transparency or colours.
     PngPalette
   | PngTransparent
   | PngColour

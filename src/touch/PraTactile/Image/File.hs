@@ -1,8 +1,9 @@
--- | Files of images as people have them, told by what they begin with and not by their names: PGM,
--- PNG, arrays of numpy, matrices as text, and what Tekscan's programs export.
+-- | Image files in common formats, recognised by their first bytes and not by their names: PGM,
+-- PNG, numpy arrays, matrices as text, and exports of Tekscan's programs.
 --
--- 0 is no contact. Full scale is the largest value of the type for integers, the maximum value of
--- PGM, 1 for numbers with a point and for text, and the saturation pressure of a calibrated export.
+-- 0 is no contact. Full scale is the largest value of the type for integers, the maximum value of a
+-- PGM, 1 for floating-point numbers and for text, and the saturation pressure of a calibrated
+-- export.
 module PraTactile.Image.File
   ( -- * Files
     Images,
@@ -44,9 +45,9 @@ import PraTactile.Image.Pgm.Decode (decodePgms, formatName, pgmSize)
 import PraTactile.Image.Pgm.Type
 import PraTactile.PlainText (withoutMark)
 
--- | The images of a file, each of at most this many pixels. Refuses what is no such file, each
--- cause with its own 'ImageError'; the memory taken is bounded by the file's own size and
--- 'maxPixels', whatever its header says.
+-- | The images of a file, each with at most the given number of pixels. Refuses other files, each
+-- cause with its own 'ImageError'. The memory is bounded by the file's size and 'maxPixels',
+-- whatever the header says.
 decodeImages :: Int -> ByteString -> Either ImageError Images
 decodeImages most file
   | isNumpy file = decodeNumpy file >>= small
@@ -71,39 +72,40 @@ decodeImages most file
       where
         (w, h) = imagesSize images
 
--- | The reading of full contact of a PGM image in which all readings stand as they are; where they
--- are numbers with a point, the greatest there is.
+-- | A maximum value of PGM with which all readings can be written exactly; the greatest possible
+-- one for floating-point readings.
 imagesLevels :: Images -> Word16
 imagesLevels images = case imagesReadings images of
   Several pgms -> fromIntegral (maximum (fmap pgmMaxval pgms))
   Packed number _ _ _ | numberFull number `elem` [255, 32767] -> round (numberFull number)
   _ -> maxBound
 
--- | The width and the height of a file's images, by its header where it has one.
+-- | The width and the height of a file's images, from the header alone if the format has one.
 imageSize :: ByteString -> Either ImageError (Int, Int)
 imageSize file
   | isPng file = pngSize file
   | isPgm file = pgmSize file
   | otherwise = imagesSize <$> decodeImages maxPixels file
 
--- | Whether a file begins as PGM does.
+-- | Whether a file begins like a PGM file.
 isPgm :: ByteString -> Bool
 isPgm file = any (`B.isPrefixOf` file) [C.pack "P2", C.pack "P5"]
 
--- | The width and the height of each.
+-- | The width and the height of each image.
 imagesSize :: Images -> (Int, Int)
 imagesSize images = (imagesColumns images, imagesRows images)
 
--- | The least and the greatest reading that may be full contact.
+-- | The least and the greatest permitted full scale.
 fullScales :: (Double, Double)
 fullScales = (1e-9, 1e12)
 
--- | Whether a reading lies between them.
+-- | Whether a reading is within 'fullScales'.
 isFullScale :: Double -> Bool
 isFullScale full = full >= fst fullScales && full <= snd fullScales
 
--- | The image of this number, from 0, or the only one, given the reading of full contact if the
--- file does not tell.
+-- | One image of a file. The arguments are the full scale, which overrides the file's, and the
+-- number of the image, from 0. Without a number, refuses ('IsMovie') a file with more images than
+-- one.
 numberedImage :: Maybe Double -> Maybe Int -> Images -> Either ImageError Felt
 numberedImage full number images = case number of
   Nothing
@@ -113,18 +115,18 @@ numberedImage full number images = case number of
     | i < imagesCount images -> Right (imageAt full images i)
     | otherwise -> Left (NoSuchImage i (imagesCount images))
 
--- | The forms in which an image is written.
+-- | The formats in which an image is written.
 data ImageFormat = Pgm | Png | Npy
   deriving stock (Eq, Show, Enum, Bounded)
 
--- | Its name, which is also the end of its files' names.
+-- | The format's name, which is also the extension of its files.
 imageFormatName :: ImageFormat -> String
 imageFormatName format = case format of
   Pgm -> "pgm"
   Png -> "png"
   Npy -> "npy"
 
--- | A file of an image, with its samples as they are.
+-- | The file of an image in a format, with unchanged samples.
 encodeImage :: ImageFormat -> Pgm -> ByteString
 encodeImage format pgm = case format of
   Pgm -> encodePgm Binary pgm

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The images of one file, all of one size, as the readings that stand there.
+-- | The images of one file, all of one size, with the readings as stored.
 module PraTactile.Image.Images
   ( Images (..),
     Readings (..),
@@ -26,33 +26,33 @@ import PraTactile.Image (Raster, constant, raster)
 import PraTactile.Image.Pgm.Type (Pgm, pgmMaxval, pgmSamples)
 import PraTactile.Sensor.Dead (filled)
 
--- | One image or more.
+-- | One or more images.
 data Images = Images
   { imagesColumns :: !Int,
     imagesRows :: !Int,
     imagesCount :: !Int,
-    -- | The reading of full contact, as far as the file tells; of PGM each image tells its own.
+    -- | The full scale that the file gives. Each image of a PGM file has its own.
     imagesFull :: !Double,
-    -- | The distance of neighbouring taxels in millimetres, if the file says it.
+    -- | The distance of neighbouring taxels in millimetres, if the file gives it.
     imagesSpacing :: !(Maybe Double),
     imagesReadings :: !Readings
   }
   deriving stock (Eq, Show)
 
--- | Readings, of which those that are not a number were not taken.
+-- | The readings of all images. NaN means that a reading is missing.
 data Readings
-  = -- | All of them one after the other as numbers of a machine, the more significant byte first if
-    -- so; whether the last index counts least.
+  = -- | Consecutive machine numbers. The flags: most significant byte first; last index varies
+    -- fastest.
     Packed !Number !Bool !Bool !ByteString
   | Listed !(V.Vector Double)
   | Several !(Boxed.Vector Pgm)
   deriving stock (Eq, Show)
 
--- | A type of numbers.
+-- | A machine number type: unsigned (U), signed (I) or floating-point (F), with its bytes.
 data Number = U1 | U2 | I2 | I4 | F4 | F8
   deriving stock (Eq, Show, Enum, Bounded)
 
--- | How many bytes one takes.
+-- | The number of bytes of a number.
 numberBytes :: Number -> Int
 numberBytes number = case number of
   U1 -> 1
@@ -62,7 +62,7 @@ numberBytes number = case number of
   F4 -> 4
   F8 -> 8
 
--- | Full scale: the largest integer of the type, 1 of the others.
+-- | Full scale: the largest integer of the type; 1 for floating-point types.
 numberFull :: Number -> Double
 numberFull number = case number of
   U1 -> 255
@@ -75,15 +75,16 @@ numberFull number = case number of
 -- | An image as shares of full scale, 0 to 1.
 data Felt = Felt
   { feltImage :: !Raster,
-    -- | Rows and columns from 0 of taxels without a reading, in whose place the mean of their
-    -- nearest neighbours stands.
+    -- | Rows and columns (from 0) of taxels without a reading. Each has the mean of its nearest
+    -- neighbours instead.
     feltDead :: ![(Int, Int)],
-    -- | How many readings were above full scale, and are 1.
+    -- | The number of readings above full scale, which become 1.
     feltClipped :: Int
   }
   deriving stock (Eq, Show)
 
--- | The image of this number, from 0, given the reading of full contact if the file does not tell.
+-- | The image with the given number, from 0. The first argument is the full scale, which overrides
+-- the file's.
 imageAt :: Maybe Double -> Images -> Int -> Felt
 imageAt given images i =
   Felt
@@ -104,7 +105,7 @@ imageAt given images i =
       | reading > 0 = reading / full
       | otherwise = 0 -- what is not a number, too
 
--- | Whether every reading is a number, because it is an integer.
+-- | Whether the readings are integers, so that none is missing.
 whole :: Readings -> Bool
 whole readings = case readings of
   Packed number _ _ _ -> number `notElem` [F4, F8]
@@ -116,7 +117,7 @@ fullOf images i = case imagesReadings images of
   Several pgms -> fromIntegral (pgmMaxval (pgms Boxed.! i))
   _ -> imagesFull images
 
--- | Row by row.
+-- | The readings of an image, row by row.
 readingsAt :: Images -> Int -> V.Vector Double
 readingsAt images i = case imagesReadings images of
   Several pgms -> V.map fromIntegral (pgmSamples (pgms Boxed.! i))

@@ -1,9 +1,9 @@
 {-# LANGUAGE PatternSynonyms #-}
 
--- | PGM files, the form in which frames and composites come and go: P2 and P5, 8 and 16 bits, to
--- and from JuicyPixels' images and 'Raster's.
+-- | PGM files, the format of frames and composites: P2 and P5, 8 and 16 bits, to and from
+-- JuicyPixels' images and 'Raster's.
 --
--- 0 is no contact and the maximum value full scale.
+-- 0 is no contact, the maximum value full scale.
 module PraTactile.Image.Pgm
   ( -- * PGM images
     Pgm,
@@ -52,14 +52,13 @@ import PraTactile.Image.Pgm.Type
 
 -- | The two forms of a PGM file.
 data PgmFormat
-  = -- | P2: decimal numbers, one row of the image to a line or several, none longer than 70
-    -- characters.
+  = -- | P2: decimal numbers. An image row takes one or more lines of at most 70 characters.
     Plain
-  | -- | P5: one byte a sample, or two with the more significant first.
+  | -- | P5: one byte per sample, or two with the most significant first.
     Binary
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | The file of an image. 'decodePgm' gives back the same image, maximum value included.
+-- | The file of an image. 'decodePgm' restores the image with its maximum value.
 encodePgm :: PgmFormat -> Pgm -> ByteString
 encodePgm format pgm = L.toStrict (Builder.toLazyByteString (magic <> header <> body))
   where
@@ -85,11 +84,12 @@ encodePgm format pgm = L.toStrict (Builder.toLazyByteString (magic <> header <> 
         plain (imageWidth image) (V.toList (V.map fromIntegral (imageData image)))
       (Plain, Pgm16 _ image) -> plain (imageWidth image) (V.toList (imageData image))
 
--- | So many bytes, given each by its number.
+-- | The given number of bytes, each a function of its index.
 bytes :: Int -> (Int -> Word8) -> Builder.Builder
 bytes count byte = Builder.byteString (fst (B.unfoldrN count (\k -> Just (byte k, k + 1)) 0))
 
--- | Numbers in lines: at most eleven of five digits fit the 70 characters that pgm(5) allows.
+-- | Numbers in lines. At most eleven numbers of five digits fit into the 70 characters that pgm(5)
+-- allows.
 plain :: Int -> [Word16] -> Builder.Builder
 plain width samples = mconcat (concatMap line (chunks width samples))
   where
@@ -112,9 +112,9 @@ pgmIntensity pgm = case pgm of
     shares full samples =
       generate w (pgmHeight pgm) (\x y -> maybe 0 (/ full) (samples V.!? (y * w + x)))
 
--- | The PGM of a raster: values clipped to 0..1, times the maximum value, rounded to the nearest
--- sample (ties to the even one); what is not a number becomes 0. Refuses a maximum value of 0 and
--- an empty or too large raster. The values of 'pgmIntensity' give back their samples.
+-- | The PGM of a raster with the given maximum value. Values are clipped to 0..1, multiplied by
+-- the maximum value and rounded (ties to even); NaN becomes 0. Refuses a maximum value of 0, and an
+-- empty or too large raster. It inverts 'pgmIntensity'.
 pgmFromIntensity :: Word16 -> Raster -> Either ImageError Pgm
 pgmFromIntensity m image = do
   (w, h) <- checkSize (fromIntegral (rasterWidth image)) (fromIntegral (rasterHeight image))
@@ -125,7 +125,7 @@ pgmFromIntensity m image = do
         (Image w h (V.map (fromIntegral . level (fromIntegral m)) (rasterValues image)))
     else pgm16 m (Image w h (V.map (fromIntegral . level (fromIntegral m)) (rasterValues image)))
 
--- | A share of the full scale as a whole number of steps.
+-- | A share of full scale as a whole number of steps.
 level :: Double -> Double -> Int
 level full share
   | share > 0 = round (full * min 1 share)

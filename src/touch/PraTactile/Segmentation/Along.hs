@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Segmentation of symbols that lie on their side, or upside down.
+-- | Segmentation of symbols that lie on their side or upside down.
 module PraTactile.Segmentation.Along
   ( onComposite,
     segmentAlong,
@@ -13,8 +13,7 @@ import PraTactile.Segmentation.Symbol
 import PraTactile.Segmentation.Upright (segment)
 import PraTactile.Symmetry
 
--- | The composite as it is seen turned or mirrored; its origin is left as it was, its
--- lattice left away.
+-- | The composite rotated or mirrored. Its origin is unchanged, its lattice is dropped.
 onComposite :: Symmetry -> Composite -> Composite
 onComposite symmetry composite =
   composite
@@ -23,9 +22,10 @@ onComposite symmetry composite =
       compositeLattice = Nothing
     }
 
--- | The segmentation of a composite along an axis: of symbols that are turned so, or by 180 degrees
--- more. It is also given for the composite turned upright, in the pixels of that. Centres and boxes
--- are in the composite's pixels; images and sizes are as seen along the axis.
+-- | Segments a composite along an axis: it finds symbols rotated by the axis, or by 180 degrees
+-- more. Returns the composite rotated so that the axis is upright; the segmentation in that
+-- composite's pixels; and the segmentation with centres and boxes in the given composite's pixels.
+-- Symbol images and sizes are as seen along the axis.
 segmentAlong :: Symmetry -> Composite -> (Composite, Segmentation, Segmentation)
 segmentAlong axis composite = (upright, found, back)
   where

@@ -22,16 +22,16 @@ import Data.Tuple (swap)
 import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region (Region)
 
--- | One end of an extent: where the intensity passes the threshold, in pixels (a pixel reaches half
--- a pixel to either side of its centre), and whether what lies beyond was not touched, so that the
--- symbol may go on there.
+-- | One end of an extent: the place where the intensity crosses the threshold, in pixels (a pixel
+-- reaches half a pixel to either side of its centre), and whether the pixels beyond were not
+-- touched, so that the symbol may continue there.
 data Side = Side
   { sidePlace :: !Double,
     sideOpen :: !Bool
   }
   deriving stock (Eq, Show)
 
--- | From one side to the opposite one along x or along y.
+-- | An extent along x or along y, from the first side to the last.
 data Extent = Extent !Side !Side
   deriving stock (Eq, Show)
 
@@ -39,25 +39,27 @@ data Extent = Extent !Side !Side
 extentLength :: Extent -> Double
 extentLength (Extent from to) = sidePlace to - sidePlace from
 
--- | The place itself, or, where it lies beyond an open side, the last pixel centre before that
--- side: what was not touched is taken to go on as it was seen last.
+-- | Moves a place that lies beyond an open side to the last pixel centre before that side, so that
+-- untouched pixels repeat the last touched one.
 clamped :: Extent -> Double -> Double
 clamped (Extent from to) = atMost . atLeast
   where
     atLeast t = if sideOpen from then max (sidePlace from + 0.5) t else t
     atMost t = if sideOpen to then min (sidePlace to - 0.5) t else t
 
--- | A region's extent from left to right at a threshold. 'Nothing' for an empty region.
+-- | The extent of a region from left to right, where the intensity crosses the threshold.
+-- 'Nothing' for an empty region.
 horizontalExtent :: Masked -> Double -> Region -> Maybe Extent
 horizontalExtent pixels level = measured (valueAt pixels) level . map (placeOf pixels)
 
--- | A region's extent from top to bottom: the same with x and y exchanged.
+-- | The extent of a region from top to bottom, where the intensity crosses the threshold.
+-- 'Nothing' for an empty region.
 verticalExtent :: Masked -> Double -> Region -> Maybe Extent
 verticalExtent pixels level = measured (valueAt pixels . swap) level . map (swap . placeOf pixels)
 
--- | The extent along the first coordinate. The profile along it is, at each place, the largest mean
--- of two pixels that neighbour across it: a symbol's side is at least two taxels of embossing long,
--- and a noisy pixel, or a line of up to three that sticks out, moves it by half a pixel at most.
+-- | The extent along the first coordinate. The profile at each place is the largest mean of two
+-- neighbouring pixels across. A symbol's side has at least two embossed taxels, so a noisy pixel,
+-- or a line of up to three that sticks out, moves the side by half a pixel at most.
 measured :: ((Int, Int) -> Maybe Double) -> Double -> [(Int, Int)] -> Maybe Extent
 measured at level places
   | null places = Nothing
@@ -74,8 +76,8 @@ measured at level places
             [(a + b) / 2 | j <- [low .. high - 1], Just a <- [at (i, j)], Just b <- [at (i, j + 1)]]
         )
     open direction = or [isNothing (at (i + direction, j)) | (i, j) <- places]
-    -- From one pixel outside the component inwards, to the first place where the profile reaches
-    -- the threshold.
+    -- Searches from one pixel outside the component inwards for the first place where the profile
+    -- reaches the threshold.
     crossing start inward = go (0 :: Int) (profile (start - inward))
       where
         go k before
@@ -86,9 +88,10 @@ measured at level places
             here = profile (start + inward * k)
             share = if here > before then max 0 ((level - before) / (here - before)) else 1
 
--- | The centre of something of known length that fills an extent, if it can: the extent's length
--- may differ from it by no more than the tolerance. When the extent is too short by more than half
--- a pixel and one side is open, the thing is laid against the other side.
+-- | The centre of an object of known length in an extent, if their lengths differ by at most the
+-- tolerance. If the extent is more than half a pixel too short and exactly one side is open, the
+-- object is aligned with the other side. The arguments are the tolerance, the length and the
+-- extent.
 fitted :: Double -> Double -> Extent -> Maybe Double
 fitted tolerance size extent@(Extent from to)
   | abs missing > tolerance = Nothing

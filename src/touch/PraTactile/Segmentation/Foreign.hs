@@ -1,13 +1,13 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What in a composite is none of the symbols' making: bars, rims, plateaus, holes, and what lies
--- beyond the object's edge. It would spoil the levels of background and embossing, and the estimate
--- of the angle, for the whole composite.
+-- | Finds and masks regions that cannot be symbols: bars, rims, plateaus, holes, and what lies
+-- beyond the object's edge. They would spoil the levels of background and embossing, and the
+-- estimate of the angle, for the whole composite.
 --
--- How high the symbols stand is taken from the symbols alone: what is of a symbol's size where it
--- is cut off at half its own height above its own surroundings. By these levels, what is longer
--- than any symbol is foreign, and so is what is sunk; it is taken out of the composite, as if it
--- had not been touched. The symbols beside it stay.
+-- The height of the symbols is measured on candidates only: regions of a symbol's size when cut off
+-- at half their own height above their surroundings. By these levels, regions longer than any
+-- symbol and sunken regions are foreign. They are removed from the composite as if untouched. The
+-- symbols beside them stay.
 module PraTactile.Segmentation.Foreign
   ( Cleaned (..),
     cleaned,
@@ -28,20 +28,20 @@ import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region
 import PraTactile.Segmentation.Symbol
 
--- | A composite without what is foreign.
+-- | A composite with its foreign regions masked.
 data Cleaned = Cleaned
-  { -- | what symbols are cut out of
+  { -- | the composite for cutting out symbols
     cleanedComposite :: !Composite,
-    -- | what parts of symbols are read from, if that is another: with what is foreign but of the
-    -- symbols' height left in, for what of a symbol lies beside it still shows which it is
+    -- | the composite for reading parts of symbols, if it differs: foreign regions of the symbols'
+    -- height stay, because the part of a symbol beside one still shows its class
     cleanedForParts :: !(Maybe Composite),
     cleanedRejects :: ![Reject]
   }
   deriving stock (Eq, Show)
 
--- | The composite with what is none of the symbols' making taken for untouched, and what that is:
--- what is longer than any symbol, and what is sunk beside it. Most composites are as they were:
--- where all that is embossed is like symbols, or nothing is, and nothing is sunk.
+-- | Masks the regions of a composite that are longer than any symbol or sunken, and lists them.
+-- The composite stays unchanged if everything embossed looks like symbols, or nothing is embossed,
+-- and nothing is sunken.
 cleaned :: Composite -> Cleaned
 cleaned composite = case levels least (touchedValues pixels) of
   Just found
@@ -56,11 +56,11 @@ cleaned composite = case levels least (touchedValues pixels) of
     least = leastContrast (compositeStep composite) (smoothing * pixelNoise touched)
     parts test = components pixels 0 (touchedWhere test pixels)
 
--- | A share of the way from the background's level to the embossing's.
+-- | The intensity at a given share of the contrast above the background.
 share :: Double -> Levels -> Double
 share part found = levelBackground found + part * contrast found
 
--- | A composite without some regions.
+-- | The composite without the given regions.
 removed :: Composite -> Masked -> [ForeignRegion] -> Cleaned
 removed composite pixels regions
   | null regions = Cleaned composite Nothing []
@@ -83,17 +83,17 @@ removed composite pixels regions
               then 0
               else fromMaybe 0 (index image x y)
 
--- | A foreign region.
+-- | A region that is not part of a symbol.
 data ForeignRegion = ForeignRegion
   { foreignPixels :: !Region,
     foreignCause :: !Cause,
-    -- | whether no symbol is so high, or so low
+    -- | whether it is clearly higher than symbols, or sunken
     foreignHeight :: !Bool
   }
 
--- | The foreign regions, given the symbols' levels and pixels: each with a rim, but for what is a
--- symbol's and its rim. What stands clearly higher than symbols goes first, for a symbol close to
--- it is not parted from it at a lower level.
+-- | The foreign regions, given the symbols' levels and regions. Each is widened by a margin that
+-- stays clear of symbols and of their margins. Regions clearly higher than symbols are found first,
+-- because at a lower threshold a nearby symbol would merge with them.
 foreignIn :: Masked -> Levels -> [Region] -> [ForeignRegion]
 foreignIn pixels own symbols =
   [ForeignRegion region TooLarge True | region <- high]
@@ -110,6 +110,6 @@ foreignIn pixels own symbols =
     found = components pixels 0
     widened by = filter (not . kept) . around pixels by
 
--- | Fewer sunken pixels are noise.
+-- | The least number of sunken pixels of a hole; fewer are noise.
 leastHollow :: Int
 leastHollow = 12

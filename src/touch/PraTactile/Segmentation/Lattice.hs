@@ -1,12 +1,12 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The lattice that the symbols lie on (the paper's section II.B, feature 3): "the distances along
--- the symbol axes to the neighbouring symbols" tell which symbols are neighbours in a row or a
--- column, and so each symbol's place relative to the others.
+-- | The lattice of the symbols (the paper's section II.B, feature 3): "the distances along the
+-- symbol axes to the neighbouring symbols" show which symbols are neighbours in a row or a column,
+-- and so each symbol's place relative to the others.
 --
--- Rows and columns are counted along the symbols' axes as the composite shows them. Whether the
--- lattice is upright or half-turned, only recognising the symbols decides: 'halfTurned' gives the
--- other reading.
+-- Rows and columns are counted along the symbols' axes as the composite shows them. Only
+-- recognising the symbols decides whether the lattice is upright or half-turned. 'halfTurned' gives
+-- the other reading.
 module PraTactile.Segmentation.Lattice
   ( -- * Arranging
     Cell,
@@ -30,35 +30,35 @@ import qualified Data.Set as Set
 import PraTactile.Geometry (columnPitch, rotated, rowPitch)
 import PraTactile.Segmentation.Symbol (SymbolImage (..))
 
--- | A row and a column, counted from 0 from the uppermost row and the leftmost column of a cluster.
+-- | A row and a column, counted from 0 from the topmost row and the leftmost column of a cluster.
 type Cell = (Int, Int)
 
--- | Symbols that neighbourhood ties together.
+-- | Symbols connected by neighbourhood.
 data Cluster symbol
   = -- | Each symbol in its cell.
     Cluster !(Map Cell symbol)
-  | -- | The distances contradict each other: how, and all the symbols concerned.
+  | -- | The distances contradict each other: the contradiction, and all symbols of the cluster.
     Contradiction !(Conflict symbol) ![symbol]
   deriving stock (Eq, Show)
 
--- | How distances between symbols contradict each other. Cells count from an arbitrary symbol of
--- the cluster.
+-- | A contradiction of the distances between symbols. Cells are counted from an arbitrary symbol
+-- of the cluster.
 data Conflict symbol
-  = -- | Two paths from neighbour to neighbour lead to two cells for the symbol, first that of the
-    -- shorter path.
+  = -- | Two paths from neighbour to neighbour lead to different cells for this symbol. The cell of
+    -- the shorter path comes first.
     TwoCells !symbol !Cell !Cell
   | -- | Two symbols lie in one cell.
     SharedCell !Cell !symbol !symbol
   deriving stock (Eq, Show)
 
--- | How far a neighbour may be from where the pitch has it, in taxels along each axis: half the
--- clear space between symbols.
+-- | The greatest distance of a neighbour from its place in the lattice, in taxels along each axis:
+-- half the clear space between symbols.
 pitchTolerance :: Double
 pitchTolerance = 4
 
--- | The symbols in clusters, from top to bottom and left to right of their first symbols, each by
--- what the function says of where it lies. Symbols that no chain of neighbours connects are in
--- different clusters: nothing says how many cells lie between them.
+-- | Arranges symbols in clusters, ordered by their first symbols from top to bottom and left to
+-- right. The function gives the image of a symbol. Symbols without a chain of neighbours between
+-- them are in different clusters, since the number of cells between them is unknown.
 arrange :: (symbol -> SymbolImage) -> [symbol] -> [Cluster symbol]
 arrange image symbols = go (Set.fromList (Map.keys numbered))
   where
@@ -72,8 +72,8 @@ arrange image symbols = go (Set.fromList (Map.keys numbered))
             cluster = maybe (settle members cells) (`Contradiction` Map.elems members) conflict
          in cluster : go (waiting `Set.difference` Map.keysSet cells)
 
--- | All the symbols that can be reached from one, each with its cell by the shortest path, and the
--- first contradiction met on the way.
+-- | All symbols that neighbourhood connects to the given one, each with its cell by the shortest
+-- path, and the first contradiction found.
 walk :: (symbol -> SymbolImage) -> Map Int symbol -> Int -> (Map Int Cell, Maybe (Conflict symbol))
 walk image symbols first = go [first] (Map.singleton first (0, 0)) Nothing
   where
@@ -97,14 +97,14 @@ walk image symbols first = go [first] (Map.singleton first (0, 0)) Nothing
     orElse (Just c) _ = Just c
     orElse Nothing c = c
 
--- | The cells between two symbols that lie one pitch apart in a row or in a column, by the axes of
--- both.
+-- | The step (rows, columns) from one symbol to another, if they are neighbours in a row or a
+-- column by the axes of both.
 neighbour :: SymbolImage -> SymbolImage -> Maybe Cell
 neighbour here there = case (step here there, step there here) of
   (Just (i, j), Just (i', j')) | (i, j) == (negate i', negate j') -> Just (i, j)
   _ -> Nothing
 
--- | The step from one symbol to another, by the axes of the one.
+-- | The step from the first symbol to the second, if they are neighbours by the axes of the first.
 step :: SymbolImage -> SymbolImage -> Maybe Cell
 step here there
   | close across columnPitch && close down 0 = Just (0, 1)
@@ -118,7 +118,7 @@ step here there
     (x', y') = symbolCentre there
     (across, down) = rotated (negate (symbolAxis here)) (x' - x, y' - y)
 
--- | The symbols at their cells counted from the upper left, unless two share one.
+-- | The symbols by their cells, counted from the upper left. A contradiction if two share a cell.
 settle :: Map Int symbol -> Map Int Cell -> Cluster symbol
 settle members cells = case [SharedCell cell a b | (cell, a : b : _) <- Map.toList occupants] of
   conflict : _ -> Contradiction conflict (Map.elems members)
@@ -136,8 +136,7 @@ settle members cells = case [SharedCell cell a b | (cell, a : b : _) <- Map.toLi
       [symbol] -> Just symbol
       _ -> Nothing
 
--- | The cells as they are when the lattice is looked at upside down. The symbols themselves stay as
--- they are.
+-- | The cells after the lattice is turned by 180 degrees. The symbols stay as they are.
 halfTurned :: Map Cell a -> Map Cell a
 halfTurned cells = Map.mapKeys (\(row, column) -> (bottom - row, right - column)) cells
   where

@@ -29,32 +29,32 @@ import PraTactile.Composite.Level (noiseFrom)
 import PraTactile.Image
 import PraTactile.Image.Ascending (placeIn)
 
--- | An image's pixels that were touched. All pixels are numbered row by row from 0.
+-- | The touched pixels of an image. All pixels are numbered row by row from 0.
 data Masked = Masked
   { maskedWidth :: !Int,
     maskedHeight :: !Int,
-    -- | the numbers of those that were touched, ascending
+    -- | the numbers of the touched pixels, ascending
     maskedNumbers :: !(Vector Int),
-    -- | which of those one is, by its number
+    -- | the index of a touched pixel's number in that list
     maskedPlace :: Int -> Maybe Int,
-    -- | their values, in that order
+    -- | the values of the touched pixels, in the same order
     touchedValues :: !(Vector Double)
   }
 
--- | A composite's pixels; touched are those that got at least 'leastCoverage' of a sensor's weight.
+-- | A composite's pixels. Pixels with a coverage of at least 'leastCoverage' are touched.
 masked :: Composite -> Masked
 masked Composite {compositeImage = image, compositeCoverage = coverage} =
   maskedAs (rasterSize image) numbers (valuesAt image numbers)
   where
     numbers = pixelsWhere (>= leastCoverage) coverage
 
--- | An image of that width and height of which the pixels of these numbers, ascending, were touched
--- and have these values.
+-- | An image with the given width and height, the numbers of its touched pixels (ascending), and
+-- their values.
 maskedAs :: (Int, Int) -> Vector Int -> Vector Double -> Masked
 maskedAs (w, h) numbers = Masked w h numbers (placesOf (w * h) numbers)
 
--- | At which place each of so many numbers from 0 on stands among ascending ones: by a table of
--- all, or where that were large, by a search.
+-- | The index of a number below @count@ in an ascending vector, if it is there. It uses a table,
+-- or a search if the table would be large.
 placesOf :: Int -> Vector Int -> Int -> Maybe Int
 placesOf count numbers
   | count > 4194304 = placeIn numbers
@@ -65,8 +65,8 @@ placesOf count numbers
     table =
       V.update_ (V.replicate count (-1)) numbers (V.enumFromN 0 (V.length numbers)) :: Vector Int
 
--- | Each pixel as the mean of the touched ones around it, those beside it with half its weight and
--- those across with a quarter.
+-- | Each pixel replaced by the mean of the touched pixels around it: straight neighbours have half
+-- its weight, diagonal ones a quarter.
 smoothed :: Masked -> Masked
 smoothed pixels = pixels {touchedValues = V.map meanAround (maskedNumbers pixels)}
   where
@@ -81,15 +81,15 @@ smoothed pixels = pixels {touchedValues = V.map meanAround (maskedNumbers pixels
               let weight = (if i == 0 then 2 else 1) * (if j == 0 then 2 else 1)
           ]
 
--- | Whether the pixel of this number was touched.
+-- | Whether the pixel with this number was touched.
 isTouched :: Masked -> Int -> Bool
 isTouched pixels = isJust . maskedPlace pixels
 
--- | The value of the pixel of this number, if it was touched.
+-- | The value of the pixel with this number; 'Nothing' if it was not touched.
 valueOf :: Masked -> Int -> Maybe Double
 valueOf pixels p = (touchedValues pixels V.!) <$> maskedPlace pixels p
 
--- | The value at a column and a row, if that was touched.
+-- | The value at a column and a row; 'Nothing' if that pixel was not touched.
 valueAt :: Masked -> (Int, Int) -> Maybe Double
 valueAt pixels (x, y)
   | x >= 0 && x < w && y >= 0 && y < maskedHeight pixels = valueOf pixels (y * w + x)
@@ -97,13 +97,13 @@ valueAt pixels (x, y)
   where
     w = maskedWidth pixels
 
--- | The touched pixels whose values are so, in order.
+-- | The numbers of the touched pixels whose values satisfy the test, ascending.
 touchedWhere :: (Double -> Bool) -> Masked -> [Int]
 touchedWhere test pixels =
   V.toList (V.ifilter (\k _ -> test (touchedValues pixels V.! k)) (maskedNumbers pixels))
 
--- | The standard deviation of the noise of pixels that are not smoothed: the larger of what changes
--- along the rows and along the columns show, for a row may have noise in common, or a column.
+-- | The standard deviation of the noise of unsmoothed pixels: the larger of the estimates along
+-- rows and along columns, since noise may be common to a row or a column.
 pixelNoise :: Masked -> Double
 pixelNoise pixels = max (noiseFrom (differences 1 0)) (noiseFrom (differences 0 1))
   where
@@ -115,12 +115,12 @@ pixelNoise pixels = max (noiseFrom (differences 1 0)) (noiseFrom (differences 0 
             Just b <- [beside pixels p (i, j) >>= valueOf pixels]
         ]
 
--- | The column and the row of a pixel.
+-- | The column and the row of the pixel with this number.
 placeOf :: Masked -> Int -> (Int, Int)
 placeOf pixels p = let (y, x) = p `quotRem` max 1 (maskedWidth pixels) in (x, y)
 {-# INLINE placeOf #-}
 
--- | The number of the pixel so far right of and below another one.
+-- | The number of the pixel at an offset (right, down) from another; 'Nothing' outside the image.
 beside :: Masked -> Int -> (Int, Int) -> Maybe Int
 beside pixels p (i, j)
   | x >= 0 && x < w && y >= 0 && y < maskedHeight pixels = Just (y * w + x)

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What was touched of a symbol that does not lie wholly in a composite.
+-- | Parts of symbols that do not lie wholly in a composite.
 module PraTactile.Segmentation.Part
   ( Part (..),
     partAt,
@@ -15,19 +15,20 @@ import PraTactile.Geometry (rotated, symbolHeight, symbolWidth)
 import PraTactile.Image (Raster, generate, rasterValues)
 import PraTactile.Image.Correlate (referenceAt)
 
--- | What was touched of a place where a symbol is expected.
+-- | The touched taxels at a place where a symbol is expected.
 data Part = Part
-  { -- | 8 x 12 taxels, background 0 and embossing about 1; 0 where nothing was touched.
+  { -- | 8 x 12 taxels: background 0, embossing about 1, and 0 where nothing was touched.
     partPixels :: !Raster,
-    -- | 1 where it was touched, and 0 elsewhere.
+    -- | 1 where it was touched, 0 elsewhere.
     partSeen :: !Raster
   }
   deriving stock (Eq, Show)
 
--- | What was touched of the box of a symbol with its centre at a place, x and y in pixels, given
--- what flat ground reads in the composite, how much more relief reads, and the angle of the box in
--- degrees clockwise. 'Nothing' where that is less than 'leastSeen' taxels, or relief reads no more.
--- What is computed once a composite is computed when it is given.
+-- | The part of a symbol whose box is centred at a place (x and y in pixels). The arguments before
+-- the place are the composite, the grey value of flat ground and the contrast of the relief, and
+-- the angle of the box in degrees clockwise. 'Nothing' if fewer than 'leastSeen' taxels were
+-- touched or the contrast is not positive. Apply it to a composite once: what depends only on the
+-- composite is then shared.
 partAt :: Composite -> (Double, Double) -> Double -> (Double, Double) -> Maybe Part
 partAt composite (flat, contrast) angle = look
   where
@@ -48,6 +49,6 @@ partAt composite (flat, contrast) angle = look
         pixels = generate symbolWidth symbolHeight (\i j -> fromMaybe 0 (here i j))
         seen = generate symbolWidth symbolHeight (\i j -> if isJust (here i j) then 1 else 0)
 
--- | The fewest taxels of a symbol's 96 that are looked at.
+-- | The least number of touched taxels, of a symbol's 96.
 leastSeen :: Int
 leastSeen = 6

@@ -2,7 +2,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | Regions of an image's pixels: connected components (Jain, Kasturi and Schunck, Machine Vision,
--- chapter 2; the paper's [15]), what lies around them, and how far they extend.
+-- chapter 2; the paper's [15]), their surroundings and their extents.
 module PraTactile.Segmentation.Region
   ( Region,
     components,
@@ -28,13 +28,13 @@ import qualified Data.Vector.Unboxed.Mutable as M
 import PraTactile.Geometry (cosineSine)
 import PraTactile.Segmentation.Masked
 
--- | The numbers of some pixels.
+-- | A list of pixel numbers.
 type Region = [Int]
 
--- | The connected components of some pixels, in the order of their first ones. Two pixels are
--- connected when neither their columns nor their rows differ by more than the gap and one: gap 0 is
--- connection by sides and corners. The gap is at least 0. O(area of the box around the pixels), or
--- where that is large, O(pixels, times the logarithm of the area).
+-- | The connected components of a list of pixels, ordered by their first pixels. Two pixels are
+-- connected when their columns and their rows differ by at most gap + 1, where gap >= 0; gap 0
+-- means connection by sides and corners. O(area of the pixels' bounding box), or, if that is large,
+-- O(n log area) for n pixels.
 components :: Masked -> Int -> Region -> [Region]
 components _ _ [] = []
 components pixels gap some
@@ -44,8 +44,8 @@ components pixels gap some
     forM_ some $ \p -> M.write left (inside p) True
     go left 0
   where
-    -- The box around them with a margin of pixels that are none of them, as wide as what is looked
-    -- at from one. Its places are numbered row by row.
+    -- The bounding box with a margin of empty pixels, as wide as a pixel's neighbourhood. Its
+    -- places are numbered row by row.
     margin = gap + 1
     Box left' top right bottom = boxOf pixels some
     (!x0, !y0) = (left' - margin, top - margin)
@@ -78,7 +78,7 @@ components pixels gap some
         isNew <- M.read left p'
         when isNew (M.write left p' False)
         newAround left p (k + 1) (if isNew then p' : queue else queue)
-    -- The same where most of a large box is none of them.
+    -- The components by sets, for a large box that is mostly empty.
     apart left = case IntSet.minView left of
       Nothing -> []
       Just (p, others) ->
@@ -88,12 +88,12 @@ components pixels gap some
       let near = filter (`IntSet.member` left) (map (p +) (V.toList steps))
        in flooded (foldl' (flip IntSet.delete) left near) (near ++ queue) (pixel p : found)
 
--- | A box of so many pixels or fewer is looked at as a whole.
+-- | The number of pixels up to which a bounding box is held as a whole.
 largestBox :: Int
 largestBox = 8388608
 
--- | The pixels, ascending, whose distance from some, the larger one of that in columns and that in
--- rows, is at most this.
+-- | The pixels within a distance of some pixel of the region, ascending. The distance is the
+-- larger of those in columns and in rows.
 around :: Masked -> Int -> Region -> Region
 around pixels distance = eachOnce . concatMap down . eachOnce . concatMap across
   where
@@ -102,19 +102,20 @@ around pixels distance = eachOnce . concatMap down . eachOnce . concatMap across
     within p = p >= 0 && p < w * maskedHeight pixels
     w = maskedWidth pixels
 
--- | Whether a number is one of some.
+-- | Membership in a list of numbers. Partial application prepares a table.
 among :: [Int] -> Int -> Bool
 among some = case tableOf some of
   Just (least, table) -> \p -> fromMaybe False (table V.!? (p - least))
   Nothing -> (`IntSet.member` IntSet.fromList some)
 
--- | Numbers, each once, ascending.
+-- | The numbers sorted, without duplicates.
 eachOnce :: [Int] -> [Int]
 eachOnce some = case tableOf some of
   Just (least, table) -> map (least +) (V.toList (V.elemIndices True table))
   Nothing -> IntSet.toAscList (IntSet.fromList some)
 
--- | Some numbers as a table from the least to the greatest, unless these are far more.
+-- | The numbers as a table from the least to the greatest; 'Nothing' if that range is far longer
+-- than the list.
 tableOf :: [Int] -> Maybe (Int, V.Vector Bool)
 tableOf some
   | most - least > 64 * length some = Nothing
@@ -126,8 +127,8 @@ tableOf some
       forM_ some $ \p -> M.write table (p - least) True
       pure table
 
--- | How far a region extends along a direction, in degrees clockwise from the x axis, in pixels. 0
--- for an empty one.
+-- | The extent of a region along a direction (degrees clockwise from the x axis), in pixels; 0 for
+-- an empty region.
 extentAlong :: Masked -> Region -> Double -> Double
 extentAlong pixels region
   | null region = const 0
@@ -140,10 +141,10 @@ extentAlong pixels region
   where
     !places = V.fromList [(fromIntegral x, fromIntegral y) | (x, y) <- map (placeOf pixels) region]
 
--- | From where to where.
+-- | The least and the greatest value of a range.
 data Span = Span !Double !Double
 
--- | The box around a region's pixels: left, top, right, bottom. At the origin for an empty one.
+-- | The bounding box of a region: left, top, right, bottom, in pixels. Zeros for an empty region.
 regionBox :: Masked -> Region -> (Double, Double, Double, Double)
 regionBox pixels region
   | null region = (0, 0, 0, 0)
@@ -152,10 +153,10 @@ regionBox pixels region
     Box x0 y0 x1 y1 = boxOf pixels region
     before t = fromIntegral t - 0.5
 
--- | Columns and rows: the first ones, and the last.
+-- | The first column and row, and the last column and row.
 data Box = Box !Int !Int !Int !Int
 
--- | The box around a region, which must have pixels.
+-- | The bounding box of a region that is not empty.
 boxOf :: Masked -> Region -> Box
 boxOf pixels = foldl' wider (Box maxBound maxBound minBound minBound)
   where

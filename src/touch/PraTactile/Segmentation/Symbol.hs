@@ -1,17 +1,17 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What segmentation finds in a composite: complete symbols, and what is embossed or sunk and is
--- none.
+-- | The results of segmentation: complete symbols, and embossed or sunken regions that are not
+-- symbols.
 module PraTactile.Segmentation.Symbol
   ( -- * Symbols
     SymbolImage (..),
 
-    -- * What is no complete symbol
+    -- * Rejected regions
     Reject (..),
     Cause (..),
     causeName,
 
-    -- * Both
+    -- * The result
     Segmentation (..),
   )
 where
@@ -22,31 +22,33 @@ import PraTactile.Image (Raster)
 data SymbolImage = SymbolImage
   { -- | The centre of its box, x and y in the composite's pixels.
     symbolCentre :: !(Double, Double),
-    -- | 8 x 12 taxels, resampled along the symbol's axis from its box: background 0, embossing
+    -- | 8 x 12 taxels, resampled from its box along the symbol's axis: background 0, embossing
     -- about 1, not clipped.
     symbolPixels :: !Raster,
-    -- | The direction of its x axis, degrees clockwise from the composite's, up to a half turn,
-    -- which only recognising the symbol decides. Upright boxes: 0; boxes on their side: 90.
+    -- | The direction of its x axis, in degrees clockwise from the composite's: 0 for upright
+    -- boxes, 90 for boxes on their side. It is determined up to a half turn; only recognition
+    -- decides which way up the symbol is.
     symbolAxis :: !Double,
-    -- | The width and height that were measured, in pixels.
+    -- | The measured width and height, in pixels.
     symbolSize :: !(Double, Double)
   }
   deriving stock (Eq, Show)
 
--- | Something that is no complete symbol: its box (left, top, right, bottom, in pixels), and why.
+-- | A region that is not a complete symbol: its box (left, top, right, bottom, in pixels) and the
+-- reason.
 data Reject = Reject !(Double, Double, Double, Double) !Cause
   deriving stock (Eq, Show)
 
--- | Why something is no complete symbol.
+-- | Why a region is not a complete symbol.
 data Cause
-  = -- | It reaches the edge of what was touched, and is too small, or too little of its box was
+  = -- | It reaches the edge of the touched pixels and is too small, or too little of its box was
     -- touched.
     CutOff
   | -- | Its box is not of a symbol's size.
     WrongSize
-  | -- | It is embossed, and longer than any symbol: a bar, a rim, a plateau.
+  | -- | It is embossed and longer than any symbol: a bar, a rim or a plateau.
     TooLarge
-  | -- | It lies deeper than the background: a hole, or what is beyond the object's edge.
+  | -- | It lies below the background: a hole, or beyond the object's edge.
     Hollow
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
@@ -58,14 +60,14 @@ causeName cause = case cause of
   TooLarge -> "too-large"
   Hollow -> "hollow"
 
--- | What a composite holds.
+-- | The result of segmenting a composite.
 data Segmentation = Segmentation
   { -- | The complete symbols, from left to right.
     segmentedSymbols :: ![SymbolImage],
     segmentedRejects :: ![Reject],
-    -- | The background's intensity; 0 when nothing embossed was found.
+    -- | The intensity of the background; 0 if nothing embossed was found.
     segmentedBackground :: !Double,
-    -- | The embossing's intensity above the background's; likewise.
+    -- | The difference of embossing and background; 0 if nothing embossed was found.
     segmentedContrast :: !Double
   }
   deriving stock (Eq, Show)

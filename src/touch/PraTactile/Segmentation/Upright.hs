@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Segmentation of a composite on which symbols lie upright: Otsu's threshold, connected
--- components, and of these the ones whose box fits a symbol's and was touched.
+-- | Segmentation of upright symbols: Otsu's threshold, connected components, and a check that a
+-- component's box has a symbol's size and was touched.
 module PraTactile.Segmentation.Upright
   ( segment,
     leastTouched,
@@ -23,9 +23,9 @@ import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region
 import PraTactile.Segmentation.Symbol
 
--- | The symbols of a composite. A blank composite has none. The levels are taken from the whole
--- composite; what rises above their middle is cut into connected components, and each component
--- whose box fits a symbol's becomes one. A noisy composite is smoothed for that; the symbols'
+-- | The symbols of a composite; none for a blank one. The levels come from the whole composite.
+-- The pixels above their middle are divided into connected components, and each component whose box
+-- has a symbol's size becomes a symbol. A noisy composite is smoothed for that, but the symbols'
 -- images are not.
 segment :: Composite -> Segmentation
 segment composite = case levelled noise touched of
@@ -53,31 +53,32 @@ segment composite = case levelled noise touched of
             }
         embossed = pieces pixels largestGap (touchedWhere (>= threshold found) pixels)
 
--- | A contrast of fewer standard deviations of the noise is not clear enough for single pixels.
+-- | The least contrast, in standard deviations of the noise, for working without smoothing.
 leastClear :: Double
 leastClear = 6
 
--- | What symbols are cut out of.
+-- | The input from which symbols are cut.
 data Scene = Scene
-  { -- | what their images are sampled from
+  { -- | the image from which the symbols' images are sampled
     sceneImage :: !Reference,
     sceneLevels :: !Levels,
-    -- | what their boxes are measured in
+    -- | the pixels in which boxes are measured
     scenePixels :: !Masked
   }
 
--- | The connected components of at least @leastPixels@, from left to right.
+-- | The connected components of at least 'leastPixels' pixels, from left to right. The number is
+-- the gap of 'components'.
 pieces :: Masked -> Int -> Region -> [Region]
 pieces pixels gap =
   sortOn (minimum . map (placeOf pixels)) . filter (atLeast leastPixels) . components pixels gap
 
--- | Whether a region has that many pixels or more.
+-- | Whether a region has at least the given number of pixels.
 atLeast :: Int -> Region -> Bool
 atLeast count = not . null . drop (count - 1)
 
--- | A component as a symbol, or why it is none. If it is too large for one, it may be a symbol with
--- something near it, or a blurred one: then its connected pieces are judged, first all but the
--- smallest of them together, then each by itself; then what of it is above a higher threshold.
+-- | Judges a component: a symbol, or the reason why not. A component that is too large may be a
+-- symbol with something close to it, or a blurred symbol. Then it is tried without its smallest
+-- pieces, then each piece alone, then above a higher threshold.
 inComponent :: Scene -> Region -> [Either Reject SymbolImage]
 inComponent scene component = case judged middle component of
   Nothing -> []
@@ -100,12 +101,12 @@ inComponent scene component = case judged middle component of
     parts = pieces pixels 0 component
     high = filter (any (>= upper) . valueAt pixels . placeOf pixels) component
 
--- | Where a blurred symbol is cut off, as a share of the contrast above the background.
+-- | The threshold for blurred symbols, as a share of the contrast above the background.
 upperShare :: Double
 upperShare = 0.65
 
--- | A region as a symbol, or why it is none, by its box at a threshold. 'Nothing' where it is
--- empty.
+-- | Judges a region by its box at a threshold: a symbol, or the reason why not. 'Nothing' for an
+-- empty region.
 judgedAt :: Scene -> Double -> Region -> Maybe (Either Reject SymbolImage)
 judgedAt scene level region = do
   across <- horizontalExtent pixels level region
@@ -145,23 +146,23 @@ judgedAt scene level region = do
       generate symbolWidth symbolHeight $ \i j ->
         value (x + fromIntegral i - (width - 1) / 2) (y + fromIntegral j - (height - 1) / 2)
 
--- | The fewest taxels of a symbol's 96 that must have been touched: all but a row of them. A box
--- may fit that is a column or two short, and at an angle the edge of what was touched leaves boxes
--- of any size; what they show of a symbol is a part. When none had to be touched, about half of the
--- symbols that were told wrong, and most that were like no shape, were such parts.
+-- | The least number of touched taxels, of a symbol's 96: all but about one row. Without this
+-- limit a box may fit that lacks a column or two, and at an angle the edge of the touched pixels
+-- leaves boxes of any size. Such boxes show parts of symbols: they made about half of the misread
+-- symbols, and most images that resemble no shape.
 leastTouched :: Double
 leastTouched = 0.9 * fromIntegral (symbolWidth * symbolHeight)
 
--- | Fewer pixels than this are noise.
+-- | The least number of pixels of a component; fewer are noise.
 leastPixels :: Int
 leastPixels = 4
 
--- | Embossed pixels this many pixels apart still belong to one symbol; symbols are eight taxels
--- apart.
+-- | Embossed pixels with at most this many pixels between them may belong to one symbol. Symbols
+-- are eight taxels apart.
 largestGap :: Int
 largestGap = 2
 
--- | How far a measured width or height may be from a symbol's, in taxels: less than the two taxels
--- that a symbol's strokes are wide.
+-- | The greatest difference of a measured width or height from a symbol's, in taxels. It is less
+-- than the two taxels of a symbol's strokes.
 sizeTolerance :: Double
 sizeTolerance = 1.6

@@ -1,5 +1,5 @@
--- | Calibration as a user does it: frames where nothing is touched and frames where every element
--- is pressed alike tell each element's offset and gain, and which are dead.
+-- | Calibration of a sensor from dark frames (nothing touched) and flat frames (all elements
+-- pressed equally). They give each element's offset and gain, and show which elements are dead.
 module PraTactile.Sensor.Calibration
   ( Calibration (..),
     calibrate,
@@ -18,37 +18,39 @@ import PraTactile.Image (Raster, generate, rasterSize, rasterValues)
 import PraTactile.Sensor.Dead (filled)
 import PraTactile.Sensor.Frame (Frame (..), Pose (..))
 
--- | What a sensor's readings are corrected by. Both rasters have the sensor's size.
+-- | The correction of a sensor's readings. Both rasters have the sensor's size.
 data Calibration = Calibration
-  { -- | what each element reads where nothing is touched
+  { -- | the reading of each element when nothing is touched
     calibrationOffset :: !Raster,
-    -- | how much an element's reading rises, as a multiple of the median element's; positive
+    -- | the rise of each element's reading divided by the median element's rise; positive
     calibrationGain :: !Raster,
-    -- | the dead elements, row and column, in this order
+    -- | the dead elements (row, column), ascending
     calibrationDead :: ![(Int, Int)]
   }
   deriving stock (Eq, Show)
 
--- | Why frames do not calibrate, or a calibration does not correct a frame.
+-- | Why a calibration cannot be computed or applied.
 data CalibrationError
   = -- | There is no dark frame.
     NoDarkFrame
   | -- | There is no flat frame.
     NoFlatFrame
-  | -- | Two sizes, width and height, that should be one: the calibration's, or that of the first
-    -- frame; and another frame's.
+  | -- | Two sizes (width, height) differ: that of the calibration or of the first frame, and that
+    -- of another frame.
     SensorsDiffer !(Int, Int) !(Int, Int)
-  | -- | A reading is infinite or not a number.
+  | -- | A reading is infinite or NaN.
     ReadingNotFinite
-  | -- | No element reads more in the flat frames than in the dark ones, by 0.02 of full scale.
+  | -- | No element reads at least 0.02 of full scale more in the flat frames than in the dark
+    -- ones.
     AllDead
-  | -- | Every element reads full scale in the flat frames, so that its gain is not known.
+  | -- | Every element reads full scale in the flat frames, so its gain is unknown.
     AllSaturated
   deriving stock (Eq, Show)
 
--- | The calibration from dark and flat frames' images. Its noise is that of the means. An element
--- is dead if it rises by less than a quarter of the median element's rise, if it reads more than
--- half of full scale in the dark, or full scale in the flat frames, where nothing tells its gain.
+-- | The calibration from the images of dark frames and of flat frames, by their means. An element
+-- is dead in three cases: its rise is less than a quarter of the median element's rise; it reads
+-- more than half of full scale in the dark; it reads full scale in the flat frames, so that its
+-- gain is unknown.
 calibrate :: [Raster] -> [Raster] -> Either CalibrationError Calibration
 calibrate [] _ = Left NoDarkFrame
 calibrate _ [] = Left NoFlatFrame
@@ -64,7 +66,7 @@ calibrate darks@(one : _) flats
     size@(w, h) = rasterSize one
     (dark, flat) = (meanOf darks, meanOf flats)
     rise = V.zipWith (-) flat dark
-    -- Of those that tell their gain.
+    -- Only elements whose gain is known.
     middle = median [r | (r, f) <- zip (V.toList rise) (V.toList flat), f < saturation]
     part f = generate w h (\x y -> f (y, x) (y * w + x))
     gain place k = if isDead place then 1 else (rise `at'` k) / middle
@@ -85,23 +87,23 @@ median values = case drop (length values `div` 2) (sort values) of
   v : _ -> v
   [] -> 0
 
--- | A frame whose image is 'correctedImage', and in which the calibration's dead elements felt
--- nothing, beside those that did not before. Refuses frames of another size.
+-- | A frame with its image corrected by 'correctedImage' and the calibration's dead elements added
+-- to its own. Refuses frames of another size.
 corrected :: Calibration -> Frame -> Either CalibrationError Frame
 corrected calibration = \frame ->
   let felt image = frame {frameImage = image, frameDead = dead frame}
    in felt <$> image' (frameImage frame)
   where
-    -- What does not depend on the frame is made once for all.
+    -- Computed once for all frames.
     image' = correctedImage calibration
     dead frame = Set.toAscList (Set.union (Set.fromList (frameDead frame)) gone)
     gone = Set.fromList (calibrationDead calibration)
 
--- | Frames in which elements that are stuck were not felt ('correctedImage'): those that read high
--- in every frame, though the sensor moved by 8 elements at least between some two of six frames or
--- more. High is above the middle between what most elements read at least and at most. Nothing is
--- changed where that says nothing: of fewer frames, of frames of several sizes, and where more than
--- a quarter of all elements would be stuck.
+-- | Marks stuck elements as dead and replaces their readings ('correctedImage'). An element is
+-- stuck if it reads high in every frame, although the sensor moved by at least 8 elements between
+-- two of at least six frames. High means above the middle between the medians of the elements'
+-- least and greatest readings. The frames stay unchanged if they are fewer than six, of several
+-- sizes, or if more than a quarter of all elements would be stuck.
 withoutStuck :: [Frame] -> [Frame]
 withoutStuck frames = case frames of
   one : others
@@ -125,8 +127,8 @@ withoutStuck frames = case frames of
   where
     extent side = maximum (map (side . framePose) frames) - minimum (map (side . framePose) frames)
 
--- | A sensor's image with each reading less its offset, divided by its gain and clipped to 0..1. A
--- dead element was not felt: in its place stands what 'filled' has. Refuses images of another size.
+-- | An image with each reading minus its offset, divided by its gain and clipped to 0..1. The
+-- value of a dead element is replaced by 'filled'. Refuses images of another size.
 correctedImage :: Calibration -> Raster -> Either CalibrationError Raster
 correctedImage (Calibration offset gain dead) = \image ->
   if rasterSize image /= size
@@ -138,6 +140,6 @@ correctedImage (Calibration offset gain dead) = \image ->
     size@(w, h) = rasterSize offset
     (offsets, gains) = (rasterValues offset, rasterValues gain)
     value reading zero slope = max 0 (min 1 ((reading - zero) / slope))
-    -- What does not depend on the image is made once for all.
+    -- Computed once for all images.
     filledIn = filled size (Set.filter onSensor (Set.fromList dead))
     onSensor (y, x) = y >= 0 && x >= 0 && y < h && x < w

@@ -1,5 +1,5 @@
--- | Every constant of the simulated sensor by its name: its unit, its bounds and where it comes
--- from. What a source is called an assumption for is the project's own choice.
+-- | The constants of the simulated sensor by name, each with its unit, its bounds and its source.
+-- A source called an assumption is the project's own choice.
 module PraTactile.Sensor.Constants
   ( Constant (..),
     constants,
@@ -15,10 +15,10 @@ import PraTactile.Sensor.Frame (taxelPitches)
 import PraTactile.Sensor.Model (Sensor (..))
 import PraTactile.Sensor.Preset (standardSensor)
 
--- | What is said of a constant.
+-- | The description of a constant.
 data Constant = Constant
   { constantName :: String,
-    -- | "1" for a share or a number
+    -- | "1" if it has no unit
     constantUnit :: String,
     -- | the least and the greatest value
     constantRange :: (Double, Double),
@@ -36,8 +36,8 @@ constants = map fst (constantsOf standardSensor)
 constantsOf :: Sensor -> [(Constant, Double)]
 constantsOf = getConst . traversed (\constant value -> Const [(constant, value)])
 
--- | The sensor with the named constant replaced; 'Left' tells the constant if the value is out of
--- its range, and nothing if there is no such constant.
+-- | The sensor with the named constant replaced. Refuses with the constant if the value is out of
+-- its range, and with 'Nothing' if there is no such constant.
 replaced :: String -> Double -> Sensor -> Either (Maybe Constant) Sensor
 replaced name value sensor = case find ((== name) . constantName) constants of
   Nothing -> Left Nothing
@@ -50,8 +50,8 @@ replaced name value sensor = case find ((== name) . constantName) constants of
       integral = value == fromIntegral (round value :: Integer)
       here = (== name) . constantName
 
--- | A sensor each of whose constants is what the function makes of it, in the order of the fields:
--- the one place that says which constant stands in which field.
+-- | Applies the function to each constant of a sensor, in the order of the fields. Only this
+-- function assigns constants to fields.
 traversed :: Applicative f => (Constant -> Double -> f Double) -> Sensor -> f Sensor
 traversed at sensor =
   Sensor

@@ -1,7 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What stands in the place of elements that feel nothing: the mean of their nearest living
--- neighbours.
+-- | Replaces the readings of dead elements by the mean of their nearest living neighbours.
 module PraTactile.Sensor.Dead
   ( filled,
     distances,
@@ -14,10 +13,11 @@ import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Storable.Mutable as Mutable
 
--- | Of a sensor of that width and height, with these dead elements, row and column: its readings,
--- row by row, with each dead one replaced by the mean of its living neighbours, of those in the
--- nearest square ring around it that holds any; 0 if all are dead. Where the rings are is found
--- once for all readings; then each dead element costs its own ring, O(width + height).
+-- | The readings of a sensor, row by row, with each dead one replaced by the mean of its nearest
+-- living neighbours. The arguments are width and height, the dead elements (row, column) and the
+-- readings. The nearest neighbours are those in the smallest square ring that holds any; 0 if all
+-- elements are dead. The rings are found once for all readings; then each dead element costs its
+-- own ring, O(width + height).
 filled :: (Int, Int) -> Set (Int, Int) -> V.Vector Double -> V.Vector Double
 filled size@(w, h) gone
   | Set.null gone = id
@@ -42,10 +42,10 @@ filled size@(w, h) gone
               else [i | i <- [x - r, x + r], i >= 0, i < w]
       ]
 
--- | How far each element is from the nearest that lives, by the greater of the distances along the
--- two axes; more than width and height where none lives. Two passes over the sensor, one from
--- either corner, O(width * height): A. Rosenfeld, J. L. Pfaltz, Sequential operations in digital
--- picture processing, Journal of the ACM 13 (1966).
+-- | The distance of each element from the nearest living one, as the greater of the distances
+-- along the two axes; more than the width and the height if none lives. Two passes over the sensor
+-- from opposite corners, O(width * height): A. Rosenfeld, J. L. Pfaltz, Sequential operations in
+-- digital picture processing, Journal of the ACM 13 (1966).
 distances :: (Int, Int) -> Set (Int, Int) -> V.Vector Int
 distances (w, h) gone = V.create $ do
   far <- Mutable.replicate (max 0 w * max 0 h) 0

@@ -1,8 +1,8 @@
--- | Probing (the paper's section III): where the tactile probe is pressed down, what it sends back,
--- and the plan of a scan.
+-- | Presses of the tactile probe (the paper's section III): poses, frames, rigid motions, and the
+-- plan of a scan.
 --
--- Lengths are millimetres unless a name says taxels; x points right, y down, seen from outside the
--- face; angles are degrees clockwise.
+-- Lengths are millimetres unless a name says taxels. x points right and y down, seen from outside
+-- the face. Angles are degrees clockwise.
 module PraTactile.Sensor.Frame
   ( -- * The sensor's geometry
     taxelPitch,
@@ -35,16 +35,16 @@ where
 import PraTactile.Geometry (rotated, sensorSide, taxelPitch)
 import PraTactile.Image (Raster)
 
--- | The least and the greatest distance of neighbouring taxels that a sensor may have, millimetres.
+-- | The least and the greatest accepted distance of neighbouring taxels, in millimetres.
 taxelPitches :: (Double, Double)
 taxelPitches = (0.05, 50)
 
--- | Whether a distance lies between them.
+-- | Whether a distance is within 'taxelPitches'.
 isTaxelPitch :: Double -> Bool
 isTaxelPitch taxel = taxel >= fst taxelPitches && taxel <= snd taxelPitches
 
--- | Where the sensor is: its centre in millimetres, and its rotation in degrees clockwise, in some
--- frame of coordinates.
+-- | The sensor's pose in some coordinates: its centre in millimetres and its rotation in degrees
+-- clockwise.
 data Pose = Pose
   { poseX :: !Double,
     poseY :: !Double,
@@ -52,10 +52,10 @@ data Pose = Pose
   }
   deriving stock (Eq, Ord, Show)
 
--- | One press of the probe: the kinesthetic pose (what the robot's own position sensors say, in its
--- own frame of coordinates), the force in newtons, 0 where none is told, the tactile image, of any
--- size, the distance of its neighbouring taxels in millimetres, and which of them felt nothing,
--- because the element is dead: rows and columns from 0 of pixels whose value only stands for one.
+-- | One press of the probe. The fields are: the kinesthetic pose (by the robot's own position
+-- sensors, in the robot's coordinates); the force in newtons, 0 if unknown; the tactile image, of
+-- any size; the distance of neighbouring taxels in millimetres; and the dead elements (row, column
+-- from 0), whose pixels hold replacement values.
 data Frame = Frame
   { framePose :: !Pose,
     frameForce :: !Double,
@@ -65,7 +65,7 @@ data Frame = Frame
   }
   deriving stock (Eq, Show)
 
--- | The frame with all its lengths times a number.
+-- | The frame with all its lengths multiplied by a number.
 scaledFrame :: Double -> Frame -> Frame
 scaledFrame k frame =
   frame
@@ -75,9 +75,9 @@ scaledFrame k frame =
   where
     pose = framePose frame
 
--- | A rigid motion of the plane: a turn about the origin (degrees clockwise), then a shift
--- (millimetres). As a change of coordinates it carries what is said in one frame of coordinates,
--- such as the robot's, to another, such as a face's.
+-- | A rigid motion of the plane: a rotation about the origin (degrees clockwise), then a
+-- translation (millimetres). As a change of coordinates it converts, for example, the robot's
+-- coordinates to a face's.
 data Motion = Motion
   { motionRotation :: !Double,
     motionX :: !Double,
@@ -85,17 +85,17 @@ data Motion = Motion
   }
   deriving stock (Eq, Show)
 
--- | The motion that leaves everything where it is.
+-- | The identity motion.
 stay :: Motion
 stay = Motion 0 0 0
 
--- | A pose carried along by a motion. The rotation is kept in [0, 360).
+-- | A pose moved by a motion. Its rotation is reduced to [0, 360).
 move :: Motion -> Pose -> Pose
 move motion (Pose x y r) = Pose x' y' (turned (r + motionRotation motion))
   where
     (x', y') = movePoint motion (x, y)
 
--- | A point carried along by a motion. Multiples of 90 degrees are exact.
+-- | A point moved by a motion. Multiples of 90 degrees are exact.
 --
 -- >>> movePoint (Motion 90 10 0) (1, 2)
 -- (8.0,1.0)
@@ -104,19 +104,19 @@ movePoint (Motion r tx ty) place = (x + tx, y + ty)
   where
     (x, y) = rotated (turned r) place
 
--- | The one motion followed by the other.
+-- | The first motion followed by the second.
 andThen :: Motion -> Motion -> Motion
 andThen (Motion r x y) second = Motion (turned (r + motionRotation second)) x' y'
   where
     (x', y') = movePoint second (x, y)
 
--- | The motion that takes a motion back.
+-- | The inverse of a motion.
 inverse :: Motion -> Motion
 inverse (Motion r x y) = Motion (turned (negate r)) x' y'
   where
     (x', y') = movePoint (Motion (negate r) 0 0) (negate x, negate y)
 
--- | An angle in degrees brought to [0, 360); what is not finite stays as it is.
+-- | An angle in degrees reduced to [0, 360); infinities and NaN stay as they are.
 turned :: Double -> Double
 turned r
   | isNaN r || isInfinite r = r
@@ -125,24 +125,24 @@ turned r
   where
     r' = r - 360 * fromIntegral (floor (r / 360) :: Integer)
 
--- | Why there is no plan.
+-- | Why a scan cannot be planned.
 data ProbeError
   = -- | The spacing is less than one taxel.
     SpacingTooSmall !Int
-  | -- | The region (width, height, taxels) is narrower or lower than the sensor.
+  | -- | The region (width, height, taxels) is smaller than the standard sensor.
     RegionTooSmall !Int !Int
-  | -- | The same of another sensor, whose width and height follow, in taxels of 'taxelPitch'.
+  | -- | The region (width, height) is smaller than another sensor, whose width and height follow;
+    -- all in taxels of 'taxelPitch'.
     RegionBelowSensor !Int !Int !Double !Double
   | -- | The region (width, height, taxels) would take more than 100000 presses.
     RegionTooLarge !Int !Int
   deriving stock (Eq, Show)
 
--- | The most presses a plan may hold.
+-- | The greatest number of presses of a plan.
 maxPresses :: Double
 maxPresses = 100000
 
--- | The grid of a sensor's elements: how many columns and rows, and the distance of neighbours in
--- millimetres.
+-- | The grid of a sensor's elements: columns, rows, and the distance of neighbours in millimetres.
 data TaxelGrid = TaxelGrid
   { taxelGridColumns :: !Int,
     taxelGridRows :: !Int,
@@ -154,17 +154,18 @@ data TaxelGrid = TaxelGrid
 standardTaxelGrid :: TaxelGrid
 standardTaxelGrid = TaxelGrid sensorSide sensorSide taxelPitch
 
--- | 'planScanOf' the standard sensor.
+-- | 'planScanOf' for the standard sensor.
 --
 -- >>> length <$> planScan 8 (0, 0) (40, 52)
 -- Right 24
 planScan :: Int -> (Double, Double) -> (Int, Int) -> Either ProbeError [Pose]
 planScan = planScanOf standardTaxelGrid
 
--- | The poses, rotation 0, of presses of a sensor that cover a region exactly: that many of the
--- sensor's own taxels apart in both directions, row by row from the upper left, the last row and
--- column flush with the region's edge. The region's upper left corner in millimetres, its width and
--- height in taxels of 'taxelPitch', whatever the sensor's are.
+-- | The poses (rotation 0) of presses that cover a region exactly, row by row from the upper left.
+-- The last row and column are flush with the region's edge. The arguments are the sensor's grid;
+-- the spacing of presses in the sensor's own taxels; the region's upper left corner in millimetres;
+-- and its width and height in taxels of 'taxelPitch'. Refuses a spacing below 1, a region smaller
+-- than the sensor, and more than 'maxPresses' presses.
 planScanOf :: TaxelGrid -> Int -> (Double, Double) -> (Int, Int) -> Either ProbeError [Pose]
 planScanOf grid spacing (left, top) (width, height)
   | spacing < 1 = Left (SpacingTooSmall spacing)
@@ -179,7 +180,7 @@ planScanOf grid spacing (left, top) (width, height)
   where
     TaxelGrid columns rows taxel = grid
     (across, down) = (fromIntegral columns, fromIntegral rows) :: (Double, Double)
-    -- Taxels of 'taxelPitch' as the sensor's own.
+    -- Converts taxels of 'taxelPitch' to the sensor's own.
     (wide, high) = (own width, own height)
     own n = fromIntegral n * ratio
     ratio = taxelPitch / taxel
@@ -187,7 +188,7 @@ planScanOf grid spacing (left, top) (width, height)
       | grid == standardTaxelGrid = RegionTooSmall width height
       | otherwise = RegionBelowSensor width height (across / ratio) (down / ratio)
     step = fromIntegral spacing :: Double
-    -- As many as there are offsets.
+    -- The number of offsets.
     presses size side = 1 + fromIntegral (max 0 (ceiling (inside size side / step) :: Integer))
     offsets size side =
       takeWhile (< inside size side) (map ((step *) . fromIntegral) [0 :: Int ..]) ++ [size - side]

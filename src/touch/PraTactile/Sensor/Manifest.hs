@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The manifest of a folder of frames: what it says, and its CSV form, one line a frame, with the
--- header @file,x_mm,y_mm,rotation_deg,force_n@, of which what is not used may be left out.
--- "PraTactile.Format.Manifest" has its JSON form.
+-- | The manifest of a folder of frames, and its CSV form: one line per frame under the header
+-- @file,x_mm,y_mm,rotation_deg,force_n@, of which unused columns may be missing.
+-- "PraTactile.Format.Manifest" has the JSON form.
 module PraTactile.Sensor.Manifest
   ( -- * Manifests
     Manifest (..),
@@ -19,7 +19,7 @@ module PraTactile.Sensor.Manifest
     axesName,
     alongAxes,
 
-    -- * Other ways to take positions and images
+    -- * Interpretation of positions and images
     Taking (..),
     standardTaking,
     Remedy (..),
@@ -31,7 +31,7 @@ module PraTactile.Sensor.Manifest
     renderManifest,
     manifestHeader,
 
-    -- * What can be wrong
+    -- * Errors
     ManifestError (..),
   )
 where
@@ -65,9 +65,9 @@ import PraTactile.PlainText (OtherEncoding, plainText)
 import PraTactile.Sensor.Frame (Pose (..), taxelPitch)
 import PraTactile.Symmetry
 
--- | One line: the frame's file, relative to the manifest's folder, or @FILE#3@ for the fourth frame
--- of a movie ('frameOfMovie'); the pose of the press, which
--- calibration frames need not have; and its force, which nothing needs.
+-- | One line of a manifest: the frame's file, relative to the manifest's folder, or @FILE#3@ for
+-- the fourth frame of a movie ('frameOfMovie'); the pose of the press, which calibration frames may
+-- lack; and its force, which is optional and unused.
 data Entry = Entry
   { entryFile :: !FilePath,
     entryPose :: !(Maybe Pose),
@@ -75,9 +75,9 @@ data Entry = Entry
   }
   deriving stock (Eq, Show)
 
--- | A manifest: the distance of neighbouring taxels in millimetres, the frames' width and height,
--- what its two coordinates are and the reading of full contact, as far as it says these; and a line
--- a frame.
+-- | A manifest. Optional are the distance of neighbouring taxels in millimetres, the frames' width
+-- and height, the axes of its two coordinates, and the full scale of the readings. Then one entry
+-- per frame.
 data Manifest = Manifest
   { manifestTaxel :: !(Maybe Double),
     manifestFrame :: !(Maybe (Int, Int)),
@@ -87,11 +87,11 @@ data Manifest = Manifest
   }
   deriving stock (Eq, Show)
 
--- | What a manifest of these entries says that says nothing else.
+-- | The manifest with these entries and no other information.
 listing :: [Entry] -> Manifest
 listing = Manifest Nothing Nothing Nothing Nothing
 
--- | The file of a movie and the number of its frame, from 0, that a name means.
+-- | The file and the frame number (from 0) of a name that means a frame of a movie.
 --
 -- >>> frameOfMovie "press.npy#3"
 -- Just ("press.npy",3)
@@ -109,19 +109,19 @@ manifestName = "manifest.csv"
 jsonManifestName :: FilePath
 jsonManifestName = "manifest.json"
 
--- | What two coordinates of positions or of pixels are, seen from outside the face: each x to the
--- right or y down, or its negative. Rotations are clockwise, whatever the axes are.
+-- | The directions of the two coordinates of positions or of pixels, seen from outside the face:
+-- each is x (right), y (down) or its negative. Rotations are clockwise, whatever the axes are.
 newtype Axes = Axes
-  { -- | Carries what the coordinates say to what lies to the right and down.
+  { -- | Maps the two coordinates to (right, down).
     axesSymmetry :: Symmetry
   }
   deriving stock (Eq, Ord, Show)
 
--- | First x, then y.
+-- | The axes x, y.
 straight :: Axes
 straight = Axes identity
 
--- | All axes by their names: @x,y@, @x,-y@, @y,x@ and so on.
+-- | All eight axes by name: @x,y@, @x,-y@, @y,x@ and so on.
 axesNamed :: [(String, Axes)]
 axesNamed =
   [ (axesName axes, axes)
@@ -139,7 +139,7 @@ axesName axes = coordinate (1, 0) ++ "," ++ coordinate (0, 1)
       (x, 0) -> ['-' | x < 0] ++ "x"
       (_, y) -> ['-' | y < 0] ++ "y"
 
--- | A pose whose two coordinates are along these axes, to the right and down.
+-- | Converts a pose whose coordinates are along the given axes to right and down.
 --
 -- >>> alongAxes <$> lookup "x,-y" axesNamed <*> pure (Pose 1 2 0)
 -- Just (Pose {poseX = 1.0, poseY = -2.0, poseRotation = 0.0})
@@ -148,8 +148,8 @@ alongAxes axes (Pose first second r) = Pose x y r
   where
     (x, y) = onOffset (axesSymmetry axes) (first, second)
 
--- | What the two coordinates of the positions and of the images are taken to be, and what the
--- positions are multiplied by, across and down; and the distance of taxels.
+-- | How positions and images are interpreted: the axes of the positions, the axes of the images,
+-- and the factors of the positions across and down.
 data Taking = Taking
   { takenPositions :: !Axes,
     takenImages :: !Axes,
@@ -159,24 +159,24 @@ data Taking = Taking
   }
   deriving stock (Eq, Show)
 
--- | Positions in millimetres and images seen from outside the face, x to the right and y down.
+-- | The standard interpretation: positions in millimetres and images seen from outside the face, x
+-- to the right and y down.
 standardTaking :: Taking
 standardTaking = Taking straight straight (1, 1) taxelPitch
 
--- | What to take otherwise; 'Nothing' where the taking stays.
+-- | A change of the interpretation; 'Nothing' where it stays as it is.
 data Remedy = Remedy
   { remedyPositions :: !(Maybe Axes),
     remedyImages :: !(Maybe Axes)
   }
   deriving stock (Eq, Show)
 
--- | All the remedies that differ by more than a turn of the whole, where frames agree if positions,
--- as they are taken now, are taken along axes A besides, and what the frames then show is mirrored
--- or not, or that is not known.
+-- | The remedies after which frames agree, up to a rotation of the whole. The arguments are the
+-- present interpretation; the axes A, along which the positions (as interpreted now) must be taken
+-- in addition; and whether the frames are then mirrored, if known.
 --
--- Frames agree if A is applied to the positions, or if the inverse of A is applied to the images;
--- and any symmetry applied to both keeps them agreeing. What is mirrored takes a symmetry of both
--- that mirrors.
+-- Frames agree if A is applied to the positions, or the inverse of A to the images. Any symmetry
+-- applied to both keeps them agreeing. A mirrored result needs a mirroring symmetry on both.
 remedies :: Taking -> Axes -> Maybe Bool -> [Remedy]
 remedies (Taking (Axes positions) (Axes images) _ _) (Axes a) mirroredThen =
   map remedy $ case mirroredThen of
@@ -194,21 +194,21 @@ remedies (Taking (Axes positions) (Axes images) _ _) (Axes a) mirroredThen =
     remedy (positions', images') = Remedy (changed positions positions') (changed images images')
     changed old new = if new == old then Nothing else Just (Axes new)
 
--- | Why a manifest is refused. Lines count from 1, the header's.
+-- | Why a manifest is refused. Lines count from 1, which is the header.
 data ManifestError
-  = -- | The file has no line at all.
+  = -- | The file has no lines.
     EmptyManifest
-  | -- | The file is text in this encoding, and not in UTF-8.
+  | -- | The file is text in this encoding, not in UTF-8.
     ManifestInEncoding !OtherEncoding
-  | -- | The first line is not the header; what it is.
+  | -- | The first line, given here by its fields, is not the header.
     WrongHeader ![Text]
   | -- | The line is not a CSV record.
     NotCsv !Int
-  | -- | The line has this many fields instead of that many.
+  | -- | This line has this many fields; expected were that many.
     WrongFieldCount !Int !Int !Int
-  | -- | The line's file name is not UTF-8, or no file's name ('isFileName').
+  | -- | The file name in this line is not UTF-8 or not a valid file name ('isFileName').
     BadFileName !Int
-  | -- | The line's field of that name is no decimal number that 'readDouble' reads; what it is.
+  | -- | In this line the field with this column name is not a number of 'readDouble'; its text.
     BadNumber !Int !Text !Text
   | -- | The file names no frame.
     NoEntries
@@ -231,22 +231,22 @@ columnName column = case column of
 manifestHeader :: [Text]
 manifestHeader = map columnName [minBound ..]
 
--- | The entries of a manifest, a 'plainText'. Its header names the columns, in any order and in
--- capitals or not, parted by commas, or all of the file by semicolons. The force may be left out,
--- as a column or in a line; so may the rotation, which is 0 then; and the whole position. Blank
--- lines are passed over; fields may be quoted but not hold a line break.
+-- | Reads the entries of a CSV manifest, a 'plainText'. The header names the columns, in any
+-- order, capitals or not. The separator is a comma, or a semicolon throughout the file. Optional
+-- are the force (as a column or in a line), the rotation (default 0), and the whole position. Blank
+-- lines are skipped. Fields may be quoted but not hold a line break. Refusals are 'ManifestError's.
 parseManifest :: ByteString -> Either ManifestError [Entry]
 parseManifest = either (Left . ManifestInEncoding) parsePlain . plainText
 
 parsePlain :: ByteString -> Either ManifestError [Entry]
 parsePlain = entriesOf (elem File)
 
--- | The poses of a movie's frames, one line a frame: the columns of a manifest but for the file's.
--- Where the first line is numbers, these are x, y, perhaps the rotation, and perhaps the force.
+-- | Reads the poses of a movie's frames, one line per frame: a manifest without the file column.
+-- Without a header, the columns are x, y, then optionally the rotation, then the force.
 parsePoses :: ByteString -> Either ManifestError [Entry]
 parsePoses = either (Left . ManifestInEncoding) (entriesOf (elem X)) . plainText
 
--- | The entries under a header with such columns.
+-- | The entries of a file. The function decides whether the columns suffice.
 entriesOf :: ([Column] -> Bool) -> ByteString -> Either ManifestError [Entry]
 entriesOf enough text = case filter (not . B.null . snd) (zip [1 ..] (C.lines text)) of
   [] -> Left EmptyManifest
@@ -267,12 +267,12 @@ entriesOf enough text = case filter (not . B.null . snd) (zip [1 ..] (C.lines te
   where
     isNumber = either (const False) (const True) . readDouble . C.strip
 
--- | What parts the fields of a file with this header.
+-- | The separator of a file with this header.
 separatorOf :: ByteString -> Char
 separatorOf header = if C.elem ',' header || C.notElem ';' header then ',' else ';'
 
--- | The columns that these names name: each once, of the position both or none, and no rotation
--- without it.
+-- | The columns with these names. 'Nothing' for an unknown or repeated name, for only one of x and
+-- y, and for a rotation without a position.
 columnsOf :: [ByteString] -> Maybe [Column]
 columnsOf names = do
   columns <- traverse ((`lookup` named) . normal) names
@@ -286,8 +286,8 @@ columnsOf names = do
     named = [(columnName column, column) | column <- [minBound ..]]
     normal = T.toLower . T.strip . shown
 
--- | One line's fields. The lines are split before cassava sees them, because it drops blank ones
--- and so would lose count. Note [Open quotes]
+-- | The fields of one line. Lines are split before cassava sees them, because cassava drops blank
+-- lines, and line numbers would be wrong. Note [Open quotes]
 record :: Char -> Int -> ByteString -> Either ManifestError Record
 record separator i line
   | odd (C.count '"' line) = Left (NotCsv i)
@@ -300,9 +300,9 @@ record separator i line
   where
     parted = defaultDecodeOptions {decDelimiter = fromIntegral (fromEnum separator)}
 
-{- Note [Open quotes] cassava 0.5.3 throws an exception, where it should refuse, for a quoted field
-   that ends the line as soon as it begins. A record that holds no line break has an even number of
-   quotes, so a line with an odd number is refused before. -}
+{- Note [Open quotes] cassava 0.5.3 throws an exception, instead of refusing, for a quoted field
+   that opens at the end of the line. A record without a line break has an even number of quotes, so
+   a line with an odd number is refused first. -}
 
 entry :: Char -> [Column] -> Int -> ByteString -> Either ManifestError Entry
 entry separator columns i line = do
@@ -325,13 +325,13 @@ entry separator columns i line = do
         Right
         (readDouble (C.strip text))
 
--- | A field for a message.
+-- | A field as text for a message.
 shown :: ByteString -> Text
 shown field = either (const (T.pack (show field))) id (decodeUtf8' field)
 
--- | The manifest of those entries: with poses if all have one, and with the forces that there are.
--- 'parseManifest' gives the entries back, to the bit, provided that there are some, that all have a
--- pose or none has, that no file name holds a line break or is none, and that the numbers are
+-- | The CSV manifest of the given entries, with poses if all have one, and with the forces that
+-- are there. 'parseManifest' restores the entries exactly under these conditions: there is at least
+-- one entry; all or none have a pose; file names are valid and hold no line break; numbers are
 -- finite.
 renderManifest :: [Entry] -> ByteString
 renderManifest entries =

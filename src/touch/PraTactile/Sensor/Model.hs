@@ -1,9 +1,9 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What the simulation needs to know of a sensor and of the robot that carries it.
+-- | The constants of a simulated sensor and of the robot that carries it.
 --
--- A constant that is 0 switches off what it stands for. Lengths are millimetres, forces newtons,
--- shares are of 1. Where each value comes from is said in "PraTactile.Sensor.Constants".
+-- A constant of 0 switches its effect off. Lengths are millimetres, forces newtons, shares are
+-- fractions of 1. "PraTactile.Sensor.Constants" gives the source of each value.
 module PraTactile.Sensor.Model
   ( Sensor (..),
     sensorTaxelGrid,
@@ -15,9 +15,9 @@ import PraTactile.Sensor.Frame (TaxelGrid (..))
 
 -- | The constants of a simulated sensor, in the order in which they are listed.
 data Sensor = Sensor
-  { -- | The elements in a row.
+  { -- | The number of elements in a row.
     sensorColumns :: !Int,
-    -- | The elements in a column.
+    -- | The number of elements in a column.
     sensorRows :: !Int,
     -- | The distance between neighbouring elements, mm.
     sensorTaxel :: !Double,
@@ -32,17 +32,17 @@ data Sensor = Sensor
     sensorForce :: !Double,
     -- | The standard deviation of a press's force, as a share of it.
     sensorForceSpread :: !Double,
-    -- | The standard deviation of each of a press's two tilts: what the edge of the sensor is
-    -- nearer than its centre, as a share of a symbol's thickness.
+    -- | The standard deviation of each of a press's two tilts: how much nearer the sensor's edge
+    -- is than its centre, as a share of a symbol's thickness.
     sensorTiltSpread :: !Double,
-    -- | The height in millimetres that gives full scale, where no force is modelled.
+    -- | The height in millimetres that gives full scale, if forces are not modelled.
     sensorFullScale :: !Double,
-    -- | How stiff a tab is, N/mm; 0 where no force is modelled: a reading is proportional to the
-    -- height.
+    -- | The stiffness of a tab, N/mm. With 0, forces are not modelled and a reading is
+    -- proportional to the height.
     sensorStiffness :: !Double,
-    -- | How deep the elements lie under the overlay's surface, mm.
+    -- | The depth of the elements under the overlay's surface, mm.
     sensorDepth :: !Double,
-    -- | What part of the force of the press before is still felt.
+    -- | The share of the previous press's force that is still felt.
     sensorHysteresis :: !Double,
     -- | The exponent k of the conductance, which is proportional to force ^ k.
     sensorExponent :: !Double,
@@ -52,23 +52,24 @@ data Sensor = Sensor
     sensorFullForce :: !Double,
     -- | The standard deviation of the elements' gains.
     sensorGainSpread :: !Double,
-    -- | By what share the readings rise for every ten times the time.
+    -- | The share by which readings rise per decade of time.
     sensorDrift :: !Double,
-    -- | What part of a reading comes from the mean of its row, and as much from its column's.
+    -- | The share of a reading that comes from the mean of its row; the same share comes from the
+    -- mean of its column.
     sensorCrosstalk :: !Double,
     -- | The share of dead elements.
     sensorDead :: !Double,
-    -- | The bits of a reading; 0 for a real number.
+    -- | The number of bits of a reading; 0 for a real number.
     sensorBits :: !Int,
-    -- | Of its codes, how many of the lowest are read as 0.
+    -- | The number of lowest codes that are read as 0.
     sensorZeroed :: !Int,
     -- | The standard deviation of the noise at a reading of 0, as a share of full scale.
     sensorNoise :: !Double,
-    -- | By how much the noise's standard deviation rises from a reading of 0 to full scale.
+    -- | The increase of the noise's standard deviation from a reading of 0 to full scale.
     sensorNoiseSlope :: !Double,
-    -- | The share of the noise's variance that the elements of a row have in common.
+    -- | The share of the noise's variance that is common to the elements of a row.
     sensorRowNoise :: !Double,
-    -- | The same of a column.
+    -- | The share of the noise's variance that is common to the elements of a column.
     sensorColumnNoise :: !Double
   }
   deriving stock (Eq, Show)
@@ -77,8 +78,8 @@ data Sensor = Sensor
 sensorTaxelGrid :: Sensor -> TaxelGrid
 sensorTaxelGrid sensor = TaxelGrid (sensorColumns sensor) (sensorRows sensor) (sensorTaxel sensor)
 
--- | A sensor of the same kind with another distance between its elements, in mm: the tabs grow with
--- it, and what depends on a tab's area with its square.
+-- | The sensor with another distance between its elements (mm). Tab diameters scale with it;
+-- stiffness and forces scale with its square, like a tab's area.
 withTaxel :: Double -> Sensor -> Sensor
 withTaxel taxel sensor =
   sensor

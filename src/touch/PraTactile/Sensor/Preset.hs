@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The sensors that are given by name.
+-- | Sensors by name.
 module PraTactile.Sensor.Preset
   ( Preset (..),
     presetName,
@@ -13,13 +13,13 @@ where
 import PraTactile.Geometry (sensorSide, symbolThickness, taxelPitch)
 import PraTactile.Sensor.Model
 
--- | The sensors that are given by name.
+-- | A named sensor.
 data Preset
-  = -- | the paper's without noise or position error
+  = -- | the paper's sensor without noise or position error
     Ideal
-  | -- | the paper's: white noise alone
+  | -- | the paper's sensor, with white noise
     Paper
-  | -- | as arrays on the market are
+  | -- | a typical commercial array
     Real
   | -- | a bad specimen, badly handled
     Hard
@@ -50,8 +50,8 @@ presetSensor preset = case preset of
         sensorHysteresis = 0.1
       }
 
--- | The paper's: full scale at a symbol's thickness, noise of 0.1 of full scale, position errors of
--- one taxel, 10 N, of which the readings do not depend.
+-- | The paper's sensor: full scale at a symbol's thickness, noise of 0.1 of full scale, position
+-- errors of one taxel, and a force of 10 N, which does not affect the readings.
 standardSensor :: Sensor
 standardSensor =
   Sensor
@@ -87,7 +87,7 @@ standardSensor =
 idealSensor :: Sensor
 idealSensor = standardSensor {sensorNoise = 0, sensorPositionError = 0}
 
--- | What arrays of force sensing resistors on the market are like.
+-- | A typical commercial array of force sensing resistors.
 realSensor :: Sensor
 realSensor =
   standardSensor
@@ -111,6 +111,6 @@ realSensor =
       sensorZeroed = 2
     }
 
--- | The area of a tab of 1.1 mm as a share of a whole FSR 400's, of 5.1 mm.
+-- | The area of a tab of 1.1 mm as a share of an FSR 400's, of 5.1 mm.
 tabShare :: Double
 tabShare = (1.1 / 5.1) * (1.1 / 5.1)

@@ -1,17 +1,17 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | The mechanics of a press: which tabs of the elastic overlay meet the face, how far a rigid
--- sensor presses them, and how their forces spread to the elements under them.
+-- sensor presses them in, and how their forces spread to the elements below.
 --
--- Let x and y go from -1 to 1 between the edges of a rigid sensor, and let it be nearer by a at its
--- right edge, by b at its lower one, than at its centre, which is z below the plane that it would
--- rest on. Over a height h it is pressed in by
+-- Let x and y go from -1 to 1 between the edges of a rigid sensor. Let its right edge be nearer to
+-- the face than its centre by a, and its lower edge by b. Let its centre be z below the plane on
+-- which it would rest. Over a height h it is pressed in by
 --
 -- > d(x, y) = max 0 (z + a x + b y + h)
 --
--- so that what the tilt lifts off the face reads 0. Where force is modelled, z is such that the
--- tabs bear it. Readings in proportion to the height know no force: there z is 0, however the
--- sensor is tilted.
+-- so readings are 0 where the tilt lifts it off the face. If forces are modelled, z is such that
+-- the tabs carry the force. Otherwise readings are proportional to the height and z is 0, however
+-- the sensor is tilted.
 module PraTactile.Sensor.Press
   ( -- * What is touched
     HeightMap (..),
@@ -42,10 +42,11 @@ import PraTactile.Image (Raster, generate, index, raster, rasterSize, rasterValu
 import PraTactile.Sensor.Bend
 import PraTactile.Sensor.Frame (Motion (..), Pose (..), TaxelGrid (..), movePoint)
 
--- | The relief of a face, constant on square cells: the cell's side in millimetres, and the heights
--- in millimetres above the plane that the probe rests on. The upper left corner of cell (0, 0) is
--- the origin of the face's coordinates. Off the map, and where the height is no number, there is
--- nothing to touch. A face that is bent is told unrolled, its coordinates in arc length.
+-- | The relief of a face, constant on square cells: the cell's side in millimetres, the first
+-- cell, the heights in millimetres above the plane on which the probe rests, and the bend. The
+-- upper left corner of cell (0, 0) is the origin of the face's coordinates. Outside the map, and
+-- where the height is NaN, there is nothing to touch. A bent face is stored unrolled, with arc
+-- lengths as coordinates.
 data HeightMap = HeightMap
   { heightPitch :: !Double,
     -- | The column and the row of the first cell of the map.
@@ -55,27 +56,27 @@ data HeightMap = HeightMap
   }
   deriving stock (Eq, Show)
 
--- | The map from cell (0, 0) on, of a flat face.
+-- | The height map of a flat face that begins at cell (0, 0).
 heightMap :: Double -> Raster -> HeightMap
 heightMap pitch heights = HeightMap pitch (0, 0) heights Nothing
 
--- | The height of the cell in this column and row; 'Nothing' where there is nothing to touch.
+-- | The height of the cell in a column and a row; 'Nothing' where there is nothing to touch.
 heightOf :: HeightMap -> Int -> Int -> Maybe Double
 heightOf (HeightMap _ (x0, y0) heights _) x y = case index heights (x - x0) (y - y0) of
   Just h | not (isNaN h) -> Just h
   _ -> Nothing
 {-# INLINE heightOf #-}
 
--- | What each tab of a sensor has under it: the share of its area that lies on the face, and the
--- mean height there in millimetres.
+-- | The ground under each tab of a sensor: the share of the tab's area that is on the face, and
+-- the mean height there in millimetres.
 data Footing = Footing
   { footingShare :: !Raster,
     footingHeight :: !Raster
   }
   deriving stock (Eq, Show)
 
--- | What the tabs of a sensor of this grid and tab diameter (mm; 0 for squares as wide as the
--- taxel) have under them at a pose in the face's coordinates, by 'tabPoints'.
+-- | The ground under the tabs of a sensor at a pose in the face's coordinates, evaluated at
+-- 'tabPoints'. The number is the tabs' diameter (mm; 0 for squares as wide as the taxel).
 footing :: TaxelGrid -> Double -> HeightMap -> Pose -> Footing
 footing (TaxelGrid columns rows taxel) diameter heights (Pose x y r) =
   Footing (part fst) (part snd)
@@ -103,9 +104,9 @@ footing (TaxelGrid columns rows taxel) diameter heights (Pose x y r) =
         (column, row) = (floor ((x + arc alongX u) / cell), floor ((y + arc alongY v) / cell))
     cell = heightPitch heights
 
--- | The points, from the tab's centre in millimetres, at which a tab is evaluated: of a grid of 4 x
--- 4 over its diameter those within its circle, twelve; all of them of a square, where the diameter
--- is 0.
+-- | The points at which a tab is evaluated, in millimetres from its centre: those of a 4 x 4 grid
+-- that lie within its circle (twelve), or all of them for a square (diameter 0). The arguments are
+-- the taxel pitch and the diameter (mm).
 tabPoints :: Double -> Double -> [(Double, Double)]
 tabPoints taxel diameter
   | diameter <= 0 = [(taxel * a, taxel * b) | b <- along, a <- along]
@@ -113,10 +114,10 @@ tabPoints taxel diameter
   where
     along = [(fromIntegral (k :: Int) + 0.5) / 4 - 0.5 | k <- [0 .. 3]]
 
--- | How far a rigid plate must go so that tabs of this stiffness (N/mm) bear this force (N): the z
--- at which the sum of stiffness * share * max 0 (z + height) is the force, given each tab's share
--- and height (mm). Nothing where no tab has anything under it. The sum is piecewise linear in z, so
--- z is found exactly from the tabs in the order of their heights.
+-- | The travel z of a rigid plate at which tabs carry a force: stiffness * sum of share * max 0 (z
+-- + height) = force. The arguments are the stiffness (N/mm), the force (N), and each tab's share
+-- and height (mm). 'Nothing' if no tab has ground under it. The sum is piecewise linear in z, so z
+-- is found exactly, taking tabs in descending order of height.
 forceBalance :: Double -> Double -> [(Double, Double)] -> Maybe Double
 forceBalance stiffness force tabs =
   go 0 0 (sortOn (Down . snd) (filter ((> 0) . fst) tabs))
@@ -129,21 +130,21 @@ forceBalance stiffness force tabs =
         shares' = shares + share
         moments' = moments + share * height
         z = (force / stiffness - moments') / shares'
-    -- Whether the next tab is not reached.
+    -- Whether the next tab is not reached at this z.
     bears others z = case others of
       (_, next) : _ -> z + next <= 0
       [] -> True
 
--- | How much nearer than its centre the element in this column and row of a sensor of that width
--- and height is, given the tilts a and b (mm): a x + b y.
+-- | How much nearer to the face an element is than the sensor's centre: a x + b y. The arguments
+-- are the sensor's width and height, the tilts a and b (mm), and the element's column and row.
 nearer :: (Int, Int) -> (Double, Double) -> Int -> Int -> Double
 nearer (w, h) (a, b) i j = a * across w i + b * across h j
   where
     across n k = (2 * fromIntegral k + 1 - fromIntegral n) / fromIntegral n :: Double
 
--- | How far each tab is pressed in, mm, weighed with its share: share * d(x, y), given
--- the tilts a and b (mm), where z follows from the force (N). All 0 where nothing is under the
--- sensor.
+-- | The compression of each tab (mm) times its share: share * d(x, y), where z follows from the
+-- force. The arguments are the stiffness (N/mm), the force (N), the tilts a and b (mm), and the
+-- ground. All 0 where nothing is under the sensor.
 displacements :: Double -> Double -> (Double, Double) -> Footing -> Raster
 displacements stiffness force tilts (Footing shares heights) =
   generate w h (\x y -> share x y * max 0 (z + rest x y))
@@ -151,20 +152,21 @@ displacements stiffness force tilts (Footing shares heights) =
     (w, h) = rasterSize shares
     share x y = fromMaybe 0 (index shares x y)
     rest x y = nearer (w, h) tilts x y + fromMaybe 0 (index heights x y)
-    -- Where no tab is reached all shares are 0, and so is what is felt.
+    -- If no tab is reached, all shares are 0, and so are the compressions.
     z =
       fromMaybe 0 $
         forceBalance stiffness force [(share x y, rest x y) | y <- [0 .. h - 1], x <- [0 .. w - 1]]
 
--- | What share of a point's force at the surface elements at this distance (mm) along x and y feel
--- at this depth (mm), relative to what the one right under it feels: (1 + r^2 / t^2)^(-5/2), the
--- normal stress in an elastic half space (Boussinesq).
+-- | The share of a point force at the surface that an element at a depth (mm) and a distance (mm)
+-- along x and y feels, relative to the element right below: (1 + r^2 / t^2)^(-5/2), the normal
+-- stress in an elastic half space (Boussinesq).
 pointSpread :: Double -> (Double, Double) -> Double
 pointSpread depth (dx, dy) = (1 + (dx * dx + dy * dy) / (depth * depth)) ** (-2.5)
 
--- | The forces of tabs this far apart (mm) as the elements under them at this depth (mm) feel them.
--- A point's force adds up to itself, as far as the elements reach; what is felt beyond 6.2 depths,
--- less than 0.0001 of what is felt right under it, counts as nothing. No change at depth 0.
+-- | The forces that elements at a depth feel from forces on the tabs above. The arguments are the
+-- pitch (mm), the depth (mm) and the forces. A point force's parts add up to the force, except for
+-- parts beyond the sensor's edge. Parts beyond 6.2 depths, below 0.0001 of the maximum, are
+-- dropped. At depth 0 the forces stay unchanged.
 spreadForces :: Double -> Double -> Raster -> Raster
 spreadForces taxel depth forces
   | depth <= 0 || reach == 0 = forces

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Frames of any taxel pitch at the canonical one, 'taxelPitch', and frames of a turned sensor
--- turned back, so that everything after it works at one pitch and along the robot's axes.
+-- | Converts frames of any taxel pitch to the canonical one, 'taxelPitch', and images of a rotated
+-- sensor to upright ones. All later stages work at one pitch and along the robot's axes.
 module PraTactile.Sensor.Resample
   ( atCanonicalPitch,
     isCanonical,
@@ -18,8 +18,8 @@ import PraTactile.Geometry (cosineSine)
 import PraTactile.Image (Raster, generate, index, rasterHeight, rasterSize, rasterWidth, sample)
 import PraTactile.Sensor.Frame (Frame (..), taxelPitch)
 
--- | A frame of any pitch as one of 'taxelPitch' with the same centre; one that has it already, to
--- a billionth, comes back as it is.
+-- | A frame resampled to 'taxelPitch' with the same centre. A frame that has that pitch, to a
+-- billionth, is unchanged.
 atCanonicalPitch :: Frame -> Frame
 atCanonicalPitch frame
   | isCanonical frame = frame
@@ -29,19 +29,20 @@ atCanonicalPitch frame
         frameTaxel = taxelPitch
       }
 
--- | The width and height of a frame once it is 'atCanonicalPitch'.
+-- | The width and height that 'atCanonicalPitch' gives a frame.
 canonicalSize :: Frame -> (Int, Int)
 canonicalSize frame
   | isCanonical frame = rasterSize (frameImage frame)
   | otherwise = resampledSize (frameTaxel frame / taxelPitch) (rasterSize (frameImage frame))
 
--- | Whether a frame's taxels are of the canonical pitch, to rounding.
+-- | Whether a frame's pitch is the canonical one, up to rounding.
 isCanonical :: Frame -> Bool
 isCanonical frame = abs (frameTaxel frame - taxelPitch) < 1e-9 * taxelPitch
 
--- | An image whose pixels are that many new pixels wide, in new pixels, as many as its rectangle
--- holds whole, at least one, with the same centre. Where the old pixels are the finer ones each new
--- one is the mean of the area it covers, else the value between the old ones' centres, bilinearly.
+-- | An image resampled with the same centre. The ratio is the width of an old pixel in new pixels.
+-- The result has as many whole new pixels as the old rectangle holds, at least one. If old pixels
+-- are finer, each new pixel is the mean of the area that it covers; otherwise it is interpolated
+-- bilinearly.
 --
 -- >>> import PraTactile.Image (fromRows, toRows)
 -- >>> toRows . resampled 0.5 <$> fromRows [[0, 2, 4, 4], [2, 4, 4, 4]]
@@ -53,9 +54,9 @@ resampled ratio image
   where
     (w, h) = rasterSize image
     (wide, high) = resampledSize ratio (w, h)
-    -- Where the centre of a new pixel lies among the centres of the old ones.
+    -- The centre of a new pixel, in old pixel coordinates.
     centre n new k = start n new k + (1 / ratio - 1) / 2
-    -- Where a new pixel begins, in old pixels from the image's edge.
+    -- The beginning of a new pixel, in old pixels from the image's edge.
     start :: Int -> Int -> Int -> Double
     start n new k = (fromIntegral k - fromIntegral new / 2) / ratio + fromIntegral n / 2
     covered n new k =
@@ -72,7 +73,8 @@ resampled ratio image
         / max 1e-300 (sum (map snd columns) * sum (map snd rows))
     at i j = fromMaybe 0 (index image i j)
 
--- | The width and height of what 'resampled' makes of an image of this width and height.
+-- | The width and height that 'resampled' gives an image, from the ratio and the image's width and
+-- height.
 resampledSize :: Double -> (Int, Int) -> (Int, Int)
 resampledSize ratio = bimap whole whole
   where
@@ -80,10 +82,9 @@ resampledSize ratio = bimap whole whole
       | n == 0 = 0
       | otherwise = max 1 (floor (fromIntegral n * ratio + 1e-9))
 
--- | The image of a sensor that is turned by that many degrees clockwise, as it would be if the
--- sensor were not turned: the largest upright part, of the image's proportions and with the same
--- centre, that lies wholly in it, bilinearly between its pixels. Nothing where that is smaller than
--- 4 x 4.
+-- | The upright image of a sensor that is rotated clockwise by the given degrees: the largest
+-- upright part that lies wholly in the image, with its proportions and centre, interpolated
+-- bilinearly. 'Nothing' if that part is smaller than 4 x 4.
 turnedBack :: Double -> Raster -> Maybe Raster
 turnedBack degrees image
   | min wide high < 4 = Nothing
@@ -95,8 +96,8 @@ turnedBack degrees image
         ( Double,
           Double
         )
-    -- A part of the image's proportions, of this share of its sides, is still within it when
-    -- turned.
+    -- The largest factor by which the image can be shrunk so that, when rotated, it still lies
+    -- within itself.
     share =
       minimum
         [ 1,

@@ -1,8 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | From the forces on the elements to their readings: conductance, gains, crosstalk, noise and the
--- converter. Each is a small function by itself, so that each can be looked at by itself; readings
--- are shares of full scale.
+-- | From the forces on the elements to their readings: conductance, gains, crosstalk, noise and
+-- the converter, one function each. Readings are shares of full scale.
 module PraTactile.Sensor.Response
   ( -- * One element
     conductance,
@@ -38,16 +37,17 @@ import PraTactile.Random (normals, uniform)
 import PraTactile.Sensor.Model (Sensor (..))
 import System.Random (RandomGen)
 
--- | The reading for a force, both in the same unit as the force of full scale: (force / full) ^ k,
--- and 0 below the break force.
+-- | The reading for a force: (force / full) ^ k, and 0 below the break force. The arguments are k,
+-- the break force, the force of full scale and the force.
 conductance :: Double -> Double -> Double -> Double -> Double
 conductance k breakForce full force
   | force <= 0 || force < breakForce = 0
   | k == 1 = force / full
   | otherwise = (force / full) ** k
 
--- | A reading as a converter of so many bits gives it: the nearest of its codes, 0 if that is one
--- of so many lowest codes, as a share of the greatest; 0 bits change nothing. Clipped to 0..1.
+-- | The output of an analog-to-digital converter with the given number of bits: the nearest code
+-- as a share of the greatest. The second number is how many lowest codes read as 0. With 0 bits the
+-- reading is only clipped to 0..1.
 converted :: Int -> Int -> Double -> Double
 converted bits zeroed v
   | bits <= 0 = clipped
@@ -58,15 +58,15 @@ converted bits zeroed v
     top = 2 ^ bits - 1 :: Double
     code = floor (clipped * top + 0.5) :: Int
 
--- | A reading at the press with this number, from 1, by this drift a decade: presses are made at
--- even times, the first at time 1.
+-- | A reading after drift. The arguments are the drift per decade of time, the number of the
+-- press, and the reading. Press n, counted from 1, is made at time n.
 drifted :: Double -> Int -> Double -> Double
 drifted drift press v
   | drift == 0 = v
   | otherwise = v * (1 + drift * logBase 10 (fromIntegral (max 1 press)))
 
--- | Readings with this share of the mean of their row, and as much of their column's, in place of
--- as much of their own: what all have in common does not change.
+-- | Readings with crosstalk: the given share of each comes from the mean of its row, the same
+-- share from the mean of its column. A value that all readings have in common does not change.
 crosstalk :: Double -> Raster -> Raster
 crosstalk share image
   | share <= 0 || w == 0 || h == 0 = image
@@ -81,19 +81,19 @@ crosstalk share image
     row y = fromMaybe 0 (rowMeans V.!? y)
     column x = fromMaybe 0 (columnMeans V.!? x)
 
--- | Draws from the standard normal distribution: one an element, one a row, one a column.
+-- | Draws from the standard normal distribution: one per element, one per row, one per column.
 data Deviates = Deviates
   { deviatesOfElements :: Vector Double,
     deviatesOfRows :: Vector Double,
     deviatesOfColumns :: Vector Double
   }
 
--- | The standard deviation of a reading's noise.
+-- | The standard deviation of the noise at a reading.
 noiseDeviation :: Sensor -> Double -> Double
 noiseDeviation sensor v = sensorNoise sensor + sensorNoiseSlope sensor * max 0 (min 1 v)
 
--- | Readings with noise of 'noiseDeviation', of whose variance the shares 'sensorRowNoise' and
--- 'sensorColumnNoise' are common to a row and to a column.
+-- | Readings with noise of 'noiseDeviation'. The shares 'sensorRowNoise' and 'sensorColumnNoise'
+-- of its variance are common to a row and to a column.
 noisy :: Sensor -> Deviates -> Raster -> Raster
 noisy sensor (Deviates own ofRow ofColumn) image =
   generate
@@ -111,17 +111,16 @@ noisy sensor (Deviates own ofRow ofColumn) image =
           + sqrt (sensorColumnNoise sensor) * drawn ofColumn x
     drawn v i = fromMaybe 0 (v V.!? i)
 
--- | What differs from one sensor of a kind to the next: the gain of each element, 0 where it is
--- dead.
+-- | An individual sensor of a kind, by the gain of each element; 0 for a dead element.
 newtype Specimen = Specimen {specimenGains :: Raster}
   deriving stock (Eq, Show)
 
--- | The specimen whose elements are all alike.
+-- | The specimen whose elements all have the gain 1.
 flawless :: Sensor -> Specimen
 flawless sensor = Specimen (generate (sensorColumns sensor) (sensorRows sensor) (\_ _ -> 1))
 
--- | A specimen by chance: gains normal about 1, none negative, and each element dead by itself.
--- Draws nothing where the constants leave nothing to chance.
+-- | A random specimen: gains are normal about 1 and at least 0; each element is dead
+-- independently. Nothing is drawn where the constants leave nothing to chance.
 drawSpecimen :: RandomGen g => Sensor -> g -> (Specimen, g)
 drawSpecimen sensor g0 = (Specimen (generate w h gain), g2)
   where

@@ -1,15 +1,15 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Whether drawings obey the rules of "PraTactile.Shape.Design", which segmentation and
--- recognition count on: taxel by taxel, and pair by pair.
+-- | Checks drawings against the rules of "PraTactile.Shape.Design", on which segmentation and
+-- recognition rely: each shape by its taxels, and each pair by its distance.
 module PraTactile.Shape.Check
-  ( -- * What is wrong
+  ( -- * Faults
     Fault (..),
     Kind (..),
     faults,
     leastTolerated,
 
-    -- * How far apart
+    -- * Distances
     Pair (..),
     pairs,
     leastDistance,
@@ -26,38 +26,38 @@ import PraTactile.Shape
 import PraTactile.Shape.Distance
 import PraTactile.Symmetry
 
--- | What can be wrong with a shape.
+-- | A kind of fault of a shape.
 data Kind
   = -- | It embosses less than 4 taxels along a side of its box.
     Side
-  | -- | It is not of whole blocks of 2 x 2 taxels, or two of them meet at a corner only, whether
-    -- embossed or flat.
+  | -- | It does not consist of whole blocks of 2 x 2 taxels, or two blocks (embossed or flat) meet
+    -- only at a corner.
     Stroke
-  | -- | What is embossed is in several pieces.
+  | -- | Its embossed taxels form more than one piece.
     Pieces
-  | -- | It encloses something flat.
+  | -- | It encloses flat taxels.
     Hole
   | -- | It embosses less than 12 or more than 14 blocks of 4 taxels.
     Area
-  | -- | It is nearer than 'leastTolerated' to itself turned or mirrored.
+  | -- | Its distance from itself turned or mirrored is below 'leastTolerated'.
     OwnImage
-  | -- | It is nearer than that to one before it.
+  | -- | Its distance from an earlier shape is below 'leastTolerated'.
     TooNear
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | A fault of a shape, by its name.
+-- | A fault with the name of its shape.
 data Fault = Fault
   { faultShape :: Text,
     faultKind :: Kind
   }
   deriving stock (Eq, Show)
 
--- | The least distance, in taxels, at which shapes are no fault: a third of all 96. Alphabets of up
--- to nine shapes can have more ('greatestPossible').
+-- | The least distance of two shapes, in taxels, that is not a fault: a third of all 96. Alphabets
+-- of up to nine shapes can have more ('greatestPossible').
 leastTolerated :: Int
 leastTolerated = 32
 
--- | All faults, shape by shape, each kind once.
+-- | All faults, shape by shape, each kind at most once.
 faults :: Drawings -> [Fault]
 faults a =
   [ Fault name kind
@@ -72,7 +72,7 @@ faults a =
     near p = nearestDistance (pairNearest p) < leastTolerated
     apart = pairs a
 
--- | What is wrong with a shape by itself, and whether.
+-- | Each kind of fault of a single shape, and whether the shape has it.
 ofShape :: Bitmap -> [(Kind, Bool)]
 ofShape b =
   [ (Side, any ((< 4) . Set.size) sides),
@@ -85,7 +85,7 @@ ofShape b =
     box = [(x, y) | y <- [0 .. symbolHeight - 1], x <- [0 .. symbolWidth - 1]]
     raised = uncurry (embossedAt b)
     embossed = Set.fromList (filter raised box)
-    -- With a margin, which ties together what is not enclosed.
+    -- With a margin, which connects all flat taxels that are not enclosed.
     flat =
       Set.fromList
         [ (x, y)
@@ -106,7 +106,7 @@ ofShape b =
     corners = [(x, y) | (x, y) <- box, x < symbolWidth - 1, y < symbolHeight - 1]
     cornersOnly at = square at `elem` [[True, False, False, True], [False, True, True, False]]
 
--- | Into how many pieces a set of taxels falls, of which every two hang together by sides.
+-- | The number of pieces of a set of taxels, connected by sides.
 piecesOf :: Set (Int, Int) -> Int
 piecesOf set = case Set.minView set of
   Nothing -> 0
@@ -121,8 +121,8 @@ piecesOf set = case Set.minView set of
     beside (x, y) =
       filter (`Set.member` set) [(x + 1, y), (x - 1, y), (x, y + 1), (x, y - 1)]
 
--- | Two classes, the first not after the second, and where they are nearest; of a class and itself
--- under another symmetry than the identity.
+-- | Two classes (the first is not after the second) and where they are nearest. For a class and
+-- itself, symmetries other than the identity are compared.
 data Pair = Pair
   { pairFirst :: Int,
     pairSecond :: Int,
@@ -130,7 +130,7 @@ data Pair = Pair
   }
   deriving stock (Eq, Show)
 
--- | All pairs. O(q^2).
+-- | All pairs of classes, each class with itself included. O(q^2) for q classes.
 pairs :: Drawings -> [Pair]
 pairs a =
   [ Pair i j (nearest (if i == j then drop 1 symmetries else symmetries) b c)
@@ -140,12 +140,12 @@ pairs a =
   where
     numbered = zip [0 ..] (map snd (toList a))
 
--- | The least distance of all pairs: the 'separation' of an alphabet.
+-- | The least distance over all pairs: the 'separation' of an alphabet.
 leastDistance :: Drawings -> Int
 leastDistance = minimum . map (nearestDistance . pairNearest) . pairs
 
--- | The greatest separation that so many shapes by the rules can have, as far as it is known: what
--- 'PraTactile.Shape.Design.design' proves.
+-- | The greatest separation that the given number of shapes can have by the rules, where it is
+-- known (1 to 9 shapes). 'PraTactile.Shape.Design.design' proves it.
 greatestPossible :: Int -> Maybe Int
 greatestPossible q
   | q < 1 || q > 9 = Nothing

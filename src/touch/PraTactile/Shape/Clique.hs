@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Sets of items of which every two are related: the cliques of a graph.
+-- | The cliques of a graph: sets of items of which every two are related.
 module PraTactile.Shape.Clique
   ( cliques,
     clique,
@@ -13,7 +13,7 @@ import Data.IntSet (IntSet)
 import qualified Data.IntSet as IntSet
 import Data.Maybe (mapMaybe)
 
--- | All sets of this many items of which every two are related, each in the order of the list.
+-- | All cliques with the given number of items, each in the order of the list.
 --
 -- >>> cliques 3 (\a b -> gcd a b == 1) [2 .. 7 :: Int]
 -- [[2,3,5],[2,3,7],[2,5,7],[3,4,5],[3,4,7],[3,5,7],[4,5,7],[5,6,7]]
@@ -32,8 +32,8 @@ cliques size related items = map (itemsOf numbered) (go size (IntMap.keysSet num
               go (n - 1) (IntSet.intersection among (IntMap.findWithDefault IntSet.empty i later))
         ]
 
--- | One of these sets, or a proof that there is none: a search that leaves nothing out. The
--- relation is symmetric. Note [Colours]
+-- | One clique with the given number of items. 'Nothing' is a proof that there is none, because
+-- the search is complete. The relation must be symmetric. Note [Colours]
 --
 -- >>> clique 4 (\a b -> gcd a b == 1) [2 .. 7 :: Int]
 -- Just [7,5,3,2]
@@ -59,7 +59,8 @@ clique size related items = itemsOf numbered <$> go size (IntMap.keysSet numbere
         branches = IntSet.toAscList (uncoloured next (n - 1) among)
         with i left = (i :) <$> go (n - 1) (IntSet.intersection left (next i))
 
--- | What is left of a set of vertices once so many sets without neighbours are taken out of it.
+-- | The vertices that remain after the given number of independent sets (sets without neighbours)
+-- are removed.
 uncoloured :: (Int -> IntSet) -> Int -> IntSet -> IntSet
 uncoloured next = go
   where
@@ -67,13 +68,13 @@ uncoloured next = go
     go n left
       | n <= 0 || IntSet.null left = left
       | otherwise = go (n - 1) (left `IntSet.difference` apart IntSet.empty left)
-    -- Taken one by one from the free ones, each with its neighbours no longer free.
+    -- An independent set, chosen greedily: each vertex taken removes its neighbours.
     apart :: IntSet -> IntSet -> IntSet
     apart taken free = case IntSet.minView free of
       Nothing -> taken
       Just (i, others) -> apart (IntSet.insert i taken) (others `IntSet.difference` next i)
 
--- | Of each item those after it that it is related to.
+-- | For each item the related items after it.
 laterRelated :: (a -> a -> Bool) -> IntMap.IntMap a -> IntMap.IntMap IntSet
 laterRelated related numbered =
   IntMap.mapWithKey
@@ -83,8 +84,8 @@ laterRelated related numbered =
 itemsOf :: IntMap.IntMap a -> [Int] -> [a]
 itemsOf numbered = mapMaybe (`IntMap.lookup` numbered)
 
-{- Note [Colours] A set of vertices without neighbours has at most one of a clique, so n - 1 such
-   sets have at most n - 1 of it: a clique of n has a vertex outside them. It is enough to branch on
-   the vertices that are left when n - 1 such sets have been taken out, and each need not be looked
-   at again where it was tried. (Greedy colouring as a bound: E. Tomita and T. Seki, An efficient
-   branch-and-bound algorithm for finding a maximum clique, DMTCS 2003.) -}
+{- Note [Colours] An independent set has at most one vertex of a clique, so n - 1 such sets have at
+   most n - 1. Hence a clique of n has a vertex outside n - 1 independent sets, and it is enough to
+   branch on the vertices outside. A vertex that was tried need not be tried again. (Greedy
+   colouring as a bound: E. Tomita and T. Seki, An efficient branch-and-bound algorithm for finding
+   a maximum clique, DMTCS 2003.) -}

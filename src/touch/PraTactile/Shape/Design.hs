@@ -1,14 +1,14 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The search that designed the shipped shapes, so that it can be run again. It visits every shape
--- that meets the constraints and leaves no alphabet of them out, so the separation it reaches is
--- the greatest there is, not merely the best found.
+-- | The search that designed the shipped shapes. It visits every shape that meets the constraints
+-- and leaves out no alphabet of them, so the separation that it reaches is the greatest there is.
 --
--- With S the shapes that meet the constraints, one of each 'family', and D(a, b) the least
--- 'distance' of two under the eight symmetries (of a shape and itself: under the seven others), an
--- alphabet of q shapes at least d apart is a clique of q vertices in the graph of the a with D(a,
--- a) >= d, joined where D(a, b) >= d. d goes down from the greatest conceivable one until there is
--- a clique; that there is none is proved by exact search at every d above.
+-- Let S be the shapes that meet the constraints, one per 'family'. Let D(a, b) be the least
+-- 'distance' of two shapes under the eight symmetries (of a shape and itself: under the seven
+-- others). Consider the graph of the shapes a with D(a, a) >= d, where a and b are joined if D(a,
+-- b) >= d. An alphabet of q shapes at least d apart is a clique of q vertices in it. d decreases
+-- from the greatest conceivable value until there is a clique. For every greater d an exact search
+-- proves that there is none.
 module PraTactile.Shape.Design
   ( -- * Designing
     Parameters (..),
@@ -42,16 +42,16 @@ import PraTactile.Shape.Distance
 import PraTactile.Steps
 import System.Random (StdGen, mkStdGen)
 
--- | What the shapes must be like. They are drawn on a grid of 4 x 6 blocks of 2 x 2 taxels, so that
--- wherever the taxels of the sensor fall, every embossed block wholly covers at least one of them.
+-- | The constraints on the shapes. Shapes are drawn on a grid of 4 x 6 blocks of 2 x 2 taxels, so
+-- that wherever the sensor's taxels fall, every embossed block wholly covers at least one.
 data Parameters = Parameters
-  { -- | The names of the classes; as many shapes are sought.
+  { -- | The names of the classes. The number of shapes is the number of names.
     designNames :: [Text],
-    -- | Every shape embosses at least this many of the 24 blocks,
+    -- | The least number of embossed blocks of a shape, of 24.
     leastBlocks :: Int,
-    -- | and at most this many, so that no class is much fainter than another.
+    -- | The greatest number of embossed blocks, so that no class is much fainter than another.
     mostBlocks :: Int,
-    -- | At least this many blocks are embossed along each of the four sides of the box, so that the
+    -- | The least number of embossed blocks along each of the four sides of the box, so that the
     -- box can be found from the image.
     leastContact :: Int
   }
@@ -61,7 +61,7 @@ data Parameters = Parameters
 paperParameters :: Parameters
 paperParameters = parametersFor ["0", "1", "A", "A^2"]
 
--- | The parameters of all shipped shapes, for classes of these names: 12 to 14 blocks; 2 blocks on
+-- | The parameters of the shipped shapes, with the given class names: 12 to 14 blocks, 2 blocks on
 -- each side.
 parametersFor :: [Text] -> Parameters
 parametersFor names =
@@ -76,44 +76,45 @@ parametersFor names =
 paperSeed :: Int
 paperSeed = 2004
 
--- | What the search visited and found.
+-- | The results of a search.
 data Report = Report
-  { -- | The seed it was given.
+  { -- | The seed of the search.
     reportSeed :: Int,
-    -- | How many shapes meet the constraints.
+    -- | The number of shapes that meet the constraints.
     reportAdmissible :: Int,
-    -- | How many of them are different up to a half turn and mirrors.
+    -- | The number of these that differ by more than a half turn and mirrors.
     reportFamilies :: Int,
-    -- | The separation of the alphabet, and the greatest that an alphabet of such shapes can have.
+    -- | The separation of the alphabet, which is the greatest possible.
     reportSeparation :: Int,
-    -- | How many alphabets have it, up to the order of the classes and to half turns and mirrors of
-    -- each shape; 'Nothing' where they were not all listed, of more than 'mostListed' shapes.
+    -- | The number of alphabets with this separation, up to the order of the classes and to half
+    -- turns and mirrors of each shape; 'Nothing' if they were not all listed, for more than
+    -- 'mostListed' shapes.
     reportAlphabets :: Maybe Int
   }
   deriving stock (Eq, Show)
 
--- | The most shapes of which all alphabets with the greatest separation are listed.
+-- | The greatest number of shapes for which all alphabets with the greatest separation are listed.
 mostListed :: Int
 mostListed = 4
 
--- | Designs an alphabet with the greatest separation: of up to 'mostListed' shapes, the one whose
--- shapes are least like ordinary features; of more, of which there are too many to list, the first
--- that is found from the seed. Neither number changes when a shape is turned by 180 degrees or
--- mirrored, nor when classes are exchanged: these the seed chooses. Refuses ('NoAlphabet')
--- parameters that no alphabet meets. The paper's takes some seconds, nine shapes some minutes;
--- where there is no alphabet of many shapes at great distances, to prove that may take very long.
+-- | Designs an alphabet with the greatest separation, from a seed. For up to 'mostListed' shapes,
+-- it is the one whose shapes are least like ordinary features. More shapes have too many alphabets
+-- to list, so it is the first one found. Neither criterion changes when a shape is turned by 180
+-- degrees or mirrored, or when classes are exchanged; the seed decides these. Refuses
+-- ('NoAlphabet') parameters that no alphabet meets. The paper's alphabet takes some seconds, nine
+-- shapes some minutes. A proof that many shapes cannot be far apart may take very long.
 design :: Int -> Parameters -> Either ShapeError (Alphabet, Report)
 design seed parameters = result (designSteps seed parameters)
 
--- | What a step of the search did.
+-- | The result of one step of the search.
 data Searched
-  = -- | measured the shapes among so many of the 'drawings'
+  = -- | measured the shapes among this many of the 'drawings'
     Measured !Int
-  | -- | began to look for an alphabet at least so many taxels apart
+  | -- | began to search for an alphabet at least this many taxels apart
     Trying !Int
   deriving stock (Eq, Show)
 
--- | The steps of 'design', to look on at.
+-- | 'design' as steps that can be observed.
 designSteps :: Int -> Parameters -> Steps Searched (Either ShapeError (Alphabet, Report))
 designSteps seed parameters = foldr measure (try (symbolWidth * symbolHeight)) measured
   where
@@ -134,7 +135,7 @@ designSteps seed parameters = foldr measure (try (symbolWidth * symbolHeight)) m
     chosen d listed best = do
       a <- alphabet (zip (designNames parameters) (arranged seed (map candidateShape best)))
       Right (a, Report seed (length measured) (length candidates) d listed)
-    -- How many there are, where that is known, and those that are chosen from.
+    -- The number of alphabets, where it is known, and the alphabets to choose from.
     alphabetsApart d apart
       | count <= mostListed = let found = cliques count far apart in (Just (length found), found)
       | otherwise = (Nothing, maybe [] pure (clique count far (shuffled seed apart)))
@@ -142,13 +143,12 @@ designSteps seed parameters = foldr measure (try (symbolWidth * symbolHeight)) m
         far a b = farApart d (candidatePrepared a) (candidatePrepared b)
     featureLikeness = maximum . (0 :) . map candidateLikeness
 
--- | A shape that may be one of an alphabet; what is costly to know of it is made when it is first
--- asked for.
+-- | A candidate shape. Costly fields are computed on first use.
 data Candidate = Candidate
   { candidateShape :: Bitmap,
     candidateSelf :: Int,
     candidatePrepared :: Prepared,
-    -- | the greatest to an ordinary feature
+    -- | the greatest likeness to an ordinary feature
     candidateLikeness :: Double
   }
 
@@ -156,9 +156,9 @@ data Candidate = Candidate
 family :: Bitmap -> Set.Set Bitmap
 family b = Set.fromList [b, halfTurned b, mirroredColumns b, mirroredRows b]
 
--- | Shapes by the rules of the shipped ones that are none of an alphabet's: from a seed, at least
--- so many taxels from each of its shapes, whichever way they are turned or mirrored; and so many of
--- them. Refuses ('NoAlphabet') where there are not as many. Some seconds.
+-- | Shapes by the shipped rules that do not belong to an alphabet. The arguments are the seed, the
+-- least distance in taxels from each of the alphabet's shapes under every symmetry, the number of
+-- shapes, and the alphabet. Refuses ('NoAlphabet') if there are not enough. Takes some seconds.
 foreignShapes :: Int -> Int -> Int -> Alphabet -> Either ShapeError Alphabet
 foreignShapes seed least count known
   | length found < count = Left NoAlphabet
@@ -168,11 +168,11 @@ foreignShapes seed least count known
     foreign' b = all (farApart least (prepared b)) ours
     ours = map prepared (shapes known)
 
--- | A list in a random order.
+-- | A list in random order, from a seed.
 shuffled :: Int -> [a] -> [a]
 shuffled seed list = map snd (sortOn fst (zip (unfoldr (Just . uniform) (mkStdGen seed)) list))
 
--- | The shapes in a random order, each replaced by a random member of its family.
+-- | The shapes in random order, from a seed, each replaced by a random member of its family.
 arranged :: Int -> [Bitmap] -> [Bitmap]
 arranged seed = go (mkStdGen seed)
   where
@@ -187,14 +187,14 @@ arranged seed = go (mkStdGen seed)
         (j, g'') = below 4 g'
     below n g = let (u, g') = uniform g in (floor (u * fromIntegral (n :: Int)) :: Int, g')
 
--- | All shapes that meet the constraints: of the 2^24 drawings on the grid those that emboss an
--- allowed number of blocks, touch every side enough, hang together by whole sides of blocks, have
--- no two blocks that meet at a corner only (neither embossed nor flat: such a contact comes and
--- goes with the phase of the taxels), and enclose nothing.
+-- | All shapes that meet the constraints, of the 2^24 drawings on the grid. They emboss an allowed
+-- number of blocks, touch every side enough, are connected by sides of blocks, and enclose nothing.
+-- No two blocks, embossed or flat, meet only at a corner: such a contact comes and goes with the
+-- phase of the taxels.
 admissible :: Parameters -> [Bitmap]
 admissible = map snd . numberedShapes
 
--- | The same, each with its number among all stacks of rows, from 1.
+-- | The shapes of 'admissible', each with its number among all stacks of rows, from 1.
 numberedShapes :: Parameters -> [(Int, Bitmap)]
 numberedShapes parameters =
   [ (i, fromBlocks raised)
@@ -208,14 +208,14 @@ numberedShapes parameters =
   where
     stacked = foldl' (\below row -> shiftL below gridWidth + row) 0
 
--- | All stacks of this many rows of blocks in which each row shares a block with the next (or
--- the shape would fall apart) and no two blocks meet at a corner only.
+-- | All stacks of the given number of rows in which each row shares a block with the next
+-- (otherwise the shape would fall apart) and no two blocks meet only at a corner.
 stacks :: Int -> [[Int]]
 stacks 1 = map pure rowsOfBlocks
 stacks n =
   [row : rest | n > 1, rest@(next : _) <- stacks (n - 1), row <- rowsOfBlocks, mayLieOn row next]
 
--- | Whether a row may lie on a row.
+-- | Whether a row may lie on another.
 mayLieOn :: Int -> Int -> Bool
 mayLieOn row next = row .&. next /= 0 && not (or [cornersOnly x | x <- [0 .. gridWidth - 2]])
   where
@@ -224,8 +224,8 @@ mayLieOn row next = row .&. next /= 0 && not (or [cornersOnly x | x <- [0 .. gri
         && testBit next x /= testBit next (x + 1)
         && testBit row x /= testBit next x
 
--- | How many drawings the search goes through: stacks of @gridHeight@ rows, counted by their
--- uppermost row without making them.
+-- | The number of drawings that the search visits: stacks of @gridHeight@ rows, counted by their
+-- topmost row without generating them.
 drawings :: Int
 drawings = sum (map snd (iterate upwards [(row, 1) | row <- rowsOfBlocks] `at` (gridHeight - 1)))
   where
@@ -236,8 +236,8 @@ drawings = sum (map snd (iterate upwards [(row, 1) | row <- rowsOfBlocks] `at` (
 rowsOfBlocks :: [Int]
 rowsOfBlocks = [1 .. 2 ^ gridWidth - 1]
 
--- | The grid: 4 blocks wide, 6 tall, a block 2 taxels. A set of its blocks is a number whose bit 4
--- y + x is the block of column x, row y.
+-- | The grid: 4 blocks wide, 6 tall, blocks of 2 x 2 taxels. A set of blocks is a number whose bit
+-- 4 y + x is the block in column x, row y.
 gridWidth, gridHeight, blockSide :: Int
 gridWidth = 4
 gridHeight = 6
@@ -262,7 +262,7 @@ westSide, eastSide :: Int
 westSide = blocksWhere (\x _ -> x == 0)
 eastSide = blocksWhere (\x _ -> x == gridWidth - 1)
 
--- | The blocks of the first set that are reached from the second through sides of blocks.
+-- | The blocks of the first set that are connected to the second set through sides of blocks.
 flooded :: Int -> Int -> Int
 flooded allowed reached
   | next == reached = reached
@@ -278,7 +278,7 @@ flooded allowed reached
             )
     notAt side = wholeGrid - side
 
--- | The shape that embosses these blocks.
+-- | The shape that embosses the given blocks.
 fromBlocks :: Int -> Bitmap
 fromBlocks blocks =
   bitmapWhere (\x y -> testBit blocks ((y `div` blockSide) * gridWidth + x `div` blockSide))

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | How far apart shapes are, and how unlike the ordinary features of objects: the numbers behind
--- the paper's three conditions on its symbols (section II.B).
+-- | The distances of shapes from each other, and their likeness to ordinary features of objects:
+-- the numbers behind the paper's three conditions on its symbols (section II.B).
 module PraTactile.Shape.Distance
   ( -- * Distance between shapes
     distance,
@@ -30,21 +30,21 @@ import Data.Ord (comparing)
 import PraTactile.Shape
 import PraTactile.Symmetry
 
--- | The least number of taxels in which the first shape differs from the second, transformed and
--- then shifted by -1, 0 or 1 taxel in each direction; what a shift pushes out of the box still
--- counts.
+-- | The least number of taxels in which the first shape differs from the second, after the second
+-- is transformed and shifted by -1, 0 or 1 taxel in each direction. Taxels shifted out of the box
+-- still count.
 distance :: Symmetry -> Bitmap -> Bitmap -> Int
 distance symmetry a b = minimum (differences symmetry a b)
 
--- | The differences for the nine shifts.
+-- | The number of different taxels for each of the nine shifts.
 differences :: Symmetry -> Bitmap -> Bitmap -> [Int]
 differences symmetry a b =
   [popCount (xor (canvas identity a) (shift there (shiftBits k))) | k <- shifts]
   where
     there = canvas symmetry b
 
--- | Where two shapes are nearest: the second transformed, then shifted by so many taxels to the
--- right and down, and in how many taxels the first then differs from it.
+-- | How two shapes come nearest: the number of different taxels, the symmetry of the second shape,
+-- and its shift to the right and down.
 data Nearest = Nearest
   { nearestDistance :: !Int,
     nearestSymmetry :: !Symmetry,
@@ -52,16 +52,16 @@ data Nearest = Nearest
   }
   deriving stock (Eq, Show)
 
--- | The least of the distances under some symmetries, identity if there are none; the first of
--- those that are as little.
+-- | The nearest comparison of two shapes over some symmetries (only the identity for an empty
+-- list); the first one among equals.
 nearest :: [Symmetry] -> Bitmap -> Bitmap -> Nearest
 nearest among a b = minimumBy (comparing nearestDistance) (concatMap under (headed among))
   where
     under symmetry = zipWith (\d k -> Nearest d symmetry k) (differences symmetry a b) shifts
     headed list = if null list then [identity] else list
 
--- | A shape made ready to be compared with many others: on its canvas, and everywhere it is taken
--- for under a symmetry and a shift.
+-- | A shape prepared for many comparisons: itself on a canvas, and all its transformed and shifted
+-- copies.
 data Prepared = Prepared !Integer [Integer]
 
 -- | Prepares a shape.
@@ -71,8 +71,8 @@ prepared b =
     (canvas identity b)
     [shift (canvas symmetry b) (shiftBits k) | symmetry <- symmetries, k <- shifts]
 
--- | Whether the 'distance' between two shapes is at least this under every symmetry. Stops where
--- they are first seen to be nearer.
+-- | Whether the 'distance' between two shapes is at least the given number under every symmetry.
+-- It stops at the first smaller one.
 farApart :: Int -> Prepared -> Prepared -> Bool
 farApart d (Prepared here _) (Prepared _ there) =
   all (\moved -> popCount (xor here moved) >= d) there
@@ -81,16 +81,16 @@ farApart d (Prepared here _) (Prepared _ there) =
 shifts :: [(Int, Int)]
 shifts = [(x, y) | y <- [0, -1, 1], x <- [0, -1, 1]]
 
--- | The same of a canvas.
+-- | A shift as a shift of a canvas's bits.
 shiftBits :: (Int, Int) -> Int
 shiftBits (x, y) = x + canvasSide * y
 
--- | The side of a square canvas that keeps at least 2 flat taxels around a shape, upright or lying,
--- so that no shift by a taxel wraps.
+-- | The side of a square canvas. It keeps at least 2 flat taxels around a shape, upright or lying,
+-- so that no shift by a taxel wraps around.
 canvasSide :: Int
 canvasSide = 16
 
--- | The transformed shape in the middle of a canvas, as the set of its embossed taxels.
+-- | The transformed shape in the middle of a canvas, as a set of bits.
 canvas :: Symmetry -> Bitmap -> Integer
 canvas symmetry b =
   foldl'
@@ -102,8 +102,8 @@ canvas symmetry b =
     top = (canvasSide - length rows) `div` 2
     left = (canvasSide - maximum (0 : map length rows)) `div` 2
 
--- | The least distance of a shape from itself turned or mirrored: how plainly it shows its
--- orientation and handedness.
+-- | The least distance of a shape from itself turned or mirrored, a measure of how clearly it
+-- shows its orientation and handedness.
 selfDistance :: Bitmap -> Int
 selfDistance b = minimum [distance symmetry b b | symmetry <- drop 1 symmetries]
 
@@ -118,28 +118,28 @@ separation a =
   where
     these = shapes a
 
--- | A feature that objects without any code have too, as it may lie across an 8 x 12 window.
--- Lengths are in half taxels from the window's centre, x to the right and y down, so that all of it
--- is exact.
+-- | A feature that objects without the code also have, as it may lie across an 8 x 12 window.
+-- Lengths are in half taxels from the window's centre, x to the right and y down, so that
+-- everything is an integer.
 data Feature
   = -- | Everything raised.
     Full
-  | -- | A half plane raised: a x + b y >= c for the direction (a, b).
+  | -- | A raised half plane: a x + b y >= c for the direction (a, b).
     StepEdge (Int, Int) Int
-  | -- | A ridge or groove's wall to wall: c <= a x + b y < d.
+  | -- | A ridge or groove, from wall to wall: c <= a x + b y < d.
     Ridge (Int, Int) Int Int
-  | -- | A right-angled corner raised: a x + b y >= c and a y - b x >= d.
+  | -- | A raised right-angled corner: a x + b y >= c and a y - b x >= d.
     Corner (Int, Int) Int Int
-  | -- | A disc raised, with its centre and radius.
+  | -- | A raised disc, with its centre and radius.
     Disc (Int, Int) Int
   deriving stock (Eq, Show)
 
--- | Step edges and right-angled corners in 16 directions (the axes, the diagonals and those
--- between) at every taxel, up to 5 and 4 from the window's middle; ridges 2, 3, 4 and 6 taxels wide
--- in the same directions, which begin at every half taxel from 6 before the middle to 5 behind;
--- discs from 3 to 6 taxels in radius around every taxel up to 2 from the middle across and 4 down;
--- and the full window. The set is closed under the symmetries of the window, so likeness need not
--- be tried under them.
+-- | The ordinary features that shapes are compared with. Step edges and right-angled corners have
+-- 16 directions (the axes, the diagonals and those between) and lie at every taxel, up to 5 and 4
+-- taxels from the window's middle. Ridges are 2, 3, 4 and 6 taxels wide in the same directions, and
+-- begin at every half taxel from 6 before the middle to 5 after. Discs have radii of 3 to 6 taxels
+-- around every taxel up to 2 across and 4 down from the middle. The full window is one more. The
+-- set is closed under the symmetries of the window, so likeness need not be computed under them.
 ordinaryFeatures :: [Feature]
 ordinaryFeatures =
   Full :
@@ -154,16 +154,15 @@ ordinaryFeatures =
     ++ [Disc (x, y) r | x <- [-4, -2 .. 4], y <- [-8, -6 .. 8], r <- [6, 8, 10, 12]]
   where
     directions = [(a, b) | a <- [-2 .. 2], b <- [-2 .. 2], gcd a b == 1]
-    -- Lengths along a direction whose vector is not of length 1: to the nearest that integers
-    -- allow.
+    -- Lengths along a direction vector whose length is not 1, rounded to integers.
     places (a, b) = map (\c -> (c * norm (a, b) + 50) `div` 100)
     norm (a, b) = case a * a + b * b of
       1 -> 100
       2 -> 141
       _ -> 224 :: Int
 
--- | Whether a feature raises the taxel at this column and row, counted from the window's upper left
--- one; it goes on beyond the window.
+-- | Whether a feature raises the taxel at a column and a row, counted from the window's upper
+-- left; also defined beyond the window.
 raises :: Feature -> Int -> Int -> Bool
 raises feature column row = case feature of
   Full -> True
@@ -175,8 +174,8 @@ raises feature column row = case feature of
     x = 2 * column - symbolWidth + 1
     y = 2 * row - symbolHeight + 1
 
--- | The normalised cross-correlation (Pearson's, -1 to 1) of a shape with a feature, taxel by
--- taxel; 0 where the feature is constant over the window.
+-- | The normalised cross-correlation (Pearson's, -1 to 1) of a shape and a feature over the
+-- taxels; 0 if the feature or the shape is constant.
 likeness :: Bitmap -> Feature -> Double
 likeness b feature
   | spread == 0 = 0
@@ -191,7 +190,8 @@ likeness b feature
     spread = a * (n - a) * f * (n - f)
     count = length . filter id
 
--- | The greatest likeness of a shape to any ordinary feature, raised or sunk, and that feature.
+-- | The greatest absolute likeness of a shape to any ordinary feature (raised or sunken), and that
+-- feature.
 greatestLikeness :: Bitmap -> (Double, Feature)
 greatestLikeness b = foldl' nearer (0, Full) [(abs (likeness b f), f) | f <- ordinaryFeatures]
   where

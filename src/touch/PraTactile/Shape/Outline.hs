@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The outlines of shapes, along which they rise out of the face.
+-- | The outlines of shapes, for making solids and pictures.
 module PraTactile.Shape.Outline
   ( Corner,
     outlines,
@@ -13,18 +13,17 @@ import Data.List (group)
 import qualified Data.Map.Strict as Map
 import PraTactile.Shape
 
--- | A corner of taxels: how many taxels lie to the left of it and how many above it.
+-- | A corner of taxels: the number of taxels to its left and above it.
 type Corner = (Int, Int)
 
--- | The taxels to the upper left and lower right of this corner, or those to the upper right and
--- lower left, are embossed and the two others are not, so that nothing but it joins them.
+-- | A corner at which two embossed taxels meet diagonally and nothing else joins them.
 newtype Contact = Contact Corner
   deriving stock (Eq, Show)
 
--- | The closed lines round all embossed taxels, by the corners at which they turn: seen with rows
--- downwards, embossed taxels lie to the left of who walks along them, so that a piece's outer line
--- is counter-clockwise and that of a hole clockwise. Refuses a shape of which two taxels meet at a
--- corner only.
+-- | The closed outlines of the embossed taxels, as lists of the corners at which they turn.
+-- Embossed taxels lie to the left of the walking direction, with rows counted downwards. So a
+-- piece's outer line is counter-clockwise and a hole's is clockwise. Refuses a shape in which two
+-- taxels meet only at a corner.
 --
 -- >>> outlines (bitmapWhere (\x y -> x < 2 && y < 3))
 -- Right [[(0,0),(0,3),(2,3),(2,0)]]
@@ -64,8 +63,7 @@ outlines shape = case [corner | (corner, _ : _ : _) <- Map.toAscList sides] of
           not (fst a == fst b && fst b == fst c || snd a == snd b && snd b == snd c)
       ]
 
--- | The least number of embossed taxels side by side in a row or a column of the shape, between two
--- that are not.
+-- | The length of the shortest run of embossed taxels in a row or a column of the shape.
 --
 -- >>> finestStroke (bitmapWhere (\x y -> x < 2 && y < 3))
 -- 2

@@ -1,7 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Alphabets of shapes for a reader: drawn side by side, and the table of their distances.
+-- | Alphabets of shapes as text and pictures: drawings side by side, and the table of their
+-- distances.
 module PraTactile.Shape.Report
   ( drawAlphabet,
     distanceTable,
@@ -31,7 +32,7 @@ import PraTactile.Shape.Design (Report (..))
 import PraTactile.Shape.Distance
 import PraTactile.Symmetry
 
--- | The shapes side by side in order of class, under their names.
+-- | The shapes side by side in order of class, each under its name.
 drawAlphabet :: Alphabet -> Text
 drawAlphabet a =
   T.unlines (foldr (zipWith beside . drawn) (repeat "") (zip (shapeNames a) (shapes a)))
@@ -41,9 +42,9 @@ drawAlphabet a =
     beside x "" = T.stripEnd x
     beside x rest = x <> "   " <> rest
 
--- | For every two classes, equal ones too, the 'distance' in taxels under each symmetry; and for
--- each class its area in taxels, which is its distance from the blank box, and its greatest
--- likeness to an ordinary feature.
+-- | The table of distances: for every two classes (also a class with itself) the 'distance' in
+-- taxels under each symmetry. Then for each class its area in taxels, which is its distance from
+-- the blank box, and its greatest likeness to an ordinary feature.
 distanceTable :: Alphabet -> Text
 distanceTable a =
   T.unlines $
@@ -74,7 +75,7 @@ distanceTable a =
         (turned 1 <> mirror, "mirror /")
       ]
 
--- | What a design found, in sentences, with the drawn shapes and their table.
+-- | The report of a design in sentences, with the drawn shapes and their table.
 renderReport :: Alphabet -> Report -> Text
 renderReport a r =
   T.unlines
@@ -103,7 +104,8 @@ renderReport a r =
     <> "\nLeast number of differing taxels over all shifts by at most one taxel\n"
     <> distanceTable a
 
--- | The shapes side by side as an SVG picture, 10 units a taxel, the box of each outlined.
+-- | The shapes side by side as an SVG picture, 10 units per taxel, each with the outline of its
+-- box.
 alphabetSvg :: Drawings -> Text
 alphabetSvg a = LazyText.toStrict (renderText root) <> "\n"
   where

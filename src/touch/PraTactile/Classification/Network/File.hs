@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Networks as text, exactly: every weight is written with as few decimals as give the same number
--- again.
+-- | Networks as text, without loss: each weight has the fewest decimals that read back as the same
+-- number.
 module PraTactile.Classification.Network.File
   ( renderNetwork,
     parseNetwork,
@@ -22,8 +22,8 @@ import PraTactile.Classification.Network
 import PraTactile.Decimal (readDouble, readWhole)
 import PraTactile.PlainText
 
--- | The network as text: a heading, the sizes, and then for each unit a line with its weights and
--- its bias last; hidden units first.
+-- | The network as text: a heading, the sizes, then one line per unit with its weights and its
+-- bias last. Hidden units come first.
 renderNetwork :: Network -> Text
 renderNetwork n =
   T.unlines $
@@ -42,11 +42,12 @@ renderNetwork n =
     number = T.pack . show :: Int -> Text
     unit = T.unwords . map (T.pack . show) . V.toList
 
--- | Reads the bytes of a network's file, UTF-8, as 'parseNetwork' does.
+-- | Reads the bytes of a network's file (UTF-8) as 'parseNetwork' does.
 decodeNetwork :: ByteString -> Either NetworkError Network
 decodeNetwork = networkText >=> parseNetwork
 
--- | The text of a file of a network or its calibration.
+-- | Decodes the bytes of a network or calibration file. Refuses anything but UTF-8
+-- ('NetworkInEncoding', 'NetworkNotText').
 networkText :: ByteString -> Either NetworkError Text
 networkText = first refused . plainUtf8
   where
@@ -54,8 +55,7 @@ networkText = first refused . plainUtf8
       InEncoding encoding -> NetworkInEncoding encoding
       NotUtf8Text -> NetworkNotText
 
--- | Reads a network as 'renderNetwork' writes it. Refuses anything else, with the line where it
--- goes astray.
+-- | Reads the text of 'renderNetwork'. Refuses anything else and names the first wrong line.
 parseNetwork :: Text -> Either NetworkError Network
 parseNetwork text = case zip [1 ..] (T.lines text) of
   [] -> Left (NetworkFileEnds heading)
@@ -69,7 +69,7 @@ parseNetwork text = case zip [1 ..] (T.lines text) of
             (w1, others) <- units hidden inputs body
             (w2, end) <- units outs hidden others
             case end of
-              -- Without it the last number may be cut off.
+              -- Without a final end of line the last number may be cut off.
               [] | not ("\n" `T.isSuffixOf` text) -> Left (NetworkFileEnds "an end of line")
               [] -> network w1 w2
               (k, line) : _ -> Left (UnexpectedNetworkLine k "the end of the file" (excerpt line))
@@ -82,7 +82,8 @@ parseNetwork text = case zip [1 ..] (T.lines text) of
       n <- readWhole (encodeUtf8 t)
       if n < 1000000 then Just (fromInteger n) else Nothing
 
--- | This many lines, each of this many weights and a bias, and the rest.
+-- | Reads the given number of lines, each with the given number of weights and a bias; also
+-- returns the remaining lines.
 units :: Int -> Int -> [(Int, Text)] -> Either NetworkError (Matrix Double, [(Int, Text)])
 units count weights = go count []
   where

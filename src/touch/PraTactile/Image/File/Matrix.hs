@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Readings as text: matrices of numbers, and what Tekscan's programs export.
+-- | Readings as text: matrices of numbers and exports of Tekscan's programs.
 module PraTactile.Image.File.Matrix
   ( isTekscan,
     decodeTekscan,
@@ -27,8 +27,8 @@ import PraTactile.PlainText (plainText)
 -- | A line and its number, from 1.
 type Line = (Int, ByteString)
 
--- | Whether a text may be a matrix: after what is passed over, it begins with a number, or with
--- what stands for none.
+-- | Whether a text may be a matrix: after blanks and comments it begins with a number or with a
+-- missing reading.
 beginsAsMatrix :: ByteString -> Bool
 beginsAsMatrix text = case C.uncons begin of
   Just ('#', rest) -> beginsAsMatrix (C.dropWhile (`notElem` "\r\n") rest)
@@ -38,9 +38,9 @@ beginsAsMatrix text = case C.uncons begin of
     begin = C.dropWhile (`elem` " \t\r\n") text
     firstWord = C.takeWhile (`notElem` ",; \t\r\n") begin
 
--- | Rows of numbers, one image or several with blank lines between them. Numbers are parted by
--- commas, by semicolons or by blanks; @nan@ and @B@ are taxels without a reading; lines that begin
--- with @#@ are passed over.
+-- | Rows of numbers: one image, or several separated by blank lines. Numbers are separated by
+-- commas, semicolons or blanks. @nan@ and @B@ are taxels without a reading. Lines that begin with
+-- @#@ are comments.
 decodeMatrix :: ByteString -> Either ImageError Images
 decodeMatrix file = do
   text <- first ImageInEncoding (plainText file)
@@ -62,7 +62,8 @@ numbered = zip [1 ..] . C.lines
 isBlank :: Line -> Bool
 isBlank = C.all (`elem` " \t\r") . snd
 
--- | The images of these rows, all of one size.
+-- | The images with the given rows, all of one size. The first two arguments are the full scale
+-- and the spacing in millimetres.
 imagesOf :: Double -> Maybe Double -> [[V.Vector Double]] -> Either ImageError Images
 imagesOf full apart images = do
   (w, h) <- checkSize (size width) (size height)
@@ -91,11 +92,11 @@ imagesOf full apart images = do
     width = maximum (0 : map V.length (take 1 firstImage))
     size = fromIntegral
 
--- | What parts the numbers of a line.
+-- | The separator of a line's numbers; 'Nothing' for blanks.
 separatorOf :: ByteString -> Maybe Char
 separatorOf line = find (`C.elem` line) ";,"
 
--- | The numbers of a line. An empty field after the last one is none.
+-- | The numbers of a line. An empty last field is ignored.
 rowOf :: Maybe Char -> Line -> Either ImageError (V.Vector Double)
 rowOf separator (number, text) = V.fromList <$> traverse value (zip [1 ..] fields)
   where
@@ -118,7 +119,7 @@ hasDecimalComma field = case C.split ',' field of
   where
     plain part = C.all (\c -> isDigit c || c == '-') part && not (B.null part)
 
--- | A number, or none where a taxel has no reading.
+-- | A number, or NaN for a taxel without a reading.
 numberIn :: ByteString -> Maybe Double
 numberIn field = case missing field of
   Nothing -> decimalIn field
@@ -129,8 +130,8 @@ missing field = lookup (map toLower (C.unpack (B.take 5 field))) [("nan", none),
   where
     none = 0 / 0
 
--- | A decimal number. Short ones are a quotient of two integers that doubles hold exactly, which
--- rounds once.
+-- | A decimal number. A short one is computed as the quotient of two integers that doubles hold
+-- exactly, so it is rounded once.
 decimalIn :: ByteString -> Maybe Double
 decimalIn field
   | shortEnough = Just ((if negative then negate else id) (fromIntegral digits / 10 ^ places))
@@ -155,15 +156,15 @@ decimalIn field
     digit n c = 10 * n + fromIntegral c - 48
     infinite = if negative then Just (-1 / 0) else Just (1 / 0)
 
--- | Whether a file is an export of Tekscan's: among its first lines is that which ends the header.
+-- | Whether a file is a Tekscan export: one of its first lines ends such a header.
 isTekscan :: ByteString -> Bool
 isTekscan file = any isEnd (take 200 (C.lines (B.take 65536 file)))
 
 isEnd :: ByteString -> Bool
 isEnd = C.isPrefixOf (C.pack "ASCII_DATA")
 
--- | Such an export: a header of keys and values, and frames with their numbers. Full scale is the
--- saturation pressure, and 255 of raw readings.
+-- | A Tekscan export: a header of keys and values, then numbered frames. Full scale is the
+-- saturation pressure, or 255 for raw readings.
 decodeTekscan :: ByteString -> Either ImageError Images
 decodeTekscan file = do
   text <- first ImageInEncoding (plainText file)
@@ -183,7 +184,7 @@ decodeTekscan file = do
   when (there /= announced) (Left (TekscanFrame (start + min there announced)))
   imagesOf full (Just across) frames
 
--- | The value of a key.
+-- | The value of a key in the header, with its line.
 valueOf :: [Line] -> String -> Either ImageError Line
 valueOf header key = maybe (Left (TekscanHeader key)) Right (find ours header >>= Just . fmap after)
   where
@@ -197,7 +198,7 @@ whole header key = do
     Just (n, rest) | B.null rest && n >= 0 -> Right n
     _ -> Left (TekscanHeader key)
 
--- | A length in millimetres.
+-- | The value of a key as a length in millimetres.
 spacing :: [Line] -> String -> Either ImageError Double
 spacing header key = do
   (line, text) <- valueOf header key
@@ -224,7 +225,7 @@ fullScale header = case (valueOf header "UNITS", valueOf header key) of
   where
     key = "SATURATION_PRESSURE"
 
--- | Frames one after the other, of which the first has this number.
+-- | Consecutive frames, the first with the given number.
 framesFrom :: (Int, Int) -> Integer -> [Line] -> Either ImageError [[V.Vector Double]]
 framesFrom (w, h) = go
   where

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Arrays that numpy wrote, as its format description (NEP 1, versions 1.0 to 3.0) has them.
+-- | Numpy arrays in files, by numpy's format description (NEP 1, versions 1.0 to 3.0).
 module PraTactile.Image.File.Numpy
   ( isNumpy,
     decodeNumpy,
@@ -23,12 +23,12 @@ import PraTactile.Image.Pgm.Type (checkSize)
 magic :: ByteString
 magic = B.cons 0x93 (C.pack "NUMPY")
 
--- | Whether a file begins as numpy's do.
+-- | Whether a file begins like a numpy file.
 isNumpy :: ByteString -> Bool
 isNumpy = B.isPrefixOf magic
 
--- | An array of two dimensions, an image, or of three, a movie; of a type of 'Number'. Objects are
--- never unpickled: they are refused, as every other type is.
+-- | An array of two dimensions (an image) or three (a movie), of a type of 'Number'. All other
+-- types are refused; objects are never unpickled.
 decodeNumpy :: ByteString -> Either ImageError Images
 decodeNumpy file = do
   (text, readings) <- maybe (Left NumpyHeader) Right (headerOf file)
@@ -55,7 +55,7 @@ decodeNumpy file = do
         imagesReadings = Packed number big (not fortran) readings
       }
 
--- | The header's text, and what follows it.
+-- | The header's text and the bytes after it.
 headerOf :: ByteString -> Maybe (ByteString, ByteString)
 headerOf file = do
   let (begin, rest) = B.splitAt 8 file
@@ -69,7 +69,7 @@ headerOf file = do
     then Just (B.splitAt (fromInteger announced) after)
     else Nothing
 
--- | The three fields of the header, in any order: a dictionary of Python's.
+-- | The three fields of the header, a Python dictionary in any order.
 fieldsOf :: ByteString -> Maybe (ByteString, Bool, [Integer])
 fieldsOf text = do
   fields <- dictionary =<< opened '{' text
@@ -99,7 +99,7 @@ dictionary = go (Fields Nothing Nothing Nothing)
         (given, after) <- opened '(' value >>= numbers
         Just (Fields d f (Just given), after)
       _ -> Nothing
-    -- That of a structured type is a list.
+    -- The description of a structured type is a list.
     descrOf value = case quoted value of
       Just found -> Just found
       Nothing -> do
@@ -114,12 +114,12 @@ dictionary = go (Fields Nothing Nothing Nothing)
         let (digits, after) = C.span isDigit (blank rest)
             -- Python 2 wrote long integers with an L.
             next = fromMaybe after (C.stripPrefix (C.pack "L") after)
-        -- A million digits cost no arithmetic.
+        -- At most 18 digits are converted, so a very long number costs no time.
         n <- if B.length digits > 18 then Just (10 ^ (18 :: Int)) else fst <$> C.readInteger digits
         (more, end) <- numbers (fromMaybe next (opened ',' next))
         if null (drop 31 more) then Just (n : more, end) else Nothing
 
--- | What follows a mark, after blanks.
+-- | The text after the given character, with blanks skipped.
 opened :: Char -> ByteString -> Maybe ByteString
 opened mark rest = case C.uncons (blank rest) of
   Just (found, after) | found == mark -> Just after
@@ -135,8 +135,8 @@ quoted rest = do
 blank :: ByteString -> ByteString
 blank = C.dropWhile isSpace
 
--- | The type that a description means, and whether the more significant byte comes first. A machine
--- that wrote @=@ is taken to be as most are.
+-- | The number type of a description, and whether the most significant byte comes first. @=@ (the
+-- writer's byte order) is read as little-endian.
 typeOf :: ByteString -> Maybe (Number, Bool)
 typeOf descr = do
   (order, name) <- C.uncons descr
@@ -148,7 +148,8 @@ typeOf descr = do
 names :: [(String, Number)]
 names = [("u1", U1), ("u2", U2), ("i2", I2), ("i4", I4), ("f4", F4), ("f8", F8)]
 
--- | An image of samples as an array of one byte each, or two, the less significant first.
+-- | A numpy file of an image, by width and height. The flag chooses two bytes per sample
+-- (little-endian) over one.
 encodeNumpy :: Bool -> Int -> Int -> V.Vector Word16 -> ByteString
 encodeNumpy wide columns rows samples =
   B.concat [magic, B.pack [1, 0], little (B.length header), header, readings]

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Grey images in PNG files of 8 or 16 bits, by JuicyPixels.
+-- | Grey PNG images of 8 or 16 bits, by JuicyPixels.
 module PraTactile.Image.File.Png
   ( isPng,
     pngSize,
@@ -23,7 +23,7 @@ import PraTactile.Image.Pgm.Type
 isPng :: ByteString -> Bool
 isPng = B.isPrefixOf (B.pack [0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10])
 
--- | The width and the height that the header says.
+-- | The width and the height in the header.
 pngSize :: ByteString -> Either ImageError (Int, Int)
 pngSize file
   | B.length file < 29 = Left (PngRefused PngBroken)
@@ -31,8 +31,8 @@ pngSize file
   where
     number at = B.foldl' (\n byte -> 256 * n + fromIntegral byte) 0 (B.take 4 (B.drop at file))
 
--- | A grey image; of colours those whose three channels are equal everywhere. Refuses palettes,
--- other colours, transparency, and other depths than 8 and 16 bits, by the header alone.
+-- | A grey image, or a colour image whose three channels are equal everywhere. Refuses, by the
+-- header alone, palettes, transparency, and depths other than 8 and 16 bits; refuses other colours.
 decodePngFile :: ByteString -> Either ImageError Images
 decodePngFile file = do
   (w, h) <- pngSize file
@@ -51,12 +51,12 @@ decodePngFile file = do
     _ -> Left (PngRefused PngBroken)
   Right (Images w h 1 (fromIntegral (pgmMaxval pgm)) Nothing (Several (Boxed.singleton pgm)))
   where
-    -- Deflate makes at most 1032 bytes of one: who states a larger image than that is not believed.
+    -- Deflate expands by at most a factor of 1032, so a file that claims a larger image is refused.
     roomFor w h = h * (1 + w * channels * depth `div` 8) <= 1032 * B.length file
     channels = if B.index file 25 == 2 then 3 else 1
     depth = fromIntegral (B.index file 24)
 
--- | One of three channels, if they are equal.
+-- | One of the three channels. Refuses channels that differ.
 grey :: (Eq a, V.Storable a) => V.Vector a -> Either ImageError (V.Vector a)
 grey samples
   | and [same k | k <- [0 .. V.length samples - 1]] =
@@ -65,6 +65,6 @@ grey samples
   where
     same k = samples V.! k == samples V.! (k - k `rem` 3)
 
--- | A file of 8 bits a sample, or 16, as the image has.
+-- | A PNG file with the image's 8 or 16 bits per sample.
 encodePngFile :: Pgm -> ByteString
 encodePngFile = L.toStrict . either (const L.empty) id . encodeDynamicPng . pgmDynamic

@@ -35,16 +35,16 @@ import PraTactile.Image.Pgm.Type
 decodePgm :: ByteString -> Either ImageError Pgm
 decodePgm = decodePgmUpTo maxPixels
 
--- | 'decodePgm' of an image of at most this many pixels. By its header a larger one is refused
--- before its samples are read.
+-- | 'decodePgm' for images with at most the given number of pixels. Refuses a larger one by its
+-- header, before reading samples.
 decodePgmUpTo :: Int -> ByteString -> Either ImageError Pgm
 decodePgmUpTo most file = do
   (pgm, rest) <- firstPgm most file
   unless (B.null rest) (Left (TrailingData (B.length rest)))
   Right pgm
 
--- | The images of a file, the first and those that follow it, each as 'decodePgmUpTo' reads it.
--- Refuses images of different sizes.
+-- | All images of a file (the first, then the others), each with at most the given number of
+-- pixels. Refuses what 'decodePgmUpTo' refuses, and images of different sizes.
 decodePgms :: Int -> ByteString -> Either ImageError (Pgm, [Pgm])
 decodePgms most file = do
   (pgm, rest) <- firstPgm most file
@@ -59,7 +59,7 @@ decodePgms most file = do
         when (found /= size) (Left (SizesDiffer size found))
         (pgm :) <$> others size after
 
--- | The first image of a file, and what follows it and blanks.
+-- | The first image of a file, and the bytes after it and its white space.
 firstPgm :: Int -> ByteString -> Either ImageError (Pgm, ByteString)
 firstPgm most file = do
   Header w h maxval samplesIn start <- headerOf file
@@ -77,7 +77,7 @@ pgmSize file = do
   Header w h _ _ _ <- headerOf file
   pure (w, h)
 
--- | Width, height and maximum value, what turns the rest of the file into samples, and that rest.
+-- | Width, height, maximum value, the reader of the samples, and the bytes after the header.
 data Header = Header !Int !Int !Int Samples !ByteString
 
 headerOf :: ByteString -> Either ImageError Header
@@ -90,19 +90,19 @@ headerOf file = do
   when (maxval < 1 || maxval > 65535) (Left (MaxvalOutOfRange maxval))
   pure (Header w h (fromIntegral maxval) samplesIn afterMaxval)
 
--- | How samples are read, by the file's first bytes.
+-- | The reader of the samples, chosen by the file's first bytes.
 samplesOf :: ByteString -> Either ImageError Samples
 samplesOf file = case (C.unpack (B.take 2 file), endsToken (B.drop 2 file)) of
   ("P2", True) -> Right plainSamples
   ("P5", True) -> Right rawSamples
   _ -> Left (NotPgm (B.take 8 file))
 
--- | What turns the rest of a file into samples, and what follows them and blanks: the width, the
--- number of samples, the maximum value, and the rest.
+-- | Reads samples. The arguments are the width, the number of samples, the maximum value, and the
+-- bytes after the header; the result includes the bytes after the samples and their white space.
 type Samples = Int -> Int -> Int -> ByteString -> Either ImageError (V.Vector Word16, ByteString)
 
--- | The samples of a raw file: after one single white space (or comment, see the Note), one or two
--- bytes each.
+-- | The samples of a raw file, one or two bytes each, after a single white space (or comment, see
+-- the Note).
 rawSamples :: Samples
 rawSamples _ count maxval rest = do
   bytes <- delimiter
@@ -126,20 +126,19 @@ rawSamples _ count maxval rest = do
       Nothing -> Left (Truncated count 0)
 
 {- Note [The byte after the maximum value] "A single whitespace character (usually a newline)"
-   separates the maximum value from the samples, so no second one may be skipped: it would be a
-   sample. That it is one, or the beginning of a comment, 'number' has seen. A comment that follows
-   the maximum value's last digit at once counts, with the end of its line, as that character, as in
-   libnetpbm (pm_getc reads every header byte and turns a comment into its line end); one after a
-   blank is already image. -}
+   separates the maximum value from the samples. No second one may be skipped, because it would be a
+   sample. 'number' has checked that the character is white space or begins a comment. A comment
+   that directly follows the maximum value's last digit counts, with its line end, as that
+   character, as in libnetpbm (pm_getc reads every header byte and turns a comment into its line
+   end). A comment after a blank already belongs to the image. -}
 
--- | The samples of a plain file: decimal numbers between white space; comments are tolerated.
+-- | The samples of a plain file: decimal numbers separated by white space, with comments allowed.
 plainSamples :: Samples
 plainSamples width count maxval rest0 = do
   rest <- check 0 rest0
   Right (V.unfoldrN count (fmap (first fromIntegral) . number . skipWhite) rest0, skipWhite rest)
   where
-    -- Read once for what may be wrong and once for the values, so that a large image is never held
-    -- as a list.
+    -- One pass checks and a second one converts, so a large image is never held as a list.
     check i rest
       | i >= count = Right rest
       | B.null start = Left (Truncated count i)
@@ -152,15 +151,15 @@ plainSamples width count maxval rest0 = do
       where
         start = skipWhite rest
 
--- | A number of the header with what follows it.
+-- | A number of the header and the bytes after it.
 headerNumber :: HeaderField -> ByteString -> Either ImageError (Natural, ByteString)
 headerNumber field rest = maybe (Left (BadHeader field (B.take 8 start))) Right (number start)
   where
     start = skipWhite rest
 
--- | The decimal number a string begins with, and what follows it, which must be white space, a
--- comment or nothing. Numbers above 10^18 stand for themselves no longer but remain too large for
--- everything they are compared with, so a header of a million digits costs no arithmetic.
+-- | The decimal number at the beginning of a string, and the rest, which must be white space, a
+-- comment or empty. Numbers with more than 18 digits become 10^18, which is too large for every
+-- use, so a header of a million digits costs no arithmetic.
 number :: ByteString -> Maybe (Natural, ByteString)
 number start
   | B.null digits || not (endsToken rest) = Nothing
@@ -171,11 +170,11 @@ number start
     (digits, rest) = C.span isDigit start
     significant = C.dropWhile (== '0') digits
 
--- | Whether a word of the header may end here.
+-- | Whether a token of the header ends here.
 endsToken :: ByteString -> Bool
 endsToken = maybe True (\(c, _) -> isWhite c || c == '#') . C.uncons
 
--- | The string without the white space and the comments at its beginning.
+-- | The string without leading white space and comments.
 skipWhite :: ByteString -> ByteString
 skipWhite string = case C.uncons string of
   Just (c, rest)
@@ -183,14 +182,14 @@ skipWhite string = case C.uncons string of
     | c == '#' -> skipWhite (C.dropWhile (not . isLineEnd) rest)
   _ -> string
 
--- | Blank, tab, carriage return and line feed: what pgm(5) calls white space.
+-- | White space by pgm(5): blank, tab, carriage return and line feed.
 isWhite :: Char -> Bool
 isWhite c = c == ' ' || c == '\t' || isLineEnd c
 
 isLineEnd :: Char -> Bool
 isLineEnd c = c == '\n' || c == '\r'
 
--- | What kind of file begins with these bytes, when it is one that is often mistaken for a PGM.
+-- | The name of a file format that is often mistaken for PGM, by the file's first bytes.
 --
 -- >>> formatName (Data.ByteString.pack [0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10])
 -- Just "PNG"

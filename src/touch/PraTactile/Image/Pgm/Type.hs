@@ -2,8 +2,8 @@
 {-# LANGUAGE PatternSynonyms #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | A PGM image that is known to be one: sizes of at least 1 and at most 'maxPixels' in all,
--- samples within the maximum value.
+-- | A valid PGM image: width and height at least 1, at most 'maxPixels' pixels, samples within the
+-- maximum value.
 module PraTactile.Image.Pgm.Type
   ( Pgm,
     pattern Pgm8,
@@ -28,7 +28,7 @@ import Data.Word (Word16, Word8)
 import Numeric.Natural (Natural)
 import PraTactile.Image.Error (ImageError (..))
 
--- | A grey image with its maximum value, in JuicyPixels' own type: 8 bits a sample for maximum
+-- | A grey image with its maximum value, in JuicyPixels' type: 8 bits per sample for maximum
 -- values up to 255, 16 above.
 data Pgm
   = Eight !Word8 !(Image Pixel8)
@@ -55,20 +55,21 @@ pattern Pgm16 m image <- Sixteen m image
 {-# COMPLETE Pgm8, Pgm16 #-}
 
 -- | A PGM with a maximum value of 1 to 255. Refuses a maximum value of 0, an empty or too large
--- image, a sample above the maximum value and an image whose samples are not as many as its pixels.
+-- image, a sample above the maximum value, and a number of samples that is not the number of
+-- pixels.
 pgm8 :: Word8 -> Image Pixel8 -> Either ImageError Pgm
 pgm8 m image
   | m < 1 = Left (MaxvalOutOfRange 0)
   | otherwise = Eight m <$> checked m image
 
--- | A PGM with a maximum value of 256 to 65535. Refuses what 'pgm8' does, and smaller maximum
+-- | A PGM with a maximum value of 256 to 65535. Refuses what 'pgm8' refuses, and smaller maximum
 -- values, whose samples take 8 bits.
 pgm16 :: Word16 -> Image Pixel16 -> Either ImageError Pgm
 pgm16 m image
   | m < 256 = Left (MaxvalOutOfRange (fromIntegral m))
   | otherwise = Sixteen m <$> checked m image
 
--- | The image, if its size and all its samples are as they must be.
+-- | The image, if its size and all its samples are valid.
 checked ::
   (Integral (PixelBaseComponent p), V.Storable (PixelBaseComponent p)) =>
   PixelBaseComponent p ->
@@ -105,19 +106,20 @@ pgmSamples :: Pgm -> V.Vector Word16
 pgmSamples (Eight _ image) = V.map fromIntegral (imageData image)
 pgmSamples (Sixteen _ image) = imageData image
 
--- | The image as JuicyPixels' writers take it, 'ImageY8' or 'ImageY16'; the samples stay as they
--- are, so the maximum value is lost.
+-- | The image in the type of JuicyPixels' writers, 'ImageY8' or 'ImageY16'. The samples stay
+-- unchanged and the maximum value is lost.
 pgmDynamic :: Pgm -> DynamicImage
 pgmDynamic (Eight _ image) = ImageY8 image
 pgmDynamic (Sixteen _ image) = ImageY16 image
 
--- | The size of an image in pixels as it may be, or why not.
+-- | The width and height of an image. Refuses 0 ('ZeroSize') and more than 'maxPixels' pixels
+-- ('TooManyPixels').
 checkSize :: Natural -> Natural -> Either ImageError (Int, Int)
 checkSize w h
   | w == 0 || h == 0 = Left (ZeroSize w h)
   | w * h > fromIntegral maxPixels = Left (TooManyPixels w h)
   | otherwise = Right (fromIntegral w, fromIntegral h)
 
--- | The most pixels an image may have: 2^24, far above any composite.
+-- | The greatest number of pixels of an image: 2^24, far above any composite.
 maxPixels :: Int
 maxPixels = 16777216

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Of what size and shape regions of pixels are, beside symbols.
+-- | Compares the size and shape of regions with those of a symbol.
 module PraTactile.Segmentation.Foreign.Extent
   ( tooLong,
     symbolSized,
@@ -13,7 +13,8 @@ import PraTactile.Geometry (cosineSine, symbolHeight, symbolWidth)
 import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region
 
--- | Is a region longer than any symbol, or whole, not small, and yet not of a symbol's size?
+-- | Whether a region cannot be a symbol: it is longer than any symbol, or it is complete, large
+-- enough, and not of a symbol's size.
 unlikeSymbols :: Masked -> Region -> Bool
 unlikeSymbols pixels region =
   tooLong pixels region
@@ -26,20 +27,20 @@ unlikeSymbols pixels region =
             by <- [(-1, 0), (1, 0), (0, -1), (0, 1)]
         ]
 
--- | What has fewer pixels may be a piece of a symbol.
+-- | The least number of pixels of such a region; a smaller one may be a piece of a symbol.
 leastWhole :: Int
 leastWhole = 36
 
--- | Is a region longer than a symbol at any angle?
+-- | Whether a region is longer than a symbol in some direction.
 tooLong :: Masked -> Region -> Bool
 tooLong pixels region =
   any ((> longest) . extentAlong pixels region) [0, 22.5 .. 157.5]
 
--- | More than a symbol's diagonal, in pixels.
+-- | The length, in pixels, above which a region is too long: more than a symbol's diagonal.
 longest :: Double
 longest = 18
 
--- | Is the region as long and as wide as a symbol, at some angle?
+-- | Whether a region has a symbol's length and width at some angle.
 symbolSized :: Masked -> Region -> Bool
 symbolSized pixels region =
   length region >= 24 && length region <= 110
@@ -56,8 +57,8 @@ symbolSized pixels region =
         && abs (short - fromIntegral symbolWidth) <= 1.8
         && long - short >= 2
 
--- | The parts of a region that lie on straight lines inside it, longer than any symbol has: of a
--- symbol that touches a bar only what lies on lines through both.
+-- | The parts of a region that lie on straight lines inside it, longer than any line in a symbol.
+-- If a symbol touches a bar, only the pixels on lines through both are taken from the symbol.
 straight :: Masked -> Region -> [Region]
 straight pixels region = components pixels 0 (eachOnce onLines)
   where
@@ -69,7 +70,7 @@ straight pixels region = components pixels 0 (eachOnce onLines)
           within steps p,
           Just p' <- map (beside pixels p) steps
       ]
-    -- All of a line's pixels but for one.
+    -- All of a line's pixels lie inside, except at most one.
     within steps p = go (1 :: Int) steps
       where
         go _ [] = True
@@ -83,6 +84,6 @@ straight pixels region = components pixels 0 (eachOnce onLines)
       where
         (c, s) = cosineSine angle
 
--- | No line of so many pixels, but for one of them, lies inside a symbol.
+-- | No line of this many pixels lies inside a symbol, even if one pixel is excepted.
 longestLine :: Int
 longestLine = 17

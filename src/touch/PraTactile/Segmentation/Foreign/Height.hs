@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | How high symbols stand in an image, by what is of their size.
+-- | Measures the height of the symbols in an image from regions of a symbol's size.
 module PraTactile.Segmentation.Foreign.Height
   ( symbolLevels,
   )
@@ -15,16 +15,16 @@ import PraTactile.Segmentation.Foreign.Extent (symbolSized)
 import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region
 
--- | Something that may be a symbol.
+-- | A region that may be a symbol.
 data Candidate = Candidate
   { candidatePixels :: !Region,
     candidateLevels :: !Levels,
-    -- | how far from half its height it was cut off, as a share of the height
+    -- | the distance of its threshold from half its height, as a share of the height
     candidateMisfit :: !Double
   }
 
--- | The levels of what may be symbols, given the least contrast that these have, and the pixels of
--- them; 'Nothing' where nothing may be one.
+-- | The common levels of the regions that may be symbols, and these regions. The number is the
+-- least contrast of a symbol. 'Nothing' if there is no candidate.
 symbolLevels :: Masked -> Double -> Maybe (Levels, [Region])
 symbolLevels pixels least
   | null found = Nothing
@@ -40,7 +40,7 @@ symbolLevels pixels least
       ]
     low = middle (map (levelBackground . candidateLevels) alike)
 
--- | Of candidates that share pixels, the one that fits best.
+-- | Of candidates that share pixels, the one with the least misfit.
 distinct :: [Candidate] -> [Candidate]
 distinct = go Set.empty . sortOn candidateMisfit
   where
@@ -49,8 +49,8 @@ distinct = go Set.empty . sortOn candidateMisfit
       | any (`Set.member` taken) (candidatePixels c) = go taken others
       | otherwise = c : go (foldr Set.insert taken (candidatePixels c)) others
 
--- | The regions of a symbol's size above each of a ladder of thresholds that lie nearly at half
--- their own height.
+-- | The regions of a symbol's size above any of several thresholds, if the threshold is close to
+-- half the region's height.
 candidates :: Masked -> Double -> [Candidate]
 candidates pixels least
   | V.null seen = []
@@ -70,11 +70,12 @@ candidates pixels least
     seen = touchedValues pixels
     (bottom, top) = (V.minimum seen, V.maximum seen)
 
--- | How many steps the ladder of thresholds has.
+-- | The number of steps between the thresholds' least and greatest value.
 rungs :: Int
 rungs = 24
 
--- | A region above a threshold, with the levels of itself and of what lies three pixels from it.
+-- | A region above a threshold, with the levels of the region and of the pixels three pixels away
+-- from it.
 candidate :: Masked -> Double -> Region -> Maybe Candidate
 candidate pixels t region
   | length ring < 12 || high <= low = Nothing
@@ -88,7 +89,7 @@ candidate pixels t region
     low = middle ring
     high = ranked 0.7 (mapMaybe (valueOf pixels) region)
 
--- | The value of a rank among some, from 0 to 1; 0 for none.
+-- | The value at a rank, from 0 to 1, in ascending order; 0 for an empty list.
 ranked :: Double -> [Double] -> Double
 ranked rank values = case drop (floor (rank * fromIntegral (length values))) (sort values) of
   v : _ -> v
