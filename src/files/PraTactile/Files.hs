@@ -1,5 +1,5 @@
--- | Reading folders of frames and images from disk. What their bytes hold is for
--- "PraTactile.Source" and "PraTactile.Format" to say.
+-- | Reads folders of frames, images and movies from disk. "PraTactile.Source" and
+-- "PraTactile.Format" interpret their bytes.
 module PraTactile.Files
   ( -- * Folders of frames
     readFolder,
@@ -10,7 +10,7 @@ module PraTactile.Files
     readImage,
     readFrame,
 
-    -- * Whatever a path holds
+    -- * Any path
     SourcePath (..),
     sourcePath,
     sourcePaths,
@@ -22,7 +22,7 @@ module PraTactile.Files
     readUpTo,
     largestInput,
 
-    -- * What can be wrong
+    -- * Errors
     FilesError (..),
   )
 where
@@ -45,13 +45,13 @@ import System.FilePath (takeDirectory, takeFileName, (</>))
 import System.IO (Handle, IOMode (..), hFileSize, stdin, withBinaryFile)
 import System.IO.Error (isDoesNotExistError, isPermissionError)
 
--- | Why nothing was read; each names the path.
+-- | Why nothing was read. Each constructor names the path.
 data FilesError
   = -- | There is no such file.
     NoSuchFile FilePath
   | -- | There is no such folder.
     NoSuchFolder FilePath
-  | -- | There is neither a file nor a folder of this name.
+  | -- | There is neither a file nor a folder with this name.
     NoSuchPath FilePath
   | -- | It is a folder, where a file is needed.
     IsFolder FilePath
@@ -59,38 +59,38 @@ data FilesError
     IsFile FilePath
   | -- | The folder holds no manifest ('manifestName', 'jsonManifestName').
     NoManifest FilePath
-  | -- | The file is no manifest in the CSV form.
+  | -- | The file is not a valid CSV manifest.
     ManifestRefused FilePath ManifestError
-  | -- | The file is no manifest in the JSON form.
+  | -- | The file is not a valid JSON manifest.
     JsonManifestRefused FilePath FormatError
-  | -- | The file is no table of poses.
+  | -- | The file is not a valid table of poses.
     PosesRefused FilePath ManifestError
-  | -- | The file is no movie of which there are such poses.
+  | -- | The file is not a movie that fits these poses.
     MovieRefused FilePath SourceError
   | -- | The file may not be read.
     NotPermitted FilePath
-  | -- | The file, or the folder's images together, is larger than this many bytes.
+  | -- | The file, or all images of the folder together, are larger than this number of bytes.
     TooLarge FilePath Int
   | -- | It cannot be read for another reason, in the system's words.
     Unreadable FilePath String
   deriving stock (Eq, Show)
 
--- | 256 MiB: the largest image or manifest that is read, and the most that the images of one folder
--- may be together. A frame is some hundred bytes.
+-- | The greatest size of an image or manifest, and of all images of a folder together: 256 MiB. A
+-- frame has some hundred bytes.
 largestInput :: Int
 largestInput = 256 * 1024 * 1024
 
--- | A folder's manifest, in its JSON form where there is one, else in its CSV form, and the images
--- that it names. Names that lead out of the folder are not read:
--- 'PraTactile.Source.folderFrames' refuses such a folder and says why.
+-- | Reads a folder's manifest (the JSON form if there is one, else the CSV form) and the images
+-- that it names. Names that lead out of the folder are not read; 'PraTactile.Source.folderFrames'
+-- refuses such a folder.
 readFolder :: FilePath -> IO (Either FilesError Folder)
 readFolder = readFolderUpTo largestInput
 
--- | The same where the images may be so many bytes together.
+-- | 'readFolder' with the given limit, in bytes, for all images together.
 readFolderUpTo :: Int -> FilePath -> IO (Either FilesError Folder)
 readFolderUpTo limit = readListed limit (const True)
 
--- | The same of those frames alone whose files' names are wanted.
+-- | 'readFolderUpTo' for only those frames whose file names satisfy the test.
 readListed :: Int -> (FilePath -> Bool) -> FilePath -> IO (Either FilesError Folder)
 readListed limit wanted folder =
   readManifest folder `andThen` \manifest -> do
@@ -121,13 +121,13 @@ readManifest folder = do
     csv = folder </> manifestName
     parsed parser file = (>>= parser) <$> readUpTo largestInput file
 
--- | These images of a folder, by their names, if they are no more than so many bytes together.
+-- | Reads the named images of a folder. Refuses more than the given number of bytes together.
 readImages :: Int -> FilePath -> [FilePath] -> IO (Either FilesError (Map FilePath ByteString))
 readImages limit folder names = do
   files <- traverse fileOf names
   fmap Map.fromList <$> images limit (nub files)
   where
-    -- A name that no file has may be that of a movie's frame.
+    -- A name without a file of that name may mean a frame of a movie.
     fileOf name = case frameOfMovie name of
       Just (movie, _) -> do
         whole <- doesPathExist (folder </> name)
@@ -142,11 +142,12 @@ readImages limit folder names = do
           pure (Left (TooLarge (if room < limit then folder else file) limit))
         Left other -> pure (Left other)
 
--- | An image's bytes.
+-- | Reads the bytes of an image of at most 'largestInput'.
 readImage :: FilePath -> IO (Either FilesError ByteString)
 readImage = readUpTo largestInput
 
--- | An image's bytes, and its number where the path is that of a movie's frame ('frameOfMovie').
+-- | Reads the bytes of an image, and the frame number if the path means a frame of a movie
+-- ('frameOfMovie').
 readFrame :: FilePath -> IO (Either FilesError (ByteString, Maybe Int))
 readFrame path = do
   whole <- doesPathExist path
@@ -156,19 +157,19 @@ readFrame path = do
   where
     numbered number file = fmap (\bytes -> (bytes, number)) <$> readImage file
 
--- | Where a source is.
+-- | The path of a source of frames.
 data SourcePath
   = -- | a folder of frames with its manifest
     FolderPath FilePath
-  | -- | those frames of a folder, by their files' names, as its manifest has them
+  | -- | some frames of a folder, by their file names in the manifest
     FramePaths FilePath [FilePath]
-  | -- | one image that is a whole composite; @-@ is the standard input
+  | -- | one image that is a whole composite; @-@ is standard input
     ImagePath FilePath
-  | -- | a movie, with the file of its poses
+  | -- | a file of poses and the movie that it belongs to
     MoviePath FilePath FilePath
   deriving stock (Eq, Show)
 
--- | The path that stands for a source: its file or its folder.
+-- | The file or folder of a source.
 sourcePath :: SourcePath -> FilePath
 sourcePath source = case source of
   FolderPath folder -> folder
@@ -176,9 +177,9 @@ sourcePath source = case source of
   ImagePath file -> file
   MoviePath _ file -> file
 
--- | Paths as sources: folders and whole images each by itself, in their order; then, folder by
--- folder, the files that the manifest beside them lists, which belong together. Refuses a path
--- where nothing is, and a manifest that is none beside a file.
+-- | Groups paths into sources. Folders and whole images are one source each, in their order. Then
+-- follow the files that a manifest beside them lists, grouped by folder. Refuses a path that does
+-- not exist, and an invalid manifest beside a file.
 sourcePaths :: [FilePath] -> IO (Either FilesError [SourcePath])
 sourcePaths paths = do
   found <- traverse sourceAt paths
@@ -193,7 +194,7 @@ sourcePaths paths = do
       FramePaths _ _ -> True
       _ -> False
 
--- | The source that one path is of.
+-- | The source of one path.
 sourceAt :: FilePath -> IO (Either FilesError SourcePath)
 sourceAt "-" = pure (Right (ImagePath "-"))
 sourceAt path = do
@@ -209,13 +210,13 @@ sourceAt path = do
     folder = takeDirectory path
     name = takeFileName path
     alone isFile = if isFile then Right (ImagePath path) else Left (NoSuchPath path)
-    -- A movie stands for all its frames that are listed.
+    -- The name of a movie means all its listed frames.
     besideOthers isFile manifest = case filter (isOf . entryFile) (manifestEntries manifest) of
       [] -> alone isFile
       entries -> Right (FramePaths folder (map entryFile entries))
     isOf listed = listed == name || fmap fst (frameOfMovie listed) == Just name
 
--- | What a source holds.
+-- | Reads the frames or the image of a source.
 readSource :: SourcePath -> IO (Either FilesError Source)
 readSource source = case source of
   FolderPath folder -> fmap FrameFolder <$> readFolder folder
@@ -224,17 +225,17 @@ readSource source = case source of
   MoviePath poses file ->
     readPoses poses `andThen` \entries -> fmap FrameFolder <$> readMovie (Just entries) file
 
--- | The poses of a movie's frames.
+-- | Reads the poses of a movie's frames.
 readPoses :: FilePath -> IO (Either FilesError [Entry])
 readPoses file = (>>= first (PosesRefused file) . parsePoses) <$> readUpTo largestInput file
 
--- | The folder that a movie is, given its poses if it is told where it was pressed.
+-- | Reads a movie as a folder of frames. The poses are given if they are known.
 readMovie :: Maybe [Entry] -> FilePath -> IO (Either FilesError Folder)
 readMovie entries file =
   (>>= first (MovieRefused file) . movieFolder (takeFileName file) entries) <$> readImage file
 
--- | A file's bytes, if there are not more than so many; of a pipe or a device as well. @-@ is the
--- standard input.
+-- | Reads a file, pipe or device; @-@ is standard input. Refuses more than the given number of
+-- bytes.
 readUpTo :: Int -> FilePath -> IO (Either FilesError ByteString)
 readUpTo limit "-" = maybe (Left (TooLarge "the standard input" limit)) Right <$> most limit 0 stdin
 readUpTo limit file = do
@@ -246,12 +247,12 @@ readUpTo limit file = do
       pure (either (Left . problemOf) (maybe (Left (TooLarge file limit)) Right) outcome)
   where
     bytesOf handle = do
-      -- A pipe has no size to be asked for; it is read as far as it may go.
+      -- A pipe has no known size, so it is read up to the limit.
       size <- either unknown id <$> try (hFileSize handle)
       if size > toInteger limit then pure Nothing else most limit (fromInteger size) handle
     unknown :: IOException -> Integer
     unknown _ = 0
-    -- The system's own words, without the names of the library's functions.
+    -- The system's own words, without names of library functions.
     reason words' = case words' of
       [] -> "the system does not say why"
       letter : others -> toLower letter : others
@@ -261,8 +262,8 @@ readUpTo limit file = do
       | isPermissionError problem = NotPermitted file
       | otherwise = Unreadable file (reason (ioe_description problem))
 
--- | All that there is to be read, if it is not more than so many bytes. Those that are known to be
--- there, so many, are in memory once.
+-- | Reads everything from a handle; 'Nothing' if it is more than the limit. The second number of
+-- bytes is known to be there and is held in memory only once.
 most :: Int -> Int -> Handle -> IO (Maybe ByteString)
 most limit known handle = do
   begin <- Bytes.hGet handle known
@@ -272,6 +273,6 @@ most limit known handle = do
       then Nothing
       else Just (if Lazy.null others then begin else begin <> Lazy.toStrict others)
 
--- | One reading after the other, if the first succeeds.
+-- | Runs the second action if the first succeeds.
 andThen :: IO (Either e a) -> (a -> IO (Either e b)) -> IO (Either e b)
 andThen one next = one >>= either (pure . Left) next

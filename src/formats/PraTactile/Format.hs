@@ -1,6 +1,6 @@
--- | Everything that the command line reads and writes as data, as functions from values to bytes
--- and back: what is written here, the command reads, and the other way round. Each text is one line
--- without its end, except census files.
+-- | The data formats of the command line, as functions from values to bytes and back. What these
+-- functions write, the command reads, and the reverse. Each text is one line without its line end,
+-- except census files.
 --
 -- >>> import PraTactile.Array (Shape (..))
 -- >>> import PraTactile.Certificate (Method (..), certificateWindows, certify)
@@ -11,11 +11,11 @@
 -- >>> certificateWindows . fileCertificate <$> decodeCertificate (encodeCertificate certificate)
 -- Right 255
 --
--- The modules below this one have the pieces: "PraTactile.Format.Json.Codec" for other JSON in the
--- same form, "PraTactile.Format.Census.Continue" and "PraTactile.Format.Census.Merge" for
--- census files that are not finished.
+-- The modules below have the parts: "PraTactile.Format.Json.Codec" for other JSON in this style,
+-- "PraTactile.Format.Census.Continue" and "PraTactile.Format.Census.Merge" for unfinished census
+-- files.
 module PraTactile.Format
-  ( -- * Why a text is not read
+  ( -- * Errors
     FormatError (..),
     JsonError (..),
     Misfit (..),

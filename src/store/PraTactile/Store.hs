@@ -1,11 +1,11 @@
--- | Objects, faces and their place on the array as a relational database: \"the mapping of the
+-- | Objects, faces and their places on the array in a relational database: \"the mapping of the
 -- winged-edge object models to the encoding PRA is implemented as a relational database\" (section
--- II.B of the paper). A database is named by the path of a file, which is SQLite's, or by an
--- address that begins with @postgresql:\/\/@ ("PraTactile.Store.Address"). The tables
--- ("PraTactile.Store.Schema") and the look-ups ("PraTactile.Store.Query") are the same for both;
--- what differs is a 'PraTactile.Store.Backend.Backend'.
+-- II.B of the paper). A database is an SQLite file, named by its path, or is on a server, named by
+-- an address that begins with @postgresql:\/\/@ ("PraTactile.Store.Address"). Both have the same
+-- tables ("PraTactile.Store.Schema") and look-ups ("PraTactile.Store.Query"). Their differences are
+-- in a 'PraTactile.Store.Backend.Backend'.
 module PraTactile.Store
-  ( -- * Making and changing a store
+  ( -- * Creating and changing a store
     create,
     change,
     changeRemembering,
@@ -30,7 +30,7 @@ module PraTactile.Store
     -- * Names
     shownName,
 
-    -- * What can go wrong
+    -- * Errors
     StoreError (..),
     Damage (..),
     Failure (..),
@@ -65,39 +65,37 @@ import PraTactile.Store.Rows.Read
 import PraTactile.Store.Rows.Write
 import PraTactile.Store.Schema
 
--- | An open store, good while 'withStore' runs.
+-- | An open store, valid while 'withStore' runs.
 data Store = Store
   { storeBackend :: Backend,
-    -- | the text of the profile that the store was made for
+    -- | the text of the store's profile
     storedProfile :: String,
-    -- | the rows and columns of the array
+    -- | the shape of the array
     storedShape :: Shape,
     -- | the distances between symbols
     storedPitch :: Pitch,
     storeConnection :: SqlBackend
   }
 
--- | Write a placement to a database, with the text of the profile it belongs to: a new one, or in
--- the place of a store, which is replaced, whole or not at all. Anything else that is there is
--- refused and stays. In a file, which may be the end of a link, the rows go to a file beside it,
--- named likewise with @.part@ after it, which takes its name once it is complete; on a server they
--- come in one transaction.
+-- | Writes a placement and the text of its profile to a database, as a new store or in place of an
+-- old one. It is atomic. Anything other than a store is refused and stays. In a file (or the target
+-- of a link) the rows go first to a file beside it, with @.part@ appended to the name, which is
+-- renamed when complete. On a server the rows come in one transaction.
 create :: FilePath -> String -> Placement -> IO (Either StoreError ())
 create name profile place = runExceptT $ do
   backend <- except (backendOf name)
   rows <- except (rowsFor backend profile (firstNumbers place) place)
   putRows backend rows
 
--- | The rows of a placement, if the database can hold them.
+-- | The rows of a placement. Refuses texts that the database cannot hold.
 rowsFor :: Backend -> String -> Numbers -> Placement -> Either StoreError Rows
 rowsFor backend profile numbers place = do
   rows <- toRows profile numbers place
   if allTexts (holdsText backend) rows then Right rows else Left (TextNotHeld (backendName backend))
 
--- | Make the placement of a store another one, in one transaction, by a function of the placement
--- that it has. Objects and laid faces that stay keep their numbers, and only rows that differ are
--- written; nothing is where the function refuses. Another program that is changing the store is
--- waited for, up to ten seconds.
+-- | Replaces a store's placement by a function of it, in one transaction. Objects and laid faces
+-- that stay keep their numbers, and only rows that differ are written. If the function refuses,
+-- nothing is written. It waits up to ten seconds for another program that is changing the store.
 change ::
   forall refusal.
   FilePath ->
@@ -105,9 +103,9 @@ change ::
   IO (Either StoreError (Either refusal Placement))
 change name = fmap (fmap (fmap fst)) . changeRemembering name []
 
--- | 'change', which answers also with where objects lay before that were added or moved and lie
--- elsewhere now: of those that were taken out before, the store remembers it. Objects of the names
--- given are laid on purpose, and are none of these.
+-- | 'change' that also returns the former places of objects that were added or moved. A store
+-- remembers the places of objects that were taken out; only objects that now lie elsewhere are
+-- returned. The named objects were placed deliberately and are never returned.
 changeRemembering ::
   forall refusal.
   FilePath ->
@@ -135,9 +133,9 @@ changeRemembering name purposely function = runExceptT $ do
           remember backend known remembered
           pure (Right (other, elsewhere remembered place other))
 
--- | Open a store, check that its tables are of this version and that it was made for the profile
--- expected (if one is), and go on with it. Nothing else is read before it is asked for. Exceptions
--- of what goes on pass through; the file's own faults are answers.
+-- | Opens a store, checks the version of its tables and its profile (if one is expected), and runs
+-- the action. Nothing else is read before it is needed. Exceptions of the action pass through;
+-- faults of the file are returned.
 withStore :: FilePath -> Maybe String -> (Store -> IO a) -> IO (Either StoreError a)
 withStore name expected action = do
   outcome <- runExceptT $ do
@@ -161,8 +159,8 @@ open backend expected connection = do
   for_ expected $ \wanted -> unless (profile == wanted) (throwE (ForeignProfile profile wanted))
   pure (Store backend profile shape (pitchIn sheet) connection)
 
--- | Refuses what is no store, tables of another version, and tables that differ from those of this
--- version.
+-- | Refuses a database that is not a store, another version of the tables, and tables that differ
+-- from this version's.
 schemaChecked :: Backend -> Query IO ()
 schemaChecked backend = do
   columns <- columnsOf backend "metadata"
@@ -177,8 +175,8 @@ schemaChecked backend = do
       | otherwise -> throwE (WrongSchemaVersion (fromIntegral version) (fromIntegral schemaVersion))
     _ -> throwE (UnreadableRow MetadataTable)
 
--- | All that a store has, and its rows. Refuses a database that is not whole, values that are not
--- of their columns' types, and what 'fromRows' refuses.
+-- | The whole contents of a store, with its rows. Refuses a damaged database, values of wrong
+-- types, and what 'fromRows' refuses.
 everything :: Backend -> Query IO (String, Numbers, Placement, Rows)
 everything backend = do
   integrity backend
@@ -188,41 +186,42 @@ everything backend = do
   (profile, numbers, place) <- except (fromRows rows)
   pure (profile, numbers, place, rows)
 
--- | All of the placement, read and proved.
+-- | The whole placement, read and verified.
 storedPlacement :: Store -> IO (Either StoreError Placement)
 storedPlacement store = fmap placed <$> query store (everything (storeBackend store))
   where
     placed (_, _, place, _) = place
 
--- | The placement of the objects of these names alone; refuses names that there are not.
+-- | The placement of only the named objects. Refuses unknown names.
 storedObjects :: Store -> [ObjectName] -> IO (Either StoreError Placement)
 storedObjects store = query store . selectObjects (storedShape store) (storedPitch store)
 
--- | The placement of those objects alone that have cells of any window of this shape that has one
--- of these cells of the array.
+-- | The placement of only those objects that have cells in a window of the given shape that
+-- contains one of the given cells of the array.
 storedNear :: Store -> Shape -> [Position] -> IO (Either StoreError Placement)
 storedNear store window = query store . selectNear (storedShape store) (storedPitch store) window
 
--- | The placement of those objects alone that have cells of the first so many laid faces, or within
--- so many rows and columns of their blocks on the array. Those faces are the first of it.
+-- | The placement of only those objects that have cells in the first laid faces (the given number
+-- of them), or within the given number of rows and columns around their blocks. Those laid faces
+-- come first.
 storedFirst :: Store -> Int -> Shape -> IO (Either StoreError Placement)
 storedFirst store count reach = do
   some <- query store (selectFirstLaid (storedShape store) (storedPitch store) count reach)
   either (pure . Left) (maybe (storedPlacement store) (pure . Right)) some
 
--- | Where the window of the given shape at the given position is; as 'whereabouts' answers.
+-- | The whereabouts of a window, by its shape and position, as 'whereabouts' gives them.
 storedWhereabouts :: Store -> Shape -> Position -> IO (Either StoreError Whereabouts)
 storedWhereabouts store window =
   query store . selectWhereabouts (storedShape store) (storedPitch store) window
 
--- | Where on the array a cell of a face's block lies; as 'arrayPosition' answers.
+-- | The position on the array of a cell of a face's block, as 'arrayPosition' gives it.
 storedPosition :: Store -> Face -> Position -> IO (Either StoreError Position)
 storedPosition store face = query store . selectPosition (storedShape store) face
 
 query :: Store -> Query IO a -> IO (Either StoreError a)
 query store = runExceptT . asked (storeBackend store) (storeConnection store)
 
--- In a transaction of its own.
+-- In its own transaction.
 asked :: Backend -> SqlBackend -> Query IO a -> ExceptT StoreError IO a
 asked backend connection statements =
   answering backend (transacted connection statements) >>= except

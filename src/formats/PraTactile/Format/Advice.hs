@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The adviser's answers as JSON.
+-- | The JSON of @advise@.
 module PraTactile.Format.Advice
   ( encodeAdvice,
   )
@@ -15,8 +15,8 @@ import PraTactile.Array (Shape (..))
 import PraTactile.Format.Json
 import PraTactile.Format.Name
 
--- | The request, what is possible and what is not, on one line, without its end; given the words of
--- an obstacle.
+-- | The request, the options and the obstacles, as one line without its line end. The function
+-- puts an obstacle into words.
 encodeAdvice :: (Obstacle -> String) -> Request -> Advice -> ByteString
 encodeAdvice inWords request (Advice options obstacles) =
   encodeSchema "advise/1" $
@@ -68,7 +68,7 @@ obstacleValue inWords obstacle =
   where
     (reason, details) = reasonOf obstacle
 
--- | The name of an obstacle, and the keys that it alone has.
+-- | The name of an obstacle and its own keys.
 reasonOf :: Obstacle -> (Text, [Pair])
 reasonOf obstacle = case obstacle of
   NoSuchShape _ terms -> ("no-such-shape", ["cells" .= naturalValue terms])

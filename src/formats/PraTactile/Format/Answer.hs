@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of what @locate@ answers; "PraTactile.Format.Answer.Report" makes it of an answer.
+-- | The JSON of @locate@. "PraTactile.Format.Answer.Report" converts an answer to it.
 module PraTactile.Format.Answer
   ( AnswerReport (..),
     Basis (..),
@@ -25,7 +25,7 @@ import PraTactile.Position
 import PraTactile.Profile (Profile)
 import PraTactile.Symmetry
 
--- | An answer of @locate@: its keys, of which docs/explanation/locating.md says what they mean.
+-- | The keys of @locate@'s JSON. docs/explanation/locating.md explains them.
 data AnswerReport = AnswerReport
   { statedProfile :: Profile,
     statedOutcome :: OutcomeName,
@@ -35,37 +35,36 @@ data AnswerReport = AnswerReport
     statedMessage :: String,
     statedWindows :: [Position],
     statedChance :: Maybe Chance,
-    -- | 'Nothing' where what was given is no patch
+    -- | 'Nothing' if the input was not a patch
     statedBasis :: Maybe Basis
   }
   deriving stock (Eq, Show)
 
--- | What an answer rests on.
+-- | The evidence for an answer.
 data Basis = Basis
   { basisDecoder :: DecoderName,
-    -- | how many candidates; each position counts in each orientation
+    -- | the number of candidates; each position counts once per orientation
     basisCount :: Natural,
     basisDimension :: Maybe Natural,
     basisDistances :: Maybe DistanceReport,
     basisPosterior :: Maybe PosteriorReport,
-    -- | where the question weighs that it may be foreign
+    -- | if the question has a prior probability that the patch is foreign
     basisDoubts :: Maybe PlaceDoubts,
     basisChecks :: Maybe Checks,
-    -- | where patches may be seen in several orientations
+    -- | if several orientations were allowed
     basisOrientation :: Maybe OrientationReport,
-    -- | where patches were given with displacements
+    -- | if the patches came with displacements
     basisPatches :: Maybe ([PatchReport], [Position]),
     basisExplanation :: Maybe [String]
   }
   deriving stock (Eq, Show)
 
--- | In how many cells candidates differ.
+-- | The numbers of cells in which candidates differ from the patch.
 data DistanceReport = DistanceReport
   { statedCorrected :: [Position],
     statedNearest :: Maybe Natural,
     statedRunnerUp :: Maybe Natural,
-    -- | where not all positions were compared: a bound, if there is one, and whether the minimum
-    -- distance is exact
+    -- | if not all positions were compared: a lower bound, where there is one
     statedRunnerUpBound :: Maybe (Maybe Natural),
     statedMinimumDistance :: Natural,
     statedMinimumExact :: Maybe Bool,
@@ -73,31 +72,31 @@ data DistanceReport = DistanceReport
   }
   deriving stock (Eq, Show)
 
--- | How likely the likeliest candidates are.
+-- | The posterior of the most likely candidates.
 data PosteriorReport = PosteriorReport
   { statedDoubt :: Double,
-    -- | with their probabilities, at most five
+    -- | at most five, with their probabilities
     statedLikeliest :: [(CandidateReport, Double)],
-    -- | the probability of all others, where not all positions were compared
+    -- | the probability of all other positions, if not all were compared
     statedUnlisted :: Maybe Double
   }
   deriving stock (Eq, Show)
 
--- | In which orientation patches are seen, or all candidates where they are several.
+-- | The orientation of the patches, or all candidates if there are several orientations.
 data OrientationReport = OrientationReport
   { statedSymmetry :: Maybe Symmetry,
     statedCandidates :: [CandidateReport]
   }
   deriving stock (Eq, Show)
 
--- | A candidate, with its orientation only where that was asked for.
+-- | A candidate position, with its orientation if several were allowed.
 data CandidateReport = CandidateReport
   { statedPlace :: Position,
     statedSeen :: Maybe Symmetry
   }
   deriving stock (Eq, Show)
 
--- | What is said of one of several patches.
+-- | The report on one of several patches.
 data PatchReport = PatchReport
   { statedAt :: (Integer, Integer),
     statedWrong :: Maybe Int,
@@ -105,12 +104,11 @@ data PatchReport = PatchReport
   }
   deriving stock (Eq, Show)
 
--- | The answer on one line, without its end.
+-- | The answer as one line, without its line end.
 encodeAnswer :: AnswerReport -> ByteString
 encodeAnswer = writeLine reportKeys
 
--- | The answer in a JSON text that 'encodeAnswer' made. Refuses another schema, and keys that are
--- missing or have other values.
+-- | Reads the JSON of 'encodeAnswer'. Refuses another schema, missing keys and invalid values.
 decodeAnswer :: ByteString -> Either FormatError AnswerReport
 decodeAnswer = decodeWith reportKeys
 
@@ -196,6 +194,7 @@ candidateKeys =
         <$> key "orientation_deg" quarterTurn quarterTurns
         <*> key "mirrored" bool mirrored
 
--- | Mirrored or not, and then turned.
+-- | The symmetry that mirrors, if the flag is set, and then turns by the given number of quarter
+-- turns.
 symmetryOf :: Int -> Bool -> Symmetry
 symmetryOf turns flipped = turned turns <> (if flipped then mirror else identity)

@@ -13,13 +13,13 @@ import PraTactile.Format.Json.Codec
 import PraTactile.Image (Raster, fromRows, rasterHeight, rasterSize, rasterWidth, toRows)
 import PraTactile.Sensor.Calibration
 
--- | A calibration on one line, without its end.
+-- | A calibration as one line, without its line end.
 encodeCalibration :: Calibration -> ByteString
 encodeCalibration = writeLine calibrationKeys
 
--- | The calibration in a JSON text that 'encodeCalibration' made. Refuses another schema, rows of
--- different length, gains that are not positive, a gain for other elements than have an offset, and
--- dead elements that are none or are there twice.
+-- | Reads the JSON of 'encodeCalibration'. Refuses another schema, rows of different lengths,
+-- gains that are not positive, rasters of different sizes, and dead elements that are outside or
+-- repeated.
 decodeCalibration :: ByteString -> Either FormatError Calibration
 decodeCalibration bytes = do
   given@(Calibration offset gain dead) <- decodeWith calibrationKeys bytes

@@ -1,17 +1,17 @@
--- | The file of a census: CSV, one line an entry. The first three fields say of which census it is,
--- which entry, and of how many, so that a file can be continued and shards of one census can be
--- merged.
+-- | The file of a census: CSV with one entry per line. The first three fields are the census, the
+-- entry's number and the number of entries. With them a file can be continued, and shards of one
+-- census can be merged.
 module PraTactile.Format.Census
   ( -- * Whole files
     encodeCensus,
     decodeCensus,
 
-    -- * What is in a file
+    -- * Contents
     Contents (..),
     contentsOf,
     beginsHeader,
 
-    -- * What is kept of it
+    -- * Valid rows
     wholeRows,
     completeRows,
     keptRows,
@@ -29,11 +29,11 @@ import Numeric.Natural (Natural)
 import PraTactile.Format.Census.Row
 import PraTactile.Format.Error
 
--- | A file with rows of these bodies.
+-- | A census file with the given row bodies.
 encodeCensus :: [ByteString] -> Lazy.ByteString
 encodeCensus bodies = Lazy.unlines (map Lazy.fromStrict (headerLine : map checked bodies))
 
--- | The rows of a finished file. Refuses a file that is cut off, damaged or no census.
+-- | Reads the rows of a finished file. Refuses a file that is cut off, damaged or not a census.
 decodeCensus :: ByteString -> Either FormatError [Row]
 decodeCensus bytes =
   first CensusFileRefused (map snd <$> (contentsOf bytes >>= completeRows))
@@ -42,14 +42,14 @@ decodeCensus bytes =
 data Contents = Contents
   { -- | whether the first line is the header
     contentsHeaderWhole :: Bool,
-    -- | those after the header, by their numbers from 1
+    -- | the lines after the header, by their numbers from 1
     contentsLines :: [(Int, Either RowError Row)],
-    -- | what follows the last end of line
+    -- | the text after the last line end
     contentsRest :: ByteString
   }
 
--- | What is in a file. With another first line than the header it is still the damaged file of a
--- census if there is a row with a good check in it; any other file is refused.
+-- | Splits a file into lines. A file with a wrong header is still a damaged census if it has a row
+-- with a valid check; any other file is refused.
 contentsOf :: ByteString -> Either CensusFileError Contents
 contentsOf bytes = case Bytes.lines whole of
   header : others
@@ -65,12 +65,11 @@ contentsOf bytes = case Bytes.lines whole of
   where
     (whole, rest) = Bytes.spanEnd (/= '\n') bytes
 
--- | Whether a file was cut off while its header was written, or is empty.
+-- | Whether a file is empty or ends within its header.
 beginsHeader :: ByteString -> Bool
 beginsHeader = (`Bytes.isPrefixOf` headerLine)
 
--- | All rows with the numbers of their lines, by ascending entries. Refuses a file in which a line
--- is no whole row.
+-- | All rows with their line numbers, by ascending entries. Refuses a file with an invalid line.
 wholeRows :: Contents -> Either CensusFileError [(Int, Row)]
 wholeRows contents
   | not (contentsHeaderWhole contents) = Left NoCensusHeader
@@ -81,14 +80,14 @@ wholeRows contents
   where
     whole (number, line) = either (Left . DamagedLine number) (Right . (,) number) line
 
--- | As 'wholeRows', where the last line must have an end.
+-- | 'wholeRows' for a file whose last line must be complete.
 completeRows :: Contents -> Either CensusFileError [(Int, Row)]
 completeRows contents = do
   rows <- wholeRows contents
   if Bytes.null (contentsRest contents) then Right rows else Left CutOff
 
--- | The rows that are whole, with their lines, by their entries, and how many lines are not among
--- them. An entry with two different rows has neither.
+-- | The valid rows with their line numbers, by entry, and the number of other lines. If an entry
+-- has two different rows, both are dropped.
 keptRows :: Contents -> (Map.Map Natural (Int, Row), Int)
 keptRows contents = (kept, length (contentsLines contents) - Map.size kept)
   where

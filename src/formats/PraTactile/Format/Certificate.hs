@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Certificates as JSON. Every field is an integer, a name or a list of such, so that the text
--- over which the seal is taken is the same whoever writes it: keys sorted, no spaces.
+-- | Certificates as JSON. Every field is an integer, a name or a list of these, with sorted keys
+-- and without spaces. So the text that the seal covers does not depend on the writer.
 module PraTactile.Format.Certificate
   ( encodeCertificate,
     decodeCertificate,
@@ -23,7 +23,7 @@ import PraTactile.Format.Json.Codec
 import qualified PraTactile.Format.Json.Schema as Schema
 import PraTactile.Format.Profile
 
--- | A certificate with its seal, on one line of ASCII, without its end.
+-- | A certificate with its seal, as one line of ASCII without its line end.
 encodeCertificate :: Certificate -> ByteString
 encodeCertificate certificate = canonical (KeyMap.insert "seal" (toJSON (sealOf fields)) fields)
   where
@@ -83,8 +83,8 @@ evidence = Codec Schema.Anything written $ \value -> do
 sealOf :: Object -> String
 sealOf = digestOf . canonical . KeyMap.delete "seal"
 
--- | The one text of an object. Numbers that are no integers, which no certificate has, are written
--- as the JSON library writes them.
+-- | The canonical text of an object. Fractions, which no certificate has, are written as the JSON
+-- library writes them.
 canonical :: Object -> ByteString
 canonical = Lazy.toStrict . Builder.toLazyByteString . canonicalWith number . Object
   where
@@ -92,17 +92,16 @@ canonical = Lazy.toStrict . Builder.toLazyByteString . canonicalWith number . Ob
     whole n = if abs n < 1e18 then either fraction Just (floatingOrInteger n) else Nothing
     fraction = const Nothing :: Double -> Maybe Integer
 
--- | A certificate as it was read.
+-- | A certificate file.
 data CertificateFile = CertificateFile
   { fileCertificate :: Certificate,
-    -- | whether its seal is that of its fields
+    -- | whether the seal matches the fields
     fileSealed :: Bool
   }
   deriving stock (Eq, Show)
 
--- | The certificate in a JSON text. Refuses another schema, and every key that is missing or has
--- another value than 'encodeCertificate' writes; whether the certificate is good is for
--- "PraTactile.Certificate.Check" to say.
+-- | Reads a certificate. Refuses another schema, missing keys and values that 'encodeCertificate'
+-- does not write. It does not check the certificate; "PraTactile.Certificate.Check" does.
 decodeCertificate :: ByteString -> Either FormatError CertificateFile
 decodeCertificate = decodeObject $ \fields -> do
   readKeys schema fields

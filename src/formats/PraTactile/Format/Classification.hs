@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of what an image of a symbol shows.
+-- | The JSON of @classify@.
 module PraTactile.Format.Classification
   ( encodeClassification,
     encodeNoImage,
@@ -13,7 +13,7 @@ import PraTactile.Classification.Classifier
 import PraTactile.Format.Json
 import PraTactile.Symmetry
 
--- | What the image in a file shows, on one line, without its end.
+-- | The classification of an image file, as one line without its line end.
 encodeClassification :: FilePath -> Classification -> ByteString
 encodeClassification file shown =
   line
@@ -24,7 +24,7 @@ encodeClassification file shown =
     (Just (classifiedChances shown, classifiedNone shown))
     Nothing
 
--- | That a file is no image of a symbol, and why.
+-- | The line for a file that is not an image of a symbol, with the reason.
 encodeNoImage :: FilePath -> String -> ByteString
 encodeNoImage file why = line file "invalid" Nothing Nothing Nothing (Just why)
 

@@ -1,4 +1,4 @@
--- | Digests of texts, which a stranger can recompute.
+-- | Digests of texts.
 module PraTactile.Format.Digest
   ( digestOf,
   )

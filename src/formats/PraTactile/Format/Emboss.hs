@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What is told of objects that were embossed: the JSON of @emboss@.
+-- | The JSON of @emboss@.
 module PraTactile.Format.Emboss
   ( MadeFile (..),
     volumeText,
@@ -15,26 +15,26 @@ import PraTactile.Format.Json
 import PraTactile.Format.Solid (exactText)
 import PraTactile.Object.WingedEdge
 
--- | A file that was made. What a drawing does not have is 'Nothing'.
+-- | A file that was written. Fields that a drawing does not have are 'Nothing'.
 data MadeFile = MadeFile
   { madeFile :: FilePath,
     madeObject :: ObjectName,
-    -- | of a plate or a drawing
+    -- | for a plate or a drawing
     madeFace :: Maybe FaceName,
     madeVertices :: Maybe Int,
     madeTriangles :: Maybe Int,
     -- | before coordinates were rounded
     madeVolume :: Maybe Volume,
     madeTaxels :: Int,
-    -- | the least width of a raised stroke along a row or a column, millimetres
+    -- | the width of the narrowest raised stroke along a row or a column, millimetres
     madeStroke :: Rational,
     -- | the height of the relief, millimetres
     madeHeight :: Maybe Rational,
-    -- | by how many millimetres the coordinate was moved that was moved furthest
+    -- | the greatest change of a coordinate by rounding, millimetres
     madeMostRounded :: Double
   }
 
--- | A volume as it is exactly: a fraction, and where it is none what is to be added to it.
+-- | The exact text of a volume: a fraction, and a square root if there is one.
 --
 -- >>> map volumeText [Volume 31.75 0, Volume (1 / 3) 2]
 -- ["31.75","1/3+sqrt(2)"]
@@ -43,7 +43,7 @@ volumeText (Volume r s)
   | s == 0 = exactText r
   | otherwise = exactText r ++ "+sqrt(" ++ exactText s ++ ")"
 
--- | The files, on one line, without its end.
+-- | The files as one line, without its line end.
 encodeEmbossed :: [MadeFile] -> ByteString
 encodeEmbossed files = encodeSchema "emboss/1" ("files" .= map fileValue files)
 

@@ -1,4 +1,4 @@
--- | Why a text is not read: one sum for all formats of this library.
+-- | The errors of all formats of this library.
 module PraTactile.Format.Error
   ( FormatError (..),
     JsonError (..),
@@ -14,138 +14,138 @@ import Data.Text (Text)
 import Numeric.Natural (Natural)
 import PraTactile.PlainText (OtherEncoding)
 
--- | Why bytes are not what was to be read.
+-- | Why bytes are refused.
 data FormatError
-  = -- | They are no JSON that is read.
+  = -- | They are not accepted as JSON.
     JsonRefused JsonError
-  | -- | At this place, from the outermost, stands something else than the format has there.
+  | -- | The value at this place, from the outermost, does not fit the format.
     Misfit JSONPath Misfit
-  | -- | They are no undamaged census file.
+  | -- | They are not an intact census file.
     CensusFileRefused CensusFileError
   deriving stock (Eq, Show)
 
--- | Why a JSON text is not read.
+-- | Why a JSON text is refused.
 data JsonError
   = -- | It is empty.
     NoText
-  | -- | More brackets are within each other than 'PraTactile.Format.Json.Strict.deepest'.
+  | -- | Brackets are nested deeper than 'PraTactile.Format.Json.Strict.deepest'.
     TooDeep
-  | -- | A number has more digits on end than 'PraTactile.Format.Json.Strict.longestNumber'.
+  | -- | A number has more consecutive digits than 'PraTactile.Format.Json.Strict.longestNumber'.
     TooLong
-  | -- | It holds bytes that are no UTF-8.
+  | -- | It is not valid UTF-8.
     NotUtf8
-  | -- | It is text in this encoding, and not in UTF-8.
+  | -- | It is text in this encoding, not in UTF-8.
     JsonInEncoding OtherEncoding
-  | -- | It is no JSON.
+  | -- | It is not JSON.
     NotJson
-  | -- | An object in it has this key twice.
+  | -- | An object in it repeats this key.
     RepeatedKey Text
   deriving stock (Eq, Show)
 
--- | What a JSON value is instead of what the format has in its place.
+-- | How a JSON value does not fit the format.
 data Misfit
   = -- | An object without this key.
     MissingKey Text
   | NotObject
   | NotList
   | NotText
-  | -- | Not a text that can be a file's name.
+  | -- | Not a text that can be a file name.
     NotFileName
   | -- | Neither true nor false.
     NotBool
-  | -- | No number 0, 1, 2, ..., neither as a JSON number below 10^18 nor as a decimal string.
+  | -- | Not a natural number: neither a JSON number below 10^18 nor a decimal string.
     NotNatural
-  | -- | No whole number of less than 10^18 either way.
+  | -- | Not an integer between -10^18 and 10^18.
     NotInteger
-  | -- | A number of more digits than this.
+  | -- | A number with more digits than this.
     NaturalTooLong Int
-  | -- | No number that a double can have.
+  | -- | Not a number in the range of a double.
     NotReal
-  | -- | A number of more than a million.
+  | -- | A number above a million.
     BeyondMillion
-  | -- | No list of two.
+  | -- | Not a list of two.
     NotPair
-  | -- | No shard: a list of two numbers, the first of them from 1 to the second.
+  | -- | Not a shard: a list of two numbers, where the first is between 1 and the second.
     NotShard
-  | -- | No evaluation that lists its presses.
+  | -- | An evaluation without a list of its presses.
     NotListed
-  | -- | No outcome of a press: an object with one of three keys.
+  | -- | Not an outcome of a press: an object with one of three keys.
     NotOutcome
-  | -- | No shape: a list of two numbers, rows and columns.
+  | -- | Not a shape: a list of two numbers, rows and columns.
     NotShape
-  | -- | No cell: a list of two numbers, row and column.
+  | -- | Not a cell: a list of two numbers, row and column.
     NotCell
-  | -- | No factor of a prime less 1: a list of three numbers, prime, exponent and witness.
+  | -- | Not a factor of a prime minus 1: a list of three numbers, prime, exponent and witness.
     NotPrimeWitness
-  | -- | A text that is none of these names.
+  | -- | A text that is not one of these names.
     NotAmong [String] String
   | -- | An object of the first schema instead of the second.
     OtherSchema String String
-  | -- | Evidence of no known kind.
+  | -- | An unknown kind of evidence.
     UnknownEvidence String
-  | -- | No exact number: a text such as @127/4@ or @31.75@, or a JSON number, of at most 1000
+  | -- | Not an exact number: a text such as @127/4@ or @31.75@, or a JSON number, of at most 1000
     -- characters.
     NotExact
-  | -- | No point: a list of three exact numbers.
+  | -- | Not a point: a list of three exact numbers.
     NotPoint
-  | -- | No drawing of cells: texts of one length, of @#@ and @.@.
+  | -- | Not a drawing of cells: texts of equal length, of @#@ and @.@.
     NotDrawnCells
-  | -- | No name of a vertex: a text without spaces.
+  | -- | Not a vertex name: a text without spaces.
     NotVertexName
   | -- | Degrees other than 0, 90, 180 and 270.
     NotQuarterTurn
-  | -- | No calibration: rows of one length, gains above 0, dead elements among the others.
+  | -- | Not a calibration: rows of equal length, positive gains, dead elements inside.
     NotCalibration
-  | -- | Something that may be in a list once and is there already; its name.
+  | -- | The value with this name is repeated in a list where it may occur once.
     GivenTwice String
   | -- | A manifest without frames.
     NoFrame
-  | -- | What this names, such as a constant of a sensor, is not a number from the one to the other.
+  | -- | The value with this name, such as a sensor's constant, is outside this range.
     OutOfRange String (Double, Double)
-  | -- | A constant of a sensor, of this name, in another unit than this, its own.
+  | -- | The sensor's constant with this name has another unit than this, its own.
     OtherUnit String String
-  | -- | Degrees that are not from 0 up to 360, or not those of the quarter turn beside them.
+  | -- | Degrees outside [0, 360), or not equal to those of the quarter turn beside them.
     NotAngle
-  | -- | No matrix of so many rows and columns.
+  | -- | Not a matrix with this number of rows and columns.
     NotMatrix Int Int
-  | -- | Another number than this one.
+  | -- | The number is not this one.
     OtherCount Int
-  | -- | A digest that is not that of what it stands beside.
+  | -- | The digest does not match the contents.
     OtherDigest
-  | -- | A matrix that is no rotation.
+  | -- | A matrix that is not a rotation.
     NotRotation
-  | -- | More taxels than this along the side of a region.
+  | -- | More taxels than this along a side of a region.
     RegionTooLarge Natural
   deriving stock (Eq, Show)
 
--- | Why a census file is refused; lines are counted from 1, the header's.
+-- | Why a census file is refused. Lines are counted from 1, which is the header.
 data CensusFileError
   = -- | It does not begin with the header line.
     NoCensusHeader
-  | -- | The line with this number is no whole row.
+  | -- | The line with this number is not a valid row.
     DamagedLine Int RowError
-  | -- | The entry on this line does not come after the one before it.
+  | -- | The entry on this line does not follow the one before it.
     OutOfOrder Int
-  | -- | Its last line has no end.
+  | -- | The last line is incomplete.
     CutOff
-  | -- | It is of another census or shard.
+  | -- | It belongs to another census or shard.
     OtherCensus
-  | -- | Before the row on this line this entry is missing.
+  | -- | Before the row on this line, this entry is missing.
     EntryMissing Int Natural
-  | -- | The row on this line is not of the entry whose number it has.
+  | -- | The row on this line does not belong to the entry whose number it has.
     OtherEntry Int
-  | -- | The last line, which has no end, is not the beginning of the row that belongs there.
+  | -- | The last line, which is incomplete, is not the beginning of the row that belongs there.
     NotContinued Int
   deriving stock (Eq, Show)
 
--- | Why a line is no whole row.
+-- | Why a line is not a valid row.
 data RowError
   = -- | It has the first number of fields instead of the second.
     FieldCount Int Int
-  | -- | The check is not that of the row.
+  | -- | The check does not match the row.
     CheckFails
-  | -- | This column has this text, which it cannot have.
+  | -- | This column has this invalid text.
     FieldForm ByteString ByteString
-  | -- | What these columns say cannot all be true.
+  | -- | These columns contradict each other.
     Contradicting [ByteString]
   deriving stock (Eq, Show)

@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The JSON of what @evaluate@ counts; of a shard, with each press on a line of its own, so that a
--- file can be continued and shards can be merged.
+-- | The JSON of @evaluate@. The file of a shard has one line per press, so that it can be
+-- continued and shards can be merged.
 --
 -- > {"schema":"pra-tactile/evaluate/1",...,"shard":[1,3],"setting":"5c0e...","results":[
 -- > {"press":1,"stitching":{"right":2.1e-6},"no_stitching":{"refused":"ambiguous"},"check":...}
@@ -28,7 +28,7 @@ module PraTactile.Format.Evaluation
     contentsOf,
     EvaluationFileError (..),
 
-    -- * The whole
+    -- * Merging
     differing,
     merged,
     MergeError (..),
@@ -60,41 +60,41 @@ import PraTactile.Format.Shards
 import PraTactile.Profile (Profile)
 import PraTactile.Sensor (Bend)
 
--- | Simulated presses, and how they were made.
+-- | The settings of an evaluation.
 data Evaluation = Evaluation
   { evaluationProfile :: Profile,
-    -- | of all shards together
+    -- | the number in all shards together
     evaluationPresses :: Int,
     evaluationSeed :: Int,
     -- | standard deviation, taxels
     evaluationPositionError :: Double,
-    -- | standard deviation, of full scale
+    -- | standard deviation, as a share of full scale
     evaluationNoise :: Double,
-    -- | what was chosen beyond that, where it was
+    -- | options that differ from the default
     evaluationConditions :: Conditions
   }
   deriving stock (Eq, Show)
 
--- | How presses were made beyond the usual.
+-- | Options of the presses that differ from the default.
 data Conditions = Conditions
-  { -- | the preset or the file
+  { -- | the preset's name or the file
     conditionSensor :: Maybe String,
     -- | standard deviation, degrees
     conditionRotationError :: Maybe Double,
-    -- | standard deviation of each of the sensor's two tilts, degrees, where it was stated
+    -- | standard deviation of each of the sensor's two tilts, degrees
     conditionTilt :: Maybe Double,
     conditionTurns :: Turns,
     conditionBend :: Maybe Bend,
     -- | the share of foreign presses
     conditionForeign :: Maybe Double,
-    -- | of all presses, the share of those on other arrays
+    -- | the share of presses on other arrays, of all presses
     conditionForeignArrays :: Maybe Double,
-    -- | whether decoders had to find the position error
+    -- | whether the decoders had to estimate the position error
     conditionUntold :: Bool
   }
   deriving stock (Eq, Show)
 
--- | The counts on one line, without its end.
+-- | The counts as one line, without its line end.
 encodeEvaluation :: Evaluation -> Counts -> ByteString
 encodeEvaluation evaluation counts =
   Lazy.toStrict (encodeLine (series evaluationKeys evaluation <> countsSeries counts))
@@ -160,21 +160,21 @@ poseValue counts =
       "within_95" .= poseWithin95 counts
     ]
 
--- | Which presses of an evaluation a shard has: the I-th of N has I, I + N, I + 2 N, ...
+-- | A shard of an evaluation. Shard I of N has the presses I, I + N, I + 2 N, ...
 data Part = Part
   { partNumber :: Int,
     partOf :: Int,
-    -- | a digest of all that the results depend on beside the keys before it, equal in all shards
-    -- of one evaluation
+    -- | a digest of everything else that determines the results; equal for all shards of one
+    -- evaluation
     partSetting :: String
   }
   deriving stock (Eq, Show)
 
--- | Whether a shard has the press of this number, from 1.
+-- | Whether a shard has the press with this number, counted from 1.
 isInPart :: Part -> Int -> Bool
 isInPart part number = (number - partNumber part) `mod` partOf part == 0
 
--- | How many presses a shard has.
+-- | The number of presses of a shard.
 partSize :: Evaluation -> Part -> Int
 partSize evaluation part =
   (evaluationPresses evaluation - partNumber part) `div` partOf part + 1
@@ -203,8 +203,8 @@ pressKeys =
         <*> key "deg" real poseErrorTurned
         <*> key "distance" real poseErrorDistance
 
--- | An object with one key: @right@ or @wrong@ with the answer's doubt, or @refused@ with the
--- reason.
+-- | The outcome of a press, an object with one key: @right@ or @wrong@ with the answer's doubt, or
+-- @refused@ with the reason.
 outcome :: Codec Result
 outcome = via parts one (object keys)
   where
@@ -229,7 +229,7 @@ beginning evaluation part = Bytes.take (Bytes.length keys - 1) keys <> opened <>
   where
     keys = Lazy.toStrict (encodeLine (series evaluationKeys evaluation <> series partKeys part))
 
--- | What follows the shard's own keys on that line.
+-- | The end of the first line, after the shard's own keys.
 opened :: ByteString
 opened = ",\"results\":["
 
@@ -242,12 +242,12 @@ pressLine evaluation part =
           <> writeLine keys press
           <> "\n"
 
--- | A press and its check, given the digest of the first line.
+-- | The keys of a press and its check. The argument is the digest of the first line.
 checkedKeys :: String -> Keys Press (Press, String)
 checkedKeys header = (,) <$> pressKeys <*> key "check" text (checkOf header)
 
--- | The first 16 digits of the SHA-256 of the first line's digest and the press: no press of
--- another evaluation or shard has it.
+-- | The check of a press: the first 16 digits of the SHA-256 of the first line's digest and the
+-- press. No press of another evaluation or shard has the same.
 checkOf :: String -> Press -> String
 checkOf header press = take 16 (digestOf (Bytes.pack header <> writeLine pressKeys press))
 
@@ -255,35 +255,35 @@ checkOf header press = take 16 (digestOf (Bytes.pack header <> writeLine pressKe
 ending :: Counts -> ByteString
 ending counts = "]," <> Bytes.drop 1 (Lazy.toStrict (encodeLine (countsSeries counts))) <> "\n"
 
--- | What is in a file of a shard.
+-- | The contents of a shard's file.
 data Contents = Contents
   { contentsEvaluation :: Evaluation,
     contentsPart :: Part,
-    -- | in their order, from the shard's first one on; evaluated
+    -- | fully evaluated, in order, beginning with the shard's first press
     contentsPresses :: [Press],
-    -- | whether they are all, and the last line is there
+    -- | whether all presses and the last line are there
     contentsFinished :: Bool,
-    -- | the length of the file up to the end of the last press's line
+    -- | the length of the file up to the end of the last press's line, in bytes
     contentsKept :: Int
   }
   deriving stock (Eq, Show)
 
--- | Why bytes are no file of a shard. Lines are counted from 1.
+-- | Why a file is not a shard's. Lines are counted from 1.
 data EvaluationFileError
   = -- | The first line is not that of a shard.
     NoShard FormatError
-  | -- | This line is no press.
+  | -- | This line is not a press.
     DamagedPress Int FormatError
-  | -- | The check on this line is not that of the press.
+  | -- | The check on this line does not match the press.
     CheckOfPress Int
-  | -- | The press on this line is not the one that belongs there.
+  | -- | The press on this line is not the expected one.
     OtherPress Int
-  | -- | On this line the file ends otherwise than its presses add up.
+  | -- | The last line, which is this one, does not match the presses.
     OtherEnding Int
   deriving stock (Eq, Show)
 
--- | What is in the file of a shard, finished or cut off anywhere after its first line. Its last
--- line must be what its presses add up to.
+-- | Reads the file of a shard, finished or cut off anywhere after its first line. If its last line
+-- is there, it must match the presses.
 contentsOf :: ByteString -> Either EvaluationFileError Contents
 contentsOf bytes = do
   (evaluation, part) <- headingOf bytes
@@ -315,7 +315,7 @@ contentsOf bytes = do
           (decodeWith (checkedKeys header))
           (Bytes.stripPrefix "," one)
 
--- | Of which evaluation and shard a file is, by its first line.
+-- | The evaluation and the shard of a file, from its first line.
 headingOf :: ByteString -> Either EvaluationFileError (Evaluation, Part)
 headingOf bytes = case Bytes.stripSuffix opened (Bytes.takeWhile (/= '\n') bytes) of
   Nothing -> Left (NoShard (Misfit [] NotListed))
@@ -323,18 +323,18 @@ headingOf bytes = case Bytes.stripSuffix opened (Bytes.takeWhile (/= '\n') bytes
   where
     headingKeys = (,) <$> withKeys fst evaluationKeys <*> withKeys snd partKeys
 
--- | Why shards are not one evaluation.
+-- | Why shards cannot be merged.
 data MergeError
-  = -- | These two files are of different evaluations; their first lines differ in these keys.
+  = -- | These two files belong to different evaluations; their first lines differ in these keys.
     DifferentEvaluations FilePath FilePath [String]
   | -- | This file is cut off.
     Unfinished FilePath
-  | -- | The presses are not all of the evaluation, each once.
+  | -- | A press of the evaluation is missing or repeated.
     PressesApart PartsError
   deriving stock (Eq, Show)
 
--- | The evaluation that shards are of, and the counts of all its presses: those of one run. The
--- shards must be of one evaluation, finished, without a common press, and lack none.
+-- | The evaluation of some shards and the counts of all its presses, equal to those of a single
+-- run. Refuses shards of different evaluations, unfinished ones, and missing or repeated presses.
 merged :: NonEmpty (FilePath, Contents) -> Either MergeError (Evaluation, Counts)
 merged shards@((file, one) :| _) = do
   for_ shards $ \(file', other) ->

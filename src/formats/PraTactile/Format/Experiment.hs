@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The table of the paper's experiment as JSON and CSV, and the trace of a training as CSV.
+-- | The table of the network experiment as JSON and CSV, and the trace of a training as CSV.
 module PraTactile.Format.Experiment
   ( encodeExperiment,
     paperOf,
@@ -21,7 +21,7 @@ import PraTactile.Format.Json
 import PraTactile.Shape (alphabetSize)
 import PraTactile.SymbolImages (sourceName, sourceSensor, symbolShapes)
 
--- | The table on one line, without its end.
+-- | The table as one line, without its line end.
 encodeExperiment :: [(Row, Outcome)] -> ByteString
 encodeExperiment table = encodeSchema "experiment/1" ("rows" .= map rowValue table)
 
@@ -44,14 +44,14 @@ rowValue (row, outcome) =
     level (noise, errors) = object ["noise" .= noise, "error_percent" .= spread errors]
     spread (Spread m l g) = object ["median" .= m, "least" .= l, "greatest" .= g]
 
--- | What the paper has of a row: of four shapes, and of nothing that it does not say.
+-- | The paper's figure for a row, if the paper gives it (only for four shapes).
 paperOf :: (Row, Outcome) -> Maybe Double
 paperOf (row, outcome)
   | rowVaried row == Nothing && alphabetSize (symbolShapes (rowSymbols row)) == 4 =
     paperPercent (outcomeMiddle outcome)
   | otherwise = Nothing
 
--- | The table as comma-separated values, its heading first.
+-- | The table as CSV, with a heading.
 rowsCsv :: [(Row, Outcome)] -> String
 rowsCsv table = csv (heading : map line table)
   where
@@ -65,7 +65,7 @@ rowsCsv table = csv (heading : map line table)
         ++ [shown (outcomeBetterThanClean outcome), shown (outcomeBetterThanNone outcome)]
         ++ [shown (paperOf (row, outcome))]
 
--- | The errors of its rows at each level of noise, likewise.
+-- | The errors of the table's rows at each noise level as CSV, with a heading.
 levelsCsv :: [(Row, Outcome)] -> String
 levelsCsv table = csv (heading : concatMap block table)
   where
@@ -95,8 +95,8 @@ spreadCells (Spread m l g) = map show [m, l, g]
 shown :: Show a => Maybe a -> String
 shown = foldMap show
 
--- | The epochs of a training's stages as comma-separated values; epoch 0 of a stage, or of a round
--- of it, is before its first.
+-- | The epochs of a training's stages as CSV. Epoch 0 of a stage, or of a round, is the state
+-- before its first epoch.
 traceCsv :: [(Int, Trace)] -> String
 traceCsv stages =
   csv $
@@ -112,7 +112,7 @@ traceCsv stages =
           e <- toList trace
       ]
 
--- | Lines of cells, of which none needs quotes but those with a comma or a quote.
+-- | Rows of cells as CSV. Only cells with a comma, a quote or a line break are quoted.
 csv :: [[String]] -> String
 csv = unlines . map (intercalate "," . map cell)
   where

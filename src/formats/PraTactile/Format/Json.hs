@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What all JSON of this project has in common. Keys are promises; integers above 2^53 - 1 are
--- decimal strings, because many readers of JSON hold numbers as IEEE doubles.
+-- | Conventions of all JSON of this project. Keys are stable. Integers above 2^53 - 1 are decimal
+-- strings, because many JSON readers hold numbers as IEEE doubles.
 module PraTactile.Format.Json
   ( encodeLine,
     encodeSchema,
@@ -24,22 +24,22 @@ import qualified Data.Text.Lazy.Encoding as Lazy
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..))
 
--- | An object on one line, without its end, its keys in the order given.
+-- | An object as one line without its line end, with the keys in the given order.
 encodeLine :: Series -> Lazy.ByteString
 encodeLine = valid . encodingToLazyByteString . pairs
   where
-    -- Whatever was in a text, JSON is UTF-8.
+    -- The result is valid UTF-8 whatever the texts hold.
     valid = Lazy.encodeUtf8 . Lazy.decodeUtf8With lenientDecode
 
--- | An object of this schema of ours with these keys, on one line, without its end.
+-- | An object of the named schema with these keys, as one line without its line end.
 encodeSchema :: String -> Series -> ByteString
 encodeSchema name keys = Lazy.toStrict (encodeLine ("schema" .= ("pra-tactile/" ++ name) <> keys))
 
--- | A number, or a decimal string where a double would round it.
+-- | A number, or a decimal string if a double would round it.
 naturalValue :: Natural -> Value
 naturalValue = integerValue . toInteger
 
--- | Like 'naturalValue'.
+-- | An integer as a number, or as a decimal string if a double would round it.
 integerValue :: Integer -> Value
 integerValue n
   | abs n < 2 ^ (53 :: Int) = toJSON n
@@ -49,7 +49,7 @@ integerValue n
 positionValue :: Position -> Value
 positionValue (Position r c) = object ["row" .= naturalValue r, "column" .= naturalValue c]
 
--- | A position as @[r, c]@, where many are listed.
+-- | A position as @[r, c]@, for lists.
 positionListValue :: Position -> Value
 positionListValue (Position r c) = toJSON [naturalValue r, naturalValue c]
 

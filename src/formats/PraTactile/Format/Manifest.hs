@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON form of the manifest of a folder of frames, which says what the CSV form does not: the
--- frames' size, their taxels' pitch, and which way the coordinates go.
+-- | The JSON form of the manifest of a folder of frames. It can state what the CSV form cannot:
+-- the frames' size, their taxels' pitch, and the axes of the coordinates.
 module PraTactile.Format.Manifest
   ( encodeManifest,
     decodeManifest,
@@ -28,21 +28,20 @@ import PraTactile.Sensor.Frame
 import PraTactile.Sensor.Manifest
 import PraTactile.Source (frameImages)
 
--- | A manifest on one line, without its end.
+-- | A manifest as one line, without its line end.
 encodeManifest :: Manifest -> ByteString
 encodeManifest = writeLine manifestKeys
 
--- | The manifest in a JSON text as 'encodeManifest' makes it; @frame@ and @axes@, and what frames
--- may be without, may be left out.
--- Refuses another schema, a pitch that is none of 'taxelPitches', a manifest without frames, and
--- what is no file's name.
+-- | Reads the JSON of 'encodeManifest'. Optional are @frame@, @axes@, and the optional fields of
+-- an entry. Refuses another schema, a pitch outside 'taxelPitches', a manifest without frames, and
+-- invalid file names.
 decodeManifest :: ByteString -> Either FormatError Manifest
 decodeManifest = decodeWith manifestKeys
 
--- | The files of a folder of frames, by their names: its manifest, and images in this format, of
--- a sensor of this grid whose readings have so many bits, 0 for real numbers. Of the standard
--- sensor and at most 8 bits the manifest is in its CSV form, else in its JSON form, and images have
--- as many grey values as the readings. Refuses what 'frameImages' refuses.
+-- | The files of a folder of frames, by name: its manifest and its images. The arguments are the
+-- image format, the sensor's grid, the bits of its readings (0 for real numbers) and the frames.
+-- For the standard grid and at most 8 bits the manifest is CSV, otherwise JSON, and images have as
+-- many grey values as the readings. Refuses what 'frameImages' refuses.
 folderFiles ::
   ImageFormat -> TaxelGrid -> Int -> [Frame] -> Either ImageError [(FilePath, ByteString)]
 folderFiles format grid bits frames = do
@@ -50,7 +49,7 @@ folderFiles format grid bits frames = do
   pure (manifest entries : Map.toList images)
   where
     top = if bits <= 8 then 255 else 2 ^ bits - 1
-    -- PGM says its own.
+    -- PGM files state it themselves.
     full = if format == Pgm || top `elem` [255, 65535] then Nothing else Just (fromIntegral top)
     manifest entries
       | grid == standardTaxelGrid && bits <= 8 = (manifestName, renderManifest entries)
@@ -80,7 +79,7 @@ manifestKeys =
     axes = flip (via axesName) text $ \given ->
       maybe (refuse (NotAmong (map fst axesNamed) given)) Right (lookup given axesNamed)
 
--- | The three keys of the pose may be left out together, that of the force by itself.
+-- | The three keys of the pose are optional together; the force is optional alone.
 entryKeys :: Keys Entry Entry
 entryKeys =
   Entry

@@ -1,4 +1,4 @@
--- | The names that conventions have in every text, of the command line as of JSON and CSV.
+-- | The names of conventions in all texts: on the command line, in JSON and in CSV.
 module PraTactile.Format.Name
   ( surfaceName,
     foldingName,
@@ -35,7 +35,7 @@ layoutName layout = case layout of
   Single folding -> foldingName folding
   Joint _ -> "joint"
 
--- | The name of what a profile's polynomial is.
+-- | The name of how a profile's polynomial is read.
 readingName :: Reading -> String
 readingName reading = case reading of
   Characteristic -> "characteristic"
@@ -47,7 +47,7 @@ packingName packing = case packing of
   MostSignificantFirst -> "most-significant-first"
   LeastSignificantFirst -> "least-significant-first"
 
--- | The name of how an answer differs from the truth.
+-- | The name of a difference between an answer and the truth.
 differenceName :: Difference -> String
 differenceName difference = case difference of
   OtherFace -> "other-face"

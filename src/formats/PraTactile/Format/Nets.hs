@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of what @nets@ answers.
+-- | The JSON of @nets@.
 module PraTactile.Format.Nets
   ( encodeNets,
   )
@@ -13,8 +13,8 @@ import PraTactile.Format.Json
 import PraTactile.Object.Net
 import PraTactile.Object.WingedEdge
 
--- | How many unfoldings a solid has, and the net that 'pickCut' found, on one line, without its
--- end.
+-- | The number of unfoldings of a solid and the net that 'pickCut' found, as one line without its
+-- line end.
 encodeNets :: Solid -> Either NoNet (Solid, [FaceName], Unfolding) -> ByteString
 encodeNets whole found =
   encodeSchema "nets/2" $

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Networks as JSON that other languages read: every weight a number, with the shapes that the
--- network was trained on and its own contents each as a digest.
+-- | Networks as JSON for other languages: every weight is a number. Digests identify the shapes of
+-- the training and the contents.
 module PraTactile.Format.Network
   ( NetworkFile (..),
     encodeNetwork,
@@ -28,35 +28,34 @@ import PraTactile.Format.Json.Canonical
 import PraTactile.Format.Json.Codec
 import PraTactile.Shape (Alphabet, drawBitmap, shapes)
 
--- | A network and where it comes from.
+-- | A network and its origin.
 data NetworkFile = NetworkFile
   { fileNetwork :: Network,
-    -- | 'alphabetDigest' of the shapes that it was trained on
+    -- | 'alphabetDigest' of the shapes of its training
     fileAlphabet :: String,
-    -- | how sure its estimates are
+    -- | turns its outputs into probabilities
     fileCalibration :: Calibration,
-    -- | the seed of its training, and how that was made, where they are known
+    -- | the seed and the regimen of its training, if known
     fileSeed :: Maybe Int,
     fileRegimen :: Maybe String
   }
   deriving stock (Eq, Show)
 
--- | The SHA-256 of the drawings, class by class: each row of a shape as a line of 8 characters, @#@
--- where it is embossed and @.@ elsewhere. Names do not matter. It is that of what @grep '^[#.]'@
--- prints of a drawing file.
+-- | The SHA-256 of the drawings, class by class, without names. Each row of a shape is a line of 8
+-- characters, @#@ where embossed and @.@ elsewhere. @grep '^[#.]'@ on a drawing file prints the
+-- text that is digested.
 alphabetDigest :: Alphabet -> String
 alphabetDigest = digestOf . encodeUtf8 . Text.concat . map drawBitmap . shapes
 
--- | A network on one line, without its end.
+-- | A network as one line, without its line end.
 encodeNetwork :: NetworkFile -> ByteString
 encodeNetwork file = writeLine (keys <* key "digest" text snd) (file, contentsDigest fields)
   where
     keys = withKeys fst networkKeys
     fields = writeObject networkKeys file
 
--- | The network in a JSON text. Refuses another schema, a dimension that is not that of the
--- weights, other inputs than 96, another activation than the sigmoid, and a digest that is not that
--- of the contents.
+-- | Reads a network from JSON. Refuses another schema, dimensions that do not fit the weights,
+-- other than 96 inputs, another activation than the sigmoid, and a wrong digest.
 decodeNetworkFile :: ByteString -> Either FormatError NetworkFile
 decodeNetworkFile = decodeObject $ \fields -> do
   given <- readKeys networkKeys fields
@@ -65,9 +64,8 @@ decodeNetworkFile = decodeObject $ \fields -> do
   unless (stated == contentsDigest fields) (refuse OtherDigest)
   pure file
 
--- | The SHA-256 of all keys but @digest@ as one text: keys sorted, no white space, and each number
--- as the 16 hexadecimal digits of its IEEE 754 double, so that it does not matter how it was
--- written.
+-- | The SHA-256 of all keys but @digest@: keys sorted, no white space, each number as the 16
+-- hexadecimal digits of its IEEE 754 double. So the notation of numbers does not matter.
 contentsDigest :: Object -> String
 contentsDigest =
   digestOf
@@ -77,7 +75,7 @@ contentsDigest =
     . Object
     . KeyMap.delete "digest"
 
--- | What stands in a file, before it is known whether it is a network.
+-- | The contents of a file, before they are checked to be a network.
 data Written = Written
   { writtenClasses :: Int,
     writtenInputs :: Int,
@@ -85,7 +83,7 @@ data Written = Written
     writtenOutputs :: Int,
     writtenUnits :: ([[Double]], [[Double]]),
     writtenCalibration :: Calibration,
-    -- | of this network
+    -- | the file for this network
     writtenOf :: Network -> NetworkFile
   }
 
@@ -107,11 +105,11 @@ networkKeys =
     written q shapesOf inputs hidden outs _ w1 w2 sure seed regimen =
       Written q inputs hidden outs (w1, w2) sure (\n -> NetworkFile n shapesOf sure seed regimen)
     sigmoidAlone = such (== "sigmoid") (NotAmong ["sigmoid"] "another activation") text
-    -- A zero has no sign here: readers differ in whether they keep it.
+    -- Zeros lose their sign, because readers differ in keeping it.
     unsigned = map (map (+ 0))
 
--- | How outputs and likenesses become probabilities: by numbers of at most a million, so that no
--- sum of their multiples is too large for a double.
+-- | The calibration. Its numbers are at most a million, so that no sum of their multiples
+-- overflows a double.
 calibration :: Codec Calibration
 calibration =
   object $

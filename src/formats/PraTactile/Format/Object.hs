@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of faces, of what lies at a position of the array, and of the objects.
+-- | The JSON of faces, of whereabouts (what lies at a position of the array), and of objects.
 module PraTactile.Format.Object
-  ( -- * What lies at a position
+  ( -- * Whereabouts
     WhereaboutsReport (..),
     On (..),
     whereaboutsReport,
@@ -13,7 +13,7 @@ module PraTactile.Format.Object
     -- * All objects
     encodeObjects,
 
-    -- * As part of other texts
+    -- * Parts of other formats
     faceKeys,
   )
 where
@@ -31,23 +31,23 @@ import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
 
--- | What JSON says of 'Whereabouts'.
+-- | The keys of 'Whereabouts'.
 data WhereaboutsReport = WhereaboutsReport
-  { -- | 'Nothing' where nothing was located
+  { -- | 'Nothing' if nothing was located
     whereOn :: Maybe On,
-    -- | the one face
+    -- | the face, if it is one
     whereFace :: Maybe Face,
-    -- | all faces that the window touches, as far as they are listed
+    -- | all faces that the window touches; the list may be limited
     whereFaces :: [Face],
-    -- | the nearest vertex, where there is only one
+    -- | the nearest vertex, if there is only one
     whereCorner :: Maybe VertexName,
     whereCorners :: [VertexName],
-    -- | the window's centre, millimetres right of and below the face's upper left vertex
+    -- | the window's centre, in millimetres right of and below the face's upper left vertex
     whereMillimetres :: Maybe (Double, Double)
   }
   deriving stock (Eq, Show)
 
--- | On what a window lies.
+-- | Where a window lies.
 data On = OneFace | SeveralFaces | NoObject
   deriving stock (Eq, Show, Enum, Bounded)
 
@@ -57,7 +57,7 @@ onName on = case on of
   SeveralFaces -> "straddles-faces"
   NoObject -> "no-object"
 
--- | All null or empty where nothing was located.
+-- | The report; all fields are empty if nothing was located.
 whereaboutsReport :: Maybe Whereabouts -> WhereaboutsReport
 whereaboutsReport found = case found of
   Nothing -> onNone Nothing []
@@ -75,7 +75,7 @@ whereaboutsReport found = case found of
   where
     onNone on faces = WhereaboutsReport on Nothing faces Nothing [] Nothing
 
--- | The keys of a report of where a window is.
+-- | The keys of a whereabouts report.
 whereaboutsKeys :: Keys WhereaboutsReport WhereaboutsReport
 whereaboutsKeys =
   report
@@ -87,7 +87,7 @@ whereaboutsKeys =
     <*> key "corners" (listOf vertex) whereCorners
     <*> key "place_mm" (nullable millimetres) whereMillimetres
   where
-    -- Whole numbers without a fraction.
+    -- Integers are written without a fraction.
     millimetres = case pairOf real of
       two -> Codec (schemaOf two) (writeValue two) (readValue two)
     report on object' face = WhereaboutsReport on (Face <$> object' <*> face)
@@ -105,7 +105,7 @@ vertices = via faceVertices (Right . FaceName) (listOf vertex)
 vertex :: Codec VertexName
 vertex = via vertexText (Right . VertexName) text
 
--- | What lies at a position of the array of a profile, on one line, without its end.
+-- | The whereabouts of a position in a profile's array, as one line without its line end.
 encodeWhereabouts :: Profile -> Position -> Whereabouts -> ByteString
 encodeWhereabouts profile at place =
   encodeSchema schema $
@@ -113,7 +113,7 @@ encodeWhereabouts profile at place =
       <> "position" .= positionValue at
       <> series whereaboutsKeys (whereaboutsReport (Just place))
 
--- | Why a line of a batch is not answered, on one line, without its end.
+-- | The line for a refused request of a batch, with the reason, without its line end.
 encodeNoWhereabouts :: Profile -> String -> ByteString
 encodeNoWhereabouts profile why =
   encodeSchema schema $
@@ -125,7 +125,8 @@ encodeNoWhereabouts profile why =
 schema :: String
 schema = "objects/1"
 
--- | The objects and where their faces lie on the array of a profile, on one line, without its end.
+-- | The objects and the positions of their faces in a profile's array, as one line without its
+-- line end.
 encodeObjects :: Profile -> Placement -> ByteString
 encodeObjects profile layout =
   encodeSchema schema $

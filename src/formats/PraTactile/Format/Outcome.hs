@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What the JSON of @locate@ and of @decode@ has in common.
+-- | The common parts of the JSON of @locate@ and of @decode@.
 module PraTactile.Format.Outcome
   ( OutcomeName (..),
     outcomeCodec,
@@ -13,12 +13,12 @@ where
 import PraTactile.Format.Json.Codec
 import PraTactile.Locate (Chance (..), Checks (..), ForeignDoubts (..), Split (..), doubtOfForeign)
 
--- | How an answer begins.
+-- | The outcome of a question.
 data OutcomeName
   = Located
   | SeveralFit
   | NoAnswer
-  | -- | What was given is no patch.
+  | -- | The input was not a patch.
     Invalid
   deriving stock (Eq, Show, Enum, Bounded)
 
@@ -30,15 +30,15 @@ outcomeCodec = named $ \outcome -> case outcome of
   NoAnswer -> "refused"
   Invalid -> "invalid"
 
--- | @chance@ and @chance_is@; both null where no cell was observed.
+-- | @chance@ and @chance_is@; both null if no cell was observed.
 chanceKeys :: Keys (Maybe Chance) (Maybe Chance)
 chanceKeys =
   (\share bound -> Chance <$> share <*> bound)
     <$> key "chance" (nullable real) (fmap chanceShare)
     <*> key "chance_is" (nullable (exactOr "at-most")) (fmap chanceExact)
 
--- | The value of @checks@: of columns, rows and sources the checks within single ones and across
--- them.
+-- | The value of @checks@: for columns, rows and sources, the number of checks within single ones
+-- and across them.
 checksCodec :: Codec (Maybe Checks)
 checksCodec =
   nullable . object $
@@ -62,7 +62,7 @@ checksCodec =
             <*> key "across_sources" (nullable natural) (fmap checksAcross)
         )
 
--- | @foreign@, and the two kinds that it is the sum of where no shapes are seen.
+-- | @foreign@ and the two probabilities that it is the sum of, when no shapes are compared.
 foreignKeys :: Keys ForeignDoubts ForeignDoubts
 foreignKeys =
   (\random arrays exact -> ForeignDoubts random arrays exact 0)

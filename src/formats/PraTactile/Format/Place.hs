@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of what @place@ answers.
+-- | The JSON of @place@.
 module PraTactile.Format.Place
   ( PlaceReport (..),
     ReportedLaying (..),
@@ -30,14 +30,14 @@ import PraTactile.Object.Placement.Windows
 import PraTactile.Object.WingedEdge (FaceName)
 import PraTactile.Profile
 
--- | What came of a search for a placement.
+-- | The result of a search for a placement.
 data PlaceReport = PlaceReport
   { placeOutcome :: Outcome,
-    -- | why there is none, where that is proved: 'reasonName' or 'nothingCarriedName'
+    -- | the reason why there is none, if that is proved: 'reasonName' or 'nothingCarriedName'
     placeReason :: Maybe String,
-    -- | the cells of the array
+    -- | the number of cells of the array
     placeCells :: Natural,
-    -- | those that faces take, at least
+    -- | the least number of cells that the faces take
     placeNeeded :: Natural,
     placeProfile :: Profile,
     placeLayings :: [ReportedLaying],
@@ -48,14 +48,14 @@ data PlaceReport = PlaceReport
 -- | A laid face.
 data ReportedLaying = ReportedLaying
   { reportedLaying :: Laying,
-    -- | what is proved of its cells
+    -- | what is proved about its cells
     reportedProof :: MaskProof,
-    -- | how many symbols the face has at most, and from which vertex on it has them; 'Nothing'
-    -- where that would take long to say
+    -- | the greatest number of symbols that the face can have, and the vertex at which its frame
+    -- then begins; 'Nothing' if that takes long to compute
     reportedMost :: Maybe (Integer, FaceName)
   }
 
--- | How many symbols a laid face has.
+-- | The number of symbols of a laid face.
 reportedSymbols :: ReportedLaying -> Integer
 reportedSymbols = genericLength . blockCells . layBlock . reportedLaying
 
@@ -63,8 +63,8 @@ reportedSymbols = genericLength . blockCells . layBlock . reportedLaying
 data Outcome = IsPlaced | IsImpossible | IsNotFound
   deriving stock (Eq, Show, Enum, Bounded)
 
--- | Of the contents of a face's cells: the rank, and the distance with cells whose loss it does not
--- bear; 'Nothing' where they were not calculated.
+-- | The rank of the contents of a face's cells, and their distance with the cells whose loss it
+-- does not bear; 'Nothing' if they were not computed.
 data MaskProof = MaskProof
   { maskRank :: Maybe Natural,
     maskDistance :: Maybe (Natural, [Position])
@@ -91,7 +91,7 @@ reasonName reason = case reason of
 nothingCarriedName :: String
 nothingCarriedName = "no-symbols"
 
--- | The report on one line, without its end.
+-- | The report as one line, without its line end.
 encodePlace :: PlaceReport -> ByteString
 encodePlace report =
   encodeSchema "place/1" $

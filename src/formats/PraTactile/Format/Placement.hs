@@ -1,14 +1,14 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Placements as JSON, @pra-tactile/placement/1@: what of one cannot be computed. The profile, the
--- distances between symbols, the objects, and of each laid face the vertex at which its frame
--- begins, where its block of cells lies, and which cells it takes.
+-- | Placements as JSON, @pra-tactile/placement/1@. The file has only what cannot be computed: the
+-- profile, the distances between symbols, the objects, and the laid faces. A laid face has the
+-- vertex at which its frame begins, the place of its block of cells, and the cells that it takes.
 module PraTactile.Format.Placement
   ( encodePlacement,
     decodePlacement,
     PlacementFileError (..),
 
-    -- * As part of other texts
+    -- * Parts of other formats
     Drawing (..),
     drawing,
     drawnPlacement,
@@ -31,20 +31,19 @@ import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
 
--- | Why a text holds no placement.
+-- | Why a text is refused as a placement.
 data PlacementFileError
-  = -- | It has another form.
+  = -- | It does not fit the format.
     PlacementMisfit FormatError
-  | -- | The coordinates of the object of this name have no common denominator of less than 20 000
-    -- bits.
+  | -- | The coordinates of the named object have no common denominator below 20 000 bits.
     ObjectTooFine ObjectName
-  | -- | The object of this name is no solid.
+  | -- | The named object is not a solid.
     ObjectBroken ObjectName Defect
-  | -- | Its faces cannot be laid so.
+  | -- | Its faces cannot be laid in this way.
     PlacementRefused PlacementError
   deriving stock (Eq, Show)
 
--- | What the text has.
+-- | The contents of the text.
 data Stated = Stated
   { statedProfile :: Profile,
     statedPitch :: Pitch,
@@ -52,7 +51,7 @@ data Stated = Stated
     statedLayings :: [Drawing]
   }
 
--- | A placement on the array of a profile, on one line, without its end.
+-- | A placement on a profile's array, as one line without its line end.
 encodePlacement :: Profile -> Placement -> ByteString
 encodePlacement profile place =
   writeLine
@@ -64,9 +63,9 @@ encodePlacement profile place =
         statedLayings = map (drawing . layingOf) (laidFaces place)
       }
 
--- | The placement in a JSON text that 'encodePlacement' made, and the profile of its array. Refuses
--- another schema, keys that are missing or have other values, and what 'solid' and 'placement'
--- refuse; whether the profile describes an array is for 'withProfile' to say.
+-- | Reads the JSON of 'encodePlacement': the placement and the profile of its array. Refuses
+-- another schema, missing keys, invalid values, and what 'solid' and 'placement' refuse. It does
+-- not check the profile; 'withProfile' does.
 decodePlacement :: ByteString -> Either PlacementFileError (Profile, Placement)
 decodePlacement bytes = do
   stated <- first PlacementMisfit (decodeWith statedKeys bytes)
@@ -78,8 +77,8 @@ decodePlacement bytes = do
       (statedObjects stated)
       (statedLayings stated)
 
--- | These objects on an array of this shape, with these distances between symbols, laid as it is
--- drawn.
+-- | The placement of the described objects with the given drawings, on an array of the given shape
+-- with the given distances between symbols.
 drawnPlacement ::
   Shape -> Pitch -> [Description] -> [Drawing] -> Either PlacementFileError Placement
 drawnPlacement shape between described drawn = do
@@ -100,7 +99,7 @@ statedKeys =
   where
     pitch = via (\(Pitch right down) -> (right, down)) (Right . uncurry Pitch) (pairOf exact)
 
--- | A laying with its whole block.
+-- | A laying, with the drawing of its whole block.
 data Drawing = Drawing
   { drawnFace :: Face,
     drawnRow :: Integer,
@@ -110,10 +109,11 @@ data Drawing = Drawing
   }
   deriving stock (Eq, Show)
 
--- | Of a laid face its object and vertices from the first of its frame on; where its block's upper
--- left cell lies, which may be outside of the array where the face does not take it; the block's
--- margin from the first vertex, null where it is centred; and its cells, drawn: a text a row, @#@
--- for a cell that the face takes.
+-- | The keys of a laid face. @object@ and @face@: the object, and the vertices beginning with the
+-- first of the face's frame. @row@ and @column@: the cell at the block's upper left, which may be
+-- outside the array if the face does not take it. @margin_mm@: the block's margin from the first
+-- vertex, null if it is centred. @cells@: the drawing, one text per row, with @#@ for a cell that
+-- the face takes.
 drawingKeys :: Keys Drawing Drawing
 drawingKeys =
   Drawing
@@ -146,8 +146,8 @@ drawing (Laying face (Position r c) anchor given) =
       Margin x y -> ((toInteger rows', toInteger columns'), (0, 0), Just (x, y))
     has i j = i >= 0 && j >= 0 && hasCell given (Position (fromInteger i) (fromInteger j))
 
--- | What is drawn above and left of the array's sheet is left away; refuses cells that are taken
--- there.
+-- | The laying of a drawing, without the cells above and left of the array. Refuses a drawing that
+-- takes such cells.
 undrawn :: Pitch -> Drawing -> Either PlacementError Laying
 undrawn (Pitch right down) (Drawing face r c margin lines')
   | beyond = Left (OutsideArray face at shape)

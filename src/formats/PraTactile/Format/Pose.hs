@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of poses, and of how the robot's frame lies in the world.
+-- | The JSON of poses, and of the position of the robot's frame in the world.
 module PraTactile.Format.Pose
   ( ObjectPose (..),
     namedPoseCodec,
@@ -23,12 +23,12 @@ import PraTactile.Pose.Matrix (Matrix, diagonal, times)
 data ObjectPose = ObjectPose
   { posedObject :: ObjectName,
     posedSo :: Pose,
-    -- | where the robot's frame lies in the world, if it is the pose there
+    -- | the robot's frame in the world, if the pose is given in the world
     posedOn :: Maybe RigidMotion
   }
   deriving stock (Eq, Show)
 
--- | An object and its pose.
+-- | An object with its pose.
 namedPoseCodec :: Codec ObjectPose
 namedPoseCodec =
   object
@@ -40,7 +40,7 @@ namedPoseCodec =
   where
     objectName = via (\(ObjectName name) -> name) (Right . ObjectName) text
 
--- | A pose alone.
+-- | A pose.
 poseCodec :: Codec Pose
 poseCodec = object poseKeys
 
@@ -48,12 +48,12 @@ poseKeys :: Keys Pose Pose
 poseKeys =
   Pose <$> withKeys poseMotion motionKeys <*> key "covariance" (matrix 6) poseCovariance
 
--- | Where the robot's frame lies in the world, in a JSON text. Refuses another schema, keys that
--- are missing or have other values, and what is no rotation to 1e-6.
+-- | Reads the robot's frame in the world from a JSON text. Refuses another schema, missing keys,
+-- invalid values, and a matrix that is not a rotation within 1e-6.
 decodePlane :: ByteString -> Either FormatError RigidMotion
 decodePlane = decodeWith (schemaKey "pra-tactile/plane/1" *> motionKeys)
 
--- | A motion alone; refuses what is no rotation to 1e-6.
+-- | A rigid motion. Refuses a matrix that is not a rotation within 1e-6.
 motionCodec :: Codec RigidMotion
 motionCodec = object motionKeys
 
@@ -74,19 +74,19 @@ motionKeys =
         (Schema.Named "translation" . Schema.Described "Along x, y and z, millimetres.")
         (ofLength 3 (such ((== 3) . length) (NotMatrix 1 3) (listOf real)))
 
--- | A square matrix of so many rows.
+-- | A square matrix with the given number of rows.
 matrix :: Int -> Codec Matrix
 matrix n = ofLength n (such whole (NotMatrix n n) (listOf (ofLength n (listOf real))))
   where
     whole rows = length rows == n && all ((== n) . length) rows
 
--- | With this length in the description.
+-- | Adds a length to the schema of a list.
 ofLength :: Int -> Codec [a] -> Codec [a]
 ofLength n = withSchema $ \schema -> case schema of
   Schema.List _ item -> Schema.listOfLength n item
   other -> other
 
--- | Whether a matrix of three rows turns, and does not mirror.
+-- | Whether a 3 x 3 matrix is a rotation without mirroring.
 isRotation :: Matrix -> Bool
 isRotation rows =
   and (zipWith near (concat (rows `times` transpose rows)) (concat (diagonal [1, 1, 1])))

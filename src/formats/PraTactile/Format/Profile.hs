@@ -1,12 +1,11 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The profile as JSON: every convention by name. What is written can be read again, and is the
--- same profile.
+-- | The profile as JSON: every convention by name. Reading restores the same profile.
 module PraTactile.Format.Profile
   ( encodeProfile,
     decodeProfile,
 
-    -- * As part of other texts
+    -- * Parts of other formats
     profileText,
     profileValue,
     profileCodec,
@@ -22,20 +21,19 @@ import PraTactile.Format.Json.Codec
 import PraTactile.Format.Name
 import PraTactile.Profile
 
--- | The profile as one line of ASCII, without its end; equal for equal profiles.
+-- | The profile as one line of ASCII without its line end; equal for equal profiles.
 encodeProfile :: Profile -> ByteString
 encodeProfile = Lazy.toStrict . encode . profileValue
 
--- | The profile in a JSON text. Refuses another schema, and every key that is missing or has
--- another value than 'encodeProfile' writes; whether the profile describes an array is for
--- 'withProfile' to say.
+-- | Reads a profile. Refuses another schema, missing keys and values that 'encodeProfile' does not
+-- write. It does not check that the profile describes an array; 'withProfile' does.
 --
 -- >>> decodeProfile (encodeProfile canonicalProfile) == Right canonicalProfile
 -- True
 decodeProfile :: ByteString -> Either FormatError Profile
 decodeProfile = decodeWith profileKeys
 
--- | The text of 'encodeProfile', as databases and tables state the profile that they are of.
+-- | The text of 'encodeProfile', by which databases and tables name their profile.
 profileText :: Profile -> String
 profileText = Bytes.unpack . encodeProfile
 
@@ -43,7 +41,7 @@ profileText = Bytes.unpack . encodeProfile
 profileValue :: Profile -> Value
 profileValue = writeValue profileCodec
 
--- | The profile as part of another format; refuses as 'decodeProfile' does.
+-- | The profile as part of another format. Refuses what 'decodeProfile' refuses.
 profileCodec :: Codec Profile
 profileCodec = object profileKeys
 

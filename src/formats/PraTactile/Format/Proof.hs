@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of what @prove@ and @check@ answer.
+-- | The JSON of @prove@ and @check@.
 module PraTactile.Format.Proof
   ( Subject (..),
     subjectShape,
@@ -22,10 +22,10 @@ import PraTactile.Window
 import PraTactile.Window.Distance
 import PraTactile.Window.Proof
 
--- | Of what the windows are.
+-- | The array whose windows are proved.
 data Subject
   = OfProfile Profile
-  | -- | the array in the file of this name
+  | -- | the array in the named file
     OfFile String Grid
 
 -- | The shape of the array.
@@ -34,8 +34,8 @@ subjectShape subject = case subject of
   OfProfile profile -> profileShape profile
   OfFile _ grid -> gridShape grid
 
--- | Whether all windows are distinct, and their minimum distance if it is known, on one line,
--- without its end.
+-- | Whether all windows are distinct, and their minimum distance if it is known, as one line
+-- without its line end.
 encodeProof :: Subject -> Mask -> Verdict -> Maybe Distance -> ByteString
 encodeProof subject mask verdict apart =
   encodeSchema "prove/1" $
@@ -61,7 +61,7 @@ subjectSeries subject = case subject of
       <> "q" .= gridAlphabet grid
       <> "shape" .= shapeValue (gridShape grid)
 
--- | What is wrong with a certificate, if anything is, on one line, without its end.
+-- | The fault of a certificate, or that it has none, as one line without its line end.
 encodeCheck :: Certificate -> Maybe String -> ByteString
 encodeCheck certificate wrong =
   encodeSchema "check/1" $

@@ -29,7 +29,7 @@ import PraTactile.Profile (Profile)
 import PraTactile.Rates (Calibration (..))
 import PraTactile.Rates.Formulas (Rates (..))
 
--- | A line of the table: the rates of one size and one damage.
+-- | A line of the table: the rates for one size and one damage.
 data Line = Line
   { lineSize :: Shape,
     -- | per cent
@@ -39,18 +39,18 @@ data Line = Line
     lineTrials :: Int,
     -- | hard decoding, simulated
     lineHard :: Rates,
-    -- | the same without chance, where it can be computed
+    -- | hard decoding computed exactly, where that is possible
     lineExact :: Maybe Rates,
-    -- | soft decoding where 99.9 % certain
+    -- | soft decoding, answering where it is 99.9 % certain
     lineSoft :: Rates,
-    -- | soft decoding at as many wrong answers as hard decoding; nothing to compare where it is
-    -- never wrong
+    -- | soft decoding with the same rate of wrong answers as hard decoding; 'Nothing' if hard
+    -- decoding is never wrong
     lineAsHard :: Maybe Rates,
     lineCalibration :: Calibration
   }
   deriving stock (Eq, Show)
 
--- | The ways to decode, by their names.
+-- | The ways of decoding, by name.
 ways :: [(String, Line -> Maybe Rates)]
 ways =
   [ ("hard", Just . lineHard),
@@ -59,8 +59,8 @@ ways =
     ("soft_as_hard", lineAsHard)
   ]
 
--- | By how many per cent more patches are answered by soft decoding at as many wrong answers, of
--- the same readings.
+-- | The gain in answered patches, in per cent, by soft decoding over hard decoding, at the same
+-- rate of wrong answers on the same readings.
 moreAnswers :: Line -> Maybe Double
 moreAnswers l = case lineAsHard l of
   Just soft | answered (lineHard l) > 0 -> Just (100 * (answered soft / answered (lineHard l) - 1))
@@ -68,7 +68,8 @@ moreAnswers l = case lineAsHard l of
   where
     answered rates = rateRight rates + rateWrong rates
 
--- | By how many standard errors the simulated right, wrong and refused differ from the exact ones.
+-- | The differences of the simulated rates (right, wrong, refused) from the exact ones, in
+-- standard errors.
 deviations :: Line -> Maybe [Double]
 deviations l =
   ( \exact ->
@@ -82,17 +83,17 @@ deviations l =
       where
         spread = sqrt (p * (1 - p) / fromIntegral (lineTrials l))
 
--- | A table and what it was made with.
+-- | A table and its settings.
 data RatesReport = RatesReport
   { ratesProfile :: Profile,
-    -- | a line
+    -- | per line
     ratesTrials :: Int,
     ratesSeed :: Int,
     ratesRadius :: Radius,
     ratesLines :: [Line]
   }
 
--- | The table on one line, without its end.
+-- | The table as one line, without its line end.
 encodeRates :: RatesReport -> ByteString
 encodeRates report =
   encodeSchema "rates/1" $
@@ -106,7 +107,7 @@ encodeRates report =
       Guaranteed -> Nothing
       UpTo e -> Just (naturalValue e)
 
--- | The names of the columns that 'lineCsv' fills.
+-- | The column names of 'lineCsv'.
 csvHeading :: String
 csvHeading =
   intercalate
@@ -121,7 +122,7 @@ csvHeading =
 outcomes :: [String]
 outcomes = ["right", "wrong", "refused"]
 
--- | A line of a table of rates, as comma-separated values.
+-- | A line of the table as CSV.
 lineCsv :: Line -> String
 lineCsv l =
   intercalate

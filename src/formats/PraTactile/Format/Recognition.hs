@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of what @decode@ answers.
+-- | The JSON of @decode@.
 module PraTactile.Format.Recognition
-  ( -- * The answer as JSON has it
+  ( -- * The JSON
     RecognitionReport (..),
     SymbolReport (..),
     Sighting (..),
@@ -34,7 +34,7 @@ import PraTactile.Recognise
 import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Symmetry
 
--- | An answer of @decode@: its keys, of which docs/reference/json.md says what they mean.
+-- | The keys of @decode@'s JSON. docs/reference/json.md explains them.
 data RecognitionReport = RecognitionReport
   { reportProfile :: Profile,
     reportSources :: [String],
@@ -52,7 +52,7 @@ data RecognitionReport = RecognitionReport
     -- | degrees clockwise, in [0, 360)
     reportAngle :: Maybe Double,
     reportDoubt :: Maybe Double,
-    -- | the doubt's parts
+    -- | the components of the doubt
     reportDoubts :: Maybe Doubts,
     reportChance :: Maybe Chance,
     reportChecks :: Maybe Checks,
@@ -61,32 +61,32 @@ data RecognitionReport = RecognitionReport
     reportInconsistent :: Maybe [Int],
     reportRadius :: Maybe Natural,
     reportMinimumDistance :: Maybe Natural,
-    -- | whether that is exact, where it is said
+    -- | whether the minimum distance is exact, if known
     reportMinimumExact :: Maybe Bool,
     reportSymbols :: [SymbolReport (Maybe (Int, String, Int))],
-    -- | with the share that was touched
+    -- | with the share of the symbol that was touched
     reportParts :: [SymbolReport Double],
     reportWindows :: [WindowReport],
-    -- | where one face is located
+    -- | if one face was located
     reportPose :: Maybe ObjectPose
   }
   deriving stock (Eq, Show)
 
--- | A symbol, and what JSON says of it beside: of a complete one its code, element and quarter
--- turns, if it was recognised.
+-- | A symbol with more keys. For a complete symbol these are its code, element and quarter turns,
+-- if it was recognised.
 data SymbolReport more = SymbolReport Sighting more
   deriving stock (Eq, Show)
 
--- | Where a symbol was seen, what it most likely is, and what the answer says of it.
+-- | A symbol's place, its most likely class, and the comparison with the answer.
 data Sighting = Sighting
   { -- | the composite, counted from 0, and the pixel
     sightedIn :: Int,
     sightedAt :: (Double, Double),
-    -- | the direction of its x axis, degrees clockwise from the composite's, up to half turns
+    -- | the direction of its x axis, in degrees clockwise from the composite's, up to half turns
     sightedAxis :: Double,
     -- | code, quarter turns and doubt
     sightedLikeliest :: (Int, Int, Double),
-    -- | how probable it is that it is none of the shapes
+    -- | the probability that it is none of the shapes
     sightedNone :: Double,
     sightedPosition :: Maybe Position,
     sightedExpected :: Maybe Int,
@@ -94,7 +94,7 @@ data Sighting = Sighting
   }
   deriving stock (Eq, Show)
 
--- | A window; its cells are codes, and elements, row by row.
+-- | A window. Its cells are given as codes and as elements, row by row.
 data WindowReport = WindowReport
   { windowReportPosition :: Position,
     windowReportCells :: [[Maybe Int]],
@@ -104,16 +104,16 @@ data WindowReport = WindowReport
   }
   deriving stock (Eq, Show)
 
--- | The name of this form of an answer.
+-- | The schema name of this format.
 decodeSchema :: String
 decodeSchema = "pra-tactile/decode/1"
 
--- | The answer on one line, without its end: all keys always, null where there is nothing to say.
+-- | The answer as one line without its line end. All keys are always there; null means no value.
 encodeRecognition :: RecognitionReport -> ByteString
 encodeRecognition = writeLine reportKeys
 
--- | The answer in a JSON text that 'encodeRecognition' made. Refuses another schema, and keys that
--- are missing or have other values.
+-- | Reads the JSON of 'encodeRecognition'. Refuses another schema, missing keys and invalid
+-- values.
 decodeRecognition :: ByteString -> Either FormatError RecognitionReport
 decodeRecognition = decodeWith reportKeys
 
@@ -209,9 +209,9 @@ windowKeys =
 pointKeys :: Keys (Double, Double) (Double, Double)
 pointKeys = (,) <$> key "x" real fst <*> key "y" real snd
 
--- | What a recognition is of, and how it is put into words.
+-- | The context of a recognition and the wording of its answer.
 data RecognitionContext = RecognitionContext
-  { -- | of the array that was recognised
+  { -- | the profile of the array
     contextProfile :: Profile,
     -- | the names of the composites, in their order
     contextNames :: [String],
@@ -219,15 +219,16 @@ data RecognitionContext = RecognitionContext
     contextMessage :: String,
     -- | the printed name of the element that a class stands for
     contextElement :: Int -> String,
-    -- | the robot's coordinates, in millimetres, of a place on the first composite's grid
+    -- | converts a place on the first composite's grid to the robot's coordinates, in millimetres
     contextRobot :: (Double, Double) -> (Double, Double),
-    -- | the standard deviation of the robot's position error, taxels, where the frames told it
+    -- | the standard deviation of the robot's position error, in taxels, if it was estimated from
+    -- the frames
     contextPositionError :: Maybe Double,
-    -- | the object's pose, where one face is located
+    -- | the object's pose, if one face was located
     contextPose :: Maybe ObjectPose
   }
 
--- | What a report says of a recognition.
+-- | The report of a recognition.
 recognitionReport :: RecognitionContext -> Recognition -> RecognitionReport
 recognitionReport context recognition =
   RecognitionReport

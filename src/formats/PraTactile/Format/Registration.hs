@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of the registration of pairs of frames, and of their assembly.
+-- | The JSON of @register@ (pairs of frames) and of @stitch@ (assemblies).
 module PraTactile.Format.Registration
   ( encodeMatch,
     PairRequest (..),
@@ -26,7 +26,7 @@ import PraTactile.Image (rasterSize)
 import PraTactile.Registration
 import PraTactile.Registration.Pair
 
--- | The answer on one line, without its end; all keys always.
+-- | The answer as one line without its line end. All keys are always there.
 encodeMatch :: Match -> ByteString
 encodeMatch match =
   encodeSchema "register/1" $
@@ -48,7 +48,7 @@ hypothesisValue :: Hypothesis -> Value
 hypothesisValue (Hypothesis shift probability) =
   object ["shift" .= shift, "probability" .= probability]
 
--- | A line of a batch: the two files and the nominal step, taxels right and down.
+-- | A request of a batch: the two files and the nominal step, in taxels right and down.
 data PairRequest = PairRequest
   { requestFirst :: !FilePath,
     requestSecond :: !FilePath,
@@ -56,7 +56,7 @@ data PairRequest = PairRequest
   }
   deriving stock (Eq, Show)
 
--- | The request in a JSON text.
+-- | Reads a request from a JSON text.
 decodePairRequest :: ByteString -> Either FormatError PairRequest
 decodePairRequest =
   decodeWith $
@@ -81,7 +81,8 @@ refusalName refusal = case refusal of
   Ambiguous -> "ambiguous"
   NoOverlap -> "no-overlap"
 
--- | An assembly on one line, without its end, with the file of each frame; all keys always.
+-- | An assembly with the file of each frame, as one line without its line end. All keys are always
+-- there.
 encodeAssembly :: [FilePath] -> Assembly -> ByteString
 encodeAssembly files made =
   encodeSchema "stitch/1" $
@@ -104,7 +105,7 @@ encodeAssembly files made =
           "reason" .= reason
         ]
 
--- | Of each frame why it is to be doubted, if it is: @no-overlap@ or @ambiguous@.
+-- | The reason to doubt each frame, if there is one: @no-overlap@ or @ambiguous@.
 reasonsOf :: Assembly -> [Maybe String]
 reasonsOf made = map reasonOf (assemblyFrames made)
   where

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of what segmentation finds in a composite.
+-- | The JSON of @segment@.
 module PraTactile.Format.Segmentation
   ( encodeSegmentation,
   )
@@ -12,7 +12,8 @@ import PraTactile.Format.Json (encodeSchema)
 import PraTactile.Recognise.Features
 import PraTactile.Segmentation.Symbol
 
--- | What the composite of that name shows, on one line, without its end; all keys always.
+-- | The symbols, parts and rejected regions of the named composite, as one line without its line
+-- end. All keys are always there.
 encodeSegmentation :: FilePath -> Features -> ByteString
 encodeSegmentation source shown =
   encodeSchema "segment/1" $

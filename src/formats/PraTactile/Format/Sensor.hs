@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of a simulated sensor, every constant with its unit and its source; and of the
--- cylinder that the face under it is wrapped on.
+-- | The JSON of a simulated sensor, with the unit and the source of every constant; and of the
+-- cylinder on which the face is wrapped.
 module PraTactile.Format.Sensor
   ( encodeSensor,
     decodeSensor,
@@ -19,7 +19,7 @@ import PraTactile.Sensor.Constants
 import PraTactile.Sensor.Model (Sensor)
 import PraTactile.Sensor.Preset (Preset (..), presetName, presetSensor)
 
--- | A sensor on one line, without its end, with the name of its preset, if it is one.
+-- | A sensor, with the name of its preset if it has one, as one line without its line end.
 encodeSensor :: Maybe Preset -> Sensor -> ByteString
 encodeSensor preset sensor =
   writeLine keys (preset, constantsOf sensor)
@@ -36,7 +36,8 @@ sensorSchema = "pra-tactile/sensor/1"
 presetCodec :: Codec Preset
 presetCodec = named presetName
 
--- | A constant with its value; read by its name. Its unit may be left out, and is no other.
+-- | A constant with its value, read by its name. The unit is optional but must be the constant's
+-- own.
 constantCodec :: Codec (Constant, Double)
 constantCodec = case object keys of
   Codec schema write _ -> Codec schema write $ \value -> do
@@ -60,10 +61,9 @@ constantNamed = flip (via constantName) text $ \given ->
     c : _ -> Right c
     [] -> refuse (NotAmong (map constantName constants) given)
 
--- | The sensor in a JSON text as 'encodeSensor' makes it; what it does not name is that of its
--- preset, or of 'Paper' where it has none. Sources are not read. Refuses another schema, unknown
--- names, a constant that is there twice or in another unit than its own, and values out of a
--- constant's range.
+-- | Reads the JSON of 'encodeSensor'. Constants that it does not name come from its preset, or
+-- from 'Paper' if it has none. Sources are ignored. Refuses another schema, unknown names, repeated
+-- constants, other units, and values out of range.
 decodeSensor :: ByteString -> Either FormatError Sensor
 decodeSensor bytes = do
   (preset, given) <- decodeWith keys bytes
@@ -81,7 +81,7 @@ decodeSensor bytes = do
         Right
         (replaced (constantName constant) value sensor)
 
--- | A cylinder. Refuses a radius that is not above 0, or above 'longestRadius'.
+-- | A cylinder. Refuses a radius that is not positive or above 'longestRadius'.
 bendCodec :: Codec Bend
 bendCodec = object (Bend <$> key "radius_mm" radius bendRadius <*> key "axis" axis bendAxis)
   where

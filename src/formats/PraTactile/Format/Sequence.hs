@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of fields, polynomials, sequences and arrays: codes throughout.
+-- | The JSON of fields, polynomials, sequences and arrays. Elements are codes.
 module PraTactile.Format.Sequence
   ( encodeField,
     PolynomialKind (..),
@@ -23,7 +23,8 @@ import PraTactile.Format.Json
 import PraTactile.Format.Profile
 import PraTactile.Profile (Profile)
 
--- | A field, on one line, without its end: lists are indexed by codes, lists of lists by two.
+-- | A field as one line without its line end. Lists are indexed by one code, lists of lists by
+-- two.
 encodeField :: forall k. KnownField k => Proxy k -> ByteString
 encodeField k =
   encodeSchema "field/1" $
@@ -41,12 +42,12 @@ encodeField k =
   where
     everything = elements :: [GF k]
 
--- | Which polynomials.
+-- | Which polynomials are listed.
 data PolynomialKind = PrimitiveOnes | IrreducibleOnes
   deriving stock (Eq, Show)
 
--- | How many polynomials of a degree over a field there are, or these, on one line, without its
--- end; made as the list is.
+-- | The polynomials of a degree over a field, or only their number, as one line without its line
+-- end. The line is produced lazily.
 encodePolynomials ::
   KnownField k =>
   Proxy k ->
@@ -67,7 +68,7 @@ encodePolynomials k degree kind found =
       PrimitiveOnes -> "primitive" :: String
       IrreducibleOnes -> "irreducible"
 
--- | The rows of the array of a profile, on one line, without its end.
+-- | The rows of a profile's array, as one line without its line end.
 encodeArray :: Profile -> [[Int]] -> Lazy.ByteString
 encodeArray profile codes =
   encodeLine $
@@ -75,8 +76,8 @@ encodeArray profile codes =
       <> "profile" .= profileValue profile
       <> "rows" .= codes
 
--- | Terms of the sequence of a profile, from this index on, this many, on one line, without its
--- end; made as the list is.
+-- | The terms of a profile's sequence, from an index on and of a given number, as one line without
+-- its line end. The line is produced lazily.
 encodeTerms :: Profile -> Integer -> Natural -> [Int] -> Lazy.ByteString
 encodeTerms profile from count codes =
   encodeLine $
@@ -86,7 +87,7 @@ encodeTerms profile from count codes =
       <> "length" .= naturalValue count
       <> "terms" .= codes
 
--- | The shortest shift register that puts out some symbols.
+-- | The shortest shift register that produces the given symbols.
 data SynthesisReport = SynthesisReport
   { synthesisOrder :: Natural,
     synthesisModulus :: [Natural],
@@ -94,12 +95,12 @@ data SynthesisReport = SynthesisReport
     synthesisCodes :: [Natural],
     synthesisRegister :: Int,
     synthesisUnique :: Bool,
-    -- | 'Nothing' where it was not decided
+    -- | 'Nothing' if it was not decided
     synthesisPrimitive :: Maybe Bool,
     synthesisState :: [Natural]
   }
 
--- | The register on one line, without its end.
+-- | The register as one line, without its line end.
 encodeSynthesis :: SynthesisReport -> ByteString
 encodeSynthesis found =
   encodeSchema "synthesise/1" $

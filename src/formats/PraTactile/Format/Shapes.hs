@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of how far shapes are apart, and what is wrong with them.
+-- | The JSON of @shapes@: the distances of shapes and their faults.
 module PraTactile.Format.Shapes
   ( encodeShapes,
     faultName,
@@ -18,7 +18,8 @@ import PraTactile.Shape.Check
 import PraTactile.Shape.Distance (Nearest (..))
 import PraTactile.Symmetry
 
--- | On one line, without its end; all keys always. Shapes stand there by their names.
+-- | The distances and faults of drawings, by the shapes' names, as one line without its line end.
+-- All keys are always there.
 encodeShapes :: Drawings -> ByteString
 encodeShapes a =
   encodeSchema "shapes/1" $
@@ -52,8 +53,8 @@ faultName kind = case kind of
   OwnImage -> "own-image"
   TooNear -> "too-near"
 
--- | The stable name of a symmetry: what is mirrored, left and right exchanged, is turned clockwise
--- afterwards.
+-- | The stable name of a symmetry. Mirroring (left and right exchanged) comes before the clockwise
+-- rotation.
 transformationName :: Symmetry -> Text
 transformationName symmetry
   | mirrored symmetry = if turns == 0 then "mirror" else "mirror-" <> turn

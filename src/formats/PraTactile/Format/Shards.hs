@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Shards: files that each have some of the numbered parts of a whole.
+-- | Shards: files that each hold some numbered parts of a whole.
 module PraTactile.Format.Shards
   ( together,
     PartsError (..),
@@ -11,17 +11,17 @@ import Control.Monad (foldM, unless)
 import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
 
--- | Why parts are not a whole.
+-- | Why shards do not form a whole.
 data PartsError
-  = -- | This part is in both files; they may be the same file.
+  = -- | This part is in both files. They may be the same file.
     PartTwice Natural FilePath FilePath
-  | -- | Of this number of parts, those from the first to the second number of each pair, ascending,
-    -- are missing.
+  | -- | Of this number of parts some are missing: those from the first to the second number of
+    -- each pair, ascending.
     PartsMissing Natural [(Natural, Natural)]
   deriving stock (Eq, Show)
 
--- | All parts in order, given the number of the first one and how many there are; each with the
--- file that it is in and its number. There must be each of them once.
+-- | All parts in order. The arguments are the number of the first part, the number of parts, and
+-- the parts with their files and numbers. Refuses missing and repeated parts.
 together :: Natural -> Natural -> [(FilePath, Natural, a)] -> Either PartsError [a]
 together start count given = do
   found <- foldM insert Map.empty given

@@ -1,4 +1,4 @@
--- | Files of polyhedra, of all formats, as pure functions on bytes.
+-- | Files of polyhedra in all formats, as pure functions on bytes.
 module PraTactile.Format.Solid
   ( -- * Formats
     SolidFormat (..),
@@ -40,11 +40,11 @@ import PraTactile.Format.Solid.Text (plain)
 import PraTactile.Object.Description (ObjectName)
 import PraTactile.Object.Mesh (Mesh)
 
--- | The formats. What is read of STL and PLY may be of either kind; written is the one named.
+-- | The formats. Reading STL and PLY accepts text and binary files; writing uses the named kind.
 data SolidFormat = Off | Obj | Stl | StlText | Ply | PlyText | Json
   deriving stock (Eq, Show, Enum, Bounded)
 
--- | What the format is called.
+-- | The name of a format.
 formatName :: SolidFormat -> String
 formatName format = case format of
   Off -> "off"
@@ -55,11 +55,11 @@ formatName format = case format of
   PlyText -> "ply-ascii"
   Json -> "json"
 
--- | The format of this name.
+-- | The format with this name.
 formatOfName :: String -> Maybe SolidFormat
 formatOfName name = find ((== name) . formatName) [minBound ..]
 
--- | The format that a file's end tells.
+-- | The format for a file's extension, in capitals or not.
 --
 -- >>> formatOfFile "part.STL"
 -- Just Stl
@@ -69,8 +69,8 @@ formatOfFile file =
     (\format -> ('.' : formatName format) `isSuffixOf` map toLower file)
     [minBound ..]
 
--- | The polyhedron that the bytes are in a format; it has this name unless it says its own. Linear
--- in the length, but for STL, O(n log n).
+-- | Reads a polyhedron. The name is used unless the file has its own. O(n) in the length; for STL
+-- O(n log n).
 readSolid :: SolidFormat -> ObjectName -> ByteString -> Either SolidFileError Contents
 readSolid format name = case format of
   Off -> plain >=> readOff name
@@ -81,7 +81,7 @@ readSolid format name = case format of
   PlyText -> readPly name
   Json -> readObject
 
--- | The bytes of a polyhedron in a format.
+-- | Writes a polyhedron in a format.
 writeSolid :: SolidFormat -> Mesh -> Written Builder.Builder
 writeSolid format it = case format of
   Off -> writeOff it

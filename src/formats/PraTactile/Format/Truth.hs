@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of the truth of an exploration, of what is compared with it in an answer of @decode@,
--- and of the comparison.
+-- | The JSON of the truth of a simulated exploration, of the claim in an answer of @decode@, and
+-- of their comparison.
 module PraTactile.Format.Truth
   ( encodeTruth,
     encodePosedTruth,
@@ -31,21 +31,22 @@ import PraTactile.Sensor.Frame (taxelPitch)
 import PraTactile.Symmetry
 import PraTactile.Truth
 
--- | The truth on one line, without its end; of @bend@ and @angle_deg@ only what there is.
+-- | The truth as one line, without its line end. @bend@ and @angle_deg@ are there only if they
+-- apply.
 encodeTruth :: Truth -> ByteString
 encodeTruth = writeLine truthKeys
 
--- | The same with the true pose, if there is one: from the object's frame to the robot's, whose
--- lengths are those of the truth.
+-- | The truth with the true pose, if there is one, as one line without its line end. The pose is a
+-- motion from the object's frame to the robot's, in the truth's lengths.
 encodePosedTruth :: Maybe RigidMotion -> Truth -> ByteString
 encodePosedTruth pose truth =
   writeLine
     ((,) <$> withKeys fst truthKeys <*> key "pose" (nullable motionCodec) snd)
     (truth, pose)
 
--- | The truth in a JSON text that 'encodeTruth' made; lengths in millimetres are read to the
--- nearest double. Refuses another schema, keys that are missing or have other values, regions of
--- more than 100000 taxels a side, and an angle to which the orientation is not the nearest.
+-- | Reads the JSON of 'encodeTruth'. Lengths in millimetres become the nearest doubles. Refuses
+-- another schema, missing keys, invalid values, regions of more than 100000 taxels a side, and an
+-- angle whose nearest quarter turn is not the orientation.
 decodeTruth :: ByteString -> Either FormatError Truth
 decodeTruth bytes = do
   truth <- decodeWith truthKeys bytes
@@ -74,7 +75,7 @@ regionKeys =
     region (x, y) (wide, high) quarters degrees =
       Region (x / taxelPitch) (y / taxelPitch) wide high (turned quarters) $
         maybe 0 (beyond (90 * fromIntegral quarters)) degrees
-    -- The angle is that of the whole turn, from 0 to 360.
+    -- The angle in the file is the whole rotation, from 0 to 360.
     freeAngle r = if regionAngle r == 0 then Nothing else Just (regionTurn r)
     beyond quarter degrees = degrees - quarter - (if degrees - quarter > 180 then 360 else 0)
     angle = such (\degrees -> degrees >= 0 && degrees < 360) NotAngle real
@@ -84,8 +85,8 @@ regionKeys =
         such (<= longestSide) (RegionTooLarge longestSide) natural
     longestSide = 100000
 
--- | The claim in a JSON text with an answer of @decode@, or 'Nothing' where it names no place on a
--- face. Refuses what is no such answer.
+-- | Reads the claim from an answer of @decode@; 'Nothing' if it names no place on a face. Refuses
+-- any other JSON.
 decodeClaim :: ByteString -> Either FormatError (Maybe Claim)
 decodeClaim = decodeObject $ \fields -> do
   readKeys (schemaKey decodeSchema) fields
@@ -95,7 +96,7 @@ decodeClaim = decodeObject $ \fields -> do
     then Just <$> readKeys claimKeys fields
     else pure Nothing
 
--- | The pose in such a text, where it tells one.
+-- | Reads the pose from an answer of @decode@, if it has one.
 decodeClaimedPose :: ByteString -> Either FormatError (Maybe ObjectPose)
 decodeClaimedPose =
   decodeObject (fmap join . readKeys (optionalKey "pose" (nullable namedPoseCodec) Just))
@@ -111,9 +112,9 @@ claimKeys =
   where
     claim face = Claim face . turned
 
--- | A truth beside a claim, where there is one, and how many millimetres they are apart, or in what
--- they differ, on one line, without its end; all lengths so many times as long. Then how far the
--- pose is off, where it is told: millimetres and degrees.
+-- | A truth with a claim (if there is one), and their distance in millimetres or their difference,
+-- as one line without its line end. All lengths are multiplied by the first argument. The last
+-- argument is the error of the pose (millimetres and degrees), if known.
 encodeComparison ::
   Double ->
   Truth ->

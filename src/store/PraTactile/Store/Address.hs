@@ -1,13 +1,13 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The address of a database on a server, in either of libpq's forms: a URI,
--- @postgresql://[USER[:PASSWORD]@][HOST[:PORT][,...]][/NAME][?PARAMETER=VALUE[&...]]@, in which
--- whatever means something there is percent-encoded elsewhere; or settings, @host=HOST dbname=NAME@
--- and so on, of which values with blanks stand between apostrophes.
+-- | The address of a database on a server, in either form of libpq. A URI is
+-- @postgresql://[USER[:PASSWORD]@][HOST[:PORT][,...]][/NAME][?PARAMETER=VALUE[&...]]@, where
+-- special characters are percent-encoded. Settings are @host=HOST dbname=NAME@ and so on, with
+-- apostrophes around values that contain blanks.
 --
--- This is also the one place that says how a database's name is shown: never with a password. Both
--- forms are read a little more strictly than libpq reads them. Of a name that is meant as an
--- address and is none, a password could be anywhere in it, so little is shown.
+-- Only this module decides how a database's name is shown: never with a password. It reads both
+-- forms slightly more strictly than libpq. A malformed address may have a password anywhere, so
+-- little of it is shown.
 module PraTactile.Store.Address
   ( -- * Addresses
     isAddress,
@@ -16,7 +16,7 @@ module PraTactile.Store.Address
     unknownScheme,
     connectionString,
 
-    -- * What is shown of them
+    -- * Showing addresses
     shownName,
     shownAddress,
     withheld,
@@ -44,19 +44,19 @@ data Address
   | -- | keys and values, in their order
     AsSettings [(String, String)]
 
--- | A URI in its parts, each as it was written.
+-- | A URI in its parts, as written.
 data Uri = Uri
   { scheme :: String,
     user :: Maybe String,
     password :: Maybe String,
     hosts :: String,
-    -- | with its slash, or nothing
+    -- | with its slash, or empty
     path :: String,
     parameters :: [(String, String)]
   }
 
--- | Whether a name is meant as an address and not as a file's: it has a scheme, or begins with a
--- setting of libpq's, or has a password among settings.
+-- | Whether a name means an address and not a file: it has a scheme, begins with a libpq setting,
+-- or has a password among settings.
 isAddress :: String -> Bool
 isAddress name =
   meansPostgres name || hasScheme || beginsWithKey || not (null (secretsFrom name))
@@ -66,14 +66,14 @@ isAddress name =
       (key, rest) -> map toLower key `elem` keys && take 1 (dropWhile isSpace rest) == "="
     keys = words "host hostaddr port user dbname service passfile sslmode"
 
--- | Whether a name begins as an address of PostgreSQL does, if perhaps misspelt.
+-- | Whether a name begins like a PostgreSQL address, possibly misspelt.
 meansPostgres :: String -> Bool
 meansPostgres name = any (`isPrefixOf` beyond) [":", "//"]
   where
     beyond = maybe "" (dropWhile isAlpha) (stripPrefix "postgres" begin)
     begin = map toLower (dropWhile isSpace name)
 
--- | The scheme of a name that has one, if no address has it.
+-- | The scheme of a name, if it has one that no address has.
 unknownScheme :: String -> Maybe String
 unknownScheme name = do
   (begin, _) <- breakOn "://" name
@@ -86,7 +86,7 @@ unknownScheme name = do
 schemes :: [String]
 schemes = ["postgresql", "postgres"]
 
--- | The address, if it is one of either form.
+-- | Reads an address in either form.
 readAddress :: String -> Maybe Address
 readAddress name = case breakOn "://" name of
   Just (begin, text)
@@ -123,17 +123,17 @@ readUri begin text = do
     parameter one = do
       (key, value) <- breakAt '=' one
       if not (null key) && all isKeyLetter key then Just (key, value) else Nothing
-    -- Each percent sign is followed by the number of a byte, which is not 0.
+    -- Each percent sign precedes the hexadecimal digits of a byte other than 0.
     encodes rest = case dropWhile (/= '%') rest of
       _ : a : b : others -> isHexDigit a && isHexDigit b && [a, b] /= "00" && encodes others
       other -> null other
-    -- A name or a number, then perhaps a port.
+    -- A name or a number, then optionally a port.
     host one = case one of
       '[' : inner -> all isDigit (dropPort (drop 1 (dropWhile (/= ']') inner)))
       _ -> all isDigit (dropPort (dropWhile (/= ':') one))
     dropPort one = if take 1 one == ":" then drop 1 one else one
 
--- | Settings by libpq's rules (its function conninfo_parse).
+-- | Reads settings by libpq's rules (its function conninfo_parse).
 readSettings :: String -> Maybe [(String, String)]
 readSettings text
   | any (\c -> isControl c && not (isSpace c)) text = Nothing
@@ -161,7 +161,7 @@ readSettings text
 isKeyLetter :: Char -> Bool
 isKeyLetter c = isAscii c && (isAlpha c || c == '_')
 
--- | The address for libpq, with these parameters where it has no others of their names.
+-- | The address for libpq, with the given parameters added unless it has its own.
 connectionString :: [(String, String)] -> Address -> String
 connectionString usual address = case address of
   AsUri uri ->
@@ -174,14 +174,14 @@ connectionString usual address = case address of
   where
     beside own = [one | one <- usual, fst one `notElem` map fst own]
 
--- | A value between apostrophes.
+-- | A quoted value.
 setting :: String -> String
 setting value = "'" ++ concatMap escaped value ++ "'"
   where
     escaped c = if c `elem` "'\\" then ['\\', c] else [c]
 
--- | A database's name as it is shown, without a password. Any other text with a password in it is
--- shown without that as well.
+-- | A database's name for messages, without a password. Passwords are removed from any other text
+-- as well.
 shownName :: String -> String
 shownName name = case readAddress name of
   Just address -> shownAddress address
@@ -189,8 +189,8 @@ shownName name = case readAddress name of
     | meansPostgres name -> "postgresql://..."
     | otherwise -> cutSecrets name
 
--- | The address as it is shown: without a password, and of the parameters those that tell which
--- database it is.
+-- | An address for messages: without the password, and with only those parameters that identify
+-- the database.
 shownAddress :: Address -> String
 shownAddress address = case address of
   AsUri uri ->
@@ -211,8 +211,8 @@ shownAddress address = case address of
   where
     blankless value = if null value || any isSpace value then setting value else value
 
--- | What must not be told of an address beside its passwords, as it was written and as it is meant:
--- values that are not shown whole, and keys that follow a password, of which they may be a part.
+-- | The parts of an address, beside passwords, that must not be shown, as written and decoded:
+-- values that are not shown in full, and keys after a password, which may be part of it.
 withheld :: Address -> [String]
 withheld address = filter (not . null) (concatMap bothWays hidden ++ suspects)
   where
@@ -228,12 +228,12 @@ withheld address = filter (not . null) (concatMap bothWays hidden ++ suspects)
     suspects = drop 1 (dropWhile (not . isSecret) keyed)
     bothWays value = [value, decoded value]
 
--- | Whether a parameter tells which database it is.
+-- | Whether a parameter identifies the database.
 isTelling :: String -> Bool
 isTelling =
   (`elem` words "host hostaddr port user dbname service options application_name sslmode")
 
--- | Whether a key is that of a password, by whatever name.
+-- | Whether a key holds a password, under any name.
 isSecret :: String -> Bool
 isSecret key =
   lower == "pass"
@@ -242,14 +242,13 @@ isSecret key =
   where
     lower = map toLower key
 
--- | The value of a parameter as it is shown. A colon stands in addresses by numbers and before a
--- port; what follows another may be a password.
+-- | The value of a parameter for messages. A colon may belong to a numeric address or precede a
+-- port; text after any other colon may be a password.
 shownValue :: String -> String -> String
 shownValue key value = cutAtColon (key `elem` ["host", "hostaddr"]) (cutSecrets value)
 
--- | A text of any kind without what may be a password in it: what stands between a colon and the
--- last at sign, what follows a colon in an address without an at sign, and what follows a
--- password's key.
+-- | Removes possible passwords from any text: what stands between a colon and the last at sign,
+-- what follows a colon in an address without an at sign, and what follows a password's key.
 cutSecrets :: String -> String
 cutSecrets text = case breakOn "://" text of
   Just (begin, rest)
@@ -269,8 +268,8 @@ cutSecrets text = case breakOn "://" text of
     isAt (_, rest) = any (`isPrefixOf` rest) ["@", "%40"]
     isColon (_, rest) = any (`isPrefixOf` map toLower (take 3 rest)) [":", "%3a"]
 
--- | A text without what follows its first colon, if it is not an address by numbers; nor, where
--- there may be a port, one before that. The colon may be encoded.
+-- | Removes what follows a text's first colon, unless it is a numeric address or, where a port is
+-- allowed, the colon precedes one. The colon may be encoded.
 cutAtColon :: Bool -> String -> String
 cutAtColon withPort text
   | byNumbers = text
@@ -289,11 +288,11 @@ cutAtColon withPort text
       (_ : _, end) -> take 1 end `elem` ["", ",", "/"]
       _ -> False
 
--- | All ways to part a text in two.
+-- | All ways to split a text in two.
 parted :: String -> [(String, String)]
 parted text = zip (inits text) (tails text)
 
--- | Where values of passwords begin in a text, each after its key and an equals sign.
+-- | The indices at which values of passwords begin, each after its key and an equals sign.
 secretsFrom :: String -> [Int]
 secretsFrom text =
   [ length text - length value
@@ -317,7 +316,7 @@ rendered uri =
       intercalate "&" [key ++ "=" ++ value | (key, value) <- parameters uri]
     ]
 
--- | A text with its percent-encoded characters as they are; each is taken for one byte.
+-- | Decodes percent-encoded characters, one byte each.
 decoded :: String -> String
 decoded text = case text of
   '%' : a : b : rest
@@ -325,11 +324,11 @@ decoded text = case text of
   c : rest -> c : decoded rest
   [] -> []
 
--- | What is before the first of these letters, and what is after it.
+-- | The text before and after the first occurrence of a character.
 breakAt :: Char -> String -> Maybe (String, String)
 breakAt letter = breakOn [letter]
 
--- | What is before the first of these words, and what is after it.
+-- | The text before and after the first occurrence of a word.
 breakOn :: String -> String -> Maybe (String, String)
 breakOn word text =
   listToMaybe

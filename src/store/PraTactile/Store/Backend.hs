@@ -1,8 +1,8 @@
 {-# LANGUAGE RankNTypes #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What one kind of database does otherwise than another. All else (tables, rows, seals,
--- look-ups, what refuses) is the same for each.
+-- | The operations in which kinds of databases differ. Tables, rows, seals, look-ups and refusals
+-- are common to all.
 module PraTactile.Store.Backend
   ( Backend (..),
     answering,
@@ -29,34 +29,34 @@ import PraTactile.Store.Guard
 import PraTactile.Store.Query (Query)
 import PraTactile.Store.Rows (Rows)
 
--- | A database of some kind, under a name.
+-- | A named database of some kind.
 data Backend = Backend
-  { -- | its name as it is shown, without a password
+  { -- | its name for messages, without a password
     backendName :: String,
-    -- | go on with a connection to what there is; each transaction on it sees one state throughout
+    -- | runs an action with a connection; each transaction on it sees a constant state
     connected :: forall a. (SqlBackend -> IO a) -> ExceptT StoreError IO a,
-    -- | what an exception of the database or its binding means; 'Nothing' for any other
+    -- | interprets an exception of the database or its binding; 'Nothing' for any other
     meaningOf :: SomeException -> Maybe Objection,
-    -- | the columns of a table in their order; none where there is no such table
+    -- | the columns of a table in their order; empty if there is no such table
     columnsOf :: String -> Query IO [Text],
-    -- | refuses a database that is not whole, as far as the database itself can tell
+    -- | refuses a damaged database, as far as the database itself can tell
     integrity :: Query IO (),
-    -- | refuses values that are not of their columns' types
+    -- | refuses values of wrong types
     valuesTyped :: Query IO (),
-    -- | looks at what there is, and answers with what ends a transaction and begins one that no
-    -- other program's changes can come into; that waits for at most ten seconds, and refuses what
-    -- has come in the place of what there was
+    -- | looks at the present database, and returns the action that ends a transaction and begins
+    -- one that excludes other writers. The action waits up to ten seconds, and refuses a database
+    -- that has been replaced in the meantime
     prepareWriting :: IO (Query IO ()),
-    -- | makes the table of what is remembered
+    -- | creates the table of former places
     makeFormer :: Query IO (),
-    -- | whether a column can hold a text
+    -- | whether a column can hold the text
     holdsText :: Text -> Bool,
-    -- | write a new store, or in the place of one, whole or not at all; refuses whatever else there
-    -- is
+    -- | writes a store atomically, as a new one or in place of an old one; refuses anything else
+    -- that is there
     putRows :: Rows -> ExceptT StoreError IO ()
   }
 
--- | An action on a database; whatever it throws is an answer.
+-- | Runs an action on a database and turns its exceptions into errors.
 answering :: Backend -> IO a -> ExceptT StoreError IO a
 answering backend = withExceptT objection . guarded (meaningOf backend)
   where
@@ -64,12 +64,12 @@ answering backend = withExceptT objection . guarded (meaningOf backend)
     objection Unknown = TablesDiffer (backendName backend)
     objection (Failed failure) = DatabaseFailed failure
 
--- | Statements in a transaction of their own, of which nothing is kept where one refuses.
+-- | Runs statements in their own transaction, which is rolled back if one refuses.
 transacted :: SqlBackend -> Query IO a -> IO (Either StoreError a)
 transacted backend statements = runSqlConn (runExceptT statements >>= kept) backend
   where
     kept outcome = outcome <$ either (const transactionUndo) (const (pure ())) outcome
 
--- | The only column of what a question finds.
+-- | The values of a query with a single column.
 ask :: PersistField value => String -> Query IO [value]
 ask sql = map unSingle <$> lift (rawSql (Text.pack sql) [])

@@ -1,5 +1,5 @@
--- | What can go wrong between a placement and a database that holds it. A database has the name
--- under which it is shown: a file's path, or an address without a password.
+-- | The errors of stores. Databases have the names that may be shown: a file's path, or an address
+-- without a password.
 module PraTactile.Store.Error
   ( StoreError (..),
     Damage (..),
@@ -13,23 +13,23 @@ where
 import PraTactile.Object.Placement (PlacementError)
 import PraTactile.Object.WingedEdge (Defect, ObjectName)
 
--- | Why a store cannot be written, opened or asked.
+-- | Why a store cannot be written, opened or queried.
 data StoreError
   = -- | there is no such file to open
     NoSuchFile FilePath
-  | -- | a directory stands where a file is meant
+  | -- | a directory stands where a file is expected
     IsDirectory FilePath
   | -- | the file cannot be read
     CannotRead FilePath Failure
-  | -- | the file cannot be written; whatever was there before still is
+  | -- | the file cannot be written; its former contents are unchanged
     CannotWrite FilePath Failure
-  | -- | what is there is no store, and so it is not replaced
+  | -- | something other than a store is there, and is not replaced
     Occupied FilePath Occupant
-  | -- | the file does not begin as an SQLite database does
+  | -- | the file does not begin like an SQLite database
     NotADatabase FilePath
-  | -- | the file begins as a database, but not all of it is one
+  | -- | the file begins like a database but is damaged
     DamagedFile FilePath Damage
-  | -- | a database, but without the metadata of a store
+  | -- | a database without the metadata of a store
     NotAStore FilePath
   | -- | a store that lacks a table or a column
     TablesDiffer FilePath
@@ -37,87 +37,86 @@ data StoreError
     WrongSchemaVersion Int Int
   | -- | the store was made for another profile: found, then expected
     ForeignProfile String String
-  | -- | a row of this table is missing, refers to a row that is not there, or has a negative number
-    -- where there can be none
+  | -- | a row of this table is missing, refers to a missing row, or has an invalid negative number
     UnreadableRow Table
-  | -- | a row of this table is not as it was written
+  | -- | a row of this table was changed after it was written
     ChangedRow Table
-  | -- | the rows of this table are not those that the others imply
+  | -- | the rows of this table are not those that the other tables imply
     RowsDisagree Table
-  | -- | the object's vertices and corners make no solid
+  | -- | the object's vertices and corners do not form a solid
     NotSolid ObjectName Defect
-  | -- | the layings make no placement
+  | -- | the layings do not form a placement
     NotPlaced PlacementError
   | -- | a number beyond the database's 64 bits
     TooLarge Integer
-  | -- | the store has no such object, face or cell; what the placement itself would answer
+  | -- | the store has no such object, face or cell; with the error of the placement
     NotInStore PlacementError
-  | -- | the database does not carry out a statement
+  | -- | the database cannot execute a statement
     DatabaseFailed Failure
-  | -- | the name begins as an address does, and is none; it is not repeated, for a password could
-    -- be anywhere in it
+  | -- | the name begins like an address but is malformed; it is not repeated, because it may
+    -- contain a password
     UnreadableAddress
-  | -- | the name begins with this scheme and @:\/\/@, which no address does
+  | -- | the name begins with this scheme and @:\/\/@, which is not a scheme of addresses
     UnknownScheme String
-  | -- | the program was built without what asks a server
+  | -- | the program was built without support for servers
     WithoutServers String
   | -- | there is no connection to the server
     Unreachable String Failure
-  | -- | the database on the server has texts in another encoding than UTF-8: this one
+  | -- | the database on the server does not use UTF-8 but this encoding
     WrongEncoding String String
-  | -- | a text that the database cannot hold
+  | -- | the database cannot hold a text
     TextNotHeld String
   deriving stock (Eq, Show)
 
--- | In which way a file is not wholly a database.
+-- | How a database file is damaged.
 data Damage
   = -- | parts of the file are overwritten or missing
     BrokenPages
-  | -- | a value is not of its column's type
+  | -- | a value has another type than its column
     ForeignValue
   deriving stock (Eq, Show)
 
--- | Why a file cannot be read or written.
+-- | Why a file or a server cannot be used.
 data Failure
   = -- | another program holds it
     InUse
-  | -- | this user may not
+  | -- | this user lacks the permission
     NotPermitted
   | -- | the disk or the memory is full
     NoRoom
   | -- | there is no such folder, or it cannot be entered
     NoFolder
-  | -- | the file's name is not valid text, which the database needs
+  | -- | the file's name is not valid text, as the database requires
     NameNotText
-  | -- | no server answers
+  | -- | no server answered
     NoServer
-  | -- | the server refuses the password, or that there is none
+  | -- | the server refused the password, or requires one
     PasswordRefused
-  | -- | there is no connection for another reason, which would tell what may be a password
+  | -- | another reason, whose text might contain a password
     ServerRefuses
-  | -- | the parameters that follow the password are not all known
+  | -- | a parameter after the password is unknown
     UnknownParameter
-  | -- | there is no connection for another reason: the server's or the client library's own words
+  | -- | another reason, in the words of the server or the client library
     Refused String
-  | -- | the server, or the way to it, is gone
+  | -- | the connection to the server was lost
     ConnectionLost
-  | -- | the system or the database refuses for another reason
+  | -- | the system or the database refused for another reason
     SystemRefuses
   deriving stock (Eq, Show)
 
--- | What is where a store is to be written.
+-- | The obstacle at the place of a new store.
 data Occupant
-  = -- | a link to nothing
+  = -- | a broken link
     DanglingLink
   | -- | a device, a pipe or a socket
     NoRegularFile
-  | -- | a file of something else
+  | -- | a file of another kind
     NoStore
-  | -- | tables of something else, of the same names
+  | -- | other tables with the same names
     OtherTables
   deriving stock (Eq, Show)
 
--- | The tables, by the names that the database gives them.
+-- | The tables.
 data Table
   = MetadataTable
   | ObjectTable
@@ -131,7 +130,7 @@ data Table
   | FormerTable
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | As the database has it.
+-- | The name of a table in the database.
 tableName :: Table -> String
 tableName table = case table of
   MetadataTable -> "metadata"

@@ -1,9 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Where objects lay before, which a store remembers of those that were taken out or replaced: a
--- part that was made for that place is read as another one when the object lies elsewhere. Stores
--- that were made before there was this table have none, and get it when there is something to
--- remember.
+-- | The former places of objects, which a store remembers after they were taken out or replaced:
+-- if the object now lies elsewhere, a part made for its former place is read as another part.
+-- Stores without this table get it when there is something to remember.
 module PraTactile.Store.Former
   ( Former,
     FormerFace (..),
@@ -39,10 +38,11 @@ import PraTactile.Store.Rows.Write
 import PraTactile.Store.Schema
 import PraTactile.Store.Seal
 
--- | By their names, the faces of objects that lay elsewhere.
+-- | The faces of objects at their former places, by the objects' names.
 type Former = Map.Map ObjectName [FormerFace]
 
--- | A face by the names of its corners, from where its frame began, and its block on the array.
+-- | A face by the names of its corners, beginning where its frame begins, and its block on the
+-- array.
 data FormerFace = FormerFace
   { formerFace :: String,
     formerAt :: Position,
@@ -50,7 +50,7 @@ data FormerFace = FormerFace
   }
   deriving stock (Eq, Ord, Show)
 
--- | Where each object of a placement lies that has a laid face, its faces in their names' order.
+-- | The places of all objects with laid faces, the faces in the order of their names.
 lyingNow :: Placement -> Former
 lyingNow place =
   Set.toAscList . Set.fromList
@@ -61,27 +61,27 @@ lyingNow place =
           let face = laidFace laid
       ]
 
--- | What is remembered when one placement comes in the place of another, by what was remembered:
--- where each object lay first that is gone or lies elsewhere. Objects of these names were laid on
--- purpose, so that nothing is remembered of them.
+-- | The former places after one placement replaces another. The arguments are the objects that
+-- were placed deliberately (nothing is remembered of them), the former places so far, and the
+-- placements before and after. An object that is gone or lies elsewhere keeps its first place.
 afterwards :: [ObjectName] -> Former -> Placement -> Placement -> Former
 afterwards purposely known before now =
   Map.differenceWith different (before' `Map.withoutKeys` Set.fromList purposely) there
   where
     (here, there) = (lyingNow before, lyingNow now)
-    -- Of several places the first one is kept.
+    -- Of several places the first is kept.
     before' = known <> Map.differenceWith different here there
     different was is = if was == is then Nothing else Just was
 
--- | Of the objects that are new in a placement or lie elsewhere in it, those that lay elsewhere by
--- what is remembered after it, with where that was.
+-- | The former places of objects that are new in a placement or have moved. The arguments are the
+-- former places after the change, and the placements before and after.
 elsewhere :: Former -> Placement -> Placement -> Former
 elsewhere remembered before now = remembered `Map.intersection` moved
   where
     moved = Map.differenceWith different (lyingNow now) (lyingNow before)
     different is was = if is == was then Nothing else Just is
 
--- | What a store remembers.
+-- | The former places in a store.
 rememberedBy :: Backend -> Query IO Former
 rememberedBy backend = do
   there <- columnsOf backend (partName formerPart)
@@ -103,7 +103,7 @@ rememberedBy backend = do
           [FormerFace (Text.unpack (storedFormerFace row')) at grid]
         )
 
--- | Make a store that remembers the first remember the second.
+-- | Replaces the former places in a store: the first ones by the second.
 remember :: Backend -> Former -> Former -> Query IO ()
 remember backend known now = do
   there <- columnsOf backend (partName formerPart)
@@ -116,7 +116,7 @@ remember backend known now = do
     changed these those = Map.differenceWith other these those
     other this that = if this == that then Nothing else Just this
 
--- | The rows of what is remembered.
+-- | The rows of former places.
 formerRowsOf :: Former -> Either StoreError [StoredFormer]
 formerRowsOf former =
   sequence

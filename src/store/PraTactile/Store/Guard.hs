@@ -1,4 +1,4 @@
--- | What a database, its binding and the system throw, as answers.
+-- | Converts exceptions of a database, its binding and the system to errors.
 module PraTactile.Store.Guard
   ( Objection (..),
     guarded,
@@ -27,17 +27,17 @@ import System.IO.Error
     isUserError,
   )
 
--- | What is thrown, by what it means.
+-- | The meaning of an exception.
 data Objection
-  = -- | the content is not what it should be
+  = -- | the contents are damaged
     Damaged Damage
-  | -- | the database knows no such table or column
+  | -- | a table or column is unknown
     Unknown
-  | -- | it cannot be read or written now
+  | -- | the database cannot be read or written now
     Failed Failure
 
--- | Run an action on a database, given what the exceptions of the database mean; whatever it
--- throws, but for what other threads throw at it, is an objection.
+-- | Runs an action on a database. The function interprets the database's exceptions. All
+-- exceptions become objections, except asynchronous ones.
 guarded :: (SomeException -> Maybe Objection) -> IO a -> ExceptT Objection IO a
 guarded meaning action =
   ExceptT $
@@ -46,14 +46,14 @@ guarded meaning action =
                   Handler $ \fault -> pure (Left (fromMaybe (ofSystem fault) (meaning fault)))
                 ]
 
--- | An exception of the system. Values that are not of their column's type, among them text that is
--- not UTF-8, are objected to in many ways, by exceptions of any other kind.
+-- | The meaning of an exception of the system. A value of a wrong type, such as text that is not
+-- UTF-8, can cause exceptions of any other kind.
 ofSystem :: SomeException -> Objection
 ofSystem fault = case fromException fault of
   Just told | not (isUserError told) -> Failed (failureOf told)
   _ -> Damaged ForeignValue
 
--- | What the system's objection means.
+-- | The failure that a system exception means.
 failureOf :: IOException -> Failure
 failureOf fault
   | isPermissionError fault = NotPermitted
@@ -62,7 +62,7 @@ failureOf fault
   | isDoesNotExistError fault = NoFolder
   | otherwise = SystemRefuses
 
--- | An objection as the failure to read or write.
+-- | The failure to read or write that an objection means.
 failureIn :: Objection -> Failure
 failureIn objection = case objection of
   Failed failure -> failure

@@ -2,9 +2,8 @@
 {-# OPTIONS_GHC -O0 #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Which kind of database a name means. Nothing of this module is inlined elsewhere, so that the
--- static program, which has no PostgreSQL, is linked with another one in its place
--- (@tools/static.sh@).
+-- | The kind of database that a name means. Nothing of this module is inlined elsewhere, so the
+-- static program, which has no PostgreSQL, can be linked with a replacement (@tools/static.sh@).
 module PraTactile.Store.Known
   ( backendOf,
   )
@@ -18,7 +17,7 @@ import PraTactile.Store.Postgresql (postgresql)
 #endif
 import PraTactile.Store.Sqlite (sqlite)
 
--- | The database of this name: on a server where it is an address, else in a file.
+-- | The database with this name: on a server if it is an address, otherwise in a file.
 backendOf :: String -> Either StoreError Backend
 backendOf name
   | isAddress name = maybe (Left noAddress) onServer (readAddress name)

@@ -1,12 +1,12 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | A store on a server of PostgreSQL: ten tables in the schema that the user's tables go to.
+-- | A store on a PostgreSQL server: ten tables in the user's default schema.
 --
--- A transaction that reads sees one state throughout (repeatable read). One that writes holds the
--- placement's tables against other writers before it reads the first row, and readers go on with
--- what was there before. Locks are waited for up to ten seconds, unless the address or the server
--- sets another @lock_timeout@; a server is waited for up to ten seconds.
+-- A reading transaction sees a constant state (repeatable read). A writing transaction locks the
+-- placement's tables against other writers before it reads the first row; readers still see the
+-- former state. It waits for locks up to ten seconds, unless the address or the server sets another
+-- @lock_timeout@, and for a server up to ten seconds.
 module PraTactile.Store.Postgresql
   ( postgresql,
   )
@@ -40,7 +40,7 @@ import PraTactile.Store.Rows
 import System.IO.Error (isUserError)
 import System.Timeout (timeout)
 
--- | The database at this address.
+-- | The database at an address.
 postgresql :: Address -> Backend
 postgresql address = backend
   where
@@ -52,19 +52,20 @@ postgresql address = backend
             throughout address $ \connection -> runExceptT (answering backend (action connection)),
           meaningOf = meaningInPostgresql,
           columnsOf = columnsOfVisible,
-          -- There is no question that makes a server read its files through.
+          -- No query makes a server check its files.
           integrity = pure (),
           valuesTyped = do
             differ <- concat <$> traverse typesThatDiffer parts
             unless (null differ) (throwE (DamagedFile name ForeignValue)),
           prepareWriting = pure (beginWriting >> holdTables),
           makeFormer = execute (tableIn formerPart),
-          -- A NUL would end the text.
+          -- PostgreSQL's texts cannot contain NUL.
           holdsText = Text.all (/= '\0'),
           putRows = putTables address
         }
 
--- | Go on with a connection to the database at an address, if a store can be there.
+-- | Runs an action with a connection to the database at an address. Refuses a database that cannot
+-- hold a store.
 throughout ::
   Address -> (SqlBackend -> IO (Either StoreError a)) -> ExceptT StoreError IO a
 throughout address action =
@@ -73,7 +74,7 @@ throughout address action =
     name = shownAddress address
     going outcome = do
       connection <- except outcome
-      -- What the server says unasked, its last words too, libpq would print.
+      -- Otherwise libpq would print the server's notices.
       known (withConnection connection disableNoticeReporting)
       backend <- known (openSimpleConn (\_ _ _ _ -> pure ()) connection)
       found <- known (runReaderT (rawSql settings []) backend)
@@ -84,7 +85,7 @@ throughout address action =
     encodingIn (Single encoding, _, _) = encoding
     known = unreachable . guarded meaningInPostgresql
     unreachable = withExceptT (Unreachable name . failureIn)
-    -- libpq's own limit holds only where the whole program waits for it.
+    -- libpq's own timeout works only if the whole program waits for it.
     reached = do
       answered <-
         unreachable . guarded (meaningOfRefusal address) . timeout (10 * 1000000) $
@@ -95,7 +96,7 @@ throughout address action =
       \set_config('lock_timeout', COALESCE(NULLIF(current_setting('lock_timeout'), '0'), '10s'), \
       \false), set_config('default_transaction_isolation', 'repeatable read', false)"
 
--- | A server behind a network that is gone is noticed within half a minute.
+-- | Notices a broken network within half a minute.
 keptAlive :: [(String, String)]
 keptAlive =
   [ ("keepalives_idle", "10"),
@@ -104,16 +105,16 @@ keptAlive =
     ("tcp_user_timeout", "25000")
   ]
 
--- | A new transaction, in which each statement sees what has been committed before it.
+-- | Begins a new transaction, in which each statement sees what was committed before it.
 beginWriting :: Query IO ()
 beginWriting = lift (mapM_ (`rawExecute` []) ["COMMIT", "BEGIN ISOLATION LEVEL READ COMMITTED"])
 
--- | Keep other writers off until the transaction ends; who reads need not wait.
+-- | Excludes other writers until the transaction ends. Readers need not wait.
 holdTables :: Query IO ()
 holdTables = execute ("LOCK TABLE " <> listed <> " IN EXCLUSIVE MODE")
 
--- | Make the tables and fill them, or fill those that there are, in one transaction. Who makes them
--- is alone with the database, for there is no table yet to be held.
+-- | Creates the tables and fills them, or fills existing ones, in one transaction. A program that
+-- creates tables is alone, since there is no table yet that it could lock.
 putTables :: Address -> Rows -> ExceptT StoreError IO ()
 putTables address given = throughout address $ \backend ->
   runExceptT
@@ -133,7 +134,7 @@ putTables address given = throughout address $ \backend ->
                \(SELECT oid FROM pg_catalog.pg_namespace WHERE nspname = current_schema())"
       if null (taken :: [Text]) then makeTables else emptyTables
       lift (insertRows given)
-      -- So that the first look-up of many rows is planned for them.
+      -- The first look-up is then planned for the number of rows.
       execute ("ANALYZE " <> listed)
     emptyTables = do
       there <- traverse (columnsOfVisible . partName) parts
@@ -146,18 +147,18 @@ putTables address given = throughout address $ \backend ->
       holdTables
       when (null former) (execute (tableIn formerPart))
       for_ (reverse allParts) $ \part -> execute ("DELETE FROM " <> Text.pack (partName part))
-    -- The number that this program's writers lock: any that stays the same.
+    -- The arbitrary, constant number that writers of this program lock.
     turn = 7072617461637469 :: Int
 
--- | Make the tables. Persistent's own way of making them looks at the tables of all schemas.
+-- | Creates the tables. Persistent's own way looks at the tables of all schemas.
 makeTables :: Query IO ()
 makeTables = do
   mapM_ (execute . tableIn) allParts
-  -- A laying that goes is looked for among the runs.
+  -- Deleting a laying searches the runs for it.
   execute "CREATE INDEX run_laying ON run (laying)"
 
--- | The statement that makes a table as "PraTactile.Store.Schema" has it. Texts are in the order of
--- their characters, whatever order the database has.
+-- | The statement that creates a table as "PraTactile.Store.Schema" defines it. Texts are ordered
+-- by their characters, whatever the database's collation.
 tableIn :: Part -> Text
 tableIn part =
   Text.concat ["CREATE TABLE ", Text.pack (partName part), " (", Text.intercalate ", " parts', ")"]
@@ -193,11 +194,11 @@ execute sql = lift (rawExecute sql [])
 listed :: Text
 listed = Text.intercalate ", " (map (Text.pack . partName) parts)
 
--- | The columns of the table that a statement means by this name.
+-- | The columns of the table that a statement would use for this name.
 columnsOfVisible :: String -> Query IO [Text]
 columnsOfVisible table = map unSingle <$> columnsBy "attname::text" table
 
--- | Those columns of a table that are not of their types.
+-- | The columns of a table that have a wrong type.
 typesThatDiffer :: Part -> Query IO [Text]
 typesThatDiffer part = do
   there <- columnsBy "attname::text, format_type(atttypid, atttypmod)" (partName part)
@@ -217,16 +218,17 @@ columnsBy what table =
       <> Text.pack table
       <> "') AND relkind = 'r') AND attnum > 0 AND NOT attisdropped ORDER BY attnum"
 
--- | What an exception means while there is a connection. Of those that the server did not make,
--- which have no state, and of the system's, the cause is that it has gone.
+-- | The meaning of an exception while there is a connection. System exceptions, and exceptions
+-- without a server's state code, mean that the connection was lost.
 meaningInPostgresql :: SomeException -> Maybe Objection
 meaningInPostgresql fault
   | Just told <- fromException fault = Just (ofState (sqlState told))
   | Just system <- fromException fault, not (isUserError system) = Just (Failed ConnectionLost)
   | otherwise = Nothing
 
--- | What it means before there is one: libpq has words only, which never repeat the password
--- itself. They are passed on unless they have something of the address that must not be told.
+-- | The meaning of an exception before there is a connection. libpq gives only words, which never
+-- repeat the password. They are passed on unless they contain other parts of the address that must
+-- not be shown.
 meaningOfRefusal :: Address -> SomeException -> Maybe Objection
 meaningOfRefusal address fault
   | Just told <- fromException fault = Just (Failed (inWords (sqlErrorMsg told)))
@@ -241,11 +243,11 @@ meaningOfRefusal address fault
         if any (`isInfixOf` text) unknown then UnknownParameter else ServerRefuses
       | otherwise = Refused text
       where
-        -- libpq tells of each server a line, and more of some in a line that is indented.
+        -- libpq writes one line per server, sometimes with an indented second line.
         text =
           intercalate "; " . filter (not . null) . map (unwords . words) . lines . Text.unpack $
             ownWords (decodeUtf8With lenientDecode bytes)
-        -- The binding puts them between parentheses.
+        -- The binding puts libpq's words in parentheses.
         ownWords said =
           fromMaybe said (Text.stripPrefix "libpq: failed (" said >>= Text.stripSuffix ")")
         attempts = drop 1 (Text.splitOn "connection to server" (Text.pack text))
@@ -253,7 +255,7 @@ meaningOfRefusal address fault
     noPassword = ["password authentication failed", "no password supplied", "empty password"]
     unknown = ["invalid connection option", "invalid URI query parameter"]
 
--- | The server's codes: appendix A of its manual, "PostgreSQL Error Codes".
+-- | The meaning of the server's codes (appendix A of its manual, "PostgreSQL Error Codes").
 ofState :: ByteString -> Objection
 ofState state
   | state `elem` ["55P03", "55006", "40P01", "40001"] = Failed InUse

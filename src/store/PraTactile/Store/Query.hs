@@ -1,9 +1,9 @@
 {-# LANGUAGE TypeFamilies #-}
 
 -- | Both look-ups by the database (\"searching the relational database that stores the object
--- geometry/PRA mapping\", section II.B of the paper): it searches its indexes for the few rows that
--- an answer rests on, each is held against its seal, and
--- 'PraTactile.Object.Placement.whereaboutsIn' makes the answer of them.
+-- geometry/PRA mapping\", section II.B of the paper). The database finds the few needed rows by its
+-- indexes. Each row is checked against its seal, and 'PraTactile.Object.Placement.whereaboutsIn'
+-- computes the answer.
 module PraTactile.Store.Query
   ( Query,
 
@@ -46,15 +46,15 @@ import PraTactile.Store.Rows hiding (parts)
 import PraTactile.Store.Rows.Read
 import PraTactile.Store.Schema
 
--- | What asks a database.
+-- | A database query that may fail.
 type Query m = ExceptT StoreError (ReaderT SqlBackend m)
 
--- | Where the window of the given shape at the given position is; the array's shape and pitch come
--- first.
+-- | The whereabouts of a window. The arguments are the array's shape and pitch, and the window's
+-- shape and position.
 selectWhereabouts :: MonadIO m => Shape -> Pitch -> Shape -> Position -> Query m Whereabouts
 selectWhereabouts shape between = whereaboutsIn (Mapping shape between (selectCells between))
 
--- | The cells of a rectangle of the array that laid faces have, by the numbers of their layings.
+-- | The cells of laid faces in a rectangle of the array, by the numbers of their layings.
 selectCells ::
   MonadIO m =>
   Pitch ->
@@ -71,8 +71,8 @@ selectCells between down across = do
       pure (fromIntegral laying, (high * inCommon across (from, to), selectSeat between laying))
   pure (Map.fromListWith more (concat counts))
 
--- | The bands that have rows of some rectangles, each a range of rows and one of columns, and of
--- each band the runs that have columns of those rectangles.
+-- | The bands that meet some rectangles (each a range of rows and one of columns), and for each
+-- band the runs that meet them.
 selectOver ::
   MonadIO m =>
   [((Natural, Natural), (Natural, Natural))] ->
@@ -88,7 +88,7 @@ selectOver rectangles = do
     (from, to) `meets` (from', to') = from < to' && from' < to
     distinct key found = Map.elems (Map.fromList [(key row', row') | row' <- found])
 
--- | The rows of a band.
+-- | The range of rows of a band.
 bandRange :: Monad m => StoredBand -> Query m (Natural, Natural)
 bandRange band =
   except $
@@ -96,7 +96,7 @@ bandRange band =
       <$> natural BandTable (storedBandFromRow band)
       <*> natural BandTable (storedBandToRow band)
 
--- | Ranges that together have the same numbers and of which no two touch.
+-- | The union of ranges as ranges that do not touch each other.
 united :: [(Natural, Natural)] -> [(Natural, Natural)]
 united = joined . sort
   where
@@ -105,14 +105,14 @@ united = joined . sort
       | otherwise = (from, to) : joined ((from', to') : others)
     joined ranges = ranges
 
--- | The bands that have rows of a range.
+-- | The bands that meet a range of rows.
 bandsOver :: MonadIO m => (Natural, Natural) -> Query m [StoredBand]
 bandsOver range@(from, to) = do
   below <-
     selected BandTable [StoredBandFromRow <. fromIntegral to] [Desc StoredBandFromRow, most from to]
   covering BandTable storedBandFromRow storedBandToRow range below
 
--- | The runs of a band that have columns of a range.
+-- | The runs of a band that meet a range of columns.
 runsOver :: MonadIO m => Int64 -> (Natural, Natural) -> Query m [StoredRun]
 runsOver band range@(from, to) = do
   before <-
@@ -122,13 +122,13 @@ runsOver band range@(from, to) = do
       [Desc StoredRunFromColumn, most from to]
   covering RunTable storedRunFromColumn storedRunToColumn range before
 
--- Of the parts of a partition that begin before the end of a range, no more than the range is long
--- have some of it.
+-- Of the parts of a partition that begin before the end of a range, at most the range's length meet
+-- it.
 most :: Natural -> Natural -> SelectOpt row
 most from to = LimitTo (fromIntegral (min (to - from) (fromIntegral (maxBound :: Int))))
 
--- | Those of some parts of a partition, the last one first, that have something of a range; refuses
--- parts between which there is a gap, or that do not cover it.
+-- | The parts of a partition, given last one first, that meet a range. Refuses a gap between parts
+-- or at an end of the range.
 covering ::
   Monad m =>
   Table ->
@@ -147,7 +147,7 @@ covering table begin end (from, to) = go (fromIntegral to) (>=)
             else (part :) <$> go (begin part) (==) others
       _ -> throwE (UnreadableRow table)
 
--- | Where a laid face's symbols lie on it.
+-- | The place of a laid face's symbols on it.
 selectSeat :: MonadIO m => Pitch -> Int64 -> Query m Seat
 selectSeat between number = do
   laying <- one LayingTable =<< selected LayingTable [StoredLayingNumber ==. number] []
@@ -180,9 +180,9 @@ selectSeat between number = do
     pure
     (seatBy between named (map pointIn walk) at (anchorIn laying) grid)
 
--- | Where on the array a cell of a face's block lies, the cell given by its row and column within
--- the block; refuses as 'PraTactile.Object.Placement.arrayPosition' does. The array's shape comes
--- first.
+-- | The position on the array of a cell of a face's block. The arguments are the array's shape,
+-- the face, and the cell's row and column in the block. Refuses what
+-- 'PraTactile.Object.Placement.arrayPosition' refuses.
 selectPosition :: MonadIO m => Shape -> Face -> Position -> Query m Position
 selectPosition shape (Face named walk) local = do
   owner <- selectObject named
@@ -223,11 +223,12 @@ selectCell (Shape high wide) laying face local = do
       run <- one RunTable =<< runsOver (storedBandFromRow band) (c, c + 1)
       if storedRunLaying run == Just (storedLayingNumber laying) then pure there else off
 
--- | The placement of the objects of these names alone; the array's shape and pitch come first.
+-- | The placement of only the named objects, from the array's shape and pitch. Refuses unknown
+-- names.
 selectObjects :: MonadIO m => Shape -> Pitch -> [ObjectName] -> Query m Placement
 selectObjects shape between names = traverse selectObject names >>= selectOwners shape between
 
--- | The placement of these objects alone; the array's shape and pitch come first.
+-- | The placement of only the given objects, from the array's shape and pitch.
 selectOwners :: MonadIO m => Shape -> Pitch -> [StoredObject] -> Query m Placement
 selectOwners shape between owners = do
   described <- selectDescriptions owners
@@ -253,8 +254,8 @@ selectOwners shape between owners = do
             }
       )
 
--- | The placement of those objects alone that have cells of any window of this shape that has one
--- of these cells of the array; the array's shape and pitch come first.
+-- | The placement of only those objects that have cells in a window that contains one of the given
+-- cells. The arguments are the array's shape and pitch, the window's shape, and the cells.
 selectNear :: MonadIO m => Shape -> Pitch -> Shape -> [Position] -> Query m Placement
 selectNear shape between window@(Shape tall broad) cells =
   selectUnder
@@ -265,9 +266,10 @@ selectNear shape between window@(Shape tall broad) cells =
         cell <- cells
     ]
 
--- | The placement of those objects alone that have cells within so many rows and columns of the
--- blocks of the first so many laid faces; the array's shape and pitch come first. 'Nothing' where
--- there are not so many, or one of these numbers has gone: whether rows are missing says the whole.
+-- | The placement of only those objects that have cells within a distance (rows, columns) of the
+-- blocks of the first laid faces. The arguments are the array's shape and pitch, the number of laid
+-- faces, and the distance. 'Nothing' if there are fewer laid faces or a number is missing; reading
+-- the whole store then tells whether rows are missing.
 selectFirstLaid :: MonadIO m => Shape -> Pitch -> Int -> Shape -> Query m (Maybe Placement)
 selectFirstLaid shape between count reach = do
   found <-
@@ -278,15 +280,16 @@ selectFirstLaid shape between count reach = do
       Just <$> selectUnder shape between (map (widened shape reach) blocks)
     else pure Nothing
 
--- | A block of the array's cells with so many rows and columns more on each side, round the torus.
+-- | A block of the array's cells with a margin of rows and columns added on each side, around the
+-- torus.
 widened :: Shape -> Shape -> (Position, Shape) -> (Position, Shape)
 widened (Shape high wide) (Shape down across) (Position r c, Shape tall broad) =
   (Position (back high down r) (back wide across c), Shape (tall + 2 * down) (broad + 2 * across))
   where
     back size by at = (at + size - by `mod` size) `mod` size
 
--- | The placement of those objects alone that have cells of these blocks of the array, each by its
--- upper left cell and its shape; the array's shape and pitch come first.
+-- | The placement of only those objects that have cells in some blocks of the array. The arguments
+-- are the array's shape and pitch, and each block's upper left cell and shape.
 selectUnder :: MonadIO m => Shape -> Pitch -> [(Position, Shape)] -> Query m Placement
 selectUnder shape between blocks = do
   parted <- selectOver rectangles
@@ -299,11 +302,12 @@ selectUnder shape between blocks = do
   selectOwners shape between objects'
   where
     distinct = Set.toList . Set.fromList
-    -- Those that each block consists of, where it is cut at the ends of the array.
+    -- The parts of each block, cut at the ends of the array.
     rectangles = fst (traverse (\(at, block) -> facesUnder visited block at) blocks)
     visited = Mapping shape between (\down across -> ([(down, across)], Map.empty))
 
--- | The object of a name. Names are parted: that there is none of a name says the one before it.
+-- | The object with a name. Each row holds the next name, so the preceding row proves that a name
+-- is missing.
 selectObject :: MonadIO m => ObjectName -> Query m StoredObject
 selectObject named = do
   sheet <- selectSheet
@@ -317,7 +321,7 @@ selectObject named = do
   where
     text = Text.pack (objectText named)
 
--- | All vertices, faces and corners of these objects.
+-- | All vertices, faces and corners of the given objects.
 selectDescriptions :: MonadIO m => [StoredObject] -> Query m Rows
 selectDescriptions owners = do
   vertices' <- among numbers VertexTable StoredVertexObject
@@ -345,7 +349,7 @@ selectDescriptions owners = do
     agree :: Monad m => Table -> Int64 -> Int64 -> Query m ()
     agree table wanted found = unless (wanted == found) (throwE (UnreadableRow table))
 
--- | The array's row.
+-- | The row of the array.
 selectSheet :: MonadIO m => Query m Metadata
 selectSheet =
   one MetadataTable =<< selected MetadataTable [MetadataSchemaVersion ==. schemaVersion] []
@@ -356,7 +360,7 @@ objectIn = ObjectName . Text.unpack . storedObjectName
 vertexIn :: StoredVertex -> VertexName
 vertexIn = VertexName . Text.unpack . storedVertexName
 
--- | All rows that a table has of such, each as it was written.
+-- | All rows of a table that satisfy the filters. Refuses changed rows.
 selected ::
   (MonadIO m, PersistEntity row, PersistEntityBackend row ~ SqlBackend) =>
   Table ->
@@ -367,7 +371,7 @@ selected table filters how = do
   found <- lift (selectList filters how)
   except (traverse (intact table . entityVal) found)
 
--- | All rows that a table has with one of these numbers in a column, some hundreds a statement.
+-- | All rows of a table with one of the given numbers in a column, by statements of 500 numbers.
 among ::
   (MonadIO m, PersistEntity row, PersistEntityBackend row ~ SqlBackend) =>
   [Int64] ->
@@ -379,13 +383,13 @@ among numbers table column' = case splitAt 500 numbers of
   (block, others) ->
     (++) <$> selected table [column' <-. block] [] <*> among others table column'
 
--- | The only one; refuses where there is none.
+-- | The only row. Refuses any other number of rows.
 one :: Monad m => Table -> [row] -> Query m row
 one table found = case found of
   [only] -> pure only
   _ -> throwE (UnreadableRow table)
 
--- | Refuses where there are not so many.
+-- | Refuses if the rows are not as many as the given number.
 complete :: Monad m => Table -> Int64 -> [row] -> Query m ()
 complete table count found =
   unless (toInteger count == toInteger (length found)) (throwE (UnreadableRow table))

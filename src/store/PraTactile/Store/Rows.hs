@@ -3,9 +3,8 @@
 {-# LANGUAGE TypeFamilies #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The rows of the database, written, read and changed by every back end that persistent has.
--- "PraTactile.Store.Rows.Write" makes them of a placement, "PraTactile.Store.Rows.Read" turns them
--- back.
+-- | The rows of the database, for all back ends of persistent. "PraTactile.Store.Rows.Write" makes
+-- them from a placement, and "PraTactile.Store.Rows.Read" converts them back.
 module PraTactile.Store.Rows
   ( Rows (..),
     insertRows,
@@ -43,7 +42,7 @@ data Rows = Rows
     layings :: [StoredLaying],
     runBands :: [StoredBand],
     runs :: [StoredRun],
-    -- | what is remembered of other placements
+    -- | the former places of objects
     formerRows :: [StoredFormer]
   }
 
@@ -84,7 +83,7 @@ parts =
     Part RunTable runs
   ]
 
--- | The table of what is remembered.
+-- | The table of former places.
 formerPart :: Part
 formerPart = Part FormerTable formerRows
 
@@ -92,19 +91,19 @@ formerPart = Part FormerTable formerRows
 partName :: Part -> String
 partName (Part table _) = tableName table
 
--- | A table's columns in their order, and of which type their values are, where they are not null:
--- whole numbers or texts.
+-- | The columns of a table in order, with the type of their values that are not null: integer or
+-- text.
 partColumns :: Part -> [(Text, SqlType)]
 partColumns part =
   [ (unFieldNameDB (fieldDB column), fieldSqlType column)
     | column <- getEntityFieldsDatabase (partEntity part)
   ]
 
--- | A table's columns, keys and references.
+-- | The columns, keys and references of a table.
 partEntity :: Part -> EntityDef
 partEntity (Part _ part) = entityDef (listToMaybe (part mempty))
 
--- | Whether all texts in the rows are such.
+-- | Whether all texts in the rows satisfy the test.
 allTexts :: (Text -> Bool) -> Rows -> Bool
 allTexts held given = all inPart parts
   where
@@ -113,7 +112,7 @@ allTexts held given = all inPart parts
       and [held text | row <- part given, PersistText text <- values row]
     values row = map toPersistValue (toPersistFields row)
 
--- | Put all rows into empty tables.
+-- | Inserts all rows into empty tables.
 insertRows :: MonadIO m => Rows -> ReaderT SqlBackend m ()
 insertRows given = mapM_ insertPart (parts ++ [formerPart])
   where
@@ -131,14 +130,14 @@ selectRows =
       ReaderT SqlBackend m [row]
     whole = map entityVal . sortOn entityKey <$> selectList [] []
 
--- | Make the tables that hold the first rows hold the second ones. Rows that differ are replaced
--- where others refer to them; else they go first and come again, for they may refer to rows that go
--- and to rows that come.
+-- | Changes the tables from the first rows to the second. Changed rows that others refer to are
+-- replaced. Other changed rows are deleted first and inserted last, because they may refer to
+-- deleted and to new rows.
 changeRows :: MonadIO m => Rows -> Rows -> ReaderT SqlBackend m ()
 changeRows old new = mapM_ fst (reverse steps) >> mapM_ snd steps
   where
     steps = map step parts
-    -- What goes, and then what comes.
+    -- The deletions, then the insertions.
     step :: MonadIO m => Part -> (ReaderT SqlBackend m (), ReaderT SqlBackend m ())
     step (Part table part)
       | isReferredTo table =
@@ -157,24 +156,24 @@ changeRows old new = mapM_ fst (reverse steps) >> mapM_ snd steps
         other was is = if was == is then Nothing else Just is
     isReferredTo = (`notElem` [MetadataTable, CornerTable, EdgeTable, RunTable])
 
--- | The first table of which the rows are not the same.
+-- | The first table whose rows differ.
 disagreement :: Rows -> Rows -> Maybe Table
 disagreement one other =
   listToMaybe
     [ table
       | Part table part <- parts,
-        -- Rows that are made mostly come in the order of those that are read.
+        -- This comparison is quick because the order is mostly the same.
         part one /= part other,
         keyed (part one) /= keyed (part other)
     ]
 
--- Every table's key is made of its columns.
+-- Every table's key consists of its columns.
 keyed :: PersistEntity row => [row] -> Map.Map (Key row) row
 keyed given = Map.fromList [(key row, row) | row <- given]
   where
     key = fromMaybe (error "a table whose key is none of its columns") keyFromRecordM
 
--- Some hundreds in a statement: with all of them in one it would grow to many megabytes.
+-- Some hundreds of rows per statement; a single statement would grow to many megabytes.
 insertAll ::
   (PersistEntity row, PersistEntityBackend row ~ SqlBackend, MonadIO m) =>
   Map.Map (Key row) row ->

@@ -1,10 +1,9 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Seals: what each row carries to tell that it is as it was written. A seal is the first 60 bits
--- of the SHA-256 of the table's name and of the row's other columns in their order, each on a line
--- of its own: a number as its decimal digits, a text as the number of its bytes in UTF-8, a colon
--- and the text, nothing as a hyphen. It guards against damage, not against forgery: whoever can
--- write can seal.
+-- | Seals, by which a row shows that it was not changed. A seal is the first 60 bits of the
+-- SHA-256 of the table's name and the row's other columns in order, one per line. A number is
+-- written in decimal digits, a text as its number of bytes in UTF-8, a colon and the text, a null
+-- as a hyphen. A seal protects against damage, not against forgery: every writer can compute it.
 module PraTactile.Store.Seal
   ( sealed,
     isSealed,
@@ -21,11 +20,11 @@ import Data.Word (Word64)
 import Database.Persist.Sql
 import PraTactile.Certificate.Digest (sha256Bytes)
 
--- | A row with its seal, given the row by any.
+-- | The row with its seal. The argument makes the row from a seal.
 sealed :: PersistEntity row => (Int64 -> row) -> row
 sealed unsealed = unsealed (sealOf (unsealed 0))
 
--- | Whether the last column of a row is its seal.
+-- | Whether the last column of a row is its correct seal.
 isSealed :: PersistEntity row => row -> Bool
 isSealed row =
   fmap toPersistValue (lastOf (toPersistFields row)) == Just (PersistInt64 (sealOf row))

@@ -1,4 +1,4 @@
--- | A store in a file of SQLite.
+-- | A store in an SQLite file.
 module PraTactile.Store.Sqlite
   ( sqlite,
     meaningInSqlite,
@@ -37,7 +37,7 @@ import System.FilePath (isRelative, (</>))
 import System.IO (IOMode (..), SeekMode (..), hGetChar, hSeek, withBinaryFile)
 import System.Posix.Types (DeviceID, FileID)
 
--- | The database in the file under this path.
+-- | The database in the file with this path.
 sqlite :: FilePath -> Backend
 sqlite path = backend
   where
@@ -50,8 +50,7 @@ sqlite path = backend
             ask ("SELECT name FROM pragma_table_info('" ++ table ++ "') ORDER BY cid"),
           integrity = do
             verdict <- ask "PRAGMA integrity_check"
-            -- What is missing at the end of the file counts as zeros there, of which an empty page
-            -- is full.
+            -- SQLite reads the missing end of a cut file as zeros, which make an empty page.
             whole <- product . concat <$> traverse ask ["PRAGMA page_count", "PRAGMA page_size"]
             size <- liftIO (getFileSize path)
             unless (take 1 verdict == [Text.pack "ok"] && size >= toInteger (whole :: Int)) $
@@ -65,16 +64,15 @@ sqlite path = backend
           putRows = putFile path
         }
 
--- | Begin a transaction that no other program's changes can come into, if the file's identity is
--- still such.
+-- | Begins a transaction that excludes other writers, if the file's identity passes the test.
 beginWriting :: FilePath -> (Maybe (DeviceID, FileID) -> Bool) -> Query IO ()
 beginWriting path same = do
   lift (mapM_ ((`rawExecute` []) . Text.pack) ["COMMIT", "BEGIN IMMEDIATE"])
   now <- liftIO (identityOf path)
   unless (same now) (throwE (CannotWrite path InUse))
 
--- | The path is a new name, or that of a store, perhaps through a link. The rows go to a file
--- beside it, named likewise with @.part@ after it, which takes its name once it is complete.
+-- | Writes a store to a new path or over an old store, also through a link. The rows go first to a
+-- file beside it, with @.part@ appended to the name, which is renamed when complete.
 putFile :: FilePath -> Rows -> ExceptT StoreError IO ()
 putFile path rows = do
   unless (speakable path) (throwE (CannotWrite path NameNotText))
@@ -91,9 +89,8 @@ putFile path rows = do
       withFile' part . runSqlConn $
         runMigrationQuiet (migrateAll >> migrateFormer) >> insertRows rows
 
--- | Whether a regular file is a store, of whatever version. It is not opened as a database if that
--- could change it: when it is in SQLite's write-ahead mode, or has a journal beside it, neither of
--- which a store has.
+-- | Whether a regular file is a store of any version. It is not opened as a database if that could
+-- change it: if it is in SQLite's write-ahead mode or has a journal beside it. A store has neither.
 isStore :: FilePath -> IO Bool
 isStore path = do
   begins <- beginsAsDatabase path
@@ -111,7 +108,7 @@ isStore path = do
         withFile' path . runSqlConn $
           rawSql (Text.pack "SELECT name FROM sqlite_master WHERE type = 'table'") []
       pure (all (`elem` map unSingle tables) everyVersion)
-    -- The tables that stores of all versions have.
+    -- The tables that stores of every version have.
     everyVersion = Text.words (Text.pack "metadata object vertex face corner edge laying")
 
 checkFile :: FilePath -> ExceptT StoreError IO ()
@@ -120,13 +117,14 @@ checkFile path = do
   when directory (throwE (IsDirectory path))
   there <- liftIO (doesPathExist path)
   unless (there && speakable path) (throwE (NoSuchFile path))
-  -- A pipe would be waited for, and a device read from.
+  -- Otherwise a pipe would block, and a device would be read.
   regular <- liftIO (isRegular path)
   unless regular (throwE (NotADatabase path))
   begins <- withExceptT (CannotRead path . failureOf) (ExceptT (beginsAsDatabase path))
   unless (begins == Just True) (throwE (NotADatabase path))
 
--- | SQLite holds values of any type in any column, and the binding rounds numbers.
+-- | Checks the types of all values, because SQLite holds any type in any column and the binding
+-- rounds numbers.
 typedIn :: FilePath -> Query IO ()
 typedIn path = for_ parts $ \part -> do
   foreigners <-
@@ -144,7 +142,7 @@ typedIn path = for_ parts $ \part -> do
         ++ (if kind == SqlString then "text" else "integer")
         ++ "')"
 
--- Statements are logged nowhere, and no write-ahead log is kept: the store is one file.
+-- Without logging of statements and without a write-ahead log, so the store is a single file.
 withFile' :: FilePath -> (SqlBackend -> IO a) -> IO a
 withFile' path action = runNoLoggingT (withSqliteConnInfo (connection path) (liftIO . action))
 
@@ -155,19 +153,19 @@ connection path =
         >>= extraPragmas (const (Identity [Text.pack "PRAGMA busy_timeout = 10000"]))
     )
   where
-    -- so that no file's name is one of SQLite's own: @:memory:@, @file:...@
+    -- so that no file name is special for SQLite: @:memory:@, @file:...@
     plain = if isRelative path then "." </> path else path
 
--- Whether the database can be given the file's name.
+-- Whether the file name can be passed to the database.
 speakable :: FilePath -> Bool
 speakable path = Text.unpack (Text.pack path) == path && '\0' `notElem` path
 
 -- Note [SQLite's error codes] The binding calls SQLite's code 26, "not a database",
--- ErrorNotAConnection; it takes the codes 11, "corrupt", and 12, "not found", for each other; and
--- on a code that it does not know it throws an ErrorCall. Nothing asked here can be "not found", so
--- both count as damage. Code 1 is the one for statements that do not fit the tables.
+-- ErrorNotAConnection. It exchanges the codes 11, "corrupt", and 12, "not found". For an unknown
+-- code it throws an ErrorCall. No statement here can be "not found", so both count as damage. Code
+-- 1 means that a statement does not fit the tables.
 
--- | What an exception of SQLite means.
+-- | The meaning of an exception of SQLite.
 meaningInSqlite :: SomeException -> Maybe Objection
 meaningInSqlite = fmap (ofCode . seError) . fromException
 

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Where a store may be written: under a new name, or in the place of a store. What else is there
--- stays as it is.
+-- | The file to which a store may be written: a new name, or an old store, which is replaced. Any
+-- other file stays as it is.
 module PraTactile.Store.Target
   ( target,
     isRegular,
@@ -37,9 +37,9 @@ import System.Posix.Files
   )
 import System.Posix.Types (DeviceID, FileID)
 
--- | The file to write for a path: the path itself if nothing is there, or if a file is there that
--- the action knows as a store; what a link leads to if that is such a file. Refuses all else.
--- Devices and pipes are not opened.
+-- | The file to write for a path: the path itself if nothing is there, or if the action recognises
+-- a store there; for a link, its target under the same conditions. Refuses everything else. Devices
+-- and pipes are not opened.
 target :: (FilePath -> IO Bool) -> FilePath -> ExceptT StoreError IO FilePath
 target isStore path = do
   itself <- status path (getSymbolicLinkStatus path)
@@ -54,21 +54,21 @@ target isStore path = do
       unless known (throwE (Occupied path NoStore))
       pure file
 
--- | Whether there is a regular file under this path, or under what it is a link to.
+-- | Whether the path, after links, is a regular file.
 isRegular :: FilePath -> IO Bool
 isRegular path = either nothing isRegularFile <$> try (getFileStatus path)
   where
     nothing :: IOException -> Bool
     nothing = const False
 
--- | What tells a file from every other, if there is one under this path.
+-- | The identity of the file at a path, if there is one.
 identityOf :: FilePath -> IO (Maybe (DeviceID, FileID))
 identityOf path = either nothing (\it -> Just (deviceID it, fileID it)) <$> try (getFileStatus path)
   where
     nothing :: IOException -> Maybe a
     nothing = const Nothing
 
--- | What there is under a path; 'Nothing' if there is nothing.
+-- | The status of a path; 'Nothing' if nothing is there.
 status :: FilePath -> IO FileStatus -> ExceptT StoreError IO (Maybe FileStatus)
 status path ask = do
   outcome <- liftIO (try ask)
@@ -81,8 +81,8 @@ status path ask = do
 system :: FilePath -> IO a -> ExceptT StoreError IO a
 system path = withExceptT (CannotWrite path . failureOf) . ExceptT . try
 
--- | Whether a regular file begins with the 16 bytes of every SQLite database; 'Nothing' if it is
--- shorter, but begins so as far as it goes.
+-- | Whether a file begins with the 16 bytes of every SQLite database; 'Nothing' if it is shorter
+-- and agrees with them so far.
 beginsAsDatabase :: FilePath -> IO (Either IOException (Maybe Bool))
 beginsAsDatabase path = try (withBinaryFile path ReadMode (expect "SQLite format 3\0"))
   where
@@ -95,13 +95,12 @@ beginsAsDatabase path = try (withBinaryFile path ReadMode (expect "SQLite format
           found <- hGetChar handle
           if found == letter then expect others handle else pure (Just False)
 
--- | Where a store is written first: beside the file that it becomes, under a name that the next run
--- finds.
+-- | The name of the temporary file beside a store, which the next run finds again.
 partOf :: FilePath -> FilePath
 partOf = (++ ".part")
 
--- | Remove what an interrupted run left behind of a part; refuses anything else that has its name.
--- The journal goes first, for SQLite would apply it to the next part.
+-- | Removes the temporary file of an interrupted run. Refuses anything else with its name. The
+-- journal goes first, because SQLite would apply it to the next temporary file.
 clearPart :: FilePath -> ExceptT StoreError IO ()
 clearPart part = for_ (journalsOf part ++ [part]) $ \file -> do
   there <- status file (getSymbolicLinkStatus file)
@@ -112,7 +111,7 @@ clearPart part = for_ (journalsOf part ++ [part]) $ \file -> do
       when (begins == Just False) (throwE (Occupied file NoStore))
     system file (removeFile file)
 
--- | Remove a part that did not become a store.
+-- | Removes a temporary file that did not become a store.
 discardPart :: FilePath -> IO ()
 discardPart part = for_ (journalsOf part ++ [part]) (\file -> try (removeFile file) >>= ignored)
   where

@@ -1,4 +1,4 @@
--- | From an answer of the library to what the JSON of @locate@ says of it.
+-- | Converts the library's answers to the JSON of @locate@.
 module PraTactile.Format.Answer.Report
   ( AnswerContext (..),
     answerReport,
@@ -13,20 +13,20 @@ import PraTactile.Locate
 import PraTactile.Profile (Profile)
 import PraTactile.Symmetry
 
--- | What an answer is of, and how it is put into words.
+-- | The question's context and the wording of the answer.
 data AnswerContext = AnswerContext
   { answerProfile :: Profile,
-    -- | in which patches may be seen
+    -- | the allowed orientations of the patches
     answerSymmetries :: [Symmetry],
-    -- | where patches were given with displacements: these
+    -- | the displacements of the patches, if they were given
     answerDisplacements :: Maybe [(Integer, Integer)],
     -- | the answer in a sentence
     answerMessage :: String,
-    -- | why it is that, if this is wanted
+    -- | the explanation in sentences, if requested
     answerExplanation :: Maybe [String]
   }
 
--- | What a report says of an answer.
+-- | The report of an answer.
 answerReport :: AnswerContext -> Answer -> AnswerReport
 answerReport context answer = case answerOutcome answer of
   Unique candidate windows ->
@@ -45,18 +45,17 @@ answerReport context answer = case answerOutcome answer of
         { statedChance = answerChance answer,
           statedBasis = Just (basisOf context answer)
         }
-    -- Which windows are complete says nothing where it is not known how the patch lies, or which
-    -- cells are in dispute.
+    -- If the orientation is unknown, or cells are in dispute, complete windows mean nothing.
     windowsCertain =
       isUpright context
         && (answerDisplacements context == Nothing || answerDecoder answer /= NearestDecoder)
 
--- | The answer to what is no patch, given why.
+-- | The report for an input that is not a patch, with the reason.
 invalidReport :: Profile -> String -> AnswerReport
 invalidReport profile complaint =
   (reportOf Invalid profile complaint) {statedReason = Just "bad-input"}
 
--- | A report that says no more than this.
+-- | A report with only an outcome, a profile and a message.
 reportOf :: OutcomeName -> Profile -> String -> AnswerReport
 reportOf outcome profile message =
   AnswerReport
@@ -102,7 +101,7 @@ basisOf context answer =
     patches = zipWith patchReport (answerPatches answer) <$> answerDisplacements context
     patchReport verdict at = PatchReport at (patchWrong verdict) (patchInconsistent verdict)
 
--- | Nothing of a decoder that corrects nothing.
+-- | The distances, or 'Nothing' for a decoder that does not correct.
 distanceReport :: DecoderName -> Distances -> Maybe DistanceReport
 distanceReport decoder distances = case decoder of
   NearestDecoder -> Just report

@@ -1,5 +1,5 @@
--- | What of a census's unfinished file is kept when the census goes on: everything, if all of it is
--- as it should be, or what is whole.
+-- | What to keep of an unfinished census file when the census continues: everything if the file is
+-- intact, otherwise its valid rows.
 module PraTactile.Format.Census.Continue
   ( Wanted (..),
     Kept (..),
@@ -22,30 +22,30 @@ import PraTactile.Format.Census.Row
 import PraTactile.Format.Error
 import PraTactile.Window.Proof (ProofError)
 
--- | What the file is to hold: the rows of these entries of a census, in this order.
+-- | The intended contents of a file: the rows of these entries of a census, in this order.
 data Wanted = Wanted
   { wantedScope :: Scope,
-    -- | how many entries the whole census has
+    -- | the number of entries of the whole census
     wantedEntries :: Natural,
-    -- | with the rows' bodies, which are not looked at without need
+    -- | the rows' bodies, evaluated only when needed
     wantedInOrder :: [(Entry, Either ProofError ByteString)]
   }
 
--- | What is kept of a file.
+-- | The part of a file that is kept.
 data Kept = Kept
-  { -- | how many rows, those of the first entries wanted
+  { -- | the number of kept rows, which belong to the first wanted entries
     keptCount :: Int,
-    -- | how many of them say that the windows are distinct
+    -- | the number of them that report distinct windows
     keptProved :: Int,
-    -- | the length of the file up to their end
+    -- | the length of the file up to their end, in bytes
     keptBytes :: Int
   }
 
--- | A row that is whole in the file, or the body of the one that takes its place.
+-- | A valid row of the file, or the new body that replaces it.
 type Remade = Either (Either ProofError ByteString) Row
 
--- | All rows of a file, which must be those of the first entries wanted; what follows the last end
--- of line must be the beginning of the next row.
+-- | Keeps all rows of an intact file. They must belong to the first wanted entries. The text after
+-- the last line end must be the beginning of the next row.
 keptInOrder :: Wanted -> ByteString -> Contents -> Either CensusFileError Kept
 keptInOrder wanted bytes contents = do
   rows <- wholeRows contents
@@ -69,9 +69,9 @@ keptInOrder wanted bytes contents = do
         Left (EntryMissing line (entryNumber entry))
     go _ _ = Left OtherCensus
 
--- | For the entries up to the last that has a whole row in the file: that row, or the body of the
--- one to be made again; and how many lines are not kept. Refuses a file with rows of which none is
--- wanted.
+-- | The rows of a damaged file, for the entries up to the last one with a valid row: that row, or
+-- the body to be written again; and the number of lines dropped. Refuses a file whose rows all
+-- belong to other entries.
 keptOfDamaged :: Wanted -> Contents -> Either CensusFileError ([(Entry, Remade)], Int)
 keptOfDamaged wanted contents
   | null whole && not (Map.null found) = Left OtherCensus

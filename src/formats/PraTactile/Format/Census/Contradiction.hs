@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What the columns of a census file's row say, and when they contradict each other: by the
--- definitions of "PraTactile.Census" and "PraTactile.Window.Proof", no row of a census does.
+-- | The contents of a census row, and contradictions between its columns. By the definitions of
+-- "PraTactile.Census" and "PraTactile.Window.Proof", a true row has none.
 module PraTactile.Format.Census.Contradiction
   ( Subject (..),
     Findings (..),
@@ -16,7 +16,7 @@ import PraTactile.Array
 import PraTactile.Factorisation (checkPower)
 import PraTactile.Field.Named (conwayModulus)
 
--- | What the row is of.
+-- | The subject of a row: the array and the window.
 data Subject = Subject
   { subjectOrder :: Natural,
     subjectModulus :: [Natural],
@@ -27,25 +27,25 @@ data Subject = Subject
   }
   deriving stock (Eq, Show)
 
--- | What it says of that, by the names of the columns.
+-- | The findings of a row, named like its columns.
 data Findings = Findings
-  { -- | that the windows are distinct
+  { -- | whether the windows are distinct
     foundProved :: Bool,
-    -- | the same, where all were visited
+    -- | the same by enumeration, if all windows were visited
     foundByEnumeration :: Maybe Bool,
-    -- | the same, by the rank of the window's cells
+    -- | the same by the rank of the window's cells
     foundByRank :: Bool,
     foundRank :: Natural,
     foundNeeded :: Natural,
     foundWindows :: Natural,
     foundDifferent :: Natural,
-    -- | the least it can be, and the most if it is not known
+    -- | the minimum distance, or its lower bound with an upper bound
     foundDistance :: (Natural, Maybe Natural)
   }
   deriving stock (Eq, Show)
 
--- | The columns that cannot all be true, if there are such: given the entry's number and how many
--- there are, what the row is of and what it says. A census asks for the windows on the natural
+-- | The columns that cannot all be true, if there are any. The arguments are the entry's number,
+-- the number of entries, the subject and the findings. A census asks for windows on the natural
 -- surface, where the rank always decides.
 contradiction :: Natural -> Natural -> Subject -> Findings -> Maybe [ByteString]
 contradiction entry entries subject found =
@@ -54,8 +54,7 @@ contradiction entry entries subject found =
     rules =
       (entry < entries, ["entry", "entries"]) : subjectRules subject ++ findingRules subject found
 
--- | What holds of the fields, polynomials, arrays and windows of a census, and the columns that say
--- so.
+-- | The conditions on a subject's field, polynomial, array and window, each with its columns.
 subjectRules :: Subject -> [(Bool, [ByteString])]
 subjectRules subject =
   [ (fieldExists, ["q", "modulus"]),
@@ -79,7 +78,7 @@ subjectRules subject =
 subjectDegree :: Subject -> Natural
 subjectDegree subject = fromIntegral (max 1 (length (subjectPolynomial subject)) - 1)
 
--- | The same of what was found of them.
+-- | The conditions on the findings, each with its columns.
 findingRules :: Subject -> Findings -> [(Bool, [ByteString])]
 findingRules subject found =
   [ (foundWindows found == area (subjectShape subject), ["shape", "windows"]),
@@ -97,7 +96,7 @@ findingRules subject found =
     cells = area (subjectWindow subject)
     r = foundRank found
     different = if r == n then q ^ n - 1 else q ^ r
-    -- Windows that are not distinct have the distance 0; otherwise it is at most cells - n + 1 (R.
+    -- The distance is 0 if windows are not distinct; otherwise it is at most cells - n + 1 (R.
     -- Singleton 1964).
     distanceFits = case foundDistance found of
       (d, Nothing)

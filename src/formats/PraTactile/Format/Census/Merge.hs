@@ -1,4 +1,4 @@
--- | The shards of a census as one file.
+-- | Merges the shards of a census.
 module PraTactile.Format.Census.Merge
   ( Shard (..),
     mergeShards,
@@ -20,27 +20,26 @@ import PraTactile.Format.Census.Contradiction
 import PraTactile.Format.Census.Row
 import PraTactile.Format.Shards
 
--- | The rows of a file, with the numbers of their lines.
+-- | The rows of a file, with their line numbers.
 data Shard = Shard
   { shardFile :: FilePath,
     shardRows :: [(Int, Row)]
   }
 
--- | Why shards are not one census.
+-- | Why shards cannot be merged.
 data MergeError
-  = -- | There is no row in any of them.
+  = -- | No file has a row.
     NoEntries
-  | -- | These two files have rows of different censuses; they may be the same file.
+  | -- | These two files have rows of different censuses. They may be the same file.
     DifferentCensuses FilePath FilePath
-  | -- | The entries are not all of the census, each once.
+  | -- | An entry of the census is missing or repeated.
     EntriesApart PartsError
-  | -- | The row on this line does not have the folding, shape and window of the entry whose number
-    -- it has.
+  | -- | The row on this line has another folding, shape or window than the entry with its number.
     NotAsNumbered FilePath Int
   deriving stock (Eq, Show)
 
--- | The rows of the whole census, in order. The shards must be of one census, without a common
--- entry, and lack none.
+-- | The rows of the whole census, in order. Refuses shards of different censuses, and missing or
+-- repeated entries.
 mergeShards :: [Shard] -> Either MergeError [Row]
 mergeShards shards = case [(shardFile shard, row) | shard <- shards, row <- shardRows shard] of
   [] -> Left NoEntries
@@ -61,8 +60,9 @@ mergeShards shards = case [(shardFile shard, row) | shard <- shards, row <- shar
       let s = rowSubject row
        in placed (rowEntry row) == Just (subjectFolding s, subjectShape s, subjectWindow s)
 
--- | If a census has the name of one with the standard windows of this field and degree: what its
--- entries are of, by their numbers. Of a census with chosen windows the name alone does not tell.
+-- | The folding, shape and window of each entry by number, if the name is that of a census with
+-- standard windows of this field and degree. For a census with chosen windows the name is not
+-- enough.
 standardPlace ::
   ByteString -> Natural -> Subject -> Maybe (Natural -> Maybe (Folding, Shape, Shape))
 standardPlace name entries subject = do

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | A row of a census file: how it is written, and what shows that it is whole. The last column is
--- a check, digits of the SHA-256 of what stands before it.
+-- | A row of a census file. Its last column is a check: digits of the SHA-256 of the text before
+-- it.
 module PraTactile.Format.Census.Row
   ( -- * Writing
     headerLine,
@@ -31,7 +31,7 @@ import PraTactile.Format.Name
 import PraTactile.Window.Distance
 import PraTactile.Window.Proof (ProofError, Verdict (..))
 
--- | The first line of a file, without its end.
+-- | The header line, without its line end.
 headerLine :: ByteString
 headerLine = Bytes.intercalate "," columns'
 
@@ -57,12 +57,11 @@ columns' =
     "check"
   ]
 
--- | A short name for a scope: files of different censuses differ in it.
+-- | A short name of a scope, by which files of different censuses differ.
 censusName :: Scope -> String
 censusName = take 12 . digestOf . Bytes.pack . scopeText
 
--- | An entry as a row, without check and end of line; or the refusal that a census should never
--- meet.
+-- | An entry as a row, without check and line end; or the error, which a census never meets.
 rowBody :: Scope -> Natural -> Entry -> Either ProofError ByteString
 rowBody scope entries entry = line <$> entryVerdict entry
   where
@@ -87,7 +86,7 @@ rowBody scope entries entry = line <$> entryVerdict entry
       DistanceBetween low high -> show low ++ ".." ++ show high
       TooManyCodewords _ -> ""
 
--- | The columns that say of what an entry is.
+-- | The columns that identify an entry.
 keyFields :: Scope -> Natural -> Entry -> [ByteString]
 keyFields scope entries entry =
   map
@@ -105,7 +104,8 @@ keyFields scope entries entry =
   where
     codes = unwords . map show
 
--- | A row's body with its check, the first 16 digits of the SHA-256 of the body.
+-- | A row's body followed by its check: the first 16 hexadecimal digits of the SHA-256 of the
+-- body.
 checked :: ByteString -> ByteString
 checked body = body <> "," <> Bytes.pack (take 16 (digestOf body))
 
@@ -121,8 +121,8 @@ data Row = Row
   }
   deriving stock (Eq, Show)
 
--- | The row in a line of a file. Refuses another number of fields, a wrong check, fields
--- not written as 'rowBody' writes them, and a row that contradicts itself.
+-- | Reads one line. Refuses another number of fields, a wrong check, fields that 'rowBody' would
+-- write otherwise, and a row that contradicts itself.
 readRow :: ByteString -> Either RowError Row
 readRow line = do
   when (length fields /= length columns') (Left (FieldCount (length fields) (length columns')))
@@ -136,7 +136,7 @@ readRow line = do
     fields = Bytes.split ',' line
     body = maybe "" fst (Bytes.unsnoc (Bytes.dropWhileEnd (/= ',') line))
 
--- | The row of these fields, by their columns, and this body.
+-- | The row with these fields, by column, and this body.
 rowOf :: [(ByteString, ByteString)] -> ByteString -> Either RowError Row
 rowOf fields body =
   Row
@@ -170,13 +170,13 @@ rowOf fields body =
       let text = fromMaybe "" (lookup name fields)
        in maybe (Left (FieldForm name text)) Right (reading text)
 
--- | Whether a row is of this entry of this census, by all columns that say of what it is.
+-- | Whether a row belongs to this entry of this census, by its identifying columns.
 agrees :: Scope -> Natural -> Entry -> Row -> Bool
 agrees scope entries entry row = take (length keys) (Bytes.split ',' (rowText row)) == keys
   where
     keys = keyFields scope entries entry
 
--- | A number as 'show' writes it.
+-- | A number in the form of 'show'.
 natural :: ByteString -> Maybe Natural
 natural text = case Bytes.readInteger text of
   Just (n, _) | n >= 0, Bytes.pack (show n) == text -> Just (fromInteger n)
@@ -199,7 +199,7 @@ yes text = lookup text [("yes", True), ("no", False)]
 maybeYes :: ByteString -> Maybe (Maybe Bool)
 maybeYes text = if Bytes.null text then Just Nothing else Just <$> yes text
 
--- | A number, or two with two dots between them.
+-- | A number, or a range of two numbers with two dots between them.
 between :: ByteString -> Maybe (Natural, Maybe Natural)
 between text = case Bytes.breakSubstring ".." text of
   (low, high)

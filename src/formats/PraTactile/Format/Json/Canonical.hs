@@ -1,4 +1,4 @@
--- | The one text of a JSON value, so that equal values have equal digests whoever computes them.
+-- | The canonical text of a JSON value: equal values have equal digests.
 module PraTactile.Format.Json.Canonical
   ( canonicalWith,
   )
@@ -13,7 +13,7 @@ import Data.Foldable (toList)
 import Data.List (intersperse, sortOn)
 import Data.Scientific (Scientific)
 
--- | Keys sorted, no white space; given how numbers are written.
+-- | A JSON value with sorted keys and without white space. The function writes a number.
 canonicalWith :: (Scientific -> Builder) -> Value -> Builder
 canonicalWith number = go
   where

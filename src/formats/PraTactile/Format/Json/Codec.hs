@@ -1,9 +1,8 @@
 {-# LANGUAGE ExistentialQuantification #-}
 {-# LANGUAGE OverloadedStrings #-}
 
--- | JSON formats, each said once for all uses: a 'Codec' writes a value, reads it back, and knows
--- which JSON values there are; 'Keys' do so with the keys of an object. Each refusal has its cause
--- and its place.
+-- | JSON formats, each described once: a 'Codec' writes a value, reads it back, and has a schema.
+-- 'Keys' describe the keys of an object in the same way. Each refusal has a cause and a place.
 module PraTactile.Format.Json.Codec
   ( -- * Values
     Codec (..),
@@ -78,41 +77,41 @@ import PraTactile.Format.Json.Schema (Schema)
 import qualified PraTactile.Format.Json.Schema as Schema
 import PraTactile.Format.Json.Strict
 
--- | From a JSON value to what it stands for.
+-- | Reads a value of type @a@ from JSON.
 type FromValue a = Value -> Either FormatError a
 
--- | Which JSON values there are, what is written for a value, and what is read.
+-- | A schema, a writer and a reader.
 data Codec a = forall w. ToJSON w => Codec Schema (a -> w) (FromValue a)
 
--- | The JSON value that a codec makes.
+-- | Writes a value as JSON.
 writeValue :: Codec a -> a -> Value
 writeValue (Codec _ write _) = toJSON . write
 
--- | What a JSON value stands for.
+-- | Reads a value from JSON.
 readValue :: Codec a -> FromValue a
 readValue (Codec _ _ fromValue) = fromValue
 
--- | Which JSON values there are.
+-- | The schema of a codec's JSON values.
 schemaOf :: Codec a -> Schema
 schemaOf (Codec schema _ _) = schema
 
--- | JSON values that the codec of an object does not read, made of one that it does.
+-- | Invalid JSON values for an object's codec, derived from a valid one.
 malformedOf :: Codec a -> a -> [Value]
 malformedOf codec a = Schema.malformed (schemaOf codec) (writeValue codec a)
 
--- | Another type by functions there and back.
+-- | Converts a codec to another type by functions back and there.
 via :: (b -> a) -> (a -> Either FormatError b) -> Codec a -> Codec b
 via back there (Codec schema write decoder) = Codec schema (write . back) (decoder >=> there)
 
--- | With another description of the JSON values.
+-- | Replaces the schema of a codec.
 withSchema :: (Schema -> Schema) -> Codec a -> Codec a
 withSchema change (Codec schema write decoder) = Codec (change schema) write decoder
 
--- | Something is wrong right here.
+-- | A refusal at this place.
 refuse :: Misfit -> Either FormatError a
 refuse = Left . Misfit []
 
--- | Where a value is refused, its place begins with this step.
+-- | Prefixes the place of a refusal with a step.
 atElement :: JSONPathElement -> Either FormatError a -> Either FormatError a
 atElement step = first $ \why -> case why of
   Misfit place misfit -> Misfit (step : place) misfit
@@ -122,7 +121,7 @@ atElement step = first $ \why -> case why of
 anything :: Codec Value
 anything = Codec Schema.Anything id Right
 
--- | A list of such values.
+-- | A list of values.
 listOf :: Codec a -> Codec [a]
 listOf (Codec schema write decoder) = Codec (Schema.list schema) (map write) $
   \value -> case value of
@@ -131,8 +130,8 @@ listOf (Codec schema write decoder) = Codec (Schema.list schema) (map write) $
   where
     item (i, value) = atElement (Index i) (decoder value)
 
--- | A list of values that differ in what the function makes of them; how that is named where it is
--- there a second time.
+-- | A list without repetition. The first function gives the key that must differ; the second names
+-- a repeated key.
 distinct :: Ord k => (a -> k) -> (k -> String) -> Codec [a] -> Codec [a]
 distinct part name (Codec schema write decoder) =
   Codec schema write $ \value ->
@@ -143,11 +142,11 @@ distinct part name (Codec schema write decoder) =
       | part a `Set.member` before = atElement (Index i) (refuse (GivenTwice (name (part a))))
       | otherwise = go (Set.insert (part a) before) others
 
--- | Values that are so; others are refused.
+-- | Restricts a codec to values that satisfy the test; others are refused with the given misfit.
 such :: (a -> Bool) -> Misfit -> Codec a -> Codec a
 such holds misfit = via id (\a -> if holds a then Right a else refuse misfit)
 
--- | Such a value, or null.
+-- | A value or null.
 nullable :: Codec a -> Codec (Maybe a)
 nullable (Codec schema write decoder) = Codec (Schema.orNull schema) (fmap write) $ \value ->
   case value of
@@ -160,7 +159,7 @@ text = Codec (Schema.Text []) id $ \value -> case value of
   String given -> Right (Text.unpack given)
   _ -> refuse NotText
 
--- | A file's name.
+-- | A file name.
 fileName :: Codec FilePath
 fileName = such isFileName NotFileName text
 
@@ -184,11 +183,11 @@ natural = Codec Schema.Natural naturalValue $ \value -> case value of
   where
     mostDigits = 10000
 
--- | A whole number, less than 10^18 and more than its negative.
+-- | An integer between -10^18 and 10^18, both exclusive.
 integer :: Codec Integer
 integer = Codec Schema.Integer id (maybe (refuse NotInteger) Right . wholeNumber)
 
--- | A whole number, as 'integer' reads it, as a machine integer, which has room for it.
+-- | An integer between -10^18 and 10^18 as an 'Int'.
 int :: Codec Int
 int = via toInteger (Right . fromInteger) integer
 
@@ -200,15 +199,14 @@ wholeNumber value = case value of
     whole :: Scientific -> Either Double Integer
     whole = floatingOrInteger
 
--- | A number, as a double has it; what is too large for one, or too small without being 0, is
--- refused, however it is written: 1e400, or with 400 zeros, which 'toBoundedRealFloat' alone takes
--- for infinity.
+-- | A number in the range of a double. Refuses numbers that are too large, or too small without
+-- being 0, in any notation. 'toBoundedRealFloat' alone reads 1 with 400 zeros as infinity.
 real :: Codec Double
 real = Codec (Schema.Real []) id $ \value -> case value of
   Number n | Right x <- toBoundedRealFloat n, not (isInfinite x) -> Right x
   _ -> refuse NotReal
 
--- | A list of two such values.
+-- | A list of two values.
 pairOf :: Codec a -> Codec (a, a)
 pairOf = listOfTwo NotPair (,) (\(a, b) -> [a, b])
 
@@ -216,7 +214,7 @@ pairOf = listOfTwo NotPair (,) (\(a, b) -> [a, b])
 shape :: Codec Shape
 shape = listOfTwo NotShape Shape (\(Shape high wide) -> [high, wide]) natural
 
--- | A position as @[r, c]@, where many are listed.
+-- | A position as @[r, c]@, for lists.
 positionPair :: Codec Position
 positionPair = listOfTwo NotCell Position (\(Position r c) -> [r, c]) natural
 
@@ -232,11 +230,11 @@ listOfTwo misfit make parts codec =
 position :: Codec Position
 position = object (Position <$> key "row" natural row <*> key "column" natural column)
 
--- | A value by its name.
+-- | A value of an enumeration, by its name.
 named :: (Bounded a, Enum a) => (a -> String) -> Codec a
 named nameOf = among nameOf [minBound ..]
 
--- | One of these, by its name.
+-- | One of the listed values, by its name.
 among :: (a -> String) -> [a] -> Codec a
 among nameOf choices = withSchema (const (Schema.OneOf names)) (via nameOf called text)
   where
@@ -245,7 +243,7 @@ among nameOf choices = withSchema (const (Schema.OneOf names)) (via nameOf calle
         find ((== given) . nameOf) choices
     names = map (Text.pack . nameOf) choices
 
--- | Whether a number is exact; if not, the name says which bound it is.
+-- | Whether a number is exact: the text @exact@, or the name of the kind of bound.
 exactOr :: String -> Codec Bool
 exactOr bound = named (\exact -> if exact then "exact" else bound)
 
@@ -256,8 +254,8 @@ quarterTurn = via ((90 *) . fromIntegral) turns natural
     turns degrees =
       maybe (refuse NotQuarterTurn) Right (find ((== degrees) . fromIntegral . (90 *)) [0 .. 3])
 
--- | Keys of an object: which they are, what is written for an @r@, in order, and how an @a@ is read
--- from them. The items are put in front of others.
+-- | Keys of an object: their names, whether they are required, and their schemas; the items
+-- written for an @r@, in order, in front of others; and how an @a@ is read.
 data Keys r a = Keys [(Key, Bool, Schema)] (r -> [Item] -> [Item]) (Object -> Either FormatError a)
 
 data Item = forall w. ToJSON w => Item Key w
@@ -273,7 +271,7 @@ instance Applicative (Keys r) where
       (\r -> write r . write' r)
       (\given -> decoder given <*> decoder' given)
 
--- | A key that is always there, and the part of the whole that it has.
+-- | A required key, with the field of the whole that it holds.
 key :: Key -> Codec a -> (r -> a) -> Keys r a
 key name (Codec schema write decoder) part =
   Keys [(name, True, schema)] (\r -> (Item name (write (part r)) :)) $ \fields ->
@@ -281,21 +279,21 @@ key name (Codec schema write decoder) part =
       Just value -> atElement (Key name) (decoder value)
       Nothing -> refuse (MissingKey (Key.toText name))
 
--- | A key that is only there where there is something to say.
+-- | A key that is absent if its value is 'Nothing'.
 optionalKey :: Key -> Codec a -> (r -> Maybe a) -> Keys r (Maybe a)
 optionalKey name codec = optionalKeys name (key name codec id)
 
--- | Keys that are there together or not at all, by the first of them.
+-- | Keys that are either all there or all absent. The first argument is the key that decides.
 optionalKeys :: Key -> Keys s a -> (r -> Maybe s) -> Keys r (Maybe a)
 optionalKeys name (Keys fields write decoder) part =
   Keys [(one, False, schema) | (one, _, schema) <- fields] (maybe id write . part) $ \given ->
     if KeyMap.member name given then Just <$> decoder given else Right Nothing
 
--- | The keys of a part.
+-- | The keys of a field, as keys of the whole.
 withKeys :: (r -> s) -> Keys s a -> Keys r a
 withKeys part (Keys fields write decoder) = Keys fields (write . part) decoder
 
--- | The key @schema@; another schema than this is refused.
+-- | The key @schema@. Refuses any other schema.
 schemaKey :: String -> Keys r ()
 schemaKey wanted = Keys fields (const (Item "schema" wanted :)) $ \given -> do
   stated <- readKeys (key "schema" text (const wanted)) given
@@ -303,29 +301,29 @@ schemaKey wanted = Keys fields (const (Item "schema" wanted :)) $ \given -> do
   where
     fields = [("schema", True, Schema.OneOf [Text.pack wanted])]
 
--- | An object with these keys; further ones do not matter.
+-- | An object with these keys; further keys are ignored.
 object :: Keys a a -> Codec a
 object keys@(Keys fields _ _) =
   Codec (Schema.Object fields) (writeObject keys) (objectOf >=> readKeys keys)
 
--- | The JSON object that these keys make.
+-- | The JSON object with these keys.
 writeObject :: Keys r a -> r -> Object
 writeObject (Keys _ write _) r =
   KeyMap.fromList [(name, toJSON part) | Item name part <- write r []]
 
--- | The same for an encoder, the keys in their order.
+-- | The encoder of these keys, in their order.
 series :: Keys r a -> r -> Series
 series (Keys _ write _) r = mconcat [name .= part | Item name part <- write r []]
 
--- | The object on one line, without its end.
+-- | An object with these keys as one line, without its line end.
 writeLine :: Keys r a -> r -> ByteString
 writeLine keys = Lazy.toStrict . encodeLine . series keys
 
--- | What a JSON object stands for, by its keys.
+-- | Reads the keys of a JSON object.
 readKeys :: Keys r a -> Object -> Either FormatError a
 readKeys (Keys _ _ decoder) = decoder
 
--- | What an object has under a key.
+-- | Reads the value of one key of an object.
 field :: Key -> Codec a -> Object -> Either FormatError a
 field name codec = readKeys (key name codec id)
 
@@ -335,10 +333,10 @@ objectOf value = case value of
   Object fields -> Right fields
   _ -> refuse NotObject
 
--- | What the object in a JSON text stands for, by its keys.
+-- | Reads an object with these keys from a JSON text.
 decodeWith :: Keys r a -> ByteString -> Either FormatError a
 decodeWith = decodeObject . readKeys
 
--- | The same where some keys say what others there must be.
+-- | Reads an object from a JSON text with a reader that may depend on the keys that it finds.
 decodeObject :: (Object -> Either FormatError a) -> ByteString -> Either FormatError a
 decodeObject decoder bytes = first JsonRefused (readJson bytes) >>= objectOf >>= decoder

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Which JSON values a codec writes: as JSON Schema (draft 2020-12), in brief, and by the values
--- of other types that may stand in the place of one of them.
+-- | Schemas of JSON values: as JSON Schema (draft 2020-12), in brief, and as a source of invalid
+-- values.
 module PraTactile.Format.Json.Schema
   ( Schema (..),
     list,
@@ -46,10 +46,11 @@ data Schema
     List [Pair] Schema
   | -- | A list of these values.
     Tuple [Schema]
-  | -- | An object: its keys, and whether each must be there. Further keys do not matter.
+  | -- | An object: its keys, their schemas, and whether each is required. Further keys are
+    -- ignored.
     Object [(Key, Bool, Schema)]
   | AnyOf [Schema]
-  | -- | With a sentence.
+  | -- | A schema with a description.
     Described Text Schema
   | -- | A schema that others refer to by this name.
     Named Text Schema
@@ -62,11 +63,11 @@ list = List []
 listOfLength :: Int -> Schema -> Schema
 listOfLength n = List ["minItems" .= n, "maxItems" .= n]
 
--- | Such a value, or null.
+-- | A value or null.
 orNull :: Schema -> Schema
 orNull one = AnyOf [one, Null]
 
--- | As JSON Schema; named parts are references to @common.json@.
+-- | The JSON Schema. Named parts become references to @common.json@.
 schemaValue :: Schema -> Value
 schemaValue = Json.object . keywords
 
@@ -101,7 +102,7 @@ keywords schema = case schema of
              ]
       ]
 
--- | The named parts of a schema, and the named parts of these, each with what it stands for.
+-- | The named parts of a schema, recursively, each with its schema.
 namedSchemas :: Schema -> [(Text, Schema)]
 namedSchemas schema = case schema of
   List _ item -> namedSchemas item
@@ -112,8 +113,8 @@ namedSchemas schema = case schema of
   Named name inner -> (name, inner) : namedSchemas inner
   _ -> []
 
--- | The keys of objects that must be there, as in @{"frames": [{"rows", "place"}, ..], "search"}@;
--- nothing where there is no object.
+-- | The required keys of objects, as in @{"frames": [{"rows", "place"}, ..], "search"}@; empty if
+-- there is no object.
 brief :: Schema -> Text
 brief schema = case schema of
   Object fields ->
@@ -126,8 +127,8 @@ brief schema = case schema of
     keyed name inner = Text.pack (show (Key.toText name)) <> after (brief inner)
     after inner = if Text.null inner then "" else ": " <> inner
 
--- | Values that are none of an object's schema, made of one that is: values that are no object,
--- the object without each of its keys, and the object with a value of another type in each place.
+-- | Invalid values for an object's schema, derived from a valid one: values that are not objects,
+-- the object without each required key, and the object with a value of another type at each key.
 malformed :: Schema -> Value -> [Value]
 malformed schema value =
   [Json.Null, Json.Bool True, Json.Number 1, Json.String "", Json.Array Vector.empty]
@@ -146,8 +147,8 @@ malformed schema value =
       Null -> True
       _ -> False
 
--- | Values of other types in the place of a value, or of the first one in it. An integer is none
--- where it is written with a fraction: the last number is 1.0e7.
+-- | Values of other types in the place of a value, or of its first element. An integer written
+-- with a fraction counts as another type; the last number is 1.0e7.
 otherTypes :: Schema -> Value -> [Value]
 otherTypes schema value = case value of
   Json.Number _ ->
@@ -158,10 +159,11 @@ otherTypes schema value = case value of
   Json.String _ -> notNumbers
   _ -> [Json.Bool True, Json.object []]
   where
-    -- As they are written with one digit after the point.
+    -- Written with one digit after the point.
     tenths n = Json.Number (scientific n (-1))
     isReal = or [True | Real _ <- alternatives schema]
-    -- In the place of a list or a text; a large integer is written as a text.
+    -- Replacements for a list or a text. A large integer is written as a text, so a number would be
+    -- valid there.
     notNumbers = [Json.Bool True] ++ [Json.Number 1 | not isNumber] ++ [Json.object []]
     isNumber =
       isReal
@@ -176,7 +178,7 @@ otherTypes schema value = case value of
       Tuple inner -> inner
       _ -> []
 
--- | The schemas of which a value obeys one, without names and sentences.
+-- | The alternatives of a schema, without names and descriptions.
 alternatives :: Schema -> [Schema]
 alternatives schema = case schema of
   AnyOf some -> concatMap alternatives some

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Reading JSON: every JSON text is read here, so that what libraries take in silence, or in a
--- time or a memory out of proportion, is refused everywhere.
+-- | The reader of all JSON texts. It refuses everything that libraries accept silently, or only at
+-- a disproportionate cost in time or memory.
 module PraTactile.Format.Json.Strict
   ( readJson,
     readJsonWith,
@@ -26,14 +26,14 @@ import Data.Text.Encoding (decodeUtf8')
 import PraTactile.Format.Error
 import PraTactile.PlainText
 
--- | The value of a JSON text in UTF-8, with or without a byte order mark. Refuses what is no JSON;
--- deep nesting, which takes many times its own size in memory; numbers of very many digits, which
--- aeson reads in a time that grows with their square; and an object anywhere in it that has a key
--- twice, of which parsers keep one, and not all of them the same one (RFC 8259, section 4).
+-- | Reads a JSON text in UTF-8, with or without a byte order mark. Refuses invalid JSON. Refuses
+-- deep nesting, which takes many times its own size in memory, and numbers of very many digits,
+-- which aeson reads in quadratic time. Refuses an object with a repeated key, of which parsers keep
+-- different ones (RFC 8259, section 4).
 readJson :: ByteString -> Either JsonError Value
 readJson = readJsonWith longestNumber
 
--- | The same with numbers of up to this many digits.
+-- | 'readJson' for numbers with at most the given number of digits.
 readJsonWith :: Int -> ByteString -> Either JsonError Value
 readJsonWith digits = either (Left . JsonInEncoding) (readPlain digits) . plainText
 
@@ -46,16 +46,16 @@ readPlain digits text
   where
     unrepeated value = maybe (Right value) (Left . RepeatedKey) (repeatedKey text)
 
--- | How many brackets may stand within each other: 64.
+-- | The greatest depth of nested brackets: 64.
 deepest :: Int
 deepest = 64
 
--- | How many digits may stand on end in a number that is no string: 1000.
+-- | The greatest number of consecutive digits of a number that is not a string: 1000.
 longestNumber :: Int
 longestNumber = 1000
 
--- | Whether more brackets are open at once, or more digits stand on end than this, than may; what
--- is within strings does not count.
+-- | Checks nesting and the number of consecutive digits (at most the given number) outside
+-- strings.
 excess :: Int -> ByteString -> Maybe JsonError
 excess most = go 0
   where
@@ -71,12 +71,12 @@ excess most = go 0
              in if Bytes.length digits >= most then Just TooLong else go open others
           | otherwise -> go (if c `Bytes.elem` "{[" then open + 1 else open - 1) rest
 
--- | The first key that an object in a valid JSON text has a second time, however it is written:
--- @\"q\"@ is @\"\\u0071\"@. Of other texts it says nothing sensible.
+-- | The first repeated key of an object in a valid JSON text, in any notation: @\"q\"@ equals
+-- @\"\\u0071\"@. For invalid texts the result is meaningless.
 repeatedKey :: ByteString -> Maybe Text
 repeatedKey = go []
   where
-    -- The keys so far of the objects and lists that are open, the innermost first; a list has none.
+    -- The keys so far of the open objects and lists, innermost first; a list has none.
     go open text = case Bytes.uncons (Bytes.dropWhile (`Bytes.notElem` "{}[]\"") text) of
       Nothing -> Nothing
       Just ('"', rest) -> string open rest
@@ -95,7 +95,7 @@ repeatedKey = go []
                   else go (Set.insert name keys : others) following
             _ -> go open following
 
--- | Where a string ends: the index of the first quotation mark that no backslash escapes.
+-- | The end of a string: the index of the first unescaped quotation mark.
 closing :: ByteString -> Int
 closing = go 0
   where

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What files of polyhedra say, whatever their format, and what can be written of it.
+-- | The common contents of polyhedron files, and their conversion for writing.
 module PraTactile.Format.Solid.Contents
   ( Contents (..),
     Passed (..),
@@ -21,19 +21,20 @@ import PraTactile.Object.Description (ObjectName)
 import PraTactile.Object.Mesh
 import PraTactile.Object.Vector
 
--- | A polyhedron, and what of the file is none of it.
+-- | A polyhedron, and the things in the file that were ignored.
 data Contents = Contents
   { contentsMesh :: Mesh,
     contentsPassed :: [Passed]
   }
   deriving stock (Eq, Show)
 
--- | What a file has beside and is passed over, each named once.
+-- | A kind of thing in a file that was ignored, listed once.
 newtype Passed = Passed String
   deriving stock (Eq, Ord, Show)
 
--- | A polyhedron of these vertices, counted from 1 in the file's order, and these walks among them.
--- Equal points are one vertex, the first of them: many programs write a vertex for each corner.
+-- | A polyhedron from its vertices, counted from 1 in the file's order, and the walks of its
+-- faces. Equal points become one vertex, the first of them, because many programs write one vertex
+-- per corner.
 contents ::
   ObjectName -> Base -> [Passed] -> V.Vector (Number, Number, Number) -> V.Vector Walk -> Contents
 contents name base passed points walks =
@@ -46,8 +47,8 @@ contents name base passed points walks =
     joined = V.map (U.map (\i -> places U.! (firsts U.! i))) walks
     names = V.map (unnamed (V.length points) V.!) (V.convert kept)
 
--- | A polyhedron of triangles, three points each. Equal points are one vertex; vertices are counted
--- as they come.
+-- | A polyhedron from triangles of three points each. Equal points become one vertex; vertices are
+-- numbered in order of appearance.
 soup :: ObjectName -> Base -> [Passed] -> V.Vector (Number, Number, Number) -> Contents
 soup name base passed points = Contents (renumbered (contentsMesh read')) passed
   where
@@ -62,11 +63,12 @@ soup name base passed points = Contents (renumbered (contentsMesh read')) passed
         (meshWalks it)
         it
 
--- | What is written, and how many coordinates had to be rounded, since the format cannot have them.
+-- | A written file, and the number of coordinates that were rounded because the format cannot hold
+-- them.
 data Written a = Written {writtenBytes :: a, writtenRounded :: Int}
 
--- | The coordinates of all vertices as decimal numbers; where one is none, the nearest machine
--- number's.
+-- | The coordinates of all vertices as decimal numbers. Where there is no exact decimal number,
+-- the nearest machine number's is used.
 asDecimals :: Mesh -> Written (V.Vector [String])
 asDecimals = coordinates $ \value -> case decimalText value of
   Just exact -> (exact, False)
@@ -76,12 +78,13 @@ asDecimals = coordinates $ \value -> case decimalText value of
       fromMaybe (show (numerator value `div` denominator value)) $
         decimalText (toRational (fromRational value :: Double))
 
--- | The same as the nearest machine numbers.
+-- | The coordinates of all vertices as the nearest machine numbers.
 asMachine :: RealFloat a => Mesh -> Written (V.Vector [a])
 asMachine = coordinates $ \value ->
   let near = fromRational value in (near, toRational near /= value)
 
--- | The coordinates of all vertices as a format has them, each with whether it is another number.
+-- | The coordinates of all vertices in a format's form. The function also tells whether it changed
+-- the number.
 coordinates :: (Rational -> (a, Bool)) -> Mesh -> Written (V.Vector [a])
 coordinates had it = Written (V.map (map fst) made) (V.sum (V.map (length . filter snd) made))
   where

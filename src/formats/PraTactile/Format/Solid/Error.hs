@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Why bytes are no polyhedron of a format.
+-- | The errors of reading polyhedra.
 module PraTactile.Format.Solid.Error
   ( SolidFileError (..),
     Place (..),
@@ -11,10 +11,10 @@ where
 import PraTactile.Format.Error (FormatError)
 import PraTactile.PlainText (OtherEncoding)
 
--- | What is wrong, and where.
+-- | A fault with its place.
 data SolidFileError
   = SolidFileError Place Fault
-  | -- | of JSON
+  | -- | in JSON
     ObjectRefused FormatError
   deriving stock (Eq, Show)
 
@@ -26,24 +26,25 @@ data Place
     AtByte Int
   deriving stock (Eq, Ord, Show)
 
--- | What is wrong there.
+-- | A fault at a place in a file.
 data Fault
-  = -- | this is needed, and something else is there
+  = -- | this was expected, and something else is there
     Needed String
-  | -- | the file ends, and this is still to come
+  | -- | the file ends where this was expected
     Ends String
-  | -- | this is no number
+  | -- | this is not a number
     NotNumber
-  | -- | a coordinate is not a number, or infinite
+  | -- | a coordinate is NaN or infinite
     NotFinite
-  | -- | a coordinate is beyond 10^300, or has more than 400 decimal places
+  | -- | a coordinate is above 10^300, or has more than 400 decimal places
     TooLargeOrFine
-  | -- | a face has this vertex, as the format counts them, and there are so many
+  | -- | a face has this vertex, as the format counts them; the file has only that many
     NoSuchVertex Integer Int
-  | -- | a file with so many triangles has the first number of bytes, and this one the second
+  | -- | a file with this number of triangles should have the first number of bytes, and it has the
+    -- second
     LengthDiffers Integer Int
-  | -- | the file is text in this encoding, and not in UTF-8
+  | -- | the file is text in this encoding, not in UTF-8
     FileInEncoding OtherEncoding
-  | -- | the fractions have no common denominator of a size that one can compute with
+  | -- | the common denominator of the fractions is too large to compute with
     NoCommonDenominator
   deriving stock (Eq, Show)

@@ -1,12 +1,12 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Polyhedra as JSON of our own, @pra-tactile/object/1@: with names, and with exact numbers.
+-- | Polyhedra as JSON, @pra-tactile/object/1@, with names and exact numbers.
 module PraTactile.Format.Solid.Json
   ( readObject,
     writeObject,
 
-    -- * As part of other texts
+    -- * Parts of other formats
     describedCodec,
     tooFine,
     exact,
@@ -33,7 +33,7 @@ import PraTactile.Format.Solid.Number
 import PraTactile.Object.Description
 import PraTactile.Object.Mesh
 
--- | The polyhedron that the JSON describes. Nothing but its form is checked.
+-- | Reads a polyhedron from JSON. Only its form is checked.
 readObject :: ByteString -> Either SolidFileError Contents
 readObject bytes = do
   described <- first ObjectRefused (decodeWith keys bytes)
@@ -41,8 +41,8 @@ readObject bytes = do
     then Left (SolidFileError (AtLine 1) NoCommonDenominator)
     else Right (Contents (fromDescription described) [])
 
--- | Whether the coordinates' common denominator has more than 20 000 bits: with many more,
--- coordinates of a file of some megabytes would fill the memory.
+-- | Whether the common denominator of the coordinates has more than 20 000 bits. With many more
+-- bits, the coordinates of a file of some megabytes would fill the memory.
 tooFine :: Description -> Bool
 tooFine described =
   isNothing
@@ -55,7 +55,7 @@ tooFine described =
     common over under =
       let both = lcm over under in if integerLog2 both > 20000 then Nothing else Just both
 
--- | Polyhedra as JSON, on one line, without its end.
+-- | A polyhedron as JSON on one line, without its line end.
 writeObject :: Mesh -> ByteString
 writeObject = writeLine keys . toDescription
 
@@ -74,7 +74,7 @@ describedCodec = object keys
 vertexKeys :: Keys (VertexName, Point) (VertexName, Point)
 vertexKeys = (,) <$> key "name" vertexName fst <*> key "at" point snd
 
--- | A name without spaces, for a face is named by the names of its vertices with spaces between.
+-- | A vertex name without spaces: faces are named by their vertices' names, separated by spaces.
 vertexName :: Codec VertexName
 vertexName =
   via vertexText (Right . VertexName) $
@@ -87,7 +87,7 @@ point = via (\(Point x y z) -> [x, y, z]) three (listOf exact)
       [x, y, z] -> Right (Point x y z)
       _ -> refuse NotPoint
 
--- | A number that is what it says: a text such as @127/4@ or @31.75@, or a JSON number.
+-- | An exact number: a text such as @127/4@ or @31.75@, or a JSON number.
 exact :: Codec Rational
 exact = Codec (Schema.AnyOf [Schema.Text [], Schema.Real []]) exactText $ \value -> case value of
   String given -> exactly (Text.unpack given)

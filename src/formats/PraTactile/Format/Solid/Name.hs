@@ -1,4 +1,4 @@
--- | The names of solids that are known without a file, such as @box:100x60x40@.
+-- | The names of built-in solids, such as @box:100x60x40@.
 module PraTactile.Format.Solid.Name
   ( SolidName (..),
     readName,
@@ -12,18 +12,18 @@ import PraTactile.Decimal (asciiOf, readExact)
 import PraTactile.Format.Solid.Number (whole)
 import PraTactile.Object.Named
 
--- | What a text is as the name of a solid.
+-- | The meaning of a text as the name of a solid.
 data SolidName
   = Known Named
-  | -- | it begins as a name does, but should have this form
+  | -- | it begins like a name, but should have this form
     Malformed String
-  | -- | a regular solid of this name, which has no rational vertices
+  | -- | it is the name of a regular solid without rational vertices
     Irrational String
-  | -- | it is no name
+  | -- | it is not a name
     NoName
   deriving stock (Eq, Show)
 
--- | How each name is written.
+-- | The form of each name.
 nameForms :: [String]
 nameForms =
   [ "cube",
@@ -39,8 +39,8 @@ nameForms =
     "sheet"
   ]
 
--- | The solid of a name. Lengths are exact numbers of millimetres, such as @127/4@ or @31.75@; the
--- first argument is the width and the depth of the sheet.
+-- | The solid with a name. Lengths are exact numbers of millimetres, such as @127/4@ or @31.75@.
+-- The first argument is the width and the depth of the sheet.
 readName :: (Rational, Rational) -> String -> SolidName
 readName (wide, deep) text
   | name `elem` ["dodecahedron", "icosahedron"] = Irrational name

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Numbers of files as exactly what they are: decimal numbers as integers times a power of 10,
--- machine numbers as integers times a power of 2.
+-- | Exact numbers of files: decimal numbers are integers times a power of 10, machine numbers are
+-- integers times a power of 2.
 module PraTactile.Format.Solid.Number
   ( -- * Reading
     Number (..),
@@ -28,15 +28,15 @@ import PraTactile.Decimal hiding (Decimal (Decimal))
 import PraTactile.Format.Solid.Error
 import PraTactile.Object.Vector
 
--- | An integer, times a power of the base.
+-- | An integer, and the exponent of the base by whose power it is multiplied.
 data Number = Number !Integer !Int
   deriving stock (Eq, Show)
 
--- | Of what exponents are.
+-- | The base of exponents.
 data Base = Decimal | Binary
   deriving stock (Eq, Show)
 
--- | A decimal number, such as @-1.25e3@, that is 'inReach'.
+-- | Reads a decimal number, such as @-1.25e3@, that is 'inReach'.
 decimal :: ByteString -> Either Fault Number
 decimal text = first fault $ do
   number <- readDecimal text >>= inReach
@@ -47,7 +47,7 @@ decimal text = first fault $ do
       Infinite -> NotFinite
       OutOfReach -> TooLargeOrFine
 
--- | A machine number.
+-- | A machine number exactly. Refuses NaN and infinities.
 machine :: RealFloat a => a -> Either Fault Number
 machine value
   | isNaN value || isInfinite value = Left NotFinite
@@ -55,13 +55,13 @@ machine value
   where
     (mantissa, exponent') = decodeFloat value
 
--- | A whole number, of at most 18 characters.
+-- | Reads a whole number of at most 18 characters.
 whole :: ByteString -> Either Fault Int
 whole text = case readWhole text of
   Just n | Char8.length text <= 18 -> Right (fromInteger n)
   _ -> Left NotNumber
 
--- | Points as integers over their common denominator.
+-- | The common denominator of points, and their numerators.
 overCommon :: Base -> V.Vector (Number, Number, Number) -> (Integer, V.Vector V3)
 overCommon base points = (power places, V.map point points)
   where
@@ -79,7 +79,7 @@ overCommon base points = (power places, V.map point points)
       Decimal -> 10 ^ k
       Binary -> 2 ^ k
 
--- | A fraction as it is read again: a decimal number where it is one of few digits.
+-- | A fraction as text: a decimal number if that is exact and short, otherwise a quotient.
 --
 -- >>> map exactText [31.75, 1 / 3, -2]
 -- ["31.75","1/3","-2"]
@@ -88,7 +88,7 @@ exactText value
   | Just text <- decimalText value, length text <= 40 = text
   | otherwise = show (numerator value) ++ "/" ++ show (denominator value)
 
--- | A fraction as a decimal number, where it is one.
+-- | A fraction as a decimal number, if that is exact.
 decimalText :: Rational -> Maybe String
 decimalText value
   | denominator value == 1 = Just (show (numerator value))

@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The object files of Wavefront: @v X Y Z@ is a vertex, @f A B C ..@ a face by vertices counted
--- from 1, or back from the last one by negative numbers.
+-- | The object files of Wavefront: @v X Y Z@ is a vertex; @f A B C ..@ is a face by its vertices,
+-- counted from 1, or by negative numbers back from the last one.
 module PraTactile.Format.Solid.Obj
   ( readObj,
     writeObj,
@@ -22,15 +22,16 @@ import PraTactile.Format.Solid.Text
 import PraTactile.Object.Description (ObjectName)
 import PraTactile.Object.Mesh
 
--- | What was read so far: vertices and faces, the last ones first, each face with its line.
+-- | The state of reading: the number of vertices; vertices and faces, newest first, each face with
+-- its line; and the ignored things.
 data Found = Found !Int [(Number, Number, Number)] [(Line, Walk)] !(Set.Set Passed)
 
--- | The polyhedron of an OBJ file: all its groups together. What else there is is passed over.
--- Refuses a text without vertices, which is none.
+-- | Reads the polyhedron of an OBJ file, all groups together. Everything else is ignored. Refuses
+-- a text without vertices.
 readObj :: ObjectName -> ByteString -> Either SolidFileError Contents
 readObj name bytes = go (Found 0 [] [] Set.empty) (joined (linesOf bytes))
   where
-    -- All other lines are passed over, so that a text without vertices is of some other format.
+    -- All other lines are ignored, so a text without vertices has probably another format.
     go (Found 0 _ _ _) [] =
       Left
         ( SolidFileError
@@ -65,7 +66,7 @@ readObj name bytes = go (Found 0 [] [] Set.empty) (joined (linesOf bytes))
     adding more passed = foldr Set.insert passed more
     shown = map printable . Char8.unpack . Char8.take 20
     printable c = if c > ' ' && c <= '~' then c else '?'
-    -- Negative numbers count back from the vertices that there are so far.
+    -- Negative numbers count back from the vertices read so far.
     index count word = do
       i <- whole (Char8.takeWhile (/= '/') word)
       let place = if i > 0 then i - 1 else count + i

@@ -1,9 +1,9 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The Object File Format of Geomview, as text: after the word @OFF@, on its line or the next, the
--- numbers of vertices, faces and edges, then a line a vertex and a line a face, which begins with
--- its number of vertices.
+-- | The Object File Format of Geomview, as text. After the word @OFF@, on its line or the next,
+-- come the numbers of vertices, faces and edges. Then there is one line per vertex and one line per
+-- face, which begins with the number of its vertices.
 module PraTactile.Format.Solid.Off
   ( readOff,
     writeOff,
@@ -25,7 +25,7 @@ import PraTactile.Format.Solid.Text
 import PraTactile.Object.Description (ObjectName)
 import PraTactile.Object.Mesh
 
--- | The polyhedron of an OFF file. Colours, normals and texture coordinates are passed over.
+-- | Reads the polyhedron of an OFF file. Colours, normals and texture coordinates are ignored.
 readOff :: ObjectName -> ByteString -> Either SolidFileError Contents
 readOff name bytes = do
   (counts, after) <- header (linesOf bytes)
@@ -55,7 +55,7 @@ readOff name bytes = do
             else Right (Line at rest, others)
         | otherwise -> Left (SolidFileError (AtLine (lineNumber line)) (Needed "the word OFF"))
       _ -> Left (end (Ends "the word OFF"))
-    -- What follows the word OFF: nothing, or the number of vertices, as in OFF216 of ModelNet.
+    -- The rest of the word OFF: empty, or the number of vertices, as in OFF216 of ModelNet.
     headerWord word =
       find
         (maybe True (isDigit . fst) . Char8.uncons)
@@ -64,7 +64,7 @@ readOff name bytes = do
     natural word = do
       n <- whole word
       if n < 0 then Left NotNumber else Right n
-    -- So many lines, each read by itself.
+    -- The given number of lines, each read by the function.
     taking what count one given = go (0 :: Int) [] given
       where
         go n found left

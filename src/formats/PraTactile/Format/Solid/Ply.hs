@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The Polygon File Format of Stanford, of all three kinds: a header that names elements and their
--- properties, and then their values, as text or as machine numbers in either order of bytes.
+-- | The Polygon File Format of Stanford in all three kinds: a header that names elements and their
+-- properties, then their values, as text or as machine numbers in either byte order.
 module PraTactile.Format.Solid.Ply
   ( readPly,
     writePlyText,
@@ -28,17 +28,18 @@ import PraTactile.Object.Description (ObjectName)
 import PraTactile.Object.Mesh
 import PraTactile.PlainText (lineFeeds, otherEncoding, withoutMark)
 
--- | How values are written.
+-- | The encoding of values.
 data Coding = AsText | LittleEndian | BigEndian
   deriving stock (Eq, Show)
 
--- | What a value is: so many bytes, an integer with or without a sign, or a machine number.
+-- | The type of a value: an integer (signed if the flag is set) or a floating-point number, with
+-- its number of bytes.
 data Type = Integral Bool Int | Floating Int
   deriving stock (Eq, Show)
 
 data Property = Property
   { propertyName :: ByteString,
-    -- | of a list, what its length is
+    -- | for a list, the type of its length
     propertyLength :: Maybe Type,
     propertyType :: Type
   }
@@ -48,12 +49,12 @@ data Element = Element
   {elementName :: ByteString, elementCount :: Int, elementProperties :: [Property]}
   deriving stock (Eq, Show)
 
--- | The values of one thing, by its properties.
+-- | The values of one item, by its properties.
 type Row = [[Number]]
 
--- | The polyhedron of a PLY file: the properties @x@, @y@ and @z@ of its vertices, and the list
--- @vertex_indices@ (or @vertex_index@) of its faces and of its strips of triangles. All else is
--- passed over.
+-- | Reads the polyhedron of a PLY file: the properties @x@, @y@ and @z@ of its vertices, and the
+-- list @vertex_indices@ (or @vertex_index@) of its faces and triangle strips. Everything else is
+-- ignored.
 readPly :: ObjectName -> ByteString -> Either SolidFileError Contents
 readPly name bytes = do
   (coding, elements, body) <- header bytes
@@ -106,7 +107,7 @@ readPly name bytes = do
             (\(at, row) -> concatMap stripped <$> traverse (traverse (index count at)) (runs row))
             rows
       _ -> Right []
-    -- A strip ends where another begins: at -1.
+    -- In one list, -1 separates strips.
     runs row = case break (== Number (-1) 0) (concat row) of
       (run, _ : others) -> run : runs [others]
       (run, []) -> [run]
@@ -116,11 +117,11 @@ readPly name bytes = do
         Left (SolidFileError at (NoSuchVertex wanted count))
       | otherwise = Right (fromInteger wanted)
       where
-        -- Of text, whose exponents are of 10; an integer of bytes has the exponent 0.
+        -- A number in text has an exponent of 10; an integer in bytes has the exponent 0.
         wanted = n * 10 ^ e
 
--- | The triangles of a strip: each corner with the two before it, every other one turned, so that
--- all are seen from the same side. A corner that is repeated makes none.
+-- | The triangles of a strip: each corner with the two before it. Every other triangle is
+-- reversed, so that all have the same orientation. Triangles with a repeated corner are dropped.
 --
 -- >>> map U.toList (stripped [0, 3, 1, 2])
 -- [[0,3,1],[1,3,2]]
@@ -132,8 +133,8 @@ stripped corners =
       a /= b && b /= c && a /= c
   ]
 
--- | How values are written, what there is, and all after the header, with how many lines of text or
--- bytes come before it.
+-- | Reads the header: the encoding, the elements, and the rest of the file with the number of
+-- lines (text) or bytes before it.
 header :: ByteString -> Either SolidFileError (Coding, [Element], (Int, ByteString))
 header bytes
   | Just encoding <- otherEncoding bytes =
@@ -143,8 +144,8 @@ header bytes
   | otherwise = Left (SolidFileError (AtLine 1) (Needed "the word ply"))
   where
     text = withoutMark bytes
-    -- A header whose first line ends with CR alone ends so everywhere: a body in bytes may begin
-    -- with what looks like LF.
+    -- If the header's first line ends with CR alone, all its lines do; a binary body may begin with
+    -- a byte that looks like LF.
     lineEnd = case Char8.uncons (Char8.dropWhile (`Char8.notElem` "\r\n") text) of
       Just ('\r', rest) | not ("\n" `Bytes.isPrefixOf` rest) -> '\r'
       _ -> '\n'
@@ -212,7 +213,7 @@ header bytes
           name <- names
       ]
 
--- | What is wanted of the elements that are wanted, by their rows, each with its place.
+-- | The wanted properties of the wanted elements, row by row, each row with its place.
 type Rows = [(ByteString, [(Place, Row)])]
 
 textRows ::
@@ -268,16 +269,16 @@ textRows wanted elements (before, body) =
       values <- traverse decimal own
       Right (values, drop n given)
 
--- | Of the values of an element's properties those that are wanted.
+-- | The wanted ones of an element's values.
 keep :: [(ByteString, [Int])] -> Element -> [a] -> [a]
 keep wanted e values = maybe [] (map (values !!)) (lookup (elementName e) wanted)
 
--- | So many rows of an element are still to come.
+-- | The fault that the given number of an element's rows is missing.
 missing :: Int -> Element -> Fault
 missing n e =
   Ends (show n ++ " of " ++ show (elementCount e) ++ " rows of " ++ shortName (elementName e))
 
--- | A name of the file's as it is told.
+-- | A name in the file, shortened for a message.
 shortName :: ByteString -> String
 shortName = Char8.unpack . Bytes.take 40
 
@@ -322,7 +323,7 @@ binaryRows coding wanted elements (before, body) = go elements 0
         case size of
           Right (Number n 0) | n >= 0 -> list (fromInteger n) (propertyType p)
           _ -> fail "a negative length"
-    -- No more values are made room for than there are bytes.
+    -- A list never gets more memory than the bytes that are there.
     list n kind = do
       start <- bytesRead
       let needed = toInteger n * toInteger (sizeOf kind)
@@ -361,7 +362,7 @@ headerOf coding kind it =
       "end_header"
     ]
 
--- | A polyhedron as a PLY file, as text: decimal numbers, exact where one can be.
+-- | A polyhedron as a text PLY file. Coordinates are decimal numbers, exact if possible.
 writePlyText :: Mesh -> Written Builder.Builder
 writePlyText it = texts {writtenBytes = headerOf "ascii" "double" it <> vertices <> faces}
   where
@@ -369,7 +370,7 @@ writePlyText it = texts {writtenBytes = headerOf "ascii" "double" it <> vertices
     vertices = foldMap textLine (writtenBytes texts)
     faces = foldMap (\walk -> textLine (map show (U.length walk : U.toList walk))) (meshWalks it)
 
--- | A polyhedron as a little-endian PLY file: its coordinates are the nearest double-precision
+-- | A polyhedron as a little-endian PLY file. Coordinates are the nearest double-precision
 -- numbers.
 writePlyBinary :: Mesh -> Written Builder.Builder
 writePlyBinary it =

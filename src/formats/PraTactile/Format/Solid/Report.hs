@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of what there is to say of a polyhedron.
+-- | The JSON of @solid@, the report on a polyhedron.
 module PraTactile.Format.Solid.Report
   ( encodeReport,
     defectValue,
@@ -24,14 +24,14 @@ import PraTactile.Object.Mend
 import PraTactile.Object.Mesh
 import PraTactile.Object.Validity
 
--- | No more defects of a kind are listed, and none after so many names of vertices; all are
--- counted.
+-- | Limits of the list of defects: per kind, and of vertex names in all. All defects are counted.
 mostOfAKind, mostNames :: Int
 mostOfAKind = 1000
 mostNames = 100000
 
--- | A polyhedron's report, on one line, without its end: what a file had beside, what was changed,
--- what would make a solid of it, its grids and what was found.
+-- | The report on a polyhedron as one line, without its line end. The arguments are the
+-- polyhedron, the ignored things of its file, the changes made to it, the mending that would make
+-- it a solid, its grids and the findings.
 encodeReport :: Mesh -> [Passed] -> Changes -> Maybe Mending -> [Grid] -> Report -> ByteString
 encodeReport it passed changes mending grids report =
   encodeSchema "solid/1" $
@@ -76,7 +76,7 @@ encodeReport it passed changes mending grids report =
           "cells" .= fmap integerValue (gridCount grid)
         ]
 
--- | What would make a solid of a polyhedron.
+-- | The options that would make a polyhedron a solid.
 mendingValue :: Mending -> Value
 mendingValue mending =
   object

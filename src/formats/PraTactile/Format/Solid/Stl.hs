@@ -1,10 +1,10 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The stereolithography files of 3D Systems (1988), of both kinds: triangles with their normals,
--- as text, or 50 bytes each after 80 bytes that mean nothing and a count. A file is binary where
--- that count fits its length: the word @solid@ at its beginning tells nothing, for some programs
--- begin binary files with it.
+-- | The stereolithography files of 3D Systems (1988), text or binary: triangles with their
+-- normals. A binary file has 80 bytes without meaning, a count, and 50 bytes per triangle. A file
+-- is binary if the count fits its length. The word @solid@ at the beginning is no evidence for
+-- text, because some programs begin binary files with it.
 module PraTactile.Format.Solid.Stl
   ( readStl,
     writeStlText,
@@ -34,7 +34,7 @@ import PraTactile.Object.Triangles
 import PraTactile.Object.Vector
 import PraTactile.PlainText (otherEncoding, withoutMark)
 
--- | The polyhedron of an STL file of either kind. Normals and what is attached are passed over.
+-- | Reads the polyhedron of a text or binary STL file. Normals and attributes are ignored.
 readStl :: ObjectName -> ByteString -> Either SolidFileError Contents
 readStl name bytes
   | Just count <- counted,
@@ -57,7 +57,7 @@ readStl name bytes
           (Ends "84 bytes of a binary file")
       )
   where
-    -- No text has a zero, and few binary files have none so early.
+    -- Text contains no zero byte; nearly all binary files have one this early.
     begin = Bytes.take 1000 (withoutMark bytes)
     counted =
       either
@@ -107,7 +107,8 @@ text name bytes =
     (concatMap wordsOf (zipWith Line [1 ..] (map Char8.words (Char8.split '\n' bytes))))
   where
     end = Left . SolidFileError (AtLine (length (Char8.split '\n' bytes)))
-    -- What follows solid and endsolid on their lines is a name. Some write "end solid".
+    -- The words after solid and endsolid on their lines are a name. Some programs write "end
+    -- solid".
     wordsOf (Line at given) = map ((,) at) $ case given of
       word : next : others
         | lower word == "end",
@@ -118,7 +119,7 @@ text name bytes =
       word : _ | lower word `elem` ["solid", "endsolid"] -> [word]
       _ -> given
     lower = Char8.map toLower
-    -- Whether a solid has begun and not ended; a file without its end was cut off.
+    -- @begun@: inside a solid. A file that ends inside one was cut off.
     outside begun found given = case given of
       [] | begun -> end (Ends "endsolid")
       [] ->
@@ -149,7 +150,7 @@ text name bytes =
         | lower there == word -> keywords more others
         | otherwise -> fault at (Needed (Char8.unpack word))
       (word : _, []) -> end (Ends (Char8.unpack word))
-    -- A normal need not be a number: some programs write nan for that of a sliver.
+    -- A normal need not be a number: some programs write nan for a sliver's.
     dropNumbers at given = case splitAt 3 given of
       ([_, _, _], others) -> Right others
       _ -> fault at (Needed "a normal of three numbers")
@@ -163,11 +164,11 @@ text name bytes =
             ((,,) <$> decimal x <*> decimal y <*> decimal z)
         _ -> end (Ends "three coordinates")
 
--- | The triangles of all faces, by vertices.
+-- | The triangles of all faces, by vertex numbers.
 allTriangles :: Mesh -> [[Int]]
 allTriangles it = [[i, j, k] | walk <- V.toList (meshWalks it), (i, j, k) <- triangles it walk]
 
--- | A polyhedron as a binary STL file: its coordinates are the nearest single-precision numbers.
+-- | A polyhedron as a binary STL file. Coordinates are the nearest single-precision numbers.
 writeStlBinary :: Mesh -> Written Builder.Builder
 writeStlBinary it = numbers' {writtenBytes = header <> foldMap triangle faces}
   where
@@ -184,7 +185,7 @@ writeStlBinary it = numbers' {writtenBytes = header <> foldMap triangle faces}
         <> foldMap (foldMap Builder.floatLE . (writtenBytes numbers' V.!)) corners
         <> Builder.word16LE 0
 
--- | A polyhedron as a text STL file: its coordinates are decimal numbers, exact where one can be.
+-- | A polyhedron as a text STL file. Coordinates are decimal numbers, exact if possible.
 writeStlText :: Mesh -> Written Builder.Builder
 writeStlText it =
   texts {writtenBytes = textLine ["solid"] <> facets <> textLine ["endsolid"]}
@@ -198,7 +199,7 @@ writeStlText it =
         <> textLine ["endloop"]
         <> textLine ["endfacet"]
 
--- | The unit normal of a triangle; zeros where it has no area.
+-- | The unit normal of a triangle; zeros if it has no area.
 normalOf :: Mesh -> [Int] -> [Float]
 normalOf it corners = case map (meshPoints it V.!) corners of
   [a, b, c]

@@ -21,21 +21,22 @@ import PraTactile.Format.Solid.Error
 import PraTactile.Format.Solid.Number
 import PraTactile.PlainText (plainText)
 
--- | A line by its number, counted from 1, and its words.
+-- | A line with its number, counted from 1, and its words.
 data Line = Line {lineNumber :: !Int, lineWords :: [ByteString]}
   deriving stock (Eq, Show)
 
--- | A text format's bytes as text, its lines parted by LF.
+-- | The text of a text format's bytes, with lines separated by LF. Refuses other encodings than
+-- UTF-8.
 plain :: ByteString -> Either SolidFileError ByteString
 plain = either (Left . SolidFileError (AtLine 1) . FileInEncoding) Right . plainText
 
--- | The lines that have words, without what follows a @#@.
+-- | The lines that have words. Text after @#@ is dropped.
 linesOf :: ByteString -> [Line]
 linesOf = filter (not . null . lineWords) . zipWith Line [1 ..] . map wordsOf . Char8.split '\n'
   where
     wordsOf = Char8.words . Char8.takeWhile (/= '#')
 
--- | Something is wrong in a line.
+-- | Adds a line's number to a fault.
 atLine :: Line -> Either Fault a -> Either SolidFileError a
 atLine line = either (Left . SolidFileError (AtLine (lineNumber line))) Right
 
@@ -45,7 +46,7 @@ numbers given = case given of
   a : b : c : _ -> (,,) <$> decimal a <*> decimal b <*> decimal c
   _ -> Left (Needed "three coordinates")
 
--- | Lines that end in a backslash with the ones after them; the number is that of the first.
+-- | Joins lines that end in a backslash with the next line. The number is that of the first line.
 joined :: [Line] -> [Line]
 joined given = case given of
   line : next : others
@@ -60,6 +61,6 @@ joined given = case given of
           Just (reverse before ++ [start | not (Char8.null start)])
       _ -> Nothing
 
--- | A line of words, to be written.
+-- | A line of output with the given words.
 textLine :: [String] -> Builder
 textLine = (<> "\n") . string7 . unwords

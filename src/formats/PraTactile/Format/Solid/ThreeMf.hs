@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Files of the 3D Manufacturing Format (3MF Consortium, core specification 1.3): a zip archive of
--- a model in XML, a list of the kinds of files in it, and the model's place.
+-- | Files of the 3D Manufacturing Format (3MF Consortium, core specification 1.3): a zip archive
+-- with a model in XML, a list of the archive's file types, and the model's path.
 module PraTactile.Format.Solid.ThreeMf
   ( writeThreeMf,
   )
@@ -15,8 +15,8 @@ import PraTactile.Format.Solid.Stl (allTriangles)
 import PraTactile.Object.Description (objectText)
 import PraTactile.Object.Mesh
 
--- | A polyhedron as a 3MF file: its triangles, with coordinates as decimal numbers of millimetres,
--- exact where one can be. The same polyhedron gives the same bytes.
+-- | A polyhedron as a 3MF file of its triangles. Coordinates are decimal numbers of millimetres,
+-- exact if possible. Equal polyhedra give equal bytes.
 writeThreeMf :: Mesh -> Written Builder.Builder
 writeThreeMf it = written {writtenBytes = archived (writtenBytes written)}
   where
@@ -30,7 +30,7 @@ archived it =
       emptyArchive
       [("[Content_Types].xml", contentTypes), ("_rels/.rels", relations), (modelPath, it)]
   where
-    -- The first second that the archive's clock has.
+    -- The earliest time that the archive can store.
     entry (path, text) = toEntry path 315532800 (Builder.toLazyByteString (declaration <> text))
 
 modelPath :: FilePath
@@ -39,7 +39,7 @@ modelPath = "3D/3dmodel.model"
 declaration :: Builder.Builder
 declaration = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
 
--- | What files of the archive are, by their endings.
+-- | The file types of the archive, by extension.
 contentTypes :: Builder.Builder
 contentTypes =
   "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">\n\
@@ -49,7 +49,7 @@ contentTypes =
   \ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>\n\
   \</Types>\n"
 
--- | Where the model is.
+-- | The model's path.
 relations :: Builder.Builder
 relations =
   "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">\n\
@@ -58,7 +58,7 @@ relations =
     <> Builder.string7 modelPath
     <> "\"/>\n</Relationships>\n"
 
--- | The polyhedron as the one object of a model.
+-- | The polyhedron as the only object of a model.
 model :: Mesh -> Written Builder.Builder
 model it = texts {writtenBytes = beginning <> vertices <> middle <> triangles <> end}
   where
@@ -76,14 +76,14 @@ model it = texts {writtenBytes = beginning <> vertices <> middle <> triangles <>
       "</triangles>\n</mesh></object></resources>\n\
       \<build><item objectid=\"1\"/></build>\n</model>\n"
 
--- | An element without contents, of these attributes, on a line.
+-- | An empty element with these attributes, on a line.
 element :: Builder.Builder -> [(Builder.Builder, String)] -> Builder.Builder
 element name attributes =
   "<" <> name <> foldMap attribute attributes <> "/>\n"
   where
     attribute (key, text) = " " <> key <> "=\"" <> Builder.string7 text <> "\""
 
--- | A character of an attribute; @?@ in place of those that XML 1.0 does not have.
+-- | A character of an attribute. Characters that XML 1.0 does not have become @?@.
 escaped :: Char -> Builder.Builder
 escaped c = case c of
   '&' -> "&amp;"

@@ -1,8 +1,7 @@
 {-# LANGUAGE TypeFamilies #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | From the rows of the database back to a placement, and from those that a look-up rests on to
--- what they say.
+-- | Converts the rows of the database to a placement, and single rows to values.
 module PraTactile.Store.Rows.Read
   ( -- * All rows
     fromRows,
@@ -41,9 +40,9 @@ import PraTactile.Store.Rows.Write
 import PraTactile.Store.Schema
 import PraTactile.Store.Seal
 
--- | The placement that the rows of all tables hold, with the text of its profile and the numbers of
--- what is in it. Refuses rows that are not as they were written, that make no solids or no
--- placement, or that are not exactly those of the placement that they make.
+-- | The placement in the rows of all tables, with the text of its profile and the numbers of its
+-- objects and laid faces. Refuses changed rows, rows that do not form solids or a placement, and
+-- rows that this placement would not have.
 fromRows :: Rows -> Either StoreError (String, Numbers, Placement)
 fromRows given = do
   mapM_ sealsHold parts
@@ -59,8 +58,8 @@ fromRows given = do
     sealsHold :: Part -> Either StoreError ()
     sealsHold (Part table part) = mapM_ (intact table) (part given)
 
--- | The placement of the objects of which there are rows, with all of theirs, on an array of this
--- shape with symbols so far apart, and their numbers.
+-- | The placement of the objects in the given rows, and their numbers. The arguments are the
+-- array's shape, its pitch, and the rows, which must be all of these objects.
 placementIn :: Shape -> Pitch -> Rows -> Either StoreError (Numbers, Placement)
 placementIn shape between given = do
   described <- descriptionsIn given stored
@@ -87,7 +86,7 @@ placementIn shape between given = do
     stored = sortOn storedObjectNumber (objects given)
     laid = sortOn storedLayingNumber (layings given)
 
--- | What each of these objects is.
+-- | The descriptions of the given objects.
 descriptionsIn :: Rows -> [StoredObject] -> Either StoreError [Description]
 descriptionsIn given stored = for stored $ \it -> do
   let own = storedObjectNumber it
@@ -108,7 +107,7 @@ descriptionsIn given stored = for stored $ \it -> do
     grouped :: Ord k => (row -> k) -> [row] -> Map.Map k [row]
     grouped key rows' = Map.fromListWith (++) [(key row, [row]) | row <- rows']
 
--- | The bands, given the places of layings in the placement's order by their numbers.
+-- | The bands. The map gives the index of a laying, by its number, in the placement's order.
 bandsIn :: Map.Map Int64 Int -> Rows -> Either StoreError [Band]
 bandsIn places given = for (runBands given) $ \it ->
   Band
@@ -129,15 +128,15 @@ find table known key = maybe (Left (UnreadableRow table)) Right (Map.lookup key 
 numberedFrom0 :: [it] -> Map.Map Int64 it
 numberedFrom0 = Map.fromDistinctAscList . zip [0 ..]
 
--- | A row that is as it was written; refuses any other.
+-- | A row whose seal is correct. Refuses any other row.
 intact :: PersistEntity row => Table -> row -> Either StoreError row
 intact table row = if isSealed row then Right row else Left (ChangedRow table)
 
--- | A number that cannot be negative.
+-- | A natural number. Refuses negative numbers.
 natural :: Table -> Int64 -> Either StoreError Natural
 natural table n = if n < 0 then Left (UnreadableRow table) else Right (fromIntegral n)
 
--- | The rows and columns of the array.
+-- | The shape of the array.
 shapeIn :: Metadata -> Either StoreError Shape
 shapeIn sheet =
   Shape
@@ -148,37 +147,37 @@ shapeIn sheet =
 pitchIn :: Metadata -> Pitch
 pitchIn sheet = Pitch (exactly (metadataPitchRight sheet)) (exactly (metadataPitchDown sheet))
 
--- | Where a vertex is.
+-- | The coordinates of a vertex.
 pointIn :: StoredVertex -> Point
 pointIn it =
   Point (exactly (storedVertexX it)) (exactly (storedVertexY it)) (exactly (storedVertexZ it))
 
--- | What there is at the corners of a face in the order of its walk, by the numbers of vertices;
--- refuses a corner at which there is nothing, in the name of a table.
+-- | The values at the corners of a face, in the order of its walk, by the numbers of its vertices.
+-- Refuses a corner without a value, with the given table.
 walkIn :: Table -> Map.Map Int64 it -> [StoredCorner] -> Either StoreError [it]
 walkIn table known = traverse (find table known . storedCornerVertex) . sortOn storedCornerNumber
 
--- | The walk round a face, or whatever else goes round it, from where the laid face's frame begins.
+-- | A list around a face, such as its walk, rotated to begin where the laid face's frame begins.
 begunIn :: StoredLaying -> [corner] -> [corner]
 begunIn it walk = genericDrop begun walk ++ genericTake begun walk
   where
     begun = storedLayingBeginsAt it
 
--- | Where a laid face's block lies.
+-- | The position of a laid face's block on the array.
 atIn :: StoredLaying -> Either StoreError Position
 atIn it =
   Position
     <$> natural LayingTable (storedLayingAtRow it)
     <*> natural LayingTable (storedLayingAtColumn it)
 
--- | The rows and columns of its block.
+-- | The shape of a laid face's block.
 gridIn :: StoredLaying -> Either StoreError Shape
 gridIn it =
   Shape
     <$> natural LayingTable (storedLayingGridRows it)
     <*> natural LayingTable (storedLayingGridColumns it)
 
--- | Where its block lies on the face.
+-- | The position of a laid face's block on the face.
 anchorIn :: StoredLaying -> Anchor
 anchorIn it = case (storedLayingMarginRight it, storedLayingMarginDown it) of
   (Just x, Just y) -> Margin (exactly x) (exactly y)

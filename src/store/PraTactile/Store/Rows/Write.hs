@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | From a placement to the rows of the database.
+-- | Converts a placement to the rows of the database.
 module PraTactile.Store.Rows.Write
   ( Numbers (..),
     firstNumbers,
@@ -26,22 +26,21 @@ import PraTactile.Store.Rows
 import PraTactile.Store.Schema
 import PraTactile.Store.Seal
 
--- | The numbers that objects and laid faces have in a store, which grow in the order of the
--- placement.
+-- | The numbers of objects and laid faces in a store, ascending in the order of the placement.
 data Numbers = Numbers
   { objectNumbers :: Map.Map ObjectName Int64,
     layingNumbers :: Map.Map Face Int64
   }
 
--- | The numbers of a placement that is stored for the first time, from 1.
+-- | The numbers of a newly stored placement, from 1.
 firstNumbers :: Placement -> Numbers
 firstNumbers place =
   Numbers
     (Map.fromList (zip (map solidName (placementSolids place)) [1 ..]))
     (Map.fromList (zip (map laidFace (laidFaces place)) [1 ..]))
 
--- | The numbers of a placement that comes in the place of one that has some: what stays as it was
--- keeps its own, and the rest has the next ones above all that there were.
+-- | The numbers of a placement that replaces another with the given numbers. What stays the same
+-- keeps its number; the rest gets the next numbers above all earlier ones.
 nextNumbers :: Placement -> Numbers -> Placement -> Numbers
 nextNumbers before (Numbers ofObjects ofLayings) place =
   Numbers
@@ -53,7 +52,7 @@ nextNumbers before (Numbers ofObjects ofLayings) place =
       placementLaid before (laidFace it) == Just it
         && (stays <$> placementObject place (faceObject (laidFace it))) == Just True
 
--- | Growing numbers for these, which keep their own where they may and that is possible.
+-- | Ascending numbers. An item with the flag keeps its known number if that is possible.
 renumbered :: Ord k => Map.Map k Int64 -> [(k, Bool)] -> Map.Map k Int64
 renumbered known = go 0 (maximum (0 : Map.elems known))
   where
@@ -62,8 +61,8 @@ renumbered known = go 0 (maximum (0 : Map.elems known))
       Just n | keeps && n > last' -> Map.insert one n (go n most others)
       _ -> Map.insert one (most + 1) (go (most + 1) (most + 1) others)
 
--- | The rows that hold a placement, all of which has these numbers, under the text of a profile.
--- Refuses numbers that the columns cannot hold.
+-- | The rows of a placement with the given numbers and the text of its profile. Refuses numbers
+-- that the columns cannot hold.
 toRows :: String -> Numbers -> Placement -> Either StoreError Rows
 toRows profile numbers place =
   mconcat
@@ -85,7 +84,7 @@ toRows profile numbers place =
             Just n <- [Map.lookup (laidFace laid) (layingNumbers numbers)]
         ]
 
--- | The array's one row, given the first of the objects' names.
+-- | The row of the array, with the first of the objects' names.
 arrayRow :: String -> Maybe String -> Placement -> Either StoreError Rows
 arrayRow profile firstName place = do
   row' <-
@@ -96,7 +95,8 @@ arrayRow profile firstName place = do
   where
     Pitch right down = placementPitch place
 
--- | All of an object, given the laid faces of each, and the name that comes after its own.
+-- | All rows of an object. The arguments are the numbers, the laid faces of each object, the
+-- object, and the next object's name.
 objectRows ::
   Numbers -> Map.Map ObjectName [LaidFace] -> Solid -> Maybe String -> Either StoreError Rows
 objectRows numbers laidOf object nextName = do
@@ -161,7 +161,8 @@ objectRows numbers laidOf object nextName = do
           <*> whole fromColumn
       pure (sealed (unsealed (Exact . fst <$> margin) (Exact . snd <$> margin)))
       where
-        -- The object's own name for the face, and how far round that the frame begins.
+        -- The object's own name of the face, and the number of corners after which the frame
+        -- begins.
         begun = faceVertices (faceName (laidFace laid))
         walk = fromMaybe (FaceName []) (sameCorners object (FaceName begun))
         begins = count (takeWhile (/= begun) (rotations (faceVertices walk)))
@@ -172,11 +173,13 @@ objectRows numbers laidOf object nextName = do
           CentredPart drawn from -> (drawn, from, Nothing)
           Margin x y -> (size, (0, 0), Just (x, y))
 
--- | Everything named has a number; without one it would refer to no row, and the database refuse.
+-- | The number of an item. Everything named has one; -1 would refer to no row, and the database
+-- would refuse it.
 numbering :: Ord k => Map.Map k Int64 -> k -> Int64
 numbering = flip (Map.findWithDefault (-1))
 
--- | A band and its runs, given the numbers of layings by their places in the placement's order.
+-- | A band and its runs. The map gives the number of a laying by its index in the placement's
+-- order.
 bandRows :: Map.Map Int Int64 -> Band -> Either StoreError Rows
 bandRows numberAt (Band from to stretches) = do
   from' <- whole from
@@ -189,7 +192,7 @@ bandRows numberAt (Band from to stretches) = do
       right' <- whole right
       pure (sealed (StoredRun band left' right' (laying >>= (`Map.lookup` numberAt))))
 
--- | A number that a column can hold.
+-- | A number that a column can hold. Refuses larger ones.
 whole :: Integral n => n -> Either StoreError Int64
 whole n
   | toInteger n <= toInteger (maxBound :: Int64) = Right (fromIntegral n)
