@@ -1,6 +1,7 @@
--- | Whether the doubts of symbols mean what they say, for each shipped alphabet, sensor and angle:
--- on presses of seeds that no calibration has, by each decade of doubt how many symbols were told
--- to be wrong and how many were; and of other shapes, how many pass where most of ours do.
+-- | Checks whether the doubts of symbols are right, for each shipped alphabet, sensor and angle.
+-- The presses use seeds that no calibration used. For each decade of doubt it prints the number of
+-- symbols, and how many were predicted and found to be wrong. For other shapes it prints how many
+-- pass a limit that most of ours pass.
 module Main (main) where
 
 import Control.Monad (forM_)
@@ -29,9 +30,9 @@ import System.Environment (getArgs)
 import System.IO (BufferMode (LineBuffering), hSetBuffering, stdout)
 import Text.Printf (printf)
 
--- | The arguments: how many symbols of each condition (300), and the orders of fields, if not all
--- that have shapes. Or @fit@ and an order: then the calibration of the shipped network, as @train@
--- finds it, without training.
+-- | The arguments: the number of symbols per condition (300), and the orders of fields (all that
+-- have shapes). Or @fit@ and an order: the calibration of the shipped network, as @train@ finds it,
+-- without training.
 main :: IO ()
 main = do
   hSetBuffering stdout LineBuffering
@@ -54,13 +55,14 @@ main = do
                 shippedSeed
           )
 
--- | An image, and what it truly shows.
+-- | An image and its truth.
 type Known = (Maybe (Int, Symmetry), Raster)
 
--- | A symbol: what is told of it, and what it truly is, as it is seen.
+-- | A symbol: its estimate, and its truth with features.
 type Told = (Estimate, Seen)
 
--- | The tables of a field: of symbols; of whether they are any; and of others, how many pass.
+-- | The tables of a field: for symbols, for whether they belong to the alphabet, and for other
+-- shapes.
 counted :: Int -> Int -> Reader -> IO ()
 counted count q reader = do
   ours <-
@@ -93,7 +95,7 @@ counted count q reader = do
     known = readerAlphabet reader
     network = networkClassifier reader
     ordinary = filter (not . conditionOthers) conditions
-    -- Of each distance what is told of other shapes, at any angle.
+    -- The estimates of other shapes, by their distance, at any angle.
     othersBy :: Preset -> IO [[Told]]
     othersBy sensor =
       sequenceA
@@ -106,7 +108,8 @@ counted count q reader = do
         ]
     drawn = [(b, distanceFrom b) | b <- spread (admissible (parametersFor []))]
     distanceFrom b = minimum [nearestDistance (nearest symmetries a b) | a <- shapes known]
-    -- Eight shapes a plate, of each 50 images; of those that are near, a tenth as many plates.
+    -- Eight shapes per plate, 50 images of each. Shapes at limited distance get a tenth of the
+    -- plates.
     portions (_, to) = take (maybe plates (const (max 1 (plates `div` 10))) to) . parts 8
     plates = max 1 (3 * count `div` 400)
     otherImages sensor some seed
@@ -123,15 +126,16 @@ counted count q reader = do
             )
         pure [(Nothing, image) | (image, _) <- labelledAs labelled]
 
--- | Every 101st, then every 101st from the next on: far apart in the order of drawings.
+-- | Every 101st element, then every 101st from the second on, and so on: neighbours are far apart
+-- in the order of drawings.
 spread :: [a] -> [a]
 spread = concat . transpose . parts 101
 
--- | So many at a time.
+-- | A list in parts of the given length.
 parts :: Int -> [a] -> [[a]]
 parts n = takeWhile (not . null) . unfoldr (Just . splitAt n)
 
--- | Distances from the nearest of ours, in taxels: at least, and at most.
+-- | Ranges of the distance from the nearest shape of the alphabet, in taxels.
 bounds :: [(Int, Maybe Int)]
 bounds = [(4, Just 11), (12, Just 15), (16, Just 19), (20, Just 23), (24, Nothing)]
 
@@ -151,11 +155,11 @@ toldBy classifier (truth, image) = do
       Seen truth (look shapesSeen image upright upsideDown)
     )
 
--- | The doubt, and whether it was right to doubt: of the class and the turn,
+-- | The doubt of class and orientation, and whether these were wrong.
 wrongClass :: Told -> (Double, Bool)
 wrongClass (e, Seen truth _) = (estimateDoubt e, Just (estimateLikeliest e) /= truth)
 
--- | and of whether it is one of ours at all, which is as probable beforehand as not.
+-- | The doubt of whether a symbol belongs to the alphabet (prior 1/2), and whether that was wrong.
 wrongKind :: Told -> (Double, Bool)
 wrongKind (e, Seen truth _) = (1 / (1 + exp (abs u)), (u > 0) /= isNothing truth)
   where
@@ -164,8 +168,9 @@ wrongKind (e, Seen truth _) = (1 / (1 + exp (abs u)), (u > 0) /= isNothing truth
 loss :: Told -> Double
 loss (e, Seen truth _) = negate (log (maybe 1 (estimateChance e) truth))
 
--- | The loss where doubt is a regression on the lead of the greatest logit and on the likeness to
--- its shape, of three numbers, and all others share it alike: what preceded the calibration.
+-- | The loss of a simpler model for comparison: the doubt is a logistic regression with three
+-- numbers, on the lead of the greatest logit and on the likeness to its shape, and all other
+-- classes share it equally.
 lossOfThree :: Told -> Double
 lossOfThree (_, Seen truth (Look told _)) =
   negate (log (if Just best == truth then 1 - doubt else doubt / others))
@@ -176,7 +181,8 @@ lossOfThree (_, Seen truth (Look told _)) =
     regressed = 1 / (1 + exp (0.11 * lead + 21.9 * likeness - 11.3))
     doubt = max 1e-7 (min (others / (others + 1)) regressed)
 
--- | By decade of doubt, from 1e-4 up: how many, and how many told and counted wrong.
+-- | For each decade of doubt from 1e-4 up: the number of symbols, and how many were predicted and
+-- found wrong.
 byDecade :: [(Double, Bool)] -> [String]
 byDecade these =
   [ printf "%d: %.2f, %d" (length here) (sum (map fst here)) (length (filter snd here))
@@ -189,7 +195,7 @@ byDecade these =
 decades :: [String]
 decades = ["below 1e-4", "1e-4 to 1e-3", "to 1e-2", "to 0.1", "above"]
 
--- | How many others pass where such a share of ours does, of how many.
+-- | How many other shapes pass a limit that the given share of ours passes, and their number.
 passing :: Double -> [Told] -> [Told] -> String
 passing share ours others = printf "%d of %d" (length passed) (length others)
   where

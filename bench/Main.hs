@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The benchmarks. @bench [NAME...] [--peers FOLDER]@ holds the targets, each beside its peer;
--- @bench ladder@ climbs the ladders of sizes with criterion.
+-- | The benchmarks. @bench [NAME...] [--peers FOLDER]@ checks the targets, each with its peer;
+-- @bench ladder@ runs series of growing sizes with criterion.
 module Main (main) where
 
 import Bench.Clock
@@ -32,7 +32,7 @@ main = do
       options <- execParser commandLine
       hold options
 
--- | What is run, and beside what.
+-- | The command line's options.
 data Options = Options
   { peers :: Maybe FilePath,
     rounds :: Int,
@@ -83,7 +83,7 @@ commandLine =
               )
           )
 
--- | Hold the chosen targets and print the table, a row as soon as it is known.
+-- | Checks the chosen targets and prints the table row by row.
 hold :: Options -> IO ()
 hold options = do
   let unknown = filter (`notElem` map targetName targets) (names options)
@@ -108,7 +108,7 @@ hold options = do
   after <- load
   putStrLn ("\nload " ++ after ++ " at the end")
 
--- | Measure once for each line on standard input.
+-- | Measures once for each line on standard input.
 measure :: String -> IO ()
 measure name = case lookup name ours of
   Nothing -> refuse ("there is no measurement " ++ name ++ "; there are " ++ unwords (map fst ours))

@@ -1,6 +1,6 @@
--- | The score of the laws against the impostors: for each impostor the laws that find it, the
--- profile under which they first do, and in how many cases; then whether some do with other seeds.
--- Of all impostors the laws that find them are kept in @data/impostors.txt@.
+-- | The score of the laws against the impostors. For each impostor it prints the laws that find
+-- it, with the first profile and the number of cases, and then whether other seeds find it too. If
+-- all impostors are tried, it writes the laws that find them to @data/impostors.txt@.
 module Main (main) where
 
 import Control.Monad (forM, forM_, unless, when)
@@ -16,7 +16,7 @@ import System.Exit (exitFailure)
 import System.IO (BufferMode (LineBuffering), hSetBuffering, stdout)
 import Text.Printf (printf)
 
--- | The arguments: how many seeds (20), and names of impostors, if not all.
+-- | The arguments: the number of seeds (20), and the names of impostors (all).
 main :: IO ()
 main = do
   hSetBuffering stdout LineBuffering

@@ -1,8 +1,8 @@
--- | Our traingdx beside one of numpy (@bench/peers/traingdx.py@): from the same first weights and
--- images, are the errors and the steps of 200 epochs the same, and how long do 5000 take? And how
--- long do the outputs for 10^5 images, the same on both sides (@bench/peers/outputs.py@)?
+-- | Compares our traingdx with one in numpy (@bench/peers/traingdx.py@). From the same first
+-- weights and images it checks that the errors and steps of 200 epochs are equal, and times 5000
+-- epochs. It also times the outputs for 10^5 images on both sides (@bench/peers/outputs.py@).
 --
--- usage: traingdx FOLDER [PYTHON]; what both read and write is left in the folder.
+-- usage: traingdx FOLDER [PYTHON]; the files that both read and write stay in the folder.
 module Main (main) where
 
 import Control.Monad (forM)
@@ -94,7 +94,7 @@ compared folder python = do
     timed first b = do
       rounds <- forM [5000 .. 5004] $ \count -> do
         start <- getCPUTime
-        -- One more each time, or it would be known already.
+        -- One more epoch each time, so that the result is not already evaluated.
         ours <- run first b toolboxDescent {leastGradient = 0, epochs = count}
         end <- epochNumber (NonEmpty.last ours) `seq` getCPUTime
         (,) (end - start) <$> peer ["--least", "0"]
@@ -128,7 +128,7 @@ compared folder python = do
       (cell, _ : rest) -> cell : cells rest
       (cell, []) -> [cell]
 
--- | An image as a file, and as it is read again.
+-- | Writes an image to a file; returns it as it is read back.
 written :: FilePath -> (Int, (Raster, Int)) -> IO (FilePath, Raster, Int)
 written folder (i, (image, c)) = do
   pgm <- orFail (pgmFromIntensity 65535 (mapRaster (\v -> 0.25 + 0.5 * v) image))

@@ -1,6 +1,5 @@
--- | Runs the commands that the documents show and writes what they print in the place of what
--- stands there. Run it from the top of the repository, by @make figures@: @runghc -itest
--- tools/Figures.hs [--quick] [FILE...]@.
+-- | Runs the commands in the documents and replaces their outputs. Run it from the top of the
+-- repository, by @make figures@: @runghc -itest tools/Figures.hs [--quick] [FILE...]@.
 module Main (main) where
 
 import Control.Monad (forM, forM_, when)

@@ -1,5 +1,5 @@
--- | Writes the operations into docs/reference/protocol.md and data/schemas, from their records.
--- Run it from the top of the repository, by @make operations@.
+-- | Writes the operations' records into docs/reference/protocol.md and data/schemas. Run it from
+-- the top of the repository, by @make operations@.
 module Main (main) where
 
 import Control.Monad (forM_, when)

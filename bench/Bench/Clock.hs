@@ -1,14 +1,13 @@
 {-# OPTIONS_GHC -fno-full-laziness #-}
 
--- | Measuring a pure function: how long it takes to evaluate its result, and how much memory the
--- process has had.
+-- | Measures a pure function: the time to evaluate its result, and the peak memory of the process.
 module Bench.Clock
   ( -- * Measurements
     Measurement (..),
     Unit (..),
     unitName,
 
-    -- * Taking them
+    -- * Measuring
     timed,
     timedEach,
     peakMebibytes,
@@ -21,20 +20,20 @@ import Data.List (isPrefixOf)
 import GHC.Clock (getMonotonicTime)
 import Text.Read (readMaybe)
 
--- | What a measurement's value counts.
+-- | The unit of a measurement.
 data Unit
-  = -- | Seconds: less is better.
+  = -- | Seconds; less is better.
     Seconds
-  | -- | So many of these a second: more is better.
+  | -- | A rate per second of the named things; more is better.
     PerSecond String
   deriving stock (Eq, Show)
 
--- | As the JSON lines have it.
+-- | The unit in the JSON lines.
 unitName :: Unit -> String
 unitName Seconds = "s"
 unitName (PerSecond things) = things ++ "/s"
 
--- | One value, and a text that tells whether another program did the same work.
+-- | A measured value, and a text by which programs show that they did the same work.
 data Measurement = Measurement
   { measured :: !Double,
     measuredIn :: !Unit,
@@ -42,9 +41,8 @@ data Measurement = Measurement
   }
   deriving stock (Eq, Show)
 
--- | The seconds that a function takes to evaluate its result to weak head normal form, and the
--- result. Not inlined and without full laziness, so that no application is shared between two
--- measurements.
+-- | The seconds to evaluate a function's result to weak head normal form, and the result. It is
+-- not inlined, and full laziness is off, so that no application is shared between measurements.
 timed :: (a -> b) -> a -> IO (Double, b)
 timed f x = do
   start <- getMonotonicTime
@@ -53,8 +51,7 @@ timed f x = do
   pure (end - start, y)
 {-# NOINLINE timed #-}
 
--- | The mean seconds that a function takes over arguments that have been evaluated before, and the
--- last result.
+-- | The mean seconds per argument, with the arguments evaluated before; and the last result.
 timedEach :: (a -> b) -> b -> [a] -> IO (Double, b)
 timedEach f before xs = do
   mapM_ evaluate xs
@@ -67,7 +64,7 @@ timedEach f before xs = do
     go _ (a : rest) = evaluate (f a) >>= \y -> go y rest
 {-# NOINLINE timedEach #-}
 
--- | The largest resident set of this process so far, in MiB; 0 where the system does not tell.
+-- | The peak resident memory of this process, in MiB; 0 if the system does not report it.
 peakMebibytes :: IO Double
 peakMebibytes = do
   status <- readFile "/proc/self/status"

@@ -1,5 +1,5 @@
--- | Holding a target: rounds of ours and the peer in turn, the ratios of each round, and whether
--- the goal is met.
+-- | Checks a target: alternating rounds of our program and the peer, the ratio of each round, and
+-- whether the goal is met.
 module Bench.Compare
   ( Row (..),
     Standing (..),
@@ -13,11 +13,11 @@ import Control.Exception (IOException, bracket, try)
 import Control.Monad (replicateM)
 import Data.Maybe (listToMaybe)
 
--- | How a goal stands.
+-- | The state of a goal.
 data Standing
   = Met
   | Missed
-  | -- | Nothing was asked, or there was no peer.
+  | -- | There was no goal or no peer.
     NoVerdict
   deriving stock (Eq, Show)
 
@@ -28,18 +28,19 @@ data Row = Row
     rowUnit :: String,
     rowOurs :: Maybe Spread,
     rowPeer :: Maybe Spread,
-    -- | the peer's first answer, which includes what it compiles on first use
+    -- | the peer's first answer, which includes its compilation on first use
     rowFirst :: Maybe Double,
-    -- | how many times as fast as the peer
+    -- | our speed divided by the peer's
     rowRatio :: Maybe Spread,
-    -- | our process's memory, MiB
+    -- | the memory of our process, MiB
     rowPeak :: Double,
     rowStanding :: Standing,
     rowNote :: String
   }
 
--- | Hold a target against each of its goals, with so many rounds after one that is not counted.
--- Without the folder of the peers only our side runs. An answer is waited for so many seconds.
+-- | Compares a target with each of its goals, in the given number of rounds after one that is not
+-- counted. The arguments are the folder of the peers (without it only our side runs), the timeout
+-- in seconds, the number of rounds, and the target.
 compareWith :: Maybe FilePath -> Int -> Int -> Target -> IO [Row]
 compareWith folder patience rounds target = mapM row (targetGoals target)
   where
@@ -47,7 +48,8 @@ compareWith folder patience rounds target = mapM row (targetGoals target)
       (TimesAsFast _ peer, Just peers) ->
         withOurs $ \us -> bracket (startPeer peers peer) stop $ \them -> do
           judged goal 1 <$> oneAndMore (pair us them)
-      -- A process that has measured before may hold memory of that.
+      -- A process that has measured before may still hold memory, so each measurement gets a new
+      -- one.
       (WithinMebibytes _, _) -> judged goal 0 <$> replicateM rounds (withOurs alone)
       _ -> withOurs (fmap (judged goal 1) . oneAndMore . alone)
     -- A program that did not answer is not asked again.

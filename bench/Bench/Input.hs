@@ -1,5 +1,5 @@
--- | What the benchmarks are given: numbers without a pattern, the same ones that the programs in
--- @bench/peers@ make.
+-- | The input of the benchmarks: pseudorandom numbers, the same that the programs in @bench/peers@
+-- make.
 module Bench.Input
   ( scrambled,
     mixed,
@@ -14,20 +14,20 @@ import qualified Data.Vector.Primitive as Primitive
 import Data.Word (Word64)
 import PraTactile.Field
 
--- | A result that the benchmark's own input cannot fail to have; a benchmark, unlike the library,
--- may stop otherwise.
+-- | The result of a computation that cannot fail on the benchmark's own input; otherwise the
+-- benchmark stops.
 sure :: Show e => Either e a -> a
 sure = either (errorWithoutStackTrace . ("bench: " ++) . show) id
 
--- | 10^7 codes below q without a pattern that a cache could profit from; the peers make the same.
+-- | 10^7 codes below q in an irregular order, so that caches do not help. The peers make the same.
 scrambled :: forall k. KnownField k => Proxy k -> Int -> Vector (GF k)
 scrambled k multiplier =
   Primitive.generate
     10000000
     (\i -> sure (fromCode (((i * multiplier) `shiftR` 16) `mod` fieldOrder k)))
 
--- | The number with this index in the sequence of SplitMix64 from the seed 0 (Steele, Lea and
--- Flood, OOPSLA 2014), its upper 32 bits.
+-- | The upper 32 bits of the number with this index in SplitMix64's sequence from seed 0 (Steele,
+-- Lea and Flood, OOPSLA 2014).
 mixed :: Int -> Word64
 mixed i = (z2 `xor` (z2 `shiftR` 31)) `shiftR` 32
   where

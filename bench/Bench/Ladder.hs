@@ -1,7 +1,7 @@
 {-# LANGUAGE TypeApplications #-}
 
--- |
--- Ladders of sizes, the worst cases among them, for criterion: how the cost of each part grows.
+-- | Series of growing sizes, including worst cases, for criterion: how the cost of each part
+-- grows.
 module Bench.Ladder
   ( ladder,
   )
@@ -22,7 +22,7 @@ import PraTactile.Sequence
 import PraTactile.Window
 import PraTactile.Window.Proof
 
--- | Takes criterion's own command line.
+-- | Runs criterion, which reads the command line.
 ladder :: IO ()
 ladder =
   defaultMain
@@ -132,7 +132,7 @@ cell name h = bench name (whnf (cellAt array) (Position 0 (0x9E3779B97F4A7C15 `m
   where
     array = sure (fold RowMajor (Shape 1 (period h)) h (canonicalState h))
 
--- | Over GF(4); the area gives the degree.
+-- | An enumeration over GF(4). The area determines the degree.
 enumerated :: String -> Surface -> Folding -> Shape -> Shape -> Benchmark
 enumerated name on folding shape window =
   bench

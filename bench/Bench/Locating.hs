@@ -1,5 +1,4 @@
--- |
--- This library's side of the comparisons of locating, as "Bench.Ours" has the others.
+-- | This library's side of the comparisons of locating; "Bench.Ours" has the other comparisons.
 module Bench.Locating
   ( locating,
   )
@@ -29,7 +28,7 @@ import PraTactile.Sequence
 import PraTactile.Symmetry
 import PraTactile.Window
 
--- | The measurements by name: the outer action prepares.
+-- | The measurements by name. The outer action prepares.
 locating :: [(String, IO (IO Measurement))]
 locating =
   [ ("bulk-15x17", bulk 4 (Shape 15 17) (Shape 2 2)),
@@ -50,7 +49,7 @@ arrayOf n shape = sure (fold Diagonal shape h (canonicalState h))
   where
     h = sure (firstPrimitive n)
 
--- | Positions of 10^7 windows on the torus, by the table; what is made once is not measured.
+-- | The time to locate 10^7 windows on the torus by the table, without making the table.
 bulk :: Natural -> Shape -> Shape -> IO (IO Measurement)
 bulk n shape window = do
   memory <-
@@ -78,11 +77,11 @@ bulk n shape window = do
           (show weighted)
       )
 
--- | 2^60 - 1 cells, a window of 15 x 2.
+-- | An array of 2^60 - 1 cells, for a window of 15 x 2.
 vast :: PseudorandomArray GF4
 vast = arrayOf 30 (Shape (4 ^ (15 :: Int) - 1) (4 ^ (15 :: Int) + 1))
 
--- | The mean over 64 windows all over the array.
+-- | The mean time over 64 windows from all over the array.
 algebraEach :: IO (IO Measurement)
 algebraEach = do
   algebra <- evaluate (sure (prepareAlgebra (ArrayOn Torus vast) (sure (rectangle (Shape 15 2)))))
@@ -102,7 +101,7 @@ algebraEach = do
             ]
     pure (Measurement seconds Seconds (show wrong ++ " wrong"))
 
--- | What the algebra computes once an array, and the first window with it.
+-- | The time of the algebra's computation once per array, with the first window.
 algebraOnce :: IO (IO Measurement)
 algebraOnce = do
   array <- evaluate vast
@@ -128,7 +127,7 @@ algebraOnce = do
 eight :: [Position]
 eight = [Position i j | i <- [0 .. 7], j <- [0 .. 7]]
 
--- | Positions all over the large array with the 8 x 8 cells there, each cell with a number below
+-- | Positions all over the large array with their 8 x 8 cells, and for each cell a number below
 -- 2^32.
 felt :: [(Position, [(GF GF4, Int)])]
 felt =
@@ -140,8 +139,8 @@ felt =
     part i side = fromIntegral (mixed i) * 0x9e3779b9 `mod` side (arrayShape vast)
     at (Position r c) (Position i j) = cellAt vast (Position (r + i) (c + j))
 
--- | The mean over 64 patches of 8 x 8 cells, five of them wrong; what is prepared for the cells is
--- not measured.
+-- | The mean time over 64 patches of 8 x 8 cells, five of them wrong, without the preparation for
+-- the cells.
 decodingEach :: IO (IO Measurement)
 decodingEach = do
   algebra <- evaluate (sure (prepareAlgebra (ArrayOn Torus vast) (sure (rectangle (Shape 15 2)))))
@@ -163,7 +162,7 @@ decodingEach = do
       [Just (if i `elem` worst cells then a + 1 else a) | (i, (a, _)) <- zip [0 ..] cells]
     worst cells = map snd (take 5 (sortOn fst (zip (map snd cells) [0 :: Int ..])))
 
--- | What that prepares for the cells: their code, its information sets and what is proved of its
+-- | The time of that preparation: the cells' code, its information sets, and the bound on its
 -- distance.
 decodingOnce :: IO (IO Measurement)
 decodingOnce = do
@@ -172,8 +171,8 @@ decodingOnce = do
     (seconds, d) <- timed (atLeast . decoderDistance . sure . decoder standardEffort algebra) eight
     pure (Measurement seconds Seconds (show d))
 
--- | The mean over the same patches from probabilities: one cell in eight is as likely another
--- symbol.
+-- | The mean time over the same patches from probabilities, where in one of eight cells another
+-- symbol is equally likely.
 listingEach :: IO (IO Measurement)
 listingEach = do
   algebra <- evaluate (sure (prepareAlgebra (ArrayOn Torus vast) (sure (rectangle (Shape 15 2)))))
@@ -207,19 +206,19 @@ square' cells = case splitAt 8 cells of
   (_, []) -> [cells]
   (line, others) -> line : square' others
 
--- | The row plus the column, all evaluated; a refusal is a number of its own.
+-- | The row plus the column, fully evaluated; 1000 for a refusal.
 located :: Outcome Position -> Natural
 located outcome = case outcome of
   Unique (Position r c) _ -> r + c
   _ -> 1000
 
--- | The paper's array with all that is known of it before the first patch.
+-- | The paper's array with everything that is computed before the first patch.
 codebook :: Codebook GF4
 codebook =
   sure (buildCodebook (naturally (arrayOf 4 (Shape 15 17))) (sure (rectangle (Shape 2 2))))
 
--- | 1000 patches of 4 x 4 cells of the paper's array, by their codes, with 0 ... 4 wrong cells;
--- then a number for each cell.
+-- | 1000 patches of 4 x 4 cells of the paper's array, as codes, with 0 to 4 wrong cells, and a
+-- number for each cell.
 damaged :: [[(Int, Double)]]
 damaged = map one' [0 .. 999]
   where
@@ -266,7 +265,7 @@ softEach = do
     (seconds, _) <- timedEach (answer . posterior codebook) 0 patches
     pure (Measurement seconds Seconds (weightedSum (map (answer . posterior codebook) patches)))
   where
-    -- How likely the symbol is that was read: 0.5 ... 0.95.
+    -- The probability of the symbol that was read: 0.5 to 0.95.
     doubtful (code, x) =
       sure (belief [if a == code then 0.5 + 0.45 * x else (0.5 - 0.45 * x) / 3 | a <- [0 .. 3]])
     -- The position, and whether the doubt is above 0.001.

@@ -1,5 +1,4 @@
--- | What a reader of the figures has to know of the machine: its processor, and how busy it was
--- with other things.
+-- | The machine that a reader of the figures needs to know: its processor and its load.
 module Bench.Machine
   ( machine,
     load,
@@ -13,7 +12,7 @@ import Data.Version (showVersion)
 import GHC.Conc (getNumProcessors)
 import System.Info (arch, compilerName, compilerVersion, os)
 
--- | Processor, cores, system and compiler, as far as they can be told.
+-- | Processor, cores, system and compiler, where known.
 machine :: IO String
 machine = do
   cores <- getNumProcessors
@@ -35,7 +34,7 @@ machine = do
         ++ showVersion compilerVersion
     )
 
--- | The system's mean number of running programs in the last minute; empty where it does not tell.
+-- | The system's load average of the last minute; empty if unknown.
 load :: IO String
 load = takeWhile (not . isSpace) <$> contentOf "/proc/loadavg"
 

@@ -2,7 +2,7 @@
 {-# LANGUAGE TypeApplications #-}
 
 -- | This library's side of each comparison. Every entry prepares its input once and then measures
--- as often as it is asked; the same work is done by a program of the same name in @bench/peers@.
+-- on each request. A program with the same name in @bench/peers@ does the same work.
 module Bench.Ours
   ( ours,
   )
@@ -39,7 +39,7 @@ import PraTactile.Sequence
 import PraTactile.Window
 import PraTactile.Window.Proof
 
--- | The measurements by name: the outer action prepares.
+-- | The measurements by name. The outer action prepares.
 ours :: [(String, IO (IO Measurement))]
 ours =
   [ ("products-gf4", products (Proxy @GF4)),
@@ -130,7 +130,7 @@ rankProof shape window = do
         array
     pure (Measurement seconds Seconds (show verdict))
 
--- | The mean over 256 cells all over an array of one row, which is the most general shape.
+-- | The mean time over 256 cells all over an array of one row, the most general shape.
 cells :: KnownField k => Either PolynomialError (Primitive k) -> IO (IO Measurement)
 cells found = do
   h <- evaluate (sure found)
@@ -154,7 +154,8 @@ quartics = pure $ do
     timed (\n -> let hs = sure (primitivePolynomials n) :: [Primitive GF4] in length hs `seq` hs) 4
   pure (Measurement seconds Seconds (unwords (map polynomialText found)))
 
--- | What the touching benchmarks start from, as the command line does.
+-- | Runs a benchmark of touch with the paper's array, placement and recogniser, as the command
+-- line does.
 withPaper :: (forall k. KnownField k => PseudorandomArray k -> Placement -> Recogniser k -> r) -> r
 withPaper use = sure (withProfile canonicalProfile prepared)
   where
@@ -165,7 +166,7 @@ withPaper use = sure (withProfile canonicalProfile prepared)
         (sure (recogniser (naturally array) mask layout (sure (shippedReader 4))))
     layout = sure canonicalPlacement
 
--- | Recognise the composite of the worked example.
+-- | The time to recognise the composite of the worked example.
 decode :: IO (IO Measurement)
 decode = do
   image <- pgmIntensity . sure . decodePgm <$> Bytes.readFile "data/worked-example/composite.pgm"
@@ -182,8 +183,8 @@ decode = do
       Left refusal -> text (refusalName refusal)
     text t = length t `seq` t
 
--- | 100 simulated presses, each decoded with stitching and without, on the cores that the run-time
--- system is given.
+-- | The time of 100 simulated presses, each decoded with and without stitching, on the cores given
+-- to the run-time system.
 evaluate100 :: IO (IO Measurement)
 evaluate100 = pure $
   withPaper $ \array layout reader -> do

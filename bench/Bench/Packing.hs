@@ -1,6 +1,5 @@
--- |
--- Packing the faces of boxes: with a choice of two ways each, as they are walked beside another
--- program, and ten thousand cubes.
+-- | Benchmarks of packing faces: those of boxes in two orientations each, in one orientation as
+-- the peer packs them, and ten thousand cubes.
 module Bench.Packing
   ( packing,
   )
@@ -11,7 +10,7 @@ import Bench.Input
 import Control.Exception (evaluate)
 import PraTactile.Object.Packing
 
--- | The measurements by name: the outer action prepares.
+-- | The measurements by name. The outer action prepares.
 packing :: [(String, IO (IO Measurement))]
 packing =
   [ ("packing-paper", laying (15, 17) (map block <$> paper)),
@@ -22,8 +21,8 @@ packing =
   where
     paper = replicate 6 [(4, 5)] ++ replicate 4 [(3, 7)] ++ replicate 2 [(3, 4)]
 
--- | The rows and columns of cells on the faces of so many boxes with sides of 100 to 250 mm, each
--- face begun at two of its vertices; of cells 25.4 mm wide and 31.75 mm tall.
+-- | The rows and columns of cells on the faces of the given number of boxes with sides of 100 to
+-- 250 mm, each face in two orientations. Cells are 25.4 mm wide and 31.75 mm tall.
 faces :: Int -> [[(Int, Int)]]
 faces boxes =
   [ [cells w h, cells h w]
@@ -32,11 +31,11 @@ faces boxes =
   ]
   where
     sides box = (side (3 * box), side (3 * box + 1), side (3 * box + 2))
-    -- In eighths of a millimetre, of which a cell is 203.2 wide and 254 tall.
+    -- In eighths of a millimetre; a cell is 203.2 wide and 254 tall.
     side i = 800 + fromIntegral (mixed i `mod` 1201) :: Int
     cells wide high = (high `div` 254, wide * 5 `div` 1016)
 
--- | How many of these pieces are laid on a sheet of so many rows and columns.
+-- | The number of these pieces that are laid on a sheet of the given rows and columns.
 laying :: (Int, Int) -> [[Mask]] -> IO (IO Measurement)
 laying (rows, columns) pieces = do
   _ <- evaluate (length (show pieces))

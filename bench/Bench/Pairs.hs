@@ -1,7 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Programs that measure on request, asked in turn, so that what else the machine does falls on
--- both alike.
+-- | Programs that measure on request, asked alternately, so that other load affects both alike.
 module Bench.Pairs
   ( -- * Programs that measure
     Participant,
@@ -10,7 +9,7 @@ module Bench.Pairs
     ask,
     stop,
 
-    -- * What they answer
+    -- * Answers
     Answer (..),
 
     -- * Statistics
@@ -31,7 +30,7 @@ import System.IO
 import System.Process
 import System.Timeout (timeout)
 
--- | One line of JSON, as every participant prints it.
+-- | An answer: one line of JSON, as every participant prints it.
 data Answer = Answer
   { answerValue :: Double,
     answerUnit :: String,
@@ -46,17 +45,17 @@ instance FromJSON Answer where
     withObject "measurement" $ \o ->
       Answer <$> o .: "value" <*> o .: "unit" <*> o .: "check" <*> o .: "peak_mib"
 
--- | A running program: a line to it, a line back.
+-- | A running program: its process, the handle to it, and the handle from it.
 data Participant = Participant ProcessHandle Handle Handle
 
--- | This library's measurement of that name, in a process of its own with these options for the
--- run-time system.
+-- | Starts this library's measurement with the given name in its own process, with these options
+-- for the run-time system.
 startOurs :: [String] -> String -> IO Participant
 startOurs runTime name = do
   self <- getExecutablePath
   start self (["--measure", name, "+RTS"] ++ runTime ++ ["-RTS"])
 
--- | A peer, from the folder that @bench/peers/setup.sh@ made.
+-- | Starts a peer from the folder that @bench/peers/setup.sh@ made.
 startPeer :: FilePath -> Peer -> IO Participant
 startPeer folder peer = case peer of
   Script _ file arguments ->
@@ -74,7 +73,7 @@ start file arguments = do
         (Just i, Just o, _, p) -> hSetBuffering i LineBuffering >> pure (i, o, p)
         _ -> ioError (userError ("no pipes to " ++ file))
 
--- | One measurement within so many seconds, or what happened instead.
+-- | Asks for one measurement within the given number of seconds; 'Left' with the problem.
 ask :: Int -> Participant -> IO (Either String Answer)
 ask patience (Participant _ toIt fromIt) = do
   hPutStrLn toIt "measure"
@@ -87,7 +86,7 @@ ask patience (Participant _ toIt fromIt) = do
         then pure (Left "it ended without an answer")
         else eitherDecodeStrict' <$> Bytes.hGetLine fromIt
 
--- | End a program, whether or not it still measures, and wait for it.
+-- | Terminates a program, even while it measures, and waits for it.
 stop :: Participant -> IO ()
 stop (Participant process toIt fromIt) = do
   hClose toIt
@@ -103,7 +102,8 @@ data Spread = Spread
   }
   deriving stock (Eq, Show)
 
--- | 'Nothing' for no values; the median of an even number is the mean of the two in the middle.
+-- | The spread of values; 'Nothing' for an empty list. The median of an even number is the mean of
+-- the two in the middle.
 spread :: [Double] -> Maybe Spread
 spread values = case sort values of
   [] -> Nothing

@@ -1,5 +1,4 @@
--- |
--- The report: a table in Markdown, which is also readable as it is printed.
+-- | The report as a Markdown table.
 module Bench.Report
   ( heading,
     rowText,
@@ -32,7 +31,7 @@ heading =
 cells :: [String] -> String
 cells texts = "| " ++ intercalate " | " texts ++ " |"
 
--- | One row; our figure and the peer's are medians.
+-- | One row of the table. Our figure and the peer's are medians.
 rowText :: Row -> String
 rowText row =
   cells
@@ -83,7 +82,7 @@ rowText row =
       Missed -> "MISSED"
       NoVerdict -> ""
 
--- | A value with three significant digits and a unit of a fitting size.
+-- | A value with three significant digits and a unit that fits its size.
 quantity :: String -> Double -> String
 quantity "s" seconds
   | seconds < 1e-6 = significant (seconds * 1e9) ++ " ns"

@@ -1,5 +1,4 @@
--- |
--- What the library is to reach, each figure beside the program it is compared with.
+-- | The performance targets of the library, with the programs that it is compared with.
 module Bench.Targets
   ( -- * Targets
     Target (..),
@@ -11,21 +10,21 @@ module Bench.Targets
   )
 where
 
--- | What is asked of a measurement.
+-- | The goal of a measurement.
 data Goal
-  = -- | At least this many times as fast as the peer, median of the ratios of paired runs.
+  = -- | At least this many times as fast as the peer, by the median of the ratios of paired runs.
     TimesAsFast Double Peer
   | -- | At most this many seconds, by the median.
     WithinSeconds Double
-  | -- | At least so many a second, by the median.
+  | -- | At least this rate per second, by the median.
     AtLeast Double
-  | -- | At most this many MiB of memory at any time, the whole process.
+  | -- | At most this many MiB of memory at any time, for the whole process.
     WithinMebibytes Double
-  | -- | Nothing is asked; the figure is recorded.
+  | -- | No goal; the figure is recorded.
     Recorded
   deriving stock (Eq, Show)
 
--- | A program that does the same work, asked by a line on its standard input.
+-- | A program that does the same work when it gets a line on standard input.
 data Peer
   = -- | A script of @bench/peers@ and its arguments.
     Script String FilePath [String]
@@ -33,9 +32,9 @@ data Peer
     Program String FilePath [String]
   deriving stock (Eq, Show)
 
--- | A measurement of "Bench.Ours" and what is asked of it.
+-- | A measurement of "Bench.Ours" and its goals.
 data Target = Target
-  { -- | what it is called on the command line
+  { -- | its name on the command line
     targetName :: String,
     targetWhat :: String,
     -- | the measurement's name
@@ -229,7 +228,7 @@ targets =
   ]
   where
     one = ["-N1"]
-    -- The nursery that the command line has.
+    -- The nursery size of the shipped command line.
     asShipped = ["-N1", "-A2m"]
     numpyTable = Script "numpy" "table.py" . words
     rectpack algorithm = Script ("rectpack " ++ algorithm) "packing.py" [algorithm]

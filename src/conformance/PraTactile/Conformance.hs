@@ -1,7 +1,7 @@
--- | The conformance suite: what every implementation of the code must do, as data. A law has an id
--- and cases; what it expects is what the definition says under the profile. To put your own
--- implementation under it, write one function from every 'Question' to its answer, 'notOffered' for
--- those that it lacks, and say what it offers:
+-- | The conformance suite: the laws that every implementation of the code must obey. A law has an
+-- id and cases; the expected answers come from the definition under a profile. To test your own
+-- implementation, write one function from every 'Question' to its answer ('notOffered' for
+-- operations that you lack), and list the operations that you offer:
 --
 -- > yours :: Implementation
 -- > yours =
@@ -22,13 +22,13 @@
 --
 -- > runLaws yours >>= exitWith
 --
--- or, in a test suite, 'lawProperties', each of them a property of QuickCheck:
+-- or use 'lawProperties' in a test suite; each is a QuickCheck property:
 --
 -- > for_ (lawProperties yours) (\(name, property) -> prop name property)
 --
--- The stages of touch, registration to the network, and of objects have laws of their own,
--- 'runLawsWithoutProfile' and 'propertiesWithoutProfile'. The project's own test suite runs all of
--- them on this library.
+-- The stages of touch (from registration to the network) and of objects need no profile; use
+-- 'runLawsWithoutProfile' and 'propertiesWithoutProfile'. The project's own test suite runs all
+-- laws on this library.
 module PraTactile.Conformance
   ( -- * Implementations under test
     module PraTactile.Conformance.Implementation,

@@ -17,20 +17,20 @@ import PraTactile.Conformance.Question
 -- | An answer of an implementation, or its refusal.
 type Wire = ExceptT Refusal IO
 
--- | Refuse for a reason.
+-- | Refuses with the given reason.
 refuse :: String -> Wire a
 refuse = throwE . Refusal
 
--- | The value, or a refusal for this reason.
+-- | The value, or a refusal with the given reason.
 orRefuse :: String -> Either e a -> Wire a
 orRefuse reason = either (const (refuse reason)) pure
 
--- | The answer of a session to a question of an operation that it lacks.
+-- | The refusal of an operation that a session does not offer.
 notOffered :: Wire a
 notOffered = refuse "not-offered"
 
--- | What is known of a cell as the probabilities of all q symbols: for certain, 1 of one of them;
--- 'Nothing' where nothing is known. Refuses a code of q or more as @invalid@.
+-- | A cell's knowledge as the probabilities of all q symbols: a certain symbol has probability 1;
+-- 'Nothing' for an unknown cell. Refuses a code of q or more as @invalid@.
 probabilities :: Natural -> Chance -> Wire (Maybe [Double])
 probabilities q chance = case chance of
   Unfelt -> pure Nothing

@@ -1,10 +1,10 @@
 {-# LANGUAGE ExistentialQuantification #-}
 {-# LANGUAGE RankNTypes #-}
 
--- | Trials: some questions to an implementation, those that come later chosen by the answers to
--- those before, and a judgement at the end. A trial does not know how it is asked: of a function in
--- this process, or of another process that several trials ask in turns. A trial that opens profiles
--- has the implementation for itself, because the profile then in force is another one.
+-- | Trials: questions to an implementation, where later ones may depend on earlier answers, and a
+-- final judgement. A trial is independent of the transport: a function in this process, or another
+-- process that several trials use in turn. A trial that opens profiles needs the implementation for
+-- itself, because it changes the profile in force.
 module PraTactile.Conformance.Ask
   ( Ask (..),
     ask,
@@ -17,11 +17,11 @@ import Control.Monad (ap, liftM)
 import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile)
 
--- | Questions, and what comes of the answers.
+-- | A computation that asks questions and uses the answers.
 data Ask a
   = Done a
   | forall b. Asking (Question b) (Either Refusal b -> Ask a)
-  | -- | Put this profile in force; what is asked after it is asked under it.
+  | -- | Puts a profile in force. Later questions are asked under it.
     Opening Profile (Either Refusal () -> Ask a)
 
 instance Functor Ask where
@@ -36,15 +36,15 @@ instance Monad Ask where
   Asking question continue >>= use = Asking question (\answer -> continue answer >>= use)
   Opening profile continue >>= use = Opening profile (\answer -> continue answer >>= use)
 
--- | Ask one question.
+-- | Asks one question.
 ask :: Question b -> Ask (Either Refusal b)
 ask question = Asking question Done
 
--- | Put a profile in force.
+-- | Puts a profile in force.
 opening :: Profile -> Ask (Either Refusal ())
 opening profile = Opening profile Done
 
--- | Ask all of it of somebody who opens profiles and answers at once.
+-- | Runs a trial with functions that open profiles and answer questions at once.
 answerAll ::
   Monad m =>
   (Profile -> m (Either Refusal ())) ->

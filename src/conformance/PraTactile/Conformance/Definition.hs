@@ -1,8 +1,8 @@
 {-# LANGUAGE GADTs #-}
 
--- | What the answers are, by definition: every operation as it is defined, too slow to use on large
--- arrays and too simple to be wrong. Nothing here calls the algebra, the arrays or the decoders of
--- this library; it is the second road to every answer.
+-- | The expected answers by definition. Every operation is computed as it is defined, too slow for
+-- large arrays and too simple to be wrong. It is a second, independent way to every answer: nothing
+-- here calls the algebra, the arrays or the decoders of this library.
 module PraTactile.Conformance.Definition
   ( Known,
     Unknown (..),
@@ -24,12 +24,12 @@ import PraTactile.Conformance.Operation
 import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
 
--- | The answer to a question of the code, or the reason of its refusal.
+-- | The answer to a question of the code, or its refusal.
 expected :: Known -> Question a -> Either Refusal a
 expected k = fromMaybe (Left (Refusal "not-offered")) . meant (Just k)
 
--- | The answer to a question that needs no profile, or the reason of its refusal. 'Nothing' for one
--- that needs a profile, and for one about frames, whose definition is in the scene that a law
+-- | The answer to a question that needs no profile, or its refusal. 'Nothing' for a question that
+-- needs a profile, and for one about frames, where the answer depends on the scene that a law
 -- draws.
 expectedWithoutProfile :: Question a -> Maybe (Either Refusal a)
 expectedWithoutProfile = meant Nothing
@@ -44,12 +44,12 @@ meant about question = case question of
     Nothing -> Just (Left (Refusal "invalid"))
     Just (SomeQuestion asked') -> fmap (answerValue asked') <$> meant about asked'
 
--- | Whether an answer, the last argument, is as good as the expected one.
+-- | Whether the last argument, an answer, is as good as the expected answer before it.
 agrees :: Known -> Question a -> a -> a -> Bool
 agrees k = agreesBy (Just k)
 
--- | Whether an answer to a question that needs no profile, the last argument, is as good as the
--- expected one.
+-- | Whether the last argument, an answer to a question without a profile, is as good as the
+-- expected answer before it.
 agreesWithoutProfile :: Question a -> a -> a -> Bool
 agreesWithoutProfile = agreesBy Nothing
 
@@ -57,7 +57,7 @@ agreesBy :: Maybe Known -> Question a -> a -> a -> Bool
 agreesBy about question wanted got =
   answerValue question (likenedTo about question got wanted) == answerValue question got
 
--- | The expected answer, the last argument, in the form of another one.
+-- | The expected answer (the last argument) in the form of another answer to the same question.
 inFormOf :: Known -> Question a -> a -> a -> a
 inFormOf k = likenedTo (Just k)
 
@@ -71,12 +71,13 @@ likenedTo about question got wanted = case question of
     SomeQuestion asked' <- someQuestion operation input
     came <- readAnswer asked' got
     form <- likenedTo about asked' came <$> readAnswer asked' wanted
-    -- Values of one number are many: 0.2 and 0.20000000000000001.
+    -- Several doubles can be written alike, such as 0.2 and 0.20000000000000001, so the JSON is
+    -- compared.
     Just $
       if answerValue asked' form == answerValue asked' came then got else answerValue asked' form
 
--- | Why the definition answers so under a profile, in a sentence for somebody whose implementation
--- answered something else: the convention of the profile that decides it, or the rule of a refusal.
+-- | Why the definition gives this answer or refusal under a profile, in a sentence for an
+-- implementer who got another one: the convention that decides it, or the rule of the refusal.
 why :: Known -> Question a -> Either Refusal a -> String
 why k question wanted = case wanted of
   Left (Refusal reason) -> ruleOf (operationOf question) reason

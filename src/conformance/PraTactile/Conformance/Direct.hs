@@ -1,6 +1,6 @@
 {-# LANGUAGE RankNTypes #-}
 
--- | An implementation in this process, asked without the forms of the protocol.
+-- | Asks an implementation in this process, without the JSON of the protocol.
 module PraTactile.Conformance.Direct
   ( Respondent,
     sessionRespondent,
@@ -18,15 +18,16 @@ import PraTactile.Conformance.Law
 import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile)
 
--- | Who puts profiles in force, and who answers questions.
+-- | A function that puts profiles in force and one that answers questions.
 data Respondent
   = Respondent (Profile -> IO (Either Refusal ())) (forall b. Question b -> IO (Either Refusal b))
 
--- | A session answers questions, under its profile alone, or those that need none.
+-- | A session that answers questions under its own profile, or questions that need none. It opens
+-- no profiles.
 sessionRespondent :: Session -> Respondent
 sessionRespondent asked = Respondent (const (runExceptT notOffered)) (runExceptT . answerTo asked)
 
--- | An implementation puts profiles in force, and answers under the one that is.
+-- | An implementation that opens profiles and answers under the one in force.
 openingRespondent :: Implementation -> IO Respondent
 openingRespondent implementation = do
   force <- newIORef Nothing
@@ -39,11 +40,12 @@ openingRespondent implementation = do
         readIORef force >>= runExceptT . maybe notOffered (`answerTo` question)
   pure (Respondent opens answers)
 
--- | What comes of a trial.
+-- | The result of a trial.
 verdictBy :: Respondent -> Ask a -> IO a
 verdictBy (Respondent opens answers) = answerAll opens answers
 
--- | The first of these trials that is violated, by its number from 1; so many are judged at most.
+-- | The first violated trial with its number (from 1) among at most the given number of judged
+-- trials.
 firstViolated :: Respondent -> Int -> [Ask Verdict] -> IO (Maybe (Int, Violation))
 firstViolated answers = go 1
   where

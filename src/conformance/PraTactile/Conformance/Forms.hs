@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The numbers of the protocol in JSON. A number that counts, or is a code, is a whole number
--- written as one, or a decimal string: @2@ or @"2"@, but neither @2.0@ nor @true@. A value of the
--- right form can still be refused under a profile, such as a code that is too large.
+-- | The numbers of the protocol in JSON. A count or a code is written as an integer or as a
+-- decimal string: @2@ or @"2"@, but neither @2.0@ nor @true@. A value of the right form may still
+-- be refused under a profile, such as a code that is too large.
 module PraTactile.Conformance.Forms
   ( natural,
     integer,
@@ -51,9 +51,9 @@ integer =
     integerValue
     (maybe (refuse NotInteger) Right . readWhole)
 
--- | A whole number, written as one or as a decimal string of at most 'mostDigits' digits. A JSON
--- number with a fraction or an exponent is none, whatever its value;
--- "PraTactile.Conformance.Wire.Line" reads texts so that it can be told.
+-- | A whole number, written as an integer or as a decimal string of at most 'mostDigits' digits. A
+-- JSON number with a fraction or an exponent is refused, whatever its value.
+-- "PraTactile.Conformance.Wire.Line" reads texts so that the notation is known here.
 readWhole :: Value -> Maybe Integer
 readWhole value = case value of
   Number n | base10Exponent n == 0 -> Just (coefficient n)
@@ -69,7 +69,7 @@ readWhole value = case value of
         Just (read (Text.unpack digits))
       | otherwise = Nothing
 
--- | An exact number: a text of an integer, or of two with a slash between.
+-- | An exact number: a text of an integer, or of two integers with a slash between.
 exact :: Codec Rational
 exact = withSchema (const schema) (via written fraction text)
   where
@@ -87,7 +87,7 @@ exact = withSchema (const schema) (via written fraction text)
         if d > 0 then Right (fromInteger n / fromIntegral d) else refuse NotExact
       _ -> refuse NotExact
 
--- | Rows and columns, as a list of two.
+-- | A shape as a list of two numbers: rows and columns.
 shapeForm :: Codec Shape
 shapeForm = via (\(Shape high wide) -> (high, wide)) (Right . uncurry Shape) (pairOf natural)
 
@@ -97,11 +97,11 @@ positionForm =
   withSchema (Schema.Named "read-position") $
     object (Position <$> key "row" natural row <*> key "column" natural column)
 
--- | An object with one value.
+-- | An object with a single key.
 alone :: Key -> Codec a -> Codec a
 alone name codec = object (key name codec id)
 
--- | With this as the least length of a list in the description.
+-- | Adds a least length to the schema of a list.
 ofAtLeast :: Int -> Codec [a] -> Codec [a]
 ofAtLeast n = withSchema $ \schema -> case schema of
   Schema.List bounds item -> Schema.List ("minItems" .= n : bounds) item

@@ -1,9 +1,8 @@
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE RankNTypes #-}
 
--- | What an implementation under test must be able to do, in wire values only: profiles, element
--- codes and positions as numbers. A process in another language fits this record as well as this
--- library does.
+-- | The interface of an implementation under test, in protocol values only: profiles, element
+-- codes and positions as numbers. A process in another language fits it as well as this library.
 module PraTactile.Conformance.Implementation
   ( -- * Implementations
     Implementation (..),
@@ -25,26 +24,27 @@ import PraTactile.Conformance.Question
 import PraTactile.Conformance.Wire.Line (longestLine)
 import PraTactile.Profile (Profile (..))
 
--- | An implementation opens a session for a profile, or refuses one that names no array.
+-- | An implementation opens a session for a profile, or refuses a profile that describes no array.
 data Implementation = Implementation
   { implementationName :: String,
-    -- | What it can do. The laws that need anything else are skipped.
+    -- | The operations that it offers. Laws that need others are skipped.
     offered :: [SomeOp],
-    -- | Refuses a profile that names no array as @impossible-profile@: a polynomial that is not
-    -- primitive, say, or sides of a diagonal fold that have a common divisor. Where it is not known
-    -- whether it names one, it may be refused as @not-factored@; no law asks for one of that size.
+    -- | Opens a session. Refuses a profile that describes no array as @impossible-profile@: for
+    -- example a polynomial that is not primitive, or sides of a diagonal fold with a common
+    -- divisor. If that cannot be decided, it may be refused as @not-factored@; no law uses a
+    -- profile of that size.
     open :: Profile -> Wire Session,
-    -- | What it says to questions about touch and objects, which know no profile; if it has none of
-    -- these stages, @answering (const notOffered)@.
+    -- | The answers to questions about touch and objects, which need no profile; @answering (const
+    -- notOffered)@ if it offers none of these.
     withoutProfile :: Session
   }
 
 -- | One function from every question to its answer, made by 'answering'.
 newtype Session = Session (forall a. Question a -> Wire a)
 
--- | A session that answers so. What is asked by 'Raw' is read before the function sees it: what is
--- no input of its operation is refused as @invalid@. What no line of the protocol has room for is
--- refused as @too-long@ before it is computed.
+-- | A session from a function of questions. 'Raw' inputs are read before the function sees them;
+-- invalid ones are refused as @invalid@. Answers too long for a protocol line are refused as
+-- @too-long@ before they are computed.
 answering :: (forall a. Question a -> Wire a) -> Session
 answering answers = Session asked
   where
@@ -57,6 +57,6 @@ answering answers = Session asked
         | leastBytes question > fromIntegral longestLine -> refuse "too-long"
         | otherwise -> answers question
 
--- | What a session answers.
+-- | The answer of a session to a question.
 answerTo :: Session -> Question a -> Wire a
 answerTo (Session answers) = answers

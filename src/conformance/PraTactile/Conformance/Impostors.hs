@@ -1,5 +1,5 @@
--- | All impostors: implementations that are wrong, which the laws must find. Each is the definition
--- with one edit.
+-- | All impostors: deliberately wrong implementations that the laws must find. Each is the
+-- definition with one mistake.
 module PraTactile.Conformance.Impostors
   ( Impostor (..),
     impostors,
@@ -19,7 +19,7 @@ import PraTactile.Conformance.Impostors.Places
 import PraTactile.Conformance.Impostors.Touch
 import PraTactile.Conformance.Law (Stage (..))
 
--- | By the stages of a decoder, and then by those of touch and of objects.
+-- | The impostors, by the stages of a decoder, then of touch and objects.
 impostors :: [Impostor]
 impostors =
   concat
@@ -44,6 +44,6 @@ impostors =
   where
     stages `touchedBy` some = [impostor {impostorTouches = stages} | impostor <- some]
 
--- | The one of this name.
+-- | The impostor with this name.
 impostorNamed :: String -> Maybe Impostor
 impostorNamed name = find ((== name) . impostorName) impostors

@@ -1,5 +1,5 @@
--- | An implementation in this process as a subject: it is asked in the forms of the protocol as
--- well, so that what is offered, refused and answered is judged alike.
+-- | An implementation in this process as a subject. It is asked in the JSON of the protocol as
+-- well, so that offers, refusals and answers are judged in the same way.
 module PraTactile.Conformance.InProcess
   ( inProcess,
     Force,
@@ -26,7 +26,7 @@ type Force = IORef (Maybe Session)
 noForce :: IO Force
 noForce = newIORef Nothing
 
--- | An implementation as a subject. An exception of it is a crash.
+-- | An implementation as a subject. An exception counts as a crash.
 inProcess :: Implementation -> IO Subject
 inProcess implementation = do
   force <- noForce
@@ -47,7 +47,7 @@ inProcess implementation = do
         subjectChecks = []
       }
 
--- | Put a profile in force; after a refusal none is.
+-- | Puts a profile in force. After a refusal no profile is in force.
 putInForce :: Implementation -> Force -> Profile -> IO Response
 putInForce implementation force profile' = do
   writeIORef force Nothing
@@ -56,8 +56,8 @@ putInForce implementation force profile' = do
     Left why -> pure (ResponseRefused (refusalReason why))
     Right made -> ResponseResult (Bool True) <$ writeIORef force (Just made)
 
--- | The answer of the session in force, or, to a question that needs none, that of the
--- implementation.
+-- | The answer of the session in force, or of the implementation to a question that needs no
+-- profile.
 answerIn :: Implementation -> Force -> Question a -> IO Response
 answerIn implementation force question
   | operationOf question `notElem` codeOperations = answered (withoutProfile implementation)
@@ -68,8 +68,8 @@ answerIn implementation force question
       either (ResponseRefused . refusalReason) (ResponseResult . answerValue question)
         <$> runExceptT (answerTo session question)
 
--- | A response that is computed to its end; or as far as a line of the protocol goes, if that has
--- no room for it and it is refused.
+-- | Evaluates a response completely, or up to the length of a protocol line; a longer one is
+-- refused.
 computed :: Response -> IO Response
 computed response = do
   fits <- evaluate (lineHolds (encode (snd (responseItem response))))

@@ -1,8 +1,8 @@
 {-# LANGUAGE ExistentialQuantification #-}
 
--- | Laws as data. A law has a name that stays, a sentence for the reader of a failure, and cases:
--- all of its domain under a profile, or drawn ones. A case is tried by asking ("Ask") and judged by
--- what the definition says, never by how the implementation agrees with itself alone.
+-- | Laws as data. A law has a permanent id, a sentence for the reader of a failure, and cases,
+-- either its whole domain under a profile or drawn ones. A case asks questions ("Ask") and is
+-- judged by the definition; consistency of the implementation with itself is not enough.
 module PraTactile.Conformance.Law
   ( -- * Laws
     Law (..),
@@ -27,25 +27,24 @@ import PraTactile.Conformance.Stage
 import PraTactile.Format.Json.Codec (Codec)
 import Test.QuickCheck (Gen)
 
--- | What must hold of an implementation, given what the law is about: what is known of a profile by
--- definition (@Law Known@, asked under that profile), or the profiles of the suite, which its
--- trials open by themselves (@Law [Profile]@); a law of touch or of objects is about nothing but
--- its own cases (@Law ()@).
+-- | A requirement on an implementation. @about@ is the subject of the law: @Law Known@ is asked
+-- under one profile, of which this is known by definition; @Law [Profile]@ opens the suite's
+-- profiles itself; @Law ()@, about touch or objects, has only its own cases.
 data Law about = Law
-  { -- | The stage and what holds, such as @field/addition-commutes@. It never changes.
+  { -- | The stage and the property, such as @field/addition-commutes@. It never changes.
     lawId :: String,
     lawStage :: Stage,
-    -- | What it asks for. An implementation that does not offer one of these skips the law.
+    -- | The operations that it needs. If an implementation lacks one, the law is skipped.
     lawNeeds :: [SomeOp],
-    -- | What holds, in a sentence.
+    -- | The property, in a sentence.
     lawSentence :: String,
-    -- | Where that is from: a definition, a theorem, a paper.
+    -- | Its source: a definition, a theorem or a paper.
     lawSource :: String,
     lawCases :: about -> Cases
   }
 
--- | The cases of a law under a profile. A case can be written and read, so that a failure is tried
--- again from a text alone.
+-- | The cases of a law. A case can be written and read as JSON, so that a failure can be tried
+-- again from its text.
 data Cases = forall a.
   Cases
   { casesForm :: Codec a,
@@ -53,45 +52,45 @@ data Cases = forall a.
     casesTrial :: a -> Ask Verdict
   }
 
--- | Which cases there are.
+-- | The domain of a law's cases.
 data Domain a
-  = -- | All of them, in this order: the law exhausts its domain.
+  = -- | The whole domain, in this order.
     Every [a]
-  | -- | Drawn; with the smaller ones that a failing one is tried with.
+  | -- | Drawn cases, and the smaller cases to try instead of a failing one.
     Some (Gen a) (a -> [a])
 
--- | What came of a case.
+-- | The judgement of a case.
 data Verdict
   = Holds
-  | -- | The law says nothing of it.
+  | -- | The law does not apply to it.
     Inapplicable
   | Violated Violation
   deriving stock (Eq, Show)
 
 -- | How a case violates a law.
 data Violation = Violation
-  { -- | What was asked, with what came; the last one is at fault, or all of them together.
+  { -- | The questions and answers. The last one is wrong, or all of them together.
     violationAsked :: [Exchange],
-    -- | What should have come of it, as it is shown.
+    -- | The expected reply.
     violationExpected :: Reply,
-    -- | By which road that is known: the definition, a theorem, another answer of the same
+    -- | The source of the expectation: the definition, a theorem, or another answer of the same
     -- implementation.
     violationRoad :: String,
-    -- | Why that is expected here, in a sentence.
+    -- | The reason for the expectation, in a sentence.
     violationReason :: String
   }
   deriving stock (Eq, Show)
 
--- | A question in the form of the protocol, and what came.
+-- | A question in the protocol's JSON, and its reply.
 data Exchange = Exchange
-  { -- | 'Nothing' for putting a profile in force, which then is the input.
+  { -- | The operation; 'Nothing' for putting a profile in force, which then is the input.
     exchangeOperation :: Maybe SomeOp,
     exchangeInput :: Value,
     exchangeReply :: Reply
   }
   deriving stock (Eq, Show)
 
--- | A reply in the form of the protocol.
+-- | A reply in the protocol's JSON.
 data Reply
   = Result Value
   | RefusedFor String

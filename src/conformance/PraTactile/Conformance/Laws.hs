@@ -24,7 +24,7 @@ import PraTactile.Conformance.Laws.Segment
 import PraTactile.Conformance.Laws.Sequence
 import PraTactile.Conformance.Laws.Stitch
 
--- | The laws of what is asked under a profile, in the order in which a decoder is written.
+-- | The laws of questions under a profile, in the order of writing a decoder.
 laws :: [Law Known]
 laws =
   concat
@@ -36,7 +36,7 @@ laws =
       map notDrawnOfVast (proofLaws ++ locateLaws ++ damageLaws ++ chanceLaws)
     ]
 
--- | Of what compares positions no cases are drawn where an array has very many of them.
+-- | No cases are drawn for laws that compare positions if the array is vast.
 notDrawnOfVast :: Law Known -> Law Known
 notDrawnOfVast one = one {lawCases = \about -> few about (lawCases one about)}
   where
@@ -44,6 +44,6 @@ notDrawnOfVast one = one {lawCases = \about -> few about (lawCases one about)}
       Some _ _ | isVast (knownProfile about) -> Cases form (Every []) trial
       _ -> cases
 
--- | The laws of touch and of objects, which know no profile, in the order of the stages.
+-- | The laws of touch and of objects, which need no profile, in the order of the stages.
 lawsWithoutProfile :: [Law ()]
 lawsWithoutProfile = registerLaws ++ stitchLaws ++ segmentLaws ++ networkLaws ++ objectLaws

@@ -37,7 +37,7 @@ library =
         _ -> notOffered
       Raw _ _ -> notOffered
 
--- | Why a profile is not opened: it is no array's, or that is not known.
+-- | The reason for refusing a profile: it describes no array, or that is unknown.
 unopened :: ProfileError -> String
 unopened why = case why of
   ProfilePolynomial (OrderNotFactored _) -> "not-factored"

@@ -1,9 +1,9 @@
 {-# LANGUAGE ExistentialQuantification #-}
 {-# LANGUAGE RankNTypes #-}
 
--- | What an operation is: one record, of which everything else about it is a function. Each record
--- stands in a module below "PraTactile.Conformance.Operations", which has the one @case@ from
--- operations to their records.
+-- | The description of an operation: one record, from which everything else about it follows. The
+-- records are in modules below "PraTactile.Conformance.Operations", which has the only @case@ from
+-- operations to records.
 module PraTactile.Conformance.Operation
   ( Operation (..),
     Ways (..),
@@ -37,59 +37,60 @@ data Operation i o = Show i =>
     operationName :: String,
     -- | The stage whose laws are about it alone.
     operationStage :: Stage,
-    -- | What it answers, for the table of operations.
+    -- | Its answer, in the words of the table of operations.
     operationSays :: String,
     operationInput :: Codec i,
     operationOutput :: Codec o,
-    -- | The reasons of its refusals beside @invalid@, each with its rule.
+    -- | The reasons of its refusals besides @invalid@, each with its rule.
     operationReasons :: [(String, String)],
     -- | The least number of bytes of an answer in JSON.
     operationLeast :: i -> Natural,
     operationWays :: Ways i o
   }
 
--- | How the answers are known, and this library's.
+-- | How the answers are known, and the library's own answer.
 data Ways i o
   = -- | Under a profile, by definition.
     UnderProfile (Meaning Known i o) (forall k. KnownField k => Prepared k -> i -> Wire o)
   | -- | Without a profile, by definition.
     WithoutProfile (Meaning () i o) (i -> Wire o)
-  | -- | Without a profile, by the truth of the scene that a law draws. An input.
+  | -- | Without a profile, by the truth of a scene that a law draws; with an example input.
     ByScene i (i -> Wire o)
 
--- | The definition of an operation and the inputs that show it, given what is known of the profile
--- or nothing.
+-- | The definition of an operation, and its inputs for tests. @about@ is what is known of the
+-- profile, or @()@.
 data Meaning about i o = Meaning
   { -- | The answer by definition, or the refusal.
     definition :: about -> i -> Either Refusal o,
-    -- | The defined answer, the last argument, in the form of the one that came: the one that came
-    -- itself where both agree.
+    -- | The defined answer (the last argument) in the form of the given answer; equal to the given
+    -- answer if both agree.
     likened :: about -> i -> o -> o -> o,
-    -- | Why the answer is what it is, in a sentence for somebody whose implementation differs.
+    -- | The reason for the answer, in a sentence for an implementer who got another one.
     because :: about -> String,
-    -- | An input that is none of the edges.
+    -- | A typical input, without special properties.
     example :: about -> i,
-    -- | Inputs that are answered, with small numbers, and with large ones where these may have any
-    -- size.
+    -- | Inputs that are answered, with small numbers, and with large ones where any size is
+    -- allowed.
     typical :: about -> [i],
     -- | Inputs that are refused, each for another reason.
     refused :: about -> [i],
-    -- | Smaller inputs to try in the place of a failing one, the smallest first.
+    -- | Smaller inputs to try instead of a failing one, smallest first.
     smaller :: i -> [i],
     -- | The inputs of test vectors.
     asked :: about -> [Group i],
-    -- | All inputs in an order, where they are too many for test vectors, and their codes.
+    -- | All inputs in order, if they are too many for test vectors, with the name of the table and
+    -- the code of an answer.
     tabled :: about -> Maybe (String, [i], o -> Code),
-    -- | What is remarkable about an input under a profile.
+    -- | The special properties of an input under a profile.
     flags :: Profile -> i -> [Flag],
-    -- | The two ways to the answer: the library's and the definition's.
+    -- | The names of the two ways to the answer: the library's and the definition's.
     roads :: (String, String),
-    -- | The answer that test vectors state, of the defined and the library's.
+    -- | The answer in test vectors, from the defined and the library's answer.
     stated :: o -> o -> o
   }
 
--- | A meaning of these parts: the definition, the sentence why, the roads and the example. The
--- defined answer is the only right one, and nothing else is known of the inputs.
+-- | A meaning from the definition, the sentence 'because', the roads and the example. The defined
+-- answer is the only right one; there are no further inputs.
 meaning ::
   (about -> i -> Either Refusal o) ->
   (about -> String) ->
@@ -112,21 +113,21 @@ meaning defined why ways input =
       stated = \_ given -> given
     }
 
--- | Inputs of test vectors, with where they are from.
+-- | Inputs of test vectors, with their source.
 data Group i = Group String (Inputs i)
 
--- | How inputs of test vectors came about.
+-- | The kind of a group of inputs.
 data Inputs i
   = -- | They are the whole domain.
     WholeDomain [i]
   | Chosen [i]
-  | -- | From the seed.
+  | -- | Drawn from the seed.
     Drawn (Draw [i])
-  | -- | JSON values, most of which are no inputs.
+  | -- | JSON values, most of which are invalid inputs.
     OtherForms [Value]
 
--- | The inputs of an operation of the code: the whole domain if it is small, with a sentence on it,
--- otherwise drawn ones; and edges.
+-- | The inputs of an operation of the code: the whole domain with its source, if given, otherwise
+-- drawn ones; then edge cases.
 ofCode :: Maybe (String, [i]) -> Draw [i] -> [i] -> [Group i]
 ofCode whole some edges =
   maybe

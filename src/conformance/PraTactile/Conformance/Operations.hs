@@ -1,8 +1,8 @@
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE RankNTypes #-}
 
--- | All operations, and what follows from their records: their forms in the protocol, their
--- reasons, their inputs.
+-- | All operations, and what follows from their records: their JSON, their reasons of refusal,
+-- their inputs.
 module PraTactile.Conformance.Operations
   ( -- * Operations
     recordOf,
@@ -79,7 +79,7 @@ recordOf op = case op of
   Whereabouts -> Objects.whereabouts
   FacePose -> Objects.facePose
 
--- | All operations, in the order in which a decoder is written.
+-- | All operations, in the order of writing a decoder.
 allOperations :: [SomeOp]
 allOperations =
   [SomeOp Add, SomeOp Multiply, SomeOp Negate, SomeOp Inverse, SomeOp Power, SomeOp Logarithm]
@@ -97,7 +97,8 @@ definedOperations :: [SomeOp]
 definedOperations =
   [some | some@(SomeOp op) <- allOperations, WithoutProfile _ _ <- [operationWays (recordOf op)]]
 
--- | The operations that the laws of these stages ask for, with those of all stages of their sets.
+-- | The operations that the laws of these stages ask for, including all stages of the sets to
+-- which they belong.
 operationsOf :: [Stage] -> [SomeOp]
 operationsOf stages =
   [ some
@@ -115,7 +116,7 @@ operationsIn stage = filter ((== stage) . stageOf) allOperations
 nameOf :: SomeOp -> String
 nameOf (SomeOp op) = operationName (recordOf op)
 
--- | An operation by its name.
+-- | An operation, by its name.
 operationForm :: Codec SomeOp
 operationForm = among nameOf allOperations
 
@@ -135,15 +136,15 @@ questionInput question = case question of
   op :? input -> writeValue (operationInput (recordOf op)) input
   Raw _ input -> input
 
--- | The question that an operation and an input are; 'Nothing' if the input is not of the
--- operation's form: no object, a key missing, a value of the wrong type, a negative number where a
--- natural one stands. Further keys do not matter.
+-- | The question with an operation and a JSON input; 'Nothing' if the input does not fit the
+-- operation: not an object, a missing key, a wrong type, a negative number in place of a natural
+-- one. Further keys are ignored.
 someQuestion :: SomeOp -> Value -> Maybe SomeQuestion
 someQuestion (SomeOp op) value = case recordOf op of
   it@Operation {} ->
     either (const Nothing) (Just . SomeQuestion . (op :?)) (readValue (operationInput it) value)
 
--- | A question of an operation that is answered or refused under every profile.
+-- | A question of an operation that every profile answers or refuses.
 exampleOf :: SomeOp -> SomeQuestion
 exampleOf some@(SomeOp op) = case recordOf op of
   it@Operation {} -> case operationWays it of
@@ -152,12 +153,12 @@ exampleOf some@(SomeOp op) = case recordOf op of
     WithoutProfile means _ -> SomeQuestion (op :? example means ())
     ByScene input _ -> SomeQuestion (op :? input)
 
--- | With an input that is none.
+-- | A question with an invalid input.
 raw :: SomeOp -> SomeQuestion
 raw some = SomeQuestion (Raw some (object []))
 
--- | Questions of an operation to which every profile has an answer: with small numbers, and where
--- these may be of any size with large ones.
+-- | Questions of an operation that every profile answers, with small numbers, and with large ones
+-- where any size is allowed.
 typicalOf :: Known -> SomeOp -> [SomeQuestion]
 typicalOf = inputsUnder typical
 
@@ -172,8 +173,8 @@ inputsUnder inputs k (SomeOp op) = case recordOf op of
     UnderProfile means _ -> map (SomeQuestion . (op :?)) (inputs means k)
     _ -> []
 
--- | Smaller questions to try in the place of a failing one, the smallest first. There are none for
--- a raw question, nor for one about frames, whose scene is made smaller instead.
+-- | Smaller questions to try instead of a failing one, smallest first. A raw question has none;
+-- for one about frames the scene is made smaller instead.
 smallerQuestions :: SomeQuestion -> [SomeQuestion]
 smallerQuestions (SomeQuestion question) = case question of
   op :? input -> map (SomeQuestion . (op :?)) $ case operationWays (recordOf op) of
@@ -182,25 +183,25 @@ smallerQuestions (SomeQuestion question) = case question of
     ByScene _ _ -> []
   Raw _ _ -> []
 
--- | Inputs that are none of the operation's, made of this question's input.
+-- | Invalid inputs of the operation, derived from this question's input.
 malformedForms :: Question a -> [Value]
 malformedForms question = case question of
   op :? input -> malformedOf (operationInput (recordOf op)) input
   Raw _ _ -> []
 
--- | The answer to a question as the protocol writes it.
+-- | The answer to a question in the protocol's JSON.
 answerValue :: Question a -> a -> Value
 answerValue question answer = case question of
   op :? _ -> writeValue (operationOutput (recordOf op)) answer
   Raw _ _ -> answer
 
--- | The answer that a value is; 'Nothing' if it is of the wrong type.
+-- | Reads the answer to a question from JSON; 'Nothing' if it does not fit.
 readAnswer :: Question a -> Value -> Maybe a
 readAnswer question value = case question of
   op :? _ -> either (const Nothing) Just (readValue (operationOutput (recordOf op)) value)
   Raw _ _ -> Just value
 
--- | The least number of bytes of an answer as JSON, as far as the numbers in the question tell.
+-- | The least number of bytes of an answer as JSON, estimated from the numbers in the question.
 leastBytes :: Question a -> Natural
 leastBytes question = case question of
   op :? input -> operationLeast (recordOf op) input

@@ -1,5 +1,5 @@
--- | A subject in another process, in whatever language: it speaks the protocol, JSON lines on its
--- standard input and output. Whatever it does instead comes as a fault with a name.
+-- | A subject in another process, in any language. It speaks the protocol: JSON lines on standard
+-- input and output. Any other behaviour becomes a named fault.
 module PraTactile.Conformance.Process
   ( Command (..),
     Mode (..),
@@ -21,17 +21,16 @@ import PraTactile.Conformance.Subject
 import PraTactile.Profile (Profile, canonicalProfile)
 import System.FilePath (takeFileName)
 
--- | How a command is spoken to.
+-- | How a command is used.
 data Mode
   = -- | One process answers many requests.
     InSession
-  | -- | A process a request.
+  | -- | One process per request.
     OneShot
   deriving stock (Eq, Show)
 
--- | Start a command and use it as a subject; no process of it is left afterwards, however that
--- ends. 'Left' where it cannot be started, or never answers. The run-time system must be the
--- threaded one.
+-- | Starts a command and uses it as a subject. In the end all its processes are gone. 'Left' if it
+-- cannot be started or never answers. The program must use the threaded run-time system.
 withProcess :: Mode -> Limits -> Command -> (Subject -> IO a) -> IO (Either Fault a)
 withProcess mode limits command use = case mode of
   InSession -> withSession limits command (use . inSession limits)

@@ -1,9 +1,9 @@
--- | The profiles under which an implementation is tried unless others are named: characteristic 2,
--- 3, 5, 7 and 211, prime and extension fields up to GF(256), other moduli, states and readings,
--- both foldings, all surfaces and both packings, any two of these together; sides that are not
--- coprime; degrees from 1 to 9, an
--- array of more than 2^16 cells; windows that repeat, as large as the array and larger, and windows
--- whose numbers no double holds.
+-- | The default profiles for testing an implementation. They cover characteristics 2, 3, 5, 7 and
+-- 211; prime and extension fields up to GF(256); several moduli, states and readings; both
+-- foldings, all surfaces and both packings, and any two of these together; sides with a common
+-- divisor; degrees from 1 to 9; and an array of more than 2^16 cells. Their windows include ones
+-- that repeat, ones as large as the array and larger, and ones whose numbers exceed a double's
+-- precision.
 module PraTactile.Conformance.Profiles
   ( defaultProfiles,
     profileNamed,
@@ -18,8 +18,8 @@ import PraTactile.Array (Folding (..), Shape (..), Surface (..))
 import PraTactile.Profile
 import PraTactile.Window (Packing (..))
 
--- | The default profiles, each with a name that stays; after the paper's, always one that differs
--- in most keys from all before it, so that what depends on any of them is found early.
+-- | The default profiles, each with a permanent name. After the paper's, each differs in as many
+-- keys as possible from those before it, so that a mistake in any key is found early.
 defaultProfiles :: [(String, Profile)]
 defaultProfiles = case papers ++ fields ++ windows ++ combined of
   first : others -> first : go [first] others
@@ -33,7 +33,7 @@ defaultProfiles = case papers ++ fields ++ windows ++ combined of
       where
         counts = [differing p other | (_, other) <- before]
 
--- | In how many keys two profiles differ.
+-- | The number of keys in which two profiles differ.
 differing :: Profile -> Profile -> Int
 differing a b =
   length . filter id $
@@ -52,16 +52,16 @@ differing a b =
     on :: Eq a => (Profile -> a) -> Bool
     on key = key a /= key b
 
--- | The name of a profile among the default ones.
+-- | The name of a default profile.
 profileNamed :: Profile -> Maybe String
 profileNamed profile = fst <$> find ((== profile) . snd) defaultProfiles
 
--- | The cells (0, 0), (0, 9) and (11, 8): on the paper's array they have rank 3, yet all windows on
--- the sheet differ.
+-- | A mask of the cells (0, 0), (0, 9) and (11, 8): on the paper's array they have rank 3, yet all
+-- windows on the sheet differ.
 apartMask :: [String]
 apartMask = "#........#" : replicate 10 ".........." ++ ["........#."]
 
--- | The paper's array, each convention but one or two as the paper has it.
+-- | The paper's array with one or two other conventions.
 papers :: [(String, Profile)]
 papers =
   [ ("paper", canonicalProfile),
@@ -88,7 +88,7 @@ fields =
     ("gf5-4x31", over 5 [3, 1] [2, 3, 0, 1] (Shape 4 31) (Shape 1 3)),
     ("gf8-7x9", over 8 [1, 0, 1, 1] [5, 2, 1] (Shape 7 9) (Shape 1 2)),
     ("gf9-80x1", over 9 [2, 2, 1] [3, 1, 1] (Shape 80 1) (Shape 2 1)),
-    -- The root of this modulus has order 4, so that the primitive element is another one.
+    -- The root of this modulus has order 4, so it is not the primitive element.
     ( "gf9-5x16",
       (over 9 [1, 0, 1] [7, 5, 1] (Shape 5 16) (Shape 1 2))
         { profileReading = Reciprocal,
@@ -107,7 +107,7 @@ windows =
     )
   ]
 
--- | What the others do not have together.
+-- | Combinations that the others lack.
 combined :: [(String, Profile)]
 combined =
   [ ( "gf7-4x12-row-major",
@@ -180,8 +180,8 @@ combined =
     ("gf256-15x17", over 256 [1, 0, 1, 1, 1, 0, 0, 0, 1] [2, 1] (Shape 15 17) (Shape 1 1))
   ]
 
--- | A field by q and its modulus, a polynomial, a shape and a window, with the conventions of the
--- paper's array.
+-- | A profile with the conventions of the paper's array. The arguments are q, the modulus, the
+-- polynomial, the array's shape and the window's.
 over :: Natural -> [Natural] -> [Natural] -> Shape -> Shape -> Profile
 over q modulus h shape window =
   canonicalProfile

@@ -1,5 +1,5 @@
--- | Laws for those who write tests in Haskell: all of them in one call that prints a report, or
--- each as a property of QuickCheck.
+-- | Laws for tests in Haskell: all laws in one call that prints a report, or each law as a
+-- QuickCheck property.
 module PraTactile.Conformance.Properties
   ( runLaws,
     runLawsUnder,
@@ -32,18 +32,18 @@ import PraTactile.Profile (Profile)
 import System.Exit (ExitCode (..))
 import Test.QuickCheck
 
--- | Try all laws of the code, of opening and of sessions, under the default profiles, and print
--- the report: names, counts, and of each law that failed the smallest case, with your answer and
--- the definition's. The exit status is 0 if the implementation is certified, otherwise 1.
+-- | Tries all laws of the code, of opening and of sessions under the default profiles, and prints
+-- the report: names, counts, and for each failed law the smallest case with your answer and the
+-- definition's. The exit status is 0 if the implementation is certified, otherwise 1.
 runLaws :: Implementation -> IO ExitCode
 runLaws = runLawsUnder defaultProfiles
 
--- | The same under other profiles, by their names. One that describes no array, or one too
--- large for the definition, is an exit status of 2.
+-- | 'runLaws' under other profiles, given by name. The exit status is 2 for a profile that
+-- describes no array or one too large for the definition.
 runLawsUnder :: [(String, Profile)] -> Implementation -> IO ExitCode
 runLawsUnder = runStages codeStages
 
--- | The same of some of the stages of touch and of objects, which know no profile.
+-- | 'runLaws' for some of the stages of touch and of objects, which need no profile.
 runLawsWithoutProfile :: [Stage] -> Implementation -> IO ExitCode
 runLawsWithoutProfile stages = runStages stages []
 
@@ -52,7 +52,7 @@ runStages stages profiles implementation = do
   (status, said) <- lawsReported stages profiles implementation
   status <$ putStr said
 
--- | The exit status, and what is printed, of the laws of these stages.
+-- | The exit status and the printed report of the laws of these stages.
 lawsReported :: [Stage] -> [(String, Profile)] -> Implementation -> IO (ExitCode, String)
 lawsReported stages profiles implementation = case standardSuite profiles of
   Left why -> pure (ExitFailure 2, noSuiteText why ++ "\n")
@@ -65,8 +65,8 @@ lawsReported stages profiles implementation = case standardSuite profiles of
         reportText (const "runLaws") report
       )
 
--- | All laws of the code that an implementation offers what they need, under the default profiles,
--- each with its id and the profile's name.
+-- | The laws of the code whose operations an implementation offers, under the default profiles, as
+-- properties. Each is named by its id and the profile's name.
 lawProperties :: Implementation -> [(String, Property)]
 lawProperties implementation =
   [ (lawId law, openingProperty (map snd defaultProfiles) law implementation)
@@ -86,8 +86,8 @@ lawProperties implementation =
         Left why -> counterexample ("the profile was refused: " ++ refusalReason why) False
         Right session -> lawProperty law about session
 
--- | All laws of touch and of objects that an implementation offers what they need, each with its
--- id.
+-- | The laws of touch and of objects whose operations an implementation offers, as properties
+-- named by their ids.
 propertiesWithoutProfile :: Implementation -> [(String, Property)]
 propertiesWithoutProfile implementation =
   [ (lawId law, lawProperty law () (withoutProfile implementation))
@@ -95,11 +95,11 @@ propertiesWithoutProfile implementation =
       all (`elem` offered implementation) (lawNeeds law)
   ]
 
--- | A law as a property of a session: about the session's profile, or about nothing.
+-- | A law as a property of a session. The law's subject is the session's profile, or @()@.
 lawProperty :: Law about -> about -> Session -> Property
 lawProperty law about opened = casesProperty (sessionRespondent opened) (lawCases law about)
 
--- | A law of opening as a property of an implementation, about these profiles.
+-- | A law of opening, with these profiles, as a property of an implementation.
 openingProperty :: [Profile] -> Law [Profile] -> Implementation -> Property
 openingProperty profiles law implementation =
   idempotentIOProperty $
@@ -118,14 +118,14 @@ casesProperty answers (Cases form domain trial) = case domain of
       (valueText . writeValue form)
       (idempotentIOProperty . fmap judged . verdictBy answers . trial)
 
--- | A case that the law says nothing of counts as one that holds.
+-- | A case to which the law does not apply counts as held.
 judged :: Verdict -> Property
 judged got = case got of
   Holds -> property True
   Inapplicable -> property True
   Violated violation -> counterexample (inWords violation) False
 
--- | What was asked and answered, and what should have been.
+-- | The questions and answers, and the expected answer.
 inWords :: Violation -> String
 inWords violation =
   unlines $

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The operations as the protocol's document and its schemas state them, derived from their
+-- | The operations in the protocol's document and in its schemas, generated from the operations'
 -- records. @make operations@ writes both.
 module PraTactile.Conformance.Protocol
   ( withOperations,
@@ -81,9 +81,9 @@ cells texts = Text.concat (map cell texts) <> "|"
 code :: Text -> Text
 code text = "`" <> text <> "`"
 
--- | A schema file with the operations that there are. The definitions of operations, of their
--- inputs and results, and of the parts of these are those of the codecs. A list of which the first
--- item refers to the input or the result of one operation has such an item for each operation.
+-- | Replaces the operations in a schema file. The definitions of operations, of their inputs and
+-- results, and of the parts of these come from the codecs. A list whose first item refers to one
+-- operation's input or result gets such an item for each operation.
 statingOperations :: Value -> Value
 statingOperations value = case value of
   Object keys ->
@@ -104,14 +104,14 @@ statingOperations value = case value of
       _ -> statingOperations inner
     ofOperations key = any (`Text.isPrefixOf` Key.toText key) ["input-", "result-"]
 
--- | The schema files that speak of operations.
+-- | The schema files that mention operations.
 schemasOfOperations :: [String]
 schemasOfOperations = ["common", "reply", "request", "vectors"]
 
 names :: [Text]
 names = map (Text.pack . nameOf) allOperations
 
--- | The definitions that schemas refer to, by their names.
+-- | The definitions that schemas refer to, by name.
 definitions :: KeyMap.KeyMap Value
 definitions =
   KeyMap.fromList $
@@ -128,7 +128,7 @@ definitions =
         | (name, SomeOp op) <- zip names allOperations
       ]
 
--- | Whether a value refers to the input or the result of an operation.
+-- | Whether a value refers to the input or the result of the named operation.
 isAbout :: Text -> Value -> Bool
 isAbout name value = case value of
   String text -> any (`Text.isSuffixOf` text) (references name)
@@ -139,7 +139,7 @@ isAbout name value = case value of
 references :: Text -> [Text]
 references name = ["#/$defs/input-" <> name, "#/$defs/result-" <> name]
 
--- | What is said of one operation, of another.
+-- | Replaces references to one operation by references to another.
 renamed :: Text -> Text -> Value -> Value
 renamed name other value = case value of
   String text

@@ -1,9 +1,9 @@
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE StandaloneDeriving #-}
 
--- | The questions that a conformance suite puts to an implementation, each with the type of its
--- answer. "PraTactile.Conformance.Operation" describes what each operation is: its form in JSON,
--- its definition, this library's answer, its inputs.
+-- | The questions of the conformance suite, each typed by its answer.
+-- "PraTactile.Conformance.Operation" describes each operation: its JSON, its definition, this
+-- library's answer, its inputs.
 module PraTactile.Conformance.Question
   ( -- * Operations
     Op (..),
@@ -13,7 +13,7 @@ module PraTactile.Conformance.Question
     Question (..),
     SomeQuestion (..),
 
-    -- * Their inputs
+    -- * Inputs
     Code,
     Patch,
     Chances,
@@ -25,13 +25,13 @@ module PraTactile.Conformance.Question
     Proof (..),
     Refusal (..),
 
-    -- * Of touch
+    -- * Touch
     module PraTactile.Conformance.Question.Touch,
 
-    -- * Of networks
+    -- * Networks
     module PraTactile.Conformance.Question.Network,
 
-    -- * Of objects
+    -- * Objects
     module PraTactile.Conformance.Question.Objects,
   )
 where
@@ -54,55 +54,54 @@ type Code = Natural
 -- | The rows of a patch; 'Nothing' for a cell that was not observed.
 type Patch = [[Maybe Code]]
 
--- | The rows of a patch of which probabilities are known.
+-- | The rows of a patch with knowledge in probabilities.
 type Chances = [[Chance]]
 
--- | What is known of a cell.
+-- | The knowledge of a cell.
 data Chance
-  = -- | Nothing.
+  = -- | Unknown.
     Unfelt
-  | -- | It has this symbol.
+  | -- | It certainly has this symbol.
     Certainly Code
-  | -- | The probability of each symbol, by their codes.
+  | -- | The probability of each symbol, in the order of codes.
     Probably [Double]
   deriving stock (Eq, Show)
 
--- | The rows of a mask, @#@ for a cell that belongs to it and @.@ for one that does not.
+-- | The rows of a mask: @#@ for its cells, @.@ for others.
 type MaskRows = [String]
 
--- | Where a patch is.
+-- | The location of a patch.
 data Location
   = -- | the only position of its upper left cell
     At Position
   | -- | several positions fit, ascending
     OneOf [Position]
-  | -- | too many positions fit to list: their number, and the dimension of the coset that
-    -- they are
+  | -- | too many positions to list: their number, and the dimension of the coset that they form
     Coset Natural Natural
   deriving stock (Eq, Show)
 
 -- | Whether the windows of a mask are all different.
 data Proof = Proof
   { proofHolds :: Bool,
-    -- | The rank of the mask on the folding's own surface; 'Nothing' where the profile's surface is
+    -- | The rank of the mask on the folding's own surface; 'Nothing' if the profile's surface is
     -- neither that nor the sheet.
     proofRank :: Maybe Natural,
-    -- | How many different contents the windows on the profile's surface have, zeros included.
+    -- | The number of distinct contents of windows on the profile's surface, including all zeros.
     proofWindows :: Natural
   }
   deriving stock (Eq, Show)
 
--- | Why an implementation does not answer, by its stable name, such as @zero-window@.
+-- | The reason of a refusal, by its stable name, such as @zero-window@.
 newtype Refusal = Refusal {refusalReason :: String}
   deriving stock (Eq, Ord, Show)
 
--- | What a question asks an implementation to do, with the types of its input and its answer. Those
--- down to 'Distance' are asked under a profile; those of touch and of objects, from 'Register' on,
--- know none. "PraTactile.Conformance.Operation" describes each.
+-- | The operations, with the types of input and answer. Operations up to 'Distance' are asked
+-- under a profile; those of touch and of objects, from 'Register' on, need none.
+-- "PraTactile.Conformance.Operation" describes each.
 data Op i o where
   -- | The sum of two elements.
   Add :: Op (Code, Code) Code
-  -- | Their product.
+  -- | The product of two elements.
   Multiply :: Op (Code, Code) Code
   -- | The additive inverse.
   Negate :: Op Code Code
@@ -110,7 +109,7 @@ data Op i o where
   Inverse :: Op Code Code
   -- | A power with any integer as exponent.
   Power :: Op (Code, Integer) Code
-  -- | The exponent of the primitive element that gives an element.
+  -- | The logarithm of an element to the base of the primitive element.
   Logarithm :: Op Code Natural
   -- | The trace to the prime field.
   Trace :: Op Code Code
@@ -120,41 +119,42 @@ data Op i o where
   FirstPrimitive :: Op Natural [Code]
   -- | A term of the sequence, by its index.
   Term :: Op Natural Code
-  -- | Terms of the sequence: the index of the first, and their number.
+  -- | Terms of the sequence, from the index of the first and their number.
   Terms :: Op (Natural, Natural) [Code]
-  -- | The cell at a row and a column of the array, which goes on beyond its edges.
+  -- | The cell at a row and a column of the array, continued beyond its edges.
   Cell :: Op Position Code
   -- | The number that packs a window's cells, given in reading order.
   Pack :: Op [Code] Natural
-  -- | The cells that a number packs.
+  -- | The cells of the window with a number.
   Unpack :: Op Natural [Code]
-  -- | The place of a patch by the table of all windows.
+  -- | The location of a patch by the table of all windows.
   Locate :: Op Patch Location
-  -- | The nearest places of a patch within a radius: that stated, or the guaranteed one.
+  -- | The nearest positions of a patch within a radius: the given or the guaranteed one.
   Nearest :: Op (Maybe Natural, Patch) Location
-  -- | The probability of every position, given what is known of each cell.
+  -- | The posterior probability of every position.
   Posterior :: Op Chances [(Position, Double)]
   -- | Whether all windows of a mask differ.
   Prove :: Op MaskRows Proof
   -- | The least number of cells in which two windows of a mask differ.
   Distance :: Op MaskRows Natural
-  -- | The place of the second of two frames in the first, with these shapes of symbols or the usual
-  -- ones.
+  -- | The displacement of the second of two frames in the first. The symbols' shapes are given, or
+  -- the default ones.
   Register :: Op (Maybe Drawings, Pair) Registered
-  -- | How far each frame is from where it should be, at most so many taxels along each axis.
+  -- | The displacement of each frame from its nominal place, at most the given number of taxels
+  -- along each axis.
   Stitch :: Op (Maybe Drawings, Natural, [Placed]) [Taxels]
   -- | The symbols that lie wholly in a composite.
   Segment :: Op Rows [Symbol]
   -- | The values of a network's output units.
   Outputs :: Op (Weights, Values) [Double]
-  -- | What there is to say of a polyhedron: its pieces, and all that is wrong with it.
+  -- | The report on a polyhedron: its counts, pieces and defects.
   SolidReport :: Op Description Report
-  -- | The cells of symbols, at these distances along a row and a column, that lie wholly on a face
-  -- with these corners.
+  -- | The cells of symbols that lie wholly on a face, from the face's corners and the distances of
+  -- symbols along a row and a column.
   FaceCells :: Op ([Point], (Rational, Rational)) [String]
-  -- | The face on which a window of this shape lies, with its upper left cell there.
+  -- | The face on which a window lies, from the window's shape and upper left cell.
   Whereabouts :: Op (Mapped, Shape, Position) WhereaboutsReport
-  -- | The pose of an object of which points of a face were felt.
+  -- | The pose of an object from felt points of a face.
   FacePose :: Op Felt Pose
 
 deriving stock instance Show (Op i o)
@@ -172,7 +172,7 @@ instance Eq SomeOp where
 data Question a where
   -- | An operation with an input.
   (:?) :: Show i => Op i a -> i -> Question a
-  -- | An operation with an input that may be anything; the answer is as it came.
+  -- | An operation with an arbitrary JSON input; the answer is unread JSON.
   Raw :: SomeOp -> Value -> Question Value
 
 infix 4 :?

@@ -1,4 +1,4 @@
--- | What a run of the suite says of a subject, as data.
+-- | The report on a subject, as data.
 module PraTactile.Conformance.Report
   ( -- * Reports
     Report (..),
@@ -25,45 +25,45 @@ import PraTactile.Conformance.Law
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Subject
 
--- | Of a subject.
+-- | The report on a subject.
 data Report = Report
   { reportSubject :: String,
-    -- | The operations that the laws ask for, those of the stages that were tried.
+    -- | The operations that the tried stages' laws need.
     reportAsks :: [SomeOp],
-    -- | Those of them that it offers.
+    -- | The operations among these that it offers.
     reportOffers :: [SomeOp],
-    -- | What it offers and nobody here knows.
+    -- | The names that it offers and the suite does not know.
     reportUnknown :: [String],
     reportSeed :: Int,
-    -- | The laws were chosen, so that what they say is not all.
+    -- | Whether only chosen laws were tried.
     reportPartial :: Bool,
     reportSeconds :: Double,
-    -- | Patterns of laws that must fail, none of which did.
+    -- | The patterns of laws that must fail, of which none failed.
     reportUnexpected :: [String],
-    -- | In the order in which they were tried.
+    -- | In the order of trying.
     reportLaws :: [LawReport]
   }
   deriving stock (Show)
 
--- | Of a law under a profile. What it was made from, the cases among it, need not be kept.
+-- | The report on a law under a profile. It does not keep the cases.
 data LawReport = LawReport
   { lawReportId :: !String,
     lawReportStage :: !Stage,
     lawReportNeeds :: ![SomeOp],
     lawReportSentence :: !String,
     lawReportSource :: !String,
-    -- | The profile's name; 'Nothing' for a law of profiles or of the protocol.
+    -- | The profile's name; 'Nothing' for a law about opening profiles or about the protocol.
     lawReportProfile :: !(Maybe String),
     lawReportOutcome :: !Outcome,
     lawReportCases :: !Int,
     lawReportExhaustive :: !Bool,
     lawReportCounterexample :: !(Maybe Counterexample),
-    -- | Why it was skipped.
+    -- | The reason for skipping it.
     lawReportNote :: !(Maybe String)
   }
   deriving stock (Show)
 
--- | Of what was not tried: its id, its stage, what must hold, and where that is from.
+-- | The report on a law that was not tried. The arguments are its id, stage, sentence and source.
 untried :: String -> Stage -> String -> String -> LawReport
 untried name stage sentence source =
   LawReport
@@ -80,17 +80,17 @@ untried name stage sentence source =
       lawReportNote = Nothing
     }
 
--- | What came of a law.
+-- | The outcome of a law.
 data Outcome
   = Held
   | Failed
   | Skipped
   | Errored
-  | -- | It failed, and was said to.
+  | -- | It failed, as expected.
     KnownFailure
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | As reports name it.
+-- | The name of an outcome in reports.
 outcomeName :: Outcome -> String
 outcomeName outcome = case outcome of
   Held -> "held"
@@ -99,21 +99,21 @@ outcomeName outcome = case outcome of
   Errored -> "errored"
   KnownFailure -> "known-failure"
 
--- | How many laws had this outcome, each counted for each profile.
+-- | The number of laws with this outcome, counted once per profile.
 countOf :: Outcome -> Report -> Int
 countOf outcome = length . filter ((== outcome) . lawReportOutcome) . reportLaws
 
--- | How many cases were judged in all.
+-- | The number of judged cases in all.
 casesOf :: Report -> Int
 casesOf = sum . map lawReportCases . reportLaws
 
--- | Whether no law failed or erred, something is offered, and of each operation that is offered at
--- least one law held.
+-- | Whether an implementation is certified: no law failed or erred, something is offered, and for
+-- each offered operation at least one law held.
 certified :: Report -> Bool
 certified report = sound report && null (uncovered report)
 
--- | Whether no law failed or erred, something held, and no law passed that must fail: what can be
--- said of a run of chosen laws.
+-- | Whether no law failed or erred, some law held, and no law passed that must fail. That is all
+-- that a run of chosen laws can show.
 sound :: Report -> Bool
 sound report =
   countOf Failed report == 0
@@ -122,7 +122,7 @@ sound report =
     && not (null (reportOffers report))
     && countOf Held report > 0
 
--- | The operations that are offered, but of which no law held.
+-- | The offered operations of which no law held.
 uncovered :: Report -> [SomeOp]
 uncovered report =
   [ operation
@@ -137,26 +137,26 @@ uncovered report =
 
 -- | A case in which a subject is wrong.
 data Counterexample = Counterexample
-  { -- | In the form of the protocol.
+  { -- | The requests in the protocol's JSON.
     counterRequests :: [Value],
-    -- | 'Nothing' where any answer would do.
+    -- | The expected reply; 'Nothing' if any answer would do.
     counterExpected :: Maybe Response,
-    -- | By which road that is known.
+    -- | The source of the expected reply.
     counterRoad :: String,
     counterGot :: Either Fault Response,
     counterReason :: String,
     counterShrinks :: Int,
-    -- | Whether a fresh process answers the case rightly, so that the subject's answer depends on
-    -- what it was asked before.
+    -- | Whether a fresh process answers the case rightly, so that the answer depends on earlier
+    -- requests.
     counterDepends :: Bool,
-    -- | 'Nothing' where there is nothing to replay: a check of the protocol, and what depends on
-    -- earlier requests.
+    -- | The token for replaying; 'Nothing' for a check of the protocol, and for a case that
+    -- depends on earlier requests.
     counterToken :: Maybe String
   }
   deriving stock (Show)
 
--- | One that nothing was made smaller for, and that cannot be replayed: what was asked, what should
--- have come, by which road that is known, what came, and why another answer is expected.
+-- | A counterexample that was not shrunk and cannot be replayed. The arguments are the requests,
+-- the expected reply and its source, the reply that came, and the reason for the expectation.
 counterexample ::
   [Value] -> Maybe Response -> String -> Either Fault Response -> String -> Counterexample
 counterexample requests wanted road got reason =

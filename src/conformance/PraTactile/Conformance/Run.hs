@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Running a suite on a subject: the laws one after the other, or shared among several processes
--- of the same subject, within a time for all, to a report.
+-- | Runs a suite on a subject and reports. Laws are tried in turn, or shared among several
+-- processes of the same subject, within a time limit for the whole run.
 module PraTactile.Conformance.Run
   ( module PraTactile.Conformance.Run.Work,
     runSuite,
@@ -36,8 +36,8 @@ import PraTactile.Conformance.Run.Work
 import PraTactile.Conformance.Subject
 import PraTactile.Format.Error (FormatError)
 
--- | Make the subject's checks, then try all laws that were chosen, under each profile. Several
--- subjects that are alike share the work. The report, and each of its parts as it is made.
+-- | Runs the subject's checks, then all chosen laws under each profile. Equal subjects share the
+-- work. Returns the report, and passes each part to the action when it is ready.
 --
 -- After a timeout or a crash, the laws that need the same operation are skipped.
 runSuite :: Settings -> Suite about -> (LawReport -> IO ()) -> [Subject] -> IO Report
@@ -51,7 +51,7 @@ runSuite settings suite tell subjects = do
         now <- getMonotonicTime
         let left = start + settingLimit settings - now
         if left > 0 then fromMaybe late <$> withinSeconds left attempt else pure late
-      -- The report of an attempt, or why it is not made, or that it took too long.
+      -- The report of an attempt, or the reason why it is not made, or that it took too long.
       judged needs leftOut notTried late attempt = do
         over <- readIORef stopped
         silent <- readIORef unanswered
@@ -65,7 +65,7 @@ runSuite settings suite tell subjects = do
             atomicModifyIORef' unanswered (\before -> (operation : before, ()))
           when (settingFailFast settings) $ writeIORef stopped True
         classified <$ tell classified
-  -- How the subject is spoken to comes first: all else rests on it.
+  -- The checks of the protocol come first, because everything else depends on them.
   checked <- for (concatMap (checksChosen settings) (take 1 subjects)) $ \check ->
     judged [] Nothing (checkReport check) (checkTooSlow check) $
       checkedReport check <$> checkTry check
@@ -86,12 +86,12 @@ runSuite settings suite tell subjects = do
         reportLaws = tried ++ checked
       }
 
--- | How many parts the report of such a run has.
+-- | The number of parts of the report of such a run.
 countWork :: Settings -> Suite about -> Subject -> Int
 countWork settings suite subject =
   length (workOf settings (subjectOffers subject) suite) + length (checksChosen settings subject)
 
--- | Try the case of a token again. 'Nothing' where no law has its name.
+-- | Tries the case of a token again. 'Nothing' if its law is unknown.
 replay ::
   Settings -> Suite about -> Token -> Subject -> IO (Maybe (Either FormatError Report))
 replay settings suite token subject = for (workFor suite token) $ \work -> do
@@ -129,11 +129,11 @@ planOf settings subject =
       planShrinks = True
     }
 
--- | Whether a law failed that is not known to.
+-- | Whether a law failed or erred unexpectedly.
 contradicts :: LawReport -> Bool
 contradicts one = lawReportOutcome one `elem` [Failed, Errored]
 
--- | The operation that a law ended at, where no reply came.
+-- | The operation that got no reply.
 operationWithoutReply :: LawReport -> Maybe SomeOp
 operationWithoutReply report = case lawReportCounterexample report of
   Just one
@@ -144,13 +144,13 @@ operationWithoutReply report = case lawReportCounterexample report of
       find ((== Text.unpack name) . nameOf) allOperations
   _ -> Nothing
 
--- | Why a law that needs these operations is skipped.
+-- | The note on a skipped law; the operations are those it needs that got no reply.
 noReplyTo :: [SomeOp] -> Maybe String
 noReplyTo operations = case operations of
   [] -> Nothing
   one : _ -> Just ("not asked: there was no reply to " ++ nameOf one ++ " before")
 
--- | Why something is not tried.
+-- | The note on a law that is not tried because another failed.
 leftAlone :: String
 leftAlone = "not tried: another law failed before it"
 
@@ -163,7 +163,7 @@ checksChosen settings subject =
       settingSkipMustFail settings || not (any (`matches` checkId check) (settingSkip settings))
   ]
 
--- | A failure of a law that must fail is a known one.
+-- | Marks the failure of a law that must fail as known.
 classify :: Settings -> LawReport -> LawReport
 classify settings one
   | contradicts one,
@@ -171,7 +171,7 @@ classify settings one
     one {lawReportOutcome = KnownFailure}
   | otherwise = one
 
--- | The patterns of laws that must fail of which some were tried and none did.
+-- | The patterns of laws that must fail of which some were tried and none failed.
 unexpected :: Settings -> [LawReport] -> [String]
 unexpected settings reports =
   [ pattern'
@@ -181,7 +181,7 @@ unexpected settings reports =
       KnownFailure `notElem` outcomes
   ]
 
--- | Do all of it, each worker taking what comes next; the results in the order of the work.
+-- | Does all work; each worker takes the next item. The results are in the order of the work.
 inParallel :: [Subject] -> [work] -> (Worker -> work -> IO a) -> IO [a]
 inParallel subjects work act = case subjects of
   [subject] -> newWorker subject >>= forM work . act

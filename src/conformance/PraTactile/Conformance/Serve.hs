@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The other side of the protocol: an implementation in this process that others ask by JSON
--- lines. Whatever comes in, a line has a line in reply, but for @stop@.
+-- | The server side of the protocol: an implementation in this process that answers JSON lines.
+-- Every line gets one line in reply, except @stop@.
 module PraTactile.Conformance.Serve
   ( serve,
     serveOnce,
@@ -32,7 +32,7 @@ import PraTactile.Format.Json.Codec (readValue)
 import PraTactile.Format.Profile (profileCodec)
 import System.IO
 
--- | Answer the lines of one handle on another one, until @stop@ or the end of the input.
+-- | Answers the lines of the first handle on the second, until @stop@ or the end of input.
 serve :: Implementation -> Handle -> Handle -> IO ()
 serve implementation input output = do
   mapM_ (`hSetBinaryMode` True) [input, output]
@@ -41,14 +41,14 @@ serve implementation input output = do
   start <- getMonotonicTime
   replying (replyTo implementation force) input output start Empty
 
--- | What was read and not used: bytes, or the rest of a line that is too long.
+-- | The input that was read but not used: bytes, or the rest of a line that is too long.
 data Pending
   = Empty
   | Pending ByteString
   | TooLong
 
--- | Reply to each line; what is ready is written when no more waits, or when it has waited for a
--- fiftieth of a second.
+-- | Replies to each line. Replies are flushed when no more input waits, or after a fiftieth of a
+-- second.
 replying ::
   (ByteString -> IO (Maybe Lazy.ByteString)) -> Handle -> Handle -> Double -> Pending -> IO ()
 replying reply input output = go
@@ -91,7 +91,7 @@ line keys = object' keys <> "\n"
 object' :: Series -> Lazy.ByteString
 object' = encodingToLazyByteString . pairs
 
--- | The reply to a line; 'Nothing' to @stop@.
+-- | The reply to a line; 'Nothing' for @stop@.
 replyTo :: Implementation -> Force -> ByteString -> IO (Maybe Lazy.ByteString)
 replyTo implementation force bytes = case requestIn bytes of
   Left problem -> pure (Just (line (errored problem)))
@@ -108,7 +108,7 @@ requestIn bytes = case readLine bytes of
   Right _ -> Left "a request is a JSON object"
   Left _ -> Left "a request is one line of JSON"
 
--- | What this implementation says of itself.
+-- | The implementation's description of itself.
 started :: Implementation -> Object -> Series
 started implementation keys
   | KeyMap.lookup "protocol" keys == Just (Number 1) =
@@ -118,8 +118,8 @@ started implementation keys
       <> "in_flight" .= (64 :: Int)
   | otherwise = errored "only protocol 1 is spoken here"
 
--- | Put the profile of a request in force. What is no profile is refused as an input would be; its
--- integers are read as those of an input are.
+-- | Puts the profile of a request in force. An invalid profile is refused like an invalid input,
+-- and integers are read as in inputs.
 profiled :: Implementation -> Force -> Object -> IO Response
 profiled implementation force keys = case readProfile <$> KeyMap.lookup "profile" keys of
   Just (Right asked) -> putInForce implementation force asked
@@ -127,7 +127,7 @@ profiled implementation force keys = case readProfile <$> KeyMap.lookup "profile
   where
     readProfile = readValue profileCodec . integersAsText
 
--- | The value with each number as a decimal string if it is an integer, and as null otherwise.
+-- | A value with each integer as a decimal string, and each other number as null.
 integersAsText :: Value -> Value
 integersAsText value = case value of
   Number _ -> maybe Null (String . Text.pack . show) (readWhole value)
@@ -135,7 +135,7 @@ integersAsText value = case value of
   Object fields -> Object (integersAsText <$> fields)
   _ -> value
 
--- | The answer to a run, under the profile in force.
+-- | The answer to a @run@ request under the profile in force.
 ran :: Implementation -> Force -> Object -> IO Series
 ran implementation force keys = case KeyMap.lookup "operation" keys of
   Just (String name)
@@ -149,7 +149,7 @@ ran implementation force keys = case KeyMap.lookup "operation" keys of
     input = fromMaybe Null (KeyMap.lookup "input" keys)
     page = "docs/reference/protocol.md" :: String
 
--- | Answer one request of a handle on another one, as 'replyOnce' does.
+-- | Answers one request of the first handle on the second, by 'replyOnce'.
 serveOnce :: Implementation -> Handle -> Handle -> IO ()
 serveOnce implementation input output = do
   mapM_ (`hSetBinaryMode` True) [input, output]
@@ -167,8 +167,8 @@ serveOnce implementation input output = do
             then pure (Left "a line of more than 1 MiB")
             else firstLine (more : pieces) (size + Bytes.length more)
 
--- | The reply to one request, which has the profile as well: whether that is possible, where it
--- asks for nothing else.
+-- | The reply to a single request that includes a profile. Without an operation it tells whether
+-- the profile is possible.
 replyOnce :: Implementation -> ByteString -> IO Lazy.ByteString
 replyOnce implementation = either (pure . line . errored) once . requestIn
   where
@@ -179,8 +179,8 @@ replyOnce implementation = either (pure . line . errored) once . requestIn
         ResponseResult _ | KeyMap.member "operation" keys -> ran implementation force keys
         _ -> pure (responseKeys opened)
 
--- | The reply to a request, as a line that repeats its number. What a line has no room for is
--- refused.
+-- | The reply as a line with the request's sequence number. A reply that is too long for a line
+-- becomes a refusal.
 numbered :: Object -> Series -> Lazy.ByteString
 numbered request reply
   | lineHolds whole = whole <> "\n"

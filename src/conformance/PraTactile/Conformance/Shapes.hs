@@ -1,4 +1,4 @@
--- | The shapes that the questions of touch are about, and that scenes are drawn with.
+-- | The symbol shapes of questions about touch and of drawn scenes.
 module PraTactile.Conformance.Shapes
   ( agreedAlphabet,
     agreedReader,
@@ -18,18 +18,18 @@ import PraTactile.Classification.Shipped
 import PraTactile.Conformance.Question (Drawings)
 import PraTactile.Shape (Alphabet, drawBitmap, shapes)
 
--- | Those for GF(4): the protocol names them by their file, @data/shapes.txt@.
+-- | The shapes for GF(4), which the protocol names by their file, @data/shapes.txt@.
 agreedAlphabet :: Either ShippedError Alphabet
 agreedAlphabet = shippedAlphabet 4
 
--- | What their symbols are read with.
+-- | The reader of these symbols.
 agreedReader :: Either ShippedError Reader
 agreedReader = shippedReader 4
 
--- | All that are shipped, by the number of classes.
+-- | All shipped alphabets, by the number of classes.
 knownAlphabets :: [(Int, Alphabet)]
 knownAlphabets = [(q, known) | q <- shippedSizes, Right known <- [shippedAlphabet q]]
 
--- | As a question has them.
+-- | The shapes of an alphabet in the form of questions.
 drawingsOf :: Alphabet -> Drawings
 drawingsOf = map (map Text.unpack . Text.lines . drawBitmap) . shapes

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The stages of a decoder, by which laws are named and chosen.
+-- | The stages of a decoder, which name and group the laws.
 module PraTactile.Conformance.Stage
   ( Stage (..),
     stageName,
@@ -11,9 +11,9 @@ module PraTactile.Conformance.Stage
   )
 where
 
--- | In the order in which a decoder is written.
+-- | The stages, in the order of writing a decoder.
 data Stage
-  = -- | How a process starts, keeps a profile and stops, whatever it is asked.
+  = -- | How a process starts, keeps a profile and stops, independent of questions.
     OnProtocol
   | OnProfile
   | OnField
@@ -25,7 +25,7 @@ data Stage
   | OnLocate
   | OnDamage
   | OnChances
-  | -- | From here on the stages of touch.
+  | -- | The stages of touch begin here.
     OnRegister
   | OnStitch
   | OnSegment
@@ -35,7 +35,7 @@ data Stage
     OnObjects
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | As @--stage@ takes it.
+-- | The name of a stage, as for @--stage@.
 stageName :: Stage -> String
 stageName stage = case stage of
   OnProtocol -> "protocol"
@@ -55,7 +55,7 @@ stageName stage = case stage of
   OnNetwork -> "network"
   OnObjects -> "objects"
 
--- | The stages of the code, with the protocol that carries them.
+-- | The stages of the code, including the protocol.
 codeStages :: [Stage]
 codeStages = [OnProtocol .. OnChances]
 
@@ -67,7 +67,6 @@ touchStages = [OnRegister .. OnNetwork]
 objectStages :: [Stage]
 objectStages = [OnObjects]
 
--- | The sets of stages that know no profile, each with its name. They are tried where one of them
--- is named.
+-- | The sets of stages that need no profile, with their names. They are tried only if requested.
 stagesApart :: [(String, [Stage])]
 stagesApart = [("touch", touchStages), (stageName OnObjects, objectStages)]

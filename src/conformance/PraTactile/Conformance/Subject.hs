@@ -1,5 +1,5 @@
--- | What is put under the suite, as the suite sees it: something with a name that offers some
--- operations and answers questions in the form of the protocol, or fails to.
+-- | A subject of the suite: something with a name that offers operations and answers questions in
+-- the protocol's JSON, or fails to.
 module PraTactile.Conformance.Subject
   ( Subject (..),
     Response (..),
@@ -13,7 +13,7 @@ module PraTactile.Conformance.Subject
     takesItsTime,
     upToFault,
 
-    -- * The time for all of it
+    -- * Time limit
     withinSeconds,
     timeOver,
   )
@@ -30,42 +30,42 @@ import System.Timeout (timeout)
 data Subject = Subject
   { subjectName :: String,
     subjectOffers :: [SomeOp],
-    -- | Put a profile in force; what came, or what went wrong.
+    -- | Puts a profile in force; returns the response or the fault.
     subjectProfile :: Profile -> IO (Either Fault Response),
-    -- | Ask these questions, in this order; the replies in the same order, up to the first fault,
-    -- or to where they are enough for once, because they are long.
-    -- After a fault the subject is started again, with the same profile, before it is asked on.
+    -- | Asks these questions in order. Returns the replies in the same order, up to the first
+    -- fault; it may return fewer if replies are long. After a fault the subject restarts with the
+    -- same profile before the next question.
     subjectAsk :: [SomeQuestion] -> IO [Either Fault Response],
-    -- | Forget all that was asked, as only a process that is started anew does; 'Nothing' where
-    -- none is, or each request has one of its own. No profile is in force afterwards.
+    -- | Restarts the subject, so that it forgets earlier questions; no profile is then in force.
+    -- 'Nothing' if it cannot restart.
     subjectFresh :: Maybe (IO ()),
-    -- | How many questions are best asked at once.
+    -- | The best number of questions to ask at once.
     subjectBatch :: Int,
-    -- | What it says that it offers and nobody here knows.
+    -- | The names that it offers and the suite does not know.
     subjectUnknown :: [String],
-    -- | What must hold of how it is spoken to, tried before all else.
+    -- | The checks of the protocol, which are made first.
     subjectChecks :: [Check]
   }
 
--- | Something that must hold of the exchange itself, whatever is asked.
+-- | A requirement on the exchange itself, whatever is asked.
 data Check = Check
-  { -- | As the id of a law, of the stage @protocol@.
+  { -- | The id, in the form of a law's of the stage @protocol@.
     checkId :: String,
-    -- | What must hold, in a sentence.
+    -- | The requirement, in a sentence.
     checkSentence :: String,
     checkTry :: IO Checked
   }
 
--- | What came of a check.
+-- | The result of a check.
 data Checked
   = CheckHeld
-  | -- | After these requests this should have come, and that came.
+  | -- | After these requests the first response was expected, and the second came.
     CheckFailed [Value] Response Response
-  | -- | After these requests something went wrong.
+  | -- | After these requests there was a fault.
     CheckErred [Value] Fault
   deriving stock (Eq, Show)
 
--- | What came in reply, as the protocol has it.
+-- | A response of the protocol.
 data Response
   = ResponseResult Value
   | ResponseRefused String
@@ -73,7 +73,7 @@ data Response
   | ResponseErrored String
   deriving stock (Eq, Show)
 
--- | As it stands in a reply: the one key that says what came, and its value.
+-- | The key of a response and its value.
 responseItem :: Response -> (Key, Value)
 responseItem response = case response of
   ResponseResult value -> (Key.fromString "result", value)
@@ -81,20 +81,20 @@ responseItem response = case response of
   ResponseSkipped why -> (Key.fromString "skipped", toJSON why)
   ResponseErrored why -> (Key.fromString "errored", toJSON why)
 
--- | A reply to a law's question, as what came.
+-- | The expected reply of a law as a response.
 responseOf :: Reply -> Response
 responseOf reply = case reply of
   Result value -> ResponseResult value
   RefusedFor why -> ResponseRefused why
 
--- | What a subject did instead of replying, and the particulars.
+-- | A fault in place of a response, with details.
 data Fault = Fault
   { faultKind :: FaultKind,
     faultDetail :: String
   }
   deriving stock (Eq, Show)
 
--- | The ways in which a process does not reply.
+-- | The kinds of faults.
 data FaultKind
   = CannotStart
   | NeverStarted
@@ -114,7 +114,7 @@ data FaultKind
   | TooSlow
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | As reports name them.
+-- | The name of a kind of fault in reports.
 faultName :: FaultKind -> String
 faultName kind = case kind of
   CannotStart -> "cannot-start"
@@ -134,11 +134,11 @@ faultName kind = case kind of
   ClosedPipe -> "closed-pipe"
   TooSlow -> "too-slow"
 
--- | Whether such a fault is known only when the time for a reply is over, or after much output.
+-- | Whether such a fault shows only after a timeout, or after much output.
 takesItsTime :: FaultKind -> Bool
 takesItsTime = (`elem` [TimedOut, HalfLine, EndlessOutput])
 
--- | What comes of these actions, the first fault being the last of it.
+-- | The results of actions, up to and including the first fault.
 upToFault :: [IO (Either Fault a)] -> IO [Either Fault a]
 upToFault actions = case actions of
   [] -> pure []
@@ -146,10 +146,10 @@ upToFault actions = case actions of
     response <- action
     (response :) <$> either (const (pure [])) (const (upToFault others)) response
 
--- | The result, unless it takes more than so many seconds.
+-- | The result, unless the action takes more than the given number of seconds.
 withinSeconds :: Double -> IO a -> IO (Maybe a)
 withinSeconds seconds = timeout (max 1 (ceiling (min 1e9 seconds * 1e6)))
 
--- | What is said of what the time did not suffice for.
+-- | The fault of work that was not finished within the time limit.
 timeOver :: Fault
 timeOver = Fault TooSlow "the time for all of it was over"

@@ -1,4 +1,4 @@
--- | The suite as it is shipped: all laws, and what the definition answers.
+-- | The shipped suite: all laws, and the answers of the definition.
 module PraTactile.Conformance.Suite
   ( standardSuite,
     noSuiteText,
@@ -14,8 +14,8 @@ import PraTactile.Conformance.Question
 import PraTactile.Conformance.Run.Work
 import PraTactile.Profile (Profile)
 
--- | All laws under these profiles, by their names. 'Left' with the name of one of which the
--- definition knows nothing, and why that is ('known').
+-- | All laws under the given named profiles. 'Left' with the first profile that the definition
+-- cannot handle, and the reason ('known').
 standardSuite :: [(String, Profile)] -> Either (String, Unknown) (Suite Known)
 standardSuite profiles = suite <$> traverse possible profiles
   where
@@ -34,11 +34,11 @@ standardSuite profiles = suite <$> traverse possible profiles
           suiteAnswer = answered
         }
 
--- | Why there is no suite about such a profile.
+-- | The message for such a profile.
 noSuiteText :: (String, Unknown) -> String
 noSuiteText (name, unknown) = name ++ ": " ++ unknownText unknown
 
--- | What the definition answers, as a reply of the protocol.
+-- | The definition's answer, as a reply of the protocol.
 answered :: Known -> SomeQuestion -> Reply
 answered about (SomeQuestion question) =
   either (RefusedFor . refusalReason) (Result . answerValue question) (expected about question)

@@ -1,9 +1,9 @@
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Test vectors, for those who cannot run the suite: of each operation and profile inputs with
--- their answers, and how each answer is known. The answers are this library's, checked by the
--- definition when they are made, and the same to the byte for the same seed.
+-- | Test vectors for those who cannot run the suite: for each operation and profile, inputs with
+-- answers, and how each answer is known. The answers are this library's and are checked by the
+-- definition when they are made. The same seed gives the same bytes.
 module PraTactile.Conformance.Vectors
   ( Vectors (..),
     TestGroup (..),
@@ -44,24 +44,24 @@ import PraTactile.Profile
 -- | The test vectors of an operation under a profile.
 data Vectors = Vectors
   { vectorsOperation :: SomeOp,
-    -- | 'Nothing' for an operation that needs none.
+    -- | 'Nothing' for an operation that needs no profile.
     vectorsProfile :: Maybe Profile,
-    -- | Of a table too large to be listed.
+    -- | The digest of a table that is too large to list.
     vectorsDigest :: Maybe Digest,
     vectorsGroups :: [TestGroup]
   }
   deriving stock (Eq, Show)
 
--- | Tests with where their inputs are from.
+-- | Tests with the source of their inputs.
 data TestGroup = TestGroup
   { groupName :: String,
     groupTests :: [Test]
   }
   deriving stock (Eq, Show)
 
--- | An input, and what comes of it.
+-- | An input with its answer or refusal.
 data Test = Test
-  { -- | 12 hexadecimal digits, of operation, profile and input.
+  { -- | 12 hexadecimal digits that identify the operation, profile and input.
     testId :: String,
     testInput :: Value,
     testOutcome :: Either Refusal Value,
@@ -70,36 +70,36 @@ data Test = Test
   }
   deriving stock (Eq, Show)
 
--- | How a test came about. The definition and the library agree on every one.
+-- | The origin of a test. The definition and the library agree on each.
 data TestProof
   = -- | The file holds the whole domain.
     Exhaustive
-  | -- | The input was chosen; these two ways lead to the answer.
+  | -- | The input was chosen; the two texts name the ways to the answer.
     TwoRoads String String
   | -- | The input was drawn from this seed.
     Sampled Int
   deriving stock (Eq, Show)
 
--- | The SHA-256 of all values of an operation, a byte each.
+-- | The SHA-256 of all values of an operation, one byte each.
 data Digest = Digest
-  { -- | Which values, in which order.
+  { -- | The values and their order.
     digestOver :: String,
     digestHex :: String
   }
   deriving stock (Eq, Show)
 
--- | The profiles of which vectors are shipped: the default ones.
+-- | The profiles of the shipped vectors: the default ones.
 vectorProfiles :: [(String, Profile)]
 vectorProfiles = defaultProfiles
 
--- | Both roads to the answers under a profile, or without one.
+-- | Both ways to the answers, under a profile or without one.
 data Prepared = Prepared (Maybe Known) Session
 
--- | Those to what needs no profile.
+-- | The ways to answers that need no profile.
 withoutAProfile :: Prepared
 withoutAProfile = Prepared Nothing (withoutProfile library)
 
--- | Prepare them. 'Left' is the reason why the profile is refused.
+-- | Prepares the answers under a profile. 'Left' with the reason if it is refused.
 prepare :: Profile -> IO (Either String Prepared)
 prepare profile = case known profile of
   Left unknown -> pure (Left (unknownText unknown))
@@ -107,8 +107,7 @@ prepare profile = case known profile of
     opened <- runExceptT (open library profile)
     pure (either (Left . refusalReason) (Right . Prepared (Just k)) opened)
 
--- | The vectors of an operation, from a seed. 'Left' says where the library and the definition do
--- not agree.
+-- | The vectors of an operation, from a seed. 'Left' if the library and the definition disagree.
 makeVectors :: Int -> Prepared -> SomeOp -> IO (Either String Vectors)
 makeVectors seed prepared operation = runExceptT (vectorsOf seed prepared operation)
 
@@ -129,7 +128,7 @@ vectorsOf seed prepared@(Prepared about session) some@(SomeOp op) = do
           (map (grouped seed op (roads means)) (asked means ()), Nothing)
         _ -> ([], Nothing)
 
--- | The questions of a group, with where they are from and how their answers are known.
+-- | The questions of a group, with their source and how their answers are known.
 grouped ::
   Show i =>
   Int ->
@@ -146,8 +145,7 @@ grouped seed op ways (Group source inputs) = case inputs of
   where
     asking = SomeQuestion . (op :?)
 
--- | Inputs of an operation's form with each key left out, or with a value of another type, that are
--- refused.
+-- | Inputs with a missing key or a value of another type, which are refused.
 refusals :: Known -> Op i o -> (String, String) -> (String, TestProof, [SomeQuestion])
 refusals k op ways =
   ( "Inputs of the wrong form, or nearly so.",
@@ -170,10 +168,10 @@ refusals k op ways =
         _ -> Null
     wrongs =
       [Bool True, real, Number (-1), String "x", toJSON [real], toJSON [[real]], toJSON [[True]]]
-    -- 1.0, not 1.
+    -- 1.0, which differs from 1.
     real = Number (scientific 10 (-1))
 
--- | Each input once, where it comes first.
+-- | Drops repeated inputs; the first occurrence stays.
 withoutRepeated :: [TestGroup] -> [TestGroup]
 withoutRepeated = filter (not . null . groupTests) . go Set.empty
   where
@@ -185,7 +183,7 @@ withoutRepeated = filter (not . null . groupTests) . go Set.empty
       | testId test `Set.member` seen = once seen more
       | otherwise = (test :) <$> once (Set.insert (testId test) seen) more
 
--- | A test, if both roads lead to the same answer.
+-- | A test; fails if the library and the definition disagree.
 testOf :: Prepared -> TestProof -> SomeQuestion -> ExceptT String IO Test
 testOf (Prepared about session) proof (SomeQuestion question) = do
   got <- lift (runExceptT (answerTo session question))
@@ -206,7 +204,7 @@ testOf (Prepared about session) proof (SomeQuestion question) = do
     profile = knownProfile <$> about
     defined = fromMaybe (Left (Refusal "not-offered")) . expectedWithoutProfile
 
--- | The answer that is stated, of the defined one and the library's.
+-- | The answer in the file, from the definition's and the library's.
 statedValue :: Question a -> a -> a -> Value
 statedValue question wanted given = answerValue question $ case question of
   op :? _ -> case operationWays (recordOf op) of
@@ -215,7 +213,8 @@ statedValue question wanted given = answerValue question $ case question of
     ByScene _ _ -> given
   Raw _ _ -> given
 
--- | What is remarkable about a question under a profile, and whether several positions answer.
+-- | The flags of a question under a profile. The first flag is set if there are several answering
+-- positions.
 flagsOf :: Maybe Profile -> Bool -> SomeQuestion -> [Flag]
 flagsOf profile several (SomeQuestion question) = case (question, profile) of
   (op :? input, Just p) -> case operationWays (recordOf op) of

@@ -1,7 +1,6 @@
--- | The version of the suite itself, whatever the version of the program that has it. A law added
--- raises the second number; a law that is gone or changed, or what it expects, the first; words,
--- the third. @data/suite.json@ lists the laws, and the ids of laws that are gone, which are never
--- used again.
+-- | The version of the suite, independent of the program's. A new law raises the second number; a
+-- law that is removed, or whose expectation changes, raises the first; a change of words raises the
+-- third. @data/suite.json@ lists the laws, and the ids of removed laws, which are never reused.
 module PraTactile.Conformance.Version
   ( suiteVersion,
     vectorsVersion,
@@ -12,6 +11,6 @@ where
 suiteVersion :: String
 suiteVersion = "3.0.0"
 
--- | The version of the suite that last changed a test vector, which files of vectors state.
+-- | The suite's version that last changed a test vector; files of vectors state it.
 vectorsVersion :: String
 vectorsVersion = "2.0.0"

@@ -1,8 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Sequence and array from their definition: the recurrence, and the folding formula.
+-- | The sequence and the array by definition: the recurrence and the folding formula.
 module PraTactile.Conformance.Definition.Array
-  ( -- * What is known under a profile
+  ( -- * Arrays by definition
     Known (..),
     Unknown (..),
     unknownText,
@@ -33,13 +33,13 @@ import PraTactile.Conformance.Definition.Field
 import PraTactile.Conformance.Definition.Polynomial
 import PraTactile.Profile (Profile (..), Reading (..))
 
--- | All that follows from a profile; each part is made when first used.
+-- | Everything that follows from a profile, computed on first use.
 data Known = Known
   { -- | The profile.
     knownProfile :: Profile,
     -- | Its field.
     knownField :: Field,
-    -- | The numbers of rows and columns.
+    -- | The numbers of rows and of columns.
     knownSize :: !(Int, Int),
     -- | A period of the sequence.
     knownTerms :: Vector Int,
@@ -47,21 +47,22 @@ data Known = Known
     knownCells :: Vector Int
   }
 
--- | All positions, row by row; made anew each time, so that nobody keeps a list of so many.
+-- | All positions, row by row. The list is produced anew each time, so that it is never held in
+-- memory.
 positions :: Known -> [(Int, Int)]
 positions k = [(r, c) | r <- [0 .. n1 - 1], c <- [0 .. n2 - 1]]
   where
     (n1, n2) = knownSize k
 
--- | Why nothing is known under a profile.
+-- | Why the definition is not available under a profile.
 data Unknown
-  = -- | It describes no array.
+  = -- | The profile describes no array.
     NoArray
-  | -- | Its array has more than 2^20 cells, which the definition is too slow for.
+  | -- | Its array has more than 2^20 cells, for which the definition is too slow.
     TooManyCells
   deriving stock (Eq, Show)
 
--- | The same in words.
+-- | The reason in words.
 unknownText :: Unknown -> String
 unknownText why = case why of
   NoArray -> "this profile describes no array"
@@ -69,7 +70,7 @@ unknownText why = case why of
     "this profile's array has more than 2^20 cells; the definition, which answers are held \
     \against, is too slow for it"
 
--- | What is known under a profile.
+-- | The array of a profile by definition. Refuses as 'Unknown' says.
 known :: Profile -> Either Unknown Known
 known profile = do
   f <- maybe impossible Right (field (toInteger q) (map toInteger (profileModulus profile)))
@@ -92,7 +93,7 @@ known profile = do
     impossible = Left NoArray
     need holds = if holds then Right () else impossible
 
--- | The same with this sequence, of which a period is folded.
+-- | The same profile with another sequence; one period of it is folded.
 withTerms :: [Int] -> Known -> Known
 withTerms terms k =
   k {knownTerms = period, knownCells = folded (profileFolding (knownProfile k)) size period}
@@ -100,7 +101,7 @@ withTerms terms k =
     size = knownSize k
     period = Vector.fromListN (uncurry (*) size) terms
 
--- | The characteristic polynomial and the state.
+-- | The characteristic polynomial and the initial state.
 recurrence :: Known -> ([Int], [Int])
 recurrence k = (characteristicOf (knownField k) (profileReading p) (take (n + 1) stated), state)
   where
@@ -109,7 +110,7 @@ recurrence k = (characteristicOf (knownField k) (profileReading p) (take (n + 1)
     state = map fromIntegral (profileState p)
     n = length state
 
--- | The characteristic polynomial h(x), or of a reciprocal one x^n h(1/x), made monic.
+-- | The characteristic polynomial h(x). For a reciprocal one, x^n h(1/x) made monic.
 characteristicOf :: Field -> Reading -> [Int] -> [Int]
 characteristicOf f reading h = case reading of
   Characteristic -> h
@@ -152,7 +153,7 @@ ownSurface k = case profileFolding (knownProfile k) of
   Diagonal -> Torus
   RowMajor -> TwistedTorus
 
--- | What a surface has at a row and a column, which may be negative; -1 where there is no cell.
+-- | The code at a row and a column of a surface, which may be negative; -1 where there is no cell.
 onSurface :: Known -> Surface -> Int -> Int -> Int
 onSurface k surface r c = case surface of
   Torus -> at (wrapped n1 r * n2 + wrapped n2 c)
@@ -161,11 +162,11 @@ onSurface k surface r c = case surface of
   where
     (n1, n2) = knownSize k
     at = (knownCells k Vector.!)
-    -- A remainder, which takes long only where there is anything to take away.
+    -- The remainder; the division is skipped where it changes nothing.
     wrapped side a = if a >= 0 && a < side then a else a `mod` side
 {-# INLINE onSurface #-}
 
--- | The position that a row and a column are on a surface; on the sheet as they are.
+-- | The canonical position of a row and a column on a surface; unchanged on the sheet.
 canonical :: Known -> Surface -> (Int, Int) -> (Int, Int)
 canonical k surface (r, c) = case surface of
   Torus -> (r `mod` n1, c `mod` n2)

@@ -1,14 +1,14 @@
--- | A face in its plane, exactly: which cells of symbols lie on it, and which vertices are nearest
--- to a spot.
+-- | A face in its plane, computed exactly: which cells of symbols lie on it, and which vertices
+-- are nearest to a point.
 --
 -- With the walk v_0 .. v_m, e = v_m - v_0, n its double area vector and f = e x n, a corner v has
 --
 -- > x = X / sqrt a      X = e . (v - v_0)      a = e . e
 -- > y = Y / sqrt b      Y = f . (v - v_0)      b = f . f
 --
--- so that X and Y are rational. Along x all is measured in units of 1 / sqrt a, along y of 1 / sqrt
--- b; a length of l millimetres is l sqrt a there, or l sqrt b. What is compared are thus numbers
--- p + q sqrt a + r sqrt b + s sqrt (a b).
+-- so X and Y are rational. The unit along x is 1 / sqrt a, along y 1 / sqrt b; a length of l
+-- millimetres is l sqrt a or l sqrt b in these units. So comparisons are between numbers p + q sqrt
+-- a + r sqrt b + s sqrt (a b).
 module PraTactile.Conformance.Definition.Face
   ( Flat,
     flat,
@@ -28,10 +28,10 @@ import PraTactile.Conformance.Definition.Roots
 import PraTactile.Conformance.Definition.Solid (cyclicPairs, flatFace)
 import PraTactile.Object.Description (Point (..))
 
--- | a, b, and the corners' X and Y.
+-- | a, b, and X and Y of the corners.
 data Flat = Flat Rational Rational [(Rational, Rational)]
 
--- | The face with these corners; none where they are no simple polygon in a plane.
+-- | The face with these corners; 'Nothing' if they are not a simple polygon in a plane.
 flat :: [Point] -> Maybe Flat
 flat corners
   | flatFace corners = Just (Flat (e <.> e) (f <.> f) [(e <.> d, f <.> d) | d <- from])
@@ -52,17 +52,18 @@ rational p = [p, 0, 0, 0]
 order :: Flat -> Number Rational -> Number Rational -> Ordering
 order (Flat a b _) u v = compare (sign [b, a] (u `minus` v)) 0
 
--- | Where a block of cells begins.
+-- | The place of a block of cells on a face.
 data Anchor
-  = -- | it has its middle where the box round all corners has it
+  = -- | its middle is the middle of the corners' bounding box
     Middle
-  | -- | so many millimetres right of and below the first corner
+  | -- | its beginning is this many millimetres right of and below the first corner
     From (Rational, Rational)
 
--- | Cells of so many millimetres to the right and down, in so many rows and columns.
+-- | A block: its place, the size of a cell in millimetres (right, down), and its numbers of rows
+-- and columns.
 data Block = Block Anchor (Rational, Rational) (Integer, Integer)
 
--- | The rows and columns for which the box round all corners has room.
+-- | The greatest numbers of rows and columns for which the corners' bounding box has room.
 roomFor :: Flat -> (Rational, Rational) -> (Integer, Integer)
 roomFor (Flat a b corners) (right, down) =
   (most b down (map snd corners), most a right (map fst corners))
@@ -71,8 +72,8 @@ roomFor (Flat a b corners) (right, down) =
       let long = maximum values - minimum values
        in last (0 : takeWhile (\n -> (fromInteger n * size) ^ (2 :: Int) * k <= long * long) [1 ..])
 
--- | Where the line is, along x, that so many columns are left of, as p + q sqrt a, and along y that
--- so many rows are above, as p + q sqrt b.
+-- | The vertical line with n columns to its left, as p + q sqrt a along x; and the horizontal line
+-- with n rows above it, as p + q sqrt b along y.
 lineX, lineY :: Flat -> Block -> Rational -> (Rational, Rational)
 lineX (Flat _ _ corners) (Block anchor (right, _) (_, columns)) n = case anchor of
   Middle -> (middle (map fst corners), (n - fromInteger columns / 2) * right)
@@ -84,9 +85,9 @@ lineY (Flat _ _ corners) (Block anchor (_, down) (rows, _)) n = case anchor of
 middle :: [Rational] -> Rational
 middle values = (minimum values + maximum values) / 2
 
--- | Whether a cell of a block, by its row and column, lies on the face, its rim included. The cell
--- is cut into strips from one corner's x to the next; in a strip sides do not cross, and the face
--- is between the first and the second of them, the third and the fourth, and so on.
+-- | Whether a cell of a block, by row and column, lies on the face including its rim. The cell is
+-- cut into strips between the corners' x coordinates. Sides do not cross within a strip, so the
+-- face lies between the first and the second, the third and the fourth, and so on.
 holds :: Flat -> Block -> (Integer, Integer) -> Bool
 holds face@(Flat _ _ corners) block (r, c) = and (zipWith within marks (drop 1 marks))
   where
@@ -116,24 +117,24 @@ holds face@(Flat _ _ corners) block (r, c) = and (zipWith within marks (drop 1 m
     at ((x, y), (x', y')) along =
       rational y `plus` scale ((y' - y) / (x' - x)) (along `minus` rational x)
 
--- | A spot of the face's plane: along x and along y.
+-- | A point of the face's plane, along x and along y, in the form of 'lineX' and 'lineY'.
 data Spot = Spot (Rational, Rational) (Rational, Rational)
 
--- | The middle of so many rows and columns of a block from a cell on.
+-- | The middle of the given numbers of rows and columns of a block, from a cell on.
 centreIn :: Flat -> Block -> (Integer, Integer) -> (Integer, Integer) -> Spot
 centreIn face block (r, c) (high, wide) =
   Spot (lineX face block (mid c wide)) (lineY face block (mid r high))
   where
     mid from size = fromInteger from + fromInteger size / 2
 
--- | Millimetres right of and below the first corner.
+-- | A point in millimetres right of and below the first corner.
 millimetres :: Flat -> Spot -> (Double, Double)
 millimetres (Flat a b _) (Spot (p, q) (p', r')) =
   (over a p + fromRational q, over b p' + fromRational r')
   where
     over k x = fromRational x / sqrt (fromRational k)
 
--- | The corners nearest to a spot, by their places in the walk.
+-- | The corners nearest to a point, by their indices in the walk.
 nearest :: Flat -> Spot -> [Int]
 nearest face@(Flat a b corners) (Spot (p, q) (p', r')) =
   [i | (i, far) <- distances, all ((/= GT) . order face far . snd) distances]

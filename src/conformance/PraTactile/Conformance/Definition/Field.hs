@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Finite fields from their definition: an element of GF(p^m) is a polynomial in A of degree below
--- m over the integers modulo p, A being a root of the modulus; its code is the integer whose base-p
+-- | Finite fields by definition. An element of GF(p^m) is a polynomial in A of degree below m over
+-- the integers modulo p, where A is a root of the modulus. Its code is the integer whose base-p
 -- digits are the coefficients, lowest degree first.
 module PraTactile.Conformance.Definition.Field
   ( Field (..),
@@ -23,7 +23,7 @@ import Data.Maybe (fromMaybe)
 import Data.Vector.Unboxed (Vector)
 import qualified Data.Vector.Unboxed as Vector
 
--- | A field, with the sums and products of all its elements, which are made when first used.
+-- | A field with the tables of all sums and products, computed on first use.
 data Field = Field
   { fieldOrder :: !Int,
     fieldCharacteristic :: !Int,
@@ -32,9 +32,9 @@ data Field = Field
     fieldProducts :: Vector Int
   }
 
--- | GF(q), 2 <= q <= 256, with a modulus, constant term first. 'Nothing' if q is no power of a
--- prime p or the modulus not monic over the integers modulo p, of the degree m with p^m = q; and if
--- it is reducible, so that some element but 0 has no inverse.
+-- | GF(q), 2 <= q <= 256, with the given modulus, constant term first. 'Nothing' if q is not a
+-- power p^m of a prime; if the modulus is not monic of degree m over the integers modulo p; or if
+-- it is reducible, so that an element other than 0 has no inverse.
 field :: Integer -> [Integer] -> Maybe Field
 field q modulus
   | q < 2 || q > 256 || p ^ m /= q = Nothing
@@ -47,7 +47,7 @@ field q modulus
     m = length (takeWhile (< q) (iterate (* p) 1))
     made = fieldOf (fromInteger q) (fromInteger p) m (map fromInteger modulus)
 
--- | The tables, by the definition.
+-- | The tables by definition.
 fieldOf :: Int -> Int -> Int -> [Int] -> Field
 fieldOf q p m modulus = Field q p m (table plus) (table times)
   where
@@ -62,7 +62,8 @@ fieldOf q p m modulus = Field q p m (table plus) (table times)
     timesRoot a = zipWith (\c f -> (c - last a * f) `mod` p) (0 : a) (take m modulus)
     code = foldr (\digit rest -> digit + p * rest) 0
 
--- | The lowest digits of a number in a base, as many as the second argument says, the lowest first.
+-- | The lowest digits of a number, lowest first. The arguments are the base, the number of digits,
+-- and the number.
 digits :: Integral a => a -> Int -> a -> [a]
 digits base count number = take count (map (`mod` base) (iterate (`div` base) number))
 
@@ -70,17 +71,17 @@ digits base count number = take count (map (`mod` base) (iterate (`div` base) nu
 add :: Field -> Int -> Int -> Int
 add f a b = fieldSums f Vector.! (a * fieldOrder f + b)
 
--- | Their product.
+-- | The product of two codes.
 multiply :: Field -> Int -> Int -> Int
 multiply f a b = fieldProducts f Vector.! (a * fieldOrder f + b)
 
--- | The element whose sum with this one is 0.
+-- | The additive inverse of a code.
 negation :: Field -> Int -> Int
 negation f a = head' [b | b <- elements f, add f a b == 0]
   where
     head' = sum . take 1
 
--- | The element whose product with this one is 1; 'Nothing' for 0.
+-- | The multiplicative inverse of a code; 'Nothing' for 0.
 inverse :: Field -> Int -> Maybe Int
 inverse f a = find (const True) (inverses f a)
 
@@ -90,7 +91,8 @@ inverses f a = [b | b <- elements f, multiply f a b == 1]
 elements :: Field -> [Int]
 elements f = [0 .. fieldOrder f - 1]
 
--- | A power; 0^0 is 1. 'Nothing' for 0 to a negative exponent. Other elements have a^(q-1) = 1.
+-- | A power of a code; 0^0 is 1. 'Nothing' for 0 to a negative exponent. Exponents are reduced by
+-- a^(q-1) = 1.
 power :: Field -> Int -> Integer -> Maybe Int
 power f a exponent'
   | a /= 0 = Just (times (fromInteger (exponent' `mod` (toInteger (fieldOrder f) - 1))))
@@ -100,15 +102,15 @@ power f a exponent'
   where
     times count = foldl' (multiply f) 1 (replicate count a)
 
--- | The smallest code of order q - 1: its powers 1, g, g^2, ... come back to 1 after q - 1 steps.
+-- | The smallest code of multiplicative order q - 1.
 primitiveElement :: Field -> Int
 primitiveElement f = sum (take 1 (filter ((== fieldOrder f - 1) . length . powersOf f) [1 ..]))
 
--- | 1, g, g^2, ... up to the last one before 1 comes again.
+-- | 1, g, g^2, ... up to the last power before 1 recurs.
 powersOf :: Field -> Int -> [Int]
 powersOf f g = 1 : takeWhile (/= 1) (drop 1 (iterate (multiply f g) 1))
 
--- | The least exponent of 'primitiveElement' that gives the element; 'Nothing' for 0.
+-- | The least exponent with which 'primitiveElement' gives the element; 'Nothing' for 0.
 logarithm :: Field -> Int -> Maybe Int
 logarithm f a = elemIndex a (powersOf f (primitiveElement f))
 

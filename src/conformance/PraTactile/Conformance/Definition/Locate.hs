@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Locating from its definition: every position is compared with what was observed.
+-- | Locating by definition: every position is compared with the observed cells.
 module PraTactile.Conformance.Definition.Locate
   ( locate,
     nearest,
@@ -23,11 +23,11 @@ import PraTactile.Conformance.Definition.Windows
 import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile (..))
 
--- | A cell that was observed, by its offset.
+-- | An observed cell with its offset.
 type Observed a = (Offset, a)
 
--- | The observed cells of a patch. Refuses, as @invalid@, no cells, rows of different lengths, and
--- what is known of a cell if the function has nothing for it.
+-- | The observed cells of a patch, converted by the function. Refuses as @invalid@ an empty patch,
+-- rows of different lengths, and cells for which the function gives 'Nothing'.
 observedIn :: (a -> Maybe b) -> [[Maybe a]] -> Either Refusal [Observed b]
 observedIn reader patch
   | width == 0 || any ((/= width) . length) patch = invalid
@@ -47,14 +47,14 @@ codeIn k code
   | code < profileOrder (knownProfile k) = Just (fromIntegral code)
   | otherwise = Nothing
 
--- | Where a patch is by the table of all windows.
+-- | The location of a patch by the table of all windows.
 locate :: Known -> Patch -> Either Refusal Location
 locate k patch = do
   cells <- observedIn (codeIn k) patch
   byWindows k cells
 
--- | First the places at which every complete window that occurs stands; of these, those at which
--- all observed cells agree.
+-- | The candidate positions are those that every complete, occurring window of the patch allows.
+-- Of these, the positions remain at which all observed cells agree.
 byWindows :: Known -> [Observed Int] -> Either Refusal Location
 byWindows k cells
   | null cells = refused "too-few-cells"
@@ -68,7 +68,7 @@ byWindows k cells
     surface = profileSurface (knownProfile k)
     windows = completeWindows k cells
     occurring = filter (not . Set.null) (map standing windows)
-    -- Where the patch's upper left is, if this window of it is where its content occurs.
+    -- The positions of the patch's upper left cell at which this window occurs.
     standing ((i, j), content) =
       Set.fromList
         [ canonical k surface (r - i, c - j)
@@ -77,14 +77,14 @@ byWindows k cells
     places = Set.toAscList (foldl' Set.intersection (Set.unions occurring) occurring)
     fits place = agrees place && onSheet place && all (onSheet . below place . fst) cells
     sticksOut place = agrees place && not (fits place)
-    -- In all that lies on the surface.
+    -- Only cells on the surface are compared.
     agrees place =
       and [at == a || at < 0 | (offset, a) <- cells, let at = cellAt (below place offset)]
     below (r, c) (i, j) = (r + i, c + j)
     onSheet place = cellAt place >= 0
     cellAt = uncurry (onSurface k surface)
 
--- | The windows of a patch of which every cell was observed, by their offsets.
+-- | The completely observed windows of a patch, with their offsets.
 completeWindows :: Known -> [Observed Int] -> [(Offset, [Int])]
 completeWindows k cells =
   [ ((i, j), content)
@@ -92,15 +92,15 @@ completeWindows k cells =
       Just content <- [traverse (\(a, b) -> lookup (i + a, j + b) cells) (windowOffsets k)]
   ]
 
--- | The positions at which these cells are the array's, all of them on the surface.
+-- | The positions at which these cells equal the array's and all lie on the surface.
 agreeingAt :: Known -> [Observed Int] -> [(Int, Int)]
 agreeingAt k cells = filter agreeing (positions k)
   where
     at = onSurface k (profileSurface (knownProfile k))
     agreeing (r, c) = all (\((i, j), a) -> at (r + i) (c + j) == a) cells
 
--- | In how many of these cells each position differs, on the sheet those at which all of them lie
--- on it.
+-- | The number of these cells that differ, at each position. On the sheet only positions at which
+-- all cells lie on it count.
 differences :: Known -> [Observed Int] -> [((Int, Int), Int)]
 differences k cells = [(place, e) | place <- positions k, let e = differing place 0 cells, e >= 0]
   where
@@ -112,7 +112,7 @@ differences k cells = [(place, e) | place <- positions k, let e = differing plac
         | b == a -> differing place e others
         | otherwise -> differing place (e + 1) others
 
--- | The nearest positions, if they are within the radius.
+-- | The nearest positions, if they are within the radius (the guaranteed one, unless it is given).
 nearest :: Known -> Maybe Natural -> Patch -> Either Refusal Location
 nearest k stated patch = do
   cells <- observedIn (codeIn k) patch
@@ -128,7 +128,7 @@ nearestOf k stated cells
   | weight <= radius = refused "zero-window"
   | otherwise = refused "beyond-radius"
   where
-    -- The least number of differences, with its positions, the last first.
+    -- The least number of differences with its positions, last one first.
     fewest = foldl' better Nothing (differences k cells)
     better Nothing (place, e) = Just (e, [place])
     better (Just (e, places)) (place, e') = Just $ case compare e' e of
@@ -137,7 +137,8 @@ nearestOf k stated cells
       GT -> (e, places)
     weight = fromIntegral (length (filter ((/= 0) . snd) cells))
     radius = fromMaybe (guaranteedRadius promised) stated
-    -- How windows differ is known on the folding's own surface, and on the sheet cut from it.
+    -- The distance of windows is known only on the folding's own surface, and on the sheet cut from
+    -- it.
     promised
       | profileSurface (knownProfile k) `elem` [ownSurface k, Sheet] = distance k (map fst cells)
       | otherwise = 0
@@ -154,9 +155,9 @@ locationOf places = case map position places of
 position :: (Int, Int) -> Position
 position (r, c) = Position (fromIntegral r) (fromIntegral c)
 
--- | The positions of a probability above 0, by Bayes' theorem: that of a position is proportional
--- to the product of those of the symbols there. In exact numbers up to the last division. The sum
--- of a cell's numbers would divide every product alike.
+-- | The positions with a posterior probability above 0, by Bayes' theorem with a uniform prior:
+-- the probability is proportional to the product of the cells' probabilities. It is exact up to the
+-- last division. Cells are not normalised, because that would scale every product equally.
 posterior :: Known -> Chances -> Either Refusal [(Position, Double)]
 posterior k patch = do
   cells <- observedIn (fmap Vector.fromList . weights k) (map (map felt) patch)
@@ -175,14 +176,14 @@ posterior k patch = do
         | b < 0 || chances Vector.! b == 0 -> 0
         | otherwise -> likelihood place (w * chances Vector.! b) others
 
--- | The quotient of two integers, rounded once. Doubles have integers up to 2^53.
+-- | The quotient of two integers, rounded once. Doubles hold integers up to 2^53 exactly.
 over :: Integer -> Integer -> Double
 over a b
   | max a b <= 2 ^ (53 :: Int) = fromInteger a / fromInteger b
   | otherwise = fromRational (a % b)
 
--- | Integers in the proportion of a cell's probabilities: q numbers, none negative, that add up to
--- 1 within 0.001.
+-- | Integers in the proportion of a cell's probabilities. 'Nothing' unless they are q non-negative
+-- numbers that add up to 1 within 0.001, or a valid code.
 weights :: Known -> Chance -> Maybe [Integer]
 weights k chance = case chance of
   Unfelt -> Nothing

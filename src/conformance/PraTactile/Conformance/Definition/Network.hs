@@ -1,17 +1,17 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | A network of two layers, on lists.
+-- | A network of two layers, computed on lists.
 --
--- A unit has weights w and a bias b; of inputs x its value is
+-- With weights w and bias b, the value of a unit for inputs x is
 --
 -- > s (w . x + b)        s (a) = 1 / (1 + e^-a)
 --
--- The hidden units have the image's values as inputs, row by row, and the output units have the
--- hidden units' values.
+-- The inputs of the hidden units are the image's values, row by row; those of the output units are
+-- the values of the hidden units.
 module PraTactile.Conformance.Definition.Network
   ( outputsOf,
 
-    -- * By its parts
+    -- * Variants
     Rule (..),
     standardRule,
     outputsBy,
@@ -20,9 +20,9 @@ where
 
 import PraTactile.Conformance.Question
 
--- | Each choice in the formula as a field, so that impostors are this with another one.
+-- | The choices of the formula as fields, so that impostors can change one.
 data Rule = Rule
-  { -- | s
+  { -- | the function s
     unitValue :: Double -> Double,
     -- | the factor of a bias
     biasInput :: Double
@@ -44,7 +44,7 @@ outputsBy rule weights@(Weights hidden output) rows
     layer units inputs =
       [unitValue rule (sum (zipWith (*) unit (inputs ++ [biasInput rule]))) | unit <- units]
 
--- | Whether the layers fit each other and an image.
+-- | Whether the layers fit each other and an 8 x 12 image.
 fitting :: Weights -> Bool
 fitting (Weights hidden output) =
   not (null hidden) && not (null output)
@@ -55,6 +55,6 @@ fitting (Weights hidden output) =
 isImage :: Values -> Bool
 isImage rows = map length rows == replicate 12 8 && all (all bounded) rows
 
--- | Whether no sum of products of such numbers is beyond the range of a double.
+-- | Whether a number is so small that no sum of products overflows a double.
 bounded :: Double -> Bool
 bounded v = abs v <= 1e15

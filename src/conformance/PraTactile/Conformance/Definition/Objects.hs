@@ -1,7 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Cells of faces and places on them, by definition: on lists, exactly, and sharing no code with
--- the library.
+-- | Cells of faces and whereabouts by definition: exact, on lists, without the library's code.
 module PraTactile.Conformance.Definition.Objects
   ( cellsOf,
     whereaboutsOf,
@@ -36,8 +35,7 @@ cellsOf corners pitch@(right, down) = case flat corners of
             ]
   _ -> Left (Refusal "impossible-face")
 
--- | A laying with what follows from it: its face's vertices with their places, the face, its block,
--- and the cells that it takes.
+-- | A laid face: its drawing, the face, its block, and the cells that it takes.
 data Lying = Lying Drawing Flat Block [(Integer, Integer)]
 
 whereaboutsOf :: Mapped -> Shape -> Position -> Either Refusal WhereaboutsReport

@@ -1,7 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Primitive polynomials from their definition: the root generates the multiplicative group of
--- GF(q^n).
+-- | Primitive polynomials by definition: their root generates the multiplicative group of GF(q^n).
 module PraTactile.Conformance.Definition.Polynomial
   ( isPrimitive,
     firstPrimitive,
@@ -14,14 +13,14 @@ where
 import Data.List (dropWhileEnd, find, foldl')
 import PraTactile.Conformance.Definition.Field
 
--- | The degree of a polynomial, constant term first: coefficients of 0 at its end count for
--- nothing. -1 for the zero polynomial.
+-- | The degree of a polynomial, constant term first, without trailing zero coefficients. -1 for
+-- the zero polynomial.
 degreeOf :: [Int] -> Int
 degreeOf = subtract 1 . length . dropWhileEnd (== 0)
 
--- | Whether a polynomial over the field, constant term first, is primitive: monic, of a degree n of
--- 1 or more, its constant term not 0, and q^n - 1 the order of x modulo it. (Then the powers of x
--- are all residues but 0, so that all of these have inverses, and it is irreducible.)
+-- | Whether a polynomial over the field, constant term first, is primitive: monic, of degree n >=
+-- 1, with a constant term other than 0, and with x of order q^n - 1 modulo it. (Then the powers of
+-- x are all nonzero residues, all of these have inverses, and the polynomial is irreducible.)
 isPrimitive :: Field -> [Int] -> Bool
 isPrimitive f stated = n >= 1 && last h == 1 && take 1 h /= [0] && orderIsFull
   where
@@ -34,12 +33,12 @@ isPrimitive f stated = n >= 1 && last h == 1 && take 1 h /= [0] && orderIsFull
       | otherwise =
         powerOfX f h full == unit
           && all ((/= unit) . powerOfX f h . div full) (primeDivisors full)
-    -- After how many steps the powers of x come back to 1.
+    -- The number of steps after which the powers of x return to 1.
     stepsTo one = 1 + length (takeWhile (/= one) (drop 1 (take bound (iterate (timesX f h) one))))
     bound = fromInteger full + 1
 
--- For the larger ones: an order divides q^n - 1 if that power is 1, and is smaller exactly if
--- one of the powers q^n - 1 divided by a prime is.
+-- For larger ones: x has the order q^n - 1 if that power of x is 1 and no power (q^n - 1) / r is,
+-- for primes r.
 
 -- | A power of x modulo h.
 powerOfX :: Field -> [Int] -> Integer -> [Int]
@@ -50,7 +49,7 @@ powerOfX f h e
   where
     half = let root = powerOfX f h (e `div` 2) in timesModulo f h root root
 
--- | x times a residue modulo h, a monic polynomial of degree n; residues have n coefficients.
+-- | x times a residue modulo a monic polynomial h of degree n. Residues have n coefficients.
 timesX :: Field -> [Int] -> [Int] -> [Int]
 timesX f h a = zipWith (\c b -> add f c (multiply f top b)) (0 : a) (init h)
   where
@@ -61,10 +60,9 @@ timesModulo f h a = foldr step (map (const 0) a)
   where
     step digit rest = zipWith (add f) (map (multiply f digit) a) (timesX f h rest)
 
--- | The first primitive polynomial of a degree, and for each prime r of q^n - 1 the one of which
--- the r-th power of its root is a root, so that the order of this is (q^n - 1) / r: it tells the
--- n-th power of that by those before. Where these powers are of a smaller field, there is none of
--- this degree.
+-- | The first primitive polynomial of degree n, followed by polynomials with a smaller order. For
+-- each prime r of q^n - 1, the minimal polynomial of the r-th power of its root has the order (q^n
+-- - 1) / r. It is left out if its degree is below n.
 primitiveAndShort :: Field -> Int -> [[Int]]
 primitiveAndShort f n =
   h : [short | r <- primeDivisors full, Just short <- [minimalOf (powersOfX r)]]
@@ -73,7 +71,7 @@ primitiveAndShort f n =
     full = toInteger (fieldOrder f) ^ n - 1
     unit = 1 : replicate (n - 1) 0
     powersOfX r = take (n + 1) (iterate (timesModulo f h (powerOfX f h r)) unit)
-    -- Each power beside the coefficients that tell it by those before; eliminated one by one.
+    -- Each power with the combination of powers that gives it; eliminated one by one.
     minimalOf powers = go [] (zip powers (unitVectors (n + 1)))
     go _ [] = Nothing
     go done ((vector, parts) : later) = case foldr reduce (vector, parts) done of
@@ -89,7 +87,7 @@ primitiveAndShort f n =
     inverseOf a = sum (inverse f a)
     unitVectors size = [[if i == j then 1 else 0 | i <- [1 .. size]] | j <- [1 .. size]]
 
--- | The primes that divide a number, ascending.
+-- | The prime divisors of a number, ascending.
 primeDivisors :: Integer -> [Integer]
 primeDivisors = go 2
   where
@@ -100,7 +98,7 @@ primeDivisors = go 2
       | otherwise = go (p + 1) n
     reduced p m = if m `mod` p == 0 then reduced p (m `div` p) else m
 
--- | The first primitive polynomial of a degree of 1 or more, when coefficients are compared from
+-- | The first primitive polynomial of a degree of at least 1, in the order of coefficients from
 -- the highest degree down.
 firstPrimitive :: Field -> Int -> [Int]
 firstPrimitive f n = concat (find (isPrimitive f) (map monic [0 .. q ^ n - 1]))

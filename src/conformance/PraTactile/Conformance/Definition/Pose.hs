@@ -1,25 +1,25 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The pose of an object of which points of a face were felt, in closed form.
+-- | The pose of an object from felt points of a face, in closed form.
 --
 -- With e = v_m - v_0 of the walk and the outward normal n, the face's axes are
 --
 -- > X = e / |e|        Z = -n / |n|        Y = Z x X
 --
--- Of N points q_i of the face that were felt at p_i, with independent errors of standard deviation
--- s along each axis, the most probable motion p = t + R(a) q of the plane takes the mean of the q_i
--- to that of the p_i, and turns by
+-- Let N points q_i of the face be felt at p_i, with independent errors of standard deviation s
+-- along each axis. The most probable motion p = t + R(a) q of the plane maps the mean of the q_i to
+-- the mean of the p_i, and rotates by
 --
 -- > tan a = sum (q_i x p_i) / sum (q_i . p_i)        (both from their means)
 --
--- Its error about the mean c of the p_i is s^2 / N along each axis and s^2 / sum |q_i|^2 in the
--- angle, which do not depend on each other. A point v of the object is at R v + T with
+-- Its error variances about the mean c of the p_i are s^2 / N along each axis and s^2 / sum |q_i|^2
+-- in the angle, and the errors are independent. A point v of the object is at R v + T with
 --
 -- > R = Rz(a) [X Y Z]^T        T = (t, 0) - R v_0
 --
--- and an error (u, v, b) about c is one of T by (u - b (T_y - c_y), v + b (T_x - c_x), 0) and a
--- rotation by (0, 0, b). In a world where the robot's frame lies by (P, d) all of them are turned
--- by P, and T is moved by d.
+-- An error (u, v, b) about c is an error of T by (u - b (T_y - c_y), v + b (T_x - c_x), 0) and a
+-- rotation by (0, 0, b). If the robot's frame lies in the world by (P, d), P rotates all of these,
+-- and d is added to T.
 module PraTactile.Conformance.Definition.Pose
   ( poseOf,
   )
@@ -42,7 +42,7 @@ poseOf (Felt corners seen sd plane)
         ([[1, 0, 0], [0, 1, 0], [0, 0, 1]], [0, 0, 0])
         (\m -> (motionRows m, motionBy m))
         plane
-    -- The face's axes, by exact vectors.
+    -- The face's axes, from exact vectors.
     points = [[along, into, up] | Point along into up <- corners]
     from = map (\v -> zipWith (-) v (head points)) points
     x = unit (last from)
@@ -66,7 +66,7 @@ poseOf (Felt corners seen sd plane)
         (zipWith (-) [fst c, snd c, 0] (turn `on` [fst q0, snd q0, 0]))
         (rotation `on` map fromRational (head points))
     inWorld = p `by3` rotation
-    -- Its error: columns of what an error of one along x, along y, and in the angle does.
+    -- The error: each column is the effect of an error along x, along y, and in the angle.
     columns =
       [ [1, 0, 0, 0, 0, 0],
         [0, 1, 0, 0, 0, 0],
@@ -92,7 +92,7 @@ cross :: Num n => [n] -> [n] -> [n]
 cross [x, y, z] [u, v, w] = [y * w - z * v, z * u - x * w, x * v - y * u]
 cross _ _ = []
 
--- | Of length 1; of the exact vector, whose largest part is made 1 before it is rounded.
+-- | The vector scaled to length 1. Its largest part is made 1 exactly, before rounding.
 unit :: [Rational] -> [Double]
 unit v = map (/ long) small
   where

@@ -1,9 +1,9 @@
--- | Sums of multiples of roots,
+-- | Sums of multiples of square roots,
 --
 -- > c_0 + c_1 sqrt n_1 + c_2 sqrt n_2 + c_3 sqrt (n_1 n_2) + ..
 --
--- and their signs, decided root by root: u + v sqrt n has the sign that u and v have in common, or
--- that of u (u^2 - n v^2).
+-- and their signs, decided root by root: u + v sqrt n has the common sign of u and v, or otherwise
+-- the sign of u (u^2 - n v^2).
 module PraTactile.Conformance.Definition.Roots
   ( Number,
     rootTimes,
@@ -15,12 +15,11 @@ module PraTactile.Conformance.Definition.Roots
   )
 where
 
--- | The multiples, twice as many for each root: the second half are those with the last root. The
--- roots themselves are known to who computes, by what is under them, the last one first.
+-- | The coefficients, 2^k of them for k roots: the second half are those with the last root. The
+-- caller keeps the numbers under the roots, last one first.
 type Number n = [n]
 
--- | So many times the root that comes this many before the last, the last one being 0; or so many
--- times 1.
+-- | A multiple of one root, which is given by its index (0 for the last one), or of 1.
 rootTimes :: Num n => [r] -> Maybe Int -> n -> Number n
 rootTimes roots which k = [if i == place then k else 0 | i <- [0 .. 2 ^ length roots - 1]]
   where
@@ -47,7 +46,7 @@ times roots a b = case roots of
 halves :: Number n -> (Number n, Number n)
 halves a = splitAt (length a `div` 2) a
 
--- | -1, 0 or 1.
+-- | The sign: -1, 0 or 1.
 sign :: (Eq n, Num n) => [n] -> Number n -> n
 sign roots a = case roots of
   [] -> sum (map signum a)

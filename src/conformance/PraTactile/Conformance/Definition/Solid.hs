@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What is wrong with a polyhedron, from the words of each defect alone ('Kind'): lists, names and
--- fractions, everything compared with everything. Faces are cut into triangles, and what two faces
--- have in common is what the triangles of the one leave of those of the other.
+-- | The defects of a polyhedron, computed directly from the description of each kind ('Kind'):
+-- with lists, names and fractions, comparing everything with everything. Faces are cut into
+-- triangles; two faces share what remains when one's triangles are clipped by the other's.
 module PraTactile.Conformance.Definition.Solid
   ( reportOf,
     flatFace,
@@ -43,20 +43,21 @@ times k (a, b, c) = (k * a, k * b, k * c)
 null3 :: P -> Bool
 null3 = (== (0, 0, 0))
 
--- | Each with the one after it, round a cycle.
+-- | Each element with the next one, cyclically.
 cyclicPairs :: [a] -> [(a, a)]
 cyclicPairs walk = zip walk (drop 1 walk ++ take 1 walk)
 
--- | As long as twice the area of the polygon with these corners, and at right angles to it.
+-- | The vector that is perpendicular to the polygon with these corners and as long as twice its
+-- area.
 normalOf :: [P] -> P
 normalOf corners = foldr ((.+) . uncurry (.*)) (0, 0, 0) (cyclicPairs corners)
 
--- | The root of a square.
+-- | The rational square root of a rational number, if there is one.
 exactRoot :: Rational -> Maybe Rational
 exactRoot q = (%) <$> whole (numerator q) <*> whole (denominator q)
   where
     whole n = let r = search n 0 (n + 1) in if r * r == n then Just r else Nothing
-    -- Between a number whose square is not above n, and one whose square is.
+    -- @low@ squared is at most n, @high@ squared is above n.
     search n low high
       | high - low <= 1 = low
       | middle * middle <= n = search n middle high
@@ -77,7 +78,7 @@ flatFace corners =
     names = [VertexName (show i) | i <- [1 .. length corners]]
     vertices = zip names corners
 
--- | All that there is to say of a polyhedron.
+-- | The report on a polyhedron.
 reportOf :: Description -> Report
 reportOf it =
   Report
@@ -104,8 +105,8 @@ reportOf it =
         && not (any (`elem` repeated) walk)
     formed = filter (wellFormed . snd) indexed
     malformed = length formed < length faces
-    -- What a walk comes to again, though not because it goes to a hole and comes back by the same
-    -- way: without what it goes in both directions, one side begins at each vertex.
+    -- The vertices to which a walk returns, except when it only goes to a hole and returns along
+    -- the same way. Without such ways, exactly one side begins at each vertex.
     again walk
       | nub sides == sides, all (uncurry (/=)) sides, all ((== 1) . length . rim) (nub walk) = []
       | otherwise = nub (walk \\ nub walk)
@@ -130,7 +131,7 @@ reportOf it =
           (_, (a, b)) <- take j numbered,
           meetTooMuch (a, b) (c, d)
       ]
-        -- Where it comes to a vertex again it does not lie between its own sides there.
+        -- Where a walk returns to a vertex, it may not lie between its own sides there.
         ++ [ concat [[v, w] | (_, v, w) <- sort [(i, b, c), (j, b', c')]]
              | let corners = cornersOf face,
                (j, _, b', c') <- corners,
@@ -152,10 +153,10 @@ reportOf it =
         [v] -> doubled (at v) (at (if a == v then b else a)) (at (if c == v then d else c))
         [] -> touching (at a, at b) (at c, at d)
         _ -> True
-    -- From q one goes to p and to r: in the same direction?
+    -- Whether the sides from q to p and from q to r have the same direction.
     doubled q p r = null3 ((p .- q) .* (r .- q)) && (p .- q) <.> (r .- q) > 0
     simple = filter (null . crossings . snd) planar
-    -- The first of each that have the same vertices.
+    -- The first of the faces with the same vertices.
     once = [i | (i, face) <- indexed, not (any (sameCorners face) (take i faces))]
     sameCorners (FaceName walk) (FaceName other) = sort walk == sort other
 
@@ -250,8 +251,7 @@ reportOf it =
       ]
 
     kinds = nub [kind | Defect kind _ _ _ <- plain]
-    -- Of these kinds, those that there are; a name that several have does no harm where no face has
-    -- it.
+    -- The present ones of these kinds. A repeated name is harmless if no face uses it.
     blamed wanted =
       [ kind
         | kind <- [minBound ..],
@@ -346,7 +346,7 @@ reportOf it =
                     )
         ]
 
-    -- What two faces share and may not, as the points furthest from each other may be.
+    -- What two faces share without permission, as the endpoints of its longest extent.
     shared f g =
       nub
         ( concat
@@ -394,8 +394,8 @@ root = Just . sqrt . fromRational
 norm :: P -> Rational
 norm p = p <.> p
 
--- | How far one turns counter-clockwise about the normal, from the way to the first point to that
--- to the second: 0 to 4, and the farther the more.
+-- | The angle counter-clockwise about the normal from the first direction to the second, on a
+-- monotone scale from 0 to 4.
 ahead :: P -> P -> P -> P -> Rational
 ahead n o p q
   | along >= 0 && left >= 0 = left / (along + left)
@@ -424,8 +424,8 @@ within a b p = null3 ((a .- p) .* (b .- p)) && (a .- p) <.> (b .- p) <= 0
 strictlyBetween :: P -> P -> P -> Bool
 strictlyBetween a b p = within a b p && p /= a && p /= b
 
--- | A polygon about the normal, cut along diagonals: what else is at the ear's own corners, at the
--- ends of the ways to its holes, does not lie in it.
+-- | The triangles of a polygon about its normal, cut off along diagonals. Corners that coincide
+-- with the ear's own corners (at the ways to holes) do not count as inside it.
 triangulate :: P -> [P] -> [(P, P, P)]
 triangulate n polygon = case polygon of
   [a, b, c] -> [(a, b, c)]
@@ -453,7 +453,7 @@ triangulate n polygon = case polygon of
             ]
         )
 
--- | What the plane and the sides of the second triangle leave of the first.
+-- | The part of the first triangle inside the plane and the sides of the second.
 clipped :: P -> (P, P, P) -> P -> (P, P, P) -> [P]
 clipped _ (a, b, c) n (p, q, r) =
   foldr
@@ -469,8 +469,8 @@ clipped _ (a, b, c) n (p, q, r) =
             let over z = m <.> (z .- o)
         ]
 
--- | Whether a ray leaves a closed surface an odd number of times: the first of some rays that meets
--- no side of a triangle.
+-- | Whether a point is inside a closed surface: a ray leaves it an odd number of times. The first
+-- of several rays that meets no side of a triangle is used.
 inside :: P -> [(P, P, P)] -> Bool
 inside p ts = case mapMaybe
   counted
@@ -492,7 +492,7 @@ inside p ts = case mapMaybe
         v = (d <.> ((p .- a) .* e)) / det
         t = (f <.> ((p .- a) .* e)) / det
 
--- | Classes of what hangs together.
+-- | The classes of the transitive closure of a relation.
 together :: (a -> a -> Bool) -> [a] -> [[a]]
 together near = go []
   where

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Windows from their definition: what a mask covers at each position.
+-- | Windows by definition: the cells that a mask covers at each position.
 module PraTactile.Conformance.Definition.Windows
   ( Offset,
     maskOf,
@@ -26,8 +26,8 @@ import PraTactile.Window (Packing (..))
 -- | Rows down and columns to the right of a window's position.
 type Offset = (Int, Int)
 
--- | The cells of a mask: @#@ in rows of one length, of @#@ and @.@, at least one and at most 4096
--- of them.
+-- | The cells of a mask, marked by @#@ in rows of equal length of @#@ and @.@. 'Nothing' for other
+-- characters, unequal rows, no cell, or more than 4096 cells.
 maskOf :: MaskRows -> Maybe [Offset]
 maskOf drawing
   | any (any (`notElem` "#.")) drawing || any ((/= width) . length) drawing = Nothing
@@ -44,7 +44,8 @@ windowOffsets k =
   where
     Shape high wide = profileWindow (knownProfile k)
 
--- | What cells with these offsets hold, at each position at which all of them lie on the surface.
+-- | The contents of the cells with these offsets, at each position at which all of them lie on the
+-- surface.
 windowsOn :: Known -> Surface -> [Offset] -> [((Int, Int), [Int])]
 windowsOn k surface offsets =
   [ (place, content)
@@ -53,8 +54,8 @@ windowsOn k surface offsets =
       all (>= 0) content
   ]
 
--- | Whether all windows on the profile's surface differ, by counting contents. 'Nothing' if none
--- lies on it.
+-- | Whether all windows on the profile's surface differ, by counting distinct contents. 'Nothing'
+-- if no window lies on it.
 prove :: Known -> [Offset] -> Maybe Proof
 prove k offsets
   | null windows = Nothing
@@ -67,13 +68,14 @@ prove k offsets
       | surface `elem` [ownSurface k, Sheet] = Just (fromIntegral (rankOf k offsets))
       | otherwise = Nothing
 
--- | The dimension of the space that the windows on the folding's own surface span, by elimination.
+-- | The dimension of the space spanned by the windows on the folding's own surface, by
+-- elimination.
 rankOf :: Known -> [Offset] -> Int
 rankOf k offsets = length (foldl' insert [] (map snd (windowsOn k (ownSurface k) offsets)))
   where
     f = knownField k
-    -- Rows that are independent, the last one first; each begins with zeros and a 1, in front of
-    -- which the rows after it have a 0.
+    -- Independent rows, last one first. Each begins with zeros and a 1; later rows have a 0 where
+    -- it has the 1.
     insert rows' window = case foldr reduce window rows' of
       reduced | all (== 0) reduced -> rows'
       reduced -> map (multiply f (leading reduced)) reduced : rows'
@@ -84,11 +86,11 @@ rankOf k offsets = length (foldl' insert [] (map snd (windowsOn k (ownSurface k)
     leading reduced = sum (concatMap (foldMap pure . inverse f) (take 1 (dropWhile (== 0) reduced)))
 
 -- | The least number of cells in which two windows on the folding's own surface differ; 0 if two
--- are the same.
+-- are equal.
 --
--- The difference of two windows there is a third one: the difference of two shifts of an m-sequence
--- is another shift, or 0 only for a shift by a whole period. And every window is such a difference.
--- So the least weight is the least difference, and 0 if two windows are the same.
+-- The difference of two windows is a third window there: the difference of two shifts of an
+-- m-sequence is another shift, or 0 only for a shift by a whole period. Conversely every window is
+-- such a difference. So the least weight is the least difference.
 distance :: Known -> [Offset] -> Natural
 distance k offsets =
   fromIntegral (minimum (map weight (positions k)))
@@ -96,17 +98,17 @@ distance k offsets =
     at = onSurface k (ownSurface k)
     weight (r, c) = length (filter (\(i, j) -> at (r + i) (c + j) /= 0) offsets)
 
--- | The base-q number of a window's cells.
+-- | The number of a window: its cells as base-q digits.
 pack :: Known -> [Int] -> Natural
 pack k = foldl' (\n c -> profileOrder (knownProfile k) * n + fromIntegral c) 0 . ordered k
 
--- | And back, of a number below q^cells.
+-- | The window of a number below q^cells, the inverse of 'pack'.
 unpack :: Known -> Natural -> [Int]
 unpack k = ordered k . reverse . map fromIntegral . digits (profileOrder (knownProfile k)) cells
   where
     cells = length (windowOffsets k)
 
--- | The most significant digit first.
+-- | The cells with the most significant digit first.
 ordered :: Known -> [a] -> [a]
 ordered k = case profilePacking (knownProfile k) of
   MostSignificantFirst -> id

@@ -1,8 +1,7 @@
 {-# LANGUAGE GADTs #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Mistakes on the way from the profile to the array and its packed windows, and in what is proved
--- of masks.
+-- | Impostors of the sequence, the array, packed windows, and proofs about masks.
 module PraTactile.Conformance.Impostors.Arrays
   ( sequenceImpostors,
     arrayImpostors,
@@ -31,7 +30,7 @@ import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile (..), Reading (..))
 import PraTactile.Window (Packing (..))
 
--- | In the sequence.
+-- | Mistakes in the sequence.
 sequenceImpostors :: [Impostor]
 sequenceImpostors =
   [ knowing "forgets-to-negate-the-taps" "takes the sum of the terms, not its negative" $ \k ->
@@ -66,7 +65,7 @@ sequenceImpostors =
               Cell :? Position r c -> right (Cell :? Position (index r) (index c))
               _ -> right question
 
--- | In the array.
+-- | Mistakes in the array.
 arrayImpostors :: [Impostor]
 arrayImpostors =
   [ knowing
@@ -107,7 +106,7 @@ arrayImpostors =
       where
         Shape n1 n2 = profileShape p
 
--- | In packing windows.
+-- | Mistakes in packing windows.
 windowImpostors :: [Impostor]
 windowImpostors =
   [ under "packs-in-the-other-order" "has the first cell at the other end of the number" $ \p ->
@@ -128,7 +127,7 @@ windowImpostors =
         _ -> right question
   ]
 
--- | In proofs and distances.
+-- | Mistakes in proofs and distances.
 proofImpostors :: [Impostor]
 proofImpostors =
   [ answeringOtherwise

@@ -1,7 +1,7 @@
 {-# LANGUAGE GADTs #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Mistakes in the arithmetic of the alphabet, and in polynomials over it.
+-- | Impostors of field arithmetic, and of polynomials over the field.
 module PraTactile.Conformance.Impostors.Fields
   ( fieldImpostors,
     polynomialImpostors,
@@ -20,11 +20,11 @@ import PraTactile.Conformance.Question
 import PraTactile.Conformance.Stage
 import PraTactile.Profile (Profile (..))
 
--- | In the operations of the field.
+-- | Mistakes in field operations.
 fieldImpostors :: [Impostor]
 fieldImpostors = tables ++ operations
 
--- | In the tables of sums and products.
+-- | Mistakes in the tables of sums and products.
 tables :: [Impostor]
 tables =
   [ calculating "adds-modulo-q" "adds codes as numbers modulo q" $
@@ -43,14 +43,14 @@ tables =
     tableOf operation k =
       let q = fieldOrder (knownField k)
        in Vector.fromList [operation q a b | a <- [0 .. q - 1], b <- [0 .. q - 1]]
-    -- The array is right all the same, and logarithms, which may not end.
+    -- The array stays right, and so do logarithms, whose computation might not end otherwise.
     calculating name mistake edit =
       answeringOtherwise name mistake $ \k right question ->
         if operationOf question `elem` filter (/= SomeOp Logarithm) (operationsIn OnField)
           then except (expected (edit k) question)
           else right question
 
--- | By another irreducible polynomial of the same degree, where there is one.
+-- | The field by another irreducible polynomial of the same degree, if there is one.
 anotherField :: Profile -> Maybe Field
 anotherField p = field (toInteger (profileOrder p)) =<< lookup (profileOrder p) others
   where
@@ -107,7 +107,7 @@ operations =
         _ -> right question
   ]
 
--- | In polynomials.
+-- | Mistakes in polynomials.
 polynomialImpostors :: [Impostor]
 polynomialImpostors =
   [ answeringOtherwise "takes-x-plus-one-for-the-first" "has x + 1 for the first of degree 1" $

@@ -2,8 +2,8 @@
 {-# LANGUAGE RankNTypes #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Implementations that are wrong, each in one way in which a decoder may be wrong: the
--- definition, with one edit.
+-- | Deliberately wrong implementations, each with one mistake that a decoder may have: the
+-- definition with one edit.
 module PraTactile.Conformance.Impostors.Impostor
   ( Impostor (..),
     RightAnswers,
@@ -30,26 +30,26 @@ import PraTactile.Conformance.Library (library)
 import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile)
 
--- | An implementation with a mistake in it.
+-- | A wrong implementation.
 data Impostor = Impostor
   { impostorName :: String,
-    -- | What it does instead of what it should, as a sentence without its subject.
+    -- | The mistake, as a sentence without its subject, e.g. \"adds codes as numbers modulo q\".
     impostorMistake :: String,
-    -- | The stages whose laws are there to find it.
+    -- | The stages whose laws should find it.
     impostorTouches :: [Stage],
-    -- | What it is.
+    -- | The implementation itself.
     impostorMade :: Implementation
   }
 
--- | What is answered to every question.
+-- | The right answer to every question.
 type RightAnswers = forall a. Question a -> Wire a
 
--- | The definition as an implementation. Touch, which has none, and objects, of which it takes
--- long, are this library's.
+-- | The definition as an implementation. Touch, which has no definition, and objects, whose
+-- definition is slow, are this library's.
 definition :: Implementation
 definition = library {open = fmap (\k -> answering (defined k)) . knownUnder}
 
--- | What is known under a profile, or its refusal.
+-- | What is known under a profile; refuses as an implementation does.
 knownUnder :: Profile -> Wire Known
 knownUnder = withExceptT (Refusal . reason) . except . known
   where
@@ -60,7 +60,7 @@ knownUnder = withExceptT (Refusal . reason) . except . known
 defined :: Known -> Question a -> Wire a
 defined k = except . expected k
 
--- | With some answers otherwise, given what is known of the profile, and the right answers.
+-- | Changes some answers. The edit gets what is known of the profile and the right answers.
 answeringOtherwise ::
   String ->
   String ->
@@ -69,7 +69,7 @@ answeringOtherwise ::
 answeringOtherwise name mistake edit =
   edited name mistake (\k -> answering (edit k (defined k)))
 
--- | With some answers to questions that need no profile otherwise, given the right ones.
+-- | Changes some answers to questions that need no profile. The edit gets the right answers.
 withoutProfileOtherwise ::
   String -> String -> (forall a. RightAnswers -> Question a -> Wire a) -> Impostor
 withoutProfileOtherwise name mistake edit =
@@ -79,7 +79,7 @@ withoutProfileOtherwise name mistake edit =
     []
     definition {withoutProfile = answering (edit (answerTo (withoutProfile library)))}
 
--- | Taking an input that needs no profile for another one, before it is read.
+-- | Changes the JSON of an input that needs no profile before it is read.
 readingOtherwise :: String -> String -> (Value -> Value) -> Impostor
 readingOtherwise name mistake edit =
   Impostor name mistake [] definition {withoutProfile = readingBefore edit (withoutProfile library)}
@@ -89,12 +89,12 @@ readingBefore edit (Session answers) = Session $ \question -> case question of
   Raw operation input -> answers (Raw operation (edit input))
   _ -> answers question
 
--- | Taking an input for another one, before it is read.
+-- | Changes the JSON of an input before it is read.
 reading :: String -> String -> (Value -> Value) -> Impostor
 reading name mistake edit =
   edited name mistake (\k -> readingBefore edit (answering (defined k)))
 
--- | Taking a profile for another one, the first of these that is possible.
+-- | Opens another profile instead: the first possible one of these.
 opening :: String -> String -> (Profile -> [Profile]) -> Impostor
 opening name mistake others = Impostor name mistake [] definition {open = firstOf . others}
   where
@@ -102,11 +102,11 @@ opening name mistake others = Impostor name mistake [] definition {open = firstO
       k : _ -> pure (answering (defined k))
       [] -> refuse "impossible-profile"
 
--- | Answering by what is not so of an array.
+-- | Answers from changed knowledge of the array.
 knowing :: String -> String -> (Known -> Known) -> Impostor
 knowing name mistake edit = edited name mistake (\k -> answering (defined (edit k)))
 
--- | Answering as under another profile, where that is possible.
+-- | Answers as under another profile, if that is possible.
 under :: String -> String -> (Profile -> Profile) -> Impostor
 under name mistake edit = knowing name mistake other
   where

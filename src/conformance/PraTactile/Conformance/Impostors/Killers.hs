@@ -1,4 +1,4 @@
--- | Which laws find an impostor: what trying all of them took minutes to find out, as data.
+-- | The laws that find each impostor, as data, because trying all laws takes minutes.
 module PraTactile.Conformance.Impostors.Killers
   ( killersOf,
     killersOfProcess,
@@ -11,13 +11,13 @@ import qualified Data.Map.Strict as Map
 import PraTactile.Conformance.Laws.Order (orderName)
 import PraTactile.Embedded (impostorsFile)
 
--- | The ids of laws that find the impostor of this name under some default profile, with seed
--- 1, in the order of the suite.
+-- | The ids of the laws that find the named impostor under some default profile with seed 1, in
+-- the order of the suite.
 killersOf :: String -> [String]
 killersOf name = Map.findWithDefault [] name killers
 
--- | Those of them that find the impostor as a process. The laws of the order do not: the impostor
--- makes its mistake whatever was asked before, and so does a fresh process.
+-- | The laws that find the named impostor as a process. Laws about the order of questions do not:
+-- the impostor makes its mistake whatever was asked before, and so does a fresh process.
 killersOfProcess :: String -> [String]
 killersOfProcess = filter (not . ofOrder) . killersOf
   where

@@ -1,7 +1,7 @@
 {-# LANGUAGE GADTs #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Mistakes in a network's outputs.
+-- | Impostors of the network's outputs.
 module PraTactile.Conformance.Impostors.Network
   ( networkImpostors,
   )
@@ -39,7 +39,7 @@ networkImpostors =
       standardRule {unitValue = tanh}
   ]
   where
-    -- By columns what was meant by rows.
+    -- Reads as columns what was meant as rows.
     byColumns units = chunks (length (concat (take 1 units))) (concat (transpose units))
     rotated unit = drop 1 unit ++ take 1 unit
     by :: String -> String -> Rule -> Impostor

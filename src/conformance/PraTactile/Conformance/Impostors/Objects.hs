@@ -3,7 +3,7 @@
 {-# LANGUAGE TypeOperators #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Mistakes in solids, cells of faces, places on them, and poses.
+-- | Impostors of solids, cells of faces, whereabouts and poses.
 module PraTactile.Conformance.Impostors.Objects
   ( objectImpostors,
   )
@@ -158,11 +158,11 @@ poseImpostors =
   where
     one n = [[if i == j then 1 else 0 | j <- [1 .. n]] | i <- [1 .. n :: Int]]
 
--- | Telling something else, given what is asked and what is to be told.
+-- | Changes the answers of an operation. The edit gets the input and the right answer.
 told :: Op i o -> String -> String -> (i -> o -> o) -> Impostor
 told op name mistake change = edited op name mistake (\it -> fmap (change it))
 
--- | Telling this instead of a refusal.
+-- | Gives this answer instead of a refusal.
 unrefused :: Op i o -> String -> String -> o -> Impostor
 unrefused op name mistake instead =
   edited op name mistake (\_ right -> right `catchE` const (pure instead))
@@ -173,7 +173,7 @@ edited op name mistake change =
     other :? it | Just Refl <- same op other -> change it (right question)
     _ -> right question
 
--- | Answering another question.
+-- | Answers another input of the operation.
 asked :: Op i o -> String -> String -> (i -> i) -> Impostor
 asked op name mistake change =
   withoutProfileOtherwise name mistake $ \right question -> case question of

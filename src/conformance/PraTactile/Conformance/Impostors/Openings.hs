@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Mistakes in what is taken for a profile, and for an input: each leaves out one check, and goes
--- on with what it has.
+-- | Impostors of opening profiles and reading inputs: each omits one check and continues with what
+-- it has.
 module PraTactile.Conformance.Impostors.Openings
   ( openingImpostors,
     readingImpostors,
@@ -19,7 +19,7 @@ import PraTactile.Array (Folding (..), Shape (..))
 import PraTactile.Conformance.Impostors.Impostor
 import PraTactile.Profile (Profile (..))
 
--- | In opening: each mends what should be refused.
+-- | Mistakes in opening: each repairs a profile that should be refused.
 openingImpostors :: [Impostor]
 openingImpostors =
   [ mending "reads-the-order-off-the-modulus" "takes p to the modulus's degree for q" $ \p ->
@@ -80,7 +80,7 @@ openingImpostors =
     ledByOne xs = take (length xs - 1) xs ++ [1]
     modulo p = map (`mod` max 1 (profileOrder p))
 
--- | Of the fields of the default profiles.
+-- | The moduli of the default profiles' fields.
 usualModuli :: [[Natural]]
 usualModuli = [[1, 1], [3, 1], [1, 1, 1], [2, 2, 1], [1, 1, 0, 1]]
 
@@ -96,7 +96,7 @@ usualPolynomials =
     [5, 2, 1]
   ]
 
--- | In reading inputs.
+-- | Mistakes in reading inputs.
 readingImpostors :: [Impostor]
 readingImpostors =
   [ reading

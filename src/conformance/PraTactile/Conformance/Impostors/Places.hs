@@ -2,7 +2,7 @@
 {-# LANGUAGE RankNTypes #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Mistakes in finding places.
+-- | Impostors of locating.
 module PraTactile.Conformance.Impostors.Places
   ( locateImpostors,
     damageImpostors,
@@ -22,7 +22,7 @@ import PraTactile.Conformance.Impostors.Impostor
 import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile (..))
 
--- | In locating by the table.
+-- | Mistakes in locating by the table.
 locateImpostors :: [Impostor]
 locateImpostors =
   [ located
@@ -76,7 +76,7 @@ locateImpostors =
         Nearest :? (_, _) -> change (right question)
         _ -> right question
 
--- | The cells of each complete window of a patch, row by row.
+-- | The cells of each completely observed window of a patch, row by row.
 completeWindows :: Known -> Patch -> [[(Natural, Natural)]]
 completeWindows k rows =
   [ cells
@@ -93,7 +93,7 @@ overPositions change place = case place of
   OneOf several -> OneOf (map change several)
   Coset count dimension -> Coset count dimension
 
--- | In correcting.
+-- | Mistakes in correcting wrong cells.
 damageImpostors :: [Impostor]
 damageImpostors =
   [ nearing "corrects-half-the-distance" "corrects e cells if 2 e <= d" $ \right radius rows -> do
@@ -125,7 +125,7 @@ damageImpostors =
     distanceOf right cells =
       right (Distance :? map (map (\counts -> if counts then '#' else '.')) cells)
 
--- | In probabilities.
+-- | Mistakes in probabilities.
 chanceImpostors :: [Impostor]
 chanceImpostors =
   [ believing "hears-the-likeliest-symbol" "takes of each cell the likeliest symbol for certain" $

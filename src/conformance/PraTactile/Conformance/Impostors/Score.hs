@@ -23,18 +23,18 @@ import PraTactile.Conformance.Run.Case (Plan (..), trialsOf)
 import PraTactile.Conformance.Run.Work (Settings (..), standardSettings)
 import PraTactile.Profile (Profile (..))
 
--- | That a law finds an impostor.
+-- | A law that finds an impostor.
 data Kill = Kill
   { killLaw :: String,
-    -- | The first profile under which it does; empty for a law that knows none.
+    -- | The first profile under which it does; empty for a law without a profile.
     killProfile :: String,
-    -- | How many cases were tried there, the failing one the last.
+    -- | The number of cases tried there; the last one failed.
     killCases :: Int
   }
   deriving stock (Eq, Show)
 
--- | The laws of the impostor's stages that find it, with a seed, each under the first of the
--- profiles that shows it.
+-- | The laws that find an impostor, of the impostor's stages, with the given seed. Each comes with
+-- the first profile that shows it.
 kills :: Int -> [(String, Profile, Known)] -> Impostor -> IO [Kill]
 kills seed profiles impostor =
   catMaybes
@@ -45,7 +45,7 @@ kills seed profiles impostor =
     chosen :: [Law about] -> [String]
     chosen these = [lawId law | law <- these, lawStage law `elem` impostorTouches impostor]
 
--- | How the law of this id finds the impostor, under the first of the profiles that shows it.
+-- | How the law with this id finds the impostor, under the first profile that shows it.
 killBy :: Int -> [(String, Profile, Known)] -> Impostor -> String -> IO (Maybe Kill)
 killBy seed profiles impostor law =
   firstJust [fmap (Kill law name) <$> findsBy name | name <- names]
@@ -55,8 +55,8 @@ killBy seed profiles impostor law =
       | law `elem` map lawId openingLaws ++ map lawId lawsWithoutProfile = [""]
       | otherwise = [name | (name, _, _) <- profiles]
 
--- | In how many cases the law of a kill finds the impostor under the kill's profile; 'Nothing' if
--- it does not, or if there are no such law and profile.
+-- | The number of cases in which a kill's law finds the impostor under the kill's profile;
+-- 'Nothing' if it does not, or if the law or the profile is unknown.
 findsAt :: Int -> [(String, Profile, Known)] -> Impostor -> Kill -> IO (Maybe Int)
 findsAt seed profiles impostor kill
   | law : _ <- [law | law <- openingLaws, lawId law == killLaw kill] =
@@ -82,22 +82,24 @@ findsUnder seed p about law impostor =
   runExceptT (open (impostorMade impostor) p)
     >>= either (const (pure Nothing)) (finds usualCases seed law about . sessionRespondent)
 
--- | In how many cases, of so many drawn at most, a law finds who answers so.
+-- | The number of cases in which a law finds the respondent wrong. The arguments are the greatest
+-- number of cases, the seed, the law, its subject, and the respondent.
 finds :: Int -> Int -> Law about -> about -> Respondent -> IO (Maybe Int)
 finds most' seed law about answers = fmap fst <$> firstViolated answers most trials
   where
     (trials, most) = trialsOf plan (lawId law) (lawCases law about)
     plan = Plan {planSeed = seed, planCases = most', planBatch = 1, planShrinks = False}
 
--- | As a run of the suite draws them.
+-- | The number of drawn cases in a run of the suite.
 usualCases :: Int
 usualCases = settingCases standardSettings
 
--- | Fewer, because each is a scene: of those of a run the first ones.
+-- | The number of drawn scenes: fewer, because each is slow. They are the first ones of a run.
 sceneCases :: Int
 sceneCases = 12
 
--- | The default profiles of at most 1024 cells: what is found under them is found under all.
+-- | The default profiles with at most 1024 cells. Mistakes found under all profiles are found
+-- under these.
 comparedProfiles :: [(String, Profile, Known)]
 comparedProfiles =
   [ (name, p, about)
@@ -106,7 +108,7 @@ comparedProfiles =
       Right about <- [known p]
   ]
 
--- | The first of these that gives something.
+-- | The first action's result that is not 'Nothing'.
 firstJust :: Monad m => [m (Maybe a)] -> m (Maybe a)
 firstJust actions = case actions of
   [] -> pure Nothing

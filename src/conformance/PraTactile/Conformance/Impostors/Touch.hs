@@ -1,7 +1,7 @@
 {-# LANGUAGE GADTs #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Mistakes in registering, stitching and segmenting what was touched.
+-- | Impostors of registration, stitching and segmentation.
 module PraTactile.Conformance.Impostors.Touch
   ( alphabetImpostors,
     registerImpostors,
@@ -15,7 +15,7 @@ import Data.Ord (comparing)
 import PraTactile.Conformance.Impostors.Impostor
 import PraTactile.Conformance.Question
 
--- | In which shapes symbols have.
+-- | Mistakes about the shapes of the symbols.
 alphabetImpostors :: [Impostor]
 alphabetImpostors =
   [ withoutProfileOtherwise "knows-one-alphabet" "takes all shapes for the usual ones" $
@@ -25,7 +25,7 @@ alphabetImpostors =
         _ -> right question
   ]
 
--- | In where a frame lies, and in why that is not told.
+-- | Mistakes in a frame's displacement, and in the reasons of refusals.
 registerImpostors :: [Impostor]
 registerImpostors =
   [ registered "registers-rows-for-columns" "takes down for right and right for down" $ \_ found ->
@@ -53,7 +53,7 @@ registerImpostors =
         Register :? (_, pair) -> change pair <$> right question
         _ -> right question
 
--- | The whole displacement within the search at which the mean squared difference is least.
+-- | The whole displacement within the search with the least mean squared difference.
 leastDifference :: Pair -> Taxels
 leastDifference (Pair a b (sx, sy) search) =
   minimumBy
@@ -71,7 +71,7 @@ leastDifference (Pair a b (sx, sy) search) =
     from :: Int -> [a] -> [a]
     from n = drop (max 0 n)
 
--- | In how far frames are from where they should be.
+-- | Mistakes in the displacements of frames from their nominal places.
 stitchImpostors :: [Impostor]
 stitchImpostors =
   [ stitched "stitches-nothing" "leaves every frame where it should be" $ \_ _ -> (0, 0),
@@ -93,7 +93,7 @@ stitchImpostors =
         Stitch :? (_, _, frames) -> zipWith change frames <$> right question
         _ -> right question
 
--- | In where symbols are, and in what is one.
+-- | Mistakes in finding symbols and their places.
 segmentImpostors :: [Impostor]
 segmentImpostors =
   [ segmented "tells-corners-for-centres" "tells where a symbol's upper left corner is" $ \_ ->

@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The array is the sequence folded, and goes on beyond its edges; its windows are packed as the
--- profile says.
+-- | The laws of the array and its windows: the array is the folded sequence and continues beyond
+-- its edges; windows are packed as the profile states.
 module PraTactile.Conformance.Laws.Array
   ( arrayLaws,
     windowLaws,
@@ -77,7 +77,7 @@ beyond =
   "beyond the edges the array goes on on the folding's own surface, whatever the profile's: the \
   \torus for the diagonal one, the twisted torus for the row-major one"
 
--- | Rows and columns around the edges, once and twice round, and where only one is beyond.
+-- | Rows and columns around the edges, once and twice around, and with only one of them beyond.
 aroundTheEdges :: Shape -> [(Natural, Natural)]
 aroundTheEdges (Shape n1 n2) =
   [ (r, c)
@@ -175,7 +175,7 @@ packing = "the profile's packing and window"
 cellsOf :: Known -> Natural
 cellsOf = area . profileWindow . knownProfile
 
--- | All contents of a window, or drawn ones where there are more than 1024.
+-- | All contents of a window, or drawn ones if there are more than 1024.
 contents :: ([Code] -> SomeQuestion) -> Known -> Domain SomeQuestion
 contents asked known
   | profileOrder p ^ cellsOf known <= 1024 =

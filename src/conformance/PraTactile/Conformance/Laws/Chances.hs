@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Locating from probabilities: the rule of Bayes.
+-- | The laws of locating from probabilities, by Bayes' rule.
 module PraTactile.Conformance.Laws.Chances
   ( chanceLaws,
   )
@@ -34,7 +34,7 @@ chanceLaws =
       ++ formLaws OnChances [SomeOp Posterior]
       ++ [invalidLaw]
   where
-    -- A line has no room for the probabilities of very many positions.
+    -- The probabilities of very many positions do not fit into a line.
     ofFew one =
       one
         { lawCases = \known ->
@@ -95,8 +95,8 @@ systematicLaws =
       Every (asked <$> manyCells known)
   ]
 
--- | A window beyond doubt, and beside it the other cells of a larger patch, each of which is most
--- probably another symbol than the one that is there.
+-- | A certain window within a larger patch, whose other cells most probably have another symbol
+-- than the array's.
 unlikely :: Known -> [Chances]
 unlikely known =
   [ [ [ if i < h && j < w then Certainly code else Probably (scarcely share code)
@@ -118,8 +118,8 @@ unlikely known =
         | c <- elementsOf p
       ]
 
--- | A thousand cells of a small array, each of which is most probably the symbol that is there, but
--- with less than half of all probability where there are more than two.
+-- | A thousand cells of a small array. Each most probably has the array's symbol, but with
+-- probability below 1/2 if there are more than two symbols.
 manyCells :: Known -> [Chances]
 manyCells known =
   [ map (map (Probably . likely)) (seenAt known (Shape (side n1) (side n2)) (Position 0 0))
@@ -143,7 +143,7 @@ sure p code = [if c == code then 1 else 0 | c <- elementsOf p]
 halves :: Profile -> Code -> Code -> [Double]
 halves p a b = [if c == a || c == b then 0.5 else 0 | c <- elementsOf p]
 
--- | 1/2, 1/4, ..., the last one twice.
+-- | 1/2, 1/4, ..., with the last one twice.
 uneven :: Profile -> [Double]
 uneven p = take n (iterate (/ 2) 0.5) ++ [0.5 ^^ n]
   where
@@ -169,8 +169,8 @@ drawnLaws =
         smallerQuestions
   ]
 
--- | In each cell, probabilities in 64ths, which doubles have exactly; of a few cells now and then
--- others, some of them tiny.
+-- | Patches of probabilities in 64ths, which doubles hold exactly. Small patches sometimes have
+-- other probabilities, some of them tiny.
 genChances :: Profile -> Gen Chances
 genChances p = do
   shape <- elements (shapesAround p)
@@ -191,7 +191,7 @@ genChances p = do
       let ends = sort cuts
       Probably . map ((/ 64) . fromInteger) <$> shuffle (zipWith (-) (ends ++ [64]) (0 : ends))
 
--- | Mostly what it is, and the rest for another one.
+-- | Mostly the true symbol; the remaining probability goes to another one.
 doubtful :: Profile -> Maybe Code -> Gen Chance
 doubtful p cell = case cell of
   Nothing -> pure Unfelt

@@ -2,7 +2,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The nearest position: with cells that are missing and cells that are wrong.
+-- | The laws of the nearest position, for patches with missing and wrong cells.
 module PraTactile.Conformance.Laws.Damage
   ( damageLaws,
   )
@@ -42,7 +42,7 @@ source =
 comparing :: String -> String -> (Known -> Domain SomeQuestion) -> Law Known
 comparing what sentence = defined OnDamage what Nearest sentence source
 
--- | A patch, where it was seen, and as it was there.
+-- | A patch with its position and its true cells.
 data Seen = Seen
   { seenPlace :: Position,
     seenTrue :: [[Code]],
@@ -57,7 +57,7 @@ seenForm =
         <*> key "patch" (listOf (listOf (nullable natural))) seenPatch
     )
 
--- | With one damage less.
+-- | The patches with one damage removed.
 lessDamaged :: Seen -> [Seen]
 lessDamaged seen =
   [ seen {seenPatch = mended}
@@ -75,7 +75,7 @@ lessDamaged seen =
     put :: Int -> a -> [a] -> [a]
     put i x xs = take i xs ++ x : drop (i + 1) xs
 
--- | What is corrected for certain.
+-- | The laws of guaranteed correction.
 correctionLaws :: [Law Known]
 correctionLaws =
   [ law
@@ -130,15 +130,15 @@ corrected known radius seen
     p = knownProfile known
     question = Nearest :? (radius, seenPatch seen)
 
--- | The distance of the observed cells on the folding's own surface; 0 if nothing was observed.
+-- | The distance of the observed cells on the folding's own surface; 0 if no cell was observed.
 observedDistance :: Known -> Patch -> Natural
 observedDistance known rows =
   either (const 0) id (expected known (Distance :? map (map drawn) rows))
   where
     drawn = maybe '.' (const '#')
 
--- | Seen somewhere, with as many cells missing and wrong as the distance of the shape forgives; on
--- a surface that is neither the folding's own nor the sheet nothing is known to be forgiven.
+-- | A patch with as many missing and wrong cells as the distance of its shape can correct. On a
+-- surface that is neither the folding's own nor the sheet, no correction is guaranteed.
 genWithin :: Known -> Gen Seen
 genWithin known = do
   shape <- elements (shapesAround p)
@@ -205,7 +205,7 @@ systematicLaws =
       )
   ]
 
--- | With a 1 in the first cell.
+-- | The patch with 1 in its first cell.
 onePlaced :: Patch -> Patch
 onePlaced rows = case rows of
   (_ : line) : rest -> (Just 1 : line) : rest

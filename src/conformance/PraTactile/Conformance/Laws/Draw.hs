@@ -1,7 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The numbers, patches and masks that laws ask about: systematic ones in an order from small to
--- large, and drawn ones.
+-- | The numbers, patches and masks of laws: systematic ones from small to large, and drawn ones.
 module PraTactile.Conformance.Laws.Draw
   ( -- * Numbers
     degreeOf,
@@ -51,7 +50,7 @@ degreeOf p = fromIntegral (max 1 (length (profilePolynomial p))) - 1
 periodOf :: Profile -> Natural
 periodOf p = profileOrder p ^ degreeOf p - 1
 
--- | The prime that q is a power of.
+-- | The prime of which q is a power.
 characteristicOf :: Profile -> Natural
 characteristicOf p = case [i | i <- [2 .. q], q `mod` i == 0] of
   least : _ -> least
@@ -59,31 +58,33 @@ characteristicOf p = case [i | i <- [2 .. q], q `mod` i == 0] of
   where
     q = profileOrder p
 
--- | All codes.
+-- | All codes of the field.
 elementsOf :: Profile -> [Code]
 elementsOf = naturalsBelow . profileOrder
 
--- | 0 to this number.
+-- | A number from 0 to the given one.
 upTo :: Natural -> Gen Natural
 upTo n = fromInteger <$> chooseInteger (0, toInteger n)
 
--- | Numbers that have no room in some width: of bytes and machine words, of what a double has
--- exactly, of two and four words, and of a hundred digits.
+-- | The limits of number types: bytes and machine words, integers that a double holds exactly, two
+-- and four words, and a hundred digits.
 widths :: [Natural]
 widths =
   map (2 ^) [8, 15, 16, 31, 32, 53, 63, 64, 127, 128, 256 :: Int] ++ map (10 ^) [30, 110 :: Int]
 
--- | Numbers on both sides of every width: what is cut to it is another one, and often a small one.
+-- | Numbers on both sides of every limit. Truncation to the type would change them, often to a
+-- small number.
 bigNaturals :: [Natural]
 bigNaturals = widths >>= \width -> [width - 1, width, width + 1]
 
--- | Numbers that are no codes: the next ones, and what would be a code if it were cut to a width.
+-- | Numbers that are not codes: those just above, and those that truncation to a type would make
+-- codes.
 noCodes :: Profile -> [Natural]
 noCodes p = q : q + 1 : filter (> q + 1) bigNaturals
   where
     q = profileOrder p
 
--- | Of any size: small, about a width, or of as many digits as drawn, up to 130.
+-- | A number of any size: small, near a limit, or with up to 130 digits.
 anyNatural :: Gen Natural
 anyNatural =
   oneof
@@ -92,11 +93,11 @@ anyNatural =
       choose (1, 130 :: Int) >>= upTo . (10 ^)
     ]
 
--- | Whether an array has so many cells that it is asked about at few of them.
+-- | Whether an array has so many cells that only few of them are asked about.
 isVast :: Profile -> Bool
 isVast p = area (profileShape p) > 8192
 
--- | All of these, or a few of them, in the same order, where the array is vast.
+-- | All cases, or only a few of them in the same order if the array is vast.
 ofVast :: Int -> Profile -> [a] -> [a]
 ofVast few p cases
   | isVast p = [a | (i, a) <- zip [0 ..] cases, i `mod` step == 0]
@@ -104,13 +105,13 @@ ofVast few p cases
   where
     step = max 1 (length cases `div` few)
 
--- | The cell at a place that may lie beyond the edges, where the profile's surface continues; a
--- sheet as the torus.
+-- | The cell at a position that may lie beyond the edges, continued on the profile's surface; a
+-- sheet is continued like a torus.
 surfaceCell :: Known -> Position -> Code
 surfaceCell known at =
   let Position r c = cellAt (knownProfile known) at in fromIntegral (cellOf known r c)
 
--- | The cell of the array that is there.
+-- | The position within the array of a position that may lie beyond the edges.
 cellAt :: Profile -> Position -> Position
 cellAt p (Position r c) = case profileSurface p of
   TwistedTorus -> Position ((r + c `div` n2) `mod` n1) (c `mod` n2)
@@ -118,14 +119,14 @@ cellAt p (Position r c) = case profileSurface p of
   where
     Shape n1 n2 = profileShape p
 
--- | What is seen of this shape at a place.
+-- | The cells in a rectangle of the given shape at a position.
 seenAt :: Known -> Shape -> Position -> [[Code]]
 seenAt known (Shape high wide) (Position r c) =
   [ [surfaceCell known (Position (r + i) (c + j)) | j <- naturalsBelow wide]
     | i <- naturalsBelow high
   ]
 
--- | All places at which a patch of this shape lies on the profile's surface, row by row.
+-- | All positions at which a patch of this shape lies on the profile's surface, row by row.
 places :: Profile -> Shape -> [Position]
 places p (Shape high wide) = case profileSurface p of
   Sheet
@@ -135,8 +136,8 @@ places p (Shape high wide) = case profileSurface p of
   where
     Shape n1 n2 = profileShape p
 
--- | Shapes from a single cell to two rows and columns more than the window, of at most 24 cells,
--- that fit into the array; small ones first.
+-- | The shapes from a single cell to two rows and columns more than the window, with at most 24
+-- cells, that fit into the array; small ones first.
 shapesAround :: Profile -> [Shape]
 shapesAround p =
   sortOn
@@ -150,8 +151,8 @@ shapesAround p =
     Shape h w = profileWindow p
     Shape n1 n2 = profileShape p
 
--- | All patches, with cells not observed too, of all shapes of which there are at most so many;
--- small ones first.
+-- | All patches, also with unobserved cells, of the shapes with at most the given number of
+-- patches; small ones first.
 smallPatches :: Natural -> Profile -> [Patch]
 smallPatches most p =
   ofVast
@@ -168,10 +169,10 @@ rowsOf wide cells = case splitAt (fromIntegral wide) cells of
   (line, []) -> [line]
   (line, rest) -> line : rowsOf wide rest
 
--- | How many per cent of the cells are not observed, and how many per cent of the others wrong.
+-- | The percentages of unobserved cells, and of wrong cells among the others.
 data Damage = Damage Int Int
 
--- | What is left of cells that were seen.
+-- | Cells after random damage.
 damaged :: Profile -> Damage -> [[Code]] -> Gen Patch
 damaged p damage = traverse (traverse (suffered p damage))
 
@@ -188,8 +189,8 @@ suffered p (Damage erased wrong) = fate
           then Nothing
           else Just (if b <= wrong then (code + 1 + by) `mod` q else code)
 
--- | A patch seen somewhere on the profile's surface, and damaged: mostly of a shape around the
--- window, and now and then a wide one.
+-- | A damaged patch from somewhere on the profile's surface: mostly of a shape near the window's,
+-- sometimes a wide one.
 genDamaged :: Known -> Damage -> Gen Patch
 genDamaged known damage = frequency [(9, around), (1, wide)]
   where
@@ -200,8 +201,8 @@ genDamaged known damage = frequency [(9, around), (1, wide)]
       damaged p damage (seenAt known shape place)
     wide = genWide known >>= traverse (traverse (maybe (pure Nothing) (suffered p damage)))
 
--- | Of up to 30 rows and 40 columns a window somewhere, mostly whole, and other cells anywhere; it
--- may be larger than the array, but on the sheet hardly.
+-- | A patch of up to 30 rows and 40 columns with a mostly complete window and other cells. It may
+-- be larger than the array, but only slightly on the sheet.
 genWide :: Known -> Gen Patch
 genWide known = do
   Shape high wide <- Shape <$> side 30 n1 h <*> side 40 n2 w
@@ -224,14 +225,14 @@ genWide known = do
     side most n k = (+ k) <$> upTo (if profileSurface p == Sheet then n - min n k else most)
     at (Position r c) i j = surfaceCell known (Position (r + i) (c + j))
 
--- | One of the places of a shape.
+-- | A position for a shape.
 genPlace :: Profile -> Shape -> Gen Position
 genPlace p shape = case places p shape of
   [] -> pure (Position 0 0)
   some -> elements some
 
--- | All masks within 2 x 3 and 3 x 2 cells, and rows and columns of up to five, that have their
--- first and last rows and columns; small ones first, each once.
+-- | All masks within 2 x 3 and 3 x 2 cells, and rows and columns of up to five, that use their
+-- outermost rows and columns; small ones first, without repetition.
 smallMasks :: [MaskRows]
 smallMasks =
   sortOn
@@ -250,7 +251,7 @@ smallMasks =
       [] -> '.'
     last'' = head' . reverse
 
--- | A mask within so many rows and columns, with a cell at least.
+-- | A mask within the given numbers of rows and columns, with at least one cell.
 genMask :: Natural -> Natural -> Gen MaskRows
 genMask high wide = do
   h <- chooseInteger (1, toInteger high)

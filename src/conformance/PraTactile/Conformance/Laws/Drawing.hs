@@ -1,19 +1,18 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Composites on which symbols are drawn: those of which the laws of segmentation know what should
--- come out.
+-- | Composites with drawn symbols, for which the right segmentation is known.
 module PraTactile.Conformance.Laws.Drawing
   ( Drawing (..),
     drawingForm,
 
-    -- * Which there are
+    -- * Generation
     genDrawing,
     smallerDrawing,
     genBlock,
     smallerBlock,
 
-    -- * What they show
+    -- * The composite
     symbolsOf,
     drawn,
     upright,
@@ -50,15 +49,15 @@ import Test.QuickCheck
     vectorOf,
   )
 
--- | A composite on which symbols are drawn.
+-- | A composite with drawn symbols.
 data Drawing = Drawing
-  { -- | The classes on a lattice of 16 x 20 taxels, row by row, with gaps.
+  { -- | The classes of the symbols on a lattice of 16 x 20 taxels, row by row, with gaps.
     drawingClasses :: [[Maybe Int]],
-    -- | Where the lattice's first symbol has its upper left taxel.
+    -- | The upper left taxel of the lattice's first symbol.
     drawingOrigin :: WholeTaxels,
-    -- | Whether the sensor blurs it.
+    -- | Whether the image is blurred.
     drawingBlurred :: Bool,
-    -- | A number that says how it is changed.
+    -- | A number that selects how a law changes it.
     drawingChange :: Int
   }
 
@@ -83,20 +82,20 @@ genDrawing = do
   where
     symbol = frequency [(1, pure Nothing), (6, Just <$> chooseInt (0, 3))]
 
--- | A drawing of enough symbols, side by side, that their angle is beyond doubt.
+-- | A drawing with enough adjacent symbols that their angle is certain.
 genBlock :: Gen Drawing
 genBlock = do
   columns <- chooseInt (2, 3)
   classes <- vectorOf 2 (vectorOf columns (Just <$> chooseInt (0, 3)))
   (\drawing -> drawing {drawingClasses = classes}) <$> genDrawing
 
--- | As 'smallerDrawing', of two by two symbols at least.
+-- | 'smallerDrawing' for drawings of at least two by two symbols.
 smallerBlock :: Drawing -> [Drawing]
 smallerBlock = filter (enough . drawingClasses) . smallerDrawing
   where
     enough classes = length classes >= 2 && length (transpose classes) >= 2
 
--- | Fewer symbols, nearer to the corner, sharp, and less of a change.
+-- | Drawings with fewer symbols, nearer to the corner, sharp, or with less of a change.
 smallerDrawing :: Drawing -> [Drawing]
 smallerDrawing drawing =
   [drawing {drawingClasses = less} | less <- fewer, any (not . all isNothing) less]
@@ -111,8 +110,8 @@ smallerDrawing drawing =
     columns = length (transpose classes)
     least (x, y) = x >= 2 && y >= 2
 
--- | The symbols of a drawing, each with its class and its upper left taxel, displaced from the
--- lattice by what a function says of its column and row.
+-- | The symbols of a drawing, each with its class and its upper left taxel. The function gives a
+-- displacement from the lattice by column and row.
 symbolsOf :: (Int -> Int -> WholeTaxels) -> Drawing -> [(Int, WholeTaxels)]
 symbolsOf displaced drawing =
   [ (k, (x + 16 * toInteger c + i, y + 20 * toInteger r + j))
@@ -123,8 +122,8 @@ symbolsOf displaced drawing =
   where
     (x, y) = drawingOrigin drawing
 
--- | The composite with these symbols on it, 4 taxels of margin to the right and below, and their
--- centres.
+-- | The composite with these symbols, with a margin of 4 taxels to the right and below, and the
+-- symbols' centres.
 drawn :: Drawing -> [(Int, WholeTaxels)] -> (Rows, [Taxels])
 drawn drawing symbols =
   ( map (map (\weight -> 8000 + 750 * weight)) (felt drawing raised),
@@ -138,8 +137,8 @@ drawn drawing symbols =
       [[if embossed i j then 1 else 0 | i <- [0 .. width - 1]] | j <- [0 .. height - 1]]
     embossed i j = or [marked k (i - x) (j - y) | (k, (x, y)) <- symbols]
 
--- | Sixteen times what is felt of a relief that ends at the edge: blurred by 1, 2, 1 along both
--- axes, or as it is.
+-- | Sixteen times the image of a relief: blurred by the weights 1, 2, 1 along both axes, or
+-- unchanged. The relief ends at the edge.
 felt :: Num a => Drawing -> [[a]] -> [[a]]
 felt drawing
   | drawingBlurred drawing = transpose . map binomial . transpose . map binomial
@@ -147,7 +146,7 @@ felt drawing
   where
     binomial line = zipWith3 (\a b c -> a + 2 * b + c) (0 : line) line (drop 1 line ++ [0])
 
--- | Whether a class of the shipped alphabet is embossed there in its box of 8 x 12 taxels.
+-- | Whether a class of the shipped alphabet is embossed at a taxel of its box of 8 x 12.
 marked :: Int -> Integer -> Integer -> Bool
 marked k i j
   | i < 0 || j < 0 || i >= 8 || j >= 12 = False
@@ -158,15 +157,15 @@ marked k i j
 alphabetRows :: [[[Bool]]]
 alphabetRows = either (const []) (map bitmapRows . shapes) agreedAlphabet
 
--- | The composite with its symbols upright, on the lattice.
+-- | The composite with its symbols upright on the lattice.
 upright :: Drawing -> (Rows, [Symbol])
 upright drawing = (rows, [Symbol centre 0 | centre <- centres])
   where
     (rows, centres) = drawn drawing (symbolsOf (\_ _ -> (0, 0)) drawing)
 
--- | A composite of 64 x 64 pixels around the middle of a face with the symbols, which is turned by
--- as many degrees clockwise as the change says, and half a one. A pixel is as embossed as the
--- middles of its sixteenths are.
+-- | A composite of 64 x 64 pixels around the middle of a face with the symbols. The face is
+-- rotated clockwise by half a degree more than the change's number of degrees. A pixel's value is
+-- the embossed share of 16 sample points.
 atAngle :: Drawing -> (Rows, [Symbol])
 atAngle drawing =
   ( [[8000 + fromIntegral (12000 * w `div` 256) | w <- line] | line <- felt drawing raised],
@@ -182,10 +181,10 @@ atAngle drawing =
     symbols = symbolsOf (\_ _ -> (0, 0)) drawing {drawingOrigin = (0, 0)}
     (wide, high) = (16 * length (transpose classes) - 8, 20 * length classes - 8)
     half side = fromIntegral side / 2 :: Double
-    -- Where the middle of the face is.
+    -- The middle of the face.
     (mx, my) = (middle (fst (drawingOrigin drawing)), middle (snd (drawingOrigin drawing)))
     middle o = 31.5 + fromInteger (o - 6) / 4 :: Double
-    -- Of 16.
+    -- The number of embossed sample points, of 16.
     raised =
       [ [ length [() | y <- sixteenths j, x <- sixteenths i, embossed (x - mx) (y - my)]
           | i <- [0 .. 63 :: Int]
@@ -195,7 +194,7 @@ atAngle drawing =
     sixteenths i = [fromIntegral i + k / 8 | k <- [-3, -1, 1, 3]]
     embossed x y = onFace (floor (c * x + s * y + half wide)) (floor (c * y - s * x + half high))
     onFace x y = x >= 0 && y >= 0 && x < wide && y < high && face Vector.! (y * wide + x)
-    -- Each of its taxels, row by row.
+    -- The face's taxels, row by row.
     face = Vector.fromList [shown x y | y <- places high, x <- places wide]
     places side = [0 .. toInteger side - 1]
     shown x y = or [marked k (x - i) (y - j) | (k, (i, j)) <- symbols]

@@ -1,4 +1,4 @@
--- | Faces in any plane, for the laws of what lies on them.
+-- | Random faces in any plane, for the laws about faces.
 module PraTactile.Conformance.Laws.Faces
   ( faces,
     staircase,
@@ -10,7 +10,7 @@ where
 import PraTactile.Object.Description (Point (..))
 import Test.QuickCheck
 
--- | Corners of faces in any plane, of which most are simple polygons.
+-- | Corners of faces in any plane. Most are simple polygons.
 faces :: Gen [Point]
 faces = do
   flatCorners <- oneof [staircase (chooseInteger (1, 30)), star]
@@ -27,7 +27,7 @@ faces = do
   where
     vector3 = (,,) <$> part <*> part <*> part
     part = elements [0, 0, 1, 1, -1, 2, 1 / 2]
-    -- Seen from the middle its corners come one after the other.
+    -- A star-shaped polygon about the origin.
     star = do
       count <- chooseInt (3, 8)
       kept <- take count <$> shuffle [0 .. 7]
@@ -45,7 +45,7 @@ staircase size = do
       below = concat [[(x, d), (x', d)] | (x, x', d) <- zip3 marks (drop 1 marks) depths]
   pure ((0, 0) : without below ++ [(last marks, 0)])
   where
-    -- Where two depths are the same there is no corner.
+    -- Equal depths make no corner.
     without (p : q : others) | p == q = without others
     without (p : others) = p : without others
     without [] = []

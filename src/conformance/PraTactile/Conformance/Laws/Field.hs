@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The alphabet is the field that the profile says: every operation on all codes, and the axioms
--- on all triples (of fields of more than 10 elements, on drawn ones).
+-- | The laws of the field: every operation on all codes, and the axioms on all triples (drawn ones
+-- for fields of more than 10 elements).
 module PraTactile.Conformance.Laws.Field
   ( fieldLaws,
   )
@@ -67,7 +67,7 @@ operationLaws =
   where
     two codes = [(a, b) | [a, b] <- [codes]]
 
--- | A law that all codes, or pairs of them, are answered as the definition says.
+-- | A law that an operation is answered by definition, on all lists of @count@ codes.
 ofCodes :: Show i => String -> Op i o -> Int -> String -> ([Code] -> [i]) -> Law Known
 ofCodes what operation count sentence inputs =
   defined OnField what operation sentence byModulus $ \known ->
@@ -80,7 +80,8 @@ ofCodes what operation count sentence inputs =
 byModulus :: String
 byModulus = "Lidl and Niederreiter, Finite Fields, chapter 2; the profile's modulus"
 
--- | All lists of so many codes, the last one changing first; drawn ones of more than 1024.
+-- | All lists of the given number of codes, the last one changing first; drawn ones if there are
+-- more than 1024.
 codesDomain :: Int -> Profile -> Domain [Code]
 codesDomain count p
   | profileOrder p ^ count <= 1024 = Every (replicateM count (elementsOf p))
@@ -123,8 +124,8 @@ powerLaws =
       )
   ]
 
--- | An equation between what two trials come to, over all lists of so many codes. It needs the
--- operations.
+-- | A law that two trials give the same result, for all lists of the given number of codes. It
+-- needs the operations.
 equation ::
   String ->
   [SomeOp] ->
@@ -143,7 +144,7 @@ add known a b = answer known (Add :? (a, b))
 multiply :: Known -> Code -> Code -> Trial Code
 multiply known a b = answer known (Multiply :? (a, b))
 
--- | The last answer must be the other one.
+-- | Requires that the last answer equals the given code.
 same :: String -> Code -> Code -> Trial ()
 same sentence wanted got =
   demand
@@ -152,7 +153,7 @@ same sentence wanted got =
     wanted
     (wanted == got)
 
--- | That an operation, by its name and the equation, is associative.
+-- | A law that an operation is associative.
 associates ::
   String -> Op i o -> (Known -> Code -> Code -> Trial Code) -> String -> Law Known
 associates name operation ask sentence =
@@ -163,7 +164,7 @@ associates name operation ask sentence =
       same sentence left right
     _ -> inapplicable
 
--- | That it is commutative.
+-- | A law that an operation is commutative.
 commutes :: String -> Op i o -> (Known -> Code -> Code -> Trial Code) -> String -> Law Known
 commutes name operation ask sentence =
   equation (name ++ "-commutes") [SomeOp operation] 2 sentence $ \known codes -> case codes of
@@ -214,7 +215,7 @@ multiplicationAxioms =
             _ -> inapplicable
   ]
 
--- | What characteristic, powers, logarithms and traces have to do with sums and products.
+-- | The relations of characteristic, powers, logarithms and traces to sums and products.
 otherLaws :: [Law Known]
 otherLaws =
   [ equation "characteristic-is-p" [SomeOp Add] 1 "a + a + ... + a = 0 with p summands" $
@@ -267,7 +268,7 @@ otherLaws =
   ]
   where
     modulo known n = n `mod` max 1 (profileOrder (knownProfile known) - 1)
-    -- By doubling, of which a large characteristic needs less.
+    -- By doubling, so that a large characteristic needs few sums.
     multiple :: Known -> Natural -> Code -> Trial Code
     multiple known count a
       | count == 0 = pure 0
@@ -276,7 +277,7 @@ otherLaws =
         twice <- add known half half
         if odd count then add known twice a else pure twice
 
--- | What is no code, and what is malformed.
+-- | The laws of invalid codes and of malformed inputs.
 invalidLaws :: [Law Known]
 invalidLaws =
   [ none Add (1, 1) (\a -> [(a, 0), (0, a)]),

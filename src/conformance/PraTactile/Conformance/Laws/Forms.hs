@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | An integer is the same in either form that it may have, a JSON number or a decimal string,
--- whether it is small or large; and a value, however its JSON text is written.
+-- | The laws of notation: an integer is the same as a JSON number and as a decimal string, small
+-- or large, and a value is the same in any JSON notation.
 module PraTactile.Conformance.Laws.Forms
   ( formLaws,
     otherForms,
@@ -28,7 +28,7 @@ import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
 
--- | A law of each operation that takes integers, under its stage.
+-- | One law for each of the operations that take integers, in its stage.
 formLaws :: Stage -> [SomeOp] -> [Law Known]
 formLaws stage operations =
   [ law
@@ -51,15 +51,15 @@ formLaws stage operations =
     | operation <- operations
   ]
 
--- | The value with all of its integers as strings, with all as numbers, and with every other one
--- as a string.
+-- | The value with all integers as strings, with all as numbers, and with every other one as a
+-- string.
 otherForms :: Value -> [Value]
 otherForms value = map rewritten [repeat True, repeat False, cycle [True, False]]
   where
     rewritten choices = snd (inForms choices value)
 
--- | With its integers, in order, as strings where that is so chosen; and what is left of the
--- choices.
+-- | The value with its integers, in order, as strings where the choice is 'True'; and the
+-- remaining choices.
 inForms :: [Bool] -> Value -> ([Bool], Value)
 inForms choices value = case value of
   Object fields ->
@@ -77,8 +77,8 @@ inForms choices value = case value of
         let (left', one') = inForms left one
          in (one' :) <$> through left' others
 
--- | A JSON text of the value as no program writes it: with white space round everything, the keys
--- from last to first, and each string, keys too, begun by an escape.
+-- | A JSON text of the value in unusual notation: white space everywhere, keys in reverse order,
+-- and each string (also keys) beginning with an escape.
 otherText :: Value -> Builder
 otherText value = case value of
   Object fields ->

@@ -2,8 +2,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | How an answer is judged: by what the definition says of the same question, or by several
--- answers that must fit together.
+-- | The judgement of answers: by the definition's answer to the same question, or by whether
+-- several answers fit together.
 module PraTactile.Conformance.Laws.Judge
   ( -- * Laws of one question
     defined,
@@ -42,8 +42,8 @@ import PraTactile.Conformance.Question
 import PraTactile.Format.Error (Misfit (NotPair))
 import PraTactile.Format.Json.Codec (Codec, anything, listOf, readValue, refuse, via)
 
--- | A law that all these questions are answered, or refused, as the definition says. What it needs
--- is the operation they ask for. The texts are the name of what holds, the sentence and its source.
+-- | A law that all these questions are answered or refused by definition. It needs the operation
+-- that they ask for. The texts are the name of the property, the sentence and its source.
 defined ::
   Stage ->
   String ->
@@ -56,7 +56,7 @@ defined stage what operation sentence source domain =
   law stage what [SomeOp operation] sentence source $ \known ->
     Cases questionForm (domain known) (asDefined known)
 
--- | The same of questions that need no profile.
+-- | 'defined' for questions that need no profile.
 definedWithoutProfile ::
   Stage -> String -> Op i o -> String -> String -> String -> Domain SomeQuestion -> Law ()
 definedWithoutProfile stage what operation sentence source reason domain =
@@ -92,11 +92,11 @@ invalid stage what operation questions =
         "the input is none that the operation takes"
         <$> ask question
 
--- | A law, under the name of its stage and of what holds.
+-- | A law, with an id made of its stage and the name of its property.
 law :: Stage -> String -> [SomeOp] -> String -> String -> (about -> Cases) -> Law about
 law stage what = Law (stageName stage ++ "/" ++ what) stage
 
--- | Ask, and judge by the definition.
+-- | Asks a question and judges the answer by the definition.
 asDefined :: Known -> SomeQuestion -> Ask Verdict
 asDefined known (SomeQuestion question) = judgedAsDefined known question <$> ask question
 
@@ -109,7 +109,7 @@ judgedAsDefined known question got = judge question shown fits road reason got
     road = "the definition"
     reason = why known question wanted
 
--- | Ask these one after the other, and judge each by the definition.
+-- | Asks questions in turn and judges each answer by the definition.
 inOrder :: Known -> [SomeQuestion] -> Ask Verdict
 inOrder known = go []
   where
@@ -122,8 +122,8 @@ inOrder known = go []
             pure (Violated violation {violationAsked = reverse (exchanged question got : before)})
           _ -> go (exchanged question got : before) others
 
--- | Whether what came is a refusal that was wanted, or an answer that fits; given how it is known
--- what is wanted, and why it is.
+-- | The verdict on a reply: it must be the wanted refusal, or an answer that fits. The texts are
+-- the source of the wanted reply and its reason.
 judge ::
   Question a ->
   Either Refusal a ->
@@ -144,7 +144,7 @@ exchanged question got =
 reply :: Question a -> Either Refusal a -> Reply
 reply question = either (RefusedFor . refusalReason) (Result . answerValue question)
 
--- | A question as the pair of its operation and its input.
+-- | The JSON of a question: its operation and its input.
 questionForm :: Codec SomeQuestion
 questionForm = formOf some
 
@@ -157,22 +157,22 @@ formOf made = via written asked (listOf anything)
       [name, input] -> (`made` input) <$> readValue operationForm name
       _ -> refuse NotPair
 
--- | The same, and what is read is kept as it was written.
+-- | The JSON of a question whose input is kept as it was written.
 rawForm :: Codec SomeQuestion
 rawForm = formOf (\operation -> SomeQuestion . Raw operation)
 
--- | The question of an operation with this input, typed where the input is well formed.
+-- | The question of an operation with this input; raw if the input is malformed.
 some :: SomeOp -> Value -> SomeQuestion
 some operation input =
   fromMaybe (SomeQuestion (Raw operation input)) (someQuestion operation input)
 
--- | Several questions with what came, until the first that is refused wrongly.
+-- | Several questions with their replies, up to the first wrong refusal.
 type Trial = ExceptT Verdict (StateT [Exchange] Ask)
 
--- | Why several answers must fit together: the road, and the reason in a sentence.
+-- | Why several answers must fit together: the source, and the reason in a sentence.
 data Because = Because String String
 
--- | Run it; what was asked is told with a violation.
+-- | Runs a trial. A violation includes everything that was asked.
 trial :: Trial () -> Ask Verdict
 trial asking = do
   (outcome, exchanges) <- runStateT (runExceptT asking) []
@@ -181,8 +181,8 @@ trial asking = do
     Left (Violated violation) -> Violated violation {violationAsked = reverse exchanges}
     Left other -> other
 
--- | Ask for what the definition answers; a refusal is a violation. Where the definition refuses
--- too, the law says nothing.
+-- | Asks a question that the definition answers; a refusal is a violation. If the definition
+-- refuses too, the law does not apply.
 answer :: Known -> Question a -> Trial a
 answer known question = do
   got <- lift (lift (ask question))
@@ -204,12 +204,13 @@ answer known question = do
   where
     wanted = expected known question
 
--- | What was answered last must be this, as an answer to that question.
+-- | Requires a condition on the last answer. The arguments are the reason, the question, the right
+-- answer to it, and the condition.
 demand :: Because -> Question a -> a -> Bool -> Trial ()
 demand (Because road reason) question wanted held
   | held = pure ()
   | otherwise = throwE (Violated (Violation [] (reply question (Right wanted)) road reason))
 
--- | The law says nothing of such a case.
+-- | Ends a trial to which the law does not apply.
 inapplicable :: Trial a
 inapplicable = throwE Inapplicable

@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Locating by the memory table: every complete window of the patch is looked up, and every
--- observed cell must agree.
+-- | The laws of locating by the memory table: every complete window of the patch is looked up, and
+-- every observed cell must agree.
 module PraTactile.Conformance.Laws.Locate
   ( locateLaws,
     zeroPatches,
@@ -95,7 +95,7 @@ drawnLaws =
             (frequency [(1, pure Nothing), (6, Just <$> upTo (profileOrder p - 1))])
         )
 
--- | Zeros, complete and with a cell missing.
+-- | Patches of zeros, complete and with a missing cell.
 zeroPatches :: Profile -> [Patch]
 zeroPatches p =
   [zeros shape | shape <- shapesAround p]
@@ -106,21 +106,22 @@ zeroPatches p =
 constant :: a -> Shape -> [[a]]
 constant value (Shape h w) = replicate (fromIntegral h) (replicate (fromIntegral w) value)
 
--- | Patches of which nothing was observed.
+-- | Patches without an observed cell.
 unobserved :: Profile -> [Patch]
 unobserved p = map (constant Nothing) (shapesAround p)
 
--- | Windows, and patches a row and a column larger, at and beyond the edges, as the profile's
--- surface goes on there; a sheet as the torus. And such with what lies beyond the edges not felt,
--- or else what lies before them, so that the upper left cell, or its row or column alone, is beyond
--- the upper and left edges. And two cells that are further apart than the sheet is long.
+-- | Windows, and patches one row and column larger, at and beyond the edges, continued on the
+-- profile's surface; a sheet is continued like a torus. Then the same with the cells beyond the
+-- edges not observed, or with the cells before them not observed, so that only the upper left cell,
+-- or its row or column, is beyond the upper and left edges. Also two cells that are further apart
+-- than the sheet is long.
 acrossEdges :: Known -> [Patch]
 acrossEdges known =
   ofVast 30 p $
     [ kept (\r c -> r `elem` [0, n1] && c `elem` [0, n2]) shape (Position 0 0)
       | shape <- [Shape (n1 + 1) 1, Shape 1 (n2 + 1)]
     ]
-      -- A window in a corner of very many cells that were not felt.
+      -- A window in a corner of a patch of very many unobserved cells.
       ++ [ [take 190 (line ++ repeat Nothing) | line <- take 190 (window ++ repeat [])]
            | n1 * n2 <= 100,
              window <- [kept (\_ _ -> True) (profileWindow p) (Position 0 0)]
@@ -199,14 +200,15 @@ invalidLaw =
     noSymbols (Locate :? [[Just 1]]) known :
     illFormedPatches (Locate :? [[Just 1, Nothing], [Just 0, Just 1]]) known
 
--- | Probabilities where a code must stand.
+-- | Probabilities in place of codes.
 noSymbols :: Question a -> Known -> SomeQuestion
 noSymbols question known = rawWith question "patch" (toJSON [[replicate q (1 / real :: Double)]])
   where
     q = fromIntegral (profileOrder (knownProfile known))
     real = fromIntegral q
 
--- | No cells, rows of different lengths, codes that are none; and what is malformed.
+-- | Patches without cells, with rows of different lengths, or with invalid codes; and malformed
+-- inputs.
 illFormedPatches :: Question a -> Known -> [SomeQuestion]
 illFormedPatches question known =
   map (rawWith question "patch") patches ++ malformed question

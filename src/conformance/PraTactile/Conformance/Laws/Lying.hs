@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Objects that lie somewhere, of which points of a face were felt: for the laws of poses.
+-- | Random objects with felt points of a face, for the laws of poses.
 module PraTactile.Conformance.Laws.Lying
   ( Lying (..),
     lyingForm,
@@ -22,7 +22,7 @@ import PraTactile.Object.Description (Point (..))
 import PraTactile.Pose (RigidMotion (..))
 import Test.QuickCheck
 
--- | A face that was felt, and the motion by which it was made.
+-- | A felt face, and the motion by which it was made.
 data Lying = Lying
   { lyingFelt :: Felt,
     lyingMotion :: RigidMotion
@@ -35,7 +35,7 @@ lyingForm =
       <$> Codec.key "felt" feltForm lyingFelt
       <*> Codec.key "motion" motionCodec lyingMotion
 
--- | A face of a staircase, moved in the plane of the robot and in space by rational rotations.
+-- | A staircase-shaped face, moved in the robot's plane and in space by rational rotations.
 lying :: Gen Lying
 lying = do
   corners <- map (\(x, y) -> (10 * x, 10 * y)) <$> staircase (chooseInteger (1, 12))
@@ -83,7 +83,7 @@ lying = do
     transposed ((a, b, c), (d, e, f), (g, h, i)) = ((a, d, g), (b, e, h), (c, f, i))
     p `after` m = let (a, b, c) = transposed m in transposed (p `on` a, p `on` b, p `on` c)
 
--- | A rotation by the quaternion of four small integers.
+-- | The rotation of a quaternion of four small integers.
 rotation :: Gen (Vector3, Vector3, Vector3)
 rotation = do
   (a, b, c, d) <- ((,,,) <$> part <*> part <*> part <*> part) `suchThat` (/= (0, 0, 0, 0))
@@ -97,7 +97,7 @@ rotation = do
   where
     part = fromInteger <$> chooseInteger (-4, 4)
 
--- | With errors of at most half a millimetre along each axis.
+-- | Adds errors of at most half a millimetre along each axis.
 noisy :: Felt -> Gen Felt
 noisy felt = do
   errors <- vectorOf (2 * length (feltSeen felt)) ((/ 16) . fromIntegral <$> chooseInt (-8, 8))
@@ -107,7 +107,7 @@ noisy felt = do
     pairs (x : y : others) = (x, y) : pairs others
     pairs _ = []
 
--- | Fewer points.
+-- | The same face with fewer points.
 smallerLying :: Lying -> [Lying]
 smallerLying it =
   [ it {lyingFelt = felt {feltSeen = before ++ drop 1 after}}

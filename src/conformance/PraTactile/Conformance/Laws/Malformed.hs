@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Inputs that are none of an operation's.
+-- | Invalid inputs, derived from valid ones.
 module PraTactile.Conformance.Laws.Malformed
   ( malformed,
     rawWith,
@@ -15,14 +15,14 @@ import qualified Data.Aeson.KeyMap as KeyMap
 import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
 
--- | Questions whose input is none of the operation's, made of this one: a key missing, and a value
--- of another type in each place.
+-- | Questions with an invalid input, derived from a valid one: with a missing key, or a value of
+-- another type in each place.
 malformed :: Question a -> [SomeQuestion]
 malformed question =
   map (SomeQuestion . Raw (operationOf question)) (malformedForms question)
 
--- | Shapes that are none: no drawing, one of another size or with other marks, a blank one, the
--- same one twice, and too many.
+-- | Invalid alphabets: no drawing, a drawing of another size or with other marks, a blank one, a
+-- repeated one, and too many.
 noShapes :: [Drawings]
 noShapes =
   [ [],
@@ -40,7 +40,7 @@ noShapes =
     bits :: Int -> String
     bits i = [if i `div` (2 ^ k) `mod` 2 == 1 then '#' else '.' | k <- [0 .. 7 :: Int]]
 
--- | A question whose input has another value under a key.
+-- | The question with another JSON value for a key of its input.
 rawWith :: Question a -> Key -> Value -> SomeQuestion
 rawWith question name value = SomeQuestion . Raw (operationOf question) $
   case questionInput question of

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The outputs of a network.
+-- | The laws of a network's outputs.
 module PraTactile.Conformance.Laws.Network
   ( networkLaws,
   )
@@ -66,12 +66,12 @@ networkLaws =
         replicate 6 (replicate 16 0),
         replicate 12 (replicate 8 (-1e16))
       ]
-    -- One hidden unit, of which no two weights are the same.
+    -- One hidden unit whose weights all differ.
     counting = Weights [[fromIntegral k / 16 | k <- [-48 .. 48 :: Int]]] [[4, -2]]
     single :: Int -> Int -> Values
     single i j = [[if (r, c) == (i, j) then 1 else 0 | c <- [0 .. 7]] | r <- [0 .. 11]]
 
--- | One to four hidden units and one to five classes, of weights that leave no unit saturated.
+-- | One to four hidden units and one to five classes, with weights that saturate no unit.
 genWeights :: Gen Weights
 genWeights = do
   units <- chooseInt (1, 4)
@@ -80,11 +80,12 @@ genWeights = do
     <$> vectorOf units (vectorOf 97 (part 24 64))
     <*> vectorOf outputs (vectorOf (units + 1) (part 32 16))
 
--- | So many parts of a whole at most, either way.
+-- | A fraction with the given denominator (the second number) and a numerator of at most the first
+-- number in size.
 part :: Int -> Int -> Gen Double
 part most whole = (/ fromIntegral whole) . fromIntegral <$> chooseInt (-most, most)
 
--- | A drawing, grey values, or grey values with noise.
+-- | An image of a drawing, of grey values, or of grey values with noise.
 genImage :: Gen Values
 genImage = do
   (least, most, whole) <- elements [(0, 1, 1), (0, 16, 16), (-8, 24, 16)]

@@ -2,8 +2,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Objects: what is wrong with a polyhedron, which cells lie on a face, where a window of the
--- array lies on them, and the pose of one whose face was felt.
+-- | The laws of objects: the defects of a polyhedron, the cells on a face, the whereabouts of a
+-- window, and the pose from a felt face.
 module PraTactile.Conformance.Laws.Objects
   ( objectLaws,
   )
@@ -59,7 +59,7 @@ solidLaws =
   ]
   where
     polyhedra = frequency [(1, solids), (4, eachKind >>= \kind -> solids >>= spoilt kind)]
-    -- Sizes grow by one from case to case, so that none is left to chance.
+    -- Sizes grow by one from case to case, so every kind occurs.
     eachKind = sized (\size -> pure (cycle [minBound ..] !! size))
     measure :: SomeQuestion -> Ask Verdict
     measure (SomeQuestion question) = case question of
@@ -78,11 +78,11 @@ solidLaws =
     vertex :: String -> Value -> Value
     vertex name number = toJSON [object ["name" .= name, "at" .= [number, String "0", String "0"]]]
 
--- | What is no exact number.
+-- | Texts that are not exact numbers.
 notExact :: [Value]
 notExact = map String ["", "1.5", "1e3", "+1", " 1", "1/0", "1/-2", "1/2/3", "/2", "0x1", "one"]
 
--- | Solids of which everything is known by how they were made.
+-- | Solids whose report is known from how they were made.
 measured :: [(Description, Report)]
 measured =
   [ ( grown k (prism m),
@@ -116,7 +116,8 @@ measured =
            let it = plate holes
        ]
   where
-    -- Squares of 1 x 2 mm in three rows, every other one of the middle row a hole, 3 mm high.
+    -- A plate of squares of 1 x 2 mm in three rows, 3 mm high; every other square of the middle row
+    -- is a hole.
     plate :: Int -> Description
     plate holes =
       Description
@@ -160,7 +161,7 @@ measured =
         )
     at level i = VertexName (level : show i)
     grown k = moved (\(Point x y z) -> Point (k * x + 9 * k) (k * y - 4 * k) (k * z))
-    -- The i-th box is inside of i others, every other one a cavity.
+    -- Nested boxes: box i lies inside i others, and every other one is a cavity.
     side i = fromIntegral (10 * (6 - i)) :: Rational
     sign i = if even i then 1 else -1 :: Rational
     nested n = foldr (both . one) (one (n - 1)) [0 .. n - 2]
@@ -217,10 +218,10 @@ cellLaws =
   ]
   where
     plain = FaceCells :? ([Point 0 0 0, Point 0 3 0, Point 4 0 0], (1, 1))
-    -- Such that there is room for a few cells.
+    -- A pitch with room for a few cells.
     pitchFor corners = do
       n <- fromInteger <$> chooseInteger (2, 8)
-      -- Now and then of many columns or rows.
+      -- Sometimes with many columns or rows.
       (right, down) <-
         frequency
           [ (8, elements [(1, 5 / 4), (1, 1), (7 / 3, 1 / 2)]),
@@ -235,7 +236,7 @@ cellLaws =
                   (\(Point _ _ z) -> z)
               ]
       pure (widest * right / n, widest * down / n)
-    -- A staircase whose steps are whole cells, in a plane in which they are rational.
+    -- A staircase with steps of whole cells, in a plane in which they are rational.
     rims = do
       (right, down) <- elements [(1, 1), (127 / 5, 127 / 4), (2 / 3, 5)]
       steps <- map (\(x, y) -> (x * right, y * down)) <$> staircase (chooseInteger (1, 4))

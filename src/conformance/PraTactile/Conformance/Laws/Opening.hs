@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Profiles that name no array are refused, and those that name one are opened.
+-- | The laws of opening: profiles that describe an array are opened, others are refused.
 module PraTactile.Conformance.Laws.Opening
   ( openingLaws,
   )
@@ -21,7 +21,8 @@ import PraTactile.Format.Json.Codec (listOf)
 import PraTactile.Format.Profile (profileCodec, profileValue)
 import PraTactile.Profile (Profile (..), canonicalProfile)
 
--- | About the profiles of the suite: each of them, and each with a change that makes it impossible.
+-- | The laws about the profiles of the suite: each as it is, and with a change that makes it
+-- impossible.
 openingLaws :: [Law [Profile]]
 openingLaws =
   [ law
@@ -68,8 +69,7 @@ openingLaws =
   ]
     ++ map impossibleLaw impossibles
 
--- | The same array: a prime field is the integers modulo q whatever polynomial of degree 1 is
--- stated as its modulus.
+-- | Profiles of the same array: in a prime field the modulus may be any polynomial of degree 1.
 alike :: Profile -> [Profile]
 alike p =
   [ p {profileModulus = [c, 1]}
@@ -78,26 +78,26 @@ alike p =
       [c, 1] /= profileModulus p
   ]
 
--- | With the largest windows that there are, and a polynomial of a high degree.
+-- | Profiles with the largest windows, and one with a polynomial of high degree.
 atTheLimits :: [Profile] -> [Profile]
 atTheLimits profiles =
   ofDegree16 :
     [p {profileWindow = w} | p <- profiles, w <- [Shape 1 4096, Shape 4096 1, Shape 64 64]]
 
--- | 65 535 cells; x^16 + x^12 + x^3 + x + 1 is primitive.
+-- | A profile of 65 535 cells; x^16 + x^12 + x^3 + x + 1 is primitive.
 ofDegree16 :: Profile
 ofDegree16 = over 2 [1, 1] h (Shape 255 257) (Shape 4 4)
   where
     h = [if i `elem` [0, 1, 3, 12, 16 :: Int] then 1 else 0 | i <- [0 .. 16]]
 
--- | 205 378 cells, with a side so long that the number of a term has no room in 32 bits before it
--- is reduced: it grows by that of the cell (0, 1), 102 690, with each step along it; and no more
--- has the product of two numbers below that side.
+-- | A profile of 205 378 cells for overflows of 32 bits. The index of a term grows by 102 690, the
+-- index of the cell (0, 1), with each step along the long side, so before reduction it exceeds 32
+-- bits. So does the product of two numbers below that side.
 long :: Profile
 long = over 59 [1, 1] [49, 42, 47, 1] (Shape 2 102689) (Shape 2 3)
 
--- | Put these in force one after the other, and ask a few questions under each; what was put in
--- force before is told with what is wrong.
+-- | Opens profiles in turn and asks a few questions under each. A violation includes the profiles
+-- that were opened before.
 inTurns :: [Exchange] -> [Profile] -> Ask Verdict
 inTurns before profiles = case profiles of
   [] -> pure Holds
@@ -126,10 +126,11 @@ fewOf about =
     p = knownProfile about
     Shape n1 n2 = profileShape p
     Shape h w = profileWindow p
-    -- The last one at which a window does not go beyond the edges, where there is one.
+    -- The last position at which a window lies within the edges, if there is one.
     lastPlace = Position (n1 - min n1 h) (n2 - min n2 w)
 
--- | What makes a profile impossible, and some that are so.
+-- | A reason why a profile is impossible (name and sentence), and a change that makes a profile
+-- so.
 data Impossible = Impossible String String (Profile -> [Profile])
 
 impossibleLaw :: Impossible -> Law [Profile]
@@ -144,7 +145,7 @@ impossibleLaw (Impossible what sentence change) =
         Cases profileCodec (Every (profiles >>= change)) (opened False ("but " ++ sentence))
     )
 
--- | Put it in force, and judge what came.
+-- | Opens a profile and judges the reply.
 opened :: Bool -> String -> Profile -> Ask Verdict
 opened possible reason p = judged <$> opening p
   where
@@ -227,7 +228,8 @@ ofTheSequence =
       ]
   ]
 
--- | Irreducible, but not primitive: x^4 + x^3 + x^2 + x + 1 over GF(2) has roots of order 5.
+-- | A polynomial that is irreducible but not primitive: x^4 + x^3 + x^2 + x + 1 over GF(2) has
+-- roots of order 5.
 imprimitive :: Profile -> [Profile]
 imprimitive p =
   [p {profilePolynomial = [1, 1, 1, 1, 1]} | profileOrder p == 2, degreeOf p == 4]
@@ -261,10 +263,11 @@ ofTheArray =
   where
     wider (Shape a b) = map (`Shape` b) (beyond 16 a) ++ map (Shape a) (beyond 16 b)
 
--- | What is the same number in so many bits, and in more of the widths that machines have.
+-- | Larger numbers that become the given one when truncated to 8, 16, 32 or 64 bits (at least the
+-- given number of bits).
 beyond :: Int -> Natural -> [Natural]
 beyond least n = [n + 2 ^ bits | bits <- [8, 16, 32, 64], bits >= least]
 
--- | The larger example of Petriu and others (2004): the sides are both divisible by 3.
+-- | The larger example of Petriu and others (2004): 3 divides both sides.
 noncoprime :: Profile
 noncoprime = over 4 [1, 1, 1] [2, 1, 1, 0, 0, 0, 1] (Shape 15 273) (Shape 2 3)

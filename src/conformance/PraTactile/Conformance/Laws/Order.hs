@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What was asked before does not matter, answered or refused: questions in an order that is
--- drawn, each with the answer that it has alone.
+-- | The law of order: earlier questions, answered or refused, do not change an answer. Questions
+-- are asked in a drawn order, and each must have its own right answer.
 module PraTactile.Conformance.Laws.Order
   ( orderLaw,
     orderName,
@@ -17,7 +17,8 @@ import PraTactile.Conformance.Question
 import PraTactile.Format.Json.Codec (listOf)
 import Test.QuickCheck (choose, elements, oneof, vectorOf)
 
--- | That these operations, the last of which is of the stage, are answered alike in any order.
+-- | The law that these operations are answered alike in any order. The last operation belongs to
+-- the stage.
 orderLaw :: Stage -> [SomeOp] -> Law Known
 orderLaw stage operations =
   law
@@ -37,7 +38,7 @@ orderLaw stage operations =
             )
             (inOrder known)
 
--- | The name of the law in each stage. An answer that is wrong in a fresh process, too, does not
--- violate it: that process was asked nothing before.
+-- | The name of this law in each stage. An answer that is also wrong in a fresh process does not
+-- violate it, because there nothing was asked before.
 orderName :: String
 orderName = "in-any-order"

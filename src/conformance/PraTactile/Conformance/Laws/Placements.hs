@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Faces of solids laid on arrays, by the definition of what lies on a face.
+-- | Random faces of solids laid on arrays, by the definition of what lies on a face.
 module PraTactile.Conformance.Laws.Placements
   ( placements,
     impossible,
@@ -22,7 +22,7 @@ import PraTactile.Object.Named
 import PraTactile.Object.Placement (Face (..))
 import Test.QuickCheck
 
--- | A window of a placement, mostly near what is laid.
+-- | A window of a placement, mostly near a laid face.
 windowOn :: Mapped -> Gen (Question WhereaboutsReport)
 windowOn mapped = do
   (window, at) <-
@@ -43,19 +43,19 @@ windowOn mapped = do
       oneof
         [Position <$> upTo (3 * high) <*> upTo (3 * wide), Position <$> anyNatural <*> anyNatural]
     upTo n = fromInteger <$> chooseInteger (0, toInteger n)
-    -- A corner of the window is on what is laid, or just beyond.
+    -- A corner of the window is on a laid face or just beyond.
     near' cells window@(Shape tall broad) = do
       (r, c) <- elements cells
       i <- toInteger <$> elements [0, 1, tall - 1, tall]
       j <- toInteger <$> elements [0, 1, broad - 1, broad]
       pure (window, Position (fromInteger (max 0 (r - i))) (fromInteger (max 0 (c - j))))
-    -- All cells of a face, or from a cell of one face to one of another.
+    -- The bounding box of a face's cells, or of two cells of different faces.
     boxOf cells =
       let (top, left) = (max 0 (minimum (map fst cells)), max 0 (minimum (map snd cells)))
           size end from = fromInteger (1 + max from (maximum (map end cells)) - from)
        in (Shape (size fst top) (size snd left), Position (fromInteger top) (fromInteger left))
 
--- | The cells of the array that a laying takes.
+-- | The cells of the array that a laid face takes.
 cellsTaken :: Drawing -> [(Integer, Integer)]
 cellsTaken laid =
   [ (drawnRow laid + i, drawnColumn laid + j)
@@ -63,14 +63,14 @@ cellsTaken laid =
       (j, '#') <- zip [0 ..] line
   ]
 
--- | Some faces of some solids, laid where there is room for them.
+-- | Some faces of some solids, laid where there is room.
 placements :: Gen Mapped
 placements = do
   (high, wide) <- (,) <$> chooseInteger (1, 9) <*> chooseInteger (1, 9)
   pitch@(right, _) <- elements [(1, 1), (127 / 5, 127 / 4), (3 / 2, 2)]
   count <- chooseInt (1, 3)
   drawn <- mapM (body right) [1 .. count]
-  -- Half of the time they are of one form and size.
+  -- Half of the time they have one form and size.
   alike <- arbitrary
   let objects
         | alike = [it {describedName = describedName other} | it <- take 1 drawn, other <- drawn]
@@ -92,7 +92,7 @@ placements = do
       pure it {describedName = ObjectName ("o" ++ show (number :: Int))}
     scaled' k (Point x y z) = Point (k * x) (k * y) (k * z)
 
--- | A face beside those that are laid, if a place for it is found.
+-- | The laid faces with one more, if a place for it is found.
 laidBeside ::
   (Integer, Integer) ->
   (Rational, Rational) ->
@@ -135,7 +135,7 @@ laidBeside (high, wide) pitch (name, it, walk) before
       (part, []) -> [part]
       (part, others) -> part : inParts n others
 
--- | With something that cannot be.
+-- | The placement with an impossible change.
 impossible :: Mapped -> Gen Mapped
 impossible mapped =
   oneof $
@@ -160,7 +160,7 @@ impossible mapped =
                elements
                  [ laid {drawnRow = rowsOf mapped},
                    laid {drawnColumn = -20},
-                   -- By a single row or column.
+                   -- Moved beyond an edge by a single row or column.
                    byRows (-1 - minimum rs),
                    byRows (rowsOf mapped - maximum rs),
                    byColumns (-1 - minimum cs),
@@ -179,7 +179,7 @@ impossible mapped =
                  ]
              elements
                [ mapped {mappedLayings = before ++ [changed] ++ after},
-                 -- The same face again, or another one on its cells.
+                 -- The same face again, or another face on its cells.
                  mapped
                    { mappedLayings = layings ++ [laid {drawnFace = begunLater (drawnFace laid)}]
                    }

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Which polynomials over the field are primitive, and which of them comes first.
+-- | The laws of primitive polynomials, and of the first of them.
 module PraTactile.Conformance.Laws.Polynomials
   ( polynomialLaws,
   )
@@ -84,11 +84,11 @@ primitiveSentence =
 source :: String
 source = "Lidl and Niederreiter, Finite Fields, theorem 3.16"
 
--- | Of degree 1.
+-- | Polynomials of degree 1.
 linear :: Profile -> [[Code]]
 linear p = [[a, 1] | a <- take 8 (elementsOf p)]
 
--- | All polynomials of the degrees of which there are at most 700, monic or not.
+-- | All polynomials, monic or not, of the degrees with at most 700 of them.
 smallPolynomials :: Profile -> [[Code]]
 smallPolynomials p =
   [ reverse (leading : lower)
@@ -100,9 +100,10 @@ smallPolynomials p =
   where
     q = profileOrder p
 
--- | Of the least degrees for which q^n - 1 has a prime above 100, or of small fields above 2^16,
--- and of large fields is above 2^53 itself, where its primes are soon told: a primitive polynomial,
--- and those of which the root's order is too small by one of these primes.
+-- | Primitive polynomials of high degrees, and polynomials whose root's order is too small by one
+-- large prime. The degrees are the least for which q^n - 1 has a prime above 100, for small fields
+-- also one above 2^16; for large fields q^n - 1 itself is above 2^53, and its primes are found
+-- quickly.
 highDegrees :: Known -> [[Code]]
 highDegrees known =
   [ map fromIntegral h
@@ -118,11 +119,11 @@ highDegrees known =
       take 1 [n | n <- [2 .. 20 :: Int], any (> bound) (primeDivisors (q ^ n - 1))]
     q = toInteger (profileOrder (knownProfile known))
 
--- | Monic, of a degree for which q^n is at most 5000.
+-- | A monic polynomial of a degree with q^n at most 5000.
 drawn :: Profile -> Gen [Code]
 drawn = drawnUpTo 5000
 
--- | Monic, of a degree for which q^n is at most so much.
+-- | A monic polynomial of a degree with q^n at most the given number.
 drawnUpTo :: Natural -> Profile -> Gen [Code]
 drawnUpTo most p = do
   n <- elements [n | n <- [1 .. 40 :: Int], q ^ n <= most]

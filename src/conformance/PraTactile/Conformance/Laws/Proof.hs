@@ -2,7 +2,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Which masks tell all positions apart, and in how many cells their windows differ.
+-- | The laws of proofs about masks and of the distances of their windows.
 module PraTactile.Conformance.Laws.Proof
   ( proofLaws,
   )
@@ -42,7 +42,7 @@ proofLaws =
       "the distance of a mask is the least number of cells in which two of its windows on the \
       \folding's own surface differ"
 
--- | What both operations on masks are held to.
+-- | The laws that hold for both operations on masks.
 ofMasks :: Op MaskRows o -> String -> [Law Known]
 ofMasks operation sentence =
   [ defined OnProof (name ++ "-small-masks") operation sentence source $ \known ->
@@ -67,7 +67,7 @@ ofMasks operation sentence =
     special =
       "; blank rows and columns at a mask's end count for nothing, and a mask of which no window \
       \lies on the sheet is refused: off-sheet"
-    -- Of long sequences a few.
+    -- For long sequences, only masks with few cells.
     affordable p mask = area (profileShape p) <= 1024 || length (concat mask) <= 4
 
 source :: String
@@ -75,8 +75,8 @@ source =
   "the rank of alpha^e(i,j) over GF(q), e(i,j) being the index folded to (i,j); counting \
   \windows"
 
--- | Masks whose windows differ on the sheet alone, with blank rows and columns at the ends, as
--- large as the array and larger.
+-- | Special masks: windows that differ only on the sheet, blank rows and columns at the ends, and
+-- masks as large as the array or larger.
 specialMasks :: Profile -> [MaskRows]
 specialMasks p =
   [full (profileWindow p)]
@@ -85,7 +85,7 @@ specialMasks p =
     ++ [far 11 8 | n1 > 11 && n2 > 9]
     ++ [one 0 (n2 - 1), one (n1 - 1) 0, one (n1 - 1) (n2 - 1), one 0 n2, one n1 0, one n1 n2]
     ++ [one 0 (n2 + 1), one (n1 + 1) 0]
-    -- As many cells as a mask may have.
+    -- The greatest number of cells of a mask.
     ++ [full (Shape 64 64) | n1 * n2 <= 16]
   where
     Shape n1 n2 = profileShape p
@@ -100,7 +100,7 @@ specialMasks p =
     drawn h w cells =
       [[if (i, j) `elem` cells then '#' else '.' | j <- [0 .. w - 1]] | i <- [0 .. h - 1]]
 
--- | A few cells that lie far apart, perhaps beyond the edges.
+-- | A mask with a few cells far apart, some of them perhaps further than the array's size.
 farMask :: Natural -> Natural -> Gen MaskRows
 farMask n1 n2 = do
   (h, w) <- (,) <$> upTo (n1 + 2) <*> upTo (n2 + 2)
@@ -138,7 +138,7 @@ relationLaws =
   where
     onMask question held = maybe inapplicable held (reProve question)
 
--- | The mask of a question about one.
+-- | The mask of a question about a proof.
 reProve :: SomeQuestion -> Maybe MaskRows
 reProve question = case question of
   SomeQuestion (Prove :? mask) -> Just mask

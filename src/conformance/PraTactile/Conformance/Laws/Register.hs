@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Registration of two frames: where both show one relief is where they lie, and where they do not
--- tell that, it is refused for the right reason.
+-- | The laws of registration of two frames: the displacement is where both show the same relief,
+-- and if they do not determine it, the refusal has the right reason.
 module PraTactile.Conformance.Laws.Register
   ( registerLaws,
   )
@@ -23,9 +23,9 @@ import Test.QuickCheck (Gen, chooseInt, elements, shrinkIntegral)
 registerLaws :: [Law ()]
 registerLaws = placeLaws ++ [latticeLaw] ++ refusalLaws ++ [invalidLaw]
 
--- | Two frames of a relief: from which seed it is, the frames' width and height, the step that the
--- robot was to make, its error, a number that says how the frames are changed, and for how many
--- classes shapes are stated.
+-- | Two frames of a relief. The fields are the relief's seed, the frames' width and height, the
+-- robot's nominal step, its error, a number that selects a change, and the number of classes whose
+-- shapes are given.
 data Press = Press
   { pressSeed :: Int,
     pressSize :: WholeTaxels,
@@ -55,7 +55,7 @@ genPress =
     <*> chooseInt (0, 999)
     <*> genShapes
 
--- | Less of an error, a frame of 16 x 16, a step to the right, less of a change.
+-- | A press with a smaller error, frames of 16 x 16, a step to the right, or less of a change.
 smallerPress :: Press -> [Press]
 smallerPress press =
   [press {pressError = e} | e <- smallerWhole (pressError press)]
@@ -64,7 +64,7 @@ smallerPress press =
     ++ [press {pressChange = c} | c <- shrinkIntegral (pressChange press), c >= 0]
     ++ [press {pressShapes = Nothing} | Just _ <- [pressShapes press]]
 
--- | The displacement, and the pair with a search of 3 taxels.
+-- | The displacement, and the pair of frames with a search of 3 taxels.
 pressed :: Press -> (WholeTaxels, Pair)
 pressed (Press seed size step by _ _) =
   (shift, Pair (cut (0, 0)) (cut shift) step 3)
@@ -116,7 +116,7 @@ placeLaws =
   where
     back (x, y) = (negate x, negate y)
 
--- | A law that a pair, changed in a way, is registered where it lies.
+-- | A law that a changed pair is registered at its displacement.
 placed ::
   String -> String -> String -> (Int -> (WholeTaxels, Pair) -> (WholeTaxels, Pair)) -> Law ()
 placed what sentence reason change =
@@ -127,7 +127,7 @@ placed what sentence reason change =
             then lying (fst (shapesFor (pressShapes press))) shift pair reason
             else pure Inapplicable
 
--- | Ask, and judge by where the second frame lies.
+-- | Asks for the registration and judges it by the true displacement.
 lying :: Maybe Drawings -> WholeTaxels -> Pair -> String -> Ask Verdict
 lying shapes shift@(x, y) pair = asking shapes pair wanted fits
   where
@@ -137,7 +137,7 @@ lying shapes shift@(x, y) pair = asking shapes pair wanted fits
         && registeredFixed got == (True, True)
         && near 0.5 shift (registeredBest got)
 
--- | The law of frames that have hardly anything in common but the lattice.
+-- | The law of frames that share hardly more than the lattice.
 latticeLaw :: Law ()
 latticeLaw =
   law
@@ -161,7 +161,7 @@ latticeLaw =
 moved :: WholeTaxels -> WholeTaxels -> WholeTaxels
 moved (x, y) (i, j) = (x + i, y + j)
 
--- | Where all of this is from.
+-- | The source of these laws.
 theCut :: String
 theCut = "how the frames were cut; the protocol, register"
 
@@ -175,7 +175,8 @@ asking shapes pair wanted fits reason =
 near :: Double -> WholeTaxels -> Taxels -> Bool
 near most (x, y) (x', y') = max (abs (fromInteger x - x')) (abs (fromInteger y - y')) <= most
 
--- | A law that a pair of a press, if it is meant, is refused so; and what else must fit.
+-- | A law that pairs made from a press are refused with a reason. The function gives the pair, the
+-- expected answer, and what else must fit; 'Nothing' if the law does not apply.
 refusal ::
   String -> String -> String -> (Press -> Maybe (Pair, Registered, Registered -> Bool)) -> Law ()
 refusal what sentence reason scene =
@@ -240,10 +241,10 @@ refusalLaws =
   where
     unknown reason (x, y) = Registered (Just reason) (fromInteger x, fromInteger y)
 
--- | Up to three edges that both frames show wherever within the search they lie.
+-- | A pair with up to three edges that both frames show at every displacement within the search.
 oneAxis :: Press -> Maybe (Pair, Registered, Registered -> Bool)
 oneAxis press
-  -- Edges that undo each other show nothing.
+  -- Edges that cancel each other show nothing.
   | maximum profile < minimum profile + 4000 = Nothing
   | otherwise = Just (pair, Registered (Just "one-axis") at (across, not across), fits)
   where
@@ -254,7 +255,7 @@ oneAxis press
     (sx, sy) = pressStep press
     (ex, ey) = pressError press
     (x, y) = (sx + ex, sy + ey)
-    -- What is seen by both if the second lies as far as 3 taxels from its step.
+    -- The range that both frames see even if the second lies 3 taxels from its step.
     first' = axis (sx, sy) + 3
     last' = axis (pressSize press) - 4
     edges =

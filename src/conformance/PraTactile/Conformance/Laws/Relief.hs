@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Scenes of which the truth is known because they are drawn here: reliefs without end, of which
--- frames are cut, and composites with symbols at known places.
+-- | Scenes with known truth: unbounded reliefs from which frames are cut, and composites with
+-- symbols at known places.
 module PraTactile.Conformance.Laws.Relief
   ( -- * Reliefs
     Relief,
@@ -11,7 +11,7 @@ module PraTactile.Conformance.Laws.Relief
     lattice,
     frameOf,
 
-    -- * Whether frames tell where they are
+    -- * Whether frames determine their displacement
     telling,
 
     -- * Changes
@@ -37,19 +37,19 @@ import PraTactile.Symmetry (Symmetry, onRows, symmetries)
 import System.Random (mkStdGen, randomR, randomRs)
 import Test.QuickCheck (Gen, chooseInt, chooseInteger, elements, frequency, shrinkIntegral)
 
--- | The grey value at a whole place of a surface without end: 0 to @highest@.
+-- | The grey value, 0 to 'highest', at a whole place of an unbounded surface.
 type Relief = WholeTaxels -> Natural
 
--- | What a relief has at most, so that there is room for gain and offset.
+-- | The greatest grey value of a relief, which leaves room for gain and offset.
 highest :: Double
 highest = 20000
 
--- | A height, 0 being the middle, as a grey value.
+-- | A height, with 0 in the middle, as a grey value.
 grey :: Double -> Natural
 grey height = fromInteger (max 0 (min (round highest) (round (highest / 2 + 4000 * height))))
 
--- | Round bumps and dents at random places between (-24, -24) and (48, 48), about one on 28 square
--- taxels, of radii of 1 to 3 taxels; from a seed.
+-- | A relief of round bumps and dents, from a seed. They lie at random places between (-24, -24)
+-- and (48, 48), about one per 28 square taxels, with radii of 1 to 3 taxels.
 bumpy :: Int -> Relief
 bumpy seed = \(x, y) -> grey (sum [rise (fromInteger x) (fromInteger y) bump | bump <- bumps])
   where
@@ -58,7 +58,7 @@ bumpy seed = \(x, y) -> grey (sum [rise (fromInteger x) (fromInteger y) bump | b
       a : b : c : d : rest -> (72 * a - 24, 72 * b - 24, 1 + 2 * c, 2 * d - 1) : fours rest
       _ -> []
 
--- | How high a bump is at a place: a bell, cut off at four radii.
+-- | The height of a bump at a place: a Gaussian, cut off at four radii.
 rise :: Double -> Double -> (Double, Double, Double, Double) -> Double
 rise x y (bx, by, radius, height)
   | abs (x - bx) > 4 * radius || abs (y - by) > 4 * radius = 0
@@ -66,24 +66,24 @@ rise x y (bx, by, radius, height)
   where
     two = 2 :: Int
 
--- | Straight edges at right angles to one axis, alike all along the other: where each is, in tenths
--- of a taxel, and whether it rises.
+-- | A relief of straight edges perpendicular to one axis. The list has the place of each edge, in
+-- tenths of a taxel, and whether it rises.
 edged :: (WholeTaxels -> Integer) -> [(Int, Bool)] -> Relief
 edged axis edges place = grey (sum [height edge | edge <- edges])
   where
     height (at, rises) =
       (if rises then 1 else -1) * tanh (fromInteger (axis place) - fromIntegral at / 10 :: Double)
 
--- | The same again after so many taxels to the right, and after so many down; where it is highest,
--- in tenths of a taxel.
+-- | A relief that repeats with the given periods to the right and down. The second argument is the
+-- place of its maximum, in tenths of a taxel.
 periodic :: WholeTaxels -> (Int, Int) -> Relief
 periodic (p, q) (i, j) (x, y) = grey (wave p i x + wave q j y)
   where
     wave :: Integer -> Int -> Integer -> Double
     wave period at t = cos (2 * pi * (fromInteger t - fromIntegral at / 10) / fromInteger period)
 
--- | Symbols 16 taxels apart along a row and 20 along a column, which one where by chance, sharp or
--- blurred by 1, 2, 1 along both axes; from a seed, and so is where the lattice lies.
+-- | A relief of random symbols, 16 taxels apart along a row and 20 along a column, sharp or
+-- blurred by 1, 2, 1 along both axes. The seed also determines the lattice's place.
 lattice :: Drawings -> Int -> Relief
 lattice shapes seed (x, y)
   | even seed = 4000 + 12000 * raised x y
@@ -101,13 +101,13 @@ lattice shapes seed (x, y)
         cell = mkStdGen (seed + fromInteger (7919 * column + 104729 * row))
         shape = shapes !! fst (randomR (0, length shapes - 1) cell)
 
--- | The frame of a width and height whose upper left taxel is at a place.
+-- | The frame of a given size whose upper left taxel is at a place.
 frameOf :: (Integer, Integer) -> Relief -> WholeTaxels -> Rows
 frameOf (w, h) relief (x, y) = [[relief (x + i, y + j) | i <- [0 .. w - 1]] | j <- [0 .. h - 1]]
 
--- | Whether a pair shows by itself where the second frame lies: at every other whole displacement
--- within the search, what both have in common correlates by less than 0.9; one taxel away, by less
--- than 0.97.
+-- | Whether a pair determines the displacement of the second frame. At every other whole
+-- displacement within the search, the common part must correlate by less than 0.9; one taxel away,
+-- by less than 0.97.
 telling :: Pair -> WholeTaxels -> Bool
 telling (Pair a b (sx, sy) search) (dx, dy) =
   and
@@ -120,7 +120,7 @@ telling (Pair a b (sx, sy) search) (dx, dy) =
   where
     r = toInteger search
 
--- | What two frames have in common where the second's upper left taxel lies there in the first.
+-- | The pairs of grey values in the overlap of two frames at a displacement of the second.
 common :: WholeTaxels -> Rows -> Rows -> [(Double, Double)]
 common (dx, dy) a b =
   [ (fromIntegral u, fromIntegral v)
@@ -130,7 +130,7 @@ common (dx, dy) a b =
   where
     from n = drop (fromInteger (max 0 n))
 
--- | The normalised correlation; 1 where one side does not change, because then anything fits.
+-- | The normalised correlation; 1 if one side is constant, because then everything fits.
 correlation :: [(Double, Double)] -> Double
 correlation pairs
   | n < 2 || varianceA <= 0 || varianceB <= 0 = 1
@@ -141,14 +141,14 @@ correlation pairs
     varianceA = aa - a * a / n
     varianceB = bb - b * b / n
 
--- | Grey values times a gain, and an offset more.
+-- | A gain for grey values, and an offset to add.
 data Affine = Affine Natural Natural
   deriving stock (Eq, Show)
 
 affinely :: Affine -> Rows -> Rows
 affinely (Affine gain offset) = map (map (\v -> gain * v + offset))
 
--- | The symmetry of that number, and rows as they are seen in it.
+-- | The symmetry with this number, and rows transformed by it.
 seen :: Int -> (Symmetry, Rows -> Rows)
 seen number = (symmetry, onRows symmetry)
   where
@@ -158,21 +158,21 @@ seen number = (symmetry, onRows symmetry)
 genSeed :: Gen Int
 genSeed = chooseInt (0, 999999)
 
--- | For how many classes a question states the shapes, if it does.
+-- | The number of classes whose shapes a question gives, if it does.
 genShapes :: Gen (Maybe Int)
 genShapes = frequency [(1, pure Nothing), (1, Just . fst <$> elements knownAlphabets)]
 
--- | The shapes for so many classes; where nothing is stated, none are, but scenes have the usual
--- ones.
+-- | The given shapes for a number of classes, and the shapes for drawing scenes. Without a number,
+-- no shapes are given, and scenes use the default ones.
 shapesFor :: Maybe Int -> (Maybe Drawings, Drawings)
 shapesFor stated = (known <$ stated, known)
   where
     known = concat [drawingsOf one | (q, one) <- knownAlphabets, q == fromMaybe 4 stated]
 
--- | An error of at most so many taxels along each axis.
+-- | A random error of at most the given number of taxels along each axis.
 genError :: Integer -> Gen WholeTaxels
 genError most = (,) <$> chooseInteger (-most, most) <*> chooseInteger (-most, most)
 
--- | Nearer to nothing.
+-- | Displacements nearer to 0.
 smallerWhole :: WholeTaxels -> [WholeTaxels]
 smallerWhole (x, y) = [(x', y) | x' <- shrinkIntegral x] ++ [(x, y') | y' <- shrinkIntegral y]

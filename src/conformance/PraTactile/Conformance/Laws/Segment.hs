@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Segmentation: symbols that were drawn come out where they were drawn, along their own axes, and
--- nothing else does.
+-- | The laws of segmentation: drawn symbols are found where they were drawn, along their own axes,
+-- and nothing else is.
 module PraTactile.Conformance.Laws.Segment
   ( segmentLaws,
   )
@@ -91,11 +91,11 @@ segmentLaws =
     invalidLaw
   ]
 
--- | A law that of a drawing's composite these symbols come out.
+-- | A law that exactly the given symbols are found in a drawing's composite.
 comesOut :: String -> String -> String -> (Drawing -> (Rows, [Symbol])) -> Law ()
 comesOut = comesOutOf (Some genDrawing smallerDrawing)
 
--- | The same of these drawings.
+-- | 'comesOut' for the given drawings.
 comesOutOf ::
   Domain Drawing -> String -> String -> String -> (Drawing -> (Rows, [Symbol])) -> Law ()
 comesOutOf drawings what sentence reason scene =
@@ -108,7 +108,7 @@ comesOutOf drawings what sentence reason scene =
   where
     same (Symbol (x, y) a) (Symbol (x', y') a') =
       max (abs (x - x')) (abs (y - y')) <= 0.5 && apart a a' <= 5
-    -- Axes are up to half turns.
+    -- Axes are compared up to half turns.
     apart a a' =
       let difference = abs (a - a')
           turns = fromIntegral (floor (difference / 180) :: Integer)

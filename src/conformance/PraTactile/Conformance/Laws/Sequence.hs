@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The sequence obeys the profile's recurrence from the profile's state, at any index, and is a
--- maximal-length one (MacWilliams and Sloane, 1976).
+-- | The laws of the sequence: it obeys the profile's recurrence from the profile's state at any
+-- index, and has maximal length (MacWilliams and Sloane, 1976).
 module PraTactile.Conformance.Laws.Sequence
   ( sequenceLaws,
   )
@@ -84,11 +84,11 @@ recurrence =
   "MacWilliams and Sloane (1976), section II; the profile's polynomial, reading and \
   \state"
 
--- | Mostly short.
+-- | A number of terms, mostly small.
 anyLength :: Gen Natural
 anyLength = frequency [(19, upTo 40), (1, upTo 4000)]
 
--- | Around the end of a period, and any.
+-- | An index near the end of a period, or any.
 anyIndex :: Profile -> Gen Natural
 anyIndex p =
   oneof
@@ -126,7 +126,7 @@ recurrenceLaws =
       )
   ]
   where
-    -- The reciprocal's coefficients are those of the polynomial backwards, up to a factor that does
+    -- The reciprocal's coefficients are the polynomial's in reverse order, up to a factor that does
     -- not matter here.
     coefficientsOf p = case profileReading p of
       Characteristic -> profilePolynomial p
@@ -135,7 +135,7 @@ recurrenceLaws =
       traverse (expected known . (Multiply :?)) (zip coefficients values)
         >>= foldM (\a b -> expected known (Add :? (a, b))) 0
 
--- | A law of the terms from these indices on, so far as they are in a period.
+-- | A law about the terms from each of these indices on, within a period.
 ofIndex :: String -> String -> [Natural] -> (Known -> Natural -> Trial ()) -> Law Known
 ofIndex what sentence indices held =
   law OnSequence what [SomeOp Terms] sentence recurrence $ \known ->
@@ -144,7 +144,7 @@ ofIndex what sentence indices held =
       (Every (takeWhile (< periodOf (knownProfile known)) indices))
       (trial . held known)
 
--- | A law of a whole period, of sequences of which one is short enough to be looked at.
+-- | A law about a whole period, for sequences of which one is short enough.
 ofPeriod ::
   String ->
   String ->
@@ -206,7 +206,7 @@ countingLaws =
   where
     counted :: [Code] -> Map.Map Code Natural
     counted = Map.fromListWith (+) . map (\a -> (a, 1))
-    -- 0 occurs once less often than this, and every other code below n this often.
+    -- 0 occurs once less often than @often@, and every other code below n occurs @often@ times.
     allButOne n often =
       Map.filter (> 0) (Map.fromList ((0, often - 1) : [(a, often) | a <- [1 .. n - 1]]))
 
@@ -250,7 +250,7 @@ shifted d terms =
     (drop (fromIntegral d `mod` max 1 (length terms)) (cycle terms))
     terms
 
--- | Distances between terms, from 1 to less than a period; of periods of more than 100 terms some.
+-- | Shifts from 1 to less than a period; only some if the period is above 100.
 shiftsOf :: Profile -> [Natural]
 shiftsOf p
   | period <= 100 = [1 .. period - 1]
@@ -260,14 +260,14 @@ shiftsOf p
     Shape n1 n2 = profileShape p
     several = [1, 2, 3, 5, 7, 11, profileOrder p, n1, n2, period `div` 2, period - 1]
 
--- | Whether every n consecutive terms of a period that is repeated occur once, and none of them are
--- all zeros.
+-- | Whether every n consecutive terms of a repeated period occur exactly once and are never all
+-- zeros.
 hasSpan :: Natural -> [Code] -> Bool
 hasSpan n terms = Set.size tuples == length terms && all (any (/= 0)) tuples
   where
     tuples = Set.fromList (zipWith const (map (take (fromIntegral n)) (tails (cycle terms))) terms)
 
--- | Whether all terms of a period are looked at: up to 4096.
+-- | Whether all terms of a period are asked for: at most 4096.
 isShort :: Profile -> Bool
 isShort p = periodOf p <= 4096
 

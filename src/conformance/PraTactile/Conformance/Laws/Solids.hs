@@ -1,12 +1,12 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Solids drawn at random, of one piece or several, with handles, cavities and faces that are not
--- convex, anywhere and in any direction; and each of them with one thing made wrong.
+-- | Random solids of one piece or several, with handles, cavities and nonconvex faces, at any
+-- place and angle; and the same with one defect.
 module PraTactile.Conformance.Laws.Solids
   ( solids,
     spoilt,
 
-    -- * Changes that spoil nothing
+    -- * Changes that keep a solid valid
     affine,
     moved,
     labelled,
@@ -22,7 +22,7 @@ import PraTactile.Object.Description
 import PraTactile.Object.Named
 import Test.QuickCheck
 
--- | A polyhedron of which nothing is wrong.
+-- | A valid polyhedron.
 solids :: Gen Description
 solids = do
   count <- frequency [(5, pure 1), (2, pure 2), (1, pure 3)]
@@ -36,7 +36,7 @@ solids = do
       hollow <- frequency [(3, pure False), (1, pure True)]
       let outer = labelled ("p" ++ show k ++ ".") (namedDescription shape)
           apart = moved (\(Point x y z) -> Point (x + 1000 * fromInteger k) y z)
-          -- In the middle of a box of 60 a cube has room, and it is turned inside out.
+          -- A box of 60 has room for a box in its middle, which is turned inside out.
           cavity =
             moved (\(Point x y z) -> Point (x + 20) (y + 20) (z + 20)) $
               reversed (labelled ("h" ++ show k ++ ".") (namedDescription (Box 10 12 14)))
@@ -58,7 +58,7 @@ shapes =
   where
     size = (/ 2) . fromInteger <$> choose (100, 300)
 
--- | A motion with a shear and a size, rational, that keeps what is outside outside.
+-- | A rational affine map that preserves orientation.
 affine :: Gen (Point -> Point)
 affine = do
   k <- elements [1, 1, 2, 1 / 3, 127 / 5]
@@ -72,7 +72,7 @@ affine = do
     small = elements [0, 0, 1 / 2, -1 / 3, 1]
     far = fromInteger <$> choose (-500, 500)
 
--- | The same faces, in another order, each walk begun elsewhere.
+-- | The same faces in another order, each walk with another beginning.
 shuffledFaces :: Description -> Gen Description
 shuffledFaces it = do
   faces <- shuffle (describedFaces it)
@@ -101,7 +101,8 @@ both a b =
     (describedVertices a ++ describedVertices b)
     (describedFaces a ++ describedFaces b)
 
--- | Something of a kind made wrong somewhere, which brings more with it now and then.
+-- | The polyhedron with a defect of this kind somewhere; it may have further defects as a
+-- consequence.
 spoilt :: Kind -> Description -> Gen Description
 spoilt kind it = case kind of
   NoFaces -> pure it {describedFaces = []}
@@ -135,7 +136,7 @@ spoilt kind it = case kind of
     walked <- elements (rotations walk ++ rotations (reverse walk))
     pure it {describedFaces = faces ++ [FaceName walked]}
   NoArea -> do
-    -- A side becomes two, with a flat triangle on it.
+    -- A side is divided in two, with a flat triangle on it.
     FaceName walk <- elements faces
     let (a, b) = (head walk, walk !! 1)
     middle <- elements [0, 1 / 3, 1 / 2, 2]
@@ -149,8 +150,8 @@ spoilt kind it = case kind of
     d <- anyShift
     pure (setPoint i (snd (vertices !! i) `shiftedBy` d) it)
   FaceCrossesItself -> do
-    -- Of five corners at least: crossed, a parallelogram has no area. Without such a face a prism
-    -- that has some is put beside.
+    -- A face of at least five corners, because a crossed parallelogram has no area. If there is
+    -- none, a prism that has one is added beside.
     let long = [f | (f, walk) <- zip [0 ..] faces, length (faceVertices walk) > 4]
         beside = labelled "o." (moved (shiftedBy (Point 10000 0 0)) pentagonal)
         pentagonal = namedDescription (Prism 5 40 60)
@@ -181,7 +182,7 @@ spoilt kind it = case kind of
         }
   FacesDisagree -> changeFace (pure . reverse)
   PinchedVertex -> do
-    -- Another piece of the same form touches it, and the vertex is one.
+    -- Another piece of the same form touches it, and both share the vertex.
     (v, p) <- elements vertices
     let other = labelled "o." (moved (\(Point x y z) -> through p (Point x y z)) it)
         name w = if w == VertexName ("o." ++ vertexText v) then v else w
@@ -232,7 +233,7 @@ setPoint i p it =
 shiftedBy :: Point -> Point -> Point
 shiftedBy (Point a b c) (Point x y z) = Point (a + x) (b + y) (c + z)
 
--- | Mirrored at a point.
+-- | The reflection in a point.
 through :: Point -> Point -> Point
 through (Point a b c) (Point x y z) = Point (2 * a - x) (2 * b - y) (2 * c - z)
 

@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Stitching: frames cut from one relief are found where they were cut, whatever their order and
--- whatever the robot takes for its origin.
+-- | The laws of stitching: frames cut from one relief are found where they were cut, in any order
+-- and with any origin of the robot's coordinates.
 module PraTactile.Conformance.Laws.Stitch
   ( stitchLaws,
   )
@@ -21,9 +21,9 @@ import PraTactile.Symmetry (onOffset)
 import System.Random (mkStdGen, randoms)
 import Test.QuickCheck (Gen, chooseInt, elements, shrinkIntegral, vectorOf)
 
--- | A survey of a relief: from which seed that is, how many frames across and down, each 8 taxels
--- from the next, the robot's error for each, row by row, a number that says how the survey is
--- changed, and, where it is of symbols, for how many classes their shapes are stated.
+-- | A survey of a relief. The fields are the relief's seed, the numbers of frames across and down
+-- (8 taxels apart), the robot's error of each frame (row by row), a number that selects a change,
+-- and the number of classes whose shapes are given, for a relief of symbols.
 data Survey = Survey
   { surveySeed :: Int,
     surveySize :: WholeTaxels,
@@ -51,7 +51,7 @@ genSurvey = do
     <*> chooseInt (0, 999)
     <*> genShapes
 
--- | Fewer frames, smaller errors, and less of a change.
+-- | Surveys with fewer frames, smaller errors, or less of a change.
 smallerSurvey :: Survey -> [Survey]
 smallerSurvey survey =
   [ survey {surveySize = size, surveyErrors = take (fromInteger (c * r)) (surveyErrors survey)}
@@ -67,13 +67,13 @@ smallerSurvey survey =
   where
     errors = surveyErrors survey
 
--- | A frame as it is placed, and how far it is from there.
+-- | The frames with their nominal places, each with its true displacement.
 type Truth = [(Placed, WholeTaxels)]
 
 surveyed :: Survey -> Truth
 surveyed survey = cutFrom (bumpy (surveySeed survey)) 8 survey
 
--- | Cut from a relief, so many taxels apart.
+-- | The frames of a survey, cut from a relief at the given spacing in taxels.
 cutFrom :: Relief -> Integer -> Survey -> Truth
 cutFrom relief apart (Survey _ (columns, rows) errors _ _) =
   [ (Placed (frameOf (16, 16) relief (x + i, y + j)) (x, y), (i, j))
@@ -143,8 +143,8 @@ stitchLaws =
     invalidLaw
   ]
 
--- | A law that the frames of a survey, changed in a way, are found where they are, to so many
--- taxels.
+-- | A law that the frames of a changed survey are found at their true displacements, within a
+-- tolerance in taxels.
 found ::
   String ->
   String ->
@@ -161,7 +161,7 @@ found what sentence reason most before change =
             then asking Nothing truth most reason
             else pure Inapplicable
 
--- | The law of frames that have hardly anything in common but the lattice.
+-- | The law of frames that share hardly more than the lattice.
 latticeLaw :: Law ()
 latticeLaw =
   law
@@ -184,7 +184,7 @@ asking shapes truth most reason =
     errors = [(fromInteger x, fromInteger y) | (_, (x, y)) <- truth]
     fits got = length got == length errors && alike most errors got
 
--- | Whether displacements are the same to so many taxels, up to a shift of all.
+-- | Whether displacements agree within a tolerance in taxels, up to a common shift.
 alike :: Double -> [Taxels] -> [Taxels] -> Bool
 alike most wanted got = near fst && near snd
   where
@@ -193,7 +193,7 @@ alike most wanted got = near fst && near snd
           mean = sum differences / fromIntegral (max 1 (length differences))
        in all ((<= most) . abs . subtract mean) differences
 
--- | Whether any two frames that should be neighbours tell by themselves how they lie.
+-- | Whether all pairs of neighbouring frames determine their displacement.
 allTelling :: Truth -> Bool
 allTelling truth =
   and

@@ -20,5 +20,5 @@ libraryOutputs (Weights hidden output) rows = do
   image <- orRefuse "invalid" (fromRows rows)
   orRefuse "invalid" (outputs made image)
   where
-    -- Sums of products of such numbers are numbers that a double has.
+    -- Sums of products of such numbers are within a double's range.
     bounded v = abs v <= 1e15

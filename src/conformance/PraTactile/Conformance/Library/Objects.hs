@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What this library says of solids, of faces laid on an array, and of poses.
+-- | This library's answers about solids, faces laid on an array, and poses.
 module PraTactile.Conformance.Library.Objects
   ( librarySolid,
     libraryCells,
@@ -37,7 +37,7 @@ libraryWhereabouts (Mapped shape (right, down) objects layings) window at =
     Left _ -> refuse "impossible-placement"
     Right place -> pure (whereaboutsReport (Just (whereabouts place window at)))
 
--- | The face with these corners as a polyhedron's only one.
+-- | A polyhedron whose only face has these corners.
 oneFace :: [Point] -> Wire Mesh
 oneFace corners = do
   when (any ((`elem` faults) . defectKind) (reportDefects (examine it))) $

@@ -1,6 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | This library under a profile: its array, and what is made once for all questions.
+-- | This library under a profile: the array and everything else that is computed once for all
+-- questions.
 module PraTactile.Conformance.Library.Prepared
   ( Prepared (..),
     prepared,
@@ -22,20 +23,20 @@ import PraTactile.Profile (Profile (..))
 import PraTactile.Sequence (termAt)
 import PraTactile.Window (Mask)
 
--- | What is made once for all questions under a profile: its array and window, the decoder of
--- complete windows, the locators, and the terms of the sequence.
+-- | The values that are computed once for all questions under a profile: the array, the window,
+-- the decoder of complete windows, the locators, and the terms of the sequence.
 data Prepared k = Prepared
   { preparedProfile :: Profile,
     preparedArray :: PseudorandomArray k,
     preparedWindow :: Mask,
-    -- | Patches are looked up in the memory table, or, where windows have so many possible contents
-    -- that there is none, compared with every position. Arrays of very many cells have neither.
+    -- | The decoder for exact patches: the memory table; or comparison with every position, if
+    -- windows have too many possible contents for a table. Arrays of very many cells have neither.
     preparedExact :: DecoderName,
     preparedLocator :: DecoderName -> Locator k,
     preparedTerm :: Natural -> GF k
   }
 
--- | Make it.
+-- | Computes it for a profile, its array and its window.
 prepared :: KnownField k => Profile -> PseudorandomArray k -> Mask -> Prepared k
 prepared p array mask = Prepared p array mask exact locators (termAt primitive state)
   where
@@ -48,14 +49,14 @@ prepared p array mask = Prepared p array mask exact locators (termAt primitive s
       SearchDecoder -> bySearch
       PosteriorDecoder -> byProbability
       _ -> byDistance
-    -- Each made once.
+    -- Each is made once.
     byTable = made TableDecoder
     bySearch = made SearchDecoder
     byDistance = made NearestDecoder
     byProbability = made PosteriorDecoder
     made name = locator (Just name) (profilePacking p) (ArrayOn (profileSurface p) array) mask
 
--- | The element of a code.
+-- | The element of a code. Refuses a code of q or more as @invalid@.
 element :: KnownField k => Prepared k -> Code -> Wire (GF k)
 element it code
   | code < fromIntegral (fieldOrder it) = orRefuse "invalid" (fromCode (fromIntegral code))

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The stages of touch of this library as an implementation under test.
+-- | This library's stages of touch as an implementation under test.
 module PraTactile.Conformance.Library.Touch
   ( libraryRegister,
     libraryStitch,
@@ -23,15 +23,15 @@ import PraTactile.Registration.Pair
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
 import PraTactile.Shape (Alphabet, ShapeError (UnreadableLine), alphabet, bitmap)
 
--- | Registration by the better of its methods.
+-- | Registration by the better one of its methods.
 libraryRegister :: Maybe Drawings -> Pair -> Wire Registered
 libraryRegister shapes pair = tablesOf shapes >>= (`registered` pair)
 
--- | Stitching as for an exact sensor.
+-- | Stitching with the settings for an exact sensor.
 libraryStitch :: Maybe Drawings -> Natural -> [Placed] -> Wire [Taxels]
 libraryStitch shapes search frames = tablesOf shapes >>= \made -> stitched made search frames
 
--- | Grey values as shares of full scale.
+-- | Grey values as shares of full scale. Refuses values above full scale, and an empty image.
 image :: Rows -> Wire Raster
 image rows = do
   unless (all (all (<= fullScale)) rows) (refuse "invalid")
@@ -66,10 +66,10 @@ registered known (Pair a b (x, y) search) = do
       Ambiguous -> "ambiguous"
       NoOverlap -> "no-overlap"
 
--- | What is made of an alphabet once.
+-- | The tables of an alphabet, computed once.
 data AlphabetTables = AlphabetTables
-  { -- | for pairs of frames of a width and height, if these are possible; those of small frames are
-    -- made once
+  { -- | for pairs of frames of a given width and height, if possible; those for small frames are
+    -- computed once
     tablesOfPairs :: (Int, Int) -> Maybe Tables,
     tablesOfFrames :: Stitch.LatticeTables
   }
@@ -81,12 +81,13 @@ alphabetTables known = AlphabetTables ofSize (Stitch.latticeTables known)
       | min w h < 4 || max w h > 256 = Nothing
       | max w h < 4 + smallSides = small Vector.!? ((w - 4) * smallSides + h - 4)
       | otherwise = Just (tablesFor known w h)
-    -- Those of frames of 4 to 31 taxels a side, by width and then height.
+    -- Tables for frames of 4 to 31 taxels a side, by width, then height.
     small = Vector.generate (smallSides * smallSides) $ \i ->
       let (w, h) = i `quotRem` smallSides in tablesFor known (4 + w) (4 + h)
     smallSides = 28
 
--- | Those of shapes, or of the usual ones; of shipped ones they are made once.
+-- | The tables of the given shapes, or of the default ones; those of shipped shapes are computed
+-- once.
 tablesOf :: Maybe Drawings -> Wire AlphabetTables
 tablesOf shapes = case shapes of
   Nothing -> maybe (refuse "invalid") pure (lookup 4 [(q, made) | (q, _, made) <- shippedTables])
@@ -106,7 +107,7 @@ readDrawings drawings = traverse one (zip [1 :: Int ..] drawings) >>= alphabet
       '.' -> Right False
       _ -> Left (UnreadableLine 1 (Text.singleton c))
 
--- | The search is taken for two standard deviations of the robot's error.
+-- | The search distance is taken as two standard deviations of the robot's error.
 stitched :: AlphabetTables -> Natural -> [Placed] -> Wire [Taxels]
 stitched known search frames = do
   placed <- traverse frame frames

@@ -1,4 +1,4 @@
--- | Waiting for one reply of a process, and naming what came instead.
+-- | Waits for one reply of a process; names the fault if there is none.
 module PraTactile.Conformance.Process.Await
   ( awaitLine,
     flooded,
@@ -18,7 +18,7 @@ import PraTactile.Conformance.Process.Reply (excerpt)
 import PraTactile.Conformance.Subject
 import System.Exit (ExitCode (..))
 
--- | The next line, if it comes within so many seconds.
+-- | The next line within the given number of seconds, or the fault.
 awaitLine :: Child -> Double -> IO (Either Fault ByteString)
 awaitLine child seconds = do
   now <- getMonotonicTime
@@ -41,8 +41,8 @@ awaitLine child seconds = do
             then Fault ClosedPipe "it closed its standard input and did not answer"
             else Fault TimedOut ("no reply within " ++ secondsText seconds)
 
--- | A line that is too long: it ends, or more than a flood has come of it. Of one that neither ends
--- nor goes on within so many seconds, its length is known alone.
+-- | The fault of a line that is too long. It waits for the line's end, or for more than a flood of
+-- output; if the line stalls for the given number of seconds, only its length is known.
 oversized :: Child -> Double -> ByteString -> IO Fault
 oversized child seconds beginning = do
   flood <- drain child seconds seconds 1
@@ -51,8 +51,8 @@ oversized child seconds beginning = do
       then Fault EndlessOutput ("a line without end: " ++ excerpt beginning ++ " ...")
       else Fault LineTooLong ("a line of more than 1 MiB: " ++ excerpt beginning ++ " ...")
 
--- | A fault in what was read, or that of a flood of which it is the beginning: more lines than
--- were asked for, of which there are so many.
+-- | The fault in a line that was read, or the fault of a flood that begins with it: more lines
+-- than requested. The number is how many replies are outstanding.
 flooded :: Child -> Int -> Fault -> IO Fault
 flooded child outstanding fault
   | faultKind fault `notElem` [NotJson, NotAReply, OutOfOrder, AnsweredTwice] = pure fault
@@ -65,7 +65,7 @@ flooded child outstanding fault
   where
     most = 2 * outstanding + 1000
 
--- | Why the standard output ended, after this part of a line.
+-- | The fault when standard output ended after this part of a line.
 endOf :: Child -> ByteString -> IO Fault
 endOf child partial = do
   now <- getMonotonicTime
@@ -77,7 +77,7 @@ endOf child partial = do
     Just ended -> Fault Crashed (exitText ended)
     Nothing -> Fault ClosedPipe "it closed its standard output and goes on"
 
--- | The fault with what the process said on its standard error.
+-- | Adds the process's standard error to a fault.
 withErrors :: Child -> Fault -> IO Fault
 withErrors child fault = do
   said <- errorsTail child
@@ -94,7 +94,7 @@ withErrors child fault = do
     pieces bytes =
       if Bytes.null bytes then [] else let (a, b) = Bytes.splitAt 100 bytes in a : pieces b
 
--- | How a process ended, in words.
+-- | The end of a process, in words.
 exitText :: ExitCode -> String
 exitText code = case code of
   ExitSuccess -> "it ended, with status 0"

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What must hold of a process whatever it is asked: how it ends, and what it does without a
--- profile.
+-- | Checks of a process that do not depend on any question: how it ends, and what it does without
+-- a profile.
 module PraTactile.Conformance.Process.Checks
   ( sessionChecks,
     oneShotChecks,
@@ -32,7 +32,7 @@ import PraTactile.Format.Profile (profileValue)
 import PraTactile.Profile (Profile (..), canonicalProfile)
 import System.Exit (ExitCode (..))
 
--- | The ids of all checks, and what each demands.
+-- | The ids and sentences of all checks.
 checkTexts :: [(String, String)]
 checkTexts =
   [ (noProfileId, "what is no profile is refused: invalid"),
@@ -62,7 +62,7 @@ textId = "protocol/reads-any-json-text"
 check :: String -> IO Checked -> Check
 check name = Check name (concat (lookup name checkTexts))
 
--- | Those of a process that answers many requests, each made of a process of its own.
+-- | The checks of a process that answers many requests. Each uses a new process.
 sessionChecks :: Limits -> Session -> [Check]
 sessionChecks limits session =
   [ check noProfileId (profilesOf limits session "invalid" noProfiles),
@@ -82,7 +82,7 @@ sessionChecks limits session =
     stop child = send child (requestLine stopRequest)
     judged requests = either (CheckErred requests) (const CheckHeld)
 
--- | Ask a process to end, and see that it does so in silence.
+-- | Makes a process end by the given action, and checks that it ends without output.
 endsBy :: (Child -> IO ()) -> Child -> IO (Either Fault ())
 endsBy ask child = do
   ask child
@@ -104,14 +104,16 @@ endsBy ask child = do
       _ -> pure (Right ())
     fault kind detail = Left <$> withErrors child (Fault kind detail)
 
--- | Put these in force, one after the other; each is refused so, or taken where no reason is given.
+-- | Opens these profiles one after the other. Each must be refused with the reason, or accepted if
+-- the reason is empty.
 profilesOf :: Limits -> Session -> String -> [Value] -> IO Checked
 profilesOf limits session reason profiles =
   eachReplied limits session [(profileRequestOf one, (== wanted), wanted) | one <- profiles]
   where
     wanted = if null reason then ResponseResult (Bool True) else ResponseRefused reason
 
--- | Ask these, one after the other, each with what will do as its reply, and one that would.
+-- | Sends these requests one after the other, each with a test of its reply and an example of a
+-- right one.
 eachReplied :: Limits -> Session -> [(Value, Response -> Bool, Response)] -> IO Checked
 eachReplied limits session requests = do
   got <- repliesTo limits session [requestLine one | (one, _, _) <- requests]
@@ -125,8 +127,8 @@ eachReplied limits session requests = do
         | does response -> others
         | otherwise -> CheckFailed [request] wanted response
 
--- | The replies to these lines in one process, each sent when the one before it was answered, up to
--- the first fault.
+-- | The replies of one process to these lines, up to the first fault. Each line is sent after the
+-- reply to the one before.
 repliesTo :: Limits -> Session -> [Lazy.ByteString] -> IO (Either Fault [Either Fault Response])
 repliesTo limits session requests =
   withStarted session $ \child ->
@@ -136,8 +138,8 @@ repliesTo limits session requests =
       line <- awaitLine child (limitReply limits)
       pure (line >>= fmap replyResponse . readReply)
 
--- | A profile and a question of each operation, as they are usually written and as nobody does, are
--- answered alike.
+-- | Checks that a profile and a question of each operation have the same answers in usual and in
+-- unusual JSON notation.
 otherwiseWritten :: Limits -> Session -> IO Checked
 otherwiseWritten limits session = compared <$> told usual <*> told other
   where
@@ -156,8 +158,8 @@ otherwiseWritten limits session = compared <$> told usual <*> told other
       (Left why, _) -> CheckErred [request] why
       (_, Left why) -> CheckErred [request] why
 
--- | The paper's profile with a key missing, with a value of another type, with an unknown word, as
--- another schema, and with one or three numbers where two stand.
+-- | Invalid profiles: the paper's with a missing key, a value of another type, an unknown word,
+-- another schema, or one or three numbers instead of two.
 noProfiles :: [Value]
 noProfiles =
   Null :
@@ -177,8 +179,8 @@ noProfiles =
           count <- [1, 3]
       ]
 
--- | Many questions and @stop@ in one write, with replies for which a pipe has no room: a program
--- that ends at once loses what it has not handed on.
+-- | Many questions and @stop@ in one write, with more replies than a pipe holds: a program that
+-- exits at once loses replies that it has not yet written.
 answersFirst :: Limits -> Session -> IO Checked
 answersFirst limits session = case startedQuestions session of
   [] -> pure CheckHeld
@@ -199,7 +201,7 @@ answersFirst limits session = case startedQuestions session of
           CheckHeld
           [CheckErred [one, stopRequest] why | (one, Left why) <- zip requests replies]
 
--- | A possible profile, an impossible one, and a question, which are told together.
+-- | A possible profile, an impossible one and a question, reported together.
 noneInForce :: Limits -> Session -> IO Checked
 noneInForce limits session = case startedQuestions session of
   [] -> pure CheckHeld
@@ -217,8 +219,8 @@ noneInForce limits session = case startedQuestions session of
       asked = [request | (request, _, _) <- requests]
       none = ResponseErrored "no profile is in force"
 
--- | Words that are no operation's name, between two questions: such as a look-up by name finds in
--- many languages though nobody put them there, and names as nobody spells them.
+-- | Unknown operation names between two questions: names that a look-up by name finds in many
+-- languages by inheritance, and misspelt names.
 unknownInSession :: Limits -> Session -> IO Checked
 unknownInSession limits session =
   eachReplied limits session $
@@ -255,12 +257,12 @@ isErrored response = case response of
 notKnown :: Response
 notKnown = ResponseSkipped "not known"
 
--- | The keys of a question about what is no operation, in either mode.
+-- | The keys of a question with an unknown operation, in either mode.
 unknownQuestion :: Int -> String -> [Aeson.Pair]
 unknownQuestion number name =
   ["sequence" .= number, "operation" .= name, "input" .= object []]
 
--- | Questions of the operations of the code that are offered.
+-- | Questions of the offered operations of the code.
 startedQuestions :: Session -> [SomeQuestion]
 startedQuestions session =
   [ question
@@ -269,7 +271,7 @@ startedQuestions session =
       nameOf (operationOf asked) `elem` startedOperations (sessionStarted session)
   ]
 
--- | Those of a command that answers one request.
+-- | The checks of a command that answers one request.
 oneShotChecks :: Limits -> Command -> [Check]
 oneShotChecks limits command =
   [check unknownId (judged <$> runOnce limits command request)]

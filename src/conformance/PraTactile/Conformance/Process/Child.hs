@@ -1,6 +1,5 @@
--- | Another process and the three pipes to it. Whatever it does, nothing here waits for it without
--- a limit: what it is sent is written by a thread of its own, its standard error is read by another
--- one, and it ends, with all of its process group, when 'withChild' does.
+-- | A process with three pipes. Nothing here waits for it without a limit: one thread writes its
+-- input, another reads its standard error, and 'end' kills it with its whole process group.
 module PraTactile.Conformance.Process.Child
   ( -- * Processes
     Child,
@@ -15,7 +14,7 @@ module PraTactile.Conformance.Process.Child
     receive,
     Received (..),
 
-    -- * How it fares
+    -- * Its state
     inputLost,
     exitCode,
     waitExit,
@@ -53,23 +52,23 @@ data Command = Command
 -- | A process that was started and not yet ended.
 data Child = Child
   { childProcess :: ProcessHandle,
-    -- | Its process group, of which it is the first.
+    -- | Its process group, which has its number.
     childGroup :: CPid,
     childOutput :: Fd,
     childHandles :: [Handle],
-    -- | What the writer is to write; 'Nothing' to close.
+    -- | The bytes to be written; 'Nothing' closes the input.
     childQueue :: Chan (Maybe Lazy.ByteString),
     childInputLost :: IORef Bool,
-    -- | What was received and not yet used.
+    -- | Bytes that were received and not yet used.
     childUnread :: IORef ByteString,
     childErrors :: IORef ByteString,
-    -- | Full once there will be no more of that.
+    -- | Filled when standard error has ended.
     childErrorsEnd :: MVar (),
     childThreads :: [ThreadId]
   }
 
--- | Start a process, in a process group of its own; 'Left' with the reason where it cannot be
--- started. To be called with asynchronous exceptions masked, and followed by 'end'.
+-- | Starts a process in its own process group; 'Left' with the reason if that fails. Call it with
+-- asynchronous exceptions masked, followed by 'end'.
 begin :: Command -> IO (Either String Child)
 begin command = try (begun command) >>= either (fmap Left . reason) (pure . Right)
   where
@@ -128,10 +127,11 @@ begun (Command program arguments) = do
             }
       pure ((input, output, complaints), process)
 
--- | End a process and all of its group, and forget it: no zombie stays.
+-- | Kills a process and its group, and reaps it, so that no zombie remains.
 end :: Child -> IO ()
 end child = uninterruptibleMask_ $ do
-  -- A process may have left its group; where it has ended, its number may be another one's.
+  -- A process may have left its group. After it has ended, its number may belong to another
+  -- process.
   ended <- exitCode child
   when (isNothing ended) (whatever (signalProcess sigKILL (childGroup child)))
   whatever (signalProcessGroup sigKILL (childGroup child))
@@ -143,7 +143,7 @@ end child = uninterruptibleMask_ $ do
 whatever :: IO a -> IO ()
 whatever action = void (try (void action) :: IO (Either IOException ()))
 
--- | Write what comes, until that is the end of it or cannot be written.
+-- | Writes bytes until the end of input or an error.
 write :: Chan (Maybe Lazy.ByteString) -> IORef Bool -> Handle -> IO ()
 write queue broken input = go `catch` lost
   where
@@ -151,7 +151,7 @@ write queue broken input = go `catch` lost
     lost :: IOException -> IO ()
     lost _ = writeIORef broken True
 
--- | Read to the end and keep the last 4 KiB.
+-- | Reads to the end and keeps the last 4 KiB.
 keepTail :: Handle -> IORef ByteString -> IO ()
 keepTail complaints errors = go `catch` ended
   where
@@ -164,47 +164,45 @@ keepTail complaints errors = go `catch` ended
     ended :: IOException -> IO ()
     ended _ = pure ()
 
--- | Have bytes written to the standard input, without waiting for that.
+-- | Queues bytes for standard input without waiting.
 send :: Child -> Lazy.ByteString -> IO ()
 send child = writeChan (childQueue child) . Just
 
--- | Close the standard input after all that was sent.
+-- | Closes standard input after everything queued.
 closeInput :: Child -> IO ()
 closeInput child = writeChan (childQueue child) Nothing
 
--- | Whether the standard input cannot be written to. What was sent last may have been taken by the
--- system before it was closed, so a line end more is sent: to be asked of a process that is given
--- up.
+-- | Whether standard input is broken. Use it only for a process that is given up: it sends one
+-- more line end, because the system may have accepted the last bytes before the pipe closed.
 inputLost :: Child -> IO Bool
 inputLost child = do
   send child (Lazy.pack [10])
   threadDelay 20000
   readIORef (childInputLost child)
 
--- | The end of what it wrote to its standard error, at most 4 KiB. Of a process that has ended all
--- is awaited, because what it said last may arrive after its end; but no longer than half a second,
--- for a child of its own may hold the pipe.
+-- | The last 4 KiB of standard error. For a process that has ended it waits for the rest, at most
+-- half a second, because a child of the process may hold the pipe.
 errorsTail :: Child -> IO ByteString
 errorsTail child = do
   ended <- exitCode child
   _ <- timeout (if isNothing ended then 2000 else 500000) (readMVar (childErrorsEnd child))
   readIORef (childErrors child)
 
--- | What was received and is to be used first by whoever reads on.
+-- | The bytes that were received and must be used first by the next reader.
 unread :: Child -> IORef ByteString
 unread = childUnread
 
--- | Some more of the standard output.
+-- | The result of waiting for standard output.
 data Received
   = Received ByteString
-  | -- | There will be no more.
+  | -- | The output has ended.
     OutputEnds
-  | -- | There is none until this time.
+  | -- | Nothing came before the deadline.
     Late
 
--- | Wait for more of the standard output, until a time on the monotonic clock, seconds. Where the
--- process has ended, what it left in the pipe is all, even if a child of its own holds the pipe;
--- and that is there, however long a busy machine takes to say so.
+-- | Waits for more standard output until a deadline on the monotonic clock (seconds). After the
+-- process has ended, its output ends with what is in the pipe, even if a child holds the pipe. A
+-- busy machine may take long to report that, so the pipe is read first.
 receive :: Child -> Double -> IO Received
 receive child deadline = do
   now <- getMonotonicTime
@@ -212,7 +210,7 @@ receive child deadline = do
   if slice <= 0
     then maybe Late got <$> readNow
     else do
-      -- Only the waiting is given up, never a read that has begun: nothing that came is lost.
+      -- Only the waiting is interrupted, never a read, so no bytes are lost.
       _ <- timeout (max 1 (ceiling (slice * 1e6))) (threadWaitRead (childOutput child))
       more <- readNow
       case more of
@@ -224,7 +222,7 @@ receive child deadline = do
     readNow = readSome (childOutput child)
     got bytes = if Bytes.null bytes then OutputEnds else Received bytes
 
--- | What is there to be read of a pipe that is not waited for, if anything is; empty at its end.
+-- | Reads what is in a non-blocking pipe, if anything is; empty at its end.
 readSome :: Fd -> IO (Maybe ByteString)
 readSome fd = either nothing Just <$> try bytes
   where
@@ -233,11 +231,11 @@ readSome fd = either nothing Just <$> try bytes
     nothing :: IOException -> Maybe ByteString
     nothing _ = Nothing
 
--- | How it ended, if it has.
+-- | The exit code, if the process has ended.
 exitCode :: Child -> IO (Maybe ExitCode)
 exitCode = getProcessExitCode . childProcess
 
--- | Wait for its end until a time on the monotonic clock.
+-- | Waits for the exit code until a deadline on the monotonic clock.
 waitExit :: Child -> Double -> IO (Maybe ExitCode)
 waitExit child deadline = go 0.0002
   where

@@ -1,9 +1,10 @@
--- | The lines that a process writes, each within a time, a length and thus a memory.
+-- | Reads the lines of a process, each with a limit of time and of length, so that memory is
+-- bounded.
 module PraTactile.Conformance.Process.Lines
   ( Line (..),
     nextLine,
 
-    -- * What nobody asked for
+    -- * Unrequested output
     Flood (..),
     longestFlood,
     drain,
@@ -17,24 +18,24 @@ import GHC.Clock (getMonotonicTime)
 import PraTactile.Conformance.Process.Child
 import PraTactile.Conformance.Wire.Line (longestLine)
 
--- | What was read in place of a line, or the line.
+-- | A line, or what was read instead.
 data Line
-  = -- | Without its end.
+  = -- | The line without its line end.
     Line ByteString
-  | -- | The output ends with this, after which there is no end of a line.
+  | -- | The output ended with this text, without a line end.
     NoMore ByteString
-  | -- | This much of a line has come until the time.
+  | -- | Only this part of a line came before the deadline.
     Unfinished ByteString
-  | -- | It is longer than 'longestLine'; this is how it begins.
+  | -- | The line is longer than 'longestLine'; this is its beginning.
     Oversized ByteString
 
--- | The next line, if it comes until a time on the monotonic clock.
+-- | Reads the next line until a deadline on the monotonic clock.
 nextLine :: Child -> Double -> IO Line
 nextLine child deadline = do
   there <- readIORef (unread child)
   search [] 0 there
   where
-    -- The pieces of the line so far, the last one first, none of which has an end; their length.
+    -- The pieces of the line so far, last one first, without a line end; and their length.
     search pieces size piece = case Bytes.elemIndex '\n' piece of
       Just i
         | size + i <= longestLine -> do
@@ -53,19 +54,19 @@ nextLine child deadline = do
           Late -> keep whole >> pure (Unfinished whole)
     keep = writeIORef (unread child)
 
--- | How much came that nobody asked for.
+-- | The amount of unrequested output.
 data Flood = Flood
   { floodLines :: Int,
     floodBytes :: Int
   }
 
--- | The bytes after which output that nobody asked for counts as endless: what decides is how much
--- comes, not how fast.
+-- | The number of bytes after which unrequested output counts as endless. The amount decides, not
+-- the speed.
 longestFlood :: Int
 longestFlood = 16 * longestLine
 
--- | Read and forget what a process still writes, until so many lines or more than 'longestFlood'
--- bytes have come, nothing comes for so many seconds, or so many have passed.
+-- | Reads and drops output until the given number of lines or more than 'longestFlood' bytes came,
+-- nothing came for @silence@ seconds, or @seconds@ passed.
 drain :: Child -> Double -> Double -> Int -> IO Flood
 drain child silence seconds mostLines = do
   there <- readIORef (unread child)

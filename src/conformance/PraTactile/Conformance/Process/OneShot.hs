@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The protocol with a process a request: one object in, one reply out.
+-- | The protocol with one process per request: one object in, one reply out.
 module PraTactile.Conformance.Process.OneShot
   ( oneShot,
     offeredOneShot,
@@ -23,7 +23,7 @@ import PraTactile.Conformance.Subject
 import PraTactile.Profile (Profile)
 import System.Exit (ExitCode (..))
 
--- | Ask one question, or whether the profile is possible.
+-- | Asks one question, or, without a question, whether the profile is possible.
 oneShot :: Limits -> Command -> Profile -> Maybe (Int, SomeQuestion) -> IO (Either Fault Response)
 oneShot limits command profile asked = do
   answered <- runOnce limits command (oneShotRequest profile asked)
@@ -37,7 +37,7 @@ oneShot limits command profile asked = do
       (Nothing, _) -> Right (replyResponse reply)
     wrong number what = "a reply to request " ++ show number ++ " with " ++ what
 
--- | Start the command, give it one request, and take its one reply.
+-- | Starts the command, sends one request, and reads its only reply.
 runOnce :: Limits -> Command -> Value -> IO (Either Fault Reply)
 runOnce limits command request = bracket (begin command) (mapM_ end) $ \started ->
   case started of
@@ -52,7 +52,7 @@ runOnce limits command request = bracket (begin command) (mapM_ end) $ \started 
         Left fault -> pure (Left fault)
         Right bytes -> either (pure . Left) (ended child deadline) (readReply bytes)
 
--- | The reply, if nothing follows it and the process ends well.
+-- | Accepts the reply if nothing follows it and the process exits with status 0.
 ended :: Child -> Double -> Reply -> IO (Either Fault Reply)
 ended child deadline reply = do
   more <- restOf
@@ -75,8 +75,8 @@ ended child deadline reply = do
     restOf = nextLine child deadline
     fault kind detail = flooded child 1 (Fault kind detail) >>= fmap Left . withErrors child
 
--- | The operations that a command knows: each is asked for once, and is not known where the reply
--- is @skipped@. 'Left' where it answers none of them.
+-- | The operations that a command offers. Each is asked once; a reply of @skipped@ means that it
+-- is not offered. 'Left' if the command answers none.
 offeredOneShot :: Limits -> Command -> Profile -> IO (Either Fault [SomeOp])
 offeredOneShot limits command profile = do
   replies <- sampled (map exampleOf allOperations)
@@ -84,7 +84,7 @@ offeredOneShot limits command profile = do
     why : _ | null [() | (_, Right _) <- replies] -> Left why
     _ -> Right [operation | (operation, reply) <- replies, not (skips reply)]
   where
-    -- A command that cannot be started will not be later on either.
+    -- A command that cannot be started once is not tried again.
     sampled questions = case questions of
       [] -> pure []
       question@(SomeQuestion asked) : others -> do

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Lines of the protocol: requests as they are written, and replies as they are read, strictly.
+-- | The lines of the protocol: writes requests, and reads replies strictly.
 module PraTactile.Conformance.Process.Reply
   ( -- * Requests
     startRequest,
@@ -45,15 +45,15 @@ import PraTactile.Profile (Profile)
 startRequest :: Value
 startRequest = object ["command" .= text "start", "protocol" .= (1 :: Int)]
 
--- | Put a profile in force.
+-- | The request to put a profile in force.
 profileRequest :: Profile -> Value
 profileRequest = profileRequestOf . profileValue
 
--- | The same for a profile as JSON.
+-- | The request to put a profile in force, from the profile's JSON.
 profileRequestOf :: Value -> Value
 profileRequestOf profile = object ["command" .= text "profile", "profile" .= profile]
 
--- | Ask a question, with its number.
+-- | The request to answer a question, with its sequence number.
 runRequest :: Int -> SomeQuestion -> Value
 runRequest number (SomeQuestion question) =
   object
@@ -63,11 +63,12 @@ runRequest number (SomeQuestion question) =
       "input" .= questionInput question
     ]
 
--- | The last request, to which there is no reply.
+-- | The last request, which has no reply.
 stopRequest :: Value
 stopRequest = object ["command" .= text "stop"]
 
--- | All of a one-shot request; without a question, whether the profile is possible.
+-- | The only request to a one-shot command. Without a question it asks whether the profile is
+-- possible.
 oneShotRequest :: Profile -> Maybe (Int, SomeQuestion) -> Value
 oneShotRequest profile asked =
   Object ("profile" .= profileValue profile <> maybe mempty run asked)
@@ -83,14 +84,13 @@ text = id
 requestLine :: Value -> Lazy.ByteString
 requestLine request = encode request <> "\n"
 
--- | A reply, with the number that it repeats, if it has one.
+-- | A reply, with the sequence number that it repeats, if it has one.
 data Reply = Reply
   { replySequence :: Maybe Integer,
     replyResponse :: Response
   }
 
--- | A line as a reply: an object with exactly one of the four keys. Refuses what is no JSON, and
--- what is no reply.
+-- | Reads a reply: an object with exactly one of the four keys. Refuses anything else.
 readReply :: ByteString -> Either Fault Reply
 readReply line = readObject line >>= reply
   where
@@ -110,15 +110,15 @@ readReply line = readObject line >>= reply
       (_, String why) | key /= "result" -> Right (ResponseErrored (Text.unpack why))
       _ -> notReply line ("has a " ++ Key.toString key ++ " that is no text")
 
--- | What a subject says of itself.
+-- | A subject's description of itself.
 data Started = Started
   { startedName :: String,
-    -- | As it says them.
+    -- | The names that it states.
     startedOperations :: [String],
     startedInFlight :: Int
   }
 
--- | A line as the reply to @start@.
+-- | Reads the reply to @start@.
 readStarted :: ByteString -> Either Fault Started
 readStarted line = do
   fields <- readObject line
@@ -166,7 +166,7 @@ numbered line =
 notReply :: ByteString -> String -> Either Fault a
 notReply line what = Left (Fault NotAReply ("a reply that " ++ what ++ ": " ++ excerpt line))
 
--- | How a line begins, as it can be shown.
+-- | The beginning of a line, printable.
 excerpt :: ByteString -> String
 excerpt line
   | Bytes.length line > 100 = shown (Bytes.take 80 line) ++ " ... (" ++ size ++ " bytes)"

@@ -1,5 +1,5 @@
--- | The protocol with a process that answers many requests, one after the other. A process that
--- fails is ended; another one takes its place and its profile.
+-- | The protocol with a process that answers many requests in turn. A process that fails is
+-- killed, and a new one takes its place with the same profile.
 module PraTactile.Conformance.Process.Session
   ( Session,
     Limits (..),
@@ -10,7 +10,7 @@ module PraTactile.Conformance.Process.Session
     askAll,
     anew,
 
-    -- * For the laws of the protocol
+    -- * For protocol checks
     withStarted,
   )
 where
@@ -28,28 +28,28 @@ import PraTactile.Conformance.Subject
 import PraTactile.Conformance.Wire.Line (longestLine)
 import PraTactile.Profile (Profile)
 
--- | How long is waited.
+-- | Time limits.
 data Limits = Limits
-  { -- | For the reply to each request, seconds.
+  { -- | For the reply to each request, in seconds.
     limitReply :: Double,
-    -- | For all that is asked before the subject can be used, seconds.
+    -- | For everything before the subject can be used, in seconds.
     limitOpening :: Double
   }
 
--- | A process of a command, or none at the moment.
+-- | A command with its running process, if there is one.
 data Session = Session
   { sessionCommand :: Command,
     sessionLimits :: Limits,
     sessionStarted :: Started,
     sessionChild :: IORef (Maybe Child),
-    -- | The profile that was put in force last.
+    -- | The profile that was last put in force.
     sessionProfile :: IORef (Maybe Profile),
     -- | The number of the next request.
     sessionNext :: IORef Int
   }
 
--- | Start a command and use it; it is ended afterwards, however that ends. 'Left' where it cannot
--- be started, or never answers.
+-- | Starts a command, runs the action, and kills the process in any case. 'Left' if it cannot be
+-- started or never answers.
 withSession :: Limits -> Command -> (Session -> IO a) -> IO (Either Fault a)
 withSession limits command use = do
   held <- newIORef Nothing
@@ -61,11 +61,11 @@ withSession limits command use = do
         session <- Session command limits said held <$> newIORef Nothing <*> newIORef 1
         Right <$> use session
 
--- | What comes of an action, if that comes in the time for what is asked first.
+-- | The result of an action, within the limit for opening.
 opening :: Limits -> IO (Either Fault a) -> IO (Either Fault a)
 opening limits = fmap (fromMaybe (Left timeOver)) . withinSeconds (limitOpening limits)
 
--- | Start the command and await its first reply.
+-- | Starts the command and waits for its first reply.
 begun :: Limits -> Command -> IORef (Maybe Child) -> IO (Either Fault Started)
 begun limits command held = mask $ \unmasked -> do
   letGo held
@@ -85,11 +85,11 @@ letGo held = mask_ $ do
   mapM_ end child
   writeIORef held Nothing
 
--- | End the process; the next request goes to another one, in which no profile is in force.
+-- | Kills the process. The next request starts another one, in which no profile is in force.
 anew :: Session -> IO ()
 anew session = letGo (sessionChild session) >> writeIORef (sessionProfile session) Nothing
 
--- | A process of its own that was started, for an action.
+-- | Runs an action with its own newly started process.
 withStarted :: Session -> (Child -> IO (Either Fault a)) -> IO (Either Fault a)
 withStarted session use = do
   held <- newIORef Nothing
@@ -101,7 +101,7 @@ withStarted session use = do
       (Left fault, _) -> pure (Left fault)
       _ -> pure (Left (Fault CannotStart "it has ended"))
 
--- | The process, started again if there is none, with its profile in force.
+-- | The process, restarted if there is none, with its profile in force.
 current :: Session -> IO (Either Fault Child)
 current session = do
   there <- readIORef (sessionChild session)
@@ -121,7 +121,7 @@ current session = do
 failed :: Session -> Fault -> IO (Either Fault a)
 failed session fault = Left fault <$ letGo (sessionChild session)
 
--- | Put a profile in force; what came.
+-- | Puts a profile in force; returns the response.
 putProfile :: Session -> Profile -> IO (Either Fault Response)
 putProfile session profile = do
   child <- current session
@@ -139,7 +139,7 @@ profileOn session child profile = do
   line <- awaitLine child (limitReply (sessionLimits session))
   either (fmap Left . flooded child 1) (pure . Right) (line >>= fmap replyResponse . readReply)
 
--- | Ask questions; their replies in order, up to the first fault.
+-- | Asks questions; returns their replies in order, up to the first fault.
 askAll :: Session -> [SomeQuestion] -> IO [Either Fault Response]
 askAll session questions = do
   (got, fault) <- exchangeAgain (startedInFlight (sessionStarted session)) questions
@@ -148,7 +148,7 @@ askAll session questions = do
     Just why
       | length suspects <= 1 -> pure (map Right got ++ [Left why])
       | otherwise -> do
-        -- Which of those that waited for a reply is at fault shows when each is asked alone.
+        -- The questions in flight are asked again one by one, which shows the one at fault.
         (alone, again) <- exchangeAgain 1 suspects
         pure (map Right got ++ maybe [Left why] (\f -> map Right alone ++ [Left f]) again)
       where
@@ -162,9 +162,9 @@ askAll session questions = do
       mapM_ (const (letGo (sessionChild session))) fault
       pure (got, fault)
 
--- | Ask, with so many requests at most that wait for their replies, and with fewer of them where
--- replies are long; after a mebibyte of replies the rest is left to be asked another time. So what
--- comes at once has an end, whatever the process answers.
+-- | Asks questions with at most @window@ requests in flight, fewer if replies are long. After a
+-- mebibyte of replies it stops; the remaining questions must be asked again. So the amount at once
+-- is bounded, whatever the process answers.
 exchange :: Session -> Child -> Int -> [SomeQuestion] -> IO ([Response], Maybe Fault)
 exchange session child window questions = do
   first <- readIORef (sessionNext session)
@@ -173,8 +173,8 @@ exchange session child window questions = do
   writeIORef (sessionNext session) (first + count)
   go first first requests [] 0 (longestLine `div` 4)
   where
-    -- The number of the next reply, that of the next request, the requests from it on, the replies,
-    -- how long they are together, and how long a reply has been of late.
+    -- The state: the number of the next reply, the number of the next request, the requests not yet
+    -- sent, the replies, their total length, and the recent length of a reply.
     go next unsent requests got whole long
       | next == unsent && null requests = pure (reverse got, Nothing)
       | next == unsent && whole > longestLine = pure (reverse got, Nothing)
@@ -194,7 +194,7 @@ exchange session child window questions = do
       where
         open = max 1 (min window (longestLine `div` max 1 long))
 
--- | A line as the reply to the request of this number.
+-- | Reads a line as the reply to the request with this number.
 answerTo :: Int -> ByteString -> Either Fault Response
 answerTo number line = do
   reply <- readReply line

@@ -1,18 +1,18 @@
--- | What the questions about networks are about. No profile is known to them.
+-- | The inputs of questions about networks. They need no profile.
 module PraTactile.Conformance.Question.Network
   ( Values,
     Weights (..),
   )
 where
 
--- | An image of 12 rows of 8 values each, 0 where it is flat and 1 where it is embossed.
+-- | An image of 12 rows of 8 values: 0 where flat, 1 where embossed.
 type Values = [[Double]]
 
--- | A network: a row a unit, its weights and then its bias.
+-- | A network: one row per unit, its weights and then its bias.
 data Weights = Weights
-  { -- | of 96 weights each, for the image's values row by row
+  { -- | 96 weights each, for the image's values row by row
     weightsHidden :: [[Double]],
-    -- | as many weights as there are hidden units; a unit a class
+    -- | as many weights as hidden units; one unit per class
     weightsOutput :: [[Double]]
   }
   deriving stock (Eq, Show)

@@ -1,5 +1,5 @@
--- | What the questions about objects are about. No profile is known to them. Lengths are in
--- millimetres, and exact where they are fractions.
+-- | The inputs of questions about objects. They need no profile. Lengths are in millimetres;
+-- fractions are exact.
 module PraTactile.Conformance.Question.Objects
   ( Mapped (..),
     Felt (..),
@@ -13,24 +13,24 @@ import PraTactile.Pose (RigidMotion)
 
 -- | Faces of objects on an array.
 data Mapped = Mapped
-  { -- | the array's rows and columns
+  { -- | the shape of the array
     mappedShape :: Shape,
-    -- | the distances from one symbol to the next, along a row and along a column
+    -- | the distances of neighbouring symbols, along a row and along a column
     mappedPitch :: (Rational, Rational),
     mappedObjects :: [Description],
     mappedLayings :: [Drawing]
   }
   deriving stock (Eq, Show)
 
--- | Points of a face as they were felt.
+-- | Felt points of a face.
 data Felt = Felt
-  { -- | where the face's vertices are in the object's frame, in the order of its walk
+  { -- | the places of the face's vertices in the object's frame, in the order of its walk
     feltCorners :: [Point],
-    -- | each point in the face's frame, and where the robot felt it
+    -- | each point in the face's frame, and the place where the robot felt it
     feltSeen :: [((Double, Double), (Double, Double))],
-    -- | the standard deviation of where a point was felt, along each axis
+    -- | the standard deviation of a felt place along each axis
     feltError :: Double,
-    -- | where the robot's frame lies in the world; in its own where nothing is said
+    -- | the robot's frame in the world; 'Nothing' for a pose in the robot's frame
     feltPlane :: Maybe RigidMotion
   }
   deriving stock (Eq, Show)

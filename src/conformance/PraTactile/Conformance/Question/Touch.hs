@@ -1,6 +1,6 @@
--- | What the questions about touch are about, and their answers. No profile is known to them. Grey
--- values are whole numbers from 0, no contact, to 65535, full scale; places and displacements are
--- in taxels, to the right and down.
+-- | The inputs and answers of questions about touch. They need no profile. Grey values are
+-- integers from 0 (no contact) to 65535 (full scale). Places and displacements are in taxels, to
+-- the right and down.
 module PraTactile.Conformance.Question.Touch
   ( Rows,
     WholeTaxels,
@@ -16,51 +16,51 @@ where
 
 import Numeric.Natural (Natural)
 
--- | The grey values of a frame, or of a composite: rows of one length, from the top.
+-- | The grey values of a frame or of a composite: rows of equal length, from the top.
 type Rows = [[Natural]]
 
--- | WholeTaxels taxels to the right and down.
+-- | Whole taxels to the right and down.
 type WholeTaxels = (Integer, Integer)
 
 -- | Taxels to the right and down.
 type Taxels = (Double, Double)
 
--- | The shapes of symbols, a class each: 12 rows of 8 taxels, @#@ for one that is raised and @.@
--- for one that is not.
+-- | The shapes of symbols, one per class: 12 rows of 8 taxels, @#@ for raised and @.@ for flat.
 type Drawings = [[String]]
 
 -- | Two frames of one size.
 data Pair = Pair
   { pairFirst :: Rows,
     pairSecond :: Rows,
-    -- | Where the second frame's upper left taxel should lie in the first.
+    -- | The nominal place of the second frame's upper left taxel in the first.
     pairStep :: WholeTaxels,
-    -- | How far it may lie from there along each axis, taxels.
+    -- | The greatest distance from there along each axis, in taxels.
     pairSearch :: Natural
   }
   deriving stock (Eq, Show)
 
--- | Where the second of two frames lies in the first.
+-- | The displacement of the second of two frames in the first.
 data Registered = Registered
-  { -- | Why that is not given: @blank@, @one-axis@, @ambiguous@ or @no-overlap@; 'Nothing' where it
-    -- is.
+  { -- | The reason for a refusal: @blank@, @one-axis@, @ambiguous@ or @no-overlap@; 'Nothing' if
+    -- it is registered.
     registeredReason :: Maybe String,
-    -- | Where it most probably lies, also if it is not given.
+    -- | The most probable displacement, also after a refusal.
     registeredBest :: Taxels,
-    -- | Whether the displacement along x is fixed, and that along y.
+    -- | Whether the displacement is determined along x, and along y.
     registeredFixed :: (Bool, Bool)
   }
   deriving stock (Eq, Show)
 
--- | A frame, and where its upper left taxel should be.
+-- | A frame with the nominal place of its upper left taxel.
 data Placed = Placed Rows WholeTaxels
   deriving stock (Eq, Show)
 
 -- | A symbol in a composite.
 data Symbol = Symbol
-  { -- | Its centre, x and y in pixels of the composite, the upper left one's centre being (0, 0).
+  { -- | Its centre, x and y in pixels of the composite. The centre of the upper left pixel is (0,
+    -- 0).
     symbolPlace :: Taxels,
-    -- | The direction of its x axis, degrees clockwise from the composite's, up to half turns.
+    -- | The direction of its x axis, in degrees clockwise from the composite's, up to half turns.
     symbolDegrees :: Double
   }
   deriving stock (Eq, Show)

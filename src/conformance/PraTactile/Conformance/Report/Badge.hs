@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What a badge says of a report, in the form of the endpoints that badge services read
+-- | A badge of a report as JSON, in the format of badge endpoints
 -- (<https://shields.io/badges/endpoint-badge>).
 module PraTactile.Conformance.Report.Badge
   ( encodeBadge,
@@ -14,8 +14,8 @@ import Data.List (nub)
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Version
 
--- | The badge on one line, without its end: certified by which version of the suite; or that of
--- chosen laws all held; or how many laws did not, each counted once.
+-- | The badge as one line, without its line end. It states the certifying version of the suite, or
+-- that all chosen laws held, or how many laws did not hold (each counted once).
 encodeBadge :: Report -> ByteString
 encodeBadge report =
   Lazy.toStrict . encode $

@@ -15,7 +15,7 @@ import PraTactile.Conformance.Subject
 import PraTactile.Conformance.Version
 import PraTactile.Format.Json (encodeSchema)
 
--- | The report on one line, without its end.
+-- | The report as one line, without its line end.
 encodeReport :: Report -> ByteString
 encodeReport report =
   encodeSchema "conform/1" $
@@ -39,7 +39,7 @@ encodeReport report =
       <> "unexpected" .= reportUnexpected report
       <> "laws" .= map lawValue (reportLaws report)
 
--- | To a millisecond.
+-- | Rounded to a millisecond.
 rounded :: Double -> Double
 rounded seconds = fromInteger (round (seconds * 1000)) / 1000
 
@@ -70,7 +70,7 @@ counterexampleValue counter =
       "token" .= counterToken counter
     ]
 
--- | A reply as it stands in the protocol.
+-- | A reply as in the protocol.
 responseValue :: Response -> Value
 responseValue response = let (name, value) = responseItem response in object [name .= value]
 

@@ -1,4 +1,4 @@
--- | Reports as XML in the form of JUnit, which build servers read: a suite a profile, a case a law.
+-- | Reports as JUnit XML, which build servers read: one suite per profile, one case per law.
 module PraTactile.Conformance.Report.Junit
   ( junitText,
   )
@@ -8,7 +8,7 @@ import Data.List (nub)
 import Data.Maybe (fromMaybe)
 import PraTactile.Conformance.Report
 
--- | The report as an XML document; given what is said of a law that failed.
+-- | The report as an XML document. The function describes a failed law.
 junitText :: (LawReport -> String) -> Report -> String
 junitText explained report =
   unlines ("<?xml version=\"1.0\" encoding=\"UTF-8\"?>" : element "testsuites" attributes suites)
@@ -52,12 +52,13 @@ element name attributes content
   | null content = [opening name attributes ++ "/>"]
   | otherwise = [opening name attributes ++ ">"] ++ content ++ ["</" ++ name ++ ">"]
 
--- | How an element begins, without the end of that.
+-- | The opening tag of an element, without its closing bracket.
 opening :: String -> [(String, String)] -> String
 opening name attributes =
   '<' : unwords (name : [key ++ "=\"" ++ escaped value ++ "\"" | (key, value) <- attributes])
 
--- | As text or in an attribute; characters that XML cannot have become question marks.
+-- | A text, escaped for content and attributes. Characters that XML cannot represent become
+-- question marks.
 escaped :: String -> String
 escaped = concatMap one
   where

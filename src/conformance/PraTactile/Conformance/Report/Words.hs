@@ -1,5 +1,5 @@
--- | Reports in words: a line a stage, then each failure with all that its reader needs, each side
--- named, and what it comes to in the end.
+-- | Reports in words: one line per stage, each failure with its requests and answers, and a
+-- summary.
 module PraTactile.Conformance.Report.Words
   ( reportText,
     failureText,
@@ -29,7 +29,7 @@ import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Subject
 
--- | The whole report, lines with their ends; given how a token is tried again.
+-- | The whole report as text. The function gives the command that replays a token.
 reportText :: (String -> String) -> Report -> String
 reportText again report =
   unlines . intercalate [""] . filter (not . null) $
@@ -46,11 +46,12 @@ reportText again report =
             ++ (if length hidden > 5 then " ..." else "")
         ]
 
--- | How many failures are told of at length.
+-- | The greatest number of failures that are described.
 mostShown :: Int
 mostShown = 10
 
--- | All that is said of one law that failed, lines with their ends.
+-- | The description of one failed law as text. The function gives the command that replays a
+-- token.
 failureText :: (String -> String) -> LawReport -> String
 failureText again one = unlines (failureLines again (one, []))
 
@@ -73,7 +74,7 @@ stagesOf report =
       stage `elem` map lawReportStage (reportLaws report)
   ]
 
--- | A stage, and what came of its laws.
+-- | A stage and the outcomes of its laws.
 stageLine :: Report -> Stage -> String
 stageLine report stage =
   "  " ++ padded 12 (stageName stage) ++ intercalate ", " (concatMap count [minBound ..])
@@ -87,8 +88,8 @@ stageLine report stage =
 outcomeText :: Outcome -> String
 outcomeText outcome = if outcome == KnownFailure then "known to fail" else outcomeName outcome
 
--- | The laws that failed or erred, each with its profiles, in the order in which they were tried;
--- alike are those of one law with one outcome, and those that the same fault befell.
+-- | The failed and erred laws, each with its profiles, in the order of trying. Reports of one law
+-- with one outcome are grouped, and so are those with the same fault.
 failures :: Report -> [(LawReport, [String])]
 failures report =
   [ (one, concatMap (maybe [] pure . lawReportProfile) others)
@@ -133,11 +134,11 @@ counterItems again counter =
       (got, wanted) -> (either faultText responseText got, maybe "" responseText wanted)
     side = if counterRoad counter == "the definition" then "the definition" else "expected"
 
--- | What a failure depends on that a fresh process does not show.
+-- | The note on a failure that a fresh process does not show.
 onEarlier :: String
 onEarlier = "earlier requests: a fresh process that is asked this alone answers it rightly"
 
--- | A request without what every request has.
+-- | A request without the keys that every request has.
 requestText :: Value -> String
 requestText request = case request of
   Json.Object keys
@@ -150,7 +151,7 @@ requestText request = case request of
     key = Key.fromString
     longer = cut 600 . whole
 
--- | What came, in words.
+-- | A response in words.
 responseText :: Response -> String
 responseText response = case response of
   ResponseResult value -> valueText value
@@ -158,7 +159,7 @@ responseText response = case response of
   ResponseSkipped why -> "skipped: " ++ why
   ResponseErrored why -> "errored: " ++ why
 
--- | Two responses side by side: long lists from the first item on in which they differ, with its
+-- | Two responses in words. Long lists begin at the first item in which they differ, with its
 -- index.
 apartText :: Response -> Response -> (String, String)
 apartText got wanted = case (got, wanted) of
@@ -178,8 +179,8 @@ apartText got wanted = case (got, wanted) of
           Just (toList items)
       _ -> Nothing
 
--- | Two responses with lists of probabilities or other real numbers, each with the entry in which
--- they are furthest apart; of @posterior@ an entry is that of a position.
+-- | Two responses that are lists of real numbers, in words: the entry in which they differ most.
+-- For @posterior@ an entry is that of a position.
 apartMost :: Counterexample -> Response -> Response -> Maybe (String, String)
 apartMost counter got wanted = case (got, wanted) of
   (ResponseResult one, ResponseResult other) -> do
@@ -221,7 +222,7 @@ apartMost counter got wanted = case (got, wanted) of
 faultText :: Fault -> String
 faultText fault = faultName (faultKind fault) ++ ": " ++ faultDetail fault
 
--- | A value as JSON; of a long one the beginning and the end.
+-- | A value as JSON; the middle of a long one is cut out.
 valueText :: Value -> String
 valueText = cut 200 . whole
 
@@ -235,7 +236,7 @@ cut most text
     take (most - 40) text ++ " ... " ++ drop (length text - 30) text ++ " (" ++ show (length text)
       ++ " characters)"
 
--- | What else there is to say.
+-- | Further notes on the run.
 notes :: Report -> [String]
 notes report =
   concat
@@ -263,7 +264,7 @@ notes report =
           Just why <- [lawReportNote one]
       ]
 
--- | What it comes to.
+-- | The summary in one line.
 summaryLine :: Report -> String
 summaryLine report
   | reportPartial report && sound report = "what was chosen held: " ++ tally

@@ -1,5 +1,5 @@
--- | A law tried on a subject under a profile: all its cases in their order, or drawn ones, of which
--- a failing one is made as small as it becomes.
+-- | Tries a law on a subject under a profile: all its cases in order, or drawn ones, with
+-- shrinking of a failing case.
 module PraTactile.Conformance.Run.Case
   ( Plan (..),
     Tried (..),
@@ -24,35 +24,35 @@ import Test.QuickCheck (Gen, resize)
 import Test.QuickCheck.Gen (unGen)
 import Test.QuickCheck.Random (mkQCGen)
 
--- | How laws are tried.
+-- | The settings for trying laws.
 data Plan = Plan
   { planSeed :: Int,
-    -- | The number of cases drawn of a law that does not exhaust its domain.
+    -- | The number of drawn cases, for a law that does not exhaust its domain.
     planCases :: Int,
-    -- | The number of trials that go on at once.
+    -- | The number of trials in progress at once.
     planBatch :: Int,
     -- | Whether a failing case is made smaller.
     planShrinks :: Bool
   }
 
--- | What came of a law.
+-- | The result of trying a law.
 data Tried = Tried
-  { -- | The number of cases judged, up to the failing one.
+  { -- | The number of judged cases, including the failing one.
     triedCases :: Int,
     triedExhaustive :: Bool,
     triedFailure :: Maybe Failure
   }
 
--- | A case in trouble.
+-- | A failing case.
 data Failure = Failure
   { failureTrouble :: Trouble,
-    -- | In the form of the law's cases.
+    -- | The case in JSON.
     failureCase :: Value,
-    -- | How often it was made smaller.
+    -- | The number of times that it was made smaller.
     failureShrinks :: Int
   }
 
--- | Try the cases of a law, drawn ones from the plan's seed and the law's own name.
+-- | Tries the cases of a law. Cases are drawn from the plan's seed and the law's name.
 tryLaw :: Plan -> Subject -> String -> Cases -> IO Tried
 tryLaw plan subject name (Cases form domain trial) = case domain of
   Every whole -> do
@@ -63,7 +63,7 @@ tryLaw plan subject name (Cases form domain trial) = case domain of
     Tried cases False <$> traverse (shrunk smaller 0) found
   where
     search' = search subject (planBatch plan)
-    -- Draws that the law says nothing of are made good by others, up to ten for each case.
+    -- Draws to which the law does not apply are replaced by others, up to ten per case.
     drawing count draws
       | null now = pure (count, Nothing)
       | otherwise = do
@@ -90,20 +90,19 @@ tryLaw plan subject name (Cases form domain trial) = case domain of
 failureOf :: Codec a -> Int -> (a, Trouble) -> Failure
 failureOf form steps (a, why) = Failure why (writeValue form a) steps
 
--- | Whether each smaller case would cost as long again as this one.
+-- | Whether each smaller case would take as long again as this one.
 timedOut :: Trouble -> Bool
 timedOut trouble = case trouble of
   Broke _ _ (Left fault) -> takesItsTime (faultKind fault)
   _ -> False
 
--- | The trials of a law in the order in which they are made, and the greatest number of them that
--- is judged.
+-- | The trials of a law in order, and the greatest number of them that is judged.
 trialsOf :: Plan -> String -> Cases -> ([Ask Verdict], Int)
 trialsOf plan name (Cases _ domain trial) = case domain of
   Every every -> (map trial every, maxBound)
   Some gen _ -> (map trial (drawn plan name gen), planCases plan)
 
--- | Ten times as many cases as are needed, growing.
+-- | Ten times the needed number of cases, of growing size.
 drawn :: Plan -> String -> Gen a -> [a]
 drawn plan name gen = unGen (traverse sized [0 .. 10 * most - 1]) source 0
   where
@@ -112,7 +111,7 @@ drawn plan name gen = unGen (traverse sized [0 .. 10 * most - 1]) source 0
     source = mkQCGen (foldl' mixed (planSeed plan) name)
     mixed h c = (h `xor` ord c) * 16777619
 
--- | Try one case, given in the form of the law's cases.
+-- | Tries one case, given as JSON.
 tryCase :: Plan -> Subject -> Cases -> Value -> Either FormatError (IO Tried)
 tryCase plan subject (Cases form domain trial) value = tried <$> readValue form value
   where

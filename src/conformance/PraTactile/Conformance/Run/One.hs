@@ -1,6 +1,6 @@
--- | One law tried on one subject, as it is reported.
+-- | Tries one law on one subject, and reports it.
 module PraTactile.Conformance.Run.One
-  ( -- * Subjects at work
+  ( -- * Workers
     Worker,
     newWorker,
 
@@ -8,11 +8,11 @@ module PraTactile.Conformance.Run.One
     tryWork,
     tryToken,
 
-    -- * Reports of laws not tried
+    -- * Laws not tried
     blank,
     tooSlow,
 
-    -- * Checks of the protocol
+    -- * Protocol checks
     checkReport,
     checkedReport,
     checkTooSlow,
@@ -37,21 +37,21 @@ import PraTactile.Conformance.Subject
 import PraTactile.Format.Error (FormatError)
 import PraTactile.Profile (Profile)
 
--- | A subject at work.
+-- | A subject with the state of its use.
 data Worker = Worker
   { workerSubject :: Subject,
-    -- | The profile that was put in force last, with what came instead of that.
+    -- | The profile that was last put in force, and the failure if it was not accepted.
     workerForce :: IORef (Maybe (Profile, Maybe Counterexample)),
-    -- | The laws that failed.
+    -- | The ids of the laws that failed.
     workerFailed :: IORef (Set.Set String)
   }
 
--- | Of a subject with no profile in force.
+-- | A worker whose subject has no profile in force.
 newWorker :: Subject -> IO Worker
 newWorker subject = Worker subject <$> newIORef Nothing <*> newIORef Set.empty
 
--- | Try all cases of a law. A failing case is made smaller and asked of a fresh process, unless the
--- law failed under another profile before.
+-- | Tries all cases of a law. A failing case is shrunk and asked again in a fresh process, unless
+-- the law failed before under another profile.
 tryWork :: (Subject -> Plan) -> Worker -> Work -> IO LawReport
 tryWork planFor worker work = inForce worker work $ do
   again <- Set.member (workId work) <$> readIORef (workerFailed worker)
@@ -77,7 +77,7 @@ tryWork planFor worker work = inForce worker work $ do
       Wrong _ -> True
       Broke {} -> False
 
--- | Why the law of the order says nothing of a wrong answer: other laws find it.
+-- | The note of an order law on an answer that is wrong in any order; other laws find it.
 wrongAlone :: String
 wrongAlone = "not judged: an answer is wrong whatever was asked before"
 
@@ -96,7 +96,7 @@ dependsOnEarlier worker work failure =
     subject = workerSubject worker
     plan = Plan {planSeed = 0, planCases = 1, planBatch = 1, planShrinks = False}
 
--- | Try one case of a law.
+-- | Tries one case of a law.
 tryToken :: (Subject -> Plan) -> Worker -> Work -> Value -> IO (Either FormatError LawReport)
 tryToken planFor worker work case' =
   traverse
@@ -105,12 +105,11 @@ tryToken planFor worker work case' =
   where
     subject = workerSubject worker
 
--- | A trial that puts profiles in force has the subject for itself, and so has each trial of touch
--- and of objects.
+-- | Trials that open profiles, and trials of touch and of objects, are made one at a time.
 alone :: Work -> Plan -> Plan
 alone work plan = plan {planBatch = maybe 1 (const (planBatch plan)) (workProfile work)}
 
--- | Do it with the profile of the work in force; where that is refused, say so.
+-- | Runs the action with the work's profile in force; if the profile is refused, reports that.
 inForce :: Worker -> Work -> IO LawReport -> IO LawReport
 inForce worker work act = case workProfile work of
   Nothing -> writeIORef held Nothing >> act
@@ -129,7 +128,7 @@ inForce worker work act = case workProfile work of
     subject = workerSubject worker
     held = workerForce worker
 
--- | What came, unless the profile is in force.
+-- | The failure of putting a profile in force, if it failed.
 notInForce :: Profile -> Either Fault Response -> Maybe Counterexample
 notInForce profile got = case got of
   Right (ResponseResult (Bool True)) -> Nothing
@@ -143,7 +142,8 @@ notInForce profile got = case got of
           "the profile names an array, so that it can be put in force"
       )
 
--- | The report of a law's cases, given whether the failing one depends on earlier requests.
+-- | The report of a law's cases. The flag tells whether the failing one depends on earlier
+-- requests.
 reportOf :: Work -> Bool -> Tried -> LawReport
 reportOf work depends tried = case triedFailure tried of
   Just failure ->
@@ -162,7 +162,7 @@ reportOf work depends tried = case triedFailure tried of
           lawReportExhaustive = triedExhaustive tried
         }
 
--- | Whether the law failed, or something else went wrong.
+-- | The outcome: the law failed, or something else went wrong.
 outcomeOf :: Trouble -> Outcome
 outcomeOf trouble = case trouble of
   Wrong _ -> Failed
@@ -204,7 +204,7 @@ counterexampleOf work depends failure =
       AskedQuestion question -> runRequest i question
       AskedProfile profile -> profileRequest profile
 
--- | Why what came is no answer.
+-- | Why a reply is not an answer.
 reasonFor :: Either Fault Response -> String
 reasonFor got = case got of
   Right (ResponseSkipped _) -> "what is offered is answered or refused, not skipped"
@@ -212,7 +212,7 @@ reasonFor got = case got of
   Left fault | faultKind fault == WrongType -> "the result has another type"
   Left _ -> "a request has one reply, within the time limit"
 
--- | What was asked, as requests of the protocol.
+-- | The requests of exchanges, in the protocol's JSON.
 requestsOf :: [Exchange] -> [Value]
 requestsOf = zipWith request [1 ..]
   where
@@ -220,7 +220,7 @@ requestsOf = zipWith request [1 ..]
       Just name -> runRequest i (SomeQuestion (Raw name input))
       Nothing -> profileRequestOf input
 
--- | A report of a law that says nothing yet.
+-- | An empty report of a law.
 blank :: Work -> LawReport
 blank work =
   (untried (workId work) (workStage work) (workSentence work) (workSource work))
@@ -228,11 +228,11 @@ blank work =
       lawReportProfile = fst <$> workProfile work
     }
 
--- | Not tried, for this reason.
+-- | The report of a law that was not tried, with the reason.
 skipped :: Work -> String -> LawReport
 skipped work reason = (blank work) {lawReportNote = Just reason}
 
--- | Not finished when the time for all was over.
+-- | The report of a law that was not finished within the time limit.
 tooSlow :: Work -> LawReport
 tooSlow = outOfTime . blank
 
@@ -251,14 +251,14 @@ outOfTime report =
           )
     }
 
--- | A check that was not made.
+-- | The empty report of a check.
 checkReport :: Check -> LawReport
 checkReport check =
   (untried (checkId check) OnProtocol (checkSentence check) "the protocol")
     { lawReportExhaustive = True
     }
 
--- | What came of a check.
+-- | The report of a check with its result.
 checkedReport :: Check -> Checked -> LawReport
 checkedReport check checked = case checked of
   CheckHeld -> tried {lawReportOutcome = Held}
@@ -273,6 +273,6 @@ checkedReport check checked = case checked of
             Just (counterexample requests wanted "the protocol" got (checkSentence check))
         }
 
--- | What is reported of a check that the time did not suffice for.
+-- | The report of a check that was not finished within the time limit.
 checkTooSlow :: Check -> LawReport
 checkTooSlow = outOfTime . checkReport

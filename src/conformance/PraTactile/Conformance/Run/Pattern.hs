@@ -6,8 +6,8 @@ where
 
 import Data.List (isInfixOf, tails)
 
--- | Whether a pattern is one of a law's id: with @*@ for any text and @?@ for any character, it is
--- one of the whole id; without them, of any part of it.
+-- | Whether a pattern matches a law's id. With @*@ (any text) or @?@ (any character) it must match
+-- the whole id; otherwise any part of it.
 --
 -- >>> map (`matches` "field/addition-commutes") ["field/*", "commutes", "addition*", "field"]
 -- [True,True,False,True]

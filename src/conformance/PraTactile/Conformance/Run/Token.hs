@@ -1,5 +1,5 @@
--- | A failing case as a text of letters, digits, @-@ and @_@ alone, which is all that is needed to
--- try it again: the law, the case, and the whole profile.
+-- | A failing case as a text of only letters, digits, @-@ and @_@. It holds everything for
+-- replaying the case: the law, the case and the whole profile.
 module PraTactile.Conformance.Run.Token
   ( Token (..),
     writeToken,
@@ -24,14 +24,15 @@ import PraTactile.Profile (Profile)
 -- | A case of a law.
 data Token = Token
   { tokenLaw :: String,
-    -- | 'Nothing' for a law of profiles, whose case is a profile itself.
+    -- | 'Nothing' for a law about opening profiles, whose case is itself a profile, and for a law
+    -- without a profile.
     tokenProfile :: Maybe Profile,
-    -- | In the form of the law's cases.
+    -- | The case in JSON.
     tokenCase :: Value
   }
   deriving stock (Eq, Show)
 
--- | As it is printed.
+-- | The text of a token.
 writeToken :: Token -> String
 writeToken (Token law profile case') =
   Bytes.unpack . Base64.encodeUnpadded . Lazy.toStrict . encode $
@@ -41,7 +42,7 @@ writeToken (Token law profile case') =
       Object keys -> toJSON [KeyMap.lookup (Key.fromString name) keys | name <- profileKeys]
       other -> other
 
--- | As it was given; 'Nothing' for what is no token.
+-- | Reads a token; 'Nothing' if the text is not one.
 readToken :: String -> Maybe Token
 readToken given
   | all (\c -> isAscii c && (isAlphaNum c || c `elem` "-_")) given,
@@ -64,7 +65,7 @@ readToken given
 version :: Int
 version = 1
 
--- | The keys of a profile, in the order in which a token has their values.
+-- | The keys of a profile, in the order of their values in a token.
 profileKeys :: [String]
 profileKeys =
   words "q modulus polynomial reading state folding shape window surface packing"

@@ -1,8 +1,8 @@
 {-# LANGUAGE GADTs #-}
 
--- | Trials in batches: the next question of each trial is asked together with those of the others,
--- so that another process always has something to do. The first trial in order that is in trouble
--- is the one that would be found by trying one after the other.
+-- | Runs trials in batches. The next questions of all trials are asked together, so another
+-- process always has work. The result is the first failing trial in order, as if they had run one
+-- after the other.
 module PraTactile.Conformance.Run.Trials
   ( search,
     Search (..),
@@ -25,14 +25,14 @@ import PraTactile.Conformance.Subject
 import PraTactile.Format.Profile (profileValue)
 import PraTactile.Profile (Profile)
 
--- | What is wrong with a case.
+-- | What is wrong in a trial.
 data Trouble
   = Wrong Violation
-  | -- | After these exchanges this was asked, and that came, which is no answer.
+  | -- | After these exchanges the last request got something that is not an answer.
     Broke [Exchange] Asked (Either Fault Response)
   deriving stock (Show)
 
--- | A request that a trial makes.
+-- | A request of a trial.
 data Asked
   = AskedQuestion SomeQuestion
   | AskedProfile Profile
@@ -40,25 +40,25 @@ data Asked
 
 -- | The outcome of trials.
 data Search = Search
-  { -- | The number of trials judged, up to the first one in trouble. A trial that the law says
-    -- nothing of does not count.
+  { -- | The number of judged trials, including the first failing one. Trials to which the law does
+    -- not apply are not counted.
     searchCases :: Int,
-    -- | The first trial in trouble, by its index.
+    -- | The first failing trial, by its index.
     searchTrouble :: Maybe (Int, Trouble)
   }
 
--- | A trial that goes on: its index, its exchanges with the last one first, and its next request.
+-- | A trial in progress: its index, its exchanges (newest first), and its next request.
 data Active = Active Int [Exchange] (Ask Verdict)
 
--- | What has become of a trial, by its index.
+-- | The state of a trial, by its index.
 data Fate
   = Going Active
   | Judged Int
-  | -- | The law says nothing of its case.
+  | -- | The law does not apply to its case.
     Unjudged
   | InTrouble Int Trouble
 
--- | Try these, in batches of this size, up to the first one in trouble.
+-- | Runs trials in batches of the given size, up to the first failing one.
 search :: Subject -> Int -> [Ask Verdict] -> IO Search
 search subject size = go 0 . zipWith (`Active` []) [0 ..]
   where
@@ -68,7 +68,7 @@ search subject size = go 0 . zipWith (`Active` []) [0 ..]
         Search more trouble <- tryBatch subject batch
         maybe (go (cases + more) later) (pure . Search (cases + more) . Just) trouble
 
--- | Ask one question of each trial, and again, until all before the first one in trouble are
+-- | Asks one question of each trial, repeatedly, until all trials before the first failing one are
 -- judged.
 tryBatch :: Subject -> [Active] -> IO Search
 tryBatch subject = go . map settled
@@ -78,7 +78,7 @@ tryBatch subject = go . map settled
       | otherwise = do
         replies <- asked subject active
         let came = zipWith fed active replies
-        -- Each verdict by whichever core is free.
+        -- Verdicts are evaluated in parallel.
         foldr par (pure ()) came
         go (ended ++ came ++ map Going (drop (length replies) active))
       where
@@ -91,7 +91,7 @@ tryBatch subject = go . map settled
       Going _ -> True
       _ -> False
 
--- | The fate of a trial that may have nothing more to ask.
+-- | The state of a trial, which may have ended.
 settled :: Active -> Fate
 settled trial@(Active i _ next) = case next of
   Done Holds -> Judged i
@@ -99,7 +99,7 @@ settled trial@(Active i _ next) = case next of
   Done (Violated violation) -> InTrouble i (Wrong violation)
   _ -> Going trial
 
--- | What the first trials ask next, asked; the replies up to the first fault.
+-- | Asks the next questions of the first trials; returns the replies up to the first fault.
 asked :: Subject -> [Active] -> IO [Either Fault Response]
 asked subject trials = case trials of
   Active _ _ (Opening profile _) : _ -> (: []) <$> subjectProfile subject profile
@@ -109,7 +109,7 @@ asked subject trials = case trials of
       Active _ _ (Asking question _) : others -> SomeQuestion question : questions others
       _ -> []
 
--- | A trial with the reply to its request.
+-- | Continues a trial with the reply to its request.
 fed :: Active -> Either Fault Response -> Fate
 fed trial@(Active i before next) reply = case next of
   Done _ -> settled trial

@@ -1,4 +1,4 @@
--- | What there is to try: the laws of a suite that were chosen, each under each profile.
+-- | The work of a run: the chosen laws of a suite, each under each profile.
 module PraTactile.Conformance.Run.Work
   ( -- * Suites
     Suite (..),
@@ -26,42 +26,42 @@ import PraTactile.Conformance.Run.Pattern
 import PraTactile.Conformance.Run.Token
 import PraTactile.Profile (Profile)
 
--- | Laws and profiles, with what they are about.
+-- | The laws and profiles of a suite, and the subjects of the laws.
 data Suite about = Suite
-  { -- | By their names.
+  { -- | The profiles, by name.
     suiteProfiles :: [(String, Profile)],
-    -- | What laws of a profile are about; 'Nothing' for one that describes no array.
+    -- | The subject of a profile's laws; 'Nothing' for a profile that describes no array.
     suiteAbout :: Profile -> Maybe about,
     suiteLaws :: [Law about],
     suiteOpenings :: [Law [Profile]],
-    -- | Those of touch and of objects, which know no profile.
+    -- | The laws of touch and of objects, which need no profile.
     suiteWithoutProfile :: [Law ()],
-    -- | What the definition answers.
+    -- | The answer by the definition.
     suiteAnswer :: about -> SomeQuestion -> Reply
   }
 
 -- | Which laws are tried, and how.
 data Settings = Settings
   { settingSeed :: Int,
-    -- | How many cases are drawn of a law that does not exhaust its domain.
+    -- | The number of drawn cases, for a law that does not exhaust its domain.
     settingCases :: Int,
-    -- | For all of it, seconds.
+    -- | The time limit of the whole run, in seconds.
     settingLimit :: Double,
-    -- | End at the first law that fails or errs.
+    -- | Whether to stop at the first law that fails or errs.
     settingFailFast :: Bool,
-    -- | The stages to try; all those of the code, if none is named.
+    -- | The stages to try; if empty, all stages of the code.
     settingStages :: [Stage],
-    -- | The laws to try; all, if none is named.
+    -- | The patterns of laws to try; if empty, all.
     settingRun :: [String],
-    -- | The laws to leave out.
+    -- | The patterns of laws to skip.
     settingSkip :: [String],
-    -- | Those are tried all the same and must fail.
+    -- | Whether the skipped laws are tried after all, and must fail.
     settingSkipMustFail :: Bool,
-    -- | The laws that are known to fail.
+    -- | The patterns of laws that are known to fail.
     settingKnown :: [String]
   }
 
--- | All laws of the code, 100 cases of each that draws them, 300 seconds.
+-- | All laws of the code, 100 drawn cases each, 300 seconds.
 standardSettings :: Settings
 standardSettings =
   Settings
@@ -81,7 +81,7 @@ mustFail :: Settings -> [String]
 mustFail settings =
   settingKnown settings ++ (if settingSkipMustFail settings then settingSkip settings else [])
 
--- | Whether no law is left out of the sets of stages that are tried.
+-- | Whether all laws of the tried sets of stages are chosen.
 choosesAll :: Settings -> Bool
 choosesAll settings =
   all whole (codeStages : [stages | (_, stages) <- stagesApart]) && null (settingRun settings)
@@ -94,22 +94,22 @@ choosesAll settings =
 stagesTried :: Settings -> [Stage]
 stagesTried settings = if null (settingStages settings) then codeStages else settingStages settings
 
--- | A law under a profile, of profiles, or without one.
+-- | A law to try: under a profile, about opening profiles, or without a profile.
 data Work = Work
   { workId :: String,
     workStage :: Stage,
     workNeeds :: [SomeOp],
     workSentence :: String,
     workSource :: String,
-    -- | Its name and the profile that must be in force.
+    -- | The profile that must be in force, with its name.
     workProfile :: Maybe (String, Profile),
     workCases :: Cases,
     workAnswer :: SomeQuestion -> Maybe Reply,
-    -- | Why it is not tried.
+    -- | The reason for not trying it.
     workLeftOut :: Maybe String
   }
 
--- | The ids of the laws of a suite that are of these stages.
+-- | The ids of a suite's laws of these stages.
 idsOf :: [Stage] -> Suite about -> [String]
 idsOf stages suite =
   own (suiteOpenings suite) ++ own (suiteLaws suite)
@@ -119,7 +119,7 @@ idsOf stages suite =
     own :: [Law a] -> [String]
     own some = [lawId law | law <- some, lawStage law `elem` stages]
 
--- | All that was chosen, in the order in which it is tried; given what is offered.
+-- | The chosen work, in the order of trying, given the offered operations.
 workOf :: Settings -> [SomeOp] -> Suite about -> [Work]
 workOf settings offers suite =
   filter (chosen settings) . map restricted $
@@ -145,7 +145,7 @@ chosen settings work =
   workStage work `elem` stagesTried settings
     && (null (settingRun settings) || any (`matches` workId work) (settingRun settings))
 
--- | The work that a token names; 'Nothing' where there is no such law.
+-- | The work that a token names; 'Nothing' if its law is unknown.
 workFor :: Suite about -> Token -> Maybe Work
 workFor suite token = case tokenProfile token of
   Nothing ->

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | JSON in a canonical form: keys in order, no white space, numbers without exponents; so that
--- equal inputs have equal digests whoever computes them.
+-- | JSON in a canonical form (sorted keys, no white space, no exponents), so that equal inputs
+-- have equal digests.
 module PraTactile.Conformance.Vectors.Canonical
   ( canonical,
     identifier,
@@ -22,16 +22,16 @@ import PraTactile.Format.Json.Canonical
 import PraTactile.Format.Profile (profileValue)
 import PraTactile.Profile (Profile)
 
--- | A value in its canonical form. Whole numbers are written as such, others in decimal; 1.0, which
--- is not 1 here, keeps its fraction.
+-- | A value in canonical form. Integers are written without a fraction, other numbers in decimal.
+-- 1.0, which differs from 1 here, keeps its fraction.
 canonical :: Value -> Builder
 canonical = canonicalWith $ \n ->
   if base10Exponent n == 0
     then Builder.integerDec (coefficient n)
     else Builder.string7 (formatScientific Fixed Nothing n)
 
--- | 12 hexadecimal digits of the SHA-256 of an operation, a profile or null, and an input: of the
--- canonical form of an object with these three keys.
+-- | 12 hexadecimal digits of the SHA-256 of the canonical object of an operation, a profile (or
+-- null) and an input.
 identifier :: SomeOp -> Maybe Profile -> Value -> String
 identifier operation profile input =
   take 12 (digestOf (Lazy.toStrict (Builder.toLazyByteString text)))

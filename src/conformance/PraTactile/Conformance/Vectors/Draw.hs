@@ -1,4 +1,4 @@
--- | Random draws for test vectors: from 64-bit words alone, so that a seed gives the same vectors
+-- | Random draws for test vectors, from 64-bit words only, so that a seed gives the same vectors
 -- under every version of the random package.
 module PraTactile.Conformance.Vectors.Draw
   ( Draw,
@@ -16,12 +16,11 @@ import System.Random (StdGen, genWord64, mkStdGen)
 -- | Something drawn.
 type Draw = State StdGen
 
--- | What is drawn from a seed.
+-- | The value drawn from a seed.
 drawn :: Int -> Draw a -> a
 drawn seed draw = evalState draw (mkStdGen seed)
 
--- | A number below this one, which is not 0. All are equally likely, but for less than 2^-32 where
--- the number is below 2^32.
+-- | A number below n > 0. The deviation from uniformity is below 2^-32 for n below 2^32.
 below :: Natural -> Draw Natural
 below n = (`mod` n) <$> number
   where
@@ -30,7 +29,7 @@ below n = (`mod` n) <$> number
     joined w total = 2 ^ (64 :: Int) * total + w
     word = fromIntegral <$> state genWord64
 
--- | One of these, at least one.
+-- | One of the values, uniformly.
 chosen :: a -> [a] -> Draw a
 chosen first others = pick . fromIntegral <$> below (fromIntegral (1 + length others))
   where
@@ -38,6 +37,6 @@ chosen first others = pick . fromIntegral <$> below (fromIntegral (1 + length ot
       a : _ -> a
       [] -> first
 
--- | The first with this probability in hundredths, otherwise the second.
+-- | The first draw with the given probability in hundredths, otherwise the second.
 shareOf :: Natural -> Draw a -> Draw a -> Draw a
 shareOf hundredths a b = below 100 >>= \n -> if n < hundredths then a else b

@@ -1,13 +1,13 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The marks of test vectors whose input is an edge of its operation's domain or beyond it, so
--- that who runs them sees what a failing one is about.
+-- | Flags of test vectors whose input is at an edge of its operation's domain or beyond, which
+-- explain what a failing test is about.
 module PraTactile.Conformance.Vectors.Flag
   ( Flag (..),
     flagName,
     flagNote,
 
-    -- * Of inputs
+    -- * Flags of inputs
     codeFlags,
     indexFlags,
     isLarge,
@@ -25,7 +25,7 @@ import PraTactile.Array (area)
 import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile (..))
 
--- | What is remarkable about an input.
+-- | A special property of an input.
 data Flag
   = Malformed
   | NotACode
@@ -50,7 +50,7 @@ data Flag
   | BlankEdge
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | As files have it.
+-- | The name of a flag in files.
 flagName :: Flag -> String
 flagName flag = case flag of
   Malformed -> "malformed"
@@ -75,7 +75,7 @@ flagName flag = case flag of
   IllFormedMask -> "ill-formed-mask"
   BlankEdge -> "blank-edge"
 
--- | In a sentence.
+-- | The explanation of a flag, in a sentence.
 flagNote :: Flag -> String
 flagNote flag = case flag of
   Malformed ->
@@ -105,17 +105,17 @@ flagNote flag = case flag of
     "The mask has no cell, other characters than # and ., or rows of different lengths."
   BlankEdge -> "The last rows or columns of the mask are blank; they count for nothing."
 
--- | Of codes.
+-- | The flags of codes.
 codeFlags :: Profile -> [Code] -> [Flag]
 codeFlags p given =
   [NotACode | any (>= profileOrder p) given] ++ [ZeroElement | 0 `elem` given]
     ++ [LargeNumber | any isLarge given]
 
--- | Of an index.
+-- | The flags of an index.
 indexFlags :: Profile -> Natural -> [Flag]
 indexFlags p i = [BeyondPeriod | i >= area (profileShape p)] ++ [LargeNumber | isLarge i]
 
--- | Of a polynomial over the field of this order.
+-- | The flags of a polynomial over the field of order q.
 polynomialFlags :: Natural -> [Code] -> [Flag]
 polynomialFlags q h =
   concat
@@ -127,13 +127,13 @@ polynomialFlags q h =
   where
     meant = dropWhileEnd (== 0) h
 
--- | Of a patch.
+-- | The flags of a patch.
 patchFlags :: Natural -> [[Maybe Code]] -> [Flag]
 patchFlags q patch =
   observedFlags (map (map isNothing) patch)
     ++ [NotACode | or [code >= q | line <- patch, Just code <- line]]
 
--- | Of a patch of probabilities.
+-- | The flags of a patch of probabilities.
 chanceFlags :: Natural -> Chances -> [Flag]
 chanceFlags q patch =
   concat
@@ -145,7 +145,7 @@ chanceFlags q patch =
     wrong numbers =
       fromIntegral (length numbers) /= q || any (< 0) numbers || abs (sum numbers - 1) > 0.001
 
--- | By which cells are missing.
+-- | The flags of a patch's missing cells.
 observedFlags :: [[Bool]] -> [Flag]
 observedFlags missing
   | all null (take 1 missing) || any ((/= length (concat (take 1 missing))) . length) missing =
@@ -153,7 +153,7 @@ observedFlags missing
   | and (concat missing) = [NothingObserved]
   | otherwise = [MissingCells | or (concat missing)]
 
--- | Of a mask.
+-- | The flags of a mask.
 maskFlags :: MaskRows -> [Flag]
 maskFlags mask
   | ill = [IllFormedMask]

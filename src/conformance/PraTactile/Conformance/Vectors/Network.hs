@@ -1,6 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What test vectors ask about networks: with numbers of few digits, so that the files are short.
+-- | The inputs of test vectors about networks. Numbers have few digits, so that the files are
+-- short.
 module PraTactile.Conformance.Vectors.Network
   ( outputsGroups,
   )

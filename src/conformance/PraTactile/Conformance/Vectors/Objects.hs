@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What test vectors ask about objects.
+-- | The inputs of test vectors about objects.
 module PraTactile.Conformance.Vectors.Objects
   ( solidGroups,
     cellsGroups,
@@ -106,7 +106,7 @@ square = [Point 0 0 0, Point 0 10 0, Point 10 10 0, Point 10 0 0]
 placesOf :: Description -> [VertexName] -> [Point]
 placesOf it walk = [p | v <- walk, (w, p) <- describedVertices it, v == w]
 
--- | Solids of every name.
+-- | Valid solids of every name.
 valid :: [Description]
 valid =
   map namedDescription $
@@ -114,7 +114,7 @@ valid =
       ++ [Tetrahedron 200, Octahedron 200, Pyritohedron 100, LShape 200 100 200, Frame 300 250 90]
       ++ [Sheet 100 50]
 
--- | A box with each kind of defect, and with a few that come together.
+-- | A box with each kind of defect, and with several defects.
 wrong :: [Description]
 wrong =
   [ it {describedFaces = []},
@@ -155,8 +155,8 @@ wrong =
                 faces
         }
 
--- | A box, a tetrahedron of which a face takes some cells, and one with a margin of its own, on an
--- array of 7 x 9.
+-- | Three objects on an array of 7 x 9: a box, a tetrahedron of which a face takes some cells, and
+-- one with its own margin.
 mapped :: Mapped
 mapped =
   Mapped
@@ -186,7 +186,7 @@ mapped =
 impossible :: [Mapped]
 impossible = [mapped {mappedPitch = (1, 0)}, mapped {mappedShape = Shape 1 9}]
 
--- | A face of 10 x 10 mm, as it was felt.
+-- | A face of 10 x 10 mm with felt points.
 felt :: [Felt]
 felt =
   [ Felt corners seen sd world

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Patches for test vectors: what the array has somewhere, with cells missing and wrong.
+-- | Patches for test vectors: pieces of the array with missing and wrong cells.
 module PraTactile.Conformance.Vectors.Patches
   ( patchAt,
     somePatch,
@@ -17,14 +17,14 @@ import PraTactile.Conformance.Question
 import PraTactile.Conformance.Vectors.Draw
 import PraTactile.Profile (Profile (..))
 
--- | What the array has in a rectangle at a position, on the folding's own surface.
+-- | The array's cells in a rectangle at a position, on the folding's own surface.
 patchAt :: Known -> Natural -> Natural -> Shape -> Patch
 patchAt k r c (Shape high wide) =
   [ [Just (fromIntegral (cellOf k (r + i) (c + j))) | j <- naturalsBelow wide]
     | i <- naturalsBelow high
   ]
 
--- | A patch about as large as the window, with no cells missing or some, and none wrong or some.
+-- | A patch about as large as the window, with none or some cells missing, and none or some wrong.
 somePatch :: Known -> Draw Patch
 somePatch k = do
   r <- below n1
@@ -41,8 +41,8 @@ somePatch k = do
       shareOf missing (pure Nothing) $
         shareOf wrong (Just <$> below (profileOrder (knownProfile k))) (pure cell)
 
--- | What is known of the cells of a patch: a symbol for certain, or the probabilities of all, or of
--- two, in 64ths.
+-- | Knowledge of the cells of a patch: a certain symbol, or the probabilities of all or of two
+-- symbols in 64ths.
 someChances :: Known -> Patch -> Draw Chances
 someChances k = traverse (traverse chance)
   where

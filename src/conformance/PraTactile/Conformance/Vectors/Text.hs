@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Test vectors as text: JSON with a test a line, and what is read back of it to check it.
+-- | Test vectors as JSON with one test per line, and reading them back for checking.
 module PraTactile.Conformance.Vectors.Text
   ( vectorsText,
     StatedVectors (..),
@@ -33,7 +33,7 @@ import qualified PraTactile.Format.Json.Codec as Codec
 import PraTactile.Format.Profile (profileCodec, profileValue)
 import PraTactile.Profile (Profile)
 
--- | The vectors as JSON, a line for each test, with an end of line at the end.
+-- | The vectors as JSON, one line per test, with a final line end.
 vectorsText :: Vectors -> Lazy.ByteString
 vectorsText vectors =
   Builder.toLazyByteString . mconcat $
@@ -48,7 +48,7 @@ vectorsText vectors =
   where
     digestValue (Digest over hex) = object ["of" .= over, "sha256" .= hex]
 
--- | The flags that occur, each with its note.
+-- | The flags that occur, each with its explanation.
 notesOf :: Vectors -> Value
 notesOf vectors =
   object [Key.fromString (flagName flag) .= flagNote flag | flag <- Set.toList flags]
@@ -65,7 +65,7 @@ testText :: Test -> Builder
 testText test =
   "{" <> mconcat (intersperse "," [member name value | (name, value) <- testMembers test]) <> "}"
 
--- | What is written of a test, in this order.
+-- | The keys of a test, in order.
 testMembers :: Test -> [(String, Value)]
 testMembers test =
   [("id", toJSON (testId test)), ("input", testInput test)]
@@ -90,18 +90,17 @@ separated = mconcat . intersperse ",\n"
 member :: String -> Value -> Builder
 member name value = Builder.stringUtf8 (show name) <> ":" <> canonical value
 
--- | What a file of vectors says, as far as they are made again from it.
+-- | The contents of a file of vectors that are needed to make it again.
 data StatedVectors = StatedVectors
   { statedOperation :: SomeOp,
     statedProfile :: Maybe Profile,
-    -- | The seed that a drawn test names.
+    -- | The seed in a drawn test.
     statedSeed :: Maybe Int,
-    -- | The tests as they stand there.
+    -- | The tests as JSON.
     statedTests :: [Value]
   }
 
--- | Read a file of vectors. Refuses what is none; whether its tests are right is for
--- 'difference' to say.
+-- | Reads a file of vectors. Refuses anything else; 'difference' checks the tests.
 readVectors :: ByteString -> Either FormatError StatedVectors
 readVectors = Codec.decodeWith keys
   where
@@ -123,8 +122,8 @@ lookupIn name value = case value of
   Object fields -> KeyMap.lookup (Key.fromString name) fields
   _ -> Nothing
 
--- | In what a file of vectors, by its bytes and what it says, differs from those made again: the
--- first test that does, or else what is around them; 'Nothing' if it is the same.
+-- | How a file of vectors, by its bytes and contents, differs from newly made vectors: the first
+-- test that differs, or else the text around the tests; 'Nothing' if they are equal.
 difference :: ByteString -> StatedVectors -> Vectors -> Maybe String
 difference bytes stated made = case firstDifference stated made of
   Nothing

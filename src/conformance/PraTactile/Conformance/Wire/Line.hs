@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Reading a line of the protocol. To a JSON library @2@, @2e0@ and @2.0e0@ may be one number;
--- here a whole number is one that is written as such, so that the others must stay distinct.
+-- | Reads a line of the protocol. JSON libraries may read @2@, @2e0@ and @2.0e0@ as one number.
+-- The protocol accepts only the first as an integer, so this reader keeps them distinct.
 module PraTactile.Conformance.Wire.Line
   ( readLine,
     mostDigits,
@@ -18,26 +18,27 @@ import Data.Char (isDigit)
 import PraTactile.Format.Error (JsonError)
 import PraTactile.Format.Json.Strict (closing, readJsonWith)
 
--- | The value of a JSON text, in which a number that is written with a fraction or an exponent has
--- a base-10 exponent other than 0: 2e0 becomes 20e-1. Refuses as
--- 'PraTactile.Format.Json.Strict.readJson' does, but numbers only of more than 'mostDigits' digits.
+-- | The value of a JSON text, in which a number written with a fraction or an exponent gets a
+-- base-10 exponent other than 0: 2e0 becomes 20e-1. Refuses what
+-- 'PraTactile.Format.Json.Strict.readJson' refuses, but allows numbers of up to 'mostDigits'
+-- digits.
 readLine :: ByteString -> Either JsonError Value
 readLine = readJsonWith mostDigits . told
 
--- | How many digits a number may have, as a JSON number or as a decimal string: 4096.
+-- | The greatest number of digits of a number, as JSON number or decimal string: 4096.
 mostDigits :: Int
 mostDigits = 4096
 
--- | How many bytes a line may have: 1 MiB.
+-- | The greatest number of bytes of a line: 1 MiB.
 longestLine :: Int
 longestLine = 1024 * 1024
 
--- | Whether a line has room for a text, which is made no further than that.
+-- | Whether a text fits into a line. It evaluates no more than that.
 lineHolds :: Lazy.ByteString -> Bool
 lineHolds = Lazy.null . Lazy.drop (fromIntegral longestLine)
 
--- | The text with another 0 behind the fraction of each number whose exponent makes it whole by as
--- many places as its fraction has: 20e-1 is not 2.
+-- | Appends a 0 to the fraction of each number whose exponent cancels its fraction exactly: 20e-1
+-- instead of 2.
 told :: ByteString -> ByteString
 told text
   | Bytes.any (`Bytes.elem` "eE") text && any scientific (Bytes.findIndices isExponent text) =
@@ -47,7 +48,7 @@ told text
     isExponent c = c == 'e' || c == 'E'
     scientific i = i > 0 && isDigit (Bytes.index text (i - 1))
 
--- | The text in pieces, strings and numbers whole.
+-- | The text in pieces; strings and numbers are whole.
 pieces :: ByteString -> [ByteString]
 pieces text = case Bytes.uncons others of
   Nothing -> [plain]
@@ -60,7 +61,7 @@ pieces text = case Bytes.uncons others of
   where
     (plain, others) = Bytes.break (\c -> c == '"' || isDigit c) text
 
--- | A number with an exponent that its fraction does not undo; others as they are.
+-- | A number whose exponent no longer cancels its fraction; other numbers are unchanged.
 marked :: ByteString -> ByteString
 marked number
   | Bytes.null exponent' || places /= Just (Bytes.length fraction') = number
