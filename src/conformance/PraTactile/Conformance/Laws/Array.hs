@@ -74,8 +74,8 @@ folding = "MacWilliams and Sloane (1976), section III; the profile's folding and
 
 beyond :: String
 beyond =
-  "beyond the edges the array goes on on the folding's own surface, whatever the profile's: the \
-  \torus for the diagonal one, the twisted torus for the row-major one"
+  "beyond the edges the array continues on the folding's own surface, whatever the profile's \
+  \surface: the torus for the diagonal folding, the twisted torus for the row-major one"
 
 -- | Rows and columns around the edges, once and twice around, and with only one of them beyond.
 aroundTheEdges :: Shape -> [(Natural, Natural)]
@@ -147,7 +147,7 @@ packingLaws =
       OnWindow
       "unpack-inverts-pack"
       [SomeOp Pack, SomeOp Unpack]
-      "what is packed is unpacked again"
+      "unpacking a packed window gives its cells again"
       packing
       ( \known ->
           let lower codes =

@@ -50,8 +50,8 @@ bayes what sentence =
     what
     Posterior
     sentence
-    "Bayes, cells being independent and positions equally likely beforehand; the \
-    \protocol, posterior"
+    "Bayes' theorem for independent cells and equally probable positions; the protocol, \
+    \posterior"
 
 asked :: Chances -> SomeQuestion
 asked = SomeQuestion . (Posterior :?)
@@ -61,14 +61,14 @@ certain = map (map (maybe Unfelt Certainly))
 
 systematicLaws :: [Law Known]
 systematicLaws =
-  [ bayes "certain-cells" "of symbols beyond doubt all positions that agree are equally likely" $
+  [ bayes "certain-cells" "for certain symbols all positions that agree are equally likely" $
       \known -> Every (asked . certain <$> smallPatches 70 (knownProfile known)),
-    bayes "certain-as-probabilities" "a code is as good as probability 1 of it" $ \known ->
+    bayes "certain-as-probabilities" "a code means probability 1 for it" $ \known ->
       Every
         [ asked [[Probably (sure (knownProfile known) code)]]
           | code <- elementsOf (knownProfile known)
         ],
-    bayes "doubtful-cells" "a cell in which two symbols are equally likely" $ \known ->
+    bayes "doubtful-cells" "patches with a cell in which two symbols are equally likely" $ \known ->
       Every
         [ asked [[Probably (halves (knownProfile known) a b), cell]]
           | a <- take 4 (elementsOf (knownProfile known)),
@@ -76,7 +76,7 @@ systematicLaws =
             a /= b,
             cell <- [Unfelt, Certainly 1]
         ],
-    bayes "nothing-known" "if nothing is known all positions are equally likely" $ \known ->
+    bayes "nothing-known" "if no cell is known, all positions are equally likely" $ \known ->
       Every (asked . certain <$> unobserved (knownProfile known)),
     bayes
       "across-the-edges"
@@ -89,9 +89,9 @@ systematicLaws =
           [ asked [[Probably (map (* factor) (uneven (knownProfile known)))], [Unfelt]]
             | factor <- [1.0005, 0.9995, 1.0009, 0.9991, 1.00099, 0.99901]
           ],
-    bayes "unlikely-cells" "what is unlikely is not impossible, however small the product is" $
+    bayes "unlikely-cells" "unlikely positions are possible, however small the product is" $
       \known -> Every (asked <$> ofVast 2 (knownProfile known) (unlikely known)),
-    bayes "many-cells" "a product of a thousand probabilities" $ \known ->
+    bayes "many-cells" "positions whose probability is a product of a thousand factors" $ \known ->
       Every (asked <$> manyCells known)
   ]
 
@@ -157,9 +157,9 @@ drawnLaws =
       \divided by \
       \the sum over all positions"
       (\known -> Some (asked <$> genChances (knownProfile known)) smallerQuestions),
-    bayes "contradictions" "what fits no position is refused: contradiction" $ \known ->
+    bayes "contradictions" "a patch that fits no position is refused: contradiction" $ \known ->
       Some (asked . certain <$> genDamaged known (Damage 10 30)) smallerQuestions,
-    bayes "likely-patches" "a patch that was seen, each cell a little doubtful" $ \known ->
+    bayes "likely-patches" "patches of the array, each cell a little doubtful" $ \known ->
       Some
         ( genDamaged known (Damage 20 5)
             >>= fmap asked

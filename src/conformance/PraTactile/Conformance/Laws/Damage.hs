@@ -82,9 +82,8 @@ correctionLaws =
       OnDamage
       "corrects-within-the-guaranteed-radius"
       [SomeOp Nearest]
-      "e wrong cells are corrected if 2 e < d, d being the least number in which two contents \
-      \of the \
-      \observed cells differ on the folding's own surface"
+      "e wrong cells are corrected if 2 e < d, where d is the least number of cells in which two \
+      \contents of the observed cells differ on the folding's own surface"
       source
       ( \known ->
           Cases
@@ -96,7 +95,7 @@ correctionLaws =
       OnDamage
       "corrects-as-far-as-it-is-told"
       [SomeOp Nearest]
-      "the same with the radius stated"
+      "e wrong cells are corrected if 2 e < d, also with the radius e stated"
       source
       ( \known ->
           Cases seenForm (Some (genWithin known) lessDamaged) $ \seen ->
@@ -173,11 +172,11 @@ data Fate = Kept | Gone | Wrong
 
 systematicLaws :: [Law Known]
 systematicLaws =
-  [ comparing "small-patches" (asCompared ++ ", to the guaranteed radius") $ \known ->
+  [ comparing "small-patches" (asCompared ++ ", within the guaranteed radius") $ \known ->
       Every (asked Nothing <$> smallPatches 300 (knownProfile known)),
-    comparing "small-patches-within-a-radius" (asCompared ++ ", to radii of 0, 1 and 2") $ \known ->
+    comparing "small-patches-within-a-radius" (asCompared ++ ", within radii 0 to 2") $ \known ->
       Every [asked (Just e) rows | rows <- smallPatches 100 (knownProfile known), e <- [0, 1, 2]],
-    comparing "zeros" "zeros, and with them as few other cells as are corrected: zero-window" $
+    comparing "zeros" "zeros, also with a few correctable cells, are refused: zero-window" $
       \known ->
         Every . ofVast 5 (knownProfile known) $
           [ asked radius rows
@@ -185,7 +184,7 @@ systematicLaws =
               radius <- [Nothing, Just 0, Just 1],
               rows <- [zeros, onePlaced zeros]
           ],
-    comparing "nothing-observed" "a patch of which nothing was observed is refused: too-few-cells" $
+    comparing "nothing-observed" "a patch without an observed cell is refused: too-few-cells" $
       \known ->
         Every
           [ asked radius rows
@@ -194,7 +193,8 @@ systematicLaws =
           ],
     comparing
       "across-the-edges"
-      "across the edges a patch is compared where the surface goes on, and nothing is where it ends"
+      "across the edges a patch is compared where the surface continues; there is no position \
+      \where it ends"
       ( \known ->
           Every
             ( ofVast
@@ -213,19 +213,18 @@ onePlaced rows = case rows of
 
 asCompared :: String
 asCompared =
-  "a patch is located, ambiguous or refused as comparing its observed cells with those at all \
-  \positions says"
+  "a patch is located, ambiguous or refused by comparing its observed cells with all positions"
 
 asked :: Maybe Natural -> Patch -> SomeQuestion
 asked radius = SomeQuestion . (Nearest :?) . (,) radius
 
 drawnLaws :: [Law Known]
 drawnLaws =
-  [ comparing "guaranteed-radius" (asCompared ++ ", to the guaranteed radius") $ \known ->
+  [ comparing "guaranteed-radius" (asCompared ++ ", within the guaranteed radius") $ \known ->
       Some (asked Nothing <$> genDamaged known (Damage 15 15)) smallerQuestions,
-    comparing "cells-observed-decide" "the cells observed decide what is guaranteed" $ \known ->
+    comparing "cells-observed-decide" "the observed cells decide the guaranteed radius" $ \known ->
       Some (asked Nothing <$> genDamaged known (Damage 35 6)) smallerQuestions,
-    comparing "stated-radius" (asCompared ++ ", to a radius that is stated") $ \known ->
+    comparing "stated-radius" (asCompared ++ ", within a stated radius") $ \known ->
       Some
         ( do
             radius <- upTo 5
@@ -233,7 +232,7 @@ drawnLaws =
             asked (Just radius) <$> genDamaged known (Damage 15 wrong)
         )
         smallerQuestions,
-    comparing "large-radius" "a radius of as many cells as there are, or more, is one too" $
+    comparing "large-radius" "a radius of the number of cells, or more, is accepted" $
       \known ->
         Some
           ( do
@@ -242,7 +241,7 @@ drawnLaws =
               pure (asked (Just radius) rows)
           )
           smallerQuestions,
-    comparing "few-cells" "cells too few to tell a position are answered with all that agree" $
+    comparing "few-cells" "too few cells are answered with all positions that agree" $
       \known ->
         Some (asked Nothing <$> genDamaged known (Damage 75 0)) smallerQuestions
   ]

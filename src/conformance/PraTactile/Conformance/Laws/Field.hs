@@ -43,18 +43,18 @@ operationLaws =
       2
       "a b is the product of polynomials modulo the profile's modulus"
       two,
-    ofCodes "negation-as-defined" Negate 1 "-a is what a is added to for 0" id,
+    ofCodes "negation-as-defined" Negate 1 "-a is the element whose sum with a is 0" id,
     ofCodes
       "inverse-as-defined"
       Inverse
       1
-      "1/a is what a is multiplied by for 1; 1/0 is refused: division-by-zero"
+      "1/a is the element whose product with a is 1; 1/0 is refused: division-by-zero"
       id,
     ofCodes
       "logarithm-as-defined"
       Logarithm
       1
-      "log a is the least i with A^i = a, A being the smallest code of order q - 1; log 0 is \
+      "log a is the least i with A^i = a, where A is the smallest code of order q - 1; log 0 is \
       \refused: out-of-range"
       id,
     ofCodes
@@ -96,7 +96,7 @@ powerLaws =
       OnField
       "power-as-defined"
       Power
-      "a^i for i from -q to q; a^0 = 1, 0^0 = 1 too, and 0^-i is refused: division-by-zero"
+      "a^i for i from -q to q; a^0 = 1, also 0^0 = 1; 0^-i is refused: division-by-zero"
       byModulus
       ( \known ->
           let q = toInteger (profileOrder (knownProfile known))

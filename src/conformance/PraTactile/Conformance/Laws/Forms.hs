@@ -35,7 +35,7 @@ formLaws stage operations =
       stage
       (nameOf operation ++ "-takes-either-form")
       [operation]
-      "an integer is a JSON number or a decimal string, be it small or large"
+      "an integer, small or large, may be a JSON number or a decimal string"
       "the protocol, integers"
       ( \known ->
           Cases

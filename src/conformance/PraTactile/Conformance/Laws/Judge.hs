@@ -77,8 +77,8 @@ invalid stage what operation questions =
     what
     [SomeOp operation]
     ( nameOf (SomeOp operation)
-        ++ " refuses as invalid every input that is none: codes that are none, values of a wrong \
-           \type, keys that are missing, what is malformed"
+        ++ " refuses every invalid input as invalid: numbers that are not codes, values of a \
+           \wrong type, missing keys, malformed values"
     )
     "the protocol, refusals"
     (\about -> Cases questionForm (Every (questions about)) refused)

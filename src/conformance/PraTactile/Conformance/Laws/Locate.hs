@@ -49,23 +49,23 @@ asked = SomeQuestion . (Locate :?)
 
 systematicLaws :: [Law Known]
 systematicLaws =
-  [ ofTable "every-window" "the window at every place is located where it is" $ \known ->
+  [ ofTable "every-window" "the window at every position is located there" $ \known ->
       let p = knownProfile known
        in Every
             [ asked (map (map Just) (seenAt known (profileWindow p) place))
               | place <- ofVast 40 p (places p (profileWindow p))
             ],
-    ofTable "small-patches" "all patches of a few cells, felt or not" $ \known ->
+    ofTable "small-patches" "all patches of a few cells, observed or not" $ \known ->
       Every (asked <$> smallPatches 700 (knownProfile known)),
     ofTable "zeros" "zeros of all shapes: zero-window, unless a window of zeros occurs" $ \known ->
       Every (asked <$> ofVast 9 (knownProfile known) (zeroPatches (knownProfile known))),
-    ofTable "nothing-observed" "a patch of which nothing was observed is refused: too-few-cells" $
+    ofTable "nothing-observed" "a patch without an observed cell is refused: too-few-cells" $
       \known -> Every (asked <$> unobserved (knownProfile known)),
     ofTable "across-the-edges" acrossSentence $ \known -> Every (asked <$> acrossEdges known)
   ]
   where
     acrossSentence =
-      "a patch across the edges is located where the surface goes on, and refused as off-sheet \
+      "a patch across the edges is located where the surface continues, and refused as off-sheet \
       \where it ends"
 
 drawnLaws :: [Law Known]
@@ -74,13 +74,13 @@ drawnLaws =
       "larger-patches"
       "a patch larger than a window is located where every cell of it agrees"
       (drawing (Damage 0 0)),
-    ofTable "cells-not-felt" "cells that were not felt say nothing" (drawing (Damage 25 0)),
+    ofTable "cells-not-felt" "unobserved cells have no influence" (drawing (Damage 25 0)),
     ofTable
       "contradictions"
-      "a patch of which a cell is wrong is refused as contradiction if some window of it occurs, \
-      \unless it agrees elsewhere"
+      "a patch with a wrong cell is refused as contradiction if one of its windows occurs, unless \
+      \all its cells agree elsewhere"
       (drawing (Damage 0 12)),
-    ofTable "damaged-patches" "patches with cells not felt and cells wrong" (drawing (Damage 15 8)),
+    ofTable "damaged-patches" "patches with unobserved and wrong cells" (drawing (Damage 15 8)),
     ofTable "drawn-patches" "patches of any cells" $ \known ->
       Some (asked <$> anyPatch (knownProfile known)) smallerQuestions
   ]
@@ -164,7 +164,8 @@ inverseOfLooking =
     OnLocate
     "inverse-of-looking"
     [SomeOp Cell, SomeOp Locate]
-    "what the implementation itself has as cells is located where they are, or there too"
+    "a patch of the implementation's own cells is located at their position, or at several that \
+    \include it"
     table
     ( \known ->
         Cases

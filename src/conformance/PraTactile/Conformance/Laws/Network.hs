@@ -22,7 +22,7 @@ networkLaws =
       OnNetwork
       "outputs-as-defined"
       Outputs
-      "the output units have the values that the weights and the image say"
+      "the output units have the values that the weights and the image determine"
       theNetwork
       theFormula
       (Some (SomeQuestion . (Outputs :?) <$> ((,) <$> genWeights <*> genImage)) smallerQuestions),

@@ -40,9 +40,8 @@ solidLaws =
       OnObjects
       "solid-as-defined"
       SolidReport
-      "of a polyhedron all that is wrong is told, each defect with its faces, vertices and \
-      \measure, \
-      \and nothing else; and of its pieces what has a meaning"
+      "the report on a polyhedron has exactly its defects, each with its faces, vertices and \
+      \measure, and the figures of its pieces that have a meaning"
       "the definitions of the defects; Euler and Poincare; the divergence theorem"
       "each kind of defect is looked for where no other leaves it without meaning"
       (Some (SomeQuestion . (SolidReport :?) <$> polyhedra) smallerQuestions),
@@ -50,8 +49,8 @@ solidLaws =
       OnObjects
       "solid-of-known-measures"
       [SomeOp SolidReport]
-      "solids with many sides, with many handles, with others inside them, and with very large and \
-      \fine coordinates have the pieces and volumes that they were made with"
+      "solids with many sides, with many handles, nested, or with very large and fine coordinates \
+      \have the pieces and volumes with which they were made"
       "how they were made"
       $ \() ->
         Cases questionForm (Every (map (SomeQuestion . (SolidReport :?) . fst) measured)) measure,
@@ -69,7 +68,7 @@ solidLaws =
             <$> ask question
       _ -> pure Inapplicable
     road = "the construction" :: String
-    why = "a prism over the points (i, i^2), boxes in each other, or a plate with holes" :: String
+    why = "a prism over the points (i, i^2), nested boxes, or a plate with holes" :: String
     badSolids =
       [rawWith plain "vertices" (vertex name (String "0")) | name <- ["", "a b", "a\t"]]
         ++ [rawWith plain "vertices" (vertex "A" number) | number <- notExact]
@@ -182,10 +181,10 @@ cellLaws =
       OnObjects
       "cells-as-defined"
       FaceCells
-      "of the grid centred on the box round a face those cells are told that lie wholly on it"
+      "the cells are those of the grid, centred on the face's bounding box, that lie wholly on \
+      \the face"
       "the face's frame: x from the walk's first vertex to its last, y into the face"
-      "a cell, its rim included, lies in the polygon; lengths that are no fractions are compared \
-      \exactly"
+      "a cell, its rim included, lies in the polygon; irrational lengths are compared exactly"
       ( Some
           ( faces >>= \corners ->
               SomeQuestion . (FaceCells :?) . (,) corners <$> pitchFor corners
@@ -196,9 +195,8 @@ cellLaws =
       OnObjects
       "cells-at-the-rim"
       FaceCells
-      "cells that touch the rim of a face from inside lie on it, and as many columns and rows as \
-      \fit \
-      \exactly are there"
+      "cells that touch a face's rim from inside lie on the face, and columns and rows that fit \
+      \exactly are counted"
       "the face's frame: x from the walk's first vertex to its last, y into the face"
       "a cell, its rim included, lies in the polygon"
       (Some (SomeQuestion <$> rims) smallerQuestions),
@@ -206,11 +204,10 @@ cellLaws =
       OnObjects
       "cells-refuses-what-is-no-face"
       FaceCells
-      "corners that are no simple polygon in a plane, and distances that are not positive, are \
-      \refused \
-      \as impossible-face"
+      "corners that are not a simple polygon in a plane, and distances that are not positive, are \
+      \refused as impossible-face"
       "the protocol, cells"
-      "it is no face of a solid that carries symbols"
+      "it is not a face of a solid that can carry symbols"
       (Some (SomeQuestion <$> noFaces) smallerQuestions),
     invalid OnObjects "cells-refuses-what-is-invalid" FaceCells . const $
       [rawWith plain "pitch_mm" (toJSON [number, String "1"]) | number <- notExact]
@@ -269,9 +266,9 @@ whereaboutsLaws =
       OnObjects
       "whereabouts-as-defined"
       Whereabouts
-      "a window whose cells are all a face's is on that face, at its place there, with all \
-      \vertices \
-      \nearest to its middle; one on several faces straddles them; any other is on no object"
+      "a window whose cells all belong to one face is on that face, with its place there and all \
+      \vertices nearest to its middle; a window on several faces straddles them; any other is on \
+      \no object"
       "section II.B of the paper; the face's frame"
       "the window's cells are compared with those of every face; a face does not go round the torus"
       (Some (SomeQuestion <$> (placements >>= windowOn)) smallerQuestions),
@@ -279,7 +276,7 @@ whereaboutsLaws =
       OnObjects
       "whereabouts-refuses-what-cannot-be-laid"
       Whereabouts
-      "faces that cannot be laid so are refused as impossible-placement"
+      "faces that cannot be laid as stated are refused as impossible-placement"
       "the protocol, whereabouts"
       "cells are shared, off the face or off the sheet, or an object or a face is none"
       (Some (SomeQuestion <$> (placements >>= impossible >>= windowOn)) smallerQuestions),
@@ -320,7 +317,7 @@ poseLaws =
       OnObjects
       "pose-of-exact-places"
       [SomeOp FacePose]
-      "an object of which points of a face were felt where they are has the pose at which it lies"
+      "for points that were felt without error, the pose is the object's true one"
       "how it was made: the object was moved, and the face with it"
       ( \() -> Cases lyingForm (Some lying smallerLying) $ \(Lying felt motion) ->
           let question = FacePose :? felt
@@ -340,7 +337,8 @@ poseLaws =
       OnObjects
       "pose-by-least-squares"
       FacePose
-      "of points that were felt with errors the most probable pose is told, and its covariance"
+      "for points that were felt with errors, the answer is the most probable pose and its \
+      \covariance"
       "least squares of a rigid motion in the plane (Procrustes); first-order errors"
       "the sum of squared distances is least, and errors are carried to the object's frame"
       (Some (SomeQuestion . (FacePose :?) <$> (lying >>= noisy . lyingFelt)) smallerQuestions),
@@ -367,10 +365,9 @@ poseLaws =
       "pose-refuses-what-is-undetermined"
       FacePose
       "fewer than two different points of the face are refused as undetermined, and corners that \
-      \are no \
-      \simple polygon in a plane as impossible-face"
+      \are not a simple polygon in a plane as impossible-face"
       "the protocol, pose"
-      "one point does not tell how the face is turned"
+      "one point does not determine the face's rotation"
       (Every ([SomeQuestion (FacePose :? felt) | felt <- unfit]))
   ]
   where

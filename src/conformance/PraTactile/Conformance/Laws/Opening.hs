@@ -29,7 +29,7 @@ openingLaws =
       OnProfile
       "possible-ones-are-opened"
       []
-      "a profile that names an array is put in force"
+      "a profile that describes an array is accepted"
       "the protocol: a possible profile is not refused"
       ( \profiles ->
           Cases
@@ -41,7 +41,7 @@ openingLaws =
       OnProfile
       "polynomial-may-end-in-zeros"
       []
-      "coefficients of 0 at the end of a profile's polynomial count for nothing"
+      "zero coefficients at the end of a profile's polynomial are ignored"
       "the protocol, polynomials"
       ( \profiles ->
           Cases
@@ -53,7 +53,7 @@ openingLaws =
       OnProfile
       "profiles-return"
       [SomeOp Term, SomeOp Cell, SomeOp Pack, SomeOp Distance, SomeOp Locate]
-      "what is answered is of the profile in force, whichever ones were before it"
+      "answers follow the profile in force, whichever profiles were in force before"
       "the protocol: a profile may come at any time"
       ( \profiles ->
           let small = filter (not . isVast) profiles
@@ -139,7 +139,7 @@ impossibleLaw (Impossible what sentence change) =
     OnProfile
     what
     []
-    (sentence ++ "; another is refused: impossible-profile")
+    (sentence ++ "; any other profile is refused: impossible-profile")
     "MacWilliams and Sloane, Pseudo-random sequences and arrays, Proc. IEEE 64 (1976)"
     ( \profiles ->
         Cases profileCodec (Every (profiles >>= change)) (opened False ("but " ++ sentence))

@@ -45,8 +45,8 @@ definitionLaws =
       OnPolynomial
       "primitive-of-high-degrees"
       Primitive
-      ( "a polynomial is primitive only if the order of its root is q^n - 1 itself, and not that "
-          ++ "divided by one of its primes, a large one perhaps"
+      ( "a polynomial is primitive only if its root has the order q^n - 1, and not "
+          ++ "(q^n - 1) / r for a prime r, even a large one"
       )
       source
       $ \known -> Every (SomeQuestion . (Primitive :?) <$> highDegrees known),
@@ -54,7 +54,8 @@ definitionLaws =
       OnPolynomial
       "primitive-of-what-ends-in-zeros"
       Primitive
-      "coefficients of 0 at a polynomial's end count for nothing; none of degree 0 is primitive"
+      "zero coefficients at a polynomial's end are ignored; no polynomial of degree 0 is \
+      \primitive"
       source
       ( \known ->
           let p = knownProfile known
@@ -68,8 +69,8 @@ definitionLaws =
       OnPolynomial
       "first-primitive-as-defined"
       FirstPrimitive
-      "the first primitive polynomial of a degree, coefficients being compared from the highest \
-      \degree down"
+      "the first primitive polynomial of a degree, comparing coefficients from the highest degree \
+      \down"
       "the profile's order of polynomials"
       ( \known ->
           let q = profileOrder (knownProfile known)
@@ -151,7 +152,8 @@ relationLaws =
       OnPolynomial
       "reciprocals-are-primitive-alike"
       [SomeOp Primitive]
-      "a monic polynomial and its reciprocal, made monic, are both primitive or both not"
+      "a monic polynomial and its reciprocal, made monic, are both primitive or both not \
+      \primitive"
       source
       ( \known ->
           Cases
@@ -169,7 +171,7 @@ relationLaws =
       demand
         ( Because
             "the other answer of the same implementation"
-            "it was told as the first one"
+            "it was given as the first one"
         )
         (Primitive :? h)
         True

@@ -65,8 +65,8 @@ ofMasks operation sentence =
     name = nameOf (SomeOp operation)
     asked = SomeQuestion . (operation :?)
     special =
-      "; blank rows and columns at a mask's end count for nothing, and a mask of which no window \
-      \lies on the sheet is refused: off-sheet"
+      "; blank rows and columns at a mask's end are ignored, and a mask without a window on the \
+      \sheet is refused: off-sheet"
     -- For long sequences, only masks with few cells.
     affordable p mask = area (profileShape p) <= 1024 || length (concat mask) <= 4
 
@@ -113,8 +113,8 @@ relationLaws =
       OnProof
       "rank-counts-windows"
       [SomeOp Prove]
-      "on the folding's own surface a mask of rank r has q^r windows, but q^n - 1 if r is the \
-      \degree n, and is proved then alone"
+      "on the folding's own surface a mask of rank r has q^r different windows, but q^n - 1 if r \
+      \is the degree n; it is proved only then"
       source
       ( \known ->
           Cases
@@ -126,7 +126,7 @@ relationLaws =
       OnProof
       "distance-is-0-where-the-rank-is-less"
       [SomeOp Prove, SomeOp Distance]
-      "two windows of a mask are the same exactly where its rank is less than the degree"
+      "two windows of a mask are equal exactly if its rank is less than the degree"
       source
       ( \known ->
           Cases
@@ -174,7 +174,7 @@ apart known mask = do
   case proofRank proof of
     Just r ->
       demand
-        (Because "a theorem on linear codes" "windows of one content are told by the rank")
+        (Because "a theorem on linear codes" "the rank determines whether windows are equal")
         (Distance :? mask)
         (if r < degreeOf (knownProfile known) then 0 else max 1 d)
         ((d == 0) == (r < degreeOf (knownProfile known)))

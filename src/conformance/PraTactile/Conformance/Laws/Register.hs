@@ -76,26 +76,26 @@ placeLaws :: [Law ()]
 placeLaws =
   [ placed
       "known-displacement"
-      "two frames cut from one relief are registered where they were cut, to half a taxel"
+      "two frames cut from one relief are registered as they were cut, to half a taxel"
       "both show the same relief there, and within the search nowhere else"
       (const id),
     placed
       "gain-and-offset"
       "a gain and an offset of each frame's grey values change nothing"
-      "what is affine in the grey values is no relief"
+      "gain and offset of grey values are not relief"
       ( \n (shift, Pair a b step search) ->
           let change k = affinely (Affine (fromIntegral (1 + k `mod` 3)) (fromIntegral (k * 5)))
            in (shift, Pair (change n a) (change (n `div` 3) b) step search)
       ),
     placed
       "exchanged"
-      "the second frame in the place of the first lies as far the other way"
+      "exchanging the two frames reverses the displacement"
       "if B lies at d in A, A lies at -d in B"
       (\_ (shift, Pair a b step search) -> (back shift, Pair b a (back step) search)),
     placed
       "turned-and-mirrored"
-      "with both frames turned or mirrored, the displacement is so too"
-      "the displacement is that of the scene, however it is seen"
+      "turning or mirroring both frames turns or mirrors the displacement"
+      "the displacement belongs to the scene, whichever way it is seen"
       ( \n (shift, Pair a b step search) ->
           let (symmetry, rows) = seen n
            in ( onOffset symmetry shift,
@@ -104,8 +104,8 @@ placeLaws =
       ),
     placed
       "another-step"
-      "another step from which the displacement is within the search changes nothing"
-      "the step says where to search, the frames where they lie"
+      "another step changes nothing, if the displacement is within the search around it"
+      "the step only determines where to search"
       ( \n (shift, Pair a b (sx, sy) search) ->
           let toward t d = if t + 1 - d > 3 then t - 1 else t + 1
            in if even n
@@ -144,8 +144,8 @@ latticeLaw =
     OnRegister
     "by-the-lattice"
     [SomeOp Register]
-    "two frames of symbols of the alphabet lie where the lattice of both lies, to half a taxel, \
-    \also where they have hardly anything in common"
+    "two frames of the alphabet's symbols are registered by their common lattice, to half a \
+    \taxel, even if they have hardly anything in common"
     theCut
     $ \() -> Cases pressForm (Some genPress smallerPress) $ \press ->
       let (stated, shapes) = shapesFor (pressShapes press)
@@ -192,7 +192,7 @@ refusalLaws :: [Law ()]
 refusalLaws =
   [ refusal
       "blank"
-      "where one of the frames, or both, show nothing, it is refused: blank"
+      "a pair in which one frame or both show nothing is refused: blank"
       "a frame of one grey value shows nothing"
       $ \press ->
         let (_, Pair a b step search) = pressed press
@@ -205,14 +205,14 @@ refusalLaws =
          in Just (pair, unknown "blank" step (False, False), const True),
     refusal
       "one-axis"
-      "where all edges are straight and parallel, it is refused: one-axis, with the displacement \
-      \across them, and the axis that is across them"
-      "all that is shown is alike along the edges"
+      "a pair in which all edges are straight and parallel is refused: one-axis, with the \
+      \displacement across the edges and the axis across them"
+      "the relief is constant along the edges"
       oneAxis,
     refusal
       "periodic"
-      "where the relief repeats itself within the search along both axes, it is refused: ambiguous"
-      "a period further on both frames show the same again"
+      "a pair whose relief repeats within the search along both axes is refused: ambiguous"
+      "one period further both frames show the same again"
       $ \press ->
         let change = pressChange press
             periods = (period change, period (change `div` 3))
@@ -225,7 +225,7 @@ refusalLaws =
          in Just (pair, unknown "ambiguous" step (False, False), const True),
     refusal
       "no-overlap"
-      "where the frames meet nowhere in the search, it is refused: no-overlap"
+      "a pair that overlaps nowhere within the search is refused: no-overlap"
       "every displacement within the search is at least as long as the frame"
       $ \press ->
         let (_, Pair a b _ search) = pressed press

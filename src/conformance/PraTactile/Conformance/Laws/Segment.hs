@@ -21,13 +21,13 @@ segmentLaws :: [Law ()]
 segmentLaws =
   [ comesOut
       "drawn-symbols"
-      "symbols that are drawn come out, and nothing else does: the centres to half a pixel, the \
-      \axes to 5 degrees"
+      "exactly the drawn symbols are found, their centres to half a pixel and their axes to 5 \
+      \degrees"
       "they were drawn there"
       upright,
     comesOut
       "off-the-lattice"
-      "symbols that do not stand on a lattice come out where they stand"
+      "symbols that do not lie on a lattice are found where they lie"
       "they were drawn there"
       ( \drawing ->
           let n = drawingChange drawing
@@ -38,8 +38,8 @@ segmentLaws =
       ),
     comesOut
       "turned"
-      "on a composite turned by quarter turns, symbols and axes are turned by as much"
-      "they are those of the scene, however it is seen"
+      "turning a composite by quarter turns turns its symbols and axes by as much"
+      "they belong to the scene, whichever way it is seen"
       ( \drawing ->
           let (rows, symbols) = upright drawing
               symmetry = turned (1 + drawingChange drawing `mod` 3)
@@ -53,13 +53,13 @@ segmentLaws =
     comesOutOf
       (Some genBlock smallerBlock)
       "turned-by-degrees"
-      "on a composite of a face at any angle, symbols and axes are turned by as much"
-      "they are those of the scene, however it is seen"
+      "the symbols of a face at any angle are found at that angle, in their places and axes"
+      "they belong to the scene, whichever way it is seen"
       atAngle,
     comesOut
       "gain-and-offset"
       "a gain and an offset of all grey values change nothing"
-      "what is affine in the grey values is no relief"
+      "gain and offset of grey values are not relief"
       ( \drawing ->
           let (rows, symbols) = upright drawing
               n = drawingChange drawing
@@ -68,7 +68,7 @@ segmentLaws =
       ),
     comesOut
       "blank"
-      "where nothing is drawn, nothing comes out"
+      "a blank composite has no symbols"
       "a composite of one grey value shows nothing"
       ( \drawing ->
           let (rows, _) = upright drawing
@@ -76,7 +76,7 @@ segmentLaws =
       ),
     comesOut
       "cut-off"
-      "symbols that the composite's edge cuts off do not come out, and the others do"
+      "symbols cut off by the composite's edge are not found, and the others are"
       "three of their columns or more were not touched"
       ( \drawing ->
           let (rows, symbols) = upright drawing

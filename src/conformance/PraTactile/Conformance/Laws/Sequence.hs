@@ -56,8 +56,8 @@ definitionLaws =
       OnSequence
       "terms-as-defined"
       Terms
-      "s(i), ..., s(i + length - 1), of lengths and from indices up to two more than the degree; \
-      \none for the length 0; and of short sequences many periods"
+      "s(i), ..., s(i + length - 1) for indices and lengths up to two more than the degree; no \
+      \terms for length 0; many periods of short sequences"
       recurrence
       ( \known ->
           let p = knownProfile known
@@ -70,7 +70,7 @@ definitionLaws =
       OnSequence
       "terms-of-any-index"
       Terms
-      "runs of the sequence from indices of any size, over the end of a period"
+      "terms from indices of any size, also across the end of a period"
       recurrence
       ( \known ->
           Some
@@ -182,13 +182,13 @@ countingLaws =
       ),
     ofPeriod
       "has-span-n"
-      "in a period every n consecutive terms but 0 ... 0 occur once: span n"
+      "in a period every n consecutive terms except 0 ... 0 occur exactly once (span n)"
       (const [1])
       (\known _ terms -> hasSpan (degreeOf (knownProfile known)) terms),
     ofPeriod
       "autocorrelates-by-minus-one"
-      "the traces of s(i+d) - s(i) are 0 once less often than each other value, unless q^n - 1 \
-      \divides d; of long periods for some d"
+      "among the traces of s(i+d) - s(i), 0 occurs once less often than each other value, unless \
+      \q^n - 1 divides d; for long periods some d are tried"
       shiftsOf
       ( \known d terms ->
           let p = knownProfile known

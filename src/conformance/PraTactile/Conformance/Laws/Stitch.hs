@@ -87,7 +87,7 @@ stitchLaws :: [Law ()]
 stitchLaws =
   [ found
       "truth-stays"
-      "frames that are where they should be stay there"
+      "frames at their nominal places stay there"
       "the robot made no error"
       0.25
       (\survey -> survey {surveyErrors = map (const (0, 0)) (surveyErrors survey)})
@@ -103,14 +103,14 @@ stitchLaws =
     found
       "order"
       "the order of the frames changes nothing"
-      "each frame lies where it lies, whichever comes first"
+      "the place of a frame does not depend on the order"
       0.5
       id
       (\n truth -> map snd (sortOn fst (zip (randoms (mkStdGen n) :: [Int]) truth))),
     found
       "moved"
-      "all places moved alike change nothing"
-      "where the robot counts from is no displacement"
+      "moving all nominal places alike changes nothing"
+      "the origin of the robot's coordinates is not a displacement"
       0.5
       id
       ( \n truth ->
@@ -120,7 +120,7 @@ stitchLaws =
     found
       "gain-and-offset"
       "a gain and an offset of all grey values change nothing"
-      "what is affine in the grey values is no relief"
+      "gain and offset of grey values are not relief"
       0.5
       id
       ( \n truth ->
@@ -129,8 +129,8 @@ stitchLaws =
       ),
     found
       "turned-and-mirrored"
-      "with frames and places turned or mirrored, the displacements are so too"
-      "they are those of the scene, however it is seen"
+      "turning or mirroring frames and places turns or mirrors the displacements"
+      "they belong to the scene, whichever way it is seen"
       0.5
       id
       ( \n truth ->
@@ -168,8 +168,8 @@ latticeLaw =
     OnStitch
     "by-the-lattice"
     [SomeOp Stitch]
-    "frames of symbols of the alphabet lie where the lattice of all lies, to half a taxel, also \
-    \where they have hardly anything in common"
+    "frames of the alphabet's symbols are placed by their common lattice, to half a taxel, even \
+    \if they have hardly anything in common"
     "how the frames were cut; the protocol, stitch"
     $ \() -> Cases surveyForm (Some genSurvey smallerSurvey) $ \survey ->
       let (stated, shapes) = shapesFor (surveyShapes survey)

@@ -35,16 +35,18 @@ import System.Exit (ExitCode (..))
 -- | The ids and sentences of all checks.
 checkTexts :: [(String, String)]
 checkTexts =
-  [ (noProfileId, "what is no profile is refused: invalid"),
+  [ (noProfileId, "anything that is not a profile is refused: invalid"),
     ( formsId,
       "the integers of a profile are JSON numbers or decimal strings; other keys are ignored"
     ),
-    (answersFirstId, "what was asked before stop, in one write with it, is answered"),
-    (noneInForceId, "after a refused profile none is in force, and a run is errored"),
-    (inputEndsId, "at the end of its input it ends within 5 seconds and writes nothing more"),
-    (stoppedId, "after stop it ends within 5 seconds and writes nothing more"),
-    (unknownId, "an operation that is not known is skipped"),
-    (textId, "white space, the order of keys and escapes in strings change nothing of a request")
+    (answersFirstId, "requests before stop, in one write with it, are answered"),
+    (noneInForceId, "after a refused profile no profile is in force, and a run is errored"),
+    ( inputEndsId,
+      "at the end of its input the process ends within 5 seconds and writes nothing more"
+    ),
+    (stoppedId, "after stop the process ends within 5 seconds and writes nothing more"),
+    (unknownId, "an unknown operation is skipped"),
+    (textId, "white space, the order of keys and escapes in strings do not change a request")
   ]
 
 noProfileId, formsId, answersFirstId, noneInForceId, inputEndsId, stoppedId, unknownId :: String
