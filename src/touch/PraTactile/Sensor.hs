@@ -245,7 +245,8 @@ drawnNoise sensor image g0
     (ofRows, g2) = drawnIf (sensorRowNoise sensor) V.empty (normals rows) g1
     (ofColumns, g3) = drawnIf (sensorColumnNoise sensor) V.empty (normals columns) g2
 
--- | One press at a nominal pose by a randomly drawn specimen: 'scan' with one pose.
+-- | One press at a nominal pose by a randomly drawn specimen: 'scan' with one pose. The motion
+-- converts the robot's coordinates to the face's; the pose is in the robot's.
 probe :: RandomGen g => Sensor -> HeightMap -> Motion -> Pose -> g -> (Frame, g)
 probe sensor heights motion nominal g = (frame, g3)
   where
@@ -279,13 +280,14 @@ probed sensor specimen heights motion memory nominal g =
         }
     (image, memory', g3) = pressed sensor specimen heights (move motion true) memory g''
 
--- | Presses at each pose in turn, by one specimen, which is drawn first.
+-- | Presses at each nominal pose in turn, by one specimen, which is drawn first. The motion converts
+-- the robot's coordinates to the face's; the poses are in the robot's.
 scan :: RandomGen g => Sensor -> HeightMap -> Motion -> [Pose] -> g -> ([Frame], g)
 scan sensor heights motion poses g = scanWith sensor specimen heights motion poses g'
   where
     (specimen, g') = drawSpecimen sensor g
 
--- | Presses at each pose in turn, by the given specimen.
+-- | 'scan' with the given specimen.
 scanWith ::
   RandomGen g => Sensor -> Specimen -> HeightMap -> Motion -> [Pose] -> g -> ([Frame], g)
 scanWith sensor specimen heights motion = go (Memory Nothing 0)

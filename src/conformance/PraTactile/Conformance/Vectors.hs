@@ -213,8 +213,8 @@ statedValue question wanted given = answerValue question $ case question of
     ByScene _ _ -> given
   Raw _ _ -> given
 
--- | The flags of a question under a profile. The first flag is set if there are several answering
--- positions.
+-- | The flags of a question under a profile. The flag argument tells whether several positions are
+-- the answer.
 flagsOf :: Maybe Profile -> Bool -> SomeQuestion -> [Flag]
 flagsOf profile several (SomeQuestion question) = case (question, profile) of
   (op :? input, Just p) -> case operationWays (recordOf op) of

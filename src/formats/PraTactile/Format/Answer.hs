@@ -30,10 +30,14 @@ data AnswerReport = AnswerReport
   { statedProfile :: Profile,
     statedOutcome :: OutcomeName,
     statedPosition :: Maybe Position,
+    -- | all positions, if there are several
     statedPositions :: [Position],
+    -- | the stable name of a refusal's reason
     statedReason :: Maybe String,
     statedMessage :: String,
+    -- | the offsets in the patch of the complete windows that agree
     statedWindows :: [Position],
+    -- | the share of all contents of the observed cells that would be located as well
     statedChance :: Maybe Chance,
     -- | 'Nothing' if the input was not a patch
     statedBasis :: Maybe Basis
@@ -45,15 +49,17 @@ data Basis = Basis
   { basisDecoder :: DecoderName,
     -- | the number of candidates; each position counts once per orientation
     basisCount :: Natural,
+    -- | the dimension of the coset of positions, if they are too many to list
     basisDimension :: Maybe Natural,
     basisDistances :: Maybe DistanceReport,
     basisPosterior :: Maybe PosteriorReport,
     -- | if the question has a prior probability that the patch is foreign
     basisDoubts :: Maybe PlaceDoubts,
+    -- | the numbers of independent parity checks among the certain cells
     basisChecks :: Maybe Checks,
     -- | if several orientations were allowed
     basisOrientation :: Maybe OrientationReport,
-    -- | if the patches came with displacements
+    -- | if the patches came with displacements: each patch, and the cells that they show differently
     basisPatches :: Maybe ([PatchReport], [Position]),
     basisExplanation :: Maybe [String]
   }
@@ -61,7 +67,8 @@ data Basis = Basis
 
 -- | The numbers of cells in which candidates differ from the patch.
 data DistanceReport = DistanceReport
-  { statedCorrected :: [Position],
+  { -- | the cells that were corrected
+    statedCorrected :: [Position],
     statedNearest :: Maybe Natural,
     statedRunnerUp :: Maybe Natural,
     -- | if not all positions were compared: a lower bound, where there is one
@@ -98,8 +105,11 @@ data CandidateReport = CandidateReport
 
 -- | The report on one of several patches.
 data PatchReport = PatchReport
-  { statedAt :: (Integer, Integer),
+  { -- | its displacement, rows and columns
+    statedAt :: (Integer, Integer),
+    -- | the number of its cells that contradict the answer
     statedWrong :: Maybe Int,
+    -- | whether it has more wrong cells than would certainly be corrected if it were alone
     statedInconsistent :: Bool
   }
   deriving stock (Eq, Show)

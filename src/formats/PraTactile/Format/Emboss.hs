@@ -25,6 +25,7 @@ data MadeFile = MadeFile
     madeTriangles :: Maybe Int,
     -- | before coordinates were rounded
     madeVolume :: Maybe Volume,
+    -- | the number of raised taxels
     madeTaxels :: Int,
     -- | the width of the narrowest raised stroke along a row or a column, millimetres
     madeStroke :: Rational,
@@ -34,7 +35,7 @@ data MadeFile = MadeFile
     madeMostRounded :: Double
   }
 
--- | The exact text of a volume: a fraction, and a square root if there is one.
+-- | The exact text of a volume in cubic millimetres: a fraction, and a square root if there is one.
 --
 -- >>> map volumeText [Volume 31.75 0, Volume (1 / 3) 2]
 -- ["31.75","1/3+sqrt(2)"]

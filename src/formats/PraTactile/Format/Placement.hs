@@ -126,6 +126,7 @@ drawingKeys =
     evenly lines' =
       length (nub (map length lines')) <= 1 && all (all (`elem` ("#." :: String))) lines'
 
+-- | The drawing of a laid face.
 drawing :: Laying -> Drawing
 drawing (Laying face (Position r c) anchor given) =
   Drawing

@@ -21,6 +21,7 @@ import PraTactile.Image (Raster, constant, raster, rasterHeight, rasterValues, r
 -- | A place or a displacement in the plane of the face, x and y in taxels.
 type Taxels = (Double, Double)
 
+-- | The sum and the difference of two displacements.
 plus, minus :: Taxels -> Taxels -> Taxels
 plus (x, y) (dx, dy) = (x + dx, y + dy)
 minus (x, y) (dx, dy) = (x - dx, y - dy)

@@ -63,7 +63,8 @@ outlines shape = case [corner | (corner, _ : _ : _) <- Map.toAscList sides] of
           not (fst a == fst b && fst b == fst c || snd a == snd b && snd b == snd c)
       ]
 
--- | The length of the shortest run of embossed taxels in a row or a column of the shape.
+-- | The length of the shortest run of embossed taxels in a row or a column of the shape; 12 for a
+-- blank shape.
 --
 -- >>> finestStroke (bitmapWhere (\x y -> x < 2 && y < 3))
 -- 2

@@ -93,7 +93,7 @@ known profile = do
     impossible = Left NoArray
     need holds = if holds then Right () else impossible
 
--- | The same profile with another sequence; one period of it is folded.
+-- | Replaces the sequence of a profile; one period of it is folded.
 withTerms :: [Int] -> Known -> Known
 withTerms terms k =
   k {knownTerms = period, knownCells = folded (profileFolding (knownProfile k)) size period}

@@ -36,6 +36,7 @@ standardRule = Rule {unitValue = \a -> 1 / (1 + exp (negate a)), biasInput = 1}
 outputsOf :: Weights -> Values -> Either Refusal [Double]
 outputsOf = outputsBy standardRule
 
+-- | 'outputsOf' with another rule.
 outputsBy :: Rule -> Weights -> Values -> Either Refusal [Double]
 outputsBy rule weights@(Weights hidden output) rows
   | fitting weights && isImage rows = Right (layer output (layer hidden (concat rows)))

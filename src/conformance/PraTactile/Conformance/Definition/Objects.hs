@@ -23,6 +23,9 @@ import PraTactile.Object.Validity (Report (..))
 rotations :: [a] -> [[a]]
 rotations walk = [drop k walk ++ take k walk | k <- [0 .. length walk - 1]]
 
+-- | The cells of a face with these corners and these distances of symbols along a row and a column,
+-- drawn row by row. Refuses corners that are not a face, and distances that are not positive, as
+-- @impossible-face@.
 cellsOf :: [Point] -> (Rational, Rational) -> Either Refusal [String]
 cellsOf corners pitch@(right, down) = case flat corners of
   Just face
@@ -38,6 +41,8 @@ cellsOf corners pitch@(right, down) = case flat corners of
 -- | A laid face: its drawing, the face, its block, and the cells that it takes.
 data Lying = Lying Drawing Flat Block [(Integer, Integer)]
 
+-- | The whereabouts of a window, by its shape and upper left cell. Refuses layings that are not
+-- possible as @impossible-placement@.
 whereaboutsOf :: Mapped -> Shape -> Position -> Either Refusal WhereaboutsReport
 whereaboutsOf (Mapped (Shape high wide) pitch objects layings) (Shape k1 k2) (Position r0 c0) =
   case traverse lying layings of

@@ -31,6 +31,7 @@ import PraTactile.Conformance.Question
 import PraTactile.Object.Description (Point (..))
 import PraTactile.Pose (Pose (..), RigidMotion (..))
 
+-- | The most probable pose of an object, with its covariance, from felt points of a face.
 poseOf :: Felt -> Either Refusal Pose
 poseOf (Felt corners seen sd plane)
   | not (flatFace corners) = Left (Refusal "impossible-face")

@@ -13,6 +13,7 @@ import PraTactile.Conformance.Definition.Network
 import PraTactile.Conformance.Impostors.Impostor
 import PraTactile.Conformance.Question
 
+-- | Mistakes in a network's outputs.
 networkImpostors :: [Impostor]
 networkImpostors =
   [ reads' "reads-images-by-columns" "takes an image column by column" id $

@@ -23,6 +23,7 @@ import PraTactile.Object.Description
 import PraTactile.Object.Validity (Component (..), Report (..))
 import PraTactile.Pose (Pose (..), RigidMotion (..))
 
+-- | Mistakes about objects.
 objectImpostors :: [Impostor]
 objectImpostors =
   numbers :

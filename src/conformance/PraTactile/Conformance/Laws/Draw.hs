@@ -164,6 +164,7 @@ smallPatches most p =
         cells <- replicateM (fromIntegral (h * w)) (Nothing : map Just (elementsOf p))
     ]
 
+-- | A list in rows of the given length.
 rowsOf :: Natural -> [a] -> [[a]]
 rowsOf wide cells = case splitAt (fromIntegral wide) cells of
   (line, []) -> [line]

@@ -50,6 +50,8 @@ staircase size = do
     without (p : others) = p : without others
     without [] = []
 
+-- | Points of a plane in space, from two directions that span it, its origin, and the points'
+-- coordinates along these.
 inPlane :: (Vector3, Vector3) -> Point -> [(Rational, Rational)] -> [Point]
 inPlane ((a, b, c), (d, e, f)) (Point x y z) corners =
   [Point (x + s * a + t * d) (y + s * b + t * e) (z + s * c + t * f) | (s, t) <- corners]

@@ -201,15 +201,15 @@ invalidLaw =
     noSymbols (Locate :? [[Just 1]]) known :
     illFormedPatches (Locate :? [[Just 1, Nothing], [Just 0, Just 1]]) known
 
--- | Probabilities in place of codes.
+-- | The given question with probabilities in place of its patch's codes, which is refused.
 noSymbols :: Question a -> Known -> SomeQuestion
 noSymbols question known = rawWith question "patch" (toJSON [[replicate q (1 / real :: Double)]])
   where
     q = fromIntegral (profileOrder (knownProfile known))
     real = fromIntegral q
 
--- | Patches without cells, with rows of different lengths, or with invalid codes; and malformed
--- inputs.
+-- | The given question with invalid patches (without cells, with rows of different lengths, with
+-- numbers that are not codes), and with malformed inputs.
 illFormedPatches :: Question a -> Known -> [SomeQuestion]
 illFormedPatches question known =
   map (rawWith question "patch") patches ++ malformed question

@@ -107,7 +107,7 @@ noisy felt = do
     pairs (x : y : others) = (x, y) : pairs others
     pairs _ = []
 
--- | The same face with fewer points.
+-- | The face with one felt point removed, in all ways that leave two points.
 smallerLying :: Lying -> [Lying]
 smallerLying it =
   [ it {lyingFelt = felt {feltSeen = before ++ drop 1 after}}

@@ -145,6 +145,7 @@ correlation pairs
 data Affine = Affine Natural Natural
   deriving stock (Eq, Show)
 
+-- | Applies a gain and an offset to all grey values.
 affinely :: Affine -> Rows -> Rows
 affinely (Affine gain offset) = map (map (\v -> gain * v + offset))
 

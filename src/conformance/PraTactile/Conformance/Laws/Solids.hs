@@ -72,16 +72,18 @@ affine = do
     small = elements [0, 0, 1 / 2, -1 / 3, 1]
     far = fromInteger <$> choose (-500, 500)
 
--- | The same faces in another order, each walk with another beginning.
+-- | Reorders the faces, and begins each walk at another vertex.
 shuffledFaces :: Description -> Gen Description
 shuffledFaces it = do
   faces <- shuffle (describedFaces it)
   turned <- mapM (\(FaceName walk) -> FaceName <$> elements (rotations walk)) faces
   pure it {describedFaces = turned}
 
+-- | Applies a map to all vertices.
 moved :: (Point -> Point) -> Description -> Description
 moved f it = it {describedVertices = [(v, f p) | (v, p) <- describedVertices it]}
 
+-- | Prefixes the names of all vertices.
 labelled :: String -> Description -> Description
 labelled prefix it =
   it
@@ -91,9 +93,11 @@ labelled prefix it =
   where
     name (VertexName v) = VertexName (prefix ++ v)
 
+-- | Reverses all walks, which turns the solid inside out.
 reversed :: Description -> Description
 reversed it = it {describedFaces = [FaceName (reverse walk) | FaceName walk <- describedFaces it]}
 
+-- | The union of two polyhedra as one description.
 both :: Description -> Description -> Description
 both a b =
   Description

@@ -28,9 +28,11 @@ import PraTactile.Object.Validity (Report (..), examine)
 import PraTactile.Pose (Pose, Seen (..), faceFrame, poseOf, rigidFit, thenPose)
 import PraTactile.Pose.Matrix (diagonal)
 
+-- | The report on a polyhedron.
 librarySolid :: Description -> Wire Report
 librarySolid = pure . examine . fromDescription
 
+-- | The whereabouts of a window, by its shape and upper left cell.
 libraryWhereabouts :: Mapped -> Shape -> Position -> Wire WhereaboutsReport
 libraryWhereabouts (Mapped shape (right, down) objects layings) window at =
   case drawnPlacement shape (Pitch right down) objects layings of
@@ -48,6 +50,7 @@ oneFace corners = do
     names = [VertexName (show i) | i <- [1 .. length corners]]
     faults = [CoincidentVertices, TooFewVertices, NoArea, NotPlanar, FaceCrossesItself]
 
+-- | The cells of symbols on a face with these corners, at these distances along a row and a column.
 libraryCells :: [Point] -> (Rational, Rational) -> Wire [String]
 libraryCells corners pitch@(right, down) = do
   it <- oneFace corners
@@ -62,6 +65,7 @@ libraryCells corners pitch@(right, down) = do
       | r <- [0 .. gridRows grid - 1]
     ]
 
+-- | The pose of an object from felt points of a face.
 libraryPose :: Felt -> Wire Pose
 libraryPose (Felt corners seen sd plane) = do
   _ <- oneFace corners

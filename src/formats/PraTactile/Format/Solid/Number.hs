@@ -36,7 +36,8 @@ data Number = Number !Integer !Int
 data Base = Decimal | Binary
   deriving stock (Eq, Show)
 
--- | Reads a decimal number, such as @-1.25e3@, that is 'inReach'.
+-- | Reads a decimal number, such as @-1.25e3@. Refuses 'NotNumber', 'NotFinite', and numbers that
+-- are not 'inReach' ('TooLargeOrFine').
 decimal :: ByteString -> Either Fault Number
 decimal text = first fault $ do
   number <- readDecimal text >>= inReach
@@ -55,7 +56,7 @@ machine value
   where
     (mantissa, exponent') = decodeFloat value
 
--- | Reads a whole number of at most 18 characters.
+-- | Reads an integer, with or without a sign, of at most 18 characters.
 whole :: ByteString -> Either Fault Int
 whole text = case readWhole text of
   Just n | Char8.length text <= 18 -> Right (fromInteger n)
@@ -79,7 +80,8 @@ overCommon base points = (power places, V.map point points)
       Decimal -> 10 ^ k
       Binary -> 2 ^ k
 
--- | A fraction as text: a decimal number if that is exact and short, otherwise a quotient.
+-- | A fraction as text: a decimal number if that is exact and has at most 40 characters, otherwise a
+-- quotient.
 --
 -- >>> map exactText [31.75, 1 / 3, -2]
 -- ["31.75","1/3","-2"]
