@@ -108,8 +108,8 @@ counted count q reader = do
         ]
     drawn = [(b, distanceFrom b) | b <- spread (admissible (parametersFor []))]
     distanceFrom b = minimum [nearestDistance (nearest symmetries a b) | a <- shapes known]
-    -- Eight shapes per plate, 50 images of each. Shapes at limited distance get a tenth of the
-    -- plates.
+    -- Eight shapes per plate, 50 images of each. A range of distances with an upper bound gets a
+    -- tenth as many plates.
     portions (_, to) = take (maybe plates (const (max 1 (plates `div` 10))) to) . parts 8
     plates = max 1 (3 * count `div` 400)
     otherImages sensor some seed

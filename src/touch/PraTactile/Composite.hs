@@ -65,8 +65,8 @@ data Composite = Composite
     compositeAxesStated :: !Bool,
     -- | How the positions and images of the frames are interpreted.
     compositeTaking :: !Taking,
-    -- | Alternative layouts of the frames: first those with one frame elsewhere (most probable
-    -- first), then those in which all frames lie elsewhere because the robot's positions are wrong.
+    -- | Alternative layouts of the frames: with one frame elsewhere (most probable first), or with
+    -- all frames elsewhere because the robot's positions are wrong.
     compositeOthers :: [Otherwise],
     -- | The contradiction of the frames, if they differ where they should overlap.
     compositeContradiction :: Maybe Contradiction,

@@ -280,8 +280,8 @@ probed sensor specimen heights motion memory nominal g =
         }
     (image, memory', g3) = pressed sensor specimen heights (move motion true) memory g''
 
--- | Presses at each nominal pose in turn, by one specimen, which is drawn first. The motion converts
--- the robot's coordinates to the face's; the poses are in the robot's.
+-- | Presses at each nominal pose in turn, by one specimen, which is drawn first. The motion
+-- converts the robot's coordinates to the face's; the poses are in the robot's.
 scan :: RandomGen g => Sensor -> HeightMap -> Motion -> [Pose] -> g -> ([Frame], g)
 scan sensor heights motion poses g = scanWith sensor specimen heights motion poses g'
   where

@@ -59,7 +59,8 @@ data Basis = Basis
     basisChecks :: Maybe Checks,
     -- | if several orientations were allowed
     basisOrientation :: Maybe OrientationReport,
-    -- | if the patches came with displacements: each patch, and the cells that they show differently
+    -- | if the patches came with displacements: each patch, and the cells that they show
+    -- differently
     basisPatches :: Maybe ([PatchReport], [Position]),
     basisExplanation :: Maybe [String]
   }

@@ -147,9 +147,9 @@ gradients Composite {compositeImage = image, compositeCoverage = coverage} =
     weight along (i, j) =
       fromIntegral (along (i, j)) * (if i == 0 || j == 0 then 10 else 3) / 32
 
--- | Rotates a composite clockwise by an angle (degrees) about the origin of the robot's
--- coordinates, so that what lay at that angle becomes upright. Pixels are interpolated. Also
--- returns the map from places on the result to places on the given composite, in pixels. The
+-- | Rotates a composite counter-clockwise by an angle (degrees) about the origin of the robot's
+-- coordinates, so that what lay at that angle clockwise becomes upright. Pixels are interpolated.
+-- Also returns the map from places on the result to places on the given composite, in pixels. The
 -- displacements stay along the robot's axes.
 setUpright :: Double -> Composite -> (Composite, (Double, Double) -> (Double, Double))
 setUpright angle composite = (upright, back)

@@ -118,13 +118,16 @@ characteristicOf f reading h = case reading of
   where
     inverseOf = fromMaybe 0 . inverse f
 
--- | s(i+n) = - (c0 s(i) + ... + c(n-1) s(i+n-1)).
+-- | The sequence of a field, a characteristic polynomial and a state: s(i+n) = - (c0 s(i) + ... +
+-- c(n-1) s(i+n-1)). The polynomial has the constant term first.
 sequenceOf :: Field -> [Int] -> [Int] -> [Int]
 sequenceOf f h = concatMap (take 1) . iterate step
   where
     step state = drop 1 state ++ [negation f (foldl' (add f) 0 (zipWith (multiply f) h state))]
 
--- | Diagonal: a[i mod n1][i mod n2] = s(i). Row by row: a[r][c] = s(n2 r + c).
+-- | The cells of the array, row by row, from the folding, the numbers of rows n1 and columns n2,
+-- and a period of the sequence. Diagonal: a[i mod n1][i mod n2] = s(i). Row by row: a[r][c] = s(n2
+-- r + c).
 folded :: Folding -> (Int, Int) -> Vector Int -> Vector Int
 folded folding (n1, n2) terms = case folding of
   RowMajor -> terms
@@ -147,7 +150,8 @@ cellOf k r c = case profileFolding (knownProfile k) of
     (n1, n2) = knownSize k
     modulo a n = fromIntegral (a `mod` fromIntegral n)
 
--- | The surface on which a cell's neighbours are the same terms further on, wherever the cell is.
+-- | The folding's own surface: there the step to a neighbour advances the sequence by a constant
+-- number of terms, also across the edges.
 ownSurface :: Known -> Surface
 ownSurface k = case profileFolding (knownProfile k) of
   Diagonal -> Torus

@@ -453,7 +453,7 @@ triangulate n polygon = case polygon of
             ]
         )
 
--- | The part of the first triangle inside the plane and the sides of the second.
+-- | The part of the first triangle that lies in the second one's plane and within its sides.
 clipped :: P -> (P, P, P) -> P -> (P, P, P) -> [P]
 clipped _ (a, b, c) n (p, q, r) =
   foldr

@@ -115,10 +115,11 @@ data Started = Started
   { startedName :: String,
     -- | The names that it states.
     startedOperations :: [String],
+    -- | The number of requests that it accepts before a reply.
     startedInFlight :: Int
   }
 
--- | Reads the reply to @start@.
+-- | Reads the reply to @start@. Refuses another protocol version, and missing or invalid keys.
 readStarted :: ByteString -> Either Fault Started
 readStarted line = do
   fields <- readObject line

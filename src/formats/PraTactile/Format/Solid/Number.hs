@@ -80,8 +80,8 @@ overCommon base points = (power places, V.map point points)
       Decimal -> 10 ^ k
       Binary -> 2 ^ k
 
--- | A fraction as text: a decimal number if that is exact and has at most 40 characters, otherwise a
--- quotient.
+-- | A fraction as text: a decimal number if that is exact and has at most 40 characters, otherwise
+-- a quotient.
 --
 -- >>> map exactText [31.75, 1 / 3, -2]
 -- ["31.75","1/3","-2"]

@@ -40,7 +40,8 @@ beginsAsMatrix text = case C.uncons begin of
 
 -- | Rows of numbers: one image, or several separated by blank lines. Numbers are separated by
 -- commas, semicolons or blanks. @nan@ and @B@ are taxels without a reading. Lines that begin with
--- @#@ are comments.
+-- @#@ are comments. Refuses other fields ('NotNumber', 'DecimalComma'), rows of different lengths
+-- ('RaggedRow') and images of different sizes ('SizesDiffer').
 decodeMatrix :: ByteString -> Either ImageError Images
 decodeMatrix file = do
   text <- first ImageInEncoding (plainText file)
@@ -164,7 +165,8 @@ isEnd :: ByteString -> Bool
 isEnd = C.isPrefixOf (C.pack "ASCII_DATA")
 
 -- | A Tekscan export: a header of keys and values, then numbered frames. Full scale is the
--- saturation pressure, or 255 for raw readings.
+-- saturation pressure, or 255 for raw readings. Refuses missing keys ('TekscanHeader') and frames
+-- ('TekscanFrame'), and different spacings of columns and rows ('UnequalSpacing').
 decodeTekscan :: ByteString -> Either ImageError Images
 decodeTekscan file = do
   text <- first ImageInEncoding (plainText file)

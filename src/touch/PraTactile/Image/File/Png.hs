@@ -24,8 +24,8 @@ import PraTactile.Image.Pgm.Type
 isPng :: ByteString -> Bool
 isPng = B.isPrefixOf (B.pack [0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10])
 
--- | The width and the height in the header. Refuses a file that is too short ('PngBroken'), and what
--- 'checkSize' refuses.
+-- | The width and the height in the header. Refuses a file that is too short ('PngBroken'), and
+-- what 'checkSize' refuses.
 pngSize :: ByteString -> Either ImageError (Int, Int)
 pngSize file
   | B.length file < 29 = Left (PngRefused PngBroken)

@@ -71,7 +71,8 @@ firstPgm most file = do
       else pgm16 (fromIntegral maxval) (Image w h samples)
   Right (pgm, rest)
 
--- | The width and height of the image in a PGM file, by its header alone. Refuses an invalid header.
+-- | The width and height of the image in a PGM file, by its header alone. Refuses an invalid
+-- header.
 pgmSize :: ByteString -> Either ImageError (Int, Int)
 pgmSize file = do
   Header w h _ _ _ <- headerOf file
