@@ -103,6 +103,9 @@ rotated angle = \(x, y) -> (c * x - s * y, s * x + c * y)
 
 -- | The place of the maximum of the parabola through three values at -1, 0 and 1; 'Nothing' if it
 -- has no maximum. It lies within half a step of the middle if the middle value is the largest.
+--
+-- >>> parabolaVertex 0 3 2
+-- Just 0.25
 parabolaVertex :: Double -> Double -> Double -> Maybe Double
 parabolaVertex before here after
   | bend < 0 = Just ((before - after) / (2 * bend))
