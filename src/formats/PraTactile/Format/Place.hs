@@ -42,6 +42,7 @@ data PlaceReport = PlaceReport
     placeProfile :: Profile,
     placeLayings :: [ReportedLaying],
     placeWindows :: Maybe WindowCounts,
+    -- | the width and height, in taxels, of the least press that always has a whole window
     placePress :: (Integer, Integer)
   }
 
@@ -71,6 +72,7 @@ data MaskProof = MaskProof
   }
   deriving stock (Eq, Show)
 
+-- | The stable name of an outcome.
 outcomeName :: Outcome -> String
 outcomeName outcome = case outcome of
   IsPlaced -> "placed"

@@ -34,7 +34,7 @@ newtype Passed = Passed String
 
 -- | A polyhedron from its vertices, counted from 1 in the file's order, and the walks of its
 -- faces. Equal points become one vertex, the first of them, because many programs write one vertex
--- per corner.
+-- per corner. The base is that of the numbers' exponents.
 contents ::
   ObjectName -> Base -> [Passed] -> V.Vector (Number, Number, Number) -> V.Vector Walk -> Contents
 contents name base passed points walks =
