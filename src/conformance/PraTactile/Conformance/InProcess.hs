@@ -23,6 +23,7 @@ import PraTactile.Profile (Profile)
 -- | The session of the profile in force, if one is.
 type Force = IORef (Maybe Session)
 
+-- | A new state with no profile in force.
 noForce :: IO Force
 noForce = newIORef Nothing
 
@@ -57,7 +58,7 @@ putInForce implementation force profile' = do
     Right made -> ResponseResult (Bool True) <$ writeIORef force (Just made)
 
 -- | The answer of the session in force, or of the implementation to a question that needs no
--- profile.
+-- profile. It is @errored@ if a profile is needed and none is in force.
 answerIn :: Implementation -> Force -> Question a -> IO Response
 answerIn implementation force question
   | operationOf question `notElem` codeOperations = answered (withoutProfile implementation)

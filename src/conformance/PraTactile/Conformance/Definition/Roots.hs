@@ -25,13 +25,16 @@ rootTimes roots which k = [if i == place then k else 0 | i <- [0 .. 2 ^ length r
   where
     place = maybe 0 (\i -> 2 ^ (length roots - 1 - i)) which :: Int
 
+-- | The sum and the difference of two numbers over the same roots.
 plus, minus :: Num n => Number n -> Number n -> Number n
 plus = zipWith (+)
 minus = zipWith (-)
 
+-- | A number multiplied by a scalar.
 scale :: Num n => n -> Number n -> Number n
 scale k = map (k *)
 
+-- | The product of two numbers over the given roots, last one first.
 times :: (Eq n, Num n) => [n] -> Number n -> Number n -> Number n
 times roots a b = case roots of
   [] -> zipWith (*) a b

@@ -27,8 +27,10 @@ import PraTactile.Object.Defect (Defect (..), Kind (..), Unexamined (..))
 import PraTactile.Object.Description (Description (..), FaceName (..), Point (..), VertexName (..))
 import PraTactile.Object.Validity (Component (..), Report (..))
 
+-- | A point or a vector, exact.
 type P = (Rational, Rational, Rational)
 
+-- | The difference, the sum and the cross product of two vectors.
 (.-), (.+), (.*) :: P -> P -> P
 (a, b, c) .- (d, e, f) = (a - d, b - e, c - f)
 (a, b, c) .+ (d, e, f) = (a + d, b + e, c + f)
@@ -37,6 +39,7 @@ type P = (Rational, Rational, Rational)
 times :: Rational -> P -> P
 times k (a, b, c) = (k * a, k * b, k * c)
 
+-- | The scalar product of two vectors.
 (<.>) :: P -> P -> Rational
 (a, b, c) <.> (d, e, f) = a * d + b * e + c * f
 
