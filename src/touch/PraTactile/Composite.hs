@@ -55,9 +55,9 @@ data Composite = Composite
     -- | The standard deviation of the robot's position error along each axis, in taxels, where
     -- registration estimated it.
     compositePositionError :: Maybe Double,
-    -- | The standard deviation, in taxels along each axis, of position errors that remain because
-    -- frames were not registered (they lie at their nominal places, or no two overlap). 0 for
-    -- registered frames and for a single frame.
+    -- | The standard deviation, in taxels along each axis, of the position errors of frames that
+    -- were not registered. Such frames lie at their nominal places, or no two of them overlap. 0
+    -- for registered frames and for a single frame.
     compositeUncompared :: !Double,
     -- | The step of the readings ('readingStep'). Smaller differences are not contrast.
     compositeStep :: Double,

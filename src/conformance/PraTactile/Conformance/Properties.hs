@@ -33,8 +33,8 @@ import System.Exit (ExitCode (..))
 import Test.QuickCheck
 
 -- | Tries all laws of the code, of opening and of sessions under the default profiles, and prints
--- the report: names, counts, and for each failed law the smallest case with your answer and the
--- definition's. The exit status is 0 if the implementation is certified, otherwise 1.
+-- the report. It has names and counts, and for each failed law the smallest case with your answer
+-- and the definition's. The exit status is 0 if the implementation is certified, otherwise 1.
 runLaws :: Implementation -> IO ExitCode
 runLaws = runLawsUnder defaultProfiles
 

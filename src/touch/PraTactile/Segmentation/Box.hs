@@ -22,9 +22,9 @@ import Data.Tuple (swap)
 import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region (Region)
 
--- | One end of an extent: the place where the intensity crosses the threshold, in pixels (a pixel
--- reaches half a pixel to either side of its centre), and whether the pixels beyond were not
--- touched, so that the symbol may continue there.
+-- | One end of an extent. The place is where the intensity crosses the threshold, in pixels; a
+-- pixel reaches half a pixel to either side of its centre. The side is open if the pixels beyond
+-- were not touched, so that the symbol may continue there.
 data Side = Side
   { sidePlace :: !Double,
     sideOpen :: !Bool

@@ -157,9 +157,9 @@ displacements stiffness force tilts (Footing shares heights) =
       fromMaybe 0 $
         forceBalance stiffness force [(share x y, rest x y) | y <- [0 .. h - 1], x <- [0 .. w - 1]]
 
--- | The share of a point force at the surface that an element at a depth (mm) and a distance (mm)
--- along x and y feels, relative to the element right below: (1 + r^2 / t^2)^(-5/2), the normal
--- stress in an elastic half space (Boussinesq).
+-- | What an element feels of a point force at the surface, relative to the element right below the
+-- force: (1 + r^2 / t^2)^(-5/2), the normal stress in an elastic half space (Boussinesq). The
+-- arguments are the depth t (mm) and the distance along x and y (mm).
 pointSpread :: Double -> (Double, Double) -> Double
 pointSpread depth (dx, dy) = (1 + (dx * dx + dy * dy) / (depth * depth)) ** (-2.5)
 

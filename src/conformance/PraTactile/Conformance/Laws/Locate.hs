@@ -112,9 +112,9 @@ unobserved p = map (constant Nothing) (shapesAround p)
 
 -- | Windows, and patches one row and column larger, at and beyond the edges, continued on the
 -- profile's surface; a sheet is continued like a torus. Then the same with the cells beyond the
--- edges not observed, or with the cells before them not observed, so that only the upper left cell,
--- or its row or column, is beyond the upper and left edges. Also two cells that are further apart
--- than the sheet is long.
+-- edges not observed, or with the cells before them not observed. In these only the upper left
+-- cell, or its row or column, is beyond the upper and left edges. Also two cells that are further
+-- apart than the sheet is long.
 acrossEdges :: Known -> [Patch]
 acrossEdges known =
   ofVast 30 p $

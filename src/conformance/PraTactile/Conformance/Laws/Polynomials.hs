@@ -102,8 +102,8 @@ smallPolynomials p =
     q = profileOrder p
 
 -- | Primitive polynomials of high degrees, and polynomials whose root's order is too small by one
--- large prime. The degrees are the least for which q^n - 1 has a prime above 100, for small fields
--- also one above 2^16; for large fields q^n - 1 itself is above 2^53, and its primes are found
+-- large prime. The degrees are the least for which q^n - 1 has a prime above 100, and for small
+-- fields one above 2^16. For large fields q^n - 1 itself is above 2^53, with primes that are found
 -- quickly.
 highDegrees :: Known -> [[Code]]
 highDegrees known =

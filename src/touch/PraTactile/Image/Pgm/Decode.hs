@@ -25,9 +25,10 @@ import PraTactile.Image.Error (HeaderField (..), ImageError (..))
 import PraTactile.Image.Pgm.Type
 
 -- | The image in a PGM file: plain (P2) or raw (P5), 8 or 16 bits (the more significant byte
--- first), with comments wherever white space may stand in the header and, in plain files, among the
--- samples. Refuses everything else, each cause with its own 'ImageError'; the memory taken is
--- bounded by the file's own size and 'PraTactile.Image.Pgm.maxPixels', whatever the header says.
+-- first). Comments may stand wherever white space may stand in the header and, in plain files,
+-- among the samples. Refuses everything else, each cause with its own 'ImageError'; the memory
+-- taken is bounded by the file's own size and 'PraTactile.Image.Pgm.maxPixels', whatever the header
+-- says.
 --
 -- >>> import PraTactile.Image.Pgm.Type (pgmMaxval)
 -- >>> pgmMaxval <$> decodePgm (Data.ByteString.Char8.pack "P2 # two pixels\n2 1 9\n0 9\n")
