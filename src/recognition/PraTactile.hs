@@ -1,11 +1,12 @@
 -- | pra-tactile: a reference decoder for objects whose faces carry a pseudorandom array of embossed
 -- symbols (Petriu, Yeung, Das, Cretu and Spoelder, IEEE Trans. Instrum. Meas. 53(5), 2004).
 --
--- This module is the short way through it, in reading order; the modules that it takes from have
--- the rest. From bytes to a place with everything chosen: 'canonicalRecogniser', then
--- 'decodeFolder' or 'decodeImage', and 'summary' of what they find. With one's own choice:
--- 'shippedReader', or 'readerOf' an alphabet and a network, and a placement make a 'recogniser' for
--- an array, 'stitch' makes a composite of frames, and 'recognise' says what it shows.
+-- This module collects the main functions in reading order; the modules that it takes them from
+-- have the rest. With the standard choices, 'canonicalRecogniser' makes a recogniser,
+-- 'decodeFolder' or 'decodeImage' decodes bytes, and 'summary' describes the result. With choices
+-- of your own, 'shippedReader', or 'readerOf' an alphabet and a network, makes a reader; a reader,
+-- a placement and an array make a 'recogniser'; 'stitch' makes a composite of frames; and
+-- 'recognise' reads it.
 module PraTactile
   ( -- * Decoding: "PraTactile.Decode", "PraTactile.Source"
     SomeRecogniser,

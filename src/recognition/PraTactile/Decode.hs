@@ -1,5 +1,5 @@
--- | Bytes in, recognition out, with everything chosen: the shortest way through the library.
--- "PraTactile.Recognise" has the same with every part in the caller's hands.
+-- | The shortest way through the library: from bytes to a recognition, with standard choices.
+-- "PraTactile.Recognise" leaves every choice to the caller.
 module PraTactile.Decode
   ( -- * Recognisers
     SomeRecogniser,
@@ -46,34 +46,34 @@ import PraTactile.Sensor.Calibration (withoutStuck)
 import PraTactile.Sensor.Frame (Frame, scaledFrame)
 import PraTactile.Source
 
--- | A recogniser whose field need not be known: what its symbols are read with, how much larger
--- than the paper's they are, and of composites of one face, what they show together.
+-- | A recogniser whose field is hidden: its reader, the size of its symbols relative to the
+-- paper's, and a function that recognises composites of one face together.
 data SomeRecogniser
   = SomeRecogniser Reader Double (Tolerance -> [Composite] -> Either NetworkError Recognition)
 
--- | Why there is no recognition. A composite that is read but not understood is no error: its
+-- | Why nothing was recognised. A composite that is read but not understood is not an error: its
 -- 'Recognition' has a 'Refusal'.
 data DecodeError
-  = -- | The profile has no array.
+  = -- | The profile does not make an array.
     ArrayRefused ProfileError
-  | -- | The objects cannot be laid on it.
+  | -- | The objects cannot be laid on the array.
     PlacementRefused PlacementError
-  | -- | There are no shapes, or there is no network for them.
+  | -- | There are no shapes, or no network for them.
     ShapesRefused ShippedError
   | -- | The network refuses an image.
     NetworkRefused NetworkError
-  | -- | Array, shapes and network do not fit each other.
+  | -- | The array, the shapes and the network do not fit each other.
     PartsRefused RecogniserError
-  | -- | The folder holds no frames, or the image is not what it is said to be.
+  | -- | The folder holds no frames, or the image is not as described.
     FolderRefused SourceError
   | -- | The file holds no image.
     FileRefused ImageError
-  | -- | The frames make no composite.
+  | -- | The frames cannot be stitched.
     FramesRefused StitchError
   deriving stock (Eq, Show)
 
--- | The recogniser of a profile's array on its own surface, with objects laid on it, and what its
--- symbols are read with. Refuses parts that are impossible or do not fit each other.
+-- | A recogniser for a profile's array, with objects laid on it and a reader for its symbols.
+-- Refuses parts that are invalid or do not fit each other.
 someRecogniser :: Profile -> Placement -> Reader -> Either DecodeError SomeRecogniser
 someRecogniser profile layout reader = do
   made <-
@@ -92,7 +92,7 @@ someRecogniser profile layout reader = do
       SomeRecogniser reader (fromRational (recogniserScale made)) (`recogniseWith` made)
 
 -- | The recogniser for the paper's array with the shipped placement, shapes and network. It is
--- always 'Right': the tests build it.
+-- always 'Right'; the tests build it.
 canonicalRecogniser :: Either DecodeError SomeRecogniser
 canonicalRecogniser = do
   layout <- first PlacementRefused canonicalPlacement
@@ -106,15 +106,17 @@ data Decoding = Decoding
     decodingTolerance :: Tolerance
   }
 
--- | Frames as their manifest has them, put together by 'standardStitching'; answers by
+-- | Frames as their manifest states them, stitched by 'standardStitching' and answered by
 -- 'standardTolerance'.
 standardDecoding :: Decoding
 standardDecoding = Decoding asStated standardStitching standardTolerance
 
--- | The composite of a source: the frames of a folder, prepared and put together, or the image that
--- is one, likewise prepared. Tables and size are those of the symbols that may have been felt: a
--- size of 2 is twice the paper's. The composite's lengths are divided by the size. Refuses what
--- 'preparedFrames', 'stitchedBy', 'wholeImage' and 'preparedImage' refuse.
+-- | The composite of a source: the frames of a folder, prepared and stitched, or one prepared
+-- image.
+--
+-- The tables and the size are those of the symbols that may have been touched. A size of 2 is twice
+-- the paper's. The composite's lengths are divided by the size. Refuses what 'preparedFrames',
+-- 'stitchedBy', 'wholeImage' and 'preparedImage' refuse.
 sourceComposite ::
   LatticeTables -> Double -> Preparation -> Stitching -> Source -> Either DecodeError Composite
 sourceComposite tables size known stitching source = case source of
@@ -132,12 +134,12 @@ sourceComposite tables size known stitching source = case source of
           compositeTaking = takingOf known folder
         }
 
--- | The composite of frames, whose lengths are divided by the symbols' size.
+-- | The composite of frames, with lengths divided by the symbols' size.
 framesComposite :: LatticeTables -> Double -> Stitching -> [Frame] -> Either DecodeError Composite
 framesComposite tables size stitching =
   first FramesRefused . stitchedBy tables stitching . map (scaledFrame (1 / size))
 
--- | What sources of one face show together. Refuses what 'sourceComposite' refuses.
+-- | Recognises what sources of one face show together. Refuses what 'sourceComposite' refuses.
 decodeSources :: Decoding -> SomeRecogniser -> [Source] -> Either DecodeError Recognition
 decodeSources how with@(SomeRecogniser reader size _) sources =
   traverse
@@ -145,23 +147,23 @@ decodeSources how with@(SomeRecogniser reader size _) sources =
     sources
     >>= decodeComposites (decodingTolerance how) with
 
--- | What the frames of a folder show, by 'standardDecoding'.
+-- | Recognises the frames of a folder, by 'standardDecoding'.
 decodeFolder :: SomeRecogniser -> Folder -> Either DecodeError Recognition
 decodeFolder with folder = decodeSources standardDecoding with [FrameFolder folder]
 
--- | What a file of one image shows that is a whole composite, likewise.
+-- | Recognises the file of an image that is a whole composite, by 'standardDecoding'.
 decodeImage :: SomeRecogniser -> ByteString -> Either DecodeError Recognition
 decodeImage with bytes = decodeSources standardDecoding with [WholeImage bytes]
 
--- | What frames show, by 'standardDecoding'; elements that are stuck are not felt ('withoutStuck').
--- Refuses what 'stitchedBy' refuses.
+-- | Recognises frames, by 'standardDecoding'. Stuck elements are ignored ('withoutStuck'). Refuses
+-- what 'stitchedBy' refuses.
 decodeFrames :: SomeRecogniser -> [Frame] -> Either DecodeError Recognition
 decodeFrames with@(SomeRecogniser reader size _) frames =
   framesComposite (readerTables reader) size standardStitching (withoutStuck frames)
     >>= decodeComposites standardTolerance with . pure
 
--- | What composites of one face show together, as 'recogniseWith' has it. Their lengths are those
--- of symbols of the paper's size, as 'sourceComposite' makes them.
+-- | Recognises composites of one face together, as 'recogniseWith' does. Their lengths must be
+-- divided by the symbols' size, as 'sourceComposite' makes them.
 decodeComposites :: Tolerance -> SomeRecogniser -> [Composite] -> Either DecodeError Recognition
 decodeComposites tolerance (SomeRecogniser _ _ recognised) =
   first NetworkRefused . recognised tolerance

@@ -1,12 +1,12 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Objects as they are made: a solid, or one of its faces as a plate, with its symbols raised (the
--- paper's section II.B, figure 9), as one closed surface of triangles, every point of it exact.
+-- | Embossed objects as closed surfaces of triangles with exact points: a solid, or one of its
+-- faces as a plate, with its symbols raised (the paper's section II.B, figure 9).
 --
--- Symbols lie in the middle of cells that lie on their face, so that they touch neither its rim nor
--- each other. With v vertices and k corners of outlines, a solid of Euler characteristic x thus
--- becomes a surface of v + 2 k points and 2 (v + 2 k - x) triangles. Its volume is the solid's, and
--- for each raised taxel of side t and height h t^2 h more.
+-- A symbol lies in the middle of its cell, and the cell lies on the face, so symbols touch neither
+-- the rim nor each other. A solid with Euler characteristic x, v vertices and k outline corners
+-- thus becomes a surface of v + 2 k points and 2 (v + 2 k - x) triangles. Each raised taxel of side
+-- t and height h adds t^2 h to the volume.
 module PraTactile.Emboss
   ( -- * Making
     Subject (..),
@@ -55,79 +55,79 @@ import PraTactile.Relief (ReliefError (..), classOn, symbolScale)
 import PraTactile.Shape (Alphabet, shapeName, shapeOf)
 import PraTactile.Shape.Outline (Contact (..), Corner)
 
--- | What is made.
+-- | What is embossed.
 data Subject
-  = -- | the object of this name
+  = -- | the object with this name
     WholeObject ObjectName
-  | -- | its face of this name, begun at any vertex, as a plate of so many millimetres, or
+  | -- | the face with this name, begun at any vertex, as a plate; its thickness in millimetres, or
     -- 'usualThickness'
     PlateOf ObjectName FaceName (Maybe Rational)
   deriving stock (Eq, Show)
 
--- | The name of the object that is made, or of whose face.
+-- | The name of the object, or of the object whose face becomes a plate.
 subjectName :: Subject -> ObjectName
 subjectName subject = case subject of
   WholeObject object -> object
   PlateOf object _ _ -> object
 
--- | Why nothing is made.
+-- | Why nothing is embossed.
 data EmbossError
   = -- | There is no such object or face, or the face has no cells.
     NotThere PlacementError
   | -- | No face of the object is laid on the array.
     NothingRaised ObjectName
-  | -- | The array has an element without a shape, or symbols are not the paper's times one factor.
+  | -- | The array has an element without a shape, or the pitch is not the paper's times one factor.
     NotEmbossed ReliefError
-  | -- | Two taxels of the shape of this name meet at this corner only: four walls would meet along
-    -- one line.
+  | -- | In the shape with this name, two taxels meet only at this corner. Four walls would meet
+    -- along one line.
     CornerContact String Corner
   | -- | More than 'mostSymbols' would be raised.
     TooManySymbols Natural
-  | -- | Symbols of this height are no lower than the plate is thick, millimetres.
+  | -- | Symbols of the first height are not lower than the plate's thickness, in millimetres.
     TooThin Rational Rational
   deriving stock (Eq, Show)
 
--- | r + sqrt s, of r and s: a volume in cubic millimetres.
+-- | The volume r + sqrt s, as r and s, in cubic millimetres.
 data Volume = Volume !Rational !Rational
   deriving stock (Eq, Show)
 
--- | r + sqrt s, where s is 0 unless the root is no fraction.
+-- | The volume r + sqrt s. If the root is rational it is added to r, and s becomes 0.
 volume :: Rational -> Rational -> Volume
 volume r s = maybe (Volume r s) (\root -> Volume (r + root) 0) (exactRoot s)
 
--- | The volume as a machine number, within some units in the last place.
+-- | The volume as a 'Double', exact to a few units in the last place.
 nearestVolume :: Volume -> Double
 nearestVolume (Volume r s) = fromRational r + squareRoot s
 
--- | What was made.
+-- | An embossed surface.
 data Embossed = Embossed
   { embossedSubject :: Subject,
-    -- | of a plate, its face as it is laid
+    -- | for a plate, its face as it is laid
     embossedFace :: Maybe FaceName,
-    -- | the vertices that the object has, which are the first points
+    -- | the names of the object's vertices, which are the first points
     embossedNames :: V.Vector VertexName,
     embossedPoints :: V.Vector ExactPoint,
-    -- | by the points, counter-clockwise seen from outside
+    -- | by the indices of points, counter-clockwise as seen from outside
     embossedTriangles :: V.Vector (Int, Int, Int),
     embossedVolume :: Volume,
-    -- | how many taxels are raised
+    -- | the number of raised taxels
     embossedTaxels :: Int,
-    -- | the least width of a raised stroke along a row or a column, millimetres
+    -- | the smallest width of a raised stroke along a row or a column, in millimetres
     embossedStroke :: Rational,
-    -- | the height of the relief, millimetres
+    -- | the height of the relief, in millimetres
     embossedHeight :: Rational
   }
 
--- | The thickness of a plate in heights of its symbols, where none is said: 2.
+-- | The default thickness of a plate, as a multiple of the symbols' height: 2.
 usualThickness :: Rational
 usualThickness = 2
 
--- | The most symbols that are raised at once: as many take about half a minute, and two gigabytes.
+-- | The most symbols that are embossed at once. They take about half a minute and two gigabytes.
 mostSymbols :: Natural
 mostSymbols = 16384
 
--- | An object, or a face as a plate, with its symbols raised. Whether symbols on faces that look at
--- each other run into one another is not asked here. O(n log n) in the corners of each face.
+-- | Embosses an object, or one face as a plate. Symbols of faces that look at each other may run
+-- into one another; this is not checked here. O(n log n) in the corners of each face.
 embossed ::
   KnownField k =>
   Alphabet ->
@@ -157,9 +157,9 @@ embossed alphabet array layout subject = do
   where
     named = subjectName subject
 
--- | A laid face of an object as a plate, given how much larger than the paper's its symbols are,
--- how thick it is, or else 'usualThickness', and its symbols with their cells. Refuses a plate no
--- thicker than the symbols are high, and a face that is none of the object's.
+-- | A laid face of an object as a plate. Arguments: the symbols' size relative to the paper's; the
+-- thickness, or 'usualThickness'; the object; the face; its symbols and their cells. Refuses a
+-- plate that is not thicker than the symbols are high, and a face that is not the object's.
 embossedPlate ::
   Rational ->
   Maybe Rational ->
@@ -185,7 +185,8 @@ embossedPlate scale thick object laid symbols = do
     (taxel, height) = (scale * taxelPitch, scale * symbolThickness)
     thickness = fromMaybe (usualThickness * height) thick
 
--- | What was made of these symbols, so much larger than the paper's, and of a body so large.
+-- | Assembles the result from the symbols' size relative to the paper's, the symbols, the surface,
+-- and the volume of the body without symbols.
 made :: Subject -> Maybe FaceName -> Rational -> [Stamp] -> Parts -> Volume -> Embossed
 made subject face scale symbols (names, points, cut) (Volume r s) =
   Embossed
@@ -203,8 +204,8 @@ made subject face scale symbols (names, points, cut) (Volume r s) =
     taxels = sum (map stampArea symbols)
     (taxel, height) = (scale * taxelPitch, scale * symbolThickness)
 
--- | How much larger than the paper's the symbols are, and which of them lie on each of these faces,
--- with their cells, by row and column of the face's block.
+-- | The symbols' size relative to the paper's, and a function that gives the symbols of each of
+-- these faces with their cells, by row and column of the face's block.
 symbolsOn ::
   KnownField k =>
   Alphabet ->
@@ -231,7 +232,8 @@ symbolsOn alphabet array layout laidAll = do
 -- | The names of the vertices, all points, and the triangles.
 type Parts = (V.Vector VertexName, V.Vector ExactPoint, [(Int, Int, Int)])
 
--- | A solid with these symbols on its laid faces, their taxels so many millimetres wide and high.
+-- | A solid with these symbols on its laid faces. The first two numbers are the side and the height
+-- of a taxel in millimetres.
 whole ::
   Rational -> Rational -> (LaidFace -> [(Position, Stamp)]) -> Placement -> Solid -> Parts
 whole taxel height symbols layout object =
@@ -259,7 +261,7 @@ whole taxel height symbols layout object =
         (\chart -> raisedFace 0 chart walk 0 [])
         (chartOf it walk 1 (1, 1) Centred (0, 0))
 
--- | A laid face with the lattice of its taxels, from its block's upper left corner on.
+-- | The chart of a laid face: its lattice of taxels, from the block's upper left corner.
 chartOfLaid :: Rational -> LaidFace -> Solid -> Walk -> Maybe Chart
 chartOfLaid taxel laid object walk =
   chartOf
@@ -272,7 +274,8 @@ chartOfLaid taxel laid object walk =
   where
     grid = laidGrid laid
 
--- | A face as a plate of this thickness: its corners, those below them, and its symbols.
+-- | A face as a plate: its corners, the corners below them, and its symbols. The first two numbers
+-- are the height of the symbols and the thickness, in millimetres.
 plate :: Rational -> Rational -> [(Position, Stamp)] -> Solid -> Walk -> Chart -> Parts
 plate height thickness symbols object walk chart =
   ( V.map (meshNames it V.!) (V.fromList corners),
@@ -289,7 +292,7 @@ plate height thickness symbols object walk chart =
   )
   where
     it = solidMesh object
-    -- Each vertex once, with the place where the walk comes to it first.
+    -- Each vertex once, at the first place where the walk reaches it.
     (corners, places) =
       unzip (nubOrdOn fst (zip (U.toList walk) [0 ..]))
     count = length corners
@@ -298,12 +301,12 @@ plate height thickness symbols object walk chart =
     above = raisedFace height chart (U.map (numbers IntMap.!) walk) (2 * count) symbols
     below = region chart (map Corner places) loops
 
--- | A point that the object has.
+-- | An exact point for a vertex of the object.
 fixed :: Point -> ExactPoint
 fixed (Point x y z) = ExactPoint (fraction x) (fraction y) (fraction z)
 
--- | The volume that a closed surface encloses, cubic millimetres: a sixth of the sum of the
--- determinants of its triangles with the origin.
+-- | The volume that a closed surface encloses, in cubic millimetres: a sixth of the sum of its
+-- triangles' determinants with the origin.
 enclosedBy :: Mesh -> Rational
 enclosedBy it = sixfold % (6 * meshDenominator it ^ (3 :: Int))
   where
@@ -312,7 +315,7 @@ enclosedBy it = sixfold % (6 * meshDenominator it ^ (3 :: Int))
       o : others -> sum (zipWith (\p q -> dot o (cross p q)) others (drop 1 others))
       [] -> 0
 
--- | Half the length of the normal, times the thickness.
+-- | The volume of a plate: half the length of the face's normal, times the thickness.
 plateVolume :: Rational -> Solid -> Walk -> Volume
 plateVolume thickness object walk =
   volume 0 (thickness * thickness * (dot n n % (4 * d ^ (4 :: Int))))

@@ -1,6 +1,5 @@
--- | Exploring a face with the simulated probe: a region of the face is covered by overlapping
--- presses whose positions the robot knows in its own frame of coordinates only (the paper's section
--- III).
+-- | Explores a face with the simulated probe: overlapping presses cover a region of the face. The
+-- robot knows their positions only in its own frame (the paper's section III).
 module PraTactile.Explore
   ( -- * Regions
     Region (..),
@@ -51,25 +50,25 @@ import PraTactile.Sensor.Frame
 import PraTactile.Symmetry
 import System.Random (RandomGen)
 
--- | A rectangle of a face that the probe covers. Where it lies askew, 'regionRight' and
--- 'regionDown' are of the region turned back about its centre by 'regionAngle'.
+-- | A rectangle of a face that the probe covers. For a rotated region, 'regionRight' and
+-- 'regionDown' describe the region turned back about its centre by 'regionAngle'.
 data Region = Region
-  { -- | from the face's upper left vertex to the region's upper left corner, taxels to the right
+  { -- | from the face's upper left vertex to the region's upper left corner, in taxels to the right
     regionRight :: !Double,
-    -- | and down
+    -- | from the face's upper left vertex to the region's upper left corner, in taxels down
     regionDown :: !Double,
-    -- | as the robot sees it, taxels
+    -- | the width as the robot sees it, in taxels
     regionWidth :: !Int,
-    -- | likewise
+    -- | the height as the robot sees it, in taxels
     regionHeight :: !Int,
     -- | the rotation of the face in the robot's frame, to the nearest quarter turn
     regionSymmetry :: !Symmetry,
-    -- | by how many degrees clockwise the face is turned further than that
+    -- | the face's rotation beyond that quarter turn, in degrees clockwise
     regionAngle :: !Double
   }
   deriving stock (Eq, Show)
 
--- | The region's width and height on the face, taxels.
+-- | The region's width and height on the face, in taxels.
 regionExtent :: Region -> (Int, Int)
 regionExtent region
   | exchangesAxes (regionSymmetry region) = (regionHeight region, regionWidth region)
@@ -80,14 +79,14 @@ regionExtent region
 regionCorner :: Region -> (Double, Double)
 regionCorner region = (taxelPitch * regionRight region, taxelPitch * regionDown region)
 
--- | The whole rotation of the face in the robot's frame, degrees clockwise in [0, 360).
+-- | The face's total rotation in the robot's frame, in degrees clockwise in [0, 360).
 regionTurn :: Region -> Double
 regionTurn region = if turn < 0 then turn + 360 else turn
   where
     turn = degreesClockwise (regionSymmetry region) + regionAngle region
 
--- | From the robot's frame, whose origin is the region's upper left corner as the robot sees it, to
--- the face's, whose origin is the face's upper left vertex; millimetres.
+-- | The motion from the robot's frame to the face's, in millimetres. The robot's origin is the
+-- region's upper left corner as the robot sees it; the face's origin is its upper left vertex.
 regionMotion :: Region -> Motion
 regionMotion region
   | regionAngle region /= 0 = askew region
@@ -104,7 +103,7 @@ regionMotion region
     turns = quarterTurns (regionSymmetry region)
     (wide, high) = regionExtent region
 
--- | The motion of a region that lies askew: its centre to its centre.
+-- | The motion of a rotated region, which takes its centre to its centre.
 askew :: Region -> Motion
 askew region = turn {motionX = faceX - x, motionY = faceY - y}
   where
@@ -115,19 +114,20 @@ askew region = turn {motionX = faceX - x, motionY = faceY - y}
       (taxelPitch * regionRight region + half wide, taxelPitch * regionDown region + half high)
     half n = taxelPitch * fromIntegral n / 2
 
--- | 40 wide, 52 tall, in taxels: enough to hold a whole 2-by-2 window at every phase of the grid.
+-- | The standard size, 40 taxels wide and 52 tall. It holds a whole 2-by-2 window at every phase of
+-- the grid.
 standardRegionSize :: (Int, Int)
 standardRegionSize = (40, 52)
 
--- | The usual width and height of a region that a sensor explores, taxels: 'standardRegionSize', or
--- along each side the sensor's own where that is longer.
+-- | The default width and height, in taxels, of a region that a sensor explores:
+-- 'standardRegionSize', or the sensor's own side where that is longer.
 regionSizeFor :: Sensor -> (Int, Int)
 regionSizeFor sensor = (max wide (own sensorColumns), max high (own sensorRows))
   where
     (wide, high) = standardRegionSize
     own side = ceiling (fromIntegral (side sensor) * sensorTaxel sensor / taxelPitch - 1e-9)
 
--- | A region in another frame of the face's plane, to which the motion leads; millimetres.
+-- | A region in another frame of the face's plane. The motion leads to that frame, in millimetres.
 movedRegion :: Motion -> Region -> Region
 movedRegion motion region = sized {regionRight = x - half wide, regionDown = y - half high}
   where
@@ -140,28 +140,30 @@ movedRegion motion region = sized {regionRight = x - half wide, regionDown = y -
        in (right / taxelPitch, down / taxelPitch)
     half n = fromIntegral n / 2
 
--- | How a face may lie in the robot's frame.
+-- | The rotations that a face may have in the robot's frame.
 data Turns
-  = -- | in one of these rotations, all equally likely
+  = -- | one of these rotations, with equal probabilities
     AmongTurns [Symmetry]
-  | -- | turned by this many degrees clockwise
+  | -- | this angle in degrees clockwise
     TurnedBy !Double
-  | -- | turned by any angle, all equally likely
+  | -- | any angle, with uniform density
     AnyAngle
   deriving stock (Eq, Show)
 
--- | 'drawnRegion' in one of these rotations.
+-- | 'drawnRegion' with one of these rotations.
 randomRegion :: RandomGen g => [Symmetry] -> (Int, Int) -> LaidFace -> g -> (Region, g)
 randomRegion = drawnRegion . AmongTurns
 
--- | A region of this size (width and height in taxels, as the robot sees it) at a uniform,
--- real-valued place on a face that may lie so. Along each side of the box round the face the
--- shorter of face and region lies within the longer, so that a region reaches over an edge only
--- where it has to. A region that lies askew may do so with its corners, though not further than the
--- face needs to hold it: along a side where the smallest upright rectangle around it is longer than
--- the face's, and the region itself is not, it lies in the middle. On a face that is no rectangle
--- it is the first of 'mostDrawn' such regions of its box that lies wholly on it, or that one with
--- the most of its corners and middle on it.
+-- | Draws a region at a uniform, real-valued place on a face. Arguments: the possible rotations;
+-- the region's width and height in taxels as the robot sees it; the face.
+--
+-- Along each side of the face's bounding box, the shorter of box and region lies within the longer.
+-- So a region reaches over an edge only where it must. The corners of a rotated region may reach
+-- over an edge too. But where the region fits and its own bounding box does not, it is centred.
+--
+-- On a face that is not a rectangle, up to 'mostDrawn' regions are drawn, and the first that lies
+-- wholly on the face is taken. If there is none, the one with the most of its corners and centre on
+-- the face is taken.
 drawnRegion :: RandomGen g => Turns -> (Int, Int) -> LaidFace -> g -> (Region, g)
 drawnRegion turns size face generator
   | fillsBox face = one
@@ -171,11 +173,11 @@ drawnRegion turns size face generator
     found = take mostDrawn (iterate (inBox turns size face . snd) one)
     most = listToMaybe (sortOn (Down . shareOn face . fst) found)
 
--- | How many regions are drawn at most for one that lies on a face.
+-- | The most regions that are drawn to find one on the face.
 mostDrawn :: Int
 mostDrawn = 200
 
--- | Whether a face is the box round it.
+-- | Whether a face is a rectangle along its own axes.
 fillsBox :: LaidFace -> Bool
 fillsBox face = length spots == 4 && all atCorner spots
   where
@@ -184,18 +186,18 @@ fillsBox face = length spots == 4 && all atCorner spots
       let (x, y) = spotMillimetres spot in x `elem` ends fst && y `elem` ends snd
     ends side = let along = map (side . spotMillimetres) spots in [minimum along, maximum along]
 
--- | Whether a region lies on a face with all of it.
+-- | Whether a whole region lies on a face.
 whollyOn :: LaidFace -> Region -> Bool
 whollyOn face region = shareOn face region == 5 && not (any meets (rimPairs corners))
   where
-    -- As the robot sees it, the region is upright.
+    -- In the robot's frame, the region is upright.
     corners =
       [ movePoint (inverse (regionMotion region)) (spotMillimetres spot)
         | (_, spot) <- laidCorners face
       ]
     (wide, high) = (side (regionWidth region), side (regionHeight region))
     side n = taxelPitch * fromIntegral n
-    -- Whether a side has a point within the region: that of its part from s to t of the whole.
+    -- Whether a side has a point within the region: the side from s to t of its length, clipped.
     meets ((x1, y1), (x2, y2)) = from + 1e-9 < to
       where
         (from, to) = clipped (y1, y2 - y1) high (clipped (x1, x2 - x1) wide (0, 1))
@@ -204,7 +206,7 @@ whollyOn face region = shareOn face region == 5 && not (any meets (rimPairs corn
       | otherwise =
         let (a, b) = (negate at / step, (end - at) / step) in (max s (min a b), min t (max a b))
 
--- | How many of a region's corners and its middle lie on a face.
+-- | How many of a region's four corners and its centre lie on a face.
 shareOn :: LaidFace -> Region -> Int
 shareOn face region =
   length (filter (insidePolygon corners . movePoint (regionMotion region)) points)
@@ -214,14 +216,14 @@ shareOn face region =
     (wide, high) = (side (regionWidth region), side (regionHeight region))
     side n = taxelPitch * fromIntegral n
 
--- | Whether a point lies in a polygon: an odd number of sides lie to the right of it.
+-- | Whether a point lies in a polygon: an odd number of sides is to the right of it.
 insidePolygon :: [(Double, Double)] -> (Double, Double) -> Bool
 insidePolygon corners (x, y) = odd (length (filter right (cyclicPairs corners)))
   where
     right ((x1, y1), (x2, y2)) =
       (y1 > y) /= (y2 > y) && x < x1 + (y - y1) * (x2 - x1) / (y2 - y1)
 
--- | A region at a uniform place in the box round a face, or with that box in it.
+-- | Draws a region at a uniform place in a face's bounding box, or around it.
 inBox :: RandomGen g => Turns -> (Int, Int) -> LaidFace -> g -> (Region, g)
 inBox turns (width, height) face generator =
   ( region
@@ -247,7 +249,7 @@ inBox turns (width, height) face generator =
     roomDown = room (snd extent) high
     extent = spotMillimetres (laidExtent face)
     room millimetres size = millimetres / taxelPitch - fromIntegral size :: Double
-    -- What the rectangle around it has more than the region itself, on either side.
+    -- How far its bounding box extends beyond the region itself, on either side.
     overhang along across
       | angle == 0 = 0
       | otherwise =
@@ -271,27 +273,30 @@ inBox turns (width, height) face generator =
     (v, generator2) = uniform generator1
     (w, generator3) = uniform generator2
 
--- | A face that lies upright or turned by 180 degrees.
+-- | The rotations of a face that lies upright or upside down.
 halfTurns :: [Symmetry]
 halfTurns = [turned 2, identity]
 
--- | The distance of neighbouring presses: 8 taxels, half the sensor's width.
+-- | The distance between neighbouring presses: 8 taxels, half the sensor's width.
 frameSpacing :: Int
 frameSpacing = 8
 
--- | The distance of a sensor's neighbouring presses, in its own taxels: half of its shorter side.
+-- | The default distance between a sensor's neighbouring presses, in its own taxels: half its
+-- shorter side.
 defaultSpacing :: Sensor -> Int
 defaultSpacing sensor = max 1 (min (sensorColumns sensor) (sensorRows sensor) `div` 2)
 
--- | The frames of a region, row by row, of a specimen by chance at 'defaultSpacing': nominal poses
--- in the robot's frame, images taken at the true ones.
+-- | Presses a randomly drawn specimen of the sensor on a region, at 'defaultSpacing'. The frames
+-- come row by row. Their poses are nominal, in the robot's frame; their images are taken at the
+-- true poses. Refuses what 'planScanOf' refuses.
 explore :: RandomGen g => Sensor -> HeightMap -> Region -> g -> Either ProbeError ([Frame], g)
 explore sensor heights region generator =
   exploreWith sensor (defaultSpacing sensor) specimen heights region generator'
   where
     (specimen, generator') = drawSpecimen sensor generator
 
--- | The same of this specimen, with presses so many of the sensor's taxels apart.
+-- | Presses this specimen of the sensor on a region. The distance between presses is in the
+-- sensor's taxels. Refuses what 'planScanOf' refuses.
 exploreWith ::
   RandomGen g =>
   Sensor ->

@@ -1,54 +1,53 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | The pose of an object: the rigid motion from the object's frame to the robot's, from the places
--- at which symbols of one of its faces were seen.
+-- where symbols of one of its faces were seen.
 --
 -- = Frames
 --
--- The robot's frame is right-handed: x and y are the frames', right and down, and z points away
--- from the sensor, into the face. So is the face's: with the walk v_0 .. v_m and the outward normal
--- n,
+-- The robot's frame is right-handed: x and y point right and down in the frames, and z points away
+-- from the sensor, into the face. The face's frame is right-handed too. With the walk v_0 .. v_m
+-- around the face and the outward normal n, it is
 --
 -- > X = (v_m - v_0) / |v_m - v_0|       Z = -n / |n|       Y = Z x X
 --
--- has X to the right, Y down into the face and Z into the object, as seen from outside. The sensor
--- feels the face from outside, so that both planes are seen from the same side, and a point q of
--- the face, from v_0, is at
+-- so X points right, Y down, and Z into the object, as seen from outside. The sensor touches the
+-- face from outside, so both planes are seen from the same side. Hence a point q of the face,
+-- measured from v_0, is at
 --
 -- > p = t + R(a) q,      R(a) = | cos a  -sin a |
 -- >                             | sin a   cos a |
---
--- of the robot's plane: a proper rotation. A point v of the object is at
+-- in the robot's plane, by a proper rotation. A point v of the object is at
 --
 -- > R v + T,      R = Rz(a) [X Y Z]^T,      T = (t, 0) - R v_0.
 --
 -- = The fit
 --
--- Symbol i, at q_i on the face, was seen at p_i with covariance S_i. The most probable (t, a) has
--- the least sum of e_i^T S_i^-1 e_i with e_i = p_i - t - R(a) q_i. For a pivot c of the robot's
--- plane the motion's neighbours are p -> p + d + b J (p - c), where J turns by a right angle from x
--- to y; so
+-- Symbol i, at q_i on the face, was seen at p_i with covariance S_i. The most probable (t, a)
+-- minimises the sum of e_i^T S_i^-1 e_i with e_i = p_i - t - R(a) q_i. For a pivot c in the robot's
+-- plane, small changes of the motion are p -> p + d + b J (p - c), where J is the right-angle turn
+-- from x to y. So
 --
 -- > A_i = [ 1 | J (t + R(a) q_i - c) ]        M = sum A_i^T S_i^-1 A_i
 -- > (d, b) = M^-1 sum A_i^T S_i^-1 e_i        (Gauss and Newton)
 --
--- and M^-1 is the covariance of (d, b). At the weighted centroid of the p_i for c, with S_i all
--- multiples of 1, M is diagonal.
+-- and M^-1 is the covariance of (d, b). If c is the weighted centroid of the p_i and every S_i is a
+-- multiple of the identity, M is diagonal.
 --
 -- = Errors in common
 --
--- "PraTactile.Pose.Alignment" has what frames err by in its equations. Where symbols' places alone
--- are known, they share what the robot errs by: of N frames with independent errors of standard
--- deviation s along each axis, whose places are registered to each other, the mean error is left, s
--- / sqrt N; of their rotations r likewise, r / sqrt N, about the middle of what was felt. With c
--- there,
+-- "PraTactile.Pose.Alignment" includes the frames' errors in its equations. If only symbols' places
+-- are known, the symbols share the robot's errors. Let N frames, registered to each other, have
+-- independent position errors of standard deviation s along each axis. Then their mean error, s /
+-- sqrt N, remains. With rotation errors of standard deviation r, the mean rotation error r / sqrt N
+-- about the centre of what was touched remains too. With c at that centre,
 --
 -- > C = M^-1 + diag (s^2 / N, s^2 / N, r^2 / N).
 --
 -- = In space
 --
--- The truth is exp([w]) R and T + u for errors (u, w). The plane alone was felt, so w = (0, 0, b),
--- and as (d, b) takes p to p + d + b J (p - c),
+-- The truth is exp([w]) R and T + u for errors (u, w). Only the plane was touched, so w = (0, 0,
+-- b). Since (d, b) takes p to p + d + b J (p - c),
 --
 -- > (u, w) = G (d, b),      G = | 1  0  -(T_y - c_y) |
 -- >                             | 0  1    T_x - c_x  |
@@ -57,8 +56,8 @@
 -- >                             | 0  0       0       |
 -- >                             | 0  0       1       |
 --
--- and the covariance is G C G^T, of rank 3. Where the robot's frame lies in the world by (P, s),
--- the pose is (P R, P T + s), and of its covariance both u and w are turned by P.
+-- and the covariance is G C G^T, of rank 3. If the motion (P, s) takes the robot's frame to the
+-- world, the pose in the world is (P R, P T + s), and P rotates both u and w of its covariance.
 module PraTactile.Pose
   ( -- * In the plane of the face
     Seen (..),
@@ -100,11 +99,11 @@ import PraTactile.Object.WingedEdge
 import PraTactile.Pose.Matrix
 import PraTactile.Sensor.Frame (Motion (..), movePoint)
 
--- | A point of the face, where it was seen, and the covariance of that; millimetres.
+-- | A point of the face, where it was seen, and the covariance of that; in millimetres.
 data Seen = Seen
   { seenOnFace :: !(Double, Double),
     seenByRobot :: !(Double, Double),
-    -- | two rows
+    -- | two rows and two columns
     seenCovariance :: !Matrix
   }
   deriving stock (Eq, Show)
@@ -113,14 +112,14 @@ data Seen = Seen
 data PlaneFit = PlaneFit
   { -- | from the face's frame to the robot's plane
     fitMotion :: !Motion,
-    -- | the point of the robot's plane about which the error turns
+    -- | the point of the robot's plane about which the angle's error rotates
     fitPivot :: !(Double, Double),
-    -- | of (x, y, angle) about the pivot: mm and radians, three rows
+    -- | the covariance of (x, y, angle) about the pivot, in mm and radians: three rows
     fitCovariance :: !Matrix
   }
   deriving stock (Eq, Show)
 
--- | The most probable motion from the face's frame to the robot's plane. 'Nothing' where fewer than
+-- | The most probable motion from the face's frame to the robot's plane. 'Nothing' if fewer than
 -- two points differ, or a covariance has no inverse.
 rigidFit :: [Seen] -> Maybe PlaneFit
 rigidFit seen = do
@@ -128,7 +127,7 @@ rigidFit seen = do
   (motion, pivot) <- start seen (map weight weights)
   go (20 :: Int) pivot weights motion
   where
-    -- One weight a point: what its information is along an axis, in the mean.
+    -- One weight for each point: the mean of its information along the axes.
     weight information = sum [line !! i | (i, line) <- zip [0 ..] information] / 2
     go n pivot weights motion = do
       covariance <- inverse (total [(transpose a `times` w) `times` a | (a, w, _) <- terms])
@@ -147,11 +146,11 @@ rigidFit seen = do
     total = foldr plus (diagonal [0, 0, 0])
     difference (x, y) (x', y') = [x - x', y - y']
 
--- | How a point of the robot's plane moves with (x, y, angle) about a pivot.
+-- | The derivative of a point of the robot's plane by (x, y, angle) about a pivot.
 slopes :: (Double, Double) -> (Double, Double) -> Matrix
 slopes (cx, cy) (x, y) = [[1, 0, cy - y], [0, 1, x - cx]]
 
--- | The motion followed by a small one about a pivot.
+-- | A motion followed by a small step (x, y, angle in radians) about a pivot.
 nudged :: (Double, Double) -> [Double] -> Motion -> Motion
 nudged (cx, cy) step (Motion r x y) = case step of
   [dx, dy, b] ->
@@ -159,7 +158,8 @@ nudged (cx, cy) step (Motion r x y) = case step of
      in Motion (r + toDegrees b) (cx + u + dx) (cy + v + dy)
   _ -> Motion r x y
 
--- | The best motion if each point has one weight, about the weighted centroid of what was seen.
+-- | The least-squares motion if each point has one weight, and the weighted centroid of where the
+-- points were seen.
 start :: [Seen] -> [Double] -> Maybe (Motion, (Double, Double))
 start seen weights
   | length seen < 2 || spread <= 0 = Nothing
@@ -182,8 +182,8 @@ start seen weights
         )
     (x, y) = rotated angle (qx, qy)
 
--- | A fit with an error that all symbols have in common: the standard deviations along each axis,
--- millimetres, and of the angle, degrees, about its pivot.
+-- | Adds to a fit an error that all symbols share. Arguments: its standard deviation along each
+-- axis, in millimetres, and that of the angle about the pivot, in degrees.
 moreError :: Double -> Double -> PlaneFit -> PlaneFit
 moreError along degrees fit =
   fit
@@ -193,8 +193,8 @@ moreError along degrees fit =
   where
     angle = toRadians degrees
 
--- | A fit on a grid of taxels as one of the robot's plane: so many millimetres a taxel, and where
--- the grid's (0, 0) is.
+-- | Converts a fit on a grid of taxels to the robot's plane. Arguments: millimetres per taxel, and
+-- the place of the grid's (0, 0).
 onRobot :: Double -> (Double, Double) -> PlaneFit -> PlaneFit
 onRobot k (left, top) (PlaneFit (Motion degrees x y) (cx, cy) covariance) =
   PlaneFit
@@ -202,16 +202,15 @@ onRobot k (left, top) (PlaneFit (Motion degrees x y) (cx, cy) covariance) =
     (left + k * cx, top + k * cy)
     (carried (diagonal [k, k, 1]) covariance)
 
--- | A rotation, by its rows, and then a translation in millimetres.
+-- | A rotation, by its rows, followed by a translation in millimetres.
 data RigidMotion = RigidMotion
   { motionRows :: !Matrix,
     motionBy :: ![Double]
   }
   deriving stock (Eq, Show)
 
--- | From the object's frame to that of a face, by the places of its vertices in the order of its
--- walk. 'Nothing' where the walk's first vertex is at the place of its last, or the face has no
--- area.
+-- | The motion from the object's frame to a face's, given the face's vertices in the order of its
+-- walk. 'Nothing' if the first vertex coincides with the last, or the face has no area.
 faceFrame :: [Point] -> Maybe RigidMotion
 faceFrame corners = case (corners, reverse corners) of
   (begin : _, end : _) -> do
@@ -223,7 +222,7 @@ faceFrame corners = case (corners, reverse corners) of
   _ -> Nothing
   where
     exact (Point a b c) = [a, b, c]
-    -- Divided by the largest before they are rounded, so that none is beyond a Double.
+    -- Divided by the largest component before rounding, so that none exceeds a Double.
     unit v
       | all (== 0) v = Nothing
       | otherwise = Just (map (/ size) near)
@@ -233,13 +232,13 @@ faceFrame corners = case (corners, reverse corners) of
     cross [a, b, c] [d, e, f] = Just [b * f - c * e, c * d - a * f, a * e - b * d]
     cross _ _ = Nothing
 
--- | From an object's frame to that of one of its faces, named from any of its vertices. 'Nothing'
--- where the object has no such face.
+-- | The motion from an object's frame to that of one of its faces, whose name may begin at any
+-- vertex. 'Nothing' if the object has no such face.
 faceFrameOf :: Solid -> FaceName -> Maybe RigidMotion
 faceFrameOf whole = faceFrame . cornerPoints whole
 
--- | From the one frame of a face to another, which begins at another of its vertices, given both
--- from the object's frame.
+-- | The motion between two frames of one face that begin at different vertices. Both are given by
+-- their motions from the object's frame.
 betweenFrames :: RigidMotion -> RigidMotion -> Motion
 betweenFrames from to = case (rows, by) of
   ((c : _) : (s : _) : _, x : y : _) -> Motion (toDegrees (atan2 s c)) x y
@@ -248,29 +247,30 @@ betweenFrames from to = case (rows, by) of
     rows = motionRows to `times` transpose (motionRows from)
     by = zipWith (-) (motionBy to) (rows `applied` motionBy from)
 
--- | From the object's frame to the robot's, where a face, with this 'faceFrame', is moved so into
--- the robot's plane.
+-- | The motion from the object's frame to the robot's, given a face's 'faceFrame' and the motion
+-- from that face to the robot's plane.
 objectMotion :: RigidMotion -> Motion -> RigidMotion
 objectMotion face (Motion degrees x y) = face `thenMotion` RigidMotion turn [x, y, 0]
   where
     turn =
       let (c, s) = rotated degrees (1, 0) in [[c, negate s, 0], [s, c, 0], [0, 0, 1]]
 
--- | The same motion of an object that is so many times as large, with the robot's lengths.
+-- | The motion of an object whose lengths are multiplied by the number. The rotation stays.
 longer :: Double -> RigidMotion -> RigidMotion
 longer k (RigidMotion rows by) = RigidMotion rows (map (k *) by)
 
--- | How an object lies.
+-- | How an object lies, with the errors of that.
 data Pose = Pose
   { -- | from the object's frame to the robot's
     poseMotion :: !RigidMotion,
-    -- | of translation (mm) and rotation vector w (radians), six rows: the truth's rotation is
-    -- exp([w]) times that of 'poseMotion', w and the translation along the robot's axes
+    -- | six rows: translation in mm, then rotation vector w in radians, along the robot's axes. The
+    -- true rotation is exp([w]) times that of 'poseMotion'.
     poseCovariance :: !Matrix
   }
   deriving stock (Eq, Show)
 
--- | The pose of an object of which a face, with this 'faceFrame', lies so in the robot's plane.
+-- | The pose of an object, given a face's 'faceFrame' and the fit of that face to the robot's
+-- plane.
 poseOf :: RigidMotion -> PlaneFit -> Pose
 poseOf face (PlaneFit inPlane (cx, cy) covariance) = Pose motion (carried moved covariance)
   where
@@ -280,7 +280,7 @@ poseOf face (PlaneFit inPlane (cx, cy) covariance) = Pose motion (carried moved 
         [[1, 0, cy - ty], [0, 1, tx - cx], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 1]]
       _ -> []
 
--- | The one motion and then the other.
+-- | The first motion followed by the second.
 thenMotion :: RigidMotion -> RigidMotion -> RigidMotion
 thenMotion (RigidMotion r t) (RigidMotion r' t') =
   RigidMotion (r' `times` r) (zipWith (+) t' (r' `applied` t))
@@ -289,7 +289,7 @@ thenMotion (RigidMotion r t) (RigidMotion r' t') =
 movedBy :: RigidMotion -> [Double] -> [Double]
 movedBy (RigidMotion rows by) point = zipWith (+) by (rows `applied` point)
 
--- | The pose in the frame in which the robot's lies by a motion.
+-- | A pose in another frame, given the motion from the robot's frame to it.
 thenPose :: RigidMotion -> Pose -> Pose
 thenPose world (Pose motion covariance) =
   Pose (motion `thenMotion` world) (carried (blocks (motionRows world)) covariance)
@@ -297,14 +297,15 @@ thenPose world (Pose motion covariance) =
     blocks rows = map (++ none) rows ++ map (none ++) rows
     none = [0, 0, 0]
 
--- | What takes a pose to the true motion: translation in millimetres, then rotation vector in
--- radians, along the robot's axes, as its covariance has them.
+-- | The difference from a pose to the true motion: translation in millimetres, then rotation vector
+-- in radians, along the robot's axes, as in the pose's covariance.
 poseDifference :: RigidMotion -> Pose -> [Double]
 poseDifference (RigidMotion true by) (Pose (RigidMotion rows told) _) =
   zipWith (-) by told ++ logarithm (true `times` transpose rows)
 
--- | How far the true motion has a point from where a pose has it, which is here in the frame of
--- both, in millimetres; and by how many degrees the one is turned from the other.
+-- | The errors of a pose: the distance in millimetres between the two places of a point of the
+-- object, and the angle in degrees between the two rotations. The point is given where the pose has
+-- it.
 poseApart :: RigidMotion -> Pose -> [Double] -> (Double, Double)
 poseApart true pose@(Pose (RigidMotion told from) _) point =
   (norm (zipWith (-) there point), toDegrees (norm (drop 3 (poseDifference true pose))))
@@ -313,23 +314,23 @@ poseApart true pose@(Pose (RigidMotion told from) _) point =
     there = true `movedBy` onObject
     norm v = sqrt (sum (map (^ (2 :: Int)) v))
 
--- | The rotation vector of a rotation by less than half a turn.
+-- | The rotation vector of a rotation by less than 180 degrees.
 logarithm :: Matrix -> [Double]
 logarithm m = map (factor *) twist
   where
     twist = [at 2 1 - at 1 2, at 0 2 - at 2 0, at 1 0 - at 0 1]
     at i j = m !! i !! j
-    -- Twice the sine, and twice the cosine.
+    -- Twice the sine and twice the cosine of the angle.
     sine = sqrt (sum (map (^ (2 :: Int)) twist))
     cosine = at 0 0 + at 1 1 + at 2 2 - 1
     factor = if sine < 1e-12 then 1 / 2 else atan2 sine cosine / sine
 
--- | How far a pose is from the truth in units of its own error: the squared Mahalanobis distance of
--- what the plane tells, of three degrees of freedom, by an orthonormal basis of the covariance's
--- range. 'Nothing' where the covariance has not rank 3.
+-- | The squared Mahalanobis distance from a pose to the truth, with three degrees of freedom. It
+-- uses an orthonormal basis of the covariance's range. 'Nothing' if the covariance does not have
+-- rank 3.
 poseDistance :: RigidMotion -> Pose -> Maybe Double
 poseDistance true pose = do
-  -- The range is spanned by the columns; three that are independent are found by their projections.
+  -- The columns span the range; three independent ones are found by projection.
   basis <- pick [] (transpose (poseCovariance pose))
   information <- inverse (carried basis (poseCovariance pose))
   let e = basis `applied` poseDifference true pose

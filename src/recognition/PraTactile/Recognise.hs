@@ -1,9 +1,9 @@
--- | The whole way from composite tactile images to the object's face: symbols, their orientation,
--- the position in the array, and what lies there (the paper's sections II and IV).
+-- | From composite tactile images to the object's face: symbols, their orientation, the position in
+-- the array, and what lies there (the paper's sections II and IV).
 --
--- Nothing is guessed: an answer is likely beyond the doubt that the caller tolerates, and
--- contradicted by no more symbols than the minimum distance of the recognised ones lets be wrong;
--- every other case is a typed refusal.
+-- An answer must satisfy two conditions. It is wrong with at most the probability that the caller
+-- tolerates. And it is contradicted by no more symbols than the minimum distance of the recognised
+-- ones can correct. Every other case is a typed refusal.
 module PraTactile.Recognise
   ( -- * The recogniser
     Recogniser,
@@ -75,17 +75,17 @@ import PraTactile.Recognise.Support
 import PraTactile.Recognise.Tolerance
 import PraTactile.Registration (Composite (..))
 
--- | Recognise what a composite image shows, with 'standardTolerance'. Refuses, through 'Either',
--- only what the network refuses.
+-- | Recognises what a composite shows, with 'standardTolerance'. Refuses, through 'Left', only what
+-- the network refuses.
 recognise :: KnownField k => Recogniser k -> Composite -> Either NetworkError Recognition
 recognise reader composite = recogniseWith standardTolerance reader [composite]
 
--- | Recognise what composites of one face show together, whose origins tell how they lie to each
+-- | Recognises what composites of one face show together. Their origins place them relative to each
 -- other, to less than a quarter of the symbols' pitch. The face may be turned by any angle. All
--- places are in the given composites' pixels.
+-- places in the result are in the given composites' pixels. Refuses what the network refuses.
 --
--- Composites whose frames contradict each other are not answered. Other layouts of the frames add
--- to the doubt where they show something else.
+-- Composites whose frames contradict each other get no answer. Other layouts of the frames add to
+-- the doubt if they show another place.
 recogniseWith ::
   KnownField k =>
   Tolerance ->
@@ -95,7 +95,7 @@ recogniseWith ::
 recogniseWith tolerance reader composites =
   sight (recogniserReader reader) composites >>= recogniseSeen tolerance reader composites
 
--- | 'recogniseWith' of composites whose 'sight' is known.
+-- | 'recogniseWith' for composites that were read by 'sight' already.
 recogniseSeen ::
   KnownField k =>
   Tolerance ->
@@ -131,7 +131,7 @@ recogniseSeen tolerance reader composites seen =
       Right _ -> True
       Left _ -> mostRecognised (recognisedSymbols found)
 
--- | Whether what is recognised is mirrored, as far as that is known.
+-- | Whether the composite is mirrored, according to its recognition; 'Nothing' if unknown.
 shownMirrored :: Recognition -> Maybe Bool
 shownMirrored shown = case recognisedAnswer shown of
   Left (Mirrored _) -> Just True
@@ -139,16 +139,16 @@ shownMirrored shown = case recognisedAnswer shown of
     | any (isJust . readClass) (recognisedSymbols shown) -> Just False
     | otherwise -> Nothing
 
--- | The cells of the array that composites may show as their frames were put together, whatever
--- lies there: of all places that are likely by the symbols alone, in each way in which
--- 'recogniseSeen' reads them.
+-- | The cells of the array that composites may show, on the assumption that their frames were
+-- placed correctly. They come from all places that are likely by the symbols alone, in each reading
+-- that 'recogniseSeen' uses.
 cellsShown :: KnownField k => Tolerance -> Recogniser k -> Sight -> [Position]
 cellsShown tolerance reader seen =
   foldMap cellsOf (sightAsGiven seen : [upright | (_, _, upright) <- toList (sightUpright seen)])
   where
     cellsOf = foldMap (likelyCells reader tolerance . gridCells . lookGrid) . readingLook
 
--- | 'recogniseWith' of composites as their frames were put together.
+-- | 'recogniseWith' on the assumption that the frames were placed correctly.
 recogniseAsPut ::
   KnownField k =>
   Tolerance ->
@@ -158,8 +158,7 @@ recogniseAsPut ::
 recogniseAsPut tolerance reader =
   fmap (recognitionOf tolerance reader) . sight (recogniserReader reader)
 
--- | What was seen, located on the array. Where composites are read both as they are and set
--- upright, what is 'preferred' holds.
+-- | Locates what was read. Of composites read both as given and set upright, 'preferred' chooses.
 recognitionOf :: KnownField k => Tolerance -> Recogniser k -> Sight -> Recognition
 recognitionOf tolerance reader seen = case sightUpright seen of
   Nothing -> asGiven
@@ -169,7 +168,7 @@ recognitionOf tolerance reader seen = case sightUpright seen of
     asGiven = located (sightAsGiven seen)
     located = either id (locatedLook tolerance reader) . readingLook
 
--- | The answer from symbols and parts on one grid.
+-- | Locates symbols and parts on one grid.
 locatedLook :: KnownField k => Tolerance -> Recogniser k -> Look -> Recognition
 locatedLook tolerance reader look =
   Recognition
@@ -184,7 +183,7 @@ locatedLook tolerance reader look =
   where
     location = locateGrid reader tolerance (lookDissenters look) (lookGrid look)
 
--- | The answer where a grid is located whose symbols are turned by this tilt.
+-- | The answer or refusal for a located grid, whose symbols are turned by this angle in degrees.
 identificationAt ::
   KnownField k => Recogniser k -> Double -> GridLocation -> Either Refusal Identification
 identificationAt reader tilt location = case locationOutcome location of

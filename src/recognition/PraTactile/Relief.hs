@@ -1,7 +1,6 @@
--- | What is embossed: the height map of an object's face, from the array, the placement and the
--- shapes of the symbols (the paper's section II.B, figures 7 and 9). Its lengths are those of a
--- placement whose symbols have the paper's size: of one with symbols s times as large, all lengths
--- are divided by s ('symbolScale').
+-- | The height map of an object's face, from the array, the placement and the shapes of the symbols
+-- (the paper's section II.B, figures 7 and 9). Lengths are those of symbols of the paper's size: if
+-- a placement's symbols are s times as large, all its lengths are divided by s ('symbolScale').
 module PraTactile.Relief
   ( -- * The size of symbols
     symbolScale,
@@ -51,13 +50,12 @@ import PraTactile.Symbol (classOfElement)
 data ReliefError
   = -- | The array has an element for which the alphabet has no shape.
     NoShape ShapeError
-  | -- | The distances between symbols are not those of the paper times one factor, so that symbols
-    -- cannot be felt.
+  | -- | The pitch is not the paper's times one factor, so the symbols cannot be felt.
     PitchNotFelt Pitch
   deriving stock (Eq, Show)
 
--- | How much larger than the paper's the symbols are, where both distances between them are as much
--- larger.
+-- | The size of a placement's symbols relative to the paper's. 'Nothing' if the two distances of
+-- the pitch do not have the same ratio to the paper's.
 --
 -- >>> symbolScale (Pitch 12.7 15.875)
 -- Just (1 % 2)
@@ -74,23 +72,24 @@ symbolScale (Pitch right down)
 symbolTaxel :: Pitch -> Double
 symbolTaxel between = fromRational (pitchRight between / columnPitch)
 
--- | The heights of a face, of which only what is asked for is made.
+-- | The heights of a face. Only the parts asked for are computed.
 data Relief = Relief
-  { -- | where its first taxel begins: millimetres right of and below the face's first vertex, of
+  { -- | where the first taxel begins: millimetres right of and below the face's first vertex, for
     -- symbols of the paper's size
     reliefOrigin :: (Double, Double),
-    -- | how many taxels it has to the right and down
+    -- | the number of taxels to the right and down
     reliefSize :: (Int, Int),
-    -- | in how many cells each side of a taxel is cut, on which heights are constant
+    -- | the number of cells along each side of a taxel; the height is constant within a cell
     reliefFineness :: Int,
-    -- | the heights, in millimetres, of so many columns and rows of cells from a first one on; not
-    -- a number beyond the face
+    -- | the heights in millimetres, given the first column and row of cells and the numbers of
+    -- columns and rows; NaN beyond the face
     reliefDrawn :: (Int, Int) -> (Int, Int) -> Raster,
-    -- | the cylinder that the face is wrapped on, if any; it is told unrolled
+    -- | the cylinder that the face is wrapped on, if any; the heights are those of the unrolled
+    -- face
     reliefBend :: Maybe Bend
   }
 
--- | All of it.
+-- | The heights of a whole face.
 reliefHeights :: Relief -> HeightMap
 reliefHeights whole =
   HeightMap (cellSide whole) (0, 0) (reliefDrawn whole (0, 0) (cellCount whole)) (reliefBend whole)
@@ -99,14 +98,14 @@ reliefHeights whole =
 cellSide :: Relief -> Double
 cellSide whole = taxelPitch / fromIntegral (reliefFineness whole)
 
--- | How many cells it has to the right and down.
+-- | The number of cells to the right and down.
 cellCount :: Relief -> (Int, Int)
 cellCount whole = (reliefFineness whole * wide, reliefFineness whole * high)
   where
     (wide, high) = reliefSize whole
 
--- | As much of it as presses of a sensor may feel that cover a region of the face. O(taxels of the
--- region and round it).
+-- | The part of a face's heights that presses of a sensor on a region may feel. O(taxels of the
+-- region and its surroundings).
 heightsUnder :: Sensor -> Region -> Relief -> HeightMap
 heightsUnder sensor region whole =
   HeightMap
@@ -122,8 +121,8 @@ heightsUnder sensor region whole =
         | x <- [0, taxelPitch * fromIntegral (regionWidth region)],
           y <- [0, taxelPitch * fromIntegral (regionHeight region)]
       ]
-    -- The robot means the sensor's centre to be within the region. Round a cylinder it is at most
-    -- half a circle to where a chord ends.
+    -- The sensor's centre is meant to be within the region. On a cylinder, half a circle is the
+    -- furthest that the end of a chord can be.
     reach = sensorReach sensor * maybe 1 (const (pi / 2)) (reliefBend whole)
     reached size along =
       ( clipped (floor ((minimum along - reach) / cellSide whole)),
@@ -132,7 +131,7 @@ heightsUnder sensor region whole =
       where
         clipped k = max 0 (min size k)
 
--- | A region of the face as one of the height map.
+-- | A region of the face, in the coordinates of the height map.
 onRelief :: Relief -> Region -> Region
 onRelief whole region =
   region
@@ -143,14 +142,14 @@ onRelief whole region =
     (x, y) = reliefOrigin whole
 
 -- | The class that the array has in a cell of a face's block, by row and column as seen from
--- outside; in those that the face has it is embossed.
+-- outside. It is embossed in the cells that the face has.
 classOn :: KnownField k => PseudorandomArray k -> LaidFace -> Position -> Int
 classOn array face (Position i j) =
   classOfElement (cellAt array (Position (row (laidAt face) + i) (column (laidAt face) + j)))
 
--- | The relief of a face, in cells of one taxel: each symbol lies in the middle of its cell.
--- Beyond the face there is nothing to touch. Refuses an element without a shape, and distances of
--- symbols that are not the paper's times a factor.
+-- | The relief of a face, with cells of one taxel. Each symbol lies in the middle of its cell, and
+-- beyond the face there is nothing. Refuses an element without a shape, and a pitch that is not the
+-- paper's times one factor.
 relief ::
   KnownField k =>
   PseudorandomArray k ->
@@ -161,7 +160,8 @@ relief ::
 relief array layout alphabet face =
   reliefOf layout alphabet face (fieldOrder array) (classOn array face)
 
--- | The same of any classes, below a number, by row and column within the face's block.
+-- | 'relief' for any classes: their number, and a function from row and column of the face's block
+-- to a class below that number.
 reliefOf ::
   Placement -> Alphabet -> LaidFace -> Int -> (Position -> Int) -> Either ReliefError Relief
 reliefOf layout alphabet face classes classAt = do
@@ -179,7 +179,7 @@ reliefOf layout alphabet face classes classAt = do
         where
           (i0, i1) = ((y0 - down) `div` rowPitch, (y0 + h - 1 - down) `div` rowPitch)
           (j0, j1) = ((x0 - across) `div` columnPitch, (x0 + w - 1 - across) `div` columnPitch)
-          -- The symbols of the cells that are met.
+          -- The symbols of the cells that overlap the area.
           met = Boxed.fromList [bitmapIn i j | i <- [i0 .. i1], j <- [j0 .. j1]]
           height x y
             | not (inside (middle originX x, middle originY y)) = 0 / 0
@@ -202,9 +202,10 @@ reliefOf layout alphabet face classes classAt = do
   where
     pitch = placementPitch layout
 
--- | The relief of a face, of symbols of the paper's size, that has the height of its middle all
--- over a cell, so many cells along each side of a taxel: what the function says of a place so many
--- millimetres to the right of and below the face's first vertex, nothing where there is nothing.
+-- | The relief of a face by a function of heights, with symbols of the paper's size. The number is
+-- that of cells along each side of a taxel. A cell has the height of its centre. The function takes
+-- millimetres right of and below the face's first vertex, and gives 'Nothing' where there is
+-- nothing.
 reliefByHeights :: Int -> LaidFace -> (Double -> Double -> Maybe Double) -> Relief
 reliefByHeights fineness face heightAt =
   Relief
@@ -220,11 +221,12 @@ reliefByHeights fineness face heightAt =
     Ground _ _ (originX, originY) size = groundOf 1 face
     middle origin k = taxelPitch * (origin + (fromIntegral k + 0.5) / fromIntegral fineness)
 
--- | The taxels of a face: its spots in taxels, how many lie before its block to the right and down,
--- where the first of them begins, in taxels from the face's first vertex, and how many there are.
+-- | The taxels of a face: a map from spots to taxels; the number of taxels before its block, to the
+-- right and down; where the first taxel begins, in taxels from the face's first vertex; and the
+-- number of taxels.
 data Ground = Ground (Spot -> (Double, Double)) (Int, Int) (Double, Double) (Int, Int)
 
--- | Those of a face whose symbols are so many times as large as the paper's.
+-- | The taxels of a face whose symbols are this many times as large as the paper's.
 groundOf :: Double -> LaidFace -> Ground
 groundOf scale face =
   Ground
@@ -238,7 +240,7 @@ groundOf scale face =
     (boxLeft, boxTop) = taxels (laidBox face)
     (wide, high) = taxels (laidExtent face)
     (left, top) = taxels (laidMargin face)
-    -- Whole taxels before the block, as many as the face has room for or one more.
+    -- Whole taxels before the block: as many as the face has room for, or one more.
     before from at = ceiling (at - from - tiny) :: Int
     (across, down) = (before boxLeft left, before boxTop top)
     (originX, originY) = (left - fromIntegral across, top - fromIntegral down)

@@ -1,5 +1,5 @@
--- | Where images come from, as bytes: a folder of frames with its manifest, a movie with its poses,
--- or one image that is a whole composite. Nothing is read here; the sublibrary @files@ reads
+-- | Sources of images, as bytes: a folder of frames with its manifest, a movie with its poses, or
+-- one image that is a whole composite. This module reads no files; the sublibrary @files@ does
 -- ("PraTactile.Files").
 module PraTactile.Source
   ( -- * Folders of frames
@@ -57,54 +57,54 @@ import PraTactile.Symmetry (onPixel)
 import System.FilePath (isAbsolute, splitDirectories)
 import Text.Printf (printf)
 
--- | A folder of frames: what its manifest says, and the bytes of the images that this names, by
--- their names.
+-- | A folder of frames: its manifest, and the bytes of the images that the manifest names.
 data Folder = Folder
   { folderManifest :: Manifest,
     folderImages :: Map FilePath ByteString
   }
   deriving stock (Eq, Show)
 
--- | Why a source holds no frames.
+-- | Why a source yields no frames.
 data SourceError
-  = -- | The manifest names this file, which is not one of its folder: the path is absolute, has a
-    -- @..@ in it, or is no file's name at all: empty, or with a NUL in it.
+  = -- | The manifest names this file outside its folder: the path is absolute, contains @..@, is
+    -- empty, or contains a NUL.
     ImageElsewhere FilePath
-  | -- | The manifest names this file, and it is not among the folder's images.
+  | -- | The manifest names this file, but it is not among the folder's images.
     ImageAbsent FilePath
-  | -- | The file of this name has the first size, width and height, and the manifest says the
+  | -- | The file with this name has the first size (width, height), but the manifest states the
     -- second.
     ImageSize FilePath (Int, Int) (Int, Int)
-  | -- | The manifest does not say where the frame of this name was pressed.
+  | -- | The manifest does not state where the frame with this name was pressed.
     PositionAbsent FilePath
-  | -- | The file of this name is no frame.
+  | -- | The file with this name is not a frame.
     ImageRefused FilePath ImageError
-  | -- | There are so many poses, and a movie of so many frames.
+  | -- | The first number is that of poses, the second that of the movie's frames.
     PosesOfAnother Int Int
-  | -- | The images that the manifest names have this many pixels together, more than
+  | -- | The images that the manifest names have this many pixels in total, more than
     -- 'maxFramePixels'.
     ImagesTooLarge Int
-  | -- | The calibration does not correct the frames.
+  | -- | The calibration does not fit the frames.
     CalibrationRefused CalibrationError
-  | -- | The pixels of a whole image are this many millimetres apart, none of 'taxelPitches'.
+  | -- | The pixels of a whole image are this many millimetres apart, outside 'taxelPitches'.
     ImagePitch Double
-  | -- | A whole image would have this width and height at the paper's pitch, more than
+  | -- | At the paper's pitch, a whole image would have this width and height, more than
     -- 'maxImagePixels' pixels.
     ImageTooLarge (Int, Int)
   deriving stock (Eq, Show)
 
--- | What a manifest names, as far as it lies in its folder, each once: files to be read, or frames
--- of movies ('frameOfMovie') where there is no file of the whole name.
+-- | The files that a manifest names within its folder, each once. A name that is not a file may
+-- stand for a frame of a movie ('frameOfMovie').
 imagesNamed :: Manifest -> [FilePath]
 imagesNamed = Set.toAscList . Set.fromList . filter inside . map entryFile . manifestEntries
 
--- | Whether a name stays within the folder that it is relative to.
+-- | Whether a relative name stays within its folder.
 inside :: FilePath -> Bool
 inside name =
   isFileName name && not (isAbsolute name) && ".." `notElem` splitDirectories name
 
--- | The folder that a movie of this name is, given the entries of its frames ('parsePoses') if it
--- is told where they were pressed. Refuses what is no movie, and another number of frames.
+-- | A movie as a folder. The entries of its frames ('parsePoses') are given if it is known where
+-- they were pressed. Refuses files that are not movies, and a number of entries that differs from
+-- the movie's frames.
 movieFolder :: FilePath -> Maybe [Entry] -> ByteString -> Either SourceError Folder
 movieFolder name told bytes = do
   count <- first (ImageRefused name) (imagesCount <$> decodeImages maxPixels bytes)
@@ -114,8 +114,8 @@ movieFolder name told bytes = do
   where
     numbered i entry = entry {entryFile = name ++ "#" ++ show (i :: Int)}
 
--- | All frames of a folder, in the manifest's order and along its axes. Refuses, naming the file,
--- frames without a position, and what 'folderRasters' refuses.
+-- | All frames of a folder, in the manifest's order and along its axes. Refuses frames without a
+-- position, naming the file, and what 'folderRasters' refuses.
 folderFrames :: Folder -> Either SourceError [Frame]
 folderFrames folder = do
   poses <- traverse placed (manifestEntries manifest)
@@ -137,13 +137,13 @@ folderFrames folder = do
           frameDead = feltDead felt
         }
 
--- | What all frames of a folder felt, in the manifest's order, wherever they were pressed. Refuses,
--- naming the file, images that cannot be read or are not there, and names that lead out of the
--- folder.
+-- | The images of all frames of a folder, in the manifest's order, whether or not their positions
+-- are known. Refuses, naming the file, images that are missing or cannot be read, and names that
+-- lead out of the folder.
 folderRasters :: Folder -> Either SourceError [Raster]
 folderRasters = fmap (map (feltImage . fst)) . folderFelt
 
--- | The same with taxels that have no reading, and the files in which they stand.
+-- | 'folderRasters' including taxels without a reading, with the decoded file of each frame.
 folderFelt :: Folder -> Either SourceError [(Felt, Images)]
 folderFelt folder = traverse (felt . entryFile) (manifestEntries manifest)
   where
@@ -158,11 +158,11 @@ folderFelt folder = traverse (felt . entryFile) (manifestEntries manifest)
         Just said | said /= imagesSize found -> Left (ImageSize name (imagesSize found) said)
         _ -> Right (seen, found)
 
--- | The files of a folder, each decoded once, however many of its frames are named.
+-- | The files of a folder, each decoded once.
 folderDecoded :: Folder -> Map FilePath (Either ImageError Images)
 folderDecoded = Map.map (decodeImages maxPixels) . folderImages
 
--- | What a name means: a file, or a frame of a movie.
+-- | The file that a name stands for, or the movie and the number of its frame.
 imageNamed :: Map FilePath a -> FilePath -> Maybe (a, Maybe Int)
 imageNamed images name = case Map.lookup name images of
   Just found -> Just (found, Nothing)
@@ -171,33 +171,33 @@ imageNamed images name = case Map.lookup name images of
     found <- Map.lookup file images
     Just (found, Just number)
 
--- | What is known of frames that their manifest does not say, or says wrongly, and of whole images.
+-- | Corrections for frames and whole images: what their manifest does not state, or states wrongly.
 data Preparation = Preparation
-  { -- | what the manifest's two coordinates are, in place of what it says
+  { -- | the directions of the manifest's two coordinates, replacing the manifest's statement
     preparedAxes :: Maybe Axes,
-    -- | what the images' columns and rows are: where the first one points, and the second
+    -- | the directions of the images' columns and rows: where the first one points, and the second
     preparedImageAxes :: Axes,
-    -- | what the positions are multiplied by, across and down
+    -- | the factors for positions, across and down
     preparedPositionScale :: (Double, Double),
-    -- | whether no contact is full scale in the images, and full contact 0
+    -- | whether intensities are inverted: no contact is full scale, and full contact 0
     preparedInverted :: Bool,
-    -- | the reading of full contact, in place of what manifest and files say
+    -- | the reading of full contact, replacing the manifest's and the files'
     preparedFullScale :: Maybe Double,
-    -- | the distance of neighbouring taxels in millimetres, in place of what the manifest says; of
-    -- a whole image that of its pixels, which else is the paper's, times the symbols' size
+    -- | the distance of neighbouring taxels in millimetres, replacing the manifest's. For a whole
+    -- image, the distance of its pixels; by default the paper's times the symbols' size.
     preparedTaxel :: Maybe Double,
-    -- | what frames and whole images are corrected by
+    -- | the calibration that corrects frames and whole images
     preparedCalibration :: Maybe Calibration
   }
   deriving stock (Eq, Show)
 
--- | Frames as their manifest has them, not corrected.
+-- | No correction: frames as their manifest states them.
 asStated :: Preparation
 asStated = Preparation Nothing straight (1, 1) False Nothing Nothing Nothing
 
--- | The frames of a folder as they are put together: prepared, and elements that are stuck not felt
--- ('withoutStuck'). Refuses what 'folderFrames' refuses; images of more than 'maxFramePixels'
--- pixels together, before one is decoded; and a calibration that does not fit them.
+-- | The frames of a folder, corrected and ready for stitching. Stuck elements are marked as not
+-- felt ('withoutStuck'). Refuses what 'folderFrames' refuses, a calibration that does not fit, and,
+-- before decoding any, images of more than 'maxFramePixels' pixels in total.
 preparedFrames :: Preparation -> Folder -> Either SourceError [Frame]
 preparedFrames known folder = do
   when (pixels > maxFramePixels) (Left (ImagesTooLarge pixels))
@@ -205,7 +205,7 @@ preparedFrames known folder = do
   withoutStuck . map placed <$> first CalibrationRefused (traverse (prepared known) frames)
   where
     manifest = folderManifest folder
-    -- What is no image has none; it is refused when it is decoded.
+    -- Files that are not images count 0; they are refused when they are decoded.
     pixels = sum (mapMaybe pixelsOf (manifestEntries manifest))
     pixelsOf entry = imageNamed sizes (entryFile entry) >>= fst
     sizes = Map.map (either (const Nothing) (Just . uncurry (*)) . imageSize) (folderImages folder)
@@ -219,8 +219,8 @@ preparedFrames known folder = do
           (across, down) = preparedPositionScale known
        in frame {framePose = Pose (across * x) (down * y) r}
 
--- | A frame with 0 for no contact, corrected, as it is seen from outside. Refuses a calibration of
--- another size.
+-- | A frame with 0 for no contact, calibrated, and oriented as seen from outside. Refuses a
+-- calibration of another size.
 prepared :: Preparation -> Frame -> Either CalibrationError Frame
 prepared known = fmap seen . calibrated . contact
   where
@@ -236,7 +236,7 @@ prepared known = fmap seen . calibrated . contact
         }
     onTaxel size (i, j) = let (x, y) = onPixel symmetry size (j, i) in (y, x)
 
--- | How the positions and images of a folder are taken.
+-- | The axes, scale and pitch with which a folder's positions and images are interpreted.
 takingOf :: Preparation -> Folder -> Taking
 takingOf known folder =
   Taking
@@ -248,12 +248,12 @@ takingOf known folder =
         fromMaybe taxelPitch (preparedTaxel known <|> manifestTaxel (folderManifest folder))
     }
 
--- | Whether somebody said what the coordinates of a folder's manifest are.
+-- | Whether the user or the manifest stated the folder's axes.
 axesStated :: Preparation -> Folder -> Bool
 axesStated known folder = isJust (preparedAxes known <|> manifestAxes (folderManifest folder))
 
--- | The entries of these frames in a manifest, and their images as files of this format whose full
--- scale is this, by their names. Refuses what has no such image ('pgmFromIntensity').
+-- | The manifest entries and the image files of frames, in this format with this full scale; the
+-- files are keyed by name. Refuses images that the format cannot hold ('pgmFromIntensity').
 frameImages ::
   ImageFormat -> Word16 -> [Frame] -> Either ImageError ([Entry], Map FilePath ByteString)
 frameImages format top frames = do
@@ -264,33 +264,35 @@ frameImages format top frames = do
     entries = zipWith entry names frames
     entry name f = Entry name (Just (framePose f)) (Just (frameForce f))
 
--- | What shows one composite.
+-- | The source of one composite.
 data Source
-  = -- | frames that are put together
+  = -- | frames that are stitched
     FrameFolder Folder
   | -- | the bytes of an image that is a whole composite
     WholeImage ByteString
   deriving stock (Eq, Show)
 
--- | The composite that a file of one image is ("PraTactile.Image.File"). Refuses what is none, and
--- an image of more than 'maxImagePixels' pixels.
+-- | The composite in a file of one image ("PraTactile.Image.File"). Refuses files that are not
+-- images, and images of more than 'maxImagePixels' pixels.
 imageComposite :: ByteString -> Either ImageError Composite
 imageComposite = fmap (compositeOf . fst) . wholeImage asStated
 
--- | The same as it stands in the file, with the distance of its pixels if the file tells it.
+-- | The image of a file, not converted to the paper's pitch, and the distance of its pixels in
+-- millimetres if the file states it.
 wholeImage :: Preparation -> ByteString -> Either ImageError (Raster, Maybe Double)
 wholeImage known = frameOf (preparedFullScale known) Nothing
 
--- | The image of a file, or that of this number, from 0, of a movie, given the reading of full
--- contact if it is; with the distance of its pixels if the file tells it.
+-- | An image of a file, and the distance of its pixels in millimetres if the file states it.
+-- Arguments: the reading of full contact, replacing the file's; the number of the frame of a movie,
+-- from 0; the bytes.
 frameOf :: Maybe Double -> Maybe Int -> ByteString -> Either ImageError (Raster, Maybe Double)
 frameOf full number bytes = do
   images <- decodeImages maxImagePixels bytes
   felt <- numberedImage full number images
   Right (feltImage felt, imagesSpacing images)
 
--- | How many readings of a source are above full scale, and how many there are. Of what is refused
--- there are none.
+-- | The number of a source's readings above full scale, and the number of all its readings. A
+-- source that is refused has none.
 clippedReadings :: Preparation -> Source -> (Int, Int)
 clippedReadings known source = (sum (map feltClipped felts), sum (map pixels felts))
   where
@@ -309,18 +311,17 @@ clippedReadings known source = (sum (map feltClipped felts), sum (map pixels fel
     full = preparedFullScale known
     pixels = uncurry (*) . rasterSize . feltImage
 
--- | The folder with this reading of full contact, if it is given, in place of what its manifest
--- says.
+-- | Replaces the reading of full contact in a folder's manifest, if one is given.
 withFullScale :: Maybe Double -> Folder -> Folder
 withFullScale full folder =
   folder {folderManifest = manifest {manifestFullScale = full <|> manifestFullScale manifest}}
   where
     manifest = folderManifest folder
 
--- | The composite that an image is once it is 'prepared', at the paper's pitch, given the size of
--- the symbols: 2 is twice the paper's. The composite's lengths are divided by it. The centre of
--- pixel (0, 0) of the image as it is seen is at the origin. Refuses a calibration of another size,
--- a pitch that is none of 'taxelPitches', and more than 'maxImagePixels' afterwards.
+-- | The composite of an image, after the corrections, at the paper's pitch. The first argument is
+-- the size of the symbols; 2 is twice the paper's. The composite's lengths are divided by it. The
+-- centre of the corrected image's pixel (0, 0) is at the origin. Refuses a calibration of another
+-- size, a pitch outside 'taxelPitches', and a result of more than 'maxImagePixels' pixels.
 preparedImage :: Double -> Preparation -> Raster -> Either SourceError Composite
 preparedImage size known image = do
   frame <- scaledFrame (1 / size) <$> first CalibrationRefused (prepared known felt)

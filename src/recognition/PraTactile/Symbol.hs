@@ -1,5 +1,5 @@
--- | The one place where the two wings agree on what an embossed symbol means: class @c@ of the
--- alphabet stands for the field element of code @c@ (the paper's section II.B, figure 3).
+-- | The meaning of embossed symbols, where touch and code meet: class @c@ of the alphabet stands
+-- for the field element with code @c@ (the paper's section II.B, figure 3).
 module PraTactile.Symbol
   ( elementOfClass,
     classOfElement,

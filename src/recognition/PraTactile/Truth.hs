@@ -1,6 +1,6 @@
--- | An answer and the truth, where the truth is known: are they the same place? The truth is a
--- region of a face, the answer a window's centre; what compares them is the point of the composite
--- at which the window's centre was seen.
+-- | Compares an answer with the known truth: are they the same place? The truth is a region of a
+-- face; the answer is the centre of a window. They are compared at the point of the composite where
+-- that centre was seen.
 module PraTactile.Truth
   ( Truth (..),
     truePlace,
@@ -24,26 +24,26 @@ import PraTactile.Sensor (Bend (..))
 import PraTactile.Sensor.Frame (Motion (..), inverse, movePoint)
 import PraTactile.Symmetry (Symmetry, degreesClockwise)
 
--- | Where an exploration was.
+-- | The place of an exploration.
 data Truth = Truth
   { truthFace :: Face,
     truthRegion :: Region,
-    -- | the region's upper left corner in the robot's coordinates, millimetres
+    -- | the region's upper left corner in the robot's coordinates, in millimetres
     truthOrigin :: (Double, Double),
-    -- | the cylinder that the face was wrapped on; places are then in arc length
+    -- | the cylinder that the face was wrapped on, if any; places are then in arc length
     truthBend :: Maybe Bend
   }
   deriving stock (Eq, Show)
 
--- | The place on the true face, in millimetres right of and below its upper left vertex, of a point
--- in the robot's coordinates.
+-- | The true place of a point, in millimetres right of and below the face's upper left vertex. The
+-- point is in the robot's coordinates.
 truePlace :: Truth -> (Double, Double) -> (Double, Double)
 truePlace truth (x, y) = movePoint (regionMotion (truthRegion truth)) (x - originX, y - originY)
   where
     (originX, originY) = truthOrigin truth
 
--- | The true motion from the object's frame to the robot's, by the objects as they are laid.
--- 'Nothing' where they have no such face, and of one that was bent: then it is no rigid motion.
+-- | The true motion from the object's frame to the robot's, for objects in this placement.
+-- 'Nothing' if there is no such face, or the face was bent, which is not a rigid motion.
 truePose :: Placement -> Truth -> Maybe RigidMotion
 truePose layout truth = do
   guard (isNothing (truthBend truth))
@@ -54,8 +54,8 @@ truePose layout truth = do
       moved = back {motionX = motionX back + originX, motionY = motionY back + originY}
   Just (objectMotion frame moved)
 
--- | The truth with its face begun at the vertex at which this name of it begins, as far as places
--- go: a bend keeps the axis that it had. Unchanged where it is not the same face.
+-- | The truth with the face begun at the vertex that this name of the face begins with. Places are
+-- converted; a bend keeps its axis. If the name is of another face, the truth is unchanged.
 truthFrom :: Placement -> Face -> Truth -> Truth
 truthFrom layout named truth = case frameBetween layout (truthFace truth) named of
   Just motion | named /= truthFace truth -> truth {truthFace = named, truthRegion = moved motion}
@@ -63,8 +63,8 @@ truthFrom layout named truth = case frameBetween layout (truthFace truth) named 
   where
     moved motion = movedRegion motion (truthRegion truth)
 
--- | From the frame of a face as one name begins it to that of the same face as another does.
--- 'Nothing' where these are two faces.
+-- | The motion between the frames of one face under two names. 'Nothing' if these are different
+-- faces.
 frameBetween :: Placement -> Face -> Face -> Maybe Motion
 frameBetween layout from@(Face object name) to@(Face object' name')
   | from == to = Just (Motion 0 0 0)
@@ -73,7 +73,7 @@ frameBetween layout from@(Face object name) to@(Face object' name')
     whole <- placementObject layout object
     betweenFrames <$> faceFrameOf whole name <*> faceFrameOf whole name'
 
--- | What an answer says.
+-- | An answer's claim.
 data Claim = Claim
   { claimFace :: Face,
     -- | the rotation of the face in the robot's frame
@@ -82,12 +82,13 @@ data Claim = Claim
     claimPlace :: (Double, Double),
     -- | the same point in the robot's coordinates, millimetres
     claimSeenAt :: (Double, Double),
-    -- | by how many degrees the face is turned clockwise, if it says so to the degree
+    -- | the angle of the face in degrees clockwise, if the answer states it
     claimAngle :: Maybe Double
   }
   deriving stock (Eq, Show)
 
--- | A truth with all its lengths in millimetres times a number; its region has as many taxels.
+-- | A truth with all lengths in millimetres multiplied by a number. The region keeps its size in
+-- taxels.
 scaledTruth :: Double -> Truth -> Truth
 scaledTruth k truth =
   truth
@@ -100,7 +101,7 @@ scaledTruth k truth =
     region = truthRegion truth
     (x, y) = truthOrigin truth
 
--- | A claim with all its lengths times a number.
+-- | A claim with all lengths multiplied by a number.
 scaledClaim :: Double -> Claim -> Claim
 scaledClaim k claim =
   claim {claimPlace = times (claimPlace claim), claimSeenAt = times (claimSeenAt claim)}
@@ -111,17 +112,17 @@ scaledClaim k claim =
 data Difference
   = -- | on another face
     OtherFace
-  | -- | on the face, but turned otherwise
+  | -- | on the right face, in another orientation
     OtherWayUp
-  | -- | this many millimetres away on the face, half a cell or more along one of its sides
+  | -- | on the right face, but this many millimetres away, which is half a cell or more along one
+    -- side
     Elsewhere Double
   deriving stock (Eq, Show)
 
--- | How many millimetres the answer is from the truth, given the objects as they are laid; or in
--- what it is wrong. Either may begin the face at any of its vertices. The answer must name the
--- quarter turn nearest to the true rotation, or where two are nearly as near, to 5 degrees, either:
--- the one that was measured. Windows lie a whole cell apart at least, so that less than half a cell
--- is the error of the measurement.
+-- | The distance in millimetres between the answer and the truth, or the kind of error. Either may
+-- begin the face at any of its vertices. The answer must name the quarter turn nearest to the true
+-- rotation; within 5 degrees of the middle between two, either will do. Windows are at least a
+-- whole cell apart, so a distance below half a cell is an error of the measurement.
 compared :: Placement -> Truth -> Claim -> Either Difference Double
 compared layout truth claim = do
   motion <- maybe (Left OtherFace) Right (frameBetween layout (truthFace truth) (claimFace claim))
@@ -129,7 +130,8 @@ compared layout truth claim = do
       (trueX, trueY) = truePlace truth (claimSeenAt claim)
       (dx, dy) = (x - trueX, y - trueY)
       distance = sqrt (dx * dx + dy * dy)
-      -- By how many degrees the quarter turn claimed differs from the true rotation, 0 to 180.
+      -- The difference between the claimed quarter turn and the true rotation, in degrees, 0 to
+      -- 180.
       apart = abs (turn - 360 * fromInteger (round (turn / 360)))
       turn =
         degreesClockwise (claimSymmetry claim)

@@ -1,9 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | A face with its symbols raised, as triangles. It has three kinds of them. The ground, at height
--- 0, is its polygon less all that an odd number of the symbols' outlines has inside; along each
--- side of an outline stands a wall; the tops, at the height of the relief, are what the outlines
--- have inside.
+-- | A face with its symbols raised, as triangles of three kinds. The ground, at height 0, is the
+-- face's polygon minus everything inside an odd number of the symbols' outlines. Along each side of
+-- an outline stands a wall. The tops, at the height of the relief, are the insides of the outlines.
 --
 -- >          b'------- a'   top
 -- >         /|        /|
@@ -11,8 +10,8 @@
 -- >       /         /
 -- > ---------------------   ground
 --
--- Each side of a triangle belongs to another one, too, which walks it the other way: a side of the
--- polygon to the neighbouring face, a side of an outline to its wall.
+-- Each side of a triangle belongs to one other triangle, which walks it the other way. For a side
+-- of the polygon, that one is on the neighbouring face; for a side of an outline, it is a wall.
 module PraTactile.Emboss.Face
   ( -- * Symbols
     Stamp (..),
@@ -40,19 +39,19 @@ import PraTactile.Object.Triangulation
 import PraTactile.Shape (Bitmap, area)
 import PraTactile.Shape.Outline
 
--- | A shape, ready to be raised.
+-- | A shape prepared for embossing.
 data Stamp = Stamp
-  { -- | how many taxels it raises
+  { -- | the number of taxels that it raises
     stampArea :: Int,
     -- | the width of its finest stroke, in taxels
     stampStroke :: Int,
-    -- | by their corners
+    -- | the outlines by their corners
     stampOutlines :: [[Corner]],
-    -- | what they have inside, by the places of the corners of all of them
+    -- | the triangles inside the outlines, by the indices of all outlines' corners
     stampTop :: [(Int, Int, Int)]
   }
 
--- | The stamp of a shape; refuses one of which two taxels meet at a corner only.
+-- | The stamp of a shape. Refuses a shape with two taxels that meet only at a corner.
 stampOf :: Bitmap -> Either Contact Stamp
 stampOf bitmap = stamp <$> outlines bitmap
   where
@@ -68,29 +67,30 @@ stampOf bitmap = stamp <$> outlines bitmap
               (numberedFrom 0 loops)
         }
 
--- | Numbers in the place of things, from this one on.
+-- | Replaces the elements by consecutive numbers from the given one.
 numberedFrom :: Int -> [[a]] -> [[Int]]
 numberedFrom from = snd . mapAccumL numbered from
   where
     numbered k things = let next = k + length things in (next, [k .. next - 1])
 
--- | A corner of an outline of the symbol in a cell, by row and column of its block, where steps of
--- the lattice are taxels: the symbol lies in the middle of its cell.
+-- | The spot of an outline's corner, for the symbol in a cell given by row and column of its block.
+-- The lattice's steps are taxels, and the symbol lies in the middle of its cell.
 outlineSpot :: Position -> Corner -> Spot
 outlineSpot (Position i j) (x, y) =
   Lattice
     (columnPitch * toInteger j + toInteger ((columnPitch - symbolWidth) `div` 2 + x))
     (rowPitch * toInteger i + toInteger ((rowPitch - symbolHeight) `div` 2 + y))
 
--- | Points beside the corners that are known already, and triangles by the numbers of points,
--- counter-clockwise seen from outside.
+-- | New points, beyond the corners of the face, and triangles by the indices of points,
+-- counter-clockwise as seen from outside.
 data Surface = Surface
   { surfacePoints :: [ExactPoint],
     surfaceTriangles :: [(Int, Int, Int)]
   }
 
--- | A face whose corners have these numbers, with symbols so many millimetres high in these cells
--- of its block; new points are numbered from this number on.
+-- | A face with its symbols raised. Arguments: the symbols' height in millimetres; the face's
+-- chart; the indices of the face's corners; the first index for new points; the symbols and their
+-- cells.
 raisedFace :: Rational -> Chart -> U.Vector Int -> Int -> [(Position, Stamp)] -> Surface
 raisedFace height chart walk from symbols =
   Surface
@@ -113,7 +113,7 @@ raisedFace height chart walk from symbols =
     begun = scanl (+) corners [length (concat (stampOutlines stamp)) | (_, stamp) <- symbols]
     loops = numberedFrom corners (concatMap (stampOutlines . snd) symbols)
     ground = region chart (map Corner [0 .. corners - 1] ++ outlined) (rimsOf ++ loops)
-    -- By the first place of each corner: places of one vertex are one point.
+    -- The index of a corner is its first place, because several places of one vertex are one point.
     rimsOf = map (map (places IntMap.!)) (rims (U.toList walk))
     places = IntMap.fromListWith (\_ first -> first) (zip (U.toList walk) [0 ..])
     base k
@@ -121,8 +121,9 @@ raisedFace height chart walk from symbols =
       | otherwise = from + 2 * (k - corners)
     top k = base k + 1
 
--- | The triangles of what an odd number of loops of a face's points has inside, by the places of
--- the points: made on a stretched face, with roots ever finer until they are certain.
+-- | Triangles, by indices of points, that fill everything inside an odd number of loops. They are
+-- made on a numerical map of the face, whose precision is doubled until every triangle is certain
+-- to turn the right way.
 region :: Chart -> [Spot] -> [[Int]] -> [(Int, Int, Int)]
 region chart listed loops = certain 64
   where

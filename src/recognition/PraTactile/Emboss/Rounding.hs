@@ -1,9 +1,9 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What was embossed as a polyhedron with the coordinates that a format has, held against the
--- exact surface.
+-- | The embossed surface as a polyhedron whose coordinates are rounded to those of a file format.
 --
--- With A the exact area vector of a triangle and A' that of its rounded corners, V and V' the
+-- Let A be the exact area vector of a triangle and A' that of its rounded corners, V and V' the
+-- volumes, and h the height of the relief. A rounded surface is accepted if
 -- volumes, and h the height of the relief, a rounded surface is accepted where
 --
 -- > no two points become one
@@ -11,9 +11,10 @@
 -- > |x' - x| <= h / 100       for each coordinate
 -- > |V' - V| <= V / 100
 --
--- and no two of its triangles cut each other. The first two fail where triangles are about as small
--- as the steps between neighbouring numbers. The third keeps the relief what is felt: 'h' is a
--- taxel. The fourth fails on solids thinner than these steps, which triangles alone do not show.
+-- and no two of its triangles intersect. The first two conditions fail if triangles are about as
+-- small as the steps between neighbouring numbers. The third keeps the relief as it is felt; h is
+-- one taxel. The fourth fails for solids thinner than these steps, which triangles alone do not
+-- show.
 module PraTactile.Emboss.Rounding
   ( Precision (..),
     Rounded (..),
@@ -38,42 +39,43 @@ import PraTactile.Object.Validity
 import PraTactile.Object.Vector
 import PraTactile.Object.WingedEdge (Solid, solidMesh)
 
--- | Which numbers coordinates may be.
+-- | The numbers that coordinates may be.
 data Precision
-  = -- | those of 32 bits (binary32 of IEEE 754)
+  = -- | numbers of 32 bits (binary32 of IEEE 754)
     Binary32
-  | -- | decimal numbers, and those of 64 bits where a coordinate is none
+  | -- | decimal numbers, and numbers of 64 bits for a coordinate that has no finite decimal
     Decimals
-  | -- | fractions
+  | -- | rational numbers
     Fractions
   deriving stock (Eq, Show)
 
--- | A polyhedron, and by how many millimetres the coordinate was moved that was moved furthest.
+-- | A polyhedron, and the largest change of a coordinate by rounding, in millimetres.
 data Rounded = Rounded
   { roundedMesh :: Mesh,
     roundedMost :: Double
   }
 
--- | Why there is no such polyhedron.
+-- | Why a surface cannot be rounded.
 data Misshapen
-  = -- | So many points become others', and so many triangles lose their area or turn.
+  = -- | The first number of points coincide with others, and the second number of triangles lose
+    -- their area or turn.
     Melted Int Int
-  | -- | A coordinate would be moved by so many millimetres, which is too much of this height of the
-    -- relief.
+  | -- | A coordinate would move by the first number of millimetres, more than a hundredth of the
+    -- second, the height of the relief.
     Shifted Double Rational
   | -- | The surface would enclose this volume in place of the exact one.
     Deflated Rational Volume
-  | -- | Triangles would cut each other that do not do so before they are rounded.
+  | -- | Rounding would make triangles intersect.
     Cut
   | -- | Symbols run into another face or its symbols.
     Collided
-  | -- | Coordinates of so many points are no fractions.
+  | -- | This number of points have irrational coordinates.
     Irrational Int
   deriving stock (Eq, Show)
 
--- | The triangles with their points rounded. Points that are no vertices of the object are named
--- E1, E2, .., but for names that it has. Whether triangles cut each other is asked by 'uncut'. O(n
--- log n).
+-- | Rounds the points. Points that are not vertices of the object are named E1, E2 and so on,
+-- skipping names that the object has. Refuses by the conditions above; 'uncut' checks for
+-- intersecting triangles. O(n log n).
 rounded :: Precision -> Embossed -> Either Misshapen Rounded
 rounded precision made = do
   when (precision == Fractions && irrational > 0) (Left (Irrational irrational))
@@ -97,7 +99,7 @@ rounded precision made = do
     alike = U.length (U.ifilter (/=) firsts)
     spoilt = V.length (V.filter turned (meshWalks it))
     exact = roundedBy (finely made) made
-    -- Both area vectors over the product of the squares of both denominators.
+    -- Twice both area vectors, times the squares of both denominators: integers.
     turned walk = 4 * dot off off > dot true true
       where
         true = facing exact it walk
@@ -111,27 +113,27 @@ differs :: Rational -> Volume -> Bool
 differs found (Volume r s) = found < least || found > most
   where
     (least, most) = (99 / 100 * (r + below), 101 / 100 * (r + above))
-    -- Fractions on both sides of the root, as near as 64 binary digits more than it has.
+    -- Rational bounds on sqrt s, at most 2^-64 apart.
     (below, above) = if s == 0 then (0, 0) else (root / unit, (root + 1) / unit)
     root = fromInteger (floorRoot (s * unit * unit)) :: Rational
     unit = fromInteger (2 ^ (64 :: Int) * denominator s)
 
--- | What becomes of coordinates that are fractions, and of others.
+-- | How to round rational coordinates, and others.
 data Way = Way (Rational -> Rational) (Rational -> Rational)
 
--- | Fractions as they are, and other numbers to 64 binary digits more than the relief is high: what
--- the exact surface is held to be.
+-- | Keeps rational numbers and rounds others to 2^-64 of the relief's height. This stands for the
+-- exact surface.
 finely :: Embossed -> Way
 finely made = Way id (\x -> fromInteger (round (x / step)) * step)
   where
     step = embossedHeight made / 2 ^ (64 :: Int)
 
--- | To the nearest number of 32 bits, and of 64.
+-- | The nearest numbers of 32 bits and of 64 bits.
 single, double :: Rational -> Rational
 single = toRational . (fromRational :: Rational -> Float)
 double = toRational . (fromRational :: Rational -> Double)
 
--- | To a decimal number: itself where it is one.
+-- | A number that has a finite decimal, unchanged; any other to the nearest number of 64 bits.
 decimal :: Rational -> Rational
 decimal x
   | without 5 (without 2 (denominator x)) == 1 = x
@@ -141,11 +143,11 @@ decimal x
       (q, 0) -> without p q
       _ -> n :: Integer
 
--- | The polyhedron whose points are moved so.
+-- | The polyhedron with its points rounded this way.
 roundedBy :: Way -> Embossed -> Mesh
 roundedBy way made = movedTo (V.map (nearPoint way) (embossedPoints made)) made
 
--- | The polyhedron whose points are moved to these.
+-- | The polyhedron with its points moved to these.
 movedTo :: V.Vector Point -> Embossed -> Mesh
 movedTo near made = mesh (subjectName (embossedSubject made)) names over points walks
   where
@@ -166,17 +168,19 @@ nearPoint (Way ofFractions ofOthers) (ExactPoint x y z) = Point (near x) (near y
   where
     near number = maybe (nearest ofOthers number) ofFractions (asFraction number)
 
--- | How far a point was moved along an axis at most, millimetres.
+-- | The largest change of a point's coordinates, in millimetres.
 furthest :: ExactPoint -> Point -> Double
 furthest (ExactPoint x y z) (Point a b c) = maximum [off x a, off y b, off z c]
   where
     off number near = abs (nearest (fromRational . subtract near) number)
 
--- | Refuses a surface of which two triangles have something in common beside a corner or a side:
--- because symbols on faces that look at each other run into one another, or because rounding made
--- it so. On a convex solid that is at least as thick as a thousand times what coordinates were
--- moved, there is nothing to look for: its inscribed sphere is no smaller than V / S, with S the
--- surface.
+-- | Refuses a surface in which two triangles have more in common than a corner or a side. Either
+-- symbols on faces that look at each other run into one another ('Collided'), or rounding did it
+-- ('Cut').
+--
+-- The test is skipped for a convex solid with volume V and surface S if V / S is at least a
+-- thousand times the largest change of a coordinate. The inscribed sphere's radius is at least V /
+-- S, so rounding cannot make faces meet.
 uncut :: Solid -> Embossed -> Rounded -> Either Misshapen ()
 uncut object made (Rounded it most)
   | convex && thick = Right ()

@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The canonical placement: the paper's two objects on its 15 x 17 array. Figure 8, which shows
--- the paper's own, is lost; this one puts the window of the worked example, at (6, 5), where the
--- paper finds it: at corner C2 of C1 C2 C3 C4.
+-- | The canonical placement: the paper's two objects on its 15 x 17 array. The paper's own
+-- placement, in Figure 8, is lost. This one puts the window of the worked example, at (6, 5), where
+-- the paper finds it: at corner C2 of face C1 C2 C3 C4.
 module PraTactile.Object.Canonical
   ( canonicalPlacement,
     canonicalPitch,
@@ -18,8 +18,8 @@ import PraTactile.Object.Placement
 import PraTactile.Object.Solid (cube, parallelepiped)
 import PraTactile.Object.WingedEdge
 
--- | One symbol each 25.4 mm (1 in) along a row and each 31.75 mm (1 1/4 in) along a column (section
--- IV; its second \"horizontal\" is a slip): the distances at which symbols are read.
+-- | The pitch at which symbols are read: 25.4 mm (1 in) along a row and 31.75 mm (1 1/4 in) along a
+-- column (section IV; its second \"horizontal\" is a slip of the pen).
 --
 -- >>> canonicalPitch
 -- Pitch {pitchRight = 127 % 5, pitchDown = 127 % 4}
@@ -30,14 +30,14 @@ canonicalPitch = Pitch (columnPitch * taxelPitch) (rowPitch * taxelPitch)
 canonicalWindow :: Shape
 canonicalWindow = Shape 2 2
 
--- | The twelve faces on the array of 15 rows and 17 columns: 228 of its 255 cells. It is always
--- 'Right': both objects are solids, and the faces keep apart.
+-- | The twelve faces on the array of 15 rows and 17 columns; they take 228 of its 255 cells. It is
+-- always 'Right': both objects are valid solids, and the faces do not overlap.
 canonicalPlacement :: Either PlacementError Placement
 canonicalPlacement = do
   objects <- first BrokenObject (sequence [cube, parallelepiped])
   placement (Shape 15 17) canonicalPitch objects canonicalLayings
 
--- | The faces with the cells that they take.
+-- | The faces with the cells that they take: object, face, upper left cell, rows and columns.
 canonicalLayings :: [Laying]
 canonicalLayings =
   [ laidWhole (Face object (readFaceName face)) at grid

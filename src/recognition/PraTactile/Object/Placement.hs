@@ -1,6 +1,6 @@
--- | The two look-ups between the array and the objects: from a window's position to the object, the
--- face and the place on the face, and back (the last step of the paper's method, sections II.B and
--- IV). Of the code they see positions and shapes only.
+-- | The look-ups between the array and the objects: from a window's position to object, face and
+-- place on the face, and back (the last step of the paper's method, sections II.B and IV). They use
+-- only positions and shapes, not the array's symbols.
 module PraTactile.Object.Placement
   ( -- * Laying faces on the array
     module PraTactile.Object.Placement.Laying,
@@ -41,9 +41,9 @@ import PraTactile.Object.WingedEdge
 data Whereabouts
   = -- | all its cells lie on one face, side by side as in the window
     OnFace Place
-  | -- | its cells lie on two or more faces, in the placement's order, so it is on no object
+  | -- | its cells lie on two or more faces, listed in the placement's order
     Straddles [Face]
-  | -- | it lies on no face, or on one face in part, the rest on none
+  | -- | no cell lies on a face, or some cells lie on one face and the others on none
     OnNoObject
   deriving stock (Eq, Show)
 
@@ -55,27 +55,28 @@ data Place = Place
     placeCell :: Position,
     -- | the window's centre
     placeCentre :: Spot,
-    -- | all the face's vertices nearest to the centre, in the order of the face's name; never empty
+    -- | the vertices of the face that are nearest to the centre, in the order of the face's name;
+    -- never empty
     placeCorners :: [VertexName]
   }
   deriving stock (Eq, Show)
 
--- | The nearest vertex, if there is only one.
+-- | The nearest vertex; 'Nothing' if several are equally near.
 corner :: Place -> Maybe VertexName
 corner place = case placeCorners place of
   [only] -> Just only
   _ -> Nothing
 
--- | Where the window of the given shape (rows and columns of cells) with its upper left cell at the
--- given position is. The array is a torus: the window goes on at the first row after the last, and
--- likewise with columns; so does the position. A window without cells is on no object. Takes time
--- in proportion to the window's cells at most, and to the logarithm of the number of laid faces.
+-- | Finds what a window of the given shape lies on, with its upper left cell at the given position.
+-- The array is a torus: rows and columns of windows and positions wrap around. A window without
+-- cells is on no object. The time is proportional to the window's cells at most, and to the
+-- logarithm of the number of laid faces.
 whereabouts :: Placement -> Shape -> Position -> Whereabouts
 whereabouts place window = runIdentity . whereaboutsIn (mappingOf place) window
 
--- | The place of a window that begins on a laid face, by its shape and its position in the array,
--- though it may reach over the face's edge: its centre is in the face's plane. 'Nothing' where its
--- upper left cell is not within the face's block.
+-- | The place of a window that begins on a laid face, given its shape and its position in the
+-- array. The window may reach over the face's edge; its centre is in the face's plane. 'Nothing' if
+-- its upper left cell is not within the face's block.
 placeFrom :: Placement -> LaidFace -> Shape -> Position -> Maybe Place
 placeFrom place laid window at
   | within row rows && within column columns = Just (placeOn pitch window at seat)
@@ -86,18 +87,19 @@ placeFrom place laid window at
     within along size =
       along at >= along (laidAt laid) && along at < along (laidAt laid) + size (laidGrid laid)
 
--- | The mapping of faces to the array as look-ups ask it, from memory or from a database.
+-- | A mapping of faces to the array, in memory or in a database.
 data Mapping m = Mapping
   { -- | the rows and columns of the array
     mappingShape :: Shape,
-    -- | the distances between symbols
+    -- | the distances between symbols, in millimetres
     mappingPitch :: Pitch,
-    -- | of a rectangle of cells, the rows and the columns each from the first to before the last,
-    -- the faces that have some, each by its place in the order of layings: how many, and its seat
+    -- | the faces with cells in a rectangle of the array, keyed by their index in the order of
+    -- layings: the number of cells, and the seat. Rows and columns are ranges whose end is
+    -- exclusive.
     mappingCells :: (Natural, Natural) -> (Natural, Natural) -> m (Map.Map Int (Natural, m Seat))
   }
 
--- | A placement as one.
+-- | A placement as a mapping in memory.
 mappingOf :: Placement -> Mapping Identity
 mappingOf place =
   Mapping
@@ -114,17 +116,16 @@ mappingOf place =
             ]
     }
 
--- | More cells of the same face.
+-- | Adds up the cells of one face.
 more :: (Natural, seat) -> (Natural, seat) -> (Natural, seat)
 more (cells, seat) (others, _) = (cells + others, seat)
 
--- | How many numbers two ranges have in common, each from its first number to before its last; they
--- have some.
+-- | The length of the overlap of two overlapping ranges, whose ends are exclusive.
 inCommon :: (Natural, Natural) -> (Natural, Natural) -> Natural
 inCommon (from, to) (from', to') = min to to' - max from from'
 
--- | The same of any mapping. A face lies on the sheet without going round, so that a window is all
--- on it where it does not go round either and all its cells are the face's.
+-- | 'whereabouts' for any mapping. A face does not wrap around the torus. So a window is on a face
+-- if it does not wrap around and all its cells are the face's.
 whereaboutsIn :: Monad m => Mapping m -> Shape -> Position -> m Whereabouts
 whereaboutsIn mapping window at
   | rows window == 0 || columns window == 0 = pure OnNoObject
@@ -141,8 +142,8 @@ whereaboutsIn mapping window at
     Shape high wide = mappingShape mapping
     (r, c) = (row at `mod` high, column at `mod` wide)
 
--- | The faces that have cells of a window, each by its place in the order of layings: how many, and
--- its seat.
+-- | The faces with cells in a window, keyed by their index in the order of layings: the number of
+-- cells, and the seat.
 facesUnder :: Monad m => Mapping m -> Shape -> Position -> m (Map.Map Int (Natural, m Seat))
 facesUnder mapping window at =
   Map.unionsWith more
@@ -154,8 +155,8 @@ facesUnder mapping window at =
   where
     Shape high wide = mappingShape mapping
 
--- | So many numbers from one on, round a circle of this size, each once, as parts of the circle cut
--- at 0: from the first number to before the second.
+-- | The ranges, with exclusive ends, of count consecutive numbers on a circle of the given size,
+-- cut at 0. Arguments: the size, the first number, the count.
 partsFrom :: Natural -> Natural -> Natural -> [(Natural, Natural)]
 partsFrom size from count
   | count >= size = [(0, size)]
@@ -165,7 +166,7 @@ partsFrom size from count
     begin = from `mod` size
     end = begin + count
 
--- | The place of a window that lies on a face, by its upper left cell on the array.
+-- | The place of a window on a face, given its upper left cell in the array.
 placeOn :: Pitch -> Shape -> Position -> Seat -> Place
 placeOn between window (Position r c) seat =
   Place
@@ -182,9 +183,8 @@ placeOn between window (Position r c) seat =
       squared (right `minus` spotRight centre) `plus` squared (down `minus` spotDown centre)
     squared way = way `product'` way
 
--- | Where on the array a cell of a face's block lies, the cell given by its row and column within
--- the block; the inverse of 'whereabouts' for windows of one cell. Refuses a face that is not laid
--- and a cell that it does not have.
+-- | The position in the array of a cell of a face's block. It is the inverse of 'whereabouts' for
+-- windows of one cell. Refuses a face that is not laid and a cell that the face does not have.
 arrayPosition :: Placement -> Face -> Position -> Either PlacementError Position
 arrayPosition place face cell = do
   laid <- findFace place (faceObject face) (faceName face)
@@ -192,13 +192,13 @@ arrayPosition place face cell = do
     then Right (Position (row (laidAt laid) + row cell) (column (laidAt laid) + column cell))
     else Left (CellOffFace (laidFace laid) cell)
 
--- | The object of this name; refuses one that the placement has not got.
+-- | The object with this name. Refuses a name that the placement does not have.
 findObject :: Placement -> ObjectName -> Either PlacementError Solid
 findObject place named = maybe (Left (UnknownObject named)) Right (placementObject place named)
 
--- | The laid face that a walk round its vertices names, wherever the walk starts; refuses objects
--- and faces that there are not, faces named in another order than counter-clockwise seen from
--- outside, and faces that are not laid.
+-- | The laid face whose vertices are these in cyclic order, beginning at any of them. Refuses
+-- unknown objects and faces, vertices in another order than counter-clockwise as seen from outside,
+-- and faces that are not laid.
 findFace :: Placement -> ObjectName -> FaceName -> Either PlacementError LaidFace
 findFace place named walk = do
   object <- findObject place named
@@ -210,8 +210,8 @@ findFace place named walk = do
   where
     asked = Face named walk
 
--- | The centre of a window on a laid face, the window given by its shape and by its upper left cell
--- within the face's block.
+-- | The centre of a window on a laid face, given the window's shape and its upper left cell within
+-- the face's block.
 windowCentre :: Placement -> LaidFace -> Shape -> Position -> Spot
 windowCentre place = centreBy (placementPitch place) . laidMargin
 
@@ -225,7 +225,6 @@ centreBy between margin window cell =
       fraction (along between * (fromIntegral (from cell) + fromIntegral (size window) / 2))
         `plus` side margin
 
--- | The centre of a symbol on a laid face, the symbol given by its row and column within the face's
--- block.
+-- | The centre of the symbol in a cell of a laid face's block.
 cellCentre :: Placement -> LaidFace -> Position -> Spot
 cellCentre place laid = windowCentre place laid (Shape 1 1)

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Any array as a flat plate: an object whose upper face has the whole of it.
+-- | Any array as a flat plate, whose upper face carries the whole array.
 module PraTactile.Object.Plate
   ( plateName,
     plateSize,
@@ -16,18 +16,17 @@ import PraTactile.Object.Named (Named (..), namedDescription)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 
--- | Of the object.
+-- | The name of the plate's object.
 plateName :: ObjectName
 plateName = "sheet"
 
--- | The width and depth, in millimetres, of the plate of an array of this shape with symbols at
--- these distances.
+-- | The width and depth in millimetres of the plate for an array of this shape and pitch.
 plateSize :: Shape -> Pitch -> (Rational, Rational)
 plateSize shape (Pitch right down) =
   (right * fromIntegral (columns shape), down * fromIntegral (rows shape))
 
--- | The array of this shape on the upper face S1 S2 S3 S4 of a box 25.4 mm thick: cell (0, 0) lies
--- in the corner S1, and the face is as large as all cells are. Refuses an array without cells.
+-- | The array of this shape on the upper face S1 S2 S3 S4 of a box 25.4 mm thick. Cell (0, 0) lies
+-- in the corner S1, and the face is as large as all cells together. Refuses an array without cells.
 -- O(rows).
 --
 -- >      S1 ---------- S4

@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | How a face lies under frames, by all their pixels: the relief that is known to be there is
+-- | Estimates how a face lies under frames, from all their pixels. The known relief of the face is
 -- aligned with what each frame felt.
 --
 -- Pixel u of frame f, from its middle, reads
@@ -9,14 +9,15 @@
 -- > I_f(u) = o_f + g_f S(q) + noise of variance v_f
 -- > q = R(-a) (m_f + e_f + R(r_f) u - t)
 --
--- where S is the relief of the face, blurred ('heightAt'); (t, a) the motion of the face
--- ("PraTactile.Pose"); m_f the middle of the frame as the robot has it, and e_f and r_f what the
--- robot errs by, in place and rotation; o_f and g_f offset and gain. Beforehand e_f is normal with
--- standard deviation s along each axis, r_f with r, and o_f and g_f lie near those of all.
+-- where S is the blurred relief of the face ('heightAt'), and (t, a) the motion of the face
+-- ("PraTactile.Pose"). The robot puts the centre of the frame at m_f and errs by e_f in place and
+-- r_f in rotation. The frame has offset o_f and gain g_f. A priori e_f is normal with standard
+-- deviation s along each axis, r_f with standard deviation r, and o_f and g_f lie near those of all
+-- frames.
 --
--- For x = (t, a), about a pivot c, and y_f = (e_f, r_f, o_f, g_f), the method of Gauss and Newton
--- has for each frame a normal matrix of both, with the information beforehand on y_f added, and
--- gradients (k_f, l_f),
+-- Let x = (t, a), about a pivot c, and y_f = (e_f, r_f, o_f, g_f). The method of Gauss and Newton
+-- uses, for each frame, a normal matrix of both, which includes the prior information on y_f, and
+-- gradients (k_f, l_f):
 --
 -- > | X_f    Z_f |
 -- > | Z_f^T  Y_f |
@@ -24,32 +25,33 @@
 -- > M  = sum X_f - Z_f Y_f^-1 Z_f^T
 -- > dx = M^-1 sum (k_f - Z_f Y_f^-1 l_f)         dy_f = Y_f^-1 (l_f - Z_f^T dx)
 --
--- so that M^-1 is the covariance of x whatever y_f are. It has what all frames' errors leave on
--- their mean: were the frames read without error, it would be s^2 / N and r^2 / N.
+-- So M^-1 is the covariance of x after all y_f are marginalised. It includes the mean error of all
+-- frames: if the frames were read without error, it would be s^2 / N and r^2 / N.
 --
--- The variances follow from what is left. Readings do not err alike: clipped to their scale they
--- err less where the relief is flat, and of such places the motion knows nothing. What counts is
--- what the gradients err by, whose variance is a sum of a_i^2 times the variance of pixel i, a_i
--- being the slope of the relief there (White, Econometrica 48, 1980). So with the residuals d_i
+-- The noise variances come from the residuals d_i. The noise is not uniform: clipped readings err
+-- less where the relief is flat, and flat places do not affect the motion. What matters is the
+-- error of the gradients, whose variance is the sum of a_i^2 times the variance of pixel i; a_i is
+-- the slope of the relief there (White, Econometrica 48, 1980). Hence
 --
 -- > v_f = sum a_i^2 d_i^2 / sum a_i^2 (1 - h_i)       h_i = b_i^T Y_f^-1 b_i / v_f
 --
--- where b_i is how pixel i changes with y_f, and h_i its leverage (MacKinnon and White, Journal of
--- Econometrics 29, 1985). And r^2, which nobody tells, is the mean of r_f^2 + var r_f (expectation
--- and maximisation), where var y_f = Y_f^-1 + Y_f^-1 Z_f^T M^-1 Z_f Y_f^-1.
+-- where b_i is the derivative of pixel i by y_f, and h_i its leverage (MacKinnon and White, Journal
+-- of Econometrics 29, 1985). The unknown r^2 is the mean of r_f^2 + var r_f (expectation
+-- maximisation), where var y_f = Y_f^-1 + Y_f^-1 Z_f^T M^-1 Z_f Y_f^-1.
 --
 -- = What is no white noise
 --
--- Tilts, hysteresis and gains leave errors in a frame that its pixels have in common, and the
--- normal blur is not the square aperture of a noiseless sensor. Were the model right, the frames'
--- scores s_f = k_f - Z_f Y_f^-1 l_f at the end would have covariances that add up to M. So M^-1 is
--- taken times their dispersion (the quasi-likelihood of Wedderburn, Biometrika 61, 1974, the N
--- frames as its independent observations), if that is above 1:
+-- Tilt, hysteresis and gain variations give the pixels of a frame errors in common. Also, the
+-- normal blur is not the square aperture of a noiseless sensor. If the model were right, the
+-- covariances of the frames' final scores s_f = k_f - Z_f Y_f^-1 l_f would add up to M. So M^-1 is
+-- multiplied by the dispersion of the scores if that is above 1 (the quasi-likelihood of
+-- Wedderburn, Biometrika 61, 1974, with the N frames as independent observations):
 --
 -- > N / (N - 1) sum s_f^T M^-1 s_f / 3
 --
--- What all frames that feel a place have in common it does not know: without noise (@ideal@) the
--- region of 95 % held 51 of 60 presses, and that of 50 % held 46; errors are a few micrometres.
+-- The dispersion misses errors that all frames at one place share. Without noise (@ideal@) the 95 %
+-- region contained the truth in 51 of 60 presses, and the 50 % region in 46; the errors are a few
+-- micrometres.
 module PraTactile.Pose.Alignment
   ( Ground (..),
     heightAt,
@@ -78,33 +80,33 @@ import qualified PraTactile.Sensor.Frame as Frame
 import PraTactile.Shape (Bitmap, embossedAt)
 import PraTactile.Shape.Blur (blurredAt, blurredSlope)
 
--- | The symbols of a face that are known to be there, by row and column, and where the upper left
--- corner of their cell (0, 0) is; taxels from the face's first vertex.
+-- | The known symbols of a face by row and column, and the upper left corner of their cell (0, 0),
+-- in taxels from the face's first vertex.
 data Ground = Ground
   { groundCorner :: !(Double, Double),
     groundShapes :: !(Map.Map (Int, Int) Bitmap)
   }
 
--- | The standard deviation of the blur in taxels: that of an element's aperture, a taxel wide.
+-- | The standard deviation of the blur, in taxels: that of an element's aperture, one taxel wide.
 blur :: Double
 blur = 0.3
 
--- | The height of the blurred relief at a place of the face, 1 for the top of a symbol, and by how
--- much it rises across and down, where it is known what is there. What a cell's neighbours bring is
--- nothing, for half the pitch lies between symbols.
+-- | The height of the blurred relief at a place of the face, 1 at the top of a symbol, and its
+-- slopes to the right and down. 'Nothing' if the symbol there is unknown. Neighbouring cells
+-- contribute nothing, since half the pitch lies between symbols.
 heightAt :: Ground -> (Double, Double) -> Maybe (Double, Double, Double)
 heightAt (Ground (left, top) known) (x, y) =
   (\shape -> height shape u v) <$> Map.lookup (i, j) known
   where
     (j, u) = within columnPitch symbolWidth (x - left)
     (i, v) = within rowPitch symbolHeight (y - top)
-    -- The cell, and the place from the upper left corner of its symbol.
+    -- The cell, and the place relative to the upper left corner of its symbol.
     within pitch side t =
       let cell = floor (t / pitch) :: Int
        in (cell, t - pitch * fromIntegral cell - (pitch - fromIntegral side) / 2)
 
--- | The same from the upper left corner of a shape: each of its taxels is seen as the product of a
--- share across and one down.
+-- | The height and slopes of a shape at a place relative to its upper left corner. Each taxel
+-- contributes the product of a share to the right and a share down.
 height :: Bitmap -> Double -> Double -> (Double, Double, Double)
 height shape u v = down 0 0 0 (near symbolHeight v)
   where
@@ -126,28 +128,29 @@ height shape u v = down 0 0 0 (near symbolHeight v)
               let from = t - fromIntegral n - 0.5
           ]
 
--- | A column or a row of taxels near a place, the share of it that is seen there, and its slope.
+-- | A column or row of taxels near a place: its index, its share of the height there, and the slope
+-- of that share.
 data Near = Near !Int !Double !Double
 
--- | A frame, in taxels of the grid that the motion is sought on.
+-- | A frame, in taxels of the grid on which the motion is estimated.
 data Touch = Touch
-  { -- | its middle, as the robot has it
+  { -- | its centre, as the robot has it
     touchMiddle :: !(Double, Double),
-    -- | how far it was moved from there
+    -- | its displacement from there
     touchMoved :: !(Double, Double),
-    -- | the standard deviations beforehand, taxels and degrees; of the rotation 'Nothing' where it
-    -- is to be found
+    -- | the prior standard deviations of its place, in taxels, and of its rotation, in degrees;
+    -- 'Nothing' if that of the rotation is to be estimated
     touchErrors :: !(Double, Maybe Double),
-    -- | of each pixel that was felt, where it is from the middle, and its reading
+    -- | each pixel that was felt: its place relative to the centre, and its reading
     touchPixels :: !(U.Vector (Double, Double, Double))
   }
 
--- | What is not the same for all frames: e, r in radians, o and g; and v.
+-- | A frame's own parameters: the list e, r in radians, o and g; and the noise variance v.
 data Own = Own ![Double] !Double
 
--- | The motion of the face, from its frame to the grid, that is nearest to the given one, and its
--- errors. 'Nothing' where too little was felt, or what was found is further off than the reading of
--- symbols can be: 3 taxels, or 15 degrees.
+-- | Finds the motion from the face's frame to the grid, near the given one, and its errors.
+-- 'Nothing' if fewer than 'leastPixels' pixels were felt, or if the result is further from the
+-- given motion than reading symbols can be wrong: 3 taxels or 15 degrees.
 aligned :: Ground -> [Touch] -> Motion -> Maybe PlaneFit
 aligned ground touches begin
   | sum (map (U.length . touchPixels) touches) < leastPixels = Nothing
@@ -186,16 +189,16 @@ aligned ground touches begin
           turn = abs (motionRotation motion - motionRotation begin)
        in abs (x - fst centre) < 3 && abs (y - snd centre) < 3 && min turn (abs (360 - turn)) < 15
 
--- | Fewer pixels tell nothing.
+-- | The fewest pixels that are aligned.
 leastPixels :: Int
 leastPixels = 100
 
--- | The standard deviation of a frame's rotation as long as nothing is known of it, radians
+-- | The initial standard deviation of a frame's rotation, in radians, where it is to be estimated
 -- (assumption).
 rotationBeforehand :: Double
 rotationBeforehand = toRadians 1
 
--- | The root of the mean square of the rotations that are to be found, given their variances.
+-- | The root mean square of the rotations that are to be estimated, given their variances.
 rotationAmong :: [Touch] -> [Own] -> [Double] -> Double
 rotationAmong touches owns variances
   | null squares = rotationBeforehand
@@ -207,9 +210,10 @@ rotationAmong touches owns variances
           snd (touchErrors touch) == Nothing
       ]
 
--- | The normal matrix of a frame, motion before its own, and the gradient; of its residuals and of
--- what its pixels change by with its own, over the old variance, the sums that the new one is made
--- of, each weighed with the squares of the slopes; the sum of these, and the old variance.
+-- | The normal equations of one frame, and sums for its new noise variance. The rows and the
+-- gradient have the motion's parameters first, then the frame's own. 'normalLeft' is the sum of
+-- a_i^2 d_i^2, 'normalLevers' that of a_i^2 b_i b_i^T divided by the old variance, 'normalSlopes'
+-- that of a_i^2, and 'normalBefore' is the old variance.
 data Normal = Normal
   { normalRows :: !Matrix,
     normalGradient :: ![Double],
@@ -219,8 +223,8 @@ data Normal = Normal
     normalBefore :: !Double
   }
 
--- | A pixel: where it is from the pivot, and where from its frame's middle, which is turned; its
--- reading; and the relief's height there and how much that rises along the grid's axes.
+-- | A pixel: its place relative to the pivot, its rotated place relative to the frame's centre, its
+-- reading, and the relief's height and slopes there along the grid's axes.
 data Felt = Felt
   { feltX, feltY, feltU, feltW, feltReading, feltHeight, feltAcross, feltDown :: !Double
   }
@@ -254,7 +258,7 @@ normalOf ground (cx, cy) motion r strongest common touch (Own own v) =
     Motion turnBack backX backY = Frame.inverse motion
     (c, s) = cosineSine (motionRotation motion)
     around = rotated (toDegrees turn)
-    -- Not 'movePoint', which would ask for the sine and the cosine at each pixel.
+    -- Not 'movePoint', which would compute the sine and the cosine for each pixel.
     onFace = rotated turnBack
     found =
       [ Felt (x - cx) (y - cy) u w value h (c * a - s * b) (s * a + c * b)
@@ -282,7 +286,7 @@ normalOf ground (cx, cy) motion r strongest common touch (Own own v) =
     readings = column feltReading
     rests = U.zipWith (\value h -> value - offset - gain * h) readings heights
     slopes' = U.zipWith (\a b -> a * a + b * b) across down
-    -- What is known of the frame's own beforehand.
+    -- The prior of the frame's own parameters.
     (sigma, turned) = touchErrors touch
     informations =
       [0, 0, 0]
@@ -294,7 +298,7 @@ normalOf ground (cx, cy) motion r strongest common touch (Own own v) =
     pull i = if i < 3 then 0 else informations !! i * (expected !! (i - 3) - own !! (i - 3))
     expected = [0, 0, 0] ++ common
 
--- | The sum of the products of two columns' elements.
+-- | The inner product of two columns.
 product' :: U.Vector Double -> U.Vector Double -> Double
 product' !a !b = go 0 0
   where
@@ -303,7 +307,7 @@ product' !a !b = go 0 0
       | i >= n = total
       | otherwise = go (i + 1) (total + U.unsafeIndex a i * U.unsafeIndex b i)
 
--- | The products of each column with each, which are symmetric.
+-- | The inner products of all pairs of columns, a symmetric matrix.
 gram :: [U.Vector Double] -> Matrix
 gram columns = rows
   where
@@ -314,17 +318,17 @@ gram columns = rows
         | (i, a) <- zip [0 :: Int ..] columns
       ]
 
--- | A normal matrix of which what is the frame's own was eliminated.
+-- | The normal equations of the motion after a frame's own parameters are eliminated.
 data Reduced = Reduced
   { reducedRows :: !Matrix,
     reducedGradient :: ![Double],
     -- | Y^-1, Y^-1 Z^T and Y^-1 l
     reducedOwn :: !(Matrix, Matrix, [Double]),
-    -- | v
+    -- | the new noise variance v
     reducedLeft :: !Double
   }
 
--- | Given the least variance that there may be.
+-- | Eliminates a frame's own parameters. The number is a lower bound on its noise variance.
 eliminated :: Double -> Normal -> Maybe Reduced
 eliminated least normal = do
   own <- inverse y
@@ -337,7 +341,7 @@ eliminated least normal = do
         reducedGradient = zipWith (-) k (transpose back `applied` l),
         reducedOwn = (own, back, own `applied` l),
         reducedLeft =
-          -- A few pixels are fitted, whatever they err by.
+          -- If few pixels remain after the fit, they fit whatever their errors are.
           if free > normalSlopes normal / 10
             then max least (normalLeft normal / free)
             else normalBefore normal
@@ -358,14 +362,14 @@ dispersion covariance solved
     square one =
       let score = reducedGradient one in sum (zipWith (*) score (covariance `applied` score))
 
--- | A frame's own after a step of the motion.
+-- | A frame's own parameters after a step dx of the motion.
 updated :: [Double] -> Reduced -> Own -> Own
 updated dx reduced (Own own _) =
   Own (zipWith3 (\o l m -> o + l - m) own ownStep (back `applied` dx)) (reducedLeft reduced)
   where
     (_, back, ownStep) = reducedOwn reduced
 
--- | The variance of a frame's rotation, given the motion's covariance.
+-- | The variance of a frame's rotation, given the covariance of the motion.
 rotationVariance :: Matrix -> Reduced -> Double
 rotationVariance covariance reduced = (own `plus` carried back covariance) !! 2 !! 2
   where

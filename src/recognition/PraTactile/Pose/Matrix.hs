@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Matrices of a few rows, as lists of rows.
+-- | Small matrices, as lists of rows.
 module PraTactile.Pose.Matrix
   ( Matrix,
     times,
@@ -40,12 +40,12 @@ diagonal :: [Double] -> Matrix
 diagonal values =
   [[if i == j then v else 0 | j <- [1 .. length values]] | (i, v) <- zip [1 ..] values]
 
--- | The covariance C of a vector as that of J times it: J C J^T.
+-- | J C J^T: the covariance of J x, given the covariance C of x.
 carried :: Matrix -> Matrix -> Matrix
 carried j c = j `times` c `times` transpose j
 
--- | The inverse of a square matrix, by Gauss and Jordan with the largest pivot of a column;
--- 'Nothing' where a pivot is less than 1e-12 of the largest entry.
+-- | The inverse of a square matrix by Gauss-Jordan elimination, with the largest pivot in each
+-- column. 'Nothing' if a pivot is less than 1e-12 of the largest entry.
 inverse :: Matrix -> Maybe Matrix
 inverse a
   | largest > 0 && not (isNaN largest) && not (isInfinite largest) =

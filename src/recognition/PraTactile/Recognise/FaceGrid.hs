@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | One grid for all the symbols of a face: groups of symbols that no neighbours connect are joined
--- by their distances, as far as these are whole numbers of cells.
+-- | Puts all the symbols of a face on one grid. Groups of symbols that no chain of neighbours
+-- connects are joined by their distance, where it is a whole number of cells.
 module PraTactile.Recognise.FaceGrid
   ( FaceGrid (..),
     faceGrid,
@@ -27,23 +27,23 @@ import PraTactile.Recognise.Reading
 import PraTactile.Segmentation.Lattice (Cell, halfTurned, pitchTolerance)
 import PraTactile.Symmetry
 
--- | By cell, the symbols that were read there; several where several composites show it.
+-- | The symbols read in each cell. A cell has several where several composites show it.
 type Cells = Map Cell [ReadSymbol]
 
--- | Symbols of one axis on a common grid.
+-- | Symbols along one axis, on a common grid.
 data FaceGrid = FaceGrid
   { -- | rows and columns counted from 0 along the symbols' axes
     gridCells :: Cells,
-    -- | the numbers of the symbols of each group
+    -- | the 'readNumber's of the symbols of each group
     gridGroups :: [Set Int],
-    -- | symbols of groups whose distance from the others is no whole number of cells
+    -- | symbols of groups that are not a whole number of cells from the others
     gridStrays :: [ReadSymbol],
-    -- | where the centre of cell (0, 0) is along the symbols' axes, pixels across and down
+    -- | the centre of cell (0, 0) along the symbols' axes, in pixels across and down
     gridAnchor :: (Double, Double)
   }
 
--- | Join groups to the one with the most symbols that the network knows. 'Nothing' if the distances
--- within a group contradict each other.
+-- | Joins all groups to the one with the most symbols that the network knows. 'Nothing' if the
+-- distances within a group contradict each other.
 faceGrid :: [Group] -> Maybe FaceGrid
 faceGrid found = do
   gridded <- traverse (\g -> (,) g <$> groupCells g) found
@@ -65,12 +65,14 @@ faceGrid found = do
     once = Map.map pure
     anchorOf (x, y) (i, j) = (x + columnPitch * fromIntegral j, y + rowPitch * fromIntegral i)
 
--- | By how many degrees, clockwise, the grid is turned from where the symbols' orientations have
--- it: the rotation that brings their cells closest to their centres, by least squares, weighed with
--- the angle that the image itself shows, if it is given. Without either it is 0.
+-- | The skew of a grid: the angle, in degrees clockwise, from the symbols' axes to the grid's. By
+-- least squares it brings the cells closest to their symbols' centres. The first argument is the
+-- angle that the image itself shows; it is averaged in by its precision. 0 if there is neither that
+-- angle nor two symbols.
 --
--- Few symbols tell little, and two neighbours of which one is a taxel off are turned by four
--- degrees; the image is nearly always right, and now and then off by some degrees.
+-- The image's angle helps because few symbols determine a skew badly: of two neighbours, one that
+-- is a taxel off turns the grid by four degrees. The image is nearly always right, and occasionally
+-- off by some degrees.
 gridTilt :: Maybe Double -> FaceGrid -> Double
 gridTilt shown grid = case shown of
   Nothing | length placed < 2 -> 0
@@ -82,8 +84,8 @@ gridTilt shown grid = case shown of
     turn = atan2 (total turning) (total along) * degree
     variance = (degree * placeSd) * (degree * placeSd) / max 1e-9 (total along)
     degree = toDegrees 1
-    -- If the image errs with that standard deviation: how likely the grid's angle is then, and what
-    -- is most probable.
+    -- For an image angle with standard deviation sd: the likelihood of the grid's angle times the
+    -- prior share, and the posterior mean.
     weighed angle share sd =
       ( share / sqrt both * exp (negate (turn - angle) * (turn - angle) / (2 * both)),
         angle + sd * sd / both * (turn - angle)
@@ -107,29 +109,29 @@ gridTilt shown grid = case shown of
 placeSd :: Double
 placeSd = 0.5
 
--- | The standard deviation of the angle that an image shows, in degrees, for most images and for
--- the rest, each with its share (assumptions). Rows and columns of pixels draw it towards them, by
--- a degree or two ("PraTactile.Composite.Tilt").
+-- | The errors of the angle that an image shows, a mixture: (share, standard deviation in degrees)
+-- (assumptions). Rows and columns of pixels bias the angle towards them by a degree or two
+-- ("PraTactile.Composite.Tilt").
 shownErrors :: [(Double, Double)]
 shownErrors = [(0.99, 1.5), (0.01, 4)]
 
 movedBy :: Cell -> Map Cell a -> Map Cell a
 movedBy (di, dj) = Map.mapKeysMonotonic (\(i, j) -> (i + di, j + dj))
 
--- | The cells with rows and columns counted from 0, if any is less.
+-- | Shifts the cells so that no row or column is below 0.
 fromZero :: Map Cell a -> Map Cell a
 fromZero cells = movedBy (negate i, negate j) cells
   where
     (i, j) = firstOf cells
 
--- | The least row and column that cells have, 0 at most.
+-- | The least row and the least column of the cells, at most 0.
 firstOf :: Map Cell a -> Cell
 firstOf cells = (first fst, first snd)
   where
     first part = minimum (0 : map part (Map.keys cells))
 
--- | By how many rows and columns of cells the second group's cell (0, 0) lies from the first's, to
--- the tolerance of neighbours.
+-- | The rows and columns from the first group's cell (0, 0) to the second's. 'Nothing' if the
+-- distance is not a whole number of cells, within 'pitchTolerance'.
 displacement :: Group -> Group -> Maybe Cell
 displacement a b = (,) <$> whole snd rowPitch <*> whole fst columnPitch
   where
@@ -140,18 +142,19 @@ displacement a b = (,) <$> whole snd rowPitch <*> whole fst columnPitch
         apart = part (groupAnchor b) - part (groupAnchor a)
         cells = round (apart / pitch) :: Int
 
--- | Cells that are counted along the symbols' axes, as they lie on a face seen in this rotation.
+-- | Cells counted along the symbols' axes, as they lie on a face seen in this orientation: turned
+-- by 180 degrees if the face is upside down.
 seenOnFace :: Symmetry -> Map Cell a -> Map Cell a
 seenOnFace orientation
   | quarterTurns orientation >= 2 = halfTurned
   | otherwise = id
 
--- | The cells row by row, with gaps; no rows where there are no cells.
+-- | The cells row by row, with 'Nothing' in the gaps; no rows if there are no cells.
 gridRows :: Map Cell a -> [[Maybe a]]
 gridRows cells = [[Map.lookup (i, j) cells | j <- extent snd] | i <- extent fst]
   where
     extent part = [0 .. maximum (-1 : map part (Map.keys cells))]
 
--- | A cell of the grid, which has no rows and columns before 0, as an offset.
+-- | A cell of the grid as an offset. Its row and column must not be negative.
 offsetOf :: Cell -> Position
 offsetOf (i, j) = Position (fromIntegral i) (fromIntegral j)

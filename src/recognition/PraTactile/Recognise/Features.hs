@@ -1,8 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The symbols of a composite with the three features of the paper (section II.B): their
--- positions, their axes, and their distances to their neighbours. The symbols are those that
--- segmentation finds; the array is not asked.
+-- | The symbols of a composite with the three features of the paper (section II.B): positions,
+-- axes, and distances to neighbours. The symbols come from segmentation; the array is not used.
 module PraTactile.Recognise.Features
   ( features,
     Features (..),
@@ -24,7 +23,7 @@ import PraTactile.Registration (Composite)
 import PraTactile.Segmentation (Reject (..), SymbolImage (..))
 import PraTactile.Segmentation.Lattice (Cell, neighbour)
 
--- | What a composite shows; all places are in its pixels, right and down.
+-- | What segmentation finds in a composite. All places are pixels of the composite, right and down.
 data Features = Features
   { featuresSymbols :: ![Featured],
     featuresParts :: ![Incomplete],
@@ -36,14 +35,16 @@ data Features = Features
 data Featured = Featured
   { -- | the centre of its box
     featuredAt :: !(Double, Double),
-    -- | the direction of its x axis, degrees clockwise from the composite's: within 45 degrees of 0
-    -- or of 90, but for what its neighbours correct; which way up it is, only 'Recognition' has
+    -- | the direction of its x axis, in degrees clockwise from the composite's, within 45 degrees
+    -- of 0 or 90 before the correction by its neighbours. Which way up the symbol is, only
+    -- 'Recognition' says.
     featuredAxis :: !Double,
     featuredNeighbours :: !Neighbours
   }
   deriving stock (Eq, Show)
 
--- | The displacements to the neighbouring symbols' centres, by a symbol's own axes.
+-- | The displacements to the centres of the neighbouring symbols; left, right, up and down are
+-- along the symbol's own axes.
 data Neighbours = Neighbours
   { neighbourRight :: !(Maybe (Double, Double)),
     neighbourLeft :: !(Maybe (Double, Double)),
@@ -52,7 +53,7 @@ data Neighbours = Neighbours
   }
   deriving stock (Eq, Show)
 
--- | A symbol beside complete ones of which only a part was touched.
+-- | A symbol beside complete ones, of which only a part was touched.
 data Incomplete = Incomplete
   { -- | where its centre is, by the symbols beside it
     incompleteAt :: !(Double, Double),
@@ -61,9 +62,9 @@ data Incomplete = Incomplete
   }
   deriving stock (Eq, Show)
 
--- | The symbols of a composite at any angle. Where they are not nearly upright, the composite is
--- read as it is and set upright, and the reading that leaves less doubt about the symbols holds.
--- Refuses what the network refuses.
+-- | Finds the symbols of a composite at any angle. A composite whose symbols are not nearly upright
+-- is read twice, as it is and set upright. The reading with less doubt about its symbols is
+-- returned. Refuses what the network refuses.
 features :: Reader -> Composite -> Either NetworkError Features
 features reader composite = shown <$> bySegmentation reader [composite]
   where
@@ -79,8 +80,9 @@ features reader composite = shown <$> bySegmentation reader [composite]
 symbolsOf :: Reading -> [ReadSymbol]
 symbolsOf = either recognisedSymbols lookSymbols . readingLook
 
--- | What a reading shows of a composite, given what is none of the symbols', the angle by which the
--- composite was set upright, and where places of the upright composite are on the given one.
+-- | The features of a reading. Arguments: regions that are not symbols; the angle by which the
+-- composite was set upright; a map from places of the upright composite to the given one; the
+-- reading.
 featuresOf :: [Reject] -> Double -> ((Double, Double) -> (Double, Double)) -> Reading -> Features
 featuresOf foreignThings angle back reading =
   Features
@@ -106,14 +108,14 @@ featuresOf foreignThings angle back reading =
       let (xs, ys) = unzip (map back [(l, t), (r, t), (l, b), (r, b)])
        in Reject (minimum xs, minimum ys, maximum xs, maximum ys) why
 
--- | By how many degrees, clockwise, symbols' axes are turned from those along which they were cut
--- out. By least squares, the neighbours' displacements give an angle; it is weighed with the axes
--- themselves by the variances of both. Given is each symbol with each of its neighbours, and the
--- cell where that is beside it.
+-- | The angle, in degrees clockwise, from the axes along which symbols were cut out to their true
+-- axes. The neighbours' displacements give an estimate by least squares, which is shrunk towards 0
+-- by the variances of both. The argument lists each symbol with each of its neighbours, and the
+-- neighbour's cell relative to it.
 offAxis :: [(SymbolImage, Cell, SymbolImage)] -> Double
 offAxis steps = toDegrees (weight * atan2 (total across) (total along))
   where
-    -- Each pair of neighbours stands there twice.
+    -- The list has each pair of neighbours twice.
     total part =
       sum
         [ part
@@ -131,7 +133,7 @@ offAxis steps = toDegrees (weight * atan2 (total across) (total along))
 placeDeviation :: Double
 placeDeviation = 0.5
 
--- | The standard deviation of the axes along which symbols are cut out: two degrees (assumption),
--- in radians.
+-- | The standard deviation, in radians, of the axes along which symbols are cut out: two degrees
+-- (assumption).
 axisDeviation :: Double
 axisDeviation = toRadians 2

@@ -1,6 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What a located grid of symbols shows: windows of the array, and the place of every symbol.
+-- | The answer of a located grid: the windows of the array that it shows, and each symbol's
+-- position.
 module PraTactile.Recognise.Finding
   ( Finding (..),
     ReadWindow (..),
@@ -26,44 +27,44 @@ import PraTactile.Recognise.Recogniser
 import PraTactile.Segmentation.Lattice (Cell)
 import PraTactile.Symmetry
 
--- | Where the composites are.
+-- | The windows and symbols of composites that were located.
 data Finding = Finding
   { foundOrientation :: Symmetry,
-    -- | the first complete window in reading order; if there is none, the first of those with the
-    -- most recognised symbols, on their face if that is one
+    -- | the first complete window in reading order. Without one, the first window among those with
+    -- the most recognised symbols, preferably one that lies on their face.
     foundWindow :: ReadWindow,
     -- | all complete windows, in reading order
     foundWindows :: [ReadWindow],
-    -- | by the symbols' numbers
+    -- | by 'readNumber'
     foundPlaces :: Map Int SymbolPlace
   }
   deriving stock (Eq, Show)
 
--- | A window of the array that was found.
+-- | A window of the array, as it was read.
 data ReadWindow = ReadWindow
   { -- | in the array
     windowPosition :: Position,
-    -- | row by row, as seen on the face; 'Nothing' where no symbol was recognised as the array's
+    -- | row by row, as seen on the face; 'Nothing' where the recognised symbol is not the array's
     windowClasses :: [[Maybe Int]],
-    -- | its centre, by those of its symbols that were seen, as 'readAt' has it
+    -- | its centre, estimated from the symbols in it that were seen; coordinates as in 'readAt'
     windowSeenAt :: (Double, Double),
-    -- | what lies there; the one face of all symbols that were felt, even if it is smaller than the
-    -- window
+    -- | what lies there. If all recognised symbols are on one face that is smaller than the window,
+    -- then that face.
     windowWhereabouts :: Whereabouts
   }
   deriving stock (Eq, Show)
 
--- | Where a symbol is in the array.
+-- | A symbol's position in the array.
 data SymbolPlace = SymbolPlace
   { -- | its cell
     symbolCell :: Position,
-    -- | the class that the array has there
+    -- | the array's class in that cell
     symbolExpected :: Int
   }
   deriving stock (Eq, Show)
 
--- | The answer when the grid's upper left cell is at this position. The symbols are turned by the
--- tilt, in degrees clockwise, beside quarter turns.
+-- | The finding for a grid whose upper left cell is at this position of the array. The angle is
+-- that of the symbols beyond quarter turns, in degrees clockwise. 'Nothing' if there is no window.
 findingAt :: KnownField k => Recogniser k -> Double -> GridLocation -> Position -> Maybe Finding
 findingAt reader tilt location position = do
   window <- listToMaybe (if null complete then incomplete else complete)
@@ -84,7 +85,7 @@ findingAt reader tilt location position = do
     cells = locationCells location
     placeOf cell = (\(p, a) -> SymbolPlace p (toCode a)) <$> cellFrom reader position cell
     place0 = fmap symbolCell . placeOf
-    -- Cells with a symbol, known or likely, that is what the array has there.
+    -- Cells with a symbol, known or likeliest, that agrees with the array.
     right = agreeingBy readClass
     likely = agreeingBy (Just . readLikeliest)
     agreeingBy said = Map.mapMaybeWithKey (agreeing said) cells
@@ -109,10 +110,9 @@ findingAt reader tilt location position = do
         (windowOf (recogniserPlacement reader) (recogniserWindow reader))
         windowsFrom
 
--- | Windows of which none is complete, those of this shape with the most of these cells first. If
--- all these cells lie on one face, they tell it, and windows over its edge are none: those on it
--- count, even if they begin before the grid. Where it is smaller than a window, the face has those
--- that begin on it.
+-- | Windows of this shape when none is complete, those with the most of the recognised cells first.
+-- If all recognised cells lie on one face, only windows on that face count, even if they begin
+-- before the grid. On a face smaller than a window, the windows that begin on it count.
 mostFelt ::
   Shape ->
   ([Cell] -> [LaidFace]) ->
@@ -142,7 +142,7 @@ mostFelt shape facesOf known onIt windowsFrom = case facesOf (Set.toList known) 
       OnFace place -> Just (placeFace place)
       _ -> Nothing
 
--- | A window that begins on this face, as one of the face.
+-- | A window that begins on this face, located on the face even if it reaches beyond it.
 windowOf :: Placement -> Shape -> LaidFace -> ReadWindow -> Maybe ReadWindow
 windowOf place shape laid window =
   (\on -> window {windowWhereabouts = OnFace on})
@@ -159,7 +159,7 @@ facesAt place positions =
         Right laid <- [findFace place object named]
     ]
 
--- | The window whose upper left cell is this one of the grid.
+-- | The window whose upper left cell is this cell of the grid.
 windowIn ::
   Recogniser k ->
   Double ->
@@ -188,7 +188,7 @@ windowIn reader tilt location right place0 (i, j) = do
           Just here <- [Map.lookup cell (locationCells location)],
           s <- here
       ]
-    -- Where the window's centre is, by the symbol in this cell.
+    -- The window's centre, as the symbol in this cell implies it.
     centreFrom s (i', j') =
       let (x, y) = readAt s
           across = columnPitch * (fromIntegral (j' - j) - (fromIntegral (columns window) - 1) / 2)

@@ -1,5 +1,5 @@
--- | The pose of the object of which a face was located, from composites and what was recognised in
--- them ("PraTactile.Pose" has the formulas).
+-- | The pose of an object, from composites and the face that was located in them ("PraTactile.Pose"
+-- has the formulas).
 module PraTactile.Recognise.FoundPose
   ( foundPose,
     Pose (..),
@@ -34,11 +34,12 @@ import PraTactile.Relief (classOn, symbolScale)
 import PraTactile.Sensor.Frame (Motion (..), inverse, movePoint)
 import PraTactile.Shape (Alphabet, shapeOf)
 
--- | The object that was located, by one face, and its pose in the robot's frame. The composites are
--- those that were recognised, in units of symbols of the paper's size; the pose is in millimetres.
--- With them stands the standard deviation of a frame's position error along each axis, taxels, as
--- far as it was told; else it is what registration found, or 1 where it did not. 'Nothing' where
--- there is no answer, or not one face.
+-- | The located object and its pose in the robot's frame, in millimetres. 'Nothing' if there is no
+-- answer, or the answer is not on one face.
+--
+-- The composites are those that were recognised, with lengths divided by the symbols' size. The
+-- 'Maybe' is the standard deviation of a frame's position error along each axis, in taxels. Without
+-- it the largest that registration found is used, or 1 if it found none.
 foundPose ::
   KnownField k =>
   Placement ->
@@ -106,7 +107,7 @@ foundPose layout alphabet array told composites recognition = do
       let (x, y) = compositeOrigin composite in ((x - left) / taxelPitch, (y - top) / taxelPitch)
     both f (x, y) = (f x, f y)
     frames = sum (map (length . compositeFrames) composites)
-    -- Without the images: by the centres at which symbols were cut out.
+    -- If the images cannot be aligned: the fit to the centres at which symbols were cut out.
     bySymbols sigma seen = moreError (common sigma) (common 1) <$> rigidFit seen
     common each = if frames == 0 then 0 else each / sqrt (fromIntegral frames)
     groundUnder from classes =
@@ -119,20 +120,21 @@ foundPose layout alphabet array told composites recognition = do
             ]
         )
 
--- | The variance along each axis of the place at which a symbol was cut out, square taxels
+-- | The variance along each axis of the place at which a symbol was cut out, in square taxels
 -- (assumption).
 readVariance :: Double
 readVariance = 0.25
 
--- | The motion by this angle, degrees, that takes the mean of the points to where it was seen.
+-- | The motion with this rotation, in degrees, that takes the mean of the points to the mean of
+-- where they were seen.
 startingAt :: Double -> [Seen] -> Motion
 startingAt degrees seen = Motion degrees (px - x) (py - y)
   where
     (x, y) = rotated degrees (centroid (map seenOnFace seen))
     (px, py) = centroid (map seenByRobot seen)
 
--- | The cells of a block, whose corner is given in taxels of the face, that composites reach if the
--- face lies so.
+-- | The cells of a block that composites reach if the face lies as the motion has it. The corner of
+-- the block is in taxels of the face. Each composite comes with its place.
 cellsUnder ::
   (Double, Double) -> Shape -> Motion -> [((Double, Double), Composite)] -> [Position]
 cellsUnder (left, top) (Shape high wide) motion composites =
@@ -155,8 +157,8 @@ cellsUnder (left, top) (Shape high wide) motion composites =
           .. min (toInteger size - 1) (ceiling (maximum values))
         ]
 
--- | The frames of a composite, or the one image that it is and of which nothing is wrong but its
--- readings, in taxels from a place of the robot's plane.
+-- | The frames of a composite, in taxels from an origin in the robot's plane. A composite that is
+-- one image counts as one frame without position or rotation error.
 touches :: (Double, Double) -> Double -> Composite -> [Touch]
 touches origin sigma composite = case compositeFrames composite of
   [] -> [touch (compositeOrigin composite) (0, 0) (0, Just 0) image (compositeCoverage composite)]

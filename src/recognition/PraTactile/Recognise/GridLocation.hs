@@ -1,14 +1,14 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | From the symbols on a grid to the place of the grid's upper left cell in the array.
+-- | Locates a grid of symbols in the array.
 --
--- Each step is a module: the array is asked ("PraTactile.Recognise.Likeliest"), the grid is laid on
--- the face the likeliest way up, the certain symbols are its witnesses
--- ("PraTactile.Recognise.Witnesses"), and what they and the probabilities say decides the outcome
--- ("PraTactile.Recognise.GridOutcome", "PraTactile.Recognise.Support").
+-- Each step is a module. "PraTactile.Recognise.Likeliest" finds the likeliest position. Here the
+-- grid is laid on the face the way up of that position. "PraTactile.Recognise.Witnesses" collects
+-- the certain symbols. "PraTactile.Recognise.GridOutcome" decides between answer and refusal, and
+-- "PraTactile.Recognise.Support" says what the decision rests on.
 --
--- A sensor touches one face, and beyond its edge lies nothing of the array's, as
--- "PraTactile.Recognise.OneFace" has it.
+-- A sensor touches one face, and beyond the face's edge there is nothing of the array
+-- ("PraTactile.Recognise.OneFace").
 module PraTactile.Recognise.GridLocation
   ( GridLocation (..),
     locateGrid,
@@ -32,7 +32,7 @@ import PraTactile.Recognise.Tolerance
 import PraTactile.Recognise.Witnesses
 import PraTactile.Symmetry
 
--- | Where a grid is.
+-- | The location of a grid, or why it has none.
 data GridLocation = GridLocation
   { locationOrientation :: Symmetry,
     -- | the grid as it lies on the face
@@ -43,8 +43,8 @@ data GridLocation = GridLocation
     locationOutcome :: GridOutcome
   }
 
--- | Locates a grid of symbols of one axis. The dissenters are symbols of the other axis that the
--- network knows all the same.
+-- | Locates a grid of symbols along one axis. The third argument lists symbols along the other axis
+-- that the network knows nevertheless.
 locateGrid ::
   KnownField k => Recogniser k -> Tolerance -> [ReadSymbol] -> FaceGrid -> GridLocation
 locateGrid reader tolerance dissenters grid =
@@ -62,9 +62,8 @@ locateGrid reader tolerance dissenters grid =
     way = wayUpAlone (foldMap (map snd . observedCells . askedPatch) asked)
     witnesses = witnessesOf reader tolerance face
 
--- | Lays a grid on the face the way up of the likeliest candidate, or this way where no candidate
--- is possible. Cells that lie beyond the edge of the candidate's face keep their place in the grid
--- and lose their symbols.
+-- | Lays a grid on the face, the way up of the candidate, or the given way up without a candidate.
+-- Cells beyond the edge of the candidate's face stay in the grid and lose their symbols.
 layOnFace ::
   Recogniser k -> [ReadSymbol] -> FaceGrid -> Symmetry -> Maybe Candidate -> GridOnFace
 layOnFace reader dissenters grid way likeliest' =
@@ -80,7 +79,7 @@ layOnFace reader dissenters grid way likeliest' =
     silent = maybe [] (beforehandSilent . beforehandOf reader (gridCells grid)) likeliest'
     heard cell here = if offsetOf cell `elem` silent then [] else here
 
--- | The way up that cells show by themselves, where no position is possible.
+-- | The likeliest way up of the cells alone, for grids without a possible position.
 wayUpAlone :: [Belief k] -> Symmetry
 wayUpAlone cells = maximumBy (comparing shown) (reverse waysUp)
   where

@@ -1,14 +1,14 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Whether the likeliest position of a grid is an answer, and if not, why. It takes two judgements
--- that agree.
+-- | Decides whether the likeliest position of a grid is an answer, and if not, why. Two independent
+-- judgements must agree.
 --
--- By the probabilities of all symbols and parts, the position must be likely enough. And of the
--- certain symbols, no more may contradict it than the minimum distance of their cells lets be
--- wrong. At least one that agrees must be complete, since parts are not compared with other shapes.
+-- By the probabilities of all symbols and parts, the position must be likely enough. And among the
+-- certain symbols, the number that contradict it must be within what the minimum distance of their
+-- cells can correct. At least one agreeing symbol must be complete, because parts are not compared
+-- with other shapes.
 --
--- The reason of a refusal is looked for in the symbols that the network knows, without
--- probabilities.
+-- The reason of a refusal comes from the symbols that the network knows, without probabilities.
 module PraTactile.Recognise.GridOutcome
   ( GridOutcome (..),
     gridOutcome,
@@ -31,10 +31,10 @@ import PraTactile.Recognise.Tolerance
 import PraTactile.Recognise.Witnesses
 import PraTactile.Symmetry
 
--- | Where the grid's upper left cell is, or what stands against an answer.
+-- | The position of the grid's upper left cell, or why there is no answer.
 data GridOutcome
   = Placed Position
-  | -- | several positions agree with all that is known
+  | -- | several positions agree with all known symbols
     Undecided [Position]
   | -- | too many symbols lie another way up than the rest
     WrongWayUp
@@ -43,12 +43,11 @@ data GridOutcome
   | -- | groups of symbols lead to different places
     GroupsApart
   | Unplaced Reason
-  | -- | what was seen cannot be decoded
+  | -- | the decoder refuses the grid
     Undecoded LocatorError
   deriving stock (Eq, Show)
 
--- | The outcome of a grid, given the array's answer for it; 'Nothing' stands for a grid without
--- cells.
+-- | The outcome of a grid, given the decoder's answer for it; 'Nothing' for a grid without cells.
 gridOutcome ::
   KnownField k =>
   Recogniser k ->
@@ -67,7 +66,7 @@ gridOutcome reader tolerance face witnesses answered = case fmap answerOutcome <
   where
     findings = findingsOf reader tolerance face
 
--- | The outcome where this position is likely enough, and the witnesses stand to it so.
+-- | The outcome for a position that is likely enough, given the witnesses for and against it.
 placedAt :: Findings -> Witnesses -> Position -> Standing -> GridOutcome
 placedAt findings witnesses position (Standing agreeing wrong)
   | genericLength wrong > witnessesRadius witnesses =
@@ -75,15 +74,15 @@ placedAt findings witnesses position (Standing agreeing wrong)
   | any ((>= 1) . readSeen) agreeing = Placed position
   | otherwise = Unplaced BelowThreshold
 
--- | What the symbols that the network knows say without probabilities.
+-- | What the symbols that the network knows imply, without probabilities.
 data Findings = Findings
-  { -- | where they are together; 'Nothing' where that cannot be decoded
+  { -- | their position when decoded together; 'Nothing' if that cannot be decoded
     foundTogether :: Maybe (Outcome Position),
-    -- | whether some groups of them are at different places
+    -- | whether some groups of them lead to different positions
     foundApart :: Bool
   }
 
--- | The findings on a face.
+-- | The findings for a grid on a face.
 findingsOf :: KnownField k => Recogniser k -> Tolerance -> GridOnFace -> Findings
 findingsOf reader tolerance face =
   Findings
@@ -99,7 +98,7 @@ findingsOf reader tolerance face =
       Just (Unique place _) -> Just place
       _ -> Nothing
 
--- | Where cells are by the symbols of this orientation that the network knows. 'Nothing' where that
+-- | Decodes the cells by the symbols of this orientation that the network knows. 'Nothing' if they
 -- cannot be decoded.
 locatedExactly ::
   KnownField k => Recogniser k -> Tolerance -> Symmetry -> Cells -> Maybe (Outcome Position)
@@ -111,7 +110,7 @@ locatedExactly reader tolerance orientation cells = case knownPatch cells orient
         (recogniserLocator reader)
         (onePatch (Symbol <$> known)) {queryRadius = toleratedErrors tolerance}
 
--- | Why there is no answer where a position is likely, but this many symbols contradict it.
+-- | Why there is no answer although a position is likely: this many symbols contradict it.
 whyContradicted :: Findings -> Witnesses -> Natural -> GridOutcome
 whyContradicted findings witnesses wrong
   | accountFor (witnessesOtherWayUp witnesses) = WrongWayUp
@@ -123,7 +122,7 @@ whyContradicted findings witnesses wrong
     accountFor symbols =
       not (null symbols) && wrong <= witnessesRadius witnesses + genericLength symbols
 
--- | Why there is no answer where no position is likely enough.
+-- | Why there is no answer when no position is likely enough.
 whyUnlikely :: Findings -> Witnesses -> GridOutcome
 whyUnlikely findings witnesses
   | genericLength (witnessesOtherWayUp witnesses) > witnessesRadius witnesses = WrongWayUp

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What composites show in which no symbol was recognised: nothing at all, light and dark
--- exchanged, or symbols of another size. Each is found by reading the composites so.
+-- | What composites show in which no symbol was recognised: nothing, inverted intensities, or
+-- symbols of another size. Each hypothesis is tried by reading the composites accordingly.
 module PraTactile.Recognise.Instead
   ( Instead (..),
     seenInstead,
@@ -14,21 +14,21 @@ import PraTactile.Registration (Composite (..), compositeOf)
 import PraTactile.Sensor.Manifest (Taking (..))
 import PraTactile.Sensor.Resample (resampled)
 
--- | What composites show.
+-- | What composites show instead of symbols.
 data Instead
-  = -- | one and the same reading everywhere
+  = -- | every pixel has one reading
     InsteadFlat
-  | -- | symbols, if no contact is full scale and full contact 0
+  | -- | symbols, if the intensities are inverted: no contact is full scale and full contact 0
     InsteadInverted
-  | -- | symbols so many times as large as the alphabet's: the factor, and the distance of the
-    -- sensor's taxels, millimetres, with which they would be as large
+  | -- | symbols larger than the alphabet's by the factor; and the sensor's pitch in millimetres at
+    -- which they would have the right size
     InsteadScaled !Double !Double
-  | -- | nothing that is known, in so many taxels across and down
+  | -- | nothing recognisable, in an image of at most this width and height in taxels
     InsteadUnknown !Int !Int
   deriving stock (Eq, Show)
 
--- | What composites show instead of symbols as they are expected, given how to tell whether symbols
--- are recognised in composites. Scales from a third to three are tried.
+-- | Finds what composites show instead of symbols. The first argument says whether symbols are
+-- recognised in composites. Scale factors from 1/3 to 3 are tried.
 seenInstead :: Monad m => ([Composite] -> m Bool) -> [Composite] -> m Instead
 seenInstead readable composites
   | all flat composites = pure InsteadFlat
@@ -53,7 +53,7 @@ seenInstead readable composites
       let (w, h) = rasterSize (compositeImage composite)
        in fromIntegral (w * h) / (factor * factor) < mostPixels
 
--- | A composite of the contact that is left where it was touched: none counts as full.
+-- | A composite with its intensities inverted where it was touched.
 inverted :: Composite -> Composite
 inverted composite =
   composite
@@ -65,10 +65,10 @@ inverted composite =
     coverage = compositeCoverage composite
     other v covered = if covered > 0 then 1 - v else 0
 
--- | The image of a composite whose symbols are so many times too large, at their own size.
+-- | A composite whose symbols are too large by this factor, resampled to their proper size.
 atScale :: Double -> Composite -> Composite
 atScale factor composite = compositeOf (resampled (1 / factor) (compositeImage composite))
 
--- | The most pixels of an image in which symbols of another size are looked for.
+-- | The largest image, in pixels, that is searched for symbols of another size.
 mostPixels :: Double
 mostPixels = 262144

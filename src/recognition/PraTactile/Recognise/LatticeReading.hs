@@ -1,9 +1,10 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Reading the symbols in the cells of the lattice that registration found under a composite.
+-- | Reads the symbols in the cells of the lattice that registration found under a composite.
 --
--- Which symbol a cell holds is told by all the frames ('latticeCells'). The network reads complete
--- symbols beside that, from the composite, as in the paper: what it does not know is no witness.
+-- All frames together determine which symbol a cell holds ('latticeCells'). The network also reads
+-- complete symbols from the composite, as in the paper; a symbol that it does not know is no
+-- witness.
 module PraTactile.Recognise.LatticeReading
   ( CellsRead (..),
     latticesRead,
@@ -38,27 +39,27 @@ import PraTactile.Segmentation
 import PraTactile.Segmentation.Lattice (Cell)
 import PraTactile.Symmetry
 
--- | The symbols in the cells of a composite.
+-- | The symbols in the cells of one composite.
 data CellsRead = CellsRead
-  { -- | How they are turned, up to 180 degrees: 'identity' or @turned 1@.
+  { -- | Their axis, up to 180 degrees: 'identity' or @turned 1@.
     cellsAxis :: !Symmetry,
-    -- | By how many degrees, clockwise, they are turned beside that.
+    -- | Their angle beyond that axis, in degrees clockwise.
     cellsTilt :: !Double,
     -- | The centre of cell (0, 0) on the first composite's grid of pixels.
     cellsFirst :: !Taxels,
-    -- | By row and column along their axis.
+    -- | The symbols by row and column, counted along their axis.
     cellsSymbols :: !(Map Cell ReadSymbol)
   }
 
--- | The axis of the symbols on the first of some lattices, and by how many degrees, clockwise, they
--- are turned beside that.
+-- | The axis of the symbols on the first lattice, and their angle beyond it in degrees clockwise.
+-- 'identity' and 0 without a lattice.
 axisOfAll :: [Lattice] -> (Symmetry, Double)
 axisOfAll lattices = case map (axisAlong 0) lattices of
   (axis, tilt, _) : _ -> (axis, tilt)
   [] -> (identity, 0)
 
--- | What the frames of composites of one face tell of the cells of lattices under them, with the
--- places on the first composite's grid.
+-- | The symbols that the frames imply in the cells of each composite's lattice. The composites are
+-- of one face; places are on the first composite's grid.
 latticesRead :: [(Composite, Lattice)] -> [CellsRead]
 latticesRead given =
   [ cellsOf tilt source (compositeFrom composite, base) lattice
@@ -70,8 +71,8 @@ latticesRead given =
       (composite, _) : _ -> compositeFrom composite
       [] -> (0, 0)
 
--- | How the axes of a lattice lie beside a tilt, in degrees: the axis of the symbols, what is left
--- of the tilt, and whether the lattice's axes point against theirs.
+-- | The axis of a lattice relative to an angle in degrees: the symbols' axis, the lattice's angle
+-- beyond it, and whether the lattice's axes point opposite to the symbols'.
 axisAlong :: Double -> Lattice -> (Symmetry, Double, Bool)
 axisAlong tilt lattice =
   (if odd quarters then turned 1 else identity, beyond, odd (quarters `div` 2))
@@ -80,10 +81,10 @@ axisAlong tilt lattice =
     quarters = floor ((latticeAngle lattice - tilt + 45) / 90)
     beyond = latticeAngle lattice - 90 * fromIntegral quarters
 
--- | What the frames tell of the cells that are more likely one symbol than all others together,
--- without their images; given the tilt of the first composite's symbols, the number of the
--- composite, and where its own pixel (0, 0) and the first composite's are; taxels from where the
--- robot counts. They count as complete, and as known where that leaves less than a tenth of doubt.
+-- | The symbols of a lattice by its frames, without their images: the cells in which one symbol is
+-- more likely than all others together. Arguments: the angle of the first composite's symbols; the
+-- composite's number; pixel (0, 0) of the composite and of the first composite, in taxels from the
+-- robot's origin; the lattice. Symbols count as complete, and as known if their doubt is below 0.1.
 cellsOf :: Double -> Int -> (Taxels, Taxels) -> Lattice -> CellsRead
 cellsOf tilt source (own, base) lattice =
   CellsRead
@@ -137,9 +138,10 @@ estimatedAs axis estimated s =
       readChances = map (first (alongAxis axis)) (estimateChances estimated)
     }
 
--- | The same cells as the composite shows them, with and without what is foreign: complete symbols
--- as the network knows them, and parts of symbols. What a foreign thing takes a part of is told by
--- the rest of it. Refuses what the network refuses.
+-- | Adds to the cells what the composite's images show. A complete symbol gets the network's class;
+-- any other symbol becomes a part. If a foreign thing covers some of a symbol, the symbol is
+-- estimated from the rest. Symbols with a doubt of one half or more are dropped. Refuses what the
+-- network refuses.
 readCells ::
   Reader -> (Composite, Cleaned) -> Lattice -> CellsRead -> Either NetworkError CellsRead
 readCells reader (composite, Cleaned clean forParts foreignThings) lattice found = do
@@ -186,7 +188,7 @@ readCells reader (composite, Cleaned clean forParts foreignThings) lattice found
           not (null foreignThings)
             && maybe False ((> taxelsOf part) . taxelsOf) (cutAll centre)
 
--- | Symbols numbered: complete ones from 0, and then parts.
+-- | Numbers the symbols: complete ones from 0, then parts.
 numberCells :: [CellsRead] -> [CellsRead]
 numberCells = snd . numbered (< 1) . numbered (>= 1) . (,) 0
   where
@@ -199,8 +201,8 @@ numberCells = snd . numbered (< 1) . numbered (>= 1) . (,) 0
       | which (readSeen s) = (n + 1, s {readNumber = n})
       | otherwise = (n, s)
 
--- | The posterior of the symbol in a cell, which stands this way up, by what the frames tell of its
--- classes. An empty cell may be of any class.
+-- | The posterior of the symbol in a cell, by the log-likelihood ratios of its classes to an empty
+-- cell. The way up is given. An empty cell may be of any class.
 estimateOf :: Symmetry -> ClassLogs -> Estimate
 estimateOf way logs = Estimate (likeliest, way) chances 0
   where
@@ -211,7 +213,7 @@ estimateOf way logs = Estimate (likeliest, way) chances 0
     total = empty + Unboxed.sum weights
     posterior k = (weights Unboxed.! k + empty / fromIntegral q) / total
     likeliest = foldl' (\a b -> if logs Unboxed.! b > logs Unboxed.! a then b else a) 0 [0 .. q - 1]
-    -- Every other class and way up together has the least doubt.
+    -- All other classes and ways up together keep at least the probability 'leastDoubt'.
     chances =
       [ ((k, way'), floored (if way' == way then posterior k else 0))
         | way' <- [identity, turned 2],
@@ -221,7 +223,7 @@ estimateOf way logs = Estimate (likeliest, way) chances 0
     spread = leastDoubt * n / (n - 1)
     n = 2 * fromIntegral q
 
--- | The symbols of a composite as one group, whose places are along axes at this angle.
+-- | The symbols of a composite as one group, with places along axes at this angle.
 cellsGroup :: Double -> CellsRead -> Group
 cellsGroup angle found =
   Group
@@ -230,7 +232,7 @@ cellsGroup angle found =
       groupSymbols = Map.elems (cellsSymbols found)
     }
 
--- | Whether the network knows most of some complete symbols mirrored.
+-- | Whether the network knows most of these complete symbols in their mirror images.
 cellsMirrored :: Reader -> [ReadSymbol] -> Either NetworkError Bool
 cellsMirrored reader symbols =
   mostRecognised <$> traverse (readSymbol reader identity 0 (0, 0) . mirroredImage) symbols

@@ -1,17 +1,17 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The alternative layouts of the frames of composites, and what they take from an answer.
+-- | The alternative layouts of the frames of composites, and the doubt that they add to an answer.
 --
--- A layout w has a prior P(w), a likelihood by what the frames show ('compositeOthers'), and a
--- lattice with what the frames tell of its cells. The array weighs it once more: A(w) is how many
--- times as probable these cells are if they are the array's as by chance. With w = 0 for the layout
--- that is used, whose lattice the answer is of,
+-- A layout w has a prior P(w), a likelihood by the frames ('compositeOthers'), and a lattice of
+-- cells. The array adds an evidence A(w): the likelihood ratio of these cells being the array's to
+-- their being random. The layout in use is w = 0; the answer comes from its lattice.
 --
 -- > odds(w) = P(w) / P(0) * likelihood(w) / likelihood(0) * A(w) / A(0)
 -- > doubt = sum of odds(w) over w that show another place / sum of odds(w) over all w
 --
--- That a layout's place is likelier beforehand speaks for the layout; that the answer's is does not
--- speak for the answer. A layout without a lattice shows nothing, and is asked no array.
+-- The prior of an alternative's place counts for the alternative when it is the greater one. The
+-- prior of the answer's place does not count for the answer. A layout without a lattice gets no
+-- evidence from the array and counts as showing another place.
 module PraTactile.Recognise.Layouts
   ( layoutDoubts,
     likelierByFrames,
@@ -46,24 +46,24 @@ import PraTactile.Segmentation.Lattice (Cell)
 import PraTactile.Sensor.Manifest (standardTaking)
 import PraTactile.Symmetry
 
--- | An alternative layout of composites of one face.
+-- | An alternative layout of the composites of one face.
 data Alternative = Alternative
   { alternativeFault :: !Fault,
-    -- | its odds to the layout that is used, before the array is asked
+    -- | its odds relative to the layout in use, before the array's evidence
     alternativeOdds :: !Double,
-    -- | what the frames then show; 'Nothing' where they show nothing in common
+    -- | the cells that the frames then show; 'Nothing' if they have no lattice
     alternativeShown :: Maybe Laid
   }
 
--- | What symbols show in the cells of a layout.
+-- | The cells that a layout shows.
 data Laid = Laid
   { laidCells :: Cells,
-    -- | rows and columns, from cell (0, 0), of points that are fixed to frames or to symbols
+    -- | points fixed to frames or symbols, in rows and columns from cell (0, 0)
     laidPoints :: [(Double, Double)]
   }
 
--- | The prior odds of all faults of a kind together, where axes were stated or not. Of one frame
--- the frames tell all.
+-- | The prior odds of all faults of one kind together. The second argument says whether the axes
+-- were stated. A single misplaced frame has odds 1, because its likelihood includes the prior.
 faultPrior :: Tolerance -> Bool -> Fault -> Double
 faultPrior tolerance stated fault = case fault of
   OneFrame -> 1
@@ -72,8 +72,8 @@ faultPrior tolerance stated fault = case fault of
   Slip -> slipPrior tolerance
   Anywhere -> 0.002
 
--- | The alternatives of frames: of one composite by itself, or of all of them by one fault, with
--- the lattice of each composite where all have one.
+-- | The alternatives that the frames suggest: of one composite alone, or of all composites by one
+-- fault. Each has its fault, its odds, and the lattices of all composites if all have one.
 alternatives :: Tolerance -> [Composite] -> [(Fault, Double, Maybe [Lattice])]
 alternatives tolerance composites =
   [ (otherwiseFault other, oddsOf other, sequence (before ++ otherwiseLattice other : after))
@@ -97,7 +97,7 @@ alternatives tolerance composites =
         * otherwiseLikelier other
     stated = any compositeAxesStated composites
     ofOne other = otherwiseFault other `elem` [OneFrame, Slip, Anywhere]
-    -- As the first composite of several frames has them: one image alone would show the same.
+    -- Taken from the first composite that has several frames: one image alone shows no fault.
     ofAll =
       concat . take 1 . filter (not . null) $
         map (filter (not . ofOne) . compositeOthers) composites
@@ -107,9 +107,9 @@ alternatives tolerance composites =
         (\other -> (otherwiseLikelier other, otherwiseLattice other))
           <$> find ((== fault) . otherwiseFault) (compositeOthers composite)
 
--- | What the layout that is used shows, as recognised, and the alternatives. Where composites have
--- lattices each alternative has another one, on which the frames are fixed points. Else symbols
--- are, which move with the composite that they were cut out of.
+-- | The cells of the layout in use and the alternatives. Where all composites have lattices, an
+-- alternative has other lattices, and its fixed points are the frames. Otherwise the fixed points
+-- are the symbols, which move with the composite that they were cut out of.
 laidOut :: Tolerance -> [Composite] -> Recognition -> (Laid, [Alternative])
 laidOut tolerance composites shown = case traverse compositeLattice composites of
   Just lattices@(_ : _) ->
@@ -143,11 +143,11 @@ laidOut tolerance composites shown = case traverse compositeLattice composites o
       ]
     base = maybe (0, 0) compositeFrom (listToMaybe composites)
 
--- | By how many degrees, clockwise, the rows of the recognised cells are turned.
+-- | The angle of the rows of the recognised cells, in degrees clockwise.
 gridAngle :: Recognition -> Double
 gridAngle shown = degreesClockwise (axisOf (recognisedCells shown)) + recognisedTilt shown
 
--- | The cells of lattices under composites, of the axis of the recognised ones.
+-- | The grid of the lattices' cells along the axis of the recognised ones.
 latticesGrid :: [Composite] -> Recognition -> [Lattice] -> FaceGrid
 latticesGrid composites shown lattices =
   fromMaybe (FaceGrid Map.empty [] [] (0, 0)) $
@@ -157,7 +157,7 @@ latticesGrid composites shown lattices =
           cellsAxis cells == axisOf (recognisedCells shown)
       ]
 
--- | Cells with a point in each symbol, in the order of their numbers.
+-- | Cells, with a point in each symbol in the order of their numbers.
 onSymbols :: Cells -> Laid
 onSymbols cells =
   Laid cells . Map.elems . Map.fromList $
@@ -166,7 +166,7 @@ onSymbols cells =
         s <- here
     ]
 
--- | The cells where the symbols of one composite lie so many rows and columns further.
+-- | The cells after the symbols of one composite are moved by this many rows and columns.
 sourceMoved :: Int -> Cell -> Cells -> Cells
 sourceMoved source (di, dj) cells =
   fromZero . Map.fromListWith (flip (++)) $
@@ -175,11 +175,11 @@ sourceMoved source (di, dj) cells =
         s <- here
     ]
 
--- | A list before and from each of its places on.
+-- | All ways to split a list in two: the part before, and the rest.
 splits :: [a] -> [([a], [a])]
 splits xs = zip (inits xs) (tails xs)
 
--- | What alternative layouts leave of an answer.
+-- | The doubt that alternative layouts add to an answer, by kind of fault.
 layoutDoubts ::
   KnownField k => Recogniser k -> Tolerance -> [Composite] -> Recognition -> Misplaced
 layoutDoubts reader tolerance composites shown =
@@ -195,7 +195,7 @@ layoutDoubts reader tolerance composites shown =
     given = locatedIn used
     weighed = [(alternativeFault a, odds, differ) | a <- others, let (odds, differ) = weigh a]
     share kind = sum [odds | (fault, odds, True) <- weighed, kind fault] / total
-    -- The layout that is used has odds of 1.
+    -- The layout in use has odds of 1.
     total = 1 + sum [odds | (_, odds, _) <- weighed]
     weigh alternative = case alternativeShown alternative of
       Nothing -> (alternativeOdds alternative, True)
@@ -211,7 +211,7 @@ layoutDoubts reader tolerance composites shown =
             maybe 0 likeliestEvidence there - maybe 0 likeliestEvidence given
               + max 0 (maybe 0 likeliestPrior there - maybe 0 likeliestPrior given)
     likeliestIn = Map.map (map readLikeliest) . laidCells
-    -- Three quarters of the points at their places are the same answer.
+    -- Layouts give the same answer if three quarters of the points stay at their places.
     different laid there = case (recognisedLikeliest shown, there) of
       (Just this, Just that) ->
         4 * length (filter id (zipWith (samePlace this that) (laidPoints used) (laidPoints laid)))
@@ -228,8 +228,8 @@ layoutDoubts reader tolerance composites shown =
     rounded (i, j) = (round i, round j)
     exactly (i, j) = (fromIntegral i, fromIntegral j)
 
--- | The layout of all frames that they make more probable than the robot's, whatever the array
--- makes of it.
+-- | The layout of all frames that is more probable than the robot's by the frames alone. 'Nothing'
+-- if there is none.
 likelierByFrames :: Tolerance -> [Composite] -> Maybe Contradiction
 likelierByFrames tolerance composites =
   named composites [(fault, odds) | (fault, odds, _) <- alternatives tolerance composites]

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Which places in the array are likely for cells, by the probabilities of their symbols.
+-- | The likeliest places of cells in the array, by the probabilities of their symbols.
 module PraTactile.Recognise.Likeliest
   ( -- * Asking the array
     Asked (..),
@@ -31,31 +31,31 @@ import PraTactile.Recognise.Tolerance
 import PraTactile.Segmentation.Lattice (Cell)
 import PraTactile.Symmetry
 
--- | What cells show, and what the array answers.
+-- | The cells as a patch, and the decoder's answer for it.
 data Asked k = Asked
   { askedPatch :: Patch (Belief k),
     askedAnswer :: Either LocatorError Answer
   }
 
--- | Asks where cells lie. 'Nothing' where there are none.
+-- | Locates cells in the array. 'Nothing' if there are no cells.
 ask :: KnownField k => Recogniser k -> Tolerance -> Cells -> Maybe (Asked k)
 ask reader tolerance cells = do
   shown <- patchOf cells
   pure (Asked shown (locate (recogniserLocator reader) (query reader tolerance cells shown)))
 
--- | The answer for cells where they are not weighed against being foreign.
+-- | The decoder's answer for cells that are assumed to be the array's, not foreign.
 askAsOurs :: KnownField k => Recogniser k -> Tolerance -> Cells -> Maybe Answer
 askAsOurs reader tolerance cells = do
   question <- query reader tolerance cells <$> patchOf cells
   rightOnly (locate (recogniserLocator reader) question {queryForeign = Nothing})
 
--- | What is seen in each cell. 'Nothing' where there are no cells.
+-- | The beliefs about each cell as a patch. 'Nothing' if there are no cells.
 patchOf :: KnownField k => Cells -> Maybe (Patch (Belief k))
 patchOf cells = rightOnly (patch (map (map (>>= beliefAlong (axisOf cells))) (gridRows cells)))
 
--- | The question where cells lie in which this is seen. The log-likelihood ratio of each symbol for
--- another shape is cut to between -6 and 4, so that one spoilt symbol, as beside an edge, does not
--- outweigh many others.
+-- | The query for cells with these beliefs. The log-likelihood ratio of a symbol being foreign is
+-- clipped to between -6 and 4, so that one spoilt symbol, such as one at an edge, does not outweigh
+-- many others.
 query :: Recogniser k -> Tolerance -> Cells -> Patch (Belief k) -> Query k
 query reader tolerance cells shown =
   (onePatch (Probabilities <$> shown))
@@ -74,14 +74,14 @@ data Likeliest = Likeliest
     likeliestPrior :: Double,
     -- | how the face is seen
     likeliestOrientation :: Symmetry,
-    -- | where in the array the upper left cell is, as it lies on the face
+    -- | the position in the array of the upper left cell as the grid lies on the face
     likeliestFirst :: Position,
     -- | the greatest row and column of the cells, along the symbols' axes
     likeliestEnd :: Cell
   }
   deriving stock (Eq, Show)
 
--- | The likeliest place of cells by an answer for them. 'Nothing' where no place is possible.
+-- | The likeliest place according to a decoder's answer. 'Nothing' if no place is possible.
 likeliestFrom :: Recogniser k -> Cells -> Answer -> Maybe Likeliest
 likeliestFrom reader cells answer = do
   candidate <- answerPosterior answer >>= posteriorBest
@@ -97,7 +97,8 @@ likeliestFrom reader cells answer = do
   where
     end part = maximum (0 : map part (Map.keys cells))
 
--- | The position in the array of a cell of the grid, seen or not. 'Nothing' beyond the sheet.
+-- | The position in the array of a cell of the grid, whether or not it was seen. 'Nothing' beyond
+-- the sheet.
 likeliestAt :: KnownField k => Recogniser k -> Likeliest -> Cell -> Maybe Position
 likeliestAt reader found (i, j) = fst <$> cellFrom reader (likeliestFirst found) onFace
   where
@@ -106,17 +107,18 @@ likeliestAt reader found (i, j) = fst <$> cellFrom reader (likeliestFirst found)
       | quarterTurns (likeliestOrientation found) >= 2 = (lastRow - i, lastColumn - j)
       | otherwise = (i, j)
 
--- | The likeliest place of the cells of an alternative layout. 'Nothing' where no place is
--- possible. Most alternatives agree with no place, so that in a large array only 2^10 words are
--- searched: likely places are among the first, and what is left out counts as doubt.
+-- | The likeliest place of the cells of an alternative layout. 'Nothing' if no place is possible.
+-- In a large array only 2^10 words are searched, because most alternatives fit no place. Likely
+-- places are among the first, and the rest counts as doubt.
 likeliestElsewhere :: KnownField k => Recogniser k -> Tolerance -> Cells -> Maybe Likeliest
 likeliestElsewhere reader tolerance cells =
   askAsOurs briefly tolerance cells >>= likeliestFrom reader cells
   where
     briefly = reader {recogniserLocator = withListing 1024 (recogniserLocator reader)}
 
--- | The positions in the array that cells cover in any of their likely places: at most the first
--- thousand. The prior of a foreign surface does not change which these are.
+-- | The positions in the array that the cells cover in any of their likely places, of which at most
+-- the first thousand are used. Cells are assumed not to be foreign, which does not change these
+-- places.
 likelyCells :: KnownField k => Recogniser k -> Tolerance -> Cells -> [Position]
 likelyCells reader tolerance cells =
   Set.toAscList . Set.fromList $

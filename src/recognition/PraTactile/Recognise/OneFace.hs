@@ -1,12 +1,11 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What the placement says of where a grid of symbols may lie, before the array is asked.
+-- | The prior of where a grid of symbols lies, from the placement of the faces.
 --
--- A sensor touches one face. So the symbols that the network knows are cells of one face; and what
--- is seen beyond that face's edge, where nothing of the array's lies, is a smear: other cells there
--- say nothing. Something that carries the array otherwise, a plate or a face that the placement
--- does not have, is touched now and then: then the array goes on in every direction.
--- docs/explanation/locating.md has the formulas.
+-- A sensor touches one face. So the symbols that the network knows are cells of one face, and
+-- anything seen beyond that face's edge is a smear, whose cells are ignored. Occasionally something
+-- else carries the array: a plate, or a face that the placement does not have. Then the array goes
+-- on in every direction. docs/explanation/locating.md has the formulas.
 module PraTactile.Recognise.OneFace
   ( beforehandOf,
   )
@@ -25,7 +24,8 @@ import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
 import PraTactile.Symmetry
 
--- | What the placement says of a candidate for cells, whose offsets are rows and columns from 0 on.
+-- | The prior of a candidate, and the cells that it makes silent. The offsets of cells are rows and
+-- columns from 0.
 beforehandOf :: Recogniser k -> Cells -> Candidate -> Beforehand
 beforehandOf reader cells = case known of
   anchor : others
@@ -38,7 +38,7 @@ beforehandOf reader cells = case known of
   where
     (known, unsure) = both (map (offsetOf . fst)) (partition (isKnown . snd) (Map.toList cells))
     isKnown = any (isJust . readClass)
-    -- The face that has the cell at an offset: which of the others it has as well.
+    -- For the face that has the cell at this offset: which other cells it has.
     faceFrom begin upright anchor = do
       at <- displaced surface (arrayShape array) begin (upright anchor)
       (laid, here) <- laidOver (recogniserPlacement reader) at
@@ -58,7 +58,7 @@ beforehandOf reader cells = case known of
     ArrayOn surface array = locatorArray (recogniserLocator reader)
     both f (x, y) = (f x, f y)
 
--- | How probable it is beforehand, as many times as that it is one face of the placement, that what
--- carries the array is something else (assumption): one of 200 things that are touched.
+-- | The prior odds that something else than a face of the placement carries the array: one of 200
+-- things touched (assumption).
 otherwiseCarried :: Double
 otherwiseCarried = 0.005

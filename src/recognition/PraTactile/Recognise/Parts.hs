@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Reading parts of symbols: where the grid has a cell beside the symbols that were cut out, and
--- the composite shows some of it, the shapes tell what it may be.
+-- | Reads parts of symbols: in cells beside the symbols that were cut out, as far as the composite
+-- shows them.
 module PraTactile.Recognise.Parts
   ( withParts,
   )
@@ -23,8 +23,8 @@ import PraTactile.Segmentation
 import PraTactile.Segmentation.Lattice (Cell)
 import PraTactile.Symmetry
 
--- | The grid with the parts of symbols that each composite shows in the cells around its own
--- symbols, and the parts. Numbers them from the one given.
+-- | Adds to the grid the parts of symbols that each composite shows in cells around its own
+-- symbols. Also returns the parts, numbered from the given number on.
 withParts :: Reader -> [View] -> Int -> FaceGrid -> (FaceGrid, [ReadSymbol])
 withParts reader views from grid =
   ( grid
@@ -44,7 +44,7 @@ withParts reader views from grid =
         (concatMap (partsOf reader (gridCells grid)) views)
     cells = Map.fromListWith (++) [(cell, [part]) | (cell, part) <- found]
 
--- | Of one composite, the parts that are more likely one symbol than all others together.
+-- | The parts in one composite for which one symbol is more likely than all others together.
 partsOf :: Reader -> Cells -> View -> [(Cell, ReadSymbol)]
 partsOf reader cells view =
   [ (cell, part)
@@ -60,7 +60,7 @@ partsOf reader cells view =
     found = viewSegmentation view
     own = [(cell, s) | (cell, here) <- Map.toList cells, s <- here, readSource s == viewSource view]
     taken = Set.fromList (map fst own)
-    -- Where the symbols around a free cell say that its centre is.
+    -- The centre of each free cell, as each symbol around it implies it.
     expected =
       Map.fromListWith
         (++)
@@ -94,6 +94,6 @@ readPart view (x, y) seen estimated =
       readSeen = V.sum (rasterValues (partSeen seen)) / fromIntegral (symbolWidth * symbolHeight),
       readLikeliest = alongAxis (viewAxis view) (estimateLikeliest estimated),
       readChances = map (first (alongAxis (viewAxis view))) (estimateChances estimated),
-      -- Of a part it is not asked whether it may be one of another shape.
+      -- Parts are not compared with other shapes.
       readUnlike = estimateUnlike estimated
     }

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Reading the symbols of composites: what each most likely is and which way up, and how they lie
--- beside each other.
+-- | Reads the symbols of composites: what each most likely is, which way up, and which ones are
+-- neighbours.
 module PraTactile.Recognise.Reading
   ( -- * Symbols
     ReadSymbol (..),
@@ -45,42 +45,42 @@ import PraTactile.Segmentation.Lattice (Cell, arrange)
 import qualified PraTactile.Segmentation.Lattice as Lattice
 import PraTactile.Symmetry
 
--- | The mean of some places; the origin for none.
+-- | The mean of some points; the origin if there are none.
 centroid :: [(Double, Double)] -> (Double, Double)
 centroid places = (mean fst, mean snd)
   where
     mean part = sum (map part places) / fromIntegral (max 1 (length places))
 
--- | A symbol that was cut out of a composite, and what the network says of it.
+-- | A symbol that was cut out of a composite, and how the network reads it.
 data ReadSymbol = ReadSymbol
-  { -- | counts the symbols read together, from 0
+  { -- | numbers the symbols that are read together, from 0
     readNumber :: Int,
-    -- | the composite, counted from 0, that it was cut out of
+    -- | the number of the composite that it was cut out of, from 0
     readSource :: Int,
-    -- | where it lies in that composite, and its 8-by-12 image
+    -- | its place in that composite, and its 8-by-12 image
     readImage :: SymbolImage,
-    -- | its centre on the first composite's grid of pixels, which goes on beyond that composite: to
-    -- the right and down
+    -- | its centre in pixels of the first composite's grid, right and down; the grid extends beyond
+    -- that composite
     readAt :: (Double, Double),
-    -- | orientation and class, if the network knows it in exactly one orientation: how the face is
-    -- seen turned in the composite
+    -- | orientation and class if the network knows it in exactly one orientation. The orientation
+    -- is how the face is turned in the composite.
     readClass :: Maybe (Symmetry, Int),
     -- | the share of it that was touched: 1 for a complete symbol
     readSeen :: Double,
     -- | the likeliest orientation and class, known or not
     readLikeliest :: (Symmetry, Int),
-    -- | the probabilities of all orientations and classes of its axis
+    -- | the probabilities of all orientations and classes along its axis
     readChances :: [((Symmetry, Int), Double)],
-    -- | the logarithm of how many times as likely its image is if it is another shape
+    -- | the log-likelihood ratio of its image under another shape to its image under the alphabet
     readUnlike :: Double
   }
   deriving stock (Eq, Show)
 
--- | The probability that a symbol has not its likeliest orientation and class.
+-- | The probability that a symbol is not of its likeliest orientation and class.
 readDoubt :: ReadSymbol -> Double
 readDoubt s = sum [chance | (what, chance) <- readChances s, what /= readLikeliest s]
 
--- | The probability that a symbol is none of the shapes, of which one in 200 is beforehand.
+-- | The probability that a symbol is none of the shapes. The prior is one in 200.
 readNone :: ReadSymbol -> Double
 readNone s = odds / (1 + odds)
   where
@@ -88,26 +88,25 @@ readNone s = odds / (1 + odds)
 
 -- | A composite with the symbols of one axis.
 data View = View
-  { -- | which composite, counted from 0
+  { -- | the composite's number, from 0
     viewSource :: Int,
-    -- | how the symbols are turned, up to 180 degrees: 'identity' or @turned 1@
+    -- | the symbols' axis, up to 180 degrees: 'identity' or @turned 1@
     viewAxis :: Symmetry,
-    -- | the composite, turned so that the symbols are upright or upside down, as parts are read
-    -- from it
+    -- | the composite turned so that the symbols are upright or upside down; parts are read from it
     viewComposite :: Composite,
-    -- | of the composite so turned
+    -- | of the turned composite
     viewSegmentation :: Segmentation,
-    -- | what is no complete symbol, in the pixels of the composite before turning
+    -- | regions that are not complete symbols, in pixels of the composite before turning
     viewRejects :: [Reject],
-    -- | where its pixel (0, 0), before turning, is on the first composite's grid
+    -- | where pixel (0, 0) of the composite before turning is on the first composite's grid
     viewShift :: (Double, Double),
     viewSymbols :: [ReadSymbol]
   }
 
--- | The symbols along one axis in composites of one face, whose origins tell how these lie to each
--- other: those that stand upright or upside down ('identity'), or those that lie on their side
--- (@turned 1@). A blob of one sort is not of the other's size. Numbers the symbols from the number
--- given.
+-- | Reads the symbols along one axis in composites of one face: upright or upside down
+-- ('identity'), or on their side (@turned 1@). Symbols along the other axis are rejected by their
+-- size. The composites' origins place them relative to each other. Symbols are numbered from the
+-- given number. Refuses what the network refuses.
 readSymbols :: Reader -> Symmetry -> Int -> [Cleaned] -> Either NetworkError [View]
 readSymbols reader axis from composites = numbered from <$> traverse view (zip [0 ..] composites)
   where
@@ -127,7 +126,7 @@ readSymbols reader axis from composites = numbered from <$> traverse view (zip [
         v {viewSymbols = zipWith (\k s -> s {readNumber = k}) [n ..] (viewSymbols v)} :
         numbered (n + length (viewSymbols v)) others
 
--- | A place on the first composite's grid, as pixels of the view's composite as it is turned.
+-- | A place on the first composite's grid, in pixels of the view's turned composite.
 onView :: View -> (Double, Double) -> (Double, Double)
 onView view (x, y) = onPixel (invert (viewAxis view)) size (x - dx, y - dy)
   where
@@ -136,8 +135,9 @@ onView view (x, y) = onPixel (invert (viewAxis view)) size (x - dx, y - dy)
     upright = (fromIntegral (rasterWidth image), fromIntegral (rasterHeight image))
     size = if exchangesAxes (viewAxis view) then swap upright else upright
 
--- | Ask the network about a symbol's image in both orientations that its axis has; it knows the
--- symbol if it does so in exactly one of them.
+-- | Reads a symbol's image by the network, in both orientations along its axis. The symbol counts
+-- as known if the network recognises it in exactly one. Arguments: the axis, the composite's
+-- number, the composite's shift on the first one's grid, and the image.
 readSymbol ::
   Reader -> Symmetry -> Int -> (Double, Double) -> SymbolImage -> Either NetworkError ReadSymbol
 readSymbol reader axis source (dx, dy) image = do
@@ -170,21 +170,22 @@ readSymbol reader axis source (dx, dy) image = do
       Recognised c _ -> Just c
       _ -> Nothing
 
--- | A class and how its symbol is turned as seen along an axis, as orientation and class.
+-- | Swaps an estimate's class and symmetry, and adds the axis to the symmetry.
 alongAxis :: Symmetry -> (Int, Symmetry) -> (Symmetry, Int)
 alongAxis axis (c, symmetry) = (axis <> symmetry, c)
 
--- | Does the network know most of the symbols, and at least three?
+-- | Whether the network knows most of the symbols of these views, and at least three.
 mostKnown :: [View] -> Bool
 mostKnown = mostRecognised . concatMap viewSymbols
 
--- | Whether most of some symbols are known, and at least three.
+-- | Whether most of these symbols are known, and at least three.
 mostRecognised :: [ReadSymbol] -> Bool
 mostRecognised symbols = known >= 3 && 2 * known > length symbols
   where
     known = length (filter (isJust . readClass) symbols)
 
--- | Does it know them so in the composites' mirror images? Then the images are mirrored.
+-- | Whether the network knows most symbols, and at least three, in the composites' mirror images.
+-- Then the images are mirrored.
 readMirrored :: Reader -> [Cleaned] -> Either NetworkError Bool
 readMirrored reader composites =
   any mostKnown
@@ -195,18 +196,17 @@ readMirrored reader composites =
     mirrored' (Cleaned c forParts foreignThings) =
       Cleaned (onComposite mirror c) (onComposite mirror <$> forParts) foreignThings
 
--- | Symbols that neighbourhood ties together.
+-- | Symbols that are connected as neighbours.
 data Group = Group
-  { -- | each in its cell, rows and columns counted along the symbols' axes; 'Nothing' if their
+  { -- | each symbol in its cell, with rows and columns along the symbols' axes; 'Nothing' if their
     -- distances contradict each other
     groupCells :: Maybe (Map Cell ReadSymbol),
-    -- | where the group's cell (0, 0) has its centre, along the symbols' axes: pixels across and
-    -- down
+    -- | the centre of the group's cell (0, 0) along the symbols' axes, in pixels across and down
     groupAnchor :: (Double, Double),
     groupSymbols :: [ReadSymbol]
   }
 
--- | The groups of symbols of one axis, by neighbourhood within each composite.
+-- | The groups of symbols along one axis. Only symbols of one composite are connected.
 groups :: [ReadSymbol] -> [Group]
 groups symbols = concatMap (map grouped . arrange placed) (Map.elems bySource)
   where

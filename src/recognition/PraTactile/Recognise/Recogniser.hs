@@ -1,6 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What symbols are recognised and located with.
+-- | What recognition needs: a locator for the array, the placement of the faces, and a reader for
+-- the symbols.
 module PraTactile.Recognise.Recogniser
   ( Recogniser (..),
     recogniser,
@@ -36,14 +37,13 @@ import PraTactile.Segmentation.Lattice (Cell)
 import PraTactile.Shape (alphabetSize)
 import PraTactile.Window (Mask, Packing (..), maskExtent)
 
--- | All that recognition needs: what locates cells in the array, the placement of the faces, and
--- the trained network.
+-- | A locator for an array, the placement of faces on that array, and a reader of symbols.
 data Recogniser k = Recogniser
-  { -- | of the array on its surface, with its window
+  { -- | for the array on its surface, with its window
     recogniserLocator :: Locator k,
-    -- | the placement that positions are looked up in
+    -- | the faces on the array, to look positions up in
     recogniserPlacement :: Placement,
-    -- | what the symbols are read with
+    -- | the trained network and its calibration, to read symbols with
     recogniserReader :: Reader
   }
 
@@ -51,12 +51,12 @@ data Recogniser k = Recogniser
 recogniserWindow :: Recogniser k -> Shape
 recogniserWindow = maskExtent . locatorMask . recogniserLocator
 
--- | How much larger than the paper's the symbols of the placement are.
+-- | The size of the placement's symbols relative to the paper's.
 recogniserScale :: Recogniser k -> Rational
 recogniserScale = fromMaybe 1 . symbolScale . placementPitch . recogniserPlacement
 
--- | The position in the array of a cell of a grid, and the symbol there, if the grid's upper left
--- cell is at the position given. 'Nothing' beyond the sheet.
+-- | The position in the array of a cell of a grid, and the symbol there. The first position is that
+-- of the grid's upper left cell. 'Nothing' beyond the sheet.
 cellFrom :: KnownField k => Recogniser k -> Position -> Cell -> Maybe (Position, GF k)
 cellFrom reader (Position r c) (i, j) = (\place -> (place, cellAt array place)) <$> at
   where
@@ -70,24 +70,28 @@ cellFrom reader (Position r c) (i, j) = (\place -> (place, cellAt array place)) 
 
 -- | Why there is no recogniser.
 data RecogniserError
-  = -- | Nothing decodes what is seen of the array: it has more cells than a codebook, and no
-    -- algebra.
+  = -- | No decoder can locate probabilities in this array: it is too large for a codebook, and its
+    -- logarithms cannot be taken.
     RecogniserArray LocatorError
   | -- | The network has this many outputs, the alphabet this many shapes, and the field this many
-    -- elements, which must be as many.
+    -- elements. The three must be equal.
     ClassesDiffer Int Int Int
-  | -- | The objects are laid on an array of the first shape; the array has the second.
+  | -- | The objects are laid on an array of the first shape, but the array has the second.
     ArraysDiffer Shape Shape
-  | -- | The objects' symbols are the first distances apart; symbols are read at the second.
+  | -- | The objects' symbols have the first pitch, which is not a multiple of the second, the
+    -- paper's.
     PitchesDiffer Pitch Pitch
   deriving stock (Eq, Show)
 
--- | A recogniser for rectangular windows on an array and its surface. Up to 2^16 cells what is seen
--- is compared with all positions; beyond, it is decoded as "PraTactile.Locate" has it, so that a
--- press costs what was touched, not the array. Arrays whose logarithms cannot be taken or that lie
--- on a foreign surface are compared up to 'largestSearchedArray' cells. Refuses larger ones of
--- these, classes that are not one an element, and a placement on an array of another shape or with
--- symbols at other distances than the paper's times a factor, at which they are read.
+-- | Builds a recogniser from an array on a surface, a rectangular window, a placement and a reader.
+--
+-- Arrays of up to 2^16 cells are searched whole by a codebook. Larger ones are decoded as in
+-- "PraTactile.Locate", so that a press costs time by what was touched, not by the array's size. If
+-- the array's logarithms cannot be taken, or its surface is foreign, the codebook serves up to
+-- 'largestSearchedArray' cells.
+--
+-- Refuses larger arrays of the last kind, a number of classes that differs from the field's, a
+-- placement on an array of another shape, and a pitch that is not the paper's times one factor.
 recogniser ::
   KnownField k =>
   ArrayOn k ->
@@ -101,7 +105,7 @@ recogniser on window layout reader = case upTo (2 ^ (16 :: Int)) of
   where
     upTo most = recogniserUpTo most on window layout reader
 
--- | The same that compares with all positions of arrays up to so many cells only.
+-- | 'recogniser' with a limit of its own, in cells: a codebook searches no larger array.
 recogniserUpTo ::
   KnownField k =>
   Natural ->
@@ -126,7 +130,7 @@ recogniserUpTo most on@(ArrayOn _ array) window layout reader
         }
   where
     q = fieldOrder array
-    -- No table decodes; the order of cells in tables does not matter.
+    -- No table of windows is used here, so the order of cells in it does not matter.
     decoding = locatorUpTo most Nothing MostSignificantFirst on window
     given = outputCount (readerNetwork reader)
     shaped = alphabetSize (readerAlphabet reader)

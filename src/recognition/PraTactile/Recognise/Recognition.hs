@@ -1,7 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What comes of recognising composites: symbols, an answer or a refusal, and what is done to all
--- of them together.
+-- | The result of recognition, with its answer or refusal, and operations on whole results.
 module PraTactile.Recognise.Recognition
   ( Recognition (..),
     unanswered,
@@ -39,24 +38,23 @@ import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Sensor.Manifest (Remedy)
 import PraTactile.Symmetry
 
--- | What was recognised, whether or not it led to an answer.
+-- | All that was recognised, with or without an answer.
 data Recognition = Recognition
   { -- | every complete symbol of the composites
     recognisedSymbols :: [ReadSymbol],
-    -- | symbols beside them that are not complete, or were not cut out, as far as they tell
-    -- anything
+    -- | symbols beside them that are incomplete, or were not cut out, but still informative
     recognisedParts :: [ReadSymbol],
-    -- | symbols and parts by their cells, along the symbols' axes, where they lie on one grid
+    -- | symbols and parts by cell, along the symbols' axes; empty if they do not lie on one grid
     recognisedCells :: Cells,
-    -- | where the centre of cell (0, 0) is along the symbols' axes, in pixels across and down on
-    -- the first composite's grid; of composites that were set upright for reading, on theirs
+    -- | the centre of cell (0, 0) along the symbols' axes, in pixels across and down on the first
+    -- composite's grid; for composites that were set upright, on the upright composite's grid
     recognisedAnchor :: (Double, Double),
-    -- | for the likeliest position, where there is one
+    -- | the support of the likeliest position, if there is one
     recognisedSupport :: Maybe Support,
-    -- | that position
+    -- | the likeliest position
     recognisedLikeliest :: Maybe Likeliest,
-    -- | by how many degrees, clockwise, the symbols' axes are turned from the composites', beside
-    -- quarter turns: the orientations of symbols and answer come on top of it
+    -- | the angle from the composites' axes to the symbols', in degrees clockwise, beyond quarter
+    -- turns. The orientations of symbols and answer come on top of it.
     recognisedTilt :: Double,
     recognisedAnswer :: Either Refusal Identification
   }
@@ -65,8 +63,8 @@ data Recognition = Recognition
 -- | What was touched.
 data Identification
   = Found Finding
-  | -- | The orientation, and the several positions of the patch's upper left cell that fit what was
-    -- recognised (only where the array lacks the window property).
+  | -- | The orientation, and all positions of the patch's upper left cell that agree with what was
+    -- recognised. Only arrays without the window property have several.
     Several Symmetry [Position]
   deriving stock (Eq, Show)
 
@@ -76,26 +74,26 @@ data Refusal
     NoSymbols
   | -- | there are symbols, but the network recognised none
     SymbolsUnclear
-  | -- | no symbols or unclear ones, and what the composites show instead
+  | -- | no symbols or unclear ones, with what the composites show instead and the original refusal
     ShownInstead Instead Refusal
-  | -- | the network recognises most symbols in the composite's mirror image, and none as it is;
-    -- what undoes that
+  | -- | the network recognises most symbols in the composite's mirror image and none in the
+    -- composite; with ways to undo that
     Mirrored [Remedy]
-  | -- | symbols disagree about the orientation of the grid
+  | -- | too many symbols lie another way up than the rest
     OrientationContradicts
   | -- | the symbols do not lie on one grid of the array's pitch
     GridContradicts
-  | -- | separate groups of symbols lead to different places
+  | -- | separate groups of symbols lead to different positions
     WindowsContradict
-  | -- | the frames show different things where they should overlap
+  | -- | the frames show different things where they overlap
     FramesContradict Contradiction
-  | -- | the recognised cells lead to no position
+  | -- | the recognised cells have no position
     NotLocated Reason
-  | -- | the recognised cells cannot be decoded on an array of that size
+  | -- | the decoder refuses the recognised cells
     NotDecoded LocatorError
   deriving stock (Eq, Show)
 
--- | All refusals, those of frames and of decoding once.
+-- | All refusals, with one example each of 'FramesContradict' and 'NotDecoded'.
 refusals :: [Refusal]
 refusals =
   [ NoSymbols,
@@ -109,7 +107,7 @@ refusals =
   ]
     ++ map NotLocated reasons
 
--- | The stable name of a refusal, as JSON has it.
+-- | The stable name of a refusal, as used in JSON.
 refusalName :: Refusal -> String
 refusalName refusal = case refusal of
   NoSymbols -> "no-symbols"
@@ -123,18 +121,19 @@ refusalName refusal = case refusal of
   NotLocated reason -> reasonName reason
   NotDecoded _ -> "not-decoded"
 
--- | Symbols without an answer, and why.
+-- | A recognition without an answer: its symbols and the refusal.
 unanswered :: [ReadSymbol] -> Refusal -> Recognition
 unanswered symbols = Recognition symbols [] Map.empty (0, 0) Nothing Nothing 0 . Left
 
--- | How much symbols say together, in nats: the fewer doubts they leave, the better they were cut
--- out.
+-- | The total certainty of symbols, in nats: the sum of -log of their doubts. It is larger for
+-- symbols that were cut out better.
 certainty :: [ReadSymbol] -> Double
 certainty = sum . map (negate . log . max 1e-300 . readDoubt)
 
--- | Of what was recognised as the composites are, whose symbols lie at an angle (degrees), and of
--- what was recognised from them set upright: an answer before a refusal, but as the composites are
--- only where that may be read; else what leaves less doubt about the symbols.
+-- | Chooses between the recognition of composites as given and as set upright, whose symbols are
+-- turned by the angle in degrees. An answer goes before a refusal, but the answer of composites as
+-- given counts only up to 'mostTilt'. Otherwise the recognition with the greater 'certainty' is
+-- taken.
 preferred :: Double -> Recognition -> Recognition -> Recognition
 preferred angle asGiven setRight
   | isAnswered setRight && not (isAnswered asGiven) = setRight
@@ -145,13 +144,13 @@ preferred angle asGiven setRight
     certaintyOf = certainty . recognisedSymbols
     isAnswered = isRight . recognisedAnswer
 
--- | Symbols that are turned by no more than this, in degrees, are still read as they are without
--- error, if not as often.
+-- | Up to this angle, in degrees, symbols are read without errors in composites as given, if less
+-- often.
 mostTilt :: Double
 mostTilt = 7
 
--- | What was recognised in composites that were set upright by an angle, as of the composites as
--- they were given, by where the places of the one are on the other.
+-- | Transfers a recognition of composites that were set upright, by the angle, to the composites as
+-- given. The list has, for each composite, the map from places of the upright one to the given one.
 relocated :: Double -> [(Double, Double) -> (Double, Double)] -> Recognition -> Recognition
 relocated angle places recognition =
   recognition
@@ -185,8 +184,8 @@ relocated angle places recognition =
             }
     window w = w {windowSeenAt = onFirst (windowSeenAt w)}
 
--- | The symbols with the tilt of their grid in their axes, which were cut out along the
--- composites'.
+-- | Adds the grid's angle to the axes of the symbols, which were cut out along the composites'
+-- axes.
 axesTilted :: Recognition -> Recognition
 axesTilted recognition =
   recognition
@@ -197,7 +196,7 @@ axesTilted recognition =
     tilted s = s {readImage = (readImage s) {symbolAxis = symbolAxis (readImage s) + by}}
     by = recognisedTilt recognition
 
--- | By how many degrees, clockwise and in [0, 360), the face is turned as the composites show it,
+-- | The angle by which the face is turned in the composites, in degrees clockwise in [0, 360),
 -- given the orientation that was found.
 recognisedAngle :: Recognition -> Symmetry -> Double
 recognisedAngle recognition orientation
@@ -207,21 +206,21 @@ recognisedAngle recognition orientation
   where
     angle = degreesClockwise orientation + recognisedTilt recognition
 
--- | How probable it is that frames lie otherwise, and then show something else.
+-- | The probabilities that frames lie elsewhere and then show another place.
 data Misplaced = Misplaced
-  { -- | one of them
+  { -- | one frame is misplaced
     oneMisplaced :: !Double,
-    -- | all, along other axes or at another scale
+    -- | all frames lie along other axes or at another scale
     axesMisplaced :: !Double,
-    -- | some, by a slip
+    -- | some frames slipped
     slipped :: !Double,
-    -- | the likeliest other layout of all frames, where it is more probable than the robot's
+    -- | the likeliest other layout of all frames, if it is more probable than the robot's
     likelierLayout :: Maybe Contradiction
   }
   deriving stock (Eq, Show)
 
--- | The recognition where its frames may lie otherwise. Beyond the doubt that is tolerated, it is
--- refused.
+-- | Adds the doubts of misplaced frames to a recognition. The answer is refused if its doubt then
+-- exceeds the tolerance.
 doubting :: Tolerance -> Misplaced -> Recognition -> Recognition
 doubting _ (Misplaced 0 0 0 _) recognition = recognition
 doubting tolerance (Misplaced stitched axes slip layout) recognition =

@@ -1,8 +1,8 @@
 {-# LANGUAGE MultiWayIf #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What composites of one face show before the array and the objects are asked: symbols, and parts
--- of symbols beside them, on one grid.
+-- | Reads composites of one face before the array is asked: symbols, and parts of symbols beside
+-- them, on one grid.
 module PraTactile.Recognise.Sight
   ( Sight (..),
     Reading (..),
@@ -29,45 +29,45 @@ import PraTactile.Segmentation (Cleaned (..), Reject, Segmentation (..), cleaned
 import PraTactile.Sensor.Manifest (Remedy (..), remedies, straight)
 import PraTactile.Symmetry
 
--- | What composites of one face show, before the array and the objects are asked.
+-- | The reading of composites of one face.
 data Sight = Sight
-  { -- | what in the composites is none of the symbols'
+  { -- | regions of the composites that are not symbols
     sightForeign :: [Reject],
-    -- | the composites as they are
+    -- | the reading of the composites as given
     sightAsGiven :: Reading,
-    -- | where the symbols are not nearly upright by their 'tilt': that angle, where places of the
-    -- composites set upright by it are on those given, and the composites so set upright
+    -- | if the symbols are not nearly upright by their 'tilt': that angle, the maps from places of
+    -- the upright composites to the given ones, and the reading of the upright composites
     sightUpright :: Maybe (Double, [(Double, Double) -> (Double, Double)], Reading)
   }
 
 -- | Composites read along the axis of most symbols.
 data Reading = Reading
-  { -- | what is no complete symbol, in the composites' pixels
+  { -- | regions that are not complete symbols, in the composites' pixels
     readingRejects :: [Reject],
-    -- | the symbols, or why they are not located
+    -- | the symbols, or a recognition with the reason why they cannot be located
     readingLook :: Either Recognition Look
   }
 
 -- | Symbols and parts on one grid.
 data Look = Look
   { lookSymbols :: [ReadSymbol],
-    -- | those of the other axis that the network knows all the same
+    -- | symbols along the other axis that the network knows nevertheless
     lookDissenters :: [ReadSymbol],
     lookParts :: [ReadSymbol],
-    -- | with the parts in it
+    -- | the grid, including the parts
     lookGrid :: FaceGrid,
     lookTilt :: Double
   }
 
--- | Read the symbols of composites of one face: in the cells of the lattices that registration
--- found under all of them, else as the paper does, by segmentation. Refuses only what the network
--- refuses.
+-- | Reads the symbols of composites of one face. If registration found lattices under all of them,
+-- their cells are read; else the symbols are found by segmentation, as in the paper. Refuses only
+-- what the network refuses.
 sight :: Reader -> [Composite] -> Either NetworkError Sight
 sight reader given = case traverse compositeLattice given of
   Just lattices@(_ : _) -> inLattices reader (zip given lattices)
   _ -> bySegmentation reader given
 
--- | Composites read by segmentation.
+-- | Reads composites by segmentation.
 bySegmentation :: Reader -> [Composite] -> Either NetworkError Sight
 bySegmentation reader given = case tilt (map cleanedComposite composites) of
   Just angle
@@ -81,14 +81,14 @@ bySegmentation reader given = case tilt (map cleanedComposite composites) of
     composites = map cleaned given
     foreignThings = concatMap cleanedRejects composites
 
--- | 'setUpright' of a composite without what is foreign.
+-- | 'setUpright' for a composite whose foreign regions are masked.
 cleanedUpright :: Double -> Cleaned -> (Cleaned, (Double, Double) -> (Double, Double))
 cleanedUpright angle (Cleaned composite forParts foreignThings) =
   (Cleaned upright (fst . setUpright angle <$> forParts) foreignThings, back)
   where
     (upright, back) = setUpright angle composite
 
--- | Composites read in the cells of their lattices.
+-- | Reads composites in the cells of their lattices.
 inLattices :: Reader -> [(Composite, Lattice)] -> Either NetworkError Sight
 inLattices reader given = do
   found <-
@@ -126,12 +126,12 @@ inLattices reader given = do
     known = filter (isJust . readClass)
     wholeIn = filter ((>= 1) . readSeen) . Map.elems . cellsSymbols
 
--- | What composites show whose symbols' axes are nearly theirs: turned from them by the angle, in
--- degrees clockwise, as far as the images show it.
+-- | Reads composites whose symbols' axes are nearly the composites' own. The angle between them, in
+-- degrees clockwise, is given if the images show it.
 lookUpright :: Reader -> Maybe Double -> [Cleaned] -> Either NetworkError Reading
 lookUpright reader angle composites = do
   upright <- readSymbols reader identity 0 composites
-  -- A composite whose upright symbols are known has no others, and one that is flat has none.
+  -- If the upright symbols are known there are no others; a flat composite has none.
   let flat = all ((<= 0) . segmentedContrast . viewSegmentation) upright
       next = length (concatMap viewSymbols upright)
   sideways <-
@@ -151,8 +151,8 @@ lookUpright reader angle composites = do
     remedy = unmirroring composites
     known = filter (isJust . readClass) . concatMap viewSymbols
 
--- | The symbols of one axis, with parts beside them, on one grid; and what the network knows of the
--- other axis.
+-- | Puts the symbols along one axis, and parts beside them, on one grid. The last argument is the
+-- known symbols along the other axis.
 onOneGrid :: Reader -> Maybe Double -> [View] -> [ReadSymbol] -> Either Recognition Look
 onOneGrid reader angle views dissenters
   | null symbols = Left (unanswered everything NoSymbols)
@@ -167,7 +167,7 @@ onOneGrid reader angle views dissenters
       let (whole, parts) = withParts reader views next grid
       pure (Look everything dissenters parts whole (gridTilt angle grid))
 
--- | What undoes the mirroring of composites.
+-- | The settings that undo the mirroring of composites.
 unmirroring :: [Cleaned] -> [Remedy]
 unmirroring composites = case map cleanedComposite composites of
   composite : _

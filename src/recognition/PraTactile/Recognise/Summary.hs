@@ -22,9 +22,9 @@ import PraTactile.Recognise
 import PraTactile.Symmetry
 import Text.Printf (printf)
 
--- | Object, face and corner; the place on the face and how it lies; the position in the array; the
--- doubt. Or, of a refusal, its name and the doubt of the likeliest position, if there is one. No
--- line ends in a line break.
+-- | The lines of the summary. For an answer: object, face and corner; the place on the face and its
+-- angle; the position in the array; the doubt. For a refusal: its name, and the doubt of the
+-- likeliest position if there is one. Lines have no line breaks.
 summary :: Recognition -> [String]
 summary recognition = case recognisedAnswer recognition of
   Left refusal -> ("refused: " ++ refusalName refusal) : doubted
@@ -48,7 +48,7 @@ summary recognition = case recognisedAnswer recognition of
         | Just support <- [recognisedSupport recognition]
       ]
 
--- | What lies at a position.
+-- | The object, the face and the nearest corners at a position, or why there is no object.
 whereText :: Whereabouts -> String
 whereText place = case place of
   OnFace on -> faceOf (placeFace on) ++ ", " ++ cornerText (placeCorners on)
@@ -60,7 +60,7 @@ whereText place = case place of
       [only] -> "corner " ++ vertexText only
       _ -> "as near to " ++ intercalate " as to " (map vertexText nearest)
 
--- | Where a window's centre is on the face, from its upper left vertex.
+-- | The window's centre on its face, measured from the face's upper left vertex.
 centreText :: Place -> String
 centreText place = printf "%.2f mm to the right of and %.2f mm below %s" x y upperLeft
   where
@@ -71,7 +71,7 @@ centreText place = printf "%.2f mm to the right of and %.2f mm below %s" x y upp
 upperLeftVertex :: Face -> String
 upperLeftVertex = concatMap vertexText . take 1 . faceVertices . faceName
 
--- | How something is seen.
+-- | An orientation in words, such as "turned by 90 degrees".
 orientationText :: Symmetry -> String
 orientationText symmetry = case (mirrored symmetry, degreesClockwise symmetry :: Int) of
   (False, 0) -> "upright"
@@ -79,24 +79,24 @@ orientationText symmetry = case (mirrored symmetry, degreesClockwise symmetry ::
   (flipped, degrees) ->
     (if flipped then "mirrored and " else "") ++ "turned by " ++ show degrees ++ " degrees"
 
--- | How a face that was recognised in this orientation lies: by its angle, if that is not nearly a
--- quarter turn.
+-- | How a face lies that was recognised in this orientation, in words. The angle is given unless it
+-- is nearly a quarter turn.
 lieText :: Recognition -> Symmetry -> String
 lieText recognition orientation
   | shownTilt recognition == 0 = orientationText orientation
   | otherwise = printf "turned by %.1f degrees" (recognisedAngle recognition orientation)
 
--- | The tilt of what was recognised, where it is more than 'leastTilt'; else 0.
+-- | The angle of the recognised symbols if it is more than 'leastTilt', else 0.
 shownTilt :: Recognition -> Double
 shownTilt recognition
   | abs (recognisedTilt recognition) > leastTilt = recognisedTilt recognition
   | otherwise = 0
 
--- | Positions as the command line takes them: @6,5 7,0@.
+-- | Positions in the command line's form: @6,5 7,0@.
 positionsText :: [Position] -> String
 positionsText positions = unwords [show r ++ "," ++ show c | Position r c <- positions]
 
--- | A probability that may be too small for a 'Double'.
+-- | A probability as text. It may be too small for a 'Double'.
 doubtText :: Double -> String
 doubtText doubt
   | doubt > 0 = printf "%.1e" doubt

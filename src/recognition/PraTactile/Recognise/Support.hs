@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What a position rests on: the doubts that the probabilities leave, and the certain symbols.
+-- | What supports a position: the doubts that the probabilities leave, and the certain symbols.
 module PraTactile.Recognise.Support
   ( Support (..),
     supportFrom,
@@ -24,39 +24,40 @@ import PraTactile.Recognise.Recogniser
 import PraTactile.Recognise.Witnesses
 import PraTactile.Symmetry
 
--- | What would make a position wrong, each with its probability. They exclude each other.
+-- | The probabilities of all causes that would make a position wrong. The causes exclude each
+-- other.
 data Doubts = Doubts
-  { -- | the symbols are the array's, but the orientation or the position is another
+  { -- | the symbols are the array's, but at another position or in another orientation
     doubtOfPosition :: Double,
-    -- | a frame lies elsewhere than it was put, and then the frames show something else
+    -- | one frame lies elsewhere, and the frames then show another place
     doubtOfStitching :: Double,
-    -- | the robot's axes, or their scale, are others, and then the frames show something else
+    -- | the robot's axes or their scale differ, and the frames then show another place
     doubtOfAxes :: Double,
-    -- | frames slipped by a whole cell along the face, and then they show something else
+    -- | frames slipped by a whole cell along the face, and then show another place
     doubtOfSlip :: Double,
-    -- | the surface is not the array's
+    -- | the surface does not carry the array
     doubtsOfOrigin :: ForeignDoubts
   }
   deriving stock (Eq, Show)
 
--- | What a position rests on.
+-- | What supports a position.
 data Support = Support
-  { -- | why it may be wrong, by the symbols' own probabilities
+  { -- | the doubts by the symbols' own probabilities
     supportDoubts :: Doubts,
-    -- | how many certain symbols are what the array has in their cells
+    -- | the number of certain symbols that agree with the array
     supportAgreeing :: Int,
-    -- | the numbers of those that are not, that lie another way up, or that lie off the grid
+    -- | the numbers of certain symbols that disagree, lie another way up, or lie off the grid
     supportWrong :: [Int],
-    -- | the composites, counted from 0, of whose certain symbols more are wrong than agree
+    -- | the composites, counted from 0, with more wrong than agreeing certain symbols
     supportInconsistent :: [Int],
     -- | the minimum distance of the cells with a certain symbol
     supportDistance :: Known,
-    -- | how many of them may be wrong
+    -- | the number of certain symbols that may be wrong
     supportRadius :: Natural,
-    -- | of all contents of these cells, the share that would be located: at most this; 'Nothing' if
-    -- no cell says anything
+    -- | an upper bound on the share of all contents of these cells that would be located; 'Nothing'
+    -- if no cell is observed
     supportChance :: Maybe Chance,
-    -- | what the code has checked among these cells, of the composites as their sources
+    -- | what the code checks among these cells, with the composites as sources
     supportChecks :: Maybe Checks
   }
   deriving stock (Eq, Show)
@@ -72,8 +73,8 @@ supportDoubt support =
   where
     doubts = supportDoubts support
 
--- | What the likeliest position rests on, its frames lying where they were put. 'Nothing' where no
--- position is possible.
+-- | The support of the likeliest position, on the assumption that all frames lie where they were
+-- put. 'Nothing' if no position is possible.
 supportFrom :: KnownField k => Recogniser k -> Witnesses -> Asked k -> Maybe Support
 supportFrom reader witnesses (Asked shown answered) = do
   answer <- either (const Nothing) Just answered

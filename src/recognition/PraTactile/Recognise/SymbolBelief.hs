@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What the symbols read on a grid say: which way up the face may lie, and what the array then has
+-- | The evidence of symbols read on a grid: which way up the face may lie, and what the array has
 -- in each cell, as a symbol or as probabilities.
 module PraTactile.Recognise.SymbolBelief
   ( certain,
@@ -20,11 +20,13 @@ import PraTactile.Recognise.Reading
 import PraTactile.Symbol (elementOfClass)
 import PraTactile.Symmetry
 
--- | What a symbol is, if that is certain: the network knows it, and that leaves less than a tenth
--- of doubt, also that it is none of ours, or it is a part of at least a third that leaves
--- less than a thousandth: of less, frames that were put together a taxel wrong may make another
--- symbol. What else lies on a face, a symbol's rest beside an edge or one that two frames show in
--- two places, the network may know all the same: such a symbol stands against no others.
+-- | The orientation and class of a symbol that counts as a witness; 'Nothing' for any other.
+--
+-- A complete symbol counts if the network knows it as its likeliest class, with doubt below 0.1,
+-- and the probability of a foreign shape is below 0.1 too. A part counts if at least a third was
+-- touched and its doubt is below 0.001. Smaller parts do not count: frames that are a taxel off may
+-- turn one into another symbol. The network may know other things as symbols too, such as a remnant
+-- at an edge or a symbol that two frames show in two places. Such symbols contradict no others.
 certain :: ReadSymbol -> Maybe (Symmetry, Int)
 certain s
   | readSeen s < 1 =
@@ -32,18 +34,18 @@ certain s
   | readDoubt s < 0.1 && readNone s < 0.1 && readClass s == Just (readLikeliest s) = readClass s
   | otherwise = Nothing
 
--- | How the symbols' axis lies: 'identity', or @turned 1@.
+-- | The axis of the symbols: 'identity', or @turned 1@ if any lies on its side.
 axisOf :: Cells -> Symmetry
 axisOf cells
   | or [exchangesAxes (fst (readLikeliest s)) | here <- Map.elems cells, s <- here] = turned 1
   | otherwise = identity
 
--- | The two ways up that symbols may lie along their axis, as a grid of them is seen.
+-- | The two ways up that a grid of symbols along one axis may have.
 waysUp :: [Symmetry]
 waysUp = [identity, turned 2]
 
--- | What the symbols of a cell say, independent looks at it, of the way up along an axis and of the
--- classes. 'Nothing' if nothing is possible.
+-- | The belief about a cell, way up and class, from the symbols read in it along an axis. The
+-- symbols count as independent observations. 'Nothing' if nothing is possible.
 beliefAlong :: forall k. KnownField k => Symmetry -> [ReadSymbol] -> Maybe (Belief k)
 beliefAlong axis here = traverse look here >>= combined
   where
@@ -53,8 +55,8 @@ beliefAlong axis here = traverse look here >>= combined
         | c <- [0 .. fieldOrder (Proxy :: Proxy k) - 1]
       ]
 
--- | The symbols of this orientation that the network knows, where all of a cell agree. Refuses no
--- cells.
+-- | The patch of symbols of this orientation that the network knows, in cells where all of them
+-- agree. Refuses a grid without cells.
 knownPatch :: KnownField k => Cells -> Symmetry -> Either LocateError (Patch (GF k))
 knownPatch cells orientation = patch (map (map (>>= agreed)) (gridRows cells))
   where

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What a caller tolerates in an answer, and the prior probabilities that answers are weighed by.
+-- | The errors that a caller tolerates in an answer, and the priors that answers are weighed by.
 module PraTactile.Recognise.Tolerance
   ( Tolerance (..),
     standardTolerance,
@@ -9,27 +9,28 @@ where
 
 import PraTactile.Locate (Radius (..))
 
--- | The errors that an answer may have, and the prior probabilities of what makes one wrong.
+-- | The errors that a caller tolerates, and the prior probabilities of their causes.
 data Tolerance = Tolerance
   { -- | the greatest probability of a wrong answer, below 1
     toleratedDoubt :: Double,
-    -- | how many certain symbols may be wrong
+    -- | the number of certain symbols that may be wrong
     toleratedErrors :: Radius,
-    -- | the prior probability that the surface has the shapes in another arrangement than the
-    -- array's, and that it has other shapes: each this, below 1
+    -- | the prior probability that the surface has the array's shapes in another arrangement, and
+    -- also that it has other shapes; both have this prior, below 1
     foreignPrior :: Double,
-    -- | the prior probability that the robot's axes are others than supposed; 'Nothing' stands for
-    -- 1/100, or 1/400 where the axes were stated
+    -- | the prior probability that the robot's axes are not as assumed; 'Nothing' stands for 1/100,
+    -- or 1/400 if the axes were stated
     axesPrior :: Maybe Double,
-    -- | the prior probability that frames slipped by a whole cell: of one folder, those beyond some
-    -- line; of several folders, each but the first
+    -- | the prior probability that frames slipped by a whole cell: in one folder, the frames beyond
+    -- some line; with several folders, each folder but the first
     slipPrior :: Double
   }
   deriving stock (Eq, Show)
 
--- | A doubt of 1/100; as many wrong symbols as their minimum distance guarantees to correct; a
--- foreign surface once in 200 touches, and a slip once in 500 presses. By these, four certain
--- symbols are still an answer, although nearly every arrangement of four occurs in the array.
+-- | A doubt of 1/100, as many wrong symbols as their minimum distance guarantees to correct, a
+-- foreign surface once in 200 touches, and a slip once in 500 presses. With these values four
+-- certain symbols are enough for an answer, although nearly every arrangement of four occurs in the
+-- array.
 standardTolerance :: Tolerance
 standardTolerance =
   Tolerance

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The certain symbols of a grid, which vouch for a position or contradict it. Probabilities rest
+-- | The certain symbols of a grid, which support a position or contradict it. Probabilities depend
 -- on a model of the sensor; the minimum distance of these symbols' cells does not.
 module PraTactile.Recognise.Witnesses
   ( -- * A grid on a face
@@ -37,13 +37,13 @@ import PraTactile.Symmetry
 
 -- | A grid of symbols as it lies on the face.
 data GridOnFace = GridOnFace
-  { -- | how the face is seen turned
+  { -- | the orientation in which the face is seen
     onFaceOrientation :: Symmetry,
-    -- | by cells of the face; a cell that says nothing is there without symbols
+    -- | by cells of the face; an ignored cell is present without symbols
     onFaceCells :: Cells,
-    -- | the numbers of the symbols of each group
+    -- | the 'readNumber's of the symbols of each group
     onFaceGroups :: [Set Int],
-    -- | symbols of the other axis
+    -- | symbols along the other axis
     onFaceSideways :: [ReadSymbol],
     -- | symbols off the grid
     onFaceStrays :: [ReadSymbol]
@@ -51,21 +51,21 @@ data GridOnFace = GridOnFace
 
 -- | The certain symbols of a grid.
 data Witnesses = Witnesses
-  { -- | those that lie as the face does, each in its cell
+  { -- | those of the face's orientation, each with its cell
     witnessesKnown :: [(Cell, ReadSymbol)],
-    -- | those that lie another way up
+    -- | those of another orientation
     witnessesOtherWayUp :: [ReadSymbol],
     -- | those off the grid
     witnessesStray :: [ReadSymbol],
-    -- | the cells of those that lie as the face does
+    -- | the cells of those of the face's orientation
     witnessesCells :: [Position],
     -- | the minimum distance of these cells
     witnessesDistance :: Known,
-    -- | how many symbols may be wrong
+    -- | how many witnesses may be wrong
     witnessesRadius :: Natural
   }
 
--- | The witnesses on a face.
+-- | The witnesses of a grid on a face.
 witnessesOf :: KnownField k => Recogniser k -> Tolerance -> GridOnFace -> Witnesses
 witnessesOf reader tolerance face =
   Witnesses
@@ -90,7 +90,7 @@ witnessesOf reader tolerance face =
       map offsetOf (Set.toAscList (Set.fromList [cell | (cell, _, o) <- inCells, o == orientation]))
     distance = cellsDistance (recogniserLocator reader) offsets
 
--- | The cells of the witnesses that lie as the face does, composite by composite.
+-- | The cells of the witnesses of the face's orientation, one list for each composite.
 bySource :: Witnesses -> [[Position]]
 bySource witnesses =
   Map.elems $
@@ -98,14 +98,14 @@ bySource witnesses =
       (++)
       [(readSource s, [offsetOf cell]) | (cell, s) <- witnessesKnown witnesses]
 
--- | The witnesses for and against a position.
+-- | The witnesses that support a position and those that contradict it.
 data Standing = Standing
   { standingAgreeing :: [ReadSymbol],
-    -- | those that the array has otherwise, that lie another way up, or that lie off the grid
+    -- | those that disagree with the array, have another orientation, or lie off the grid
     standingWrong :: [ReadSymbol]
   }
 
--- | How witnesses stand to a position of the grid's upper left cell.
+-- | Sorts the witnesses by whether they support a position of the grid's upper left cell.
 standingAt :: KnownField k => Recogniser k -> Witnesses -> Position -> Standing
 standingAt reader witnesses position =
   Standing
@@ -118,7 +118,7 @@ standingAt reader witnesses position =
     agrees (cell, s) = codeIn cell == fmap snd (certain s)
     codeIn cell = toCode . snd <$> cellFrom reader position cell
 
--- | The composites, counted from 0, of whose witnesses more are wrong than agree.
+-- | The composites, counted from 0, with more wrong than agreeing witnesses.
 mostlyWrong :: Standing -> [Int]
 mostlyWrong (Standing agreeing wrong) =
   [ source

@@ -1,13 +1,13 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The relief of a face as a polyhedron has it that was made: rays along the face's normal find
--- how high its surface is. Of the placement only where the face and the lattice of its taxels lie
--- is asked, so that a ray does not fall on the wall of a symbol; of the array nothing.
+-- | The relief of a face of a polyhedron, such as one that was printed. Rays along the face's
+-- normal measure the height of its surface. The placement only says where the face and its lattice
+-- of taxels lie, so that no ray falls on the wall of a symbol. The array is not used.
 --
--- A ray begins 'highest' above the face and ends 'lowest' above it, which is a little below: what
--- it meets first is felt, and where it meets nothing there is nothing to feel. So what stands
--- further off is not in the way, such as another arm of the object, and what falls away beyond the
--- face's rim is not reached.
+-- A ray begins 'highest' above the face and ends 'lowest', slightly below it. The first surface
+-- that it meets is felt; if it meets none, nothing is felt. So parts further away, such as another
+-- arm of the object, are not in the way, and surfaces that fall away beyond the face's rim are not
+-- reached.
 module PraTactile.Relief.Mesh
   ( MeshError (..),
     meshRelief,
@@ -27,30 +27,32 @@ import PraTactile.Object.Triangles
 import PraTactile.Object.WingedEdge
 import PraTactile.Relief
 
--- | Why a polyhedron is not pressed.
+-- | Why a polyhedron cannot be pressed.
 data MeshError
-  = -- | So many sides of its faces are not shared by two that walk them in opposite directions.
+  = -- | This number of sides of its faces lack a neighbour that walks them in the opposite
+    -- direction.
     NotClosed Int
   | -- | It has no vertex where this corner of this face should be.
     ElsewhereThan FaceName VertexName
   deriving stock (Eq, Show)
 
--- | What is felt at most so far above the face, in millimetres: twice a symbol's height.
+-- | The greatest height above the face that is felt, in millimetres: twice a symbol's height.
 highest :: Double
 highest = 2 * symbolThickness
 
--- | And at least: a sixteenth of that below it.
+-- | The lowest height that is felt, in millimetres: a sixteenth of a symbol's height below the
+-- face.
 lowest :: Double
 lowest = negate (symbolThickness / 16)
 
--- | How many rays meet a taxel of the symbols, along each of its sides.
+-- | The number of rays along each side of a symbol's taxel.
 finestTaxel :: Int
 finestTaxel = 4
 
--- | The relief of a laid face by a polyhedron that lies where the placement has the object, both so
--- large that symbols have the paper's size. Refuses a polyhedron that is not closed, and one
--- without a vertex within a hundredth of a taxel of each corner of the face. O(n) in the
--- polyhedron's corners, and for each ray what lies near it.
+-- | The relief of a laid face, measured on a polyhedron that lies where the placement has the
+-- object. Both are scaled so that symbols have the paper's size. Refuses a polyhedron that is not
+-- closed, and one without a vertex within a hundredth of a taxel of each corner of the face. O(n)
+-- in the polyhedron's corners; a ray costs what lies near it.
 meshRelief :: Mesh -> Solid -> LaidFace -> Either MeshError Relief
 meshRelief it object laid
   | open > 0 = Left (NotClosed open)
@@ -80,8 +82,8 @@ meshRelief it object laid
           (a, b, c) <- triangles it walk
       ]
 
--- | From space to a face with these corners: millimetres to the right of its first one, below it,
--- and above the face.
+-- | Converts points in space to coordinates of a face with these corners: millimetres to the right
+-- of its first corner, below it, and above the face.
 faceMotion :: [Point] -> Point -> (Double, Double, Double)
 faceMotion corners = \p -> let v = ways p in (along v right, along v down, along v up)
   where
@@ -91,20 +93,20 @@ faceMotion corners = \p -> let v = ways p in (along v right, along v down, along
         [] -> (0, 0, 0)
     right = unit (foldl (\_ p -> ways p) (1, 0, 0) corners)
     up = unit (double (outwardNormal corners))
-    -- Right, down and away from who looks at it are a right-handed frame.
+    -- Right, down and the direction away from the viewer are a right-handed frame.
     down = let (a, b, c) = right; (d, e, f) = up in (b * f - c * e, c * d - a * f, a * e - b * d)
     double (Point x y z) = (fromRational x, fromRational y, fromRational z)
     along (a, b, c) (d, e, f) = a * d + b * e + c * f
     unit v@(a, b, c) = let l = sqrt (along v v) in (a / l, b / l, c / l)
 
--- | A triangle: its corners right of, below and above the origin of a face.
+-- | A triangle, by its corners: right of, below and above the origin of a face.
 data Facet = Facet !Corner !Corner !Corner
 
 type Corner = (Double, Double, Double)
 
--- | How high the first of these triangles lies that a ray meets which falls on the face at a place
--- right of and below its first vertex; they are sorted into squares of the box that begins there
--- and is so large.
+-- | The height of the first of these triangles that a ray meets, at a place right of and below the
+-- face's first vertex. 'Nothing' if it meets none. The first two arguments are the upper left
+-- corner and the size of the face's bounding box, in which the triangles are sorted into squares.
 highestAt :: (Double, Double) -> (Double, Double) -> [Facet] -> Double -> Double -> Maybe Double
 highestAt (left, top) (wide, high) facets = \x y ->
   case mapMaybe (meeting x y) (squares V.! (square down y * (across + 1) + square right x)) of
@@ -124,7 +126,7 @@ highestAt (left, top) (wide, high) facets = \x y ->
           (V.replicate ((across + 1) * (below + 1)) [])
           [ (j * (across + 1) + i, facet)
             | facet@(Facet (ax, ay, az) (bx, by, bz) (cx, cy, cz)) <- facets,
-              -- Seen from above it is counter-clockwise; y goes down.
+              -- Seen from above it is counter-clockwise, since y points down.
               (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) < 0,
               minimum [az, bz, cz] <= highest,
               maximum [az, bz, cz] >= lowest,
@@ -132,7 +134,8 @@ highestAt (left, top) (wide, high) facets = \x y ->
               i <- [square right (minimum [ax, bx, cx]) .. square right (maximum [ax, bx, cx])]
           ]
 
--- | How high a triangle is at a place, if it is there.
+-- | The height of a triangle at a place. 'Nothing' if it is not there, or not between 'lowest' and
+-- 'highest'.
 meeting :: Double -> Double -> Facet -> Maybe Double
 meeting x y (Facet (ax, ay, az) (bx, by, bz) (cx, cy, cz))
   | u >= 0 && v >= 0 && w >= 0 && z >= lowest && z <= highest = Just z

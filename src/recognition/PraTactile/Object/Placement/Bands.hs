@@ -1,9 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | An array's sheet as what a look-up in a database rests on: bands, the rows in which the same
--- faces have the same columns, and the runs of each, cells side by side that one face has or that
--- none has. Bands part the rows and runs the columns without a gap, so that a cell that is nobody's
--- is told as surely as one that is somebody's.
+-- | The array's sheet as a database stores it for look-ups. A band is a range of rows in which the
+-- same faces have the same columns. A run is a range of columns that belong to one face or to none.
+-- Bands cover all rows and runs cover all columns, so every look-up finds a run.
 module PraTactile.Object.Placement.Bands
   ( Band (..),
     Stretch (..),
@@ -18,7 +17,7 @@ import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..), area)
 import PraTactile.Object.Placement.Laying
 
--- | Rows from the first to before the last, and their runs from left to right.
+-- | A range of rows, with exclusive end, and its runs from left to right.
 data Band = Band
   { bandFrom :: !Natural,
     bandTo :: !Natural,
@@ -26,8 +25,7 @@ data Band = Band
   }
   deriving stock (Eq, Show)
 
--- | Columns from the first to before the last, and the place in the order of layings of the face
--- that has them.
+-- | A range of columns, with exclusive end, and the index, in the order of layings, of their face.
 data Stretch = Stretch
   { stretchFrom :: !Natural,
     stretchTo :: !Natural,
@@ -35,7 +33,7 @@ data Stretch = Stretch
   }
   deriving stock (Eq, Show)
 
--- | The bands of a placement from above, no two alike beside each other.
+-- | The bands of a placement from the top. Neighbouring bands differ.
 bands :: Placement -> [Band]
 bands place =
   joined (covering high (\from to -> Band from to [Stretch 0 wide Nothing]) bandFrom bandTo taken)
@@ -50,7 +48,8 @@ bands place =
         | top :| lowers <- groupWith bandRuns rows'
       ]
 
--- | Ranges in their order with those between them, from 0 to the size, made by the function.
+-- | Fills the gaps between sorted ranges so that they cover 0 to the size. The function makes a
+-- range for a gap; the other two give a range's begin and its exclusive end.
 covering ::
   Natural -> (Natural -> Natural -> a) -> (a -> Natural) -> (a -> Natural) -> [a] -> [a]
 covering size free from to = go 0
@@ -58,9 +57,9 @@ covering size free from to = go 0
     go at [] = [free at size | at < size]
     go at (one : others) = [free at (from one) | at < from one] ++ one : go (to one) others
 
--- | The cells that each laid face has of the block of this shape whose upper left cell lies here,
--- by the face's place in the order of layings; nothing where it has others. Faces that have all
--- cells of their block are told without a list of them.
+-- | The cells that each laid face has of its block, keyed by the face's index in the order of
+-- layings. Each block is given by its upper left cell and its shape. 'Nothing' for a face that also
+-- has cells outside its block. A block whose cells all belong to the face has no list of them.
 blocksIn :: [Band] -> Map.Map Int (Position, Shape) -> Map.Map Int (Maybe Block)
 blocksIn parts = Map.mapWithKey block
   where

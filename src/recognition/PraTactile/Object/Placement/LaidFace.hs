@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | A face of a solid and the cells that it takes, by itself: which block of cells, where the block
--- lies on the face, and where on the array.
+-- | A face of a solid and the cells that it takes: the block of cells, its place on the face, and
+-- its place on the array.
 module PraTactile.Object.Placement.LaidFace
   ( -- * What is laid where
     Pitch (..),
@@ -59,8 +59,7 @@ data Face = Face
   }
   deriving stock (Eq, Ord, Show)
 
--- | Cells of a block of so many rows and columns: those listed, by row and column within it, or
--- all.
+-- | A block of cells: the listed ones, by row and column within it, or all if there is no list.
 data Block = Block
   { blockShape :: !Shape,
     blockListed :: !(Maybe (Set.Set Position))
@@ -71,22 +70,22 @@ data Block = Block
 wholeBlock :: Shape -> Block
 wholeBlock shape = Block shape Nothing
 
--- | These cells of a block of this shape.
+-- | A block of this shape with only these cells.
 blockOf :: Shape -> [Position] -> Block
 blockOf shape cells
   | genericLength cells == area shape = wholeBlock shape
   | otherwise = Block shape (Just (Set.fromList cells))
 
--- | The cells, row by row.
+-- | The cells of a block, row by row.
 blockCells :: Block -> [Position]
 blockCells (Block shape listed) = maybe (shapeCells shape) Set.toAscList listed
 
--- | Whether the cell is one of them.
+-- | Whether a block has this cell.
 hasCell :: Block -> Position -> Bool
 hasCell (Block (Shape high wide) listed) cell =
   row cell < high && column cell < wide && maybe True (Set.member cell) listed
 
--- | The wish to lay a face: its block's upper left cell goes to 'layAt' of the array, and it takes
+-- | A request to lay a face: its block's upper left cell goes to 'layAt' on the array, and it takes
 -- the cells 'layBlock'.
 data Laying = Laying
   { layFace :: Face,
@@ -96,51 +95,51 @@ data Laying = Laying
   }
   deriving stock (Eq, Show)
 
--- | The wish to lay a face on all cells of a block of this shape, which is centred on it.
+-- | A request to lay a face on all cells of a block of this shape, centred on the face.
 laidWhole :: Face -> Position -> Shape -> Laying
 laidWhole face at grid = Laying face at Centred (wholeBlock grid)
 
--- | A spot on a face in millimetres from the face's first vertex, the upper left one, to the right
--- and down, seen from outside.
+-- | A spot on a face, in millimetres right of and below the face's first vertex, the upper left
+-- one, as seen from outside.
 data Spot = Spot
   { spotRight :: !Radicals,
     spotDown :: !Radicals
   }
   deriving stock (Eq, Ord, Show)
 
--- | The spot at rational distances.
+-- | The spot at these distances to the right and down.
 spotAt :: Rational -> Rational -> Spot
 spotAt right down = Spot (fraction right) (fraction down)
 
--- | A spot as the nearest machine numbers, (right, down) in millimetres, for output.
+-- | A spot as machine numbers, (right, down) in millimetres, for output.
 --
 -- >>> spotMillimetres (spotAt (127 / 5) (127 / 4))
 -- (25.4,31.75)
 spotMillimetres :: Spot -> (Double, Double)
 spotMillimetres (Spot right down) = (nearestDouble right, nearestDouble down)
 
--- | A face as it lies.
+-- | A face with its geometry and its place on the array.
 data LaidFace = LaidFace
   { laidFace :: Face,
-    -- | where the block's upper left cell lies
+    -- | the position on the array of the block's upper left cell
     laidAt :: Position,
     laidAnchor :: Anchor,
     laidBlock :: Block,
     -- | the vertices with their spots, in the order of the face's name
     laidCorners :: [(VertexName, Spot)],
-    -- | the upper left corner of the box round all vertices
+    -- | the upper left corner of the face's bounding box
     laidBox :: Spot,
-    -- | that box's width and height
+    -- | the bounding box's width and height
     laidExtent :: Spot,
     -- | the block's upper left corner
     laidMargin :: Spot
   }
   deriving stock (Eq, Show)
 
--- | Of a laid face all that a look-up needs, whichever cells it has.
+-- | What a look-up needs of a laid face, whichever cells the face has.
 data Seat = Seat
   { seatFace :: Face,
-    -- | where the block's upper left cell lies
+    -- | the position on the array of the block's upper left cell
     seatAt :: Position,
     -- | the vertices with their spots, in the order of the face's name
     seatCorners :: [(VertexName, Spot)],
@@ -153,8 +152,9 @@ data Seat = Seat
 seatOf :: LaidFace -> Seat
 seatOf laid = Seat (laidFace laid) (laidAt laid) (laidCorners laid) (laidMargin laid)
 
--- | The seat of a face by the places of its corners, in the order of its name, and by where its
--- block lies, how, and of which shape; none where the corners make no face.
+-- | The seat of a face. Arguments: the pitch; the face; its corners in the order of its name; where
+-- its block's upper left cell lies, how the block is anchored, and its shape. 'Nothing' if the
+-- corners do not make a face.
 seatBy :: Pitch -> Face -> [Point] -> Position -> Anchor -> Shape -> Maybe Seat
 seatBy between face corners at anchor grid =
   (\frame -> seatIn frame between face at anchor grid) <$> frameOfPoints corners
@@ -172,11 +172,11 @@ seatIn frame between face at anchor grid =
 laidGrid :: LaidFace -> Shape
 laidGrid = blockShape . laidBlock
 
--- | The wish that a face be laid as it is.
+-- | The request that would lay a face as it lies.
 layingOf :: LaidFace -> Laying
 layingOf laid = Laying (laidFace laid) (laidAt laid) (laidAnchor laid) (laidBlock laid)
 
--- | A face as it lies by a wish, in its frame; whether the cells are on it is not asked.
+-- | Lays a face by a request, in its frame. It does not check whether the cells are on the face.
 laidIn :: Frame -> Pitch -> Laying -> LaidFace
 laidIn frame between (Laying face at anchor block) =
   LaidFace
@@ -193,7 +193,7 @@ laidIn frame between (Laying face at anchor block) =
     (box, extent) = frameExtent frame
     seat = seatIn frame between face at anchor (blockShape block)
 
--- | The cells of the array that a face has.
+-- | The positions on the array of a face's cells.
 arrayCells :: LaidFace -> [Position]
 arrayCells laid = [Position (r + i) (c + j) | Position i j <- blockCells (laidBlock laid)]
   where
@@ -220,7 +220,7 @@ cellsOff frame between anchor block
         let (these, others) = span ((== i) . row) cells
          in (toInteger i, map (toInteger . column) these) : byRow others
 
--- | The same laid face with all lengths times a number.
+-- | A laid face with all lengths multiplied by a number. Its place on the array stays.
 scaledFace :: Rational -> LaidFace -> LaidFace
 scaledFace k laid =
   laid

@@ -1,9 +1,9 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Faces of solids laid on the cells of the array, checked (section II.B of the paper, figure 8):
--- each face takes cells of its own of a block, upright, and unless a margin is stated the block's
--- grid of symbols is centred on the face. No two faces take one cell; the runs of cells side by
--- side are the index by which a look-up finds them.
+-- | Lays faces of solids on the cells of the array, with checks (section II.B of the paper, figure
+-- 8). Each face takes cells of one block, upright. Unless a margin is stated, the block's grid of
+-- symbols is centred on the face. No cell belongs to two faces. Look-ups use an index of runs,
+-- which are cells side by side.
 module PraTactile.Object.Placement.Laying
   ( -- * What is laid where
     module PraTactile.Object.Placement.LaidFace,
@@ -42,11 +42,11 @@ import PraTactile.Object.Frame (frameOf)
 import PraTactile.Object.Placement.LaidFace
 import PraTactile.Object.WingedEdge
 
--- | Faces on an array, no two on one cell; built by 'placement' only.
+-- | Faces on an array with no cell in common. Only 'placement' makes one.
 data Placement = Placement
   { -- | the rows and columns of the array
     placementShape :: Shape,
-    -- | the distances between symbols
+    -- | the distances between symbols, in millimetres
     placementPitch :: Pitch,
     -- | the objects, in the order given
     placementSolids :: [Solid],
@@ -71,20 +71,20 @@ instance Show Placement where
         . showString " "
         . showsPrec 11 (placementSolids whole, laidFaces whole)
 
--- | Cells side by side in a row of the array that one face has.
+-- | Cells of one face side by side in a row of the array.
 data Run = Run
   { runRow :: !Natural,
-    -- | the first column, and the one after the last
+    -- | the first column, and the column after the last
     runFrom :: !Natural,
     runTo :: !Natural,
-    -- | the place of the face in the order of layings
+    -- | the index of the face in the order of layings
     runNumber :: !Int,
     runFace :: LaidFace
   }
 
--- | Why faces cannot be laid so, or cannot be looked up.
+-- | Why faces cannot be laid, or cannot be looked up.
 data PlacementError
-  = -- | an object is no solid
+  = -- | an object is not a valid solid
     BrokenObject Defect
   | -- | the array has no cells
     EmptyArray Shape
@@ -92,11 +92,11 @@ data PlacementError
     PitchNotPositive Pitch
   | -- | two objects have this name
     RepeatedObject ObjectName
-  | -- | there is no such object
+  | -- | there is no object with this name
     UnknownObject ObjectName
   | -- | no face of the object has these vertices
     UnknownFace Face
-  | -- | the face is given by its vertices in another order than its name, which comes second
+  | -- | the face's vertices are given in another order than in its name, which comes second
     WrongVertexOrder Face FaceName
   | -- | the face is laid on two blocks of cells
     FaceLaidTwice Face
@@ -104,7 +104,7 @@ data PlacementError
     FaceNotLaid Face
   | -- | the face's block has no cells
     EmptyGrid Face Shape
-  | -- | the block at this cell, of this shape, has cells that stick out of the array's sheet
+  | -- | the block at this position, with this shape, has cells beyond the array's sheet
     OutsideArray Face Position Shape
   | -- | these cells of the block do not lie wholly on the face
     CellsOffFace Face [Position]
@@ -114,9 +114,9 @@ data PlacementError
     CellOffFace Face Position
   deriving stock (Eq, Show)
 
--- | Lay faces on an array of the given shape. Refuses with the first fault, in the order of the
--- constructors of 'PlacementError' for each face, and then with the first two of the faces that
--- claim the first cell, row by row, that several claim. O(cells * corners) for a face that is no
+-- | Lays faces on an array of the given shape. For each face it refuses with the first fault in the
+-- order of 'PlacementError''s constructors. Then it refuses overlaps, naming the first two faces
+-- that claim the first disputed cell, row by row. O(cells * corners) for a face that is not a
 -- rectangle.
 placement :: Shape -> Pitch -> [Solid] -> [Laying] -> Either PlacementError Placement
 placement shape between objects layings = do
@@ -140,7 +140,7 @@ placement shape between objects layings = do
     none = mapM_ Left . take 1
     byName = Map.fromList [(solidName object, object) | object <- objects]
 
--- | The placement of faces that keep apart.
+-- | The placement of faces that do not overlap; this is not checked.
 assembled :: Shape -> Pitch -> [Solid] -> [LaidFace] -> Placement
 assembled shape between objects laid =
   Placement
@@ -153,7 +153,7 @@ assembled shape between objects laid =
       placementRuns = Map.fromList [((runRow run, runFrom run), run) | run <- runsOfAll laid]
     }
 
--- | The same placement with all lengths times a positive number.
+-- | A placement with all lengths multiplied by a positive number.
 scaledPlacement :: Rational -> Placement -> Placement
 scaledPlacement k place =
   assembled
@@ -164,7 +164,7 @@ scaledPlacement k place =
   where
     Pitch right down = placementPitch place
 
--- | What equals something before it in what the function makes of it.
+-- | The elements whose key equals that of an earlier element.
 repeated :: Ord k => (a -> k) -> [a] -> [a]
 repeated part = go Set.empty
   where
@@ -173,19 +173,19 @@ repeated part = go Set.empty
       | part one `Set.member` seen = one : go seen others
       | otherwise = go (Set.insert (part one) seen) others
 
--- | The face begun at the vertex whose name is the least: the same of every name for it.
+-- | The face begun at its vertex with the least name. All names of one face give the same result.
 fromLeastVertex :: Face -> Face
 fromLeastVertex (Face object (FaceName walk)) = Face object (FaceName (minimum (rotations walk)))
 
--- | The object of this name.
+-- | The object with this name.
 placementObject :: Placement -> ObjectName -> Maybe Solid
 placementObject place named = Map.lookup named (placementByName place)
 
--- | The laid face of this name, whichever of its vertices that begins with.
+-- | The laid face with this name, which may begin at any of its vertices.
 placementLaid :: Placement -> Face -> Maybe LaidFace
 placementLaid place face = Map.lookup (fromLeastVertex face) (placementByWalk place)
 
--- | The runs in a row of the array that have a cell from a column on to before another.
+-- | The runs in a row of the array that overlap a range of columns, whose end is exclusive.
 runsBetween :: Placement -> Natural -> (Natural, Natural) -> [Run]
 runsBetween place r (from, to) =
   [ run
@@ -198,7 +198,7 @@ runsBetween place r (from, to) =
     runs = placementRuns place
     within = fst (Map.split (r, to) (snd (Map.split (r, from) runs)))
 
--- | The laid face that has a cell of the array's sheet, and which of its block's cells that is.
+-- | The laid face that has this cell of the array's sheet, and the cell's position in its block.
 laidOver :: Placement -> Position -> Maybe (LaidFace, Position)
 laidOver place (Position r c) =
   listToMaybe
@@ -207,7 +207,7 @@ laidOver place (Position r c) =
         let laid = runFace run
     ]
 
--- | All rows of the array in which a face has cells, each with its runs from left to right.
+-- | All rows of the array in which faces have cells, each with its runs from left to right.
 runsByRow :: Placement -> [(Natural, [Run])]
 runsByRow place =
   [ (runRow one, one : others)
@@ -244,7 +244,7 @@ lay shape between objects wish@(Laying face at anchor block) = do
   walk <- maybe (Left (unnamedFace object)) Right (walkNamed object (faceName face))
   frame <- maybe (Left (EmptyGrid face grid)) Right (frameOf (solidMesh object) walk)
   when (null (blockCells block)) (Left (EmptyGrid face grid))
-  -- Of a whole block beyond the array, cells are not counted one by one.
+  -- For a whole block beyond the array, cells are not counted one by one.
   when (isNothing (blockListed block) && not (all onSheet outermost)) $
     Left (OutsideArray face at grid)
   let off = cellsOff frame between anchor block

@@ -1,10 +1,11 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Where faces are laid, by search: a face takes all cells of its grid, and it may be begun at any
--- of its vertices, for another first vertex is another frame and so another grid.
+-- | Searches for a way to lay faces on the array. A face takes all cells of its grid. It may begin
+-- at any of its vertices, since another first vertex means another frame and another grid.
 --
--- The faces wanted are pieces whose alternatives are their grids' cells, and what lies already is
--- taken: "PraTactile.Object.Packing" has the mathematics.
+-- To the packing search, the wanted faces are pieces, whose alternatives are the cells of their
+-- grids. Cells of faces that are already laid are taken. "PraTactile.Object.Packing" has the
+-- mathematics.
 module PraTactile.Object.Placement.Search
   ( Wanted (..),
     Begun (..),
@@ -43,27 +44,28 @@ data Wanted = Wanted
   }
   deriving stock (Eq, Show)
 
--- | At which vertex its frame may begin.
+-- | The vertex at which a face's frame may begin.
 data Begun
-  = -- | at the first of its name
+  = -- | the first vertex of its name
     AsNamed
-  | -- | at any
+  | -- | any vertex
     AnyVertex
-  | -- | at any that gives it the most symbols
+  | -- | any vertex that gives the face the most symbols
     BestVertex
   deriving stock (Eq, Show)
 
--- | What a search came to.
+-- | The result of a search.
 data Found
-  = -- | all faces, in the order of the wishes
+  = -- | all faces are laid, in the order of the requests
     LaidSo [Laying]
-  | -- | there is no way; pieces are the wishes, what is taken are the layings that there are
+  | -- | it is proved that there is no way. In the reason, pieces are requests, and what is taken
+    -- are the faces laid before.
     NoWay Reason
-  | -- | none was found, and that there is none was not proved
+  | -- | no way was found, but it is not proved that there is none
     NoneFound
   deriving stock (Eq, Show)
 
--- | All faces of solids that have a cell, by a grid of this pitch, when begun so.
+-- | All faces of solids that have at least one cell at this pitch, with this choice of vertex.
 facesOf :: Pitch -> Begun -> [Solid] -> [Wanted]
 facesOf between begun objects =
   [ wanted
@@ -73,18 +75,18 @@ facesOf between begun objects =
       not (null (grids between object wanted))
   ]
 
--- | Why a placement cannot be changed so.
+-- | Why a placement cannot be changed.
 data NotChanged
-  = -- | an object of this name is there already, or is not there
+  = -- | an object with this name exists already, or does not exist
     NotChanged PlacementError
-  | -- | no face of these objects has room for a symbol of that pitch
+  | -- | no face of these objects has room for a symbol at this pitch
     NothingCarries Pitch [Solid]
-  | -- | these faces are not laid: there is no way, or none was found
+  | -- | these faces were not laid, with the reason if it is proved that there is no way
     NotLaid [Wanted] (Maybe Reason)
   deriving stock (Eq, Show)
 
--- | The placement with these objects too, all faces of which that have a cell are laid beside what
--- lies already.
+-- | Adds objects to a placement and lays all their faces that have a cell beside those already
+-- laid. The number is the seed of the search.
 adding :: Int -> [Solid] -> Placement -> Either NotChanged Placement
 adding seed new place = do
   _ <- laid lying
@@ -101,7 +103,7 @@ adding seed new place = do
     wishes = facesOf between AnyVertex new
     laid = first NotChanged . placement shape between known
 
--- | The placement without the objects of these names.
+-- | Removes the objects with these names from a placement.
 removing :: [ObjectName] -> Placement -> Either NotChanged Placement
 removing names place = do
   mapM_ (first NotChanged . findObject place) names
@@ -112,25 +114,27 @@ removing names place = do
       (filter ((`notElem` names) . solidName) (placementSolids place))
       [layingOf laid | laid <- laidFaces place, faceObject (laidFace laid) `notElem` names]
 
--- | How many cells wishes take at least, whichever of their frames they have.
+-- | A lower bound on the number of cells that requests take, whatever their frames.
 cellsNeeded :: Pitch -> [Solid] -> [Wanted] -> Integer
 cellsNeeded between objects = sum . map leastCells . gridsOf between objects
 
--- | How many symbols a face has at most, of all vertices at which it may be begun, and from which
--- one it has them; 'Nothing' where that would take long to say.
+-- | The most symbols that a face can have, over all vertices at which it may begin, and its name
+-- from that vertex. 'Nothing' if that would take long to compute.
 mostSymbols :: Pitch -> Solid -> FaceName -> Maybe (Integer, FaceName)
 mostSymbols (Pitch right down) object name = do
   best <- bestGrid (solidMesh object) (right, down) <$> walkNamed object name
   count <- gridCount best
   pure (count, FaceName (map (vertexAt (solidMesh object)) (U.toList (gridWalk best))))
 
--- | How many cells the smallest of some grids has at least.
+-- | A lower bound on the cells of the smallest of these grids.
 leastCells :: [Grid] -> Integer
 leastCells found = if null found then 0 else minimum (map gridAtLeast found)
 
--- | Lay all the faces wanted on an array of this shape, none on a cell of those that lie already,
--- by a search that this seed begins. Each is begun where it has the most cells, if that can be
--- found; else at least three quarters of them, and so on. Each is a face of one of the solids.
+-- | Lays all wanted faces on an array of this shape, beside the faces that are laid already. Every
+-- wanted face must be a face of one of the solids. The first number is the seed of the search.
+--
+-- A face begins where it has the most cells, if such a layout can be found. Otherwise at least
+-- three quarters of the most will do, then half, then any number.
 layingsOf :: Int -> Shape -> Pitch -> [LaidFace] -> [Solid] -> [Wanted] -> Found
 layingsOf seed shape@(Shape high wide) between lying objects wishes
   | i : _ <- [i | (i, least) <- zip [0 ..] leasts, least > toInteger (area shape)] =
@@ -138,7 +142,7 @@ layingsOf seed shape@(Shape high wide) between lying objects wishes
   | needed > free = NoWay (TooFewCells (fromInteger needed) (fromInteger free))
   | otherwise = firstLaid (nub (map (\share -> map (having share) pieces) [1, 3 / 4, 1 / 2, 0]))
   where
-    -- So that millions of cells on few need not be listed.
+    -- Checked first, so that millions of cells on a small array need not be listed.
     leasts = map leastCells possible
     possible = gridsOf between objects wishes
     needed = sum leasts
@@ -170,7 +174,7 @@ layingsOf seed shape@(Shape high wide) between lying objects wishes
       pure (mask, cell (laidAt laid))
     size (Shape r c) = (fromIntegral r, fromIntegral c)
     cell (Position r c) = (fromIntegral r, fromIntegral c)
-    -- Of equal masks the first.
+    -- The first of several equal masks.
     pieces = map (nubOrdOn fst . mapMaybe masked) possible
     masked grid = do
       mask <-
@@ -211,7 +215,7 @@ layingsOf seed shape@(Shape high wide) between lying objects wishes
         (Map.lookup named byName)
     byName = Map.fromList [(solidName object, object) | object <- objects]
 
--- | The grids that wishes may have, those with cells.
+-- | The grids with cells that each request may have.
 gridsOf :: Pitch -> [Solid] -> [Wanted] -> [[Grid]]
 gridsOf between objects =
   map (\wish -> maybe [] (\object -> grids between object wish) (objectOf wish))

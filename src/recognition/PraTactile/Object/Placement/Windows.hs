@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What the windows of an array lie on, counted.
+-- | Counts what the windows of an array lie on.
 module PraTactile.Object.Placement.Windows
   ( WindowCounts (..),
     windowCounts,
@@ -18,7 +18,7 @@ import PraTactile.Array (Position (..), Shape (..), area, naturalsBelow)
 import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth)
 import PraTactile.Object.Placement
 
--- | Whether a window of this shape lies wholly in the block somewhere.
+-- | Whether a window of this shape fits somewhere into the block's cells.
 holdsWindow :: Shape -> Block -> Bool
 holdsWindow (Shape tall broad) block = any whole (blockCells block)
   where
@@ -29,19 +29,21 @@ holdsWindow (Shape tall broad) block = any whole (blockCells block)
             j <- naturalsBelow broad
         ]
 
--- | How many windows of the torus lie so; they add up to the array's cells.
+-- | The number of windows of the torus by what they lie on. The sum is the number of cells of the
+-- array.
 data WindowCounts = WindowCounts
   { -- | on one face
     countOnFaces :: !Int,
-    -- | on several in part
+    -- | partly on several faces
     countStraddling :: !Int,
-    -- | on none, or on one in part
+    -- | on no face, or partly on one
     countOnNone :: !Int
   }
   deriving stock (Eq, Show)
 
--- | What 'whereabouts' says of all windows of this shape, counted; 'Nothing' of arrays of more than
--- 'mostCounted' cells. O(cells of the array * cells of the window).
+-- | Counts the results of 'whereabouts' for all windows of this shape. 'Nothing' for arrays of more
+-- than 'mostCounted' cells, and for windows larger than the array. O(cells of the array * cells of
+-- the window).
 windowCounts :: Placement -> Shape -> Maybe WindowCounts
 windowCounts place window@(Shape tall broad)
   | area shape > mostCounted || area window > area shape = Nothing
@@ -51,7 +53,7 @@ windowCounts place window@(Shape tall broad)
     (high, wide) = (fromIntegral rows', fromIntegral columns') :: (Int, Int)
     (h, w) = (fromIntegral tall, fromIntegral broad) :: (Int, Int)
     none = -1 :: Int
-    -- The face that has each cell.
+    -- The index of the face that has each cell.
     faces = runST $ do
       cells <- Mutable.replicate (high * wide) none
       forM_ (zip [0 ..] (laidFaces place)) $ \(i, laid) ->
@@ -66,7 +68,7 @@ windowCounts place window@(Shape tall broad)
       where
         (r, c) = at `quotRem` wide
         wraps = r + h > high || c + w > wide
-        -- The one face so far, if there is any, and whether some cell is on none.
+        -- The one face so far, if there is one, and whether some cell is on no face.
         go i j face partly
           | i == h = if partly || wraps then 2 else 0
           | j == w = go (i + 1) 0 face partly
@@ -80,9 +82,9 @@ windowCounts place window@(Shape tall broad)
 mostCounted :: Num n => n
 mostCounted = 2 ^ (26 :: Int)
 
--- | The width and height, in taxels of the symbols, of the least region that has a whole window of
--- this shape wherever it is pressed upright on a large face: a cell more than the window each way,
--- but for what lies between symbols.
+-- | The width and height, in taxels of the symbols, of the smallest region that contains a whole
+-- window of this shape wherever it is pressed upright on a large face. It is one symbol larger than
+-- the window in each direction.
 leastPress :: Shape -> (Integer, Integer)
 leastPress (Shape tall broad) =
   ( columnPitch * toInteger broad + toInteger symbolWidth,
