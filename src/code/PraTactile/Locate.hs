@@ -1,28 +1,29 @@
--- | From what was observed of an array to where that is (section II of the paper, and beyond it).
--- There is one question, the 'Query': cells in patches, of which a symbol is known, or how likely
--- each symbol is; the symmetries in which they may be seen; and how many cells may be wrong. There
--- is one 'Locator', made once for an array on its surface, which chooses the decoder, and one
--- 'Answer', which says where the patches are, or why not, and what that rests on. All combinations
--- are answered.
+-- | Locates what was observed of an array (section II of the paper, and beyond it).
 --
--- What it means is in "PraTactile.Locate.Definition", too slow to use and too simple to be wrong;
--- the decoders beside it are compared with it.
+-- A 'Query' lists cells in patches, each with a symbol or with probabilities of symbols, the
+-- symmetries in which the patches may be seen, and how many cells may be wrong. A 'Locator' is made
+-- once for an array on its surface and chooses the decoder. An 'Answer' says where the patches are,
+-- or why they have no place, and what supports that. Every combination is answered.
+--
+-- "PraTactile.Locate.Definition" has the meaning, too slow for use and too simple to be wrong; the
+-- decoders are compared with it.
 --
 -- Costs are numbers of operations in GF(q); N is the number of positions, n the degree of the
--- polynomial, and m the number of observed cells. To join patches takes O(m log m), to make a
--- belief or to go through it O(q). A patch then takes, for each symmetry in which it may be seen,
+-- polynomial, and m the number of observed cells. Joining patches takes O(m log m), and making or
+-- reading a belief O(q). For each symmetry in which it may be seen, a patch then takes
 --
 -- * by the memory table what 'locatePatch' does, after 'buildTable';
--- * by the codebook O(m N), for distances as for probabilities, after O(n N) for N bytes;
+-- * by the codebook O(m N), for distances and for probabilities, after O(n N) and N bytes;
 -- * by the algebra O(m n^2 + n^3 + q n^2), and a logarithm ("PraTactile.DiscreteLog");
--- * by information sets at most 2^24 words, O(m) each, and a logarithm; as many words again for the
---   distance of its cells, once for a rectangle of at most 32 x 32 cells without holes;
--- * by a list at most 2^16 words, O(m) each, and a logarithm for each place that is named, on the
---   sheet also for others;
+-- * by information sets at most 2^24 words of O(m), and a logarithm; the same number of words again
+--   for the distance of its cells, only once for a rectangle of at most 32 x 32 cells without
+--   holes;
+-- * by a list at most 2^16 words of O(m), and a logarithm for each place that is named; on the
+--   sheet also for other places;
 -- * by the definition m N cells, as 'PraTactile.Array.cellAt' looks them up.
 --
--- How far symmetries differ takes at most 2^18 words more for every two of them. Of patches that
--- are located at no place together, each one and all but each one are located besides.
+-- The distance between symmetries takes at most 2^18 words more for each pair of them. If patches
+-- have no place together, each one, and all but each one, are located too.
 module PraTactile.Locate
   ( -- * The question
     Query (..),

@@ -1,8 +1,7 @@
 {-# LANGUAGE DeriveTraversable #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The one answer to the one question: where a patch is, and what that rests on. Every decoder
--- answers in these terms, whatever was asked.
+-- | Answers: where a patch is, and what supports that. Every decoder answers in these terms.
 module PraTactile.Locate.Answer
   ( -- * Where
     Outcome (..),
@@ -36,32 +35,32 @@ import PraTactile.Locate.Checks (Checks)
 import PraTactile.Position
 import PraTactile.Symmetry
 
--- | What is known of a patch's place: a 'Position', that of its upper left cell, observed or not,
--- or a 'Candidate'.
+-- | The outcome of locating a patch. A place is the 'Position' of its upper left cell, observed or
+-- not, or a 'Candidate'.
 data Outcome place
-  = -- | The only place that agrees; and the offsets of the complete windows that say so, without
-    -- those that have a wrong cell, each by its upper left cell as it is seen.
+  = -- | The only place that agrees, and its support: the offsets of the complete windows without a
+    -- wrong cell, each by its upper left cell as seen.
     Unique place [Position]
-  | -- | All places, two or more, that agree; and the offsets as above.
+  | -- | All places that agree, two or more, and the offsets of their support.
     Ambiguous [place] [Position]
-  | -- | This many places agree, too many to list. If the second is a number, they are the powers of
-    -- alpha in a coset of a space over GF(q) of that dimension. On the sheet those of the torus
-    -- that it is cut from are counted; two of them at least lie on it.
+  | -- | This many places agree, too many to list. With the second number, the places are the powers
+    -- of alpha in a coset of a space over GF(q) of that dimension. For a sheet, the places of the
+    -- torus that it is cut from are counted; at least two of them lie on the sheet.
     AmbiguousMany Natural (Maybe Natural)
-  | -- | No place, and why.
+  | -- | There is no place, for this reason.
     Refused Reason
   deriving stock (Eq, Show, Functor)
 
--- | Where a patch may be, and how it is then seen.
+-- | A place of a patch and the symmetry in which it is then seen.
 data Candidate = Candidate
-  { -- | How the upright patch is seen.
+  { -- | The symmetry that takes the upright patch to the patch as seen.
     candidateSymmetry :: Symmetry,
     -- | The position of the upper left cell of the upright patch.
     candidatePosition :: Position
   }
   deriving stock (Eq, Ord, Show)
 
--- | Why a patch has no position. The list is closed; 'reasonName' is the name for other programs.
+-- | Why a patch has no place. The list is closed; 'reasonName' gives the name for other programs.
 data Reason
   = -- | Every complete window is all zeros, which occurs nowhere: @zero-window@.
     ZeroWindow
@@ -71,12 +70,12 @@ data Reason
     NoCompleteWindow
   | -- | No complete window occurs on the surface: @not-in-array@.
     NotInArray
-  | -- | The observed cells do not fit one place: @contradiction@.
+  | -- | The observed cells do not agree at any one place: @contradiction@.
     Contradiction
-  | -- | What lies on the sheet fits one place, but there the patch's upper left or an observed cell
-    -- lies beyond the edge: @off-sheet@.
+  | -- | The cells on the sheet agree at one place, but there the patch's upper left cell or an
+    -- observed cell lies beyond the edge: @off-sheet@.
     OffSheet
-  | -- | No position differs from the patch in as few cells as may be corrected: @beyond-radius@.
+  | -- | At every position, more cells differ than may be corrected: @beyond-radius@.
     BeyondRadius
   | -- | The likeliest position is not likely enough: @below-threshold@.
     BelowThreshold
@@ -98,85 +97,86 @@ reasonName reason = case reason of
 reasons :: [Reason]
 reasons = [minBound .. maxBound]
 
--- | Where a patch is, and what that rests on. Cells are offsets in the patch as it is seen; of
--- several patches, in the rectangle around all.
+-- | The answer to a query. Cells are offsets in the patch as seen; for several patches, in the
+-- rectangle around all of them.
 data Answer = Answer
-  { -- | Candidates are in the order of the symmetries asked for, and of their positions.
+  { -- | Candidates are in the order of the queried symmetries, then of their positions.
     answerOutcome :: Outcome Candidate,
-    -- | Which decoder answered.
+    -- | The decoder that answered.
     answerDecoder :: DecoderName,
-    -- | In how many cells candidates differ; if symbols were observed.
+    -- | The numbers of cells in which candidates differ, if symbols were observed.
     answerDistances :: Maybe Distances,
-    -- | How likely candidates are; if probabilities were observed.
+    -- | The probabilities of candidates, if probabilities were observed.
     answerPosterior :: Maybe (Posterior Candidate),
-    -- | What would make the place wrong, if the question weighs that it may be foreign; the
-    -- posterior has both then.
+    -- | The probabilities that the place is wrong, if the query weighs that the patch may be
+    -- foreign. The posterior then includes them.
     answerDoubts :: Maybe PlaceDoubts,
-    -- | The logarithm of how many times as probable the cells that speak are if they are the
-    -- array's as they are by chance; if probabilities were observed, and any place is possible.
+    -- | The log-likelihood ratio of the cells being the array's to their being random. Silent cells
+    -- do not count. Only if probabilities were observed and some place is possible.
     answerEvidence :: Maybe Double,
-    -- | Of all contents of the observed cells, the share that would be located.
+    -- | The share of all contents of the observed cells that would be located.
     answerChance :: Maybe Chance,
-    -- | What the code has checked among the cells that leave no doubt, of each patch as a source;
-    -- 'Nothing' where that depends on how the patch lies, which is not known, and where
-    -- 'PraTactile.Locate.Checks.checksAmong' has none.
+    -- | The parity checks among the cells without doubt, with patches as sources. 'Nothing' if they
+    -- depend on an unknown symmetry, or if 'PraTactile.Locate.Checks.checksAmong' has none.
     answerChecks :: Maybe Checks,
-    -- | What is said of each patch, in the order given.
+    -- | One verdict for each patch, in the given order.
     answerPatches :: [PatchVerdict],
-    -- | The cells that patches saw differently, which count as not observed; of probabilities those
-    -- whose product is zero for every symbol.
+    -- | The cells in which patches contradict each other; they count as not observed. For
+    -- probabilities, the product is zero for every symbol.
     answerDisputed :: [Position]
   }
   deriving stock (Eq, Show)
 
--- | In how many of the observed cells candidates differ.
+-- | The numbers of observed cells in which candidates differ.
 data Distances = Distances
-  { -- | The observed cells that are wrong if the patch is where it was located.
+  { -- | The observed cells that are wrong if the located place is right.
     corrected :: [Position],
-    -- | In how many cells the nearest candidate differs, within the radius or not; 'Nothing' if the
-    -- patch fits nowhere on the sheet, and of a decoder that corrects nothing if no candidate
-    -- agrees.
+    -- | The number of cells in which the nearest candidate differs from the patch, whether or not
+    -- that is within the radius. 'Nothing' if the patch fits nowhere on the sheet, or if the
+    -- decoder corrects nothing and no candidate agrees.
     nearestDistance :: Maybe Known,
-    -- | In how many the next one differs; 'Nothing' if there is one candidate only, or if nothing
-    -- is known of it.
+    -- | The number of cells in which the second nearest candidate differs; 'Nothing' if there is
+    -- only one candidate, or the number is unknown.
     runnerUpDistance :: Maybe Known,
-    -- | In how many observed cells any two candidates differ; 0 where two do not.
+    -- | The minimum number of observed cells in which two candidates differ; 0 if two do not
+    -- differ.
     codeDistance :: Known,
-    -- | How many cells may be wrong.
+    -- | The number of cells that may be wrong.
     correctionRadius :: Natural
   }
   deriving stock (Eq, Show)
 
--- | What would make a place wrong; they exclude each other.
+-- | The probabilities of the causes of a wrong place, which exclude each other.
 data PlaceDoubts = PlaceDoubts
-  { -- | The probability that it is another place of the array; 'Nothing' of symbols, whose
-    -- distances stand for it.
+  { -- | The probability of another place of the array; 'Nothing' for symbols, which have distances
+    -- instead.
     doubtOfPlace :: Maybe Double,
-    -- | That it is nothing of the array's.
+    -- | The probabilities that the patch is not the array's.
     doubtsOfForeign :: ForeignDoubts
   }
   deriving stock (Eq, Show)
 
--- | That what was seen is nothing of the array's; these exclude each other.
+-- | The probabilities that a patch is not the array's, by causes that exclude each other.
 data ForeignDoubts = ForeignDoubts
-  { -- | The probability that its symbols are as they are by chance.
+  { -- | The probability that its symbols are random.
     doubtOfRandom :: Double,
-    -- | At most the probability that it is another array of the same field and degree, by another
-    -- polynomial.
+    -- | An upper bound on the probability that it is another array of the same field and degree,
+    -- made by another polynomial.
     doubtOfOtherArrays :: Double,
-    -- | Whether that is exact: 0, because there is no other array.
+    -- | Whether that is exact: 0, since there is no other array.
     otherArraysExact :: Bool,
-    -- | That it shows other symbols than the array's: where that was weighed.
+    -- | The probability that it shows other symbols than the array's, if the query weighs that;
+    -- else 0.
     doubtOfOtherShapes :: Double
   }
   deriving stock (Eq, Show)
 
--- | The probability that it is nothing of the array's.
+-- | The total probability that a patch is not the array's.
 doubtOfForeign :: ForeignDoubts -> Double
 doubtOfForeign doubts =
   doubtOfRandom doubts + doubtOfOtherArrays doubts + doubtOfOtherShapes doubts
 
--- | The same where something else, which excludes it, has this probability.
+-- | Multiplies all probabilities by 1 less that of an event which excludes them.
 foreignBut :: Double -> ForeignDoubts -> ForeignDoubts
 foreignBut else' doubts =
   doubts
@@ -185,49 +185,48 @@ foreignBut else' doubts =
       doubtOfOtherShapes = doubtOfOtherShapes doubts * (1 - else')
     }
 
--- | A number, or as much of it as is proved.
+-- | A number that is known exactly, or a lower bound on it.
 data Known = Exactly Natural | AtLeast Natural
   deriving stock (Eq, Show)
 
--- | What the number is at least.
+-- | The lower bound that is known.
 atLeast :: Known -> Natural
 atLeast known = case known of
   Exactly n -> n
   AtLeast n -> n
 
--- | How likely places are. Where not all of them are listed, every number is a bound.
+-- | The posterior of places. If not all of them are listed, every number is a bound.
 data Posterior place = Posterior
-  { -- | The likeliest listed place, the first of them if several are; 'Nothing' if none is
-    -- possible.
+  { -- | The most probable listed place, the first of several; 'Nothing' if none is possible.
     posteriorBest :: Maybe place,
-    -- | The probability that it is another one: exactly this without the rounding of 1 less the
-    -- best's; at most this where places are unlisted.
+    -- | The probability of all other places, computed without the rounding of 1 less the best's; an
+    -- upper bound if places are unlisted.
     posteriorDoubt :: Double,
-    -- | The places that are exactly as likely as the best, itself among them; none where they are
-    -- too many to list.
+    -- | The places exactly as probable as the best, including it; empty if they are too many to
+    -- list.
     posteriorEqual :: [place],
-    -- | Where they are too many: how many, and the dimension of the coset that they are, if they
-    -- are one.
+    -- | If the equally probable places are too many to list: their number, and the dimension of
+    -- their coset, if they are one.
     posteriorMany :: Maybe (Natural, Maybe Natural),
-    -- | The probability that it is none of those: at most this; 1 where unlisted places may be as
-    -- likely.
+    -- | An upper bound on the probability of all places but the equally probable ones; 1 if
+    -- unlisted places may be equally probable.
     posteriorEqualDoubt :: Double,
-    -- | The logarithm of how many times as likely the best is as any other place: at least this,
-    -- and negative where an unlisted one may be likelier; infinite if no other one is possible,
-    -- 'Nothing' if there is no other one.
+    -- | The log-ratio of the best place's probability to any other's, as a lower bound. It is
+    -- negative if an unlisted one may be more probable, infinite if no other is possible, and
+    -- 'Nothing' if there is no other.
     posteriorMargin :: Maybe Double,
-    -- | The listed places, the likeliest first, each with its probability, or where places are
-    -- unlisted with one that is at least this; made when asked for.
+    -- | The listed places, the most probable first, each with its probability, which is a lower
+    -- bound if places are unlisted. Computed lazily.
     posteriorRanking :: [(place, Double)],
-    -- | The sum of the probabilities of all unlisted places, at most: 0 only where all possible
-    -- ones are listed. 'Nothing' if all places were compared.
+    -- | An upper bound on the total probability of unlisted places; 0 only if all possible ones are
+    -- listed. 'Nothing' if all places were compared.
     posteriorUnlisted :: Maybe Double,
-    -- | How many words a list was made of; 0 if all places were compared.
+    -- | The number of words that were searched for a list; 0 if all places were compared.
     posteriorWords :: Int
   }
   deriving stock (Eq, Show, Functor)
 
--- | No place is possible, of all that there are.
+-- | The posterior when no place is possible.
 impossible :: Posterior place
 impossible =
   Posterior
@@ -242,41 +241,44 @@ impossible =
       posteriorWords = 0
     }
 
--- | What is said of one of several patches.
+-- | The verdict on one of several patches.
 data PatchVerdict = PatchVerdict
-  { -- | Where its upper left cell is.
+  { -- | The offset of its upper left cell.
     patchOffset :: Position,
-    -- | How many of its cells are wrong where all were located, disputed ones left out; of
-    -- probabilities those whose likeliest symbol is. 'Nothing' if they were not located.
+    -- | The number of its cells that are wrong at the common place, without disputed ones. For
+    -- probabilities, a cell is wrong if its likeliest symbol is. 'Nothing' if there is no common
+    -- place.
     patchWrong :: Maybe Int,
-    -- | Whether it does not belong to the others. A patch of symbols does not belong to a place if
-    -- more of its cells are wrong there, disputed ones among them, than are corrected for certain
-    -- if it is alone. One of probabilities does not if they make the place impossible, or if it
-    -- alone determines another place with a doubt that is tolerated.
+    -- | Whether it does not belong to the other patches.
     --
-    -- Where all patches are located together, that is the place. Where they are not, places are
-    -- tried to which single patches lead, and all patches but one; the place is that to which most
-    -- patches belong. If there are several such places, as there may be of two patches, nothing
-    -- decides between them, and a patch is inconsistent that does not belong to one of them.
+    -- A patch of symbols belongs to a place unless more of its cells are wrong there, including
+    -- disputed ones, than are certainly corrected in this patch alone. A patch of probabilities
+    -- belongs unless they exclude the place, or the patch alone determines another place within the
+    -- tolerated doubt.
+    --
+    -- If all patches are located together, this is their place. Otherwise the places of single
+    -- patches, and of all patches but one, are tried, and the one to which most patches belong is
+    -- taken. If there are several such places, as may happen with two patches, nothing decides
+    -- between them. Then a patch is inconsistent if it does not belong to one of them.
     patchInconsistent :: Bool
   }
   deriving stock (Eq, Show)
 
 -- | The decoders.
 data DecoderName
-  = -- | The memory table: complete windows, no wrong cell.
+  = -- | The memory table: needs complete windows and corrects no wrong cell.
     TableDecoder
-  | -- | Linear equations and a discrete logarithm: no wrong cell.
+  | -- | Linear equations and a discrete logarithm; corrects no wrong cell.
     AlgebraDecoder
-  | -- | The definition: no wrong cell.
+  | -- | The definition; corrects no wrong cell.
     SearchDecoder
-  | -- | Wrong cells corrected by comparison with the codebook.
+  | -- | Comparison with the codebook; corrects wrong cells.
     NearestDecoder
-  | -- | Probabilities compared with the codebook.
+  | -- | Comparison of probabilities with the codebook.
     PosteriorDecoder
-  | -- | Wrong cells corrected without comparing all positions.
+  | -- | Information sets; corrects wrong cells without comparing all positions.
     InformationSetDecoder
-  | -- | Probabilities of a list of likely positions.
+  | -- | A list of likely positions, for probabilities.
     ListDecoder
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 

@@ -1,15 +1,13 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What is known of candidates beside the observed cells: how probable each is beforehand, and
--- which of the cells then show something that is not the array's.
+-- | Priors of candidates, and silent cells: cells that, if a candidate is right, do not show the
+-- array.
 --
--- If b are the probabilities of a cell, the cell that holds the array's symbol a counts as b(a). A
--- cell in which something else lies shows none of the symbols, and counts as 'silentChance' has it,
--- s(b). So a candidate is
+-- Let b be the probabilities of a cell. A cell that holds the array's symbol a contributes b(a). A
+-- silent cell shows none of the symbols and contributes s(b), 'silentChance'. So the posterior odds
+-- of a candidate are multiplied by
 --
 -- > prior * product over silent cells of s(b) / b(a)
---
--- times as probable as the cells alone make it.
 module PraTactile.Locate.Beforehand
   ( Beforehand (..),
     nothingBeforehand,
@@ -29,21 +27,22 @@ import PraTactile.Locate.Belief
 import PraTactile.Locate.Patch
 import PraTactile.Position
 
--- | What is known of a candidate.
+-- | The prior of a candidate, and the cells that are silent if it is right.
 data Beforehand = Beforehand
-  { -- | the logarithm of how probable it is beforehand, at most 0
+  { -- | the log prior, at most 0
     beforehandPrior :: !Double,
-    -- | the offsets, as they are seen, of the cells that say nothing if it is right
+    -- | the offsets, as seen, of the silent cells
     beforehandSilent :: [Position]
   }
   deriving stock (Eq, Show)
 
--- | All candidates are equally probable, and all cells speak.
+-- | A uniform prior, and no silent cell.
 nothingBeforehand :: Beforehand
 nothingBeforehand = Beforehand 0 []
 
--- | The logarithm of how many times as probable a candidate is as the cells alone make it, given
--- the array's symbol in each cell if it is right.
+-- | The logarithm of the factor by which prior and silent cells change a candidate's probability.
+-- Arguments: the array's symbol in each cell if the candidate is right; the patch as seen; the
+-- candidate; its prior and silent cells.
 beforehandWeight ::
   (Position -> Maybe (GF k)) -> Patch (Belief k) -> Candidate -> Beforehand -> Double
 beforehandWeight symbolIn seen candidate known =
@@ -55,10 +54,9 @@ beforehandWeight symbolIn seen candidate known =
           Just a <- [symbolIn offset]
       ]
 
--- | The posterior where each candidate is so many times as probable, by the logarithm, as it was
--- found to be. The first thousand are weighed that are at least 1e-60 times as probable as the
--- likeliest; all others, and places that are not listed, count as they were found: of a list, the
--- doubt is no bound of that.
+-- | Multiplies candidates' probabilities by exp of a weight and renormalises. Only the 'weighable'
+-- candidates are weighted; all others, and unlisted places, keep their probability. So for a list,
+-- the doubt is not a bound of the result.
 reweighed :: (Candidate -> Double) -> Posterior Candidate -> Posterior Candidate
 reweighed weightOf found
   | isJust (posteriorMany found) || all (== 0) weights = found
@@ -87,10 +85,12 @@ reweighed weightOf found
     (weighed', unweighed) = weighable (posteriorRanking found)
     weights = map (weightOf . fst) weighed'
     order = sortOn (Down . snd) [(c, log p + w) | ((c, p), w) <- zip weighed' weights]
-    -- The probability of all that was not weighed, without the rounding of 1 less the others.
+    -- The probability of all that was not weighted, computed without the rounding of 1 less the
+    -- others.
     rest = max 0 (posteriorDoubt found - sum (map snd (drop 1 weighed')))
 
--- | The candidates that are weighed, and those that are not.
+-- | Splits a ranking into the candidates that are weighted and the rest: at most the first
+-- thousand, with at least 1e-60 of the best one's probability.
 weighable :: [(place, Double)] -> ([(place, Double)], [(place, Double)])
 weighable ranking = (likely, drop (length likely) ranking)
   where

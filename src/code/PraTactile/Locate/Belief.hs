@@ -1,8 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What is known of a cell: how likely each symbol is in it, and, where the symbols show how the
--- patch lies, each symmetry with it. These are the probabilities that a classifier gives on seeing
--- the cell's image when all symbols, in all symmetries, are equally frequent.
+-- | Beliefs about a cell: the probability of each symbol, and jointly of each symmetry if the
+-- symbols show how the patch lies. They are a classifier's probabilities given the cell's image,
+-- with all symbols in all symmetries equally frequent.
 module PraTactile.Locate.Belief
   ( Belief,
     belief,
@@ -35,27 +35,27 @@ import PraTactile.Symmetry
 
 -- | The probability of each symbol in a cell, by its code.
 data Belief (k :: Field)
-  = -- | Whatever the symmetry; they add up to 1.
+  = -- | Without symmetries; the probabilities add up to 1.
     Unoriented !(Vector Double)
-  | -- | Together with each symmetry that is possible; all of them add up to 1.
+  | -- | Jointly with each possible symmetry; all probabilities together add up to 1.
     Oriented ![(Symmetry, Vector Double)]
   deriving stock (Eq, Show)
 
 type role Belief nominal
 
--- | Why numbers are no probabilities.
+-- | Why numbers are not probabilities.
 data BeliefError
-  = -- | The number of numbers, and that of symbols.
+  = -- | The number of numbers, and the number of symbols, which must be equal.
     BeliefLength Int Int
-  | -- | The number at this index, from 0, is negative, or none.
+  | -- | The number at this index, from 0, is negative or NaN.
     BeliefNegative Int Double
-  | -- | The numbers add up to this, which is not 1 within 0.001.
+  | -- | The numbers add up to this; it must be 1 within 0.001.
     BeliefSum Double
   deriving stock (Eq, Show)
 
--- | The probabilities of the symbols, by their codes, in a cell that does not show how it lies.
--- Refuses another number of them than there are symbols, negative ones, and a sum that is not 1
--- within 0.001; that much, which printing may have cost, is put right.
+-- | The belief with these probabilities of the symbols, by their codes, in a cell that does not
+-- show its symmetry. Refuses a wrong number of probabilities, negative ones, and a sum that is not
+-- 1 within 0.001. A smaller deviation, such as printing may cause, is normalised.
 belief :: forall k. KnownField k => [Double] -> Either BeliefError (Belief k)
 belief numbers = case checked q numbers of
   Left e -> Left e
@@ -63,9 +63,9 @@ belief numbers = case checked q numbers of
   where
     q = fieldOrder (Proxy :: Proxy k)
 
--- | The joint probabilities of the symmetries in which the patch may be seen and of the symbols, by
--- their codes; other symmetries are impossible. Refuses what 'belief' refuses, of each symmetry or
--- of all together.
+-- | The belief with these joint probabilities of symmetries and symbols, by their codes. Other
+-- symmetries are impossible. Refuses, for each symmetry, a wrong number of probabilities, and for
+-- all together what 'belief' refuses.
 oriented :: forall k. KnownField k => [(Symmetry, [Double])] -> Either BeliefError (Belief k)
 oriented given = case [e | Left e@(BeliefLength _ _) <- map (checked q . snd) given] of
   e : _ -> Left e
@@ -76,7 +76,7 @@ oriented given = case [e | Left e@(BeliefLength _ _) <- map (checked q . snd) gi
   where
     q = fieldOrder (Proxy :: Proxy k)
 
--- | The sum of so many probabilities, which is nearly 1.
+-- | The sum of the given number of probabilities, which must be nearly 1.
 checked :: Int -> [Double] -> Either BeliefError Double
 checked wanted numbers
   | given /= wanted = Left (BeliefLength given wanted)
@@ -87,7 +87,7 @@ checked wanted numbers
     given = length (take (wanted + 1) numbers)
     total = sum numbers
 
--- | No doubt.
+-- | The belief that a cell certainly holds this symbol.
 certainly :: forall k. KnownField k => GF k -> Belief k
 certainly a =
   Unoriented
@@ -96,9 +96,8 @@ certainly a =
         (\code -> if code == toCode a then 1 else 0)
     )
 
--- | What several independent looks at one cell come to: the product of their probabilities, made to
--- add up to 1. 'Nothing' if that is zero for every symbol, so that the looks contradict each other,
--- and of no looks.
+-- | The product of several independent beliefs about one cell, normalised. 'Nothing' if it is zero
+-- for every symbol, so that they contradict each other, and for an empty list.
 combined :: [Belief k] -> Maybe (Belief k)
 combined looks = case looks of
   [] -> Nothing
@@ -110,8 +109,8 @@ combined looks = case looks of
     possible ->
       Oriented . zip possible <$> multiplied [map (probabilitiesIn o) looks | o <- possible]
 
--- | The products of some vectors each, all of them made to add up to 1; 'Nothing' if all are zero.
--- By logarithms, so that products of small numbers do not vanish.
+-- | The elementwise products of several groups of vectors, normalised together; 'Nothing' if all
+-- are zero. Computed by logarithms, so that products of small numbers do not underflow.
 multiplied :: [[Vector Double]] -> Maybe [Vector Double]
 multiplied groups
   | any Primitive.null logs || isInfinite best = Nothing
@@ -121,25 +120,25 @@ multiplied groups
     best = maximum (map Primitive.maximum logs)
     relative = map (Primitive.map (\x -> exp (x - best))) logs
 
--- | The likeliest symbol, the one of the lowest code if several are.
+-- | The most probable symbol, with the lowest code if there are several.
 likeliest :: KnownField k => Belief k -> GF k
 likeliest = mostProbableSymbol . probabilities
 
 mostProbableSymbol :: KnownField k => Vector Double -> GF k
 mostProbableSymbol numbers = either (const zero) id (fromCode (Primitive.maxIndex numbers))
 
--- | The probabilities of the symbols, by their codes, whatever the symmetry; they add up to 1.
+-- | The probabilities of the symbols by their codes, summed over symmetries; they add up to 1.
 probabilities :: Belief k -> Vector Double
 probabilities known = case known of
   Unoriented numbers -> numbers
   Oriented joint -> foldl' (Primitive.zipWith (+)) (noneOf joint) (map snd joint)
 
--- | No probability of any symbol.
+-- | Probability 0 for every symbol.
 noneOf :: [(Symmetry, Vector Double)] -> Vector Double
 noneOf joint = Primitive.map (const 0) (foldr (const . snd) Primitive.empty joint)
 
--- | Whether a single symbol, in a single symmetry if they are told apart, has a probability above
--- 0.
+-- | Whether only a single symbol, in a single symmetry if these are distinguished, has a
+-- probability above 0.
 isCertain :: Belief k -> Bool
 isCertain known = case known of
   Unoriented numbers -> possible numbers == 1
@@ -147,21 +146,22 @@ isCertain known = case known of
   where
     possible = Primitive.length . Primitive.filter (> 0)
 
--- | How probable the cell makes a symmetry: 1 for all of them if it does not show how it lies.
+-- | The probability of a symmetry, given the cell; 1 for every symmetry if the cell does not show
+-- it.
 symmetryChance :: Symmetry -> Belief k -> Double
 symmetryChance o known = case known of
   Unoriented _ -> 1
   Oriented joint -> maybe 0 Primitive.sum (lookup o joint)
 
--- | The probabilities of the symbols, by their codes, together with a symmetry.
+-- | The joint probabilities of the symbols, by their codes, and a symmetry.
 probabilitiesIn :: Symmetry -> Belief k -> Vector Double
 probabilitiesIn o known = case known of
   Unoriented numbers -> numbers
   Oriented joint -> fromMaybe (noneOf joint) (lookup o joint)
 
--- | What a cell counts as that shows none of the symbols: 30 times the probability of the least
--- probable one, in whichever symmetry, but no more than the mean of all. So where a symbol leaves
--- less than a thirtieth of doubt, it is rarely nothing (assumption).
+-- | The contribution of a cell that shows none of the symbols: 30 times its smallest probability in
+-- any symmetry, but at most their mean. So a cell that leaves less than a thirtieth of doubt about
+-- its symbol is rarely silent (assumption).
 silentChance :: Belief k -> Double
 silentChance known = min (30 * minimum (1 : map Primitive.minimum all')) (1 / count)
   where
@@ -170,11 +170,11 @@ silentChance known = min (30 * minimum (1 : map Primitive.minimum all')) (1 / co
       Unoriented numbers -> [numbers]
       Oriented joint -> map snd joint
 
--- | Whether a symbol has a probability above 0 in a symmetry.
+-- | Whether a symbol has a probability above 0 jointly with a symmetry.
 possibleIn :: Symmetry -> GF k -> Belief k -> Bool
 possibleIn o a known = maybe False (> 0) (probabilitiesIn o known Primitive.!? toCode a)
 
--- | The likeliest symbol, if that is likeliest in this symmetry.
+-- | The most probable symbol, if it is most probable in this symmetry.
 likeliestIn :: KnownField k => Symmetry -> Belief k -> Maybe (GF k)
 likeliestIn o known = case known of
   Unoriented numbers -> Just (mostProbableSymbol numbers)

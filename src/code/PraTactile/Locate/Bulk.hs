@@ -1,8 +1,8 @@
--- | The memory table in bulk: packed windows in, packed positions out, one read of the memory for
--- each, as the paper's section II has it. A packed window is its number under the table's
+-- | The memory table in bulk: it maps packed windows to packed positions, with one read of memory
+-- for each, as in the paper's section II. A packed window is its number under the table's
 -- 'Packing'; a packed position is row * columns + column. Both are below 2^26, the limit of a table
--- ('largestTable'), and so fit 32 bits with room for two numbers that are no position:
--- 'notOccurring' and 'notUnique'.
+-- ('largestTable'). So both fit 32 bits, with room for 'notOccurring' and 'notUnique', which are
+-- not positions.
 module PraTactile.Locate.Bulk
   ( -- * The memory
     Memory,
@@ -33,8 +33,8 @@ import PraTactile.Grid (positionAt)
 import PraTactile.Locate
 import PraTactile.Window
 
--- | A table as one entry a packed window, 4 bytes each. Unlike the 'Table' it does not have the
--- positions of a window that has several.
+-- | A table with one entry of 4 bytes for each packed window. Unlike 'Table' it does not list
+-- several positions of a window.
 data Memory (k :: Field) = Memory
   { memoryShape :: !Shape,
     memoryPacking :: !Packing,
@@ -53,11 +53,11 @@ memoryOf table =
     (maskSize (tableMask table))
     (tableUnique notOccurring notUnique table)
 
--- | q^cells: the number of entries.
+-- | The number of entries, q^cells.
 memorySize :: Memory k -> Natural
 memorySize = fromIntegral . Primitive.length . memoryEntries
 
--- | -1: the window occurs nowhere, or the number is no packed window at all.
+-- | -1: the window occurs nowhere, or the number is not a packed window.
 notOccurring :: Int32
 notOccurring = -1
 
@@ -65,10 +65,9 @@ notOccurring = -1
 notUnique :: Int32
 notUnique = -2
 
--- | The packed position of each packed window, in their order; 'notOccurring' or 'notUnique' where
--- there is not exactly one. Any numbers are taken. One read of the memory each: a memory that the
--- cache holds gives hundreds of millions a second, and a larger one as many as reads at random
--- places allow. O(k) for k windows.
+-- | The packed position of each packed window, in order; 'notOccurring' or 'notUnique' if there is
+-- not exactly one. Any numbers are accepted. A memory that fits the cache gives hundreds of
+-- millions of positions a second; a larger one is limited by random reads. O(k) for k windows.
 locateWindows :: Memory k -> Vector Word32 -> Vector Int32
 locateWindows memory = Primitive.map entry
   where
@@ -78,8 +77,8 @@ locateWindows memory = Primitive.map entry
       | window < size = Primitive.unsafeIndex entries (fromIntegral window)
       | otherwise = notOccurring
 
--- | The packed window of a content in reading order; 'Nothing' for another number of cells than the
--- window's. O(m) for m cells.
+-- | The packed window with this content in reading order; 'Nothing' if the number of cells is
+-- wrong. O(m) for m cells.
 packWindow :: forall k. KnownField k => Memory k -> [GF k] -> Maybe Word32
 packWindow memory content
   | length (take (memoryCells memory + 1) content) == memoryCells memory =
@@ -97,8 +96,8 @@ packPosition memory (Position r c)
   where
     shape = memoryShape memory
 
--- | The position that is packed; 'Nothing' for 'notOccurring', 'notUnique' and every other number
--- that is none.
+-- | The position for a packed position; 'Nothing' for 'notOccurring', 'notUnique' and any other
+-- number that is not one.
 unpackPosition :: Memory k -> Int32 -> Maybe Position
 unpackPosition memory packed
   | packed >= 0 && fromIntegral packed < area shape = Just (positionAt shape (fromIntegral packed))

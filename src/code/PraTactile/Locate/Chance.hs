@@ -1,13 +1,13 @@
--- | The chance of a random answer: of all contents that the observed cells could have, the share
--- that would be located. A decoder that corrects up to r wrong cells answers to whatever lies in
--- the Hamming sphere of radius r about the word of a position, which holds
+-- | The chance of a random answer: the share of all contents of the observed cells that would be
+-- located. A decoder that corrects up to r wrong cells answers for every word in the Hamming sphere
+-- of radius r around the word of a position. That sphere holds
 --
 --   V(r) = sum over i up to r of (m over i) (q - 1)^i
 --
--- of the q^m words of m cells. With N positions that is N V(r) / q^m of all: exactly, while 2 r is
--- less than the minimum distance, when no two spheres meet; and never more (R. W. Hamming 1950; F.
--- J. MacWilliams and N. J. A. Sloane 1977, chapter 1, theorem 6). That share of random symbols is
--- taken for cells of the array.
+-- of the q^m words of m cells. With N positions the share is at most N V(r) / q^m. It is exact
+-- while 2 r is less than the minimum distance, since the spheres are then disjoint (R. W. Hamming
+-- 1950; F. J. MacWilliams and N. J. A. Sloane 1977, chapter 1, theorem 6). It is the probability
+-- that random symbols are mistaken for cells of the array.
 module PraTactile.Locate.Chance
   ( -- * The share
     Chance (..),
@@ -36,36 +36,34 @@ import PraTactile.Symmetry
 data Chance = Chance
   { -- | From 0 to 1.
     chanceShare :: !Double,
-    -- | Whether it is exactly this; else it is at most this.
+    -- | Whether the share is exact; else it is an upper bound.
     chanceExact :: !Bool
   }
   deriving stock (Eq, Show)
 
--- | The same share as a bound only: for a decoder that may refuse what it could locate.
+-- | The same share as an upper bound, for a decoder that may refuse what it could locate.
 atMost :: Chance -> Chance
 atMost found = found {chanceExact = False}
 
--- | Spheres of one radius about the words of all candidates, which are positions in the
--- orientations in question.
+-- | Spheres of one radius around the words of all candidates: positions in the queried symmetries.
 data Spheres = Spheres
-  { -- | q.
+  { -- | The number of symbols, q.
     sphereAlphabet :: !Natural,
-    -- | m, the length of a word.
+    -- | The length of a word, m.
     sphereCells :: !Natural,
-    -- | N, how many candidates there are.
+    -- | The number of candidates, N.
     sphereCentres :: !Natural,
-    -- | r, in cells.
+    -- | The radius r, in cells.
     sphereRadius :: !Natural,
-    -- | In how many cells any two candidates differ at least; 0 where that is not promised.
+    -- | The minimum number of cells in which two candidates differ; 0 if that is not guaranteed.
     sphereDistance :: !Natural
   }
   deriving stock (Eq, Show)
 
--- | The spheres of radius 0 of the candidates on a surface, no distance promised; by the
--- orientations in question, the shape of the patch as it is seen, and the offsets in it of the
--- observed cells. On the sheet candidates are those with which the patch's upper left and all
--- observed cells lie on it. 'Nothing' where no cell was observed. O(o m) for o orientations and m
--- cells.
+-- | Spheres of radius 0 without a guaranteed distance. Arguments: the array on its surface; the
+-- queried symmetries; the shape of the patch as seen; the offsets in it of the observed cells. On
+-- the sheet, a candidate must have the patch's upper left cell and all observed cells on it.
+-- 'Nothing' if no cell was observed. O(o m) for o symmetries and m cells.
 spheres ::
   KnownField k =>
   ArrayOn k ->
@@ -93,21 +91,22 @@ spheres (ArrayOn surface array) possible shape offsets
             (extentOf (map (onPosition (invert orientation) shape) offsets))
         )
 
--- | @correcting d r@: for a decoder that corrects up to r wrong cells, the minimum distance of the
--- candidates being d at least.
+-- | @correcting d r@ sets the minimum distance d between candidates and the radius r: the decoder
+-- corrects up to r wrong cells.
 correcting :: Natural -> Natural -> Spheres -> Spheres
 correcting d r around = around {sphereDistance = d, sphereRadius = r}
 
--- | For a decoder that holds only this many of the cells to what the array has: it may refuse for
--- the others' sake, so that no distance is promised.
+-- | Restricts the spheres to this many of the cells, for a decoder that compares only these with
+-- the array. It may refuse because of the others, so no distance is guaranteed.
 amongCells :: Natural -> Spheres -> Spheres
 amongCells m around = around {sphereCells = m, sphereDistance = 0}
 
--- | The share of all contents that lies in the spheres. To the precision of 'Double' up to 4096
--- cells, and beyond, where it is 0 or 1 but for few radii, by logarithms. O(r) operations, on whole
--- numbers up to q^m or beyond on doubles.
+-- | The share of all contents that lies in the spheres. With up to 4096 cells it has the precision
+-- of a 'Double'. With more it is computed by logarithms; it is then 0 or 1 except for few radii.
+-- O(r) operations, on integers up to q^m, or beyond 4096 cells on doubles.
 --
--- The paper's array, 2 x 2 cells, and 3 x 3 of which one is corrected:
+-- The examples are the paper's array with 2 x 2 cells, and with 3 x 3 cells of which one is
+-- corrected:
 --
 -- >>> chanceShare (chance (Spheres 4 4 255 0 1)) == 255 / 256
 -- True
@@ -119,7 +118,7 @@ chance (Spheres q m n r d) = Chance (min 1 share) (2 * r < d)
     share
       | m <= mostExactCells = fromRational (toInteger (n * sphereVolume q m r) % toInteger (q ^ m))
       | otherwise = exp (naturalLogarithm n + logVolume - fromIntegral m * naturalLogarithm q)
-    -- The logarithms of the terms of the volume, and of their sum, relative to the largest.
+    -- The logarithms of the terms of the volume; their sum is taken relative to the largest.
     terms =
       scanl'
         (+)
@@ -130,12 +129,12 @@ chance (Spheres q m n r d) = Chance (min 1 share) (2 * r < d)
     largest = maximum terms
     logVolume = largest + log (sum (map (\x -> exp (x - largest)) terms))
 
--- | 4096: up to this many cells shares are computed in whole numbers.
+-- | The most cells for which shares are computed with integers.
 mostExactCells :: Natural
 mostExactCells = 4096
 
--- | @sphereVolume q m r@: how many words of m symbols out of q differ from a given one in at most
--- r. O(r) operations on numbers up to q^m.
+-- | @sphereVolume q m r@ is the number of words of m symbols out of q that differ from a given word
+-- in at most r places. O(r) operations on numbers up to q^m.
 --
 -- >>> [sphereVolume 2 7 1, sphereVolume 4 9 1, sphereVolume 4 3 9]
 -- [8,28,64]

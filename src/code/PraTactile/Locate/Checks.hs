@@ -1,11 +1,10 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What the code has checked among observed cells. The contents of m cells of rank r are a linear
--- code of dimension r, so that m - r independent parity checks hold among them. Those that hold
--- among the cells of one column alone, m_j - r_j for the column j, say nothing of how the columns
--- lie beside each other; only the others do, which number sum of r_j, less r. Likewise with rows,
--- and with the sources that cells were seen in. docs/explanation/locating.md lists how many there
--- are.
+-- | The parity checks that the code provides among observed cells. The contents of m cells of rank
+-- r are a linear code of dimension r, so m - r independent parity checks hold among them. Of these,
+-- m_j - r_j hold among the cells of column j alone and do not check how the columns lie beside each
+-- other. The others do; their number is the sum of r_j minus r. The same holds for rows, and for
+-- the sources that cells were seen in. docs/explanation/locating.md lists the numbers.
 module PraTactile.Locate.Checks
   ( Checks (..),
     Split (..),
@@ -24,31 +23,31 @@ import PraTactile.LinearCode.Elimination
 import PraTactile.Polynomial
 import PraTactile.Window.Rank
 
--- | The independent parity checks among cells that are in groups.
+-- | The independent parity checks among grouped cells.
 data Split = Split
-  { -- | that hold within single groups
+  { -- | checks within single groups
     checksWithin :: !Natural,
-    -- | beyond those
+    -- | checks beyond those
     checksAcross :: !Natural
   }
   deriving stock (Eq, Show)
 
--- | The checks among cells, in groups of three kinds.
+-- | The checks among cells, grouped by columns, rows and sources.
 data Checks = Checks
   { checksOfColumns :: Split,
     checksOfRows :: Split,
-    -- | a cell that two sources show is checked across them; 'Nothing' of a single source
+    -- | a cell that two sources show is a check across them; 'Nothing' for a single source
     checksOfSources :: Maybe Split
   }
   deriving stock (Eq, Show)
 
--- | Whether there are checks, and none of them beyond single groups.
+-- | Whether there are checks, but only within groups.
 noneAcross :: Split -> Bool
 noneAcross (Split within across) = within > 0 && across == 0
 
--- | The checks among the cells with these offsets in an upright patch, source by source. 'Nothing'
--- on a surface other than the array's 'naturalSurface' and the sheet, where contents are not
--- linear. O(m n^2) for m cells, after 'cellVectors'.
+-- | The checks among cells, which are given by their offsets in the upright patch, source by
+-- source. 'Nothing' on a surface other than the array's 'naturalSurface' and the sheet, where
+-- contents are not linear. O(m n^2) for m cells, after 'cellVectors'.
 checksAmong :: KnownField k => ArrayOn k -> [[Position]] -> Maybe Checks
 checksAmong (ArrayOn surface array) given
   | surface `notElem` [Sheet, naturalSurface (arrayFolding array)] = Nothing

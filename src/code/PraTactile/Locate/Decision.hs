@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What a decoder of symbols decides, the same for all of them; and how the decisions in several
--- symmetries become one.
+-- | The decision of a decoder of symbols, in common terms for all decoders, and how decisions in
+-- several symmetries are combined.
 module PraTactile.Locate.Decision
   ( Decision (..),
     exactDecision,
@@ -17,14 +17,14 @@ import PraTactile.Locate.Answer
 import PraTactile.Position
 import PraTactile.Symmetry
 
--- | Where symbols are, and in how many cells places differ.
+-- | The outcome for symbols, and the distances of candidates.
 data Decision place = Decision
   { decisionOutcome :: Outcome place,
     decisionDistances :: Distances
   }
   deriving stock (Eq, Show)
 
--- | Of a decoder that corrects nothing, given the minimum distance as far as it is known.
+-- | The decision of a decoder that corrects nothing, given the known part of the minimum distance.
 exactDecision :: Known -> Outcome place -> Decision place
 exactDecision d outcome = Decision outcome (Distances [] agreeing Nothing d 0)
   where
@@ -32,15 +32,15 @@ exactDecision d outcome = Decision outcome (Distances [] agreeing Nothing d 0)
       Refused _ -> Nothing
       _ -> Just (Exactly 0)
 
--- | Of no observed cells, with this radius.
+-- | The decision for a patch without observed cells, with this radius.
 nowhereDecision :: Natural -> Decision place
 nowhereDecision = Decision (Refused TooFewCells) . Distances [] Nothing Nothing (Exactly 0)
 
--- | What upright patches come to in the symmetries in which they may be seen, each with the upright
+-- | Combines the decisions for the upright patches in all symmetries. Each comes with the upright
 -- patch's shape; the minimum distance and the radius are those of all candidates. The outcome names
--- the nearest of all symmetries; others may be within the radius, too. Where no symmetry has one,
--- the reason is that of the symmetry that came farthest: off the sheet, contradiction, no such
--- window, no complete window, beyond the radius, zeros.
+-- only the nearest of all symmetries, although others may be within the radius. If no symmetry has
+-- a place, the reason is the first among these that any symmetry gives: off the sheet,
+-- contradiction, not in array, no complete window, beyond the radius, zero window.
 overSymmetries :: Known -> Natural -> [(Symmetry, Shape, Decision Position)] -> Decision Candidate
 overSymmetries d radius found = Decision outcome (Distances wrong least next d radius)
   where
@@ -51,13 +51,13 @@ overSymmetries d radius found = Decision outcome (Distances wrong least next d r
     least = case ordered of
       e : _ -> Just e
       [] -> Nothing
-    -- The second least of lower bounds is a lower bound of the second least.
+    -- The second smallest of lower bounds is a lower bound on the second smallest number.
     next = case drop 1 ordered of
       e : _
         | all exact ordered -> Just e
         | otherwise -> Just (AtLeast (atLeast e))
       [] -> Nothing
-    -- Of equal numbers the exact one comes first: it was found.
+    -- Of equal numbers the exact one comes first, since it was found.
     bound known = (atLeast known, not (exact known))
     exact known = case known of
       Exactly _ -> True
@@ -72,7 +72,7 @@ overSymmetries d radius found = Decision outcome (Distances wrong least next d r
       Refused _ -> False
       _ -> True
 
--- | The outcomes in several symmetries as one.
+-- | Combines the outcomes in several symmetries.
 combinedOutcome :: [(Symmetry, Shape, Decision Position)] -> Outcome Candidate
 combinedOutcome found = case (concatMap listed outcomes, mapMaybe unlisted outcomes) of
   ([], []) -> Refused (farthest [reason | (_, _, Refused reason) <- outcomes])

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The decoders of an array, each as a function of upright cells, and which of them answers.
+-- | The decoders of an array, as functions of upright cells, and the choice between them.
 module PraTactile.Locate.Decoder
   ( -- * What is made once for an array
     Locator,
@@ -50,15 +50,16 @@ import PraTactile.Locate.Separation
 import PraTactile.Symmetry
 import PraTactile.Window
 
--- | Why there is no answer.
+-- | Why a query has no answer.
 data LocatorError
-  = -- | The patches are none, or too far apart, or the array is too large for the decoder.
+  = -- | There are no patches, they are too far apart, or the array is too large for the decoder.
     LocatorPatch LocateError
-  | -- | The algebra leads to no outcome.
+  | -- | The algebra has no outcome.
     LocatorAlgebra AlgebraError
-  | -- | Decoding by information sets leads to none.
+  | -- | Decoding by information sets has no outcome.
     LocatorDecoding DecodingError
-  | -- | The array is too large for a codebook, and why there is neither the algebra nor a table.
+  | -- | The array is too large for a codebook, and neither the algebra nor a table is possible, for
+    -- these reasons.
     LocatorImpossible AlgebraError LocateError
   | -- | This decoder takes no probabilities.
     ProbabilitiesRefused DecoderName
@@ -68,58 +69,57 @@ data LocatorError
     NoSymmetry
   deriving stock (Eq, Show)
 
--- | An array with all that is computed once for it, as it is first needed.
+-- | An array with everything that is computed once for it, when first needed.
 data Locator (k :: Field) = Locator
   { -- | The array on its surface.
     locatorArray :: !(ArrayOn k),
-    -- | Its window, by which the support of an answer and a refusal are named.
+    -- | Its window, which names the support of an answer and the reason of a refusal.
     locatorMask :: !Mask,
     locatorChoice :: !(Maybe DecoderName),
-    -- | How many words a list has looked at, at most.
+    -- | The most words that a list decoder searches.
     locatorListing :: !Int,
     locatorPrepared :: Prepared k
   }
 
 type role Locator nominal
 
--- | What decoders need, each part made when it is first asked for.
+-- | The parts that decoders need, each computed when first used.
 data Prepared (k :: Field) = Prepared
   { preparedCodebook :: Either LocateError (Codebook k),
     preparedAlgebra :: Either AlgebraError (Algebra k),
     preparedTable :: Either LocateError (Table k),
     preparedOthers :: OtherArrays k,
-    -- | For patches of these shapes without holes.
+    -- | Decoders for rectangles of these shapes without holes.
     preparedRectangles :: Map Shape (Either AlgebraError (Decoder k))
   }
 
 type role Prepared nominal
 
--- | The locator of an array with this window, and the order in which its table packs cells; by the
--- decoder asked for, or 'Nothing' for the one that the array needs: symbols and probabilities are
--- compared with the codebook up to 2^20 cells; beyond, they are decoded by information sets and by
--- lists, and where there are no logarithms by the table. O(1): what a decoder needs is made when it
--- is first used, and once.
+-- | The locator of an array with this window. Arguments: the decoder, or 'Nothing' to choose it;
+-- the order in which the table packs cells; the array; the window. If chosen, a codebook serves up
+-- to 2^20 cells, for symbols and probabilities. Beyond that, symbols are decoded by information
+-- sets, and probabilities by lists; without logarithms, symbols are decoded by the table. O(1):
+-- what a decoder needs is computed once, when first used.
 locator :: KnownField k => Maybe DecoderName -> Packing -> ArrayOn k -> Mask -> Locator k
 locator = locatorUpTo largestSearchedArray
 
--- | The same with a codebook of arrays up to so many cells only, and never beyond 2^20: larger ones
--- are decoded as those beyond are.
+-- | 'locator' with a codebook only for arrays up to this many cells, and never beyond 2^20. Larger
+-- arrays are decoded like those beyond 2^20 cells.
 locatorUpTo ::
   KnownField k => Natural -> Maybe DecoderName -> Packing -> ArrayOn k -> Mask -> Locator k
 locatorUpTo most choice packing on mask =
   Locator on mask choice standardListing (prepared most packing on mask)
 
--- | The same where lists look at so many words at most, in place of 'standardListing'. Where fewer
--- are listed, more may be unlisted: a doubt is no less.
+-- | A locator whose list decoder searches at most this many words instead of 'standardListing'.
+-- With fewer words more may be unlisted, so a doubt is never smaller.
 withListing :: Int -> Locator k -> Locator k
 withListing most theLocator = theLocator {locatorListing = most}
 
--- | The array's codebook, the one that its decoders use; refused where the array is too large for
--- one.
+-- | The array's codebook, which its decoders share. Refuses arrays that are too large for one.
 locatorCodebook :: Locator k -> Either LocateError (Codebook k)
 locatorCodebook = preparedCodebook . locatorPrepared
 
--- | The arrays that are as this one, by other polynomials.
+-- | The arrays like this one that other polynomials make.
 locatorOthers :: Locator k -> OtherArrays k
 locatorOthers = preparedOthers . locatorPrepared
 
@@ -144,18 +144,18 @@ prepared most packing on mask =
 -- | A decoder of symbols.
 data SymbolDecoder (k :: Field) = SymbolDecoder
   { symbolName :: !DecoderName,
-    -- | Where an upright patch is, with this radius.
+    -- | Locates an upright patch, with this radius.
     symbolDecide :: Radius -> Patch (GF k) -> Either LocatorError (Decision Position),
-    -- | In how many cells candidates in these symmetries differ; 'Nothing' where it is as each
-    -- 'Decision' has it.
+    -- | The minimum number of cells in which candidates in these symmetries differ; 'Nothing' if
+    -- each 'Decision' has it.
     symbolDistance :: [Symmetry] -> Patch (GF k) -> Maybe Known,
-    -- | How many of some cells alone, upright, can be wrong for certain.
+    -- | The number of wrong cells that is certainly corrected among these upright cells alone.
     symbolOwnRadius :: [Position] -> Natural
   }
 
 type role SymbolDecoder nominal
 
--- | The decoder of symbols that answers with this radius.
+-- | The decoder of symbols that the locator uses with this radius.
 symbolDecoder :: KnownField k => Locator k -> Radius -> Either LocatorError (SymbolDecoder k)
 symbolDecoder theLocator stated = case locatorChoice theLocator of
   Just TableDecoder -> first LocatorPatch (preparedTable ready) >>= byTable
@@ -198,7 +198,7 @@ exactDecoder theLocator name outcomeOf =
     differ possible seen =
       candidatesDiffer (locatorArray theLocator) possible (patchShape seen) (observedOffsets seen)
 
--- | Wrong cells corrected by comparison with all positions.
+-- | The decoder that corrects wrong cells by comparison with all positions.
 codebookDecoder :: KnownField k => Locator k -> Codebook k -> SymbolDecoder k
 codebookDecoder theLocator codebook =
   SymbolDecoder
@@ -208,7 +208,8 @@ codebookDecoder theLocator codebook =
       symbolOwnRadius = guaranteedRadius . observedDistance codebook
     }
 
--- | Wrong cells corrected by information sets; those of patches without holes are at hand.
+-- | The decoder that corrects wrong cells by information sets. Those of rectangles without holes
+-- are prepared.
 informationSetDecoder ::
   KnownField k =>
   Locator k ->
@@ -227,8 +228,8 @@ informationSetDecoder theLocator rectangles algebra =
       symbolOwnRadius = uprightRadius theLocator
     }
 
--- | In how many cells candidates in several symmetries differ; of a single symmetry the decoder has
--- it itself.
+-- | The minimum number of cells in which candidates in several symmetries differ. 'Nothing' for a
+-- single symmetry, which the decoder covers itself.
 distanceBetween ::
   KnownField k => Locator k -> [Symmetry] -> Patch (GF k) -> Maybe Known
 distanceBetween theLocator possible seen = case possible of
@@ -241,7 +242,7 @@ distanceBetween theLocator possible seen = case possible of
         (patchShape seen)
         (observedOffsets seen)
 
--- | How many of some upright cells can be wrong for certain.
+-- | The number of wrong cells that is certainly corrected among some upright cells.
 uprightRadius :: KnownField k => Locator k -> [Position] -> Natural
 uprightRadius theLocator =
   guaranteedRadius . candidateDistance (locatorArray theLocator) [identity] (Shape 1 1)
@@ -249,13 +250,13 @@ uprightRadius theLocator =
 -- | A decoder of probabilities.
 data BeliefDecoder (k :: Field) = BeliefDecoder
   { beliefName :: !DecoderName,
-    -- | How likely candidates in these symmetries are, of a patch as it is seen.
+    -- | The posterior of candidates in these symmetries, for a patch as seen.
     beliefPosterior :: [Symmetry] -> Patch (Belief k) -> Either LocatorError (Posterior Candidate)
   }
 
 type role BeliefDecoder nominal
 
--- | The decoder of probabilities that answers when this doubt is tolerated.
+-- | The decoder of probabilities that the locator uses with this tolerated doubt.
 beliefDecoder :: KnownField k => Locator k -> Double -> Either LocatorError (BeliefDecoder k)
 beliefDecoder theLocator tolerated = case locatorChoice theLocator of
   Nothing -> case (preparedCodebook ready, preparedAlgebra ready) of
@@ -275,7 +276,7 @@ beliefDecoder theLocator tolerated = case locatorChoice theLocator of
         (\possible -> first LocatorAlgebra . listPatch most tolerated algebra possible)
     most = locatorListing theLocator
 
--- | Whether the decoder asked for takes symbols as probabilities.
+-- | Whether the requested decoder treats symbols as probabilities.
 decodesProbabilities :: Locator k -> Bool
 decodesProbabilities =
   (`elem` [Just PosteriorDecoder, Just ListDecoder]) . locatorChoice

@@ -1,9 +1,9 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What locating means, too slow to use on large arrays and too simple to be wrong: every symmetry
--- with every position is a candidate, and what was observed is compared with what the array has
--- there. The nearest candidate differs in the fewest cells; how likely one is, is Bayes' theorem.
--- The decoders are tested against it.
+-- | The definition of locating, too slow for large arrays and too simple to be wrong. Every
+-- position in every symmetry is a candidate, and the observed cells are compared with what the
+-- array has there. The nearest candidate differs in the fewest cells; probabilities follow from
+-- Bayes' theorem. The decoders are tested against it.
 module PraTactile.Locate.Definition
   ( -- * All candidates
     everyCandidate,
@@ -31,9 +31,10 @@ import PraTactile.Locate.Patch
 import PraTactile.Symmetry
 import PraTactile.Window
 
--- | Every candidate, by symmetries in the order given and positions row by row, with what the array
--- has in the cells with these offsets of a patch with this shape as it is seen; on the sheet those
--- with which all of the cells and the upper left one of the upright patch lie on it.
+-- | Every candidate with the array's symbols in the cells of a patch as seen. Symmetries come in
+-- the given order, positions row by row. The cells are given by the patch's shape and their
+-- offsets. On the sheet, only candidates with all these cells and the upright patch's upper left
+-- cell on it count.
 everyCandidate ::
   KnownField k =>
   ArrayOn k ->
@@ -70,10 +71,10 @@ differencesByDefinition on possible observed =
   where
     cells = observedCells observed
 
--- | Every candidate with its probability, all of them being equally likely beforehand: the product
--- of the probabilities of the symbols there, each together with the candidate's symmetry where the
--- cell shows how it lies, over the sum of these; in exact fractions. The cells
--- may be several looks at one cell each. None if no candidate is possible.
+-- | The exact posterior of every candidate under a uniform prior. A candidate's likelihood is the
+-- product of the probabilities of its symbols, each jointly with its symmetry if the cell shows
+-- that. A cell may be listed several times, for several observations. Empty if no candidate is
+-- possible.
 posteriorByDefinition ::
   KnownField k =>
   ArrayOn k ->
@@ -93,7 +94,7 @@ posteriorByDefinition on possible shape cells
       toRational (Primitive.toList (probabilitiesIn (candidateSymmetry candidate) b) !! toCode a)
     total = sum (map snd likelihood)
 
--- | The rectangle around displaced patches, and for each observed cell in it all looks at it.
+-- | The rectangle around displaced patches, and all observations of each observed cell in it.
 looksByDefinition :: [((Integer, Integer), Patch a)] -> (Shape, [(Position, [a])])
 looksByDefinition given = (Shape (side bottom top) (side right left), Map.toAscList seen)
   where
@@ -110,11 +111,11 @@ looksByDefinition given = (Shape (side bottom top) (side right left), Map.toAscL
             (Position i j, a) <- observedCells p
         ]
 
--- | The place of a patch, by comparing every observed cell at every position. The mask is the
--- array's window: it takes no part in the comparison, but the windows of the patch are named as the
--- support of an answer, and decide the reason of a refusal, as in "PraTactile.Locate". Unlike the
--- table, the search also uses patches in which no window is complete; 'TooFewCells' is the answer
--- to no observed cell at all. Refuses arrays of more than 'largestSearchedArray' cells.
+-- | Locates a patch by comparing every observed cell at every position. The mask is the array's
+-- window. It is not used for the comparison, but the patch's windows are named as the support of an
+-- answer, and decide the reason of a refusal, as in "PraTactile.Locate". Unlike the table, the
+-- search also uses patches without a complete window. A patch without observed cells gives
+-- 'TooFewCells'. Refuses arrays of more than 'largestSearchedArray' cells.
 searchPatch ::
   KnownField k =>
   ArrayOn k ->
@@ -132,12 +133,12 @@ searchPatch on@(ArrayOn _ array) mask observed
     cells = area (arrayShape array)
     support = map fst (completeWindows mask observed)
 
--- | 2^20: the most cells of an array that is searched.
+-- | The most cells of an array that is searched, 2^20.
 largestSearchedArray :: Natural
 largestSearchedArray = 2 ^ (20 :: Int)
 
--- | The positions, ascending, at which these cells, by their offsets, are those of the array. On
--- the sheet all of them must lie on it.
+-- | The positions, ascending, where the array has these symbols at these offsets. On the sheet all
+-- cells must lie on it.
 agreeing :: KnownField k => ArrayOn k -> [(Position, GF k)] -> [Position]
 agreeing (ArrayOn surface array) cells =
   [ place
@@ -152,8 +153,8 @@ shifted :: Surface -> Shape -> (Integer, Integer) -> Position -> Maybe Position
 shifted surface shape (r, c) (Position i j) =
   canonicalPosition surface shape (r + toInteger i) (c + toInteger j)
 
--- | Why a patch that agrees with the array nowhere does so, by the patch's complete windows. The
--- function is where cells, by their offsets, agree, as 'agreeing' has it.
+-- | Why a patch agrees with the array nowhere, judged by its complete windows. The function gives
+-- the positions where cells agree, as 'agreeing' does.
 nowhere ::
   KnownField k =>
   ArrayOn k ->
@@ -169,14 +170,14 @@ nowhere (ArrayOn surface array) mask agreeingAt observed
   where
     cells = observedCells observed
     windows = completeWindows mask observed
-    -- The offset of a window that occurs, with where.
+    -- The offset of each window that occurs, with its positions.
     occurring =
       [ (offset, positions)
         | (offset, content) <- windows,
           positions@(_ : _) <- [agreeingAt (zip (maskOffsets mask) content)]
       ]
-    -- Where the patch's upper left is, perhaps beyond the edge, when its first window that occurs
-    -- is at one of its positions.
+    -- The patch's upper left corner for each position of its first window that occurs; it may lie
+    -- beyond the edge.
     places =
       [ (toInteger r - toInteger i, toInteger c - toInteger j)
         | (Position i j, positions) <- take 1 occurring,

@@ -1,17 +1,18 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | That a patch is nothing of the array's: the doubt that no comparison of positions has.
+-- | The probability that a patch was not taken from this array at all.
 --
--- Of what is foreign half is taken to be random: every symmetry is equally likely, and in it every
--- content, each cell by itself. The other half is another array ('OtherArrays'), in every symmetry
--- and at every position alike; how likely that is, is bounded from above. Of what is the array's
--- every symmetry and every position is equally likely, too, and there each cell has its
--- probability, but for one cell in a hundred, which is not what it seems ('misleading'): damaged,
--- soiled, or wrongly made. Bayes' theorem with the share of foreign things does the rest.
+-- The model has these parts. Foreign things are random in half of the cases: every symmetry and
+-- every content of the cells is equally probable. In the other half they are another array
+-- ('OtherArrays'), in every symmetry and at every position with equal probability; that likelihood
+-- is bounded from above. Under the array itself, every symmetry and position is equally probable
+-- too. A cell then has its own probability, except that one cell in a hundred is misleading
+-- ('misleading'): damaged, soiled, or wrongly made. Bayes' theorem with the prior of foreign things
+-- gives the probabilities.
 --
--- Who saw the symbols may say how much likelier they are to be none of the array's: then there is a
--- third kind of foreign things, as frequent as the other two together. What other symbols are taken
--- for is random.
+-- The query may state how much more probable its observations are under other symbols than the
+-- array's. Then there is a third kind of foreign things, as frequent as the other two together.
+-- What other symbols are read as is random.
 module PraTactile.Locate.Foreign
   ( ForeignComparison (..),
     foreignChances,
@@ -27,41 +28,41 @@ import Numeric.Natural (Natural)
 import PraTactile.Locate.Answer
 import PraTactile.Locate.Logarithm
 
--- | What observed cells are compared with foreign ones by.
+-- | The quantities by which observed cells are compared with foreign ones.
 data ForeignComparison = ForeignComparison
-  { -- | the probability beforehand that it is foreign, below 1
+  { -- | the prior probability of being foreign, below 1
     foreignShare :: Double,
-    -- | how many symbols there are
+    -- | the number of symbols
     foreignSymbols :: Int,
-    -- | how many places there are, in all symmetries
+    -- | the number of places in all symmetries
     foreignPlaces :: Natural,
-    -- | how probable the array's symbol at the likeliest place is in each observed cell, given the
-    -- symmetry there
+    -- | the probability in each observed cell of the array's symbol at the likeliest place, given
+    -- the symmetry there
     foreignExpected :: [Double],
-    -- | the logarithm of the probability that, among the places, it is the likeliest one: of many
-    -- alike that may be too small for a double
+    -- | the log-probability of the likeliest place among all places; with many equal ones it may be
+    -- too small for a Double
     foreignLikeliest :: Double,
-    -- | the logarithm of how many times as probable the cells make the symmetry there as the mean
-    -- of all: 0 where they do not show how they lie
+    -- | the log-ratio of the probability that the cells give the symmetry there to the mean over
+    -- all symmetries; 0 if the cells do not show it
     foreignSymmetry :: Double,
-    -- | the logarithm of how likely another array makes the cells, at most: summed over symmetries
-    -- and positions, relative to the mean of how probable the cells make all symmetries; 'Nothing'
-    -- where there is no other array
+    -- | an upper bound on the log-likelihood of another array, summed over symmetries and
+    -- positions, relative to the mean probability of the symmetries; 'Nothing' if there is no other
+    -- array
     foreignOthers :: Maybe Double,
-    -- | the logarithm of how many times as likely what was seen is if it shows other symbols than
-    -- the array's; minus infinity where that is not weighed
+    -- | the log-likelihood ratio of other symbols than the array's to the array's; minus infinity
+    -- if that is not weighed
     foreignUnlike :: Double
   }
   deriving stock (Eq, Show)
 
--- | The share of foreign things that are random, where there are other arrays.
+-- | The share of random ones among foreign things, if there are other arrays.
 foreignByChance :: Double
 foreignByChance = 0.5
 
--- | The probabilities that observed cells are foreign, of each kind.
+-- | The probabilities that observed cells are foreign, by kind.
 --
--- Four cells beyond doubt, which nearly every content of a window is, leave what was believed
--- beforehand; nine do not:
+-- Four certain cells leave the prior unchanged, because nearly every content of such a window
+-- occurs in the array. Nine do not:
 --
 -- >>> let comparison cells = ForeignComparison 0.005 4 255 cells 0 0 Nothing (-1 / 0)
 -- >>> let chances = foreignChances . comparison
@@ -84,19 +85,19 @@ foreignChances comparison
     ofOthers worth =
       log (share * (1 - foreignByChance)) + worth - naturalLogarithm (foreignPlaces comparison)
     ours = log (1 - share) + contents + evidence comparison
-    -- Of what is impossible nothing, whatever the others are.
+    -- What is impossible has probability 0, whatever the others are.
     part one'
       | isInfinite one' = 0
       | otherwise = 1 / sum [exp (other - one') | other <- [ours, byChance, byOthers, byShapes]]
 
--- | The logarithm of how probable observed cells are by chance, every content alike.
+-- | The log-probability of observed cells under uniformly random symbols.
 contentsByChance :: ForeignComparison -> Double
 contentsByChance comparison =
   negate (fromIntegral (length (foreignExpected comparison)))
     * log (fromIntegral (foreignSymbols comparison))
 
--- | The logarithm of how many times as probable the observed cells are if they are the array's,
--- anywhere, as they are by chance. It says nothing of how probable either is beforehand.
+-- | The log-likelihood ratio of the observed cells being the array's, at any place, to their being
+-- random. It contains no prior of either.
 --
 -- >>> let comparison cells = ForeignComparison 0.005 4 255 cells 0 0 Nothing (-1 / 0)
 -- >>> round (evidence (comparison (replicate 9 1)))
@@ -112,12 +113,11 @@ evidence comparison =
     seen chance = log ((1 - misleading) * chance + misleading / q)
     q = fromIntegral (foreignSymbols comparison)
 
--- | The share of symbols that are not what they seem, where the array's are compared with foreign
--- ones.
+-- | The share of misleading symbols, in comparisons of the array's with foreign ones.
 misleading :: Double
 misleading = 0.01
 
--- | How likely places are where all of them are wrong with this probability besides.
+-- | A posterior after every place is wrong with this additional probability.
 weighed :: Double -> Posterior place -> Posterior place
 weighed alien found =
   found

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Several patches of one face at known displacements from each other, decoded jointly: all their
--- cells determine the position better than those of one patch, and patches that do not belong are
+-- | Joins several patches of one face, at known displacements, for joint decoding. Their cells
+-- together determine the position better than those of one patch. Patches that do not belong are
 -- named.
 module PraTactile.Locate.Joint
   ( -- * Joining
@@ -25,24 +25,25 @@ import PraTactile.Locate.Definition (largestSearchedArray)
 import PraTactile.Locate.Patch
 import PraTactile.Position
 
--- | Patches in the rectangle around all of them.
+-- | Patches joined in the rectangle around them.
 data Joint a = Joint
-  { -- | All cells in one patch, without those in dispute.
+  { -- | All cells in one patch, without disputed ones.
     jointPatch :: Patch a,
-    -- | The cells that patches saw differently, which count as not observed.
+    -- | The cells in which patches contradict each other; they count as not observed.
     jointDisputed :: [Position],
-    -- | Where in the rectangle the upper left cell of each patch is, in the order given.
+    -- | The offset of each patch's upper left cell in the rectangle, in the given order.
     jointOffsets :: [Position],
     -- | The cells of each patch.
     jointParts :: [[(Position, a)]],
-    -- | What several looks at a cell come to; 'Nothing' if they are in dispute.
+    -- | Combines several observations of a cell; 'Nothing' if they contradict each other.
     jointAgreed :: [a] -> Maybe a
   }
 
--- | Join patches, each given with its displacement, rows down and columns to the right, from a
--- common point; by what several looks at a cell come to, 'Nothing' if they are in dispute. Refuses
--- no patches ('PatchEmpty'), more than 'mostPatches' ('PatchesTooMany'), and a rectangle around
--- several of more than 'largestSearchedArray' cells ('PatchTooLarge').
+-- | Joins patches, each with the displacement of its upper left cell from a common point, in rows
+-- down and columns to the right. The function combines several observations of a cell, and gives
+-- 'Nothing' if they contradict each other. Refuses an empty list ('PatchEmpty'), more than
+-- 'mostPatches' patches ('PatchesTooMany'), and several patches in a rectangle of more than
+-- 'largestSearchedArray' cells ('PatchTooLarge').
 joint :: ([a] -> Maybe a) -> [((Integer, Integer), Patch a)] -> Either LocateError (Joint a)
 joint agreed given = case given of
   [] -> Left PatchEmpty
@@ -67,37 +68,37 @@ joint agreed given = case given of
         ]
       disputed = [at | (at, Nothing) <- Map.toList (looks agreed parts)]
 
--- | How many patches are located jointly: 100. Which of them do not belong is found by leaving each
--- out, so that the time grows with the square of their number.
+-- | The most patches that are located jointly: 100. Each is left out in turn to find those that do
+-- not belong, so the time grows with the square of their number.
 mostPatches :: Natural
 mostPatches = 100
 
--- | What all looks at each cell come to.
+-- | The combined observation of each cell.
 looks :: ([a] -> Maybe a) -> [[(Position, a)]] -> Map Position (Maybe a)
 looks agreed parts =
   agreed . reverse <$> Map.fromListWith (++) [(at, [a]) | part <- parts, (at, a) <- part]
 
--- | The cells of some patches as one of this shape, without those in dispute.
+-- | The cells of some patches as one patch of this shape, without disputed ones.
 inFrame :: ([a] -> Maybe a) -> Shape -> [[(Position, a)]] -> Patch a
 inFrame agreed shape parts = patchOf shape (Map.toAscList (Map.mapMaybe id (looks agreed parts)))
 
--- | The symbol, if all looks saw the same one.
+-- | The symbol, if all observations agree.
 agreedSymbol :: Eq a => [a] -> Maybe a
 agreedSymbol seen = case seen of
   a : others | all (== a) others -> Just a
   _ -> Nothing
 
--- | What decides whether cells belong where all are located.
+-- | How to decide whether cells belong to the place of all patches.
 data Belonging a = Belonging
-  { -- | Whether a cell is wrong there.
+  { -- | Whether a cell is wrong at a candidate.
     wrongAt :: Candidate -> (Position, a) -> Bool,
-    -- | Whether cells, taken alone, may be there.
+    -- | Whether a candidate is possible for these cells alone.
     belongsAt :: Candidate -> [(Position, a)] -> Bool,
-    -- | Where some of the patches would be located with certainty.
+    -- | The candidate at which a patch would be located with certainty.
     credible :: Patch a -> Maybe Candidate
   }
 
--- | What is said of each patch, given where all are located, if they are.
+-- | The verdict on each patch, given the common place, if there is one.
 patchVerdicts :: Belonging a -> Joint a -> Maybe Candidate -> [PatchVerdict]
 patchVerdicts belonging joined place =
   [ PatchVerdict offset (wrongOf part <$ place) (i `elem` inconsistent)
@@ -114,7 +115,7 @@ patchVerdicts belonging joined place =
     wrongOf = length . filter ((`Set.member` wrong) . fst)
     strays candidate = [i | (i, part) <- indexed, not (belongsAt belonging candidate part)]
     inconsistent = maybe leastStrays strays place
-    -- Of the places of single patches and of all patches but one, those to which most patches
+    -- Among the places of single patches and of all patches but one, those to which most patches
     -- belong.
     leastStrays =
       let subsets = map pure parts ++ [[part | (j, part) <- indexed, j /= i] | (i, _) <- indexed]

@@ -1,10 +1,9 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The one way from a question to its answer: the patches are joined to one, as
--- "PraTactile.Locate.Joint" has it; in each symmetry in which it may be seen, its upright form goes
--- to the decoder that "PraTactile.Locate.Decoder" chooses; and what these decide is combined, as
--- "PraTactile.Locate.Decision" has it. Patches and symmetries are handled here alone, the same for
--- all decoders.
+-- | From a query to its answer. "PraTactile.Locate.Joint" joins the patches. The upright form of
+-- the joined patch, in each queried symmetry, goes to the decoder that "PraTactile.Locate.Decoder"
+-- chooses. "PraTactile.Locate.Decision" combines the decisions. Only this module handles patches
+-- and symmetries, in the same way for all decoders.
 module PraTactile.Locate.Locator
   ( Locator,
     locator,
@@ -43,9 +42,9 @@ import PraTactile.Locate.Separation (candidateDistance)
 import PraTactile.Locate.Weighing
 import PraTactile.Symmetry
 
--- | Where the patches of a question are. If any cell has probabilities, all cells are taken as
--- probabilities. Refuses what the decoder that is asked for cannot do, and where there is none. The
--- costs are those of the decoder, as "PraTactile.Locate" has them.
+-- | Answers a query. If any cell has probabilities, all cells are treated as probabilities. Refuses
+-- what the requested decoder cannot do, and arrays without a decoder. The costs are those of the
+-- decoder, listed in "PraTactile.Locate".
 locate :: KnownField k => Locator k -> Query k -> Either LocatorError Answer
 locate theLocator asked
   | null (querySymmetries asked) = Left NoSymmetry
@@ -55,24 +54,26 @@ locate theLocator asked
   where
     query = asked {querySymmetries = nub (querySymmetries asked)}
 
--- | The symbol of a cell, if it is known.
+-- | The symbol of a cell; 'Nothing' for probabilities.
 symbolOf :: Cell k -> Maybe (GF k)
 symbolOf cell = case cell of
   Symbol a -> Just a
   Probabilities _ -> Nothing
 
--- | Which decoder answers questions about symbols with this radius; refused where none does. Makes
--- the codebook or the table, if that is the one, once.
+-- | The decoder that answers queries about symbols with this radius. Refuses if there is none. If
+-- it needs the codebook or the table, that is computed, once.
 decoderFor :: KnownField k => Locator k -> Radius -> Either LocatorError DecoderName
 decoderFor theLocator stated = symbolName <$> symbolDecoder theLocator stated
 
--- | Which decoder answers questions about probabilities, likewise.
+-- | The decoder that answers queries about probabilities. Refuses if there is none. If it needs the
+-- codebook, that is computed, once.
 decoderOfProbabilities :: KnownField k => Locator k -> Either LocatorError DecoderName
 decoderOfProbabilities theLocator = beliefName <$> beliefDecoder theLocator 0
 
--- | The minimum distance of the cells with these offsets in an upright patch: in how many of them
--- any two positions differ at least, on the array's 'naturalSurface' and the sheet; 0 for no cells,
--- and where no distance is promised. With a codebook O(cells of the array * offsets).
+-- | The minimum distance of the cells with these offsets in an upright patch: the least number of
+-- them in which two positions differ, on the array's 'naturalSurface' and the sheet. 0 for no
+-- cells, and if no distance is guaranteed. With a codebook it takes O(cells of the array *
+-- offsets).
 cellsDistance :: KnownField k => Locator k -> [Position] -> Known
 cellsDistance theLocator offsets = case locatorCodebook theLocator of
   Right codebook -> Exactly (observedDistance codebook offsets)
@@ -80,8 +81,8 @@ cellsDistance theLocator offsets = case locatorCodebook theLocator of
     AtLeast
       (candidateDistance (locatorArray theLocator) [identity] (extentOf offsets) offsets)
 
--- | The observed symbols of a question in the rectangle around its patches, without those in
--- dispute; of probabilities none.
+-- | The observed symbols of a query in the rectangle around its patches, without disputed ones.
+-- Cells with probabilities are left out.
 agreedSymbols :: Query k -> Either LocatorError (Patch (GF k))
 agreedSymbols query =
   first
@@ -93,7 +94,7 @@ agreedSymbols query =
         (patchShape p)
         [(offset, a) | (offset, cell) <- observedCells p, Just a <- [symbolOf cell]]
 
--- | Symbols, of which some may be wrong.
+-- | Locates symbols, some of which may be wrong.
 locateSymbols ::
   KnownField k =>
   Locator k ->
@@ -136,7 +137,7 @@ locateSymbols theLocator query given = do
         answerDisputed = jointDisputed joined
       }
   where
-    -- The table knows complete windows only.
+    -- The table uses complete windows only.
     windowless decoder seen =
       symbolName decoder == TableDecoder
         && or
@@ -144,8 +145,8 @@ locateSymbols theLocator query given = do
             | o <- querySymmetries query
           ]
 
--- | What the code has checked among cells of which the patches are the sources, if these are seen
--- in this symmetry.
+-- | The parity checks among cells, with the patches as sources, if the patches are seen in this
+-- symmetry.
 checksGiven ::
   KnownField k => Locator k -> Joint a -> [Position] -> Maybe Symmetry -> Maybe Checks
 checksGiven theLocator joined cells seenAs = do
@@ -159,7 +160,7 @@ checksGiven theLocator joined cells seenAs = do
   where
     known = Set.fromList cells
 
--- | The symmetry of all candidates that are left, or the only one that was asked for.
+-- | The common symmetry of all remaining candidates, or the only one in the query.
 likelySymmetry :: Query k -> Outcome Candidate -> Maybe Symmetry
 likelySymmetry query outcome = case (nub (map candidateSymmetry left), querySymmetries query) of
   ([o], _) -> Just o
@@ -171,7 +172,8 @@ likelySymmetry query outcome = case (nub (map candidateSymmetry left), querySymm
       Ambiguous several _ -> several
       _ -> []
 
--- | When symbols belong to the others of a patch of this shape.
+-- | How to decide whether symbols belong to the other patches; the shape is that of the joined
+-- patch.
 symbolsBelong ::
   KnownField k => Locator k -> Query k -> SymbolDecoder k -> Shape -> Belonging (GF k)
 symbolsBelong theLocator query decoder shape =
@@ -186,9 +188,9 @@ symbolsBelong theLocator query decoder shape =
     wrong candidate (offset, a) =
       symbolAt (locatorArray theLocator) shape candidate offset /= Just a
 
--- | Decode a patch in each of the symmetries of the question. 'Guaranteed' is half of the least
--- distance between any two candidates, which several symmetries make smaller, often 0: then only
--- exact agreement is answered.
+-- | Decodes a patch in each symmetry of the query. 'Guaranteed' is less than half the minimum
+-- distance between any two candidates. Several symmetries make that distance smaller, often 0; then
+-- only exact agreement is an answer.
 decideIn ::
   SymbolDecoder k -> Query k -> Patch (GF k) -> Either LocatorError (Decision Candidate)
 decideIn decoder query seen
@@ -199,7 +201,7 @@ decideIn decoder query seen
       overSymmetries d radius <$> inEach (UpTo radius)
     Nothing -> do
       found <- inEach (queryRadius query)
-      -- One symmetry, whose decision has its own distance.
+      -- A single symmetry, whose decision has its own distance.
       let own = [decisionDistances decision | (_, _, decision) <- take 1 found]
           d = foldr (const . codeDistance) (Exactly 0) own
       pure (overSymmetries d (sum (map correctionRadius own)) found)
@@ -209,13 +211,13 @@ decideIn decoder query seen
       let upright = uprightAs o seen
        in (,,) o (patchShape upright) <$> symbolDecide decoder radius upright
 
--- | The candidate, if there is only one.
+-- | The place, if there is only one.
 only :: Outcome place -> Maybe place
 only outcome = case outcome of
   Unique place _ -> Just place
   _ -> Nothing
 
--- | The only candidate, if it is within the guaranteed radius.
+-- | The only place, if it is within the guaranteed radius.
 promised :: Decision place -> Maybe place
 promised decision
   | maybe False ((<= guaranteed) . atLeast) (nearestDistance distances) =
@@ -225,8 +227,8 @@ promised decision
     distances = decisionDistances decision
     guaranteed = guaranteedRadius (atLeast (codeDistance distances))
 
--- | Probabilities: those of the same cell are multiplied and made to add up to 1, as independent
--- looks at it.
+-- | Locates probabilities. Several observations of a cell count as independent: their probabilities
+-- are multiplied and normalised.
 locateBeliefs ::
   KnownField k =>
   Locator k ->
@@ -248,7 +250,7 @@ locateBeliefs theLocator query given = do
         answerPosterior = Just found,
         answerDoubts = alien,
         answerEvidence = speaking,
-        -- Only a cell that leaves no doubt keeps out a position.
+        -- Only a cell without doubt excludes a position.
         answerChance =
           chance . amongCells (fromIntegral (length certain)) <$> spheresOf theLocator query seen,
         answerChecks =
@@ -265,7 +267,8 @@ locateBeliefs theLocator query given = do
         answerDisputed = jointDisputed joined
       }
 
--- | When probabilities belong to the others of a patch of this shape.
+-- | How to decide whether probabilities belong to the other patches; the shape is that of the
+-- joined patch.
 beliefsBelong ::
   KnownField k => Locator k -> Query k -> BeliefDecoder k -> Shape -> Belonging (Belief k)
 beliefsBelong theLocator query decoder shape =
@@ -291,7 +294,7 @@ beliefsBelong theLocator query decoder shape =
         (\(_, _, found) -> Just (outcomeOf query seen found))
         (weighedPosterior theLocator query decoder possible seen)
 
--- | What the probabilities of candidates come to, with the doubt that the question tolerates.
+-- | The outcome of a posterior with the query's tolerated doubt.
 outcomeOf :: Query k -> Patch (Belief k) -> Posterior Candidate -> Outcome Candidate
 outcomeOf query seen found
   | null (observedCells seen) = Refused TooFewCells

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Logarithms of numbers that no 'Double' holds.
+-- | Logarithms of integers beyond the range of 'Double'.
 module PraTactile.Locate.Logarithm
   ( naturalLogarithm,
   )
@@ -9,12 +9,12 @@ where
 import Data.Bits (shiftR)
 import Numeric.Natural (Natural)
 
--- | The logarithm to base e of a number of any size; of 0 it is minus infinity.
+-- | The natural logarithm of an integer of any size; minus infinity for 0.
 --
 -- >>> abs (naturalLogarithm (10 ^ 1000) - 1000 * log 10) < 1e-9
 -- True
 naturalLogarithm :: Natural -> Double
 naturalLogarithm n
   | n < 2 ^ (1023 :: Int) = log (fromIntegral n)
-  -- At least 511 binary digits are left of it, more than are told apart.
+  -- At least 511 binary digits remain, more than the precision of a Double.
   | otherwise = 512 * log 2 + naturalLogarithm (n `shiftR` 512)

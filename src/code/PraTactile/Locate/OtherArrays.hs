@@ -1,13 +1,13 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The arrays that are not ours but as ours: of the same field, degree, folding and shape, by each
--- other primitive polynomial. 'worthOfOthers' bounds how likely they make the observed cells, from
--- all of these arrays or from some that are drawn; docs/explanation/locating.md has the formulas.
+-- | The arrays like ours with the same field, degree, folding and shape that other primitive
+-- polynomials make. 'worthOfOthers' bounds their likelihood for the observed cells, from all of
+-- them or from a random sample; docs/explanation/locating.md has the formulas.
 --
--- The other arrays need no other polynomial. Every m-sequence of the period N = q^n - 1 is, but for
--- where it begins, a decimation s(0), s(r), s(2 r), ... of ours with r coprime to N, and two are of
--- the same polynomial if and only if their r are the same but for a factor q^i modulo N (N. Zierler
--- 1959). So there are phi(N)/n - 1 others.
+-- The other arrays are computed from our own polynomial. Every m-sequence of period N = q^n - 1 is,
+-- up to its starting point, a decimation s(0), s(r), s(2 r), ... of ours with r coprime to N. Two
+-- of them have the same polynomial if and only if their r differ by a factor q^i modulo N (N.
+-- Zierler 1959). So there are phi(N)/n - 1 other arrays.
 module PraTactile.Locate.OtherArrays
   ( OtherArrays,
     otherArrays,
@@ -43,25 +43,24 @@ import PraTactile.Probability
 import PraTactile.Symmetry
 import PraTactile.Window.Rank
 
--- | The others of an array, as many as are compared; made once, when first needed.
+-- | The other arrays that are compared; computed once, when first needed.
 data OtherArrays (k :: Field) = OtherArrays
   { -- | our polynomial
     ownPrimitive :: Primitive k,
-    -- | all others, or some that are drawn; none where there is no other array
+    -- | all others, or a random sample; empty if there is no other array
     comparedOthers :: [OtherArray k],
-    -- | whether these are all
+    -- | whether these are all the others
     allCompared :: Bool
   }
 
 type role OtherArrays nominal
 
--- | Another array: the powers of our root by which it goes on from row to row and from column to
--- column.
+-- | Another array: the powers of our root that take it from row to row and from column to column.
 data OtherArray (k :: Field) = OtherArray (Residue k) (Residue k)
 
 type role OtherArray nominal
 
--- | The others of an array: all of them if they are few, else some by a fixed seed. O(1).
+-- | The other arrays: all of them if they are few, else a sample drawn with a fixed seed. O(1).
 otherArrays :: KnownField k => ArrayOn k -> OtherArrays k
 otherArrays (ArrayOn _ array) =
   OtherArrays
@@ -81,24 +80,25 @@ otherArrays (ArrayOn _ array) =
     most = mostCompared h
     alphaTo at r = powerOfRoot h (r * sequenceIndex array at `mod` terms)
 
--- | 2^15: up to so many terms the others are counted. Of more terms there are nearly always more
+-- | 2^15: up to this period the other arrays are counted. Above it there are nearly always more
 -- than 'mostCompared'.
 smallPeriod :: Natural
 smallPeriod = 2 ^ (15 :: Int)
 
--- | How many other arrays are compared: 1024, and fewer of degrees above 64, where each takes
--- longer.
+-- | The number of other arrays that are compared: 1024, and fewer for degrees above 64, where each
+-- takes longer.
 mostCompared :: Primitive k -> Int
 mostCompared h = max 16 (min 1024 (2 ^ (28 :: Int) `div` (n * n * n)))
   where
     n = primitiveDegree h
 
--- | The cells as they lie upright if they are seen in this symmetry.
+-- | The cells of a patch that is seen in this symmetry, with their upright offsets.
 seenIn :: Symmetry -> Patch a -> [(Position, a)]
 seenIn o seen =
   [(onPosition (invert o) (patchShape seen) offset, a) | (offset, a) <- observedCells seen]
 
--- | The r of all other arrays, the least of each polynomial, ascending; given q and N.
+-- | The decimations r of all other arrays, the smallest for each polynomial, ascending. Arguments:
+-- q and N.
 --
 -- >>> decimations 4 15
 -- [2,7,11]
@@ -109,13 +109,13 @@ decimations q terms = map fromIntegral (filter leads [2 .. n - 1])
     q' = fromIntegral (q `mod` terms)
     leads r = gcd r n == 1 && all (>= r) (conjugates q' n r)
 
--- | r, r q, r q^2, ... modulo N: by all of these the decimations are of one polynomial. Given q and
--- N, to which both are coprime, and r.
+-- | r, r q, r q^2, ... modulo N: the decimations with one polynomial. Arguments: q, N and r; q and
+-- r must be coprime to N.
 conjugates :: Integral a => a -> a -> a -> [a]
 conjugates q terms r = r : takeWhile (/= r) (drop 1 (iterate (\x -> x * q `mod` terms) r))
 
--- | An endless list of decimations that lead to other arrays, drawn independently and uniformly by
--- a fixed seed. Given q and N, for which there must be another array.
+-- | An endless list of decimations of other arrays, drawn independently and uniformly with a fixed
+-- seed. Arguments: q and N, for which another array must exist.
 drawnDecimations :: Natural -> Natural -> [Natural]
 drawnDecimations q terms = filter other (go (splitMix drawingSeed))
   where
@@ -125,18 +125,18 @@ drawnDecimations q terms = filter other (go (splitMix drawingSeed))
     other r = gcd r terms == 1 && r `notElem` ours
     ours = conjugates q terms 1
 
--- | The seed by which arrays are drawn.
+-- | The seed for drawing arrays.
 drawingSeed :: Word64
 drawingSeed = 1959
 
--- | Bounds from above, as a logarithm, how likely another array makes the observed cells: their
--- likelihoods summed over the possible symmetries and all positions, in the mean of all other
--- arrays. 'Nothing' if there is no other array. O(m n^2) for m cells, each array and each symmetry.
+-- | An upper bound, as a logarithm, on the likelihood of another array for the observed cells:
+-- summed over the possible symmetries and all positions, averaged over the other arrays. 'Nothing'
+-- if there is no other array. O(m n^2) for m cells, each array and each symmetry.
 --
--- In each symmetry, and for each array, the surest independent cells are taken. All contents of
--- these are equally frequent; the likeliest one determines the other cells, and for all other
--- contents these have at most their likeliest symbols. Of arrays that were drawn the mean is
--- replaced by the upper limit of its confidence.
+-- For each symmetry and array, the surest independent cells are taken. All their contents are
+-- equally frequent. The likeliest content determines the other cells; for any other content, these
+-- have at most their likeliest symbols. For a sample of arrays, the mean is replaced by its upper
+-- confidence limit.
 worthOfOthers :: KnownField k => OtherArrays k -> [Symmetry] -> Patch (Belief k) -> Maybe Double
 worthOfOthers others possible seen
   | null (comparedOthers others) = Nothing
@@ -144,7 +144,7 @@ worthOfOthers others possible seen
   where
     h = ownPrimitive others
     size = naturalLogarithm (period h + 1)
-    -- What each array has in the cells that are seen in any symmetry.
+    -- The content of each array in the cells that are seen in any symmetry.
     contents = map (vectorsOf h places) (comparedOthers others)
     places = Set.toAscList (Set.fromList [at | o <- possible, (at, _) <- seenIn o seen])
     inSymmetry o
@@ -154,7 +154,7 @@ worthOfOthers others possible seen
         cells = sortOn (Down . cellBest) (map (cellIn o) (seenIn o seen))
         shown = sum [log (symmetryChance o b) | (_, b) <- observedCells seen]
         bounds = [boundedBy h vectors cells | vectors <- contents]
-        -- Relative to the most that an array of those ranks could have.
+        -- Relative to the largest value that an array with those ranks could have.
         largest = maximum [negate rank | (rank, _) <- bounds]
         relative = [exp (share - rank - largest) | (rank, share) <- bounds]
     expected xs
@@ -162,8 +162,8 @@ worthOfOthers others possible seen
       | otherwise = upperLimit (length xs) (mean xs)
     mean xs = sum xs / genericLength xs
 
--- | A cell in a symmetry: where it is upright, its likeliest symbol and how probable that is, and
--- how probable each symbol is.
+-- | A cell in a symmetry: its upright offset, its likeliest symbol with that symbol's probability,
+-- and the probabilities of all symbols.
 data CellIn (k :: Field) = CellIn
   { cellAt' :: Position,
     cellLikeliest :: GF k,
@@ -179,14 +179,14 @@ cellIn o (at, b) = CellIn at (either (const zero) id (fromCode best)) (given Pri
     given = Primitive.map (/ symmetryChance o b) (probabilitiesIn o b)
     best = Primitive.maxIndex given
 
--- | The elements of GF(q^n) at which cells of another array lie, by the cells.
+-- | The elements of GF(q^n) at the cells of another array.
 vectorsOf :: KnownField k => Primitive k -> [Position] -> OtherArray k -> Map Position (Row k)
 vectorsOf h places (OtherArray down right') =
   Map.fromDistinctAscList
     (zip places (gridVectors h (powerOfResidue h down) (powerOfResidue h right') places))
 
 -- | For one other array: the logarithm of q to the rank of the cells, and the logarithm of a bound,
--- at most 1, of the probability of its contents that agree.
+-- at most 1, on the probability of the contents that agree.
 boundedBy :: KnownField k => Primitive k -> Map Position (Row k) -> [CellIn k] -> (Double, Double)
 boundedBy h vectors cells =
   (fromIntegral (basisSize basis) * log (fromIntegral (fieldOrder h)), logSum [agreeing, others])
@@ -196,11 +196,11 @@ boundedBy h vectors cells =
       foldl' include (Walked emptyBasis 0 0 0) [(c, v) | c <- cells, Just v <- [vectorOf c]]
     vectorOf cell = Map.lookup (cellAt' cell) vectors
     agreeing = sure + told
-    -- 1 less the probability of the likeliest content of the independent cells.
+    -- 1 minus the probability of the likeliest content of the independent cells.
     others = log1mexp sure + most
     include (Walked known sureSoFar toldSoFar mostSoFar) (cell, vector)
-      -- No row is independent any more, and what agrees is nothing in the sum, nor becomes more in
-      -- it: a cell is as probable as its best symbol at most.
+      -- All further rows are dependent. The agreeing term is negligible in the sum and can only
+      -- become smaller, since a cell is at most as probable as its best symbol.
       | basisSize known == n
           && sureSoFar + toldSoFar < log1mexp sureSoFar + mostSoFar - 40 =
         Walked known sureSoFar toldSoFar (mostSoFar + log (cellBest cell))
@@ -214,17 +214,17 @@ boundedBy h vectors cells =
           mostSoFar
       where
         rest = reduced known (Primitive.snoc vector (cellLikeliest cell))
-        -- The last element is the likeliest symbol less the one that the others tell.
+        -- The last element is the likeliest symbol minus the one that the others determine.
         predicted = cellChances cell Primitive.! toCode (cellLikeliest cell - rest Primitive.! n)
 
--- | The cells that were gone through: those that are independent, the logarithm of the product of
--- their best probabilities, that of what the others have as these tell, and of the best that they
--- could have.
+-- | The state after some cells: the independent ones, the log-product of their best probabilities,
+-- that of the dependent cells' determined symbols, and that of the dependent cells' best symbols.
 data Walked k = Walked (Basis k) !Double !Double !Double
 
--- | The upper limit, with a confidence of 99 %, of the expectation of numbers from 0 to 1 of which
--- so many have this mean x: the p >= x at which exp (-count D) is 0.01, D being the divergence
--- x log (x/p) + (1 - x) log ((1 - x)/(1 - p)) (W. Hoeffding 1963, theorem 1). Of none it is 1.
+-- | The upper confidence limit, at 99 %, of the mean of numbers in 0 to 1, given their count and
+-- their sample mean x. It is the p >= x at which exp (-count D) is 0.01, where D is the divergence
+-- x log (x/p) + (1 - x) log ((1 - x)/(1 - p)) (W. Hoeffding 1963, theorem 1). For a count of 0 it
+-- is 1.
 --
 -- >>> abs (upperLimit 1024 0 - (1 - 0.01 ** (1 / 1024))) < 1e-9
 -- True

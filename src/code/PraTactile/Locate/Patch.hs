@@ -1,7 +1,7 @@
 {-# LANGUAGE DeriveTraversable #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Patches: what was observed in the cells of a rectangle, and which of them were not observed.
+-- | Patches: rectangles of cells, some of them observed.
 module PraTactile.Locate.Patch
   ( -- * Patches
     Patch,
@@ -30,20 +30,20 @@ import PraTactile.Grid (raggedRow)
 import PraTactile.Symmetry
 import PraTactile.Window
 
--- | Why there is no table or no patch.
+-- | Why there is no table or patch.
 data LocateError
   = -- | The table would have this many entries, more than the second number.
     TableTooLarge Natural Natural
-  | -- | The array does not fit into memory.
+  | -- | The array does not fit in memory.
     TableArray FoldError
   | -- | The patch has no cells.
     PatchEmpty
-  | -- | The row with this index, from 0, has this many cells instead of that many.
+  | -- | The row with this index, from 0, has the second number of cells instead of the third.
     PatchRagged Int Int Int
-  | -- | The array has this many cells, more than the second number: too many to compare a patch
-    -- with each of them.
+  | -- | The array has this many cells, more than the second number, too many to compare a patch
+    -- with each.
     TooManyPlaces Natural Natural
-  | -- | The rectangle around patches has this many cells, more than the second number.
+  | -- | The rectangle around the patches has this many cells, more than the second number.
     PatchTooLarge Natural Natural
   | -- | There are this many patches, more than the second number.
     PatchesTooMany Natural Natural
@@ -51,7 +51,7 @@ data LocateError
 
 -- | A rectangle of cells, some of them observed.
 data Patch a = Patch
-  { -- | Its rows and columns; at least one each.
+  { -- | The rows and columns, at least one each.
     patchShape :: !Shape,
     -- | The observed cells by their offsets, row by row.
     observedCells :: [(Position, a)]
@@ -62,8 +62,8 @@ data Patch a = Patch
 observedOffsets :: Patch a -> [Position]
 observedOffsets = map fst . observedCells
 
--- | The patch with these rows; 'Nothing' is a cell that was not observed. Refuses no cells and rows
--- of different lengths. O(a) for a cells.
+-- | The patch with these rows, where 'Nothing' is a cell that was not observed. Refuses a patch
+-- without cells, and rows of different lengths. O(a) for a cells.
 patch :: [[Maybe a]] -> Either LocateError (Patch a)
 patch cells
   | width == 0 = Left PatchEmpty
@@ -73,8 +73,8 @@ patch cells
     width = sum (map length (take 1 cells))
     known = [(Position i j, a) | (i, line) <- zip [0 ..] cells, (j, Just a) <- zip [0 ..] line]
 
--- | The patch of this shape, at least one cell, with these observed cells, row by row, all within
--- it.
+-- | The patch of this shape with these observed cells. The shape must have a cell, and the observed
+-- cells must lie within it, row by row; this is not checked.
 patchOf :: Shape -> [(Position, a)] -> Patch a
 patchOf = Patch
 
@@ -85,11 +85,11 @@ patchRows (Patch (Shape h w) cells) =
   where
     known = Map.fromDistinctAscList cells
 
--- | The patch of which the cells at these offsets were not observed.
+-- | The patch with the cells at these offsets marked as not observed.
 withoutCells :: [Position] -> Patch a -> Patch a
 withoutCells gone (Patch shape cells) = Patch shape (filter ((`notElem` gone) . fst) cells)
 
--- | The patch upright again that is seen in this symmetry, row by row.
+-- | Turns a patch that is seen in this symmetry upright.
 uprightAs :: Symmetry -> Patch a -> Patch a
 uprightAs symmetry seen@(Patch shape cells)
   | symmetry == identity = seen
@@ -100,12 +100,13 @@ uprightAs symmetry seen@(Patch shape cells)
   where
     back = invert symmetry
 
--- | The offsets at which every cell of the mask is observed, row by row, with those cells' content.
+-- | The offsets, row by row, at which every cell of the mask is observed, with the content of these
+-- cells.
 completeWindows :: Mask -> Patch a -> [(Position, [a])]
 completeWindows mask (Patch _ cells) =
   [ (Position i j, content)
     | Position i0 j0 <- take 1 offsets,
-      -- The window is where its first cell is observed.
+      -- A window begins where its first cell is observed.
       (Position r0 c0, _) <- cells,
       r0 >= i0 && c0 >= j0,
       let i = r0 - i0

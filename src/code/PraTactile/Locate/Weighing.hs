@@ -1,7 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What candidates are weighed against: that a patch is nothing of the array's, as
--- "PraTactile.Locate.Foreign" has it.
+-- | Weighs the candidates of a patch against the patch being foreign ("PraTactile.Locate.Foreign").
 module PraTactile.Locate.Weighing
   ( -- * Candidates weighed
     weighedPosterior,
@@ -31,9 +30,9 @@ import PraTactile.Locate.Patch
 import PraTactile.Locate.Query
 import PraTactile.Symmetry
 
--- | How likely candidates are in these symmetries; what makes them wrong if the question weighs
--- that it may be foreign; and the 'evidence' for the array, where any is possible. Where candidates
--- are unlisted, the listed ones alone speak for the array.
+-- | The posterior of candidates in these symmetries. Before it come the doubts, if the query weighs
+-- that the patch may be foreign, and the 'evidence' for the array, if any candidate is possible. If
+-- candidates are unlisted, only the listed ones count for the array.
 weighedPosterior ::
   KnownField k =>
   Locator k ->
@@ -80,7 +79,7 @@ weighedPosterior theLocator query decoder possible seen = do
       maybe found ((`weighed` found) . doubtOfForeign) alien
     )
 
--- | The probabilities that symbols which are located so are foreign, if the question weighs that.
+-- | The probabilities that symbols with this outcome are foreign, if the query weighs that.
 foreignSymbolsAt ::
   KnownField k =>
   Locator k ->
@@ -107,8 +106,8 @@ foreignSymbolsAt theLocator query seen outcome = do
     chanceAt candidate (offset, a) = if symbolIn candidate offset == Just a then 1 else 0
     symbolIn = symbolAt (locatorArray theLocator) (patchShape seen)
 
--- | The logarithm of how probable cells make a symmetry, as many times as the mean of all that are
--- possible; 0 where none shows how it lies.
+-- | The log-ratio of the probability that cells give a symmetry to the mean over all possible ones;
+-- 0 if no cell shows its symmetry.
 shownSymmetry :: [Symmetry] -> [Belief k] -> Symmetry -> Double
 shownSymmetry possible cells o = negate (log (sum (map relative possible) / count))
   where
@@ -116,16 +115,16 @@ shownSymmetry possible cells o = negate (log (sum (map relative possible) / coun
     shown one' = sum (map (log . symmetryChance one') cells)
     count = fromIntegral (length possible)
 
--- | What the likeliest candidate is compared with foreign things by: as 'ForeignComparison' has it.
+-- | The quantities of the likeliest candidate that 'ForeignComparison' needs.
 data Expected = Expected
   { expectedChances :: [Double],
     expectedSymmetry :: Double,
     expectedLikeliest :: Double,
-    -- | the logarithm of how probable the cells make the symmetry there
+    -- | the log-probability that the cells give the symmetry there
     expectedShown :: Double
   }
 
--- | A patch compared with foreign things, given its candidates.
+-- | The comparison of a patch with foreign things, given its candidates.
 comparedWith ::
   KnownField k =>
   Locator k ->
@@ -148,7 +147,7 @@ comparedWith theLocator query candidates seen expected =
       foreignUnlike = queryUnlike query
     }
 
--- | The candidates of a patch as spheres of radius 0; 'Nothing' where no cell was observed.
+-- | The candidates of a patch as spheres of radius 0; 'Nothing' if no cell was observed.
 spheresOf :: KnownField k => Locator k -> Query k -> Patch a -> Maybe Spheres
 spheresOf theLocator query seen =
   spheres
@@ -157,12 +156,13 @@ spheresOf theLocator query seen =
     (patchShape seen)
     (observedOffsets seen)
 
--- | Where a cell of a patch of this shape is in the upright patch, if the candidate is right.
+-- | The offset in the upright patch of a cell of a patch with this shape, if the candidate is
+-- right.
 uprightOffset :: Candidate -> Shape -> Position -> Position
 uprightOffset candidate = onPosition (invert (candidateSymmetry candidate))
 
--- | The array's symbol in a cell of a patch of this shape, as it is seen, if the candidate is
--- right; 'Nothing' beyond the sheet.
+-- | The array's symbol in a cell of a patch with this shape, as seen, if the candidate is right;
+-- 'Nothing' beyond the sheet.
 symbolAt ::
   KnownField k =>
   ArrayOn k ->

@@ -4,7 +4,7 @@
 -- | Estimates how a face lies under frames, from all their pixels. The known relief of the face is
 -- aligned with what each frame felt.
 --
--- Pixel u of frame f, from its middle, reads
+-- Pixel u of frame f, measured from the frame's centre, reads
 --
 -- > I_f(u) = o_f + g_f S(q) + noise of variance v_f
 -- > q = R(-a) (m_f + e_f + R(r_f) u - t)
@@ -39,7 +39,7 @@
 -- of Econometrics 29, 1985). The unknown r^2 is the mean of r_f^2 + var r_f (expectation
 -- maximisation), where var y_f = Y_f^-1 + Y_f^-1 Z_f^T M^-1 Z_f Y_f^-1.
 --
--- = What is no white noise
+-- = Errors that are not white noise
 --
 -- Tilt, hysteresis and gain variations give the pixels of a frame errors in common. Also, the
 -- normal blur is not the square aperture of a noiseless sensor. If the model were right, the

@@ -1,8 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | From observed cells to position by algebra: solve "PraTactile.Locate.Decoder.Equations" for
--- alpha^t, take the discrete logarithm t, and fold. There is no table, and so no limit to the
--- array's size but that of the logarithm; and any n independent cells do, whatever their shape.
+-- | Decodes observed cells by algebra: it solves "PraTactile.Locate.Decoder.Equations" for alpha^t,
+-- takes the discrete logarithm t, and folds. There is no table, so only the logarithm limits the
+-- array's size. Any n independent cells suffice, whatever their shape.
 module PraTactile.Locate.Decoder.Algebra
   ( -- * The decoder
     Algebra,
@@ -42,21 +42,21 @@ import PraTactile.Locate.Patch
 import PraTactile.Polynomial
 import PraTactile.Window
 
--- | Why the algebra leads to no outcome.
+-- | Why the algebra has no outcome.
 data AlgebraError
-  = -- | Beyond the edges of this surface the array does not go on as its sequence does; the second
-    -- is its 'naturalSurface'. The sheet has nothing beyond its edges.
+  = -- | On this surface the array does not continue as its sequence does; the second is its
+    -- 'naturalSurface'. The sheet is allowed, since nothing lies beyond its edges.
     SurfaceForeign Surface Surface
   | -- | The logarithm cannot be taken.
     AlgebraLogarithm LogarithmError
   | -- | There are too many observed cells.
     AlgebraCells WindowError
-  | -- | This many positions of the array agree, too many to find which of them lie on the sheet
-    -- with all cells.
+  | -- | This many positions of the array agree, too many to find those that lie on the sheet with
+    -- all cells.
     AlgebraSheet Natural
   deriving stock (Eq, Show)
 
--- | An array on a surface, with what is computed once for all patches.
+-- | An array on a surface, with what is computed once for all its patches.
 data Algebra (k :: Field) = Algebra
   { -- | The array on its surface.
     algebraOn :: !(ArrayOn k),
@@ -67,9 +67,9 @@ data Algebra (k :: Field) = Algebra
 
 type role Algebra nominal
 
--- | Prepare the algebra of an array. The mask is its window, which names the support of an answer,
--- as in "PraTactile.Locate.Definition". Refuses a surface that is neither the array's own nor the
--- sheet, and fields in which logarithms are infeasible.
+-- | Prepares the algebra of an array. The mask is the array's window, which names the support of an
+-- answer, as in "PraTactile.Locate.Definition". Refuses a surface that is neither the array's own
+-- nor the sheet, and fields in which logarithms are infeasible.
 prepareAlgebra ::
   KnownField k =>
   ArrayOn k ->
@@ -85,7 +85,7 @@ prepareAlgebra on@(ArrayOn surface array) mask
   where
     natural = naturalSurface (arrayFolding array)
 
--- | What lies beyond the edges.
+-- | The surface, which says what lies beyond the edges.
 algebraSurface :: Algebra k -> Surface
 algebraSurface = arraySurface . algebraOn
 
@@ -93,15 +93,16 @@ algebraSurface = arraySurface . algebraOn
 algebraArray :: Algebra k -> PseudorandomArray k
 algebraArray = arrayItself . algebraOn
 
--- | Positions, or that they are two at least and perhaps too many to list.
+-- | Positions; or that there are at least two, and perhaps too many to list.
 data Listed = Listed [Position] | More
   deriving stock (Eq, Show)
 
--- | 1024: the most positions of one patch that are listed; of more, 'AmbiguousMany' has the number.
+-- | The most positions of one patch that are listed, 1024. For more, 'AmbiguousMany' has the
+-- number.
 largestListing :: Natural
 largestListing = 1024
 
--- | The place of a patch, with the outcomes of "PraTactile.Locate.Definition".
+-- | Locates a patch, with the outcomes of "PraTactile.Locate.Definition".
 algebraPatch :: KnownField k => Algebra k -> Patch (GF k) -> Either AlgebraError (Outcome Position)
 algebraPatch algebra observed
   | null cells = Right (Refused TooFewCells)
@@ -117,16 +118,16 @@ algebraPatch algebra observed
     cells = observedCells observed
     support = map fst (completeWindows (algebraMask algebra) observed)
 
--- | Why a patch that agrees with the array nowhere does so.
+-- | Why a patch agrees with the array nowhere.
 algebraNowhere :: KnownField k => Algebra k -> Patch (GF k) -> Reason
 algebraNowhere algebra =
   nowhere (algebraOn algebra) (algebraMask algebra) occurring
   where
-    -- A window has as few cells as any mask.
+    -- The content of a window is accepted, since it has no more cells than a mask may have.
     occurring content = either (const []) (algebraPlaces algebra content) (solved algebra content)
 
--- | The positions that the solutions for these cells are, made as they are asked for: on the sheet
--- those at which all cells lie on it.
+-- | The positions of the solutions for these cells, computed lazily. On the sheet, only positions
+-- with all cells on it count.
 algebraPlaces :: KnownField k => Algebra k -> [(Position, GF k)] -> Solutions k -> [Position]
 algebraPlaces algebra cells solutions
   | algebraVisits algebra offsets solutions == solutionCount solutions =
@@ -137,15 +138,15 @@ algebraPlaces algebra cells solutions
   where
     offsets = map fst cells
 
--- | How many positions have to be looked at to list these: the solutions, or on the sheet, if these
--- are fewer, the positions at which the cells, by their offsets, lie on it.
+-- | The number of positions that must be tried to list those of the solutions: the solutions
+-- themselves, or on the sheet, if they are fewer, the positions with all cells on it.
 algebraVisits :: KnownField k => Algebra k -> [Position] -> Solutions k -> Natural
 algebraVisits algebra offsets solutions =
   min (solutionCount solutions) (area (algebraPositions algebra offsets))
 
--- | The same as a list, or that they are more than 'largestListing'. Where not all of the solutions
--- lie on the sheet, which takes a look at them or at its positions, two of many must be found
--- there: else 'AlgebraSheet'.
+-- | The positions of the solutions, or 'More' if there are more than 'largestListing'. On the
+-- sheet, 'More' requires that two of them are found on it, among limited numbers of solutions or
+-- positions; else 'AlgebraSheet'.
 algebraListing ::
   KnownField k =>
   Algebra k ->
@@ -175,20 +176,20 @@ algebraListing algebra cells solutions
     several :: Natural -> [a] -> Bool
     several n = not . null . genericDrop n
 
--- | 2^14: the most positions of the sheet that are looked at to see whether cells agree there.
+-- | The most positions of the sheet that are tried to find cells that agree, 2^14.
 largestVisit :: Natural
 largestVisit = 2 ^ (14 :: Int)
 
--- | The rows and columns of the positions at which cells lie on the surface.
+-- | The shape of the region of positions for which all cells lie on the surface.
 algebraPositions :: Algebra k -> [Position] -> Shape
 algebraPositions algebra offsets =
   admissible (algebraSurface algebra) (arrayShape (algebraArray algebra)) (extentOf offsets)
 
--- | These positions, row by row.
+-- | All positions for which the cells lie on the surface, row by row.
 positionsOf :: Algebra k -> [Position] -> [Position]
 positionsOf algebra = shapeCells . algebraPositions algebra
 
--- | Whether all cells agree with the array when the patch is there.
+-- | Whether all cells agree with the array when the patch is at this position.
 agreesAt :: KnownField k => Algebra k -> [(Position, GF k)] -> Position -> Bool
 agreesAt algebra cells place =
   and
@@ -196,21 +197,21 @@ agreesAt algebra cells place =
       | (offset, a) <- cells
     ]
 
--- | The position that a solution is, if there all cells lie on the surface.
+-- | The position of a solution; 'Nothing' unless all cells then lie on the surface.
 algebraPlace :: KnownField k => Algebra k -> [Position] -> Residue k -> Maybe Position
 algebraPlace algebra offsets x = case logarithmFrom (algebraLogarithms algebra) x of
   Right t
     | let place = positionOfIndex (algebraArray algebra) t,
       all (isJust . cellFrom algebra place) offsets ->
       Just place
-  -- Only zero has no logarithm, and it is no solution.
+  -- Only zero has no logarithm, and zero is not a solution.
   _ -> Nothing
 
--- | The cell at an offset from a position.
+-- | The cell of the array at an offset from a position.
 cellFrom :: Algebra k -> Position -> Position -> Maybe Position
 cellFrom algebra = displaced (algebraSurface algebra) (arrayShape (algebraArray algebra))
 
--- | The solutions for observed cells.
+-- | Solves the equations of observed cells.
 solved :: KnownField k => Algebra k -> [(Position, GF k)] -> Either AlgebraError (Solutions k)
 solved algebra cells =
   either

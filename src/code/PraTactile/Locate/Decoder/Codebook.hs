@@ -1,9 +1,9 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The codebook of an array: every position with what a patch there would hold. For arrays of up
--- to 2^20 cells decoding is the comparison of a patch with the whole codebook, which is exact. Each
--- observed cell gives every symbol in its place a score, and scores are added up: 0 and 1 make
--- distances, logarithms of probabilities make likelihoods.
+-- | Codebooks: every position of an array with the content of a patch there. For arrays of up to
+-- 2^20 cells a patch is compared with the whole codebook, which is exact. Each observed cell gives
+-- a score to every symbol it may hold, and the scores are summed. Scores 0 and 1 give distances;
+-- log-probabilities give log-likelihoods.
 module PraTactile.Locate.Decoder.Codebook
   ( -- * Codebooks
     Codebook,
@@ -39,15 +39,15 @@ import PraTactile.Locate.Definition (largestSearchedArray)
 import PraTactile.Locate.Patch (LocateError (..))
 import PraTactile.Window
 
--- | An array on a surface, with the window that its support and its refusals are named by.
+-- | An array on a surface, with its window.
 data Codebook (k :: Field) = Codebook
   { -- | The array on its surface.
     codebookOn :: !(ArrayOn k),
-    -- | The array's window.
+    -- | The array's window, which names support and the reasons of refusals.
     codebookMask :: !Mask,
     -- | All its cells.
     codebookGrid :: !Grid,
-    -- | The scores that add up to a weight: 0 for zero, 1 for every other symbol.
+    -- | The scores that sum to a weight: 0 for zero, 1 for every other symbol.
     weightScores :: !(Scores Int)
   }
 
@@ -69,7 +69,7 @@ buildCodebook on@(ArrayOn _ array) mask
     cells = area (arrayShape array)
     q = fieldOrder (Proxy :: Proxy k)
 
--- | What lies beyond the edges.
+-- | The surface, which says what lies beyond the edges.
 codebookSurface :: Codebook k -> Surface
 codebookSurface = arraySurface . codebookOn
 
@@ -80,18 +80,18 @@ codebookArray = arrayItself . codebookOn
 -- | The score of each symbol in a cell, by its code: q entries.
 type Scores a = Vector a
 
--- | The totals at every position at which the compared cells lie on the surface, in order.
+-- | The total scores of all positions for which the compared cells lie on the surface, row by row.
 data Comparison a = Comparison !Shape !(Vector a)
 
--- | The totals, one a position.
+-- | The total scores, one for each position.
 comparedTotals :: Comparison a -> Vector a
 comparedTotals (Comparison _ sums) = sums
 
--- | The position that an index of the totals belongs to.
+-- | The position at an index of the totals.
 comparedPosition :: Comparison a -> Int -> Position
 comparedPosition (Comparison shape _) = positionAt shape
 
--- | The total score at every position, of cells given by their offsets, each with its scores.
+-- | The total score at every position. Cells are given by their offsets, each with its scores.
 compareWith :: (Prim a, Num a) => Codebook k -> [(Position, Scores a)] -> Comparison a
 compareWith codebook cells =
   Comparison (admissible surface (gridShape grid) extent) (totals surface grid extent cells)
@@ -101,22 +101,22 @@ compareWith codebook cells =
     extent = extentOf (map fst cells)
 {-# INLINE compareWith #-}
 
--- | The minimum distance of the contents of the cells with these offsets, as they are on the
--- array's 'naturalSurface', where they are a linear code, so that it is the least number of them
--- that are not zero; 0 where two positions have the same content. It holds on the sheet as well;
--- for another surface, where the contents are not linear, no distance is promised, and this is 0.
+-- | The minimum distance of the contents of the cells with these offsets. On the array's
+-- 'naturalSurface' the contents are a linear code, so it is the least number of nonzero cells at
+-- any position. It is 0 if two positions have the same content. It also holds on the sheet. On any
+-- other surface contents are not linear and no distance is guaranteed, so it is 0.
 observedDistance :: Codebook k -> [Position] -> Natural
 observedDistance codebook offsets
   | codebookSurface codebook `notElem` [Sheet, natural] || null offsets = 0
   | otherwise = fromIntegral (Primitive.minimum weights)
   where
     natural = naturalSurface (arrayFolding (codebookArray codebook))
-    -- On a torus there is a total for every cell of the array, and so at least one.
+    -- On a torus there is a total for every cell of the array, so at least one.
     weights = totals natural (codebookGrid codebook) (Shape 1 1) scored
     scored = [(offset, weightScores codebook) | offset <- offsets]
 
--- | The total score of the cells, by their offsets, at each position at which a patch of this
--- extent lies on the surface, row by row. On the sheet, all offsets must lie within the extent.
+-- | The total score of the cells at each position for which a patch of this extent lies on the
+-- surface, row by row. On the sheet, all offsets must lie within the extent.
 totals :: (Prim a, Num a) => Surface -> Grid -> Shape -> [(Position, Scores a)] -> Vector a
 totals surface grid extent cells = Primitive.create $ do
   sums <- Mutable.replicate (high * wide) 0
@@ -132,7 +132,7 @@ totals surface grid extent cells = Primitive.create $ do
   Surface -> Grid -> Shape -> [(Position, Scores Double)] -> Vector Double
   #-}
 
--- | Add the score of one cell at each position.
+-- | Adds the scores of one cell at each position.
 addCell ::
   (Prim a, Num a) =>
   Surface ->
@@ -152,7 +152,8 @@ addCell surface grid high wide sums (Position i j, scores) = go 0
         let (carry, c) = j `divMod` fromIntegral width
          in (fromIntegral ((i + carry) `mod` fromIntegral height), fromIntegral c)
       _ -> (fromIntegral (i `mod` fromIntegral height), fromIntegral (j `mod` fromIntegral width))
-    -- Columns from which the cell lies past the last column are on this row of the grid's, further.
+    -- From this column of the patch on, the cell is beyond the grid's last column: it is in the
+    -- first columns, and on the twisted torus a row lower.
     carried = if surface == TwistedTorus then 1 else 0
     before = min wide (width - right)
     once r = if r >= height then r - height else r

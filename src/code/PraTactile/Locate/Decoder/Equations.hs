@@ -1,10 +1,10 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What observed cells say of a position, as linear equations over GF(q). Where the term s(t)
--- stands, the cell at offset (i, j) holds s(t + e(i, j)), with e as in "PraTactile.Window.Rank".
--- With alpha^t = x0 + x1 alpha + ... + x(n-1) alpha^(n-1) that is x0 s(e) + x1 s(e + 1) + ... +
--- x(n-1) s(e + n - 1), because s(t) is a linear function of alpha^t. So n independent cells give
--- alpha^t, and the others must agree.
+-- | Observed cells as linear equations over GF(q) for a position. At the position of the term s(t),
+-- the cell at offset (i, j) holds s(t + e(i, j)), with e as in "PraTactile.Window.Rank". Write
+-- alpha^t = x0 + x1 alpha + ... + x(n-1) alpha^(n-1). Since s(t) is a linear function of alpha^t,
+-- the cell holds x0 s(e) + x1 s(e + 1) + ... + x(n-1) s(e + n - 1). So n independent cells
+-- determine alpha^t, and the others must agree.
 module PraTactile.Locate.Decoder.Equations
   ( -- * Equations
     Equation (..),
@@ -33,7 +33,8 @@ import PraTactile.Sequence
 import PraTactile.Window
 import PraTactile.Window.Rank
 
--- | Of one observed cell: its offset, the factors of x0, ..., x(n-1), and the element observed.
+-- | The equation of one observed cell: its offset, the coefficients of x0, ..., x(n-1), and the
+-- observed element.
 data Equation (k :: Field) = Equation
   { equationOffset :: Position,
     equationFactors :: [GF k],
@@ -42,8 +43,8 @@ data Equation (k :: Field) = Equation
 
 type role Equation nominal
 
--- | The equations of observed cells, by their offsets, on the array's 'naturalSurface'. Refuses
--- what 'maskFrom' does.
+-- | The equations of observed cells, given by their offsets, on the array's 'naturalSurface'.
+-- Refuses what 'maskFrom' refuses.
 equations ::
   KnownField k =>
   PseudorandomArray k ->
@@ -61,7 +62,7 @@ equations array cells = do
     h = arrayPrimitive array
     n = primitiveDegree h
     terms = sequenceVector h (arrayState array) (2 * n - 1)
-    -- s(e + k) is the same combination of s(k), s(k + 1), ... as alpha^e is of 1, alpha, ...
+    -- s(e + k) is the same linear combination of s(k), s(k + 1), ... as alpha^e is of 1, alpha, ...
     factors root =
       [ Primitive.sum (Primitive.zipWith (*) coordinates (Primitive.drop k terms))
         | k <- [0 .. n - 1]
@@ -69,16 +70,16 @@ equations array cells = do
       where
         coordinates = Primitive.fromListN n root
 
--- | The solutions of equations: none, or one plus every combination of some independent directions,
--- each by the n coordinates x0, ..., x(n-1).
+-- | The solutions of equations, by the n coordinates x0, ..., x(n-1): none, or one plus every
+-- linear combination of independent directions.
 data Solutions k
-  = -- | No values fulfil them all.
+  = -- | No values satisfy all equations.
     Inconsistent
-  | -- | One solution, and the directions: an affine space, a coset of the space that they span.
+  | -- | One solution and the directions: a coset of the space that the directions span.
     Solutions [GF k] [[GF k]]
   deriving stock (Eq, Show)
 
--- | The solutions of equations in this many unknowns, by elimination.
+-- | Solves equations in this many unknowns by elimination.
 solve :: KnownField k => Int -> [Equation k] -> Solutions k
 solve n given
   | n `Map.member` pivoted = Inconsistent
@@ -86,8 +87,8 @@ solve n given
   where
     rowOf e = rowFromList (equationFactors e ++ [equationValue e])
     include basis e = fromMaybe basis (extend (< n) basis (rowOf e))
-    -- The column n holds the values; where all factors are eliminated but a value is left, it is a
-    -- pivot.
+    -- Column n holds the values. It has a pivot if all coefficients of a row are eliminated but its
+    -- value is not.
     pivoted = Map.fromList (basisRows (foldl' include emptyBasis given))
     free = filter (`Map.notMember` pivoted) [0 .. n - 1]
     coordinates of' = [maybe zero of' (Map.lookup i pivoted) | i <- [0 .. n - 1]]
@@ -96,13 +97,15 @@ solve n given
         | i <- [0 .. n - 1]
       ]
 
--- | The dimension of the solutions: n less the number of independent equations.
+-- | The dimension of the solutions: n minus the number of independent equations; 0 if there are
+-- none.
 solutionFreedom :: Solutions k -> Natural
 solutionFreedom solutions = case solutions of
   Inconsistent -> 0
   Solutions _ directions -> fromIntegral (length directions)
 
--- | How many positions the solutions are: zero is no power of alpha, and so no position.
+-- | The number of positions among the solutions. Zero is not a power of alpha, so it is not a
+-- position.
 solutionCount :: KnownField k => Solutions k -> Natural
 solutionCount solutions = case solutions of
   Inconsistent -> 0
@@ -110,7 +113,7 @@ solutionCount solutions = case solutions of
     let size = fromIntegral (fieldOrder solutions) ^ length directions
      in if all (== zero) x then size - 1 else size
 
--- | The solutions but zero, each as alpha^t, made as they are asked for.
+-- | The nonzero solutions, each as alpha^t, computed lazily.
 solutionResidues :: KnownField k => Primitive k -> Solutions k -> [Residue k]
 solutionResidues h solutions = case solutions of
   Inconsistent -> []

@@ -1,11 +1,11 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Locating with wrong and missing cells on arrays of any size: what
--- "PraTactile.Locate.Decoder.Nearest" finds by comparing with every position, found among the words
--- that agree with what was observed at all but few cells of an information set. Several disjoint
--- sets share the wrong cells among them, so that one of them has few (E. Prange 1962; see Note
--- [Disjoint information sets] in "PraTactile.LinearCode.Search", which shows that no nearer word is
--- missed). The position of a word is a discrete logarithm.
+-- | Locates patches with wrong and missing cells on arrays of any size. The result is that of
+-- "PraTactile.Locate.Decoder.Nearest", which compares with every position. Here only words are
+-- searched that agree with the observed ones in all but few cells of an information set. Several
+-- disjoint sets share the wrong cells, so one of them has few (E. Prange 1962). Note [Disjoint
+-- information sets] in "PraTactile.LinearCode.Search" shows that no nearer word is missed. The
+-- position of a word is a discrete logarithm.
 module PraTactile.Locate.Decoder.InformationSet
   ( -- * Decoding
     decodePatch,
@@ -47,48 +47,48 @@ import PraTactile.Window.Distance
 
 -- | Why there is no outcome.
 data DecodingError
-  = -- | The algebra of the cells leads to none.
+  = -- | The algebra of the cells has none.
     DecodingAlgebra AlgebraError
-  | -- | No position differs in fewer cells than the first number; to look further takes at least
-    -- this many words more, the second, and in all no more than the third are allowed.
+  | -- | No position differs in fewer cells than the first number. Searching further takes at least
+    -- the second number of words, and in all only the third is allowed.
     DecodingTooLong Natural Natural Natural
-  | -- | More positions than 'largestListing', in more than one coset, may be the nearest, which
-    -- differ in this many cells.
+  | -- | More positions than 'largestListing', in several cosets, may be the nearest. They differ in
+    -- this many cells.
     DecodingTooMany Natural
-  | -- | The patch has other cells observed than those that were prepared for.
+  | -- | The patch has other observed cells than the decoder was prepared for.
     DecodingOtherCells
   deriving stock (Eq, Show)
 
--- | How many words are looked at before giving up.
+-- | The most words that are searched.
 data Effort = Effort
-  { -- | for the minimum distance, once for a set of cells
+  { -- | for the minimum distance, once for each set of cells
     effortDistance :: Natural,
     -- | for each patch
     effortDecoding :: Natural
   }
   deriving stock (Eq, Show)
 
--- | 2^24 words each: some tenths of a second.
+-- | 2^24 words each, which takes some tenths of a second.
 standardEffort :: Effort
 standardEffort = Effort largestSearch largestSearch
 
--- | The code of some cells with its distance and its information sets.
+-- | The code of some cells with its minimum distance and its information sets.
 data Decoder (k :: Field) = Decoder
   { decoderEffort :: !Effort,
     decoderCode :: !(ObservedCode k),
-    -- | The minimum distance: exact, or where the search was given up, as much of it as is proved.
+    -- | The minimum distance: exact, or a proved lower bound if the search was given up.
     decoderDistance :: Known,
     decoderSets :: [InformationSet k]
   }
 
 type role Decoder nominal
 
--- | The offsets of the cells, in the order of the letters of their words.
+-- | The offsets of the cells, in the order of a word's letters.
 decoderOffsets :: Decoder k -> [Position]
 decoderOffsets = codeOffsets . decoderCode
 
--- | Prepare for patches in which the cells with these offsets are observed, row by row. The
--- distance is computed when first asked for.
+-- | Prepares a decoder for patches whose observed cells have these offsets, row by row. The minimum
+-- distance is computed when first used.
 decoder :: KnownField k => Effort -> Algebra k -> [Position] -> Either AlgebraError (Decoder k)
 decoder effort algebra offsets = do
   code <- observedCode algebra offsets
@@ -99,9 +99,9 @@ decoder effort algebra offsets = do
         Left (TooManyCodewords _) -> AtLeast 0
   pure (Decoder effort code d (informationSets (length offsets) (codeRows code)))
 
--- | The nearest position within the radius, by the 'standardEffort'. The outcomes are those of
--- 'nearest'; where more than 'largestListing' positions are equally near, having the same content,
--- 'AmbiguousMany'.
+-- | Finds the nearest position within the radius, with 'standardEffort'. The outcomes are those of
+-- 'nearest', and 'AmbiguousMany' if more than 'largestListing' positions are equally near because
+-- they have the same content.
 decodePatch ::
   KnownField k => Algebra k -> Radius -> Patch (GF k) -> Either DecodingError (Decision Position)
 decodePatch algebra radius observed
@@ -112,7 +112,7 @@ decodePatch algebra radius observed
   where
     cells = observedOffsets observed
 
--- | The same for a patch of the cells that were prepared for.
+-- | 'decodePatch' for a patch whose cells were prepared for. Refuses other observed cells.
 decodeWith ::
   KnownField k => Decoder k -> Radius -> Patch (GF k) -> Either DecodingError (Decision Position)
 decodeWith prepared stated observed
@@ -136,7 +136,8 @@ decodeWith prepared stated observed
       Decision
         (nearestOutcome places (windowsWithout wrong (algebraMask algebra) observed))
         (Distances wrong (Just (Exactly e)) (runnerUp e places) d radius)
-    -- Another position is beyond what was searched, and at least the distance away from this one.
+    -- Any other position is beyond the search, and at least the minimum distance away from this
+    -- one.
     runnerUp e places = case places of
       NearestPlaces [_]
         | codePlaces code <= 1 -> Nothing
@@ -144,37 +145,37 @@ decodeWith prepared stated observed
       _ -> Just (Exactly e)
     without a b = if a < b then 0 else a - b
 
--- | The nearest positions: in how many cells they differ, which they are, and the wrong cells if
--- there is only one.
+-- | The nearest positions: the number of cells in which they differ, the positions, and the wrong
+-- cells if there is only one position.
 data Nearest = Nearest !Natural NearestPlaces [Position]
 
--- | The nearest positions as a list, at least one; or how many they are, and the dimension of the
--- coset that they are.
+-- | The nearest positions as a list, at least one; or their number and the dimension of their
+-- coset.
 data NearestPlaces = NearestPlaces [Position] | NearestCoset Natural Natural
 
--- | The outcome that the nearest positions are, with its support.
+-- | The outcome for the nearest positions, with its support.
 nearestOutcome :: NearestPlaces -> [Position] -> Outcome Position
 nearestOutcome places support = case places of
   NearestPlaces [place] -> Unique place support
   NearestPlaces several -> Ambiguous (sort several) support
   NearestCoset count dimension -> AmbiguousMany count (Just dimension)
 
--- | How far the search for words near one has come.
+-- | The state of the search for words near a given one.
 data Progress k = Progress
-  { -- | How many words may still be looked at.
+  { -- | The number of words that may still be searched.
     progressLeft :: !Natural,
-    -- | All words that differ in at most this many cells have been seen; 'Nothing': all words.
+    -- | All words that differ in at most this many cells were found; 'Nothing': all words.
     progressComplete :: !(Maybe Int),
-    -- | Of the words that were looked at, those that differ in at most this many cells are kept.
+    -- | Found words that differ in at most this many cells are kept.
     progressLimit :: Int,
-    -- | In how many cells each of these differs.
+    -- | The kept words, each with the number of cells in which it differs.
     progressWords :: Map (Row k) Int,
-    -- | What to look at next.
+    -- | The next steps of the search.
     progressSteps :: [Step k]
   }
 
--- | The nearest positions within the radius, if there are any: one number of wrong cells after the
--- other is ruled out, each when all words that differ in so few cells have been seen.
+-- | Finds the nearest positions within the radius, if there are any. Numbers of wrong cells are
+-- ruled out one after the other, each when all words that differ in so few cells were found.
 nearestWithin ::
   KnownField k => Decoder k -> Row k -> Natural -> Either DecodingError (Maybe Nearest)
 nearestWithin prepared word radius =
@@ -193,7 +194,7 @@ nearestWithin prepared word radius =
         positionsAt code word e [x | (x, n) <- Map.toList (progressWords progress), n == e]
           >>= maybe (go (e + 1) progress) (Right . Just)
 
--- | Take the next step, on the way to the positions that differ in e cells.
+-- | Takes the next step of the search, on the way to positions that differ in e cells.
 further ::
   KnownField k => Decoder k -> Row k -> Int -> Progress k -> Either DecodingError (Progress k)
 further prepared word e progress = case progressSteps progress of
@@ -219,8 +220,8 @@ further prepared word e progress = case progressSteps progress of
   where
     allowed = effortDecoding (decoderEffort prepared)
 
--- | Look at the words that differ in exactly w places of an information set; what was seen before,
--- and is seen then, is the words within a limit.
+-- | Finds the words that differ in exactly w places of an information set. The pair before and
+-- after has the words found so far and the limit within which they are kept.
 look ::
   KnownField k =>
   Row k ->

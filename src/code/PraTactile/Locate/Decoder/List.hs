@@ -1,12 +1,12 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Locating from probabilities on arrays of any size: what "PraTactile.Locate.Decoder.Posterior"
--- finds by comparing with every position, found in a list of likely words (M. P. C. Fossorier and
--- S. Lin 1995). The surest independent cells are an information set; its contents are gone through
--- from the likeliest on, each determines all other cells, and so how likely the whole word is.
--- Further sets, of the cells left, do likewise. How likely all positions are that are not in the
--- list is bounded, so that the doubt is never given too small: Note [What is not in the list] in
--- "PraTactile.Locate.Decoder.List.Bounds".
+-- | Locates patches by probabilities on arrays of any size. The result is that of
+-- "PraTactile.Locate.Decoder.Posterior", which compares with every position. Here a list of likely
+-- words is made (M. P. C. Fossorier and S. Lin 1995). The surest independent cells are an
+-- information set. Its contents are searched from the likeliest on; each determines all other
+-- cells, and so the likelihood of the whole word. Further sets, from the remaining cells, are
+-- searched in the same way. The total likelihood of unlisted positions is bounded, so the doubt is
+-- never too small: see Note [What is not in the list] in "PraTactile.Locate.Decoder.List.Bounds".
 module PraTactile.Locate.Decoder.List
   ( listPatch,
     standardListing,
@@ -27,14 +27,14 @@ import PraTactile.Locate.Patch
 import PraTactile.Polynomial (period, primitiveDegree)
 import PraTactile.Symmetry
 
--- | 2^16: the most words that are looked at: some tenths of a second.
+-- | The most words that are searched, 2^16, which takes some tenths of a second.
 standardListing :: Int
 standardListing = 2 ^ (16 :: Int)
 
--- | @listPatch most tolerated algebra symmetries patch@: the list of likely candidates of a patch
--- as it is seen, made until the doubt is at most as large as tolerated, or cannot become so, or
--- until the most words have been looked at. On the sheet, positions are those at which all observed
--- cells lie on it. Refuses too many cells.
+-- | @listPatch most tolerated algebra symmetries patch@ is the posterior of a patch as seen, from a
+-- list of likely candidates. The list ends when the doubt is within the tolerated one or cannot
+-- become so, or when the most words were searched. On the sheet, only positions with all observed
+-- cells on it count. Refuses too many cells.
 listPatch ::
   forall k.
   KnownField k =>

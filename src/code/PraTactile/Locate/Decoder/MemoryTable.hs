@@ -1,8 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | From the content of a window to its position, by the memory table (section II of the paper).
--- The function is total: it answers, or says why not, for every patch and every array, also those
--- in which windows repeat.
+-- | From the content of a window to its position, by a memory table (section II of the paper). The
+-- function is total: it has an answer or a reason for every patch and every array, even if windows
+-- repeat.
 module PraTactile.Locate.Decoder.MemoryTable
   ( -- * Tables
     Table,
@@ -41,30 +41,30 @@ import PraTactile.Locate.Patch
 import PraTactile.Window
 import PraTactile.Window.Visit
 
--- | The memory table of an array: packed window to positions, on a surface.
+-- | The memory table of an array on a surface: from packed window to positions.
 data Table (k :: Field) = Table
-  { -- | The surface whose windows it holds.
+  { -- | The surface whose windows the table holds.
     tableSurface :: !Surface,
-    -- | The windows' shape.
+    -- | The shape of the windows.
     tableMask :: !Mask,
     -- | How windows are packed.
     tablePacking :: !Packing,
     tableGrid :: !Grid,
-    -- | Positions sorted by packed window: those of window w are the entries of @tablePositions@
-    -- from the start of w up to, not including, the start of w + 1.
+    -- | The positions sorted by packed window. Those of window w are the entries of
+    -- @tablePositions@ from the start of w up to the start of w + 1, exclusive.
     tableStarts :: !(Vector Int32),
     tablePositions :: !(Vector Int32)
   }
 
 type role Table nominal
 
--- | 2^26: the most packed windows, and the most positions, that a table may have, four bytes each.
+-- | The most packed windows, and the most positions, of a table: 2^26, with four bytes each.
 largestTable :: Natural
 largestTable = 2 ^ (26 :: Int)
 
 -- | The table of all windows of the array on the surface. Refuses more than 'largestTable' packed
--- windows or cells, before taking memory. O((n + m) N + q^m) for N cells, windows of m and a
--- polynomial of degree n; it takes 4 (N + q^m) + N bytes.
+-- windows or cells, before it allocates memory. O((n + m) N + q^m) for N cells, windows of m cells
+-- and a polynomial of degree n. It takes 4 (N + q^m) + N bytes.
 buildTable ::
   forall k.
   KnownField k =>
@@ -89,8 +89,8 @@ buildTable packing (ArrayOn surface array) mask
     spanned = fromIntegral (fieldOrder (Proxy :: Proxy k)) ^ maskSize mask
     cells = area (arrayShape array)
 
--- | The starts and the positions of a table whose array has this many columns, by a counting sort:
--- how often each window occurs, where each begins, then every position to its place.
+-- | The starts and positions of a table whose array has this many columns, by a counting sort:
+-- count each window, compute the starts, then put every position in its place.
 sortByWindow :: Int -> Visit -> (Vector Int32, Vector Int32)
 sortByWindow width windows = (starts, positions)
   where
@@ -107,19 +107,19 @@ sortByWindow width windows = (starts, positions)
         Mutable.write sorted (fromIntegral place) (fromIntegral (r * width + c))
       pure sorted
 
--- | Add one to an entry and return what it was.
+-- | Adds 1 to an entry and returns its old value.
 increment :: Mutable.MVector s Int32 -> Int -> ST s Int32
 increment tally i = do
   n <- Mutable.read tally i
   Mutable.write tally i (n + 1)
   pure n
 
--- | q^cells: the number of packed windows, each an address of the memory.
+-- | The number of packed windows, q^cells; each is an address of the memory.
 tableSize :: Table k -> Natural
 tableSize table = fromIntegral (Primitive.length (tableStarts table) - 1)
 
--- | The positions of a packed window, ascending; none if it does not occur, or is no packed window.
--- O(p) for p positions.
+-- | The positions of a packed window, ascending; empty if it does not occur, or the number is not a
+-- packed window. O(p) for p positions.
 tableLookup :: Table k -> Natural -> [Position]
 tableLookup table packed
   | packed >= tableSize table = []
@@ -133,7 +133,7 @@ tableLookup table packed
     position = positionAt (tableShape table) . fromIntegral
 
 -- | The packed windows that occur, ascending, each with its positions. O(q^m + N) for N positions
--- of windows of m cells, made as they are asked for.
+-- of windows of m cells, computed lazily.
 tableEntries :: Table k -> [(Natural, [Position])]
 tableEntries table =
   [ (packed, positions)
@@ -145,21 +145,21 @@ tableEntries table =
 tableShape :: Table k -> Shape
 tableShape = gridShape . tableGrid
 
--- | Of each packed window, in order, the position row * columns + column where it is; the first
--- number if it does not occur, the second if it is at several positions. O(q^m) for windows of m
--- cells.
+-- | For each packed window in order, its position as row * columns + column. The first number
+-- stands for a window that does not occur, the second for one with several positions. O(q^m) for
+-- windows of m cells.
 tableUnique :: Int32 -> Int32 -> Table k -> Vector Int32
 tableUnique none several table = Primitive.zipWith unique starts (Primitive.drop 1 starts)
   where
     starts = tableStarts table
     unique from to
       | from == to = none
-      -- A window that occurs starts at an entry of the positions.
+      -- A window that occurs has a start below the number of positions.
       | from + 1 == to = tablePositions table Primitive.! fromIntegral from
       | otherwise = several
 
--- | The place of a patch: all its complete windows and all its other observed cells must agree. On
--- the sheet, every observed cell and the patch's upper left must lie on it. O(w m log a + p a) for
+-- | Locates a patch: all its complete windows and all its other observed cells must agree. On the
+-- sheet, every observed cell and the patch's upper left cell must lie on it. O(w m log a + p a) for
 -- a observed cells with w complete windows of m cells, which have p positions.
 locatePatch :: Table k -> Patch (GF k) -> Outcome Position
 locatePatch table observed
@@ -173,8 +173,7 @@ locatePatch table observed
     cells = observedCells observed
     windows = completeWindows (tableMask table) observed
     support = map fst windows
-    -- For each window that occurs, where the patch's upper left is if the window is at one of its
-    -- positions.
+    -- For each window that occurs, the patch's upper left corner for each of its positions.
     originsOfWindows =
       [ Set.fromList (map (origin table offset) positions)
         | (offset, content) <- windows,
@@ -185,8 +184,8 @@ locatePatch table observed
       [] -> Refused (if SticksOut `elem` fits then OffSheet else Contradiction)
       places -> Ambiguous (sort places) support
 
--- | The row and column of the patch's upper left when the cell at this offset lies at that
--- position; on the sheet perhaps negative.
+-- | The row and column of the patch's upper left cell when the cell at this offset is at this
+-- position; they may be negative on the sheet.
 origin :: Table k -> Position -> Position -> (Integer, Integer)
 origin table (Position i j) (Position r c) =
   case canonicalPosition (tableSurface table) (gridShape (tableGrid table)) r' c' of
@@ -196,11 +195,11 @@ origin table (Position i j) (Position r c) =
     r' = toInteger r - toInteger i
     c' = toInteger c - toInteger j
 
--- | How a patch compares with the array at a place.
+-- | How a patch compares with the array at a position.
 data Fit = Fits Position | SticksOut | Differs
   deriving stock (Eq)
 
--- | Compare all observed cells when the patch's upper left is at this row and column.
+-- | Compares all observed cells, with the patch's upper left cell at this row and column.
 compareAt :: Table k -> [(Position, GF k)] -> (Integer, Integer) -> Fit
 compareAt table cells (r, c)
   | or [code /= toCode a | (Just code, a) <- compared] = Differs

@@ -1,12 +1,14 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Locating with wrong and missing cells: the position whose content differs from the observed
--- cells in the fewest of them. With d the minimum distance of the cells that were observed, e wrong
--- ones among them never mislead if 2 e < d; so s missing cells out of a window of distance d' never
--- do if 2 e + s < d', and often more of them do not, because d is seldom as small as d' - s (R. C.
--- Singleton 1964; F. J. MacWilliams and N. J. A. Sloane 1977, chapter 1). Exact: the patch is
--- compared with every position.
+-- | Locates patches with wrong and missing cells: it finds the position that differs from the
+-- observed cells in the fewest of them. The patch is compared with every position, so this is
+-- exact.
+--
+-- Let d be the minimum distance of the observed cells. Then e wrong cells never mislead if 2 e < d.
+-- So s missing cells from a window of distance d' never mislead if 2 e + s < d'; often more do not,
+-- because d is seldom as small as d' - s (R. C. Singleton 1964; F. J. MacWilliams and N. J. A.
+-- Sloane 1977, chapter 1).
 module PraTactile.Locate.Decoder.Nearest
   ( nearest,
   )
@@ -25,11 +27,11 @@ import PraTactile.Locate.Definition (agreeing, nowhere)
 import PraTactile.Locate.Patch
 import PraTactile.Locate.Query (Radius, radiusFor)
 
--- | The nearest position within the radius, with the cells that are wrong there. If there is none,
--- the reason is that of the exact search where nothing may be corrected, 'ZeroWindow' where the
--- patch is within the radius of all zeros, and else 'BeyondRadius'. Several positions equally near,
--- which needs a radius beyond the guaranteed one or cells that several positions share, are
--- 'Ambiguous'. No observed cells are 'TooFewCells'. O(m N) for m observed cells and N positions.
+-- | Finds the nearest position within the radius, and the cells that are wrong there. If there is
+-- none, the reason is that of the exact search for radius 0, 'ZeroWindow' if the patch is within
+-- the radius of all zeros, and else 'BeyondRadius'. Several equally near positions are 'Ambiguous';
+-- that needs a radius beyond the guaranteed one, or cells that several positions share. Without
+-- observed cells the reason is 'TooFewCells'. O(m N) for m observed cells and N positions.
 nearest :: forall k. KnownField k => Codebook k -> Radius -> Patch (GF k) -> Decision Position
 nearest codebook stated observed
   | null cells = nowhereDecision (radiusFor stated 0)
@@ -66,7 +68,7 @@ nearest codebook stated observed
           ]
       | otherwise = (Refused (noneWithin codebook radius observed), [])
 
--- | The outcome that the nearest positions are; and the wrong cells, if there is only one position.
+-- | The outcome for the nearest positions, and the wrong cells if there is only one.
 nearestOutcome ::
   KnownField k =>
   Codebook k ->
@@ -79,7 +81,7 @@ nearestOutcome codebook observed places = case places of
   where
     support wrong = windowsWithout wrong (codebookMask codebook) observed
 
--- | The cells in which a patch differs from the array where it is at this position.
+-- | The cells in which a patch at this position differs from the array.
 wrongCells :: KnownField k => Codebook k -> Patch (GF k) -> Position -> [Position]
 wrongCells codebook observed place =
   [offset | (offset, a) <- observedCells observed, (cellAt array <$> at offset) /= Just a]
@@ -87,9 +89,8 @@ wrongCells codebook observed place =
     array = codebookArray codebook
     at = displaced (codebookSurface codebook) (arrayShape array) place
 
--- | Why no position is within the radius: 'ZeroWindow' where the patch is within the radius of all
--- zeros, which stand nowhere; the reason of the exact search if nothing may be corrected; and else
--- 'BeyondRadius'.
+-- | Why no position is within the radius: for radius 0 the reason of the exact search; 'ZeroWindow'
+-- if the patch is within the radius of all zeros, which occur nowhere; else 'BeyondRadius'.
 noneWithin :: KnownField k => Codebook k -> Natural -> Patch (GF k) -> Reason
 noneWithin codebook radius observed
   | radius == 0 = nowhere on (codebookMask codebook) (agreeing on) observed
@@ -99,7 +100,8 @@ noneWithin codebook radius observed
   where
     on = codebookOn codebook
 
--- | The least number and the next one, the same if it occurs twice; 'maxBound' for lack of numbers.
+-- | The smallest number and the second smallest, which are equal if it occurs twice; 'maxBound'
+-- where there are too few numbers.
 leastTwo :: Primitive.Vector Int -> (Int, Int)
 leastTwo numbers = go 0 maxBound maxBound
   where

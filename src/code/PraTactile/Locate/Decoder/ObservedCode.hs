@@ -1,8 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What the observed cells can hold, at all positions of the array, is a linear code, zero left
--- out: the images of alpha^t under the equations of the cells. This is that code of a set of cells,
--- by their offsets, for decoding where there are too many positions to visit.
+-- | The code of observed cells, for decoders that cannot try all positions. Over all positions of
+-- the array, the contents of some cells are the nonzero words of a linear code: the images of
+-- alpha^t under the cells' equations.
 module PraTactile.Locate.Decoder.ObservedCode
   ( -- * Codes
     ObservedCode,
@@ -32,13 +32,13 @@ import PraTactile.Locate.Decoder.Algebra
 import PraTactile.Locate.Decoder.Equations
 import PraTactile.Polynomial
 
--- | Of an array and the offsets of some cells.
+-- | The code of the cells with some offsets in an array.
 data ObservedCode (k :: Field) = ObservedCode
   { -- | The array on its surface.
     codeAlgebra :: !(Algebra k),
-    -- | The cells, a letter of a codeword each.
+    -- | The offsets of the cells, one for each letter of a codeword.
     codeOffsets :: [Position],
-    -- | Of each cell, if it were zero.
+    -- | The equation of each cell, with value zero.
     codeEquations :: [Equation k],
     -- | Independent codewords that span the code.
     codeRows :: [Row k]
@@ -46,7 +46,7 @@ data ObservedCode (k :: Field) = ObservedCode
 
 type role ObservedCode nominal
 
--- | The code of cells with these offsets. Refuses too many of them.
+-- | The code of cells with these offsets. Refuses too many cells.
 observedCode :: KnownField k => Algebra k -> [Position] -> Either AlgebraError (ObservedCode k)
 observedCode algebra offsets = do
   given <-
@@ -59,39 +59,40 @@ observedCode algebra offsets = do
   pure
     (ObservedCode algebra offsets given [x | (i, x) <- zip [0 ..] spanning, i `elem` independent])
 
--- | The dimension of the code: n where no two positions of the array's own surface have the same
--- content.
+-- | The dimension of the code. It is n if all positions of the array's natural surface have
+-- different contents.
 codeRank :: ObservedCode k -> Int
 codeRank = length . codeRows
 
--- | The solutions for alpha^t of the equations with the letters of a word as values.
+-- | The solutions for alpha^t of the equations, with the letters of a word as values.
 wordSolutions :: KnownField k => ObservedCode k -> Row k -> Solutions k
 wordSolutions code word = solve n (zipWith valued (codeEquations code) (Primitive.toList word))
   where
     n = primitiveDegree (arrayPrimitive (algebraArray (codeAlgebra code)))
     valued equation a = equation {equationValue = a}
 
--- | The positions of a word with these solutions; on the sheet those at which all the cells lie on
--- it.
+-- | The positions of a word with these solutions. On the sheet, only positions with all cells on it
+-- count.
 wordPlaces :: KnownField k => ObservedCode k -> Row k -> Solutions k -> [Position]
 wordPlaces code word =
   algebraPlaces (codeAlgebra code) (zip (codeOffsets code) (Primitive.toList word))
 
--- | The same as a list, or that they are too many.
+-- | The positions of a word with these solutions as a list, or 'More' if there are too many.
 wordListing ::
   KnownField k => ObservedCode k -> Row k -> Solutions k -> Either AlgebraError Listed
 wordListing code word =
   algebraListing (codeAlgebra code) (zip (codeOffsets code) (Primitive.toList word))
 
--- | How many positions have to be looked at to list those of a word with these solutions.
+-- | The number of positions that must be tried to list those of a word with these solutions.
 wordVisits :: KnownField k => ObservedCode k -> Solutions k -> Natural
 wordVisits code = algebraVisits (codeAlgebra code) (codeOffsets code)
 
--- | At how many positions the cells lie on the surface.
+-- | The number of positions for which the cells lie on the surface.
 codePlaces :: ObservedCode k -> Natural
 codePlaces code = area (algebraPositions (codeAlgebra code) (codeOffsets code))
 
--- | Each codeword is at q to this power of positions, zero being one of them as well.
+-- | The exponent d for which each codeword belongs to q^d elements: positions, and zero for the
+-- zero word.
 wordFreedom :: ObservedCode k -> Natural
 wordFreedom code =
   fromIntegral (primitiveDegree (arrayPrimitive (algebraArray (codeAlgebra code))) - codeRank code)

@@ -1,14 +1,14 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Locating from probabilities: how likely each symbol is in each cell is given, and what follows
--- is how likely each position is (Bayes' theorem). Exact: the patch is compared with every
--- position.
+-- | Locates patches by probabilities: from the probability of each symbol in each cell to the
+-- posterior of each position, by Bayes' theorem. The patch is compared with every position, so this
+-- is exact.
 --
--- A cell's probabilities are those that a classifier gives on seeing its image when all symbols, in
--- all symmetries, are equally frequent, independently of other cells'; all positions in all
--- symmetries are equally likely beforehand. Then the probability of a position in a symmetry is
--- proportional to the product of the probabilities of the symbols that it would have in the
--- observed cells, together with that symmetry.
+-- A cell's probabilities are those that a classifier gives on seeing its image, with all symbols in
+-- all symmetries equally frequent, independently of other cells. The prior of positions and
+-- symmetries is uniform. So the posterior of a position in a symmetry is proportional to a product
+-- over the observed cells: the probability of the symbol that the cell would hold, jointly with the
+-- symmetry.
 module PraTactile.Locate.Decoder.Posterior
   ( posterior,
     posteriorAmong,
@@ -27,23 +27,22 @@ import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Locate.Patch
 import PraTactile.Symmetry
 
--- | How likely each position of the codebook is in each of these symmetries, all of them being
--- equally likely beforehand; on the sheet those with which all observed cells lie on it.
+-- | The posterior of each position of the codebook in each of these symmetries, with a uniform
+-- prior. On the sheet, only candidates with all observed cells on it count.
 posteriorAmong :: Codebook k -> [Symmetry] -> Patch (Belief k) -> Posterior Candidate
 posteriorAmong codebook possible observed = case comparisons of
   [(o, only)] -> ranked (Candidate o . comparedPosition only) (comparedTotals only)
   _ ->
     ranked (`candidateIn` comparisons) (Primitive.concat (map (comparedTotals . snd) comparisons))
   where
-    -- In every symmetry the cells are added up in the same order, so that what is equally likely is
-    -- found equal.
+    -- Every symmetry sums the cells in the same order, so that equal probabilities compare equal.
     comparisons = [(o, likelihoods codebook o (seenCells o)) | o <- possible]
     seenCells o =
       [ (onPosition (invert o) (patchShape observed) offset, b)
         | (offset, b) <- observedCells observed
       ]
 
--- | The candidate at an index of the sums of all comparisons, one after the other.
+-- | The candidate at an index into the concatenated totals of all comparisons.
 candidateIn :: Int -> [(Symmetry, Comparison Double)] -> Candidate
 candidateIn i comparisons = case comparisons of
   (o, compared) : others
@@ -54,21 +53,20 @@ candidateIn i comparisons = case comparisons of
   -- Without symmetries there are no indices.
   [] -> Candidate identity (Position 0 0)
 
--- | How likely each position of the codebook is; on the sheet those at which all observed cells lie
--- on it.
+-- | The posterior of each position of the codebook. On the sheet, only positions with all observed
+-- cells on it count.
 posterior :: Codebook k -> Patch (Belief k) -> Posterior Position
 posterior codebook observed = ranked (comparedPosition comparison) (comparedTotals comparison)
   where
     comparison = likelihoods codebook identity (observedCells observed)
 
--- | The logarithms of what the probabilities of positions in a symmetry are proportional to, given
--- what is known of cells by their offsets in the upright patch.
+-- | The log-likelihood of each position in a symmetry, up to a constant. Beliefs about cells are
+-- given by their offsets in the upright patch.
 likelihoods :: Codebook k -> Symmetry -> [(Position, Belief k)] -> Comparison Double
 likelihoods codebook o known =
   compareWith codebook [(offset, Primitive.map log (probabilitiesIn o b)) | (offset, b) <- known]
 
--- | How likely places are, given by their indices, from the logarithms of what their probabilities
--- are proportional to.
+-- | The posterior of places, given by their indices, from their log-likelihoods up to a constant.
 ranked :: (Int -> place) -> Primitive.Vector Double -> Posterior place
 ranked placeAt logs
   | count == 0 || isInfinite best = impossible
@@ -93,7 +91,7 @@ ranked placeAt logs
     count = Primitive.length logs
     bestIndex = Primitive.maxIndex logs
     best = logs Primitive.! bestIndex
-    -- Relative to the best one, so that products of many small numbers do not vanish.
+    -- Relative to the best one, so that products of many small numbers do not underflow.
     relative = Primitive.map (\x -> exp (x - best)) logs
     others = Primitive.sum (Primitive.imap (\i x -> if i == bestIndex then 0 else x) relative)
     less = Primitive.sum (Primitive.zipWith (\x y -> if x == best then 0 else y) logs relative)
@@ -101,10 +99,10 @@ ranked placeAt logs
     likeliestFirst i j = compare (relative Primitive.! j) (relative Primitive.! i)
     next = Primitive.maximum (Primitive.imap (\i x -> if i == bestIndex then -1 / 0 else x) logs)
 
--- | @decide tolerated found@: the likeliest place, if the probability that it is another one is at
--- most as large as tolerated; then of many answers at most that share is wrong, if the
--- probabilities are honest. Several places equally likely, of which the same holds jointly, are
--- ambiguous. Else 'BelowThreshold'; 'Contradiction' where no place is possible.
+-- | @decide tolerated found@ is the likeliest place, if the probability of all others is at most
+-- the tolerated one. If the probabilities are calibrated, at most that share of answers is wrong.
+-- Several equally probable places that meet the condition together are ambiguous. Otherwise the
+-- reason is 'BelowThreshold', or 'Contradiction' if no place is possible.
 decide :: Double -> Posterior place -> Outcome place
 decide tolerated found
   | Just place <- posteriorBest found, posteriorDoubt found <= tolerated = Unique place []

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The words of a patch in each symmetry in which it may be seen, the next one where that lowers
--- most what is not in the list; and bounds of that: Note [What is not in the list].
+-- | The search for words of a patch in each possible symmetry, and bounds on what is unlisted: see
+-- Note [What is not in the list].
 module PraTactile.Locate.Decoder.List.Bounds
   ( -- * Words of a symmetry
     Branch (..),
@@ -33,50 +33,46 @@ import PraTactile.Symmetry
    ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
    The likelihood of a word is the product of the probabilities of its letters. Let B be an
    information set, P(u) the product for the letters u at B, and R the product for all other
-   letters. Over all u the P(u) add up to 1, because each u stands for exactly one word. If the u
-   that were gone through add up to M, the words that are not listed have in all a likelihood of at
-   most
+   letters. Over all u the P(u) add up to 1, because each u belongs to exactly one word. If the u
+   searched so far add up to M, the unlisted words have a total likelihood of at most
 
-   (1 - M) times the largest possible R,
+     (1 - M) times the largest possible R,
 
-   and R is at most the product of the largest probability of each other cell. With further
-   information sets C, ..., disjoint from B and each other, the largest possible R is smaller: a
-   word that is not listed has not been gone through at C either, so that its letters at C have at
-   most the probability of the next ones in the order there. This is so for each set in the place of
-   B, and the least of the bounds holds. All likelihoods are in proportion to the probabilities of
-   positions, which are equally likely beforehand. Where a set has been gone through to its end, as
-   far as probabilities are not zero, every possible word is listed.
+   and R is at most the product of the largest probabilities of the other cells. Further information
+   sets C, ..., disjoint from B and each other, lower the largest possible R: an unlisted word was
+   not searched at C either, so its letters at C have at most the probability of the next ones in
+   C's order. This holds with each set in the role of B, and the smallest bound is used. Likelihoods
+   are proportional to the probabilities of positions, since the prior is uniform. If a set has been
+   searched to its end, as far as probabilities are not zero, every possible word is listed.
 
-   In several symmetries each has a code and lists of its own. Beforehand they are equally likely,
-   and each likelihood is a product over the same cells, so that likelihoods of different symmetries
-   are in the same proportion to the probabilities of candidates. Where cells show how they lie,
-   their probabilities together with the symmetry are the product of that of the symmetry and of
-   those given it: all that was said above holds of the latter, and the likelihoods of the symmetry
-   have the product of the former as a factor. So what is unlisted in all of them
-   together is at most the sum of the bounds, and a word that is unlisted in any of them is at most
-   as likely as the largest of the bounds for one word. The next word is taken where the bound is
-   largest, because only that lowers the sum by much; so a symmetry in which nothing is likely is
-   soon left alone.
+   With several symmetries, each has its own code and lists. Their prior is uniform too, and each
+   likelihood is a product over the same cells, so likelihoods of different symmetries are
+   comparable. If cells show their symmetry, a joint probability is that of the symmetry times that
+   of the symbol given the symmetry. The bounds hold for the latter; the likelihoods of a symmetry
+   get the product of the former as a factor. So the total that is unlisted is at most the sum of
+   the bounds, and an unlisted word is at most as likely as the largest bound for one word. The next
+   word is taken in the symmetry with the largest bound, because only that lowers the sum much;
+   symmetries in which nothing is likely are soon left alone.
 
-   On the sheet some words are at no position. Which is looked up for the likeliest ones; of the
-   others the likelihoods count as doubt all the same, which only adds to it. Sums of floating-point
-   numbers: M is summed with a correction (W. Kahan 1965), and 1 - M is taken 1e-11 larger, more
-   than what the logarithms and the correction can be wrong by in a set of some hundred cells. -}
+   On the sheet some words have no position. The likeliest words are checked for that; the
+   likelihoods of the others count as doubt, which is then only larger. Rounding: M is summed with
+   compensation (W. Kahan 1965), and 1 - M is increased by 1e-11, more than the error of the
+   logarithms and the summation in a set of some hundred cells. -}
 
 -- | The words of one symmetry.
 data Branch (k :: Field) = Branch
   { branchLetters :: !Letters,
     branchCode :: !(ObservedCode k),
-    -- | At how many positions a word is that is not zero; zero is at one less.
+    -- | The number of positions of a nonzero word; the zero word has one less.
     branchEach :: !Double,
-    -- | The best that the cells of no set can be.
+    -- | The largest log-probability of the cells that are in no set.
     branchOutside :: !Double,
     branchSources :: [Source k]
   }
 
 type role Branch nominal
 
--- | The symmetry of its words.
+-- | The symmetry of a branch's words.
 branchSymmetry :: Branch k -> Symmetry
 branchSymmetry = lettersSymmetry . branchLetters
 
@@ -95,17 +91,17 @@ branchOf letters code =
     sets = filter ((== 0) . setDeficit) (informationSets (length ordered) (codeRows code))
     taken = concatMap (Primitive.toList . setPlaces) sets
 
--- | Of what is not listed: the logarithms of the likelihood of all words added up, and of the
--- likeliest one, at most.
+-- | Upper bounds on the log-likelihood of unlisted words: of all together, and of the likeliest
+-- one.
 data Bounds = Bounds {massBound :: !Double, wordBound :: !Double}
 
--- | What is not listed of a symmetry; 'Nothing' where everything possible is.
+-- | The bounds for one symmetry; 'Nothing' if everything possible is listed.
 branchBounds :: Branch k -> Maybe Bounds
 branchBounds branch
   | any sourceAtEnd sources = Nothing
   | otherwise =
-    -- The second with more than the rounding of logarithms, so that equal likelihoods do not count
-    -- as less.
+    -- The second bound allows for rounding of the logarithms, so that equal likelihoods do not
+    -- count as less.
     Just
       ( Bounds
           (shown + (unlistedMass sources outside + log (branchEach branch)))
@@ -116,7 +112,7 @@ branchBounds branch
     outside = branchOutside branch
     shown = lettersShown (branchLetters branch)
 
--- | What is not listed of several symmetries.
+-- | The bounds for several symmetries together.
 allBounds :: [Bounds] -> Maybe Bounds
 allBounds several = case several of
   [] -> Nothing
@@ -128,7 +124,8 @@ allBounds several = case several of
     most = maximum (map massBound several)
     word = maximum (map wordBound several)
 
--- | By Note [What is not in the list], given the best that the cells of no set can be.
+-- | The log-bound of Note [What is not in the list] on all unlisted words. The number is the
+-- largest log-probability of the cells in no set.
 unlistedMass :: [Source k] -> Double -> Double
 unlistedMass sources outside = outside + minimum (0 : map bound (picked sources))
   where
@@ -137,9 +134,9 @@ unlistedMass sources outside = outside + minimum (0 : map bound (picked sources)
       [] -> []
       x : rest -> (x, rest) : [(y, x : others) | (y, others) <- picked rest]
 
--- | The next word of a symmetry: from the set where one word more lowers the logarithm of the bound
--- most. That is 1 - M for the surest set; for the others the probability of the next letters, which
--- falls about like a power of how many have been gone through.
+-- | The next word of a symmetry, from the set where one more word lowers the logarithm of the bound
+-- most. For the surest set that is by 1 - M; for the others by the probability of the next letters,
+-- which falls roughly like a power of the number of searched words.
 step :: KnownField k => Branch k -> Maybe (Row k, Branch k)
 step branch = case splitAt next sources of
   (before, source : after) ->

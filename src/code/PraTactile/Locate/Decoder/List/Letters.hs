@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What the observed cells say of the letters of a word, in one symmetry.
+-- | The log-probabilities of a word's letters in one symmetry, from the observed cells.
 module PraTactile.Locate.Decoder.List.Letters
   ( Letters (..),
     lettersIn,
@@ -18,20 +18,21 @@ import PraTactile.LinearCode.Elimination
 import PraTactile.Locate.Belief
 import PraTactile.Symmetry
 
--- | The cells of a patch as the letters of a word, the surest cells first.
+-- | The cells of a patch as letters of a word, the surest cells first.
 data Letters = Letters
   { lettersSymmetry :: !Symmetry,
-    -- | The logarithm of how probable all cells together make this symmetry.
+    -- | The log-probability that all cells together give this symmetry.
     lettersShown :: !Double,
-    -- | Of each letter the logarithms of the probabilities of all symbols, given the symmetry.
+    -- | For each letter, the log-probabilities of all symbols given the symmetry.
     lettersGiven :: [Primitive.Vector Double],
-    -- | Cell by cell, as the cells were given, those of all symbols together with the symmetry.
+    -- | For each cell in the given order, the joint log-probabilities of all symbols and the
+    -- symmetry.
     lettersJoint :: !(Primitive.Vector Double),
-    -- | Of each of these cells, which letter of a word it is.
+    -- | For each cell in the given order, the index of its letter.
     lettersPlaces :: !(Primitive.Vector Int)
   }
 
--- | The letters that cells are in a symmetry, which none of them makes impossible.
+-- | The letters of cells in a symmetry, which no cell may make impossible.
 lettersIn :: Symmetry -> [Belief k] -> Letters
 lettersIn o cells =
   Letters
@@ -49,13 +50,12 @@ lettersIn o cells =
       ]
     byCertainty = sortOn (Down . Primitive.maximum . snd) (zip [0 :: Int ..] given)
 
--- | What is given of cells, in their order, in the order of the letters.
+-- | Reorders one element for each cell into the order of the letters.
 surestFirst :: Letters -> [a] -> [a]
 surestFirst letters cells =
   map snd (sortOn fst (zip (Primitive.toList (lettersPlaces letters)) cells))
 
--- | The logarithm of the likelihood of a word, summed in the order in which a comparison with all
--- positions sums.
+-- | The log-likelihood of a word, summed in the same order as a comparison with all positions does.
 logLikelihood :: forall k. KnownField k => Letters -> Row k -> Double
 logLikelihood letters word =
   Primitive.ifoldl'

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What a list of likely words comes to: how likely candidates are.
+-- | The posterior of candidates from a list of likely words.
 module PraTactile.Locate.Decoder.List.Result
   ( summary,
   )
@@ -22,7 +22,7 @@ import PraTactile.Locate.Decoder.List.Bounds
 import PraTactile.Locate.Decoder.List.Search
 import PraTactile.Locate.Decoder.ObservedCode
 
--- | How likely candidates are, from the words of these symmetries.
+-- | Searches the words of these symmetries and returns the posterior of candidates.
 summary :: KnownField k => Setting -> [Branch k] -> Posterior Candidate
 summary setting branches
   | stateEqual state == 0 =
@@ -34,7 +34,7 @@ summary setting branches
   where
     (state, beyond) = explore setting branches noWords
 
--- | The same from the list and the bounds of what is not in it.
+-- | The posterior of candidates from a list and the bounds on what is unlisted.
 fromList ::
   KnownField k => Setting -> [Branch k] -> State k -> Maybe Bounds -> Posterior Candidate
 fromList setting branches state beyond =
@@ -68,8 +68,7 @@ fromList setting branches state beyond =
           place <- candidatesOf branch (placesOf (solved (branch, word)))
       ]
 
--- | The words of the list, the likeliest first, each with the logarithm of its likelihood and its
--- symmetry.
+-- | The words of the list, the likeliest first, each with its log-likelihood and its symmetry.
 entriesOf :: [Branch k] -> State k -> [(Double, Branch k, Row k)]
 entriesOf branches state =
   [ (x, branch, word)
@@ -89,8 +88,8 @@ solved (branch, word) = (branch, word, wordSolutions (branchCode branch) word)
 placesOf :: KnownField k => (Branch k, Row k, Solutions k) -> [Position]
 placesOf (branch, word, solutions) = wordPlaces (branchCode branch) word solutions
 
--- | The candidates of the best words; or how many they are, if they are too many to list, and the
--- dimension of their coset, if they are of one word.
+-- | The candidates of the best words. If they are too many to list: their number, and the dimension
+-- of their coset if they belong to one word.
 bestPlaces ::
   KnownField k => Setting -> [(Branch k, Row k)] -> ([Candidate], Maybe (Natural, Maybe Natural))
 bestPlaces setting best = case words' of
@@ -110,7 +109,7 @@ bestPlaces setting best = case words' of
     few
       | visits > largestListing = []
       | otherwise = concat [candidatesOf branch (sort places) | (branch, places) <- bySymmetry]
-    -- The words are in the order of symmetries; the positions of one symmetry are sorted as one.
+    -- The words are in the order of symmetries; the positions of one symmetry are sorted together.
     bySymmetry = foldr gather [] [(branch, placesOf word) | word@(branch, _, _) <- words']
     gather (branch, places) gathered = case gathered of
       (other, more) : rest

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The search for likely words: the list as it grows, and when it is long enough.
+-- | The search for likely words: the growing list, and when it is long enough.
 module PraTactile.Locate.Decoder.List.Search
   ( -- * What is asked
     Setting (..),
@@ -26,11 +26,11 @@ import PraTactile.Locate.Decoder.List.Bounds
 import PraTactile.Locate.Decoder.List.Letters
 import PraTactile.Locate.Decoder.ObservedCode
 
--- | What is the same for all words.
+-- | The limits of a search.
 data Setting = Setting
-  { -- | How many words are looked at, at most.
+  { -- | The most words that are searched.
     settingMost :: !Int,
-    -- | The doubt that is tolerated.
+    -- | The tolerated doubt.
     settingTolerated :: !Double,
     -- | Whether the surface is the sheet.
     settingSheet :: !Bool
@@ -38,21 +38,21 @@ data Setting = Setting
 
 -- | The list so far.
 data State k = State
-  { -- | By the logarithm of the likelihood, and the index of the symmetry.
+  { -- | The words, with their log-likelihood and the index of their symmetry.
     stateWords :: !(Map (Down Double, Int, Row k) ()),
-    -- | That of the best; minus infinity while there is none.
+    -- | The log-likelihood of the best word; minus infinity without a word.
     stateBest :: !Double,
-    -- | How many positions have it, at least.
+    -- | A lower bound on the number of positions with that likelihood.
     stateEqual :: !Double,
-    -- | And at most.
+    -- | An upper bound on the number of positions with that likelihood.
     stateMost :: !Double,
-    -- | The likelihoods of the others that are kept, relative to it.
+    -- | The total likelihood of the other kept words, relative to the best.
     stateLess :: !Double,
-    -- | Those of the ones that were looked at and not kept.
+    -- | The total likelihood of words that were searched but not kept, relative to the best.
     stateFaint :: !Double,
-    -- | The logarithm of the largest of these; minus infinity if there are none.
+    -- | The largest log-likelihood of a word that was not kept; minus infinity without one.
     stateForgotten :: !Double,
-    -- | How many words were looked at.
+    -- | The number of searched words.
     stateCount :: !Int
   }
 
@@ -60,7 +60,8 @@ data State k = State
 noWords :: State k
 noWords = State Map.empty (-1 / 0) 0 0 0 0 (-1 / 0) 0
 
--- | Go on from the list so far; the end, and what is not listed of it.
+-- | Continues the search from the list so far. Returns the final list and the bounds on what is
+-- unlisted; 'Nothing' if everything possible is listed.
 explore :: KnownField k => Setting -> [Branch k] -> State k -> (State k, Maybe Bounds)
 explore setting branches state = case allBounds [b | (_, _, b) <- unfinished] of
   Nothing -> (state, Nothing)
@@ -76,7 +77,7 @@ explore setting branches state = case allBounds [b | (_, _, b) <- unfinished] of
     unfinished =
       [(i, branch, b) | (i, branch) <- zip [0 :: Int ..] branches, Just b <- [branchBounds branch]]
 
--- | Whether the doubt is at most as large as tolerated, or cannot become so.
+-- | Whether the doubt is within the tolerated one, or cannot become so.
 enough :: Setting -> Bounds -> State k -> Bool
 enough setting bounds state = satisfied || hopeless
   where
@@ -88,17 +89,17 @@ enough setting bounds state = satisfied || hopeless
         && ( shareOf (stateMost state - 1 + stateLess state + unlisted) 1 <= tolerated
                || (beaten && shareOf (stateLess state + unlisted) (stateEqual state) <= tolerated)
            )
-    -- No word to come can be as likely, and those that are listed are too likely already.
+    -- No further word can be as likely, and the listed ones are too likely already.
     hopeless =
       not (settingSheet setting)
         && beaten
         && shareOf (stateLess state) (stateEqual state) > tolerated
 
--- | The list with one word more, of the symmetry of this index.
+-- | Adds a word, of the symmetry with this index, to the list.
 include :: KnownField k => Setting -> Int -> Branch k -> Row k -> State k -> State k
 include setting i branch word state
   | isInfinite x || each == 0 = counted
-  -- Not kept, so that it may count twice, which is little.
+  -- It is not kept, so it may count twice; the error is small.
   | x < stateBest state - faint =
     counted {stateFaint = stateFaint state + share, stateForgotten = max x (stateForgotten state)}
   | (Down x, i, word) `Map.member` stateWords state = counted
@@ -123,8 +124,8 @@ include setting i branch word state
     counted = state {stateCount = stateCount state + 1}
     added = counted {stateWords = Map.insert (Down x, i, word) () (stateWords state)}
 
--- | At how many positions of the sheet a word is, which has to be looked up; of very many whether
--- it is at any.
+-- | The number of positions of a word on the sheet, by looking them up. If there are very many, 1
+-- if any is on the sheet, else 0.
 positionsOnSheet :: KnownField k => ObservedCode k -> Row k -> Double
 positionsOnSheet code word
   | wordVisits code solutions > largestListing = count (take 1 places)
@@ -134,7 +135,7 @@ positionsOnSheet code word
     places = wordPlaces code word solutions
     count = fromIntegral . length
 
--- | 46: words are not kept whose likelihood is less than about 1e-20 of that of the best.
+-- | 46: words with a likelihood below about 1e-20 of the best are not kept.
 faint :: Double
 faint = 46
 

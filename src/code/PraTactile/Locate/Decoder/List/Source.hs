@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The codewords of one information set, the likeliest letters at its places first.
+-- | The codewords of one information set, in order of the probability of their letters at the set.
 module PraTactile.Locate.Decoder.List.Source
   ( Source,
     sourceOf,
@@ -24,27 +24,28 @@ import PraTactile.LinearCode.BestFirst
 import PraTactile.LinearCode.Elimination
 import PraTactile.LinearCode.InformationSet
 
--- | One information set that is gone through.
+-- | The search through the codewords of one information set.
 data Source (k :: Field) = Source
-  { -- | whole codewords
+  { -- | the codewords that span the code
     sourceRows :: Boxed.Vector (Row k),
-    -- | the codeword with the likeliest letter at each place
+    -- | the codeword with the likeliest letter at each place of the set
     sourceFirst :: Row k,
-    -- | the logarithm of the probability of its letters at the set
+    -- | the log-probability of its letters at the set
     sourceBest :: !Double,
-    -- | those to come: how much less that logarithm is, and the combination of rows to be added
+    -- | the remaining codewords: the loss in that log-probability, and the combination of rows to
+    -- add
     sourceNext :: [(Double, [(Int, GF k)])],
-    -- | M
+    -- | the sum M of the probabilities of the searched letters
     sourceMass :: !Double,
-    -- | what its summation has lost
+    -- | the rounding error of that sum, for compensation
     sourceCarry :: !Double,
-    -- | how many have been gone through
+    -- | the number of searched codewords
     sourceCount :: !Int
   }
 
 type role Source nominal
 
--- | From the logarithms of the probabilities of all cells.
+-- | Begins a search, from the log-probabilities of all cells.
 sourceOf ::
   forall k.
   KnownField k =>
@@ -56,8 +57,7 @@ sourceOf logs set =
   where
     places = Primitive.toList (setPlaces set)
     unit = Boxed.fromList [combination set [(i, one)] | i <- [0 .. length places - 1]]
-    -- Of each place its possible letters, the likeliest first, with the logarithms of their
-    -- probabilities.
+    -- For each place its possible letters, the likeliest first, with their log-probabilities.
     options = [possible letters | place <- places, Just letters <- [logs Boxed.!? place]]
     possible letters =
       sortOn
@@ -78,27 +78,27 @@ sourceOf logs set =
         | (i, letters) <- zip [0 ..] options
       ]
 
--- | Whether all its words have been gone through, as far as probabilities are not zero.
+-- | Whether all codewords have been searched, as far as probabilities are not zero.
 sourceAtEnd :: Source k -> Bool
 sourceAtEnd = null . sourceNext
 
--- | How much less likely the next letters are than the best, as a logarithm; 0 at its end.
+-- | The loss in log-probability from the best letters to the next ones; 0 at the end.
 nextLoss :: Source k -> Double
 nextLoss s = case sourceNext s of
   (loss, _) : _ -> loss
   [] -> 0
 
--- | 1 - M, and what that may be wrong by.
+-- | 1 - M, increased by its possible error.
 unseenMass :: Source k -> Double
 unseenMass s = max 0 (1 - sourceMass s) + 1e-11
 
--- | The logarithm of the probability of the next letters at a set; minus infinity at its end.
+-- | The log-probability of the next letters at the set; minus infinity at the end.
 nextMass :: Source k -> Double
 nextMass s = case sourceNext s of
   (loss, _) : _ -> sourceBest s - loss
   [] -> -1 / 0
 
--- | The next codeword, and the set after it.
+-- | The next codeword, and the search after it.
 advance :: KnownField k => Source k -> (Row k, Source k)
 advance source = case sourceNext source of
   [] -> (sourceFirst source, source)
