@@ -1,6 +1,7 @@
--- | Which arrays are there? Given an alphabet, the least numbers of rows and columns, and perhaps a
--- window: what is possible, and what is not and why, in order of size. Pseudorandom arrays exist in
--- few sizes, because their cells number q^n - 1, or a divisor of it for several arrays.
+-- | Advice on which arrays exist. Given an alphabet, the least numbers of rows and columns, and
+-- perhaps a window, it lists in order of size what is possible, and what is not and why.
+-- Pseudorandom arrays exist only in few sizes, because they have q^n - 1 cells, or several arrays
+-- each have a divisor of that.
 module PraTactile.Advise
   ( -- * Asking
     Request (..),
@@ -36,7 +37,7 @@ import PraTactile.Field.Named (conwayModulus)
 import PraTactile.Polynomial
 import PraTactile.Window
 
--- | What is wanted.
+-- | The arrays that are wanted.
 data Request = Request
   { -- | q, the number of symbols
     requestOrder :: Natural,
@@ -44,7 +45,7 @@ data Request = Request
     requestRows :: Natural,
     -- | the least number of columns
     requestColumns :: Natural,
-    -- | the window, or any
+    -- | the window, or 'Nothing' for any
     requestWindow :: Maybe Shape
   }
   deriving stock (Eq, Show)
@@ -57,16 +58,16 @@ data AdviceError
     AdviceWindowEmpty
   | -- | The window has this many cells, more than windows may have.
     AdviceWindowTooLarge Natural
-  | -- | This many cells are wanted, more than 2^128: q^n - 1 might not be factored for want of
-    -- time.
+  | -- | This many cells are wanted, more than 2^128, for which factoring q^n - 1 might take too
+    -- long.
     AdviceTooLarge Natural
   deriving stock (Eq, Show)
 
--- | What there is, and what there is not; both in order of size.
+-- | What is possible and what is not, both in order of size.
 data Advice = Advice
   { -- | what is possible, the fewest cells first
     adviceOptions :: [Option],
-    -- | what is not, for the same degrees
+    -- | what is not possible, for the same degrees
     adviceObstacles :: [Obstacle]
   }
   deriving stock (Eq, Show)
@@ -81,38 +82,39 @@ data Option = Option
     optionShape :: Shape,
     -- | windows that determine the position, the most nearly square ones first; at least one
     optionFits :: [Fit],
-    -- | how many adjacent whole columns there must be before parity checks hold across them;
-    -- 'Nothing' where there are not so many
+    -- | the number of adjacent whole columns from which on parity checks hold across columns;
+    -- 'Nothing' if the array does not have that many
     optionColumnsToCheck :: Maybe Natural,
-    -- | the same of rows
+    -- | the number of adjacent whole rows from which on parity checks hold across rows; 'Nothing'
+    -- if the array does not have that many
     optionRowsToCheck :: Maybe Natural,
-    -- | the mirror images of the arrays that are these arrays themselves
+    -- | the mirror images of the arrays that equal the arrays themselves
     optionMirrors :: [Mirror]
   }
   deriving stock (Eq, Show)
 
 -- | A combination that does not work, and why.
 data Obstacle
-  = -- | For this degree, q^n - 1, the second number, is not a product of as many rows and columns
-    -- as wanted, or more.
+  = -- | For this degree, q^n - 1, the second number, is not a product of at least the wanted rows
+    -- and columns.
     NoSuchShape Natural Natural
-  | -- | For this degree, the sides n1 and n2 have a common divisor, so that the diagonal reaches
-    -- only a part of the cells and no linear array of the shape exists on the torus; but something
-    -- like it does.
+  | -- | For this degree, the sides n1 and n2 have a common divisor. So the diagonal reaches only
+    -- some of the cells, and no linear array of the shape exists on the torus. The options are
+    -- similar.
     SidesShareDivisor Natural Natural Natural Natural [Option]
-  | -- | For this degree n, the window has fewer than n cells, and so fewer contents than there are
+  | -- | For this degree n, the window has fewer than n cells, so there are fewer contents than
     -- positions.
     WindowTooFewCells Natural Shape
   | -- | For this degree, the window is larger than an array of this shape.
     WindowBeyondArray Natural Layout Shape
-  | -- | For this degree, the windows of these arrays are not distinct with any of the first
-    -- polynomials that were tried, this many.
+  | -- | For this degree, the windows of these arrays are not distinct for any of the polynomials
+    -- that were tried; the last number is how many.
     WindowFails Natural Layout Shape Int
   | -- | For this degree, q^n - 1 was not factored.
     NotFactored Natural FactorError
   deriving stock (Eq, Show)
 
--- | The degree for which it stands in the way.
+-- | The degree that an obstacle is about.
 obstacleDegree :: Obstacle -> Natural
 obstacleDegree obstacle = case obstacle of
   NoSuchShape n _ -> n
@@ -122,14 +124,16 @@ obstacleDegree obstacle = case obstacle of
   WindowFails n _ _ _ -> n
   NotFactored n _ -> n
 
--- | What is possible and what is not, from the least degree n with enough terms up to the first
--- that gives one array on a plain torus, or beyond which the window has too few cells; at most 16
--- degrees. Several arrays are listed for a degree only if it gives no single one on a plain torus.
--- Polynomials are over the field with the default modulus. Refuses a q that is no prime power up to
--- 256, a window without cells or with more than 4096, and more than 2^128 cells. For each degree n,
--- q^n - 1 is factored ('factorisePowerMinusOne') and at most 32 polynomials are found; for each
--- shape and window at most as many ranks are taken, as 'PraTactile.Window.Proof.windowRank' does,
--- or for several arrays 'PraTactile.ArrayCode.codeRank'.
+-- | Lists what is possible and what is not. Degrees n run from the least one with enough terms to
+-- the first one that gives a single array on a plain torus, or beyond which the window has too few
+-- cells; at most 16 degrees. Codes of several arrays are listed for a degree only if it gives no
+-- single array on a plain torus. Polynomials are over the field with the default modulus.
+--
+-- Refuses a q that is not a prime power up to 256, a window without cells or with more than 4096,
+-- and more than 2^128 cells. For each degree n, q^n - 1 is factored ('factorisePowerMinusOne') and
+-- at most 32 polynomials are found. For each shape and window, at most that many ranks are
+-- computed, by 'PraTactile.Window.Proof.windowRank', or for several arrays
+-- 'PraTactile.ArrayCode.codeRank'.
 advise :: Request -> Either AdviceError Advice
 advise request
   | fmap area (requestWindow request) == Just 0 = Left AdviceWindowEmpty
@@ -147,7 +151,7 @@ advise request
 wantedArea :: Request -> Natural
 wantedArea request = max 1 (requestRows request) * max 1 (requestColumns request)
 
--- | Join the advice for the degrees, up to the first that suffices or beyond which nothing can.
+-- | Joins the advice of the degrees, up to the first that suffices or beyond which nothing can.
 gather :: [Advice] -> Advice
 gather degrees =
   Advice (sortOn size (concatMap adviceOptions used)) (concatMap adviceObstacles used)
@@ -158,12 +162,12 @@ gather degrees =
       or [True | Option {optionLayout = Single Diagonal} <- options]
         || or [True | WindowTooFewCells _ _ <- obstacles]
 
--- | The fewest cells first, then the fewest rows.
+-- | The sort key: cells first, then rows.
 size :: Option -> (Natural, Natural, Layout)
 size option = (area (optionShape option), rows (optionShape option), optionLayout option)
 
--- | The single arrays over GF(q), q the first number, that have at least so many cells, in order of
--- size: of 16 degrees, made as they are asked for. Refuses what 'advise' refuses.
+-- | The single arrays over GF(q) with at least the given number of cells, in order of size, for 16
+-- degrees, computed lazily. The first argument is q. Refuses what 'advise' refuses.
 singleArrays :: Natural -> Natural -> Either AdviceError [Option]
 singleArrays q cells
   | cells > 2 ^ (128 :: Int) = Left (AdviceTooLarge cells)
@@ -175,11 +179,11 @@ singleArrays q cells
     least = leastDegree q cells
     singles found = sortOn size [one | one@Option {optionLayout = Single _} <- adviceOptions found]
 
--- | The degree of the smallest arrays of so many cells.
+-- | The degree of the smallest arrays with at least this many cells over GF(q).
 leastDegree :: Natural -> Natural -> Natural
 leastDegree q cells = until (\n -> q ^ n - 1 >= cells) (+ 1) 1
 
--- | What is possible with the polynomials of a degree, and what is not.
+-- | The advice for the polynomials of one degree.
 adviseDegree :: KnownField k => Proxy k -> Request -> Natural -> Advice
 adviseDegree k request n
   | Just w <- requestWindow request, area w < n = Advice [] [WindowTooFewCells n w]
@@ -187,18 +191,18 @@ adviseDegree k request n
     Left why -> Advice [] [NotFactored n why]
     Right factors -> adviseShapes (Degree request n (candidates k n) (divisors factors))
 
--- | What is wanted, and what there is of one degree n.
+-- | The request, and the data for one degree n.
 data Degree k = Degree
   { degreeRequest :: Request,
     -- | n
     degreeNumber :: Natural,
-    -- | those that are tried
+    -- | the polynomials that are tried
     degreePolynomials :: [Primitive k],
-    -- | of q^n - 1, ascending
+    -- | the divisors of q^n - 1, ascending
     degreeDivisors :: [Natural]
   }
 
--- | What is possible in arrays of q^n - 1 cells, or of a part of them each, and what is not.
+-- | The advice for single arrays of q^n - 1 cells, and for several arrays that share them.
 adviseShapes :: KnownField k => Degree k -> Advice
 adviseShapes degree@(Degree request n _ ds) =
   Advice
@@ -230,7 +234,7 @@ adviseShapes degree@(Degree request n _ ds) =
           not (coprime shape)
       ]
 
--- | The shapes of this many cells with as many rows and columns as wanted.
+-- | The shapes with this many cells and at least the wanted rows and columns.
 shapesWanted :: Degree k -> Natural -> [Shape]
 shapesWanted degree cells =
   [ Shape n1 n2
@@ -245,7 +249,7 @@ shapesWanted degree cells =
 coprime :: Shape -> Bool
 coprime (Shape n1 n2) = gcd n1 n2 == 1
 
--- | Whether the windows wanted determine the position in these arrays.
+-- | Whether the wanted windows determine the position in these arrays.
 assess :: KnownField k => Degree k -> Layout -> Shape -> Either Obstacle Option
 assess degree@(Degree request n polynomials _) layout shape = case requestWindow request of
   Nothing -> Right (optionOf degree layout shape (fitting degree layout shape))
@@ -255,7 +259,7 @@ assess degree@(Degree request n polynomials _) layout shape = case requestWindow
       Right fit -> Right (optionOf degree layout shape [fit])
       Left tried -> Left (WindowFails n layout shape tried)
 
--- | The arrays of a layout and shape with these windows.
+-- | The option for arrays of a layout and shape with these windows.
 optionOf :: Degree k -> Layout -> Shape -> [Fit] -> Option
 optionOf degree layout shape found =
   Option
@@ -271,10 +275,10 @@ optionOf degree layout shape found =
     n = degreeNumber degree
     q = requestOrder (degreeRequest degree)
 
--- | What to do about n1 x n2 whose sides have a common divisor: the most nearly square shape of as
--- many cells on the torus, lying or standing alike; the same shape row by row on the twisted torus;
--- and as few arrays as possible, of parts of the sides. With the window wanted, or where it does
--- not work with others.
+-- | Alternatives for n1 x n2 cells whose sides have a common divisor: the most nearly square shapes
+-- with as many cells on the torus; the same shape row by row on the twisted torus; and as few
+-- arrays as possible whose sides divide n1 and n2. They have the wanted window or, if it does not
+-- work, others.
 repairs :: KnownField k => Degree k -> Shape -> [Option]
 repairs degree shape =
   [ optionOf degree layout other found
@@ -293,7 +297,7 @@ repairs degree shape =
           Right fit <- [fits (degreeNumber degree) (degreePolynomials degree) (layout, other) w]
       ]
 
--- | Shapes of as many cells with coprime sides, the most nearly square ones first.
+-- | Shapes with as many cells and coprime sides, the most nearly square ones first.
 otherShapes :: Degree k -> Shape -> [(Layout, Shape)]
 otherShapes degree shape =
   sortOn
@@ -307,7 +311,7 @@ otherShapes degree shape =
         (a <= b) == (rows shape <= columns shape)
     ]
 
--- | Several arrays of parts of the sides, the fewest arrays first.
+-- | Several arrays whose sides divide those of the shape, the fewest arrays first.
 parts :: Degree k -> Shape -> [(Layout, Shape)]
 parts (Degree request n _ ds) shape@(Shape n1 n2) =
   sortOn

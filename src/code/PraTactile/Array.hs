@@ -55,7 +55,7 @@ data Folding
     RowMajor
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | The surface on which a cell's neighbours are the same terms further on, wherever the cell is.
+-- | The surface on which neighbouring cells hold the same terms further on, wherever the cell is.
 naturalSurface :: Folding -> Surface
 naturalSurface Diagonal = Torus
 naturalSurface RowMajor = TwistedTorus
@@ -66,13 +66,12 @@ data FoldError
     NotCoprime Natural Natural Natural
   | -- | The shape does not have as many cells as the sequence has terms, this many.
     WrongArea Shape Natural
-  | -- | There are this many cells, more than the second number, which is the most that is held in
-    -- memory.
+  | -- | There are this many cells; the second number is the most that is held in memory.
     TooManyCells Natural Natural
   deriving stock (Eq, Show)
 
 -- | A period of the m-sequence of a primitive polynomial, folded so that it fills the shape. Only
--- 'fold' makes one. Its size has no limit: cells are computed as they are asked for.
+-- 'fold' makes one. Its size has no limit: cells are computed lazily.
 data PseudorandomArray (k :: Field) = PseudorandomArray
   { -- | The characteristic polynomial of the sequence.
     arrayPrimitive :: !(Primitive k),
@@ -83,13 +82,13 @@ data PseudorandomArray (k :: Field) = PseudorandomArray
     -- | The shape, n1 x n2.
     arrayShape :: !Shape,
     arrayWeights :: !Weights,
-    -- | The terms of the sequence, by what is made for all of them when first used.
+    -- | The terms of the sequence; what they need is computed once, when first used.
     arrayTerm :: Natural -> GF k
   }
 
 type role PseudorandomArray nominal
 
--- | An array with what lies beyond its edges.
+-- | An array with the surface that says what lies beyond its edges.
 data ArrayOn (k :: Field) = ArrayOn
   { arraySurface :: !Surface,
     arrayItself :: !(PseudorandomArray k)
@@ -101,9 +100,9 @@ type role ArrayOn nominal
 naturally :: PseudorandomArray k -> ArrayOn k
 naturally array = ArrayOn (naturalSurface (arrayFolding array)) array
 
--- | Fold a sequence into n1 x n2 cells. Refuses a shape whose cells are not q^n - 1 ('WrongArea'),
--- and the diagonal of one whose sides have a common divisor ('NotCoprime'). O(log N): what cells
--- are read from is made at the first one.
+-- | Folds a sequence into n1 x n2 cells. Refuses a shape without exactly q^n - 1 cells
+-- ('WrongArea'), and a diagonal fold whose sides have a common divisor ('NotCoprime'). O(log N);
+-- what cells are read from is computed when the first cell is read.
 fold ::
   forall k.
   KnownField k =>
@@ -143,15 +142,15 @@ positionOfIndex array i = case arrayFolding array of
   where
     Shape n1 n2 = arrayShape array
 
--- | The element at a position; positions beyond the edges continue on the 'naturalSurface'. The
--- array is not built: up to 2^20 cells are looked up in one period of the sequence, and of larger
--- arrays each cell is computed by a jump. Up to 2^20 cells O(1), after O(n N) and N bytes once for
--- the array; beyond, O(n^2 log N), after the table of 'termAt'.
+-- | The element at a position; positions beyond the edges continue on the 'naturalSurface'. Arrays
+-- of up to 2^20 cells are looked up in one period of the sequence: O(1), after O(n N) and N bytes
+-- once for the array. In larger arrays each cell is computed by a jump: O(n^2 log N), after the
+-- table of 'termAt'.
 cellAt :: KnownField k => PseudorandomArray k -> Position -> GF k
 cellAt array = arrayTerm array . sequenceIndex array
 
--- | The whole array as codes. Refuses more than 'largestGrid' cells before taking memory. O(n N),
--- and N bytes.
+-- | The whole array as codes. Refuses more than 'largestGrid' cells before allocating memory. O(n
+-- N), and N bytes.
 toGrid :: forall k. KnownField k => PseudorandomArray k -> Either FoldError Grid
 toGrid array
   | area shape > largestGrid = Left tooMany

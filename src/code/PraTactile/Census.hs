@@ -1,8 +1,8 @@
 {-# LANGUAGE RankNTypes #-}
 
--- | All arrays of a size, one after another: for an alphabet and a degree n, every primitive
--- polynomial, every shape that its sequence fills, and every window of interest; whether the
--- windows are distinct, by both methods, and how many errors they forgive.
+-- | All arrays of a size. For an alphabet and a degree n it lists every primitive polynomial, every
+-- shape that its sequence fills, and every window of interest, with two results: whether the
+-- windows are distinct, by both methods, and how many errors they can correct.
 module PraTactile.Census
   ( -- * What is asked
     Scope (..),
@@ -37,7 +37,7 @@ import PraTactile.Window
 import PraTactile.Window.Distance
 import PraTactile.Window.Proof
 
--- | What a census is of.
+-- | The alphabet, degree, foldings and windows that a census covers.
 data Scope = Scope
   { -- | q, the number of symbols
     scopeOrder :: Natural,
@@ -47,19 +47,19 @@ data Scope = Scope
     scopeDegree :: Natural,
     -- | how they are folded; the windows are those of the folding's natural surface
     scopeFoldings :: [Folding],
-    -- | the windows; none stands for those of 'scopeWindowsOf'
+    -- | the windows; empty for the standard ones of 'scopeWindowsOf'
     scopeWindows :: [Shape]
   }
   deriving stock (Eq, Show)
 
--- | The census of q and n: the default modulus, both foldings, the standard windows. Refuses a q
--- that is no prime power up to 256.
+-- | The scope of q and n with the default modulus, both foldings and the standard windows. Refuses
+-- a q that is not a prime power up to 256.
 standardScope :: Natural -> Natural -> Either CensusError Scope
 standardScope q n = do
   (_, modulus) <- first CensusField (conwayModulus q)
   pure (Scope q modulus n [minBound .. maxBound] [])
 
--- | The scope in words, equal for equal scopes.
+-- | The scope as text; equal scopes have equal texts.
 --
 -- >>> scopeText <$> standardScope 4 4
 -- Right "q=4 modulus=1,1,1 degree=4 foldings=diagonal,row-major windows=standard"
@@ -91,9 +91,9 @@ windowsOf = nub . sort . scopeWindows
 data CensusError
   = -- | There is no such alphabet.
     CensusField FieldError
-  | -- | The modulus has this degree, but q is p^m with the second number as m.
+  | -- | The modulus has the first degree, but it should have the second, m in q = p^m.
     CensusModulus Natural Natural
-  | -- | There are no primitive polynomials of the degree, or they are not known.
+  | -- | There are no primitive polynomials of the degree, or they are unknown.
     CensusPolynomial PolynomialError
   | -- | There is no such window.
     CensusWindow WindowError
@@ -101,9 +101,9 @@ data CensusError
     CensusTooManyShapes Natural Natural
   deriving stock (Eq, Show)
 
--- | The shapes that a sequence of q^n - 1 terms fills, given the factors of that number: by
--- increasing number of rows, all divisors; along the diagonal those whose sides are coprime.
--- O(d log d) for d divisors.
+-- | The shapes that a sequence of q^n - 1 terms fills, by increasing number of rows, given the
+-- prime factors of q^n - 1. Row by row every divisor gives a shape; along the diagonal the sides
+-- must be coprime. O(d log d) for d divisors.
 scopeShapes :: Folding -> [(Natural, Natural)] -> [Shape]
 scopeShapes folding factors =
   [ shape
@@ -115,9 +115,9 @@ scopeShapes folding factors =
     terms = product [l ^ e | (l, e) <- factors]
     coprime (Shape n1 n2) = gcd n1 n2 == 1
 
--- | The windows of a scope that an array of this shape holds. The standard ones are the rectangles
--- of n cells, the fewest that can determine all positions, and those with one row or column more,
--- which forgive something.
+-- | The windows of a scope that fit an array of this shape. The standard ones are the rectangles of
+-- n cells, the fewest that can determine all positions, and those with one row or column more,
+-- which can correct errors.
 --
 -- >>> let shown (Shape a b) = show a ++ "x" ++ show b
 -- >>> map shown . (`scopeWindowsOf` Shape 15 17) <$> standardScope 4 4
@@ -134,9 +134,9 @@ scopeWindowsOf scope (Shape n1 n2)
     sides = [(a, n `div` a) | a <- takeWhile (<= n) [1 ..], n `mod` a == 0]
     fits (Shape k1 k2) = k1 <= n1 && k2 <= n2
 
--- | The foldings, shapes and windows that every polynomial is taken with, in their order: entry i
--- of a census has the one with index i modulo their number. Refuses as 'censusSize' does. q^n - 1
--- is factored ('factorisePowerMinusOne'); then O(d log d + p) for its d divisors and p places.
+-- | The foldings, shapes and windows for each polynomial, in order. Entry i of a census has the one
+-- with index i modulo their number. Refuses what 'censusSize' refuses. q^n - 1 is factored
+-- ('factorisePowerMinusOne'); then O(d log d + p) for its d divisors and p places.
 --
 -- >>> length <$> (standardScope 4 4 >>= scopePlaces)
 -- Right 104
@@ -148,9 +148,9 @@ placesOver scope k = do
   shapes <- shapesOf k scope
   pure [(folding, shape, window) | (folding, shape) <- shapes, window <- scopeWindowsOf scope shape]
 
--- | An array and a window, and what was found of them.
+-- | An array and a window, with the results for them.
 data Entry = Entry
-  { -- | its place in the census, from 0
+  { -- | its number in the census, from 0
     entryNumber :: Natural,
     -- | the characteristic polynomial, as codes
     entryPolynomial :: [Natural],
@@ -164,7 +164,7 @@ data Entry = Entry
   }
   deriving stock (Eq, Show)
 
--- | How many entries a census has. Refuses as 'census' does. q^n - 1 is factored
+-- | The number of entries of a census. Refuses what 'census' refuses. q^n - 1 is factored
 -- ('factorisePowerMinusOne').
 censusSize :: Scope -> Either CensusError Natural
 censusSize scope = overField scope $ \k -> do
@@ -172,11 +172,11 @@ censusSize scope = overField scope $ \k -> do
   polynomials <- first CensusPolynomial (countPrimitive k (scopeDegree scope))
   pure (polynomials * fromIntegral (length places))
 
--- | The entries of a census whose numbers are wanted, in order, made as they are asked for: by
--- polynomial, by folding, by shape, by window. Refuses alphabets that there are not, degree 0,
--- degrees for which q^n - 1 is not factored or has too many divisors, and windows that are none.
--- The polynomials are found by 'primitivePolynomials', also those whose entries are not wanted;
--- each wanted entry costs 'prove' and 'minimumDistance'.
+-- | The entries of a census whose numbers satisfy the condition, computed lazily. They are ordered
+-- by polynomial, then folding, shape and window. Refuses unknown alphabets, degree 0, degrees for
+-- which q^n - 1 is not factored or has too many divisors, and invalid windows.
+-- 'primitivePolynomials' finds the polynomials, including those whose entries are not wanted. Each
+-- wanted entry costs 'prove' and 'minimumDistance'.
 census :: (Natural -> Bool) -> Scope -> Either CensusError [Entry]
 census wanted scope = overField scope (\k -> entriesOver k wanted scope)
 
@@ -212,7 +212,7 @@ entriesOver k wanted scope = do
         wanted number
     ]
 
--- | An array and a window of this shape, as a mask, with their number in the census.
+-- | The entry with this number for an array and a window, given by its shape and its mask.
 entryOf :: KnownField k => Natural -> PseudorandomArray k -> Shape -> Mask -> Entry
 entryOf number array window mask =
   Entry
@@ -227,7 +227,7 @@ entryOf number array window mask =
   where
     h = arrayPrimitive array
 
--- | 2^16: the most divisors of q^n - 1 that are gone through.
+-- | The most divisors of q^n - 1 that are used, 2^16.
 largestShapes :: Natural
 largestShapes = 2 ^ (16 :: Int)
 
@@ -244,7 +244,7 @@ shapesOf k scope = do
     p = fromIntegral (fieldCharacteristic k)
     m = fromIntegral (fieldDegree k)
 
--- | Bring the alphabet into scope.
+-- | Brings the alphabet into scope.
 overField ::
   Scope ->
   (forall k. KnownField k => Proxy k -> Either CensusError r) ->

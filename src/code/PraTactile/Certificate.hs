@@ -1,6 +1,6 @@
--- | A proof of the window property as data that a stranger can check: everything that the proof
--- stands on is written down so that checking it takes no search. "PraTactile.Certificate.Check"
--- checks it, and so does @data/check_certificate.py@, which shares nothing with this library.
+-- | Proofs of the window property as data that a stranger can check. They contain everything that
+-- the proof rests on, so that checking needs no search. "PraTactile.Certificate.Check" checks them,
+-- and so does @data/check_certificate.py@, which shares no code with this library.
 module PraTactile.Certificate
   ( -- * Certificates
     Certificate (..),
@@ -33,22 +33,22 @@ import PraTactile.Window
 import PraTactile.Window.Proof
 import PraTactile.Window.Visit (visitedShape)
 
--- | All windows of a mask on an array are distinct, and why. With N = q^n - 1, h is primitive
--- because x has order N modulo h: x^N is 1, and x^(N/l) is not for any prime l that divides N;
--- whence the sequence has period N, and fills the array.
+-- | A proof that all windows of a mask on an array are distinct. Let N = q^n - 1. The polynomial h
+-- is primitive because x has order N modulo h: x^N is 1, and x^(N/l) is not 1 for any prime l that
+-- divides N. So the sequence has period N and fills the array.
 data Certificate = Certificate
   { -- | the array and the surface; the window is the smallest rectangle that holds the mask
     certificateProfile :: Profile,
     -- | the cells of the window, by their offsets, in reading order
     certificateMask :: [Position],
-    -- | how many windows the surface has, all of them distinct
+    -- | the number of windows of the surface, all distinct
     certificateWindows :: Natural,
     -- | N = q^n - 1
     certificatePeriod :: Natural,
     -- | the factorisation of N, ascending
     certificateFactors :: [OrderFactor],
-    -- | the primes used that are not below 'millerRabinDomain', each after those that its proof
-    -- uses
+    -- | the primes in use that are not below 'millerRabinDomain', each after the primes that its
+    -- proof uses
     certificatePrimes :: [PrimeProof],
     -- | why the windows are distinct
     certificateEvidence :: Evidence
@@ -63,16 +63,16 @@ data OrderFactor = OrderFactor
   }
   deriving stock (Eq, Show)
 
--- | A number P shown to be prime by Pocklington's theorem: the prime powers l^e of the witnesses
--- divide P - 1, their product exceeds the square root of P, and for each a witness a has a^(P-1) =
--- 1 modulo P and a^((P-1)/l) - 1 coprime to P.
+-- | A proof by Pocklington's theorem that a number P is prime. The prime powers l^e of the
+-- witnesses divide P - 1, and their product exceeds the square root of P. For each witness a,
+-- a^(P-1) = 1 modulo P, and a^((P-1)/l) - 1 is coprime to P.
 data PrimeProof = PrimeProof
   { shownPrime :: Natural,
     shownBy :: [PrimeWitness]
   }
   deriving stock (Eq, Show)
 
--- | A prime l with its exponent e in P - 1, and the witness a.
+-- | A prime l with its exponent e in P - 1, and the witness a for it.
 data PrimeWitness = PrimeWitness
   { witnessPrime :: Natural,
     witnessExponent :: Natural,
@@ -84,24 +84,24 @@ data PrimeWitness = PrimeWitness
 data Evidence
   = -- | The alpha^e(i, j) of the mask have rank n.
     ByRank RankEvidence
-  | -- | Visiting all windows has seen them distinct: the 'digestOfWindows'.
+  | -- | All windows were visited and are distinct; the text is their 'digestOfWindows'.
     ByEnumeration String
   deriving stock (Eq, Show)
 
--- | That a mask has rank n.
+-- | A proof that a mask has rank n.
 data RankEvidence = RankEvidence
   { -- | alpha^e(i, j) for each cell of the mask, by n codes, the coefficient of 1 first
     rankVectors :: [[Natural]],
-    -- | n of the cells, by their indices in the mask, ascending
+    -- | n of the cells, by ascending indices in the mask
     rankCells :: [Natural],
-    -- | the inverse, by rows, of the matrix whose rows are the vectors of those cells
+    -- | the inverse of the matrix whose rows are the vectors of those cells, by rows
     rankInverse :: [[Natural]]
   }
   deriving stock (Eq, Show)
 
--- | By which method to certify.
+-- | The method of a certificate.
 data Method
-  = -- | By rank where the rank decides, otherwise by enumeration.
+  = -- | By rank if the rank decides, otherwise by enumeration.
     AnyMethod
   | RankMethod
   | EnumerationMethod
@@ -109,29 +109,28 @@ data Method
 
 -- | Why there is no certificate.
 data CertificateError
-  = -- | The profile describes no array.
+  = -- | The profile does not describe an array.
     CertificateProfile ProfileError
   | -- | There is no verdict.
     CertificateProof ProofError
   | -- | The windows are not distinct.
     NotDistinct Verdict
-  | -- | The rank decides nothing on this surface.
+  | -- | The rank does not decide on this surface.
     RankUndecided Verdict
   | -- | Not all windows were visited, or they are too many for a digest.
     NotVisited Verdict
-  | -- | N was not factored.
+  | -- | N could not be factored.
     PeriodNotFactored FactorError
-  | -- | This prime is beyond 'millerRabinDomain', and its primality was not shown in a way that a
+  | -- | This prime is not below 'millerRabinDomain', and no proof of its primality was found that a
     -- certificate can state.
     PrimeNotShown Natural
   deriving stock (Eq, Show)
 
--- | Prove that all windows of a mask are distinct on the profile's surface, and write the proof
--- down. The profile's window becomes the extent of the mask. Refuses a profile without an array,
--- windows that are not distinct, and what cannot be shown on the method asked for. The cost is that
--- of 'prove' and 'factorisePowerMinusOne', and O(r (n^3 + q n^2)) for r primes that divide q^n - 1;
--- by enumeration the windows are put in order besides, with 4 bytes for each possible content or by
--- sorting.
+-- | Proves that all windows of a mask are distinct on the profile's surface, and returns the proof.
+-- The profile's window becomes the extent of the mask. Refuses a profile without an array, windows
+-- that are not distinct, and what the given method cannot prove. The cost is that of 'prove' and
+-- 'factorisePowerMinusOne', and O(r (n^3 + q n^2)) for r primes that divide q^n - 1. By enumeration
+-- the windows are also sorted, with 4 bytes for each possible content or by a sorting algorithm.
 certify :: Method -> Profile -> Mask -> Either CertificateError Certificate
 certify method profile mask = do
   outcome <- first CertificateProfile (withProfile stated certified)
@@ -173,7 +172,8 @@ certifyArray method profile array mask = do
     m = fromIntegral (fieldDegree array)
     residueAt = codes . residueCoefficients h . powerOfRoot h
 
--- | Why all windows of an array are distinct, by a method, given the verdict that they are.
+-- | The evidence, by a method, that all windows of an array are distinct. The verdict says that
+-- they are.
 evidenceBy ::
   KnownField k =>
   Method ->
@@ -195,7 +195,7 @@ evidenceBy method profile array mask verdict = case method of
       True <- rankDecision verdict
       ByRank <$> rankEvidence array mask
 
--- | The evidence that a mask has rank n, which is known of it.
+-- | The evidence that a mask has rank n; 'Nothing' if it has not.
 rankEvidence :: KnownField k => PseudorandomArray k -> Mask -> Maybe RankEvidence
 rankEvidence array mask =
   evidence <$> inverseMatrix [x | (i, x) <- zip [0 ..] vectors, i `elem` cells]

@@ -1,7 +1,7 @@
--- | Which power of alpha an element of GF(q^n) is: the step from the state of the shift register to
--- the position (Pohlig and Hellman, IEEE Trans. Inf. Theory 24, 1978, with the baby steps and giant
--- steps of Shanks). The cost goes with the square root of the largest prime that divides q^n - 1,
--- and where that is too large the answer is a refusal.
+-- | Discrete logarithms in GF(q^n) to the base alpha: the step from the state of the shift register
+-- to the position. The method is that of Pohlig and Hellman (IEEE Trans. Inf. Theory 24, 1978) with
+-- Shanks's baby steps and giant steps. The cost grows with the square root of the largest prime
+-- that divides q^n - 1; if that prime is too large the functions refuse.
 module PraTactile.DiscreteLog
   ( -- * Logarithms
     discreteLogarithm,
@@ -31,31 +31,31 @@ import PraTactile.Polynomial
 
 -- | Why there is no logarithm.
 data LogarithmError
-  = -- | Zero is no power of alpha.
+  = -- | Zero is not a power of alpha.
     LogarithmOfZero
-  | -- | The largest prime that divides q^n - 1, the first number, exceeds 'largestFeasiblePrime',
-    -- the second.
+  | -- | The first number, the largest prime that divides q^n - 1, exceeds the second,
+    -- 'largestFeasiblePrime'.
     LogarithmInfeasible Natural Natural
   deriving stock (Eq, Show)
 
--- | 2^18: baby steps kept for one prime. With their table they take about 50 MB.
+-- | The most baby steps that are kept for one prime, 2^18. Their table takes about 50 MB.
 mostBabySteps :: Natural
 mostBabySteps = 2 ^ (18 :: Int)
 
--- | 2^40: with 'mostBabySteps', up to 2^22 giant steps are made, some seconds of them.
+-- | 2^40. With 'mostBabySteps', up to 2^22 giant steps are made, which take some seconds.
 largestFeasiblePrime :: Natural
 largestFeasiblePrime = 2 ^ (40 :: Int)
 
--- | What is computed once for all logarithms to the base alpha, as far as they need it.
+-- | What is computed once for all logarithms to the base alpha, when needed.
 data Logarithms (k :: Field) = Logarithms (Primitive k) [Part k]
 
 type role Logarithms nominal
 
--- | One prime power r^e of q^n - 1, and how to take logarithms in the subgroup of order r.
+-- | One prime power r^e of q^n - 1, with the tables for logarithms in the subgroup of order r.
 data Part k = Part
   { partPrime :: Natural,
     partExponent :: Natural,
-    -- | m, how many baby steps there are
+    -- | the number m of baby steps
     partSteps :: Natural,
     -- | gamma^j -> j, j < m, gamma = alpha^((q^n - 1)/r)
     partBaby :: Map (Residue k) Natural,
@@ -63,14 +63,14 @@ data Part k = Part
     partGiant :: Residue k
   }
 
--- | Prepare to take logarithms to the base alpha, the root of h. Refuses when a prime that divides
--- q^n - 1 is too large ('LogarithmInfeasible'). O(1) itself: the first logarithm makes min (sqrt r)
--- 'mostBabySteps' products of O(n^2) for each prime r that divides q^n - 1, and they are kept.
+-- | Prepares logarithms to the base alpha, the root of h. Refuses if a prime that divides q^n - 1
+-- is too large ('LogarithmInfeasible'). It is O(1) itself: the first logarithm makes min (sqrt r)
+-- 'mostBabySteps' products of O(n^2) for each prime r that divides q^n - 1, and keeps them.
 prepareLogarithms :: KnownField k => Primitive k -> Either LogarithmError (Logarithms k)
 prepareLogarithms = prepareLogarithmsWith mostBabySteps
 
--- | The same with a table of at most so many baby steps for each prime, at least one: of a smaller
--- table each logarithm takes longer, a giant step for each m of r.
+-- | 'prepareLogarithms' with at most the given number of baby steps for each prime, at least one.
+-- With a smaller table each logarithm takes longer: one giant step for each m of r.
 prepareLogarithmsWith ::
   KnownField k => Natural -> Primitive k -> Either LogarithmError (Logarithms k)
 prepareLogarithmsWith most h
@@ -86,9 +86,9 @@ prepareLogarithmsWith most h
         gamma = powerOfRoot h cofactor
         babies = iterate (multiplyModulo h gamma) (powerOfRoot h 0)
 
--- | The exponent 0 <= t < q^n - 1 with alpha^t equal to the residue. Refuses zero.
--- O(k n^2 (s + n log q)) for k prime factors of q^n - 1, the largest of which, r, takes s = max
--- (sqrt r) (r / m) steps, m being how many baby steps are kept at most.
+-- | The exponent 0 <= t < q^n - 1 for which alpha^t is the residue. Refuses zero. O(k n^2 (s + n
+-- log q)) for k prime factors of q^n - 1. The largest one, r, takes s = max (sqrt r) (r / m) steps,
+-- where m is the number of baby steps that are kept.
 logarithmFrom :: KnownField k => Logarithms k -> Residue k -> Either LogarithmError Natural
 logarithmFrom (Logarithms h parts) a
   | a == residue h 0 = Left LogarithmOfZero
@@ -100,8 +100,8 @@ logarithmFrom (Logarithms h parts) a
 partPower :: Part k -> Natural
 partPower p = partPrime p ^ partExponent p
 
--- | For each r^e, a^(N/r^e) with N the product of all of them. Half of them at a time, so that the
--- powers of the other half are taken once.
+-- | For each r^e, the power a^(N/r^e), where N is the product of all r^e. They are computed by
+-- halves, so that the powers for the other half are taken once.
 components :: KnownField k => Primitive k -> [Part k] -> Residue k -> [(Part k, Residue k)]
 components h parts a = case splitAt (length parts `div` 2) parts of
   ([], ps) -> [(p, a) | p <- ps]
@@ -109,8 +109,8 @@ components h parts a = case splitAt (length parts `div` 2) parts of
   where
     powered = powerOfResidue h a . product . map partPower
 
--- | The logarithm modulo r^e: its base-r digits, the lowest first. With b = a^(N/r^e) and the
--- digits below r^i known to be x, the digit i is the logarithm to the base gamma of (b / alpha^(x
+-- | The logarithm modulo r^e, by its base-r digits, the lowest first. Let b = a^(N/r^e), and let x
+-- be the digits below r^i. Then digit i is the logarithm to the base gamma of (b / alpha^(x
 -- N/r^e))^(r^(e-1-i)).
 partLogarithm :: KnownField k => Primitive k -> Part k -> Residue k -> Natural
 partLogarithm h p b = foldl' withDigit 0 [0 .. partExponent p - 1]
@@ -123,8 +123,8 @@ partLogarithm h p b = foldl' withDigit 0 [0 .. partExponent p - 1]
       | x == 0 = b
       | otherwise = multiplyModulo h b (powerOfRoot h ((partPower p - x) * cofactor))
 
--- | The logarithm to the base gamma of one of its powers: some giant step i back from it ends on a
--- baby step j, and it is i m + j.
+-- | The logarithm to the base gamma of one of its powers. If i giant steps back end on the baby
+-- step j, it is i m + j.
 stepLogarithm :: KnownField k => Primitive k -> Part k -> Residue k -> Natural
 stepLogarithm h p d =
   sum (take 1 (mapMaybe found (zip giants (iterate (multiplyModulo h (partGiant p)) d))))
@@ -145,8 +145,9 @@ chineseRemainder (x, m) (y, n) = (x + m * step, m * n)
     euclid s t =
       let (quotient, rest) = s `divMod` t; (u, v) = euclid t rest in (v, u - quotient * v)
 
--- | The logarithm of one residue to the base alpha. Refuses zero, and fields in which it is
--- infeasible. The baby steps are made at each call: for many residues, 'prepareLogarithms' once.
+-- | The logarithm of one residue to the base alpha. Refuses zero, and fields in which logarithms
+-- are infeasible. Each call computes the baby steps anew; for many residues, use
+-- 'prepareLogarithms' once.
 --
 -- >>> import PraTactile.Field.Named (GF4)
 -- >>> let twice h = discreteLogarithm h (powerOfRoot h 123)

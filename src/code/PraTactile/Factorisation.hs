@@ -1,7 +1,7 @@
--- | Primes and factors of integers, as far as the order of a root of h asks for them: h is
--- primitive when its root has order exactly q^n - 1, which is decided from the primes that divide
--- q^n - 1. Every answer is proved; where the effort allowed does not suffice, the answer is a
--- refusal. Imports base only.
+-- | Factors and primes of integers, as needed for the order of a polynomial's root. A polynomial h
+-- is primitive when its root has order exactly q^n - 1, and the primes that divide q^n - 1 decide
+-- that. Every answer is proved; if the allowed effort does not suffice, the function refuses.
+-- Imports base only.
 module PraTactile.Factorisation
   ( -- * Factorisation
     factorise,
@@ -27,10 +27,10 @@ import Numeric.Natural (Natural)
 import PraTactile.Factorisation.Divisor
 import PraTactile.Factorisation.Prime
 
--- | The primes that divide a number, ascending, each with its exponent. Refuses 0, a number left
--- with two prime factors of more than about 12 digits, and one with a prime above
--- 'millerRabinDomain' for which 'pocklingtonFactors' are too few. O(sqrt p) products modulo the
--- number for its second largest prime p, at most 2^23.
+-- | The primes that divide a number, ascending, each with its exponent. Refuses 0; a number with
+-- two prime factors of more than about 12 digits; and one with a prime above 'millerRabinDomain'
+-- for which 'pocklingtonFactors' do not suffice. O(sqrt p) products modulo the number for its
+-- second largest prime p, at most 2^23.
 --
 -- >>> factorise (2 ^ 64 - 1)
 -- Right [(3,1),(5,1),(17,1),(257,1),(641,1),(65537,1),(6700417,1)]
@@ -38,9 +38,9 @@ factorise :: Natural -> Either FactorError [(Natural, Natural)]
 factorise 0 = Left FactorisationOfZero
 factorise n = collect <$> primeFactors n
 
--- | The factorisation of b^n - 1 by way of its algebraic factors, the 'cyclotomicValues' at b of
--- the divisors of n. Refuses b < 2 or n = 0 (the number is 0), at once what 'checkPower' does, and
--- as 'factorise' does. As 'factorise', for each value.
+-- | The factorisation of b^n - 1 from its algebraic factors, the 'cyclotomicValues' at b of the
+-- divisors of n. Refuses b < 2 and n = 0, at once what 'checkPower' refuses, and then what
+-- 'factorise' refuses. The cost is that of 'factorise' for each value.
 --
 -- >>> factorisePowerMinusOne 4 4
 -- Right [(3,1),(5,1),(17,1)]
@@ -50,7 +50,7 @@ factorisePowerMinusOne b n
   | otherwise =
     checkPower b n >> collect . concat <$> mapM (primeFactors . snd) (cyclotomicValues b n)
 
--- | Refuses b and n at once if b^n exceeds 'largestPower'.
+-- | Refuses b and n if b^n exceeds 'largestPower', without computing much.
 --
 -- >>> checkPower 2 1000000
 -- Left (PowerTooLarge 2 1000000)
@@ -59,13 +59,14 @@ checkPower b n
   | b > 1 && (n > 1024 || b ^ n > largestPower) = Left (PowerTooLarge b n)
   | otherwise = Right ()
 
--- | 2^1024: beyond it b^n - 1 has parts for which the effort hardly ever suffices.
+-- | 2^1024. For larger powers b^n - 1 has parts that can hardly ever be factored with the allowed
+-- effort.
 largestPower :: Natural
 largestPower = 2 ^ (1024 :: Int)
 
 -- | The divisors d of n >= 1, ascending, each with the value at b >= 2 of the d-th cyclotomic
--- polynomial. Their product is b^n - 1, for every divisor in the place of n. O(n + d^2) for d
--- divisors, in operations on numbers up to b^n.
+-- polynomial. The product of these values is b^n - 1, and for each divisor e of n the values of e's
+-- divisors multiply to b^e - 1. O(n + d^2) for d divisors, in operations on numbers up to b^n.
 --
 -- >>> cyclotomicValues 2 6
 -- [(1,1),(2,3),(3,7),(6,3)]
@@ -78,7 +79,7 @@ cyclotomicValues b n = values
 collect :: [Natural] -> [(Natural, Natural)]
 collect primes = [(p, fromIntegral (length same)) | same@(p : _) <- group (sort primes)]
 
--- | The prime factors of a positive number, each as often as it divides.
+-- | The prime factors of a positive number, with repetition.
 primeFactors :: Natural -> Either FactorError [Natural]
 primeFactors n = (small ++) <$> split rest
   where
@@ -92,16 +93,16 @@ primeFactors n = (small ++) <$> split rest
           Nothing -> Left (FactorNotFound m)
           Just d -> (++) <$> split d <*> split (m `div` d)
 
--- | The prime factors of n - 1, ascending, each with its exponent, that are found and are below
--- 'millerRabinDomain': if their product is above the square root of n, and each has a
--- 'isPocklingtonWitness', n is prime.
+-- | Those prime factors of n - 1, ascending with their exponents, that are found and are below
+-- 'millerRabinDomain'. If their product exceeds the square root of n, and each has an
+-- 'isPocklingtonWitness', then n is prime.
 --
 -- >>> take 3 (pocklingtonFactors (2 ^ 89 - 1))
 -- [(2,1),(3,1),(5,1)]
 pocklingtonFactors :: Natural -> [(Natural, Natural)]
 pocklingtonFactors = collect . factorsOfPredecessor
 
--- | Euler's function of the number that has this factorisation: how many of its residues are units.
+-- | Euler's function of the number with this factorisation: the number of units modulo it.
 --
 -- >>> totient <$> factorise 255
 -- Right 128

@@ -7,10 +7,10 @@
 {-# LANGUAGE UnboxedTuples #-}
 {-# LANGUAGE UndecidableInstances #-}
 
--- | The symbols of the alphabet: elements of GF(q), q = p^m a prime power up to 256 (section II of
--- the paper), as bytes with table arithmetic. The field is an index of the type, so elements of
--- different fields do not mix; 'withField' makes that index from a characteristic and a modulus
--- known at run time only.
+-- | The symbols of the alphabet: elements of GF(q), where q = p^m is a prime power up to 256
+-- (section II of the paper). They are bytes with table arithmetic. The field is an index of the
+-- type, so elements of different fields cannot be mixed. 'withField' makes that index from a
+-- characteristic and a modulus that are known only at run time.
 module PraTactile.Field
   ( -- * Fields
     Field (Over),
@@ -66,8 +66,8 @@ newtype GF (k :: Field) = GF Word8
 
 type role GF nominal
 
--- | The field is known: named in "PraTactile.Field.Named", or brought by 'withField'. Its
--- arithmetic is a set of tables, which are made once a field.
+-- | Fields whose arithmetic tables are known: those named in "PraTactile.Field.Named", and those
+-- that 'withField' brings into scope. The tables are made once for each field.
 class KnownField (k :: Field) where
   tables :: Tables
 
@@ -77,10 +77,10 @@ instance NamedField ('Over p modulus) => KnownField ('Over p modulus) where
 instance Reifies s Tables => KnownField ('RunTime s) where
   tables = reflect (Proxy @s)
 
--- | Bring GF(p)[x] / f into scope, given p and the modulus f, constant term first. Refuses, each
--- with its own 'FieldError', a p that is no prime, an order above 256, and a modulus that is
--- constant, not monic, not reduced modulo p, or reducible. O(q^2 m), m being the degree of f: each
--- call makes tables of 130 kB.
+-- | Brings GF(p)[x] / f into scope, given p and the modulus f, constant term first. Refuses, each
+-- with its own 'FieldError', a p that is not prime, an order above 256, and a modulus that is
+-- constant, not monic, not reduced modulo p, or reducible. O(q^2 m), where m is the degree of f;
+-- each call makes tables of 130 kB.
 --
 -- >>> withField 2 [1, 1, 1] fieldOrder
 -- Right 4
@@ -94,15 +94,15 @@ withField p modulus use = do
     runTime :: Proxy s -> Proxy ('RunTime s)
     runTime _ = Proxy
 
--- | q, the number of elements.
+-- | The number of elements, q.
 fieldOrder :: forall k proxy. KnownField k => proxy k -> Int
 fieldOrder _ = tableOrder (tables @k)
 
--- | p, the prime of which q is a power.
+-- | The prime p of which q is a power.
 fieldCharacteristic :: forall k proxy. KnownField k => proxy k -> Int
 fieldCharacteristic _ = tableCharacteristic (tables @k)
 
--- | m, with q = p^m.
+-- | The exponent m in q = p^m.
 fieldDegree :: forall k proxy. KnownField k => proxy k -> Int
 fieldDegree _ = tableDegree (tables @k)
 
@@ -128,9 +128,9 @@ at1 :: Primitive.Vector Word8 -> Word8 -> Word8
 at1 table a = unsafeIndex table (fromIntegral a)
 {-# INLINE at1 #-}
 
--- | 'fromInteger' is the ring map from Z, so 2 is 0 in GF(4); codes are read by 'fromCode'. A field
--- has no order that its arithmetic respects: 'abs' is the identity and 'signum' is 1 except at 0,
--- which keeps @abs x * signum x == x@.
+-- | 'fromInteger' is the ring map from Z, so 2 is 0 in GF(4); 'fromCode' reads codes. A finite
+-- field has no compatible order, so 'abs' is the identity, and 'signum' is 1 except at 0. This
+-- keeps @abs x * signum x == x@.
 instance KnownField k => Num (GF k) where
   GF a + GF b = GF (at2 (tableSum (tables @k)) a b)
   {-# INLINE (+) #-}
@@ -155,8 +155,8 @@ zero = GF 0
 one :: GF k
 one = GF 1
 
--- | The smallest code of multiplicative order q - 1. For a Conway modulus it is A, the modulus's
--- root.
+-- | The element with the smallest code among those of multiplicative order q - 1. For a Conway
+-- modulus it is A, the modulus's root.
 primitive :: forall k. KnownField k => GF k
 primitive = GF (tablePrimitive (tables @k))
 
@@ -216,7 +216,7 @@ showElement a = case logarithm a of
   Just 1 -> "A"
   Just e -> "A^" ++ show e
 
--- | Read a code (@3@) or a power of A = 'primitive' (@A@, @A^2@; exponents of any size). Refuses
+-- | Reads a code (@3@) or a power of A = 'primitive' (@A@, @A^2@; exponents of any size). Refuses
 -- codes not below q and any other text. O(k) for k characters.
 parseElement :: forall k. KnownField k => String -> Either FieldError (GF k)
 parseElement text = case text of
@@ -231,6 +231,6 @@ parseElement text = case text of
     q = fromIntegral (tableOrder (tables @k)) :: Natural
     significant = dropWhile (== '0') text
     code = remainderBy 1000 significant
-    -- The number that the digits write, modulo n.
+    -- The number written by the digits, modulo n.
     remainderBy :: Natural -> String -> Natural
     remainderBy n = foldl' (\r d -> (10 * r + fromIntegral (ord d - ord '0')) `mod` n) 0

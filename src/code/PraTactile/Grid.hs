@@ -38,38 +38,38 @@ import Data.Word (Word8)
 import Numeric.Natural (Natural)
 import PraTactile.Position
 
--- | The cells of a rectangle, row by row. O(N) for N cells, made as they are asked for.
+-- | The cells of a rectangle, row by row. O(N) for N cells, computed lazily.
 --
 -- >>> [(r, c) | Position r c <- shapeCells (Shape 2 2)]
 -- [(0,0),(0,1),(1,0),(1,1)]
 shapeCells :: Shape -> [Position]
 shapeCells shape = Position <$> naturalsBelow (rows shape) <*> naturalsBelow (columns shape)
 
--- | The cell with this index, from 0, when the cells of a rectangle are counted row by row.
+-- | The cell with this index, from 0, in a rectangle counted row by row.
 --
 -- >>> positionAt (Shape 2 3) 4
 -- Position {row = 1, column = 1}
 positionAt :: Shape -> Int -> Position
 positionAt shape i = uncurry Position (fromIntegral i `divMod` max 1 (columns shape))
 
--- | The smallest rectangle from the upper left cell on that has the cells with these offsets and
--- that cell itself. O(m) for m offsets.
+-- | The smallest rectangle that contains the cells with these offsets and the upper left cell (0,
+-- 0). O(m) for m offsets.
 --
 -- >>> extentOf [Position 2 1, Position 0 4]
 -- Shape {rows = 3, columns = 5}
 extentOf :: [Position] -> Shape
 extentOf offsets = Shape (1 + maximum (0 : map row offsets)) (1 + maximum (0 : map column offsets))
 
--- | The natural numbers below this one, ascending: @[0 .. n - 1]@ would underflow for 0. O(n), made
--- as they are asked for.
+-- | The natural numbers below this one, ascending. @[0 .. n - 1]@ would underflow for 0. O(n),
+-- computed lazily.
 --
 -- >>> naturalsBelow 3
 -- [0,1,2]
 naturalsBelow :: Natural -> [Natural]
 naturalsBelow n = takeWhile (< n) [0 ..]
 
--- | The first row whose length is not that of the first: its index from 0, its length, and the
--- first row's. O(N) for N cells.
+-- | The first row whose length differs from the first row's: its index from 0, its length, and the
+-- first row's length. O(N) for N cells.
 --
 -- >>> raggedRow ["ab", "cd", "e"]
 -- Just (2,1,2)
@@ -80,16 +80,17 @@ raggedRow given = listToMaybe [(i, n, width) | (i, n) <- zip [0 ..] (map length 
 
 -- | What lies beyond the last row and the last column.
 data Surface
-  = -- | The first row and the first column.
+  = -- | After the last row comes the first row, and after the last column the first column.
     Torus
-  | -- | The first row; but one past the last column is column 0 of the next row.
+  | -- | After the last row comes the first row. After the last column comes column 0 of the next
+    -- row.
     TwistedTorus
-  | -- | Nothing.
+  | -- | Nothing lies beyond the edges.
     Sheet
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | The cell within the shape that a row and a column, also negative ones, are on this surface.
--- 'Nothing' exactly beyond the edges of the sheet, or when the shape has no cells.
+-- | The cell within the shape for a row and a column, which may be negative, on this surface.
+-- 'Nothing' exactly if it is beyond the edges of the sheet, or the shape has no cells.
 --
 -- >>> canonicalPosition TwistedTorus (Shape 3 5) 2 7
 -- Just (Position {row = 0, column = 2})
@@ -110,8 +111,8 @@ canonicalPosition surface shape r c
     width = toInteger (columns shape)
     position i j = Position (fromInteger i) (fromInteger j)
 
--- | The cell that lies an offset's rows below and columns to the right of a position, on this
--- surface of this shape, as 'canonicalPosition' has it.
+-- | The cell at an offset, in rows down and columns to the right, from a position on this surface
+-- of this shape. 'Nothing' as for 'canonicalPosition'.
 --
 -- >>> displaced Torus (Shape 15 17) (Position 14 16) (Position 1 2)
 -- Just (Position {row = 0, column = 1})
@@ -119,9 +120,10 @@ displaced :: Surface -> Shape -> Position -> Position -> Maybe Position
 displaced surface shape (Position r c) (Position i j) =
   canonicalPosition surface shape (toInteger (r + i)) (toInteger (c + j))
 
--- | The positions of a rectangle of the second shape, at least one cell, on a surface of the first,
--- as the shape that they fill from the upper left: all of a torus; on the sheet those at which it
--- does not stick out.
+-- | The shape of the region of positions, from the upper left, at which a rectangle fits on a
+-- surface. The first shape is the surface's, the second the rectangle's, with at least one cell. On
+-- a torus it is the whole shape; on the sheet, the positions from which the rectangle does not
+-- extend beyond it.
 --
 -- >>> admissible Sheet (Shape 15 17) (Shape 2 2)
 -- Shape {rows = 14, columns = 16}
@@ -136,13 +138,13 @@ admissible surface shape extent = case surface of
 data GridError
   = -- | There are no rows, or the rows have no cells.
     GridEmpty
-  | -- | The row with this index, from 0, has this many cells instead of that many.
+  | -- | The row with this index, from 0, has the second number of cells instead of the third.
     GridRagged Int Int Int
   | -- | The cell at this position has this code, which is not below the alphabet's size.
     GridCode Position Int
   | -- | The alphabet has this size, not 2 ... 256.
     GridAlphabet Int
-  | -- | There are this many cells, more than 'largestGrid' or other than the shape has.
+  | -- | There are this many cells: more than 'largestGrid', or not as many as the shape has.
     GridCells Natural
   deriving stock (Eq, Show)
 
@@ -150,7 +152,7 @@ data GridError
 largestGrid :: Natural
 largestGrid = 2 ^ (28 :: Int)
 
--- | A matrix of at most 'largestGrid' codes, each below the size of the alphabet; it has cells.
+-- | A matrix of 1 to 'largestGrid' codes, each below the size of the alphabet.
 data Grid = Grid
   { -- | the size q of the alphabet, 2 ... 256
     gridAlphabet :: !Int,
@@ -181,8 +183,8 @@ gridFromRows q codes
     outside =
       [(Position i j, c) | (i, r) <- zip [0 ..] codes, (j, c) <- zip [0 ..] r, c < 0 || c >= q]
 
--- | The grid of this shape whose codes are given row by row, as 'gridFromRows'. O(N) for N cells;
--- the vector is not copied.
+-- | The grid of this shape with codes given row by row. Refuses what 'gridFromRows' refuses, and a
+-- wrong number of codes. O(N) for N cells; the vector is not copied.
 gridFromVector :: Int -> Shape -> Vector Word8 -> Either GridError Grid
 gridFromVector q shape codes
   | q < 2 || q > 256 = Left (GridAlphabet q)
@@ -200,15 +202,15 @@ gridFromVector q shape codes
 gridShape :: Grid -> Shape
 gridShape grid = Shape (fromIntegral (gridHeight grid)) (fromIntegral (gridWidth grid))
 
--- | The codes, row by row. O(N) for N cells, made as they are asked for.
+-- | The codes, row by row. O(N) for N cells, computed lazily.
 gridRows :: Grid -> [[Int]]
 gridRows grid = [map fromIntegral (Primitive.toList (rowAt i)) | i <- [0 .. gridHeight grid - 1]]
   where
     rowAt i = Primitive.take w (Primitive.drop (i * w) (gridCells grid))
     w = gridWidth grid
 
--- | The code in a cell; 'Nothing' exactly beyond the edges. 'canonicalPosition' brings a position
--- within them.
+-- | The code in a cell; 'Nothing' exactly beyond the edges. Use 'canonicalPosition' to bring a
+-- position within them.
 codeAt :: Grid -> Position -> Maybe Int
 codeAt grid (Position r c)
   | r < rows shape && c < columns shape =

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Linear codes over GF(q). The modules below this one know nothing of arrays.
+-- | Linear codes over GF(q). This module and those below it do not depend on arrays.
 module PraTactile.LinearCode
   ( LinearCode,
     spannedBy,
@@ -19,7 +19,7 @@ import qualified Data.Vector.Primitive as Primitive
 import PraTactile.Field
 import PraTactile.LinearCode.Elimination
 
--- | The space that some vectors of one length span: that length and a basis.
+-- | The space spanned by some vectors of one length, by that length and a basis.
 data LinearCode (k :: Field) = LinearCode !Int !(Basis k)
 
 type role LinearCode nominal
@@ -42,7 +42,8 @@ codeBasis :: KnownField k => LinearCode k -> [Row k]
 codeBasis (LinearCode _ basis) = map snd (basisRows basis)
 
 -- | The vectors that are orthogonal to every codeword. If the basis is the unit matrix at the
--- pivots and P elsewhere, they have a unit matrix elsewhere, and the transpose of -P at the pivots.
+-- pivots and P elsewhere, the dual basis is the unit matrix elsewhere and -P transposed at the
+-- pivots.
 dual :: forall k. KnownField k => LinearCode k -> LinearCode k
 dual (LinearCode size basis) = spannedBy size (map orthogonal free)
   where

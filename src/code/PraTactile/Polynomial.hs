@@ -1,10 +1,10 @@
 -- | Polynomials over GF(q), and which of them are primitive: those whose root alpha generates
--- GF(q^n), so that the shift register of the paper's section II runs through all q^n - 1 non-zero
+-- GF(q^n), so that the shift register of the paper's section II runs through all q^n - 1 nonzero
 -- states.
 --
--- Costs are numbers of operations in GF(q), each a look-up in a table. n is the degree of a
--- polynomial, of two the higher one, or the one asked for; N is q^n - 1. To make a polynomial or to
--- go through it takes O(n).
+-- Costs are numbers of operations in GF(q), each a table look-up. n is the degree of the
+-- polynomial, the higher one of two, or the requested one; N is q^n - 1. Making or reading a
+-- polynomial takes O(n).
 module PraTactile.Polynomial
   ( -- * Polynomials
     Polynomial,

@@ -1,7 +1,7 @@
 {-# LANGUAGE RankNTypes #-}
 
--- | Every convention as data. Two implementations agree on an array, and on what a position in it
--- means, when they agree on its profile; 'withProfile' is the checked door from a profile to the
+-- | All conventions of an array as data. Two implementations agree on an array, and on the meaning
+-- of positions in it, when they agree on its profile. 'withProfile' checks a profile and makes the
 -- typed array.
 module PraTactile.Profile
   ( -- * Profiles
@@ -32,7 +32,7 @@ import PraTactile.Polynomial
 import PraTactile.Sequence
 import PraTactile.Window
 
--- | What the polynomial of a profile is.
+-- | The meaning of a profile's polynomial.
 data Reading
   = -- | The characteristic polynomial h: s(i+n) = - (c0 s(i) + ... + c(n-1) s(i+n-1)).
     Characteristic
@@ -41,8 +41,8 @@ data Reading
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | An array with its conventions. Elements are given by their codes, polynomials by their
--- coefficients, constant term first. A value may state an impossible choice; 'withProfile' finds
--- out.
+-- coefficients, constant term first. A value may state an impossible choice; 'withProfile' refuses
+-- it.
 data Profile = Profile
   { -- | q, the number of symbols
     profileOrder :: Natural,
@@ -50,7 +50,7 @@ data Profile = Profile
     profileModulus :: [Natural],
     -- | the polynomial over GF(q), of degree n
     profilePolynomial :: [Natural],
-    -- | what that polynomial is
+    -- | the meaning of that polynomial
     profileReading :: Reading,
     -- | s(0), ..., s(n-1)
     profileState :: [Natural],
@@ -86,9 +86,9 @@ canonicalProfile =
 
 -- | Why a profile describes no array.
 data ProfileError
-  = -- | There is no such field, or a coefficient or a term of the state is no element of it.
+  = -- | There is no such field, or a coefficient or a term of the state is not an element of it.
     ProfileField FieldError
-  | -- | The modulus has this degree, but q is p^m with the second number as m.
+  | -- | The modulus has the first degree, but it should have the second, m in q = p^m.
     ModulusDegree Natural Natural
   | -- | The polynomial is not primitive.
     ProfilePolynomial PolynomialError
@@ -98,12 +98,12 @@ data ProfileError
     ProfileFold FoldError
   | -- | There is no such window.
     ProfileWindow WindowError
-  | -- | No window was given, and none can be inferred: the first number, n1, is not q^k1 - 1 for a
+  | -- | No window was given, and none can be inferred: n1, the first number, is not q^k1 - 1 for a
     -- k1 that divides n, the second.
     WindowNotInferred Natural Natural
   deriving stock (Eq, Show)
 
--- | What is chosen of a profile; the rest is as in 'canonicalProfile'.
+-- | The choices that make a profile; all else is as in 'canonicalProfile'.
 data ProfileChoice = ProfileChoice
   { -- | q.
     chosenOrder :: Natural,
@@ -119,13 +119,13 @@ data ProfileChoice = ProfileChoice
   }
   deriving stock (Eq, Show)
 
--- | The choice of q, a polynomial and a shape, all else being the default.
+-- | The choice of q, a polynomial and a shape, with defaults for the rest.
 profileChoice :: Natural -> [Natural] -> Shape -> ProfileChoice
 profileChoice q h shape = ProfileChoice q h shape Nothing Nothing Nothing
 
--- | The profile that is chosen. Refuses a q that is no prime power up to 256 when no modulus is
--- given, and a window that cannot be inferred; whether the choice is possible is for 'withProfile'
--- to say.
+-- | The profile for a choice. If no modulus is given, refuses a q that is not a prime power up to
+-- 256. If no window is given, refuses if none can be inferred. 'withProfile' checks whether the
+-- choice is possible.
 chooseProfile :: ProfileChoice -> Either ProfileError Profile
 chooseProfile (ProfileChoice q h shape givenModulus givenWindow givenState) = do
   modulus <- maybe (snd <$> first ProfileField (conwayModulus q)) Right givenModulus
@@ -143,13 +143,13 @@ chooseProfile (ProfileChoice q h shape givenModulus givenWindow givenState) = do
     n = fromIntegral (max 1 (length h) - 1) :: Natural
     notInferred = Left (WindowNotInferred (rows shape) n)
 
--- | The profile with another folding, and the surface that is natural for it.
+-- | The profile with another folding and the surface that is natural for it.
 foldedBy :: Folding -> Profile -> Profile
 foldedBy folding profile =
   profile {profileFolding = folding, profileSurface = naturalSurface folding}
 
--- | The window k1 x k2 that belongs to n1 x n2 cells, where n1 = q^k1 - 1 and n = k1 k2
--- (MacWilliams and Sloane 1976). The arguments are q, n and the shape.
+-- | The window k1 x k2 for n1 x n2 cells, where n1 = q^k1 - 1 and n = k1 k2 (MacWilliams and Sloane
+-- 1976). The arguments are q, n and the shape. 'Nothing' if there is no such k1.
 --
 -- >>> inferWindow 4 4 (Shape 15 17)
 -- Just (Shape {rows = 2, columns = 2})
@@ -161,10 +161,10 @@ inferWindow q n (Shape n1 _)
   where
     powers = zip [1 .. n] (takeWhile (<= n1 + 1) (iterate (* q) q))
 
--- | Check a profile and bring its field, array and window into scope. Refuses every impossible
--- choice, each with its own 'ProfileError'. Not checked is whether the windows of the array are
--- distinct: that is what "PraTactile.Window.Proof" proves. The cost is that of 'withField' and of
--- 'checkPrimitive'; a shape that does not have q^n - 1 cells is refused before.
+-- | Checks a profile and brings its field, array and window into scope. Refuses every impossible
+-- choice, each with its own 'ProfileError'. It does not check whether the windows of the array are
+-- distinct; "PraTactile.Window.Proof" proves that. The cost is that of 'withField' and
+-- 'checkPrimitive'. A shape that does not have q^n - 1 cells is refused first.
 --
 -- >>> withProfile canonicalProfile (\array _ -> toCode (cellAt array (Position 6 5)))
 -- Right 3

@@ -1,10 +1,10 @@
--- | Maximal-length sequences (m-sequences) from a shift register with feedback (section II of the
--- paper; MacWilliams and Sloane 1976): forwards, backwards, and by jumps of any length. With h(x) =
--- x^n + c(n-1) x^(n-1) + ... + c0 the characteristic polynomial, s(i+n) = - (c0 s(i) + ... + c(n-1)
--- s(i+n-1)).
+-- | Maximal-length sequences (m-sequences) from a feedback shift register (section II of the paper;
+-- MacWilliams and Sloane 1976): forwards, backwards, and by jumps of any length. If the
+-- characteristic polynomial is h(x) = x^n + c(n-1) x^(n-1) + ... + c0, then s(i+n) = - (c0 s(i) +
+-- ... + c(n-1) s(i+n-1)).
 --
--- Costs are numbers of operations in GF(q). n is the degree of h; a state has n elements, and is
--- made and gone through in O(n).
+-- Costs are numbers of operations in GF(q). n is the degree of h; a state has n elements, and
+-- making or reading it takes O(n).
 module PraTactile.Sequence
   ( -- * States
     State,
@@ -38,9 +38,9 @@ import PraTactile.Sequence.Recurrence
 
 -- | Why a state does not start an m-sequence.
 data SequenceError
-  = -- | There are as many elements as the first number says instead of n, the second.
+  = -- | The state has the first number of elements instead of n, the second.
     StateLength Int Int
-  | -- | All elements are 0, and so would all terms be.
+  | -- | All elements are 0, so all terms would be 0.
     StateZero
   deriving stock (Eq, Show)
 
@@ -68,11 +68,11 @@ initialState h s
 canonicalState :: Primitive k -> State k
 canonicalState h = State (replicate (primitiveDegree h - 1) zero ++ [one])
 
--- | s(0), ..., s(n-1).
+-- | The elements s(0), ..., s(n-1) of a state.
 stateElements :: State k -> [GF k]
 stateElements (State s) = s
 
--- | c0, ..., c(n-1).
+-- | The coefficients c0, ..., c(n-1).
 feedback :: Primitive k -> [GF k]
 feedback h = take (primitiveDegree h) (coefficients (primitivePolynomial h))
 
@@ -80,8 +80,8 @@ feedback h = take (primitiveDegree h) (coefficients (primitivePolynomial h))
 next :: KnownField k => Primitive k -> State k -> State k
 next h (State s) = State (drop 1 s ++ [negate (sum (zipWith (*) (feedback h) s))])
 
--- | One step back: s(i-1), ..., s(i+n-2), the state of which 'next' makes this one; as c0 s(i-1) =
--- - (c1 s(i) + ... + c(n-1) s(i+n-2) + s(i+n-1)). O(n).
+-- | One step back: the state s(i-1), ..., s(i+n-2) from which 'next' leads to this one. It uses c0
+-- s(i-1) = - (c1 s(i) + ... + c(n-1) s(i+n-2) + s(i+n-1)). O(n).
 previous :: KnownField k => Primitive k -> State k -> State k
 previous h (State s) =
   State (negate (inverted * sum (zipWith (*) others s)) : take (primitiveDegree h - 1) s)
@@ -90,7 +90,7 @@ previous h (State s) =
     -- c0 is not zero, and a^(q - 2) is the inverse of such an a.
     inverted = power (sum constantTerm) (fromIntegral (fieldOrder h - 2))
 
--- | The endless m-sequence, of period q^n - 1, as the recurrence states it. O(n) a term.
+-- | The endless m-sequence, of period q^n - 1, by its recurrence. O(n) for each term.
 --
 -- >>> import PraTactile.Field.Named (GF4)
 -- >>> let terms h = take 9 (mSequence h (canonicalState h))
@@ -99,9 +99,9 @@ previous h (State s) =
 mSequence :: KnownField k => Primitive k -> State k -> [GF k]
 mSequence h = concatMap (take 1 . stateElements) . iterate (next h)
 
--- | The first terms s(0), ..., s(count - 1), in one byte each; a negative count gives none. In
--- characteristic 2 a few nanoseconds for eight terms, otherwise a few nanoseconds a term.
--- O(w count) for w terms of h that are not 0.
+-- | The first terms s(0), ..., s(count - 1), as bytes; none for a negative count. It takes a few
+-- nanoseconds for eight terms in characteristic 2, otherwise for one term. O(w count) for w nonzero
+-- terms of h.
 sequenceVector :: KnownField k => Primitive k -> State k -> Int -> Vector (GF k)
 sequenceVector h (State s0) count = Primitive.create $ do
   terms <- Mutable.new (max 0 count)
@@ -109,14 +109,14 @@ sequenceVector h (State s0) count = Primitive.create $ do
   continue (recurrenceOf (feedback h)) (primitiveDegree h) count terms
   pure terms
 
--- | The term s(t) for any t, without the terms before it. Prepared once for a polynomial and a
--- state it takes any number of t: @map (termAt h state) ts@. A table of a MiB at most or q n^2
--- bytes is made once; then a term takes O(n^2 log (min t N)), N being the period q^n - 1.
+-- | The term s(t) for any t, without computing the terms before it. Apply it once to a polynomial
+-- and a state, and then to any number of t: @map (termAt h state) ts@. It makes a table once, of at
+-- most a MiB or q n^2 bytes. Then a term takes O(n^2 log (min t N)), where N is the period q^n - 1.
 termAt :: KnownField k => Primitive k -> State k -> Natural -> GF k
 termAt h (State s) = jump h s
 
--- | The state s(t), ..., s(t+n-1) of the register after t steps, or before if t is negative,
--- without the steps between. It makes the table of 'termAt' at each call, and takes n terms from
+-- | The state s(t), ..., s(t+n-1) of the register after t steps, or before it if t is negative,
+-- without computing the steps between. Each call makes the table of 'termAt' and takes n terms from
 -- it.
 stateAt :: KnownField k => Primitive k -> State k -> Integer -> State k
 stateAt h s t = State (map (termAt h s . (start +)) (genericTake (primitiveDegree h) [0 ..]))

@@ -1,9 +1,10 @@
--- | Windows: the few neighbouring cells by whose content a position is found (section II of the
+-- | Windows: the few neighbouring cells whose content determines a position (section II of the
 -- paper). A window is a set of cells in reading order; a rectangle is read row by row. Its position
--- is its upper left corner, the cell from which the offsets count, observed or not.
+-- is its upper left corner, the cell from which offsets count, whether or not it is observed.
 --
--- Rows 5 to 8 and columns 4 to 8 of the paper's array, and the window of its worked example, of two
--- rows and two columns; its position is (6, 5), its content A^2 A A^2 1, or 3 2 3 1 as codes:
+-- The example shows rows 5 to 8 and columns 4 to 8 of the paper's array, with the window of its
+-- worked example, of two rows and two columns. Its position is (6, 5), its content A^2 A A^2 1, or
+-- 3 2 3 1 as codes:
 --
 -- >          4   5   6   7   8
 -- >   5      3   1   1   1   2
@@ -54,14 +55,15 @@ data WindowError
     OffsetRepeated Position
   | -- | The drawing has this character, which is neither # nor .
     DrawingCharacter Char
-  | -- | The row of the drawing with this index, from 0, has this many cells instead of that many.
+  | -- | The row of the drawing with this index, from 0, has the second number of cells instead of
+    -- the third.
     DrawingRagged Int Int Int
-  | -- | The number is not below q^cells, so that it packs no window.
+  | -- | The number is not below q^cells, so it is not a packed window.
     PackedOutOfRange Natural
   deriving stock (Eq, Show)
 
--- | The offsets of a window's cells from its position, in reading order, each once: 1 ... 4096
--- cells.
+-- | The offsets of a window's cells from its position, in reading order, without repetition: 1 to
+-- 4096 cells.
 newtype Mask = Mask [Position]
   deriving stock (Eq, Ord, Show)
 
@@ -100,11 +102,11 @@ maskOffsets (Mask offsets) = offsets
 maskSize :: Mask -> Int
 maskSize (Mask offsets) = length offsets
 
--- | The smallest rectangle that holds the cells and the window's position. O(m).
+-- | The smallest rectangle that contains the cells and the window's position. O(m).
 maskExtent :: Mask -> Shape
 maskExtent = extentOf . maskOffsets
 
--- | The shape of the rectangle that the mask is, in whatever order it is read; 'Nothing' for
+-- | The shape of the mask if it is a full rectangle, whatever its reading order; 'Nothing' for
 -- others. O(m).
 maskRectangle :: Mask -> Maybe Shape
 maskRectangle mask
@@ -113,24 +115,24 @@ maskRectangle mask
   where
     extent = maskExtent mask
 
--- | The mask that is drawn: # for a cell that is observed and . for one that is not, the rows from
--- the top down and parted by a slash or a line end ('rowsOf'). Refuses what 'maskFromRows' refuses.
+-- | The mask of a drawing: # for an observed cell and . for any other. Rows come from the top and
+-- are separated by a slash or a line end ('rowsOf'). Refuses what 'maskFromRows' refuses.
 --
 -- >>> map (\(Position i j) -> (i, j)) . maskOffsets <$> maskFromDrawing "##./.##"
 -- Right [(0,0),(0,1),(1,1),(1,2)]
 maskFromDrawing :: String -> Either WindowError Mask
 maskFromDrawing = maskFromRows . rowsOf
 
--- | The mask whose rows these are, from the top down. It is read row by row; its position is its
--- upper left corner. Refuses other characters than # and ., rows of different lengths, and as
--- 'maskFrom' does. O(a log a) for a characters.
+-- | The mask with these rows, from the top. It is read row by row; its position is its upper left
+-- corner. Refuses characters other than # and ., rows of different lengths, and what 'maskFrom'
+-- refuses. O(a log a) for a characters.
 maskFromRows :: [String] -> Either WindowError Mask
 maskFromRows drawn
   | c : _ <- filter (`notElem` "#.") (concat drawn) = Left (DrawingCharacter c)
   | Just (i, given, first) <- raggedRow drawn = Left (DrawingRagged i given first)
   | otherwise = maskFrom [Position i j | (i, r) <- zip [0 ..] drawn, (j, '#') <- zip [0 ..] r]
 
--- | The drawing of a mask that 'maskFromDrawing' reads: without the order in which it is read.
+-- | The drawing of a mask, as 'maskFromDrawing' reads it. It does not contain the reading order.
 -- O(a log m) for a cells in the extent of the mask.
 --
 -- >>> maskDrawing <$> maskFromDrawing "##./.##"

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Whether a window determines the position in arrays of a layout and shape: for every primitive
--- polynomial of the degree, or for one of them at least.
+-- | Decides whether a window determines the position in arrays of a layout and shape: for every
+-- primitive polynomial of the degree, or for at least one of them.
 module PraTactile.Advise.Fit
   ( Fit (..),
     candidates,
@@ -22,27 +22,27 @@ import PraTactile.Sequence
 import PraTactile.Window
 import PraTactile.Window.Rank (windowRank)
 
--- | A window that determines the position, shown by rank.
+-- | A window that determines the position, proved by its rank.
 data Fit = Fit
   { -- | the window, which may be larger than needed
     fitWindow :: Shape,
-    -- | whether every primitive polynomial of the degree will do
+    -- | whether every primitive polynomial of the degree works
     fitEvery :: Bool,
-    -- | the first that does, as codes, constant term first
+    -- | the first polynomial that works, as codes, constant term first
     fitPolynomial :: [Natural]
   }
   deriving stock (Eq, Show)
 
--- | The first primitive polynomials of a degree, as many as are tried: 32, or 4 where each takes
--- longer to find.
+-- | The first primitive polynomials of a degree: the 32 that are tried, or 4 where finding each
+-- takes longer.
 candidates :: forall k. KnownField k => Proxy k -> Natural -> [Primitive k]
 candidates k n =
   either (const []) (take (if q ^ n <= 2 ^ (32 :: Int) then 32 else 4)) (primitivePolynomials n)
   where
     q = fromIntegral (fieldOrder k) :: Natural
 
--- | Whether the windows are distinct in arrays of a layout and shape with one of the candidates,
--- which are of degree n; otherwise how many were tried.
+-- | Whether the windows are distinct in arrays of a layout and shape for one of these candidates of
+-- degree n; otherwise the number of candidates that were tried.
 fits :: KnownField k => Natural -> [Primitive k] -> (Layout, Shape) -> Shape -> Either Int Fit
 fits n polynomials (layout, shape) window = case find works tried of
   Just h -> Right (Fit window sure (codesOf h))

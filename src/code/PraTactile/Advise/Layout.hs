@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The ways to lay the q^n - 1 terms of a sequence into rectangles, and the windows that are sure
--- to work in them whatever the polynomial.
+-- | The ways to fold the q^n - 1 terms of a sequence into rectangles, and the windows that work in
+-- them for every polynomial.
 module PraTactile.Advise.Layout
   ( Layout (..),
     layoutSurface,
@@ -20,12 +20,12 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Array.Remainder
 
--- | How a sequence is folded.
+-- | How a sequence is folded into one array or several.
 data Layout
   = -- | Into one array: along the diagonal of the torus, or row by row on the twisted torus.
     Single Folding
-  | -- | Into this many arrays, each along the diagonal of a torus, which share the window property:
-    -- see "PraTactile.ArrayCode".
+  | -- | Into this many arrays that share the window property, each along the diagonal of its own
+    -- torus: see "PraTactile.ArrayCode".
     Joint Natural
   deriving stock (Eq, Ord, Show)
 
@@ -35,7 +35,7 @@ layoutSurface layout = case layout of
   Single folding -> naturalSurface folding
   Joint _ -> Torus
 
--- | The weights of rows and columns in the indices of the terms, for a shape of each array.
+-- | The weights of rows and columns in the indices of the terms, for this shape of each array.
 layoutWeights :: Layout -> Shape -> Weights
 layoutWeights layout (Shape n1 n2) = case layout of
   Single RowMajor -> (n2, 1)
@@ -52,9 +52,9 @@ layoutWeights layout (Shape n1 n2) = case layout of
    The degrees depend on the orders of alpha^u and alpha^v only, not on the polynomial. With n1 =
    q^k1 - 1, d1 is k1: the windows of MacWilliams and Sloane. -}
 
--- | The windows of n cells that are distinct for every primitive polynomial of degree n, given q, n
--- and the shape of each array, which the layout must fill: none, one or two. See Note [Windows that
--- are sure].
+-- | The windows of n cells that are distinct for every primitive polynomial of degree n: none, one
+-- or two. Arguments: q, n, the layout, and the shape of each array, which the layout must fill. See
+-- Note [Windows that are sure].
 --
 -- >>> sureWindows 4 6 (Joint 3) (Shape 15 91)
 -- [Shape {rows = 2, columns = 3},Shape {rows = 1, columns = 6}]
@@ -69,12 +69,12 @@ sureWindows q n layout shape
     d2 = degreeOfPower v
     degreeOfPower e = degreeOfOrder q n (terms `div` gcd terms e)
 
--- | @degreeOfOrder q n m@ is the degree over GF(q) of an element of GF(q^n) of multiplicative order
--- m, which divides q^n - 1: the least d with m dividing q^d - 1.
+-- | @degreeOfOrder q n m@ is the degree over GF(q) of an element of GF(q^n) with multiplicative
+-- order m, which must divide q^n - 1: the least d for which m divides q^d - 1.
 degreeOfOrder :: Natural -> Natural -> Natural -> Natural
 degreeOfOrder q n m =
   fromMaybe n (find (\d -> n `mod` d == 0 && (q ^ d - 1) `mod` max 1 m == 0) [1 .. n])
 
--- | The divisors of a number that is given by its prime factors with their exponents, ascending.
+-- | The divisors of a number, ascending, given its prime factors with their exponents.
 divisors :: [(Natural, Natural)] -> [Natural]
 divisors factors = sort (map product (traverse (\(p, e) -> map (p ^) [0 .. e]) factors))

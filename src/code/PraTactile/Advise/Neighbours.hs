@@ -1,8 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What neighbouring columns and rows of an array tell of each other: how many of them it takes
--- before parity checks hold across them, and whether the array is its own mirror. Both depend on
--- the fold alone, not on the polynomial.
+-- | How neighbouring columns and rows of an array check each other: the number from which on parity
+-- checks hold across them, and whether the array is its own mirror image. Both depend only on the
+-- fold, not on the polynomial.
 module PraTactile.Advise.Neighbours
   ( columnsToCheck,
     rowsToCheck,
@@ -24,9 +24,9 @@ import PraTactile.Array
    the diagonal. Row by row they are n2 terms of the sequence each, of rank n2, or n if that is
    less. -}
 
--- | How many adjacent whole columns there must be before parity checks hold across them, given q, n
--- and the shape of each array, which the layout must fill; 'Nothing' where it has not so many. See
--- Note [Neighbouring columns].
+-- | The number of adjacent whole columns from which on parity checks hold across columns; 'Nothing'
+-- if the array does not have that many. Arguments: q, n, the layout, and the shape of each array,
+-- which the layout must fill. See Note [Neighbouring columns].
 --
 -- >>> columnsToCheck 4 4 (Single Diagonal) (Shape 15 17)
 -- Just 3
@@ -34,7 +34,8 @@ columnsToCheck :: Natural -> Natural -> Layout -> Shape -> Maybe Natural
 columnsToCheck q n layout shape =
   adjacent n (degreeOfPower q n (fst (layoutWeights layout shape))) (columns shape)
 
--- | The same of rows.
+-- | The number of adjacent whole rows from which on parity checks hold across rows; 'Nothing' if
+-- the array does not have that many. The arguments are those of 'columnsToCheck'.
 --
 -- >>> rowsToCheck 4 4 (Single Diagonal) (Shape 15 17)
 -- Just 2
@@ -51,8 +52,8 @@ degreeOfPower q n e = degreeOfOrder q n (terms `div` gcd terms e)
   where
     terms = q ^ n - 1
 
--- | Given n, the rank of each, and how many there are: the first number of them whose ranks are
--- more than n together, if there are so many.
+-- | The least number of lines whose ranks add up to more than n; 'Nothing' if there are not that
+-- many. Arguments: n, the rank of each line, and the number of lines.
 adjacent :: Natural -> Natural -> Natural -> Maybe Natural
 adjacent n rank most = if needed <= most then Just needed else Nothing
   where
@@ -60,15 +61,15 @@ adjacent n rank most = if needed <= most then Just needed else Nothing
 
 -- | A mirror image.
 data Mirror
-  = -- | left and right exchanged
+  = -- | left and right are exchanged
     ColumnsMirrored
-  | -- | up and down exchanged
+  | -- | up and down are exchanged
     RowsMirrored
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | The mirror images of the arrays that are these arrays themselves, beginning elsewhere, on the
--- layout's surface: those by which each index of a term is multiplied by a power of q, which are
--- the only multiples that leave an m-sequence what it is, but for where it begins. O(n).
+-- | The mirror images of the arrays that equal the arrays themselves, shifted, on the layout's
+-- surface. They are those that multiply each index of a term by a power of q; no other multiple
+-- maps an m-sequence to a shift of itself. O(n).
 --
 -- >>> ownMirrors 4 4 (Single Diagonal) (Shape 15 17)
 -- [ColumnsMirrored]

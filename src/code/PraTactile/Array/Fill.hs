@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Writing a folded sequence into memory in the order of its cells. Internal: arrays and array
--- codes are made into grids by it.
+-- | Writes a folded sequence into memory in the order of its cells. Internal: arrays and array
+-- codes are converted to grids by it.
 module PraTactile.Array.Fill
   ( filled,
     minimalPolynomialOfPower,
@@ -31,13 +31,14 @@ import PraTactile.Sequence.Synthesis
    column that of alpha^u. So a few rows are run along from their first terms, and all further rows
    are combinations of those before them, whole row by whole row. -}
 
--- | @filled h s (u, v) shape@ is the cells row by row, s(r u + c v) in the cell (r, c), given the
--- sequence's terms, below the period, by a function. See Note [Rows and columns obey recurrences].
+-- | @filled h s (u, v) shape@ lists the cells row by row, with s(r u + c v) in the cell (r, c). The
+-- function s gives the sequence's terms below the period. See Note [Rows and columns obey
+-- recurrences].
 filled :: KnownField k => Primitive k -> (Natural -> GF k) -> Weights -> Shape -> Vector (GF k)
 filled h s (u, v) (Shape n1 n2) = Primitive.create $ do
   cells <- Mutable.new (height * width)
   forM_ [0 .. seeds - 1] $ \r -> do
-    -- A row of its own, because within the cells it would not begin at a whole word.
+    -- The row has memory of its own, because within the cells it would not begin at a whole word.
     line <- Mutable.new width
     forM_ (take width (zip [0 ..] (firstTerms (fromIntegral r)))) (uncurry (Mutable.write line))
     continue along (longestLag along) width line
@@ -50,17 +51,18 @@ filled h s (u, v) (Shape n1 n2) = Primitive.create $ do
     along = recurrenceOfPower v
     down = delayed width (recurrenceOfPower u)
     firstTerms r = [s (weightedIndex (period h) (u, v) r c) | c <- take (longestLag along) [0 ..]]
-    -- Of wide arrays as many rows as the faster way down looks back, of others as few as possible.
+    -- In wide arrays as many rows as the faster recurrence looks back; in others as few as
+    -- possible.
     seeds
       | width >= 1024 = min height ((longestLag (spread down) + width - 1) `div` width)
       | otherwise = min height (longestLag down `div` max 1 width)
     recurrenceOfPower e =
       let cs = coefficients (minimalPolynomialOfPower h e) in recurrenceOf (take (length cs - 1) cs)
 
--- | The minimal polynomial of alpha^e over GF(q), by synthesis of the coefficients of 1 in alpha^0,
--- alpha^e, alpha^(2 e), ...: this sequence obeys the minimal polynomial, which is irreducible, and
--- is not zero, as its first term is 1; so it obeys no shorter recurrence. As the degree is at most
--- n, 2 n terms determine it.
+-- | The minimal polynomial of alpha^e over GF(q), by synthesis from the coefficients of 1 in
+-- alpha^0, alpha^e, alpha^(2 e), ... This sequence obeys the minimal polynomial, which is
+-- irreducible, and is not zero, since its first term is 1. So it obeys no shorter recurrence. The
+-- degree is at most n, so 2 n terms determine it.
 minimalPolynomialOfPower :: KnownField k => Primitive k -> Natural -> Polynomial k
 minimalPolynomialOfPower h e =
   synthesisPolynomial (synthesise (map (coefficient . (* e)) (take (2 * n) [0 ..])))

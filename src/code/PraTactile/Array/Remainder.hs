@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Which term of the sequence a cell holds: the Chinese remainder theorem. Internal; arrays, array
--- codes and the adviser stand on it.
+-- | The term of the sequence that a cell holds, by the Chinese remainder theorem. Internal: used by
+-- arrays, array codes and the adviser.
 module PraTactile.Array.Remainder
   ( Weights,
     diagonalWeights,

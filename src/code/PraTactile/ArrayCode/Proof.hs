@@ -1,9 +1,9 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The window property of an array code: no content occurs twice in all its arrays. By visiting
--- every window of every array, and by the rank of the mask; where both methods are possible they
--- are compared.
+-- | Decides the window property of an array code: whether no content occurs twice in all its
+-- arrays. It visits every window of every array, and computes the rank of the mask. Where both
+-- methods are possible, they are compared.
 module PraTactile.ArrayCode.Proof
   ( proveCode,
     ProvedCode,
@@ -27,26 +27,26 @@ import PraTactile.Window.Enumeration (Limits (..), standardLimits)
 import PraTactile.Window.Seen
 import PraTactile.Window.Visit
 
--- | What is known of the windows of all arrays, each on its torus.
+-- | What was found about the windows of all arrays, each on its torus.
 data CodeVerdict = CodeVerdict
   { -- | whether all windows are distinct
     codeProved :: Bool,
-    -- | how many different contents there are among them; 'Nothing' if they were not visited
+    -- | the number of different contents; 'Nothing' if the windows were not visited
     codeVisited :: Maybe Natural,
-    -- | the rank of the mask over GF(q): the windows are distinct iff it is n
+    -- | the rank of the mask over GF(q); the windows are distinct iff it is n
     codeMaskRank :: Natural,
-    -- | two positions with the same content, if every window was visited and there are any
+    -- | two positions with the same content, if the windows were visited and such positions exist
     codeCollision :: Maybe (CodePosition, CodePosition)
   }
   deriving stock (Eq, Show)
 
 -- | Why there is no verdict.
 newtype CodeProofError
-  = -- | Visiting and rank contradict each other, which a theorem forbids.
+  = -- | Visiting and rank contradict each other, which a theorem excludes.
     CodeMethodsDisagree CodeVerdict
   deriving stock (Eq, Show)
 
--- | A code with a mask whose windows have been shown to be distinct. Only 'proveCode' makes one.
+-- | A code with a mask whose windows are proved to be distinct. Only 'proveCode' makes one.
 data ProvedCode (k :: Field) = ProvedCode
   { -- | The code.
     provedCode :: ArrayCode k,
@@ -56,9 +56,9 @@ data ProvedCode (k :: Field) = ProvedCode
 
 type role ProvedCode nominal
 
--- | Decide whether the windows of all arrays are distinct: by the rank, and by visiting them all if
--- there are not more than 2^30 possible contents and the arrays fit into memory one by one. Refuses
--- when the two disagree.
+-- | Decides whether the windows of all arrays are distinct. It uses the rank, and also visits all
+-- windows if there are at most 2^30 possible contents and each array fits in memory. Refuses if the
+-- two methods disagree.
 proveCode ::
   KnownField k =>
   ArrayCode k ->
@@ -80,8 +80,8 @@ proveCode code mask = case visits of
           codeCollision = visits >>= snd
         }
 
--- | The number of different contents, and the first position whose content was seen before,
--- preceded by where it was first seen.
+-- | The number of different contents, and the first repetition: where the content was first seen,
+-- then where it was seen again.
 jointly ::
   KnownField k => ArrayCode k -> Mask -> Maybe (Natural, Maybe (CodePosition, CodePosition))
 jointly code mask
@@ -109,7 +109,7 @@ jointly code mask
     keyAt w = uncurry (visitKey w)
     everywhere w = [(r, c) | r <- [0 .. visitRows w - 1], c <- [0 .. visitColumns w - 1]]
 
--- | One bit a content, for all arrays.
+-- | Visits all arrays with one bit for each content.
 visitAll :: [Visit] -> (Natural, Maybe (Natural, Int, Int))
 visitAll windows = runST $ do
   seen <- nothingSeen (maximum (0 : map visitSpan windows))

@@ -1,6 +1,6 @@
--- | Checking a certificate, step by step, from what it says and the definitions alone: nothing is
--- searched for, and the arithmetic modulo h is not that by which the certificate was made. Only the
--- windows of a certificate by enumeration are visited as the library always does.
+-- | Checks a certificate step by step, from its content and the definitions alone. It searches for
+-- nothing, and its arithmetic modulo h is not the one that made the certificate. Only the windows
+-- of a certificate by enumeration are visited by the library's usual code.
 module PraTactile.Certificate.Check
   ( checkCertificate,
     Fault (..),
@@ -23,60 +23,60 @@ import PraTactile.Profile
 import PraTactile.Window
 import PraTactile.Window.Visit (visitedShape)
 
--- | What is wrong with a certificate: the first step that fails.
+-- | The first step of a check that fails.
 data Fault
-  = -- | q is no power, with the modulus's degree as exponent, of a prime.
+  = -- | q is not a prime's power with the modulus's degree as exponent.
     OrderNotOfModulus Natural
-  | -- | There is no such field, or a code is none of its elements.
+  | -- | There is no such field, or a code is not an element of it.
     FieldFault FieldError
-  | -- | The polynomial is not monic of a degree of at least 1 with a constant term.
+  | -- | The polynomial is not monic of degree at least 1 with a nonzero constant term.
     PolynomialFault [Natural]
-  | -- | N, as stated and as q^n - 1.
+  | -- | The stated N, and the true one, q^n - 1.
     PeriodFault Natural Natural
   | -- | The product of the prime powers is not N.
     FactorsFault Natural
-  | -- | This factor is not shown to be prime.
+  | -- | This factor is not proved to be prime.
     PrimeFault Natural
   | -- | x^N is not 1 modulo h.
     OrderFault
-  | -- | x^(N/l), for this l, is not what is stated.
+  | -- | For this prime l, x^(N/l) is not as stated.
     ResidueFault Natural
-  | -- | x^(N/l), for this l, is 1, so that h is not primitive.
+  | -- | For this prime l, x^(N/l) is 1, so h is not primitive.
     RootOrderFault Natural
   | -- | The initial state does not have n elements, or all are 0.
     StateFault [Natural]
   | -- | The shape does not have N cells.
     AreaFault Shape
-  | -- | The numbers of rows and columns have this common divisor, and the fold is diagonal.
+  | -- | The fold is diagonal, but the numbers of rows and columns have this common divisor.
     CommonDivisorFault Natural
   | -- | There is no such mask.
     MaskFault WindowError
-  | -- | The profile's window is not the extent of the mask, this shape.
+  | -- | The profile's window is not this extent of the mask.
     ExtentFault Shape
-  | -- | The number of windows, as stated and as the surface has.
+  | -- | The stated number of windows, and the surface's.
     WindowsFault Natural Natural
-  | -- | The rank decides nothing on this surface.
+  | -- | The rank does not decide on this surface.
     SurfaceFault Surface
-  | -- | The vector of the mask's cell with this index is not the one stated.
+  | -- | The vector of the mask's cell with this index is not as stated.
     VectorFault Natural
-  | -- | The cells chosen are not n ascending indices of cells.
+  | -- | The chosen cells are not n ascending indices of cells.
     CellsFault [Natural]
-  | -- | The matrix stated is not the inverse of the chosen vectors.
+  | -- | The stated matrix is not the inverse of the chosen vectors.
     InverseFault
-  | -- | The array cannot be made to visit its windows.
+  | -- | The array whose windows should be visited cannot be made.
     ArrayFault ProfileError
-  | -- | The array is too large to visit its windows.
+  | -- | The array whose windows should be visited is too large.
     SizeFault FoldError
-  | -- | Two windows are the same, or they are too many for a digest.
+  | -- | Two windows are equal, or there are too many for a digest.
     RepeatedFault
-  | -- | The digest, as stated and as computed.
+  | -- | The stated digest, and the computed one.
     DigestFault String String
   deriving stock (Eq, Show)
 
--- | Check every step of a certificate. 'Right' means: all windows of the mask are distinct on the
--- surface of the profile. O(n^3 log q (r + m)) for r primes that divide N = q^n - 1 and m cells of
--- the mask; by enumeration the array is made besides, as 'withProfile' does, and all windows are
--- visited in O(m N).
+-- | Checks every step of a certificate. 'Right' means that all windows of the mask are distinct on
+-- the profile's surface. O(n^3 log q (r + m)) for r primes that divide N = q^n - 1 and m cells of
+-- the mask. By enumeration the array is also made, by 'withProfile', and all windows are visited in
+-- O(m N).
 checkCertificate :: Certificate -> Either Fault ()
 checkCertificate certificate = do
   when (m <= 0 || p ^ m /= q) (Left (OrderNotOfModulus q))
@@ -116,7 +116,7 @@ characteristic _ profile = do
     Characteristic -> modulusFrom stated
     Reciprocal -> modulusFrom stated >>= reversed
 
--- | That x has order N modulo h.
+-- | Checks that x has order N modulo h.
 checkOrder :: KnownField k => Modulus k -> Certificate -> Either Fault ()
 checkOrder h certificate = do
   forM_ (zip [0 ..] primes) $ \(i, proof) -> do
@@ -126,7 +126,7 @@ checkOrder h certificate = do
     unless
       (knownPrime (map shownPrime primes) (orderPrime factor))
       (Left (PrimeFault (orderPrime factor)))
-  -- The product is built up so that absurd exponents take no time.
+  -- The product is computed step by step, so that absurd exponents take no time.
   unless
     (boundedProduct terms [(orderPrime f, orderExponent f) | f <- factors] == Just terms)
     (Left (FactorsFault terms))
@@ -140,7 +140,7 @@ checkOrder h certificate = do
     factors = certificateFactors certificate
     primes = certificatePrimes certificate
 
--- | That the sequence fills the shape.
+-- | Checks that the sequence fills the shape.
 checkShape :: Int -> Certificate -> Either Fault ()
 checkShape n certificate = do
   when
@@ -154,7 +154,7 @@ checkShape n certificate = do
     shape = profileShape profile
     g = gcd (rows shape) (columns shape)
 
--- | The mask, and that the surface has as many of its windows as stated, and any.
+-- | Checks the mask, and that the surface has the stated number of its windows, at least one.
 checkMask :: Certificate -> Either Fault Mask
 checkMask certificate = do
   mask <- first MaskFault (maskFrom (certificateMask certificate))
@@ -167,7 +167,7 @@ checkMask certificate = do
   where
     profile = certificateProfile certificate
 
--- | That the alpha^e(i, j) are as stated, and that n of them have the inverse stated.
+-- | Checks that the alpha^e(i, j) are as stated, and that n of them have the stated inverse.
 checkRank ::
   forall k.
   KnownField k =>
@@ -198,7 +198,7 @@ checkRank h profile mask (RankEvidence stated cells inverted) = do
     n = degree h
     Shape n1 n2 = profileShape profile
     exponents = map (cellExponent (profileFolding profile)) (maskOffsets mask)
-    -- e(i, j) is i modulo n1 and j modulo n2: with u n2 = 1 modulo n1, it is j + n2 (u (i - j)).
+    -- e(i, j) is i modulo n1 and j modulo n2. With u n2 = 1 modulo n1 it is j + n2 (u (i - j)).
     cellExponent RowMajor (Position i j) = i * n2 + j
     cellExponent Diagonal (Position i j) =
       fromInteger
@@ -208,16 +208,16 @@ checkRank h profile mask (RankEvidence stated cells inverted) = do
     product' a b = [[sum (zipWith (*) x y) | y <- transpose b] | x <- a]
     unit = [[if i == j then one else zero | j <- [1 .. n]] | i <- [1 .. n]]
 
--- | The inverse of a modulo m, which are coprime; 0 modulo 1.
+-- | The inverse of a modulo m, which must be coprime; 0 modulo 1.
 inverseOf :: Natural -> Natural -> Integer
 inverseOf a m = go (toInteger m) 0 (toInteger a `mod` toInteger m) 1 `mod` toInteger m
   where
-    -- t a = r and t' a = r' modulo m.
+    -- The invariant: t a = r and t' a = r' modulo m.
     go :: Integer -> Integer -> Integer -> Integer -> Integer
     go _ t 0 _ = t
     go r t r' t' = go r' t' (r `mod` r') (t - (r `div` r') * t')
 
--- | That the windows are distinct, and in the order of the digest.
+-- | Checks that the windows are distinct and have the stated digest.
 checkDigest :: Profile -> Mask -> String -> Either Fault ()
 checkDigest profile mask stated = do
   grid <- first ArrayFault (withProfile profile (\array _ -> toGrid array)) >>= first SizeFault
@@ -228,13 +228,13 @@ checkDigest profile mask stated = do
       (digestOfWindows (profilePacking profile) (profileSurface profile) grid mask)
   when (computed /= stated) (Left (DigestFault stated computed))
 
--- | Whether a number is known to be prime: among those shown, or below 'millerRabinDomain' by the
--- strong test, which decides there.
+-- | Whether a number is known to be prime: among those proved before, or below 'millerRabinDomain'
+-- by the strong test, which decides there.
 knownPrime :: [Natural] -> Natural -> Bool
 knownPrime shown n = n `elem` shown || n < millerRabinDomain && isPrime n == Right True
 
--- | Whether a proof shows its number to be prime, given those shown before (Pocklington's theorem).
--- O(w log P) products modulo P for w witnesses.
+-- | Whether a proof shows its number to be prime by Pocklington's theorem, given the numbers proved
+-- before. O(w log P) products modulo P for w witnesses.
 isShownPrime :: [Natural] -> PrimeProof -> Bool
 isShownPrime before (PrimeProof prime witnesses) =
   prime > 3
@@ -247,14 +247,15 @@ isShownPrime before (PrimeProof prime witnesses) =
         && knownPrime before l
         && powerModulo a (prime - 1) == 1
         && gcd prime (powerModulo a ((prime - 1) `div` l) + prime - 1) == 1
-    -- Not the factorisation's: what checks stands apart from what it checks.
+    -- This does not use the factorisation's function, so that the check is independent of what it
+    -- checks.
     powerModulo a e
       | e == 0 = 1
       | odd e = a * powerModulo a (e - 1) `mod` prime
       | otherwise = let b = powerModulo a (e `div` 2) in b * b `mod` prime
 
--- | The product of powers, all greater than 1 and at most the bound; 'Nothing' if it exceeds the
--- bound or a factor repeats.
+-- | The product of powers, for ascending bases above 1 and positive exponents. 'Nothing' if it
+-- exceeds the bound, or a base repeats.
 boundedProduct :: Natural -> [(Natural, Natural)] -> Maybe Natural
 boundedProduct bound powers
   | and

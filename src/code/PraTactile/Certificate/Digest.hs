@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Digests that anyone can recompute: SHA-256 (FIPS 180-4), and which bytes of an array's windows
--- it is taken of.
+-- | Digests that anyone can recompute: SHA-256 (FIPS 180-4), and the bytes of an array's windows
+-- that it is applied to.
 module PraTactile.Certificate.Digest
   ( -- * SHA-256
     sha256,
@@ -39,7 +39,7 @@ sha256 = hexadecimal . sha256Bytes
 sha256Bytes :: ByteString -> ByteString
 sha256Bytes = SHA256.hash
 
--- | The SHA-256 of a text of ASCII characters, a byte each.
+-- | The SHA-256 of a text of ASCII characters, with one byte each.
 --
 -- >>> sha256OfText "abc"
 -- "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
@@ -49,16 +49,16 @@ sha256OfText = sha256 . Char8.pack
 hexadecimal :: ByteString -> String
 hexadecimal = Lazy.unpack . Builder.toLazyByteString . Builder.byteStringHex
 
--- | The SHA-256 of the positions of all windows on the surface, sorted by their packed contents:
--- each is the number row * columns + column, of the grid, as 8 bytes, the most significant first.
--- 'Nothing' when two windows are the same, when there is none, or when there are more than 2^26
+-- | The SHA-256 of the positions of all windows on the surface, sorted by their packed contents.
+-- Each position is the number row * columns + column of the grid, as 8 bytes, the most significant
+-- first. 'Nothing' if two windows are equal, if there is none, or if there are more than 2^26
 -- possible contents and more than 2^20 positions.
 digestOfWindows :: Packing -> Surface -> Grid -> Mask -> Maybe String
 digestOfWindows packing surface grid mask = do
   ordered <- positionsByContent packing surface grid mask
   if Primitive.null ordered then Nothing else Just (hexadecimal (SHA256.hashlazy (bytesOf ordered)))
   where
-    -- Made chunk by chunk as they are digested: the bytes are never in memory at once.
+    -- The bytes are made in chunks while they are digested, so they are never in memory at once.
     bytesOf ordered = Builder.toLazyByteString (Prim.primUnfoldrFixed Prim.int64BE next 0)
       where
         next i = (\position -> (fromIntegral position, i + 1)) <$> ordered Primitive.!? i
@@ -74,7 +74,7 @@ positionsByContent packing surface grid mask = case roadOf spanned (area visited
     spanned = fromIntegral (gridAlphabet grid) ^ maskSize mask :: Natural
     visited = visitedShape surface (gridShape grid) mask
 
--- | How positions are put in the order of their contents.
+-- | How positions are sorted by their contents.
 data Road
   = -- | By a table of all possible contents, at most 2^26.
     ByTable
@@ -82,15 +82,16 @@ data Road
     BySorting
   deriving stock (Eq, Show)
 
--- | Which road there is for so many possible contents, and so many positions.
+-- | The way to sort for this number of possible contents and this number of positions; 'Nothing' if
+-- both are too large.
 roadOf :: Natural -> Natural -> Maybe Road
 roadOf contents positions
   | contents <= 67108864 = Just ByTable
   | positions <= 1048576 = Just BySorting
   | otherwise = Nothing
 
--- | By a table of all possible contents; -1 stands for one that does not occur. Grids have at most
--- 2^28 cells.
+-- | Sorts by a table of all possible contents, in which -1 stands for one that does not occur.
+-- Grids have at most 2^28 cells.
 byTable :: Visit -> Maybe (Vector Int)
 byTable windows
   | Primitive.length ordered == visitRows windows * visitColumns windows = Just ordered
@@ -103,7 +104,7 @@ byTable windows
       forWindows windows $ \r c key -> Mutable.write entries key (fromIntegral (r * width + c))
       pure entries
 
--- | By sorting the windows.
+-- | Sorts the windows by a sorting algorithm.
 bySorting :: Packing -> Surface -> Grid -> Mask -> Maybe (Vector Int)
 bySorting packing surface grid mask
   | and (zipWith (<) found (drop 1 found)) = Just (Primitive.fromList (map snd ordered))

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Arithmetic modulo a polynomial, by Horner's rule: slow, short, and apart from the arithmetic
--- that it helps to check. Internal.
+-- | Arithmetic modulo a polynomial by Horner's rule. It is slow, short, and independent of the
+-- arithmetic that it helps to check. Internal.
 module PraTactile.Certificate.Residue
   ( Modulus,
     modulusFrom,
@@ -19,13 +19,14 @@ import PraTactile.Field
 import PraTactile.Field.Vector (addScaled)
 import PraTactile.LinearCode.Elimination
 
--- | A monic polynomial of degree n >= 1 with a constant term: its n lower coefficients, the
+-- | A monic polynomial of degree n >= 1 with a nonzero constant term, by its n lower coefficients,
 -- constant term first.
 newtype Modulus (k :: Field) = Modulus (Row k)
 
 type role Modulus nominal
 
--- | The polynomial with these coefficients, constant term first, if it is such a one.
+-- | The polynomial with these coefficients, constant term first, if it is monic of degree at least
+-- 1 with a nonzero constant term.
 modulusFrom :: [GF k] -> Maybe (Modulus k)
 modulusFrom stated = case (stated, reverse stated) of
   (constantTerm : _ : _, leading : _)
@@ -33,7 +34,7 @@ modulusFrom stated = case (stated, reverse stated) of
       Just (Modulus (rowFromList (take (length stated - 1) stated)))
   _ -> Nothing
 
--- | x^n h(1/x) / h(0).
+-- | The reciprocal x^n h(1/x) / h(0).
 reversed :: KnownField k => Modulus k -> Maybe (Modulus k)
 reversed (Modulus lower) = case rowToList lower of
   constantTerm : rest ->
@@ -43,15 +44,15 @@ reversed (Modulus lower) = case rowToList lower of
       (inverse constantTerm)
   [] -> Nothing
 
--- | n.
+-- | The degree n.
 degree :: Modulus k -> Int
 degree (Modulus lower) = Primitive.length lower
 
--- | x^e modulo h: n coefficients, that of 1 first.
+-- | x^e modulo h, by its n coefficients, that of 1 first.
 rootPower :: KnownField k => Modulus k -> Natural -> [GF k]
 rootPower h e = concat (powersAt h [e])
 
--- | Many such powers, the squares being computed once.
+-- | x^e modulo h for several e; the squares are computed once.
 powersAt :: KnownField k => Modulus k -> [Natural] -> [[GF k]]
 powersAt h = map (rowToList . foldl' (product' h) (unit h) . factors)
   where
@@ -63,12 +64,12 @@ powersAt h = map (rowToList . foldl' (product' h) (unit h) . factors)
 unit :: Modulus k -> Row k
 unit h = rowFromList (take (degree h) (one : repeat zero))
 
--- | By Horner's rule: b(x) a from the highest coefficient of b down.
+-- | The product of a and b modulo h, by Horner's rule from the highest coefficient of b down.
 product' :: KnownField k => Modulus k -> Row k -> Row k -> Row k
 product' h a =
   Primitive.foldr (\c acc -> addScaled c a (timesRoot h acc)) (Primitive.map (const zero) a)
 
--- | x a(x): the coefficients move up, and x^n is replaced by what it is modulo h.
+-- | x a(x) modulo h: the coefficients move up, and x^n is replaced by its residue.
 timesRoot :: KnownField k => Modulus k -> Row k -> Row k
 timesRoot h@(Modulus lower) a =
   addScaled (negate top) lower (Primitive.cons zero (Primitive.take (degree h - 1) a))

@@ -1,8 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Divisors of composite numbers: trial division, then Pollard's rho, each with a stated effort.
--- Nothing here has to be believed: that a divisor divides is checked before it is given out.
--- Imports base only.
+-- | Divisors of composite numbers, by trial division and then Pollard's rho, each with a stated
+-- effort. Every divisor is checked before it is returned. Imports base only.
 module PraTactile.Factorisation.Divisor
   ( -- * Small primes
     smallPrimes,
@@ -25,8 +24,7 @@ smallPrimes = sieve [2 .. 997]
     sieve (p : rest) = p : sieve (filter (\m -> m `mod` p /= 0) rest)
     sieve [] = []
 
--- | The prime factors below 1000 of a positive number, each as often as it divides, and what is
--- left.
+-- | The prime factors below 1000 of a positive number, with repetition, and the remaining cofactor.
 --
 -- >>> trialDivision 12024
 -- ([167,3,3,2,2,2],1)
@@ -37,10 +35,10 @@ trialDivision n = foldl' divideOut ([], n) smallPrimes
       | m `mod` p == 0 = divideOut (p : found, m `div` p) p
       | otherwise = (found, m)
 
--- | A proper divisor of a composite number that has no factor below 1000, or nothing when the
--- effort is spent. The effort finds a prime factor of 10 digits nearly always in well under a
--- second and one of 12 digits mostly in some seconds. Of the constants 1 to 13, 6 splits 2^101 - 1
--- in the fewest steps, a million.
+-- | A proper divisor of a composite number without a factor below 1000; 'Nothing' when the effort
+-- is spent. The effort finds a prime factor of 10 digits nearly always in well under a second, and
+-- one of 12 digits mostly in some seconds. Of the constants 1 to 13, 6 splits 2^101 - 1 in the
+-- fewest steps, a million.
 --
 -- >>> (`elem` [Just 1009, Just 1013]) (properDivisor (1009 * 1013))
 -- True
@@ -49,7 +47,7 @@ properDivisor n = find proper (squareRoot n : map (rho n) [6, 1])
   where
     proper d = 1 < d && d < n && n `mod` d == 0
 
--- | The largest number whose square is not above the given one, by Newton's method.
+-- | The integer square root, rounded down, by Newton's method.
 --
 -- >>> map squareRoot [0, 15, 16, 17]
 -- [0,3,4,4]
@@ -64,12 +62,12 @@ squareRoot n = descend (2 ^ ((bits n + 1) `div` 2))
         next = (x + n `div` max 1 x) `div` 2
 
 -- | Pollard's rho with Brent's cycle search on y -> y^2 + c, in batches of 128 differences. The
--- answer divides n; it is 1 or n where the search failed.
+-- result divides n; it is 1 or n if the search failed.
 rho :: Natural -> Natural -> Natural
 rho n c = tortoise (1 :: Int) 2
   where
     step y = (y * y + c) `mod` n
-    -- Compare the point x with the next r points after it, then double r.
+    -- Compares the point x with the next r points after it, then doubles r.
     tortoise r x
       | r > 2 ^ (20 :: Int) = 1
       | otherwise = batch r x x r
@@ -82,6 +80,6 @@ rho n c = tortoise (1 :: Int) 2
          in case g of
               1 -> batch r x (foldl' (\_ z -> z) y points) (left - size)
               _ -> oneByOne x points
-    -- Some difference of the batch has a factor in common with n: the first one shows it.
+    -- Some difference of the batch shares a factor with n; the first such one reveals it.
     oneByOne x points = fromMaybe n (find (/= 1) (map (gcd n . distance x) points))
     distance a b = if a > b then a - b else b - a

@@ -1,8 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Which numbers are primes, with proof: the strong test where a theorem says that it decides,
--- Pocklington's theorem beyond, with such prime factors as the strong test proves. Imports base
--- only.
+-- | Primality with proof: by the strong test where a theorem says that it decides, and beyond by
+-- Pocklington's theorem with prime factors that the strong test proves. Imports base only.
 module PraTactile.Factorisation.Prime
   ( -- * Primality
     isPrime,
@@ -26,16 +25,16 @@ data FactorError
     FactorisationOfZero
   | -- | This composite number was not split within the effort allowed.
     FactorNotFound Natural
-  | -- | This number passes the test for primes, but was not proved to be one.
+  | -- | This number passes the strong test, but was not proved to be prime.
     PrimalityUndecided Natural
-  | -- | b^n - 1, for this b and n, exceeds 2^1024, so that factoring it is not even tried.
+  | -- | b^n - 1, for this b and n, exceeds 2^1024, so factoring it is not tried.
     PowerTooLarge Natural Natural
   deriving stock (Eq, Show)
 
--- | Whether a number is prime. Below 'millerRabinDomain' it is decided by the strong test alone;
--- above it a composite is still recognised for certain, and a prime is proved by 'pocklington'.
--- Refuses ('PrimalityUndecided') when n - 1 does not factor far enough for that. O(log n) products
--- modulo n below 'millerRabinDomain', and of nearly every composite; a prime above it takes the
+-- | Whether a number is prime. Below 'millerRabinDomain' the strong test decides. Above it, the
+-- strong test still proves composites, and 'pocklington' proves primes. Refuses
+-- ('PrimalityUndecided') if n - 1 cannot be factored far enough for that. O(log n) products modulo
+-- n below 'millerRabinDomain' and for nearly every composite; a prime above it costs the
 -- factorisation of n - 1.
 --
 -- >>> isPrime (2 ^ 61 - 1)
@@ -58,11 +57,12 @@ millerRabinDomain = 3317044064679887385961981
 millerRabinBases :: [Natural]
 millerRabinBases = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41]
 
--- | Primes beyond those bases: above the domain each is one more chance to recognise a composite.
+-- | Primes beyond those bases. Above the domain, each is one more chance to recognise a composite.
 furtherBases :: [Natural]
 furtherBases = takeWhile (< 150) (drop (length millerRabinBases) smallPrimes)
 
--- | n > 2: with n - 1 = 2^s d, d odd, either a^d = 1 or some a^(2^i d) = -1, i < s.
+-- | The strong test of n > 2: with n - 1 = 2^s d and d odd, either a^d = 1 or a^(2^i d) = -1 for
+-- some i < s.
 strongProbablePrime :: Natural -> Natural -> Bool
 strongProbablePrime n a
   | even n = False
@@ -72,20 +72,19 @@ strongProbablePrime n a
     start = powerModulo n a ((n - 1) `div` 2 ^ twos)
 
 -- | Whether the factors of n - 1 that are found prove that n > 2 is prime. 'True' is a proof;
--- 'False' says nothing.
+-- 'False' proves nothing.
 --
--- Let F divide n - 1, and for each prime l that divides F let some a have a^(n-1) = 1 modulo n and
+-- Let F divide n - 1. For each prime l that divides F, let some a have a^(n-1) = 1 modulo n and
 -- a^((n-1)/l) - 1 coprime to n. Then every prime factor of n is 1 modulo F (Pocklington; a may
--- differ from l to l: Brillhart, Lehmer and Selfridge, Math. Comp. 29, 1975). So n is prime if F^2
--- > n.
+-- depend on l: Brillhart, Lehmer and Selfridge, Math. Comp. 29, 1975). So n is prime if F^2 > n.
 pocklington :: Natural -> Bool
 pocklington n = maybe False (all witnessed . nub) (find enough (inits (factorsOfPredecessor n)))
   where
     enough primes = product primes ^ (2 :: Int) > n
     witnessed l = any (isPocklingtonWitness n l) millerRabinBases
 
--- | Prime factors of n - 1 for n > 1, each as often as it divides: those that are found and are
--- below 'millerRabinDomain', found as they are asked for.
+-- | Those prime factors of n - 1, for n > 1 and with repetition, that are found and are below
+-- 'millerRabinDomain'. Computed lazily.
 factorsOfPredecessor :: Natural -> [Natural]
 factorsOfPredecessor n = small ++ found rest
   where
@@ -96,8 +95,8 @@ factorsOfPredecessor n = small ++ found rest
       | otherwise = [m | m < millerRabinDomain]
     composite m = not (all (strongProbablePrime m) millerRabinBases)
 
--- | @isPocklingtonWitness n l a@: a^(n-1) is 1 modulo n, and a^((n-1)/l) - 1 is coprime to n.
--- O(log n) products modulo n.
+-- | @isPocklingtonWitness n l a@ says whether a^(n-1) is 1 modulo n and a^((n-1)/l) - 1 is coprime
+-- to n. O(log n) products modulo n.
 isPocklingtonWitness :: Natural -> Natural -> Natural -> Bool
 isPocklingtonWitness n l a =
   powerModulo n a (n - 1) == 1 && gcd n (powerModulo n a ((n - 1) `div` l) + n - 1) == 1

@@ -5,8 +5,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | The Conway polynomials of the fields up to 256 elements (F. Luebeck's tables; the test suite
--- compares them with those of another program), and the fields that have a type of their own.
--- Internal, because of the class; "PraTactile.Field.Named" exports the rest.
+-- compares them with another program's), and the fields with a type of their own. Internal, because
+-- of the class; "PraTactile.Field.Named" exports the rest.
 module PraTactile.Field.Conway
   ( -- * Default moduli
     conwayModulus,
@@ -31,8 +31,8 @@ import Numeric.Natural (Natural)
 import PraTactile.Field.Kind (Field (..), KnownIndex, fieldIndex)
 import PraTactile.Field.Tables (FieldError (..), Tables, largestOrder, trustedTables)
 
--- | p and the default modulus, constant term first, of GF(q): the Conway polynomial. Refuses orders
--- above 256 ('FieldTooLarge') and those that are no prime power.
+-- | The characteristic p and the default modulus of GF(q): its Conway polynomial, constant term
+-- first. Refuses orders above 256 ('FieldTooLarge') and orders that are not prime powers.
 --
 -- >>> import PraTactile.Field.Conway (conwayModulus, modulusDegrees)
 -- >>> conwayModulus 9
@@ -44,8 +44,9 @@ conwayModulus q
   | q > largestOrder = Left (FieldTooLarge q 1)
   | otherwise = maybe (Left (NotAPrimePower q)) Right (lookup q conwayModuli)
 
--- | p of GF(q), the degree of a modulus given for it, and the degree that it needs, the default
--- modulus's. No coefficients count as a constant. Refuses q as 'conwayModulus' does.
+-- | The characteristic p of GF(q), the degree of a given modulus, and the degree that it should
+-- have: that of the default modulus. An empty list counts as a constant. Refuses q as
+-- 'conwayModulus' does.
 --
 -- >>> modulusDegrees 9 [2, 1]
 -- Right (3,1,2)
@@ -134,7 +135,7 @@ conwayModuli =
         ]
   ]
 
--- | A field whose tables are made once, when first used. The default method reads the modulus off
+-- | Fields whose tables are made once, when first used. The default method reads the modulus from
 -- the type, so that it is written in one place.
 class NamedField (k :: Field) where
   namedTables :: Tables

@@ -1,8 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | One field in another: the isomorphisms between GF(p^m) with one modulus and with another, by
--- which implementations that chose different moduli translate their codes, and the embeddings of
--- GF(p^d) into GF(p^m).
+-- | Embeddings of GF(p^d) into GF(p^m), and isomorphisms between GF(p^m) with different moduli.
+-- Implementations with different moduli translate their codes by an isomorphism.
 module PraTactile.Field.Embedding
   ( -- * Making
     Embedding,
@@ -25,15 +24,15 @@ import PraTactile.Field
 import PraTactile.Field.Structure
 import PraTactile.Polynomial
 
--- | A map from the field j into the field k that respects sums and products, as the table of the
--- images by increasing code.
+-- | A map from the field j to the field k that preserves sums and products, as the table of images
+-- by increasing code.
 newtype Embedding (j :: Field) (k :: Field) = Embedding (Primitive.Vector (GF k))
 
 type role Embedding nominal nominal
 
--- | All embeddings of j into k, none where j is not contained in k, else as many as j has degree
--- over GF(p): A, a root of j's modulus f, goes to a root of f in k, and then Z_p[x]/f goes the only
--- way that is left. They are listed by increasing code of the root.
+-- | All embeddings of j into k, by increasing code of the root that j's A goes to. Their number is
+-- the degree of j over GF(p), or 0 if j is not contained in k. A, a root of j's modulus f, must go
+-- to a root of f in k; that determines the image of Z_p[x]/f.
 embeddings :: forall j k. (KnownField j, KnownField k) => [Embedding j k]
 embeddings
   | fieldCharacteristic j /= fieldCharacteristic (Proxy :: Proxy k) = []
@@ -50,8 +49,8 @@ embeddings
 fromIntegers :: KnownField k => [Integer] -> Polynomial k
 fromIntegers = polynomial . map fromInteger
 
--- | The first of the 'embeddings'. Refuses, with 'NotContained', fields that are not one in the
--- other.
+-- | The first of the 'embeddings'. Refuses, with 'NotContained', fields of which the first is not
+-- contained in the second.
 embedding :: forall j k. (KnownField j, KnownField k) => Either StructureError (Embedding j k)
 embedding = case embeddings of
   first : _ -> Right first

@@ -4,8 +4,8 @@
 {-# LANGUAGE TypeOperators #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The kind of field indices, and how an index written in a type is read as a value. Internal;
--- "PraTactile.Field" exports what a user needs.
+-- | The kind of field indices, and how an index that is written in a type becomes a value.
+-- Internal; "PraTactile.Field" exports what users need.
 module PraTactile.Field.Kind
   ( Field (..),
     KnownIndex,
@@ -19,7 +19,7 @@ import Data.Proxy (Proxy (..))
 import GHC.TypeNats (KnownNat, Nat, natVal)
 import Numeric.Natural (Natural)
 
--- | What distinguishes one field from another: used as a kind, never as a type.
+-- | The index that distinguishes fields. It is used as a kind only, never as a type.
 data Field
   = -- | The characteristic p, and the modulus, constant term first and monic.
     Over Nat [Nat]
@@ -27,7 +27,7 @@ data Field
     -- tables.
     RunTime Type
 
--- | Indices that are written out: p and the modulus as values.
+-- | Indices that are written in a type: p and the modulus as values.
 class KnownIndex (k :: Field) where
   -- | p, and the modulus, constant term first.
   fieldIndex :: (Natural, [Natural])
@@ -35,7 +35,7 @@ class KnownIndex (k :: Field) where
 instance (KnownNat p, KnownNats modulus) => KnownIndex ('Over p modulus) where
   fieldIndex = (natVal (Proxy @p), natVals @modulus)
 
--- | Lists of numbers that are written out.
+-- | Lists of numbers that are written in a type.
 class KnownNats (ns :: [Nat]) where
   -- | The numbers as values.
   natVals :: [Natural]

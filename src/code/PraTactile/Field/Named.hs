@@ -1,7 +1,7 @@
--- | The default modulus of every field up to 256 elements, the Conway polynomial; and names for the
--- fields that are known when a program is written: @GF GF4@ is the type of the elements of GF(4).
--- What stands beside a name is the relation by which A, the modulus's root, is reduced. A field
--- without a name is 'PraTactile.Field.withField' of its modulus.
+-- | The default modulus of every field up to 256 elements, its Conway polynomial, and names for
+-- some fields that are known when a program is written. @GF GF4@ is the type of the elements of
+-- GF(4). Beside each name is the relation that reduces A, the modulus's root. For a field without a
+-- name, use 'PraTactile.Field.withField' with its modulus.
 module PraTactile.Field.Named
   ( -- * Default moduli
     conwayModulus,

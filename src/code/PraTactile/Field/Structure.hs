@@ -1,4 +1,4 @@
--- | What a field is made of: orders of elements, the Frobenius automorphism, subfields, and trace,
+-- | The structure of a field: orders of elements, the Frobenius automorphism, subfields, and trace,
 -- norm and minimal polynomial over them (Lidl and Niederreiter, Finite Fields, chapter 2).
 module PraTactile.Field.Structure
   ( -- * The multiplicative group
@@ -35,17 +35,17 @@ import Numeric.Natural (Natural)
 import PraTactile.Field
 import PraTactile.Polynomial
 
--- | Why a field has no such part.
+-- | Why an element has no order, or a field no such subfield, embedding or isomorphism.
 data StructureError
   = -- | No power of zero is 1.
     ZeroHasNoOrder
-  | -- | There is no subfield of degree d, the first number, over GF(p), for it does not divide m,
-    -- the second.
+  | -- | There is no subfield of degree d, the first number, over GF(p), because it does not divide
+    -- m, the second.
     NoSubfield Natural Natural
   | -- | GF(p^d), the first pair, is not in GF(r^m), the second: p and r differ, or d does not
     -- divide m.
     NotContained (Natural, Natural) (Natural, Natural)
-  | -- | GF(p^d), the first pair, is not the same field as GF(r^m), the second.
+  | -- | GF(p^d), the first pair, and GF(r^m), the second, are different fields.
     NotIsomorphic (Natural, Natural) (Natural, Natural)
   deriving stock (Eq, Show)
 
@@ -66,7 +66,7 @@ elementOrder a = case logarithm a of
   where
     units = fieldOrder (Proxy :: Proxy k) - 1
 
--- | Whether the powers of an element are all elements but zero.
+-- | Whether the powers of an element are all nonzero elements.
 isPrimitiveElement :: forall k. KnownField k => GF k -> Bool
 isPrimitiveElement a = elementOrder a == Right (fromIntegral (fieldOrder (Proxy :: Proxy k)) - 1)
 
@@ -78,8 +78,8 @@ frobeniusPower i a =
   where
     k = Proxy :: Proxy k
 
--- | A subfield GF(p^d) of the field k = GF(p^m), d a divisor of m: the roots of x^(p^d) = x. Only
--- 'subfield' and its like make one.
+-- | A subfield GF(p^d) of the field k = GF(p^m), where d divides m: the roots of x^(p^d) = x. Only
+-- functions of this module make one.
 newtype Subfield (k :: Field) = Subfield Natural
   deriving stock (Eq, Ord, Show)
 
@@ -119,8 +119,8 @@ inSubfield (Subfield d) a = frobeniusPower d a == a
 subfieldElements :: KnownField k => Subfield k -> [GF k]
 subfieldElements s = filter (inSubfield s) elements
 
--- | The different images of an element under the automorphisms that leave the subfield as it is: a,
--- a^r, a^(r^2), ... with r = p^d, as many as the degree of the minimal polynomial. O(m).
+-- | The different images of an element under the automorphisms that fix the subfield: a, a^r,
+-- a^(r^2), ... with r = p^d. Their number is the degree of the minimal polynomial. O(m).
 conjugates :: KnownField k => Subfield k -> GF k -> [GF k]
 conjugates (Subfield d) a = a : takeWhile (/= a) (drop 1 (iterate (frobeniusPower d) a))
 
@@ -139,8 +139,8 @@ images (Subfield d) a = [frobeniusPower i a | i <- [0, d .. m - 1]]
   where
     m = fromIntegral (fieldDegree (Proxy :: Proxy k))
 
--- | The monic polynomial of least degree over the subfield of which the element is a root: its
--- coefficients lie in the subfield, and it is irreducible over it. O(m^3).
+-- | The monic polynomial of least degree over the subfield that has the element as a root. Its
+-- coefficients lie in the subfield, over which it is irreducible. O(m^3).
 --
 -- Over GF(2), the minimal polynomial of A in GF(4) is x^2 + x + 1.
 --

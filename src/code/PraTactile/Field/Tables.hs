@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The tables behind "PraTactile.Field": what a field index stands for at run time, and how they
--- are built and checked. Internal.
+-- | The tables behind "PraTactile.Field": the run-time value of a field index, and how it is built
+-- and checked. Internal.
 module PraTactile.Field.Tables
   ( -- * Tables
     Tables (..),
@@ -31,13 +31,13 @@ data FieldError
     ModulusConstant [Natural]
   | -- | The modulus has this leading coefficient instead of 1.
     ModulusNotMonic Natural
-  | -- | A coefficient of the modulus, the first, is not below the second, p.
+  | -- | The first number, a coefficient of the modulus, is not below the second, p.
     CoefficientOutOfRange Natural Natural
-  | -- | The modulus factors over GF(p), so that there are divisors of zero.
+  | -- | The modulus factors over GF(p), so there are divisors of zero.
     ModulusReducible Natural [Natural]
   | -- | There is no field with this many elements.
     NotAPrimePower Natural
-  | -- | The code, the first, is negative or not below the order, the second.
+  | -- | The first number, a code, is negative or not below the second, the order.
     CodeOutOfRange Integer Natural
   | -- | Zero has no inverse.
     DivisionByZero
@@ -49,8 +49,8 @@ data FieldError
 largestOrder :: Natural
 largestOrder = 256
 
--- | A field as look-up tables over codes. The tables of two arguments have rows of 256 whatever the
--- order is: see Note [Rows of 256] in "PraTactile.Field".
+-- | A field as look-up tables over codes. Tables of two arguments have rows of 256 for every order:
+-- see Note [Rows of 256] in "PraTactile.Field".
 data Tables = Tables
   { tableCharacteristic :: !Int,
     tableDegree :: !Int,
@@ -72,8 +72,8 @@ data Tables = Tables
     tablePower :: !(Primitive.Vector Word8)
   }
 
--- | The tables of GF(p)[x] / f, after checking that it is a field of at most 256 elements. See Note
--- [When the modulus is good].
+-- | The tables of GF(p)[x] / f. Refuses what is not a field of at most 256 elements. See Note [When
+-- the modulus is good].
 checkedTables :: Natural -> [Natural] -> Either FieldError Tables
 checkedTables p modulus
   | p > largestOrder = Left (FieldTooLarge p (max 1 m))
@@ -87,12 +87,12 @@ checkedTables p modulus
     [] -> Left (ModulusReducible p modulus)
     g : _ -> Right (buildTables codes g)
   where
-    -- The list may be endless; a degree of 9 is too large for every p.
+    -- The list may be infinite; degree 9 is too large for every p.
     m = fromIntegral (length (take 10 modulus)) - min 1 (fromIntegral (length (take 1 modulus)))
     leading = foldl' (\_ c -> c) 0 modulus
     codes = codeArithmetic p modulus
 
--- | The tables of a field that is known to be one: the named fields, which the test suite checks.
+-- | The tables of a named field. They are not checked here; the test suite checks these fields.
 trustedTables :: Natural -> [Natural] -> Tables
 trustedTables p modulus = buildTables codes (fromMaybe 1 (find (const True) (primitiveCodes codes)))
   where
@@ -119,7 +119,7 @@ data CodeArithmetic = CodeArithmetic
     codeMultiply :: Int -> Int -> Int
   }
 
--- | Expects p^m <= 256 and a monic modulus of degree m >= 1.
+-- | The arithmetic for p and a modulus. It expects p^m <= 256 and a monic modulus of degree m >= 1.
 codeArithmetic :: Natural -> [Natural] -> CodeArithmetic
 codeArithmetic prime modulus = CodeArithmetic p m q modulus add multiply
   where

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Arithmetic on many elements at once, a byte each: about 900 million products a second on one
--- core, in fields of any order and whatever optimisation the caller is compiled with.
+-- | Arithmetic on vectors of elements, with one byte for each: about 900 million products a second
+-- on one core, in fields of any order and whatever optimisation the caller is compiled with.
 module PraTactile.Field.Vector
   ( addVectors,
     subtractVectors,
@@ -16,15 +16,15 @@ import qualified Data.Vector.Primitive as Primitive
 import qualified Data.Vector.Primitive.Mutable as Mutable
 import PraTactile.Field
 
--- | The sums, element by element, as many as the shorter vector has.
+-- | The elementwise sum, as long as the shorter vector.
 addVectors :: KnownField k => Vector (GF k) -> Vector (GF k) -> Vector (GF k)
 addVectors = elementwise (+)
 
--- | The differences, element by element, as many as the shorter vector has.
+-- | The elementwise difference, as long as the shorter vector.
 subtractVectors :: KnownField k => Vector (GF k) -> Vector (GF k) -> Vector (GF k)
 subtractVectors = elementwise (-)
 
--- | The products, element by element, as many as the shorter vector has.
+-- | The elementwise product, as long as the shorter vector.
 --
 -- >>> import PraTactile.Field.Named (GF4)
 -- >>> import qualified Data.Vector.Primitive as Primitive
@@ -34,7 +34,7 @@ subtractVectors = elementwise (-)
 multiplyVectors :: KnownField k => Vector (GF k) -> Vector (GF k) -> Vector (GF k)
 multiplyVectors = elementwise (*)
 
--- | The multiple of a vector by an element.
+-- | A vector times an element.
 scaleVector :: KnownField k => GF k -> Vector (GF k) -> Vector (GF k)
 scaleVector c a = generated (Primitive.length a) (\i -> c * unsafeIndex a i)
 
@@ -51,8 +51,8 @@ elementwise f a b = generated n (\i -> f (unsafeIndex a i) (unsafeIndex b i))
     n = min (Primitive.length a) (Primitive.length b)
 {-# INLINE elementwise #-}
 
--- | A vector by its entries: one counter, where a zip by the library's streams keeps several, which
--- costs a quarter of the speed.
+-- | A vector of this length by its entries. It uses one counter; a zip by the library's streams
+-- uses several, which costs a quarter of the speed.
 generated :: Int -> (Int -> GF k) -> Vector (GF k)
 generated n entry = Primitive.create $ do
   result <- Mutable.new n

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The words of independent letters in the order of their probability, the likeliest first, made
--- one at a time: each option of each letter costs something, and what a word costs is the sum.
+-- | Lists the words of independent letters by decreasing probability, lazily. Each option of each
+-- letter has a cost, and the cost of a word is the sum of its options' costs.
 module PraTactile.LinearCode.BestFirst
   ( bestFirst,
   )
@@ -20,14 +20,14 @@ import qualified Data.Map.Strict as Map
    None of these costs more, and so all words come out in order when each brings those that come
    from it (E. L. Lawler 1972). -}
 
--- | For each letter, by its number, the costs of its options: ascending, the first one 0. All
--- words, the cheapest first, each with its cost and the letters that do not have their first
--- option, with the option's index from 1.
+-- | All words, the cheapest first, each with its cost and its changed letters. Each letter is given
+-- by its number and the ascending costs of its options, the first of which is 0. A changed letter,
+-- one that does not have its first option, is listed with the option's index from 1.
 bestFirst :: [(Int, [Double])] -> [(Double, [(Int, Int)])]
 bestFirst letters = (0, []) : go (0 :: Int) Map.empty (starts 0 [] ordered)
   where
     ordered = sortOn (take 1 . drop 1 . snd) [(i, costs) | (i, costs@(_ : _ : _)) <- letters]
-    -- The first of these letters gets its second option, beside what is changed already.
+    -- The first of these letters gets its second option, in addition to the earlier changes.
     starts before changed later = case later of
       (i, _ : costs@(cost : _)) : rest -> [Changed (before + cost) before changed i 1 costs rest]
       _ -> []
@@ -57,16 +57,16 @@ bestFirst letters = (0, []) : go (0 :: Int) Map.empty (starts 0 [] ordered)
     instead x =
       if changedOption x == 1 then starts (changedRest x) (changedBefore x) (changedLater x) else []
 
--- | A word.
+-- | A word, by its changed letters.
 data Changed = Changed
   { changedCost :: !Double,
-    -- | without the last changed letter
+    -- | the cost without the last changed letter
     changedRest :: !Double,
     -- | the changed letters before that one
     changedBefore :: [(Int, Int)],
     changedLetter :: !Int,
     changedOption :: !Int,
-    -- | of its options from this one on
+    -- | the costs of its options from this one on
     changedCosts :: [Double],
     -- | the letters after it
     changedLater :: [(Int, [Double])]

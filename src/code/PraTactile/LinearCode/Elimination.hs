@@ -1,7 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Elimination over GF(q): which rows of a matrix are independent, and the inverse of a square
--- one.
+-- | Elimination over GF(q): independent rows of a matrix, and the inverse of a square matrix.
 module PraTactile.LinearCode.Elimination
   ( -- * Rows
     Row,
@@ -37,13 +36,13 @@ rowFromList = Primitive.fromList
 rowToList :: Row k -> [GF k]
 rowToList = Primitive.toList
 
--- | Independent rows in echelon form, the one that was included last first: each has a 1 where all
--- that follow it in the order of inclusion have 0, its pivot.
+-- | Independent rows in echelon form, the last included row first. Each row has a pivot: an index
+-- where it has 1 and all rows included later have 0.
 newtype Basis (k :: Field) = Basis [(Int, Row k)]
 
 type role Basis nominal
 
--- | No rows.
+-- | The basis without rows.
 emptyBasis :: Basis k
 emptyBasis = Basis []
 
@@ -51,25 +50,25 @@ emptyBasis = Basis []
 basisSize :: Basis k -> Int
 basisSize (Basis pivoted) = length pivoted
 
--- | The rows in reduced echelon form, where all others have 0 at a row's pivot, with their pivots,
--- the one that was included last first. O(r^2 n) for r rows of n elements.
+-- | The rows with their pivots in reduced echelon form, the last included row first: all other rows
+-- have 0 at a row's pivot. O(r^2 n) for r rows of n elements.
 basisRows :: KnownField k => Basis k -> [(Int, Row k)]
 basisRows (Basis pivoted) = reverse (foldl' clear [] pivoted)
   where
     clear later (pivot, x) = (pivot, foldl' clearedAt x later) : later
 
--- | The row less its component along a row with a pivot. All have one length, so that the pivot is
+-- | A row minus its component along a row with a pivot. All rows have one length, so the pivot is
 -- an index of each.
 clearedAt :: KnownField k => Row k -> (Int, Row k) -> Row k
 clearedAt x (pivot, b) = addScaled (negate (Primitive.unsafeIndex x pivot)) b x
 
--- | The row less its components along the basis: zero at every pivot, and all zeros exactly when
--- the basis spans the row.
+-- | A row minus its components along the basis. It is zero at every pivot, and zero everywhere
+-- exactly if the basis spans the row.
 reduced :: KnownField k => Basis k -> Row k -> Row k
 reduced (Basis pivoted) given = foldl' clearedAt given (reverse pivoted)
 
--- | Include a row, if the basis does not span it already. Its pivot is the first index that is
--- preferred, or else the first of all, where what is left of it is not zero.
+-- | Includes a row; 'Nothing' if the basis spans it already. The pivot is the first preferred index
+-- at which the reduced row is nonzero, or else the first such index.
 extend :: KnownField k => (Int -> Bool) -> Basis k -> Row k -> Maybe (Basis k)
 extend preferred basis@(Basis pivoted) given = case filter preferred support ++ support of
   [] -> Nothing
@@ -80,7 +79,7 @@ extend preferred basis@(Basis pivoted) given = case filter preferred support ++ 
     support = [i | (i, a) <- zip [0 ..] (Primitive.toList rest), a /= zero]
     inverted = either (const zero) id . inverse
 
--- | The indices, ascending, of the rows that those before them do not span, at most this many.
+-- | The indices, ascending, of the rows that the rows before them do not span; at most this many.
 independentRows :: KnownField k => Int -> [Row k] -> [Int]
 independentRows most = go emptyBasis . zip [0 ..]
   where
@@ -89,11 +88,11 @@ independentRows most = go emptyBasis . zip [0 ..]
         maybe (go basis others) (\larger -> i : go larger others) (extend (const True) basis x)
     go _ _ = []
 
--- | The inverse of a square matrix, given by rows; 'Nothing' exactly when there is none.
+-- | The inverse of a square matrix, given by rows; 'Nothing' exactly if there is none.
 inverseMatrix :: KnownField k => [[GF k]] -> Maybe [[GF k]]
 inverseMatrix matrix = do
-  -- Beside each row the same row of the unit matrix: when the left half has become the unit matrix,
-  -- up to the order of the rows, the right half is the inverse.
+  -- Each row is extended by the same row of the unit matrix. When the left half has become the unit
+  -- matrix, up to the order of rows, the right half is the inverse.
   basis <- foldl' include (Just emptyBasis) (zipWith beside [0 ..] matrix)
   traverse (\i -> drop n . rowToList <$> lookup i (basisRows basis)) [0 .. n - 1]
   where

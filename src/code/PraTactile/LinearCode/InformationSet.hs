@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | Information sets of a linear code: places whose letters determine a codeword, with the basis
--- that is the unit matrix there.
+-- that is the unit matrix at these places.
 module PraTactile.LinearCode.InformationSet
   ( -- * Sets
     InformationSet,
@@ -30,25 +30,25 @@ import PraTactile.Field.Vector (addScaled, scaleVector)
 import PraTactile.LinearCode.Elimination
 import PraTactile.LinearCode.Packed
 
--- | A basis of a code of dimension k which at k places, one a row, is the unit matrix.
+-- | A basis of a code of dimension k that is the unit matrix at k places, one for each row.
 data InformationSet (k :: Field) = InformationSet
-  { -- | how many of those places belong to sets before this one
+  { -- | the number of those places that belong to earlier sets
     setDeficit :: !Int,
-    -- | the k places, by rows
+    -- | the k places, in the order of the rows
     setPlaces :: !(Vector Int),
     -- | all other places, ascending
     setRest :: !(Vector Int),
-    -- | the rows at the other places, one row after the other
+    -- | the entries of the rows at the other places, row after row
     setParity :: !(Vector (GF k)),
-    -- | the same times every element but zero: all multiples of one row after the other
+    -- | those entries times every nonzero element: all multiples of one row after the other
     setMultiples :: Packed
   }
 
 type role InformationSet nominal
 
--- | Information sets of the code of this length that some rows span; the places of each that do not
--- belong to sets before it are disjoint from them, and there are as many sets as there are places
--- for. Each takes the first places that it can: those that do not depend on places before them.
+-- | Information sets of the code of this length that the rows span. Each set takes the first
+-- independent places that belong to no earlier set, and completes them with places of earlier sets.
+-- There are as many sets as there are free places for.
 informationSets :: forall k. KnownField k => Int -> [Row k] -> [InformationSet k]
 informationSets size rows = go (IntSet.fromDistinctAscList [0 .. size - 1])
   where
@@ -79,8 +79,8 @@ informationSets size rows = go (IntSet.fromDistinctAscList [0 .. size - 1])
 setSize :: InformationSet k -> Int
 setSize = Primitive.length . setPlaces
 
--- | How a word differs at the other places from the codeword that agrees with it at the places of
--- the set.
+-- | The difference, at the other places, between a word and the codeword that agrees with it at the
+-- places of the set.
 agreeingAt :: KnownField k => InformationSet k -> Row k -> Vector (GF k)
 agreeingAt set y =
   foldl'
@@ -90,13 +90,13 @@ agreeingAt set y =
   where
     without x (i, place) = addScaled (negate (unsafeIndex y place)) (parityRow set i) x
 
--- | One of the rows at the other places.
+-- | The entries of one row at the other places.
 parityRow :: InformationSet k -> Int -> Vector (GF k)
 parityRow set i = Primitive.slice (i * width) width (setParity set)
   where
     width = Primitive.length (setRest set)
 
--- | The codeword that is this combination of rows, as long as the code.
+-- | The codeword with this linear combination of rows.
 combination :: KnownField k => InformationSet k -> [(Int, GF k)] -> Row k
 combination set terms = Primitive.replicate size zero Primitive.// (atPlaces ++ atRest)
   where
@@ -107,8 +107,8 @@ combination set terms = Primitive.replicate size zero Primitive.// (atPlaces ++ 
     sums =
       foldl' (\x (i, a) -> addScaled a (parityRow set i) x) (Primitive.replicate width zero) terms
 
--- | The codeword that agrees with a word at the places of the set, with this combination of rows
--- added.
+-- | The codeword that agrees with a word at the places of the set, plus this linear combination of
+-- rows.
 combinationFrom :: KnownField k => InformationSet k -> Row k -> [(Int, GF k)] -> Row k
 combinationFrom set y terms =
   combination set (zipWith letter [0 ..] (Primitive.toList (setPlaces set)))

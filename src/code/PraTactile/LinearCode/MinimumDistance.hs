@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The minimum distance of a linear code: the weight of a lightest codeword that is not zero.
+-- | The minimum distance of a linear code: the weight of a lightest nonzero codeword.
 module PraTactile.LinearCode.MinimumDistance
   ( Lightest (..),
     lightest,
@@ -19,11 +19,12 @@ import PraTactile.LinearCode.InformationSet
 import PraTactile.LinearCode.Search
 import PraTactile.LinearCode.Weights
 
--- | What the search for a lightest codeword found.
+-- | The result of a search for a lightest codeword.
 data Lightest k
-  = -- | A codeword, not zero, and no other is lighter.
+  = -- | A lightest nonzero codeword.
     Lightest (Row k)
-  | -- | The search was given up: the weight is at least the first number, and at most the second.
+  | -- | The search was given up; the least weight is at least the first number and at most the
+    -- second.
     Between Int Int
   | -- | The code has no codeword but zero.
     NoCodeword
@@ -36,8 +37,8 @@ data Lightest k
    lightest codeword seen is no heavier than that. (K.-H. Zimmermann 1996; M. Grassl in "Discovering
    Mathematics with Magma", 2006.) -}
 
--- | A lightest codeword that is not zero, by the method of Note [Brouwer and Zimmermann]. The
--- search is given up before it has looked at more codewords than the effort.
+-- | Finds a lightest nonzero codeword by the method of Note [Brouwer and Zimmermann]. The search is
+-- given up before it tests more codewords than the effort.
 lightest :: KnownField k => Natural -> LinearCode k -> Lightest k
 lightest effort code
   | k == 0 = NoCodeword
@@ -69,9 +70,9 @@ lightest effort code
         level = Level {levelRows = w, levelLimit = below - 1 - w}
         below = maybe (size + 1) weight best
 
--- | The least weight of a codeword that is not zero, by 'lightest', or by visiting all codewords
--- where that is shorter. Beyond the effort, in codewords, it is a lower bound. 0 if zero is the
--- only one.
+-- | The least weight of a nonzero codeword, by 'lightest', or by visiting all codewords if that is
+-- shorter. If it takes more codewords than the effort, the result is a lower bound. 0 if there is
+-- no nonzero codeword.
 leastWeight :: KnownField k => Natural -> LinearCode k -> Int
 leastWeight effort code = case lightest (min effort all') code of
   Lightest x -> weight x

@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Words over GF(q) in few bits, to count the places in which two of them differ.
+-- | Packs words over GF(q) into few bits, to count quickly where two of them differ.
 module PraTactile.LinearCode.Packed
   ( Packed,
     packed,
@@ -16,11 +16,12 @@ import qualified Data.Vector.Primitive as Primitive
 import Data.Word (Word64)
 import PraTactile.Field
 
--- | Words of elements, all of one length, one after the other, with as few bits an element as the
--- codes need: the number of bits, 1, 2, 4 or 8; the number of machine words to each; and these.
+-- | Words of one length, one after the other, with as few bits for each element as its code needs:
+-- the number of bits, 1, 2, 4 or 8; the number of machine words for each word; and the machine
+-- words.
 data Packed = Packed !Int !Int !(Vector Word64)
 
--- | Words of one length, packed.
+-- | Packs words of one length.
 packed :: forall k. KnownField k => [Vector (GF k)] -> Packed
 packed rows =
   Packed bits width (Primitive.concat (map (\x -> Primitive.generate width (machineWord x)) rows))
@@ -33,8 +34,8 @@ packed rows =
     place acc j a = acc .|. fromIntegral (toCode a) `unsafeShiftL` (j * bits)
 {-# INLINE packed #-}
 
--- | In how many elements one word, by its index, differs from the single one; counted on only until
--- it is more than the limit.
+-- | The number of elements in which the word at an index differs from a single word. Counting stops
+-- when the number exceeds the limit.
 differences :: Packed -> Int -> Packed -> Int -> Int
 differences (Packed bits width rows) !index (Packed _ _ single) !most = go 0 0
   where
@@ -44,7 +45,7 @@ differences (Packed bits width rows) !index (Packed _ _ single) !most = go 0 0
       | j >= width || n > most = n
       | otherwise =
         go (j + 1) (n + popCount (marks (unsafeIndex rows (base + j) `xor` unsafeIndex single j)))
-    -- One bit an element that is not zero.
+    -- One bit for each nonzero element.
     marks x = case bits of
       1 -> x
       2 -> (x .|. x `unsafeShiftR` 1) .&. 0x5555555555555555

@@ -1,10 +1,9 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | A code of which cells are missing: each set of observed cells makes another code, a punctured
--- one, with a minimum distance and weights of its own (F. J. MacWilliams and N. J. A. Sloane 1977,
--- chapter 1). All 2^n sets are visited, once for all shares of missing cells; kept is what the
--- rates of decoding depend on.
+-- | Punctured codes: each set of observed cells gives a code with its own minimum distance and
+-- weights (F. J. MacWilliams and N. J. A. Sloane 1977, chapter 1). All 2^n sets are visited, once
+-- for all shares of missing cells. The result contains what the rates of decoding depend on.
 module PraTactile.LinearCode.Punctured
   ( Punctured,
     punctured,
@@ -29,45 +28,46 @@ import qualified Data.Vector.Primitive.Mutable as Mutable
 import Data.Word (Word64)
 import Numeric.Natural (Natural)
 
--- | The punctured codes of a code, counted.
+-- | Counts over all punctured codes of a code.
 data Punctured = Punctured
   { -- | The number n of all cells.
     puncturedCells :: !Int,
-    -- | The number of words, zero left out.
+    -- | The number of nonzero words.
     puncturedWords :: !Int,
-    -- | The least weight of a word; 0 if there is none.
+    -- | The least weight of a nonzero word; 0 if there is none.
     puncturedDistance :: !Int,
     -- | The classes that occur.
     puncturedClasses :: [PuncturedClass]
   }
   deriving stock (Eq, Show)
 
--- | The sets of one number of observed cells that are alike in what they guarantee.
+-- | The sets with one number of observed cells and one least weight.
 data PuncturedClass = PuncturedClass
-  { -- | How many cells are observed.
+  { -- | The number of observed cells.
     classCells :: !Int,
-    -- | The least weight that a word has in them: 0 if two words are alike in them.
+    -- | The least weight of a nonzero word in these cells: 0 if two words are equal in them.
     classDistance :: !Int,
-    -- | Whether exactly one word is zero in them. Over GF(2) no other word is like it all the same.
+    -- | Whether exactly one nonzero word is zero in these cells. Over GF(2) it is then still not
+    -- equal to any other nonzero word.
     classLoneZero :: !Bool,
-    -- | How many such sets there are.
+    -- | The number of such sets.
     classSets :: !Int,
-    -- | How many words have each weight, in all these sets.
+    -- | The number of words with each weight, over all these sets.
     classWeights :: [(Int, Int)]
   }
   deriving stock (Eq, Show)
 
--- | 25: the most cells for which all sets are visited.
+-- | The most cells for which all sets are visited, 25.
 mostErasedCells :: Int
 mostErasedCells = 25
 
--- | 2^33: the most words, those of all sets added up, which take some seconds.
+-- | The most words over all sets, 2^33, which take some seconds.
 mostErasedWork :: Natural
 mostErasedWork = 2 ^ (33 :: Int)
 
--- | The punctured codes of the words with these supports, in n cells: bit i for the cell i, if it
--- is not zero. To be given are all words but zero, also those with equal supports. 'Nothing' beyond
--- 'mostErasedCells' or 'mostErasedWork'.
+-- | The punctured codes of the words with these supports in n cells: bit i is set if the word is
+-- nonzero in cell i. All nonzero words must be listed, including those with equal supports.
+-- 'Nothing' beyond 'mostErasedCells' or 'mostErasedWork'.
 punctured :: Int -> [Int] -> Maybe Punctured
 punctured n supports
   | n < 1 || n > mostErasedCells || null supports || work > mostErasedWork = Nothing
@@ -76,7 +76,7 @@ punctured n supports
   where
     work = 2 ^ n * fromIntegral (length supports)
     repeated = Map.fromListWith (+) [(x, 1) | x <- supports]
-    -- The multiples of a word have its support, so that one visit stands for all of them.
+    -- The multiples of a word have its support, so one visit counts for all of them.
     unit = foldr gcd 0 (Map.elems repeated)
     visited = concat [replicate (k `div` unit) x | (x, k) <- Map.toList repeated]
     counts =
@@ -86,7 +86,7 @@ punctured n supports
         (length visited)
         [packed [if testBit x i then 1 else 0 | x <- visited] | i <- [0 .. n - 1]]
 
--- | Numbers below 256, eight in a machine word, the first one lowest.
+-- | Packs numbers below 256, eight in a machine word, the first one lowest.
 packed :: [Word64] -> Vector Word64
 packed = Primitive.fromList . go
   where
@@ -94,7 +94,7 @@ packed = Primitive.fromList . go
       ([], _) -> []
       (eight, others) -> foldr (\x word -> word `shiftL` 8 .|. x) 0 eight : go others
 
--- | The classes, from the numbers that @countSets@ gives.
+-- | The classes, from the counts of @countSets@.
 classesOf :: Int -> Int -> Vector Int -> [PuncturedClass]
 classesOf n unit counts =
   [ PuncturedClass
@@ -110,26 +110,26 @@ classesOf n unit counts =
       sets > 0
   ]
 
--- | Where the n + 2 numbers of a class are, by the number of its cells and its least weight: how
--- many sets, and how many words of weight 0, 1, ..., n. A least weight of n + 1 stands for a lone
--- zero.
+-- | The index of the n + 2 counts of a class, given n, the number of its cells and its least
+-- weight: the number of sets, then the numbers of words with weight 0, 1, ..., n. The least weight
+-- n + 1 stands for a lone zero.
 classAt :: Int -> Int -> Int -> Int
 classAt n m c = (m * (n + 2) + c) * (n + 2)
 
--- | What is counted in: the numbers of all classes; in row k the weights of all words in the first
--- k cells, as far as these are observed; and how many words of one set have each weight, in two
--- tallies.
+-- | The memory for counting: the counts of all classes; row k with the weights of all words in the
+-- first k cells, as far as they are observed; and the numbers of words of one set with each weight,
+-- in two tallies.
 data Scratch s = Scratch !(MVector s Int) !(MVector s Word64) !(MVector s Int)
 
--- | What is the same for all sets: n; how many words one that is visited stands for; how many
--- machine words a row has; how many bytes of the last of these belong to no word; and in row k,
--- whether each word is not zero in the cell k.
+-- | The data that all sets share: n; the number of words that one visited word counts for; the
+-- number of machine words in a row; the number of unused bytes in the last one; and for each cell
+-- k, whether each word is nonzero there.
 data Words = Words !Int !Int !Int !Int !(Vector Word64)
 
--- | @countSets n unit count cells@: the numbers of all classes, of words that stand for as many as
--- the unit each, given for each cell as whether each is not zero there. Depth first, a cell taken
--- or not at each step, so that the weights of all words are kept up by a few additions of eight at
--- a time.
+-- | @countSets n unit count cells@ gives the counts of all classes. There are count words, each
+-- counting for unit words; for each cell, the list says whether each word is nonzero there. The
+-- search is depth first and takes or leaves one cell at each step. So the weights of all words are
+-- updated by a few additions of eight at a time.
 countSets :: Int -> Int -> Int -> [Vector Word64] -> Vector Int
 countSets n unit count cells = Primitive.create $ do
   counts <- Mutable.replicate (classAt n n (n + 2)) 0
@@ -141,11 +141,11 @@ countSets n unit count cells = Primitive.create $ do
   where
     wide = (count + 7) `div` 8
 
--- | Visit all sets, depth first.
+-- | Visits all sets, depth first.
 visit :: forall s. Words -> Scratch s -> ST s ()
 visit given@(Words n _ size _ ones) scratch@(Scratch _ weights _) = go 0 0
   where
-    -- Of the first k cells m are observed.
+    -- Of the first k cells, m are observed.
     go :: Int -> Int -> ST s ()
     go !k !m
       | k == n = leaf given scratch m
@@ -161,11 +161,11 @@ visit given@(Words n _ size _ ones) scratch@(Scratch _ weights _) = go 0 0
             ((k + 1) * size + i)
         go (k + 1) (m + 1)
 
--- | A set of m cells: count it, and the weights of all words in it.
+-- | Counts a set of m cells and the weights of all words in it.
 leaf :: Words -> Scratch s -> Int -> ST s ()
 leaf (Words n unit size spare _) (Scratch counts weights tally) !m = do
   Mutable.set (Mutable.unsafeTake (2 * n + 2) tally) 0
-  -- The bytes that belong to no word have the weight 0.
+  -- The unused bytes have weight 0.
   Mutable.unsafeWrite tally 0 (negate spare)
   forBelow size $ \i -> Mutable.unsafeRead weights (from + i) >>= tallyBytes tally
   least <- firstFrom 0
@@ -187,8 +187,8 @@ leaf (Words n unit size spare _) (Scratch counts weights tally) !m = do
         if words' > 0 then pure w else firstFrom (w + 1)
 {-# INLINE leaf #-}
 
--- | Count the eight bytes of a machine word, in two tallies in turn: neighbours are often equal,
--- and one number cannot be counted up twice at once.
+-- | Counts the eight bytes of a machine word in two alternating tallies. Neighbours are often
+-- equal, and one counter cannot be increased twice at once.
 tallyBytes :: MVector s Int -> Word64 -> ST s ()
 tallyBytes tally word = do
   up (2 * (word .&. 255))
@@ -203,7 +203,7 @@ tallyBytes tally word = do
     up = Mutable.unsafeModify tally (+ 1) . fromIntegral
 {-# INLINE tallyBytes #-}
 
--- | Act on 0, 1, ..., below a number.
+-- | Runs an action for 0, 1, ..., below a number.
 forBelow :: Int -> (Int -> ST s ()) -> ST s ()
 forBelow size act = go 0
   where

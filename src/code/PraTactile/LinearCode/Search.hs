@@ -1,8 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The search for codewords near a word, among those that agree with it at all but few places of
--- an information set. With the zero word it finds a lightest codeword; with a received word it
+-- | Searches for codewords near a word, among those that agree with it in all but few places of an
+-- information set. With the zero word it finds a lightest codeword; with a received word it
 -- decodes.
 module PraTactile.LinearCode.Search
   ( -- * What to look at
@@ -44,23 +44,23 @@ import PraTactile.LinearCode.Packed
    K.-H. Zimmermann 1996; M. Grassl in "Discovering Mathematics with Magma", 2006). At level k of
    any set every codeword is seen. -}
 
--- | One set is to be searched one level further, or, where its deficit makes the first levels
--- useless, several.
+-- | A step of the search: one set is searched one level further, or several levels if its deficit
+-- makes the first ones useless.
 data Step k = Step
-  { -- | Which set.
+  { -- | The set.
     stepSet :: InformationSet k,
-    -- | How many of its places differ: exactly one of these numbers.
+    -- | The levels: the exact numbers of its places that differ.
     stepLevels :: [Int],
-    -- | How many codewords are looked at.
+    -- | The number of codewords that are tested.
     stepWords :: !Natural,
-    -- | After it all codewords have been seen that differ in at most this many places; 'Nothing':
-    -- all codewords.
+    -- | After this step all codewords have been seen that differ in at most this many places;
+    -- 'Nothing': all codewords.
     stepSeen :: !(Maybe Int)
   }
 
--- | What to look at, the cheapest step first, until all codewords have been seen; by Note [Disjoint
--- information sets]. Given is how many codewords are looked at that differ in exactly w places of a
--- set.
+-- | The steps, the cheapest first, until all codewords have been seen; see Note [Disjoint
+-- information sets]. The function gives the number of codewords that differ in exactly w places of
+-- a set.
 schedule :: (Int -> Natural) -> [InformationSet k] -> [Step k]
 schedule count sets = go [(i, set, -1) | (i, set) <- zip [0 :: Int ..] sets]
   where
@@ -83,7 +83,8 @@ schedule count sets = go [(i, set, -1) | (i, set) <- zip [0 :: Int ..] sets]
         next = min (setSize set) (max (w + 1) (setDeficit set))
         visited = [w + 1 .. next]
 
--- | @changes q k w@: how many words differ from one given in exactly w of k places, over q symbols.
+-- | @changes q k w@ is the number of words that differ from a given one in exactly w of k places,
+-- over q symbols.
 changes :: Int -> Int -> Int -> Natural
 changes q k w
   | w > k = 0
@@ -92,42 +93,44 @@ changes q k w
       `div` product (map fromIntegral [1 .. w])
       * fromIntegral (q - 1) ^ w
 
--- | Which of the codewords that are near are wanted.
+-- | The near codewords that are wanted.
 data Wanted
-  = -- | One of those nearest to zero: a codeword stands for its multiples, and zero itself does not
-    -- count.
+  = -- | One of those nearest to zero: a codeword stands for its multiples, and zero does not count.
     OneLightest
-  | -- | All of them, if they are at most this many; of more only those nearer than some distance.
+  | -- | All of them, if there are at most this many; otherwise only those nearer than some
+    -- distance.
     AllUpTo Int
 
--- | How far from the start codewords are looked at.
+-- | The distance from the start within which codewords are tested.
 data Level = Level
-  { -- | In exactly how many of the set's places they differ: so many rows are combined.
+  { -- | The exact number of the set's places that differ, which is the number of rows that are
+    -- combined.
     levelRows :: !Int,
-    -- | In how many of the other places they differ at most.
+    -- | The most other places that differ.
     levelLimit :: !Int
   }
 
--- | Codewords that are near.
+-- | The near codewords that were found.
 data Near k = Near
-  { -- | All that were looked at and differ in at most this many of the other places are there.
+  { -- | Every tested codeword that differs in at most this many of the other places is listed.
     nearLimit :: !Int,
-    -- | In how many of the other places each differs, and the combination of rows that it is.
+    -- | For each codeword, the number of the other places in which it differs, and its combination
+    -- of rows.
     nearFound :: [(Int, [(Int, GF k)])]
   }
 
--- | What stays the same while combinations of rows are gone through.
+-- | The data that stay the same while combinations of rows are tested.
 data Scan (k :: Field) = Scan
   { scanWanted :: !Wanted,
     scanSet :: !(InformationSet k),
-    -- | The factors of a row: all elements but zero.
+    -- | The factors of a row: all nonzero elements.
     scanFactors :: !(Vector (GF k))
   }
 
 type role Scan nominal
 
--- | Of the combinations of exactly as many rows as the level has those that at the other places
--- differ from the start in at most as many as its limit.
+-- | The combinations of exactly the level's number of rows that differ from the start, at the other
+-- places, in at most the level's limit.
 nearAt :: KnownField k => Wanted -> InformationSet k -> Vector (GF k) -> Level -> Near k
 nearAt wanted set start (Level w limit)
   | limit < 0 || w > setSize set = Near limit []
@@ -141,8 +144,8 @@ nearAt wanted set start (Level w limit)
   where
     differing = Primitive.length (Primitive.filter (/= zero) start)
 
--- | @addRows scan w from chosen rest near@: w more rows, from this one on, beside those chosen,
--- each with its factor; the rest is the start less those chosen.
+-- | @addRows scan w from chosen rest near@ adds w more rows, from the row with index from on, to
+-- the chosen ones, each with a factor. The rest is the start minus the chosen rows.
 addRows ::
   KnownField k =>
   Scan k ->
@@ -166,7 +169,7 @@ addRows scan !w !from chosen !rest
             less = addScaled (negate a) (parityRow set i) rest
          in go i (s + 1) $! addRows scan (w - 1) (i + 1) ((i, a) : chosen) less near
 
--- | The last row, whose multiples are compared with the rest only as far as the limit.
+-- | Adds the last row. Its multiples are compared with the rest only up to the limit.
 addLastRow :: KnownField k => Scan k -> Int -> [(Int, GF k)] -> Vector (GF k) -> Near k -> Near k
 addLastRow scan !from chosen !rest = go from 0
   where
@@ -185,19 +188,20 @@ addLastRow scan !from chosen !rest = go from 0
       where
         n = differences multiples (i * Primitive.length factors + s) packedRest most
 
--- | How many factors a row has beside those chosen: up to a factor, the first one's is 1.
+-- | The number of factors of a further row. If multiples do not matter, the first row has factor 1
+-- only.
 factorsAfter :: Scan k -> [(Int, GF k)] -> Int
 factorsAfter scan chosen = case (scanWanted scan, chosen) of
   (OneLightest, []) -> 1
   _ -> Primitive.length (scanFactors scan)
 
--- | With one codeword more.
+-- | Adds one more codeword.
 include :: Wanted -> (Int, [(Int, GF k)]) -> Near k -> Near k
 include wanted new (Near most found) = case wanted of
   OneLightest -> Near (fst new - 1) [new]
   AllUpTo many -> kept many (Near most (new : found))
 
--- | Those that are held of them: while they are too many, the farthest are given up.
+-- | Keeps at most the given number of codewords, by dropping the farthest ones.
 kept :: Int -> Near k -> Near k
 kept many near@(Near most found)
   | length found <= many = near

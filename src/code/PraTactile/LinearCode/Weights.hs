@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | How many codewords a linear code has of each weight.
+-- | The number of codewords of a linear code with each weight.
 module PraTactile.LinearCode.Weights
   ( weight,
     weights,
@@ -20,7 +20,7 @@ import PraTactile.Field.Vector (addScaled)
 import PraTactile.LinearCode
 import PraTactile.LinearCode.Elimination
 
--- | The number of elements that are not zero.
+-- | The number of nonzero elements.
 weight :: Row k -> Int
 weight = Primitive.foldl' (\n a -> if a == zero then n else n + 1) 0
 
@@ -30,8 +30,8 @@ binomial n k
   | otherwise =
     product (map fromIntegral [n - k + 1 .. n]) `div` product (map fromIntegral [1 .. k])
 
--- | How many codewords have each weight, by visiting all q^k of them, up to a factor. Weights that
--- do not occur are left out.
+-- | The number of codewords with each weight that occurs, by visiting all q^k of them, up to a
+-- factor.
 weights :: forall k. KnownField k => LinearCode k -> Map Int Natural
 weights code = Map.insert 0 1 (Map.map (units *) (Map.filter (> 0) counted))
   where
@@ -45,8 +45,8 @@ weights code = Map.insert 0 1 (Map.map (units *) (Map.filter (> 0) counted))
       forM_ (tails (codeBasis code)) $ mapM_ (uncurry visit) . uncons
       pure counts
 
--- | How many codewords of the dual code have each weight, from how many the code has of each, its
--- length and q: the identity of MacWilliams, by Krawtchouk's polynomials.
+-- | The number of codewords of the dual code with each weight, from the code's own numbers, its
+-- length and q: the identity of MacWilliams, with Krawtchouk's polynomials.
 weightsOfDual :: Int -> Int -> Map Int Natural -> Map Int Natural
 weightsOfDual q size own =
   Map.filter

@@ -1,9 +1,9 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | GF(2)[x] modulo h with 64 coefficients in a word: what "PraTactile.Polynomial.Modulus" does
--- over any field, for the binary field. Internal. A residue is a vector of words, coefficient i in
--- bit i mod 64 of word i div 64, its degree below that of h.
+-- | GF(2)[x] modulo h with 64 coefficients in a word. This is "PraTactile.Polynomial.Modulus" for
+-- the binary field. Internal. A residue is a vector of words, with coefficient i in bit i mod 64 of
+-- word i div 64. Its degree is below that of h.
 module PraTactile.Polynomial.Bits
   ( -- * Packing
     Bits,
@@ -29,12 +29,12 @@ import qualified Data.Vector.Primitive.Mutable as Mutable
 import Data.Word (Word64, Word8)
 import Numeric.Natural (Natural)
 
--- | Coefficients in words.
+-- | Coefficients as bits of words.
 type Bits = Vector Word64
 
 type Buffer s = MVector s Word64
 
--- | Bytes that are 0 or 1, as bits: 64 a word, the first the least significant.
+-- | Packs bytes that are 0 or 1 into bits: 64 in a word, the first in the least significant bit.
 packBits :: Vector Word8 -> Bits
 packBits bytes = Primitive.generate ((n + 63) `div` 64) word
   where
@@ -42,7 +42,7 @@ packBits bytes = Primitive.generate ((n + 63) `div` 64) word
     word w = Primitive.ifoldl' withBit 0 (Primitive.slice (64 * w) (min 64 (n - 64 * w)) bytes)
     withBit acc i b = acc .|. (fromIntegral b `unsafeShiftL` i)
 
--- | The first n bits, a byte each.
+-- | The first n bits, each as a byte.
 unpackBits :: Int -> Bits -> Vector Word8
 unpackBits n bits = Primitive.generate n (\i -> if bitAt bits i then 1 else 0)
 
@@ -53,7 +53,7 @@ bitAt bits i = testBit (bits Primitive.! (i `div` 64)) (i `mod` 64)
 data BitModulus = BitModulus
   { -- | n
     degree :: !Int,
-    -- | words in a residue
+    -- | the number of words in a residue
     limbs :: !Int,
     -- | x^n modulo h
     reduced :: !Bits,
@@ -61,7 +61,7 @@ data BitModulus = BitModulus
     squares :: Bits
   }
 
--- | Expects the n >= 1 coefficients of h below the leading one.
+-- | The modulus h from its n >= 1 coefficients below the leading one.
 bitModulus :: Vector Word8 -> BitModulus
 bitModulus lower = modulus
   where
@@ -83,7 +83,8 @@ oneBuffer modulus = do
   Mutable.write buffer 0 1
   pure buffer
 
--- | Multiply by x in place: all bits move up; the bit that leaves stands for x^n.
+-- | Multiplies by x in place: all bits move up, and the bit that leaves is replaced by x^n modulo
+-- h.
 timesX :: BitModulus -> Buffer s -> ST s ()
 timesX modulus buffer = do
   top <- Mutable.unsafeRead buffer lastWord
@@ -104,7 +105,7 @@ timesX modulus buffer = do
       Mutable.unsafeWrite buffer i ((high `unsafeShiftL` 1) .|. (low `unsafeShiftR` 63))
       shiftUp (i - 1)
 
--- | Add this many words of the vector, from an index on, to the buffer.
+-- | Adds this number of words of the vector, from an index on, to the buffer.
 addFrom :: Int -> Bits -> Int -> Buffer s -> ST s ()
 addFrom count vector from buffer = go 0
   where
@@ -114,8 +115,8 @@ addFrom count vector from buffer = go 0
       go (j + 1)
 {-# INLINE addFrom #-}
 
--- | The square of the first buffer, in the second: squaring is linear, so that the squares of the
--- powers of x that occur are added.
+-- | Writes the square of the first buffer into the second. Squaring is linear, so the squares of
+-- the powers of x are added.
 squareInto :: BitModulus -> Buffer s -> Buffer s -> ST s ()
 squareInto modulus source target = Mutable.set target 0 >> eachWord 0
   where
@@ -148,8 +149,8 @@ multiplyBits modulus a b = Primitive.create $ do
     when (bitAt b i) (addFrom (limbs modulus) a 0 buffer)
   pure buffer
 
--- | x^e modulo h for an exponent of any size: a square for each of its binary digits, from the
--- highest down, and a shift for each 1.
+-- | x^e modulo h for an exponent of any size: a square for each binary digit, from the highest
+-- down, and a shift for each 1.
 powerOfXBits :: BitModulus -> Natural -> Bits
 powerOfXBits modulus e = Primitive.create $ do
   start <- oneBuffer modulus
@@ -164,7 +165,7 @@ powerOfXBits modulus e = Primitive.create $ do
         when (testBit e i) (timesX modulus spare)
         go (i - 1) spare current
 
--- | How many binary digits a number has; none for 0.
+-- | The number of binary digits of a number; 0 for 0.
 bitLength :: Natural -> Int
 bitLength n
   | high == 0 = 64 - countLeadingZeros (fromIntegral n :: Word64)

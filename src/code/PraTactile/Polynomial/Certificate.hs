@@ -1,8 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | That a polynomial is primitive, or irreducible, as data that a stranger can check: nothing has
--- to be searched or factored again, and every number in a certificate is one that the checker
--- computes too.
+-- | Proofs, as data that a stranger can check, that a polynomial is primitive or irreducible.
+-- Checking needs no search and no factorisation, and the checker recomputes every number in a
+-- certificate.
 module PraTactile.Polynomial.Certificate
   ( -- * Primitive polynomials
     PrimitiveCertificate (..),
@@ -30,7 +30,7 @@ import PraTactile.Polynomial.Modulus
 import PraTactile.Polynomial.Primitive
 import PraTactile.Polynomial.Ring
 
--- | Why a certificate does not show what it claims.
+-- | Why a certificate does not prove its claim.
 data CertificateFault
   = -- | The polynomial is constant, not monic, or divisible by x.
     PolynomialUnfit
@@ -42,16 +42,16 @@ data CertificateFault
     FactorUndecided FactorError
   | -- | x^(q^n - 1) is not 1, or x^(q^n) is not x.
     PowerDoesNotClose
-  | -- | No residue, or no witness, is given for this prime.
+  | -- | There is no residue or witness for this prime.
     EntryMissing Natural
-  | -- | The residue, or the witness, given for this prime is wrong.
+  | -- | The residue or witness for this prime is wrong.
     EntryWrong Natural
-  | -- | The residue of this prime is 1, so that the order of the root is lower.
+  | -- | The residue of this prime is 1, so the order of the root is lower.
     OrderLower Natural
   deriving stock (Eq, Show)
 
--- | That h is primitive: the root has order N = q^n - 1, because its N-th power is 1 and for no
--- prime r that divides N its (N/r)-th power is.
+-- | A proof that h is primitive. The root has order N = q^n - 1, because its N-th power is 1, and
+-- its (N/r)-th power is not 1 for any prime r that divides N.
 data PrimitiveCertificate (k :: Field) = PrimitiveCertificate
   { -- | h
     certifiedPrimitive :: Polynomial k,
@@ -82,7 +82,8 @@ certifyPrimitive h =
   where
     modulus = primitiveModulus h
 
--- | Check a certificate, and give what it shows. That the factors are prime is decided anew.
+-- | Checks a certificate and returns the primitive polynomial. It decides anew that the factors are
+-- prime.
 verifyPrimitive ::
   forall k.
   KnownField k =>
@@ -104,8 +105,8 @@ verifyPrimitive (PrimitiveCertificate h factors residues) = do
     when (given == 1) (Left (OrderLower r))
   pure (Primitive h factors modulus)
 
--- | That h is irreducible, by Rabin's test: x^(q^n) = x modulo h, and h is coprime to a =
--- x^(q^(n/l)) - x modulo h for each prime l that divides n, because u h + v a = 1.
+-- | A proof that h is irreducible, by Rabin's test: x^(q^n) = x modulo h, and for each prime l that
+-- divides n, h is coprime to a = x^(q^(n/l)) - x modulo h, because u h + v a = 1.
 data IrreducibleCertificate (k :: Field) = IrreducibleCertificate
   { -- | h
     certifiedIrreducible :: Polynomial k,
@@ -139,7 +140,8 @@ verifyIrreducible (IrreducibleCertificate h witnesses) = do
     (u, v) <- maybe (Left (EntryMissing prime)) Right (lookup prime witnesses)
     when (u * h + v * powerMinusX modulus (n `div` l) /= 1) (Left (EntryWrong prime))
 
--- | The arithmetic modulo a polynomial that may be primitive.
+-- | The arithmetic modulo a polynomial. Refuses polynomials that are constant, not monic, or
+-- divisible by x.
 fitModulus :: KnownField k => Polynomial k -> Either CertificateFault (Modulus k)
 fitModulus h = case modulusOf h of
   Just modulus | isMonic h && valueAt h zero /= zero -> Right modulus

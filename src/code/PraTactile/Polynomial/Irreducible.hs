@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Which polynomials over GF(q) are irreducible (Rabin's test), and how many there are. Internal;
+-- | Decides which polynomials over GF(q) are irreducible (Rabin's test), and counts them. Internal;
 -- "PraTactile.Polynomial" exports it.
 module PraTactile.Polynomial.Irreducible
   ( isIrreducible,
@@ -20,7 +20,7 @@ import PraTactile.Polynomial.Ring
 
 -- | Whether a polynomial of degree n >= 1 has no factor of lower degree (Rabin, SIAM J. Comput. 9,
 -- 1980): x^(q^n) = x modulo h, and x^(q^(n/l)) - x is coprime to h for every prime l that divides
--- n. O(n^3 + q n^2); O(q n) where there is a root in GF(q), as most polynomials have.
+-- n. O(n^3 + q n^2), but O(q n) if there is a root in GF(q), as for most polynomials.
 isIrreducible :: KnownField k => Polynomial k -> Bool
 isIrreducible h = case modulusOf h of
   Nothing -> False
@@ -48,9 +48,9 @@ powerMinusX modulus d = fromResidue (go d x) - fromResidue x
 primeDivisors :: Int -> [Int]
 primeDivisors n = [l | l <- [2 .. n], n `mod` l == 0, all (\d -> l `mod` d /= 0) [2 .. l - 1]]
 
--- | How many monic irreducible polynomials of degree n >= 1 there are, by Gauss's formula: (1/n)
--- times the sum of mu(d) q^(n/d) over the divisors d of n. There are none of degree 0. O(n)
--- operations on whole numbers up to q^n.
+-- | The number of monic irreducible polynomials of degree n, by Gauss's formula: (1/n) times the
+-- sum of mu(d) q^(n/d) over the divisors d of n. It is 0 for n = 0. O(n) operations on integers up
+-- to q^n.
 countIrreducible :: forall k. KnownField k => Proxy k -> Natural -> Natural
 countIrreducible k n
   | n == 0 = 0
@@ -58,6 +58,6 @@ countIrreducible k n
   where
     term primes = moebius primes * q ^ (n `div` fromIntegral (product primes))
     q = toInteger (fieldOrder k)
-    -- mu(d) is not 0 exactly for products d of different primes.
+    -- mu(d) is nonzero exactly for products d of different primes.
     subsets = foldr (\l rest -> rest ++ map (l :) rest) [[]] (primeDivisors (fromIntegral n))
     moebius primes = if even (length primes) then 1 else -1

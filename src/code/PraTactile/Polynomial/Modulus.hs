@@ -2,9 +2,9 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | GF(q)[x] modulo h on unboxed coefficients: the fast form of what division with remainder
--- defines, for the tests of irreducibility and order and for the positions in GF(q^n). Internal.
--- Powers go by Horner's rule on the base-q digits of the exponent, because raising to the q-th
--- power is linear: a matrix that is made once for each h.
+-- defines. It serves the tests of irreducibility and order, and the positions in GF(q^n). Internal.
+-- Powers use Horner's rule on the base-q digits of the exponent. The q-th power is linear, so it is
+-- a matrix, which is made once for each h.
 module PraTactile.Polynomial.Modulus
   ( Modulus,
     modulusFrom,
@@ -50,7 +50,7 @@ data Modulus (k :: Field) = Modulus
     reduced :: !(Coefficients k),
     -- | n residues one after the other: x^0, x^q, ..., x^(q (n-1)) modulo h
     powersOfPowers :: Vector (GF k),
-    -- | the same for GF(2), 64 coefficients in a word
+    -- | the form for GF(2), with 64 coefficients in a word
     binary :: Maybe BitModulus
   }
 
@@ -84,7 +84,7 @@ fromBits modulus =
 residueOne :: Modulus k -> Coefficients k
 residueOne modulus = Primitive.generate (modulusDegree modulus) (\i -> if i == 0 then one else zero)
 
--- | The class of a polynomial given by its coefficients, constant term first, as many as there are.
+-- | The class of a polynomial, given by any number of coefficients, constant term first.
 residueFrom :: KnownField k => Modulus k -> [GF k] -> Coefficients k
 residueFrom modulus coefficients
   | null beyond = padded
@@ -103,8 +103,8 @@ timesRoot modulus a = Primitive.create $ do
   timesX modulus buffer
   pure buffer
 
--- | Multiply by x in place: all coefficients move up; the one that leaves stands for its multiple
--- of x^n.
+-- | Multiplies by x in place: all coefficients move up, and the one that leaves contributes its
+-- multiple of x^n modulo h.
 timesX :: KnownField k => Modulus k -> Buffer s k -> ST s ()
 timesX modulus buffer = do
   top <- Mutable.unsafeRead buffer (n - 1)
@@ -119,7 +119,7 @@ timesX modulus buffer = do
     n = modulusDegree modulus
     h = reduced modulus
 
--- | Add a multiple of n entries of a vector, from an index on, to n entries of the buffer.
+-- | Adds c times n entries of a vector, from one index on, to n entries of the buffer from another.
 addMultiple :: KnownField k => Int -> GF k -> Vector (GF k) -> Int -> Buffer s k -> Int -> ST s ()
 addMultiple n c vector from buffer at = when (c /= zero) (go 0)
   where
@@ -128,8 +128,8 @@ addMultiple n c vector from buffer at = when (c /= zero) (go 0)
       Mutable.unsafeWrite buffer (at + j) (old + c * unsafeIndex vector (from + j))
       go (j + 1)
 
--- | The product: the coefficients of the product of the polynomials, then the upper ones replaced
--- from the top.
+-- | The product: the coefficients of the polynomials' product, with the upper ones reduced from the
+-- top.
 multiplyResidues :: KnownField k => Modulus k -> Coefficients k -> Coefficients k -> Coefficients k
 multiplyResidues modulus a b = case binary modulus of
   Just bits -> fromBits modulus (multiplyBits bits (packBits (bytes a)) (packBits (bytes b)))
@@ -160,8 +160,8 @@ frobeniusInto modulus a buffer = do
   where
     n = modulusDegree modulus
 
--- | x^e, for an exponent of any size: a q-th power for each of its base-q digits, from the highest
--- down, and as many shifts as the digit says.
+-- | x^e for an exponent of any size: a q-th power for each base-q digit, from the highest down, and
+-- as many shifts as the digit's value.
 powerOfX :: forall k. KnownField k => Modulus k -> Natural -> Coefficients k
 powerOfX modulus e = case binary modulus of
   Just bits -> fromBits modulus (powerOfXBits bits e)
@@ -178,7 +178,7 @@ powerOfX modulus e = case binary modulus of
       pure buffer
 
 -- | A power of any residue: a q-th power for each base-q digit of the exponent, from the highest
--- down, and a product where the digit is not 0.
+-- down, and a product for each nonzero digit.
 powerOf :: forall k. KnownField k => Modulus k -> Coefficients k -> Natural -> Coefficients k
 powerOf modulus a e = case digitsOf q e of
   [] -> residueOne modulus

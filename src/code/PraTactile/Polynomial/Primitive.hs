@@ -34,24 +34,24 @@ import PraTactile.Polynomial.Ring
 
 -- | Why a polynomial is not accepted as primitive.
 data PolynomialError
-  = -- | The degree is less than 1, so that there is no sequence.
+  = -- | The degree is less than 1, so there is no sequence.
     PolynomialConstant
   | -- | The leading coefficient has this code instead of 1.
     PolynomialNotMonic Natural
-  | -- | The constant term is 0, so that x is a factor and the shift register forgets.
+  | -- | The constant term is 0, so x is a factor and the shift register forgets its state.
     ConstantTermZero
   | -- | The polynomial is a product of two of lower degree.
     PolynomialReducible
   | -- | The polynomial is irreducible, but its root has this order instead of q^n - 1.
     PolynomialNotPrimitive Natural
-  | -- | Whether the root has order q^n - 1 is not known, because q^n - 1 was not factored.
+  | -- | It is unknown whether the root has order q^n - 1, because q^n - 1 was not factored.
     OrderNotFactored FactorError
-  | -- | No polynomial of the degree is primitive: a theorem says that this cannot be.
+  | -- | No polynomial of the degree is primitive, which a theorem excludes.
     NoPrimitivePolynomial Natural
   deriving stock (Eq, Show)
 
--- | A monic polynomial of degree n >= 1 that has been shown to be primitive: irreducible, and with
--- a root of order q^n - 1. Only 'checkPrimitive', the search and the check of a certificate make
+-- | A monic polynomial of degree n >= 1 that is proved to be primitive: it is irreducible, and its
+-- root has order q^n - 1. Only 'checkPrimitive', the search, and the check of a certificate make
 -- one.
 data Primitive (k :: Field) = Primitive
   { -- | The polynomial that was shown to be primitive.
@@ -73,7 +73,7 @@ instance Ord (Primitive k) where
 instance KnownField k => Show (Primitive k) where
   showsPrec d = showsPrec d . primitivePolynomial
 
--- | n, the degree; at least 1.
+-- | The degree n, at least 1.
 primitiveDegree :: Primitive k -> Int
 primitiveDegree = modulusDegree . primitiveModulus
 
@@ -81,20 +81,20 @@ primitiveDegree = modulusDegree . primitiveModulus
 period :: KnownField k => Primitive k -> Natural
 period h = fullPeriod (primitiveModulus h)
 
--- | The monic reciprocal x^n h(1/x) / h(0), whose root is the inverse of the root of h and so of
--- the same order. O(n).
+-- | The monic reciprocal x^n h(1/x) / h(0). Its root is the inverse of h's root, so it has the same
+-- order. O(n).
 reciprocal :: KnownField k => Primitive k -> Primitive k
 reciprocal h = maybe h (Primitive reversed (periodFactors h)) (modulusOf reversed)
   where
-    -- h(0) is not zero, so that the degree stays.
+    -- h(0) is not zero, so the degree does not change.
     reversed = constant (normalising upsideDown) * upsideDown
     upsideDown = polynomial (reverse (coefficients (primitivePolynomial h)))
 
--- | Check that a polynomial is primitive. Refuses, each with its own 'PolynomialError', polynomials
--- of degree 0, not monic, divisible by x, reducible, or with a root of lower order; and those of a
--- degree so large that q^n - 1 is not factored, at once and whatever else they are if q^n is beyond
--- 'largestPower'. O(r (n^3 + q n^2)) for r primes that divide N, after N has been factored
--- ('factorisePowerMinusOne'), which may take longer.
+-- | Checks that a polynomial is primitive. Refuses, each with its own 'PolynomialError',
+-- polynomials that have degree 0, are not monic, are divisible by x, are reducible, or have a root
+-- of lower order. It also refuses degrees for which q^n - 1 cannot be factored; if q^n exceeds
+-- 'largestPower' it does so at once, before those other checks. O(r (n^3 + q n^2)) for r primes
+-- that divide N, after N is factored ('factorisePowerMinusOne'), which may take longer.
 checkPrimitive :: forall k. KnownField k => Polynomial k -> Either PolynomialError (Primitive k)
 checkPrimitive h = case (modulusOf h, leadingCoefficient h) of
   (Just modulus, Just leading)
@@ -113,11 +113,11 @@ checkPrimitive h = case (modulusOf h, leadingCoefficient h) of
   where
     k = Proxy :: Proxy k
 
--- | Those of the candidates that are monic, of degree n >= 1 and primitive, in their order, found
--- as they are asked for. Refuses degree 0, and degrees for which q^n - 1 is not factored. N is
--- factored once ('factorisePowerMinusOne'); then a candidate takes O(r (n^3 + q n^2)) for r primes
--- that divide N, and O(q n) if it has a root in GF(q) or its constant term shows that it is not
--- primitive, as of most.
+-- | The candidates that are monic, of degree n >= 1 and primitive, in their order, computed lazily.
+-- Refuses degree 0, and degrees for which q^n - 1 is not factored. N is factored once
+-- ('factorisePowerMinusOne'). Then a candidate takes O(r (n^3 + q n^2)) for r primes that divide N.
+-- It takes only O(q n), as most do, if it has a root in GF(q) or its constant term excludes that it
+-- is primitive.
 primitiveAmong ::
   forall k.
   KnownField k =>
@@ -134,7 +134,8 @@ primitiveAmong n candidates
         if rootGenerates factors modulus then Just (Primitive h factors modulus) else Nothing
       | otherwise = Nothing
 
--- | Two quick conditions, see Note [Cheap refusals]; few polynomials of high degree fulfil them.
+-- | Two quick necessary conditions: see Note [Cheap refusals]. Few polynomials of high degree
+-- satisfy them.
 mayBePrimitive :: KnownField k => Polynomial k -> Bool
 mayBePrimitive h = case polynomialDegree h of
   Just n ->
@@ -157,7 +158,7 @@ mayBePrimitive h = case polynomialDegree h of
    tested only to say why a polynomial fails. That x has this order is shown by x^N = 1, N = q^n -
    1, and x^(N/l) /= 1 for each prime l that divides N. -}
 
--- | Whether x has order q^n - 1 modulo h, of degree n, given the factors of q^n - 1. See Note
+-- | Whether x has order q^n - 1 modulo h, of degree n, given the prime factors of q^n - 1. See Note
 -- [Primitive without irreducible].
 rootGenerates :: KnownField k => [(Natural, Natural)] -> Modulus k -> Bool
 rootGenerates factors modulus =
@@ -165,7 +166,7 @@ rootGenerates factors modulus =
   where
     full = fullPeriod modulus
 
--- | The order of x modulo an irreducible h: it divides q^n - 1.
+-- | The order of x modulo an irreducible h, which divides q^n - 1.
 rootOrder :: KnownField k => [(Natural, Natural)] -> Modulus k -> Natural
 rootOrder factors modulus = foldl' withoutPrime (fullPeriod modulus) (map fst factors)
   where
@@ -184,12 +185,12 @@ fullPeriod modulus = fromIntegral (fieldOrder (Proxy :: Proxy k)) ^ modulusDegre
 orderFactors :: KnownField k => Proxy k -> Natural -> Either PolynomialError [(Natural, Natural)]
 orderFactors k n = first OrderNotFactored (uncurry factorisePowerMinusOne (characteristicPower k n))
 
--- | p and m n, so that q^n = p^(m n).
+-- | p and m n, for which q^n = p^(m n).
 characteristicPower :: KnownField k => Proxy k -> Natural -> (Natural, Natural)
 characteristicPower k n = (fromIntegral (fieldCharacteristic k), fromIntegral (fieldDegree k) * n)
 
--- | How many primitive polynomials of degree n there are: phi(q^n - 1) / n, phi being Euler's
--- function. Refuses as 'primitiveAmong' does. N is factored ('factorisePowerMinusOne').
+-- | The number of primitive polynomials of degree n: phi(q^n - 1) / n, where phi is Euler's
+-- function. Refuses what 'primitiveAmong' refuses. N is factored ('factorisePowerMinusOne').
 countPrimitive :: KnownField k => Proxy k -> Natural -> Either PolynomialError Natural
 countPrimitive k n
   | n == 0 = Left PolynomialConstant

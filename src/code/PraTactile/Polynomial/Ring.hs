@@ -30,8 +30,8 @@ import Numeric.Natural (Natural)
 import PraTactile.Field
 import PraTactile.Polynomial.Modulus
 
--- | A polynomial over the field k: its coefficients, constant term first, the last one not zero.
--- 'Ord' compares the coefficients from the highest degree down, after the degrees.
+-- | A polynomial over the field k: its coefficients, constant term first; the last one is nonzero.
+-- 'Ord' compares degrees, then the coefficients from the highest degree down.
 newtype Polynomial (k :: Field) = Polynomial [GF k]
   deriving stock (Eq)
 
@@ -43,8 +43,8 @@ instance Ord (Polynomial k) where
 instance KnownField k => Show (Polynomial k) where
   showsPrec d (Polynomial cs) = showParen (d > 10) (showString "polynomial " . shows cs)
 
--- | 'fromInteger' gives the constants that come from Z; 'abs' is the identity and 'signum' is 1
--- except at 0. Products take O(n^2).
+-- | 'fromInteger' gives the constants that are images of integers; 'abs' is the identity and
+-- 'signum' is 1 except at 0. Products take O(n^2).
 instance KnownField k => Num (Polynomial k) where
   Polynomial a + Polynomial b = polynomial (zipLong (+) a b)
   Polynomial a - Polynomial b = polynomial (zipLong (-) a b)
@@ -55,7 +55,7 @@ instance KnownField k => Num (Polynomial k) where
   signum (Polynomial a) = if null a then Polynomial [] else constant one
   fromInteger = constant . fromInteger
 
--- | Coefficientwise, the shorter list continued by zeros.
+-- | Combines two lists coefficientwise; the shorter one is continued by zeros.
 zipLong :: (GF k -> GF k -> GF k) -> [GF k] -> [GF k] -> [GF k]
 zipLong f (a : as) (b : bs) = f a b : zipLong f as bs
 zipLong f [] bs = map (f zero) bs
@@ -78,7 +78,7 @@ coefficients (Polynomial cs) = cs
 constant :: GF k -> Polynomial k
 constant c = polynomial [c]
 
--- | x.
+-- | The polynomial x.
 variable :: Polynomial k
 variable = Polynomial [zero, one]
 
@@ -94,8 +94,8 @@ leadingCoefficient (Polynomial cs) = listToMaybe (reverse cs)
 isMonic :: Polynomial k -> Bool
 isMonic a = leadingCoefficient a == Just one
 
--- | Division with remainder, the remainder of lower degree than the divisor. 'Nothing' exactly when
--- the divisor is zero. O(n d) for a quotient of degree d - 1.
+-- | The quotient and the remainder, whose degree is below the divisor's. 'Nothing' exactly if the
+-- divisor is zero. O(n d) for a quotient of degree d - 1.
 quotientRemainder ::
   KnownField k =>
   Polynomial k ->
@@ -109,8 +109,8 @@ quotientRemainder (Polynomial a) (Polynomial b) = case reverse b of
         (quotient, rest) = longDivision steps (map (inverted *) lower) (reverse a)
     pure (polynomial (reverse (map (inverted *) quotient)), polynomial (reverse rest))
 
--- | That many steps of the division by a monic polynomial whose lower coefficients are given, all
--- highest degree first.
+-- | This number of steps of the division by a monic polynomial, given its lower coefficients. All
+-- lists have the highest degree first.
 longDivision :: KnownField k => Int -> [GF k] -> [GF k] -> ([GF k], [GF k])
 longDivision steps lower a = case a of
   top : rest
@@ -120,15 +120,15 @@ longDivision steps lower a = case a of
        in (top : quotient, remainder)
   _ -> ([], a)
 
--- | The monic greatest common divisor, by Euclid; zero when both are zero. It ends, because every
--- remainder has a lower degree than the one before. O(n^2).
+-- | The monic greatest common divisor, by Euclid's algorithm; zero if both are zero. It ends
+-- because every remainder has a lower degree than the one before. O(n^2).
 greatestCommonDivisor :: KnownField k => Polynomial k -> Polynomial k -> Polynomial k
 greatestCommonDivisor a b = case quotientRemainder a b of
   Just (_, r) -> greatestCommonDivisor b r
   Nothing -> constant (normalising a) * a
 
--- | @bezout a b@ is (g, u, v) with g the 'greatestCommonDivisor' of a and b, and u a + v b = g. Of
--- all such u and v, where neither a nor b is zero, they have the least degrees. O(n^2).
+-- | @bezout a b@ is (g, u, v), where g is the 'greatestCommonDivisor' of a and b, and u a + v b =
+-- g. If neither a nor b is zero, u and v have the least possible degrees. O(n^2).
 bezout :: KnownField k => Polynomial k -> Polynomial k -> (Polynomial k, Polynomial k, Polynomial k)
 bezout a b = case quotientRemainder a b of
   -- From u b + v r = g and r = a - quotient b.
@@ -143,8 +143,8 @@ normalising a = maybe one (either (const one) id . inverse) (leadingCoefficient 
 valueAt :: KnownField k => Polynomial k -> GF k -> GF k
 valueAt (Polynomial cs) a = foldr (\c rest -> c + a * rest) zero cs
 
--- | @powerModulo h a e@ is a^e modulo h. 'Nothing' exactly when h is zero. O(n^2 (q + log e)), n
--- being the degree of h; over GF(2), 64 coefficients are worked on at once.
+-- | @powerModulo h a e@ is a^e modulo h. 'Nothing' exactly if h is zero. O(n^2 (q + log e)), where
+-- n is the degree of h; over GF(2), 64 coefficients are handled at once.
 powerModulo :: KnownField k => Polynomial k -> Polynomial k -> Natural -> Maybe (Polynomial k)
 powerModulo h a e
   | null (coefficients h) = Nothing
@@ -152,13 +152,13 @@ powerModulo h a e
   where
     power' modulus = fromResidue (powerOf modulus (residueFrom modulus (coefficients a)) e)
 
--- | The arithmetic modulo a polynomial; 'Nothing' for degree 0, where all residues are 0, and for
--- the zero polynomial.
+-- | The arithmetic modulo a polynomial. 'Nothing' for the zero polynomial, and for degree 0, where
+-- all residues are 0.
 modulusOf :: KnownField k => Polynomial k -> Maybe (Modulus k)
 modulusOf h = case reverse (map (normalising h *) (coefficients h)) of
   _ : upper@(_ : _) -> Just (modulusFrom (map negate (reverse upper)))
   _ -> Nothing
 
--- | The representative of lowest degree.
+-- | The representative of lowest degree of a residue.
 fromResidue :: Coefficients k -> Polynomial k
 fromResidue = polynomial . Primitive.toList

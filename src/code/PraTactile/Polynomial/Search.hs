@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Orders in which to look for polynomials: ascending, by the number of terms, and at random.
+-- | Orders in which polynomials are searched: ascending, by the number of terms, and at random.
 -- Internal; "PraTactile.Polynomial" exports it.
 module PraTactile.Polynomial.Search
   ( -- * Candidates
@@ -33,17 +33,17 @@ import PraTactile.Polynomial.Primitive
 import PraTactile.Polynomial.Reducible
 import PraTactile.Polynomial.Ring
 
--- | All monic polynomials of a degree, ascending (coefficients compared from the highest degree
--- down): q^n of them, made as they are asked for. O(n) each.
+-- | All q^n monic polynomials of a degree, ascending, computed lazily. Coefficients are compared
+-- from the highest degree down. O(n) each.
 monicPolynomials :: KnownField k => Natural -> [Polynomial k]
 monicPolynomials = monicFrom 0
 
--- | 'monicPolynomials' without those at the beginning that are known not to be irreducible
+-- | 'monicPolynomials' without a beginning that is known to contain no irreducible ones
 -- ('reducibleRun').
 ascendingCandidates :: forall k. KnownField k => Natural -> [Polynomial k]
 ascendingCandidates n = monicFrom (reducibleRun (Proxy :: Proxy k) (fromIntegral n)) n
 
--- | The monic polynomials of a degree, ascending, from x^n + x^i on; all of them for i = 0.
+-- | The monic polynomials of a degree n, ascending, from x^n + x^i on; all of them for i = 0.
 monicFrom :: forall k. KnownField k => Int -> Natural -> [Polynomial k]
 monicFrom i n = map monicOf [if i == 0 then 0 else q ^ i .. q ^ n - 1]
   where
@@ -52,8 +52,8 @@ monicFrom i n = map monicOf [if i == 0 then 0 else q ^ i .. q ^ n - 1]
     digit 0 = Nothing
     digit j = Just (either (const zero) id (fromCode (fromInteger (j `mod` q))), j `div` q)
 
--- | The monic polynomials of degree n >= 1 with constant term not 0, those of fewest terms first,
--- and those of equally many ascending. For degree 1, x comes before them. O(n) each.
+-- | The monic polynomials of degree n >= 1 with nonzero constant term, by the number of terms, then
+-- ascending. For degree 1, x comes first. O(n) each.
 monicByTerms :: KnownField k => Natural -> [Polynomial k]
 monicByTerms = byTerms 0
 
@@ -61,8 +61,7 @@ monicByTerms = byTerms 0
 fewestTermsCandidates :: forall k. KnownField k => Natural -> [Polynomial k]
 fewestTermsCandidates n = byTerms (reducibleRun (Proxy :: Proxy k) (fromIntegral n)) n
 
--- | 'monicByTerms' without the polynomials whose terms are x^n and others below x^i; all of them
--- for i = 0.
+-- | 'monicByTerms' without the polynomials whose terms are x^n and others below x^i; all for i = 0.
 byTerms :: forall k. KnownField k => Int -> Natural -> [Polynomial k]
 byTerms i n
   | n == 0 = []
@@ -70,9 +69,9 @@ byTerms i n
   where
     withTerms terms =
       [polynomial (reverse (one : lower)) | lower <- choose i (fromIntegral n) terms]
-    -- @choose least size terms@: coefficients, highest first, this many; those that are not 0 are
-    -- as many as the terms, the last coefficient among them, and the first of them is followed by
-    -- as many as the least or more.
+    -- @choose least size terms@ lists the coefficients, highest first, of which there are size. As
+    -- many as terms are nonzero, including the last. At least least coefficients follow the first
+    -- nonzero one.
     choose :: Int -> Int -> Int -> [[GF k]]
     choose least size terms
       | terms == 0 || terms > size || size <= least = []
@@ -82,10 +81,10 @@ byTerms i n
           ++ [c : rest | c <- units, rest <- choose 0 (size - 1) (terms - 1)]
     units = drop 1 elements
 
--- | Monic polynomials of degree n, drawn independently and uniformly from a seed, without end. The
--- draws are those of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014), a coefficient from the upper
--- 32 bits of each by the remainder modulo q, constant term first; of the 2^32 values, those at the
--- end that would favour small codes are passed over. O(n) each.
+-- | An endless list of monic polynomials of degree n, drawn independently and uniformly from a
+-- seed. The draws are those of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014). Each coefficient,
+-- constant term first, is the upper 32 bits of a draw modulo q. Values at the end of the 2^32,
+-- which would favour small codes, are skipped. O(n) each.
 randomMonics :: forall k. KnownField k => Word64 -> Natural -> [Polynomial k]
 randomMonics seed n = go coefficientsDrawn
   where
@@ -105,29 +104,29 @@ splitMix seed = map mix (drop 1 (iterate (+ 0x9e3779b97f4a7c15) seed))
           z2 = (z1 `xor` (z1 `shiftR` 27)) * 0x94d049bb133111eb
        in z2 `xor` (z2 `shiftR` 31)
 
--- | The monic irreducible polynomials of a degree, ascending, made as they are asked for. Each
--- takes n tests by 'isIrreducible' on average.
+-- | The monic irreducible polynomials of a degree, ascending, computed lazily. Each takes n tests
+-- by 'isIrreducible' on average.
 irreduciblePolynomials :: KnownField k => Natural -> [Polynomial k]
 irreduciblePolynomials = filter isIrreducible . ascendingCandidates
 
--- | The primitive polynomials of a degree n >= 1, ascending, made as they are asked for. Refuses as
--- 'primitiveAmong' does. The cost is as there, and of the candidates one in n N / phi(N) is
--- primitive, phi being Euler's function.
+-- | The primitive polynomials of a degree n >= 1, ascending, computed lazily. Refuses what
+-- 'primitiveAmong' refuses. The cost is as there; one candidate in n N / phi(N) is primitive, where
+-- phi is Euler's function.
 primitivePolynomials :: KnownField k => Natural -> Either PolynomialError [Primitive k]
 primitivePolynomials n = primitiveAmong n (ascendingCandidates n)
 
--- | The first of 'primitivePolynomials'. Over GF(4), degree 4, it is the paper's x^4 + x^2 + A x +
--- A^2. About n N / phi(N) candidates are looked at, each as 'primitiveAmong' does.
+-- | The first of 'primitivePolynomials'. Over GF(4) with degree 4, it is the paper's x^4 + x^2 + A
+-- x + A^2. About n N / phi(N) candidates are tested, each at the cost of 'primitiveAmong'.
 firstPrimitive :: KnownField k => Natural -> Either PolynomialError (Primitive k)
 firstPrimitive n = firstOf n ascendingCandidates
 
--- | Of the primitive polynomials with the fewest terms, the first: the shift register with the
+-- | The first primitive polynomial among those with the fewest terms: the shift register with the
 -- fewest taps. The cost is that of 'firstPrimitive'.
 fewestTermsPrimitive :: KnownField k => Natural -> Either PolynomialError (Primitive k)
 fewestTermsPrimitive n = firstOf n fewestTermsCandidates
 
--- | A primitive polynomial drawn uniformly from a seed. The cost is that of 'firstPrimitive', on
--- average.
+-- | A primitive polynomial drawn uniformly from a seed. The average cost is that of
+-- 'firstPrimitive'.
 randomPrimitive :: KnownField k => Word64 -> Natural -> Either PolynomialError (Primitive k)
 randomPrimitive seed n = firstOf n (randomMonics seed)
 

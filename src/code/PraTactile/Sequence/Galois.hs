@@ -1,9 +1,9 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | The Galois form of the shift register: its content is a residue modulo h, and a step multiplies
--- it by x. Where the register of "PraTactile.Sequence" (the Fibonacci form) adds up its stages into
--- one, this one adds what it puts out into its stages. Both give the same sequences; 'toGalois' and
--- 'toFibonacci' map the states (Golomb, Shift Register Sequences, 1967).
+-- it by x. The register of "PraTactile.Sequence" (the Fibonacci form) adds its stages up into one;
+-- this one adds its output to its stages. Both give the same sequences; 'toGalois' and
+-- 'toFibonacci' convert the states (Golomb, Shift Register Sequences, 1967).
 module PraTactile.Sequence.Galois
   ( -- * States
     GaloisState,
@@ -27,7 +27,7 @@ import PraTactile.Field
 import PraTactile.Polynomial
 import PraTactile.Sequence
 
--- | The residue g0 + g1 x + ... + g(n-1) x^(n-1), not zero.
+-- | The nonzero residue g0 + g1 x + ... + g(n-1) x^(n-1).
 newtype GaloisState (k :: Field) = GaloisState [GF k]
   deriving stock (Eq)
 
@@ -41,17 +41,17 @@ instance KnownField k => Show (GaloisState k) where
 galoisState :: Primitive k -> [GF k] -> Either SequenceError (GaloisState k)
 galoisState h g = GaloisState . stateElements <$> initialState h g
 
--- | g0, ..., g(n-1).
+-- | The elements g0, ..., g(n-1) of a state.
 galoisElements :: GaloisState k -> [GF k]
 galoisElements (GaloisState g) = g
 
--- | One step: the product by x, modulo h = x^n + c(n-1) x^(n-1) + ... + c0. The stage of x^(n-1) is
--- put out, and c(j) times it is taken from each stage j as the stages move up.
+-- | One step: the product by x, modulo h = x^n + c(n-1) x^(n-1) + ... + c0. The stages move up, the
+-- stage of x^(n-1) is the output, and c(j) times the output is subtracted from each stage j.
 galoisNext :: KnownField k => Primitive k -> GaloisState k -> GaloisState k
 galoisNext h state@(GaloisState g) =
   GaloisState (zipWith (\c below -> below - c * galoisOutput state) (lower h) (zero : g))
 
--- | One step back, of which 'galoisNext' makes this state.
+-- | One step back: the state from which 'galoisNext' leads to this one.
 galoisPrevious :: KnownField k => Primitive k -> GaloisState k -> GaloisState k
 galoisPrevious h (GaloisState g) =
   GaloisState (zipWith (\c above -> above + c * out) (drop 1 (lower h)) (drop 1 g) ++ [out])
@@ -59,12 +59,12 @@ galoisPrevious h (GaloisState g) =
     -- g0 = - c0 out; c0 is not zero, and a^(q - 2) is the inverse of such an a.
     out = negate (sum (take 1 g) * power (sum (take 1 (lower h))) (fromIntegral (fieldOrder h - 2)))
 
--- | What the register puts out at its next step: the coefficient of x^(n-1).
+-- | The output of the register's next step: the coefficient of x^(n-1).
 galoisOutput :: GaloisState k -> GF k
 galoisOutput (GaloisState g) = foldl' (\_ a -> a) zero g
 
--- | What the register puts out from this state on, endlessly: a linear function of x^i g modulo h,
--- and so a sequence that obeys the recurrence of h.
+-- | The endless output of the register from this state on. It is a linear function of x^i g modulo
+-- h, so it obeys the recurrence of h.
 --
 -- >>> import PraTactile.Field.Named (GF4)
 -- >>> let terms h = take 9 (galoisSequence h (toGalois h (canonicalState h)))
@@ -73,8 +73,8 @@ galoisOutput (GaloisState g) = foldl' (\_ a -> a) zero g
 galoisSequence :: KnownField k => Primitive k -> GaloisState k -> [GF k]
 galoisSequence h = map galoisOutput . iterate (galoisNext h)
 
--- | The Galois state that puts out what the Fibonacci register does from its state s(0), ...,
--- s(n-1): g(n-1-j) = s(j) + c(n-1) s(j-1) + ... + c(n-j) s(0).
+-- | The Galois state with the same output as the Fibonacci register in its state s(0), ..., s(n-1):
+-- g(n-1-j) = s(j) + c(n-1) s(j-1) + ... + c(n-j) s(0).
 toGalois :: KnownField k => Primitive k -> State k -> GaloisState k
 toGalois h s = GaloisState (map stage [primitiveDegree h, primitiveDegree h - 1 .. 1])
   where
@@ -82,11 +82,11 @@ toGalois h s = GaloisState (map stage [primitiveDegree h, primitiveDegree h - 1 
     downwards = reverse (coefficients (primitivePolynomial h))
     stage j = sum (zipWith (*) downwards (reverse (take j (stateElements s))))
 
--- | The state s(0), ..., s(n-1) of the Fibonacci register that puts out what the Galois register
--- does.
+-- | The state s(0), ..., s(n-1) of the Fibonacci register with the same output as the Galois
+-- register.
 toFibonacci :: KnownField k => Primitive k -> GaloisState k -> Either SequenceError (State k)
 toFibonacci h = initialState h . take (primitiveDegree h) . galoisSequence h
 
--- | c0, ..., c(n-1).
+-- | The coefficients c0, ..., c(n-1).
 lower :: Primitive k -> [GF k]
 lower h = take (primitiveDegree h) (coefficients (primitivePolynomial h))

@@ -1,8 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Terms of a sequence far away: s(t) for any t, from a table of low powers of the root that is
--- made once a polynomial. Internal; 'PraTactile.Sequence.termAt' is what a user needs.
+-- | Distant terms of a sequence: s(t) for any t, from a table of low powers of the root that is
+-- made once for a polynomial. Internal; users need 'PraTactile.Sequence.termAt'.
 module PraTactile.Sequence.Jump
   ( jump,
     generalJump,
@@ -27,15 +27,15 @@ import PraTactile.Polynomial
    < Q n, for each digit of t to base Q, and no multiplication modulo h at all. And s(t) = g0 s(0) +
    ... + g(n-1) s(n-1), because both sides obey the recurrence. -}
 
--- | @jump h s@ takes t to s(t), given s(0), ..., s(n-1). Apply it to h and s once, and to t often:
--- the table of Note [Powers by Horner's rule], a MiB at most or q n^2 bytes, is made when first
--- used. A term takes time n^2 log t, less for GF(2).
+-- | @jump h s@ maps t to s(t), given s(0), ..., s(n-1). Apply it once to h and s, and then to many
+-- t: it makes the table of Note [Powers by Horner's rule], of at most a MiB or q n^2 bytes, when
+-- first used. A term takes time n^2 log t, less for GF(2).
 jump :: forall k. KnownField k => Primitive k -> [GF k] -> Natural -> GF k
 jump h s
   | fieldOrder (Proxy :: Proxy k) == 2 && primitiveDegree h <= 64 = packedJump h s
   | otherwise = generalJump h s
 
--- | As 'jump', for every field.
+-- | 'jump' by the general method, for every field.
 generalJump :: forall k. KnownField k => Primitive k -> [GF k] -> Natural -> GF k
 generalJump h s = \t -> sum (zipWith (*) (Primitive.toList (rootPower (t `mod` period h))) s)
   where
@@ -62,7 +62,8 @@ generalJump h s = \t -> sum (zipWith (*) (Primitive.toList (rootPower (t `mod` p
           (j + 1)
           (acc + Primitive.unsafeIndex g j * Primitive.unsafeIndex table at)
 
--- | As 'jump', for GF(2) and n up to 64: a residue is a word, bit j the coefficient of alpha^j.
+-- | 'jump' for GF(2) and n up to 64: a residue is a word, in which bit j is the coefficient of
+-- alpha^j.
 packedJump :: forall k. KnownField k => Primitive k -> [GF k] -> Natural -> GF k
 packedJump h s =
   \t -> if odd (popCount (rootPower (t `mod` period h) .&. word s)) then one else zero
@@ -80,7 +81,7 @@ packedJump h s =
     total !g !at !acc
       | g == 0 = acc
       | otherwise =
-        -- All ones or none, as bit 0 says.
+        -- All ones or all zeros, as bit 0 is.
         let chosen = negate (g .&. 1) .&. Primitive.unsafeIndex table at
          in total (g `unsafeShiftR` 1) (at + base) (acc `xor` chosen)
 

@@ -1,9 +1,9 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Running a linear recurrence through memory, one byte a term, by powers of its polynomial, which
--- leave many terms free to be computed at once. Internal: the vector form of sequences and the
--- grids of arrays are filled by it.
+-- | Runs a linear recurrence through memory, with one byte for each term. Powers of its polynomial
+-- leave many terms independent, so that these are computed at once. Internal: used to fill
+-- sequences and the grids of arrays.
 module PraTactile.Sequence.Recurrence
   ( Recurrence,
     recurrenceOf,
@@ -28,8 +28,8 @@ import qualified Data.Vector.Primitive.Mutable as Mutable
 import Data.Word (Word64)
 import PraTactile.Field
 
--- | v(i) = a1 v(i - l1) + a2 v(i - l2) + ...: the lags l, each at least 1, with the factors a, none
--- of them 0.
+-- | v(i) = a1 v(i - l1) + a2 v(i - l2) + ...: the lags l, each at least 1, with their nonzero
+-- factors a.
 newtype Recurrence (k :: Field) = Recurrence [(Int, GF k)]
 
 -- | The recurrence of a monic polynomial, given by its lower coefficients c0, ..., c(n-1): v(i) = -
@@ -39,27 +39,27 @@ recurrenceOf lower =
   Recurrence
     [(lag, negate c) | (lag, c) <- zip [length lower, length lower - 1 ..] lower, c /= zero]
 
--- | The recurrence with every lag multiplied by a number, at least 1: if the rows of a matrix obey
--- a recurrence, so do its cells in one line, the lags times the length of a row.
+-- | The recurrence with every lag multiplied by a number, at least 1. If the rows of a matrix obey
+-- a recurrence, its cells in one line obey this one, with the length of a row as the number.
 delayed :: Int -> Recurrence k -> Recurrence k
 delayed times (Recurrence taps) = Recurrence [(max 1 times * lag, a) | (lag, a) <- taps]
 
--- | @frobenius e@ gives the recurrence of h^(p^e), which whatever obeys h also obeys. Raising to
--- the power p is additive, so that the power has as few terms as h, each p^e times as far apart.
+-- | @frobenius e@ gives the recurrence of h^(p^e), which every sequence that obeys h also obeys.
+-- The p-th power is additive, so this polynomial has as many terms as h, p^e times as far apart.
 frobenius :: forall k. KnownField k => Int -> Recurrence k -> Recurrence k
 frobenius e (Recurrence taps) = Recurrence [(lag * q, power a (fromIntegral q)) | (lag, a) <- taps]
   where
     q = fieldCharacteristic (Proxy :: Proxy k) ^ max 0 e
 
--- | How many terms the recurrence looks back.
+-- | The number of terms that the recurrence looks back.
 longestLag :: Recurrence k -> Int
 longestLag (Recurrence taps) = maximum (0 : map fst taps)
 
 shortestLag :: Recurrence k -> Int
 shortestLag (Recurrence taps) = minimum (maxBound : map fst taps)
 
--- | The first power of the recurrence whose shortest lag makes a block pay its overhead and, in
--- characteristic 2, all of whose lags are whole words.
+-- | The first power of the recurrence whose shortest lag makes blocks worth their overhead, and in
+-- characteristic 2 all of whose lags are whole words.
 spread :: forall k. KnownField k => Recurrence k -> Recurrence k
 spread = until ready (frobenius 1)
   where
@@ -67,9 +67,9 @@ spread = until ready (frobenius 1)
       shortestLag r >= 1024 && (p /= 2 || all ((== 0) . (`mod` 8) . fst) taps)
     p = fieldCharacteristic (Proxy :: Proxy k)
 
--- | @continue r from to v@ writes v(from), ..., v(to - 1): first by the recurrence as it is, then
--- by a power of it, if there are many. Does nothing unless the lags reach back to no further than
--- v(0), and v(to - 1) is within the vector.
+-- | @continue r from to v@ writes v(from), ..., v(to - 1): first by the recurrence itself, then by
+-- a power of it if there are many terms. Does nothing if a lag reaches before v(0), or v(to - 1) is
+-- beyond the vector.
 continue :: forall k s. KnownField k => Recurrence k -> Int -> Int -> MVector s (GF k) -> ST s ()
 continue r from to v
   | to - start < 16384 = stepwise r from to v
@@ -80,7 +80,7 @@ continue r from to v
     start = max from (longestLag far)
     far = spread r
 
--- | As 'continue', term by term: the definition.
+-- | 'continue' term by term, as the definition.
 stepwise :: forall k s. KnownField k => Recurrence k -> Int -> Int -> MVector s (GF k) -> ST s ()
 stepwise r@(Recurrence taps) from to v = when (reaches r from to v) (go from)
   where
@@ -98,8 +98,8 @@ stepwise r@(Recurrence taps) from to v = when (reaches r from to v) (go from)
 reaches :: Recurrence k -> Int -> Int -> MVector s (GF k) -> Bool
 reaches r from to v = longestLag r <= from && to <= Mutable.length v
 
--- | As 'continue', in blocks no longer than the shortest lag, so that within a block no term asks
--- for another; in characteristic 2 eight terms at a time where the lags allow.
+-- | 'continue' in blocks no longer than the shortest lag, so that terms of a block do not depend on
+-- each other. In characteristic 2 it takes eight terms at a time where the lags allow.
 blockwise :: forall k s. KnownField k => Recurrence k -> Int -> Int -> MVector s (GF k) -> ST s ()
 blockwise r@(Recurrence taps) from to v@(MVector offset size bytes) =
   when (reaches r from to v) $
@@ -117,10 +117,10 @@ blockwise r@(Recurrence taps) from to v@(MVector offset size bytes) =
     byTerms end = inBlocks (shortestLag r) from end (termPasses taps v)
     wordView = MVector (offset `div` 8) (size `div` 8) bytes
 
--- | What is done to the places from the first number up to the second, without it.
+-- | An action on the places from the first number up to the second, exclusive.
 type Pass s = Int -> Int -> ST s ()
 
--- | All passes over one block after another.
+-- | Runs all passes over one block after another.
 inBlocks :: Int -> Int -> Int -> [Pass s] -> ST s ()
 inBlocks shortest from to passes = go from
   where
@@ -129,7 +129,8 @@ inBlocks shortest from to passes = go from
       forM_ passes (\pass -> pass i (min to (i + size)))
       go (i + size)
 
--- | The sum, two terms in the first pass and one in each further one, by tables of two arguments.
+-- | The sum for a recurrence: two of its terms in the first pass and one in each further pass, by
+-- tables of two arguments.
 termPasses :: forall k s. KnownField k => [(Int, GF k)] -> MVector s (GF k) -> [Pass s]
 termPasses taps v = case taps of
   (l1, a1) : (l2, a2) : more -> combine a1 l1 a2 l2 : map (\(l, a) -> combine one 0 a l) more
@@ -147,7 +148,7 @@ termPasses taps v = case taps of
             go to (i + 1)
        in flip go
 
--- | The entry 256 x + y is a x + b y; rows of 256 keep every index within the table.
+-- | The table in which entry 256 x + y is a x + b y; rows of 256 keep every index within it.
 combinations :: KnownField k => GF k -> GF k -> Vector (GF k)
 combinations a b = Primitive.create $ do
   table <- Mutable.replicate 65536 zero
@@ -165,8 +166,8 @@ combinations a b = Primitive.create $ do
    bit and takes the modulus from those that reach degree m. No byte sees another, so that the order
    of the bytes in a word does not matter. -}
 
--- | The same sum of words of eight terms, all lags being multiples of 8. See Note [Eight terms at a
--- time].
+-- | The sum for a recurrence whose lags are all multiples of 8, on words of eight terms. See Note
+-- [Eight terms at a time].
 wordPasses :: forall k s. KnownField k => [(Int, GF k)] -> MVector s Word64 -> [Pass s]
 wordPasses taps v = clear : intercalate [each timesA] [addAll (wanted b) | b <- [m - 1, m - 2 .. 0]]
   where

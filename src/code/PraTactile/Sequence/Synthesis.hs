@@ -1,6 +1,6 @@
--- | Which recurrence produced these symbols? The shortest shift register that can have put them
--- out, over GF(q), by the algorithm of Berlekamp and Massey (Massey, Shift-register synthesis and
--- BCH decoding, IEEE Transactions on Information Theory 15(1), 1969).
+-- | Finds the shortest shift register over GF(q) that produces given symbols, by the algorithm of
+-- Berlekamp and Massey (Massey, Shift-register synthesis and BCH decoding, IEEE Transactions on
+-- Information Theory 15(1), 1969).
 module PraTactile.Sequence.Synthesis
   ( Synthesis,
     synthesise,
@@ -19,7 +19,7 @@ import PraTactile.Polynomial
 data Synthesis (k :: Field) = Synthesis
   { -- | The number N of terms it was made from.
     synthesisTerms :: !Int,
-    -- | The number L of its stages; 0 if all terms are 0. No shorter register puts out these terms.
+    -- | The number L of its stages; 0 if all terms are 0. No shorter register produces these terms.
     synthesisLength :: !Int,
     -- | 1, C1, ..., CL: s(i) + C1 s(i-1) + ... + CL s(i-L) = 0 for L <= i < N.
     connection :: [GF k]
@@ -28,7 +28,7 @@ data Synthesis (k :: Field) = Synthesis
 
 type role Synthesis nominal
 
--- | The shortest register that puts out these terms. O(N L) operations in GF(q).
+-- | The shortest register that produces these terms. O(N L) operations in GF(q).
 --
 -- >>> import PraTactile.Field.Named (GF2)
 -- >>> synthesisPolynomial (synthesise [0, 0, 1, 0, 1, 1] :: Synthesis GF2)
@@ -39,15 +39,16 @@ synthesise terms =
   where
     end = foldl' observe (Progress 0 0 [one] [zero, one] one []) terms
 
--- | Massey's variables. After a change of length, x B over its discrepancy corrects the next error.
+-- | Massey's variables. After a change of length, x B divided by its discrepancy corrects the next
+-- error.
 data Progress (k :: Field) = Progress
   { seen :: !Int,
     stages :: !Int,
     -- | C, the register so far
     current :: [GF k],
-    -- | x^m B, with B the register before the last change of length, m terms ago
+    -- | x^m B, where B is the register before the last change of length, m terms ago
     shifted :: [GF k],
-    -- | by what B failed then
+    -- | the discrepancy of B then
     discrepancyBefore :: !(GF k),
     -- | the terms seen, the last one first
     backwards :: [GF k]
@@ -78,10 +79,10 @@ subtractMultiple _ as [] = as
 subtractMultiple r [] bs = map (negate . (r *)) bs
 
 -- | The monic polynomial of degree L of the recurrence. Its constant term is 0 if the terms become
--- periodic only after some. O(L).
+-- periodic only after a beginning. O(L).
 synthesisPolynomial :: Synthesis k -> Polynomial k
 synthesisPolynomial = polynomial . reverse . connection
 
--- | Whether no other register of this length puts out the same terms: 2 L <= N.
+-- | Whether no other register of this length produces the same terms: 2 L <= N.
 synthesisDetermined :: Synthesis k -> Bool
 synthesisDetermined found = 2 * synthesisLength found <= synthesisTerms found

@@ -1,8 +1,9 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Which contents occur among the windows of a grid, as one bit a content: the inner loop of the
--- proof by enumeration. Internal; "PraTactile.Window.Enumeration" says what it means.
+-- | The set of contents that occur among the windows of a grid, with one bit for each content: the
+-- inner loop of the proof by enumeration. Internal; "PraTactile.Window.Enumeration" has the
+-- meaning.
 module PraTactile.Window.Contents
   ( Contents,
     contents,
@@ -24,11 +25,11 @@ import PraTactile.Grid
 import PraTactile.Window
 import PraTactile.Window.Visit
 
--- | A set of contents: bit c of the vector, 64 bits a word, for the content numbered c. The
--- numbering is one to one, and 0 is the content that is all zeros.
+-- | A set of contents: bit c of the vector, with 64 bits a word, is the content numbered c. The
+-- numbering is one to one, and 0 is the content of all zeros.
 newtype Contents = Contents (Vector Word64)
 
--- | The contents of all windows of a visit, whose numbers must fit a set in memory.
+-- | The contents of all windows of a visit. Their numbers must fit a set in memory.
 contents :: Visit -> Contents
 contents windows = united (map seen (tiles windows))
   where
@@ -43,7 +44,7 @@ contents windows = united (map seen (tiles windows))
         pure set
     shape = gridShape (visitGrid windows)
 
--- | How many contents are in the set.
+-- | The number of contents in the set.
 countContents :: Contents -> Int
 countContents (Contents set) = Primitive.foldl' (\n word -> n + popCount word) 0 set
 
@@ -51,8 +52,8 @@ countContents (Contents set) = Primitive.foldl' (\n word -> n + popCount word) 0
 zeroOccurs :: Contents -> Bool
 zeroOccurs (Contents set) = Primitive.any odd (Primitive.take 1 set)
 
--- | All windows, in one tile a processor if they are many. What is seen does not depend on it; a
--- set of its own for each processor is for small sets only.
+-- | Splits all windows into one tile for each processor, if they are many. The result does not
+-- depend on it. Each processor has a set of its own, so this is for small sets only.
 tiles :: Visit -> [Tile]
 tiles windows
   | height <= 0 || width <= 0 = []
@@ -67,7 +68,7 @@ tiles windows
     cut side = zip (cuts side) (drop 1 (cuts side))
     cuts side = [i * side `div` parts | i <- [0 .. parts]]
 
--- | The union, the sets being made side by side.
+-- | The union of sets, which are computed in parallel.
 united :: [Contents] -> Contents
 united sets = case sets of
   [] -> Contents Primitive.empty
@@ -78,7 +79,7 @@ united sets = case sets of
   where
     union (Contents a) (Contents b) = Contents (Primitive.zipWith (.|.) a b)
 
--- | Put a content into the set. Contents are below the span for which the set was made.
+-- | Adds a content to the set. It must be below the span for which the set was made.
 include :: MVector s Word64 -> Int -> ST s ()
 include set key = do
   word <- Mutable.unsafeRead set (key `shiftR` 6)
@@ -101,7 +102,7 @@ include set key = do
 -- | Windows of k1 x k2 cells, no larger than the grid. See Note [Rolling contents].
 sweep :: Visit -> (Int, Int) -> Tile -> MVector s Word64 -> ST s ()
 sweep windows (k1, k2) (Tile r0 r1 c0 c1) set = do
-  -- Entry t + k2 is the column c + t of the strip from c; the first k2 entries stay 0.
+  -- Entry t + k2 is column c + t of the strip that begins at c; the first k2 entries stay 0.
   numbers <- Mutable.replicate (width + 2 * k2) 0
   forM_ [c0, c0 + width .. c1 - 1] $ \c -> do
     Mutable.set numbers 0
@@ -134,26 +135,26 @@ data Strip = Strip
     stripColumns :: !Int,
     -- | The first column.
     stripFrom :: !Int,
-    -- | How many columns there are; the last may lie beyond the edge by less than a turn.
+    -- | The number of columns; the last may lie beyond the edge by less than a turn.
     stripSize :: !Int
   }
 
--- | The row that comes into the windows, the row that is left behind, and its weight. Rows may lie
--- beyond the edge by less than a turn.
+-- | The row that enters the windows, the row that leaves them, and its weight. Rows may lie beyond
+-- the edge by less than a turn.
 data Row = Row !Int !Int !Int
 
--- | Take a row of cells into the numbers of a strip's columns, and one out of them; include the
--- windows that end at this column of the strip, from 0, or later.
+-- | Adds a row of cells to the numbers of a strip's columns and removes another. Then it includes
+-- the windows that end at this column of the strip, counted from 0, or later.
 rowOfStrip :: Strip -> MVector s Word32 -> MVector s Word64 -> Row -> Int -> ST s ()
 rowOfStrip (Strip surface grid base k2 c size) numbers set (Row new old weight) first =
   foldM_ segment 0 (zip bounds (drop 1 bounds))
   where
-    -- Columns past the edge, and those where no window ends yet, are parts of their own.
+    -- Columns beyond the edge, and columns where no window ends yet, are treated separately.
     bounds = [0] ++ sort (filter (\t -> 0 < t && t < size) [first, width - c]) ++ [size]
     segment key (from, to) = roll (from >= first) (origin new past) (origin old past) from to key
       where
         past = c + from >= width
-    -- The index of the strip's first column, if it lay on the same side of the edge.
+    -- The index of the strip's first column, if it were on the same side of the edge.
     origin i past
       | not past = (i `mod` height) * width + c
       | surface == TwistedTorus = ((i + 1) `mod` height) * width + c - width

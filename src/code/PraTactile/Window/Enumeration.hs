@@ -1,8 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The window property by visiting every window, for any rectangular matrix of symbols: nothing is
--- assumed of how the matrix was made.
+-- | Decides the window property by visiting every window, for any rectangular matrix of symbols.
+-- Nothing is assumed about how the matrix was made.
 module PraTactile.Window.Enumeration
   ( enumerate,
     enumerable,
@@ -32,21 +32,21 @@ import PraTactile.Window.Seen
 import PraTactile.Window.Sorting
 import PraTactile.Window.Visit
 
--- | What was seen on visiting every window of a surface.
+-- | The result of visiting every window of a surface.
 data Enumeration = Enumeration
-  { -- | how many positions a window has on the surface
+  { -- | the number of positions that a window has on the surface
     visitedWindows :: Natural,
-    -- | how many different contents were seen there
+    -- | the number of different contents
     differentWindows :: Natural,
-    -- | the first position, row by row, whose content was seen before, preceded by where it was
-    -- first seen
+    -- | the first repetition, row by row: where the content was first seen, then where it was seen
+    -- again
     repeatedWindow :: Maybe (Position, Position),
     -- | the first position whose window is all zeros
     zeroPosition :: Maybe Position
   }
   deriving stock (Eq, Show)
 
--- | Whether every window has a content of its own.
+-- | Whether all windows have different contents.
 allDistinct :: Enumeration -> Bool
 allDistinct seen = differentWindows seen == visitedWindows seen
 
@@ -54,22 +54,22 @@ allDistinct seen = differentWindows seen == visitedWindows seen
 data EnumerationError
   = -- | No window of this shape lies on the sheet.
     NoWindow
-  | -- | There are this many possible contents, too many for a bit each, and this many positions,
-    -- too many to be sorted ('largestSort'; 'largestMap' and 'largestReading' where a content fits
-    -- no machine integer).
+  | -- | There are too many possible contents, the first number, for one bit each. And there are too
+    -- many positions, the second number, to be sorted ('largestSort'), or, if a content does not
+    -- fit a machine integer, for a map ('largestMap' and 'largestReading').
     TooManyWindows Natural Natural
   deriving stock (Eq, Show)
 
--- | What the ways of keeping what was seen may take. The answer does not depend on the way.
+-- | Limits of the ways to keep what was seen. The result does not depend on the way.
 data Limits = Limits
-  { -- | up to this many possible contents there is one bit a content, if that is not many times
-    -- more than there are positions
+  { -- | the most possible contents for which there is one bit each, unless they are many times more
+    -- than the positions
     largestSpan :: !Natural,
-    -- | up to this many positions, the contents are sorted instead if they fit a machine integer
+    -- | the most positions whose contents are sorted instead, if contents fit a machine integer
     largestSort :: !Natural,
-    -- | up to this many positions, there is an ordered map otherwise, whatever the contents
+    -- | the most positions that otherwise go into an ordered map, whatever the contents
     largestMap :: !Natural,
-    -- | the most cells that are read for that map, all windows added up
+    -- | the most cells that are read for that map, over all windows
     largestReading :: !Natural
   }
   deriving stock (Eq, Show)
@@ -78,15 +78,15 @@ data Limits = Limits
 standardLimits :: Limits
 standardLimits = Limits (2 ^ (30 :: Int)) (2 ^ (26 :: Int)) (2 ^ (20 :: Int)) (2 ^ (26 :: Int))
 
--- | Visit every window on the surface. Takes one pass, and on the first repetition a second one to
--- find the partner. Refuses when there is no window, or no memory for what was seen. O(N) for N
--- positions of a rectangle whose windows are distinct, otherwise O(m N) for m cells, with a bit for
--- each of the q^m possible contents; where these are too many, O(m N) by sorting, with 8 bytes a
--- position, or O(m N log N) by a map.
+-- | Visits every window on the surface, in one pass. After a repetition a second pass finds its
+-- partner. Refuses if there is no window, or not enough memory for what is seen. O(N) for N
+-- positions of a rectangle whose windows are distinct, otherwise O(m N) for m cells, with one bit
+-- for each of the q^m possible contents. If these are too many it takes O(m N) by sorting, with 8
+-- bytes a position, or O(m N log N) by a map.
 enumerate :: Surface -> Grid -> Mask -> Either EnumerationError Enumeration
 enumerate = enumerateWithin standardLimits
 
--- | The same within other limits.
+-- | 'enumerate' within other limits.
 enumerateWithin :: Limits -> Surface -> Grid -> Mask -> Either EnumerationError Enumeration
 enumerateWithin limits surface grid mask
   | count == 0 = Left NoWindow
@@ -101,8 +101,8 @@ enumerateWithin limits surface grid mask
     packing = MostSignificantFirst
     visited = visit packing surface grid mask
     -- If the cells that fit a machine integer distinguish all windows, so do all cells. On the
-    -- sheet fewer cells may have more positions, where the others stick out: all of them are asked
-    -- for, which is more than need be.
+    -- sheet fewer cells may have more positions, some of which the others do not fit; all of them
+    -- are required to differ, which is more than necessary.
     byFewerCells = do
       fewer <- fittingCells (gridAlphabet grid) mask
       windows <-
@@ -121,12 +121,12 @@ enumerateWithin limits surface grid mask
               }
         else Nothing
 
--- | Refuses, before there is a grid, what 'enumerate' refuses for every grid with this number of
--- symbols and of this shape.
+-- | Refuses, without a grid, what 'enumerate' refuses for every grid of this shape with this number
+-- of symbols.
 enumerable :: Surface -> Int -> Shape -> Mask -> Either EnumerationError ()
 enumerable = enumerableWithin standardLimits
 
--- | The same within other limits.
+-- | 'enumerable' within other limits.
 enumerableWithin :: Limits -> Surface -> Int -> Shape -> Mask -> Either EnumerationError ()
 enumerableWithin limits surface q shape mask
   | count == 0 = Left NoWindow
@@ -158,8 +158,8 @@ fittingCells q mask = either (const Nothing) Just (maskFrom (take fitting (maskO
     fitting =
       length (takeWhile (<= 2 ^ (62 :: Int)) (iterate (* fromIntegral q) (1 :: Natural))) - 1
 
--- | One bit a content. Where the content that was seen before and the zero window stand is looked
--- for afterwards, if there are any.
+-- | Visits windows with one bit for each content. A second pass looks for the repetition and for
+-- the zero window, if there are any.
 byBits :: Visit -> Enumeration
 byBits windows =
   Enumeration
@@ -179,8 +179,9 @@ firstWith :: Visit -> Int -> Maybe Position
 firstWith windows key =
   uncurry visitPosition <$> firstWhere windows (\r c -> visitKey windows r c == key)
 
--- | The first position whose content was seen before, preceded by where it was first seen. Contents
--- that may repeat have a number of their own below the given one; others have none.
+-- | The first repetition: where the content was first seen, then where it was seen again. The
+-- function numbers the contents that may repeat, below the given size, and gives 'Nothing' for
+-- others.
 firstRepeated :: Visit -> Int -> (Int -> Maybe Int) -> Maybe (Position, Position)
 firstRepeated windows size numbered = do
   (r, c) <- repeated
@@ -207,7 +208,7 @@ firstWhere windows holds = go 0 0
       | holds r c = Just (r, c)
       | otherwise = go r (c + 1)
 
--- | All contents in order, so that equal ones are neighbours.
+-- | Sorts all contents, so that equal ones are neighbours.
 bySorting :: Visit -> Enumeration
 bySorting windows =
   Enumeration
@@ -229,7 +230,7 @@ bySorting windows =
     repeated = repetitions sorted
     slots = Primitive.uniq repeated
 
--- | An ordered map from contents to the position where each was first seen.
+-- | Puts contents into an ordered map, with the position where each was first seen.
 byOrder :: [(Position, Natural)] -> Enumeration
 byOrder found =
   Enumeration

@@ -1,6 +1,7 @@
--- | The window property: every window has a content of its own, so that the content determines the
--- position (MacWilliams and Sloane 1976; section II of the paper). Two methods lead to one verdict:
--- visiting every window, and the rank of the mask. Where both are possible they are compared.
+-- | Decides the window property: whether all windows have different contents, so that the content
+-- determines the position (MacWilliams and Sloane 1976; section II of the paper). There are two
+-- methods: visiting every window, and the rank of the mask. Where both are possible they are
+-- compared.
 --
 -- Costs: N is the number of a window's positions, m that of its cells, and n the degree of the
 -- polynomial.
@@ -40,25 +41,25 @@ import PraTactile.Window.Enumeration
 import PraTactile.Window.Rank
 import PraTactile.Window.Visit (visitedShape)
 
--- | What is known of the windows of a surface, and by which method.
+-- | What was found about the windows of a surface, and by which method.
 data Verdict = Verdict
   { -- | whether all windows are distinct
     proved :: Bool,
-    -- | what visiting every window says; 'Nothing' if it was not done
+    -- | the result of visiting every window; 'Nothing' if that was not done
     enumeration :: Maybe Bool,
-    -- | what the rank says; 'Nothing' if it decides nothing here
+    -- | the result by rank; 'Nothing' if the rank does not decide here
     rankDecision :: Maybe Bool,
-    -- | the rank of the mask over GF(q); 'Nothing' for a matrix without a polynomial or a surface
-    -- that is not its own
+    -- | the rank of the mask over GF(q); 'Nothing' for a matrix without a polynomial, or on a
+    -- surface that is not its own
     rank :: Maybe Natural,
-    -- | n, the rank that suffices; 'Nothing' likewise
+    -- | n, the rank that suffices; 'Nothing' as for 'rank'
     needed :: Maybe Natural,
-    -- | how many different contents there are; 'Nothing' on a sheet too large to visit, if the rank
-    -- is less than n
+    -- | the number of different contents; 'Nothing' on a sheet too large to visit, if the rank is
+    -- less than n
     distinctWindows :: Maybe Natural,
     -- | the surface whose windows they are
     surface :: Surface,
-    -- | two positions with the same content, if every window was visited and there are any
+    -- | two positions with the same content, if every window was visited and such positions exist
     collision :: Maybe (Position, Position),
     -- | a position whose window is all zeros, if every window was visited and there is one
     zeroWindow :: Maybe Position
@@ -69,18 +70,18 @@ data Verdict = Verdict
 data ProofError
   = -- | No window of this shape lies on the sheet.
     NoWindowOnSheet
-  | -- | The rank decides nothing here, and the array does not fit into memory to be visited.
+  | -- | The rank does not decide here, and the array does not fit in memory to be visited.
     ArrayTooLarge FoldError
-  | -- | The rank decides nothing here, and what is seen on a visit does not fit into memory: this
-    -- many possible contents at this many positions.
+  | -- | The rank does not decide here, and a visit would take too much memory: this many possible
+    -- contents at this many positions.
     WindowsTooMany Natural Natural
-  | -- | The two methods contradict each other, which a theorem forbids: one of them is wrong, and
-    -- neither is to be trusted.
+  | -- | The two methods contradict each other, which a theorem excludes. One of them is wrong, and
+    -- neither can be trusted.
     MethodsDisagree Verdict
   deriving stock (Eq, Show)
 
--- | An array with a mask and a surface on which all windows have been shown to be distinct. Only
--- 'prove' makes one.
+-- | An array with a mask and a surface on which all windows are proved to be distinct. Only 'prove'
+-- makes one.
 data Proved (k :: Field) = Proved
   { -- | The array.
     provedArray :: PseudorandomArray k,
@@ -92,11 +93,11 @@ data Proved (k :: Field) = Proved
 
 type role Proved nominal
 
--- | Decide whether the windows are distinct on the surface, by both methods as far as they are
--- possible: by visiting all windows if memory allows; by the rank on the array's 'naturalSurface',
--- where it decides, and on the sheet, where rank n is sufficient only. With the verdict comes the
--- witness if it is favourable. Refuses when there is no window, when neither method is possible,
--- and when the two disagree. The costs are those of 'enumerate' and of 'windowRank'.
+-- | Decides whether the windows are distinct on the surface, by both methods as far as possible. It
+-- visits all windows if memory allows. It uses the rank on the array's 'naturalSurface', where the
+-- rank decides, and on the sheet, where rank n is sufficient but not necessary. If the windows are
+-- distinct, a 'Proved' comes with the verdict. Refuses if there is no window, if neither method is
+-- possible, and if the two disagree. The costs are those of 'enumerate' and 'windowRank'.
 prove ::
   KnownField k =>
   ArrayOn k ->
@@ -111,15 +112,14 @@ prove (ArrayOn on array) mask
     _ -> Right (verdict, if proved verdict then Just (Proved array mask on) else Nothing)
   where
     visits = visitedShape on (arrayShape array) mask
-    -- An array that fits into memory is not made if its windows cannot be visited anyway.
+    -- An array that fits in memory is not made if its windows cannot be visited anyway.
     visited = case enumerable on (fieldOrder array) (arrayShape array) mask of
       Left refusal | area (arrayShape array) <= largestGrid -> Left (refused refusal)
       _ -> either (Left . ArrayTooLarge) (\grid -> visitAll on grid mask) (toGrid array)
     r = windowRank array mask
     n = fromIntegral (primitiveDegree (arrayPrimitive array))
     ownSurface = on == naturalSurface (arrayFolding array)
-    -- Whether all windows are distinct, and how many contents there are, as far as the rank
-    -- decides.
+    -- Whether all windows are distinct, and the number of contents, as far as the rank decides.
     byRank
       | ownSurface = Just (r == n, windowsOfRank array r)
       | on == Sheet && r == n = Just (True, area visits)
@@ -133,7 +133,7 @@ prove (ArrayOn on array) mask
           distinctWindows = either (const (snd <$> byRank)) (Just . differentWindows) visited
         }
 
--- | Decide whether the windows of any matrix are distinct, by visiting them all. Refuses when there
+-- | Decides whether the windows of any matrix are distinct, by visiting them all. Refuses if there
 -- is no window or too little memory. The cost is that of 'enumerate'.
 proveGrid :: Surface -> Grid -> Mask -> Either ProofError Verdict
 proveGrid on grid mask = verdictOf on <$> visitAll on grid mask

@@ -1,9 +1,9 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | The window property by algebra, for arrays of any size. The cell at offset (i, j) from the
--- position of the term s(t) holds s(t + e(i, j)), and s(t) is a linear function of alpha^t, none
--- but zero of which is zero for all t. So the window's content is a linear function of alpha^t,
--- which is injective iff the alpha^e(i, j) span GF(q^n) over GF(q).
+-- position of the term s(t) holds s(t + e(i, j)). The term s(t) is a linear function of alpha^t,
+-- and only zero gives the zero sequence. So a window's content is a linear function of alpha^t. It
+-- is injective iff the alpha^e(i, j) span GF(q^n) over GF(q).
 module PraTactile.Window.Rank
   ( windowRank,
     windowVectors,
@@ -25,34 +25,34 @@ import PraTactile.LinearCode.Elimination
 import PraTactile.Polynomial
 import PraTactile.Window
 
--- | The rank over GF(q) of the alpha^e(i, j), (i, j) the cells of the mask: at most n. The windows
--- of the 'naturalSurface' are distinct iff it is n; those of the sheet if it is n. O(m n^2), after
--- 'windowVectors'.
+-- | The rank over GF(q), at most n, of the alpha^e(i, j) for the cells (i, j) of the mask. The
+-- windows of the 'naturalSurface' are distinct iff it is n; those of the sheet are distinct if it
+-- is n. O(m n^2), after 'windowVectors'.
 windowRank :: KnownField k => PseudorandomArray k -> Mask -> Natural
 windowRank array mask =
   fromIntegral (length (independentRows n (cellVectors array (maskOffsets mask))))
   where
     n = primitiveDegree (arrayPrimitive array)
 
--- | The alpha^e(i, j), each by its n coordinates in the basis 1, alpha, ..., for the cells of the
--- mask in reading order.
+-- | The alpha^e(i, j) for the cells of the mask in reading order, each by its n coordinates in the
+-- basis 1, alpha, ...
 --
--- As e(i, j) = e(i, 0) + e(0, j), each is the product of a power for its row and one for its
--- column; and these follow from one row or column to the next, so that two long powers suffice for
--- a rectangle. O(m n^2 + g (n^3 + q n^2)) operations in GF(q) for m cells and g different gaps
--- between their rows and columns, of which a rectangle has two.
+-- Since e(i, j) = e(i, 0) + e(0, j), each is the product of a power for its row and one for its
+-- column. These powers follow from one row or column to the next, so a rectangle needs only two
+-- long powers. O(m n^2 + g (n^3 + q n^2)) operations in GF(q) for m cells and g different gaps
+-- between their rows and columns; a rectangle has two.
 windowVectors :: KnownField k => PseudorandomArray k -> Mask -> [[GF k]]
 windowVectors array = map rowToList . cellVectors array . maskOffsets
 
--- | The same for the cells with these offsets, in their order, any number of them.
+-- | 'windowVectors' for any number of cells with these offsets, in their order.
 cellVectors :: KnownField k => PseudorandomArray k -> [Position] -> [Row k]
 cellVectors array = gridVectors h (alphaTo . (`Position` 0)) (alphaTo . Position 0)
   where
     h = arrayPrimitive array
     alphaTo = powerOfRoot h . sequenceIndex array
 
--- | The same where moving so many rows down multiplies by the first power, and so many columns to
--- the right by the second.
+-- | 'cellVectors' for other powers: moving i rows down multiplies by the first function of i, and
+-- moving j columns right by the second of j.
 gridVectors ::
   KnownField k =>
   Primitive k ->
@@ -69,7 +69,7 @@ gridVectors h byRows byColumns offsets =
   where
     down = powersAlong byRows (map row offsets)
     right = powersAlong byColumns (map column offsets)
-    -- From each index to the power that belongs to it, by steps.
+    -- From each index to its power, step by step.
     powersAlong by indices =
       Map.fromList (zip used (drop 1 (scanl' (multiplyModulo h) (powerOfRoot h 0) taken)))
       where
@@ -83,10 +83,10 @@ gridVectors h byRows byColumns offsets =
 rankOf :: KnownField k => [[GF k]] -> Natural
 rankOf matrix = fromIntegral (length (independentRows maxBound (map rowFromList matrix)))
 
--- | How many distinct windows there are on the 'naturalSurface' when the rank is this. As alpha^t
--- runs through the q^n - 1 non-zero elements, the content runs through the image of a linear map of
--- rank r without the image of zero: for r = n that is q^n - 1 contents; for r < n some non-zero
--- element has the image of zero as well, and it is q^r.
+-- | The number of distinct windows on the 'naturalSurface' for this rank r. As alpha^t runs through
+-- the q^n - 1 nonzero elements, the content runs through the image of a linear map of rank r,
+-- except for the image of zero. For r = n that gives q^n - 1 contents. For r < n some nonzero
+-- element has the image of zero too, and there are q^r contents.
 windowsOfRank :: KnownField k => PseudorandomArray k -> Natural -> Natural
 windowsOfRank array r
   | r == fromIntegral (primitiveDegree h) = period h

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | A set of small numbers that grows while windows are visited, one bit each. Internal.
+-- | A growing set of small numbers, with one bit each, for visiting windows. Internal.
 module PraTactile.Window.Seen
   ( Seen,
     nothingSeen,
@@ -21,7 +21,7 @@ newtype Seen s = Seen (MVector s Word64)
 nothingSeen :: Int -> ST s (Seen s)
 nothingSeen size = Seen <$> Mutable.replicate (size `shiftR` 6 + 1) 0
 
--- | Put a number into the set; whether it is new there.
+-- | Adds a number to the set and returns whether it was new.
 insert :: Seen s -> Int -> ST s Bool
 insert (Seen bits) number = do
   word <- Mutable.read bits (number `shiftR` 6)

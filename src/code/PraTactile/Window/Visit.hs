@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Visiting every window of a grid as a packed machine integer. Internal: shared by the proof by
+-- | Visits every window of a grid as a packed machine integer. Internal: used by the proof by
 -- enumeration and the memory table.
 module PraTactile.Window.Visit
   ( Visit,
@@ -33,27 +33,28 @@ import Numeric.Natural (Natural)
 import PraTactile.Grid
 import PraTactile.Window
 
--- | The windows of a grid: positions (r, c) with 0 <= r < 'visitRows' and 0 <= c < 'visitColumns',
--- and the packed content at each.
+-- | The windows of a grid, at the positions (r, c) with 0 <= r < 'visitRows' and 0 <= c <
+-- 'visitColumns', with the packed content of each.
 data Visit = Visit
   { visitRows :: !Int,
     visitColumns :: !Int,
-    -- | q^cells: packed contents are below it
+    -- | q^cells; packed contents are below it
     visitSpan :: !Int,
     visitSurface :: !Surface,
     visitGrid :: !Grid,
     visitMask :: !Mask,
-    -- | of each cell of the window, the most significant first, how many rows down it is, less than
+    -- | for each cell of the window, the most significant first, its offset in rows down, less than
     -- one turn
     visitDown :: !(Vector Int),
-    -- | and how many columns to the right
+    -- | for each cell, its offset in columns to the right
     visitRight :: !(Vector Int),
-    -- | on the twisted torus, how many cells further
+    -- | on the twisted torus, for each cell, its offset in cells along the rows
     visitAlong :: !(Vector Int)
   }
 
--- | All windows of this shape on the surface. 'Nothing' when q^cells exceeds 2^62, so that a packed
--- window would not fit. On the sheet only windows that lie on it wholly are visited, perhaps none.
+-- | All windows of this shape on the surface. 'Nothing' if q^cells exceeds 2^62, so that a packed
+-- window does not fit. On the sheet only windows that lie wholly on it are visited; there may be
+-- none.
 visit :: Packing -> Surface -> Grid -> Mask -> Maybe Visit
 visit packing surface grid mask
   | spanned > 2 ^ (62 :: Int) = Nothing
@@ -79,9 +80,9 @@ visit packing surface grid mask
       MostSignificantFirst -> maskOffsets mask
       LeastSignificantFirst -> reverse (maskOffsets mask)
 
--- | Where the cells of the windows of row r from column c on are, of those of a window the one with
--- this number: the index of the first, how many follow each other, itself among them, and the index
--- at which they go on, that of the surface's other edge. They go on so until the row's last window.
+-- | Where cell j of the windows of row r is, from the window at column c on. Returns the index of
+-- the first such cell, the number of cells from there that follow each other, and the index at
+-- which they continue, at the other edge of the surface. This holds up to the row's last window.
 cellsFrom :: Visit -> Int -> Int -> Int -> (Int, Int, Int)
 cellsFrom windows j r c = case visitSurface windows of
   TwistedTorus ->
@@ -98,7 +99,7 @@ cellsFrom windows j r c = case visitSurface windows of
     once side i = if i >= side then i - side else i
 {-# INLINE cellsFrom #-}
 
--- | The packed content of the window at a row and a column, which must be among those visited.
+-- | The packed content of the window at a row and a column, which must be among the visited ones.
 visitKey :: Visit -> Int -> Int -> Int
 visitKey windows r c = go 0 0
   where
@@ -110,12 +111,12 @@ visitKey windows r c = go 0 0
         let (i, _, _) = cellsFrom windows j r c
          in go (j + 1) (acc * q + fromIntegral (codes Primitive.! i))
 
--- | Run an action for each window in turn, row by row: its coordinates and its packed content.
+-- | Runs an action for each window, row by row, with its row, column and packed content.
 forWindows :: Visit -> (Int -> Int -> Int -> ST s ()) -> ST s ()
 forWindows windows = forWindowsWithin windows (Tile 0 (visitRows windows) 0 (visitColumns windows))
 {-# INLINE forWindows #-}
 
--- | Windows at some of the rows and columns, the ends excluded.
+-- | The windows in a range of rows and columns; the ends are exclusive.
 data Tile = Tile
   { tileTop :: !Int,
     tileBottom :: !Int,
@@ -123,8 +124,8 @@ data Tile = Tile
     tileRight :: !Int
   }
 
--- | The same for the windows of a tile. They are packed in strips of a row, one cell of all of them
--- after the other, so that no window asks where the edges are.
+-- | 'forWindows' for the windows of a tile. Windows are packed in strips of a row, one cell of all
+-- of them after the other, so that no window has to check for edges.
 forWindowsWithin :: Visit -> Tile -> (Int -> Int -> Int -> ST s ()) -> ST s ()
 forWindowsWithin windows (Tile r0 r1 c0 c1) act = do
   keys <- Mutable.new (max 1 strip)
@@ -139,9 +140,9 @@ forWindowsWithin windows (Tile r0 r1 c0 c1) act = do
     strip = max 1 (min 4096 (c1 - c0))
 {-# INLINE forWindowsWithin #-}
 
--- | @packStrip windows r c size keys@: the packed contents of windows of row r, from column c on;
--- all of them must be among those visited. Four cells of each window are taken at a time, as long
--- as there are four, and then the others.
+-- | @packStrip windows r c size keys@ writes the packed contents of the windows of row r from
+-- column c on, which must be among the visited ones. Four cells of each window are taken at a time
+-- while there are four, and then the others one by one.
 packStrip :: Visit -> Int -> Int -> Int -> MVector s Int -> ST s ()
 packStrip windows r c size keys = Mutable.set (Mutable.unsafeTake size keys) 0 >> go 0
   where
@@ -186,8 +187,8 @@ packStrip windows r c size keys = Mutable.set (Mutable.unsafeTake size keys) 0 >
     !square = q * q
     !fourth = square * square
 
--- | Act from each of the windows 0, 1, ..., below the size, that is the first or has one of these
--- numbers, up to the next such one.
+-- | Splits the range 0 to size at these numbers, and acts on each part with its begin and its
+-- exclusive end.
 between :: Int -> [Int] -> (Int -> Int -> ST s ()) -> ST s ()
 between size edges act = case filter (< size) edges of
   [] -> act 0 size
@@ -196,7 +197,7 @@ between size edges act = case filter (< size) edges of
      in zipWithM_ act bounds (drop 1 bounds)
 {-# NOINLINE between #-}
 
--- | All windows in turn, row by row, when their packed contents may exceed a machine integer.
+-- | All windows, row by row, with packed contents that may exceed a machine integer.
 packedWindows :: Packing -> Surface -> Grid -> Mask -> [(Position, Natural)]
 packedWindows packing surface grid mask =
   [ (p, content)
@@ -204,15 +205,15 @@ packedWindows packing surface grid mask =
       Just content <- [packedAt packing surface grid mask p]
   ]
 
--- | The packed content of one window; 'Nothing' where it sticks out of the sheet.
+-- | The packed content of one window; 'Nothing' if it extends beyond the sheet.
 packedAt :: Packing -> Surface -> Grid -> Mask -> Position -> Maybe Natural
 packedAt packing surface grid mask position =
   pack packing (gridAlphabet grid) <$> traverse cell (maskOffsets mask)
   where
     cell offset = displaced surface (gridShape grid) position offset >>= codeAt grid
 
--- | The rows and columns at which windows are: all of a torus; on the sheet those from which the
--- mask does not stick out.
+-- | The shape of the region of window positions: all of a torus; on the sheet, the positions from
+-- which the mask does not extend beyond it.
 visitedShape :: Surface -> Shape -> Mask -> Shape
 visitedShape surface shape = admissible surface shape . maskExtent
 
