@@ -112,11 +112,11 @@ fieldModulus _ = tableModulus (tables @k)
 
 {- Note [Rows of 256]
    ~~~~~~~~~~~~~~~~~~
-   The product of codes a and b is entry 256 a + b of a table of 65536. As a and b are bytes, every
-   index is within the table whatever the bytes are, so that leaving out the bounds check is safe by
-   the types alone, and no invariant has to be kept elsewhere. Rows of q would save memory for small
-   fields but tie safety to the constructor being used well, and need q in the inner loop; a row of
-   a small field touches only the cache lines that it uses. -}
+   The product of codes a and b is entry 256 a + b of a table of 65536. Since a and b are bytes,
+   every index is within the table. So the types alone make it safe to omit the bounds check,
+   without an invariant to keep elsewhere. Rows of q would save memory for small fields. But safety
+   would then depend on correct use of the constructor, and the inner loop would need q. In a small
+   field, a row uses few cache lines. -}
 
 -- | Index by two bytes; the table has 65536 entries.
 at2 :: Primitive.Vector Word8 -> Word8 -> Word8 -> Word8

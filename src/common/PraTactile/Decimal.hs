@@ -1,8 +1,9 @@
--- | Decimal numbers as people and programs write them: the one reader of files, options and names.
+-- | Reads decimal numbers as people and programs write them. All files, options and names are read
+-- through this module.
 --
--- A number is a sign or none, digits with at most one point before, among or after them, and an
--- exponent or none: @.5@, @1.@, @+1@, @-1.25e3@. What other languages take besides is refused:
--- @0x10@, @1_000@, spaces, other digits than 0 to 9.
+-- A number is an optional sign, then digits with at most one point before, among or after them,
+-- then an optional exponent: @.5@, @1.@, @+1@, @-1.25e3@. Forms of other languages are refused:
+-- @0x10@, @1_000@, spaces, digits other than 0 to 9.
 module PraTactile.Decimal
   ( -- * Decimal numbers
     Decimal (..),
@@ -31,31 +32,31 @@ import Data.Char (isAscii, isDigit, toLower)
 
 -- | An integer times a power of 10.
 data Decimal = Decimal
-  { -- | does not end in 0, unless it is 0
+  { -- | it does not end in the digit 0, unless it is 0
     decimalCoefficient :: !Integer,
-    -- | how many digits the coefficient has; 0 has none
+    -- | the number of digits of the coefficient; 0 for the coefficient 0
     decimalDigits :: !Int,
-    -- | of 10; 0 where the coefficient is 0
+    -- | the exponent of 10; 0 for the coefficient 0
     decimalExponent :: !Integer
   }
   deriving stock (Eq, Show)
 
--- | Why a text is no number that is read.
+-- | Why a text is not accepted as a number.
 data NotDecimal
-  = -- | It is no number.
+  = -- | It is not a number.
     Malformed
-  | -- | It says infinity, or not a number, as machines write these.
+  | -- | It is infinity or not-a-number, as machines write these.
     Infinite
   | -- | It has more than 'longestDecimal' characters, is 10^300 or more, or has more than 400
     -- decimal places.
     OutOfReach
   deriving stock (Eq, Show)
 
--- | No number that is read has more characters: 1000.
+-- | The most characters of a number that is read: 1000.
 longestDecimal :: Int
 longestDecimal = 1000
 
--- | A decimal number, whatever its exponent, of at most 'longestDecimal' characters.
+-- | Reads a decimal number of at most 'longestDecimal' characters, with an exponent of any size.
 --
 -- >>> readDecimal (asciiOf "-12.50e3")
 -- Right (Decimal {decimalCoefficient = -125, decimalDigits = 3, decimalExponent = 2})
@@ -89,38 +90,38 @@ readDecimal text
         significant = Char8.dropWhile (== '0') trimmed
         magnitude = digitsValue significant
 
--- | What follows the digits: nothing, or an exponent.
+-- | Reads the exponent after the digits, 0 if nothing follows; 'Nothing' for any other text.
 exponentOf :: ByteString -> Maybe Integer
 exponentOf text = case Char8.uncons text of
   Nothing -> Just 0
   Just (e, power) | e == 'e' || e == 'E' -> readWhole power
   _ -> Nothing
 
--- | Whether a minus stands before, and what follows the sign.
+-- | Whether a text begins with a minus, and the text after its sign.
 signOf :: ByteString -> (Bool, ByteString)
 signOf text = case Char8.uncons text of
   Just ('-', rest) -> (True, rest)
   Just ('+', rest) -> (False, rest)
   _ -> (False, text)
 
--- | The number that these digits write.
+-- | The number with these digits; 0 without digits.
 digitsValue :: ByteString -> Integer
 digitsValue = maybe 0 fst . Char8.readInteger
 
--- | Refuses numbers of 10^300 and more, and those of more than 400 decimal places.
+-- | Refuses numbers of 10^300 or more, and those with more than 400 decimal places.
 inReach :: Decimal -> Either NotDecimal Decimal
 inReach number
   | decimalExponent number < -400 = Left OutOfReach
   | decimalExponent number + toInteger (decimalDigits number) > 300 = Left OutOfReach
   | otherwise = Right number
 
--- | What a decimal number is exactly, if it is 'inReach'.
+-- | The exact value of a decimal number. Refuses what 'inReach' refuses.
 exactDecimal :: Decimal -> Either NotDecimal Rational
 exactDecimal = fmap power . inReach
   where
     power (Decimal n _ e) = fromInteger n * 10 ^^ e
 
--- | The nearest machine number; infinite where the number is too large for one.
+-- | The nearest machine number; infinite if the number is too large for one.
 nearestDouble :: Decimal -> Double
 nearestDouble (Decimal n digits e)
   | magnitude > 310 = fromInteger (signum n) / 0
@@ -129,7 +130,7 @@ nearestDouble (Decimal n digits e)
   where
     magnitude = e + toInteger digits
 
--- | A decimal number as the nearest machine number; one that no machine number comes near is
+-- | Reads a decimal number as the nearest machine number. A number too large for one is
 -- 'OutOfReach'.
 --
 -- >>> map (readDouble . asciiOf) [".5", "1.", "+1", "-2.5e-1"]
@@ -141,8 +142,8 @@ readDouble = readDecimal >=> finite . nearestDouble
   where
     finite value = if isInfinite value then Left OutOfReach else Right value
 
--- | A decimal number that is 'inReach', or one divided by another, as @127/4@, where whole numbers
--- may have as many digits as 'longestDecimal'.
+-- | Reads a decimal number that is 'inReach', or a quotient of two, such as @127/4@. In a quotient,
+-- whole numbers may have as many digits as 'longestDecimal'.
 readFraction :: ByteString -> Either NotDecimal Rational
 readFraction text = case Char8.split '/' text of
   [one] -> exactly one
@@ -157,14 +158,14 @@ readFraction text = case Char8.split '/' text of
       | Char8.length side <= longestDecimal, Just n <- readWhole side = Right (fromInteger n)
       | otherwise = exactly side
 
--- | What a text says exactly, if it is a fraction or a decimal number.
+-- | The exact value of a text that is a fraction or a decimal number.
 --
 -- >>> map readExact ["127/4", "1e-2", ".5", "x"]
 -- [Just (127 % 4),Just (1 % 100),Just (1 % 2),Nothing]
 readExact :: String -> Maybe Rational
 readExact = either (const Nothing) Just . readFraction . asciiOf
 
--- | A whole number: digits, with a sign or none.
+-- | Reads a whole number: digits with an optional sign.
 --
 -- >>> map (readWhole . asciiOf) ["12", "+1", "-03", "1.", ""]
 -- [Just 12,Just 1,Just (-3),Nothing,Nothing]
@@ -175,7 +176,7 @@ readWhole text
   where
     (negative, digits) = signOf text
 
--- | A text as bytes, for these readers: a character beyond ASCII, which no number has, is one of
--- another kind that no number has.
+-- | A text as bytes for these readers. A character beyond ASCII becomes @?@; neither occurs in a
+-- number.
 asciiOf :: String -> ByteString
 asciiOf = Char8.pack . map (\c -> if isAscii c then c else '?')

@@ -1,5 +1,5 @@
--- | Where bytes become text: every text format of files and of the standard input is read through
--- 'plainText', so that marks, encodings and ends of lines are the same to all.
+-- | Converts bytes to text. Every text format, from files and standard input, is read through
+-- 'plainText', so that byte order marks, encodings and line ends are treated alike.
 --
 -- Windows' editors and spreadsheets put a byte order mark before a text, PowerShell writes UTF-16,
 -- and lines end with LF, CR LF, or CR alone.
@@ -30,21 +30,21 @@ import Data.Text.Encoding (decodeUtf8')
 data OtherEncoding = Utf16 | Utf32
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | What the encoding is called.
+-- | The name of the encoding.
 encodingName :: OtherEncoding -> String
 encodingName encoding = case encoding of
   Utf16 -> "UTF-16"
   Utf32 -> "UTF-32"
 
--- | Why bytes are no UTF-8 text.
+-- | Why bytes are not UTF-8 text.
 data NotUtf8Text
-  = -- | They are text in this encoding.
+  = -- | They are text in this other encoding.
     InEncoding OtherEncoding
-  | -- | They hold bytes that no UTF-8 text has.
+  | -- | They contain bytes that do not occur in UTF-8 text.
     NotUtf8Text
   deriving stock (Eq, Show)
 
--- | A text without its byte order mark, every end of line LF. Refuses other encodings.
+-- | A text without its byte order mark and with LF as every line end. Refuses other encodings.
 --
 -- >>> import Data.String (fromString)
 -- >>> plainText (fromString "\xEF\xBB\xBFv 1\rv 2\r\nv 3\n")
@@ -54,21 +54,21 @@ data NotUtf8Text
 plainText :: ByteString -> Either OtherEncoding ByteString
 plainText bytes = maybe (Right (lineFeeds (withoutMark bytes))) Left (otherEncoding bytes)
 
--- | The characters of such a text.
+-- | The characters of a UTF-8 text, after 'plainText'. Refuses other encodings and invalid bytes.
 plainUtf8 :: ByteString -> Either NotUtf8Text Text
 plainUtf8 bytes =
   first InEncoding (plainText bytes) >>= first (const NotUtf8Text) . decodeUtf8'
 
--- | The mark U+FEFF in UTF-8.
+-- | The byte order mark U+FEFF in UTF-8.
 byteOrderMark :: ByteString
 byteOrderMark = Bytes.pack [0xEF, 0xBB, 0xBF]
 
--- | What follows the byte order mark, or all where there is none.
+-- | The bytes after the byte order mark, or all bytes without one.
 withoutMark :: ByteString -> ByteString
 withoutMark bytes = fromMaybe bytes (Bytes.stripPrefix byteOrderMark bytes)
 
--- | The other encoding that a text is in, by its mark, or by the zeros among its first characters,
--- which are ASCII in every format.
+-- | The other encoding of a text: found by its mark, or by zeros among its first characters, which
+-- are ASCII in every format. 'Nothing' if there is no sign of one.
 otherEncoding :: ByteString -> Maybe OtherEncoding
 otherEncoding bytes = snd <$> find (matches . fst) forms
   where
@@ -86,7 +86,7 @@ otherEncoding bytes = snd <$> find (matches . fst) forms
       ]
     letter c = c >= 9 && c < 127
 
--- | Every end of line, CR LF or CR alone, as LF. O(n).
+-- | Replaces every line end CR LF or CR by LF. O(n).
 lineFeeds :: ByteString -> ByteString
 lineFeeds bytes
   | Bytes.notElem 13 bytes = bytes

@@ -1,5 +1,5 @@
--- | The numerics of probabilities: sums of numbers that only their logarithms hold, and the normal
--- distribution of mean 0 and variance 1.
+-- | Numerics of probabilities: sums of numbers given by their logarithms, and the normal
+-- distribution with mean 0 and variance 1.
 module PraTactile.Probability
   ( logSum,
     normalDensity,
@@ -9,8 +9,8 @@ where
 
 import Data.List (foldl')
 
--- | The logarithm of the sum of the numbers of which these are the logarithms (log-sum-exp); of
--- none it is minus infinity.
+-- | The logarithm of the sum of numbers, given their logarithms (log-sum-exp); minus infinity for
+-- an empty list.
 --
 -- >>> abs (logSum [log 2 - 1000, log 3 - 1000] - (log 5 - 1000)) < 1e-12
 -- True
@@ -21,13 +21,13 @@ logSum logs
   where
     top = maximum logs
 
--- | The density of the normal distribution.
+-- | The density of the normal distribution with mean 0 and variance 1.
 normalDensity :: Double -> Double
 normalDensity x = exp (-x * x / 2) / sqrt (2 * pi)
 
--- | The probability that a normal variable is at most this, to 2e-16: by a quotient of polynomials
--- (J. F. Hart 1968, formula 5666; G. West, Wilmott Magazine, May 2005), beyond 7 by a continued
--- fraction.
+-- | The probability that a normal variable with mean 0 and variance 1 is at most this, to 2e-16. It
+-- is computed by a quotient of polynomials (J. F. Hart 1968, formula 5666; G. West, Wilmott
+-- Magazine, May 2005), and beyond 7 by a continued fraction.
 --
 -- >>> abs (normalDistribution (-1) - 0.15865525393145705) < 1e-15
 -- True

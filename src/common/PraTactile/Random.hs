@@ -1,5 +1,5 @@
--- | The few random draws the simulation and the training need, each with its generator as argument
--- and result.
+-- | Random draws for the simulation and the training. Each function takes a generator and returns
+-- the next one.
 --
 -- The draws are made from the generator's 64-bit words alone, so that one seed gives one result
 -- under every version of the random package.
@@ -19,7 +19,7 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import System.Random (RandomGen, genWord64)
 
--- | A draw from the multiples of 2^-53 in [0, 1), all equally likely.
+-- | A draw from the multiples of 2^-53 in [0, 1), with equal probabilities.
 uniform :: RandomGen g => g -> (Double, g)
 uniform g = (fromIntegral (word `shiftR` 11) / 9007199254740992, g')
   where
@@ -43,8 +43,8 @@ normal :: RandomGen g => g -> (Double, g)
 normal g = let ((a, _), g') = normalPair g in (a, g')
 {-# INLINE normal #-}
 
--- | That many draws from the normal distribution of mean 0 and variance 1, two from each
--- 'normalPair'. A negative number counts as none.
+-- | This number of draws from the normal distribution with mean 0 and variance 1, two from each
+-- 'normalPair'. A negative number counts as 0.
 normals :: RandomGen g => Int -> g -> (Vector Double, g)
 normals n g0 = (V.fromListN n' (take n' drawn), end)
   where

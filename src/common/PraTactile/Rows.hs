@@ -1,4 +1,4 @@
--- | Grids as people write them: rows parted by slashes or by line ends.
+-- | Grids as people write them: rows separated by slashes or line ends.
 module PraTactile.Rows
   ( rowsOf,
     textLines,
@@ -8,8 +8,8 @@ where
 import Data.Char (isSpace)
 import Data.List (dropWhileEnd, isPrefixOf, isSuffixOf)
 
--- | The rows of a grid, without the spaces around each. A slash, a line end, or a slash between
--- line ends parts two rows; a separator after the last row and blank lines part nothing. Two
+-- | The rows of a grid, without the spaces around each. Rows are separated by a slash, a line end,
+-- or a slash between line ends. A separator after the last row and blank lines are ignored. Two
 -- slashes have an empty row between them.
 --
 -- >>> rowsOf "3 2 / 3 1"
@@ -29,8 +29,8 @@ rowsOf = withoutBlankLast . parted . foldr (beside . trim) "" . textLines
       "" : others -> reverse others
       _ -> rows
 
--- | The lines of a text, whichever characters end them: LF, CR, CR LF, or the others that Unicode
--- has for a new line or page. What follows the last end is a line if it is not empty.
+-- | The lines of a text. A line ends with LF, CR, CR LF, or any other Unicode character for a new
+-- line or page. Text after the last line end is a line if it is not empty.
 textLines :: String -> [String]
 textLines text = case break (`elem` lineEnds) text of
   ("", "") -> []

@@ -1,10 +1,9 @@
--- | The eight symmetries of the square: how a face, a patch or a symbol may be seen turned or
--- mirrored. They are the dihedral group of order 8, with composition as '<>', and act on rows of
--- cells, on the shapes of rectangles and on the cells within them, on places in images and on
+-- | The eight symmetries of the square: how a face, a patch or a symbol may be seen rotated or
+-- mirrored. They are the dihedral group of order 8, with composition as '<>'. They act on rows of
+-- cells, on the shapes of rectangles and the cells within them, on places in images, and on
 -- displacements.
 --
--- The corners of a square with the letters a to d, clockwise from the upper left, and how they are
--- seen:
+-- A square with the letters a to d at its corners, clockwise from the upper left, is seen as:
 --
 -- > identity     turned 1     turned 2     turned 3     mirror     turned 1 <> mirror
 -- >   a b          d a          c d          b c          b a          c b
@@ -41,16 +40,16 @@ where
 import Data.List (transpose)
 import PraTactile.Position
 
--- | How something is seen: mirrored or not, left and right exchanged; and then turned.
+-- | How something is seen: first mirrored or not, with left and right exchanged, then rotated.
 data Symmetry = Symmetry
-  { -- | Whether left and right are exchanged before turning.
+  { -- | Whether left and right are exchanged before the rotation.
     mirrored :: !Bool,
-    -- | Clockwise: 0, 1, 2 or 3.
+    -- | The quarter turns clockwise: 0, 1, 2 or 3.
     quarterTurns :: !Int
   }
   deriving stock (Eq, Ord, Show)
 
--- | @g <> h@ is g after h.
+-- | @g <> h@ applies h, then g.
 instance Semigroup Symmetry where
   Symmetry flipped turns <> Symmetry flipped' turns' =
     Symmetry (flipped /= flipped') ((turns + (if flipped then negate turns' else turns')) `mod` 4)
@@ -58,11 +57,11 @@ instance Semigroup Symmetry where
 instance Monoid Symmetry where
   mempty = identity
 
--- | Neither mirrored nor turned.
+-- | Neither mirrored nor rotated.
 identity :: Symmetry
 identity = Symmetry False 0
 
--- | Turned clockwise by this many quarter turns, any number of them.
+-- | Rotated clockwise by this number of quarter turns, which may be negative.
 turned :: Int -> Symmetry
 turned turns = Symmetry False (turns `mod` 4)
 
@@ -70,22 +69,21 @@ turned turns = Symmetry False (turns `mod` 4)
 mirror :: Symmetry
 mirror = Symmetry True 0
 
--- | What undoes a symmetry: the mirrored ones undo themselves.
+-- | The inverse of a symmetry; mirrored ones are their own inverses.
 invert :: Symmetry -> Symmetry
 invert symmetry
   | mirrored symmetry = symmetry
   | otherwise = turned (negate (quarterTurns symmetry))
 
--- | Whether rows are seen as columns and columns as rows.
+-- | Whether rows are seen as columns, and columns as rows.
 exchangesAxes :: Symmetry -> Bool
 exchangesAxes = odd . quarterTurns
 
--- | By how many degrees clockwise something is turned, after being mirrored if it is: 0, 90, 180 or
--- 270.
+-- | The rotation in degrees clockwise, after any mirroring: 0, 90, 180 or 270.
 degreesClockwise :: Num degrees => Symmetry -> degrees
 degreesClockwise symmetry = fromIntegral (90 * quarterTurns symmetry)
 
--- | Turned clockwise by this many degrees, if they are a multiple of 90.
+-- | The rotation clockwise by this many degrees; 'Nothing' unless they are a multiple of 90.
 --
 -- >>> quarterTurns <$> turnedByDegrees (-90)
 -- Just 3
@@ -97,8 +95,8 @@ turnedByDegrees degrees = case degrees - 360 * fromIntegral (floor (degrees / 36
   270 -> Just (turned 3)
   _ -> Nothing
 
--- | An angle in degrees clockwise as the nearest quarter turn and the degrees beyond it, which are
--- from -45 up to 45.
+-- | The quarter turn nearest to an angle in degrees clockwise, and the degrees beyond it, from -45
+-- up to 45.
 --
 -- >>> nearestQuarter 350
 -- (Symmetry {mirrored = False, quarterTurns = 0},-10.0)
@@ -112,7 +110,7 @@ nearestQuarter degrees =
 rotations :: [Symmetry]
 rotations = map turned [0 .. 3]
 
--- | All eight: the rotations, and those of the mirror image.
+-- | All eight symmetries: the rotations, and those of the mirror image.
 symmetries :: [Symmetry]
 symmetries = rotations ++ map (<> mirror) rotations
 
@@ -133,8 +131,8 @@ onRows (Symmetry flipped turns) cells =
 onShape :: Symmetry -> Shape -> Shape
 onShape symmetry (Shape h w) = if exchangesAxes symmetry then Shape w h else Shape h w
 
--- | Where a cell of a rectangle of this shape is seen, in the rectangle of the shape that 'onShape'
--- tells; for cells within it.
+-- | The cell where a cell of a rectangle of this shape is seen, in the rectangle with the shape
+-- that 'onShape' gives. The cell must lie within the rectangle.
 --
 -- >>> onPosition (turned 1) (Shape 2 3) (Position 0 2)
 -- Position {row = 2, column = 1}
@@ -146,11 +144,11 @@ onPosition (Symmetry flipped turns) (Shape h w) (Position i j) = case turns of
   _ -> Position (w `less` j') i
   where
     j' = if flipped then w `less` j else j
-    -- As far from the last of n as the index is from the first.
+    -- The index as far from the last of n as k is from the first.
     less n k = if k < n then n - 1 - k else 0
 
--- | Where a place of an image of this width and height is seen: to the right and down, both from 0
--- at the centre of the upper left pixel.
+-- | Where a place of an image of this width and height is seen. Places count to the right and down
+-- from (0, 0), the centre of the upper left pixel.
 --
 -- >>> onPixel (turned 1) (3, 2) (2, 0)
 -- (1,2)
@@ -164,7 +162,7 @@ onPixel (Symmetry flipped turns) (w, h) (x, y) = case turns of
     x' = if flipped then w - 1 - x else x
 {-# INLINE onPixel #-}
 
--- | How a displacement, to the right and down, is seen.
+-- | How a displacement, (right, down), is seen.
 --
 -- >>> onOffset (turned 1) (1, 0)
 -- (0,1)

@@ -1,6 +1,6 @@
--- | How often the whole way is right, wrong, or refuses: simulated presses at random places on the
--- faces in turn, each decoded with stitching and, from the same frames, with the nominal positions
--- alone.
+-- | Evaluates the whole method: how often it is right, wrong, or refuses. Simulated presses at
+-- random places on the faces in turn are decoded twice from the same frames: with stitching, and
+-- with the nominal positions alone.
 module PraTactile.Evaluate
   ( -- * Whole experiments
     Experiment (..),
@@ -90,25 +90,25 @@ import PraTactile.Shape (Alphabet, alphabetSize)
 import PraTactile.Truth
 import System.Random (StdGen, mkStdGen, split)
 
--- | Which presses are evaluated, and how they are decoded.
+-- | The presses to evaluate, and how they are decoded.
 data Experiment = Experiment
-  { -- | how many regions are explored
+  { -- | the number of regions that are explored
     experimentPresses :: Int,
     experimentSeed :: Int,
     experimentExploration :: Exploration,
-    -- | the share of presses on what is none of ours: our shapes in another arrangement
+    -- | the share of presses on foreign surfaces: the array's shapes in another arrangement
     experimentForeign :: Maybe Double,
-    -- | of all presses, the share of those on arrays by other polynomials, a part of
-    -- 'experimentForeign'; the other foreign arrangements are by chance
+    -- | the share, of all presses, on arrays by other polynomials. It is part of
+    -- 'experimentForeign'; the other foreign arrangements are random.
     experimentForeignArrays :: Double,
-    -- | whether decoders are told the robot's position error
+    -- | whether decoders get the robot's position error
     experimentTold :: Bool,
-    -- | decoders are told 'experimentForeign' in place of its prior of foreign things
+    -- | the tolerance of decoders, with 'experimentForeign' as their prior of foreign surfaces
     experimentTolerance :: Tolerance
   }
 
--- | A thousand regions of the usual size with this sensor, on faces that lie upright or turned by
--- 180 degrees, none foreign; answers by 'standardTolerance'.
+-- | A thousand regions of the default size with this sensor, on faces that lie upright or upside
+-- down, none foreign, answered by 'standardTolerance'.
 standardExperiment :: Sensor -> Experiment
 standardExperiment sensor =
   Experiment
@@ -121,17 +121,17 @@ standardExperiment sensor =
       experimentTolerance = standardTolerance
     }
 
--- | Why an experiment cannot be made.
+-- | Why an experiment is impossible.
 data ExperimentError
   = -- | A face has no relief.
     ReliefRefused ReliefError
   | -- | The presses do not cover the region.
     PressesRefused ProbeError
-  | -- | The cylinder's radius is no more than the sensor's 'leastRadius', millimetres.
+  | -- | The cylinder's radius is not above the sensor's 'leastRadius', in millimetres.
     BendRefused Double
   deriving stock (Eq, Show)
 
--- | What comes of each press on the array's faces in turn, in their order and each as it is needed.
+-- | The results of presses on the array's faces in turn, in order and computed lazily.
 evaluated ::
   KnownField k =>
   Experiment ->
@@ -140,7 +140,7 @@ evaluated ::
   Either ExperimentError [TrialResult]
 evaluated experiment array reader = map fst <$> evaluatedPoses experiment array reader
 
--- | The same with how far the pose is off, of a right answer with stitching.
+-- | 'evaluated' with the errors of the pose for right answers with stitching.
 evaluatedPoses ::
   KnownField k =>
   Experiment ->
@@ -180,11 +180,13 @@ evaluatedPoses experiment array reader = do
       | otherwise = (assumedStitching sensor) {stitchingPositionError = Nothing}
     weighing = tolerance {foreignPrior = fromMaybe (foreignPrior tolerance) share}
 
--- | How many rows and columns of the array beyond a face's block what comes of a press on it rests
--- on, given the region's size in taxels and the array's window. An answer with another face is
--- wrong whatever lies there, and refusals know nothing of the objects. One with the true face is
--- right where the composite shows it, so that all cells that were felt are within the region's
--- diagonal, and what lies at windows with them tells whether it is right.
+-- | The number of rows and columns of the array beyond a face's block on which the result of a
+-- press depends. Arguments: the region's size in taxels, and the array's window.
+--
+-- An answer with another face is wrong, whatever lies there, and refusals do not depend on the
+-- objects. An answer with the true face is right where the composite shows it. Then all felt cells
+-- are within the region's diagonal, and the cells of the windows that contain them decide whether
+-- it is right.
 restingOn :: (Int, Int) -> Shape -> Shape
 restingOn (wide, high) window =
   Shape (rows window + across rowPitch) (columns window + across columnPitch)
@@ -192,7 +194,7 @@ restingOn (wide, high) window =
     across pitch = 1 + ceiling (diagonal / pitch)
     diagonal = sqrt (fromIntegral (wide * wide + high * high)) :: Double
 
--- | The arrays of the same shape by the other primitive polynomials of the degree, the first 1024.
+-- | The arrays of the same shape by the first 1024 other primitive polynomials of the degree.
 byOtherPolynomials :: KnownField k => PseudorandomArray k -> [PseudorandomArray k]
 byOtherPolynomials array =
   [ other
@@ -203,8 +205,8 @@ byOtherPolynomials array =
   where
     own = arrayPrimitive array
 
--- | What is known of a sensor and its robot when its frames are put together: the position error,
--- and the noise of a reading at full scale with what frames differ by because their elements do.
+-- | The settings of stitching for a sensor and its robot: the position error, and the noise of a
+-- reading at full scale, including the differences between elements.
 assumedStitching :: Sensor -> Stitching
 assumedStitching sensor =
   Stitching
@@ -220,46 +222,47 @@ assumedStitching sensor =
     slope = sensorNoiseSlope sensor
     spread = sensorGainSpread sensor
 
--- | One exploration whose truth is known.
+-- | One exploration with known truth.
 data Trial = Trial
   { trialFace :: LaidFace,
     trialRegion :: Region,
     trialFrames :: [Frame],
-    -- | the cylinder that the face was wrapped on
+    -- | the cylinder that the face was wrapped on, if any
     trialBend :: Maybe Bend,
-    -- | whether what was pressed is none of ours, so that any answer is wrong
+    -- | whether a foreign surface was pressed, so that any answer is wrong
     trialForeign :: Bool
   }
 
 -- | How trials are made.
 data Exploration = Exploration
   { explorationSensor :: Sensor,
-    -- | the distance of neighbouring presses, in the sensor's taxels
+    -- | the distance between neighbouring presses, in the sensor's taxels
     explorationSpacing :: Int,
     explorationTurns :: Turns,
-    -- | width and height of the region, taxels
+    -- | width and height of the region, in taxels
     explorationSize :: (Int, Int),
-    -- | the cylinder that each face is wrapped on; 'Nothing': they are flat
+    -- | the cylinder that each face is wrapped on; 'Nothing' if faces are flat
     explorationBend :: Maybe Bend,
     explorationForeign :: Maybe Foreign
   }
 
--- | Presses on what is none of ours: our shapes in an arrangement by chance, or on other arrays.
+-- | Presses on foreign surfaces: the array's shapes in a random arrangement, or other arrays.
 data Foreign = Foreign
-  { -- | the share of presses on arrangements by chance
+  { -- | the share of presses on random arrangements
     foreignShare :: Double,
-    -- | of how many classes the symbols are
+    -- | the number of classes of the symbols
     foreignClasses :: Int,
-    -- | the relief of a face with these classes in the cells of its block, if there is one
+    -- | the relief of a face with these classes in the cells of its block; 'Nothing' if there is
+    -- none
     foreignRelief :: LaidFace -> (Position -> Int) -> Maybe Relief,
     -- | the share of presses on other arrays
     foreignArrays :: Double,
-    -- | of each of these, all alike likely, the classes on a face
+    -- | for each other array, all with equal probabilities, the classes on a face
     foreignFaces :: [LaidFace -> Position -> Int]
   }
 
--- | Regions of this size with this sensor at its usual spacing, on flat faces that lie so; none
--- foreign.
+-- | Regions of this size with this sensor at its default spacing, on flat faces in these rotations,
+-- none foreign.
 exploration :: Sensor -> Turns -> (Int, Int) -> Exploration
 exploration sensor turns size =
   Exploration
@@ -271,8 +274,8 @@ exploration sensor turns size =
       explorationForeign = Nothing
     }
 
--- | Explore a region at a random place on a face; @Nothing@ if the presses do not cover it, or what
--- is foreign has no relief. Of a foreign trial the face is that whose size and symbols' number it
+-- | Explores a region at a random place on a face. 'Nothing' if the presses do not cover it, or a
+-- foreign surface has no relief. A foreign trial names the face whose size and number of symbols it
 -- has.
 trial :: Exploration -> (LaidFace, Relief) -> StdGen -> Maybe Trial
 trial how (face, surface) generator = do
@@ -293,8 +296,8 @@ trial how (face, surface) generator = do
         generator3
   pure (Trial face region frames (explorationBend how) foreign')
 
--- | What is pressed: the face, or by chance a foreign one, whose symbols are independent and
--- uniform or those of another array.
+-- | The surface that is pressed: the face, or at random a foreign surface, whose symbols are
+-- independent and uniform, or those of another array.
 ground :: Foreign -> (LaidFace, Relief) -> StdGen -> Maybe (Bool, Relief, StdGen)
 ground others (face, surface) generator
   | share < foreignShare others = foreign' classes
@@ -306,7 +309,7 @@ ground others (face, surface) generator
     (own, generator2) = split generator1
     foreign' laid = (\felt -> (True, felt, generator2)) <$> foreignRelief others face laid
     among = floor (fst (uniform own) * genericLength (foreignFaces others)) :: Int
-    -- After 64 rows and columns the arrangement begins again, for the sake of large plates.
+    -- For large plates the arrangement repeats after 64 rows and columns.
     Shape high wide = Shape (min 64 (rows (laidGrid face))) (min 64 (columns (laidGrid face)))
     classes (Position i j) =
       drawn Boxed.! fromIntegral ((i `mod` high) * wide + j `mod` wide)
@@ -314,34 +317,34 @@ ground others (face, surface) generator
       Boxed.fromList (genericTake (high * wide) (map symbol (unfoldr (Just . uniform) own)))
     symbol u = min (foreignClasses others - 1) (floor (u * fromIntegral (foreignClasses others)))
 
--- | Trials on the faces in turn, each with a generator of its own split from the seed, so that any
--- one can be run alone.
+-- | Trials on the faces in turn. Each has its own generator, split from the seed, so that it can be
+-- run alone.
 trials :: Exploration -> [(LaidFace, Relief)] -> Int -> [Maybe Trial]
 trials how faces seed =
   zipWith (trial how) (cycle faces) (unfoldr (Just . split) (mkStdGen seed))
 
--- | What became of a trial. Its fields are evaluated, so that a result keeps nothing of its trial.
+-- | The result of a trial. Its fields are strict, so that it does not keep its trial in memory.
 data Result
-  = -- | object, face, orientation and place are the true ones; with the answer's doubt
+  = -- | object, face, orientation and place are true; with the answer's doubt
     Correct !Double
-  | -- | an answer, but not the true one; likewise
+  | -- | an answer that is not the true one, with its doubt
     Mistaken !Double
-  | -- | no answer, with the stable name of the refusal
+  | -- | no answer, with the refusal's stable name
     NoAnswer !String
   deriving stock (Eq, Ord, Show)
 
--- | The same frames decoded twice.
+-- | The results of decoding the same frames with and without stitching.
 data TrialResult = TrialResult
   { withStitching :: !Result,
     withoutStitching :: !Result
   }
   deriving stock (Eq, Show)
 
--- | Decode a trial's frames with and without stitching.
+-- | Decodes a trial's frames with and without stitching.
 runTrial :: KnownField k => Tolerance -> Recogniser k -> Registration -> Trial -> TrialResult
 runTrial tolerance reader registration = fst . ranTrial tolerance reader registration
 
--- | The same, with what was recognised with stitching where that is right.
+-- | 'runTrial' with the recognition of a right answer with stitching.
 ranTrial ::
   KnownField k =>
   Tolerance ->
@@ -359,11 +362,11 @@ ranTrial tolerance reader registration t =
     exact = registrationSigma registration
     judge = either (const (NoAnswer "not-stitched", Nothing)) (result tolerance reader t)
 
--- | What was recognised, where that is right.
+-- | The recognition of a right answer.
 data RightAnswer = RightAnswer Composite Recognition Finding
 
--- | Compare an answer with the truth: the window's centre must lie on the true face, in the true
--- orientation, within half a cell of where the composite shows it.
+-- | Compares an answer with the truth. The window's centre must lie on the true face in the true
+-- orientation, within half a cell of the true place of where the composite shows it.
 result ::
   KnownField k => Tolerance -> Recogniser k -> Trial -> Composite -> (Result, Maybe RightAnswer)
 result tolerance reader t composite = case recogniseWith tolerance reader [composite] of
@@ -395,17 +398,17 @@ result tolerance reader t composite = case recogniseWith tolerance reader [compo
       _ -> False
     truth = trialTruth t
 
--- | Where a trial's region is; the robot's frame begins at its upper left corner.
+-- | The truth of a trial. The origin of the robot's frame is the region's upper left corner.
 trialTruth :: Trial -> Truth
 trialTruth t = Truth (laidFace (trialFace t)) (trialRegion t) (0, 0) (trialBend t)
 
--- | How far a pose is off.
+-- | The errors of a pose.
 data PoseError = PoseError
-  { -- | the window's centre, millimetres
+  { -- | the distance of the window's centre from its true place, in millimetres
     poseErrorFar :: !Double,
-    -- | degrees
+    -- | the angle between the rotations, in degrees
     poseErrorTurned :: !Double,
-    -- | 'poseDistance'
+    -- | the squared Mahalanobis distance, 'poseDistance'
     poseErrorDistance :: !Double
   }
   deriving stock (Eq, Show)
@@ -426,8 +429,8 @@ poseError layout alphabet array told t (RightAnswer composite recognition found)
       (far, degrees) = poseApart true pose [x, y, 0]
   PoseError far degrees <$> poseDistance true pose
 
--- | What poses' errors come to: the medians, in millimetres and degrees, and how many of them lie
--- within the regions of 50 and 95 % by their covariances, as shares.
+-- | A summary of poses' errors: the medians, in millimetres and degrees, and the shares within the
+-- 50 % and 95 % regions of their covariances.
 data PoseTally = PoseTally
   { poseMedianFar :: !Double,
     poseMedianTurned :: !Double,
@@ -436,7 +439,7 @@ data PoseTally = PoseTally
   }
   deriving stock (Eq, Show)
 
--- | The tally of errors; 'Nothing' where there are none. The bounds are those of chi-square with
+-- | The summary of errors; 'Nothing' if there are none. The bounds are those of chi-square with
 -- three degrees of freedom.
 poseTally :: [PoseError] -> Maybe PoseTally
 poseTally errors
@@ -453,27 +456,27 @@ poseTally errors
     count = length errors
     share bound =
       fromIntegral (length (filter ((<= bound) . poseErrorDistance) errors)) / fromIntegral count
-    -- Of an even number the mean of the two in the middle.
+    -- For an even number, the mean of the two in the middle.
     median part = sum middle / fromIntegral (length middle)
       where
         middle = take (2 - count `mod` 2) (drop ((count - 1) `div` 2) (sort (map part errors)))
 
--- | How many of each.
+-- | The numbers of results of each kind.
 data Tally = Tally
   { tallyRight :: !Int,
     tallyWrong :: !Int,
-    -- | how many wrong ones the answers' doubts add up to
+    -- | the expected number of wrong answers, by the sum of the answers' doubts
     tallyExpected :: !Double,
-    -- | by the refusal's name
+    -- | the number of refusals, by name
     tallyRefused :: !(Map.Map String Int)
   }
   deriving stock (Eq, Show)
 
--- | The tally of no results.
+-- | The tally without results.
 noResults :: Tally
 noResults = Tally 0 0 0 Map.empty
 
--- | Count one more result, in constant memory.
+-- | Adds one result to a tally, in constant memory.
 counting :: Tally -> Result -> Tally
 counting before r = case r of
   Correct doubt ->
@@ -482,21 +485,21 @@ counting before r = case r of
     before {tallyWrong = tallyWrong before + 1, tallyExpected = tallyExpected before + doubt}
   NoAnswer name -> before {tallyRefused = Map.insertWith (+) name 1 (tallyRefused before)}
 
--- | Count results; the doubts are added up in their order.
+-- | The tally of results; doubts are added in their order.
 tally :: [Result] -> Tally
 tally = foldl' counting noResults
 
--- | What came of a press.
+-- | The result of a press.
 data Press = Press
-  { -- | from 1
+  { -- | counts from 1
     pressNumber :: !Int,
     pressResult :: !TrialResult,
-    -- | how far the pose is off, of a right answer with stitching
+    -- | the errors of the pose, for a right answer with stitching
     pressPose :: !(Maybe PoseError)
   }
   deriving stock (Eq, Show)
 
--- | What presses come to.
+-- | The tallies and pose errors of presses.
 data Counts = Counts
   { countsStitched :: !Tally,
     countsUnstitched :: !Tally,
@@ -505,15 +508,15 @@ data Counts = Counts
   }
   deriving stock (Eq, Show)
 
--- | Count presses, in their order.
+-- | Counts presses in their order.
 countPresses :: [Press] -> Counts
 countPresses = foldl' countingPress noCounts
 
--- | The counts of no press.
+-- | The counts without presses.
 noCounts :: Counts
 noCounts = Counts noResults noResults []
 
--- | Count one more press.
+-- | Adds one press to the counts.
 countingPress :: Counts -> Press -> Counts
 countingPress (Counts stitched unstitched poses) (Press _ outcome pose) =
   Counts

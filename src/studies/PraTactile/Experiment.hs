@@ -1,6 +1,6 @@
--- | The paper's experiment as a table: its rows are trainings with each kind of middle stage, as
--- they are and with one thing changed at a time, and each row is run with the same seeds, so that
--- rows are compared seed by seed. What a training is: "PraTactile.Classification.Experiment".
+-- | The paper's experiment as a table. Its rows are trainings with each kind of middle stage,
+-- unchanged and with one change at a time. All rows use the same seeds, so that they can be
+-- compared seed by seed. "PraTactile.Classification.Experiment" defines trainings.
 module PraTactile.Experiment
   ( -- * The plan
     Row (..),
@@ -45,24 +45,25 @@ import PraTactile.SymbolImages
 -- | Three rows of the table, one for each 'Middle': what is trained, and how.
 data Row = Row
   { rowTraining :: Training,
-    -- | what is changed, if anything is
+    -- | the name of the change, if there is one
     rowVaried :: Maybe String,
     rowSource :: ImageSource,
     rowSymbols :: Symbols,
     rowConditions :: Conditions
   }
 
--- | What can be changed.
+-- | The changes that can be made.
 data Variation
-  = -- | uniform first weights; those of the output layer times 0.01, as the toolbox's guide has it
+  = -- | uniform initial weights, and output weights multiplied by 0.01, as in the toolbox's guide
     OtherWeights
-  | -- | the ranges of the first weights from the images, as it has it, too
+  | -- | initial weights for the ranges of the images, as in the toolbox's guide
     OtherRanges
-  | -- | the least gradients of the toolbox's help, and of today
+  | -- | the least gradient of the toolbox's help, and today's
     OtherLeastGradient
-  | -- | the momentum of the toolbox's manual
+  | -- | the momentum formula of the toolbox's manual
     OtherFormula
-  | -- | two clean images of a class in the first stage, two others in the last, as in the paper
+  | -- | two clean images for each class in the first stage and two others in the last, as in the
+    -- paper
     OtherStages
   | -- | bitmaps, and presses of each preset
     OtherImages
@@ -70,7 +71,7 @@ data Variation
     OtherAlphabet
   deriving stock (Eq, Ord, Show, Bounded, Enum)
 
--- | The stable name of a variation.
+-- | The name of a variation, which stays stable.
 variationName :: Variation -> String
 variationName variation = case variation of
   OtherWeights -> "weights"
@@ -81,8 +82,8 @@ variationName variation = case variation of
   OtherImages -> "images"
   OtherAlphabet -> "alphabet"
 
--- | The rows of these trainings: as they are, with images from a source of these symbols; and then
--- for each variation, its changes, other alphabets being those given.
+-- | The rows of these trainings: unchanged, with images from this source of these symbols, and then
+-- with each change of each variation. The third argument lists the other alphabets.
 plan :: [Training] -> [Variation] -> [Alphabet] -> ImageSource -> Symbols -> [Row]
 plan trainings variations others source symbols =
   [ Row training name source' symbols' conditions
@@ -140,12 +141,12 @@ plan trainings variations others source symbols =
         standardConditions {conditionDescent = change (conditionDescent standardConditions)}
       )
 
--- | The seed of the images that networks are tried with. Those of trainings are from 0 up.
+-- | The seed of the test images. Those of trainings are from 0 up.
 testSeed :: Int
 testSeed = -1
 
--- | The images of a source: of each seed four a class to train with, and a hundred a class to try
--- networks with, from a seed of their own.
+-- | The images of a source: for each seed, four for each class to train with; and a hundred for
+-- each class to test with, from a seed of their own.
 data Images = Images
   { imagesToTrain :: [(Int, Material)],
     imagesToTry :: Labelled
@@ -155,19 +156,19 @@ data Images = Images
 imagesFor :: Symbols -> ImageSource -> [Int] -> Either ImagesError Images
 imagesFor symbols source seeds = result (imagesSteps symbols source seeds)
 
--- | The steps of 'imagesFor', a press each.
+-- | The steps of 'imagesFor', one for each press.
 imagesSteps :: Symbols -> ImageSource -> [Int] -> Steps Int (Either ImagesError Images)
 imagesSteps symbols source seeds = do
   (n, trained) <- countingOn 0 (inTurn (map (materialSteps symbols source) seeds))
   (_, tried) <- countingOn n (labelledSteps symbols source triedEach testSeed)
   pure (Images . zip seeds <$> sequenceA trained <*> tried)
 
--- | How many images those are, of so many classes and seeds.
+-- | The number of images for these numbers of classes and seeds.
 imagesCount :: Int -> Int -> Int
 imagesCount classes seeds = classes * (trainedEach * seeds + triedEach)
 
--- | About how many bytes the rows of a plan take, so many trials of which are made at once, each
--- with this many seeds.
+-- | The approximate memory, in bytes, of the rows of a plan. Arguments: the number of trials made
+-- at once, the number of seeds for each, and the rows.
 experimentBytes :: Int -> Int -> [Row] -> Integer
 experimentBytes atOnce seeds rows = imageBytes + toInteger atOnce * maximum (0 : map ofRow rows)
   where
@@ -181,16 +182,16 @@ experimentBytes atOnce seeds rows = imageBytes + toInteger atOnce * maximum (0 :
         + demandBytes (trainingDemand (rowConditions row) (rowTraining row) Noisy (classesOf row))
     classesOf = alphabetSize . symbolShapes . rowSymbols
 
--- | How many images there are of each class to train with from a seed, and to try networks with.
+-- | The number of images for each class: to train with from one seed, and to test with.
 trainedEach, triedEach :: Int
 trainedEach = 4
 triedEach = 100
 
--- | The images to train with from a seed: of each class the first two and the next two.
+-- | The training images from a seed: for each class the first two and the next two.
 material :: Symbols -> ImageSource -> Int -> Either ImagesError Material
 material symbols source seed = result (materialSteps symbols source seed)
 
--- | The steps of 'material', a press each.
+-- | The steps of 'material', one for each press.
 materialSteps :: Symbols -> ImageSource -> Int -> Steps Int (Either ImagesError Material)
 materialSteps symbols source seed =
   fmap (halves . labelledAs) <$> labelledSteps symbols source trainedEach seed
@@ -201,11 +202,11 @@ materialSteps symbols source seed =
         [some [it | it <- images, snd it == c] | c <- [0 .. classes - 1]]
     classes = alphabetSize (symbolShapes symbols)
 
--- | A row with a seed: for each kind of middle stage, what was trained, and for each noise level,
--- for each class, of how many images the class was wrong, and of how many in all.
+-- | The trial of a row with one seed. For each kind of middle stage it has the trained network and,
+-- for each noise level and class, the number of wrong images and the number of images.
 type Trial = [(Run, [[(Int, Int)]])]
 
--- | A row with a seed, given the images of its source. Refuses what training refuses.
+-- | Runs a row with a seed on the images of its source. Refuses what training refuses.
 trial :: Row -> Images -> Int -> Either NetworkError Trial
 trial row images seed = case lookup seed (imagesToTrain images) of
   Nothing -> Left EmptyBatch
@@ -217,7 +218,7 @@ trial row images seed = case lookup seed (imagesToTrain images) of
     classes = alphabetSize (symbolShapes (rowSymbols row))
     tried = testImages classes (labelledAs (imagesToTry images)) seed
 
--- | The median of some numbers, the least and the greatest.
+-- | The median, the least and the greatest of some numbers.
 data Spread = Spread
   { spreadMedian :: !Double,
     spreadLeast :: !Double,
@@ -225,8 +226,8 @@ data Spread = Spread
   }
   deriving stock (Eq, Show)
 
--- | Of an even number of numbers the median is the mean of the two in the middle; of none, all is
--- 0.
+-- | The spread of some numbers. For an even count the median is the mean of the two in the middle.
+-- An empty list gives zeros.
 spreadOf :: [Double] -> Spread
 spreadOf values
   | null values = Spread 0 0 0
@@ -235,22 +236,22 @@ spreadOf values
     count = length values
     middle = take (2 - count `mod` 2) (drop ((count - 1) `div` 2) (sort values))
 
--- | What came of a row with one kind of middle stage.
+-- | The results of a row with one kind of middle stage.
 data Outcome = Outcome
   { outcomeMiddle :: Middle,
     outcomeSeeds :: Int,
-    -- | for each noise level, the errors over all classes, per cent
+    -- | for each noise level, the error rate over all classes, in per cent
     outcomeLevels :: [(Double, Spread)],
-    -- | the errors of the class with most of them, over all levels, per cent
+    -- | the error rate of the worst class, over all levels, in per cent
     outcomeWorst :: Spread,
-    -- | of noisy images: with how many seeds that is less than with clean copies
+    -- | for noisy images: the number of seeds with fewer errors than with clean copies
     outcomeBetterThanClean :: Maybe Int,
-    -- | and less than without that stage
+    -- | for noisy images: the number of seeds with fewer errors than without a middle stage
     outcomeBetterThanNone :: Maybe Int
   }
   deriving stock (Eq, Show)
 
--- | The outcomes of a row, from the counts of each seed, for each kind of middle stage.
+-- | The results of a row, from the counts of each seed for each kind of middle stage.
 outcomes :: [[[[(Int, Int)]]]] -> [Outcome]
 outcomes bySeed =
   [ Outcome
@@ -276,7 +277,7 @@ outcomes bySeed =
       100 * fromIntegral (sum (map fst counted)) / fromIntegral (max 1 (sum (map snd counted))) ::
         Double
 
--- | What the paper has, per cent: with noisy images and without them.
+-- | The paper's error rates in per cent, with noisy images and without.
 paperPercent :: Middle -> Maybe Double
 paperPercent middle = case middle of
   Noisy -> Just 0.6

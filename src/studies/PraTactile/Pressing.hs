@@ -1,5 +1,5 @@
--- | The simulated sensor pressed on one face of an object, frame by frame, where the truth is
--- known; and the frames that a sensor is calibrated by.
+-- | Presses the simulated sensor on one face of an object, with known truth; and makes the frames
+-- that calibrate a sensor.
 module PraTactile.Pressing
   ( -- * A region of a face
     pressRegion,
@@ -34,9 +34,9 @@ import PraTactile.Shape (Alphabet)
 import PraTactile.Truth (Truth (..))
 import System.Random (RandomGen, StdGen, mkStdGen, randomR, split)
 
--- | The frames of a region of a face that has this relief, by a specimen of a sensor with presses
--- so many of its taxels apart: nominal poses in the robot's frame, images taken at the true ones.
--- Refuses a region that the presses do not cover.
+-- | Presses a specimen of a sensor on a region of a face with this relief. The number is the
+-- distance between presses, in the sensor's taxels. Poses are nominal, in the robot's frame; images
+-- are taken at the true poses. Refuses a region that the presses do not cover.
 pressRegion ::
   RandomGen g => Sensor -> Int -> Specimen -> Relief -> Region -> g -> Either ProbeError [Frame]
 pressRegion sensor spacing one surface region =
@@ -48,31 +48,32 @@ pressRegion sensor spacing one surface region =
       (heightsUnder sensor region surface)
       (onRelief surface region)
 
--- | What is pressed, where and by what.
+-- | The settings of a press.
 data Pressing = Pressing
   { pressingSensor :: Sensor,
-    -- | the distance of neighbouring presses, in the sensor's taxels
+    -- | the distance between neighbouring presses, in the sensor's taxels
     pressingSpacing :: Int,
-    -- | of every random draw
+    -- | the seed of every random draw
     pressingSeed :: Int,
-    -- | of what differs from one sensor to the next; 'Nothing': 'pressingSeed'
+    -- | the seed of the specimen's own properties; 'Nothing' for 'pressingSeed'
     pressingSpecimen :: Maybe Int,
-    -- | the face, by its vertices from any of them; 'Nothing': drawn with equal chances
+    -- | the face, by its vertices from any of them; 'Nothing' for a random one with equal
+    -- probabilities
     pressingFace :: Maybe FaceName,
-    -- | the region's upper left corner, millimetres right of and below the face's upper left
-    -- vertex; 'Nothing': drawn by chance
+    -- | the region's upper left corner, in millimetres right of and below the face's upper left
+    -- vertex; 'Nothing' for a random one
     pressingAt :: Maybe (Double, Double),
-    -- | the region's width and height, taxels
+    -- | the region's width and height, in taxels
     pressingSize :: (Int, Int),
     pressingTurns :: Turns,
-    -- | the region's upper left corner in the robot's coordinates, millimetres
+    -- | the region's upper left corner in the robot's coordinates, in millimetres
     pressingOrigin :: (Double, Double),
-    -- | the cylinder that the face is wrapped on; 'Nothing': it is flat
+    -- | the cylinder that the face is wrapped on; 'Nothing' for a flat face
     pressingBend :: Maybe Bend
   }
 
--- | A sensor with a seed, at its usual spacing, on a region of the usual size anywhere on any face,
--- which lies upright or turned by 180 degrees.
+-- | The settings for a sensor and a seed: its default spacing and region size, anywhere on any face
+-- that lies upright or upside down.
 pressingWith :: Sensor -> Int -> Pressing
 pressingWith sensor seed =
   Pressing
@@ -88,28 +89,29 @@ pressingWith sensor seed =
       pressingBend = Nothing
     }
 
--- | Why nothing is pressed.
+-- | Why nothing can be pressed.
 data PressError
   = -- | There is no such object.
     ObjectRefused PlacementError
   | -- | No face of the object is laid on the array.
     NoFaceLaid
-  | -- | It has no face of this name; those that it has.
+  | -- | The object has no face with this name; its faces are listed.
     NoSuchFace FaceName [LaidFace]
   | -- | The face has no relief.
     NoRelief ReliefError
   | -- | The polyhedron has no relief there.
     NoMeshRelief MeshError
-  | -- | A region of this width and height, millimetres on the face, does not lie on it, and does
-    -- not hold it where it is the longer one.
+  | -- | A region of this width and height, in millimetres on the face, does not lie on it, and does
+    -- not contain it along the sides where it is longer.
     RegionOffFace LaidFace (Double, Double)
-  | -- | The cylinder's radius is no more than the sensor's 'leastRadius', millimetres.
+  | -- | The cylinder's radius is not above the sensor's 'leastRadius', in millimetres.
     BentTooMuch Double
   | -- | The presses do not cover the region.
     NotCovered ProbeError
   deriving stock (Eq, Show)
 
--- | The frames of a region of an object's face, in the robot's coordinates, and where that is.
+-- | Presses a region of an object's face. Returns the frames in the robot's coordinates, and the
+-- truth.
 pressed ::
   KnownField k =>
   Pressing ->
@@ -121,13 +123,13 @@ pressed ::
 pressed how alphabet array layout =
   pressedOn (\_ -> first NoRelief . relief array layout alphabet) how layout
 
--- | The same of a polyhedron that was made of the object, and so large that symbols have the
--- paper's size, as the placement's are.
+-- | 'pressed' for a polyhedron that was made of the object. It must be scaled so that symbols have
+-- the paper's size, and so must the placement.
 pressedMesh ::
   Pressing -> Mesh -> Placement -> ObjectName -> Either PressError ([Frame], Truth)
 pressedMesh how it = pressedOn (\whole -> first NoMeshRelief . meshRelief it whole) how
 
--- | The same of whatever relief a face of an object has.
+-- | 'pressed' with a relief that a function makes for the object's face.
 pressedOn ::
   (Solid -> LaidFace -> Either PressError Relief) ->
   Pressing ->
@@ -171,8 +173,8 @@ pressedOn reliefOn how layout object = do
           poseY = poseY pose + snd (pressingOrigin how)
         }
 
--- | A region drawn by chance, but where and how it is asked for: along each side of the box round
--- the face the shorter of face and region lies within the longer.
+-- | Draws a region, with the requested place and rotation if given. Along each side of the face's
+-- bounding box, the shorter of box and region lies within the longer.
 chosenRegion :: Pressing -> LaidFace -> StdGen -> Either PressError (Region, StdGen)
 chosenRegion how face generator
   | onFace region = Right (region, generator')
@@ -195,18 +197,18 @@ chosenRegion how face generator
         beside = [before, extent - before - size]
     millimetres taxels = taxelPitch * fromIntegral taxels
 
--- | So many frames of the sensor that touches nothing.
+-- | The given number of frames of the sensor without contact.
 darkPresses :: Pressing -> Int -> [Frame]
 darkPresses = untouched darkFrames
 
--- | So many frames of the sensor whose elements are all pressed alike, to half of full scale.
+-- | The given number of frames of the sensor with all elements pressed to half of full scale.
 flatPresses :: Pressing -> Int -> [Frame]
 flatPresses = untouched flatFrames
 
 untouched :: (Sensor -> Specimen -> Int -> StdGen -> [Frame]) -> Pressing -> Int -> [Frame]
 untouched frames how count = frames (pressingSensor how) (specimen how) count generator
   where
-    -- Not the draws that the specimen came from.
+    -- Draws other than those of the specimen.
     generator = snd (split (mkStdGen (pressingSeed how)))
 
 specimen :: Pressing -> Specimen

@@ -1,8 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | How often damaged patches are located right, wrong, or refused: simulated readings of patches
--- at random positions, decoded from symbols alone (hard) and from the same cells' class
--- probabilities (soft). "PraTactile.Rates.Noise" says how cells are read.
+-- | How often damaged patches are located right, wrong, or refused, by simulation. Readings of
+-- patches at random positions are decoded twice: from symbols alone (hard), and from the same
+-- cells' class probabilities (soft). "PraTactile.Rates.Noise" has the model of the readings.
 module PraTactile.Rates
   ( -- * Damage
     Damage (..),
@@ -42,17 +42,17 @@ import PraTactile.Rates.Tally
 import PraTactile.Rates.Trial
 import System.Random (StdGen, genWord64, mkStdGen)
 
--- | Where the random numbers of trials begin.
+-- | The seed of the random numbers of trials.
 newtype Seed = Seed Int
   deriving stock (Eq, Show)
 
--- | This many trials from a seed; hard decoding is to this radius.
+-- | Runs this number of trials from a seed. Hard decoding uses this radius.
 simulate :: KnownField k => Radius -> TrialSetup k -> Damage -> Int -> Seed -> Tally
 simulate radius setup damage = withNoise radius setup (noiseOf setup damage) (damageErasures damage)
 
--- | This many trials from a seed, in parts of a thousand, each with a seed of its own, which are to
--- be merged: to be run at the same time. The seeds depend on the patches' shape and the damage too,
--- so that the lines of a table are independent of each other.
+-- | Runs this number of trials in parts of a thousand that can be computed in parallel and must be
+-- merged. Each part has a seed of its own, which also depends on the patches' shape and the damage,
+-- so that the lines of a table are independent.
 simulations :: KnownField k => Radius -> TrialSetup k -> Damage -> Int -> Seed -> [Tally]
 simulations radius setup damage trials (Seed seed) =
   [ withNoise
@@ -77,12 +77,12 @@ simulations radius setup damage trials (Seed seed) =
     parts x = round (1e12 * x)
     mixed = foldl' (\h x -> fromIntegral (fst (genWord64 (mkStdGen (h * 1000003 + x))))) 0
 
--- | The standard deviation with which symbols are wrong as often as the damage says.
+-- | The standard deviation of the noise with which symbols have the damage's error rate.
 noiseOf :: forall k. KnownField k => TrialSetup k -> Damage -> Double
 noiseOf _ = noiseFor (fieldOrder (Proxy :: Proxy k)) . damageErrors
 
--- | @withNoise radius setup sigma missing trials seed@: with noise of the standard deviation sigma,
--- each cell missing with this probability.
+-- | @withNoise radius setup sigma missing trials seed@ runs trials with noise of standard deviation
+-- sigma, in which each cell is missing with the given probability.
 withNoise :: KnownField k => Radius -> TrialSetup k -> Double -> Double -> Int -> Seed -> Tally
 withNoise radius setup sigma missing trials = \(Seed seed) -> go trials (mkStdGen seed) noTrials
   where

@@ -1,5 +1,5 @@
--- | How sure a network is, found where the truth is known: on presses by several sensors, upright
--- and at any angle, of its alphabet's symbols and of other shapes.
+-- | Calibrates a network where the truth is known: on presses by several sensors, upright and at
+-- any angle, of its alphabet's symbols and of other shapes.
 module PraTactile.SymbolCalibration
   ( Condition (..),
     conditions,
@@ -24,16 +24,16 @@ import PraTactile.Steps
 import PraTactile.SymbolImages
 import PraTactile.Symmetry
 
--- | What is pressed by what: another seed for each.
+-- | A kind of presses; each uses a seed of its own.
 data Condition = Condition
   { conditionSensor :: Preset,
     conditionAnyAngle :: Bool,
-    -- | other shapes than the alphabet's
+    -- | whether other shapes than the alphabet's are pressed
     conditionOthers :: Bool
   }
   deriving stock (Eq, Show)
 
--- | The sensors @paper@, @real@ and @hard@, each upright and at any angle; and other shapes at any
+-- | The sensors @paper@, @real@ and @hard@: upright, at any angle, and with other shapes at any
 -- angle.
 conditions :: [Condition]
 conditions =
@@ -42,20 +42,21 @@ conditions =
       (anyAngle, others) <- [(False, False), (True, False), (True, True)]
   ]
 
--- | As options of the command line.
+-- | The condition as options of the command line.
 conditionName :: Condition -> String
 conditionName (Condition sensor anyAngle others) =
   presetName sensor ++ (if anyAngle then " --any-angle" else "")
     ++ (if others then " --foreign 24" else "")
 
--- | Images of about so many symbols of each condition, by a seed, with what each truly shows:
--- 'Nothing' of other shapes, which are at least 24 taxels from all of the alphabet's; none where
--- there are no such shapes. Refuses what 'labelledImages' does.
+-- | Images of about the given number of symbols under a condition, from a seed, with the truth of
+-- each. The truth is 'Nothing' for other shapes, which differ from all of the alphabet's in at
+-- least 24 taxels; if there are no such shapes the list is empty. Refuses what 'labelledImages'
+-- refuses.
 knownImages ::
   Alphabet -> Int -> Int -> Condition -> Either ImagesError [(Maybe (Int, Symmetry), Raster)]
 knownImages known count seed condition = result (knownSteps known count seed condition)
 
--- | The steps of 'knownImages', a press each: how many images there are so far.
+-- | The steps of 'knownImages', one for each press, with the number of images so far.
 knownSteps ::
   Alphabet ->
   Int ->
@@ -77,15 +78,15 @@ knownSteps known count seed (Condition sensor anyAngle others)
         (presetSensor sensor)
         (if anyAngle then AnyAngle else AmongTurns halfTurns)
 
--- | How many other shapes are drawn.
+-- | The number of other shapes that are drawn.
 foreignKinds :: Int
 foreignKinds = 16
 
--- | How many images of each class make about so many.
+-- | The number of images of each class that gives about this count in total.
 share :: Int -> Int -> Int
 share count classes = max 1 ((count + classes - 1) `div` classes)
 
--- | Such images as a classifier, of which the outputs are given, sees them.
+-- | These images as a classifier, given by its outputs, sees them.
 seenBy ::
   Templates ->
   (Raster -> Either NetworkError [Double]) ->
@@ -96,9 +97,9 @@ seenBy shapesSeen told = traverse seen
     seen (truth, image) =
       Seen truth <$> (look shapesSeen image <$> told image <*> told (onRaster (turned 2) image))
 
--- | The calibration of a classifier of an alphabet on 300 symbols and 100 others of each condition,
--- from a seed; what they are drawn from no other draw has. The steps are presses: how many of the
--- 'calibrationImages' there are so far.
+-- | The calibration of a classifier of an alphabet on 300 symbols and 100 other shapes of each
+-- condition, from a seed. No other draw uses these images. There is one step for each press, with
+-- the number of 'calibrationImages' so far.
 calibratedSteps ::
   Alphabet ->
   Templates ->
@@ -113,15 +114,15 @@ calibratedSteps known shapesSeen told seed = do
     own = 1000000 + 100 * seed
     fit images = fitted (alphabetSize known) . concat <$> traverse (seenBy shapesSeen told) images
 
--- | About how many images of a condition a calibration has.
+-- | The approximate number of images of a condition in a calibration.
 wanted :: Condition -> Int
 wanted condition = if conditionOthers condition then 100 else 300
 
--- | About how many bytes 'calibratedSteps' holds at once for so many classes.
+-- | The approximate memory, in bytes, of 'calibratedSteps' for this number of classes.
 calibrationBytes :: Int -> Integer
 calibrationBytes classes = fittedBytes classes (calibrationImages classes)
 
--- | How many images a calibration of so many classes has, where there are other shapes.
+-- | The number of images in a calibration of this number of classes, if there are other shapes.
 calibrationImages :: Int -> Int
 calibrationImages classes = sum (map ofCondition conditions)
   where

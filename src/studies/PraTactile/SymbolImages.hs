@@ -1,6 +1,5 @@
--- | Images of symbols whose truth is known, to train networks with and to try them on: the shapes
--- themselves, or what is left of them where a plate is pressed and the frames are put together, as
--- they are decoded.
+-- | Images of symbols with known truth, to train and test networks. They are the shapes themselves,
+-- or what remains of them after a plate is pressed and the frames are stitched, as in decoding.
 module PraTactile.SymbolImages
   ( -- * Symbols
     Symbols (..),
@@ -46,7 +45,7 @@ import PraTactile.Steps
 import PraTactile.Symmetry
 import System.Random (StdGen, mkStdGen, split)
 
--- | What is felt: the shapes, and what frames are held against that show them.
+-- | The shapes that are pressed, and the tables by which registration finds them.
 data Symbols = Symbols
   { symbolShapes :: Alphabet,
     symbolTables :: LatticeTables
@@ -56,20 +55,20 @@ data Symbols = Symbols
 symbolsOf :: Alphabet -> Symbols
 symbolsOf alphabet = Symbols alphabet (latticeTables alphabet)
 
--- | Where images come from.
+-- | The source of images.
 data ImageSource
   = -- | the shapes themselves: 0 flat, 1 embossed
     Bitmaps
-  | -- | presses of a sensor, by its name, on plates that lie so
+  | -- | presses of a sensor, with its name, on plates in these rotations
     Presses String Sensor Turns
 
--- | The stable name of a kind of images.
+-- | The name of a kind of images, which stays stable.
 sourceName :: ImageSource -> String
 sourceName source = case source of
   Bitmaps -> "bitmap"
   Presses {} -> "press"
 
--- | The name of the sensor, where there is one.
+-- | The name of the sensor, if there is one.
 sourceSensor :: ImageSource -> Maybe String
 sourceSensor source = case source of
   Bitmaps -> Nothing
@@ -79,27 +78,27 @@ sourceSensor source = case source of
 data ImagesError
   = -- | There is no plate.
     NoPlate PlacementError
-  | -- | It cannot be drawn with these shapes.
+  | -- | The plate has no relief with these shapes.
     NoReliefOfPlate ReliefError
-  | -- | In so many presses too few symbols were found.
+  | -- | In this number of presses too few symbols were found.
     TooFewFound Int
   deriving stock (Eq, Show)
 
 -- | Upright images with their classes.
 data Labelled = Labelled
   { labelledAs :: ![(Raster, Int)],
-    -- | how many symbols lay wholly in what was pressed and were not found
+    -- | the number of symbols that lay wholly in the pressed region but were not found
     labelledLost :: !Int,
     labelledPresses :: !Int
   }
 
--- | So many images of each class, by class and in the order in which they were found, from a seed.
--- Refuses sensors by which hardly any symbol is found.
+-- | The given number of images of each class, sorted by class and then in the order found, from a
+-- seed. Refuses sensors with which hardly any symbol is found.
 labelledImages :: Symbols -> ImageSource -> Int -> Int -> Either ImagesError Labelled
 labelledImages symbols source count seed = result (labelledSteps symbols source count seed)
 
--- | The steps of 'labelledImages', a press each: how many images there are so far, of as many as
--- are wanted of all classes together.
+-- | The steps of 'labelledImages', one for each press, with the number of wanted images so far,
+-- over all classes.
 labelledSteps ::
   Symbols -> ImageSource -> Int -> Int -> Steps Int (Either ImagesError Labelled)
 labelledSteps symbols source count seed = case source of
@@ -113,14 +112,14 @@ labelledSteps symbols source count seed = case source of
     Left why -> Done (Left why)
     Right pressed -> go (replicate classes 0) [] (take most pressed)
   where
-    -- How many there are of each class, and the presses so far, the last one first.
+    -- The number of images of each class so far, and the presses so far, the last one first.
     go have before pressed
       | all (>= count) have = Done (Right (chosenFrom (reverse before)))
       | one : others <- pressed =
         let have' = zipWith (plus one) [0 ..] have
          in made one `seq` Step (sum (map (min count) have')) (go have' (one : before) others)
       | otherwise = Done (Left (TooFewFound most))
-    -- An image that is not made yet keeps the frames it is made of.
+    -- An image that is not computed yet keeps its frames in memory.
     made one = foldr (\(image, _) -> seq image) () (cutImages one)
     chosenFrom enough =
       Labelled
@@ -130,26 +129,26 @@ labelledSteps symbols source count seed = case source of
     ofClass found c = take count [it | it <- found, snd it == c]
     alphabet = symbolShapes symbols
     classes = alphabetSize alphabet
-    -- Some five symbols are found in a press.
+    -- About five symbols are found in a press.
     most = 100 + 4 * classes * count
     plus one c n = n + length (filter ((== c) . snd) (cutImages one))
 
--- | What came of a press.
+-- | The symbols that were cut out of a press.
 data Cut = Cut
-  { -- | 8 x 12 images, set upright, with the true classes
+  { -- | 8 x 12 images, set upright, with their true classes
     cutImages :: [(Raster, Int)],
-    -- | how many symbols lay wholly in the region and were not found
+    -- | the number of symbols that lay wholly in the region but were not found
     cutLost :: Int
   }
 
--- | Presses without end on plates of 15 x 17 symbols, each of which is any class by chance, in
--- regions of the usual size: put together by 'standardStitching' and cut as they are decoded, but
--- turned back and named by the truth.
+-- | An infinite list of presses on plates of 15 x 17 symbols with random classes, in regions of the
+-- default size. They are stitched by 'standardStitching' and cut as in decoding, but turned upright
+-- and labelled by the truth.
 cuts :: Symbols -> Sensor -> Turns -> Int -> Either ImagesError [Cut]
 cuts symbols sensor turns seed = do
   layout <- first NoPlate (platePlacement (Shape 15 17))
   face <- maybe (Left (TooFewFound 0)) Right (listToMaybe (laidFaces layout))
-  -- Whether there is a relief does not depend on which symbols it has.
+  -- Whether there is a relief does not depend on the symbols.
   _ <- first NoReliefOfPlate (plate layout face (const 0))
   Right
     [ cut
@@ -163,7 +162,7 @@ cuts symbols sensor turns seed = do
     plate layout face = reliefOf layout alphabet face (alphabetSize alphabet)
     alphabet = symbolShapes symbols
 
--- | A class for each of 15 x 17 cells, all equally likely.
+-- | A random class for each of 15 x 17 cells, with equal probabilities.
 chanceArrangement :: Int -> StdGen -> (Position -> Int, StdGen)
 chanceArrangement classes g = (\(Position i j) -> at (fromIntegral (17 * i + j)), g')
   where
@@ -171,7 +170,7 @@ chanceArrangement classes g = (\(Position i j) -> at (fromIntegral (17 * i + j))
     drawn = Unboxed.fromList (take 255 (unfoldr (Just . uniform) own)) :: Unboxed.Vector Double
     at k = maybe 0 (\u -> min (classes - 1) (floor (u * fromIntegral classes))) (drawn Unboxed.!? k)
 
--- | A region of the plate, pressed and cut; 'Nothing' where the frames make no composite.
+-- | A region of the plate, pressed and cut. 'Nothing' if the frames cannot be stitched.
 cutFrom ::
   Symbols -> Sensor -> Turns -> LaidFace -> (Position -> Int) -> Relief -> StdGen -> Maybe Cut
 cutFrom symbols sensor turns face classAt surface g = do
@@ -199,8 +198,8 @@ cutFrom symbols sensor turns face classAt surface g = do
   where
     right = either (const Nothing) Just
 
--- | The cell in whose middle a place of the plate is (millimetres right and down), to a third of a
--- pitch.
+-- | The cell whose centre is within about a third of a pitch of a place of the plate, in
+-- millimetres right and down.
 cellUnder :: (Double, Double) -> Maybe Position
 cellUnder (x, y)
   | i >= 0 && i < 15 && j >= 0 && j < 17 && near fi && near fj =

@@ -45,12 +45,13 @@ layoutWeights layout (Shape n1 n2) = case layout of
 {- Note [Windows that are sure]
    ~~~~~~~~~~~~~~~~~~~~~~~~~~~~
    Let the cell (r, c) hold s(r u + c v), and let d1 and d2 be the degrees over GF(q) of alpha^u and
-   alpha^v. If the two generate GF(q^n), that is lcm(d1, d2) = n, then alpha^v has degree n/d1 over
-   the field GF(q^d1) that alpha^u generates. So the alpha^(u i), i < d1, are a basis of GF(q^d1)
-   over GF(q), the alpha^(v j), j < n/d1, one of GF(q^n) over GF(q^d1), and their products, the
-   cells of a d1 x n/d1 window, one of GF(q^n) over GF(q): the rank is n. Likewise for n/d2 x d2.
-   The degrees depend on the orders of alpha^u and alpha^v only, not on the polynomial. With n1 =
-   q^k1 - 1, d1 is k1: the windows of MacWilliams and Sloane. -}
+   alpha^v. Assume that the two generate GF(q^n), which means lcm(d1, d2) = n. Then alpha^v has
+   degree n/d1 over GF(q^d1), the field that alpha^u generates. So the alpha^(u i), i < d1, are a
+   basis of GF(q^d1) over GF(q), and the alpha^(v j), j < n/d1, are a basis of GF(q^n) over
+   GF(q^d1). Their products, the cells of a d1 x n/d1 window, are a basis of GF(q^n) over GF(q), so
+   the rank is n. In the same way, n/d2 x d2 windows have rank n. The degrees depend only on the
+   orders of alpha^u and alpha^v, not on the polynomial. If n1 = q^k1 - 1, then d1 = k1, and these
+   are the windows of MacWilliams and Sloane. -}
 
 -- | The windows of n cells that are distinct for every primitive polynomial of degree n: none, one
 -- or two. Arguments: q, n, the layout, and the shape of each array, which the layout must fill. See

@@ -17,12 +17,12 @@ import PraTactile.Array
 
 {- Note [Neighbouring columns]
    ~~~~~~~~~~~~~~~~~~~~~~~~~~~
-   Let the cell (r, c) hold s(r u + c v), a = alpha^u and b = alpha^v. A whole column spans all
-   powers of a, the field GF(q^d), times a power of b, where d is the degree of a over GF(q). As a
-   and b generate GF(q^n), b has degree n/d over GF(q^d): so many adjacent columns are independent,
-   and one more depends on them. With n1 = q^k1 - 1, d is k1, and n/d is k2. Rows are alike along
-   the diagonal. Row by row they are n2 terms of the sequence each, of rank n2, or n if that is
-   less. -}
+   Let the cell (r, c) hold s(r u + c v), and let a = alpha^u and b = alpha^v. A whole column spans
+   the field GF(q^d) of all powers of a, times a power of b; d is the degree of a over GF(q). Since
+   a and b generate GF(q^n), b has degree n/d over GF(q^d). So n/d adjacent columns are independent,
+   and one more depends on them. If n1 = q^k1 - 1, then d = k1 and n/d = k2. Along the diagonal,
+   rows behave in the same way. Row by row, each row is n2 consecutive terms of the sequence, with
+   rank n2, or n if that is less. -}
 
 -- | The number of adjacent whole columns from which on parity checks hold across columns; 'Nothing'
 -- if the array does not have that many. Arguments: q, n, the layout, and the shape of each array,

@@ -25,11 +25,11 @@ import PraTactile.Sequence.Synthesis
 
 {- Note [Rows and columns obey recurrences]
    ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-   To write s(i) into cell (i mod n1, i mod n2) for i = 0, 1, 2, ... leaps from row to row, out of
-   the cache at every step. But where the cell (r, c) holds s(r u + c v), each row runs through the
-   sequence in steps of v, and so obeys the recurrence of the minimal polynomial of alpha^v; each
-   column that of alpha^u. So a few rows are run along from their first terms, and all further rows
-   are combinations of those before them, whole row by whole row. -}
+   Writing s(i) into cell (i mod n1, i mod n2) for i = 0, 1, 2, ... jumps from row to row and misses
+   the cache at every step. But if the cell (r, c) holds s(r u + c v), each row runs through the
+   sequence in steps of v. So it obeys the recurrence of the minimal polynomial of alpha^v, and each
+   column obeys that of alpha^u. Therefore a few rows are continued from their first terms, and
+   every further row is computed whole, as a linear combination of rows before it. -}
 
 -- | @filled h s (u, v) shape@ lists the cells row by row, with s(r u + c v) in the cell (r, c). The
 -- function s gives the sequence's terms below the period. See Note [Rows and columns obey

@@ -103,10 +103,10 @@ isSmallPrime p = p >= 2 && all (\d -> p `mod` d /= 0) (takeWhile (\d -> d * d <=
 
 {- Note [When the modulus is good]
    ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-   Z_p[x]/f has q elements. If one of them has q - 1 distinct non-zero powers that return to 1, all
-   non-zero elements are units and the ring is a field; and the multiplicative group of a field is
-   cyclic, so a field has such an element. Hence f is irreducible iff an element of order q - 1
-   exists, and the search for the primitive element is the check as well. -}
+   Z_p[x]/f has q elements. If one of them has q - 1 distinct nonzero powers that return to 1, all
+   nonzero elements are units and the ring is a field. Conversely, the multiplicative group of a
+   field is cyclic, so a field has such an element. Hence f is irreducible iff an element of order q
+   - 1 exists, and the search for the primitive element is also the check. -}
 
 -- | Arithmetic on codes, enough to fill the tables. It multiplies by Horner's rule on base-p
 -- digits, unlike "PraTactile.Field.Definition", which convolves and divides.

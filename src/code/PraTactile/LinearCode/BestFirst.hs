@@ -12,13 +12,16 @@ import qualified Data.Map.Strict as Map
 
 {- Note [Each word once]
    ~~~~~~~~~~~~~~~~~~~~~
-   Let the letters stand in the order of what their second option costs, so that to change a later
-   letter instead of an earlier one never costs less. A word in which some letters are changed, the
-   last of them letter i, comes from exactly one other: where i has its third option or a later one,
-   from that with the option before; else from that in which i is not changed, if the letter before
-   i is; and else from that in which the letter before i is changed to its second option instead.
-   None of these costs more, and so all words come out in order when each brings those that come
-   from it (E. L. Lawler 1972). -}
+   Sort the letters by the cost of their second option. Then changing a later letter instead of an
+   earlier one never costs less. Take a word with some changed letters, the last of which is letter
+   i. Define its unique predecessor:
+
+   * If i has its third option or a later one, the word with the option before.
+   * Else, if the letter before i is changed, the word in which i is not changed.
+   * Else, the word in which the letter before i has its second option instead of i.
+
+   No predecessor costs more than its successors. So all words come out in order if each word, when
+   it comes out, adds its successors to the queue (E. L. Lawler 1972). -}
 
 -- | All words, the cheapest first, each with its cost and its changed letters. Each letter is given
 -- by its number and the ascending costs of its options, the first of which is 0. A changed letter,

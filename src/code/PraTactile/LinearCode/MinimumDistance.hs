@@ -31,11 +31,11 @@ data Lightest k
 
 {- Note [Brouwer and Zimmermann]
    ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-   The search for a lightest codeword is Note [Disjoint information sets] in
-   "PraTactile.LinearCode.Search" with zero as the word: the codewords seen are the combinations of
-   few rows of one set, those not seen are not lighter than the sum there. The search ends when the
-   lightest codeword seen is no heavier than that. (K.-H. Zimmermann 1996; M. Grassl in "Discovering
-   Mathematics with Magma", 2006.) -}
+   The search for a lightest codeword is that of Note [Disjoint information sets] in
+   "PraTactile.LinearCode.Search" with zero as the word. The codewords seen are the combinations of
+   few rows of one set; those not seen are at least as heavy as the sum in that note. The search
+   ends when the lightest codeword seen is no heavier than that sum. (K.-H. Zimmermann 1996; M.
+   Grassl in "Discovering Mathematics with Magma", 2006.) -}
 
 -- | Finds a lightest nonzero codeword by the method of Note [Brouwer and Zimmermann]. The search is
 -- given up before it tests more codewords than the effort.

@@ -30,18 +30,18 @@ import PraTactile.LinearCode.Packed
 
 {- Note [Disjoint information sets]
    ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-   Fix a word y, and say that a codeword is seen at level w of a set when it differs from y in at
-   most w of the set's k places: these are the combinations of at most w rows, added to the codeword
-   that agrees with y at the k places. A codeword not seen at level w differs in w + 1 of the k
-   places or more. Of the k places, d, the set's deficit, belong to earlier sets, so that it differs
-   in w + 1 - d or more of the places that are this set's own. The own places of different sets are
-   disjoint. So a codeword that is seen at none of the levels w(1), w(2), ... of the sets differs
-   from y in at least
+   Fix a word y. A codeword is seen at level w of a set if it differs from y in at most w of the
+   set's k places. These codewords are the combinations of at most w rows, added to the codeword
+   that agrees with y at the k places. A codeword that is not seen at level w differs in at least w
+   + 1 of the k places. Of these, d places belong to earlier sets, where d is the set's deficit. So
+   the codeword differs in at least w + 1 - d of the set's own places, and the own places of
+   different sets are disjoint. Therefore a codeword that is seen at none of the levels w(1), w(2),
+   ... of the sets differs from y in at least
 
-   sum of max 0 (w(j) + 1 - d(j))
+     sum of max 0 (w(j) + 1 - d(j))
 
-   places, and all codewords that differ in fewer have been seen (for y = 0, lightest codewords:
-   K.-H. Zimmermann 1996; M. Grassl in "Discovering Mathematics with Magma", 2006). At level k of
+   places, and all codewords that differ in fewer have been seen. (For y = 0, lightest codewords:
+   K.-H. Zimmermann 1996; M. Grassl in "Discovering Mathematics with Magma", 2006.) At level k of
    any set every codeword is seen. -}
 
 -- | A step of the search: one set is searched one level further, or several levels if its deficit

@@ -147,16 +147,16 @@ mayBePrimitive h = case polynomialDegree h of
 
 {- Note [Cheap refusals]
    ~~~~~~~~~~~~~~~~~~~~~
-   The norm of the root alpha of an irreducible h, alpha^((q^n - 1)/(q - 1)), is (-1)^n h(0); if
+   Let alpha be the root of an irreducible h. Its norm alpha^((q^n - 1)/(q - 1)) is (-1)^n h(0). If
    alpha has order q^n - 1, its norm has order q - 1. And an irreducible h of degree 2 or more has
    no root in GF(q). -}
 
 {- Note [Primitive without irreducible]
    ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-   If x has order q^n - 1 in GF(q)[x]/h, its powers are q^n - 1 distinct units: all non-zero
-   residues. So the ring is a field and h irreducible, without a test of its own; irreducibility is
-   tested only to say why a polynomial fails. That x has this order is shown by x^N = 1, N = q^n -
-   1, and x^(N/l) /= 1 for each prime l that divides N. -}
+   If x has order q^n - 1 in GF(q)[x]/h, its powers are q^n - 1 distinct units, so they are all
+   nonzero residues. Then the ring is a field and h is irreducible, without a separate test.
+   Irreducibility is tested only to say why a polynomial fails. That x has this order follows from
+   x^N = 1, with N = q^n - 1, and x^(N/l) /= 1 for each prime l that divides N. -}
 
 -- | Whether x has order q^n - 1 modulo h, of degree n, given the prime factors of q^n - 1. See Note
 -- [Primitive without irreducible].

@@ -21,10 +21,10 @@ import PraTactile.Polynomial
 
 {- Note [Powers by Horner's rule]
    ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-   Let Q be a power of q, and t = (...(d1 Q + d2) Q + ...) Q + dm. Raising to the power Q is linear
-   over GF(q) in the coefficients g0, ..., g(n-1) of a residue, so alpha^(t Q + d) = sum of g(j)
-   alpha^(Q j + d), where alpha^t = sum of g(j) alpha^j: one sum of n rows of a table of alpha^e, e
-   < Q n, for each digit of t to base Q, and no multiplication modulo h at all. And s(t) = g0 s(0) +
+   Let Q be a power of q, and t = (...(d1 Q + d2) Q + ...) Q + dm. The power Q is linear over GF(q)
+   in the coefficients g0, ..., g(n-1) of a residue. So if alpha^t = sum of g(j) alpha^j, then
+   alpha^(t Q + d) = sum of g(j) alpha^(Q j + d). Each base-Q digit of t thus costs one sum of n
+   rows from a table of alpha^e, e < Q n, and no multiplication modulo h. Finally s(t) = g0 s(0) +
    ... + g(n-1) s(n-1), because both sides obey the recurrence. -}
 
 -- | @jump h s@ maps t to s(t), given s(0), ..., s(n-1). Apply it once to h and s, and then to many

@@ -158,13 +158,14 @@ combinations a b = Primitive.create $ do
 
 {- Note [Eight terms at a time]
    ~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-   In characteristic 2 a code is the vector of its coefficients over GF(2), and a sum is exclusive
-   or, of eight codes in one machine word as of one. A factor c = c0 + c1 A + ... (A the modulus's
-   root) asks for c0 s + A (c1 s + A (c2 s + ...)), so that by Horner's rule all the terms wanted
-   times A^b are added up, the sum multiplied by A, those wanted times A^(b-1) added, and so on: m -
-   1 multiplications by A whatever the number of terms. Multiplication by A moves each code up one
-   bit and takes the modulus from those that reach degree m. No byte sees another, so that the order
-   of the bytes in a word does not matter. -}
+   In characteristic 2 a code is the vector of its coefficients over GF(2), and a sum is an
+   exclusive or, for eight codes in a machine word as for one. The product of s by a factor c = c0 +
+   c1 A + ..., where A is the modulus's root, is c0 s + A (c1 s + A (c2 s + ...)). By Horner's rule,
+   all terms whose factor contains the highest power A^b are added up, the sum is multiplied by A,
+   the terms whose factor contains A^(b-1) are added, and so on. That takes m - 1 multiplications by
+   A, whatever the number of terms. Multiplication by A moves each code up one bit and subtracts the
+   modulus from codes that reach degree m. Bytes do not affect each other, so their order in a word
+   does not matter. -}
 
 -- | The sum for a recurrence whose lags are all multiples of 8, on words of eight terms. See Note
 -- [Eight terms at a time].

@@ -89,15 +89,16 @@ include set key = do
 {- Note [Rolling contents]
    ~~~~~~~~~~~~~~~~~~~~~~~
    The windows of k1 x k2 cells are swept row by row, in strips of a few thousand columns. For each
-   column of the strip the number of its k1 cells is kept, the uppermost most significant; going
-   down a row, it is multiplied by q, the new cell is added, and the cell left behind subtracted at
-   its weight q^k1. The number of a window is that of its k2 columns in base q^k1, the left one most
-   significant; going right, it is multiplied by q^k1, the new column added, and the column left
-   behind subtracted at its weight q^(k1 k2). So a window costs two cells and two columns, whatever
-   its size; and the columns of a strip stay in the fastest memory.
+   column of the strip, the number formed by its k1 cells is kept, with the uppermost cell most
+   significant. Going down a row, this number is multiplied by q, the new cell is added, and the
+   cell that leaves is subtracted with its weight q^k1. The number of a window is formed by its k2
+   columns in base q^k1, with the left column most significant. Going right, it is multiplied by
+   q^k1, the new column is added, and the column that leaves is subtracted with its weight q^(k1
+   k2). So a window costs two cells and two columns, whatever its size, and the columns of a strip
+   stay in the fastest memory.
 
-   The digits come in another order than the reading order: column by column. That is still one to
-   one, and zero is still zero, which is all that matters here. -}
+   The digits are in column order instead of reading order. The numbering is still one to one, and
+   zero is still zero, which is all that matters here. -}
 
 -- | Windows of k1 x k2 cells, no larger than the grid. See Note [Rolling contents].
 sweep :: Visit -> (Int, Int) -> Tile -> MVector s Word64 -> ST s ()

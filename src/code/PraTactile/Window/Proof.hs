@@ -50,7 +50,7 @@ data Verdict = Verdict
     -- | the result by rank; 'Nothing' if the rank does not decide here
     rankDecision :: Maybe Bool,
     -- | the rank of the mask over GF(q); 'Nothing' for a matrix without a polynomial, or on a
-    -- surface that is not its own
+    -- surface that is neither its own nor the sheet
     rank :: Maybe Natural,
     -- | n, the rank that suffices; 'Nothing' as for 'rank'
     needed :: Maybe Natural,

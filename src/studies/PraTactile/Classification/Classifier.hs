@@ -1,5 +1,5 @@
--- | What an image of a symbol shows, by one of several classifiers behind one interface: each has
--- an output a class, from which verdict and probabilities follow alike.
+-- | Classifies an image of a symbol by one of several classifiers with a common interface. Each has
+-- an output for every class. Verdict and probabilities follow from the outputs in the same way.
 module PraTactile.Classification.Classifier
   ( -- * Classifiers
     Method (..),
@@ -39,13 +39,13 @@ import PraTactile.Symmetry
 data Method
   = -- | the reader's network
     ByNetwork
-  | -- | the nearest class mean by correlation
+  | -- | the class mean with the highest correlation
     ByMeans
   | -- | logistic regression on the values of the image
     ByLogistic
   deriving stock (Eq, Ord, Show, Bounded, Enum)
 
--- | The stable name of a classifier.
+-- | The name of a classifier, which stays stable.
 methodName :: Method -> String
 methodName method = case method of
   ByNetwork -> "network"
@@ -56,64 +56,64 @@ methodName method = case method of
 data Classifier = Classifier
   { -- | the output of each class for an upright image, between 0 and 1
     classifierOutputs :: Raster -> Either NetworkError [Double],
-    -- | how sure its estimates are
+    -- | the calibration of its estimates
     classifierCalibration :: Calibration,
     classifierTemplates :: Templates
   }
 
--- | A reader's network, as sure as the reader says.
+-- | A reader's network, with the reader's calibration.
 networkClassifier :: Reader -> Classifier
 networkClassifier reader =
   Classifier (outputs (readerNetwork reader)) (readerCalibration reader) (readerTemplates reader)
 
--- | The nearest of an alphabet's class means, calibrated like its network: what an estimate rests
--- on most is the likeness to the shape, which is the same for every classifier.
+-- | The nearest class mean of an alphabet, with the calibration of the alphabet's network.
+-- Estimates depend mostly on the likeness to the shape, which is the same for every classifier.
 meansClassifier :: Calibration -> Alphabet -> Classifier
 meansClassifier calibration alphabet =
   Classifier (meanOutputs learnt) calibration (templates alphabet)
   where
     learnt = means alphabet
 
--- | Logistic regression, likewise.
+-- | Logistic regression for an alphabet, with the calibration of the alphabet's network.
 logisticClassifier :: Calibration -> Alphabet -> Classifier
 logisticClassifier calibration alphabet =
   Classifier (logisticOutputs learnt) calibration (templates alphabet)
   where
     learnt = logistic alphabet
 
--- | What an image shows.
+-- | The classification of an image.
 data Classification = Classification
   { classifiedVerdict :: !Verdict,
-    -- | the class, and how the symbol is turned: where it is recognised
+    -- | the class and the symbol's orientation, if it is recognised
     classifiedSymbol :: !(Maybe (Int, Symmetry)),
-    -- | the probability of each class, either way up
+    -- | the probability of each class, in either orientation
     classifiedChances :: ![Double],
-    -- | the probability that it is none of them; all add up to 1
+    -- | the probability of no class; all probabilities add up to 1
     classifiedNone :: !Double
   }
   deriving stock (Eq, Show)
 
--- | Whether a symbol is known.
+-- | Whether a symbol is recognised.
 data Verdict
-  = -- | in exactly one of the two orientations
+  = -- | recognised in exactly one of the two orientations
     Recognised
-  | -- | in neither: no output is high enough, or it is likelier another shape
+  | -- | in neither: no output is high enough, or another shape is likelier
     NoSymbol
-  | -- | in both, or two classes are too close to choose
+  | -- | in both, or two classes are too close to choose between
     Undecided
   deriving stock (Eq, Ord, Show, Bounded, Enum)
 
--- | The stable name of a verdict.
+-- | The name of a verdict, which stays stable.
 verdictName :: Verdict -> String
 verdictName verdict = case verdict of
   Recognised -> "recognised"
   NoSymbol -> "none"
   Undecided -> "undecided"
 
--- | What an 8 x 12 image shows that is upright or turned by 180 degrees: the verdict by
--- 'standardThresholds' of the outputs in both orientations, and the probabilities by the
--- classifier's calibration; one of the shapes and another are equally likely beforehand. Refuses
--- what the classifier refuses, and outputs that are not one a shape.
+-- | Classifies an 8 x 12 image that is upright or upside down. The verdict comes from
+-- 'standardThresholds' for the outputs in both orientations, the probabilities from the
+-- classifier's calibration. The prior of other shapes is one half. Refuses what the classifier
+-- refuses, and a wrong number of outputs.
 classified :: Classifier -> Raster -> Either NetworkError Classification
 classified classifier image = do
   upright <- classifierOutputs classifier image
@@ -142,7 +142,7 @@ classified classifier image = do
             none
         )
 
--- | The verdict by those on the image as it is and turned by 180 degrees.
+-- | Combines the verdicts on the image and on the image turned by 180 degrees.
 combined :: Network.Verdict -> Network.Verdict -> (Verdict, Maybe (Int, Symmetry))
 combined upright upsideDown = case (upright, upsideDown) of
   (Network.Recognised _ _, Network.Recognised _ _) -> (Undecided, Nothing)

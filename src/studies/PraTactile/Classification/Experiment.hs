@@ -1,12 +1,12 @@
 -- | The paper's experiment (section IV): a network is trained with clean images, then with noisy
--- ones, then with other clean ones, and tried with images of ever more noise.
+-- ones, then with other clean ones, and tested on images with increasing noise.
 --
--- Of each class there are four clean images, which all stages have; in the paper the first stage
--- had two, and the last one two others ('TwoAndTwo'). The middle stage has images with white noise
--- of standard deviation 0.1, 0.15 and 0.2 beside the clean ones, as the toolbox's guide has it
--- (Demuth and Beale, character recognition), one a deviation: seven images a class. So that it is
--- known what the noise does, and not the stage, each training has two controls: the middle stage
--- with clean copies in the place of noisy images, and no middle stage at all.
+-- Each class has four clean images, which are used in all stages. In the paper the first stage had
+-- two of them, and the last stage the two others ('TwoAndTwo'). The middle stage also has images
+-- with white noise of standard deviation 0.1, 0.15 and 0.2, one for each, as in the toolbox's guide
+-- (Demuth and Beale, character recognition). That makes seven images for each class. To separate
+-- the effect of the noise from that of the stage, each training has two controls: a middle stage
+-- with clean copies instead of noisy images, and no middle stage.
 module PraTactile.Classification.Experiment
   ( -- * Trainings
     Training (..),
@@ -55,19 +55,19 @@ import PraTactile.Random (normals)
 import PraTactile.Steps
 import System.Random (StdGen, mkStdGen, split)
 
--- | A training in three stages, by the error at which each ends.
+-- | A training in three stages, by the error at which each stage ends.
 data Training
-  = -- | the paper's: 0
+  = -- | 0, as in the paper
     Stated
-  | -- | the clean stages end at 0.1, the middle one at 0
+  | -- | 0.1 for the clean stages, 0 for the middle one
     Stopped
   | -- | 0.1, 0.6 and 0.1, as in the toolbox's guide
     Manual
-  | -- | as 'Stopped', with thirty noisy images a deviation in place of one
+  | -- | as 'Stopped', with thirty noisy images instead of one for each standard deviation
     Many
   deriving stock (Eq, Ord, Show, Bounded, Enum)
 
--- | The stable name of a training.
+-- | The name of a training, which stays stable.
 trainingName :: Training -> String
 trainingName training = case training of
   Stated -> "stated"
@@ -75,7 +75,7 @@ trainingName training = case training of
   Manual -> "manual"
   Many -> "many"
 
--- | The goals of its clean stages and of the middle one.
+-- | The error goals of its clean stages and of its middle stage.
 stageGoals :: Training -> (Double, Double)
 stageGoals training = case training of
   Stated -> (0, 0)
@@ -83,11 +83,11 @@ stageGoals training = case training of
   Manual -> (0.1, 0.6)
   Many -> (0.1, 0)
 
--- | How many noisy images of a class it has for each deviation.
+-- | The number of noisy images of a class for each standard deviation.
 noisyCopies :: Training -> Int
 noisyCopies training = if training == Many then 30 else 1
 
--- | What the middle stage has beside the images of the first.
+-- | The images that the middle stage has in addition to the first stage's.
 data Middle
   = Noisy
   | -- | the same images without their noise
@@ -96,35 +96,37 @@ data Middle
     NoMiddle
   deriving stock (Eq, Ord, Show, Bounded, Enum)
 
--- | The stable name of what the middle stage has.
+-- | The name of a kind of middle stage, which stays stable.
 middleName :: Middle -> String
 middleName middle = case middle of
   Noisy -> "noisy"
   CleanCopies -> "clean"
   NoMiddle -> "none"
 
--- | What stages have in common.
+-- | The conditions that all stages share.
 data Conditions = Conditions
   { conditionBegin :: Begin,
-    -- | of each stage, but for its goal
+    -- | the descent of each stage, whose goal is replaced
     conditionDescent :: Descent,
     conditionSharing :: Sharing
   }
   deriving stock (Eq, Show)
 
--- | Which of the four clean images of a class a stage has.
+-- | The clean images of a class that each stage has.
 data Sharing
-  = -- | each stage all four
+  = -- | all four in each stage
     AllInEach
-  | -- | the first stage two, the middle one the same twice, the last one the others
+  | -- | two in the first stage, the same twice in the middle stage, the others in the last stage
     TwoAndTwo
   deriving stock (Eq, Show)
 
--- | How the first weights are drawn.
+-- | How the initial weights are drawn.
 data Begin
-  = -- | by Nguyen and Widrow for inputs from 0 to 1; the output layer's times a factor
+  = -- | by Nguyen and Widrow for inputs from 0 to 1; the output layer's weights are multiplied by
+    -- the number
     ForUnitRanges Double
-  | -- | the same for the ranges that the images of the first stage have
+  | -- | by Nguyen and Widrow for the ranges of the first stage's images; the output layer's weights
+    -- are multiplied by the number
     ForRangesOfImages Double
   | -- | uniform from -0.1 to 0.1
     Uniformly
@@ -135,35 +137,36 @@ data Begin
 standardConditions :: Conditions
 standardConditions = Conditions (ForUnitRanges 1) toolboxDescent AllInEach
 
--- | The hidden units of a network for so many classes: two a class, but no fewer than the paper's
--- eight.
+-- | The number of hidden units of a network for this number of classes: two for each class, but at
+-- least the paper's eight.
 hiddenFor :: Int -> Int
 hiddenFor classes = max 8 (2 * classes)
 
 -- | Clean images with their classes.
 data Material = Material
-  { -- | two a class
+  { -- | two for each class
     materialFirst :: [(Raster, Int)],
-    -- | two others a class
+    -- | two others for each class
     materialLast :: [(Raster, Int)]
   }
 
--- | A network and how it came about: its stages, by number, as they were gone through.
+-- | A trained network, and its completed stages by number.
 data Run = Run
   { runNetwork :: Network,
     runStages :: [(Int, Trace)]
   }
 
--- | A training for so many classes, from a seed. The three kinds of middle share their first
--- weights and their first stage, which is done once where this is given its first five arguments
--- alone; and trainings of one seed share their noise. Refuses what 'batch' and 'train' refuse.
+-- | Trains a network for this number of classes from a seed. The three kinds of middle stage share
+-- their initial weights and their first stage; it is computed once if the first five arguments are
+-- applied alone. Trainings with one seed share their noise. Refuses what 'batch' and 'train'
+-- refuse.
 trainedBy ::
   Conditions -> Training -> Int -> Material -> Int -> Middle -> Either NetworkError Run
 trainedBy conditions training classes material seed = result . steps
   where
     steps = trainedBySteps conditions training classes material seed
 
--- | The steps of 'trainedBy', an epoch each.
+-- | The steps of 'trainedBy', one for each epoch.
 trainedBySteps ::
   Conditions ->
   Training ->
@@ -205,7 +208,8 @@ trainedBySteps conditions training classes material seed = \middle ->
       Steps s (Either e a) -> (a -> Steps s (Either e b)) -> Steps s (Either e b)
     onwards steps next = steps >>= either (Done . Left) next
 
--- | What such a training takes for so many classes, where no stage ends before its last epoch.
+-- | The time and memory of a training for this number of classes, if every stage runs to its last
+-- epoch.
 trainingDemand :: Conditions -> Training -> Middle -> Int -> Demand
 trainingDemand conditions training middle classes =
   demandOf
@@ -217,14 +221,14 @@ trainingDemand conditions training middle classes =
   where
     clean = if conditionSharing conditions == TwoAndTwo then 2 else 4
 
--- | About how many bytes images to try networks with take, of so many classes and as many clean
--- images of each.
+-- | The approximate size in bytes of the test images, for this number of classes with this number
+-- of clean images each.
 testBytes :: Int -> Int -> Integer
 testBytes classes each =
   8 * toInteger (length noiseLevels * inputCount) * toInteger classes * toInteger each
 
--- | The images of the middle stage: noisy ones of those given first, or copies, beside those given
--- second; none where there is no such stage.
+-- | The images of the middle stage: the fourth argument, and noisy images or copies of the third;
+-- none if there is no middle stage.
 middleImages ::
   Training -> Middle -> [(Raster, Int)] -> [(Raster, Int)] -> StdGen -> [(Raster, Int)]
 middleImages training middle clean beside g = case middle of
@@ -235,7 +239,7 @@ middleImages training middle clean beside g = case middle of
     noisy = snd (mapAccumL corrupt g chosen)
     corrupt h ((image, c), deviation) =
       let (spoilt, h') = withWhiteNoise deviation image h in (h', (spoilt, c))
-    -- Of each class its images in turn.
+    -- The images of each class in turn.
     chosen =
       [ (image, deviation)
         | deviation <- [0.1, 0.15, 0.2],
@@ -244,7 +248,7 @@ middleImages training middle clean beside g = case middle of
       ]
     classesOf images = [c | c <- [0 .. maximum (-1 : map snd images)], c `elem` map snd images]
 
--- | The image with white noise of that standard deviation, not clipped.
+-- | The image plus white noise of this standard deviation, not clipped.
 withWhiteNoise :: Double -> Raster -> StdGen -> (Raster, StdGen)
 withWhiteNoise deviation image g = (generate wide (rasterHeight image) noisy, g')
   where
@@ -254,20 +258,20 @@ withWhiteNoise deviation image g = (generate wide (rasterHeight image) noisy, g'
     spoilt = V.zipWith (\v e -> v + deviation * e) values noise
     noisy x y = fromMaybe 0 (spoilt V.!? (y * wide + x))
 
--- | All of some images with noise of that standard deviation, from a seed.
+-- | Adds white noise of this standard deviation to all images, from a seed.
 allWithNoise :: Double -> Int -> [(Raster, a)] -> [(Raster, a)]
 allWithNoise deviation seed = snd . mapAccumL spoil (snd (split (mkStdGen seed)))
   where
     spoil g (image, a) = let (it, g') = withWhiteNoise deviation image g in (g', (it, a))
 
--- | The standard deviations of the noise that networks are tried with: 0 to 0.5 in steps of 0.05.
+-- | The standard deviations of the noise in tests: 0 to 0.5 in steps of 0.05.
 noiseLevels :: [Double]
 noiseLevels = map (/ 20) [0 .. 10]
 
--- | Images to be told apart: for each noise level, for each class, an image a column.
+-- | Test images: for each noise level and each class, a matrix with one image in each column.
 newtype TestImages = TestImages [[Matrix Double]]
 
--- | Clean images of so many classes at each noise level, from a seed.
+-- | The clean images of this number of classes, with each level of noise, from a seed.
 testImages :: Int -> [(Raster, Int)] -> Int -> TestImages
 testImages classes clean seed =
   TestImages (snd (mapAccumL level (snd (split (mkStdGen seed))) noiseLevels))
@@ -278,8 +282,8 @@ testImages classes clean seed =
       let (spoilt, g') = withWhiteNoise deviation image g in (g', rasterValues spoilt)
     of' c = [image | (image, c') <- clean, c' == c]
 
--- | For each noise level, for each class: of how many images another output is the greatest, and of
--- how many in all.
+-- | For each noise level and each class: the number of images for which another output is the
+-- greatest, and the number of images.
 wrongOf :: Network -> TestImages -> [[(Int, Int)]]
 wrongOf n (TestImages byLevel) = map (zipWith ofClass [0 ..]) byLevel
   where

@@ -1,10 +1,10 @@
 -- | Logistic regression on the values of an image, for comparison with the network: a network
 -- without a hidden layer.
 --
--- The output of class k for an image x, with a last value of 1, is y_k = 1 / (1 + exp (-w_k x)).
--- The weights minimise the sum over images and classes of -log of the probability that y gives to
--- whether the image is of the class, and half the sum of all squared weights; images of no class
--- are of none. The gradient is (y_k - t_k) x, summed over images, and w_k.
+-- The output of class k for an image x, extended by the value 1, is y_k = 1 / (1 + exp (-w_k x)).
+-- The weights minimise an objective: half the sum of all squared weights, plus the sum over images
+-- and classes of -log of the probability that y gives to the true membership. An image of another
+-- shape belongs to no class. The gradient is the sum over images of (y_k - t_k) x, plus w_k.
 module PraTactile.Classification.Logistic
   ( Logistic,
     logistic,
@@ -23,22 +23,22 @@ import PraTactile.Image (Raster, rasterHeight, rasterSize, rasterValues, rasterW
 import PraTactile.Shape
 import Prelude hiding ((<>))
 
--- | A row of weights a class, the last of each for the 1.
+-- | One row of weights for each class; the last weight is for the constant 1.
 newtype Logistic = Logistic (Matrix Double)
 
--- | The regression of an alphabet's classes on 'learningImages'. About a second.
+-- | The regression of an alphabet's classes on 'learningImages'. It takes about a second.
 logistic :: Alphabet -> Logistic
 logistic alphabetOfAll = logisticOf (alphabetSize alphabetOfAll) (learningImages alphabetOfAll)
 
--- | That of so many classes on images with their classes, if they have one: 300 epochs of
--- 'descend' from weights of 0.
+-- | The regression of this number of classes on labelled images, of which some belong to no class:
+-- 300 epochs of 'descend' from weights of 0.
 logisticOf :: Int -> [(Raster, Maybe Int)] -> Logistic
 logisticOf classes labelled = Logistic (reshape inputs (epochPoint (lastEpoch run)))
   where
     run = descend rule (logisticObjective classes labelled) (V.replicate (classes * inputs) 0)
     rule = toolboxDescent {initialRate = 0.0001, momentum = 0.9, epochs = 300}
 
--- | What is minimised, and its gradient, by the weights row by row.
+-- | The objective and its gradient, for the weights row by row.
 logisticObjective :: Int -> [(Raster, Maybe Int)] -> Objective
 logisticObjective classes labelled w =
   ( V.sum (V.zipWith loss targets sums) + V.sum (V.map (^ (2 :: Int)) w) / 2,
@@ -53,14 +53,14 @@ logisticObjective classes labelled w =
         )
     sums = flatten (seen <> tr' (reshape inputs w))
     off = V.zipWith (\s t -> sigmoid s - t) sums targets
-    -- log (1 + e^s) - t s, whatever the size of s.
+    -- log (1 + e^s) - t s, computed without overflow.
     loss t s = max 0 s + log (1 + exp (negate (abs s))) - t * s
 
 inputs :: Int
 inputs = symbolWidth * symbolHeight + 1
 
 -- | The outputs of the classes for an 8 x 12 image, each between 0 and 1. Refuses an image of
--- another size, and one with values that are not finite.
+-- another size, and values that are not finite.
 logisticOutputs :: Logistic -> Raster -> Either NetworkError [Double]
 logisticOutputs (Logistic w) image
   | rasterSize image /= (symbolWidth, symbolHeight) =

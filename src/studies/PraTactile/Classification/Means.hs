@@ -2,9 +2,9 @@
 -- that learns from images.
 --
 -- Let m_k be the mean of the images of class k, and r_k the correlation coefficient of an image
--- with it. The output of class k is 1 / (1 + exp (-(a r_k + b))), where a and b maximise the
--- likelihood over all images and classes that the image is of the class (Platt 1999); images of no
--- class count as of none.
+-- with m_k. The output of class k is 1 / (1 + exp (-(a r_k + b))). Here a and b maximise the
+-- likelihood of all images' memberships in all classes (Platt 1999). An image of another shape
+-- belongs to no class.
 module PraTactile.Classification.Means
   ( Means,
     means,
@@ -22,14 +22,14 @@ import PraTactile.Image (Raster, rasterHeight, rasterSize, rasterValues, rasterW
 import PraTactile.Shape
 import System.Random (mkStdGen)
 
--- | The class means, each less its own mean and of length 1, and a and b.
+-- | The class means, with mean subtracted and length 1, and a and b.
 data Means = Means ![V.Vector Double] !Double !Double
 
 -- | The means of an alphabet's classes over 'learningImages'.
 means :: Alphabet -> Means
 means alphabetOfAll = meansOf (alphabetSize alphabetOfAll) (learningImages alphabetOfAll)
 
--- | What classifiers beside the network learn from: a fifth as many images as a round of
+-- | The training images of the classifiers other than the network: a fifth as many as a round of
 -- 'shippedRegimen' has, half of them with noise of 0.15, from the seed of the shipped networks.
 learningImages :: Alphabet -> [(Raster, Maybe Int)]
 learningImages alphabetOfAll = fst (roundImages makeup [0, 0.15] alphabetOfAll g)
@@ -37,7 +37,7 @@ learningImages alphabetOfAll = fst (roundImages makeup [0, 0.15] alphabetOfAll g
     makeup = [(kind, max 1 (count `div` 5)) | (kind, count) <- composition shippedRegimen]
     g = mkStdGen shippedSeed
 
--- | The means of so many classes over images with their classes, if they have one.
+-- | The means of this number of classes over labelled images, of which some belong to no class.
 meansOf :: Int -> [(Raster, Maybe Int)] -> Means
 meansOf classes labelled = Means centres a b
   where
@@ -53,7 +53,7 @@ meansOf classes labelled = Means centres a b
         ]
 
 -- | The outputs of the classes for an 8 x 12 image, each between 0 and 1. Refuses an image of
--- another size, and one with values that are not finite.
+-- another size, and values that are not finite.
 meanOutputs :: Means -> Raster -> Either NetworkError [Double]
 meanOutputs (Means centres a b) image
   | rasterSize image /= (symbolWidth, symbolHeight) =
@@ -67,7 +67,7 @@ meanOutputs (Means centres a b) image
 correlation :: V.Vector Double -> V.Vector Double -> Double
 correlation m seen = V.sum (V.zipWith (*) m seen)
 
--- | Less the mean, and of length 1; zero where all values are the same.
+-- | The values minus their mean, scaled to length 1; zero if all values are equal.
 standardised :: V.Vector Double -> V.Vector Double
 standardised values = if size > 0 then V.map (/ size) centred else centred
   where
@@ -75,8 +75,8 @@ standardised values = if size > 0 then V.map (/ size) centred else centred
     centred = V.map (subtract average) values
     size = sqrt (V.sum (V.map (^ (2 :: Int)) centred))
 
--- | The a and b of greatest likelihood: a logistic regression is a choice between what an image is
--- not, of which all is 0, and what it is. Without a prior, its means are where the search begins.
+-- | The maximum likelihood a and b, by a logistic regression between two choices: not of the class,
+-- with score 0, and of the class. There is no prior; its means only give the starting point.
 platt :: [(Double, Bool)] -> (Double, Double)
 platt cases = case V.toList found of
   [a, b] -> (a, b)

@@ -1,15 +1,15 @@
--- | What befalls the cells of a patch before it is located.
+-- | The damage to the cells of a patch before it is located.
 module PraTactile.Rates.Damage
   ( Damage (..),
   )
 where
 
--- | What befalls each cell, independently.
+-- | The damage to each cell, independently.
 data Damage = Damage
-  { -- | The probability that the likeliest symbol of an observed cell is wrong: at least 0 and less
-    -- than 1 - 1/q.
+  { -- | The probability that the likeliest symbol of an observed cell is wrong: at least 0 and
+    -- below 1 - 1/q.
     damageErrors :: !Double,
-    -- | The probability that a cell is not observed: at least 0 and less than 1.
+    -- | The probability that a cell is not observed: at least 0 and below 1.
     damageErasures :: !Double
   }
   deriving stock (Eq, Show)

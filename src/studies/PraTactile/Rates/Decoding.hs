@@ -1,11 +1,12 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_GHC -O2 #-}
 
--- | What decoding makes of a trial: what 'PraTactile.Locate.locate' answers, found by comparing
--- machine words, for exactly the figures that are counted. The tests compare the two.
+-- | Decodes trials fast. The result contains only the figures that are counted, computed by
+-- comparing machine words, and agrees with 'PraTactile.Locate.locate'. The tests compare the two.
 --
--- A table of rates takes millions of trials. By 'PraTactile.Locate.locate', which makes a patch of
--- each, the patches from 2 x 2 to 5 x 5 cells of the default table take four times as long.
+-- A table of rates takes millions of trials. With 'PraTactile.Locate.locate', which makes a patch
+-- of each trial, the patches from 2 x 2 to 5 x 5 cells of the default table take four times as
+-- long.
 module PraTactile.Rates.Decoding
   ( TrialResult (..),
     HardAnswer (..),
@@ -20,29 +21,29 @@ import PraTactile.Locate (Radius (..), guaranteedRadius)
 import PraTactile.Rates.Setup
 import PraTactile.Rates.Trial
 
--- | What decoding makes of a trial.
+-- | The result of decoding a trial.
 data TrialResult = TrialResult
-  { -- | By hard decoding: of the likeliest symbols, to the radius stated.
+  { -- | By hard decoding of the likeliest symbols, to the stated radius.
     resultHard :: !HardAnswer,
     -- | By soft decoding: whether the likeliest position is the true one.
     resultLikeliest :: !Bool,
-    -- | The probability that it is another one.
+    -- | The probability that another position is the true one.
     resultDoubt :: !Double
   }
   deriving stock (Eq, Show)
 
--- | An answer of hard decoding beside the truth.
+-- | An answer of hard decoding compared with the truth.
 data HardAnswer = Correct | Mistaken | NoAnswer
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | Decodes the likeliest symbols, to this radius, and the probabilities of a trial.
+-- | Decodes a trial's likeliest symbols, to this radius, and its probabilities.
 decodeTrial :: Radius -> TrialSetup k -> Trial -> TrialResult
 decodeTrial radius setup trial =
   TrialResult (hardAnswer radius setup trial) (best == trialPosition trial) doubt
   where
     (best, doubt) = likeliestPosition setup trial
 
--- | Hard decoding: the only nearest position, if it is within the radius.
+-- | Hard decoding: the unique nearest position, if it is within the radius.
 hardAnswer :: Radius -> TrialSetup k -> Trial -> HardAnswer
 hardAnswer radius setup trial
   | observed == 0 || nearestTies found > 1 || nearestErrors found > farthest = NoAnswer
@@ -55,11 +56,11 @@ hardAnswer radius setup trial
       Guaranteed -> fromIntegral (guaranteedRadius (fromIntegral (leastWeight found)))
       UpTo e -> fromIntegral (min e (fromIntegral (setupCells setup)))
 
--- | The nearest position, by its index.
+-- | The nearest position.
 data Nearest = Nearest
-  { -- | In how many observed cells it differs.
+  { -- | The number of observed cells in which it differs.
     nearestErrors :: !Int,
-    -- | How many positions differ in as few.
+    -- | The number of positions that differ in as few cells.
     nearestTies :: !Int,
     nearestIndex :: !Int,
     -- | The least weight of any position's content in the observed cells.
@@ -94,14 +95,13 @@ nearestPosition setup trial = go 0 maxBound 0 0 maxBound
     supported !from !l !total
       | l == limbs = total
       | otherwise = supported from (l + 1) (total + popCount (supportAt (from + l) .&. seenAt l))
-    -- All indices are below the positions, times the limbs, times the planes.
+    -- All indices are below positions * limbs * planes.
     seenAt = Primitive.unsafeIndex (trialSeen trial)
     digitAt = Primitive.unsafeIndex (setupDigits setup)
     symbolAt = Primitive.unsafeIndex (trialSymbols trial)
     supportAt = Primitive.unsafeIndex (setupSupports setup)
 
--- | Soft decoding: the index of the first of the likeliest positions, and the probability that it
--- is another one.
+-- | Soft decoding: the index of the first likeliest position, and the probability of all others.
 likeliestPosition :: TrialSetup k -> Trial -> (Int, Double)
 likeliestPosition setup trial = (best, others / (1 + others))
   where
@@ -116,7 +116,7 @@ likeliestPosition setup trial = (best, others / (1 + others))
     contentsAt i = fromIntegral (Primitive.unsafeIndex (setupContents setup) i)
     best = Primitive.maxIndex totals
     highest = Primitive.unsafeIndex totals best
-    -- How many times as likely as the best one all others together are.
+    -- The total probability of all others relative to the best.
     others = beside 0 0
     beside :: Int -> Double -> Double
     beside !i !total
@@ -125,5 +125,5 @@ likeliestPosition setup trial = (best, others / (1 + others))
       | otherwise = beside (i + 1) (total + exp x)
       where
         x = Primitive.unsafeIndex totals i - highest
-    -- All such together are below 1e-28, and doubts below 1e-20 are counted alike.
+    -- Together these terms are below 1e-28, and doubts below 1e-20 are not distinguished.
     negligible = -80

@@ -1,4 +1,4 @@
--- | The rates of hard decoding without chance, from the array itself.
+-- | The exact rates of hard decoding, computed from the array.
 module PraTactile.Rates.Exact
   ( exactRates,
   )
@@ -23,11 +23,13 @@ import PraTactile.Rates.Formulas
 import PraTactile.Window
 import PraTactile.Window.Distance
 
--- | The rates of decoding the cells of this mask, to the radius of those observed, or to a stated
--- one. Applied to a locator and a mask, it can be kept for many kinds of damage: what takes time,
--- seconds for 25 cells, is done once. 'Nothing' where it would take too long: for codes beyond
--- 'largestSearch' words or 'mostCells' cells, and with erasures beyond what 'punctured' takes; and
--- where a stated radius is more than is guaranteed, or some cells are missing.
+-- | The rates of decoding the cells of this mask, to the guaranteed radius of the observed ones or
+-- to a stated radius. Apply it to a locator and a mask once, and then to many kinds of damage: the
+-- slow part, seconds for 25 cells, is done once.
+--
+-- 'Nothing' if it would take too long: for codes of more than 'largestSearch' words or 'mostCells'
+-- cells, and with erasures beyond what 'punctured' accepts. Also 'Nothing' for a stated radius that
+-- exceeds the guaranteed one, or with missing cells.
 exactRates :: KnownField k => Radius -> Locator k -> Mask -> Damage -> Maybe Rates
 exactRates stated theLocator mask = \damage -> do
   guard (fromIntegral n <= mostCells)
@@ -47,7 +49,7 @@ exactRates stated theLocator mask = \damage -> do
       Guaranteed -> fromIntegral (guaranteedRadius windowDistance)
       UpTo e -> fromIntegral e
     whole = either (const Nothing) Just (weightEnumerator array mask)
-    -- The words are not even made where there are too many.
+    -- If there are too many words, they are not even computed.
     holed = do
       guard (n <= mostErasedCells && 2 ^ n * area (arrayShape array) <= mostErasedWork)
       punctured n (map support contents)

@@ -1,14 +1,14 @@
--- | How often decoding to the guaranteed radius is right, wrong and refused, from the weights of a
--- code, when each observed cell is wrong with the same probability, every wrong symbol being
--- equally likely. With A(w) words of weight w and P(w) the probability that an error takes a word
--- within the radius t of a given word w cells away,
+-- | How often decoding to the guaranteed radius is right, wrong or refused, from the weights of a
+-- code. Each observed cell is wrong with the same probability, and every wrong symbol is equally
+-- probable. Let A(w) be the number of words with weight w. Let P(w) be the probability that an
+-- error takes a word within the radius t of a given word that differs in w cells. Then
 --
 -- > right = sum_(e <= t) C(n, e) p^e (1 - p)^(n - e)
 -- > wrong + refused as zero = sum_(w > 0) A(w) P(w)
 --
--- (F. J. MacWilliams and N. J. A. Sloane 1977, chapter 16). A window is any of the words but zero,
--- all equally often, so that of the other words that an error can lead to, one in (number of
--- windows) is zero, which is refused.
+-- (F. J. MacWilliams and N. J. A. Sloane 1977, chapter 16). Windows are the nonzero words, with
+-- equal frequency. So among the other words that an error can lead to, one in (number of windows)
+-- is zero, which is refused.
 module PraTactile.Rates.Formulas
   ( -- * Rates
     Rates (..),
@@ -37,26 +37,26 @@ data Rates = Rates
   }
   deriving stock (Eq, Show)
 
--- | 1000: the most cells of a word for which all numbers here stay within a double's range.
+-- | The most cells of a word for which all numbers here stay within the range of a Double, 1000.
 mostCells :: Natural
 mostCells = 1000
 
--- | Words that are decoded to a radius: q, n, t and p of the formulas.
+-- | The parameters q, n, t and p of the formulas.
 data BoundedDistance = BoundedDistance
   { -- | q, the number of symbols
     boundedSymbols :: !Int,
-    -- | n, of how many observed cells a word is: at most 'mostCells'
+    -- | n, the number of observed cells in a word, at most 'mostCells'
     boundedCells :: !Int,
-    -- | t, how many wrong cells are corrected
+    -- | t, the number of wrong cells that are corrected
     boundedRadius :: !Int,
-    -- | p, how probable it is of each cell that it is wrong
+    -- | p, the probability that a cell is wrong
     boundedErrors :: !Double
   }
   deriving stock (Eq, Show)
 
--- | The rates given the number of words of each weight, zero among them. The radius must be a
--- guaranteed one (2 t less than the least weight, or 0), and every word but zero one position, as
--- where the cells have rank n.
+-- | The rates, given the number of words of each weight, including zero. The radius must be
+-- guaranteed: 2 t is less than the least weight, or t is 0. Every nonzero word must be one
+-- position, as when the cells have rank n.
 decodingRates :: BoundedDistance -> Map Natural Natural -> Rates
 decodingRates decoding weights =
   radiusRates
@@ -66,21 +66,22 @@ decodingRates decoding weights =
     others = [(fromIntegral w, k) | (w, k) <- Map.toList weights, w > 0]
     windows = fromIntegral (sum (Map.elems weights))
 
--- | Of all that an error can lead to, the part that is a position, given the number of these.
+-- | The share that are positions among the words that an error can lead to, given the number of
+-- positions.
 misled :: Double -> [Double] -> Double
 misled positions reached = sum reached * (1 - 1 / positions)
 
--- | The rates given how often an answer is wrong. What is refused is added up by itself, as the
--- difference of 1 and the others would lose it where it is small.
+-- | The rates, given the rate of wrong answers. Refusals are summed directly, because 1 minus the
+-- others would lose small values.
 radiusRates :: BoundedDistance -> Double -> Rates
 radiusRates (BoundedDistance _ n t p) wrong = Rates (upTo t) wrong (max 0 (beyond - wrong))
   where
     upTo k = sum [binomialProbability n p e | e <- [0 .. k]]
     beyond = sum [binomialProbability n p e | e <- [t + 1 .. n]]
 
--- | The probability that an error on n cells ends within t of one given word that differs in w of
--- them. It stays away from it by those of these w cells that do not turn into just
--- this word's symbols, and by those of the others that are wrong.
+-- | The probability that an error on n cells ends within t of a given word that differs in w of
+-- them. The remaining distance consists of those of these w cells that do not change to this word's
+-- symbols, and of those other cells that are wrong.
 reachProbability :: BoundedDistance -> Int -> Double
 reachProbability (BoundedDistance q n t p) w =
   sum
@@ -91,9 +92,9 @@ reachProbability (BoundedDistance q n t p) w =
   where
     hit = p / fromIntegral (q - 1)
 
--- | That of n independent events of probability p, k happen. A power of p may be less than any
--- double where the whole is not: so powers are taken of significands, which leaves 2^-n at least,
--- and the exponents are added last.
+-- | The probability that k of n independent events of probability p happen. A power of p may
+-- underflow where the result does not. So powers are taken of significands, which leaves at least
+-- 2^-n, and the exponents are added last.
 binomialProbability :: Int -> Double -> Int -> Double
 binomialProbability n p k =
   scaleFloat
@@ -102,17 +103,18 @@ binomialProbability n p k =
   where
     choices = product [toInteger (n - k + 1) .. toInteger n] `div` product [1 .. toInteger k]
 
--- | How far words with erasures are decoded.
+-- | The radius to which words with erasures are decoded.
 data ErasureRule
-  = -- | To the radius of the cells that were observed.
+  = -- | The guaranteed radius of the observed cells.
     ByObserved
-  | -- | To what the whole window promises: with distance d and s erasures, all e with 2 e + s < d.
+  | -- | The radius that the whole window guarantees: with distance d and s erasures, all e with 2 e
+    -- + s < d.
     ByWindow
   deriving stock (Eq, Show, Enum, Bounded)
 
--- | @erasedRates rule q code damage@: as 'decodingRates' when cells are also missing, each with the
--- probability that the damage has. Observed cells that are alike at two positions are refused, but
--- for zeros that occur at one position only.
+-- | @erasedRates rule q code damage@ gives the rates when cells are also missing, each with the
+-- damage's probability. Observed cells that are equal at two positions are refused, except zeros
+-- that occur at only one position.
 erasedRates :: ErasureRule -> Int -> Punctured -> Damage -> Rates
 erasedRates rule q code (Damage p s) = Rates (total rateRight) (total rateWrong) (total rateRefused)
   where
@@ -125,15 +127,15 @@ erasedRates rule q code (Damage p s) = Rates (total rateRight) (total rateWrong)
     positions = fromIntegral (puncturedWords code)
     classRates c = case radiusOf c of
       Just t -> radiusRates (to t) (misled positions (reached t))
-      -- Only zeros are an answer, in which a word of weight w ends with the probability of reaching
-      -- a word as far away.
+      -- Only zeros are an answer. A word of weight w becomes zero with the probability of reaching
+      -- a word that differs in w cells.
       Nothing | classLoneZero c && m > 0 -> case splitAt 1 (reached 0) of
         (lone, others) -> certain (sum lone / positions) (sum others / positions)
       Nothing -> Rates 0 0 1
       where
         m = classCells c
         to t = BoundedDistance q m t p
-        -- Of one set, on the average over those of the class.
+        -- The average for one set over the sets of the class.
         reached t =
           [ reachProbability (to t) w * fromIntegral k / fromIntegral (classSets c)
             | (w, k) <- classWeights c

@@ -1,8 +1,8 @@
--- | Readings of a cell with a stated error rate and exact probabilities. A cell is read as q
--- numbers, one for each symbol: the true symbol's is 1 and the others' are 0, plus independent
--- normal noise of standard deviation sigma. The likeliest symbol is that of the largest number; it
--- is wrong with a probability that sigma sets, and then any of the others alike. Given the numbers
--- y, the symbol b has a probability proportional to exp(y(b) / sigma^2), by Bayes' theorem.
+-- | A model of readings with a stated error rate and exact probabilities. A cell is read as q
+-- numbers, one for each symbol: 1 for the true symbol and 0 for the others, plus independent normal
+-- noise of standard deviation sigma. The likeliest symbol has the largest number. It is wrong with
+-- a probability that depends on sigma, and then is any other symbol with equal probability. Given
+-- the numbers y, symbol b has a probability proportional to exp(y(b) / sigma^2), by Bayes' theorem.
 module PraTactile.Rates.Noise
   ( errorRate,
     noiseFor,
@@ -11,9 +11,9 @@ where
 
 import PraTactile.Probability
 
--- | The probability that the largest of q numbers is not the true symbol's, with noise of this
--- standard deviation: 1 less the integral of phi(x) Phi(x + 1/sigma)^(q - 1), by the trapezoidal
--- rule, which for such integrands is exact to many digits.
+-- | The probability that the largest of q numbers is not the true symbol's, for noise of this
+-- standard deviation: 1 minus the integral of phi(x) Phi(x + 1/sigma)^(q - 1). The trapezoidal rule
+-- is exact to many digits for such integrands.
 errorRate :: Int -> Double -> Double
 errorRate q sigma =
   sum (map (\x -> step * normalDensity x * (1 - reached x ^ (q - 1))) points)
@@ -22,9 +22,9 @@ errorRate q sigma =
     step = 0.025
     points = map ((* step) . fromIntegral) [-360 .. 360 :: Int]
 
--- | The noise, as a standard deviation, with which symbols are wrong with this probability, which
--- is at least 0 and less than 1 - 1/q: by bisection. For 0 it is the least that is tried, 0.01,
--- where an error is one of 70 standard deviations.
+-- | The standard deviation of the noise for which symbols are wrong with this probability, by
+-- bisection. The probability must be at least 0 and below 1 - 1/q. For 0 the result is the smallest
+-- that is tried, 0.01, where an error is 70 standard deviations away.
 noiseFor :: Int -> Double -> Double
 noiseFor q wanted = go (80 :: Int) 0.01 1e6
   where

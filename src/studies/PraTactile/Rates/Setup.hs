@@ -1,5 +1,5 @@
--- | Where simulated patches are read: an array with the patches' shape, and the patch at every
--- position in the forms in which patches are compared fast.
+-- | The setup of simulated readings: an array, the patches' shape, and the patch at every position
+-- in forms that are fast to compare.
 module PraTactile.Rates.Setup
   ( TrialSetup,
     trialSetup,
@@ -35,7 +35,7 @@ import PraTactile.Field
 import PraTactile.Grid (Grid, codeAt, displaced)
 import PraTactile.Locate (LocateError (..), largestSearchedArray)
 
--- | An array with the shape of the patches that are read of it, prepared for many trials.
+-- | An array with the shape of the patches that are read from it, prepared for many trials.
 data TrialSetup (k :: Field) = TrialSetup
   { -- | The array on its surface.
     setupArray :: !(ArrayOn k),
@@ -43,40 +43,40 @@ data TrialSetup (k :: Field) = TrialSetup
     setupShape :: !Shape,
     -- | The cells of a patch.
     setupCells :: !Int,
-    -- | The positions, each of which has an index, row by row.
+    -- | The number of positions. Positions have indices row by row.
     setupPositions :: !Int,
-    -- | For each position and each cell j of a patch there: its code, plus j q.
+    -- | For each position and each cell j of the patch there: the cell's code plus j q.
     setupContents :: !(Vector Int32),
-    -- | How many machine words hold a bit for each cell: a limb for every 64 cells.
+    -- | The number of limbs: machine words with one bit for each cell, 64 cells in each.
     setupLimbs :: !Int,
-    -- | How many binary digits a code has.
+    -- | The number of binary digits of a code.
     setupPlanes :: !Int,
-    -- | For each position, limb and binary digit of the codes: the digits of the cells.
+    -- | For each position, limb and binary digit of the codes: that digit of the limb's cells.
     setupDigits :: !(Vector Word64),
-    -- | For each position and limb: which cells are not zero.
+    -- | For each position and limb: the cells that are nonzero.
     setupSupports :: !(Vector Word64)
   }
 
 type role TrialSetup nominal
 
--- | Why there are no trials.
+-- | Why trials are impossible.
 data SetupError
-  = -- | The sheet, on which a patch can stick out.
+  = -- | The surface is the sheet, beyond which a patch can reach.
     SetupOnSheet
-  | -- | The array is too large for patches to be compared with all of it.
+  | -- | The array is too large to compare a patch with all of it.
     SetupArray LocateError
-  | -- | Patches without cells.
+  | -- | The patches have no cells.
     SetupEmpty
-  | -- | The patches at all positions together have this many cells, more than the second number.
+  | -- | The patches at all positions together have the first number of cells, more than the second.
     SetupTooLarge Natural Natural
   deriving stock (Eq, Show)
 
--- | 2^25: the most cells that the patches at all positions together may have.
+-- | The most cells that the patches at all positions together may have, 2^25.
 largestSetup :: Natural
 largestSetup = 2 ^ (25 :: Int)
 
--- | Patches of this shape on an array that has no edges. A patch larger than the array reads some
--- cells again.
+-- | Prepares patches of this shape on an array without edges. A patch larger than the array reads
+-- some cells twice.
 trialSetup :: forall k. KnownField k => ArrayOn k -> Shape -> Either SetupError (TrialSetup k)
 trialSetup on@(ArrayOn surface array) shape
   | surface == Sheet = Left SetupOnSheet
@@ -121,15 +121,15 @@ contentAt (ArrayOn surface array) grid shape position =
   map (codeOf . displacedFrom) (shapeCells shape)
   where
     displacedFrom = displaced surface (arrayShape array) position
-    -- On a torus every place is a cell.
+    -- On a torus every position is a cell.
     codeOf place = maybe 0 fromIntegral (place >>= codeAt grid)
 
--- | How many machine words hold this many bits.
+-- | The number of machine words for this many bits.
 limbsFor :: Int -> Int
 limbsFor n = (n + 63) `div` 64
 
--- | Of patches of n cells, one after the other: for the limb with this index, the cells whose code
--- satisfies the condition.
+-- | The limb with this index, over patches of n cells one after the other: the bits of cells whose
+-- code satisfies the condition.
 limbOf :: (Int32 -> Bool) -> Int -> Vector Int32 -> Int -> Word64
 limbOf holds n contents i =
   foldl'

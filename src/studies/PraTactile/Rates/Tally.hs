@@ -1,4 +1,4 @@
--- | Counts of simulated trials, and the rates they are.
+-- | Counts of simulated trials, and rates from them.
 module PraTactile.Rates.Tally
   ( -- * Counting
     Tally,
@@ -28,19 +28,20 @@ import PraTactile.Rates.Formulas
 
 -- | Counts of trials.
 data Tally = Tally
-  { -- | How many.
+  { -- | The number of trials.
     tallyTrials :: !Int,
-    -- | How many hard decoding located right.
+    -- | The number that hard decoding located right.
     tallyRight :: !Int,
-    -- | How many it located wrong; the others it refused.
+    -- | The number that hard decoding located wrong; it refused the others.
     tallyWrong :: !Int,
-    -- | Soft decoding, by the doubt of the likeliest position, in 50ths of a power of ten.
+    -- | The results of soft decoding by the doubt of the likeliest position, in bins of a 50th of a
+    -- power of ten.
     tallyDoubts :: !(Map Int Soft)
   }
   deriving stock (Eq, Show)
 
--- | Of the trials with about the same doubt: how many, in how many the likeliest position was the
--- true one, and the sum of the doubts, which is the number of wrong ones to be expected.
+-- | For trials with about the same doubt: their number, the number in which the likeliest position
+-- was true, and the sum of the doubts, which is the expected number of wrong ones.
 data Soft = Soft !Int !Int !Double
   deriving stock (Eq, Show)
 
@@ -50,11 +51,11 @@ instance Semigroup Soft where
 instance Monoid Soft where
   mempty = Soft 0 0 0
 
--- | None.
+-- | The tally without trials.
 noTrials :: Tally
 noTrials = Tally 0 0 0 Map.empty
 
--- | One trial more.
+-- | Adds one trial.
 count :: Tally -> TrialResult -> Tally
 count (Tally n right wrong doubts) (TrialResult hard likeliest doubt) =
   Tally
@@ -67,28 +68,28 @@ count (Tally n right wrong doubts) (TrialResult hard likeliest doubt) =
     soft = Soft 1 (one likeliest) doubt
     bin = if doubt <= 1e-20 then 1000 else max 0 (floor (-50 * logBase 10 doubt))
 
--- | The counts together.
+-- | The sum of tallies.
 merge :: [Tally] -> Tally
 merge = foldl' add noTrials
   where
     add (Tally n a b m) (Tally n' a' b' m') =
       Tally (n + n') (a + a') (b + b') (Map.unionWith (<>) m m')
 
--- | The rates of hard decoding to the radius of the cells observed.
+-- | The rates of hard decoding to the radius of the observed cells.
 hardRates :: Tally -> Rates
 hardRates tally = ratesOf tally (fromIntegral (tallyRight tally)) (fromIntegral (tallyWrong tally))
 
--- | The rates of soft decoding where this probability of a wrong answer is tolerated, to a 50th of
--- a power of ten.
+-- | The rates of soft decoding with this tolerated probability of a wrong answer, rounded to a 50th
+-- of a power of ten.
 softRates :: Double -> Tally -> Rates
 softRates tolerated tally = ratesOf tally (fromIntegral right) (fromIntegral (answers - right))
   where
     Soft answers right _ = tolerable tolerated tally
 
--- | The rates of soft decoding that answers where the doubt is least, as often as the wrong answers
--- to be expected stay at most this share of all trials. No other way to decide on the same readings
--- is right more often at as many wrong answers to be expected (C. K. Chow 1970). Of the 50th of a
--- power of ten at which the share is reached, a part is answered.
+-- | The rates of soft decoding that answers the trials with the least doubts, up to an expected
+-- share of wrong answers among all trials. No other rule on the same readings is right more often
+-- with as many expected wrong answers (C. K. Chow 1970). Of the bin in which the share is reached,
+-- a part is answered.
 softRatesAtMost :: Double -> Tally -> Rates
 softRatesAtMost share tally = go 0 0 0 (map snd (Map.toDescList (tallyDoubts tally)))
   where
@@ -102,18 +103,19 @@ softRatesAtMost share tally = go 0 0 0 (map snd (Map.toDescList (tallyDoubts tal
         right' = right + part * fromIntegral a
         wrong' = wrong + part * fromIntegral (n - a)
 
--- | How often the answers of soft decoding were wrong, beside how often their doubts expect it.
+-- | The observed number of wrong answers of soft decoding, and the number that their doubts
+-- predict.
 data Calibration = Calibration
-  { -- | How many answers there were.
+  { -- | The number of answers.
     calibratedAnswers :: !Int,
-    -- | How many wrong ones are to be expected among them, by their own doubts.
+    -- | The number of wrong answers that the doubts predict.
     calibratedExpected :: !Double,
-    -- | How many were wrong.
+    -- | The number of wrong answers.
     calibratedWrong :: !Int
   }
   deriving stock (Eq, Show)
 
--- | The calibration of the answers where this probability of a wrong answer is tolerated.
+-- | The calibration of the answers with this tolerated probability of a wrong answer.
 calibration :: Double -> Tally -> Calibration
 calibration tolerated tally = Calibration answers expected (answers - right)
   where

@@ -22,23 +22,23 @@ import PraTactile.Random (normalPair, uniform)
 import PraTactile.Rates.Setup
 import System.Random (StdGen)
 
--- | A patch as it was read, and where.
+-- | A reading of a patch, and its true position.
 data Trial = Trial
   { -- | The index of the true position, row by row.
     trialPosition :: !Int,
-    -- | For each limb: which cells were observed.
+    -- | For each limb: the cells that were observed.
     trialSeen :: !(Vector Word64),
-    -- | For each limb and binary digit: the digits of the likeliest symbols; 0 in cells that were
+    -- | For each limb and binary digit: that digit of the likeliest symbols; 0 in cells that were
     -- not observed.
     trialSymbols :: !(Vector Word64),
-    -- | For each cell and each symbol the logarithm of its probability, up to a number for each
-    -- cell; 0 in cells that were not observed.
+    -- | For each cell and each symbol its log-probability, up to a constant for each cell; 0 in
+    -- cells that were not observed.
     trialEvidence :: !(Vector Double)
   }
 
--- | A patch at a random position, read as "PraTactile.Rates.Noise" has it: @drawTrial setup sigma
--- missing@, with noise of the standard deviation sigma, each of its cells missing with this
--- probability.
+-- | Reads a patch at a random position by the model of "PraTactile.Rates.Noise". In @drawTrial
+-- setup sigma missing@ the noise has standard deviation sigma, and each cell is missing with the
+-- given probability.
 drawTrial ::
   forall k. KnownField k => TrialSetup k -> Double -> Double -> StdGen -> (Trial, StdGen)
 drawTrial setup sigma missing g0 = runST $ do
@@ -77,7 +77,8 @@ drawTrial setup sigma missing g0 = runST $ do
     spread = 1 / sigma
     trueSymbol j = fromIntegral (Primitive.unsafeIndex (setupContents setup) (position * n + j))
 
--- | Draw normal numbers of this standard deviation into the entries from one index up to another.
+-- | Draws normal numbers with this standard deviation into the entries from one index up to
+-- another.
 drawNoise :: Double -> MVector s Double -> Int -> Int -> StdGen -> ST s StdGen
 drawNoise spread evidence = go
   where
@@ -90,7 +91,7 @@ drawNoise spread evidence = go
         go (i + 2) end g'
 {-# INLINE drawNoise #-}
 
--- | Which of q entries from this index on is the largest, the first of them if several are.
+-- | The offset of the largest of q entries from this index on, the first one if there are several.
 largestOf :: Int -> MVector s Double -> Int -> ST s Int
 largestOf q evidence = \from -> go from 1 0
   where
@@ -102,7 +103,7 @@ largestOf q evidence = \from -> go from 1 0
         go from (b + 1) (if x > y then b else best)
 {-# INLINE largestOf #-}
 
--- | Set the bit of a cell in the planes of its limb in which its symbol has a digit 1.
+-- | Sets the bit of a cell in those planes of its limb for which its symbol has the binary digit 1.
 writeDigits :: Int -> MVector s Word64 -> Int -> Int -> ST s ()
 writeDigits planes symbols = \j symbol -> go j symbol 0
   where
