@@ -4,7 +4,6 @@
 --
 -- Let A be the exact area vector of a triangle and A' that of its rounded corners, V and V' the
 -- volumes, and h the height of the relief. A rounded surface is accepted if
--- volumes, and h the height of the relief, a rounded surface is accepted where
 --
 -- > no two points become one
 -- > |A' - A| <= |A| / 2       for each triangle: it faces the same way, within 30 degrees

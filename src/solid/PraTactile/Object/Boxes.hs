@@ -1,9 +1,9 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Which of many boxes meet a given one or a segment, without asking each: a tree of boxes whose
--- leaves are sorted along a curve that keeps neighbours together (Morton 1966), so that it is made
--- by one sort. A box of it holds what lies in it for certain, and more: corners are rounded down,
--- which keeps their order.
+-- | Finds which of many boxes meet a given box or segment, without testing each. It uses a tree of
+-- boxes whose leaves are sorted along a curve that keeps neighbours together (Morton 1966), so a
+-- single sort builds it. Corners are rounded down, which keeps their order. So a box of the tree
+-- certainly contains its contents, and perhaps more.
 module PraTactile.Object.Boxes
   ( Box (..),
     Rounding,
@@ -32,20 +32,20 @@ import qualified Data.Vector.Unboxed.Mutable as M
 import Math.NumberTheory.Logarithms (integerLog2)
 import PraTactile.Object.Vector
 
--- | The least and the greatest coordinates, rounded.
+-- | The least three coordinates, then the greatest three, rounded.
 data Box = Box !Int !Int !Int !Int !Int !Int
   deriving stock (Eq, Show)
 
--- | How many binary digits are dropped, so that every coordinate fits a machine integer.
+-- | The number of binary digits that are dropped, so that every coordinate fits a machine integer.
 newtype Rounding = Rounding Int
 
--- | The rounding that is enough for these points.
+-- | A rounding that suffices for these points.
 roundingOf :: V.Vector V3 -> Rounding
 roundingOf points = Rounding (max 0 (integerLog2 (max 1 most) - 60))
   where
     most = V.foldl' (\m (V3 a b c) -> max (abs a) (max (abs b) (max (abs c) m))) 1 points
 
--- | The box round a point.
+-- | The box that contains only a point.
 boxOf :: Rounding -> V3 -> Box
 boxOf (Rounding digits) (V3 a b c) = Box x y z x y z
   where
@@ -54,7 +54,7 @@ boxOf (Rounding digits) (V3 a b c) = Box x y z x y z
     z = down c
     down n = fromInteger (if digits == 0 then n else n `shiftR` digits)
 
--- | The box round two boxes.
+-- | The smallest box around two boxes.
 around :: Box -> Box -> Box
 around (Box a b c d e f) (Box a' b' c' d' e' f') =
   Box (min a a') (min b b') (min c c') (max d d') (max e e') (max f f')
@@ -64,17 +64,17 @@ meets :: Box -> Box -> Bool
 meets (Box a b c d e f) (Box a' b' c' d' e' f') =
   a <= d' && a' <= d && b <= e' && b' <= e && c <= f' && c' <= f
 
--- | Boxes that can be asked. The node @k@ has the boxes of the nodes @2 k@ and @2 k + 1@.
+-- | A searchable tree of boxes. Node @k@ contains the boxes of nodes @2 k@ and @2 k + 1@.
 data Boxes = Boxes
-  { -- | the number of leaves, a power of 2; they are the nodes from this one on
+  { -- | the number of leaves, a power of 2; the leaves are the nodes from this number on
     leaves :: !Int,
     -- | the boxes in the order of the leaves
     items :: !(U.Vector Int),
-    -- | six numbers a node
+    -- | six numbers for each node
     bounds :: !(U.Vector Int)
   }
 
--- | O(n log n).
+-- | Builds the tree of boxes. O(n log n).
 boxes :: V.Vector Box -> Boxes
 boxes given = Boxes width sorted (U.create filled)
   where
@@ -105,7 +105,7 @@ boxes given = Boxes width sorted (U.create filled)
       where
         at i = M.read store (6 * k + i)
 
--- The box that meets none and changes none.
+-- A box that meets no box and does not change a union.
 nothing :: Box
 nothing = Box maxBound maxBound maxBound minBound minBound minBound
 
@@ -120,13 +120,15 @@ interleaved (x, y, z) = spread x .|. (spread y `shiftL` 1) .|. (spread z `shiftL
     d = 0x10c30c30c30c30c3
     e = 0x1249249249249249
 
--- | The boxes that meet this one, by their places in what 'boxes' was given. O(log n) and what is
--- found, where boxes are compact.
+-- | The boxes that meet this one, by their indices in the input of 'boxes'. O(log n) plus the
+-- number found, if boxes are compact.
 meeting :: Boxes -> Box -> [Int]
 meeting tree = descended tree . meetsNode tree
 
--- | Those that the segment between two points, each the box round it, may meet, and perhaps more;
--- likewise, however slanted it is: no box that it passes by in the shadow on a plane of two axes.
+-- | The boxes that the segment between two points may meet, by their indices in the input of
+-- 'boxes'. The points are given as boxes. The result contains all boxes that the segment meets, and
+-- perhaps more. Boxes are excluded if the segment misses their projection on a plane of two axes,
+-- so slanted segments find few. O(log n) plus the number found, if boxes are compact.
 along :: Boxes -> Box -> Box -> [Int]
 along tree p@(Box a b c _ _ _) q@(Box a' b' c' _ _ _) =
   descended tree (\k -> whole k && (k >= leaves tree || mayMeet k))
@@ -143,7 +145,7 @@ along tree p@(Box a b c _ _ _) q@(Box a' b' c' _ _ _) =
         (s, wide) = (double (most k i + least k i - u), double (most k i - least k i))
         (t, high) = (double (most k j + least k j - v), double (most k j - least k j))
         off = 4 + (abs s + abs t + wide + high + abs du + abs dv) / 0x10000000000
-    -- Halves of them, whose sum is a machine integer.
+    -- Halves of coordinates, whose sum fits a machine integer.
     least k axis = U.unsafeIndex (bounds tree) (6 * k + axis) `shiftR` 1
     most k axis = U.unsafeIndex (bounds tree) (6 * k + axis + 3) `shiftR` 1
 
@@ -155,7 +157,7 @@ meetsNode tree (Box a b c d e f) k =
     at i = U.unsafeIndex (bounds tree) (6 * k + i)
 {-# INLINE meetsNode #-}
 
--- | The leaves to which nodes lead that are all so.
+-- | The leaves that are reached through nodes that all satisfy the condition.
 descended :: Boxes -> (Int -> Bool) -> [Int]
 descended tree holds = visit 1 []
   where
@@ -165,6 +167,7 @@ descended tree holds = visit 1 []
       | otherwise = visit (2 * k) (visit (2 * k + 1) rest)
 {-# INLINE descended #-}
 
--- | Pairs in ascending order. (The sort is compiled for them only where it has all its arguments.)
+-- | Sorts pairs in ascending order. (The sort is specialised to pairs only if it has all its
+-- arguments.)
 sortedPairs :: U.Vector (Int, Int) -> U.Vector (Int, Int)
 sortedPairs = U.modify (\pairs -> Intro.sortByBounds compare pairs 0 (M.length pairs))

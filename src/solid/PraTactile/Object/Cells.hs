@@ -1,9 +1,10 @@
--- | The cells of symbols that lie wholly on a face, whatever simple polygon it is, with holes or
--- without, decided exactly in the face's frame ("PraTactile.Object.Frame").
+-- | Finds the cells of symbols that lie wholly on a face. The face may be any simple polygon, with
+-- or without holes. The decision is exact, in the face's frame ("PraTactile.Object.Frame").
 --
--- A block of cells is centred on the box round the face's corners, or begins at a margin. A cell,
--- as an open rectangle, meets no side of a rim and has its middle in the polygon: then it lies in
--- it, its rim included. All that asks for signs of r + s sqrt a + t sqrt b with whole r, s and t.
+-- A block of cells is centred on the bounding box of the face's corners, or begins at a margin. A
+-- cell lies on the face, rim included, if it meets no side of a rim as an open rectangle, and its
+-- centre is in the polygon. That requires only signs of r + s sqrt a + t sqrt b with integers r, s
+-- and t.
 module PraTactile.Object.Cells
   ( -- * Cells of a block
     Anchor (..),
@@ -36,19 +37,20 @@ import PraTactile.Object.Radicals
 import PraTactile.Object.Rims
 import PraTactile.Object.Vector hiding (plus)
 
--- | Where a block of cells begins.
+-- | Where a block of cells lies on a face.
 data Anchor
-  = -- | it has its middle where the box round all corners has it
+  = -- | its centre is the centre of the corners' bounding box
     Centred
-  | -- | it is that part of a block of so many rows and columns, which has its middle there, that
-    -- begins at this row and column of it
+  | -- | it is a part of a larger, centred block. The first pair is the larger block's rows and
+    -- columns, the second the row and column at which the part begins.
     CentredPart !(Integer, Integer) !(Integer, Integer)
-  | -- | so many millimetres right of and below the walk's first vertex
+  | -- | its upper left corner is this many millimetres right of and below the walk's first vertex
     Margin !Rational !Rational
   deriving stock (Eq, Ord, Show)
 
--- | The upper left corner of a block of so many rows and columns, in millimetres right of and below
--- the walk's first vertex; cells are so many millimetres wide and high.
+-- | The upper left corner of a block, in millimetres right of and below the walk's first vertex.
+-- Arguments: the frame; the width and height of a cell in millimetres; the anchor; the numbers of
+-- rows and columns.
 blockCorner :: Frame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> (Radicals, Radicals)
 blockCorner frame (right, down) anchor size = case anchor of
   Margin x y -> (fraction x, fraction y)
@@ -62,8 +64,8 @@ blockCorner frame (right, down) anchor size = case anchor of
     centre over part twice = fraction (twice / 2) `plus` over frame (middle (part frame))
     middle (Span from long) = fromInteger (2 * from + long) / 2
 
--- | The lines between the cells along one axis, and through their middles: the k-th is at @linesAt
--- + (linesFirst + k linesStep) sqrt a@, times 'linesTimes'; even ones lie between cells.
+-- | The lines between the cells along one axis, and through their centres. Line k is at @linesAt +
+-- (linesFirst + k linesStep) sqrt a@, all multiplied by 'linesTimes'. Even lines are between cells.
 data Lines = Lines
   { linesTimes :: !Integer,
     linesAt :: !Integer,
@@ -71,8 +73,8 @@ data Lines = Lines
     linesStep :: !Integer
   }
 
--- | The lines of cells of this size: so many half cells after the middle of the span, or from a
--- margin.
+-- | The lines of cells of this size along a span. The first cell begins the given number of half
+-- cells after the span's centre, or at a margin.
 linesOf :: Span -> Rational -> Either Integer Rational -> Lines
 linesOf (Span from size) width begin = case begin of
   Left halves ->
@@ -90,7 +92,7 @@ linesOf (Span from size) width begin = case begin of
         linesStep = numerator width * denominator m
       }
 
--- | The lines of a block of so many rows and columns.
+-- | The lines of a block with these numbers of rows and columns.
 linesBetween ::
   Frame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> (Lines, Lines)
 linesBetween frame (right, down) anchor (rows, columns) =
@@ -101,7 +103,7 @@ linesBetween frame (right, down) anchor (rows, columns) =
       CentredPart (high, wide) (r, c) -> (Left (2 * c - wide), Left (2 * r - high))
       Margin x y -> (Right x, Right y)
 
--- | Whether the face is a rectangle on which all cells of such a block lie. O(1).
+-- | Whether the face is a rectangle that contains all cells of this block. O(1).
 allOn :: Frame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> Bool
 allOn frame cell anchor (rows, columns) =
   isRectangle frame
@@ -114,13 +116,13 @@ allOn frame cell anchor (rows, columns) =
     line root it k n =
       signOf root 0 (linesAt it - linesTimes it * n) (linesFirst it + k * linesStep it) 0
 
--- | Which cells of a block of so many rows and columns lie on the face, by row and column, row by
--- row. O(cells * corners).
+-- | The cells of a block that lie on the face, by row and column within it, row by row. O(cells *
+-- corners).
 cellsOn :: Frame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> [(Integer, Integer)]
 cellsOn frame cell anchor size@(rows, columns) =
   cellsAmong frame cell anchor size [(r, [0 .. columns - 1]) | r <- [0 .. rows - 1]]
 
--- | Which of these cells of the block do, told by rows and their columns.
+-- | 'cellsOn' for only some cells of the block, given by their rows and the columns in each.
 cellsAmong ::
   Frame ->
   (Rational, Rational) ->
@@ -178,33 +180,34 @@ cellsAmong frame cell anchor (rows, columns) among =
         (negate (qy - py) * x)
         ((qx - px) * y)
 
--- | The grid of a face: as many whole columns and rows as the box round all corners has room for,
--- centred on it.
+-- | The grid of a face: as many whole columns and rows as fit the corners' bounding box, centred on
+-- it.
 data Grid = Grid
-  { -- | the face, from the vertex at which its frame begins
+  { -- | the walk around the face, from the vertex at which its frame begins
     gridWalk :: Walk,
-    -- | the size of the box round it, to the right and down, in millimetres
+    -- | the width and height of the bounding box, in millimetres
     gridSize :: (Double, Double),
-    -- | the columns and rows for which the box has room
+    -- | the numbers of columns and rows that fit the box
     gridColumns :: Integer,
     gridRows :: Integer,
-    -- | how many cells lie on the face; 'Nothing' where that would take too long to say
+    -- | the number of cells on the face; 'Nothing' if counting would take too long
     gridCount :: Maybe Integer,
-    -- | a number of cells that there are at least: the count, where there is one, or else the area
-    -- less what sides can cut, a cell for each line that a side crosses and three at its ends
+    -- | a lower bound on the number of cells. It is the count if that is known. Otherwise it is the
+    -- area minus what sides can cut: a cell for each line that a side crosses, and three at its
+    -- ends.
     gridAtLeast :: Integer,
-    -- | those cells, by row and column, row by row
+    -- | the cells on the face, by row and column, row by row
     gridCells :: [(Integer, Integer)]
   }
   deriving stock (Eq, Show)
 
--- | The grid of a flat face with an area, with cells of so many millimetres to the right and down,
--- both positive. O(cells * corners), or O(corners) for a rectangle.
+-- | The grid of a flat face with positive area. The pair is the width and height of a cell in
+-- millimetres, both positive. O(cells * corners), or O(corners) for a rectangle.
 gridOf :: Mesh -> (Rational, Rational) -> Walk -> Grid
 gridOf = gridWithin mostTests
 
--- | The same where no more than so many sides are asked whether they meet a cell. From a vertex at
--- the place of the one before it there is no frame, and no cell.
+-- | 'gridOf' with a limit on the tests of a side against a cell. If the walk's first vertex
+-- coincides with its last, there is no frame and no cell.
 gridWithin :: Integer -> Mesh -> (Rational, Rational) -> Walk -> Grid
 gridWithin most it cell@(right, down) walk =
   maybe (Grid walk (0, 0) 0 0 (Just 0) 0 []) grid (frameOf it walk)
@@ -232,7 +235,7 @@ gridWithin most it cell@(right, down) walk =
           | isRectangle frame = Just (columns * rows)
           | columns * rows * toInteger (U.length walk) > most = Nothing
           | otherwise = Just (toInteger (length cells))
-        -- In cells; the rounding of its terms is far below a thousandth.
+        -- In cells; the rounding error of its terms is far below a thousandth.
         atLeast = max 0 (floor (0.999 * abs (sum (map swept sides)) / 2 - sum (map cut sides)))
         sides =
           rimPairs
@@ -245,15 +248,14 @@ gridWithin most it cell@(right, down) walk =
           | isRectangle frame = [(r, c) | r <- [0 .. rows - 1], c <- [0 .. columns - 1]]
           | otherwise = cellsOn frame cell Centred (rows, columns)
 
--- | Where more tests than this would be needed for a face, its cells are not counted: about a
--- second of them.
+-- | The most tests for which the cells of a face are counted. They take about a second.
 mostTests :: Integer
 mostTests = 100000
 
--- | The walk begun at each of its vertices, the upper side along a rim; of upper sides in one
--- direction the first, for the block is centred all the same. Of a face with many such directions,
--- so many that the walks have 'triedFirst' corners together: the first, and those that begin the
--- longest upper sides.
+-- | The face's walk begun at each of its vertices, with the upper side along a rim. If several
+-- upper sides have one direction, only the first counts, because the block is centred in the same
+-- way. If the walks would have more than 'triedFirst' corners in total, the first one and those
+-- with the longest upper sides are returned.
 begunAnywhere :: Mesh -> Walk -> [Walk]
 begunAnywhere it walk
   | length begins * size <= triedFirst = map from begins
@@ -267,7 +269,8 @@ begunAnywhere it walk
     point k = meshPoints it V.! (walk U.! k)
     long k = Down (dot (upper k) (upper k))
 
--- | The grid with the most cells of those that a face has begun anywhere; of equal ones the first.
+-- | The grid with the most cells among those that begin at any vertex of a face; the first of equal
+-- ones.
 bestGrid :: Mesh -> (Rational, Rational) -> Walk -> Grid
 bestGrid it (right, down) walk
   | diagonal < max right down ^ (2 :: Int) * fromInteger (meshDenominator it) ^ (2 :: Int) =
@@ -279,7 +282,7 @@ bestGrid it (right, down) walk
     better grids = case grids of
       first : others -> foldl (\g h -> if gridCount h > gridCount g then h else g) first others
       [] -> gridOf it (right, down) walk
-    -- The square of the diagonal of the box round it, which is no shorter than any width.
+    -- The square of the bounding box's diagonal, which is at least any width of the face.
     diagonal =
       let corners = V.toList (cornersOf it walk)
           extent part = maximum (map part corners) - minimum (map part corners)
@@ -290,6 +293,6 @@ bestGrid it (right, down) walk
               (extent (\(V3 _ _ w) -> w))
        in fromInteger (x * x + y * y + z * z)
 
--- | How many corners the frames together have that are tried of a face.
+-- | The most corners, over all frames, that are tried for a face.
 triedFirst :: Int
 triedFirst = 65536

@@ -1,24 +1,25 @@
--- | A face with a square lattice on it, exactly: where its points lie in the face's plane, for
--- cutting it into triangles, and where in space.
+-- | A face with a square lattice on it, exactly: the places of its points in the face's plane, for
+-- triangulation, and in space.
 --
--- In the face's frame ("PraTactile.Object.Frame") a corner lies at (x / sqrt a, y / sqrt b) with
--- whole x and y, and the lattice's point (i, j), i steps of t millimetres to the right of the
--- lattice's origin and j below it, at
+-- In the face's frame ("PraTactile.Object.Frame") a corner is at (x / sqrt a, y / sqrt b) with
+-- integers x and y. The lattice point (i, j) is i steps of t millimetres to the right of the
+-- lattice's origin and j steps below it:
 --
 -- > (u / sqrt a + m + t i,  v / sqrt b + n + t j)
 --
--- with fractions u, v, m, n: of a block that is centred on the face (u, v) is the middle of the box
--- round the corners, of one at a margin 0. Stretched by sqrt a and sqrt b corners are whole, and
--- the lattice is where it is by two roots, which 'planeOf' replaces by fractions: a stretched face
--- with a stretched lattice. On it all that lies in one row or column of the lattice, and all
--- corners that lie on a line, do so still, and a root that is a multiple of the other one stays
--- that multiple; so three points that lay on a line do, and with fractions near enough to the roots
--- no three turn another way. Whether they are near enough is tried: 'sameTurn' tells it of three
--- points.
+-- with fractions u, v, m, n. For a block that is centred on the face, (u, v) is the centre of the
+-- corners' bounding box; for a block at a margin it is 0.
 --
--- In space, with E from the walk's first vertex o to its last one and N the outward normal, whole
--- vectors over a denominator d of the corners' coordinates, and F = E x N, a = E^2 d^2, b = a N^2,
--- the point (x, y) of the frame at the height z above the face is
+-- Scaled by sqrt a and sqrt b, corners become integers, and the lattice's coordinates contain two
+-- roots. 'planeOf' replaces the roots by fractions, which makes a stretched face with a stretched
+-- lattice. This keeps points of one lattice row or column on a line, and also corners on a line. A
+-- root that is a multiple of the other stays that multiple, so all collinear points stay collinear.
+-- If the fractions are close enough to the roots, no three points change their turning direction;
+-- 'sameTurn' checks this for three points.
+--
+-- In space, let o be the walk's first vertex, E the vector from o to the last one, and N the
+-- outward normal, as integer vectors over the common denominator d of the corners. Let F = E x N, a
+-- = E^2 d^2 and b = a N^2. Then the frame's point (x, y), at height z above the face, is
 --
 -- > o + x E / |E| + y F / (|E| |N|) + z N / |N|.
 module PraTactile.Object.Chart
@@ -51,28 +52,28 @@ import PraTactile.Object.Vector hiding (plus)
 -- | A face with a lattice.
 data Chart = Chart
   { chartFrame :: Frame,
-    -- | t
+    -- | the step t, in millimetres
     step :: !Rational,
     -- | u and m
     across :: !(Rational, Rational),
     -- | v and n
     downwards :: !(Rational, Rational),
     latticeOrigin :: ExactPoint,
-    -- | one step to the right and one down
+    -- | one step to the right, and one down
     stepRight :: ExactPoint,
     stepDown :: ExactPoint,
-    -- | one millimetre up from the face
+    -- | one millimetre outward from the face
     unitUp :: ExactPoint,
     corners :: V.Vector ExactPoint
   }
 
--- | A point or a way in space: millimetres along x, y and z.
+-- | A point or vector in space, in millimetres along x, y and z.
 data ExactPoint = ExactPoint !Radicals !Radicals !Radicals
 
--- | The chart of a face, whose walk is of vertices that there are, with a lattice of steps of so
--- many millimetres. Its origin is where the anchor has the upper left corner of a block of so many
--- rows and columns of cells, which are so many steps wide and high. None where the face has no
--- frame.
+-- | The chart of a face, whose walk must consist of existing vertices. Arguments: the polyhedron;
+-- the walk; the lattice's step in millimetres; the width and height of a cell in steps; the anchor
+-- and the rows and columns of a block, whose upper left corner is the lattice's origin. 'Nothing'
+-- if the face has no frame.
 chartOf ::
   Mesh ->
   Walk ->
@@ -122,7 +123,7 @@ chartOf it walk t (wide, high) anchor (rows, columns) = charted <$> frameOf it w
     base = coprimeBase [ee, nn]
     rooted n = let root = rootIn base n in \k -> k `times` root
     (root1, root2, root12) = (rooted ee, rooted nn, rooted (ee * nn))
-    -- p + q sqrt a + r sqrt c + s sqrt (a c)
+    -- The number p + q sqrt a + r sqrt c + s sqrt (a c).
     vector p q r s = ExactPoint (number 0) (number 1) (number 2)
       where
         number i = fraction (p i) `plus` root1 (q i) `plus` root2 (r i) `plus` root12 (s i)
@@ -131,28 +132,29 @@ chartOf it walk t (wide, high) anchor (rows, columns) = charted <$> frameOf it w
       0 -> x
       1 -> y
       _ -> z
-    -- The middle of the box, and so many cells of so many steps from the first of a block on.
+    -- The centre of the box, and the offset of the block's first cell in steps.
     centred (Span from size) cells count first =
       ((2 * from + size) % 2, t * fromInteger (cells * (2 * first - count)) / 2)
 
 -- | A point of a chart.
 data Spot
-  = -- | the corner at this place of the walk
+  = -- | the corner at this index of the walk
     Corner !Int
-  | -- | so many steps to the right of the lattice's origin and below it
+  | -- | the lattice point this many steps to the right of the lattice's origin and below it
     Lattice !Integer !Integer
   deriving stock (Eq, Ord, Show)
 
--- | The chart stretched, so that all is whole.
+-- | The chart, stretched to integer coordinates.
 data Plane = Plane
   { planeMetric :: Metric,
-    -- | where a point lies; y goes up
+    -- | the place of a point; y points up
     planePoint :: Spot -> V2,
-    -- | of three points that turn left here, whether it is certain that they do so on the face
+    -- | for three points that turn left here, whether they certainly turn left on the face
     sameTurn :: Spot -> Spot -> Spot -> Bool
   }
 
--- | The chart with fractions for the roots that have so many binary digits behind the point.
+-- | The plane in which the roots are replaced by fractions with this number of binary digits after
+-- the point.
 planeOf :: Int -> Chart -> Plane
 planeOf digits chart =
   Plane
@@ -167,7 +169,7 @@ planeOf digits chart =
     square n = isJust (exactRoot (fromInteger n))
     exact = square a && square b
     scale = if exact then 1 else 2 ^ digits :: Integer
-    -- The roots times the scale, and how much less than the true ones they are at most.
+    -- The roots times the scale, and the largest amounts by which they are too small.
     (rootA, rootB, missing)
       | exact = (near a, near b, 0)
       | Just ratio <- exactRoot (a % b) =
@@ -176,7 +178,7 @@ planeOf digits chart =
          in (u * one, v * one, max u v)
       | otherwise = (near a, near b, 1)
     near n = floorRoot (fromInteger (n * scale * scale))
-    -- All that is a fraction is whole if multiplied by this.
+    -- A multiple that makes all fractions integers.
     over = 2 * foldr (lcm . denominator) 1 [step chart, snd (across chart), snd (downwards chart)]
     point spot = case spot of
       Corner k ->
@@ -197,8 +199,7 @@ planeOf digits chart =
         V2 vx vy = way p r
         way from to =
           let (V2 x y, V2 x' y') = (point from, point to) in V2 (abs (x' - x)) (abs (y' - y))
-        -- By how much a way may be too short or too long along an axis, and its product with
-        -- another one.
+        -- The largest error of a vector along an axis, and of its product with another one.
         off = 2 * maximum (map offOf [p, q, r])
         offOf spot = case spot of
           Corner _ -> 0
@@ -210,7 +211,7 @@ planeOf digits chart =
       Lattice _ _ -> True
       Corner _ -> False
 
--- | Where a point lies in space, so many millimetres above the face.
+-- | A point of a chart in space, at this height above the face in millimetres.
 pointOn :: Chart -> Rational -> Spot -> ExactPoint
 pointOn chart height spot
   | height == 0 = onFace

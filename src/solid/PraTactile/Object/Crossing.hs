@@ -1,11 +1,11 @@
--- | Whether polygons cross themselves or each other, by a line that sweeps over their sides (Shamos
--- and Hoey 1976).
+-- | Decides whether polygons cross themselves or each other, by a sweep line over their sides
+-- (Shamos and Hoey 1976).
 --
--- The line comes from the left and is leant a little, so that points of one x are met in the order
--- of y. What it crosses is kept in order, from below. Two sides that meet become neighbours there
--- before the line is where they meet first; so it is enough to ask each pair that becomes
--- neighbours, and up to the first answer of yes the order is one. Exact, so that there is none of
--- the trouble that machine numbers have with it.
+-- The line comes from the left and is slightly tilted, so that points with equal x are met in the
+-- order of y. The sides that it crosses are kept in order from below. Two sides that meet become
+-- neighbours in that order before the line reaches their first common point. So it suffices to test
+-- each pair that becomes neighbours, and the order is consistent up to the first hit. Arithmetic is
+-- exact, which avoids the usual problems with machine numbers.
 module PraTactile.Object.Crossing
   ( firstCrossing,
     firstWithin,
@@ -22,11 +22,11 @@ import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Polygon
 
--- | Of the sides of closed walks, each by the place where it begins, the first that shares more
--- with one before it than a vertex that both name, and the first of those before it: the lesser
--- place first. A side may be gone once in each direction. The places are those of all vertices, one
--- walk after the other, with the points at which they are. O(n log n) where there is none, else
--- O(n log^2 n).
+-- | The first side of closed walks that meets an earlier one, other than in a vertex that both
+-- name, together with the first such earlier side. Sides are given by the places where they begin;
+-- the smaller place comes first. A side may occur once in each direction. Places number the
+-- vertices of all walks, one walk after the other; the vector gives their points. 'Nothing' if no
+-- sides meet. O(n log n) in that case, else O(n log^2 n).
 --
 -- >>> firstCrossing [U.fromList [0, 1, 2, 3]] (V.fromList [V2 0 0, V2 2 2, V2 2 0, V2 0 2])
 -- Just (0,2)
@@ -43,18 +43,18 @@ firstCrossing walks points
     it = loopsOf walks points
     count = V.length points
     earlier j = [i | i <- [0 .. j - 1], share it i j]
-    -- Of two that meet among the first sides, so many, the one after the other.
+    -- Finds two sides that meet among the first sides, in ascending order.
     among = fmap (uncurry max) . meetingAmong it (sortOn (points V.!) [0 .. count - 1])
-    -- The first sides, so many, do not meet; those up to the other place do.
+    -- The first sides up to one number do not meet; those up to the other do.
     least clean met
       | clean == met = met
       | otherwise = maybe (least middle met) (least clean) (among middle)
       where
         middle = (clean + met + 1) `div` 2
 
--- | Of the corners of a closed walk, which does not cross itself, the first that has another one's
--- second side within it, by the places of the two, the lesser first: where the walk comes to a
--- vertex again it must not lie between its own sides.
+-- | For a closed walk that does not cross itself: the first corner that has another corner's second
+-- side within it, as the two places in ascending order. A walk that visits a vertex again must not
+-- lie between its own sides there.
 firstWithin :: U.Vector Int -> V.Vector V2 -> Maybe (Int, Int)
 firstWithin walk points
   | Map.null again = Nothing
@@ -74,7 +74,7 @@ firstWithin walk points
     after i = if i + 1 == U.length walk then 0 else i + 1
     before i = if i == 0 then U.length walk - 1 else i - 1
 
--- | Closed walks, by places: which vertex is there, at which point, and the places after and before
+-- | Closed walks by places: the vertex and the point of each place, and the places after and before
 -- it.
 data Loops = Loops
   { vertexOf :: !(U.Vector Int),
@@ -97,7 +97,7 @@ loopsOf walks points = Loops (U.concat walks) points (beside 1) (beside (-1))
 ends :: Loops -> Int -> (V2, V2)
 ends it i = (pointOf it V.! i, pointOf it V.! (afterIt it U.! i))
 
--- | Whether two sides share more than a vertex that both name.
+-- | Whether two sides meet other than in a vertex that both name.
 share :: Loops -> Int -> Int -> Bool
 share it i j
   | a == d = b /= c && back p q r
@@ -111,8 +111,9 @@ share it i j
     ((p, q), (r, s)) = (ends it i, ends it j)
     back o x y = turn o x y == 0 && inner o x y > 0
 
--- | Some two of the first sides, so many, that share more than that, if there are any; given the
--- places in the order in which the line meets them.
+-- | Some two of the first sides that meet other than in a vertex that both name, if there are any.
+-- The list has the places in the order in which the line meets them; the number is how many sides
+-- count.
 meetingAmong :: Loops -> [Int] -> Int -> Maybe (Int, Int)
 meetingAmong it order sides =
   firstOf [(min i j, max i j) | i <- [0 .. sides - 1], let j = afterIt it U.! i, j < sides]
@@ -125,9 +126,9 @@ meetingAmong it order sides =
     atOnePoint v w
       | at v == at w = [(i, j) | i <- endingAt v, j <- endingAt w, i /= j]
       | otherwise = []
-    -- Those that end or begin at a place.
+    -- The sides that end or begin at a place.
     endingAt v = filter (< sides) [beforeIt it U.! v, v]
-    -- A side that is a point meets what its neighbours meet.
+    -- A side of length 0 meets whatever its neighbours meet.
     sidesAt v =
       [Side i (min a b) (max a b) | i <- endingAt v, let (a, b) = ends it i, a /= b]
     step crossed v = do
@@ -136,7 +137,7 @@ meetingAmong it order sides =
     close crossed s = do
       apart (Set.lookupLT s crossed) (Set.lookupGT s crossed)
       pure (Set.delete s crossed)
-    -- One along which it lies is equal to it.
+    -- A side along which it lies compares equal to it.
     open crossed s = do
       apart (Set.lookupLE s crossed) (Just s)
       apart (Just s) (Set.lookupGT s crossed)
@@ -145,7 +146,7 @@ meetingAmong it order sides =
       Just (s, t) | share it (number s) (number t) -> Left (number s, number t)
       _ -> Right ()
 
--- | A side of a walk, from its left end to its right one.
+-- | A side of a walk, from its left end to its right end.
 data Side = Side
   { number :: !Int,
     from :: !V2,
@@ -155,7 +156,7 @@ data Side = Side
 instance Eq Side where
   s == t = compare s t == EQ
 
--- | From below, of sides that the line crosses and that do not meet before it.
+-- | The order from below, for sides that the line crosses and that do not meet before it.
 instance Ord Side where
   compare s t
     | number s == number t = EQ

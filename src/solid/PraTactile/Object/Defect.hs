@@ -1,4 +1,4 @@
--- | What can be wrong with a polyhedron.
+-- | The kinds of defects of a polyhedron.
 module PraTactile.Object.Defect
   ( Kind (..),
     kindName,
@@ -9,18 +9,18 @@ where
 
 import PraTactile.Object.Description
 
--- | What is wrong. A face is well formed if it has three vertices or more, each once, and each by a
--- name that one vertex has.
+-- | The kinds of defects. A face is well formed if it has at least three vertices, each once, and
+-- each by a name that exactly one vertex has.
 data Kind
-  = -- | there is no face at all
+  = -- | there are no faces
     NoFaces
   | -- | several vertices have this name
     RepeatedName
-  | -- | these vertices are the same point
+  | -- | these vertices are at the same point
     CoincidentVertices
   | -- | no face names this vertex
     UnusedVertex
-  | -- | the face names a vertex that the object has not got
+  | -- | the face names a vertex that does not exist
     UnknownVertex
   | -- | the face has fewer than three vertices
     TooFewVertices
@@ -28,32 +28,32 @@ data Kind
     VertexTwiceOnFace
   | -- | these faces have the same vertices
     RepeatedFace
-  | -- | the area vector of the face is zero, as where its vertices lie on a line
+  | -- | the area vector of the face is zero, for example because its vertices lie on a line
     NoArea
-  | -- | the vertices of the face do not lie in a plane; measured is the furthest vertex from the
-    -- plane of the face's area vector through its mean
+  | -- | the vertices of the face do not lie in a plane. The measure is the largest distance of a
+    -- vertex from the plane with the face's area vector through its mean.
     NotPlanar
-  | -- | two sides of the face share more than a vertex at which one follows the other; located are
-    -- the ends of the first side that does with one before it, and of the first of those
+  | -- | two sides of the face meet other than in a common vertex. The vertices are the ends of the
+    -- first side that meets an earlier one, and of the first such earlier side.
     FaceCrossesItself
-  | -- | the faces that have a side between these vertices are not two
+  | -- | the number of faces with a side between these vertices is not two
     EdgeWithoutTwoFaces
   | -- | the first vertex lies between the two others, which a side of a face joins
     VertexOnEdge
-  | -- | both faces walk from the first vertex to the second, so one of them is clockwise seen from
-    -- outside
+  | -- | both faces walk from the first vertex to the second, so one of them is clockwise as seen
+    -- from outside
     FacesDisagree
-  | -- | the faces at this vertex are more than one ring
+  | -- | the faces at this vertex make more than one ring
     PinchedVertex
-  | -- | a piece inside an odd number of others must be inward, any other outward, and this one,
-    -- located by its first face, is not
+  | -- | the piece with this first face is oriented wrongly. A piece inside an odd number of others
+    -- must be inward, any other outward.
     InsideOut
-  | -- | the faces share more than vertices and sides that both name; measured are the furthest two
-    -- points that they share and may not, 0 for one point
+  | -- | the faces meet other than in vertices and sides that both name. The measure is the largest
+    -- distance between two such common points, 0 for a single one.
     FacesIntersect
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | What the kind is called in JSON.
+-- | The name of a kind in JSON.
 --
 -- >>> kindName FaceCrossesItself
 -- "face-crosses-itself"
@@ -77,7 +77,7 @@ kindName kind = case kind of
   InsideOut -> "inside-out"
   FacesIntersect -> "faces-intersect"
 
--- | One thing that is wrong: what, where, and by how many millimetres where that can be measured.
+-- | A defect: its kind, its place, and its size in millimetres if it can be measured.
 data Defect = Defect
   { defectKind :: Kind,
     defectFaces :: [FaceName],
@@ -86,8 +86,8 @@ data Defect = Defect
   }
   deriving stock (Eq, Show)
 
--- | A kind that was not looked for everywhere, since defects of these other kinds leave it without
--- meaning where they are, or so many of its own were found that no more are looked for.
+-- | A kind that was not checked everywhere. Either defects of the other kinds make it meaningless
+-- in places, or so many of its own kind were found that the search stopped.
 data Unexamined = Unexamined
   { unexaminedKind :: Kind,
     unexaminedBecause :: [Kind]

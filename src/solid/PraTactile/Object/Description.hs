@@ -1,8 +1,8 @@
 {-# LANGUAGE GeneralizedNewtypeDeriving #-}
 
--- | What one writes down to define a polyhedron: named vertices in millimetres, and faces named by
--- their vertices (section II.B of the paper, figure 6). Nothing is checked here;
--- "PraTactile.Object.Validity" says what is wrong.
+-- | The description of a polyhedron as people write it: named vertices in millimetres, and faces
+-- named by their vertices (section II.B of the paper, figure 6). Nothing is checked here;
+-- "PraTactile.Object.Validity" finds defects.
 module PraTactile.Object.Description
   ( -- * Names
     ObjectName (..),
@@ -38,8 +38,8 @@ newtype VertexName = VertexName {vertexText :: String}
   deriving stock (Show)
   deriving newtype (Eq, Ord, IsString)
 
--- | A face is named by its vertices: from its upper left one, counter-clockwise seen from outside.
--- The name of a quadrilateral thus reads upper left, lower left, lower right, upper right.
+-- | The name of a face: its vertices from the upper left one, counter-clockwise as seen from
+-- outside. So the name of a quadrilateral reads upper left, lower left, lower right, upper right.
 newtype FaceName = FaceName {faceVertices :: [VertexName]}
   deriving stock (Show)
   deriving newtype (Eq, Ord)
@@ -51,8 +51,8 @@ newtype FaceName = FaceName {faceVertices :: [VertexName]}
 faceText :: FaceName -> String
 faceText = unwords . map vertexText . faceVertices
 
--- | The inverse of 'faceText'; any words will do, since a name says nothing until a solid is asked
--- for it.
+-- | The inverse of 'faceText'. Any words are accepted, since a name means something only for a
+-- solid.
 readFaceName :: String -> FaceName
 readFaceName = FaceName . map VertexName . words
 
@@ -63,12 +63,12 @@ readFaceName = FaceName . map VertexName . words
 sameFace :: FaceName -> FaceName -> Bool
 sameFace (FaceName a) (FaceName b) = a `elem` rotations b
 
--- | Whether two names have the same vertices, in whatever order.
+-- | Whether two names have the same vertices, in any order.
 sameVertices :: FaceName -> FaceName -> Bool
 sameVertices (FaceName a) (FaceName b) = sort a == sort b
 
 -- | A point in millimetres, in a right-handed frame: x to the right, y away from the viewer, z up.
--- Rational, so that planarity and ties between corners are decided and not estimated.
+-- It is rational, so that planarity and ties between corners can be decided exactly.
 data Point = Point
   { pointX :: !Rational,
     pointY :: !Rational,
@@ -76,7 +76,7 @@ data Point = Point
   }
   deriving stock (Eq, Ord, Show)
 
--- | A polyhedron as written down, checked by nobody yet.
+-- | A polyhedron as written, not yet checked.
 data Description = Description
   { describedName :: ObjectName,
     describedVertices :: [(VertexName, Point)],
@@ -92,7 +92,7 @@ rotations :: [a] -> [[a]]
 rotations [] = [[]]
 rotations walk = take (length walk) (zipWith (++) (tails walk) (inits walk))
 
--- | Every element of a cycle with the one after it.
+-- | Every element of a cycle with its successor.
 --
 -- >>> cyclicPairs "abc"
 -- [('a','b'),('b','c'),('c','a')]

@@ -1,4 +1,4 @@
--- | Intervals that hold a real number for certain, at a stated number of binary places.
+-- | Intervals that certainly contain a real number, with a stated number of binary places.
 module PraTactile.Object.Enclosure
   ( Enclosure,
     enclosed,
@@ -13,7 +13,7 @@ import Data.Ratio (denominator, numerator, (%))
 import PraTactile.Object.Number
 import PraTactile.Object.Vector (floorRoot)
 
--- | All numbers that are no further from the middle than the radius, both in units of 2^-places.
+-- | The numbers within a radius of a centre, both in units of 2^-places.
 data Enclosure = Enclosure
   { places :: !Int,
     centre :: !Integer,
@@ -21,8 +21,8 @@ data Enclosure = Enclosure
   }
   deriving stock (Show)
 
--- | So many times the root of a number that is not negative, at so many binary places, which are
--- the same in all that is put together.
+-- | The interval for q times the root of a non-negative integer, with this number of binary places.
+-- Intervals that are combined must have the same number of places.
 enclosed :: Int -> Rational -> Integer -> Enclosure
 enclosed digits q under
   | under == 1 = Enclosure digits ((n `shiftL` digits) `div` d) 1
@@ -35,7 +35,7 @@ middle, radius :: Enclosure -> Rational
 middle it = centre it % (1 `shiftL` places it)
 radius it = reach it % (1 `shiftL` places it)
 
--- | The sign that all of its numbers have; 'Nothing' where 0 is among them.
+-- | The common sign of all numbers of the interval; 'Nothing' if it contains 0.
 signKnown :: Enclosure -> Maybe Int
 signKnown (Enclosure _ m r)
   | m > r = Just 1
@@ -46,7 +46,7 @@ instance Number Enclosure where
   plus (Enclosure p m r) (Enclosure _ n s) = Enclosure p (m + n) (r + s)
   minus (Enclosure p m r) (Enclosure _ n s) = Enclosure p (m - n) (r + s)
 
-  -- What is cut off is less than 1, and so is what rounding leaves of the radius.
+  -- What is cut off is less than 1, and so is the rounding error of the radius.
   product' (Enclosure p m r) (Enclosure _ n s) =
     Enclosure p ((m * n) `shiftR` p) (((abs m * s + abs n * r + r * s) `shiftR` p) + 2)
   times k (Enclosure p m r) =

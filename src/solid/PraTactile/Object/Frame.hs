@@ -1,10 +1,11 @@
--- | The frame of a face. A face with the walk v_0 .. v_m and the outward normal n (twice its area
--- long) is measured from v_0: x along e = v_m - v_0, from the walk's first vertex to its last, and
--- y along f = e x n, into the face. With a = e . e and b = a (n . n), a corner v has
+-- | The frame of a face. Let the face have the walk v_0 .. v_m and the outward normal n, whose
+-- length is twice its area. The frame's origin is v_0. The x axis is along e = v_m - v_0, from the
+-- walk's first vertex to its last; the y axis is along f = e x n, into the face. With a = e . e and
+-- b = a (n . n), a corner v has the coordinates
 --
 -- > x = e . (v - v_0) / sqrt a        y = f . (v - v_0) / sqrt b,
 --
--- so that the numerators are integers and the roots alone need not be rational.
+-- so the numerators are integers, and only the roots may be irrational.
 module PraTactile.Object.Frame
   ( Frame (..),
     frameOf,
@@ -27,12 +28,12 @@ import PraTactile.Object.Number (times)
 import PraTactile.Object.Radicals
 import PraTactile.Object.Vector hiding (plus)
 
--- | The corners' numerators, and the numbers of which they are divided by the roots: lengths are in
--- millimetres then.
+-- | The corners' numerators, and the numbers under the roots that divide them. The quotients are in
+-- millimetres.
 data Frame = Frame
   { -- | a, times the square of the denominator of the polyhedron's coordinates
     frameAcross :: !Integer,
-    -- | b, likewise
+    -- | b, times the same square
     frameDown :: !Integer,
     -- | the roots of both
     frameRoots :: (Radicals, Radicals),
@@ -41,16 +42,17 @@ data Frame = Frame
   }
   deriving stock (Eq, Show)
 
--- | The frame of a face, whose walk is of vertices that there are; none where the first vertex is
--- at the place of the last, or where there is no area.
+-- | The frame of a face, whose walk must consist of existing vertices. 'Nothing' if the first
+-- vertex coincides with the last, or the area is 0.
 frameOf :: Mesh -> Walk -> Maybe Frame
 frameOf it walk = frameOver (lowestTerms (meshDenominator it) (cornersOf it walk))
 
--- | The frame of a face by the places of its corners alone, in the order of its walk.
+-- | The frame of a face from its corners alone, in the order of its walk. 'Nothing' as for
+-- 'frameOf'.
 frameOfPoints :: [Point] -> Maybe Frame
 frameOfPoints = frameOver . overOne
 
--- | In lowest terms, so that roots are the same whatever else the object has.
+-- | The frame in lowest terms, so that the roots do not depend on the rest of the object.
 frameOver :: (Integer, V.Vector V3) -> Maybe Frame
 frameOver (d, points)
   | a == 0 || normal == zero = Nothing
@@ -65,38 +67,38 @@ frameOver (d, points)
     base = coprimeBase [a, b]
     numerators p = (dot along (p `minus` origin), dot into (p `minus` origin))
 
--- | How far numerators go: the least, and how much more the greatest is.
+-- | The range of numerators: the least, and the difference to the greatest.
 data Span = Span
   { spanFrom :: !Integer,
     spanLength :: !Integer
   }
   deriving stock (Eq, Show)
 
--- | From the leftmost corner to the rightmost.
+-- | The range from the leftmost corner to the rightmost.
 spanAcross :: Frame -> Span
 spanAcross = spanOf . V.map fst . frameNumerators
 
--- | From the uppermost corner to the lowest.
+-- | The range from the uppermost corner to the lowest.
 spanDown :: Frame -> Span
 spanDown = spanOf . V.map snd . frameNumerators
 
 spanOf :: V.Vector Integer -> Span
 spanOf values = Span (V.minimum values) (V.maximum values - V.minimum values)
 
--- | A numerator along x, and one along y, divided by the root: millimetres.
+-- | A numerator along x, or along y, divided by the root: millimetres.
 overAcross, overDown :: Frame -> Rational -> Radicals
 overAcross frame n = times (n / fromInteger (frameAcross frame)) (fst (frameRoots frame))
 overDown frame n = times (n / fromInteger (frameDown frame)) (snd (frameRoots frame))
 
--- | Where the corners are, millimetres right of and below the first one.
+-- | The corners, in millimetres right of and below the first one.
 frameCorners :: Frame -> [(Radicals, Radicals)]
 frameCorners frame =
   [ (overAcross frame (fromInteger x), overDown frame (fromInteger y))
     | (x, y) <- V.toList (frameNumerators frame)
   ]
 
--- | Where the upper left corner of the box round all corners is, millimetres right of and below the
--- first of them, and its width and height.
+-- | The corners' bounding box: its upper left corner, in millimetres right of and below the first
+-- corner, and its width and height.
 frameExtent :: Frame -> ((Radicals, Radicals), (Radicals, Radicals))
 frameExtent frame = (both spanFrom, both spanLength)
   where
@@ -105,7 +107,7 @@ frameExtent frame = (both spanFrom, both spanLength)
         overDown frame (fromInteger (part (spanDown frame)))
       )
 
--- | Whether the face is the box itself.
+-- | Whether the face is a rectangle along the frame's axes.
 isRectangle :: Frame -> Bool
 isRectangle frame =
   V.length corners == 4 && V.all (\(x, y) -> x `elem` ends across && y `elem` ends down) corners

@@ -1,20 +1,21 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What two faces have in common beside what both of them name, exactly.
+-- | The intersection of two faces, other than vertices and sides that both name, exactly.
 --
--- Two faces A and B, polygons in their planes n_A . x = d_A and n_B . x = d_B, may share
--- the vertices and the sides that both name: the set S. Wanted is what A and B have in common
--- without S, and how far apart two of its points are at most.
+-- Let the faces A and B be polygons in their planes n_A . x = d_A and n_B . x = d_B. They may share
+-- the set S of vertices and sides that both name. Wanted are the common points of A and B outside
+-- S, and the largest distance between two of them.
 --
--- Where the planes meet in a line, along u = n_A x n_B, a point of it is told by t = u . x, and
--- each face cuts the line where the sign of s = n . x - d of the other's plane changes along its
--- walk. Between two such places that follow each other, all points are of the face or none is: by
--- the parity of the sides that cross the line moved a little to the one side or the other. So A, B
--- and S are finite lists of points and open intervals, and what is left is one.
+-- If the planes meet in a line along u = n_A x n_B, its points are numbered by t = u . x. Each face
+-- cuts the line where the sign of s = n . x - d, with n and d of the other's plane, changes along
+-- the face's walk. Between two neighbouring such places, all points belong to the face or none
+-- does. That is decided by the parity of the sides that cross the line after it is moved slightly
+-- to one side. So A, B and S are finite lists of points and open intervals on the line, and so is
+-- the result.
 --
--- Where they are one plane, every extreme point of what is left is a vertex of one face that is in
--- the other, or a point where two sides cross; a vertex that both name is one if the faces have
--- more in common right at it than sides of both.
+-- If the planes coincide, every extreme point of the result is a vertex of one face inside the
+-- other, or a crossing of two sides. A vertex that both name is an extreme point if, near it, the
+-- faces have more in common than their common sides.
 module PraTactile.Object.Intersection
   ( Plate,
     plate,
@@ -38,21 +39,21 @@ import PraTactile.Object.Vector
 data Plate = Plate
   { plateWalk :: !(U.Vector Int),
     plateCorners :: !(V.Vector V3),
-    -- | at right angles to it, as long as twice its area
+    -- | a normal vector, as long as twice the area
     plateNormal :: !V3,
     plateOffset :: !Integer,
-    -- | where in the walk a vertex is, for walks that are long: once, or once more for each bridge
+    -- | the places of a vertex in the walk, for long walks: one place, and one more for each bridge
     platePlaces :: IntMap.IntMap [Int]
   }
 
--- | The face that visits these vertices, which are at these points, with its normal.
+-- | The face with these vertices, at these points, with this normal.
 plate :: U.Vector Int -> V.Vector V3 -> V3 -> Plate
 plate walk points normal =
   Plate walk points normal (V.foldr (\p _ -> dot normal p) 0 points) places
   where
     places = IntMap.fromListWith (flip (++)) [(v, [i]) | (i, v) <- zip [0 ..] (U.toList walk)]
 
--- | The face in its plane, as 'flat' sees it.
+-- | The face in its plane, in the coordinates of 'flat'.
 plateFlat :: Plate -> V.Vector V2
 plateFlat it = V.map (flat (plateNormal it)) (plateCorners it)
 
@@ -75,8 +76,8 @@ hasSide it v w = any beside (placesOf it v)
     beside i = at (i + 1) == w || at (i + corners it - 1) == w
     at i = plateWalk it U.! (i `mod` corners it)
 
--- | How far apart two points at most are that both faces have and may not: the square of that;
--- nothing where there is no such point.
+-- | The square of the largest distance between two common points of the faces other than permitted
+-- ones; 'Nothing' if there is no such point.
 overlap :: Plate -> Plate -> Maybe Rational
 overlap a b
   | corners a > corners b = overlap b a
@@ -89,8 +90,8 @@ overlap a b
     heightsB = heights a b
     u = cross (plateNormal a) (plateNormal b)
 
--- | How far the corners of the second face are over the plane of the first, in multiples that do
--- not matter. What both name is on both.
+-- | The heights of the second face's corners over the first face's plane, up to a common factor.
+-- They are 0 for vertices that both name.
 heights :: Plate -> Plate -> V.Vector Integer
 heights under it = V.imap height (plateCorners it)
   where
@@ -98,7 +99,7 @@ heights under it = V.imap height (plateCorners it)
       | names under (plateWalk it U.! i) = 0
       | otherwise = dot (plateNormal under) p - plateOffset under
 
--- | Whether a face is on one side of the other's plane and touches it, if at all, in one vertex or
+-- | Whether a face lies on one side of the other's plane and touches it at most in one vertex or
 -- one side that both name.
 touchesOnly :: Plate -> Plate -> V.Vector Integer -> Bool
 touchesOnly it other above = (V.all (>= 0) above || V.all (<= 0) above) && named
@@ -109,8 +110,8 @@ touchesOnly it other above = (V.all (>= 0) above || V.all (<= 0) above) && named
       [v, w] -> hasSide it v w && hasSide other v w
       _ -> False
 
--- | Two triangles with a vertex that both name, which leave it in opposite directions where their
--- planes meet, have that vertex alone in common.
+-- | Whether two triangles certainly have only one vertex in common: both name it, and they leave it
+-- in opposite directions along the line of their planes.
 apartAtVertex :: V3 -> (Plate, V.Vector Integer) -> (Plate, V.Vector Integer) -> Bool
 apartAtVertex u (a, heightsA) (b, heightsB) =
   case [(i, j) | i <- [0 .. corners a - 1], j <- placesOf b (plateWalk a U.! i)] of
@@ -130,7 +131,7 @@ apartAtVertex u (a, heightsA) (b, heightsB) =
         q = above V.! next'
         along k = dot u ((plateCorners it V.! k) `minus` (plateCorners it V.! i))
 
--- | What is left on the line in which the planes meet.
+-- | The result on the line in which the planes meet.
 onLine :: V3 -> (Plate, V.Vector Integer) -> (Plate, V.Vector Integer) -> Maybe Rational
 onLine u (a, heightsA) (b, heightsB)
   | null left = Nothing
@@ -164,8 +165,8 @@ onLine u (a, heightsA) (b, heightsB)
       ]
     param v = fromInteger (dot u v)
 
--- | How a face cuts a line of its plane: where something changes, ascending, and whether a place
--- between those is of the face.
+-- | How a face cuts a line of its plane: the places where something changes, ascending, and whether
+-- a place between them belongs to the face.
 data Cut = Cut {cutPlaces :: [Rational], cutWithin :: Rational -> Bool}
 
 cut :: V3 -> Plate -> V.Vector Integer -> Cut
@@ -194,7 +195,7 @@ cut u it above = Cut (distinct (touching ++ mapMaybe strictly sides)) within
 distinct :: [Rational] -> [Rational]
 distinct = Set.toAscList . Set.fromList
 
--- | What is left in the plane of both.
+-- | The result in the plane of both.
 inOnePlane :: Plate -> Plate -> Maybe Rational
 inOnePlane a b
   | lined a flatA b flatB || lined b flatB a flatA || null left = Nothing
@@ -233,8 +234,8 @@ inOnePlane a b
 sidesOf :: Plate -> [(Int, Int)]
 sidesOf it = [(i, following (plateCorners it) i) | i <- [0 .. corners it - 1]]
 
--- | Whether a side of the first face has the whole of it on one side and the other face on the
--- other, so that at most a vertex or a side that both name is common.
+-- | Whether a side of the first face has that face on one side and the other face on the other.
+-- Then they have at most a vertex or side in common that both name.
 lined :: Plate -> V.Vector V2 -> Plate -> V.Vector V2 -> Bool
 lined a flatA b flatB = any separates (take 8 (sidesOf a))
   where
@@ -251,8 +252,8 @@ lined a flatA b flatB = any separates (take 8 (sidesOf a))
               [v, w] -> hasSide a v w && hasSide b v w
               _ -> False
 
--- | The corners of the first face that are extreme points of what is left, as far as this can be
--- said corner by corner.
+-- | The corners of the first face that are extreme points of the result, as far as this can be
+-- decided corner by corner.
 cornersLeft ::
   V3 -> Plate -> V.Vector V2 -> Plate -> V.Vector V2 -> [(Rational, Rational, Rational)]
 cornersLeft seenAlong a flatA b flatB =
@@ -264,7 +265,8 @@ cornersLeft seenAlong a flatA b flatB =
         places -> any (moreAt i) places
   ]
   where
-    -- At a vertex of both, each face is an angle; they share a direction that no side of both has.
+    -- At a common vertex, each face is an angle. They share a direction that is not along a common
+    -- side.
     moreAt i j =
       any (strictly angleB) [fst angleA, snd angleA]
         || any (strictly angleA) [fst angleB, snd angleB]
@@ -276,7 +278,7 @@ cornersLeft seenAlong a flatA b flatB =
         o = flatA V.! i
         angleA = angle a flatA i
         angleB = angle b flatB j
-        -- From the first of these neighbours counter-clockwise to the second.
+        -- Counter-clockwise from the first of these neighbours to the second.
         angle it seen k
           | dot (plateNormal it) seenAlong > 0 = (next, previous)
           | otherwise = (previous, next)

@@ -1,6 +1,5 @@
--- | What can be done for a polyhedron that is no solid, all of it or a part, in this order:
--- vertices near each other are put together and faces on a line left out, faces are turned, faces
--- are made flat, and faces of one plane are put together.
+-- | Repairs a polyhedron that is not a solid, in these steps: join near vertices and leave out
+-- faces on a line, turn faces, flatten faces, and merge faces of one plane. Each step is optional.
 module PraTactile.Object.Mend
   ( Mending (..),
     Merging (..),
@@ -29,49 +28,49 @@ import PraTactile.Object.Tolerance
 import PraTactile.Object.Validity
 import PraTactile.Object.Vector
 
--- | What is to be done.
+-- | The repairs to make.
 data Mending = Mending
-  { -- | the tolerance of 'settled', millimetres
+  { -- | the tolerance of 'settled', in millimetres
     mendTolerance :: Maybe Rational,
-    -- | whether faces are turned as 'oriented' turns them
+    -- | whether faces are turned, by 'oriented'
     mendOrientation :: Bool,
     mendMerging :: Merging
   }
   deriving stock (Eq, Show)
 
--- | Which faces of one plane that share sides are put together.
+-- | Which faces of one plane are merged if they share sides.
 data Merging
   = AsWritten
-  | -- | triangles alone
+  | -- | only triangles
     TrianglesMerged
   | CoplanarMerged
   deriving stock (Eq, Show)
 
--- | Nothing is done.
+-- | No repair.
 asItIs :: Mending
 asItIs = Mending Nothing False AsWritten
 
--- | What was changed.
+-- | The changes that were made.
 data Changes = Changes
-  { -- | how many vertices were moved, and how far at most, millimetres
+  { -- | the number of vertices that moved, and the largest distance in millimetres
     movedVertices :: Int,
     movedMost :: Double,
-    -- | how many faces were left out, which had no area left
+    -- | the number of faces that were left out, because they lost their area
     leftOutFaces :: Int,
     -- | the faces that were turned, as they are now
     turnedFaces :: [FaceName]
   }
   deriving stock (Eq, Show)
 
--- | That nothing was changed.
+-- | No changes.
 noChanges :: Changes
 noChanges = Changes 0 0 0 []
 
--- | A polyhedron, and what was changed to have it.
+-- | A repaired polyhedron and its changes.
 data Mended = Mended {mendedMesh :: Mesh, mendedChanges :: Changes}
 
--- | A polyhedron with this done. Refuses where its new points have no common denominator that one
--- can compute with.
+-- | Repairs a polyhedron. Refuses if its new points have a common denominator that is too large to
+-- compute with.
 mended :: Mending -> Mesh -> Either TooFine Mended
 mended how it = do
   near <- maybe (Right (Settled it 0 0 0)) (`joined` it) (mendTolerance how)
@@ -91,17 +90,17 @@ mended how it = do
       TrianglesMerged -> V.any ((== 3) . U.length) (meshWalks it)
       CoplanarMerged -> True
 
--- | Faces put together.
+-- | Merges faces.
 mergedBy :: Merging -> Mesh -> Mesh
 mergedBy merging = case merging of
   AsWritten -> id
   TrianglesMerged -> mergeTriangles
   CoplanarMerged -> mergeCoplanar
 
--- | What has to be done in addition for a polyhedron to be a solid, or nothing where neither a
--- tolerance nor turning its faces makes it one. Given are what was done, the polyhedron before
--- that, and the report of it after. The tolerance is the one that makes its faces flat, or else the
--- least power of 10 that will do, from 10^-9 to 10^-3 of its size.
+-- | The additional repairs that would make a polyhedron a solid; 'Nothing' if neither a tolerance
+-- nor turning faces does. Arguments: the repairs made so far; the polyhedron before them; its
+-- report after them. The tolerance is the one that flattens the faces, or else the least sufficient
+-- power of 10, from 10^-9 to 10^-3 of the polyhedron's size.
 wouldMend :: Mending -> Mesh -> Report -> Maybe Mending
 wouldMend done it report
   | null kinds || any (`notElem` mendable) kinds = Nothing
@@ -116,7 +115,7 @@ wouldMend done it report
       aboutSides
         ++ [CoincidentVertices, TooFewVertices, VertexTwiceOnFace, RepeatedFace, NoArea, NotPlanar]
         ++ [FaceCrossesItself, EdgeWithoutTwoFaces, VertexOnEdge, PinchedVertex, FacesIntersect]
-    -- This, or this and that faces are turned.
+    -- This repair alone, or together with turning faces.
     sound how = case mended how it of
       Right (Mended whole _)
         | closed whole,
@@ -128,7 +127,7 @@ wouldMend done it report
                 then sound how {mendOrientation = True}
                 else Nothing
       _ -> Nothing
-    -- What is quickly seen: no solid has another edge.
+    -- A quick test first: no solid has another edge.
     closed whole =
       let sides = surface (meshWalks whole)
        in all ((== 2) . length . edgeSides sides) [0 .. edgeCount sides - 1]
@@ -141,7 +140,7 @@ wouldMend done it report
       | otherwise = [10 ^^ (order far + k) | k <- [-9 .. -3]]
     order far = (floor :: Double -> Int) (logBase 10 far)
 
--- | The longest side of the box round all vertices, millimetres.
+-- | The longest side of the vertices' bounding box, in millimetres.
 size :: Mesh -> Double
 size it = fromRational (maximum (0 : mapMaybe extent axes))
   where

@@ -1,12 +1,12 @@
--- | Faces that lie in one plane and share sides, made one face: what an exporter cut into triangles
--- is whole again.
+-- | Merges faces that lie in one plane and share sides. This restores faces that an exporter cut
+-- into triangles.
 --
--- Faces that hang together by sides, in one plane and with one outer side, are a region. A region
--- whose rims visit no vertex twice becomes one face, with a hole for each rim but one
--- ("PraTactile.Object.Rims"). Where rims touch, each face, in the file's order, takes in what lies
--- across its sides, one by one, as long as a simple polygon comes of it. A vertex that is then on
--- two faces alone, and straight between its neighbours, goes, and so does one that is on no face
--- any more. The walk round what was made begins at the first of its vertices.
+-- A region is a set of faces that are connected by sides, in one plane and with one outer side. If
+-- the rims of a region visit no vertex twice, it becomes one face, with a hole for each rim but one
+-- ("PraTactile.Object.Rims"). If rims touch, each face, in the file's order, absorbs faces across
+-- its sides one by one, as long as the result is a simple polygon. Afterwards two kinds of vertices
+-- are removed: those on only two faces and straight between their neighbours, and those on no face.
+-- The walk around a merged face begins at the first of its vertices.
 module PraTactile.Object.Merge
   ( mergeCoplanar,
     mergeTriangles,
@@ -29,23 +29,22 @@ import PraTactile.Object.Surface
 import PraTactile.Object.Triangles
 import PraTactile.Object.Vector
 
--- | The polyhedron with faces of one plane put together. Faces that are not flat, or not well
--- formed, stay as they are.
+-- | Merges all faces of one plane. Faces that are not flat, or not well formed, stay unchanged.
 mergeCoplanar :: Mesh -> Mesh
 mergeCoplanar it = mergeRegions (regionsOfPlanes it) it
 
--- | The polyhedron with triangles of one plane put together, as an exporter cut faces into them;
--- faces of more corners stay as they are.
+-- | Merges triangles of one plane, such as an exporter makes. Faces with more corners stay
+-- unchanged.
 mergeTriangles :: Mesh -> Mesh
 mergeTriangles it
   | V.any triangle (meshWalks it) = mergeRegions (U.imap apart (regionsOfPlanes it)) it
   | otherwise = it
   where
     triangle walk = U.length walk == 3
-    -- A number of its own for each face that is no triangle.
+    -- Each face that is not a triangle gets a number of its own.
     apart f region = if triangle (meshWalks it V.! f) then region else negate f - 1
 
--- | For each face what it may be put together with: that which has the same number.
+-- | For each face the number of the plane region within which it may be merged.
 regionsOfPlanes :: Mesh -> U.Vector Int
 regionsOfPlanes it =
   U.imap
@@ -64,15 +63,16 @@ regionsOfPlanes it =
         n@(V3 a b c) = doubleArea corners
         g = gcd a (gcd b c)
 
--- | The polyhedron with its faces with holes, if it has any, cut into faces without, as few as grow
--- from triangles, and into triangles; and for each face which one it is of, or is a part of.
+-- | Cuts the faces with holes, if there are any, into faces without. There are two results: with as
+-- few faces as grow from triangles, and with triangles. Each has, for every face, the index of the
+-- original face.
 withoutHoles :: Mesh -> [([Int], Mesh)]
 withoutHoles it
   | any (holed . fst) cut = [(map (owners U.!) kept, grown), (U.toList owners, triangled)]
   | otherwise = []
   where
     (kept, grown) = mergedBut (IntSet.fromList [0 .. U.length owners - 1]) together triangled
-    -- A number of its own for each face that has no hole.
+    -- Each face without a hole gets a number of its own.
     together = U.fromList (concat [if holed f then f <$ own else [negate f - 1] | (f, own) <- cut])
     owners = U.fromList (concat [f <$ own | (f, own) <- cut])
     cut = [(f, parts f) | f <- [0 .. V.length (meshWalks it) - 1]]
@@ -88,14 +88,14 @@ withoutHoles it
         (V.fromList (concatMap snd cut))
         it
 
--- | Faces with the same number put together, where they share sides.
+-- | Merges faces with the same number that share sides.
 mergeRegions :: U.Vector Int -> Mesh -> Mesh
 mergeRegions may it
   | V.all (ofVertices it) (meshWalks it) = snd (mergedBut IntSet.empty may it)
   | otherwise = it
 
--- | The same, but that regions with one of these faces first are left to grow; and of each face
--- that comes of it the first that went into it.
+-- | 'mergeRegions', except that regions whose first face is listed grow face by face. Also returns,
+-- for each resulting face, the first face that went into it.
 mergedBut :: IntSet.IntSet -> U.Vector Int -> Mesh -> ([Int], Mesh)
 mergedBut apart may it = fmap withoutUnused (unzip (settled apart))
   where
@@ -120,8 +120,8 @@ mergedBut apart may it = fmap withoutUnused (unzip (settled apart))
           | f <-
               [V.length (meshWalks it) - 1, V.length (meshWalks it) - 2 .. 0]
         ]
-    -- The faces that are left, by the first face of each; those of a region with rims from which no
-    -- one walk comes are left to grow.
+    -- The remaining faces, by the first face of each. Regions whose rims do not give one walk grow
+    -- face by face.
     settled grown'
       | IntSet.null failing = [(f, walk) | (f, Just walk) <- walks]
       | otherwise = settled (IntSet.union failing grown')
@@ -141,7 +141,7 @@ mergedBut apart may it = fmap withoutUnused (unzip (settled apart))
         (meshPoints it V.!)
         (foldl' plus zero (map (doubleArea . cornersOf it) loops))
         loops
-    -- The rims of some faces, where they visit no vertex twice.
+    -- The rims of some faces, if these visit no vertex twice.
     rimsOf faces
       | IntMap.size next == length rim = Just (map (fromFirst . U.fromList) (cycles next))
       | otherwise = Nothing
@@ -160,8 +160,8 @@ mergedBut apart may it = fmap withoutUnused (unzip (settled apart))
         let (own, walk) = grown (IntSet.fromList others) f
          in (f, (IntSet.size own > 1, if IntSet.size own > 1 then walk else meshWalks it V.! f)) :
             growing (filter (`IntSet.notMember` own) others)
-    -- The faces across sides are tried in the order in which those sides came, and those that could
-    -- not be taken in once more as long as others can.
+    -- Faces across sides are tried in the order in which the sides came. Those that were refused
+    -- are tried again as long as others are absorbed.
     grown free f =
       passing (IntSet.singleton f) (IntMap.fromList (cyclicSides (meshWalks it V.! f))) (near f)
       where
@@ -177,8 +177,8 @@ mergedBut apart may it = fmap withoutUnused (unzip (settled apart))
           | otherwise = case joined rim (meshWalks it V.! g) of
             Just rim' -> (IntSet.insert g own, rim', left, reverse (near g) ++ new)
             Nothing -> (own, rim, g : left, new)
-    -- The rim of a polygon and a face, where that is one walk that visits no vertex twice: the
-    -- sides that both have follow each other, and no other vertex is on both.
+    -- The rim of a polygon and a face, if it is one walk that visits no vertex twice: their common
+    -- sides follow each other, and they have no other common vertex.
     joined rim walk
       | null shared || length shared >= length own || length shared >= IntMap.size rim = Nothing
       | IntSet.size ends /= length shared + 1 = Nothing
@@ -198,7 +198,7 @@ mergedBut apart may it = fmap withoutUnused (unzip (settled apart))
         without = foldl' (\now (_, b) -> IntMap.delete b now) rim shared
     cyclicSides = cyclicPairs . U.toList
     followed = concat . take 1 . cycles
-    -- Without the vertices that go.
+    -- Without the vertices that are removed.
     straightened faces = [map (straightly made) loops | (made, loops) <- faces]
       where
         straightly made walk
@@ -244,7 +244,7 @@ mergedBut apart may it = fmap withoutUnused (unzip (settled apart))
             [0 .. V.length (meshPoints it) - 1]
         places = IntMap.fromList (zip kept [0 ..])
 
--- | The same cycle from its least element.
+-- | The cycle begun at its least element.
 fromFirst :: Walk -> Walk
 fromFirst walk = U.drop k walk U.++ U.take k walk
   where

@@ -1,6 +1,6 @@
--- | Polyhedra as all that computes has them: vertices and faces by index, coordinates as integers
--- over one common denominator. Names and fractions stand at the rim: 'fromDescription' and
--- 'toDescription'. Nothing is checked here.
+-- | Polyhedra for computing: vertices and faces by index, with coordinates as integers over one
+-- common denominator. 'fromDescription' and 'toDescription' convert names and fractions. Nothing is
+-- checked here.
 module PraTactile.Object.Mesh
   ( -- * Polyhedra by index
     Mesh,
@@ -45,36 +45,36 @@ import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Description
 import PraTactile.Object.Vector
 
--- | The vertices of a face by their indices, counter-clockwise seen from outside.
+-- | The vertices of a face by their indices, counter-clockwise as seen from outside.
 type Walk = U.Vector Int
 
 -- | A polyhedron by index.
 data Mesh = Mesh
   { -- | the object's name
     meshName :: ObjectName,
-    -- | what coordinates are divided by to be millimetres: positive, and no divisor of it divides
-    -- all coordinates
+    -- | the denominator of the coordinates in millimetres: positive, in lowest terms with all
+    -- coordinates
     meshDenominator :: !Integer,
     -- | the vertices' coordinates, times the denominator
     meshPoints :: !(V.Vector V3),
-    -- | the walk round each face; an index beyond the vertices is a name that no vertex has
+    -- | the walk around each face; an index beyond the vertices stands for a name without a vertex
     meshWalks :: !(V.Vector Walk),
-    -- | the vertices' names in their order, and then those that no vertex has
+    -- | the vertices' names in order, then the names without a vertex
     meshNames :: V.Vector VertexName,
-    -- | the vertices that have a name which an earlier one has, each with the first of that name
+    -- | the vertices with a repeated name, each with the first vertex of that name
     meshRepeated :: Map.Map Int Int
   }
   deriving stock (Eq, Show)
 
--- | A polyhedron with these names of its vertices, each once, at these integers over the
--- denominator, which is not 0, and these walks among them.
+-- | A polyhedron from distinct names of vertices, a nonzero denominator, integer coordinates over
+-- it, and walks.
 mesh ::
   ObjectName -> V.Vector VertexName -> Integer -> V.Vector V3 -> V.Vector Walk -> Mesh
 mesh name names over points walks = Mesh name lowest reduced walks names Map.empty
   where
     (lowest, reduced) = lowestTerms over points
 
--- | A denominator and coordinates over it, divided by what divides them all.
+-- | Reduces a denominator and coordinates to lowest terms.
 lowestTerms :: Integer -> V.Vector V3 -> (Integer, V.Vector V3)
 lowestTerms over points
   | common == 1 = (over, points)
@@ -85,24 +85,24 @@ lowestTerms over points
     shared g (V3 a b c) = gcd c (gcd b (gcd a g))
     divided (V3 a b c) = V3 (a `quot` common) (b `quot` common) (c `quot` common)
 
--- | Names for so many vertices that have none: V1, V2, ...
+-- | Default names for this number of vertices: V1, V2, ...
 unnamed :: Int -> V.Vector VertexName
 unnamed count = V.generate count (\i -> VertexName ('V' : show (i + 1)))
 
--- | Whether there are all vertices of a walk.
+-- | Whether all vertices of a walk exist.
 ofVertices :: Mesh -> Walk -> Bool
 ofVertices it = U.all (< V.length (meshPoints it))
 
--- | The points of a walk, all of whose vertices there are.
+-- | The points of a walk, whose vertices must all exist.
 cornersOf :: Mesh -> Walk -> V.Vector V3
 cornersOf it walk = V.map (meshPoints it V.!) (V.convert walk)
 
--- | The first point of a walk, from which others are measured; the origin of one without vertices.
+-- | The first point of a walk; the origin for an empty one.
 firstOf :: V.Vector V3 -> V3
 firstOf = V.foldr const zero
 
--- | The vector area of a polygon, doubled: it points to the side from which the polygon is
--- counter-clockwise (Newell's formula).
+-- | Twice the vector area of a polygon (Newell's formula). It points to the side from which the
+-- polygon is counter-clockwise.
 doubleArea :: V.Vector V3 -> V3
 doubleArea corners
   | V.length corners < 3 = zero
@@ -114,11 +114,11 @@ doubleArea corners
 flatAlong :: V3 -> V.Vector V3 -> Bool
 flatAlong n corners = V.all ((== dot n (firstOf corners)) . dot n) corners
 
--- | The same object with other vertices, which have names already, and other walks among them.
+-- | The object with other vertices and walks. The names must be distinct.
 withShape :: V.Vector VertexName -> Integer -> V.Vector V3 -> V.Vector Walk -> Mesh -> Mesh
 withShape names over points walks old = mesh (meshName old) names over points walks
 
--- | All coordinates times a positive number.
+-- | Multiplies all coordinates by a positive number.
 scaledBy :: Rational -> Mesh -> Mesh
 scaledBy k old = old {meshDenominator = lowest, meshPoints = reduced}
   where
@@ -127,11 +127,11 @@ scaledBy k old = old {meshDenominator = lowest, meshPoints = reduced}
         (meshDenominator old * denominator k)
         (V.map (scaled (numerator k)) (meshPoints old))
 
--- | The same polyhedron under another name.
+-- | The polyhedron under another name.
 named :: ObjectName -> Mesh -> Mesh
 named name old = old {meshName = name}
 
--- | A description by index. A name that several vertices have means the first of them.
+-- | A description by index. A repeated name means the first vertex with it.
 fromDescription :: Description -> Mesh
 fromDescription described =
   Mesh
@@ -160,7 +160,7 @@ fromDescription described =
     index name = Map.findWithDefault (Map.findWithDefault 0 name beyond) name places
     (over, points) = overOne (map snd (describedVertices described))
 
--- | Places over their least common denominator.
+-- | Points over their least common denominator.
 overOne :: [Point] -> (Integer, V.Vector V3)
 overOne places = (over, V.fromList (map whole places))
   where
@@ -172,7 +172,7 @@ overOne places = (over, V.fromList (map whole places))
     whole (Point x y z) = V3 (times x) (times y) (times z)
     times x = numerator x * (over `quot` denominator x)
 
--- | What one writes down to have this polyhedron; the inverse of 'fromDescription'.
+-- | The description of a polyhedron; the inverse of 'fromDescription'.
 toDescription :: Mesh -> Description
 toDescription it =
   Description
@@ -190,14 +190,14 @@ vertexAt it i = meshNames it V.! i
 faceAt :: Mesh -> Int -> FaceName
 faceAt it f = FaceName (map (vertexAt it) (U.toList (meshWalks it V.! f)))
 
--- | The place of a vertex in millimetres.
+-- | The position of a vertex in millimetres.
 pointAt :: Mesh -> Int -> Point
 pointAt it i = Point (part x) (part y) (part z)
   where
     V3 x y z = meshPoints it V.! i
     part n = n % meshDenominator it
 
--- | For each item the first one that equals it. O(n log n).
+-- | For each item the index of the first equal one. O(n log n).
 firstAlike :: Ord a => V.Vector a -> U.Vector Int
 firstAlike items = U.fromListN (V.length items) (go Map.empty (zip [0 ..] (V.toList items)))
   where

@@ -1,9 +1,9 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Solids that are known by a name and a few lengths. All have rational vertices. A regular
--- dodecahedron or icosahedron has none: it is turned into itself by a rotation of order 5, whose
--- trace, 1 + 2 cos 72 degrees = (1 + sqrt 5) / 2, is irrational; the pyritohedron is the
--- dodecahedron with rational vertices.
+-- | Solids that are defined by a name and a few lengths. All have rational vertices. A regular
+-- dodecahedron or icosahedron is impossible: it is symmetric under a rotation of order 5, whose
+-- trace, 1 + 2 cos 72 degrees = (1 + sqrt 5) / 2, is irrational. The pyritohedron is a dodecahedron
+-- with rational vertices.
 module PraTactile.Object.Named
   ( Named (..),
     namedDescription,
@@ -21,27 +21,27 @@ data Named
     Cube
   | -- | the paper's parallelepiped
     Parallelepiped
-  | -- | width, depth and height; numbered as the cube is
+  | -- | width, depth and height; vertices are numbered as the cube's are
     Box Rational Rational Rational
-  | -- | the width and depth of the base, and the height of the apex over its middle
+  | -- | the width and depth of the base, and the height of the apex over its centre
     Pyramid Rational Rational Rational
-  | -- | how many sides, the radius and the height
+  | -- | the number of sides, the radius and the height
     Prism Int Rational Rational
-  | -- | the side of the cube of which it has every other vertex
+  | -- | the side of the cube that contains it, with every other vertex in common
     Tetrahedron Rational
-  | -- | the distance of the vertices from the middle
+  | -- | the distance of the vertices from the centre
     Octahedron Rational
-  | -- | the side of the cube of which it has all vertices
+  | -- | the side of the cube whose vertices it contains
     Pyritohedron Rational
-  | -- | width, depth and height of a box whose upper right quarter is missing, seen from the front
+  | -- | width, depth and height of a box without its upper right quarter, as seen from the front
     LShape Rational Rational Rational
-  | -- | width, depth and height of a box with a hole from above to below through its middle third
+  | -- | width, depth and height of a box with a vertical hole through its middle third
     Frame Rational Rational Rational
-  | -- | a plate, 25.4 mm high, of this width and depth; its upper face is S1 S2 S3 S4
+  | -- | width and depth of a plate, 25.4 mm high; its upper face is S1 S2 S3 S4
     Sheet Rational Rational
   deriving stock (Eq, Show)
 
--- | Whether there is such a solid: every length is positive, and a prism has 3 to 1000 sides.
+-- | Whether the lengths are valid: all positive, and for a prism 3 to 1000 sides.
 positive :: Named -> Bool
 positive it = case it of
   Cube -> True
@@ -56,7 +56,7 @@ positive it = case it of
   Frame w d h -> all (> 0) [w, d, h]
   Sheet w d -> w > 0 && d > 0
 
--- | The solid's description.
+-- | The description of the solid.
 namedDescription :: Named -> Description
 namedDescription it = case it of
   Cube -> cubeDescription
@@ -91,8 +91,8 @@ namedDescription it = case it of
     around = [(1, 2), (2, 3), (3, 4), (4, 1)]
     boxOf name w d h = box name 'V' (Point w d h) boxFaces
 
--- | The point of a regular polygon's vertex, but for its half-angle tangent, which is rounded to
--- thousandths, so that the point is rational and on the circle.
+-- | A vertex of a nearly regular polygon. Its half-angle tangent is rounded to thousandths, so that
+-- the point is rational and on the circle.
 circle :: Int -> Rational -> Int -> (Rational, Rational)
 circle n r k
   | 2 * k == n = (negate r, 0)
@@ -100,7 +100,7 @@ circle n r k
   where
     t = round (1000 * tan (pi * fromIntegral k / fromIntegral n :: Double)) % 1000
 
--- | A polyhedron whose vertices are V1, V2, .. at these points, with faces by their numbers.
+-- | A polyhedron with vertices V1, V2, .. at these points, and faces by the vertices' numbers.
 numbered :: ObjectName -> [(Rational, Rational, Rational)] -> [[Int]] -> Description
 numbered name points = Description name vertices . map face
   where
@@ -115,8 +115,8 @@ vertex i = VertexName ('V' : show i)
 face :: [Int] -> FaceName
 face = FaceName . map vertex
 
--- | The prism over a polygon that is counter-clockwise seen from above; its upper vertices come
--- first.
+-- | The upright prism over a polygon that is counter-clockwise as seen from above. Its upper
+-- vertices come first.
 upright :: ObjectName -> [(Rational, Rational)] -> Rational -> Description
 upright name polygon h =
   numbered
@@ -129,7 +129,7 @@ upright name polygon h =
   where
     n = length polygon
 
--- | The prism behind a polygon that is counter-clockwise seen from the front, where z is up.
+-- | The prism behind a polygon that is counter-clockwise as seen from the front, with z up.
 lying :: ObjectName -> [(Rational, Rational)] -> Rational -> Description
 lying name polygon d =
   numbered
@@ -142,7 +142,7 @@ lying name polygon d =
   where
     n = length polygon
 
--- | Its upper and lower faces are four trapezoids each.
+-- | A box with a vertical hole. Its upper and lower faces are four trapezoids each.
 frame :: Rational -> Rational -> Rational -> Description
 frame w d h =
   numbered
@@ -158,8 +158,9 @@ frame w d h =
     hole = [(w / 3, 2 * d / 3), (w / 3, d / 3), (2 * w / 3, d / 3), (2 * w / 3, 2 * d / 3)]
     ring = cyclicPairs [1 .. 4]
 
--- | With the vertices (1, 1, 1), all signs, and (0, 1 + h, 1 - h^2), all signs and turned round the
--- axes, the pentagons are flat whatever h is; here it is 1/2.
+-- | A dodecahedron around a cube. Its vertices are (1, 1, 1) with all signs, and (0, 1 + h, 1 -
+-- h^2) with all signs and rotated around the axes. The pentagons are flat for every h; here h is
+-- 1/2.
 pyritohedron :: Rational -> Description
 pyritohedron a =
   numbered
@@ -171,7 +172,7 @@ pyritohedron a =
       [(x, y, z) | x <- [1, -1], y <- [1, -1], z <- [1, -1]]
         ++ [turned (0, s * 3 / 2, t * 3 / 4) | turned <- turns, s <- [1, -1], t <- [1, -1]]
     turns = [id, \(x, y, z) -> (z, x, y), \(x, y, z) -> (y, z, x)]
-    -- Each has an edge that crosses the middle of a side of the cube.
+    -- Each pentagon has an edge that crosses the centre of a side of the cube.
     pentagons =
       [ if s * t > 0 then walk else reverse walk
         | turned <- turns,

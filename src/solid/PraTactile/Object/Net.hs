@@ -1,9 +1,9 @@
 -- | Unfolds solids: cuts a solid along edges and lays its faces flat in one piece. An unfolding is
--- a net if no two faces overlap. Solids may have handles and faces that are not convex.
+-- a net if no two faces overlap. Solids may have handles, and faces may be non-convex.
 --
--- An unfolding is a spanning tree of the graph that has the faces for nodes and the edges for arcs
--- ("PraTactile.Object.Net.Trees"). Coordinates are rational but for roots of whole numbers, so that
--- it is decided exactly whether faces touch or overlap ("PraTactile.Object.Net.Template",
+-- An unfolding is a spanning tree of the graph with the faces as nodes and the edges as arcs
+-- ("PraTactile.Object.Net.Trees"). Coordinates are rational except for roots of integers. So it is
+-- decided exactly whether faces touch or overlap ("PraTactile.Object.Net.Template",
 -- "PraTactile.Object.Net.Meeting").
 module PraTactile.Object.Net
   ( -- * Counting

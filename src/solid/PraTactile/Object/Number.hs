@@ -1,5 +1,5 @@
--- | Numbers of the plane, a pair of reals each, whatever stands for reals: what is common to exact
--- ones and to enclosures.
+-- | Complex numbers over any type that stands for real numbers: common code for exact numbers and
+-- intervals.
 module PraTactile.Object.Number
   ( Number (..),
 
@@ -18,12 +18,12 @@ module PraTactile.Object.Number
   )
 where
 
--- | What stands for a real number.
+-- | Types that stand for real numbers.
 class Number n where
   plus, minus, product' :: n -> n -> n
   times :: Rational -> n -> n
 
--- | A number of the plane: its real and its imaginary part.
+-- | A complex number: its real and its imaginary part.
 data Planar n = Planar !n !n
   deriving stock (Eq, Show)
 
@@ -33,22 +33,22 @@ subtracted (Planar a b) (Planar c d) = Planar (minus a c) (minus b d)
 multiplied (Planar a b) (Planar c d) =
   Planar (product' a c `minus` product' b d) (product' a d `plus` product' b c)
 
--- | Mirrored at the real axis.
+-- | The complex conjugate.
 conjugate :: Number n => Planar n -> Planar n
 conjugate (Planar a b) = Planar a (times (-1) b)
 
--- | So many times the number.
+-- | A complex number multiplied by a rational one.
 stretched :: Number n => Rational -> Planar n -> Planar n
 stretched k (Planar a b) = Planar (times k a) (times k b)
 
--- | The map that takes z to the first number times z plus the second one.
+-- | The map from z to the first number times z plus the second.
 data Similarity n = Similarity !(Planar n) !(Planar n)
   deriving stock (Eq, Show)
 
--- | Where a point goes.
+-- | Applies a map to a point.
 onPoint :: Number n => Similarity n -> Planar n -> Planar n
 onPoint (Similarity k t) z = multiplied k z `added` t
 
--- | The second map, and then the first.
+-- | Composes two maps: the second is applied first.
 after :: Number n => Similarity n -> Similarity n -> Similarity n
 after f@(Similarity k _) (Similarity k' t') = Similarity (multiplied k k') (onPoint f t')

@@ -1,10 +1,9 @@
--- | Faces turned so that all are counter-clockwise seen from outside.
+-- | Turns faces so that all are counter-clockwise as seen from outside.
 --
--- Two faces agree where one walks their common edge from p to q and the other from q to p. So the
--- faces that hang together by edges of two faces all follow from one of them, unless the surface
--- has one side only. Which of the two ways is outward, the volume tells (the divergence theorem),
--- and how many other pieces it is inside of: an odd number makes it the wall of a hollow, which is
--- inward.
+-- Two faces agree if one walks their common edge from p to q and the other from q to p. So all
+-- faces that are connected by edges of exactly two faces follow from one of them, unless the
+-- surface is one-sided. The sign of the volume tells which orientation is outward (the divergence
+-- theorem). A piece inside an odd number of others is the wall of a hollow and must be inward.
 module PraTactile.Object.Orientation
   ( oriented,
   )
@@ -22,10 +21,10 @@ import PraTactile.Object.Surface
 import PraTactile.Object.Validity
 import PraTactile.Object.Vector
 
--- | The polyhedron with faces turned, and which ones, ascending. A closed piece is turned outward,
--- or inward where it is inside an odd number of others; one with a rim so that fewer of its faces
--- turn, and one with one side only not at all. Where pieces cross each other, so that none is
--- inside another, those whose faces agree stay as they are. O(n log n).
+-- | The polyhedron with faces turned, and the indices of the turned faces, ascending. A closed
+-- piece is turned outward, or inward if it is inside an odd number of others. In a piece with a rim
+-- the fewer faces are turned. One-sided pieces are not turned. If pieces cross each other, so that
+-- none is inside another, pieces whose faces agree stay unchanged. O(n log n).
 oriented :: Mesh -> (Mesh, [Int])
 oriented it
   | not (V.all (ofVertices it) (meshWalks it)) = (it, [])
@@ -39,7 +38,7 @@ oriented it
     sides = surface (meshWalks it)
     closed piece =
       all (all (isJust . mateOf sides) . sidesOfFace sides) (IntMap.keys (pieceFaces piece))
-    -- Of each piece the faces that turn.
+    -- For each piece the faces to turn.
     fewer piece
       | not (pieceTwoSided piece) = IntSet.empty
       | IntSet.size (against piece) * 2 <= IntMap.size (pieceFaces piece) = against piece
@@ -56,7 +55,7 @@ oriented it
           | (f, as) <- IntMap.toList (pieceFaces piece),
             let corners = cornersOf it (meshWalks it V.! f)
         ]
-    -- Which pieces are inside an odd number of others, once all are outward.
+    -- The pieces inside an odd number of others, once all are outward.
     (asOutward, _) = turned (IntSet.unions (rims ++ bodies))
     report = examine asOutward
     known = all (isJust . componentInside) (reportComponents report)
@@ -81,18 +80,18 @@ oriented it
           it,
         IntSet.toAscList faces
       )
-    -- The other way round, from the same vertex.
+    -- The walk in the other direction, from the same vertex.
     back walk = U.take 1 walk U.++ U.reverse (U.drop 1 walk)
 
--- | Faces that hang together by edges that two have.
+-- | Faces that are connected by edges of exactly two faces.
 data Piece = Piece
-  { -- | its faces, and whether each looks to the side of the first one
+  { -- | its faces, and whether each is oriented as the first one is
     pieceFaces :: IntMap.IntMap Bool,
-    -- | whether none would have to look to both
+    -- | whether the orientation is consistent
     pieceTwoSided :: Bool
   }
 
--- | The pieces of so many faces, by their first ones.
+-- | The pieces of this number of faces, by their first ones.
 piecesOf :: Surface -> Int -> [Piece]
 piecesOf sides count = go IntSet.empty [0 .. count - 1]
   where

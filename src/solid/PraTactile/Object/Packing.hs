@@ -1,18 +1,18 @@
--- | A search for where pieces lie on a sheet, no two on one cell.
+-- | Searches for places of pieces on a sheet, so that no two share a cell.
 --
--- A piece is a finite set A of masks, its alternatives: finite sets of cells P in Z^2. A laying of
--- it is one of them, P, and a translation t. Given a sheet S = {0 .. R - 1} x {0 .. C - 1} and what
--- is taken of it, pairwise disjoint sets of cells T_1 .. T_m in S, a packing of A_1 .. A_n is a
--- laying (P_i, t_i) of each with
+-- A piece is a finite set A of masks, its alternatives; a mask is a finite set of cells P in Z^2. A
+-- laying of a piece is one alternative P and a translation t. The sheet is S = {0 .. R - 1} x {0 ..
+-- C - 1}. Disjoint sets of cells T_1 .. T_m in S are taken. A packing of A_1 .. A_n is a laying
+-- (P_i, t_i) of each with
 --
 -- > P_i in A_i,    P_i + t_i in S,    P_i + t_i disjoint with T_j for all j,
 -- > P_i + t_i disjoint with P_j + t_j for all j < i.
 --
--- Nothing is turned or mirrored, and the sheet does not wrap round: what turning would give is an
+-- Nothing is turned or mirrored, and the sheet does not wrap around. A turned piece must be an
 -- alternative of its own.
 --
--- First it is asked whether there is a quick proof that there is none ('Reason'). Then
--- "PraTactile.Object.Packing.Search" looks for one, and for a proof that there is none.
+-- First a quick proof of impossibility is tried ('Reason'). Then "PraTactile.Object.Packing.Search"
+-- looks for a packing, and for a proof that there is none.
 module PraTactile.Object.Packing
   ( -- * Masks
     Mask,
@@ -39,63 +39,62 @@ import PraTactile.Object.Packing.Mask
 import PraTactile.Object.Packing.Occupancy
 import PraTactile.Object.Packing.Search
 
--- | Where pieces are to lie.
--- | Where pieces are to lie, and what lies there already and stays.
+-- | The sheet, with the cells that are taken already.
 data Sheet = Sheet
-  { -- | in cells; below 0 counts as 0
+  { -- | in cells; a number below 0 counts as 0
     sheetRows :: !Int,
     sheetColumns :: !Int,
-    -- | masks, and the row and column of the upper left corner of their block
+    -- | masks, each with the row and column of its block's upper left corner
     sheetTaken :: [(Mask, (Int, Int))]
   }
   deriving stock (Eq, Show)
 
--- | What a search came to.
+-- | The result of a search.
 data Outcome
-  = -- | a packing: for each piece, in their order, how it lies
+  = -- | a packing: for each piece, in order, how it lies
     Packed [Laid]
-  | -- | there is none
+  | -- | there is no packing, for this reason
     Impossible Reason
-  | -- | none was found, and that there is none was not proved
+  | -- | no packing was found, but it is not proved that there is none
     NotFound
   deriving stock (Eq, Show)
 
 -- | How a piece lies.
 data Laid = Laid
-  { -- | which of its alternatives, from 0
+  { -- | the index of its alternative, from 0
     laidAlternative :: !Int,
-    -- | the row and column of the upper left corner of its block, which lies outside the sheet
-    -- where the block is larger than what the cells span
+    -- | the row and column of its block's upper left corner; it is outside the sheet if the block
+    -- is larger than its cells need
     laidAt :: !(Int, Int)
   }
   deriving stock (Eq, Ord, Show)
 
--- | Why there is no packing, the first of these that holds. Pieces and what is taken are told by
--- their place in the list, from 0.
+-- | Why there is no packing: the first of these that holds. Pieces and taken masks are given by
+-- their indices in the lists, from 0.
 data Reason
-  = -- | a cell of this one that is taken lies outside the sheet
+  = -- | a cell of this taken mask is outside the sheet
     TakenOutside Int
-  | -- | this one that is taken shares a cell with one before it
+  | -- | this taken mask shares a cell with an earlier one
     TakenOverlaps Int
-  | -- | none of this piece's alternatives fits on an empty sheet of this size, or it has none
+  | -- | none of this piece's alternatives fits an empty sheet of this size, or it has none
     PieceTooLarge Int
-  | -- | the pieces need so many cells at least, and so many are free
+  | -- | the pieces need at least the first number of cells, but only the second is free
     TooFewCells Int Int
-  | -- | none of this piece's alternatives fits beside what is taken
+  | -- | none of this piece's alternatives fits beside the taken masks
     NoRoom Int
-  | -- | the whole tree was searched
+  | -- | a complete search found none
     Exhausted
   deriving stock (Eq, Show)
 
--- | Looks for a packing of pieces, each told by its alternatives. Whatever the seed, 'Impossible'
--- is true and 'Packed' is a packing; the seed chooses among packings, and may decide whether one is
--- found. The order of pieces and alternatives decides nothing but which of equal pieces lies where.
+-- | Looks for a packing of pieces, each given by its alternatives. For every seed, 'Impossible' is
+-- true and 'Packed' is a packing. The seed selects among packings and may decide whether one is
+-- found. The order of pieces and alternatives only decides which of several equal pieces lies
+-- where.
 --
--- Of packings, those are looked for that end in an early row; of a piece's alternatives that fit at
--- the same place, the one with most cells is laid, unless no packing is found so.
---
--- Of a large sheet only so many rows and columns are looked at as suffice for the pieces, and
--- memory is in proportion to these.
+-- The search prefers packings that end in an early row. If several alternatives of a piece fit at
+-- one place, it lays the one with the most cells, unless no packing is found that way. On a large
+-- sheet it uses only as many rows and columns as suffice for the pieces, and memory in proportion
+-- to these.
 --
 -- >>> packed 1 (Sheet 2 3 []) [[block (2, 2)], [block (1, 2), block (2, 1)]]
 -- Packed [Laid {laidAlternative = 0, laidAt = (0,0)},Laid {laidAlternative = 1, laidAt = (0,2)}]
@@ -131,10 +130,10 @@ packed seed sheet pieces = either Impossible id $ do
     cells = toInteger . figureCells
     refuse reason holds = maybe (Right ()) (Left . reason) (elemIndex True holds)
 
--- | How many rows and columns of a sheet suffice: if there is a packing, there is one in these, the
--- upper left ones. Let all figures be no taller and no wider than a block that fits on the sheet.
--- Then n blocks lie below what is taken, as many in a line as columns allow, if there are so many
--- rows; and they lie in a line beside it, if there are so many columns.
+-- | The numbers of rows and columns of a sheet that suffice: if there is a packing, there is one in
+-- the upper left part of this size. Take a block that is as tall and wide as the largest figures
+-- and fits the sheet. If there are enough rows, n blocks fit below what is taken, as many side by
+-- side as the columns allow. If there are enough columns, they fit side by side to the right of it.
 room :: Int -> Int -> [(Figure, (Int, Int))] -> [Set.Set Figure] -> (Int, Int)
 room rows columns taken pieces =
   ( rows `atMost` (bottom + tallest * ((n + line - 1) `div` line)),
@@ -151,7 +150,7 @@ room rows columns taken pieces =
     right = most (0 : [c + figureColumns figure | (figure, (_, c)) <- taken])
     most = toInteger . maximum
 
--- | A sheet of so many rows and columns with what is taken of it.
+-- | A sheet with these numbers of rows and columns, and the taken masks on it.
 occupied :: (Int, Int) -> [(Figure, (Int, Int))] -> Either Reason Still
 occupied (rows, columns) taken = runST $ do
   it <- thaw (vacant rows columns)
@@ -161,7 +160,7 @@ occupied (rows, columns) taken = runST $ do
       go [] = Right <$> freeze it
   go (zip [0 ..] taken)
 
--- | Those figures that fit anywhere.
+-- | The figures that fit anywhere.
 fitSomewhere :: Still -> [Figure] -> [Figure]
 fitSomewhere still figures = runST $ do
   it <- thaw still

@@ -1,14 +1,14 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The pieces of a polyhedron: faces that hang together by edges, what each of them bounds, and
--- which of them are inside which.
+-- | The pieces of a polyhedron: faces that are connected by edges, what each piece bounds, and
+-- which pieces are inside which.
 --
--- With V, E and F vertices, edges and faces, a piece has the Euler number V - E + F = 2 - 2 g,
--- where g, its genus, counts its handles. Six times the volume that it encloses is the sum of
--- n . v over its faces, n being the double area vector of one and v a vertex of it (the cones from
--- the origin; the divergence theorem): positive where the faces are outward. An edge is convex if
--- the direction from it into the face at its right does not point to the outer side of the face at
--- its left; a surface that does not cut itself is convex if all its edges are.
+-- With V vertices, E edges and F faces, a piece has the Euler number V - E + F = 2 - 2 g; its genus
+-- g counts its handles. Six times its volume is the sum of n . v over its faces, where n is the
+-- double area vector of a face and v one of its vertices (the cones from the origin; the divergence
+-- theorem). It is positive if the faces are outward. An edge is convex if the direction from it
+-- into its right face does not point to the outer side of its left face. A surface that does not
+-- cut itself is convex if all its edges are.
 module PraTactile.Object.Pieces
   ( Component (..),
     Asked (..),
@@ -28,28 +28,29 @@ import PraTactile.Object.Subject
 import PraTactile.Object.Surface
 import PraTactile.Object.Vector
 
--- | Well-formed faces that hang together by edges. What is 'Nothing' has no meaning because of a
--- defect.
+-- | Well-formed faces that are connected by edges. A field is 'Nothing' if a defect makes it
+-- meaningless.
 data Component = Component
   { componentVertices :: Int,
     componentEdges :: Int,
     componentFaces :: Int,
     componentEuler :: Int,
-    -- | the number of its handles
+    -- | the number of handles
     componentGenus :: Maybe Int,
-    -- | cubic millimetres, negative where it is inward
+    -- | in cubic millimetres, negative if the piece is inward
     componentVolume :: Maybe Rational,
-    -- | whether what it bounds is convex
+    -- | whether the bounded region is convex
     componentConvex :: Maybe Bool,
-    -- | how many others it is inside of
+    -- | the number of other pieces that it is inside of
     componentInside :: Maybe Int
   }
   deriving stock (Eq, Show)
 
--- | What is asked of a piece.
+-- | The properties of a piece that can be asked for.
 data Asked = Genus | Volume | Whereabouts
 
--- | The pieces, and those that are inside out.
+-- | The pieces of a polyhedron, and defects for those that are inside out. The function says which
+-- properties are meaningful.
 pieces :: Subject -> (Asked -> Bool) -> ([Component], [Defect])
 pieces subject told =
   ( [ Component
@@ -107,7 +108,7 @@ pieces subject told =
         [ (pieceOf f, dot (normals subject V.! f) (points V.! (formed subject V.! f U.! 0)))
           | f <- formedFaces
         ]
-    -- Seen from what the surface bounds.
+    -- The edge as seen from inside the bounded region.
     notConvex =
       Set.fromList
         [ piece
@@ -135,8 +136,8 @@ pieces subject told =
             )
             | key <- Map.keys members
           ]
-    -- The pieces of the faces through which a ray along x leaves a vertex, moved by far less than
-    -- anything along y, and by far less than that along z.
+    -- The pieces of the faces through which a ray along x from a vertex passes. The ray is shifted
+    -- by an infinitesimal amount along y, and by a smaller one along z.
     passed v =
       [ pieceOf f
         | i <- meeting tree (onward (boxOf (rounding subject) (points V.! v))),
@@ -153,7 +154,7 @@ pieces subject told =
         V3 nx ny nz = normals subject V.! f
         corners = cornersOf it (formed subject V.! f)
         after = V.drop 1 corners V.++ V.take 1 corners
-        -- The face's plane is met at x = p + over / nx.
+        -- The ray meets the face's plane at x = p + over / nx.
         over = dot (V3 nx ny nz) (firstOf corners) - (nx * px + ny * py + nz * pz)
         ahead = signum over * signum nx > 0
         -- Beyond the point along y.

@@ -1,4 +1,4 @@
--- | Polygons in a plane, exactly: whether sides cross, what one holds.
+-- | Polygons in a plane, exactly: crossings of sides, and points inside.
 module PraTactile.Object.Polygon
   ( -- * Points of a plane
     V2 (..),
@@ -28,28 +28,28 @@ import PraTactile.Object.Vector (V3 (..))
 data V2 = V2 !Integer !Integer
   deriving stock (Eq, Ord, Show)
 
--- | Points of a plane with this normal, seen along an axis against which it is not flat: lines stay
--- lines, and what is counter-clockwise about the normal stays so.
+-- | Projects points of a plane with this normal along an axis that is not parallel to it. Lines
+-- stay lines, and counter-clockwise about the normal stays counter-clockwise.
 flat :: V3 -> V3 -> V2
 flat (V3 nx ny nz)
   | abs nz >= abs nx && abs nz >= abs ny = \(V3 x y _) -> if nz > 0 then V2 x y else V2 y x
   | abs nx >= abs ny = \(V3 _ y z) -> if nx > 0 then V2 y z else V2 z y
   | otherwise = \(V3 x _ z) -> if ny > 0 then V2 z x else V2 x z
 
--- | Positive where one turns left at the second point on the way to the third: twice the area.
+-- | Twice the signed area of a triangle: positive if the path turns left at the second point.
 turn :: V2 -> V2 -> V2 -> Integer
 turn (V2 ax ay) (V2 bx by) (V2 cx cy) = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
 
--- | The scalar product of the ways from the first point to the others.
+-- | The scalar product of the vectors from the first point to the others.
 inner :: V2 -> V2 -> V2 -> Integer
 inner (V2 ox oy) (V2 ax ay) (V2 bx by) = (ax - ox) * (bx - ox) + (ay - oy) * (by - oy)
 
--- | Whether the third point is on the segment of the others, ends included.
+-- | Whether the third point is on the segment between the others, ends included.
 between :: V2 -> V2 -> V2 -> Bool
 between a b p = turn a b p == 0 && inner p a b <= 0
 
--- | Whether the way from a corner to the last point leads into it, between the ways to the first of
--- the two points before and, counter-clockwise from that, to the second; along neither.
+-- | Whether the direction from a corner to the last point is strictly inside an angle: from the
+-- first direction of the pair, counter-clockwise, to the second.
 intoCorner :: V2 -> (V2, V2) -> V2 -> Bool
 intoCorner o (from, to) p
   | way > 0 = turn o from p > 0 && turn o p to > 0
@@ -69,15 +69,15 @@ crossing (a, b) (c, d) =
   where
     opposite m n = signum m * signum n < 0
 
--- | The place after this one, going round.
+-- | The next index of a cycle.
 following :: V.Vector a -> Int -> Int
 following walk i = if i + 1 == V.length walk then 0 else i + 1
 
--- | Where a point is.
+-- | The place of a point relative to a polygon.
 data Standing = Outside | OnRim | Inside
   deriving stock (Eq, Show)
 
--- | Where a point is, of a polygon that does not cross itself.
+-- | The place of a point relative to a polygon that does not cross itself.
 standing :: V.Vector V2 -> V2 -> Standing
 standing walk p@(V2 _ y)
   | Just _ <- find (\(a, b) -> between a b p) sides = OnRim

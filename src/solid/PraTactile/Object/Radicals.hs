@@ -1,12 +1,12 @@
 {-# LANGUAGE FlexibleInstances #-}
 
--- | Sums of rational multiples of square roots, exactly: the coordinates of a face's corners in the
--- face's own frame, of points on slanted faces, and of corners of an unfolded polyhedron.
+-- | Exact sums of rational multiples of square roots. They are the coordinates of a face's corners
+-- in its own frame, of points on slanted faces, and of corners of an unfolded polyhedron.
 --
--- Any whole numbers are products of the elements of a 'coprimeBase' of theirs, and the root of one
--- is a whole multiple of the root of a product of such elements, each once, of those that are no
--- squares. The roots of different products of that kind are linearly independent over the rationals
--- (Besicovitch 1940), so that a sum is 0 only where all its coefficients are.
+-- Any integers are products of elements of their 'coprimeBase'. So the root of such an integer is
+-- an integer multiple of the root of a product of distinct base elements that are not squares. The
+-- roots of different products of this kind are linearly independent over the rationals (Besicovitch
+-- 1940). So a sum is 0 only if all its coefficients are.
 module PraTactile.Object.Radicals
   ( -- * Roots
     Base,
@@ -35,11 +35,10 @@ import PraTactile.Object.Enclosure
 import PraTactile.Object.Number
 import PraTactile.Object.Vector (exactRoot, squareRoot)
 
--- | Whole numbers above 1, no two of which have a divisor in common, each with its root where it is
--- a square.
+-- | Pairwise coprime integers above 1, each with its root if it is a square.
 newtype Base = Base [(Integer, Maybe Rational)]
 
--- | A base of which all these positive numbers are products. O(n^2) greatest common divisors.
+-- | A base that generates all these positive numbers as products. O(n^2) greatest common divisors.
 coprimeBase :: [Integer] -> Base
 coprimeBase numbers = Base [(b, exactRoot (fromInteger b)) | b <- foldl' insert [] numbers]
   where
@@ -51,7 +50,7 @@ coprimeBase numbers = Base [(b, exactRoot (fromInteger b)) | b <- foldl' insert 
       where
         g = gcd b n
 
--- | The root of one of the numbers of which the base was made.
+-- | The root of one of the numbers from which the base was made.
 --
 -- >>> terms (rootIn (coprimeBase [12, 75, 3]) 75)
 -- [(5 % 1,3)]
@@ -71,25 +70,24 @@ rootIn (Base base) number = Radicals (Map.singleton under before)
           (q, 0) -> 1 + exponentOf q
           _ -> 0 :: Int
 
--- | A sum of rational multiples of the roots of products of elements of one base: what is under
--- each root, and the coefficient, which is not 0. Sums over different bases have nothing to do with
--- each other.
+-- | A sum of rational multiples of roots of products of elements of one base: the number under each
+-- root, and its nonzero coefficient. Sums over different bases must not be combined.
 newtype Radicals = Radicals (Map.Map Integer Rational)
   deriving stock (Eq, Show)
 
--- | By size.
+-- | Ordered by value.
 instance Ord Radicals where
   compare a b = compare (sign (minus a b)) 0
 
--- | A rational number.
+-- | A rational number as a sum.
 fraction :: Rational -> Radicals
 fraction q = Radicals (if q == 0 then Map.empty else Map.singleton 1 q)
 
--- | The coefficients, none of which is 0, each with what is under its root.
+-- | The nonzero coefficients, each with the number under its root.
 terms :: Radicals -> [(Rational, Integer)]
 terms (Radicals sums) = [(q, under) | (under, q) <- Map.toAscList sums]
 
--- | The number, where it is rational.
+-- | The number as a fraction; 'Nothing' if it is irrational.
 asFraction :: Radicals -> Maybe Rational
 asFraction it = case terms it of
   [] -> Just 0
@@ -102,7 +100,7 @@ instance Number Radicals where
   product' (Radicals a) (Radicals b) =
     Radicals (foldl' summed Map.empty [part m p | (m, p) <- Map.toList a])
     where
-      -- Products of elements of the base: what both have leaves the root.
+      -- Products of elements of the base: common factors leave the root.
       part m p =
         Map.fromList
           [ (m `quot` g * (n `quot` g), p * q * fromInteger g)
@@ -114,7 +112,7 @@ instance Number Radicals where
 summed :: Map.Map Integer Rational -> Map.Map Integer Rational -> Map.Map Integer Rational
 summed = Map.mergeWithKey (\_ p q -> if p + q == 0 then Nothing else Just (p + q)) id id
 
--- | 'Nothing' of a product that would be one of too many pairs of terms, and of what comes of it.
+-- | 'Nothing' for a product of too many pairs of terms, and for everything computed from it.
 instance Number (Maybe Radicals) where
   plus = liftA2 plus
   minus = liftA2 minus
@@ -124,7 +122,7 @@ instance Number (Maybe Radicals) where
     pure (product' (Radicals few) (Radicals others))
   times k = fmap (times k)
 
--- | No product is made of sums that have more pairs of terms.
+-- | The most pairs of terms for which a product is computed.
 mostPairs :: Int
 mostPairs = 4096
 
@@ -138,7 +136,7 @@ sign number@(Radicals sums) = case Map.toList (Map.delete 1 sums) of
   where
     rational = Map.findWithDefault 0 1 sums
 
--- | The sign of r + s sqrt a + t sqrt b, of a, b, r, s and t, where a and b are not negative.
+-- | The sign of r + s sqrt a + t sqrt b, given a, b, r, s and t. Neither a nor b may be negative.
 signOf :: (Ord n, Num n) => n -> n -> n -> n -> n -> n
 signOf a b r s t
   | first * signum t >= 0 = signum (first + signum t)
@@ -155,12 +153,12 @@ sign2 a r s
   | otherwise = signum r * signum (r * r - s * s * a)
 {-# SPECIALIZE sign2 :: Integer -> Integer -> Integer -> Integer #-}
 
--- | The number rounded by a function that does not fall and is constant between some fractions,
--- such as to the nearest machine number, or to its sign.
+-- | Rounds a number by a function that is monotonic and constant between certain fractions, such as
+-- rounding to the nearest machine number, or the sign.
 nearest :: Eq a => (Rational -> a) -> Radicals -> a
 nearest rounding number = maybe (decided 64) rounding (asFraction number)
   where
-    -- It lies between two of the fractions at which the rounded number changes.
+    -- The number lies strictly between two fractions at which the function changes.
     decided digits
       | below == rounding (middle it + radius it) = below
       | otherwise = decided (2 * digits)
@@ -168,8 +166,8 @@ nearest rounding number = maybe (decided 64) rounding (asFraction number)
         below = rounding (middle it - radius it)
         it = foldl' plus (enclosed digits 0 1) (map (uncurry (enclosed digits)) (terms number))
 
--- | The nearest machine number of a rational one, and of another one within some units in the last
--- place of its terms.
+-- | The nearest machine number. For irrational numbers it may be off by some units in the last
+-- place of the terms.
 --
 -- >>> nearestDouble (fraction 1 `plus` rootIn (coprimeBase [2]) 2)
 -- 2.414213562373095

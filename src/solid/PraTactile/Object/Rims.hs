@@ -1,5 +1,5 @@
--- | Faces with holes. Such a face is one walk all the same: it goes round the outer rim, to a hole
--- along a /bridge/, round that the other way, and back along the bridge.
+-- | Faces with holes. Such a face is still one walk: it goes around the outer rim, along a /bridge/
+-- to a hole, around the hole in the other direction, and back along the bridge.
 --
 -- >  4 --------------- 3
 -- >  |     8 --- 7     |
@@ -8,8 +8,8 @@
 -- >  |   /             |
 -- >  1 --------------- 2
 --
--- So areas, angles and the parity of sides that a line crosses are those of any walk, and only
--- what asks where a face ends leaves the bridges out ('rimPairs').
+-- So areas, angles, and the parity of crossed sides are those of any walk. Only functions that need
+-- the boundary of a face leave the bridges out ('rimPairs').
 module PraTactile.Object.Rims
   ( rimPairs,
     rims,
@@ -34,7 +34,7 @@ import PraTactile.Object.Polygon
 import PraTactile.Object.Triangulation
 import PraTactile.Object.Vector
 
--- | The sides of a closed walk but for its bridges, which it goes in both directions.
+-- | The sides of a closed walk without its bridges, which it passes in both directions.
 --
 -- >>> rimPairs "adefdabc"
 -- [('d','e'),('e','f'),('f','d'),('a','b'),('b','c'),('c','a')]
@@ -46,8 +46,8 @@ rimPairs walk
     sides = cyclicPairs walk
     known = Set.fromList sides
 
--- | The rims that a walk with bridges goes round, each once and in its direction. The walk visits a
--- vertex more than once along bridges alone ('onlyBridged').
+-- | The rims that a walk with bridges goes around, each once and in its direction. The walk must
+-- visit vertices more than once only along bridges ('onlyBridged').
 --
 -- >>> rims [1, 2, 3, 4, 1, 5, 8, 7, 6, 5]
 -- [[1,2,3,4],[5,8,7,6]]
@@ -56,7 +56,8 @@ rims walk = cyclesFrom (`Map.lookup` Map.fromList sides) (map fst sides)
   where
     sides = rimPairs walk
 
--- | The cycles on which these are, each once and from the first of them, given what follows each.
+-- | The cycles that contain these elements, each once and from its first listed element. The
+-- function gives an element's successor.
 cyclesFrom :: Ord a => (a -> Maybe a) -> [a] -> [[a]]
 cyclesFrom after begins = case begins of
   [] -> []
@@ -67,8 +68,7 @@ cyclesFrom after begins = case begins of
   where
     follow a = maybe [] (\b -> b : follow b) (after a)
 
--- | The places of a walk at which it comes along a rim: one for each vertex, those of one rim
--- together.
+-- | The indices of a walk at which it arrives along a rim: one for each vertex, sorted by rim.
 --
 -- >>> beginnings [1, 2, 3, 4, 1, 5, 7, 6, 5]
 -- [1,2,3,4,6,7,8]
@@ -86,8 +86,8 @@ beginnings walk
     rimOf = Map.fromList [(v, k) | (k, loop) <- zip [0 :: Int ..] loops, v <- loop]
     onRim = Set.fromList (rimPairs walk)
 
--- | Whether a walk goes each side once in a direction, and of its sides but the bridges one begins
--- at each vertex.
+-- | Whether a walk passes each side at most once in each direction, and exactly one of its sides
+-- other than bridges begins at each vertex.
 onlyBridged :: Walk -> Bool
 onlyBridged walk =
   Set.size (Set.fromList sides) == length sides
@@ -97,9 +97,9 @@ onlyBridged walk =
     sides = cyclicPairs visited
     visited = U.toList walk
 
--- | One walk along all of these rims of a flat face, the outer one counter-clockwise and holes
--- clockwise about the normal: bridges are the shortest that lead from rim to rim. None where rims
--- cross or touch each other.
+-- | One walk along all these rims of a flat face, the outer one counter-clockwise and the holes
+-- clockwise about the normal. The bridges are the shortest between rims. 'Nothing' if rims cross or
+-- touch.
 bridged :: (Int -> V3) -> V3 -> [Walk] -> Maybe Walk
 bridged point normal loops = case loops of
   [walk] -> Just walk
@@ -114,7 +114,7 @@ bridged point normal loops = case loops of
     numbered = snd (foldl' number (0, []) loops)
     number (k, done) loop = (k + U.length loop, done ++ [[k .. k + U.length loop - 1]])
     loopOf = IntMap.fromList [(v, k) | (k, loop) <- zip [0 :: Int ..] loops, v <- U.toList loop]
-    -- Sides of triangles that lead from rim to rim, the shortest first (Kruskal 1956).
+    -- Sides of triangles that connect rims, the shortest first (Kruskal 1956).
     candidates =
       sortOn
         long
@@ -143,8 +143,8 @@ bridged point normal loops = case loops of
         (++)
         (IntMap.map pure after)
         (IntMap.fromListWith (++) (concat [[(v, [w]), (w, [v])] | (v, w) <- bridges]))
-    -- From the least vertex of the outer rim that has no bridge, or else that has one, where the
-    -- walk comes along that rim.
+    -- The walk begins at the least vertex of the outer rim without a bridge, or else at one with a
+    -- bridge, where it arrives along that rim.
     first =
       listToMaybe
         [ (u, v)
@@ -155,7 +155,7 @@ bridged point normal loops = case loops of
         ]
     walked = maybe [] (\side -> snd side : map snd (takeWhile (/= side) (steps side))) first
     steps side = let next = turned side in next : steps next
-    -- At a vertex the walk leaves by what is next to where it came from, on its left.
+    -- At a vertex the walk leaves by the next side to the left of the one it came from.
     turned (u, v) =
       ( v,
         foldl'

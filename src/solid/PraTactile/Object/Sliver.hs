@@ -1,15 +1,15 @@
--- | Faces whose corners lie on one line, nearly, left out: the triangles without area that
--- exporters of curved and trimmed surfaces leave behind.
+-- | Leaves out faces whose corners lie nearly on one line: the triangles without area that
+-- exporters of curved and trimmed surfaces produce.
 --
 -- > a --------- v ---- b        a --------- v ---- b
 -- >  \\_______________/          |
 -- >   a           b      ->      the face below is  .. b v a ..
 -- >  the face below: .. b a ..
 --
--- Such a face has sides along its line, between corners in some order. What lies across a side from
--- p to q, and takes it from q to p, takes there the corners between these as well. Each piece of
--- the line from one corner to the next is then passed as often in both directions as before, so
--- that the other faces close where they did. A corner that is off the line goes to its foot on it.
+-- Such a face has sides along its line, between its corners in some order. A face across a side
+-- from p to q passes it from q to p, and takes in the corners between these. Then each piece of the
+-- line between neighbouring corners is passed as often in both directions as before, so the other
+-- faces stay closed. A corner that is off the line moves to its projection on it.
 module PraTactile.Object.Sliver
   ( withoutSlivers,
     Unslivered (..),
@@ -28,16 +28,16 @@ import PraTactile.Object.Mesh
 import PraTactile.Object.Vector
 import PraTactile.Object.VectorQ
 
--- | What comes of it.
+-- | The result of leaving out slivers.
 data Unslivered = Unslivered
-  { -- | the walks that are left
+  { -- | the remaining walks
     unsliveredWalks :: [Walk],
-    -- | vertices that go to other places, in units of the polyhedron's coordinates
+    -- | the vertices that move, with their new places in units of the polyhedron's coordinates
     unsliveredMoves :: IntMap.IntMap Q3
   }
 
--- | Leaves faces out whose corners lie no further than so many millimetres from the line between
--- two of them. All vertices of all walks must be there. O(n log n).
+-- | Leaves out faces whose corners are all within this many millimetres of the line between two of
+-- them. All vertices of all walks must exist. O(n log n).
 withoutSlivers :: Rational -> Mesh -> Unslivered
 withoutSlivers mm it
   | null suspects = Unslivered (V.toList (meshWalks it)) IntMap.empty
@@ -58,8 +58,8 @@ withoutSlivers mm it
         IntMap.empty
     finished slivers =
       Unslivered (map U.fromList (IntMap.elems (walksLeft slivers))) (moves slivers)
-    -- A face that took corners may lie on a line after that, and of slivers that lie on each other
-    -- one can go once another has.
+    -- A face that took in corners may become a sliver. Of slivers that lie on each other, one may
+    -- go after another has.
     leftOut f slivers = case IntMap.lookup f (walksLeft slivers) of
       Just walk
         | onLine square it (moves slivers) (U.fromList walk),
@@ -67,7 +67,7 @@ withoutSlivers mm it
           foldl' (flip leftOut) next into
       _ -> slivers
 
--- | The faces that are left, the faces at each edge, and the vertices that moved.
+-- | The remaining faces, the faces at each edge, and the vertices that moved.
 data Slivers = Slivers
   { walksLeft :: IntMap.IntMap [Int],
     facesAt :: Map.Map (Int, Int) [Int],
@@ -77,9 +77,9 @@ data Slivers = Slivers
 edge :: (Int, Int) -> (Int, Int)
 edge (p, q) = (min p q, max p q)
 
--- | Without one face, where all that lies across its sides can take the corners between; and the
--- faces that may have to go after that: those that took some, and those at edges that have two
--- faces now.
+-- | Leaves out one face, if all faces across its sides can take in the corners between. Also
+-- returns the faces that may have to go next: those that took in corners, and those at edges that
+-- now have two faces.
 without :: Mesh -> Int -> [Int] -> Slivers -> Maybe (Slivers, [Int])
 without it f walk slivers
   | distinct (map snd order), Just mates <- traverse mate needed = Just (taken mates)
@@ -113,7 +113,8 @@ without it f walk slivers
     put now (g, side, corners) = case IntMap.lookup g (walksLeft now) of
       Just old -> replaced g (tidied (concatMap (inserted side corners) (cyclicPairs old))) now
       Nothing -> now
-    -- A side from its beginning on, with those between where it is this one, whichever way.
+    -- A side from its start, with the corners between inserted if it is this one, in either
+    -- direction.
     inserted (p, q) corners (a, b)
       | (a, b) == (p, q) = a : corners
       | (a, b) == (q, p) = a : reverse corners
@@ -127,7 +128,7 @@ without it f walk slivers
         ]
     line = place to `less` place from
 
--- | A face with another walk; with one of fewer than three corners it goes.
+-- | Gives a face another walk; with fewer than three corners the face is removed.
 replaced :: Int -> [Int] -> Slivers -> Slivers
 replaced f walk slivers =
   slivers
@@ -145,7 +146,7 @@ replaced f walk slivers =
     added found side = Map.insertWith (++) side [f] found
     withoutFirst a list = let (front, rest) = break (== a) list in front ++ drop 1 rest
 
--- | A walk without corners that follow themselves, and without spikes, where a side is walked back
+-- | A walk without repeated corners in succession, and without spikes, where a side is walked back
 -- at once.
 --
 -- >>> tidied [1, 2, 2, 3, 4, 3]
@@ -165,15 +166,15 @@ tidied walk
     rotated k = drop k walk ++ take k walk
     bad (before, v, after) = n > 1 && (v == after || before == after)
 
--- | Whether all corners lie so near to the line between two of them, whose distance from each other
--- is not 0; the first argument is the square of the distance.
+-- | Whether all corners of a face are near the line between two distinct ones of them. The first
+-- argument is the square of the distance.
 onLine :: Rational -> Mesh -> IntMap.IntMap Q3 -> Walk -> Bool
 onLine square it moved walk
   | U.length walk < 3 = False
   | IntMap.null moved || not (U.any (`IntMap.member` moved) walk) = near (farthest whole)
   | otherwise = nearly (extremes place (U.toList walk))
   where
-    -- Of whole numbers, which is most of all there is.
+    -- In integers, which saves most of the time.
     points = cornersOf it walk
     whole = firstOf points
     farthest from = V.maximumBy (comparing (\p -> let d = p `minus` from in dot d d)) points
@@ -194,8 +195,7 @@ onLine square it moved walk
              in inner d d - inner d line ^ (2 :: Int) / inner line line
        in inner line line > 0 && U.all ((<= square) . off) walk
 
--- | Two corners that are far from each other: the farthest from the first one, and the farthest
--- from that.
+-- | Two corners that are far apart: the farthest from the first corner, and the farthest from that.
 extremes :: (Int -> Q3) -> [Int] -> (Int, Int)
 extremes place walk = (from, far from)
   where

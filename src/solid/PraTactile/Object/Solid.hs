@@ -17,8 +17,9 @@ where
 
 import PraTactile.Object.WingedEdge
 
--- | The cube C1 ... C8, 127 mm a side. C1 C2 C3 C4 is the top face, C1 far left and C2 near left;
--- C5 ... C8 lie below C1 ... C4. It is always 'Right': its description is a polyhedron.
+-- | The cube C1 ... C8, 127 mm a side. C1 C2 C3 C4 is the top face, with C1 far left and C2 near
+-- left; C5 ... C8 lie below C1 ... C4. It is always 'Right', because its description is a valid
+-- polyhedron.
 --
 -- >      C1 ---------- C4
 -- >     / |           / |
@@ -30,7 +31,7 @@ import PraTactile.Object.WingedEdge
 cube :: Either Defect Solid
 cube = solid cubeDescription
 
--- | What 'cube' is made of.
+-- | The description of 'cube'.
 cubeDescription :: Description
 cubeDescription =
   box
@@ -44,7 +45,7 @@ cubeDescription =
 parallelepiped :: Either Defect Solid
 parallelepiped = solid parallelepipedDescription
 
--- | What 'parallelepiped' is made of.
+-- | The description of 'parallelepiped'.
 parallelepipedDescription :: Description
 parallelepipedDescription =
   box
@@ -57,10 +58,11 @@ parallelepipedDescription =
 boxFaces :: [String]
 boxFaces = ["2 6 7 3", "3 7 8 4", "4 8 5 1", "1 2 3 4", "1 5 6 2", "6 5 8 7"]
 
--- | A box: its name, the letter its vertices begin with, its extents in millimetres, and its faces
--- by the numbers of their vertices, from the upper left one, counter-clockwise seen from outside.
--- Vertices 1 to 4 are the top seen from above: far left, near left, near right, far right; 5 to 8
--- lie below them. The near left bottom vertex is the origin.
+-- | The description of a box. Arguments: its name; the first letter of its vertices; its extents in
+-- millimetres; its faces by the numbers of their vertices, from the upper left one,
+-- counter-clockwise as seen from outside. Vertices 1 to 4 are the top as seen from above: far left,
+-- near left, near right, far right; 5 to 8 lie below them. The near left bottom vertex is the
+-- origin.
 box :: ObjectName -> Char -> Point -> [String] -> Description
 box named letter (Point across deep tall) numbered =
   Description

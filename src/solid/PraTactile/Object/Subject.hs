@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What is worked out of a polyhedron, once for all that is asked of it.
+-- | The data of a polyhedron that all checks share, computed once.
 module PraTactile.Object.Subject
   ( Subject (..),
     subjectOf,
@@ -25,7 +25,8 @@ import PraTactile.Object.Rims
 import PraTactile.Object.Surface
 import PraTactile.Object.Vector
 
--- | A polyhedron with its sides. Faces are those well formed; all others have an empty walk.
+-- | A polyhedron with its sides. Only well-formed faces keep their walks in 'formed'; all others
+-- have an empty one.
 data Subject = Subject
   { whole :: Mesh,
     formed :: V.Vector Walk,
@@ -34,7 +35,7 @@ data Subject = Subject
     rounding :: Rounding
   }
 
--- | Of a polyhedron. O(n log n).
+-- | Prepares a polyhedron for checks. O(n log n).
 subjectOf :: Mesh -> Subject
 subjectOf it =
   Subject
@@ -52,12 +53,12 @@ subjectOf it =
         && null (repeats walk)
         && not (usesAny (repeatedFirsts it) walk)
 
--- | The well-formed faces whose walks are so.
+-- | The well-formed faces whose walks satisfy the condition.
 facesWhere :: (Walk -> Bool) -> Subject -> [Int]
 facesWhere holds subject = V.toList (V.findIndices holds (formed subject))
 
--- | What a walk visits more than once, each once, ascending; nothing where it does so along bridges
--- alone ("PraTactile.Object.Rims").
+-- | The vertices that a walk visits more than once, each once, ascending. Empty if it does so only
+-- along bridges ("PraTactile.Object.Rims").
 repeats :: Walk -> [Int]
 repeats walk
   | U.length walk == 3, a /= b, b /= c, a /= c = []
@@ -71,15 +72,15 @@ repeats walk
       | otherwise = go (y : more)
     go _ = []
 
--- | The vertices whose names later ones have as well.
+-- | The first vertices of repeated names.
 repeatedFirsts :: Mesh -> Set.Set Int
 repeatedFirsts = Set.fromList . Map.elems . meshRepeated
 
--- | Whether a walk has one of these.
+-- | Whether a walk contains one of these vertices.
 usesAny :: Set.Set Int -> Walk -> Bool
 usesAny some walk = not (Set.null some) && U.any (`Set.member` some) walk
 
--- | The box round a face.
+-- | The bounding box of a face.
 boxOfFace :: Subject -> Int -> Box
 boxOfFace subject f = V.foldl1' around (V.map (boxOf (rounding subject)) corners)
   where

@@ -1,5 +1,5 @@
--- | The sides of the faces of a polyhedron, and which of them make an edge: the half-edge form of a
--- winged-edge model (section II.B of the paper; Ballard and Brown, Computer Vision, ch. 9).
+-- | The sides of a polyhedron's faces, and which of them belong to one edge: the half-edge form of
+-- a winged-edge model (section II.B of the paper; Ballard and Brown, Computer Vision, ch. 9).
 module PraTactile.Object.Surface
   ( Surface,
     surface,
@@ -33,15 +33,15 @@ import qualified Data.Vector.Unboxed.Mutable as M
 import PraTactile.Object.Boxes (sortedPairs)
 import PraTactile.Object.Mesh (Walk)
 
--- | All sides of some walks, in their order.
+-- | All sides of some walks, in order.
 data Surface = Surface
   { starts :: !(U.Vector Int),
     faces :: !(U.Vector Int),
-    -- | where the sides of each face begin, and where those of the last one end
+    -- | the index of the first side of each face, then the number of sides
     offsets :: !(U.Vector Int),
-    -- | the sides, those of an edge together
+    -- | the sides sorted by edge
     grouped :: !(U.Vector Int),
-    -- | where the sides of each edge begin among them, and where those of the last one end
+    -- | the index in 'grouped' of the first side of each edge, then the number of sides
     groups :: !(U.Vector Int),
     mates :: !(U.Vector Int)
   }
@@ -78,19 +78,19 @@ surface walks =
     places = if total == 0 then U.singleton 0 else U.enumFromN 0 (total + 1)
     total = U.length begun
 
--- | How many sides there are.
+-- | The number of sides.
 sideCount :: Surface -> Int
 sideCount = U.length . starts
 
--- | The vertex at which a side begins, on the walk that it is of.
+-- | The vertex at which a side begins on its walk.
 sideStart :: Surface -> Int -> Int
 sideStart it s = starts it U.! s
 
--- | The vertex at which it ends.
+-- | The vertex at which a side ends.
 sideEnd :: Surface -> Int -> Int
 sideEnd it = sideStart it . nextSide it
 
--- | The walk that it is of.
+-- | The walk to which a side belongs.
 sideFace :: Surface -> Int -> Int
 sideFace it s = faces it U.! s
 
@@ -110,11 +110,11 @@ previousSide it s = if s == offsets it U.! f then offsets it U.! (f + 1) - 1 els
   where
     f = sideFace it s
 
--- | Where on its walk a side begins, from 0.
+-- | The index of a side's start on its walk, from 0.
 placeOnWalk :: Surface -> Int -> Int
 placeOnWalk it s = s - offsets it U.! sideFace it s
 
--- | How many edges there are.
+-- | The number of edges.
 edgeCount :: Surface -> Int
 edgeCount it = U.length (groups it) - 1
 
@@ -122,14 +122,14 @@ edgeCount it = U.length (groups it) - 1
 edgeSides :: Surface -> Int -> [Int]
 edgeSides it e = [grouped it U.! i | i <- [groups it U.! e .. groups it U.! (e + 1) - 1]]
 
--- | The other side of an edge that has two.
+-- | The other side of the edge; 'Nothing' unless the edge has two sides.
 mateOf :: Surface -> Int -> Maybe Int
 mateOf it s = if mate < 0 then Nothing else Just mate
   where
     mate = mates it U.! s
 
--- | For each of so many things the first one that pairs of them lead to (disjoint sets; Tarjan
--- 1975).
+-- | For each of this number of elements, the first element that is connected to it by pairs
+-- (disjoint sets; Tarjan 1975).
 classes :: Int -> [(Int, Int)] -> U.Vector Int
 classes count pairs = runST $ do
   parents <- U.thaw (U.enumFromN 0 count)

@@ -1,11 +1,11 @@
--- | What rounding did to a polyhedron, undone where it can be: vertices that lie close together are
--- one, and faces are flat again, exactly.
+-- | Undoes the effects of rounding on a polyhedron, where possible: vertices that are close
+-- together become one, and faces become exactly flat again.
 --
--- A face of more than three corners gets the plane n . x = n . m of its area vector n and the mean
--- m of its corners, which are rational. A vertex v that is on up to three such planes goes to the
--- nearest point that is common to them, v - sum l_i n_i, where the l_i solve
--- sum_j (n_i . n_j) l_j = n_i . (v - m_i), planes that follow from others left out; if there is
--- such a point, and it is near enough. Triangles are flat however they are moved.
+-- A face with more than three corners gets the plane n . x = n . m, where n is its area vector and
+-- m the mean of its corners; both are rational. A vertex v on up to three such planes goes to the
+-- nearest point common to them. That is v - sum l_i n_i, where the l_i solve sum_j (n_i . n_j) l_j
+-- = n_i . (v - m_i), without dependent planes. It stays if there is no such point, or the point is
+-- too far away. Triangles stay flat however their corners move.
 module PraTactile.Object.Tolerance
   ( settled,
     joined,
@@ -32,27 +32,28 @@ import PraTactile.Object.Surface
 import PraTactile.Object.Vector
 import PraTactile.Object.VectorQ
 
--- | What came of it.
+-- | The result of a repair.
 data Settled = Settled
   { settledMesh :: Mesh,
-    -- | how many vertices were moved, those put together with another place among them
+    -- | the number of vertices that moved, including those joined with a vertex at another place
     settledMoved :: Int,
-    -- | how far at most, in millimetres
+    -- | the largest distance moved, in millimetres
     settledMost :: Double,
-    -- | how many faces were left out, since nothing is left of their area
+    -- | the number of faces left out, because they lost their area
     settledLeftOut :: Int
   }
 
--- | Vertices no further apart than so many millimetres are put together, each at the first of them
--- in the file's order; faces that lie no further from a line are left out
--- ("PraTactile.Object.Sliver"); and other vertices are moved no further so that faces are flat. If
--- asked for, faces that share sides and lie as near to the plane of the largest of them count as
--- one face, for an exporter cut it into triangles. Faces with fewer than three vertices left are
--- left out. Refuses where the new points have no common denominator that one can compute with.
+-- | Repairs a polyhedron with a tolerance in millimetres. Vertices within the tolerance are joined,
+-- each at the first of them in the file's order. Faces within the tolerance of a line are left out
+-- ("PraTactile.Object.Sliver"). Other vertices move by at most the tolerance so that faces become
+-- flat. With 'True', faces count as one face if they share sides and lie within the tolerance of
+-- the largest one's plane, as if an exporter had cut it into triangles. Faces with fewer than three
+-- vertices are left out. Refuses if the new points have a common denominator that is too large to
+-- compute with.
 settled :: Rational -> Bool -> Mesh -> Either TooFine Settled
 settled mm together it = joined mm it >>= levelled mm together
 
--- | The first half of 'settled': vertices put together, and faces on a line left out.
+-- | The first half of 'settled': joins vertices and leaves out faces on a line.
 joined :: Rational -> Mesh -> Either TooFine Settled
 joined mm it
   | not (V.all (ofVertices it) (meshWalks it)) = Right (Settled it 0 0 0)
@@ -67,7 +68,7 @@ joined mm it
     withWalks given old =
       withShape (meshNames old) (meshDenominator old) (meshPoints old) (V.fromList given) old
 
--- | The second half: vertices moved so that faces are flat.
+-- | The second half of 'settled': moves vertices so that faces become flat.
 levelled :: Rational -> Bool -> Settled -> Either TooFine Settled
 levelled mm together before
   | not (V.all (ofVertices it) (meshWalks it)) = Right before
@@ -82,13 +83,13 @@ levelled mm together before
   where
     it = settledMesh before
 
--- | The coordinates of flat faces would have so many binary digits over their common denominator,
--- and more than 2^28 are not made.
+-- | The coordinates of flat faces would need this number of binary digits over their common
+-- denominator; the limit is 2^28.
 newtype TooFine = TooFine Integer
   deriving stock (Eq, Show)
 
--- | A tolerance, in millimetres, with which faces that are not flat will be: three digits of what
--- has to be moved, rounded up. Nothing, where none will do.
+-- | A tolerance, in millimetres, with which faces that are not flat become flat: the largest
+-- distance that a vertex must move, rounded up to three digits. 'Nothing' if no tolerance suffices.
 sufficient :: Mesh -> Maybe Rational
 sufficient it
   | not (V.all (ofVertices it) (meshWalks it)) = Nothing
@@ -103,7 +104,7 @@ sufficient it
       let digit = 10 ^^ (floor (logBase 10 far) - 2 :: Int) :: Rational
        in fromInteger (ceiling (toRational far / digit * (1 + 1e-12))) * digit
 
--- | Vertices that are near each other put together, with how far each was moved.
+-- | Joins vertices that are near each other. Also returns the distance that each moved.
 welded :: Rational -> Mesh -> (Mesh, [Double])
 welded mm it =
   ( withShape
@@ -127,7 +128,7 @@ welded mm it =
     points = meshPoints it
     count = V.length points
     rounding = roundingOf points
-    -- In the units of coordinates, and in those of boxes.
+    -- The tolerance in units of coordinates, and in those of boxes.
     reach = mm * fromInteger (meshDenominator it)
     square = reach * reach
     tree = boxes (V.map (boxOf rounding) points)
@@ -154,11 +155,11 @@ distance it p q = squareRoot (dot d d % meshDenominator it ^ (2 :: Int))
   where
     d = p `minus` q
 
--- | A plane: the normal, and what the normal makes of its points.
+-- | A plane: its normal, and the scalar product of the normal with its points.
 data Plane = Plane V3 Rational
 
--- | Vertices moved so that faces are flat, no further than so many millimetres, with how far each
--- was.
+-- | Moves vertices, by at most this many millimetres, so that faces become flat. Also returns the
+-- distance that each moved.
 flattened :: Maybe Rational -> Bool -> Mesh -> Either TooFine (Mesh, [Double])
 flattened most together it = relocated moves it
   where
@@ -190,8 +191,8 @@ flattened most together it = relocated moves it
             Just p
         _ -> Nothing
 
--- | Vertices at other places, in units of the polyhedron's coordinates, with how far each was
--- moved, in millimetres.
+-- | Moves vertices to other places, in units of the polyhedron's coordinates. Also returns the
+-- distance that each moved, in millimetres.
 relocated :: IntMap.IntMap Q3 -> Mesh -> Either TooFine (Mesh, [Double])
 relocated moves it
   | IntMap.null moves = Right (it, [])
@@ -212,19 +213,19 @@ relocated moves it
     whole (x, y, z) = V3 (times x) (times y) (times z)
     times c = numerator c * (over `quot` denominator c)
 
--- | No more binary digits are made, of all coordinates together.
+-- | The most binary digits of all coordinates together.
 mostBits :: Integer
 mostBits = 2 ^ (28 :: Int)
 
 norm :: Q3 -> Rational
 norm p = inner p p
 
--- | The point common to the planes that is nearest to a point.
+-- | The point nearest to a given one that all planes have in common, if any.
 common :: Q3 -> [Plane] -> Maybe Q3
 common p = go p []
   where
-    -- Each plane is met by a step along what its normal has at right angles to those before
-    -- (Gram and Schmidt), which leaves the point on them.
+    -- Each plane is reached by a step along the part of its normal that is orthogonal to the
+    -- earlier ones (Gram and Schmidt). So the point stays on those.
     go q _ [] = Just q
     go q before (Plane n d : others)
       | norm off > 0 =
@@ -236,9 +237,9 @@ common p = go p []
         off = foldl' (\u v -> u `plusTimes` (negate (inner normal v / norm v), v)) normal before
         missing = d - inner normal q
 
--- | For each face a number that it has in common with those that belong to the same plane, nearly:
--- from the largest face on, faces across sides join that have all their corners within so many
--- millimetres of its plane, and look to the same side.
+-- | For each face the number of its plane, approximately. From the largest face on, faces across
+-- sides join it if all their corners are within this many millimetres of its plane and they face
+-- the same way.
 nearlyFlat :: Rational -> Mesh -> U.Vector Int
 nearlyFlat mm it = U.generate (V.length walks) (\f -> IntMap.findWithDefault f f chosen)
   where

@@ -1,4 +1,4 @@
--- | Faces cut into triangles, for the files and the views that have no others.
+-- | Cuts faces into triangles, for files and views that need triangles.
 module PraTactile.Object.Triangles
   ( triangles,
   )
@@ -14,9 +14,9 @@ import PraTactile.Object.Polygon
 import PraTactile.Object.Rims
 import PraTactile.Object.Triangulation
 
--- | The face as triangles, by vertices, each counter-clockwise as the face is, none flat and no
--- vertex left out. A convex face is cut from its first vertex, and so is one that crosses itself or
--- has no area. O(n) for a convex face, else as 'firstCrossing' and 'triangulation' have it.
+-- | The face as triangles of vertices, each counter-clockwise as the face is, none without area,
+-- using every vertex. A convex face is cut from its first vertex, and so is one that crosses itself
+-- or has no area. O(n) for a convex face, else the cost of 'firstCrossing' and 'triangulation'.
 triangles :: Mesh -> Walk -> [(Int, Int, Int)]
 triangles it walk
   | count < 3 = []

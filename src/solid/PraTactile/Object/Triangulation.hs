@@ -1,25 +1,26 @@
--- | Plane regions cut into triangles, exactly: polygons with any number of holes, with pieces in
--- the holes, and so on; of all ways to do so one whose least angle is greatest.
+-- | Triangulates plane regions exactly: polygons with any number of holes, pieces in the holes, and
+-- so on. Among all triangulations it finds one whose smallest angle is greatest.
 --
--- The region of some loops, which do not meet, is what an odd number of them has inside. With n
--- corners, o loops that bound a part of it from outside and h that bound one from inside, it is cut
--- into n - 2 o + 2 h triangles, whose corners are the loops' and whose sides either are those of
--- loops or have a triangle on both sides.
+-- The region of some loops that do not meet is everything inside an odd number of them. Let there
+-- be n corners, o loops that bound a part of the region from outside, and h that bound one from
+-- inside. The region is cut into n - 2 o + 2 h triangles. Their corners are those of the loops;
+-- each of their sides is a loop's or has a triangle on both sides.
 --
--- A sweep finds some triangles ("PraTactile.Object.Triangulation.Sweep"). Then, with the metric
+-- A sweep finds an initial triangulation ("PraTactile.Object.Triangulation.Sweep"). Then, with the
+-- metric
 --
 -- > |v|^2 = p v_x^2 + q v_y^2
 --
--- the side a b between the triangles a b c and b a d is exchanged for c d as long as d lies within
--- the circle round a, b and c, that is, as long as
+-- the side a b between the triangles a b c and b a d is flipped to c d while d lies within the
+-- circle through a, b and c, that is, while
 --
 -- > | a_x - d_x   a_y - d_y   |a - d|^2 |
 -- > | b_x - d_x   b_y - d_y   |b - d|^2 |  >  0
 -- > | c_x - d_x   c_y - d_y   |c - d|^2 |
 --
--- (Lawson 1977). Each exchange lowers the surface that the triangles make of the points lifted to
--- |v|^2, so that this ends; what it ends with is a constrained Delaunay triangulation, whose least
--- angle is the greatest that there is (Lee and Lin 1986).
+-- (Lawson 1977). Each flip lowers the surface that the triangles make of the points lifted to
+-- |v|^2, so this ends. The result is a constrained Delaunay triangulation, whose smallest angle is
+-- the greatest possible (Lee and Lin 1986).
 module PraTactile.Object.Triangulation
   ( Metric (..),
     triangulation,
@@ -33,13 +34,12 @@ import qualified Data.Vector as V
 import PraTactile.Object.Polygon (V2 (..), turn)
 import PraTactile.Object.Triangulation.Sweep
 
--- | How long steps of one unit are along x and along y: the squares, both positive.
+-- | The squared lengths of unit steps along x and along y, both positive.
 data Metric = Metric !Integer !Integer
 
--- | The triangles of the region of these loops, by the places of the corners among the points,
--- counter-clockwise. Each loop has three corners or more; no two sides meet but at the corner at
--- which one follows the other. O(n log n), and as much again for each time that a side is
--- exchanged.
+-- | The triangles of the region of these loops, counter-clockwise, by the indices of their corners
+-- among the points. Each loop must have at least three corners, and sides may meet only in the
+-- corner between them. O(n log n), and as much for each flip of a side.
 triangulation :: Metric -> V.Vector V2 -> [[Int]] -> [(Int, Int, Int)]
 triangulation metric points loops =
   [ (a, b, c)
@@ -53,7 +53,7 @@ triangulation metric points loops =
     key a b = a * count + b
     begun = foldl' (flip along) Map.empty (swept points loops)
     along (a, b, c) = Map.insert (key a b) c . Map.insert (key b c) a . Map.insert (key c a) b
-    -- A side of a loop has a triangle to its left alone.
+    -- A side of a loop has a triangle only on its left.
     exchanged stack apexes = case stack of
       [] -> apexes
       side : others
@@ -74,7 +74,7 @@ triangulation metric points loops =
           (a, b) = side `quotRem` count
     at = (points V.!)
 
--- | Whether the fourth point lies within the circle round the others, which turn left.
+-- | Whether the fourth point lies within the circle through the others, which must turn left.
 inCircle :: Metric -> V2 -> V2 -> V2 -> V2 -> Bool
 inCircle (Metric p q) (V2 ax ay) (V2 bx by) (V2 cx cy) (V2 dx dy) =
   minor (bx - dx) (by - dy) (cx - dx) (cy - dy) * square (ax - dx) (ay - dy)

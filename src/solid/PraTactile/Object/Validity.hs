@@ -1,10 +1,10 @@
--- | Whether a polyhedron is a solid that can be embossed: closed surfaces of flat faces,
--- counter-clockwise seen from outside, which share vertices and sides that both name, and nothing
--- else. All that is wrong is told at once. The conditions are those of a winged-edge model
--- (section II.B of the paper; Ballard and Brown, Computer Vision, ch. 9); all arithmetic is exact.
+-- | Decides whether a polyhedron is a solid that can be embossed: closed surfaces of flat faces,
+-- counter-clockwise as seen from outside, that have only vertices and sides in common which both
+-- name. All defects are reported at once. The conditions are those of a winged-edge model (section
+-- II.B of the paper; Ballard and Brown, Computer Vision, ch. 9). All arithmetic is exact.
 --
--- With the double area vector of a face, n = sum v_i x v_(i+1) (Newell), its plane is
--- n . x = n . v. Its pieces are those of "PraTactile.Object.Pieces".
+-- With the double area vector of a face, n = sum v_i x v_(i+1) (Newell), its plane is n . x = n .
+-- v. Pieces are those of "PraTactile.Object.Pieces".
 module PraTactile.Object.Validity
   ( Report (..),
     Component (..),
@@ -28,25 +28,26 @@ import PraTactile.Object.Validity.Edges
 import PraTactile.Object.Validity.Faces
 import PraTactile.Object.Validity.Walks
 
--- | All that can be said of a polyhedron.
+-- | A report on a polyhedron.
 data Report = Report
   { reportVertices :: Int,
-    -- | pairs of vertices that a side of a well-formed face joins
+    -- | the number of pairs of vertices that are joined by a side of a well-formed face
     reportEdges :: Int,
     reportFaces :: Int,
-    -- | the pieces, by their first faces
+    -- | the pieces, in the order of their first faces
     reportComponents :: [Component],
-    -- | by their kinds, and in the order of faces and vertices
+    -- | by kind, then in the order of faces and vertices
     reportDefects :: [Defect],
     reportNotExamined :: [Unexamined]
   }
   deriving stock (Eq, Show)
 
--- | Whether nothing is wrong, and all was looked for.
+-- | Whether there are no defects and everything was checked.
 reportValid :: Report -> Bool
 reportValid report = null (reportDefects report) && null (reportNotExamined report)
 
--- | Two faces that intersect; or none, where there may be two, and too many were to be compared.
+-- | Two faces that intersect, or a defect without faces if there may be two and too many pairs had
+-- to be compared. 'Nothing' if no faces intersect.
 intersecting :: Report -> Maybe Defect
 intersecting report = find ((== FacesIntersect) . defectKind) (reportDefects report ++ undecided)
   where
@@ -55,15 +56,16 @@ intersecting report = find ((== FacesIntersect) . defectKind) (reportDefects rep
         | FacesIntersect `elem` concatMap unexaminedBecause (reportNotExamined report)
       ]
 
--- | Examine a polyhedron. O(n log n), but for pairs of faces that 'Boxes' cannot tell apart. Where
--- too many of these intersect or are to be compared, 'FacesIntersect' is told as not examined
+-- | Examines a polyhedron. O(n log n), except for pairs of faces that 'Boxes' cannot separate. If
+-- too many of these intersect or must be compared, 'FacesIntersect' is reported as not examined
 -- because of itself.
 examine :: Mesh -> Report
 examine = examineUpTo 100000 50000000
 
--- | The same, given how many pairs of faces that intersect are looked for (n faces can have
--- n^2 / 2), and how many are compared, whose boxes meet: as many there can be of long faces that
--- lie side by side, each at an angle to all axes. For surfaces of triangles it is about 10 n.
+-- | 'examine' with limits: the number of intersecting pairs of faces that are looked for (n faces
+-- can have n^2 / 2), and the number of pairs with meeting boxes that are compared. There are many
+-- such pairs if long faces lie side by side at an angle to all axes. For surfaces of triangles
+-- there are about 10 n.
 examineUpTo :: Int -> Int -> Mesh -> Report
 examineUpTo mostFound mostCompared it =
   Report
@@ -103,7 +105,7 @@ examineUpTo mostFound mostCompared it =
     unflat = Set.fromList (map fst areas ++ map fst bent)
     good = Set.toList (Set.fromList flatFaces Set.\\ Set.fromList (map fst crossed))
     onEdges = verticesOnEdges subject
-    -- However often a face comes, it is compared with the others once.
+    -- A face is compared with the others once, however often it occurs.
     (meetings, more) = intersections mostFound mostCompared subject once
     once = filter (`Set.notMember` again) good
     again = Set.fromList (concatMap (drop 1) alike)
@@ -123,10 +125,10 @@ examineUpTo mostFound mostCompared it =
              (FacesIntersect, meetings)
            ]
     some = not . null
-    -- Of these kinds, those that there are.
+    -- Those of these kinds that occur.
     present kinds =
       [kind | (kind, defects) <- found, kind `elem` kinds, blames kind defects]
-    -- A name that several have does no harm where no face has it.
+    -- A repeated name does no harm if no face uses it.
     blames RepeatedName _ = V.any (usesAny (repeatedFirsts it)) (meshWalks it)
     blames _ defects = some defects
     meaning asked = case asked of

@@ -1,4 +1,4 @@
--- | Exact vectors in space, of integers, and the few roots that are told as machine numbers.
+-- | Exact integer vectors in space, and a few roots as machine numbers.
 module PraTactile.Object.Vector
   ( V3 (..),
     plus,
@@ -17,7 +17,7 @@ where
 import Data.Ratio (denominator, numerator, (%))
 import Math.NumberTheory.Logarithms (integerLog2)
 
--- | A point or a vector, in whole units.
+-- | A point or vector with integer coordinates.
 data V3 = V3 !Integer !Integer !Integer
   deriving stock (Eq, Ord, Show)
 
@@ -41,11 +41,11 @@ cross (V3 a b c) (V3 d e f) = V3 (b * f - c * e) (c * d - a * f) (a * e - b * d)
 dot :: V3 -> V3 -> Integer
 dot (V3 a b c) (V3 d e f) = a * d + b * e + c * f
 
--- | The vector without a length.
+-- | The zero vector.
 zero :: V3
 zero = V3 0 0 0
 
--- | The shortest whole vector of the same direction.
+-- | The shortest integer vector in the same direction.
 primitive :: V3 -> V3
 primitive v@(V3 a b c)
   | v == zero = zero
@@ -53,7 +53,8 @@ primitive v@(V3 a b c)
   where
     g = gcd a (gcd b c)
 
--- | The root of a number that is not negative, to a machine number's precision, whatever its size.
+-- | The square root of a number of any size, to the precision of a machine number; 0 for negative
+-- numbers.
 --
 -- >>> squareRoot (10 ^ 600)
 -- 1.0e300
@@ -63,13 +64,13 @@ squareRoot square
   | even shift = fromInteger (floorRoot (scaledBy shift)) * half shift
   | otherwise = fromInteger (floorRoot (scaledBy (shift + 1))) * half (shift + 1)
   where
-    -- A power of 4 makes of it an integer of some 120 bits, whose root has 60.
+    -- A power of 4 makes it an integer of some 120 bits, whose root has 60.
     shift = 120 - (integerLog2 (numerator square) - integerLog2 (denominator square))
     scaledBy :: Int -> Rational
     scaledBy n = square * (if n >= 0 then 2 ^ n else 1 / 2 ^ negate n)
     half n = fromRational (if n >= 0 then 1 / 2 ^ (n `div` 2) else 2 ^ (negate n `div` 2))
 
--- | The root of a fraction, where it is a fraction.
+-- | The square root of a fraction; 'Nothing' if it is irrational.
 --
 -- >>> (exactRoot (9 % 4), exactRoot 2)
 -- (Just (3 % 2),Nothing)
@@ -82,7 +83,7 @@ exactRoot square
     -- A fraction in lowest terms is a square iff its numerator and its denominator are.
     root = integerRoot (numerator square) % integerRoot (denominator square)
 
--- | The largest whole number that is no more than the root; 0 of what is not positive.
+-- | The integer part of the square root; 0 for negative numbers.
 floorRoot :: Rational -> Integer
 floorRoot square = integerRoot (floor square)
 
@@ -91,7 +92,7 @@ integerRoot n
   | n <= 0 = 0
   | otherwise = newton (2 ^ (integerLog2 n `div` 2 + 1))
   where
-    -- From above it falls to the root.
+    -- From above, it decreases to the root.
     newton guess =
       let better = (guess + n `div` guess) `div` 2
        in if better >= guess then guess else newton better

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Exact vectors of fractions, where points move to places between the whole units.
+-- | Exact vectors of fractions, for points that move between integer places.
 module PraTactile.Object.VectorQ
   ( Q3,
     exactly,
@@ -12,10 +12,10 @@ where
 
 import PraTactile.Object.Vector (V3 (..))
 
--- | A point or a vector of fractions of a unit.
+-- | A point or vector with rational coordinates.
 type Q3 = (Rational, Rational, Rational)
 
--- | The same vector.
+-- | An integer vector as a vector of fractions.
 exactly :: V3 -> Q3
 exactly (V3 x y z) = (fromInteger x, fromInteger y, fromInteger z)
 
@@ -27,6 +27,6 @@ less (a, b, c) (d, e, f) = (a - d, b - e, c - f)
 inner :: Q3 -> Q3 -> Rational
 inner (a, b, c) (d, e, f) = a * d + b * e + c * f
 
--- | A vector of fractions and a number times another one.
+-- | A vector plus a number times another vector.
 plusTimes :: Q3 -> (Rational, Q3) -> Q3
 plusTimes (a, b, c) (k, (x, y, z)) = (a + k * x, b + k * y, c + k * z)

@@ -1,6 +1,5 @@
--- | Winged-edge models of polyhedra: each edge has two vertices, two faces, and on each face the
--- edge before and the edge after it (section II.B of the paper; Ballard and Brown, Computer Vision,
--- ch. 9).
+-- | Winged-edge models of polyhedra. Each edge has two vertices and two faces, and on each face the
+-- edges before and after it (section II.B of the paper; Ballard and Brown, Computer Vision, ch. 9).
 module PraTactile.Object.WingedEdge
   ( -- * Describing a polyhedron
     module PraTactile.Object.Description,
@@ -59,7 +58,7 @@ import PraTactile.Object.Surface
 import PraTactile.Object.Validity
 import PraTactile.Object.Vector
 
--- | A polyhedron of which nothing is wrong, with its edges derived.
+-- | A valid polyhedron with its edges.
 data Solid = Solid
   { -- | the solid by index
     solidMesh :: Mesh,
@@ -76,12 +75,13 @@ instance Show Solid where
   showsPrec depth whole =
     showParen (depth > 10) (showString "Solid " . showsPrec 11 (description whole))
 
--- | An edge is named by its two vertices, from its start to its end.
+-- | The name of an edge: its two vertices, from start to end.
 data EdgeName = EdgeName VertexName VertexName
   deriving stock (Eq, Ord, Show)
 
--- | An edge: its two vertices, and the two faces it separates. Seen from outside, 'edgeLeft' is on
--- the left of who walks from 'edgeStart' to 'edgeEnd', and 'edgeRight' on the right.
+-- | An edge: its two vertices, and the two faces that it separates. As seen from outside, for
+-- someone who walks from 'edgeStart' to 'edgeEnd', 'edgeLeft' is on the left and 'edgeRight' on the
+-- right.
 data Edge = Edge
   { edgeStart :: VertexName,
     edgeEnd :: VertexName,
@@ -91,7 +91,7 @@ data Edge = Edge
   }
   deriving stock (Eq, Show)
 
--- | The edges before and after an edge in the counter-clockwise walks round its two faces.
+-- | The edges before and after an edge in the counter-clockwise walks around its two faces.
 data Wings = Wings
   { leftPrevious :: EdgeName,
     leftNext :: EdgeName,
@@ -104,16 +104,16 @@ data Wings = Wings
 edgeName :: Edge -> EdgeName
 edgeName edge = EdgeName (edgeStart edge) (edgeEnd edge)
 
--- | What there is to say of a description.
+-- | The report on a description.
 examineDescription :: Description -> Report
 examineDescription = examine . fromDescription
 
--- | The solid of this description; refuses as 'solidOf' does.
+-- | The solid with this description. Refuses what 'solidOf' refuses.
 solid :: Description -> Either Defect Solid
 solid = solidOf . fromDescription
 
--- | The solid that a polyhedron is; refuses with the first defect of 'examine', or as
--- 'intersecting' does.
+-- | The solid of a polyhedron. Refuses with the first defect of 'examine', or with the one of
+-- 'intersecting'.
 solidOf :: Mesh -> Either Defect Solid
 solidOf it = case reportDefects report ++ maybeToList (intersecting report) of
   defect : _ -> Left defect
@@ -139,7 +139,7 @@ solidOf it = case reportDefects report ++ maybeToList (intersecting report) of
 description :: Solid -> Description
 description = toDescription . solidMesh
 
--- | The solid with all lengths times a positive number.
+-- | The solid with all lengths multiplied by a positive number.
 scaledSolid :: Rational -> Solid -> Solid
 scaledSolid k whole = whole {solidMesh = scaledBy k (solidMesh whole)}
 
@@ -147,16 +147,16 @@ scaledSolid k whole = whole {solidMesh = scaledBy k (solidMesh whole)}
 solidName :: Solid -> ObjectName
 solidName = meshName . solidMesh
 
--- | The vertices with their places in millimetres, in the order described.
+-- | The vertices with their places in millimetres, in the order of the description.
 solidVertices :: Solid -> [(VertexName, Point)]
 solidVertices = describedVertices . description
 
--- | The faces, in the order described.
+-- | The faces, in the order of the description.
 solidFaces :: Solid -> [FaceName]
 solidFaces = describedFaces . description
 
--- | The edges, each once, in the order in which the walks round the faces meet them; each runs in
--- the direction in which the first of them does.
+-- | The edges, each once, in the order in which the walks around the faces meet them. Each has the
+-- direction in which it is met first.
 solidEdges :: Solid -> [Edge]
 solidEdges whole =
   [ edgeAlong whole s t
@@ -165,7 +165,7 @@ solidEdges whole =
       s < t
   ]
 
--- | The edge whose sides these are, the first one first.
+-- | The edge with these two sides, in the direction of the first one.
 edgeAlong :: Solid -> Int -> Int -> Edge
 edgeAlong whole left right =
   Edge
@@ -189,7 +189,7 @@ edgeAlong whole left right =
       where
         first = maybe side (min side) (mateOf sides side)
 
--- | The edges of a face in the order of its name, which may begin at any vertex; none if the solid
+-- | The edges of a face in the order of its name, which may begin at any vertex. Empty if the solid
 -- has no such face.
 edgesOf :: Solid -> FaceName -> [Edge]
 edgesOf whole face =
@@ -198,7 +198,7 @@ edgesOf whole face =
       Just t <- [mateOf (solidSurface whole) s]
   ]
 
--- | The faces at a vertex, counter-clockwise seen from outside; none if the solid has no such
+-- | The faces at a vertex, counter-clockwise as seen from outside. Empty if the solid has no such
 -- vertex.
 facesAt :: Solid -> VertexName -> [FaceName]
 facesAt whole vertex =
@@ -211,8 +211,8 @@ facesAt whole vertex =
     sides = solidSurface whole
     turning s = s : maybe [] turning (mateOf sides (previousSide sides s))
 
--- | The faces across the edges of a face, in the order of its name, which may begin at any vertex;
--- none if the solid has no such face.
+-- | The faces across the edges of a face, in the order of its name, which may begin at any vertex.
+-- Empty if the solid has no such face.
 neighbours :: Solid -> FaceName -> [FaceName]
 neighbours whole face =
   [ faceAt (solidMesh whole) (sideFace (solidSurface whole) t)
@@ -220,14 +220,14 @@ neighbours whole face =
       Just t <- [mateOf (solidSurface whole) s]
   ]
 
--- | The walk that a face's name is, whichever of the face's vertices it begins with; none if the
--- solid has no such face.
+-- | The walk for a face's name, which may begin at any of its vertices. 'Nothing' if the solid has
+-- no such face.
 walkNamed :: Solid -> FaceName -> Maybe Walk
 walkNamed whole name = case sidesOf whole name of
   [] -> Nothing
   sides -> Just (U.fromList (map (sideStart (solidSurface whole)) sides))
 
--- | The face with these vertices, in whatever order, by its own name.
+-- | The name of the face with these vertices, in any order.
 sameCorners :: Solid -> FaceName -> Maybe FaceName
 sameCorners whole name =
   listToMaybe
@@ -237,7 +237,7 @@ sameCorners whole name =
           == Just (sort (map (sideStart (solidSurface whole)) sides))
     ]
 
--- | The sides of a face in the order of its name, which may begin at any vertex; none if the solid
+-- | The sides of a face in the order of its name, which may begin at any vertex. Empty if the solid
 -- has no such face.
 sidesOf :: Solid -> FaceName -> [Int]
 sidesOf whole name =
@@ -245,11 +245,11 @@ sidesOf whole name =
   where
     vertices = map (sideStart (solidSurface whole))
 
--- | The vertices of a name by their indices, if there are all of them.
+-- | The indices of a name's vertices; 'Nothing' unless all exist.
 verticesNamed :: Solid -> FaceName -> Maybe [Int]
 verticesNamed whole = traverse (`Map.lookup` vertexIndices whole) . faceVertices
 
--- | The sides of each face at the name's first vertex, in the order of its walk from there.
+-- | For each face at the name's first vertex, its sides in the order of its walk from there.
 sidesFromFirst :: Solid -> FaceName -> [[Int]]
 sidesFromFirst whole name =
   [ s : takeWhile (/= s) (drop 1 (iterate (nextSide (solidSurface whole)) s))
@@ -258,16 +258,15 @@ sidesFromFirst whole name =
       s <- sidesFrom whole V.! v
   ]
 
--- | The places of a face's vertices in the order of its name, which may begin at any of them, in
--- millimetres; none if the solid has no such face.
+-- | The places of a face's vertices, in millimetres, in the order of its name, which may begin at
+-- any of them. Empty if the solid has no such face.
 cornerPoints :: Solid -> FaceName -> [Point]
 cornerPoints whole =
   map (pointAt (solidMesh whole) . sideStart (solidSurface whole))
     . sidesOf whole
 
--- | A vector at right angles to a face with these corners, in the order of its walk, that points to
--- the side from which they are counter-clockwise, as long as twice the face's area in square
--- millimetres.
+-- | A normal of a face with these corners, in the order of its walk. It points to the side from
+-- which they are counter-clockwise; its length is twice the face's area in square millimetres.
 outwardNormal :: [Point] -> Point
 outwardNormal corners = Point (part a) (part b) (part c)
   where

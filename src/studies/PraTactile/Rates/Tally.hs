@@ -14,7 +14,7 @@ module PraTactile.Rates.Tally
     softRates,
     softRatesAtMost,
 
-    -- * Are the probabilities honest?
+    -- * Are the probabilities calibrated?
     Calibration (..),
     calibration,
   )

@@ -45,7 +45,7 @@ drawTrial setup sigma missing g0 = runST $ do
   seen <- Mutable.replicate limbs 0
   symbols <- Mutable.replicate (limbs * planes) 0
   evidence <- Mutable.replicate (n * q) 0
-  let -- A cell j is in the limb j / 64, and its evidence from j q on.
+  let -- Cell j is in limb j / 64, and its evidence begins at j q.
       readCells !j !g
         | j == n = pure g
         | u < missing = readCells (j + 1) g'

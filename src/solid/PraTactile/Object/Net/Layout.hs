@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | An unfolded solid on a page.
+-- | Lays an unfolded solid on a page.
 module PraTactile.Object.Net.Layout
   ( Net (..),
     NetFace (..),
@@ -23,28 +23,26 @@ import PraTactile.Object.Surface
 import PraTactile.Object.Vector
 import PraTactile.Object.WingedEdge
 
--- | An unfolded solid on a page: millimetres, x to the right and y down, its faces seen from
--- outside. The first face lies as its name says: from its first vertex to its last one is to the
--- right.
+-- | An unfolded solid on a page, with faces as seen from outside. Coordinates are millimetres, x to
+-- the right and y down. The first face is upright: its last vertex is to the right of its first.
 data Net = Net
   { netFaces :: [NetFace],
     -- | the edges that are glued
     netFolds :: [Fold],
-    -- | the outline: each corner once for each time that the walk round it passes
+    -- | the outline; a corner occurs once for each time that the walk around it passes
     netOutline :: [(Double, Double)]
   }
   deriving stock (Eq, Show)
 
--- | A face, and where its corners are, in the order of its name.
+-- | A face, with its corners in the order of its name.
 data NetFace = NetFace
   { netFaceName :: FaceName,
     netCorners :: [(Double, Double)]
   }
   deriving stock (Eq, Show)
 
--- | Where a point of a face is on the page, given in millimetres right of and below the first
--- corner of the face as its name has it upright: from its first corner to its last one is to the
--- right.
+-- | A point of a face on the page. It is given in millimetres right of and below the face's first
+-- corner, for the upright face, whose last corner is to the right of its first.
 onFace :: NetFace -> (Double, Double) -> (Double, Double)
 onFace face (right, down) = case (netCorners face, reverse (netCorners face)) of
   ((x, y) : _, (x', y') : _) ->
@@ -53,7 +51,7 @@ onFace face (right, down) = case (netCorners face, reverse (netCorners face)) of
      in (x + c * right - s * down, y + s * right + c * down)
   _ -> (right, down)
 
--- | An edge that is glued, by its ends, and to which side it is folded.
+-- | An edge that is glued, with its ends and its bend.
 data Fold = Fold
   { foldEdge :: EdgeName,
     foldEnds :: ((Double, Double), (Double, Double)),
@@ -61,12 +59,12 @@ data Fold = Fold
   }
   deriving stock (Eq, Show)
 
--- | Seen from outside, a ridge is folded away and a valley towards; where faces lie in one plane
--- the edge stays flat.
+-- | The bend of an edge as seen from outside: a ridge is folded away from the viewer, a valley
+-- towards the viewer; between faces of one plane the edge is flat.
 data Bend = Ridge | Valley | Flat
   deriving stock (Eq, Ord, Show)
 
--- | Where all faces come to lie.
+-- | The page with all faces of an unfolding.
 layOut :: Solid -> Unfolding -> Net
 layOut whole tree =
   Net
@@ -79,7 +77,8 @@ layOut whole tree =
     sides = unfolderSides it
     upright = laidFlat it tree
     corners = V.map (V.map onPage) upright
-    -- The first face from its first corner to its last one turned to the right, and y down.
+    -- The page is turned so that the first face's last corner is to the right of its first, with y
+    -- down.
     onPage (x, y) = ((x * c + y * s) / long, (x * s - y * c) / long)
     (c, s) = fromMaybe (1, 0) (upright V.!? 0 >>= \first -> first V.!? (V.length first - 1))
     long = sqrt (c * c + s * s)

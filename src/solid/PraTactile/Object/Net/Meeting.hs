@@ -1,19 +1,19 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | How two faces lie in the plane, once they are unfolded.
+-- | Decides whether two unfolded faces overlap in the plane.
 --
--- They overlap if they have an inner point in common. They are cut into convex parts, and two
--- convex polygons have no inner point in common if and only if a side of one of them has all of the
--- other on its outer side or on its line. That takes the signs of
+-- Faces overlap if they have an interior point in common. They are cut into convex parts. Two
+-- convex polygons have no common interior point if and only if one of them has a side whose line
+-- has all of the other on it or on its outer side. That requires the signs of
 --
 -- > (b - a) x (c - a)
 --
--- for the sides a b of one part and the corners c of the other. A corner with which the side begins
--- or ends, since both faces are glued there, is on its line. Another sign is told by machine
--- numbers, where they are far enough from 0; else exactly, where the coordinates have few enough
--- terms; else by enclosures of more and more places, until they tell the sign or that the corner is
--- less than 10^-30 mm from the line. Such a one is open: it is taken to be on the line, so that the
--- faces touch.
+-- for the sides a b of one part and the corners c of the other. A corner that coincides with an end
+-- of the side, because the faces are glued there, is on the line. Otherwise the sign is decided by
+-- machine numbers if the value is far enough from 0. Else it is decided exactly if the coordinates
+-- have few enough terms. Else intervals with increasing precision are used, until they determine
+-- the sign or show that the corner is less than 10^-30 mm from the line. Such a corner is open: it
+-- is assumed to be on the line, so the faces touch.
 module PraTactile.Object.Net.Meeting
   ( Meeting (..),
     worstOf,
@@ -43,24 +43,24 @@ import PraTactile.Object.Surface
 import PraTactile.Object.Vector (dot)
 import qualified PraTactile.Object.Vector as Space
 
--- | 'Apart' if two faces have no inner point in common, 'Open' if they have none unless something
--- is off by less than 10^-30 mm.
+-- | The result: 'Apart' if two faces have no common interior point; 'Open' if they have none,
+-- provided that an open corner is on its line.
 data Meeting = Apart | Open | Overlapping
   deriving stock (Eq, Ord, Show)
 
--- | The worst of these, of which none is looked at once two faces overlap.
+-- | The worst of these results. Evaluation stops at the first overlap.
 worstOf :: [Meeting] -> Meeting
 worstOf found
   | Overlapping `elem` found = Overlapping
   | otherwise = foldl' max Apart found
 
--- | How the plane of a face comes to that of the first one.
+-- | The map from a face's plane to the first face's plane.
 data Lying = Lying
   { lyingExactly :: Similarity (Maybe Radicals),
     lyingRungs :: NonEmpty (Similarity Enclosure)
   }
 
--- | How the first face lies.
+-- | The map for the first face itself, the identity.
 lyingStill :: Lying
 lyingStill =
   Lying
@@ -69,32 +69,32 @@ lyingStill =
   where
     identity make = Similarity (Planar (make 1) (make 0)) (Planar (make 0) (make 0))
 
--- | How the face across a side lies in the plane of the side's own face.
+-- | The map from the plane of the face across a side to the plane of the side's own face.
 lyingAcross :: Unfolder -> Int -> Lying
 lyingAcross it s =
   Lying
     (rungAcross (unfolderExactly it) V.! s)
     (NonEmpty.map (\rung -> rungAcross rung V.! s) (unfolderRungs it))
 
--- | How a face lies that lies as the second says in the plane of one that lies as the first says.
+-- | Composes maps: the first argument's plane is that to which the second one leads.
 lyingOn :: Lying -> Lying -> Lying
 lyingOn (Lying far fars) (Lying near nears) =
   Lying (far `after` near) (NonEmpty.zipWith after fars nears)
 
--- | A corner of a face that lies somewhere.
+-- | A corner of a face in the first face's plane.
 data Corner = Corner
   { cornerVertex :: Int,
-    -- | the number of its point: corners of two faces that are glued there have the same one
+    -- | the number of its point; corners of two faces that are glued have the same number
     cornerPoint :: Int,
-    -- | its place, rounded, in units of the first face's template; errors are below 10^-14 and what
-    -- machine numbers round
+    -- | its approximate place, in units of the first face's template. Errors are at most 10^-14 and
+    -- the rounding of machine numbers.
     cornerNearly :: (Double, Double),
     cornerExactly :: Planar (Maybe Radicals),
     cornerRungs :: NonEmpty (Planar Enclosure)
   }
 
--- | The corners of a face in the order of its walk, given the numbers of the points in which its
--- sides begin, and how it lies.
+-- | The corners of a face in the order of its walk. Arguments: the solid; the numbers of the points
+-- where sides begin; the map of the face; the face.
 cornersLying :: Unfolder -> (Int -> Int) -> Lying -> Int -> V.Vector Corner
 cornersLying it point lying f = V.fromList (zipWith corner [0 ..] (sidesOfFace sides f))
   where
@@ -113,7 +113,7 @@ cornersLying it point lying f = V.fromList (zipWith corner [0 ..] (sidesOfFace s
         own :: Rung n -> Planar n
         own rung = rungCorners rung V.! f V.! i
 
--- | A point as machine numbers, given as enclosures of more and more places.
+-- | A point as machine numbers, from intervals of increasing precision.
 nearly :: NonEmpty (Planar Enclosure) -> (Double, Double)
 nearly rungs = case NonEmpty.dropWhile rough rungs of
   Planar x y : _ -> (fromRational (middle x), fromRational (middle y))
@@ -122,7 +122,7 @@ nearly rungs = case NonEmpty.dropWhile rough rungs of
     rough (Planar x y) = radius x > tiny || radius y > tiny
     tiny = 1 / 10 ^ (14 :: Int)
 
--- | How two faces lie, by their parts and corners in the plane of the first face.
+-- | How two faces meet, given their convex parts and their corners in the first face's plane.
 meetingOf :: Unfolder -> ([Part], V.Vector Corner) -> ([Part], V.Vector Corner) -> Meeting
 meetingOf it (as, a) (bs, b) =
   worstOf [convexMeeting tell (of' a one) (of' b other) | one <- as, other <- bs]
@@ -130,11 +130,11 @@ meetingOf it (as, a) (bs, b) =
     of' corners = V.map (corners V.!)
     tell = sideOf it
 
--- | On which side of a line a corner is: 'Apart' if on its outer side or on it.
+-- | Tests on which side of a line a corner is. 'Apart' means on the outer side or on the line.
 data SideOf = SideOf
-  { -- | where machine numbers tell it
+  { -- | by machine numbers; 'Nothing' if they do not decide
     atOnce :: (Corner, Corner) -> Corner -> Maybe Meeting,
-    -- | by all means there are
+    -- | by all methods
     atLength :: (Corner, Corner) -> Corner -> Meeting
   }
 
@@ -162,8 +162,8 @@ sideOf it = SideOf quick careful
         (NonEmpty.zip (cornerRungs p) (cornerRungs q))
         (cornerRungs c)
     turning place (p, q) c = turned (place p) (place q) (place c)
-    -- Of the enclosures of (b - a) x (c - a) the first that tells the sign; none where one of those
-    -- before it has the corner less than 10^-30 mm from the line.
+    -- The first interval of (b - a) x (c - a) that decides the sign. None if an earlier one shows
+    -- that the corner is less than 10^-30 mm from the line.
     refined line found = case found of
       value : finer
         | Just told <- signKnown value -> Just told
@@ -178,20 +178,20 @@ sideOf it = SideOf quick careful
         place corner = meshPoints solid V.! cornerVertex corner
         solid = unfolderMesh it
 
--- | (b - a) x (c - a).
+-- | The cross product (b - a) x (c - a).
 turned :: Number n => Planar n -> Planar n -> Planar n -> n
 turned a b c = imaginary
   where
     Planar _ imaginary = multiplied (conjugate (b `subtracted` a)) (c `subtracted` a)
 
--- | How two convex polygons lie.
+-- | How two convex polygons meet.
 convexMeeting :: SideOf -> V.Vector Corner -> V.Vector Corner -> Meeting
 convexMeeting tell a b
   | any (all (== Just Apart)) quick = Apart
   | otherwise = foldl' min Overlapping careful
   where
     quick = [map (atOnce tell line) corners | (line, corners) <- lines']
-    -- A side is as good as the worst of the other's corners, and the best side is what counts.
+    -- A side counts as its worst corner of the other polygon; the best side decides.
     careful =
       [ foldl' max Apart (map (atLength tell line) corners)
         | ((line, corners), told) <- zip lines' quick,

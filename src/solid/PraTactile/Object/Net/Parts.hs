@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | A net as it is cut out and glued: in one piece, or in parts that each fit on a page, with tabs
+-- | A net for cutting out and gluing: in one piece, or in parts that each fit a page, with tabs
 -- along the edges that are glued.
 --
 -- >     ______
@@ -26,7 +26,7 @@ import PraTactile.Object.Description
 import PraTactile.Object.Net.Layout
 import PraTactile.Object.WingedEdge (EdgeName (..))
 
--- | Faces that hang together: millimetres, x to the right and y down.
+-- | Connected faces; millimetres, x to the right and y down.
 data Part = Part
   { partFaces :: [NetFace],
     partFolds :: [Fold],
@@ -36,27 +36,27 @@ data Part = Part
 
 -- | A side of a face along which an edge is cut.
 data Rim = Rim
-  { -- | the two sides of an edge have the same number, counted from 1
+  { -- | the number of the edge, from 1, which its two sides share
     rimNumber :: Int,
     rimEdge :: EdgeName,
-    -- | from its begin to its end on the walk round its face
+    -- | from its begin to its end on the walk around its face
     rimEnds :: ((Double, Double), (Double, Double)),
-    -- | which part has the other side, counted from 1
+    -- | the number of the part with the other side, from 1
     rimPart :: Int,
-    -- | the tab's corners from the begin of the side to its end, where it has one
+    -- | the tab's corners from the begin of the side to its end, if it has a tab
     rimTab :: Maybe [(Double, Double)]
   }
   deriving stock (Eq, Show)
 
--- | The net in one piece, its tabs so many millimetres high at most.
+-- | The net in one piece, with tabs up to this height in millimetres.
 wholePart :: Double -> Net -> Part
 wholePart high net = foldr const (Part [] [] []) (tabbed high net [everyFace])
   where
     everyFace = [0 .. length (netFaces net) - 1]
 
--- | The net in parts, each of faces that hang together and fit with their tabs into this width and
--- height, with its left and its upper end at 0. Tabs are 8 mm high at most, or 4 where a face has
--- no room otherwise; refuses a face that has none even so.
+-- | The net in parts, each with its left and upper end at 0. A part consists of connected faces and
+-- fits, with its tabs, this width and height. Tabs are at most 8 mm high, or 6 or 4 if a face has
+-- no room otherwise. Refuses a face that has no room even with tabs of 4 mm.
 partsFor :: (Double, Double) -> Net -> Either FaceName [Part]
 partsFor room net = case find (null . tooLarge) tabHeights of
   Just high -> Right (map (upright room high) (tabbed high net (groups (fits high) net)))
@@ -67,8 +67,8 @@ partsFor room net = case find (null . tooLarge) tabHeights of
     tooLarge high = filter (\face -> not (fits high [face])) (netFaces net)
     fits high faces = isJust (turnFor room high (map netCorners faces))
 
--- | By which angle these polygons are turned, so that there is room for them with so much round
--- them: a side of one of them is level then, or upright.
+-- | The angle by which polygons must be turned to fit a width and height with a border of the given
+-- size. A side of one of them is then horizontal or vertical. 'Nothing' if no such angle fits.
 turnFor :: (Double, Double) -> Double -> [[(Double, Double)]] -> Maybe Double
 turnFor (wide, high) round' polygons = find fits (concat [[a, a + pi / 2] | a <- 0 : angles])
   where
@@ -87,7 +87,7 @@ turned angle (x, y)
   | angle == 0 = (x, y)
   | otherwise = (cos angle * x - sin angle * y, sin angle * x + cos angle * y)
 
--- | Turned so that it has room, and moved to the origin.
+-- | A part, turned so that it fits and moved to the origin.
 upright :: (Double, Double) -> Double -> Part -> Part
 upright room high part = moved (\p -> let (x, y) = turn p in (x - left, y - top)) part
   where
@@ -107,10 +107,10 @@ moved to (Part faces folds rims) =
   where
     both (p, q) = (to p, to q)
 
--- | A side of a face: the face by its number, and the side's ends.
+-- | A side of a face: the face's number and the side's ends.
 data Side = Side Int ((Double, Double), (Double, Double))
 
--- | All sides, by the names of their ends.
+-- | All sides by the names of their ends.
 sidesOf :: Net -> Map.Map (VertexName, VertexName) Side
 sidesOf net =
   Map.fromList
@@ -131,8 +131,8 @@ hinges net =
   where
     sides = sidesOf net
 
--- | The faces by their numbers, in groups that hang together by folds: from the first face that is
--- left a group grows as long as it is accepted.
+-- | The faces by number, in groups that are connected by folds. Each group starts with the first
+-- remaining face and grows as long as it is accepted.
 groups :: ([NetFace] -> Bool) -> Net -> [[Int]]
 groups accepted net = go (IntSet.fromDistinctAscList [0 .. length (netFaces net) - 1])
   where
@@ -154,7 +154,7 @@ groups accepted net = go (IntSet.fromDistinctAscList [0 .. length (netFaces net)
         (flip (++))
         (concat [[(f, [g]), (g, [f])] | ((f, g), _) <- hinges net])
 
--- | Groups of faces as parts: a fold between two of them is cut.
+-- | Groups of faces as parts. A fold between two groups is cut.
 tabbed :: Double -> Net -> [[Int]] -> [Part]
 tabbed high net grouped = zipWith part [1 ..] grouped
   where
@@ -164,7 +164,7 @@ tabbed high net grouped = zipWith part [1 ..] grouped
     folds = [(whose f, one) | ((f, g), one) <- hinges net, whose f == whose g]
     folded = Set.fromList (concat [[(v, w), (w, v)] | (_, Fold (EdgeName v w) _ _) <- folds])
     sides = sidesOf net
-    -- Each edge that is cut, with its two sides. A bridge to a hole stays as it is.
+    -- Each edge that is cut, with its two sides. A bridge to a hole is not cut.
     cut =
       zip
         [1 ..]
@@ -195,8 +195,8 @@ tabbed high net grouped = zipWith part [1 ..] grouped
             ]
         }
 
--- | A tab for each edge, by its number, on the first of its two sides that has room beside the
--- faces and tabs of its part, as high as there is room for; none where there is none.
+-- | Chooses a tab for each edge, by its number, on the first of its sides that has room beside the
+-- faces and tabs of its part. The tab is as high as the room allows; without room there is none.
 chosenTabs ::
   Double ->
   Map.Map Int [[(Double, Double)]] ->
@@ -215,13 +215,14 @@ chosenTabs high = go
         (k, ends, tab) : _ ->
           Map.insert (number, ends) tab (go (Map.insertWith (++) k [shrunk tab] taken) others)
         [] -> go taken others
-    -- Away from its edge, which it has in common with its face, and from the ends of that.
+    -- Slightly smaller than the tab: away from its edge, which belongs to its face, and from the
+    -- edge's ends.
     shrunk tab = case tab of
       [p, q, r, s] -> [p `towards` q, q, r, s `towards` r]
       _ -> tab
     towards (x, y) (x', y') = (x + 0.001 * (x' - x), y + 0.001 * (y' - y))
 
--- | So high, and so much shorter at either end.
+-- | A tab with this height, shortened by this much at either end.
 tabOn :: Double -> Double -> ((Double, Double), (Double, Double)) -> [(Double, Double)]
 tabOn high less ends@((x, y), (x', y')) =
   [(x, y), from (x, y) 1, from (x', y') (-1), (x', y')]
@@ -231,7 +232,7 @@ tabOn high less ends@((x, y), (x', y')) =
     (h, i) = (min high (0.4 * long), min less (0.35 * long))
     from (u, v) way = (u + h * nx + way * i * ny, v + h * ny - way * i * nx)
 
--- | A way of one millimetre out of the face that has this side; y goes down.
+-- | A vector of one millimetre out of the face with this side; y points down.
 outward :: ((Double, Double), (Double, Double)) -> (Double, Double)
 outward ((x, y), (x', y')) = ((y - y') / long, (x' - x) / long)
   where
@@ -249,7 +250,7 @@ meets a b =
     crossings = [crossing s t | s <- cyclicPairs a, t <- cyclicPairs b]
     crossing (p, q) (r, s) =
       turn p q r * turn p q s <= 0 && turn r s p * turn r s q <= 0 && alongside (p, q) (r, s)
-    -- What lies on one line meets only where its boxes do.
+    -- Segments on one line meet only if their boxes do.
     alongside (p, q) (r, s) =
       and [overlaps (part p) (part q) (part r) (part s) | part <- [fst, snd]]
     overlaps x x' u u' = min x x' <= max u u' && min u u' <= max x x'

@@ -23,23 +23,24 @@ import PraTactile.Object.Surface
 import PraTactile.Object.Vector (V3 (..))
 import PraTactile.Object.WingedEdge
 
--- | Why there is no net to be had.
+-- | Why there is no net.
 data NoNet
   = -- | every unfolding overlaps
     EveryOneOverlaps
-  | -- | none was found, and there may be one
+  | -- | none was found, but there may be one
     NoneFound
-  | -- | faces of several pieces cannot be unfolded together
+  | -- | the solid has several pieces, whose faces cannot be unfolded together
     SeveralPieces
   deriving stock (Eq, Show)
 
--- | How many unfoldings are tried before 'NoneFound'.
+-- | The number of unfoldings that are tried before 'NoneFound'.
 mostTried :: Int
 mostTried = 10000
 
--- | Finds a net of a solid, given how many unfoldings to try at most. It first tries the steepest
--- edge unfoldings in six directions (W. Schlickenrieder, Nets of Polyhedra, TU Berlin 1997): nearly
--- every convex solid has a net among these. Then it tries those that grow from the first face.
+-- | Finds a net of a solid. The number limits the unfoldings that are tried. It first tries the
+-- steepest edge unfoldings in six directions (W. Schlickenrieder, Nets of Polyhedra, TU Berlin
+-- 1997); nearly every convex solid has a net among these. Then it tries those that grow from the
+-- first face.
 pickNet :: Int -> Solid -> Either NoNet Unfolding
 pickNet steps whole
   | spanningTrees whole == 0 = Left SeveralPieces
@@ -58,9 +59,9 @@ pickNet steps whole
       ]
     directions = [(3, 5, 97), (97, 5, -3), (-5, 97, 3), (31, 47, -83), (-59, 61, 53), (71, -67, 41)]
 
--- | Finds a net of a solid. Where it finds none, it cuts faces with holes into faces without and
--- finds a net of that solid. The answer is the solid that is unfolded, for each of its faces the
--- face of the given solid that it is a part of, and the net.
+-- | Finds a net of a solid. If there is none, it cuts faces with holes into faces without, and
+-- finds a net of that solid. The result is the solid that is unfolded; for each of its faces, the
+-- given solid's face that it is part of; and the net.
 pickCut :: Int -> Solid -> Either NoNet (Solid, [FaceName], Unfolding)
 pickCut steps whole = case pickNet steps whole of
   Right tree -> Right (whole, solidFaces whole, tree)
@@ -72,8 +73,8 @@ pickCut steps whole = case pickNet steps whole of
           Right tree <- [pickNet steps parted]
       ]
 
--- | The sides that are glued if each vertex is cut off along the edge that rises most steeply from
--- it; 'Nothing' where the edges that are cut are no spanning tree of the vertices.
+-- | The sides that are glued if each vertex is cut along its steepest rising edge. 'Nothing' if the
+-- cut edges are not a spanning tree of the vertices.
 steepest :: Unfolder -> (Double, Double, Double) -> Maybe [Int]
 steepest it (a, b, c)
   | length tree + 1 == faceCount it && IntSet.size cut == edgeCount sides - length tree =
@@ -111,12 +112,12 @@ steepest it (a, b, c)
       | g `IntSet.member` seen = firstOfEach seen rest
       | otherwise = (s, g) : firstOfEach (IntSet.insert g seen) rest
 
--- | All unfoldings that do not overlap, one after the other; 'Nothing' wherever all that begin so
--- overlap. They grow from the first face, each across a side of a face to one that is not there
--- yet, in the order in which their faces came to it.
+-- | All unfoldings without overlap, one after the other, with 'Nothing' for each branch in which
+-- all overlap. They grow from the first face. Each step glues a face that is missing across a side
+-- of one that is there, in the order in which faces came.
 --
--- A side is glued, or left out for good; it must be glued where no other way leads to what is
--- behind it. So every branch ends in an unfolding or in a 'Nothing'.
+-- A side is glued, or left out for good. It must be glued if nothing else leads to what is behind
+-- it. So every branch ends in an unfolding or in 'Nothing'.
 searched :: Solid -> [Maybe Unfolding]
 searched whole = go (firstFace it) (sidesOfFace sides 0)
   where
@@ -131,7 +132,7 @@ searched whole = go (firstFace it) (sidesOfFace sides 0)
     taken growing frontier
       | grownMeeting growing == Overlapping = [Nothing]
       | otherwise = go growing frontier
-    -- Whether one of these sides leads to the part of the solid that has the face.
+    -- Whether one of these sides leads to the part of the solid with this face.
     spared growing face others = reaches (IntSet.singleton face) [face]
       where
         goals = IntSet.fromList (map across others)

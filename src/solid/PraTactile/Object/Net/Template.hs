@@ -1,21 +1,22 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The faces of a solid, each in a plane of its own, and how the planes of two faces with a common
--- edge are put together.
+-- | The faces of a solid, each in its own plane, and the maps between the planes of faces with a
+-- common edge.
 --
--- A face with the walk v_0 .. v_m, the first side e = v_1 - v_0 and a normal n has its corner v at
+-- Let a face have the walk v_0 .. v_m, the first side e = v_1 - v_0 and a normal n. Its corner v is
+-- at
 --
 -- > z = r (e . (v - v_0) + i e x (v - v_0) . n / |n|) / (e . e)
 --
--- where r is the power of 2 next to the length of e in millimetres: lengths are then within a
+-- where r is the power of 2 nearest to the length of e in millimetres. So lengths are within a
 -- factor of 2 of millimetres. Since e x (v - v_0) is a multiple k n of the normal, the coordinates
--- are rational but for the root of N = n . n. The plane of a neighbour, in which the common edge
--- runs from a' to b', comes to that in which it runs from a to b by
+-- are rational except for the root of N = n . n. Let a common edge run from a to b in a face's
+-- plane, and from a' to b' in the neighbour's plane. The neighbour's plane is mapped by
 --
 -- > z' -> c z' + d        c = (b - a) conj (b' - a') / |b' - a'|^2        d = a - c a'
 --
--- and |b' - a'|^2 is rational. So nothing but roots of the numbers N of the faces and their
--- products comes in, however many faces are unfolded: no root of a root.
+-- and |b' - a'|^2 is rational. So only roots of the faces' numbers N and of their products occur,
+-- however many faces are unfolded; there are no nested roots.
 module PraTactile.Object.Net.Template
   ( Template (..),
     templates,
@@ -35,18 +36,18 @@ import qualified PraTactile.Object.Vector as Space
 
 -- | A face in its plane.
 data Template = Template
-  { -- | the corners: the real part, and what the imaginary part has before the root
+  { -- | the corners: the real part, and the coefficient of the root in the imaginary part
     templateCorners :: !(V.Vector (Rational, Rational)),
-    -- | what is under the root
+    -- | the number N under the root
     templateRoot :: !Integer,
-    -- | the shortest whole vector outward, at right angles to the face; its length is that root
+    -- | the shortest outward integer vector normal to the face; its length is the root of N
     templateNormal :: !V3,
     -- | the square of the unit, in square millimetres
     templateUnit :: !Rational
   }
   deriving stock (Eq, Show)
 
--- | The faces of a solid.
+-- | The templates of all faces of a solid.
 templates :: Mesh -> V.Vector Template
 templates it = V.map template (meshWalks it)
   where
@@ -64,14 +65,15 @@ templates it = V.map template (meshWalks it)
           let d = v `Space.minus` origin
            in (r * (dot e d % ee), r * (dot (cross e d) normal % (n2 * ee)))
 
--- | A corner, given how many times a root is made a number of the kind wanted.
+-- | A corner of a template. The function makes a number from a coefficient and the integer under
+-- its root.
 templateCorner :: (Rational -> Integer -> n) -> Template -> Int -> Planar n
 templateCorner make it i = Planar (make x 1) (make y (templateRoot it))
   where
     (x, y) = templateCorners it V.! i
 
--- | How the plane of the face across a side comes to that of the side's own face, given the two
--- sides of the edge.
+-- | The map from the plane of the face across an edge to the plane of the first side's face. The
+-- pair is the two sides of the edge.
 neighbourly ::
   Number n =>
   (Rational -> Integer -> n) ->

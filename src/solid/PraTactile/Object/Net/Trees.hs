@@ -1,8 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | How many spanning trees the graph has that has the faces of a solid for nodes and its edges for
--- arcs (its dual graph; two faces may have several edges in common). Each is a way to unfold the
--- solid: its edges are folded, the others are cut.
+-- | Counts the unfoldings of a solid. They are the spanning trees of its dual graph, with the faces
+-- as nodes and the edges as arcs; two faces may have several edges in common. The edges of the tree
+-- are folded, the others are cut.
 module PraTactile.Object.Net.Trees
   ( spanningTrees,
   )
@@ -18,7 +18,7 @@ import PraTactile.Object.Mesh
 import PraTactile.Object.Surface
 import PraTactile.Object.WingedEdge
 
--- | How many unfoldings a solid has; none if it is of several pieces.
+-- | The number of unfoldings of a solid; 0 if it has several pieces.
 spanningTrees :: Solid -> Natural
 spanningTrees whole =
   spanningTreeCount
@@ -33,16 +33,17 @@ spanningTrees whole =
 -- | The weights of arcs, by the nodes at both ends.
 type Weights = IntMap.IntMap (IntMap.IntMap Rational)
 
--- | How many spanning trees a graph has, with so many nodes and these arcs between them.
+-- | The number of spanning trees of a graph with this number of nodes and these arcs.
 --
--- By Kirchhoff (1847) it is the determinant of the Laplacian matrix, in which a row and its column
--- are left out. With weights w of arcs, a node with arcs w_1 .. w_k to nodes 1 .. k is eliminated
--- from the symmetric matrix by
+-- By Kirchhoff (1847) it is the determinant of the Laplacian matrix without one row and its column.
+-- Let arcs have weights w. A node with arcs w_1 .. w_k to nodes 1 .. k is eliminated from the
+-- symmetric matrix by
 --
 -- > d = w_1 + .. + w_k        w_ij <- w_ij + w_i w_j / d
 --
--- and the determinant is the product of all d but the last node's, which is left. The node with the
--- fewest neighbours comes first, so that the graphs of polyhedra stay sparse. Fractions are exact.
+-- and the determinant is the product of all d except the last node's. Nodes with the fewest
+-- neighbours are eliminated first, so that the graphs of polyhedra stay sparse. Fractions are
+-- exact.
 spanningTreeCount :: Int -> [(Int, Int)] -> Natural
 spanningTreeCount count arcs
   | count <= 0 = 0

@@ -1,8 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What is made of a solid before its faces are unfolded: their planes, their convex parts, and
--- how each plane comes to that of its neighbours, exactly and as enclosures of more and more
--- places.
+-- | Prepares a solid for unfolding: the planes of its faces, their convex parts, and the maps
+-- between neighbouring planes, exactly and as intervals of increasing precision.
 module PraTactile.Object.Net.Unfolder
   ( Unfolder (..),
     Part,
@@ -32,32 +31,32 @@ import PraTactile.Object.Surface
 import PraTactile.Object.Triangles
 import PraTactile.Object.WingedEdge (Solid, solidMesh)
 
--- | A solid of which faces are unfolded.
+-- | A solid prepared for unfolding.
 data Unfolder = Unfolder
   { unfolderMesh :: Mesh,
     unfolderSides :: Surface,
     unfolderTemplates :: V.Vector Template,
-    -- | each face as convex parts
+    -- | the convex parts of each face
     unfolderParts :: V.Vector [Part],
-    -- | in the exact numbers
+    -- | corners and maps in exact numbers
     unfolderExactly :: Rung (Maybe Radicals),
-    -- | in enclosures of 'rungPlaces'
+    -- | corners and maps as intervals with 'rungPlaces'
     unfolderRungs :: NonEmpty (Rung Enclosure)
   }
 
--- | All that is told in one kind of number.
+-- | Corners and maps in one kind of number.
 data Rung n = Rung
-  { -- | of each face its corners
+  { -- | the corners of each face
     rungCorners :: V.Vector (V.Vector (Planar n)),
-    -- | of each side how the plane of the face across it comes to that of its own face
+    -- | for each side, the map from the plane of the face across it to the plane of its own face
     rungAcross :: V.Vector (Similarity n)
   }
 
--- | How many binary places the enclosures have, one rung after the other, without an end.
+-- | The binary places of the intervals, one number for each rung; an infinite list.
 rungPlaces :: NonEmpty Int
 rungPlaces = NonEmpty.iterate (2 *) 64
 
--- | A solid that may be unfolded; of what it holds each part is made when it is first asked for.
+-- | Prepares a solid; each part is computed when first used.
 unfolder :: Solid -> Unfolder
 unfolder whole =
   Unfolder
@@ -93,14 +92,14 @@ unfolder whole =
 faceCount :: Unfolder -> Int
 faceCount = V.length . unfolderTemplates
 
--- | The other side of the edge that a side of a solid is of.
+-- | The other side of the edge to which a side belongs.
 gluedTo :: Surface -> Int -> Int
 gluedTo sides s = fromMaybe s (mateOf sides s)
 
--- | A convex part of a face: its corners by their places on the face's walk.
+-- | A convex part of a face, by the places of its corners on the face's walk.
 type Part = V.Vector Int
 
--- | A face as convex parts, which have no corners but its own.
+-- | A face as convex parts, whose corners are all corners of the face.
 convexParts :: Mesh -> Int -> [Part]
 convexParts it f
   | and [turn (at i) (at (i + 1)) (at (i + 2)) >= 0 | i <- [0 .. count - 1]] =

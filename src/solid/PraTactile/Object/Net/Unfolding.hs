@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | One unfolding: which edges are glued, and where all faces come to lie.
+-- | An unfolding: which edges are glued, and where the faces lie.
 module PraTactile.Object.Net.Unfolding
   ( Unfolding,
     unfoldingSides,
@@ -27,8 +27,8 @@ import PraTactile.Object.Net.Unfolder
 import PraTactile.Object.Surface
 import PraTactile.Object.Vector (squareRoot)
 
--- | A spanning tree of the faces: the edges that are glued, each by that of its sides whose face is
--- nearer to the first face, in an order in which that face is there already.
+-- | A spanning tree of the faces, by the glued edges. Each edge is given by its side on the face
+-- nearer to the first face, in an order in which that face is already there.
 newtype Unfolding = Unfolding {unfoldingSides :: [Int]}
   deriving stock (Eq, Show)
 
@@ -37,28 +37,28 @@ gluedSides :: Unfolder -> Unfolding -> IntSet.IntSet
 gluedSides it tree =
   IntSet.fromList (concat [[s, gluedTo (unfolderSides it) s] | s <- unfoldingSides tree])
 
--- | Some faces laid into the plane of the first one.
+-- | Some faces, laid into the plane of the first one.
 data Growing = Growing
-  { -- | the sides along which they were glued, the last one first
+  { -- | the sides along which they are glued, the last one first
     grownSides :: [Int],
     grownFaces :: IntMap.IntMap Laid,
-    -- | the worst that two of them do
+    -- | the worst meeting of two of them
     grownMeeting :: Meeting
   }
 
--- | A face that lies in the plane: its corners, a box round them, and for each of its sides how the
--- face across lies if it is glued there.
+-- | A face in the plane: its corners, their bounding box, and the faces across each of its sides as
+-- they lie if glued there.
 data Laid = Laid
   { laidCorners :: V.Vector Corner,
     laidBox :: ((Double, Double), (Double, Double)),
     laidAcross :: V.Vector Laid
   }
 
--- | The unfolding that has grown.
+-- | The unfolding of the faces laid so far.
 grown :: Growing -> Unfolding
 grown = Unfolding . reverse . grownSides
 
--- | Whether a face is there.
+-- | Whether a face is laid already.
 hasFace :: Growing -> Int -> Bool
 hasFace growing f = IntMap.member f (grownFaces growing)
 
@@ -66,7 +66,7 @@ hasFace growing f = IntMap.member f (grownFaces growing)
 firstFace :: Unfolder -> Growing
 firstFace it = Growing [] (IntMap.singleton 0 (laid it 0 lyingStill id)) Apart
 
--- | Glues the face across a side of one that is there.
+-- | Glues the face across a side of a laid face.
 glue :: Unfolder -> Growing -> Int -> Growing
 glue it (Growing tree faces worst) s =
   Growing
@@ -88,7 +88,7 @@ glue it (Growing tree faces worst) s =
     near (across, down) (across', down') = meets across across' && meets down down'
     meets (from, to) (from', to') = from <= to' && from' <= to
 
--- | A face that lies so, given the numbers of the points in which its sides begin.
+-- | A face laid by this map. The function gives the numbers of the points where its sides begin.
 laid :: Unfolder -> Int -> Lying -> (Int -> Int) -> Laid
 laid it f lying point =
   Laid
@@ -100,19 +100,19 @@ laid it f lying point =
     sides = unfolderSides it
     corners = cornersLying it point lying f
     (xs, ys) = unzip (map cornerNearly (V.toList corners))
-    -- Machine numbers are far nearer than the room that is left round each face.
+    -- Machine numbers are far more precise than the border around each face.
     room = 1e-6 * (1 + maximum (map abs (xs ++ ys)))
     across s = laid it (sideFace sides t) (lying `lyingOn` lyingAcross it s) glued
       where
         t = gluedTo sides s
-        -- The ends of the edge are points that this face has.
+        -- The ends of the edge are points of this face.
         glued side
           | side == t = point (nextSide sides s)
           | side == nextSide sides t = point s
           | otherwise = side
 
--- | The corners of each face in millimetres, counter-clockwise with y up. The first corner of the
--- first face is at the origin and its second corner to the right of that.
+-- | The corners of each face in millimetres, counter-clockwise with y up. The first face has its
+-- first corner at the origin and its second to the right of that.
 laidFlat :: Unfolder -> Unfolding -> V.Vector (V.Vector (Double, Double))
 laidFlat it (Unfolding tree) =
   V.generate (faceCount it) $ \f ->

@@ -1,8 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Better and better orders of pieces for bottom-left fill, by hill climbing. Those by size are
--- tried first, and the best of them is then changed, a stretch of it at a time, as long as that is
--- no worse.
+-- | Improves orders of pieces for bottom-left fill by hill climbing. Orders by size are tried
+-- first. Then the best of them is changed, a stretch at a time, and a change is kept if the result
+-- is no worse.
 module PraTactile.Object.Packing.Climb
   ( Climb,
     climbBest,
@@ -22,20 +22,21 @@ import PraTactile.Object.Packing.Mask
 import PraTactile.Object.Packing.Occupancy
 import System.Random (StdGen, genWord64, mkStdGen)
 
--- | The best filling so far, and how it was come by.
+-- | The best filling so far, and how it was found.
 data Climb = Climb
   { climbBest :: !Filling,
     climbOrder :: !(U.Vector Int),
     climbChoice :: !Choice,
     climbRandom :: !StdGen,
-    -- | the runs looked at in all fillings so far
+    -- | the number of runs tested in all fillings so far
     climbSteps :: !Int,
-    -- | how many changes of the order were tried
+    -- | the number of changes of the order that were tried
     climbMoves :: !Int
   }
 
--- | The best of those that lay pieces by size, the largest first; after so many steps, no more are
--- tried. Pieces are laid as figures of few cells only if some find no place otherwise.
+-- | The best filling among orders by size, the largest pieces first. After the first number of
+-- steps no more are tried. Pieces are laid as figures with few cells only if some find no place
+-- otherwise.
 climbStart :: Int -> Int -> Still -> Kinds -> Climb
 climbStart enough seed sheet kinds
   | fillingOver (climbBest wide) == 0 || climbSteps wide > enough = wide
@@ -51,7 +52,7 @@ climbStart enough seed sheet kinds
       (minimumBy (comparing (worth . climbBest)) [one, other])
         { climbSteps = climbSteps one + climbSteps other
         }
-    -- With the one by cells alone.
+    -- Including the order by cells alone.
     orders =
       nub
         [ by (\k -> [least k, cells k]),
@@ -67,8 +68,8 @@ climbStart enough seed sheet kinds
     least = minimum . map figureRows . figuresOf kinds
     most = maximum . map figureRows . figuresOf kinds
 
--- | Tries one change of the order, which is kept if what comes of it is no worse. A stretch of
--- pieces is turned round or put elsewhere, or one that found no place comes earlier.
+-- | Tries one change of the order, which is kept if the result is no worse. A stretch of pieces is
+-- reversed or moved, or a piece that found no place comes earlier.
 climbMove :: Still -> Kinds -> Climb -> Climb
 climbMove sheet kinds climb
   | worth found <= worth (climbBest climb) = next {climbBest = found, climbOrder = order}
@@ -112,7 +113,7 @@ climbMove sheet kinds climb
 longest :: Int
 longest = 60
 
--- | So many natural numbers below 2^62.
+-- | This number of random integers below 2^62.
 drawn :: Int -> StdGen -> ([Int], StdGen)
 drawn 0 g = ([], g)
 drawn k g = (fromIntegral (word `div` 4) : rest, g'')

@@ -1,24 +1,25 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Whether kinds of pieces can be laid at all, by exact cover with cells to spare (Knuth, Dancing
--- links, 2000, algorithm X). An option is a figure of a kind at a place; of each kind k, needs(k)
--- options are to be chosen, so that no cell is in two of them.
+-- | Decides whether kinds of pieces can be laid at all, by exact cover with cells to spare (Knuth,
+-- Dancing links, 2000, algorithm X). An option is a figure of a kind at a place. For each kind k,
+-- needs(k) options must be chosen, so that no cell is in two of them.
 --
--- At a node of the tree, A are the options that are disjoint with those chosen, A(k) those of kind
--- k, A(c) those with cell c, and
+-- At a node of the tree, let A be the options that are disjoint with the chosen ones, A(k) those of
+-- kind k, and A(c) those with cell c. Then
 --
 -- > surplus = |union of A| - sum over k of needs(k) * min {|a| : a in A(k)}
 --
--- of the cells that options reach may stay free. There is nothing below the node if the surplus is
--- negative, or if |A(k)| < needs(k) for some k. Else there are branches by what has the fewest:
+-- cells that options reach may stay free. The node has no solution if the surplus is negative, or
+-- if |A(k)| < needs(k) for some k. Otherwise it branches on whatever has the fewest branches:
 --
--- * a kind k: which of A(k), in their order, is the first to be chosen, |A(k)| - needs(k) + 1
---   branches. What comes before it is left out below, for pieces of a kind are interchangeable;
--- * a cell c: which of A(c) has it, or, if the surplus is positive, none: |A(c)| or |A(c)| + 1.
+-- * a kind k: which of A(k), in order, is the first to be chosen, with |A(k)| - needs(k) + 1
+--   branches. Earlier options are excluded below, because pieces of a kind are interchangeable;
+-- * a cell c: which of A(c) covers it, or, if the surplus is positive, none, with |A(c)| or |A(c)|
+--   + 1 branches.
 --
--- Branches leave nothing out, so that the tree, if it was visited whole and no solution found,
--- proves that there is none. The work at a node is in proportion to the cells of the sheet and of
--- the options in A; the budget is told in these.
+-- The branches are complete. So if the whole tree is visited without a solution, there is none. The
+-- work at a node is proportional to the cells of the sheet and of the options in A, and the budget
+-- counts these.
 module PraTactile.Object.Packing.Exact
   ( Found (..),
     Problem,
@@ -38,17 +39,17 @@ import PraTactile.Object.Packing.Kinds
 import PraTactile.Object.Packing.Mask
 import PraTactile.Object.Packing.Occupancy
 
--- | What came of a search.
+-- | The result of a search.
 data Found
-  = -- | as many pieces of each kind as are needed, no two of which share a cell
+  = -- | the needed number of pieces of each kind, without a common cell
     Found [Lying]
-  | -- | there is no such thing
+  | -- | there is no solution
     None
-  | -- | the budget did not suffice to say
+  | -- | the budget did not suffice to decide
     Unknown
   deriving stock (Eq, Show)
 
--- | Kinds, how many of each are needed, and all places where their figures fit.
+-- | The kinds, the number needed of each, and all places where their figures fit.
 data Problem = Problem
   { needs :: !(U.Vector Int),
     options :: !(V.Vector Lying),
@@ -56,14 +57,14 @@ data Problem = Problem
     kindOf :: !(U.Vector Int),
     -- | the cells of each option, by number
     cellsOf :: !(V.Vector (U.Vector Int)),
-    -- | the same as bits, so many words an option
+    -- | the cells of each option as bits, in 'wordsAnOption' words
     bitsOf :: !(U.Vector Word64),
     wordsAnOption :: !Int,
     cellCount :: !Int
   }
 
--- | The problem of laying pieces of these kinds on a sheet. 'Nothing': written down, its options
--- would have more cells than 'largest'.
+-- | The problem of laying pieces of these kinds on a sheet. 'Nothing' if its options have more than
+-- 'largest' cells and words.
 problemOf :: Still -> Kinds -> Maybe Problem
 problemOf sheet kinds
   | sum (map weight figures) > largest = Nothing
@@ -112,17 +113,17 @@ problemOf sheet kinds
         (U.replicate words' 0)
         (U.map (\c -> (c `shiftR` 6, c .&. 63)) own)
 
--- | The most that a problem's options may have of cells, and of words for them: about 40 MB.
+-- | The most cells and words of a problem's options: about 40 MB.
 largest :: Integer
 largest = 4000000
 
--- | What came of the tree below a node: an answer, or nothing and so much of the budget left.
+-- | The result of the tree below a node: an answer, or the rest of the budget.
 data Below
   = Answer Found
   | Remaining !Int
 
--- | The answer, if it is found within the budget: the cells of the sheet and of options that may be
--- looked at.
+-- | Solves a problem within a budget: the number of cells, of the sheet and of options, that may be
+-- visited.
 exactly :: Int -> Problem -> Found
 exactly budget0 problem =
   case node budget0 (needs problem) (U.enumFromN 0 (V.length (options problem))) [] of
@@ -171,8 +172,8 @@ exactly budget0 problem =
       Remaining budget -> next budget
       answer -> answer
 
--- | Of some options, how many there are of each kind, the least number of cells of one of these,
--- and how many have each cell.
+-- | For some options: the number of each kind, the least number of cells of an option of each kind,
+-- and the number that cover each cell.
 tally :: Problem -> U.Vector Int -> (U.Vector Int, U.Vector Int, U.Vector Int)
 tally problem alive = runST $ do
   perKind <- M.replicate kinds 0
@@ -193,7 +194,7 @@ hasCell :: Problem -> Int -> Int -> Bool
 hasCell problem c o =
   testBit (U.unsafeIndex (bitsOf problem) (o * wordsAnOption problem + c `shiftR` 6)) (c .&. 63)
 
--- | Whether two options have no cell in common.
+-- | Whether two options have no common cell.
 disjoint :: Problem -> Int -> Int -> Bool
 disjoint problem a b = go (wordsAnOption problem - 1)
   where

@@ -1,9 +1,9 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | Bottom-left fill (Baker, Coffman and Rivest, SIAM J. Comput. 9, 1980; with holes filled,
--- Chazelle, IEEE Trans. Comput. 32, 1983), row 0 being the bottom: one piece after the other is
--- laid at the first place where one of its figures fits, row by row. Cells are only ever taken, so
--- that this place moves only forwards, and each figure goes over the sheet once.
+-- Chazelle, IEEE Trans. Comput. 32, 1983), with row 0 as the bottom. One piece after the other is
+-- laid at the first place, row by row, where one of its figures fits. Cells only become taken, so
+-- that place only moves forwards, and each figure passes over the sheet once.
 module PraTactile.Object.Packing.Filling
   ( Filling (..),
     worth,
@@ -22,38 +22,37 @@ import PraTactile.Object.Packing.Kinds
 import PraTactile.Object.Packing.Mask
 import PraTactile.Object.Packing.Occupancy
 
--- | What came of laying pieces in an order.
+-- | The result of laying pieces in an order.
 data Filling = Filling
-  { -- | the cells, at least, of the pieces that found no place
+  { -- | the least total number of cells of the pieces that found no place
     fillingOver :: !Int,
-    -- | the number of rows up to the last one in which a piece lies
+    -- | the number of rows up to the last one that is used
     fillingRows :: !Int,
-    -- | how many cells of the last two of them are taken
+    -- | the number of taken cells in the last two of these rows
     fillingLast :: !Int,
     fillingLying :: [Lying],
-    -- | where in the order those stand that found no place
+    -- | the indices in the order of the pieces that found no place
     fillingWithout :: [Int],
-    -- | the runs that were looked at
+    -- | the number of runs that were tested
     fillingSteps :: !Int
   }
 
--- | What fillings are compared by, less being better.
+-- | The measure by which fillings are compared; less is better.
 worth :: Filling -> (Int, Int, Int)
 worth it = (fillingOver it, fillingRows it, fillingLast it)
 
--- | Which of its figures a piece is laid as, of those whose first place is the same.
+-- | The figure that is chosen for a piece among those with the same first place.
 data Choice
   = MostCells
   | FewestCells
   deriving stock (Eq, Show)
 
--- | The filling that lays pieces of these kinds in this order. O(figures * cells of the sheet) at
--- most, where figures have few runs; whenever that has taken 'patience' more steps, the rows in
--- which pieces lie by then are closed.
+-- | Lays pieces of these kinds in this order. O(figures * cells of the sheet) at most, if figures
+-- have few runs. Each time 'patience' more steps were taken, the rows in use by then are closed.
 filled :: Still -> Kinds -> Choice -> U.Vector Int -> Filling
 filled sheet kinds choice order = runST $ do
   it <- thaw sheet
-  -- Before these places, row by row, a figure fits nowhere.
+  -- For each figure, the row and column before which it fits nowhere.
   fromRow <- M.replicate (V.length (kindsFigures kinds)) 0
   fromColumn <- M.replicate (V.length (kindsFigures kinds)) 0
   let go at over rows steps (closed, next) lying without
@@ -89,13 +88,13 @@ filled sheet kinds choice order = runST $ do
                 (closed, next)
                 (Lying k f p : lying)
                 without
-      -- Figures are numbered by their cells.
+      -- Figures are numbered in the order of their cells.
       preference f = case choice of
         MostCells -> negate f
         FewestCells -> f
   go 0 0 0 0 (0, patience) [] []
 
--- | After how many steps rows are closed: less than a second of them. Only hundreds of
+-- | The number of steps after which rows are closed, less than a second of them. Only hundreds of
 -- figures take as many.
 patience :: Int
 patience = 4000000

@@ -1,10 +1,10 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Pieces by kind. Two pieces are of one kind if their alternatives are the same set of figures:
--- they are interchangeable, so that a search need only say how many of a kind lie where.
+-- | Pieces by kind. Two pieces are of one kind if their alternatives are the same set of figures.
+-- Then they are interchangeable, so a search only has to say how many of a kind lie where.
 --
--- Kinds and figures are numbered in the order of the figures themselves, whatever the order of the
--- pieces and of their alternatives. So no search depends on these.
+-- Kinds and figures are numbered in the order of the figures themselves. So searches do not depend
+-- on the order of pieces and alternatives.
 module PraTactile.Object.Packing.Kinds
   ( Kinds (..),
     Lying (..),
@@ -25,15 +25,15 @@ import PraTactile.Object.Packing.Mask
 data Kinds = Kinds
   { -- | all figures
     kindsFigures :: !(V.Vector Figure),
-    -- | the figures of each kind, by number, ascending
+    -- | the indices of the figures of each kind, ascending
     kindsAlternatives :: !(V.Vector [Int]),
-    -- | how many pieces are of each kind
+    -- | the number of pieces of each kind
     kindsCount :: !(U.Vector Int),
     -- | the kind of each piece
     kindsOfPieces :: !(U.Vector Int)
   }
 
--- | A piece of a kind as it lies: as a figure, from a row and column on.
+-- | A laid piece: its kind, its figure, and its first row and column.
 data Lying = Lying
   { lyingKind :: !Int,
     lyingFigure :: !Int,
@@ -41,7 +41,7 @@ data Lying = Lying
   }
   deriving stock (Eq, Ord, Show)
 
--- | The kinds of pieces that are sets of figures.
+-- | The kinds of pieces that are given as sets of figures.
 kindsOf :: [Set.Set Figure] -> Kinds
 kindsOf pieces =
   Kinds
@@ -61,13 +61,13 @@ kindsOf pieces =
 figuresOf :: Kinds -> Int -> [Figure]
 figuresOf kinds k = map (kindsFigures kinds V.!) (kindsAlternatives kinds V.! k)
 
--- | The least number of cells that a piece of a kind takes.
+-- | The least number of cells of a piece of a kind.
 fewestCells :: Kinds -> Int -> Int
 fewestCells kinds = minimum . map figureCells . figuresOf kinds
 
--- | For each piece, given by its alternatives, which of them lies where, if as many of each kind
--- lie as there are: of one kind, the first piece has the first place, row by row. Places are told
--- for blocks.
+-- | For each piece, given by its alternatives, the alternative and the place of its block. The list
+-- must have as many laid pieces of each kind as there are pieces. Within a kind, the first piece
+-- gets the first place, row by row.
 assigned :: Kinds -> [[Mask]] -> [Lying] -> [(Int, (Int, Int))]
 assigned kinds pieces lying = go places (zip (U.toList (kindsOfPieces kinds)) pieces)
   where

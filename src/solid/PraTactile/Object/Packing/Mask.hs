@@ -1,10 +1,11 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The cells that a face takes of the block round them, as runs: maximal rows of neighbours.
+-- | The cells that a face takes of a block, as runs: maximal rows of neighbours.
 --
--- A mask is a finite set P of cells in Z^2, by row and column within its block. Kept are the upper
--- left corner m = (min row, min column) of P, and of P - m its size, its number of cells, and its
--- runs (i, j, l), row by row and from left to right: the cells (i, j) .. (i, j + l - 1).
+-- A mask is a finite set P of cells in Z^2, by row and column within its block. It is stored as the
+-- upper left corner m = (min row, min column) of P, and the size, the number of cells and the runs
+-- of P - m. A run (i, j, l) is the cells (i, j) .. (i, j + l - 1); runs are sorted row by row, from
+-- left to right.
 module PraTactile.Object.Packing.Mask
   ( Mask,
     maskOf,
@@ -22,11 +23,11 @@ import qualified Data.IntMap.Strict as IntMap
 import qualified Data.IntSet as IntSet
 import qualified Data.Vector.Unboxed as U
 
--- | The cells that a face takes of the block round them: one at least.
+-- | The cells that a face takes of a block; at least one.
 data Mask = Mask
-  { -- | the upper left corner of the box round the cells, within the block
+  { -- | the upper left corner of the cells' bounding box, within the block
     maskCorner :: !(Int, Int),
-    -- | what that corner is the origin of
+    -- | the cells relative to that corner
     maskFigure :: !Figure
   }
   deriving stock (Eq, Ord, Show)
@@ -36,13 +37,13 @@ data Figure = Figure
   { figureCells :: !Int,
     figureRows :: !Int,
     figureColumns :: !Int,
-    -- | row, first column, length
+    -- | row, first column and length of each run
     figureRuns :: !(U.Vector (Int, Int, Int))
   }
   deriving stock (Eq, Ord, Show)
 
--- | The mask of a block of so many rows and columns, and of its cells, by row and column within it;
--- a cell that is told twice is one. 'Nothing': there is no cell, or one lies outside the block.
+-- | The mask with these cells, by row and column within a block with these numbers of rows and
+-- columns. Repeated cells count once. 'Nothing' if there is no cell, or one lies outside the block.
 -- O(n log n).
 --
 -- >>> maskCells <$> maskOf (3, 3) [(2, 1), (1, 1), (1, 2)]
@@ -64,8 +65,8 @@ maskOf (height, width) cells
     longer first l (next : others) | next == first + l = longer first (l + 1) others
     longer first l others = (first, l) : runs others
 
--- | All cells of a block of so many rows and columns. A mask has a cell: a number below 1 counts
--- as 1.
+-- | All cells of a block with these numbers of rows and columns. A number below 1 counts as 1,
+-- since a mask has a cell.
 block :: (Int, Int) -> Mask
 block (height, width) = masked [(r, 0, max 1 width) | r <- [0 .. max 1 height - 1]]
 
@@ -74,7 +75,7 @@ maskCells :: Mask -> [(Int, Int)]
 maskCells (Mask (top, left) figure) =
   [(top + i, c) | (i, j, l) <- U.toList (figureRuns figure), c <- [left + j .. left + j + l - 1]]
 
--- | From its runs, row by row; there is one.
+-- | A mask from its runs, row by row; there must be at least one.
 masked :: [(Int, Int, Int)] -> Mask
 masked runs =
   Mask

@@ -1,12 +1,11 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Which cells of a sheet are taken, a bit each, and the first place where a figure fits.
+-- | The taken cells of a sheet, with one bit each, and the first place where a figure fits.
 --
--- Of a run (i, j, l) of a figure laid at (r, c), let x be the last taken one of the columns c + j
--- to c + j + l - 1 of row r + i, and y > x the next column of that row that is free. Then the
--- figure fits at no (r, c') with c <= c' < y - j: x lies in the run still, or the run begins on a
--- taken cell. So a search along a row leaps from c to y - j, and costs a step for each run it looks
--- at.
+-- Consider a run (i, j, l) of a figure at (r, c). Let x be the last taken column among c + j to c +
+-- j + l - 1 of row r + i, and y > x the next free column of that row. Then the figure fits at no
+-- (r, c') with c <= c' < y - j, because x is still in the run, or the run begins on a taken cell.
+-- So a search along a row jumps from c to y - j. It costs a step for each run that it tests.
 module PraTactile.Object.Packing.Occupancy
   ( Occupancy,
     Still,
@@ -39,33 +38,34 @@ import PraTactile.Object.Packing.Mask
 data Occupancy cells = Occupancy
   { rowsOf :: !Int,
     columnsOf :: !Int,
-    -- | words a row; what follows a row's last cell is taken, one bit at least
+    -- | the number of words for each row; the bits after a row's last cell, at least one, count as
+    -- taken
     stride :: !Int,
     taken :: !cells
   }
 
--- | A sheet to which nothing is added.
+-- | A sheet that does not change.
 type Still = Occupancy (U.Vector Word64)
 
--- | A sheet to which figures are added.
+-- | A sheet to which figures can be added.
 type Changing s = Occupancy (M.STVector s Word64)
 
--- | A sheet of so many rows and columns, neither negative, on which nothing lies.
+-- | An empty sheet with these numbers of rows and columns, neither negative.
 vacant :: Int -> Int -> Still
 vacant rows columns = Occupancy rows columns words' (U.concat (replicate rows row))
   where
     words' = columns `div` 64 + 1
     row = U.replicate (words' - 1) 0 `U.snoc` complement (below (columns .&. 63))
 
--- | A copy to which figures are added.
+-- | A copy of a sheet to which figures can be added.
 thaw :: Still -> ST s (Changing s)
 thaw it = (\cells -> it {taken = cells}) <$> U.thaw (taken it)
 
--- | What it is now.
+-- | The current state of a sheet.
 freeze :: Changing s -> ST s Still
 freeze it = (\cells -> it {taken = cells}) <$> U.freeze (taken it)
 
--- | Takes the cells of a figure, which fits at this row and column.
+-- | Takes the cells of a figure, which must fit at this row and column.
 lie :: Changing s -> Figure -> (Int, Int) -> ST s ()
 lie it figure (r, c) = U.forM_ (figureRuns figure) $ \(i, j, l) -> do
   let from = c + j
@@ -74,19 +74,19 @@ lie it figure (r, c) = U.forM_ (figureRuns figure) $ \(i, j, l) -> do
   forM_ [from `shiftR` 6 .. to `shiftR` 6] $ \k ->
     M.modify (taken it) (.|. between (from - 64 * k) (to - 64 * k)) (row + k)
 
--- | Whether a figure fits at a row and column: on the sheet, and on free cells.
+-- | Whether a figure fits at a row and column: it lies on the sheet, on free cells.
 fitsAt :: Changing s -> Figure -> (Int, Int) -> ST s Bool
 fitsAt it figure (r, c)
   | r < 0 || c < 0 || r > lastRow it figure || c > lastColumn it figure = pure False
   | otherwise = (== c) . fst <$> leap it figure r c
 
--- | The greatest row and column at which a figure does not reach beyond the sheet.
+-- | The greatest row and column at which a figure stays within the sheet.
 lastRow, lastColumn :: Occupancy cells -> Figure -> Int
 lastRow it figure = rowsOf it - figureRows figure
 lastColumn it figure = columnsOf it - figureColumns figure
 
--- | The first row and column, from the given ones on and row by row, at which a figure with a cell
--- fits, and how many steps were taken to find it, or that there is none.
+-- | The first row and column, row by row from the given ones, at which a figure fits, if any; and
+-- the number of steps taken. The figure must have a cell.
 firstFit :: forall s. Changing s -> Figure -> (Int, Int) -> ST s (Maybe (Int, Int), Int)
 firstFit it figure (row, column) = go 0 row column
   where
@@ -98,8 +98,8 @@ firstFit it figure (row, column) = go 0 row column
         (c', n) <- leap it figure r c
         if c' == c then pure (Just (r, c), steps + n) else go (steps + n) r c'
 
--- | The column itself if the figure fits there, else a later one before which it fits nowhere in
--- this row; and how many runs were looked at.
+-- | The column itself if the figure fits there, else a later column before which it does not fit in
+-- this row; and the number of runs tested.
 leap :: Changing s -> Figure -> Int -> Int -> ST s (Int, Int)
 leap it figure r c = go 0
   where
@@ -117,8 +117,8 @@ leap it figure r c = go 0
             pure (y - j, k + 1)
 {-# INLINE leap #-}
 
--- | The last taken column from one to another, both among them; -1 if none is. A row is told by
--- its first word.
+-- | The last taken column in a range, ends included; -1 if there is none. The row is given by its
+-- first word.
 lastTaken :: Changing s -> Int -> Int -> Int -> ST s Int
 lastTaken it row from to = go (to `shiftR` 6)
   where
@@ -129,7 +129,7 @@ lastTaken it row from to = go (to `shiftR` 6)
         let found = word .&. between (from - 64 * k) (to - 64 * k)
         if found == 0 then go (k - 1) else pure (64 * k + 63 - countLeadingZeros found)
 
--- | The first free column from one on; one beyond the sheet if there is none.
+-- | The first free column from a column on; a column beyond the sheet if there is none.
 nextFree :: Changing s -> Int -> Int -> ST s Int
 nextFree it row from = go (from `shiftR` 6)
   where
@@ -140,17 +140,17 @@ nextFree it row from = go (from `shiftR` 6)
         let free = complement word .&. complement (below (from - 64 * k))
         if free == 0 then go (k + 1) else pure (64 * k + countTrailingZeros free)
 
--- | How many cells of a row are free.
+-- | The number of free cells in a row.
 freeInRow :: Still -> Int -> Int
 freeInRow it r = U.foldl' count 0 (U.slice (r * stride it) (stride it) (taken it))
   where
     count n word = n + popCount (complement word)
 
--- | The bits of a word from one to another, both among them; it may have none of them.
+-- | The bits of a word in a range, ends included; the range may miss the word.
 between :: Int -> Int -> Word64
 between from to = below (to + 1) .&. complement (below from)
 
--- | The bits of a word below one.
+-- | The bits of a word below an index.
 below :: Int -> Word64
 below k
   | k <= 0 = 0

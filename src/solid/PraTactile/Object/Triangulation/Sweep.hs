@@ -1,11 +1,11 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Some triangles of a plane region, by a line that sweeps over it (Hertel and Mehlhorn 1983).
+-- | An initial triangulation of a plane region, by a sweep line (Hertel and Mehlhorn 1983).
 --
--- Points are met in the order of x, those of one x in the order of y. Behind the line lie
--- triangles; between them and the line each part of the region that the line crosses has a chain,
--- from the point where its lower side begins up to the one where its upper side does, whose last
--- point met has no point of the chain to its right:
+-- Points are met in the order of x, then y. Behind the line lie triangles. Between them and the
+-- line, each part of the region that the line crosses has a chain. It goes from the start of the
+-- part's lower side up to the start of its upper side. To the right of the last point met, the
+-- chain has no points:
 --
 -- >      c_m -------- upper side
 -- >       \
@@ -15,11 +15,11 @@
 -- >       \                             |
 -- >      c_0 -------- lower side
 --
--- A new point p makes triangles with all c_i, c_(i+1) that it sees, which are those with
--- turn(c_i, p, c_(i+1)) > 0 next to where it touches the chain: from the lower end upwards if it is
--- where the lower side ends, from the upper end downwards if it is where the upper side does, both
--- ways from c_k if it is a new loop's first point. Up to c_k the chain turns left or goes straight
--- at each point, and after it likewise; so what p sees is seen whole.
+-- A new point p makes triangles with all c_i, c_(i+1) that it sees: those with turn(c_i, p,
+-- c_(i+1)) > 0, next to where it touches the chain. It starts from the lower end if it ends the
+-- lower side, from the upper end if it ends the upper side, and both ways from c_k if it is a new
+-- loop's first point. Up to c_k the chain turns left or goes straight at each point, and also after
+-- it. So p sees each such side entirely.
 module PraTactile.Object.Triangulation.Sweep
   ( swept,
   )
@@ -33,16 +33,18 @@ import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Description (cyclicPairs)
 import PraTactile.Object.Polygon (V2 (..), turn)
 
--- | A part of the region that the line crosses; points are numbered as they are met.
+-- | A part of the region that the line crosses; points are numbered in the order in which they are
+-- met.
 data Part = Part
   { lower :: !(Int, Int),
     upper :: !(Int, Int),
     chain :: !(Seq Int),
-    -- | the place in the chain of the last point met
+    -- | the index in the chain of the last point met
     latest :: !Int
   }
 
--- | Triangles, as 'PraTactile.Object.Triangulation.triangulation' has them, but whichever.
+-- | The triangles of a region, as for 'PraTactile.Object.Triangulation.triangulation', but not
+-- optimised.
 swept :: V.Vector V2 -> [[Int]] -> [(Int, Int, Int)]
 swept points loops =
   [(met a, met b, met c) | (a, b, c) <- snd (foldl' step (Seq.empty, []) [0 .. U.length order - 1])]
@@ -78,9 +80,9 @@ swept points loops =
         Nothing -> (parts, made)
       where
         (l, r) = (before U.! p, after U.! p)
-        -- Of two sides that begin here the lower one, and the upper one.
+        -- The lower and the upper of two sides that begin here.
         (first, second) = if turn (at p) (at l) (at r) > 0 then (l, r) else (r, l)
-        -- How many parts have their lower side below the point or end it there.
+        -- The number of parts whose lower side is below the point or ends there.
         count = search 0 (Seq.length parts)
         search from to
           | from == to = from

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What is wrong where faces meet at edges and vertices.
+-- | Defects where faces meet at edges and vertices.
 module PraTactile.Object.Validity.Edges
   ( withoutTwo,
     disagreements,
@@ -42,7 +42,7 @@ disagreements subject =
       [s, t] <- [edgeSides (sides subject) e],
       sideStart (sides subject) s == sideStart (sides subject) t
   ]
--- Corners at a vertex hang together across the sides that leave it and arrive at it.
+-- Corners at a vertex are connected across the sides that leave it and arrive at it.
 pinchedVertices subject =
   [ Defect PinchedVertex [] [vertexAt (whole subject) v] Nothing
     | v <- U.toList (U.findIndices (> 1) ringsAt),
@@ -95,6 +95,6 @@ verticesOnEdges subject =
     visited = U.concat (V.toList (formed subject))
     tree = boxes (V.map (box . place) (V.convert used))
 
--- | The ends of a side, the one with the lesser index first.
+-- | The ends of a side, the one with the smaller index first.
 endsOf :: Subject -> Int -> [Int]
 endsOf subject s = sort [sideStart (sides subject) s, sideEnd (sides subject) s]

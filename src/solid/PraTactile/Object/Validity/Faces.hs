@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What is wrong with single faces, and with what two of them have in common.
+-- | Defects of single faces, and intersections of two faces.
 module PraTactile.Object.Validity.Faces
   ( noAreas,
     notPlanar,
@@ -23,7 +23,7 @@ import PraTactile.Object.Polygon
 import PraTactile.Object.Subject
 import PraTactile.Object.Vector
 
--- | Faces, one by one; each with its number.
+-- | Defects of single faces, each with the face's index.
 noAreas, notPlanar :: Subject -> [(Int, Defect)]
 noAreas subject =
   [ (f, Defect NoArea [faceAt (whole subject) f] [] Nothing)
@@ -39,7 +39,7 @@ notPlanar subject =
       not (flatAlong n corners)
   ]
   where
-    -- With k corners of the sum s, k n . v - n . s is k |n| times the distance of v.
+    -- With k corners of sum s, k n . v - n . s is k |n| times the distance of v.
     furthest n corners =
       let k = toInteger (V.length corners)
           s = V.foldl' plus zero corners
@@ -60,8 +60,8 @@ crossingSelf subject flatFaces =
   where
     it = whole subject
 
--- | What faces have in common that do not cross themselves, so many times at most and of so many
--- pairs; and whether not all pairs were compared.
+-- | The intersections of faces that do not cross themselves, and whether the search stopped early.
+-- The first number limits the intersections that are found, the second the pairs that are compared.
 intersections :: Int -> Int -> Subject -> [Int] -> ([Defect], Bool)
 intersections mostFound mostCompared subject good = look mostFound mostCompared near
   where

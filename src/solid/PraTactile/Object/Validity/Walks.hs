@@ -1,7 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What is wrong with the names of a polyhedron's vertices and with the walks of its faces,
--- wherever the vertices are.
+-- | Defects of the names of vertices and of the walks of faces, whatever the vertices' places.
 module PraTactile.Object.Validity.Walks
   ( repeatedNames,
     coincident,
@@ -60,11 +59,11 @@ twice it =
       i <- if U.length walk == 2 then [walk U.! 0 | walk U.! 0 == walk U.! 1] else repeats walk
   ]
 
--- | The faces that have the same vertices, those that are more than one.
+-- | The groups of faces with the same vertices.
 facesAlike :: Mesh -> [[Int]]
 facesAlike = alikeGroups . V.map (U.fromList . sort . U.toList) . meshWalks
 
--- | The places of equal things, those that are more than one; by the first of each.
+-- | The indices of equal elements, in groups of at least two, sorted by their first ones.
 alikeGroups :: Ord a => V.Vector a -> [[Int]]
 alikeGroups things =
   sortOn

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | How one looks at a solid, where its points are on the picture, and on which side of a face's
--- plane a point is, exactly.
+-- | The camera that looks at a solid, the projection of points to the picture, and exact tests on
+-- which side of a face's plane a point is.
 module PraTactile.Object.View.Camera
   ( -- * Looking
     View (..),
@@ -33,20 +33,20 @@ import PraTactile.Object.Mesh
 import PraTactile.Object.Vector
 import PraTactile.Object.WingedEdge (Solid, solidMesh)
 
--- | How one looks at a solid.
+-- | A direction of view.
 data View = View
-  { -- | the way from the solid to the eye, of length 1 but for the rounding
+  { -- | the direction from the solid to the eye, of length 1 up to rounding
     viewTowards :: !(Rational, Rational, Rational),
-    -- | what is up on the picture, as far as it is at right angles to that
+    -- | the upward direction on the picture; only its part orthogonal to 'viewTowards' counts
     viewUp :: !(Double, Double, Double),
-    -- | how many times as far away as the solid is large the eye is; far beyond all bounds where
-    -- nothing is said, so that parallels stay parallel
+    -- | the distance of the eye as a multiple of the solid's size; 'Nothing' for an infinite
+    -- distance, which keeps parallels parallel
     viewAway :: !(Maybe Rational)
   }
   deriving stock (Eq, Show)
 
--- | Looking from an azimuth and an elevation, in degrees: from the front where both are 0, from the
--- right at an azimuth of 90, from above at an elevation of 90.
+-- | The view from an azimuth and an elevation, in degrees: from the front if both are 0, from the
+-- right at azimuth 90, from above at elevation 90.
 viewFrom :: Double -> Double -> Maybe Rational -> View
 viewFrom azimuth elevation =
   viewAlong
@@ -55,7 +55,7 @@ viewFrom azimuth elevation =
   where
     (a, e) = (azimuth * pi / 180, elevation * pi / 180)
 
--- | Looking from where such a way leads, of length 1, with another way up, not along the first.
+-- | The view from a direction of length 1, with an upward direction that is not parallel to it.
 viewAlong :: (Double, Double, Double) -> (Double, Double, Double) -> Maybe Rational -> View
 viewAlong (x, y, z) = View (near x, near y, near z)
   where
@@ -65,17 +65,17 @@ viewAlong (x, y, z) = View (near x, near y, near z)
 data Camera = Camera
   { cameraMesh :: Mesh,
     cameraView :: View,
-    -- | the middle of the box round the solid, and the eye, in the units of the polyhedron's
+    -- | the centre of the solid's bounding box, and the eye, in units of the polyhedron's
     -- coordinates
     cameraMiddle :: !Spot3,
     cameraEye :: !(Maybe Spot3),
-    -- | the longest side of that box
+    -- | the longest side of the bounding box
     cameraSize :: !Rational
   }
 
 type Spot3 = (Rational, Rational, Rational)
 
--- | A view of this solid.
+-- | A camera for a view of this solid.
 camera :: View -> Solid -> Camera
 camera view whole = Camera it view middle eye size
   where
@@ -93,9 +93,9 @@ camera view whole = Camera it view middle eye size
     ys solid' = [y | V3 _ y _ <- V.toList (meshPoints solid')]
     zs solid' = [z | V3 _ _ z <- V.toList (meshPoints solid')]
 
--- | Where a point of space, in millimetres, is on the picture: millimetres, x to the right and y
--- down, from where the middle of the solid is. Lengths there are true at right angles to the way
--- one looks.
+-- | The place on the picture of a point in space, both in millimetres; x to the right and y down,
+-- from the centre of the solid. At the centre's distance, lengths orthogonal to the direction of
+-- view are true.
 onPicture :: Camera -> (Double, Double, Double) -> (Double, Double)
 onPicture it (px, py, pz) = (k * right, negate (k * up))
   where
@@ -127,7 +127,8 @@ millimetres it (x, y, z) = doubles (x / over, y / over, z / over)
   where
     over = fromInteger (meshDenominator (cameraMesh it))
 
--- | A point, and nearly where it is, from the middle of the solid and as a share of its size.
+-- | A point, with its approximate place relative to the centre of the solid, as a fraction of the
+-- solid's size.
 data Corner = Corner
   { cornerAt :: Spot3,
     cornerNear :: (Double, Double, Double)
@@ -139,7 +140,7 @@ cornerOf it p@(x, y, z) = Corner p (doubles ((x - mx) / size, (y - my) / size, (
     (mx, my, mz) = cameraMiddle it
     size = cameraSize it
 
--- | A plane: what is at right angles to it, and the product of that with its points.
+-- | A plane: a normal, and its scalar product with the plane's points.
 type Plane = (V3, Rational)
 
 planeAt :: Camera -> Int -> Plane
@@ -148,7 +149,7 @@ planeAt it f = (normal, fromInteger (dot normal (firstOf corners)))
     corners = cornersOf (cameraMesh it) (meshWalks (cameraMesh it) V.! f)
     normal = doubleArea corners
 
--- | By how much a point is before a plane.
+-- | How far a point is before a plane, times the normal's length.
 before :: Plane -> Spot3 -> Rational
 before (V3 a b c, offset) (x, y, z) =
   fromInteger a * x + fromInteger b * y + fromInteger c * z - offset
@@ -161,14 +162,14 @@ facing it f = case cameraEye it of
   where
     plane = planeAt it f
 
--- | A plane by machine numbers: what is at right angles to it, of length 1, and the product of that
--- with a point of it, as 'cornerNear' has points.
+-- | A plane in machine numbers: the unit normal, and its scalar product with a point of the plane
+-- in the coordinates of 'cornerNear'.
 type Nearly = ((Double, Double, Double), Double)
 
 nearly :: Camera -> Int -> Plane -> Nearly
 nearly it f (V3 a b c, _) = (normal, inner normal (cornerNear (cornerOf it (x, y, z))))
   where
-    -- Shortened, for long numbers are beyond what machine numbers hold.
+    -- Scaled down, because long integers are beyond the range of machine numbers.
     most = fromInteger (maximum (map abs [1, a, b, c]))
     normal = unit (doubles (fromInteger a / most, fromInteger b / most, fromInteger c / most))
     (x, y, z) = (fromInteger x', fromInteger y', fromInteger z')
@@ -177,7 +178,7 @@ nearly it f (V3 a b c, _) = (normal, inner normal (cornerNear (cornerOf it (x, y
 inner :: (Double, Double, Double) -> (Double, Double, Double) -> Double
 inner (a, b, c) (x, y, z) = a * x + b * y + c * z
 
--- | On which side of a plane a corner is: 'GT' before it.
+-- | The side of a plane on which a corner is; 'GT' is before it.
 sideOf :: (Plane, Nearly) -> Corner -> Ordering
 sideOf (plane, (normal, offset)) corner
   | about > 1e-9 = GT

@@ -21,20 +21,20 @@ import PraTactile.Object.Triangles
 import PraTactile.Object.Vector
 import PraTactile.Object.View.Camera
 
--- | A convex part of a face that is seen, or hidden by patches that are painted later.
+-- | A convex part of a face that is visible, or hidden by patches that are painted later.
 data Patch = Patch
-  { -- | the face, by its place among the solid's faces
+  { -- | the face's index in the solid
     patchFace :: !Int,
-    -- | its corners on the picture, each with what the side from it to the next one is
+    -- | its corners on the picture, each with the kind of the side to the next corner
     patchCorners :: [((Double, Double), Side)],
-    -- | how much the face is turned to a light over the left shoulder, from 0 to 1
+    -- | how much the face is turned to a light over the viewer's left shoulder, from 0 to 1
     patchLight :: !Double,
-    -- | whether it is all of its face
+    -- | whether it is the whole face
     patchWhole :: !Bool
   }
   deriving stock (Eq, Show)
 
--- | What a side of a patch is: an edge at which faces bend, one at which they do not, or a cut that
+-- | The kind of a patch's side: an edge where faces bend, an edge where they do not, or a cut that
 -- was made here.
 data Side = Bent | Level | Cut
   deriving stock (Eq, Show)
@@ -45,7 +45,7 @@ data Piece = Piece
     pieceCorners :: [(Corner, Side)]
   }
 
--- | All patches, those that others may hide first.
+-- | All patches; those that others may hide come first.
 patches :: Camera -> [Patch]
 patches it = map patch (ordered it planeOf (concatMap pieces (filter (facing it) [0 .. faces - 1])))
   where
@@ -69,7 +69,7 @@ patches it = map patch (ordered it planeOf (concatMap pieces (filter (facing it)
       let V3 a b c = normals V.! f
           (x, y, z) = unit (doubles (fromInteger a, fromInteger b, fromInteger c))
           (dx, dy, dz) = unit (doubles (viewTowards (cameraView it)))
-          -- From the eye, and from above and the left of it.
+          -- The light comes from the eye, and from above and left of it.
           (lx, ly, lz) = unit (dx + 0.5 * dy, dy - 0.5 * dx, dz + 0.6)
        in max 0 (min 1 (x * lx + y * ly + z * lz))
     pieces f
@@ -101,7 +101,7 @@ patches it = map patch (ordered it planeOf (concatMap pieces (filter (facing it)
               | i <- [0 .. n - 1]
             ]
 
--- | Pieces in an order in which none hides one that comes later.
+-- | Sorts pieces so that none hides a later one.
 ordered :: Camera -> (Piece -> (Plane, Nearly)) -> [Piece] -> [Piece]
 ordered it planeOf given = go given []
   where
@@ -111,7 +111,7 @@ ordered it planeOf given = go given []
       _ -> go behind (within ++ go front rest)
         where
           (behind, within, front) = parted (planeOf (splitter list)) list
-    -- Of a few the one that cuts the fewest.
+    -- The one of a few candidates whose plane cuts the fewest pieces.
     splitter list = minimumBy (comparing (\one -> cuts (planeOf one) list)) (take 6 list)
     cuts plane list =
       length [() | one <- list, let s = sidesOf plane one, GT `elem` s, LT `elem` s]
@@ -122,7 +122,7 @@ ordered it planeOf given = go given []
 sidesOf :: (Plane, Nearly) -> Piece -> [Ordering]
 sidesOf plane = map (sideOf plane . fst) . pieceCorners
 
--- | What of a piece is behind a plane, in it, and before it.
+-- | The parts of a piece that are behind a plane, in it, and before it.
 part :: Camera -> (Plane, Nearly) -> Piece -> ([Piece], [Piece], [Piece])
 part it plane piece
   | all (== EQ) sides = ([], [piece], [])

@@ -21,7 +21,7 @@ import PraTactile.Object.View.Camera
 data SeenVertex = SeenVertex
   { seenName :: VertexName,
     seenAt :: !(Double, Double),
-    -- | where the edges that are seen from it lead
+    -- | the far ends of the visible edges at it
     seenEdges :: [(Double, Double)]
   }
   deriving stock (Eq, Show)
@@ -49,8 +49,8 @@ seenVertices it =
     planes =
       Map.fromList [(f, (plane, nearly it f plane)) | f <- shown, let plane = planeAt it f]
     at v = let V3 x y z = meshPoints solid V.! v in (fromInteger x, fromInteger y, fromInteger z)
-    -- What is behind the plane of a face that is seen is hidden where its picture is in that of the
-    -- face. Near its rim the place is asked for where the ray to the eye meets the plane.
+    -- A point behind the plane of a visible face is hidden if its picture is inside the face's
+    -- picture. Near the rim, the exact place where the ray to the eye meets the plane decides.
     hides v f
       | U.elem v walk = False
       | maybe True (\plane -> sideOf plane (cornerOf it (at v)) /= LT) (Map.lookup f planes) = False
@@ -79,7 +79,7 @@ seenVertices it =
           | abs a >= abs b = (y, z)
           | otherwise = (z, x)
 
--- | Whether a point is in a polygon, unless it is as near as this to the rim.
+-- | Whether a point is in a polygon; 'Nothing' if it is within this distance of the rim.
 surelyIn :: Double -> (Double, Double) -> [(Double, Double)] -> Maybe Bool
 surelyIn room (x, y) corners
   | any near sides = Nothing
