@@ -77,10 +77,10 @@ instance NamedField ('Over p modulus) => KnownField ('Over p modulus) where
 instance Reifies s Tables => KnownField ('RunTime s) where
   tables = reflect (Proxy @s)
 
--- | Brings GF(p)[x] / f into scope, given p and the modulus f, constant term first. Refuses, each
--- with its own 'FieldError', a p that is not prime, an order above 256, and a modulus that is
--- constant, not monic, not reduced modulo p, or reducible. O(q^2 m), where m is the degree of f;
--- each call makes tables of 130 kB.
+-- | Applies a function to the field GF(p)[x] / f, given p and the modulus f, constant term first.
+-- The function gets a 'Proxy' that names the field. Refuses, each with its own 'FieldError', a p
+-- that is not prime, an order above 256, and a modulus that is constant, not monic, not reduced
+-- modulo p, or reducible. O(q^2 m), where m is the degree of f; each call makes tables of 130 kB.
 --
 -- >>> withField 2 [1, 1, 1] fieldOrder
 -- Right 4
@@ -94,19 +94,19 @@ withField p modulus use = do
     runTime :: Proxy s -> Proxy ('RunTime s)
     runTime _ = Proxy
 
--- | The number of elements, q.
+-- | The number of elements, q. The argument only names the field.
 fieldOrder :: forall k proxy. KnownField k => proxy k -> Int
 fieldOrder _ = tableOrder (tables @k)
 
--- | The prime p of which q is a power.
+-- | The prime p of which q is a power. The argument only names the field.
 fieldCharacteristic :: forall k proxy. KnownField k => proxy k -> Int
 fieldCharacteristic _ = tableCharacteristic (tables @k)
 
--- | The exponent m in q = p^m.
+-- | The exponent m in q = p^m. The argument only names the field.
 fieldDegree :: forall k proxy. KnownField k => proxy k -> Int
 fieldDegree _ = tableDegree (tables @k)
 
--- | The modulus, constant term first.
+-- | The modulus, constant term first. The argument only names the field.
 fieldModulus :: forall k proxy. KnownField k => proxy k -> [Natural]
 fieldModulus _ = tableModulus (tables @k)
 

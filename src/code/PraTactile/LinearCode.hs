@@ -24,7 +24,7 @@ data LinearCode (k :: Field) = LinearCode !Int !(Basis k)
 
 type role LinearCode nominal
 
--- | The code of this length that the vectors span.
+-- | The code of this length that the vectors span. Each vector must have that length.
 spannedBy :: KnownField k => Int -> [Row k] -> LinearCode k
 spannedBy size =
   LinearCode size . foldl' (\basis x -> fromMaybe basis (extend (const True) basis x)) emptyBasis
@@ -41,9 +41,9 @@ codeLength (LinearCode size _) = size
 codeBasis :: KnownField k => LinearCode k -> [Row k]
 codeBasis (LinearCode _ basis) = map snd (basisRows basis)
 
--- | The vectors that are orthogonal to every codeword. If the basis is the unit matrix at the
--- pivots and P elsewhere, the dual basis is the unit matrix elsewhere and -P transposed at the
--- pivots.
+-- | The vectors that are orthogonal to every codeword. Take the basis in reduced echelon form
+-- ('basisRows'): at the pivots it is the unit matrix, and elsewhere a matrix P. The dual basis is
+-- then the unit matrix elsewhere and -P transposed at the pivots.
 dual :: forall k. KnownField k => LinearCode k -> LinearCode k
 dual (LinearCode size basis) = spannedBy size (map orthogonal free)
   where

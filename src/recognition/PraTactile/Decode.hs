@@ -73,7 +73,8 @@ data DecodeError
   deriving stock (Eq, Show)
 
 -- | A recogniser for a profile's array, with objects laid on it and a reader for its symbols.
--- Refuses parts that are invalid or do not fit each other.
+-- Refuses what 'withProfile' and 'recogniser' refuse: an array that cannot be made, and parts that
+-- do not fit each other.
 someRecogniser :: Profile -> Placement -> Reader -> Either DecodeError SomeRecogniser
 someRecogniser profile layout reader = do
   made <-
@@ -114,9 +115,10 @@ standardDecoding = Decoding asStated standardStitching standardTolerance
 -- | The composite of a source: the frames of a folder, prepared and stitched, or one prepared
 -- image.
 --
--- The tables and the size are those of the symbols that may have been touched. A size of 2 is twice
--- the paper's. The composite's lengths are divided by the size. Refuses what 'preparedFrames',
--- 'stitchedBy', 'wholeImage' and 'preparedImage' refuse.
+-- Arguments: the tables of the symbols that may have been touched ('readerTables'); the size of
+-- these symbols, where 2 is twice the paper's; the preparation; the stitching; the source. The
+-- composite's lengths are divided by the size. Refuses what 'preparedFrames', 'stitchedBy',
+-- 'wholeImage' and 'preparedImage' refuse.
 sourceComposite ::
   LatticeTables -> Double -> Preparation -> Stitching -> Source -> Either DecodeError Composite
 sourceComposite tables size known stitching source = case source of
@@ -139,7 +141,8 @@ framesComposite :: LatticeTables -> Double -> Stitching -> [Frame] -> Either Dec
 framesComposite tables size stitching =
   first FramesRefused . stitchedBy tables stitching . map (scaledFrame (1 / size))
 
--- | Recognises what sources of one face show together. Refuses what 'sourceComposite' refuses.
+-- | Recognises what sources of one face show together. Refuses what 'sourceComposite' and
+-- 'decodeComposites' refuse.
 decodeSources :: Decoding -> SomeRecogniser -> [Source] -> Either DecodeError Recognition
 decodeSources how with@(SomeRecogniser reader size _) sources =
   traverse
@@ -147,23 +150,25 @@ decodeSources how with@(SomeRecogniser reader size _) sources =
     sources
     >>= decodeComposites (decodingTolerance how) with
 
--- | Recognises the frames of a folder, by 'standardDecoding'.
+-- | Recognises the frames of a folder, by 'standardDecoding'. Refuses what 'decodeSources' refuses.
 decodeFolder :: SomeRecogniser -> Folder -> Either DecodeError Recognition
 decodeFolder with folder = decodeSources standardDecoding with [FrameFolder folder]
 
--- | Recognises the file of an image that is a whole composite, by 'standardDecoding'.
+-- | Recognises the file of an image that is a whole composite, by 'standardDecoding'. Refuses what
+-- 'decodeSources' refuses.
 decodeImage :: SomeRecogniser -> ByteString -> Either DecodeError Recognition
 decodeImage with bytes = decodeSources standardDecoding with [WholeImage bytes]
 
--- | Recognises frames, by 'standardDecoding'. Stuck elements are ignored ('withoutStuck'). Refuses
--- what 'stitchedBy' refuses.
+-- | Recognises frames, by 'standardDecoding'. Sensor elements that are stuck are ignored
+-- ('withoutStuck'). Refuses what 'stitchedBy' and 'decodeComposites' refuse.
 decodeFrames :: SomeRecogniser -> [Frame] -> Either DecodeError Recognition
 decodeFrames with@(SomeRecogniser reader size _) frames =
   framesComposite (readerTables reader) size standardStitching (withoutStuck frames)
     >>= decodeComposites standardTolerance with . pure
 
 -- | Recognises composites of one face together, as 'recogniseWith' does. Their lengths must be
--- divided by the symbols' size, as 'sourceComposite' makes them.
+-- divided by the symbols' size, as 'sourceComposite' makes them. Refuses images that the network
+-- refuses.
 decodeComposites :: Tolerance -> SomeRecogniser -> [Composite] -> Either DecodeError Recognition
 decodeComposites tolerance (SomeRecogniser _ _ recognised) =
   first NetworkRefused . recognised tolerance

@@ -67,7 +67,7 @@ data Query (k :: Field) = Query
     queryPatches :: [((Integer, Integer), Patch (Cell k))],
     -- | The symmetries in which they may be seen; only the identity if they are upright.
     querySymmetries :: [Symmetry],
-    -- | The number of symbols that may be wrong.
+    -- | The number of symbols that may be wrong. Only decoders of symbols use it.
     queryRadius :: Radius,
     -- | The tolerated probability of a wrong answer, below 1. It is used if any cell has
     -- probabilities, or if being foreign is weighed.
@@ -78,8 +78,8 @@ data Query (k :: Field) = Query
     -- | The log-likelihood ratio of other symbols than the array's to the array's; minus infinity
     -- if unknown. It is used with 'queryForeign'.
     queryUnlike :: Double,
-    -- | The prior of each candidate and its silent cells, used if any cell has probabilities;
-    -- 'Nothing' for a uniform prior.
+    -- | The prior of each candidate and its silent cells ("PraTactile.Locate.Beforehand"), used if
+    -- any cell has probabilities; 'Nothing' for a uniform prior.
     queryBeforehand :: Maybe (Candidate -> Beforehand)
   }
 

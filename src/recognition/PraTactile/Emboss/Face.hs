@@ -81,8 +81,9 @@ outlineSpot (Position i j) (x, y) =
     (columnPitch * toInteger j + toInteger ((columnPitch - symbolWidth) `div` 2 + x))
     (rowPitch * toInteger i + toInteger ((rowPitch - symbolHeight) `div` 2 + y))
 
--- | New points, beyond the corners of the face, and triangles by the indices of points,
--- counter-clockwise as seen from outside.
+-- | What a raised face adds to a mesh. The points are new: the corners of the face are not among
+-- them. The triangles are counter-clockwise as seen from outside, by indices in the mesh:
+-- 'raisedFace' is given the indices of the face's corners, and the first one for new points.
 data Surface = Surface
   { surfacePoints :: [ExactPoint],
     surfaceTriangles :: [(Int, Int, Int)]
@@ -121,9 +122,10 @@ raisedFace height chart walk from symbols =
       | otherwise = from + 2 * (k - corners)
     top k = base k + 1
 
--- | Triangles, by indices of points, that fill everything inside an odd number of loops. They are
--- made on a numerical map of the face, whose precision is doubled until every triangle is certain
--- to turn the right way.
+-- | The triangles that fill everything inside an odd number of loops. Arguments: the face's chart;
+-- spots; the loops, by indices in that list of spots. The triangles consist of such indices too.
+-- They are made in a plane in which lengths of the face are rounded ('planeOf'). Its precision is
+-- doubled until every triangle is certain to turn the right way.
 region :: Chart -> [Spot] -> [[Int]] -> [(Int, Int, Int)]
 region chart listed loops = certain 64
   where

@@ -19,11 +19,11 @@ import Data.Ord (comparing)
 -- | Rows, all of one length.
 type Matrix = [[Double]]
 
--- | The product of two matrices.
+-- | The product of two matrices. The first must have as many columns as the second has rows.
 times :: Matrix -> Matrix -> Matrix
 times a b = [[sum (zipWith (*) line column) | column <- transpose b] | line <- a]
 
--- | The product of a matrix and a column.
+-- | The product of a matrix and a column of as many numbers as the matrix has columns.
 applied :: Matrix -> [Double] -> [Double]
 applied a v = map (sum . zipWith (*) v) a
 
@@ -45,7 +45,8 @@ carried :: Matrix -> Matrix -> Matrix
 carried j c = j `times` c `times` transpose j
 
 -- | The inverse of a square matrix by Gauss-Jordan elimination, with the largest pivot in each
--- column. 'Nothing' if a pivot is less than 1e-12 of the largest entry.
+-- column. 'Nothing' if a pivot is less than 1e-12 of the largest entry, if all entries are 0, or if
+-- one is not a finite number.
 inverse :: Matrix -> Maybe Matrix
 inverse a
   | largest > 0 && not (isNaN largest) && not (isInfinite largest) =

@@ -35,11 +35,16 @@ import PraTactile.Sensor.Frame (Motion (..), inverse, movePoint)
 import PraTactile.Shape (Alphabet, shapeOf)
 
 -- | The located object and its pose in the robot's frame, in millimetres. 'Nothing' if there is no
--- answer, or the answer is not on one face.
+-- answer, if the answer is not on one face, or if too few symbols of the face were read right for a
+-- fit.
 --
--- The composites are those that were recognised, with lengths divided by the symbols' size. The
--- 'Maybe' is the standard deviation of a frame's position error along each axis, in taxels. Without
--- it the largest that registration found is used, or 1 if it found none.
+-- Arguments: the placement; the symbols' shapes; the array; the standard deviation of a frame's
+-- position error along each axis, in taxels; the composites that were recognised, with lengths
+-- divided by the symbols' size; what was recognised in them. Without a standard deviation the
+-- largest that registration found is used, or 1 if it found none.
+--
+-- The composites' pixels are aligned with the relief of the face ('aligned'). If that fails, the
+-- centres at which symbols were cut out are fitted to the centres of their cells.
 foundPose ::
   KnownField k =>
   Placement ->

@@ -19,7 +19,7 @@ type Q3 = (Rational, Rational, Rational)
 exactly :: V3 -> Q3
 exactly (V3 x y z) = (fromInteger x, fromInteger y, fromInteger z)
 
--- | The difference of two vectors of fractions.
+-- | The first vector minus the second.
 less :: Q3 -> Q3 -> Q3
 less (a, b, c) (d, e, f) = (a - d, b - e, c - f)
 
