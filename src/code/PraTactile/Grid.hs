@@ -183,8 +183,8 @@ gridFromRows q codes
     outside =
       [(Position i j, c) | (i, r) <- zip [0 ..] codes, (j, c) <- zip [0 ..] r, c < 0 || c >= q]
 
--- | The grid of this shape with codes given row by row. Refuses what 'gridFromRows' refuses, and a
--- wrong number of codes. O(N) for N cells; the vector is not copied.
+-- | The grid with q symbols and this shape, with codes given row by row. Refuses what
+-- 'gridFromRows' refuses, and a wrong number of codes. O(N) for N cells; the vector is not copied.
 gridFromVector :: Int -> Shape -> Vector Word8 -> Either GridError Grid
 gridFromVector q shape codes
   | q < 2 || q > 256 = Left (GridAlphabet q)

@@ -48,10 +48,11 @@ conditionName (Condition sensor anyAngle others) =
   presetName sensor ++ (if anyAngle then " --any-angle" else "")
     ++ (if others then " --foreign 24" else "")
 
--- | Images of about the given number of symbols under a condition, from a seed, with the truth of
--- each. The truth is 'Nothing' for other shapes, which differ from all of the alphabet's in at
--- least 24 taxels; if there are no such shapes the list is empty. Refuses what 'labelledImages'
--- refuses.
+-- | Images with the truth of each. Arguments: the alphabet; about how many images; a seed; the
+-- condition.
+--
+-- The truth is 'Nothing' for other shapes, which differ from all of the alphabet's in at least 24
+-- taxels. If there are no such shapes the list is empty. Refuses what 'labelledImages' refuses.
 knownImages ::
   Alphabet -> Int -> Int -> Condition -> Either ImagesError [(Maybe (Int, Symmetry), Raster)]
 knownImages known count seed condition = result (knownSteps known count seed condition)
@@ -86,7 +87,9 @@ foreignKinds = 16
 share :: Int -> Int -> Int
 share count classes = max 1 ((count + classes - 1) `div` classes)
 
--- | These images as a classifier, given by its outputs, sees them.
+-- | These images as a classifier sees them. Arguments: the templates of the alphabet; the
+-- classifier's outputs for an image; the images with the truth of each. Refuses images that the
+-- classifier refuses.
 seenBy ::
   Templates ->
   (Raster -> Either NetworkError [Double]) ->
@@ -97,9 +100,10 @@ seenBy shapesSeen told = traverse seen
     seen (truth, image) =
       Seen truth <$> (look shapesSeen image <$> told image <*> told (onRaster (turned 2) image))
 
--- | The calibration of a classifier of an alphabet on 300 symbols and 100 other shapes of each
--- condition, from a seed. No other draw uses these images. There is one step for each press, with
--- the number of 'calibrationImages' so far.
+-- | The calibration of a classifier on 300 symbols and 100 other shapes of each condition.
+-- Arguments: the alphabet; its templates; the classifier's outputs for an image; a seed. No other
+-- draw uses these images. There is one step for each press, with the number of 'calibrationImages'
+-- so far.
 calibratedSteps ::
   Alphabet ->
   Templates ->

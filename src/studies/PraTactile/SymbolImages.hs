@@ -92,8 +92,9 @@ data Labelled = Labelled
     labelledPresses :: !Int
   }
 
--- | The given number of images of each class, sorted by class and then in the order found, from a
--- seed. Refuses sensors with which hardly any symbol is found.
+-- | Images of each class, sorted by class and then in the order found. Arguments: the symbols; the
+-- source; the number of images of each class; a seed. Refuses sensors with which hardly any symbol
+-- is found.
 labelledImages :: Symbols -> ImageSource -> Int -> Int -> Either ImagesError Labelled
 labelledImages symbols source count seed = result (labelledSteps symbols source count seed)
 
@@ -142,8 +143,9 @@ data Cut = Cut
   }
 
 -- | An infinite list of presses on plates of 15 x 17 symbols with random classes, in regions of the
--- default size. They are stitched by 'standardStitching' and cut as in decoding, but turned upright
--- and labelled by the truth.
+-- default size. Arguments: the symbols; the sensor; the regions' rotations; a seed. The presses are
+-- stitched by 'standardStitching' and cut as in decoding, but turned upright and labelled by the
+-- truth.
 cuts :: Symbols -> Sensor -> Turns -> Int -> Either ImagesError [Cut]
 cuts symbols sensor turns seed = do
   layout <- first NoPlate (platePlacement (Shape 15 17))

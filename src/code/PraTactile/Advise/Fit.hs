@@ -41,8 +41,9 @@ candidates k n =
   where
     q = fromIntegral (fieldOrder k) :: Natural
 
--- | Whether the windows are distinct in arrays of a layout and shape for one of these candidates of
--- degree n; otherwise the number of candidates that were tried.
+-- | Whether the windows of an array are distinct for one of these polynomials; otherwise the number
+-- of polynomials that were tried. Arguments: n; the polynomials, all of degree n; the array's
+-- layout and shape; the window.
 fits :: KnownField k => Natural -> [Primitive k] -> (Layout, Shape) -> Shape -> Either Int Fit
 fits n polynomials (layout, shape) window = case find works tried of
   Just h -> Right (Fit window sure (codesOf h))

@@ -35,7 +35,8 @@ columnsToCheck q n layout shape =
   adjacent n (degreeOfPower q n (fst (layoutWeights layout shape))) (columns shape)
 
 -- | The number of adjacent whole rows from which on parity checks hold across rows; 'Nothing' if
--- the array does not have that many. The arguments are those of 'columnsToCheck'.
+-- the array does not have that many. Arguments: q, n, the layout, and the shape of each array, as
+-- for 'columnsToCheck'.
 --
 -- >>> rowsToCheck 4 4 (Single Diagonal) (Shape 15 17)
 -- Just 2
@@ -68,8 +69,9 @@ data Mirror
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | The mirror images of the arrays that equal the arrays themselves, shifted, on the layout's
--- surface. They are those that multiply each index of a term by a power of q; no other multiple
--- maps an m-sequence to a shift of itself. O(n).
+-- surface. Arguments: q, n, the layout, and the shape of each array. These mirror images multiply
+-- each index of a term by a power of q; no other multiple maps an m-sequence to a shift of itself.
+-- O(n).
 --
 -- >>> ownMirrors 4 4 (Single Diagonal) (Shape 15 17)
 -- [ColumnsMirrored]

@@ -34,8 +34,8 @@ packed rows =
     place acc j a = acc .|. fromIntegral (toCode a) `unsafeShiftL` (j * bits)
 {-# INLINE packed #-}
 
--- | The number of elements in which the word at an index differs from a single word. Counting stops
--- when the number exceeds the limit.
+-- | The number of elements in which a word differs from a single word. Arguments: words; the index
+-- of one of them; the single word; a limit. Counting stops when the number exceeds the limit.
 differences :: Packed -> Int -> Packed -> Int -> Int
 differences (Packed bits width rows) !index (Packed _ _ single) !most = go 0 0
   where

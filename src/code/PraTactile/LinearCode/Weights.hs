@@ -45,8 +45,9 @@ weights code = Map.insert 0 1 (Map.map (units *) (Map.filter (> 0) counted))
       forM_ (tails (codeBasis code)) $ mapM_ (uncurry visit) . uncons
       pure counts
 
--- | The number of codewords of the dual code with each weight, from the code's own numbers, its
--- length and q: the identity of MacWilliams, with Krawtchouk's polynomials.
+-- | The number of codewords of the dual code with each weight. Arguments: q; the code's length; its
+-- own number of codewords with each weight. The formula is the identity of MacWilliams, with
+-- Krawtchouk's polynomials.
 weightsOfDual :: Int -> Int -> Map Int Natural -> Map Int Natural
 weightsOfDual q size own =
   Map.filter

@@ -103,7 +103,9 @@ linesBetween frame (right, down) anchor (rows, columns) =
       CentredPart (high, wide) (r, c) -> (Left (2 * c - wide), Left (2 * r - high))
       Margin x y -> (Right x, Right y)
 
--- | Whether the face is a rectangle that contains all cells of this block. O(1).
+-- | Whether the face is a rectangle that contains all cells of a block. Arguments: the face's
+-- frame; a cell's width and height in millimetres; where the block lies; its numbers of rows and
+-- columns. O(1).
 allOn :: Frame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> Bool
 allOn frame cell anchor (rows, columns) =
   isRectangle frame
@@ -116,8 +118,8 @@ allOn frame cell anchor (rows, columns) =
     line root it k n =
       signOf root 0 (linesAt it - linesTimes it * n) (linesFirst it + k * linesStep it) 0
 
--- | The cells of a block that lie on the face, by row and column within it, row by row. O(cells *
--- corners).
+-- | The cells of a block that lie on the face, by row and column within it, row by row. The
+-- arguments are those of 'allOn'. O(cells * corners).
 cellsOn :: Frame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> [(Integer, Integer)]
 cellsOn frame cell anchor size@(rows, columns) =
   cellsAmong frame cell anchor size [(r, [0 .. columns - 1]) | r <- [0 .. rows - 1]]

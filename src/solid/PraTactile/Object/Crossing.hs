@@ -53,8 +53,8 @@ firstCrossing walks points
         middle = (clean + met + 1) `div` 2
 
 -- | For a closed walk that does not cross itself: the first corner that has another corner's second
--- side within it, as the two places in ascending order. A walk that visits a vertex again must not
--- lie between its own sides there.
+-- side within it, as the two places in ascending order. Arguments: the walk's vertices and the
+-- points at its places. A walk that visits a vertex again must not lie between its own sides there.
 firstWithin :: U.Vector Int -> V.Vector V2 -> Maybe (Int, Int)
 firstWithin walk points
   | Map.null again = Nothing

@@ -156,10 +156,12 @@ data Run = Run
     runStages :: [(Int, Trace)]
   }
 
--- | Trains a network for this number of classes from a seed. The three kinds of middle stage share
--- their initial weights and their first stage; it is computed once if the first five arguments are
--- applied alone. Trainings with one seed share their noise. Refuses what 'batch' and 'train'
--- refuse.
+-- | Trains a network. Arguments: the conditions; the training; the number of classes; the training
+-- images; a seed; the middle stage.
+--
+-- The three kinds of middle stage share their initial weights and their first stage; it is computed
+-- once if the first five arguments are applied alone. Trainings with one seed share their noise.
+-- Refuses what 'batch' and 'train' refuse.
 trainedBy ::
   Conditions -> Training -> Int -> Material -> Int -> Middle -> Either NetworkError Run
 trainedBy conditions training classes material seed = result . steps
@@ -227,8 +229,9 @@ testBytes :: Int -> Int -> Integer
 testBytes classes each =
   8 * toInteger (length noiseLevels * inputCount) * toInteger classes * toInteger each
 
--- | The images of the middle stage: the fourth argument, and noisy images or copies of the third;
--- none if there is no middle stage.
+-- | The images of the middle stage; none if there is no middle stage. Arguments: the training; the
+-- kind of middle stage; the images of which noisy images or copies are made; the images that are
+-- used beside these; a generator.
 middleImages ::
   Training -> Middle -> [(Raster, Int)] -> [(Raster, Int)] -> StdGen -> [(Raster, Int)]
 middleImages training middle clean beside g = case middle of
@@ -271,7 +274,8 @@ noiseLevels = map (/ 20) [0 .. 10]
 -- | Test images: for each noise level and each class, a matrix with one image in each column.
 newtype TestImages = TestImages [[Matrix Double]]
 
--- | The clean images of this number of classes, with each level of noise, from a seed.
+-- | The clean images with each level of noise. Arguments: the number of classes; the clean images
+-- with their classes; a seed.
 testImages :: Int -> [(Raster, Int)] -> Int -> TestImages
 testImages classes clean seed =
   TestImages (snd (mapAccumL level (snd (split (mkStdGen seed))) noiseLevels))

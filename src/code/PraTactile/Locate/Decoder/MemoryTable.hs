@@ -145,9 +145,9 @@ tableEntries table =
 tableShape :: Table k -> Shape
 tableShape = gridShape . tableGrid
 
--- | For each packed window in order, its position as row * columns + column. The first number
--- stands for a window that does not occur, the second for one with several positions. O(q^m) for
--- windows of m cells.
+-- | For each packed window in order, its position as row * columns + column. Arguments: the number
+-- for a window that does not occur; the number for one with several positions; the table. O(q^m)
+-- for windows of m cells.
 tableUnique :: Int32 -> Int32 -> Table k -> Vector Int32
 tableUnique none several table = Primitive.zipWith unique starts (Primitive.drop 1 starts)
   where

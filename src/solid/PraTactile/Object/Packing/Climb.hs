@@ -34,9 +34,9 @@ data Climb = Climb
     climbMoves :: !Int
   }
 
--- | The best filling among orders by size, the largest pieces first. After the first number of
--- steps no more are tried. Pieces are laid as figures with few cells only if some find no place
--- otherwise.
+-- | The best filling among orders by size, the largest pieces first. Arguments: the number of steps
+-- after which no further order is tried; a seed for later changes; the sheet; the pieces. Pieces
+-- are laid as figures with few cells only if some find no place otherwise.
 climbStart :: Int -> Int -> Still -> Kinds -> Climb
 climbStart enough seed sheet kinds
   | fillingOver (climbBest wide) == 0 || climbSteps wide > enough = wide

@@ -45,8 +45,9 @@ data View = View
   }
   deriving stock (Eq, Show)
 
--- | The view from an azimuth and an elevation, in degrees: from the front if both are 0, from the
--- right at azimuth 90, from above at elevation 90.
+-- | The view from an azimuth and an elevation, in degrees, and a distance of the eye ('viewAway').
+-- It is from the front if both angles are 0, from the right at azimuth 90, from above at elevation
+-- 90.
 viewFrom :: Double -> Double -> Maybe Rational -> View
 viewFrom azimuth elevation =
   viewAlong
@@ -55,7 +56,8 @@ viewFrom azimuth elevation =
   where
     (a, e) = (azimuth * pi / 180, elevation * pi / 180)
 
--- | The view from a direction of length 1, with an upward direction that is not parallel to it.
+-- | The view from a direction of length 1, with an upward direction that is not parallel to it and
+-- a distance of the eye ('viewAway').
 viewAlong :: (Double, Double, Double) -> (Double, Double, Double) -> Maybe Rational -> View
 viewAlong (x, y, z) = View (near x, near y, near z)
   where
@@ -143,6 +145,7 @@ cornerOf it p@(x, y, z) = Corner p (doubles ((x - mx) / size, (y - my) / size, (
 -- | A plane: a normal, and its scalar product with the plane's points.
 type Plane = (V3, Rational)
 
+-- | The exact plane of the face with this index; the normal points outward.
 planeAt :: Camera -> Int -> Plane
 planeAt it f = (normal, fromInteger (dot normal (firstOf corners)))
   where
@@ -166,6 +169,7 @@ facing it f = case cameraEye it of
 -- in the coordinates of 'cornerNear'.
 type Nearly = ((Double, Double, Double), Double)
 
+-- | The plane of the face with this index, given its exact plane.
 nearly :: Camera -> Int -> Plane -> Nearly
 nearly it f (V3 a b c, _) = (normal, inner normal (cornerNear (cornerOf it (x, y, z))))
   where
