@@ -138,10 +138,12 @@ estimatedAs axis estimated s =
       readChances = map (first (alongAxis axis)) (estimateChances estimated)
     }
 
--- | Adds to the cells what the composite's images show. A complete symbol gets the network's class;
--- any other symbol becomes a part. If a foreign thing covers some of a symbol, the symbol is
--- estimated from the rest. Symbols with a doubt of one half or more are dropped. Refuses what the
--- network refuses.
+-- | Adds to the cells what the composite's images show. Arguments: the reader; the composite, and
+-- its cleaned images; its lattice; its cells as the frames imply them.
+--
+-- A complete symbol gets the network's class; any other symbol becomes a part. If a foreign thing
+-- covers some of a symbol, the symbol is estimated from the rest. Symbols with a doubt of one half
+-- or more are dropped. Refuses what the network refuses.
 readCells ::
   Reader -> (Composite, Cleaned) -> Lattice -> CellsRead -> Either NetworkError CellsRead
 readCells reader (composite, Cleaned clean forParts foreignThings) lattice found = do
@@ -232,7 +234,8 @@ cellsGroup angle found =
       groupSymbols = Map.elems (cellsSymbols found)
     }
 
--- | Whether the network knows most of these complete symbols in their mirror images.
+-- | Whether the network knows most of these complete symbols in their mirror images. Refuses what
+-- the network refuses.
 cellsMirrored :: Reader -> [ReadSymbol] -> Either NetworkError Bool
 cellsMirrored reader symbols =
   mostRecognised <$> traverse (readSymbol reader identity 0 (0, 0) . mirroredImage) symbols

@@ -46,7 +46,8 @@ data Plate = Plate
     platePlaces :: IntMap.IntMap [Int]
   }
 
--- | The face with these vertices, at these points, with this normal.
+-- | The face with these vertices, at these points, with this normal. Vertices are named by numbers,
+-- points are in any unit, and the normal is as long as twice the area.
 plate :: U.Vector Int -> V.Vector V3 -> V3 -> Plate
 plate walk points normal =
   Plate walk points normal (V.foldr (\p _ -> dot normal p) 0 points) places
@@ -76,8 +77,8 @@ hasSide it v w = any beside (placesOf it v)
     beside i = at (i + 1) == w || at (i + corners it - 1) == w
     at i = plateWalk it U.! (i `mod` corners it)
 
--- | The square of the largest distance between two common points of the faces other than permitted
--- ones; 'Nothing' if there is no such point.
+-- | The square of the largest distance between two common points of the faces, other than the
+-- points of vertices and sides that both name; 'Nothing' if there is no such point.
 overlap :: Plate -> Plate -> Maybe Rational
 overlap a b
   | corners a > corners b = overlap b a

@@ -37,9 +37,10 @@ import PraTactile.Object.Triangulation.Sweep
 -- | The squared lengths of unit steps along x and along y, both positive.
 data Metric = Metric !Integer !Integer
 
--- | The triangles of the region of these loops, counter-clockwise, by the indices of their corners
--- among the points. Each loop must have at least three corners, and sides may meet only in the
--- corner between them. O(n log n), and as much for each flip of a side.
+-- | The triangles of the region of some loops, counter-clockwise, by the indices of their corners
+-- among the points. Arguments: the metric in which angles count; the points; the loops, by indices
+-- of points. Each loop must have at least three corners, and sides may meet only in the corner
+-- between them. O(n log n), and as much for each flip of a side.
 triangulation :: Metric -> V.Vector V2 -> [[Int]] -> [(Int, Int, Int)]
 triangulation metric points loops =
   [ (a, b, c)
@@ -74,7 +75,8 @@ triangulation metric points loops =
           (a, b) = side `quotRem` count
     at = (points V.!)
 
--- | Whether the fourth point lies within the circle through the others, which must turn left.
+-- | Whether the fourth point lies within the circle, in this metric, through the others, which must
+-- turn left.
 inCircle :: Metric -> V2 -> V2 -> V2 -> V2 -> Bool
 inCircle (Metric p q) (V2 ax ay) (V2 bx by) (V2 cx cy) (V2 dx dy) =
   minor (bx - dx) (by - dy) (cx - dx) (cy - dy) * square (ax - dx) (ay - dy)
