@@ -120,10 +120,10 @@ codeGrid code j
     cells = filled h (\i -> codeTerm code ((i + start) `mod` period h)) (g * u, g * v) shape
 
 -- | The rank over GF(q) of the alpha^e, where e runs over the indices of the mask's cells from the
--- cell of s(0). The windows of all arrays are distinct iff it is n. The reason is that moving a
--- window by one term of the sequence, perhaps into another array, multiplies by alpha, as in
--- "PraTactile.Window.Rank". The vectors s(e), ..., s(e+n-1) represent the alpha^e, since they are a
--- one-to-one linear function of them. O(m n^3 log N).
+-- cell of s(0). The windows of all arrays are distinct exactly if it is n. The reason is that
+-- moving a window by one term of the sequence, perhaps into another array, multiplies by alpha, as
+-- in "PraTactile.Window.Rank". The vectors s(e), ..., s(e+n-1) represent the alpha^e, since they
+-- are a one-to-one linear function of them. O(m n^3 log N).
 codeRank :: KnownField k => ArrayCode k -> Mask -> Natural
 codeRank code mask = rankOf (map (vector . codeIndex code . CodePosition 0) (maskOffsets mask))
   where

@@ -33,7 +33,7 @@ data CodeVerdict = CodeVerdict
     codeProved :: Bool,
     -- | the number of different contents; 'Nothing' if the windows were not visited
     codeVisited :: Maybe Natural,
-    -- | the rank of the mask over GF(q); the windows are distinct iff it is n
+    -- | the rank of the mask over GF(q); the windows are distinct exactly if it is n
     codeMaskRank :: Natural,
     -- | two positions with the same content, if the windows were visited and such positions exist
     codeCollision :: Maybe (CodePosition, CodePosition)

@@ -2,8 +2,8 @@
 
 -- | The window property by algebra, for arrays of any size. The cell at offset (i, j) from the
 -- position of the term s(t) holds s(t + e(i, j)). The term s(t) is a linear function of alpha^t,
--- and only zero gives the zero sequence. So a window's content is a linear function of alpha^t. It
--- is injective iff the alpha^e(i, j) span GF(q^n) over GF(q).
+-- and only zero gives the zero sequence. So a window's content is a linear function of alpha^t.
+-- That function is one-to-one exactly if the alpha^e(i, j) span GF(q^n) over GF(q).
 module PraTactile.Window.Rank
   ( windowRank,
     windowVectors,
@@ -26,8 +26,8 @@ import PraTactile.Polynomial
 import PraTactile.Window
 
 -- | The rank over GF(q), at most n, of the alpha^e(i, j) for the cells (i, j) of the mask. The
--- windows of the 'naturalSurface' are distinct iff it is n; those of the sheet are distinct if it
--- is n. O(m n^2), after 'windowVectors'.
+-- windows of the 'naturalSurface' are distinct exactly if it is n; those of the sheet are distinct
+-- if it is n. O(m n^2), after 'windowVectors'.
 windowRank :: KnownField k => PseudorandomArray k -> Mask -> Natural
 windowRank array mask =
   fromIntegral (length (independentRows n (cellVectors array (maskOffsets mask))))

@@ -157,7 +157,8 @@ cellsAmong frame cell anchor (rows, columns) among =
         (west, east) = (across (2 * c), across (2 * c + 2))
         (north, south) = (downTo (2 * r), downTo (2 * r + 2))
         (middleAcross, middleDown) = (across (2 * c + 1), downTo (2 * r + 1))
-        -- A side that meets the row misses the rectangle iff one of these lines separates them.
+        -- A side that meets the row misses the rectangle exactly if one of these lines separates
+        -- them.
         meetsCell (p, q) =
           not
             ( both (\(x, _) -> beside x west <= 0)

@@ -80,7 +80,7 @@ exactRoot square
   | root * root == square = Just root
   | otherwise = Nothing
   where
-    -- A fraction in lowest terms is a square iff its numerator and its denominator are.
+    -- A fraction in lowest terms is a square exactly if its numerator and its denominator are.
     root = integerRoot (numerator square) % integerRoot (denominator square)
 
 -- | The integer part of the square root; 0 for negative numbers.
