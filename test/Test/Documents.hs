@@ -2,13 +2,14 @@
 -- themselves.
 module Test.Documents (spec) where
 
-import Control.Monad (forM_, unless)
-import Data.Char (isSpace)
-import Data.List (dropWhileEnd, isInfixOf, isPrefixOf, stripPrefix)
+import Control.Monad (filterM, forM_, unless)
+import Data.Char (isAlphaNum, isSpace, toLower)
+import Data.List (dropWhileEnd, isInfixOf, isPrefixOf, stripPrefix, tails)
+import Data.Maybe (mapMaybe)
 import Documents.Transcript
 import System.Directory
 import System.Exit (ExitCode (..))
-import System.FilePath ((</>))
+import System.FilePath (takeDirectory, takeExtension, (</>))
 import System.Process (CreateProcess (..), proc, readCreateProcessWithExitCode)
 import Test.CommandLine.Run
 import Test.Effort (byEffort)
@@ -67,6 +68,12 @@ spec = do
                 | any (`isPrefixOf` first) ["bench/", "tools/"] ->
                   doesFileExist first >>= ((command, True) `shouldBe`) . (,) command
               _ -> expectationFailure (command ++ ": this kind of command is not run")
+  describe "links lead to files and headings that exist" $
+    forM_ (pages ++ ["CHANGELOG.md", "proofs/README.md", "python/README.md"]) $ \file ->
+      it file $ do
+        text <- readText file
+        astray <- filterM (fmap not . leads file) (linksIn text)
+        astray `shouldBe` []
   describe "the examples of the help" $ do
     names <- runIO commandNames
     it "are of all commands" $ length names `shouldSatisfy` (> 20)
@@ -96,6 +103,44 @@ spec = do
       '#' : _ -> []
       c : others -> c : takeWhile' others
       [] -> []
+
+-- | The targets of a document's links, without those to other sites.
+linksIn :: String -> [String]
+linksIn text =
+  [ target
+    | after <- tails (unlines (proseOf text)),
+      Just rest <- [stripPrefix "](" after],
+      let target = takeWhile (/= ')') rest,
+      not ("http" `isPrefixOf` target)
+  ]
+
+-- | The lines of a document outside fenced blocks.
+proseOf :: String -> [String]
+proseOf = outside . lines
+  where
+    outside text = case break fence text of
+      (prose, _ : block) -> prose ++ outside (drop 1 (dropWhile (not . fence) block))
+      (prose, []) -> prose
+    fence = isPrefixOf "```"
+
+-- | Whether a link in that document leads somewhere: to a file or folder, and where it names a
+-- heading of a document, to that heading.
+leads :: FilePath -> String -> IO Bool
+leads file target = do
+  there <- doesPathExist path
+  if there && not (null anchor) && takeExtension path == ".md"
+    then elem (drop 1 anchor) . mapMaybe heading . proseOf <$> readText path
+    else pure there
+  where
+    (name, anchor) = break (== '#') target
+    path = if null name then file else takeDirectory file </> name
+    heading line = case span (== '#') line of
+      (_ : _, ' ' : words') -> Just (concatMap letter words')
+      _ -> Nothing
+    letter c
+      | c == ' ' = "-"
+      | isAlphaNum c || c `elem` "-_" = [toLower c]
+      | otherwise = ""
 
 -- | Whether a document's command is run. A quick run leaves out those that take a second or more:
 -- evaluations, presses by the dozen, large arrays, laws of touch and of objects, and a process for
