@@ -1,7 +1,8 @@
-(* What each theorem assumes. tools/proofs.sh reads what this prints, and fails unless each is closed under the global context.
+(* What each theorem assumes. tools/proofs.sh reads the output, and fails unless every theorem is
+   closed under the global context. It also fails if a Theorem of proofs/ is missing here.
 
-   It fails too where a Theorem of proofs/ is not asked for here. An axiom would be allowed by a line "allowed: NAME, because
-   REASON" in this comment. None is. *)
+   An axiom would be allowed by a line in this comment that says "allowed: NAME, because
+   REASON". There is none. *)
 From PraTactile Require Import Paper Tampered.
 From PraTactile Require Import Primitive Window Fold Cells Standard Extension Twisted Decode.
 From PraTactile Require Import Correct Stepping Agreement Arrays Instances Examples Executable Existence.

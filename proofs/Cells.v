@@ -26,7 +26,7 @@ Definition window (T : Type) (m : nat) (cell : nat -> nat -> T) (w : mask m) (r 
   'rV[T]_m :=
   \row_i cell (r + (w i).1)%N (c + (w i).2)%N.
 
-(* How much later in the sequence each cell of the mask is. *)
+(* For each cell of the mask, the number of terms from the window's first term to the cell's. *)
 Definition torus_exponents (n1 n2 m : nat) (w : mask m) (i : 'I_m) : nat :=
   chinese n1 n2 (w i).1 (w i).2.
 

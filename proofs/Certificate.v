@@ -1,24 +1,26 @@
-(* T10. The checker of certificates is sound: if it says yes, h is primitive and all windows of the mask are distinct.
+(* T10. The checker of certificates is sound: if it accepts one, h is primitive and all windows of
+   the mask are distinct.
 
-   Both are said of the definitions in Exec.v and Grid.v. PraTactile.Certificate.Check and data/check_certificate.py check the
-   same claims; the tests hold the three verdicts against each other. *)
+   "Primitive" and "windows" are those of Exec.v and Grid.v. PraTactile.Certificate.Check and
+   data/check_certificate.py check the same claims, and the tests compare the three verdicts. *)
 From Coq Require Import NArith List Bool Lia.
 From PraTactile Require Import Exec Quotient Grid Checker Lists Primes Root Period Maps Codes Places.
 Import ListNotations.
 Local Open Scope N_scope.
 
-(* x^d modulo h, by d multiplications with x. *)
+(* x^d modulo h, by d multiplications by x. *)
 Definition powerOfRoot (P : profile) (d : N) : list N :=
   N.iter d (timesRoot (field P) (lower P)) (unit (field P) (lower P)).
 
-(* h is primitive: x has order q^n - 1, and every polynomial of degree below n but 0 is a power of it. *)
+(* h is primitive: x has order q^n - 1, and every nonzero polynomial of degree below n is a power
+   of x. *)
 Definition primitive (P : profile) : Prop :=
   powerOfRoot P (period P) = unit (field P) (lower P)
   /\ (forall d, 0 < d < period P -> powerOfRoot P d <> unit (field P) (lower P))
   /\ (forall w, length w = length (lower P) -> Forall (fun a => a < profileOrder P) w ->
         w = repeat 0 (length w) \/ exists k, k < period P /\ w = powerOfRoot P k).
 
-(* All windows on the surface are distinct, and on a torus each position has one. *)
+(* All windows on the surface are distinct, and on either torus every position has a window. *)
 Definition windowsAreDistinct (P : profile) (m : list (N * N)) : Prop :=
   NoDup (map snd (windows P (profileSurface P) (folded P) m))
   /\ (forall a b w, In a (positions P) -> In b (positions P) ->
@@ -87,7 +89,7 @@ Proof.
   { intros E; rewrite E in ES; rewrite (map_nought K (field P) e H) in ES; rewrite <- ES in nonzero.
     apply negb_true_iff in nonzero; rewrite <- not_true_iff_false in nonzero; apply nonzero.
     apply forallb_forall; intros a I; apply in_map_iff in I as (b & <- & _); now rewrite Z0. }
-  (* The order of x. *)
+  (* x has order q^n - 1. *)
   unfold orderIsRight in HO; rewrite !andb_true_iff in HO.
   destruct HO as ((((((_ & _) & _) & primes) & whole) & closes) & residues).
   set (powers := map (fun f => fst f) (factors C)).
@@ -127,7 +129,7 @@ Proof.
       + right; destruct (nonzero_is_power K R h' all A OZ (period P) count some' closes' order w') as (k & Lk & ->);
           [congruence | exact N |].
         exists k; split; [exact Lk |]; apply EI. }
-  (* Terms and states. *)
+  (* The terms and the states of the sequence. *)
   assert (forall t, stateAt P t = map e (N.iter t (step K h') S)) as ET.
   { intros t; unfold stateAt; now rewrite (map_iter_step K (field P) e H), Eh, ES. }
   assert (forall t d, term P (t + d) = e (dot K (X K h' d) (N.iter t (step K h') S))) as Term.
@@ -142,7 +144,7 @@ Proof.
     pose proof (N.div_mod t (period P)); lia. }
   assert (profileFolding P = Diagonal -> N.gcd (profileRows P) (profileColumns P) = 1) as coprime.
   { intros E; rewrite E in fill; now apply N.eqb_eq. }
-  (* The window tells the state, and the state the position. *)
+  (* A window determines the state, and the state determines the position. *)
   unfold rankIsRight in HR; rewrite !andb_true_iff in HR.
   destruct HR as (((((((right & rows) & Lc) & _) & inside) & Li) & icodes) & unit').
   apply PeanoNat.Nat.eqb_eq in Lc, Li; apply sameRows_eq in rows, unit'.
@@ -213,7 +215,8 @@ Proof.
 Qed.
 End Sound.
 
-(* T10. A certificate that the checker finds good is about a primitive polynomial and distinct windows. *)
+(* T10. If the checker accepts a certificate, its polynomial is primitive and its windows are
+   distinct. *)
 Theorem certificate_sound (C : certificate) : check C = true ->
   primitive (claimed C) /\ windowsAreDistinct (claimed C) (mask C).
 Proof. apply sound. Qed.

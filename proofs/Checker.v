@@ -1,20 +1,22 @@
-(* A checker of the certificates that `pra-tactile certificate --rank` writes, executable.
+(* An executable checker of the certificates that `pra-tactile certificate --rank` writes.
 
-   PraTactile.Certificate.Check and data/check_certificate.py check the same claims. Certificate.v proves this one sound. It
-   knows a prime by trial division, so it refuses a certificate with a prime of 2^34 or more; and it does not check the seal. *)
+   Certificate.v proves that it is sound. PraTactile.Certificate.Check and data/check_certificate.py
+   check the same claims. This checker shows primes by trial division, so it refuses a certificate
+   with a prime of 2^34 or more. It does not check the seal. *)
 From Coq Require Import NArith List Bool.
 From PraTactile Require Import Exec Grid.
 Import ListNotations.
 Local Open Scope N_scope.
 
-(* As in PraTactile.Certificate: a factor is a prime l, its exponent and x^((q^n - 1) / l); a proof of a prime is the prime
-   and, for prime factors of the prime less one, the factor, its exponent and a base. *)
+(* The parts of a certificate, as in PraTactile.Certificate. A factor of q^n - 1 is a prime l, its
+   exponent, and x^((q^n - 1) / l). A proof that r is prime lists prime factors of r - 1, each with
+   its exponent and a base. *)
 Record certificate := Certificate
   { claimed : profile; claimedWindow : N * N; mask : list (N * N); claimedWindows : N; claimedPeriod : N;
     factors : list (N * N * list N); primes : list (N * list (N * N * N));
     vectors : list (list N); cells : list N; inverse : list (list N) }.
 
-(* Trial division by all that are at most the square root, and some more. *)
+(* Trial division by all numbers up to the square root, and by some larger ones. *)
 Definition isPrime (l : N) : bool :=
   (2 <=? l) && (l <? 2 ^ 34)
   && forallb (fun d => (l <=? d) || negb (l mod d =? 0)) (skipn 2 (upTo (2 ^ (N.size l / 2 + 1)))).
@@ -23,7 +25,7 @@ Definition areCodes (q : N) (a : list N) : bool := forallb (fun x => x <? q) a.
 
 Definition hasLength {A} (n : nat) (a : list A) : bool := Nat.eqb (length a) n.
 
-(* c_1 v_1 + c_2 v_2 + ..., of vectors of length n. *)
+(* The linear combination c_1 v_1 + c_2 v_2 + ... of vectors of length n. *)
 Fixpoint combination {T} (K : arithmetic T) (n : nat) (cs : list T) (vs : list (list T)) : list T :=
   match cs, vs with
   | c :: cs', v :: vs' => plus K (scale K c v) (combination K n cs' vs')
@@ -56,7 +58,8 @@ Let n := length h.
 Let n1 := profileRows P.
 Let n2 := profileColumns P.
 
-(* A field GF(p^m) of at most 256 elements with a modulus of degree m, and h over it of degree n, both monic. *)
+(* The field GF(p^m) has at most 256 elements. Its modulus, of degree m, and the polynomial h over
+   it, of degree n, are monic. *)
 Definition fieldIsRight : bool :=
   let p := characteristicOf q in
   let m := pred (length (profileModulus P)) in
@@ -67,7 +70,8 @@ Definition polynomialIsRight : bool :=
   hasLength (S n) (profilePolynomial P) && (1 <=? N.of_nat n) && areCodes q (profilePolynomial P) && areCodes q h
   && (last (profilePolynomial P) 0 =? 1) && negb (hd 0 (profilePolynomial P) =? 0).
 
-(* x^(q^n - 1) is 1 modulo h, and x^((q^n - 1) / l) is not, for each prime l that divides q^n - 1. *)
+(* Modulo h, x^(q^n - 1) is 1, and x^((q^n - 1) / l) is not 1 for any prime l that divides
+   q^n - 1. *)
 Definition orderIsRight : bool :=
   (claimedPeriod C =? period P)
   && forallb (fun shown => isPrime (fst shown)) (primes C)
@@ -83,7 +87,8 @@ Definition foldIsRight : bool :=
   && (n1 * n2 =? period P)
   && match profileFolding P with Diagonal => N.gcd n1 n2 =? 1 | RowMajor => true end.
 
-(* The window is the extent of the mask, the surface is the fold's own or the sheet, and so many windows lie on it. *)
+(* The window is the mask's bounding rectangle, the surface is the fold's own or the sheet, and the
+   number of windows is the number of positions at which the rectangle lies on that surface. *)
 Definition maskIsRight : bool :=
   let high := fold_right N.max 0 (map (fun at' => fst at' + 1) (mask C)) in
   let wide := fold_right N.max 0 (map (fun at' => snd at' + 1) (mask C)) in
@@ -95,15 +100,16 @@ Definition maskIsRight : bool :=
      | _, _ => false
      end.
 
-(* The inverse of a modulo b by Euclid's algorithm, in pairs r = t a modulo b; it need not be right, as what is made of it is
-   checked. *)
+(* The inverse of a modulo b by Euclid's algorithm, keeping r = t a modulo b. Nothing relies on its
+   correctness, because exponentIsRight checks what is computed from it. *)
 Fixpoint inverseBy (steps : nat) (b r r' t t' : N) : N :=
   match steps with
   | O => t
   | S steps' => if r' =? 0 then t else inverseBy steps' b r' (r mod r') t' ((t + (b - (r / r' * t') mod b)) mod b)
   end.
 
-(* e with e = i modulo n1 and e = j modulo n2, on the diagonal; row by row n2 i + j. *)
+(* The exponent e of the cell (i, j). Along the diagonal e = i modulo n1 and e = j modulo n2; row by
+   row e = n2 i + j. *)
 Definition exponent (offset : N * N) : N :=
   let (i, j) := offset in
   match profileFolding P with

@@ -1,12 +1,14 @@
-(* The codes 0, ..., p^m - 1 with the operations of Exec.gf are a commutative ring, whatever monic modulus of degree m.
+(* The codes 0, ..., p^m - 1 with the operations of Exec.gf are a commutative ring, for any monic
+   modulus of degree m.
 
-   That it is a field is not needed here: a certificate shows it, as x has q^n - 1 powers. PraTactile.Field has the same codes. *)
+   The proofs about certificates need no more: that the ring is a field follows from the q^n - 1
+   powers of x. PraTactile.Field has the same codes. *)
 From Coq Require Import NArith List Bool Lia Eqdep_dec Ring_theory.
 From PraTactile Require Import Exec Quotient Checker Primes Maps.
 Import ListNotations.
 Local Open Scope N_scope.
 
-(* Digits and codes. *)
+(* Digits to codes and back. *)
 Lemma digits_length p m a : length (digits p m a) = m.
 Proof. revert a; induction m as [| m IH]; intros a; simpl; [easy | now rewrite IH]. Qed.
 Lemma digits_below p m a : 2 <= p -> Forall (fun d => d < p) (digits p m a).
@@ -157,7 +159,7 @@ Qed.
 End Field.
 End Integers.
 
-(* The codes below p^m are the elements of a commutative ring by the operations of gf. *)
+(* With the operations of gf, the codes below p^m are a commutative ring. *)
 Theorem codes_are_a_ring p modulus m : 2 <= p -> length modulus = S m -> (0 < m)%nat -> areCodes p modulus = true ->
   exists (F : Type) (K : arithmetic F) (e : F -> N) (all : list F),
     isRing K /\ respects K (gf p modulus) e /\ one K <> zero K /\ (forall x, In x all)

@@ -106,7 +106,7 @@ move=> eq_a; elim: b => [|c b IHb] /=; first by rewrite size_map.
 by rewrite size_plus size_scale size_timesRoot // eq_a minnn.
 Qed.
 
-(* Products are those modulo h. *)
+(* The executable product is the product modulo h. *)
 Theorem product_correct a b : size a = size lower ->
   Poly (Exec.product K lower a b) = (Poly a * Poly b) %% h.
 Proof.
@@ -142,7 +142,7 @@ rewrite IHe ?size_product // product_correct // mod_exp.
 by rewrite -expr2 -exprM Pnat.Pos2Nat.inj_xO multE.
 Qed.
 
-(* The power x^e by repeated squaring is that modulo h. *)
+(* The executable power, by repeated squaring, is x^e modulo h. *)
 Theorem rootPower_correct e : (0 < size lower)%N ->
   Poly (Exec.rootPower K lower e) = 'X^(N.to_nat e) %% h.
 Proof.

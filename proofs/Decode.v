@@ -1,8 +1,8 @@
 (* How many wrong and unread cells leave at most one position.
 
-   Let the windows at any two positions differ in at least d cells. Of the observed cells, the
-   unread ones (erasures) are known as such; the wrong ones (errors) are not. If 2 e + s < d, at
-   most one position lies within e errors and s erasures. Any larger e or s fails for some reading.
+   Let the windows at any two positions differ in at least d cells. The reader knows which cells
+   are unread (erasures) and not which are wrong (errors). If 2 e + s < d, at most one position lies
+   within e errors and s erasures. Any larger e or s fails for some reading.
 
    These Haskell functions rely on this file: corrects and minimumDistance of
    PraTactile.Window.Distance, and guaranteedRadius of PraTactile.Locate. *)

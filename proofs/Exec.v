@@ -1,8 +1,9 @@
-(* The definitions, executable: fields, sequences, arrays, windows, rank and locating, on lists, N and bool.
+(* Executable definitions of fields, polynomials, sequences and rank, on lists, N and bool.
 
-   Each is the definition of DESIGN's conventions written down, without regard for speed. PraTactile.Field, Sequence, Array,
-   Window, LinearCode.Elimination and Locate compute the same things fast; the conformance laws in test/ hold the extracted
-   definitions and these modules against each other. Everything here ends by structural recursion; no function has fuel. *)
+   Each writes down a convention of PraTactile.Profile, without regard for speed.
+   PraTactile.Field, Sequence and LinearCode.Elimination compute the same things fast, and the
+   conformance laws in test/ compare them with the extracted definitions. Every function ends by
+   structural recursion; none has fuel. Grid.v defines arrays, windows and locating. *)
 From Coq Require Import NArith List Bool.
 Import ListNotations.
 Local Open Scope N_scope.
@@ -13,7 +14,8 @@ Record arithmetic (T : Type) := Arithmetic
 Arguments Arithmetic {T}. Arguments zero {T}. Arguments one {T}.
 Arguments add {T}. Arguments neg {T}. Arguments mul {T}.
 
-(* Polynomials modulo h = x^n + lower, and the recurrence of h. Coefficients stand constant term first. *)
+(* Polynomials modulo h = x^n + lower, and the recurrence of h. Coefficients are in ascending order,
+   the constant term first. *)
 Section Over.
 Context {T : Type} (K : arithmetic T).
 
@@ -30,11 +32,11 @@ Definition nought (a : list T) : list T := map (fun _ => zero K) a.
 Definition unit (lower : list T) : list T :=
   match lower with [] => [] | _ :: rest => one K :: nought rest end.
 
-(* The elements move up by one place; x comes in, and the last goes out. *)
+(* Moves the elements up by one place: x becomes the first, and the last one is dropped. *)
 Fixpoint shift (x : T) (a : list T) : list T :=
   match a with [] => [] | y :: a' => x :: shift y a' end.
 
-(* x a(x) modulo h: the n-th coefficient goes over -lower. *)
+(* x a(x) modulo h, which replaces x^n by -lower. *)
 Definition timesRoot (lower a : list T) : list T :=
   plus (shift (zero K) a) (scale (neg K (last a (zero K))) lower).
 
@@ -59,7 +61,8 @@ Definition rootPower (lower : list T) (e : N) : list T :=
 Definition polynomials (lower : list T) : arithmetic (list T) :=
   Arithmetic (nought lower) (unit lower) plus (map (neg K)) (product lower).
 
-(* From s(i), ..., s(i+n-1) to s(i+1), ..., s(i+n), with s(i+n) = -(c0 s(i) + ... + c(n-1) s(i+n-1)). *)
+(* One step of the register, from s(i), ..., s(i+n-1) to s(i+1), ..., s(i+n), where
+   s(i+n) = -(c0 s(i) + ... + c(n-1) s(i+n-1)). *)
 Definition step (lower state : list T) : list T :=
   match state with [] => [] | _ :: rest => rest ++ [neg K (dot lower state)] end.
 
@@ -96,7 +99,8 @@ Definition characteristicOf (q : N) : N :=
 Definition inverseIn (q : N) (K : arithmetic N) (a : N) : option N :=
   find (fun b => mul K a b =? one K) (upTo q).
 
-(* The rank of rows of this width: a row that begins with another element than 0 clears the others. *)
+(* The rank of rows of this width, by elimination: a row whose first element is not 0 clears the
+   first elements of the others. *)
 Fixpoint pivot (rows : list (list N)) : option (list N * list (list N)) :=
   match rows with
   | [] => None

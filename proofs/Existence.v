@@ -2,7 +2,7 @@
 
    Let L be a splitting field of x^N - 1 over F, N = |F|^n - 1. Its N roots are different, so one of
    them, alpha, has order N. The minimal polynomial of alpha is primitive of degree n. Hence the
-   theorems about primitive polynomials hold of something for all q and n.
+   theorems about primitive polynomials are not empty, for any q and n.
 
    These Haskell functions rely on this file: firstPrimitive of PraTactile.Polynomial, which
    searches until it finds one, and census of PraTactile.Census. *)

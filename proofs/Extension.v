@@ -1,4 +1,4 @@
-(* The sequence and the rank, said with a field extension: s(t) = phi(alpha^t).
+(* The sequence and the rank in terms of a field extension: s(t) = phi(alpha^t).
 
    Let L be an extension of F of degree n and alpha a root of h in L. For a linear map phi from L to
    F the sequence phi(alpha^t) obeys the recurrence of h. If h is primitive, every solution has this
@@ -21,7 +21,8 @@ Local Open Scope ring_scope.
 Definition root_in (F : fieldType) (h : {poly F}) (L : fieldExtType F) (alpha : L) : bool :=
   root (map_poly (in_alg L) h) alpha.
 
-(* The values of phi at the powers of alpha obey the recurrence of h, with the minus. *)
+(* The values of phi at the powers of alpha obey the recurrence of h, in the form with the minus
+   sign. *)
 Theorem functional_recurrence (F : fieldType) (h : {poly F}) (L : fieldExtType F) (alpha : L)
     (phi : {linear L -> F^o}) :
   h \is monic -> root_in h alpha -> recurrence h (fun t => phi (alpha ^+ t)).

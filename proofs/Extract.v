@@ -1,7 +1,8 @@
-(* Extraction of the definitions and the checker to one Haskell module, which test/ has as Extracted.
+(* Extracts the definitions and the checker to one Haskell module, test/Extracted.hs.
 
-   All that is trusted of the extraction stands in this file: nat, positive and N become Integer, their operations those of
-   Integer, and bool, option, list and pairs Haskell's own. `make proofs` compares what comes out with the committed module. *)
+   This file has every mapping that must be trusted: nat, positive and N become Integer, their
+   operations become Integer's, and bool, option, list and pairs become Haskell's own. `make proofs`
+   compares the output with the committed module. *)
 From Coq Require Import NArith List Bool Extraction ExtrHaskellBasic.
 From PraTactile Require Import Exec Grid Checker.
 

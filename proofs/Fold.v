@@ -28,7 +28,7 @@ elim: k2 => [|k IHk]; first by rewrite big_ord0.
 by rewrite big_ord_recr /= -modnDm IHk -modnXm Q_eq1 modnXm exp1n modnDm addn1.
 Qed.
 
-(* The cells that the diagonal visits: those (r, c) with r = i mod n1 and c = i mod n2 for an i. *)
+(* The cells (r, c) that the diagonal visits: r = i mod n1 and c = i mod n2 for some i. *)
 Definition visited n1 n2 : {set 'I_n1 * 'I_n2} :=
   [set x : 'I_n1 * 'I_n2 | [exists i : 'I_(n1 * n2), (i %% n1 == x.1) && (i %% n2 == x.2)]].
 
@@ -85,7 +85,7 @@ rewrite divnMDl // modnMDl divn_small // modn_small // addn0; split=> //.
 by rewrite (@leq_trans (r.+1 * n2)) // ?leq_mul2r ?lt_r ?orbT // mulSn addnC ltn_add2r.
 Qed.
 
-(* An array is a function of row and column, of which rows below n1 and columns below n2 count. *)
+(* An array is a function of row and column. Only rows below n1 and columns below n2 count. *)
 Definition diagonal_fold T (s : nat -> T) n1 n2 (a : nat -> nat -> T) : Prop :=
   forall i, a (i %% n1) (i %% n2) = s i.
 

@@ -1,7 +1,8 @@
-(* The committed certificates are good: the kernel runs the checker on each, and T10 says what follows.
+(* The committed certificates are good: the kernel runs the checker on each, and T10 says what
+   follows.
 
-   They are of the paper's array, of all 32 primitive quartics over GF(4), of each profile in data/profiles, and of the
-   paper's array on other surfaces and with another mask. *)
+   The certificates are those of the paper's array, of all 32 primitive quartics over GF(4), of each
+   profile in data/profiles, and of the paper's array on other surfaces and with another mask. *)
 From Coq Require Import NArith List Bool.
 From PraTactile Require Import Grid Checker Lists Certificate Certificates Paper.
 Import ListNotations.

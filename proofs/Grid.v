@@ -1,4 +1,5 @@
-(* A profile's array, its windows and locating, executable: what PraTactile.Array, Window and Locate compute fast. *)
+(* Executable definitions of a profile's array, its windows and locating. PraTactile.Array, Window
+   and Locate compute the same things fast. *)
 From Coq Require Import NArith List Bool.
 From PraTactile Require Import Exec.
 Import ListNotations.
@@ -8,7 +9,7 @@ Inductive reading := Characteristic | Reciprocal.
 Inductive folding := Diagonal | RowMajor.
 Inductive surface := Torus | TwistedTorus | Sheet.
 
-(* The conventions that say which array is meant, as in PraTactile.Profile. *)
+(* The conventions that determine an array, as in PraTactile.Profile. *)
 Record profile := Profile
   { profileOrder : N; profileModulus : list N; profilePolynomial : list N; profileReading : reading;
     profileState : list N; profileRows : N; profileColumns : N; profileFolding : folding; profileSurface : surface }.
@@ -21,7 +22,8 @@ Let n2 := profileColumns P.
 
 Definition field : arithmetic N := gf (characteristicOf q) (profileModulus P).
 
-(* h without its leading 1, where the reciprocal polynomial is stated of x^n h(1/x) / h(0). *)
+(* h without its leading 1. With the reciprocal reading, the profile states the polynomial f with
+   h = x^n f(1/x) / f(0). *)
 Definition lower : list N :=
   match profileReading P with
   | Characteristic => removelast (profilePolynomial P)
@@ -40,7 +42,7 @@ Definition stateAt (i : N) : list N := N.iter i (step field lower) (profileState
 (* s(i). *)
 Definition term (i : N) : N := hd 0 (stateAt i).
 
-(* Where the fold puts the i-th term. *)
+(* The place at which the fold puts term i. *)
 Definition place (i : N) : N * N :=
   match profileFolding P with
   | Diagonal => (i mod n1, i mod n2)
@@ -50,17 +52,18 @@ Definition place (i : N) : N * N :=
 (* A cell of the array: its place and its symbol. *)
 Definition cell := (N * N * N)%type.
 
-(* The array: a period of the sequence, each term with the place where the fold puts it. *)
+(* The array: one period of the sequence, each term with its place. *)
 Definition folded : list cell :=
   combine (map place (upTo period)) (terms field lower (N.to_nat period) (profileState P)).
 
 Definition samePlace (a b : N * N) : bool := (fst a =? fst b) && (snd a =? snd b).
 
-(* None where no term was put. *)
+(* The symbol at a place, or None if the fold puts no term there. *)
 Definition cellIn (array : list cell) (at' : N * N) : option N :=
   option_map snd (find (fun x => samePlace at' (fst x)) array).
 
-(* The place in the array of a row and a column that may lie beyond its edges; None beside the sheet. *)
+(* The place in the array of a row and a column that may lie beyond its edges, or None if they lie
+   outside the sheet. *)
 Definition onSurface (s : surface) (at' : N * N) : option (N * N) :=
   let (r, c) := at' in
   match s with
@@ -69,14 +72,16 @@ Definition onSurface (s : surface) (at' : N * N) : option (N * N) :=
   | Sheet => if (r <? n1) && (c <? n2) then Some (r, c) else None
   end.
 
-(* The surface on which a cell's neighbours are the same terms further on, wherever the cell is. *)
+(* The fold's own surface: on it, a step to a neighbour is a constant number of terms, from any
+   cell. *)
 Definition ownSurface : surface :=
   match profileFolding P with Diagonal => Torus | RowMajor => TwistedTorus end.
 
 Definition symbol (s : surface) (array : list cell) (at' : N * N) : option N :=
   match onSurface s at' with Some at'' => cellIn array at'' | None => None end.
 
-(* What the cells of a mask, given by their offsets, hold at a position; None where a cell is missing. *)
+(* The symbols that a mask, given by its offsets, shows at a position, or None if a cell is
+   missing. *)
 Fixpoint window (s : surface) (array : list cell) (mask : list (N * N)) (at' : N * N) : option (list N) :=
   match mask with
   | [] => Some []
@@ -91,12 +96,12 @@ Fixpoint window (s : surface) (array : list cell) (mask : list (N * N)) (at' : N
 Definition positions : list (N * N) :=
   flat_map (fun r => map (fun c => (r, c)) (upTo n2)) (upTo n1).
 
-(* All windows that lie on the surface, each with its position. *)
+(* All windows on the surface, each with its position. *)
 Definition windows (s : surface) (array : list cell) (mask : list (N * N)) : list (N * N * list N) :=
   flat_map (fun at' => match window s array mask at' with Some content => [(at', content)] | None => [] end) positions.
 End Of.
 
-(* The cells of a rectangle by their offsets, row by row. *)
+(* The offsets of a rectangle's cells, row by row. *)
 Definition rectangle (high wide : N) : list (N * N) :=
   flat_map (fun i => map (fun j => (i, j)) (upTo wide)) (upTo high).
 
@@ -107,22 +112,22 @@ Fixpoint same (a b : list N) : bool :=
   | _, _ => false
   end.
 
-(* How many different contents there are. *)
+(* The number of different contents. *)
 Fixpoint different (contents : list (list N)) : N :=
   match contents with
   | [] => 0
   | content :: others => (if existsb (same content) others then 0 else 1) + different others
   end.
 
-(* The positions at which these windows have this content. *)
+(* The positions of the windows with this content. *)
 Definition locate (content : list N) (found : list (N * N * list N)) : list (N * N) :=
   map fst (filter (fun w => same content (snd w)) found).
 
-(* In how many cells two contents differ. *)
+(* The number of cells in which two contents differ. *)
 Fixpoint differences (a b : list N) : N :=
   match a, b with x :: a', y :: b' => (if x =? y then 0 else 1) + differences a' b' | _, _ => 0 end.
 
-(* The least number of cells in which two of these differ, at most the bound. *)
+(* The least number of cells in which two of these contents differ, or the bound if that is less. *)
 Fixpoint distanceOf (bound : N) (contents : list (list N)) : N :=
   match contents with
   | [] => bound

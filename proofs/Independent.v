@@ -31,8 +31,8 @@ rewrite !modn_small ?small // => /eqP eq_pred; apply: (expnI Q_gt1).
 by rewrite -[(Q ^ i)%N]prednK // eq_pred prednK.
 Qed.
 
-(* A polynomial vanishes if the field of its coefficients is fixed by the Q-th power, and it
-   vanishes at an element with at least as many conjugates as it has coefficients. *)
+(* A polynomial is zero if the Q-th power fixes its coefficients, and it vanishes at an element with
+   at least as many conjugates as the polynomial has coefficients. *)
 Lemma conjugate_roots (L : fieldType) (Q k : nat) (y : L) (p : {poly L}) :
   [char L].-nat Q -> (forall i, p`_i ^+ Q = p`_i) -> (size p <= k)%N -> p.[y] = 0 ->
   (forall i j, (i < k)%N -> (j < k)%N -> y ^+ (Q ^ i) = y ^+ (Q ^ j) -> i = j) -> p = 0.

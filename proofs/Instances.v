@@ -1,4 +1,4 @@
-(* The theorems hold of something: the paper's array over GF(4), and an array over GF(9).
+(* Arrays to which the theorems apply: the paper's over GF(4), and one over GF(9).
 
    GF(4) has A^2 = A + 1 and the codes 0, 1, 2, 3 for 0, 1, A, A^2; the paper's polynomial is
    x^4 + x^2 + A x + A^2, and its array has 15 rows and 17 columns. Over GF(9) with A^2 = A + 1 the
@@ -60,7 +60,7 @@ Definition gf9 (a : N) : GF9 := element gf9_is_field a.
 Lemma card_GF9 : #|GF9| = 9%N.
 Proof. exact: (card_coded gf9_is_field). Qed.
 
-(* The coefficients below the highest, constant term first. *)
+(* The coefficients without the leading one, constant term first. *)
 Definition paper_lower : seq GF4 := map gf4 [:: 3; 2; 1; 0]%num.
 Definition paper_polynomial : {poly GF4} := characteristic paper_lower.
 
@@ -168,7 +168,7 @@ rewrite cubic_rows cubic_columns; apply => //.
 exact: cubic_fold.
 Qed.
 
-(* An extension, a root and a linear map as Extension.v supposes them. *)
+(* An extension, a root and a linear map that satisfy the hypotheses of Extension.v. *)
 Theorem paper_functional : exists (L : fieldExtType GF4) (alpha : L) (phi : {linear L -> GF4^o}),
   [/\ \dim {:L} = 4%N, root_in paper_polynomial alpha
     & forall t, paper_sequence t = phi (alpha ^+ t)].

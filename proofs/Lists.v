@@ -1,5 +1,5 @@
-(* Lists: when two are the same, and when no element comes twice. Paper.v, Period.v and Certificate.v use these lemmas; no
-   Haskell module relies on them directly. *)
+(* When two lists are equal, and when a list has no element twice. Paper.v, Period.v and
+   Certificate.v use these lemmas; no Haskell module relies on them directly. *)
 From Coq Require Import NArith List Bool Lia.
 From PraTactile Require Import Exec Grid Checker.
 Import ListNotations.
@@ -18,7 +18,7 @@ Proof.
   rewrite andb_true_iff; intros [S E]; f_equal; [now apply same_eq | auto].
 Qed.
 
-(* A list with as many different elements as elements has none twice. *)
+(* If the number of different elements is the length, no element comes twice. *)
 Lemma different_le contents : different contents <= N.of_nat (length contents).
 Proof.
   induction contents as [| a others IH]; simpl different; simpl length; [easy |].
@@ -49,7 +49,7 @@ Qed.
 Lemma NoDup_upTo n : NoDup (upTo n).
 Proof. apply NoDup_image; [apply seq_NoDup |]; intros; lia. Qed.
 
-(* Parts of lists that do not repeat do not repeat. *)
+(* The values of f on a list without repetition do not repeat, if f takes no value twice. *)
 Lemma parts_distinct {A B} (f : A -> option B) l : NoDup l ->
   (forall a b w, In a l -> In b l -> f a = Some w -> f b = Some w -> a = b) ->
   NoDup (map snd (flat_map (fun a => match f a with Some w => [(a, w)] | None => [] end) l)).

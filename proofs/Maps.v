@@ -1,11 +1,13 @@
-(* Maps from one arithmetic to another that respect the operations respect all functions of Exec.v as well.
+(* A map between two arithmetics that respects the operations also respects every function of
+   Exec.v.
 
-   By this a theorem about a field's elements is one about their codes, which PraTactile.Field and all wire values use. *)
+   So a theorem about a field's elements is a theorem about their codes, which PraTactile.Field and
+   the conformance protocol use. *)
 From Coq Require Import NArith List.
 From PraTactile Require Import Exec Checker.
 Import ListNotations.
 
-(* Maps that respect the operations, and the functions on lists with them. *)
+(* Maps that respect the operations, and the functions on lists under such maps. *)
 Record respects {T U} (K : arithmetic T) (L : arithmetic U) (e : T -> U) : Prop :=
   { e_zero : e (zero K) = zero L; e_one : e (one K) = one L; e_add : forall a b, e (add K a b) = add L (e a) (e b);
     e_neg : forall a, e (neg K a) = neg L (e a); e_mul : forall a b, e (mul K a b) = mul L (e a) (e b) }.

@@ -1,6 +1,6 @@
-(* The facts of the paper's array, computed by the kernel from the definitions alone.
+(* Facts about the paper's array, which the kernel computes from the definitions alone.
 
-   PraTactile.Window.Proof, Locate and Window.Distance say the same of it; DESIGN's facts 3, 5 and 7. *)
+   PraTactile.Window.Proof, Locate and Window.Distance compute the same facts. *)
 From Coq Require Import NArith List Bool.
 From PraTactile Require Import Exec Grid Lists.
 Import ListNotations.
@@ -42,7 +42,7 @@ Proof. vm_compute; reflexivity. Qed.
 Definition distance (high wide : N) : N :=
   distanceOf (high * wide) (map snd (windows paper Torus (folded paper) (rectangle high wide))).
 
-(* The least number of cells in which two windows differ, of all pairs. *)
+(* The least number of cells in which two windows differ, over all pairs. *)
 Theorem paper_distances :
   map (fun shape => distance (fst shape) (snd shape)) [(2, 2); (2, 3); (3, 2); (3, 3); (3, 4); (4, 4)]
   = [1; 2; 2; 4; 6; 9].

@@ -1,5 +1,8 @@
-(* If x has order q^n - 1 modulo h, every nonzero polynomial of degree below n is a power of x, and the states of the sequence
-   in a period are distinct. PraTactile.Polynomial.Primitive and PraTactile.Certificate.Check rely on it. *)
+(* If x has order q^n - 1 modulo h, every nonzero polynomial of degree below n is a power of x, and
+   the states within a period of the sequence are distinct.
+
+   These Haskell modules rely on this file: PraTactile.Polynomial.Primitive and
+   PraTactile.Certificate.Check. *)
 From Coq Require Import NArith List Bool Ring Lia.
 From PraTactile Require Import Exec Quotient Lists Root Primes.
 Import ListNotations.
@@ -20,7 +23,8 @@ Notation "a [+] b" := (plus K a b) (at level 50, left associativity).
 Notation "c .* a" := (scale K c a) (at level 40, left associativity).
 Notation "a [*] b" := (product K lower a b) (at level 40, left associativity).
 
-(* The order of x: if x^period is 1, and x^(period / l) is not for any prime l of period, no smaller power is 1. *)
+(* The order of x: if x^period is 1, and x^(period / l) is not 1 for any prime l that divides the
+   period, no smaller power is 1. *)
 Lemma order_of_root period (powers : list (N * N)) : (forall f, In f powers -> prime (fst f)) ->
   fold_right N.mul 1 (map (fun f => fst f ^ snd f) powers) = period ->
   X period = unit K lower -> (forall l e, In (l, e) powers -> X (period / l) <> unit K lower) ->

@@ -1,6 +1,8 @@
-(* Where the fold puts terms: each place of the array gets exactly one, and the cells of a window are terms at fixed distances.
+(* The fold puts exactly one term at each place of the array, and the cells of a window are terms at
+   fixed distances from its first one.
 
-   PraTactile.Array.Remainder and Window.Rank compute with these distances, the exponents e(i, j). *)
+   PraTactile.Array.Remainder and PraTactile.Window.Rank compute with these distances, the exponents
+   e(i, j). *)
 From Coq Require Import NArith List Bool Lia.
 From PraTactile Require Import Exec Grid Checker Primes.
 Import ListNotations.
@@ -28,7 +30,8 @@ Qed.
 Lemma mod_of_mod a b i : a <> 0 -> b <> 0 -> (i mod (a * b)) mod a = i mod a.
 Proof. intros A B; rewrite N.mod_mul_r, N.mul_comm, N.mod_add, N.mod_mod; auto. Qed.
 
-(* Chinese remainders: equal modulo both of two coprime numbers is equal modulo their product. *)
+(* Chinese remainders: numbers that are equal modulo two coprime numbers are equal modulo their
+   product. *)
 Lemma remainders n1 n2 i j : n1 <> 0 -> n2 <> 0 -> N.gcd n1 n2 = 1 ->
   i mod n1 = j mod n1 -> i mod n2 = j mod n2 -> i mod (n1 * n2) = j mod (n1 * n2).
 Proof.
@@ -111,7 +114,7 @@ Proof.
   - intros at' I; apply in_map_iff in I as (t & <- & I); now apply place_in, in_upTo.
 Qed.
 
-(* What stands at a place is the term that the fold puts there. *)
+(* The cell at a place holds the term that the fold puts there. *)
 Lemma folded_map : folded P = map (fun i => (place P i, term P i)) (upTo (period P)).
 Proof.
   unfold folded; rewrite terms_map by exact zero_is_0; unfold upTo; rewrite !map_map.
@@ -135,7 +138,8 @@ Proof.
     enough (true = false) by easy; apply N, in_map_iff; exists (k mod period P); split; [easy | now apply in_upTo].
 Qed.
 
-(* On the fold's own surface, and on the sheet cut from it, a cell (i, j) away is the term `exponent (i, j)` further on. *)
+(* e is the exponent of the offset (i, j): the cell i rows down and j columns to the right holds the
+   term e later, on the fold's own surface and on the sheet cut from it. *)
 Definition exponentOf (e : N) (offset : N * N) : Prop :=
   match profileFolding P with
   | Diagonal => e mod n1 = fst offset mod n1 /\ e mod n2 = snd offset mod n2
@@ -179,7 +183,7 @@ Proof.
     destruct (r <? n1) eqn:A; destruct (c <? n2) eqn:B; try easy; now apply N.ltb_lt.
 Qed.
 
-(* A window's content, given exponents of the mask's cells. *)
+(* A window's content by the exponents of the mask's cells. *)
 Lemma own_window t r c (exponent : N * N -> N) m : t < period P -> place P t = (r, c) ->
   (forall o, In o m -> exponentOf (exponent o) o) ->
   window P (ownSurface P) (folded P) m (r, c) = Some (map (fun o => term P (t + exponent o)) m).

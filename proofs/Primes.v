@@ -1,4 +1,5 @@
-(* Prime factors of naturals, and that trial division tells primes. PraTactile.Factorisation finds them faster. *)
+(* Prime factors of natural numbers, and a proof that trial division recognises primes.
+   PraTactile.Factorisation finds prime factors faster. *)
 From Coq Require Import NArith List Bool Lia.
 From PraTactile Require Import Exec Grid Checker.
 Import ListNotations.
@@ -23,7 +24,7 @@ Proof.
   rewrite upTo_from_two in I by lia; destruct I as [I | [I | I]]; [lia | lia | exact I].
 Qed.
 
-(* Trial division by all up to the square root. *)
+(* Trial division by all numbers up to the square root. *)
 Lemma isPrime_prime l : isPrime l = true -> prime l.
 Proof.
   unfold isPrime; rewrite !andb_true_iff, forallb_forall; intros [[L _] H].
@@ -70,7 +71,7 @@ Proof.
     apply N.mod_divide in D; [| easy]; cbv beta in Z; rewrite D in Z; easy.
 Qed.
 
-(* A prime that divides a product divides a factor. *)
+(* A prime that divides a product divides one of its factors. *)
 Lemma prime_mult r a b : prime r -> (r | a * b) -> (r | a) \/ (r | b).
 Proof.
   intros [L D] H; destruct (D (N.gcd r a) (N.gcd_divide_l r a)) as [G | G].
@@ -94,7 +95,7 @@ Proof.
     + destruct IH as [e' I]; auto with datatypes; exists e'; now right.
 Qed.
 
-(* A proper divisor of a product of prime powers divides the product less one of the primes. *)
+(* A proper divisor of a product m of prime powers divides m / l for one of its primes l. *)
 Lemma proper_divisor g m (powers : list (N * N)) : (forall f, In f powers -> prime (fst f)) ->
   fold_right N.mul 1 (map (fun f => fst f ^ snd f) powers) = m -> (g | m) -> 0 < g < m ->
   exists l e, In (l, e) powers /\ (g | m / l).

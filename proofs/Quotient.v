@@ -1,6 +1,7 @@
-(* Polynomials modulo a monic polynomial form a commutative ring, whatever commutative ring the coefficients are of.
+(* Polynomials modulo a monic polynomial form a commutative ring, if their coefficients do.
 
-   The functions are those of Exec.v. PraTactile.Field and Extension rely on this for GF(p^m) and GF(q)[x]/h. *)
+   The functions are those of Exec.v. PraTactile.Field and PraTactile.Extension rely on this file,
+   for GF(p^m) and GF(q)[x]/h. *)
 From Coq Require Import NArith List Bool Ring Lia.
 From PraTactile Require Import Exec.
 Import ListNotations.
@@ -100,7 +101,7 @@ Proof.
   intros E; rewrite <- scale_zero, M_scale, scale_zero by easy; apply nought_same; now apply M_length.
 Qed.
 
-(* The product is linear in both, and commutes with multiplication by x. *)
+(* The product is linear in both factors, and commutes with multiplication by x. *)
 Lemma product_plus a b c : length a = n -> length b = n -> (a [+] b) [*] c = a [*] c [+] b [*] c.
 Proof.
   intros A B; induction c as [| x c IH]; simpl.
@@ -131,7 +132,7 @@ Proof.
       try apply product_length; try easy; now apply M_length, product_length.
 Qed.
 
-(* 1 b = b: by Horner's rule b comes in place by place, with zeros above it. *)
+(* 1 b = b, because Horner's rule puts the coefficients of b in place one by one. *)
 Lemma shift_zeros b k : shift 0 (b ++ repeat 0 (S k)) = 0 :: b ++ repeat 0 k.
 Proof.
   enough (forall x, shift x (b ++ repeat 0 (S k)) = x :: b ++ repeat 0 k) by easy.

@@ -1,6 +1,8 @@
-(* The powers of x modulo h, and what they say of the sequence: s(t + e) is a linear form, given by x^e, of s(t) .. s(t+n-1).
+(* The powers of x modulo h, and the terms of the sequence by them: s(t + e) is a linear form in
+   s(t), ..., s(t+n-1), whose coefficients are those of x^e.
 
-   PraTactile.Window.Rank decides by this which masks tell a position, and PraTactile.Sequence.Jump finds terms by it. *)
+   These Haskell modules rely on this file: PraTactile.Window.Rank, which decides whether a mask
+   determines a position, and PraTactile.Sequence.Jump, which computes distant terms. *)
 From Coq Require Import NArith List Bool Ring Lia.
 From PraTactile Require Import Exec Quotient Checker.
 Import ListNotations.
@@ -43,7 +45,7 @@ Proof.
   rewrite N.mul_succ_l, <- X_add, IH, E; apply product_unit_l; auto; apply unit_length.
 Qed.
 
-(* Squaring and multiplying gives the power. *)
+(* Repeated squaring computes the power. *)
 Lemma raised_X e : forall d, raised K lower (X d) e = X (d * Npos e).
 Proof.
   induction e as [e IH | e IH |]; intros d; simpl raised.
@@ -57,7 +59,7 @@ Proof.
   rewrite raised_X; f_equal; lia.
 Qed.
 
-(* The linear forms. *)
+(* Linear forms of states. *)
 Lemma dot_plus a b S : length a = length b -> dot K (a [+] b) S = add K (dot K a S) (dot K b S).
 Proof.
   revert b S; induction a as [| x a IH]; intros [| y b] [| s S]; simpl; try easy; intros; try ring.
@@ -106,7 +108,7 @@ Proof.
   rewrite (dot_nought_l l S); ring.
 Qed.
 
-(* s(t + e) from s(t) .. s(t+n-1). *)
+(* s(t + e) as a linear form in s(t), ..., s(t+n-1). *)
 Lemma term_by_root S t e : length S = n ->
   hd (zero K) (N.iter (t + e) next S) = dot K (X e) (N.iter t next S).
 Proof.
@@ -114,7 +116,7 @@ Proof.
   symmetry; unfold X; apply dot_iter; [apply unit_length | now rewrite iter_next_length].
 Qed.
 
-(* Forms that agree on all of a basis make states equal. *)
+(* Two states are equal if all forms of a basis have the same values on them. *)
 Lemma identity_decides : forall S S', length S = length S' ->
   (forall row, In row (identity K (length S)) -> dot K row S = dot K row S') -> S = S'.
 Proof.
@@ -141,7 +143,7 @@ Proof.
   rewrite (identity_lengths _ _ I); easy.
 Qed.
 
-(* A left inverse of vectors turns the values of their forms into the state. *)
+(* A left inverse of the matrix of forms turns their values into the state. *)
 Lemma combination_length k vs : (forall v, In v vs -> length v = k) -> forall cs, length (combination K k cs vs) = k.
 Proof.
   induction vs as [| v vs IH]; intros V [| c cs]; simpl; try apply repeat_length.

@@ -72,7 +72,7 @@ Lemma standard_area (F : finFieldType) (h : {poly F}) k1 k2 : degree h = (k1 * k
   (standard_rows F k1 * standard_columns h k1)%N = period h.
 Proof. by move=> deg; rewrite mulnC divnK // /period deg expnM dvdn_pred_predX. Qed.
 
-(* By T4 it can be decided beforehand whether the sides are coprime. *)
+(* The sides are coprime if and only if n1 and k2 are, by T4. *)
 Theorem standard_coprime (F : finFieldType) (h : {poly F}) k1 k2 :
   primitive h -> degree h = (k1 * k2)%N ->
   coprime (standard_rows F k1) (standard_columns h k1) = coprime (standard_rows F k1) k2.
@@ -111,8 +111,8 @@ rewrite -cE; apply: (rectangle_independent prim alpha_root deg (standard_area de
 exact: rectangle_column.
 Qed.
 
-(* The two theorems below speak of the array a, of n1 rows and n2 columns, along whose diagonal a
-   nonzero solution s of the recurrence of h lies. Rows and columns continue on the torus. *)
+(* The two theorems below are about the array a of n1 rows and n2 columns whose diagonal holds a
+   nonzero solution s of the recurrence of h. Rows and columns continue on the torus. *)
 
 (* T8. Two windows of k1 rows and k2 columns with the same content are the same window. *)
 Theorem standard_window_unique (F : finFieldType) (h : {poly F}) (s : nat -> F) k1 k2 a :

@@ -1,7 +1,7 @@
 (* Stepping decides whether a polynomial is primitive, and makes the sequences of the theorems.
 
-   If 1 times x, times x, ... modulo h is 1 again after |F|^n - 1 steps and not before, h is
-   primitive. The first elements of the states of the register obey the recurrence of h.
+   Multiply 1 by x again and again, modulo h. If the result is 1 after |F|^n - 1 steps and not
+   before, h is primitive. The first elements of the register's states obey the recurrence of h.
 
    These Haskell functions rely on this file: mSequence and next of PraTactile.Sequence, which the
    conformance laws compare with the extracted Exec.v. *)
@@ -17,7 +17,7 @@ Unset Printing Implicit Defensive.
 Import GRing.Theory.
 Local Open Scope ring_scope.
 
-(* Whether the order of x modulo x^n + lower is N, by N steps. *)
+(* Tests in N steps whether the order of x modulo x^n + lower is N. *)
 Definition order_is (F : fieldType) (lower : seq F) (N : nat) : bool :=
   let step := Exec.timesRoot (arithmetic_of F) lower in
   let start := Exec.unit (arithmetic_of F) lower in

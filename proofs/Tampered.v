@@ -1,6 +1,8 @@
-(* Certificates that lie are refused: each is the paper's with one claim changed, and the kernel runs the checker on it.
+(* The checker refuses false certificates. Each is the paper's with one claim changed, and the
+   kernel runs the checker on it.
 
-   The tests tamper in the same ways with what the library issues; Test.Code.Certificate has more. *)
+   The tests change the certificates of the library in the same ways; the folder
+   test/Test/Code/Certificate has more. *)
 From Coq Require Import NArith List Bool.
 From PraTactile Require Import Exec Grid Checker Certificates.
 Import ListNotations.
@@ -23,14 +25,14 @@ Definition withRank v c i (C : certificate) : certificate :=
 
 Definition residueOf (P : profile) (l : N) : list N := rootPower (field P) (lower P) (period P / l).
 
-(* A composite among the primes: 15 in the place of 3 and 5, with its right residue. *)
+(* A composite among the primes: 15 in place of 3 and 5, with the right residue for 15. *)
 Definition compositeFactor : certificate :=
   withFactors [(15, 1, residueOf (claimed genuine) 15); (17, 1, residueOf (claimed genuine) 17)] genuine.
 
-(* 341 = 11 * 31 among the primes shown. *)
+(* The composite 341 = 11 * 31 with a proof that it is prime. *)
 Definition compositeShown : certificate := withPrimes [(341, [(2, 2, 3); (5, 1, 3); (17, 1, 3)])] genuine.
 
-(* Another residue of x^85, that of x^51. *)
+(* A wrong residue: that of x^51 in place of x^85. *)
 Definition wrongResidue : certificate :=
   withFactors [(3, 1, residueOf (claimed genuine) 5); (5, 1, residueOf (claimed genuine) 5);
     (17, 1, residueOf (claimed genuine) 17)] genuine.
@@ -38,35 +40,37 @@ Definition wrongResidue : certificate :=
 (* A prime left out. *)
 Definition missingFactor : certificate := withFactors (tl (factors genuine)) genuine.
 
-(* The inverse with its first row twice, so that it is singular. *)
+(* A singular inverse: its first row comes twice. *)
 Definition singularInverse : certificate :=
   withRank (vectors genuine) (cells genuine)
     [[1; 0; 0; 0]; [1; 0; 0; 0]; [2; 0; 2; 3]; [1; 3; 1; 3]] genuine.
 
-(* The same cell twice, so that the vectors chosen are dependent. *)
+(* Dependent vectors: one cell is chosen twice. *)
 Definition repeatedCell : certificate := withRank (vectors genuine) [0; 1; 1; 3] (inverse genuine) genuine.
 
 Definition folding' f s n1 n2 : profile :=
   Profile 4 [1; 1; 1] [3; 2; 1; 0; 1] Characteristic [0; 0; 0; 1] n1 n2 f s.
-(* Another fold: row by row, with the vectors of the diagonal; 17 rows of 15; sides that are not coprime; the torus. *)
+(* Another fold or surface: row by row with the diagonal's vectors, 17 rows and 15 columns, an array
+   of the wrong size, and row by row on the plain torus. *)
 Definition rowByRow : certificate := withProfile (folding' RowMajor TwistedTorus 15 17) genuine.
 Definition turned : certificate := withProfile (folding' Diagonal Torus 17 15) genuine.
 Definition tooLarge : certificate := withProfile (folding' Diagonal Torus 15 34) genuine.
 Definition otherSurface : certificate := withProfile (folding' RowMajor Torus 15 17) genuine.
 
-(* The register at rest, and a field whose modulus A^2 + 1 is a square. *)
+(* A register whose state is all zeros, and a field whose modulus A^2 + 1 is a square. *)
 Definition atRest : certificate :=
   withProfile (Profile 4 [1; 1; 1] [3; 2; 1; 0; 1] Characteristic [0; 0; 0; 0] 15 17 Diagonal Torus) genuine.
 Definition noField : certificate :=
   withProfile (Profile 4 [1; 0; 1] [3; 2; 1; 0; 1] Characteristic [0; 0; 0; 1] 15 17 Diagonal Torus) genuine.
 
-(* An irreducible polynomial whose root has order 85 only, all else in order: four cells of a row have rank 4 whatever the
-   polynomial, and the residues are right. The one of 3 is 1. *)
+(* An irreducible polynomial whose root has order 85 only. All else is right: four cells of a row
+   have rank 4 for any polynomial, and the residues are correct. The residue for 3 is 1. *)
 Definition notPrimitive : certificate :=
   let P := Profile 4 [1; 1; 1] [1; 3; 1; 0; 1] Characteristic [0; 0; 0; 1] 15 17 RowMajor TwistedTorus in
   Certificate P (1, 4) (rectangle 1 4) 255 255 (map (fun l => (l, 1, residueOf P l)) [3; 5; 17]) []
     (identity (field P) 4) [0; 1; 2; 3] (identity (field P) 4).
-(* With a primitive polynomial in its place the certificate is good: nothing but the order of the root was wrong. *)
+(* With a primitive polynomial in its place the certificate is good, so only the order of the root
+   was wrong. *)
 Definition primitiveInItsPlace : certificate :=
   let P := Profile 4 [1; 1; 1] [3; 2; 1; 0; 1] Characteristic [0; 0; 0; 1] 15 17 RowMajor TwistedTorus in
   Certificate P (1, 4) (rectangle 1 4) 255 255 (map (fun l => (l, 1, residueOf P l)) [3; 5; 17]) []

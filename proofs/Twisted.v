@@ -1,7 +1,7 @@
 (* The windows of a sequence folded row by row, on the twisted torus.
 
-   The theorems of Cells.v for a[r][c] = s(n2 r + c). The sides n1 and n2 need only have the
-   product q^n - 1; they may have a common divisor.
+   These are the theorems of Cells.v for a[r][c] = s(n2 r + c). The product of the sides n1 and n2
+   must be q^n - 1; the sides may have a common divisor.
 
    These Haskell functions rely on this file: fold and naturalSurface of PraTactile.Array with
    RowMajor, and prove of PraTactile.Window.Proof. *)

@@ -1,4 +1,4 @@
-(* What a mask of cells tells of its place in the sequence: the rank of the mask.
+(* Whether a mask of cells determines its place in the sequence: the rank of the mask.
 
    The cells of a mask lie e_0, e_1, ... terms after the first: its content at t is
    s(t + e_0), s(t + e_1), ... This content is a linear function of x^t modulo h. Its rank is the
@@ -18,19 +18,19 @@ Unset Printing Implicit Defensive.
 Import GRing.Theory.
 Local Open Scope ring_scope.
 
-(* What a mask with the exponents e shows at t. *)
+(* The content at t of a mask with the exponents e. *)
 Definition content (F : ringType) (s : nat -> F) (m : nat) (e : 'I_m -> nat) (t : nat) :
   'rV[F]_m :=
   \row_i s (t + e i)%N.
 
-(* The powers of x modulo h that belong to the cells, one a row. *)
+(* The matrix whose rows are the cells' powers of x modulo h. *)
 Definition mask_matrix (F : fieldType) (h : {poly F}) (m : nat) (e : 'I_m -> nat) :
   'M[F]_(m, degree h) := \matrix_(i < m) residue h 'X^(e i).
 
 Definition mask_rank (F : fieldType) (h : {poly F}) (m : nat) (e : 'I_m -> nat) : nat :=
   \rank (mask_matrix h e).
 
-(* Equal contents are seen at equal places only, modulo the period. *)
+(* Equal contents are at equal places only, modulo the period. *)
 Definition tells (F : ringType) (s : nat -> F) (N m : nat) (e : 'I_m -> nat) : Prop :=
   forall t t', content s e t = content s e t' -> t = t' %[mod N].
 
@@ -99,7 +99,8 @@ case/(residue_power h_primitive) => t lt_t def_v.
 by exists t; rewrite // content_linear def_v.
 Qed.
 
-(* T2. If equal contents are at equal places only, the mask has rank n; a period of 1 is no case. *)
+(* T2. If equal contents are at equal places only, and the period exceeds 1, the mask has rank
+   n. *)
 Theorem tells_rank_n : (1 < N)%N -> tells s N e -> mask_rank h e = n.
 Proof.
 move=> N_gt1 tells_e; apply/eqP; rewrite eqn_leq rank_le leqNgt; apply/negP => lt_r.
