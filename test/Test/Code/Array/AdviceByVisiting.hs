@@ -26,7 +26,7 @@ import Test.Hspec
 spec :: Spec
 spec = do
   describe "15 x 273 over GF(4) with 2 x 3 windows" $ do
-    it "is not coprime; instead 63 x 65, row by row, or three arrays of 15 x 91" $ do
+    it "has sides that are not coprime; advised: 63 x 65, row by row, or three of 15 x 91" $ do
       advice <- asked 4 15 273 (Just (Shape 2 3))
       let seen =
             [ ( n1,
@@ -48,23 +48,23 @@ spec = do
                        ]
                      )
                    ]
-    it "is possible row by row, and only so" $ do
+    it "is possible row by row only" $ do
       advice <- asked 4 15 273 (Just (Shape 2 3))
       [(optionLayout o, optionShape o) | o <- adviceOptions advice]
         `shouldBe` [(Single RowMajor, Shape 15 273)]
-  it "a window longer than a side of an array fits there in no other way either" $ do
+  it "a window longer than a side of an array fits it in no layout" $ do
     advice <- asked 2 1 1 (Just (Shape 4 2))
     let seen = [(n, shape) | WindowBeyondArray n _ shape <- adviceObstacles advice]
     seen `shouldSatisfy` (not . null)
     [x | x@(_, shape) <- seen, rows shape >= 4 && columns shape >= 2] `shouldBe` []
     [o | o <- adviceOptions advice, rows (optionShape o) < 4 || columns (optionShape o) < 2]
       `shouldBe` []
-  it "of 2^32 states or fewer 32 polynomials are tried, of more 4" $ do
+  it "32 polynomials are tried for up to 2^32 states, and 4 for more" $ do
     forM_ [(20, 32), (32, 32), (33, 4)] $ \(n, count) ->
       (n, length (candidates (Proxy :: Proxy GF2) n)) `shouldBe` (n, count)
     forM_ [(16, 32), (17, 4)] $ \(n, count) ->
       (n, length (candidates (Proxy :: Proxy GF4) n)) `shouldBe` (n, count)
-  it "no window fits where the array itself cannot be made, of degree 1 neither" $ do
+  it "no window fits an array that cannot be made, also in degree 1" $ do
     let units = candidates (Proxy :: Proxy GF4) 1
         ofUnits = fits 1 units
     length units `shouldBe` 2
@@ -74,7 +74,7 @@ spec = do
           [(Single Diagonal, Shape 1 5), (Single RowMajor, Shape 2 2), (Joint 3, Shape 3 3)]
     map (`ofUnits` Shape 1 1) impossible
       `shouldSatisfy` all (either (`elem` [1, 2]) (const False))
-  it "single arrays of so many cells and more are what is possible shape by shape, by size" $
+  it "single arrays of at least so many cells are the possible shapes, in order of size" $
     forM_ [(2, 31), (2, 60), (3, 26), (4, 20), (4, 255), (5, 100)] $ \(q, cells) -> do
       found <- right (singleArrays q cells)
       let degree = until (\n -> q ^ n > cells) (+ 1) (1 :: Int)
@@ -92,7 +92,7 @@ spec = do
       [(place o, map fitWindow (optionFits o)) | o <- ofDegree] `shouldBe` concatMap sort wanted
       map (area . optionShape) (take 40 found)
         `shouldSatisfy` \sizes -> sizes == sort sizes && all (>= cells) sizes
-  it "the paper's array is what is asked for with 15 x 17 and 2 x 2 over GF(4)" $ do
+  it "15 x 17 with 2 x 2 windows over GF(4) is answered by the paper's array" $ do
     advice <- asked 4 15 17 (Just (Shape 2 2))
     take 1 [(optionLayout o, optionShape o, optionFits o) | o <- adviceOptions advice]
       `shouldBe` [(Single Diagonal, Shape 15 17, [Fit (Shape 2 2) True [3, 2, 1, 0, 1]])]
@@ -104,7 +104,7 @@ spec = do
     at (Single RowMajor) `shouldBe` inRange
     at (Single Diagonal) `shouldBe` [s | s@(Shape a b) <- inRange, gcd a b == 1]
     [Shape a b | SidesShareDivisor _ a b _ _ <- adviceObstacles advice] `shouldBe` [Shape 39 105]
-  it "the windows said to work for every polynomial do, and those for one, by visiting" $
+  it "windows said to work for every polynomial, or for one, do work, by visiting" $
     forM_ requests $ \(q, high, wide, window) -> do
       advice <- asked q high wide window
       forM_
@@ -115,7 +115,7 @@ spec = do
           unless (q ^ optionDegree option > 5000) $ do
             optionFits option `shouldSatisfy` (not . null)
             forM_ (optionFits option) (proves (fromIntegral q) option)
-  it "what it lists is large enough, in order of size, and the window is the one wanted" $
+  it "the list has large enough arrays, in order of size, with the wanted window" $
     forM_ requests $ \(q, high, wide, window) -> do
       advice <- asked q high wide window
       let shapes = map optionShape (adviceOptions advice)
@@ -132,7 +132,7 @@ spec = do
   it "the degree of an element of order m over GF(q) is the least d with m dividing q^d - 1" $
     [degreeOfOrder 4 6 m | m <- [1, 3, 15, 63, 65, 91, 273, 4095]]
       `shouldBe` [1, 1, 2, 3, 6, 6, 6, 6]
-  it "columns and rows check each other from where their rank says so: q^n <= 1024" $
+  it "so many adjacent columns or rows check each other as their rank says: q^n <= 1024" $
     forM_ smallFields $ \(q, n) -> overField q $ \k -> do
       h <- firstOver k n
       forM_ (layoutsOf (fromIntegral q) n) $ \(layout, size) -> do
@@ -144,7 +144,7 @@ spec = do
             told count = maybe [] pure (count (fromIntegral q) n layout size)
         (layout, size, told columnsToCheck) `shouldBe` (layout, size, least column (columns size))
         (layout, size, told rowsToCheck) `shouldBe` (layout, size, least row (rows size))
-  it "their own mirror are arrays that read the same mirrored, with every polynomial" $
+  it "an array is said to be its own mirror if it is, with every polynomial" $
     forM_ [(q, n) | (q, n) <- smallFields, fromIntegral q ^ n <= mostStates] $ \(q, n) ->
       overField q $ \(_ :: Proxy k) -> do
         found <- right (primitivePolynomials n)
@@ -166,7 +166,7 @@ spec = do
                   RowsMirrored -> Position (far * far - i) j
             (layout, size, ownMirrors (fromIntegral q) n layout size)
               `shouldBe` (layout, size, [m | m <- [minBound ..], mirrored' m `elem` views])
-  it "instead of one array, as few as there are of parts of both sides, found by trying all parts" $
+  it "the fewest joint arrays are advised in place of one, as trying all parts shows" $
     forM_ [(5, 2, 12), (5, 12, 2), (7, 2, 24), (3, 4, 20), (4, 3, 21), (4, 15, 273)] $
       \(q, high, wide) -> do
         advice <- asked q high wide Nothing
@@ -186,7 +186,7 @@ spec = do
                 ]
           map fst found `shouldBe` take 1 (sort (map fst possible))
           found `shouldSatisfy` all (`elem` possible)
-  it "refuses an alphabet that is none, a window without cells, and more than it can judge" $ do
+  it "refuses an impossible alphabet, a window without cells, and too large a size" $ do
     advise (Request 6 1 1 Nothing) `shouldSatisfy` either isField (const False)
     advise (Request 4 1 1 (Just (Shape 0 2))) `shouldBe` Left AdviceWindowEmpty
     advise (Request 4 (2 ^ (70 :: Int)) (2 ^ (70 :: Int)) Nothing)

@@ -37,7 +37,7 @@ spec = do
         [j | j <- [0 .. 16], and [column' (j + i) == column' (j - i) | i <- [0 .. 16]]]
           `shouldSatisfy` ((== 1) . length)
   describe "folding" $ do
-    it "toGrid, toRows and cellAt tell the same cells, for both foldings" $
+    it "toGrid, toRows and cellAt give the same cells, for both foldings" $
       forM_
         [ (Diagonal, Shape 15 17),
           (Diagonal, Shape 5 51),
@@ -62,7 +62,7 @@ spec = do
       forM_ [Diagonal, RowMajor] $ \folding -> do
         array <- right (folded folding (Shape 15 17) h)
         [sequenceIndex array (positionOfIndex array i) | i <- [0 .. 254]] `shouldBe` [0 .. 254]
-    it "refuses the paper's 15 x 273: gcd 3, of 4095 cells the fold reaches 1365" $ do
+    it "refuses the paper's 15 x 273: the gcd is 3, and the fold reaches 1365 of 4095 cells" $ do
       h <- firstOver gf4 6
       (() <$ folded Diagonal (Shape 15 273) h) `shouldBe` Left (NotCoprime 15 273 3)
       Set.size (Set.fromList [(i `mod` 15, i `mod` 273) | i <- [0 .. 4094 :: Int]])
@@ -81,7 +81,7 @@ spec = do
         $ \(folding, shape) ->
           (() <$ folded folding shape h) `shouldBe` Left (WrongArea shape 255)
   describe "arrays of any size" $ do
-    it "tell their cells without being held in memory, and refuse to be held" $ do
+    it "give single cells without being held in memory, and refuse to be held" $ do
       h <- firstOver gf4 18
       let shape = Shape (4 ^ (9 :: Int) - 1) (4 ^ (9 :: Int) + 1)
       array <- right (folded Diagonal shape h)
@@ -118,7 +118,7 @@ gridSpec = do
         `shouldBe` (q, if q >= 2 && q <= 256 then Right () else Left (GridAlphabet q))
     gridFromVector 4 (Shape 2 2) (Primitive.fromList [0, 1, 2, 4])
       `shouldBe` Left (GridCode (Position 1 1) 4)
-  it "canonicalPosition is a remainder by the sides, or on the twisted torus of the index" $
+  it "canonicalPosition reduces by the sides, or by the index on the twisted torus" $
     property $ \r c -> forAll (choose (1, 9)) $ \h -> forAll (choose (1, 9)) $ \w ->
       let shape = Shape (fromInteger h) (fromInteger w)
           position i j = Just (Position (fromInteger i) (fromInteger j))
@@ -127,7 +127,7 @@ gridSpec = do
             .&&. canonicalPosition TwistedTorus shape r c === position r' c'
             .&&. canonicalPosition Sheet shape r c
               === (if r >= 0 && r < h && c >= 0 && c < w then position r c else Nothing)
-  it "codeAt tells the cells and nothing beyond them" $
+  it "codeAt gives the cells and nothing outside the grid" $
     fmap
       (\g -> [codeAt g (Position r c) | r <- [0 .. 2 :: Natural], c <- [0 .. 2]])
       (gridFromRows 9 [[1, 2], [3, 4]])

@@ -23,7 +23,7 @@ import Test.Hspec
 spec :: Spec
 spec = do
   describe "every small factorisation n1 n2 = q^n - 1, over every field" $ do
-    it "folds along the diagonal iff gcd (n1, n2) = 1, and then each cell is reached once" $
+    it "folds along the diagonal iff gcd (n1, n2) = 1, and then visits each cell once" $
       forM_ (sizesUpTo 4096) $ \(q, n) -> overField q $ \k -> do
         h <- firstOver k n
         forM_ (shapesOf (period h)) $ \shape@(Shape n1 n2) -> do
@@ -34,7 +34,7 @@ spec = do
               reason `shouldBe` NotCoprime n1 n2 (gcd n1 n2)
               (shape, distinct reached)
                 `shouldBe` (shape, Primitive.length reached `div` fromIntegral (gcd n1 n2))
-    it "with every primitive polynomial, or some of them, a[i mod n1][i mod n2] = s(i)" $
+    it "has a[i mod n1][i mod n2] = s(i), with every primitive polynomial or some" $
       forM_ (sizesUpTo (byEffort 1024 4096)) $ \(q, n) ->
         overField q $ \(_ :: Proxy k) -> do
           found <- right (primitivePolynomials n)
@@ -50,7 +50,7 @@ spec = do
               unless
                 (Primitive.backpermute (gridCells grid) cells == s)
                 (expectationFailure (show (q, h, shape)))
-  describe "wide, tall and square arrays of more cells, written a block at a time" $
+  describe "larger arrays, wide, tall and square, written block by block" $
     -- In a full run every factorisation.
     forM_ [(2, 16), (3, 11), (4, 9), (5, 7), (8, 6), (9, 5), (251, 2), (256, 2)] $ \(q, n) ->
       it ("GF(" ++ show q ++ "), degree " ++ show n) $

@@ -23,7 +23,7 @@ import Test.Paper
 spec :: Spec
 spec = do
   describe "over GF(4), degree 6, where no single array of 15 x 273 exists on the torus" $ do
-    it "three arrays of 15 x 91 share the 2 x 3 windows: 4095 distinct ones, by both roads" $ do
+    it "three arrays of 15 x 91 share 4095 distinct 2 x 3 windows, by both methods" $ do
       code <- right first6 >>= coded (Shape 15 91)
       codeArrays code `shouldBe` 3
       window <- right (rectangle (Shape 2 3))
@@ -33,14 +33,14 @@ spec = do
       fmap (codeShape . provedCode) witness `shouldBe` Just (Shape 15 91)
       -- The same count with nothing but sets of lists.
       Set.size (Set.fromList (contentsOf code window)) `shouldBe` 4095
-    it "so they do for every primitive polynomial of degree 6" $ do
+    it "three arrays share them for every primitive polynomial of degree 6" $ do
       found <- right (primitivePolynomials 6 :: Either PolynomialError [Primitive GF4])
       window <- right (rectangle (Shape 2 3))
       forM_ (take 60 found) $ \h -> do
         code <- coded (Shape 15 91) h
         (verdict, _) <- right (proveCode code window)
         (h, codeProved verdict, codeVisited verdict) `shouldBe` (h, True, Just 4095)
-    it "1 x 5 windows are refuted, with two places that have the same content" $ do
+    it "1 x 5 windows are refuted, by two positions with the same content" $ do
       code <- right first6 >>= coded (Shape 15 91)
       window <- right (rectangle (Shape 1 5))
       (verdict, witness) <- right (proveCode code window)
@@ -92,7 +92,7 @@ spec = do
                        ]
         [codeIndex code (codePositionOf code i) | i <- [0 .. period h - 1]]
           `shouldBe` [0 .. period h - 1]
-  it "both roads agree for every shape of few cells, and all rectangles of up to n cells" $
+  it "both methods agree for every small shape and all rectangles of up to n cells" $
     forM_
       ( [(2, 4), (2, 6), (3, 4), (4, 2), (4, 3), (5, 2), (7, 2)]
           ++ byEffort [] [(2, 8), (4, 4), (16, 2)]
@@ -116,13 +116,13 @@ spec = do
                 codeVisited verdict
                   `shouldBe` Just (fromIntegral (Set.size (Set.fromList (contentsOf code window))))
                 codeCollision verdict `shouldBe` firstRepeated code window
-  it "with one array is that array" $ do
+  it "for one array of the whole period it is that array" $ do
     h <- paperPrimitive
     code <- coded (Shape 15 17) h
     array <- right (folded Diagonal (Shape 15 17) h)
     codeArrays code `shouldBe` 1
     codeGrid code 0 `shouldBe` either (const (Left (CodeTooLarge 0 0))) Right (toGrid array)
-  it "tells cells of arrays that are too large to be held, and refuses to hold them" $ do
+  it "gives cells of arrays that are too large to hold, and refuses to hold them" $ do
     h <- firstOver gf2 60
     code <- coded (Shape (2 ^ (30 :: Int) - 1) (2 ^ (30 :: Int) + 1)) h
     codeArrays code `shouldBe` 1
@@ -134,7 +134,7 @@ spec = do
     (verdict, _) <- right (proveCode code window)
     (codeProved verdict, codeVisited verdict, codeMaskRank verdict, codeCollision verdict)
       `shouldBe` (False, Nothing, 2, Nothing)
-  it "of more than 2^30 contents the windows are not visited, and the rank decides" $ do
+  it "with more than 2^30 contents the rank decides, and windows are not visited" $ do
     h <- firstOver gf2 4
     code <- coded (Shape 3 5) h
     forM_ [(20, True), (31, False)] $ \(cells, visited) -> do

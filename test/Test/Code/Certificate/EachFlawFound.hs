@@ -20,14 +20,14 @@ import Test.Hspec
 spec :: Spec
 spec = do
   primesSpec
-  describe "one step alone is wrong" $ do
-    it "the state: too short, too long, all zeros, a term that is no code" $ do
+  describe "a certificate with one wrong step is refused" $ do
+    it "the state: too short, too long, all zeros, or with a term that is not a code" $ do
       c <- paper
       forM_ [[0, 0, 1], [0, 0, 0, 0, 1], [0, 0, 0, 0], [0, 0, 0, 4], [4, 0, 0, 1], [1, 5, 0, 0]] $
         \state ->
           checkCertificate (ofProfile c (\p -> p {profileState = state}))
             `shouldBe` Left (StateFault state)
-    it "the fold: diagonal with sides that have a common divisor g, of every shape of four sizes" $
+    it "the fold: diagonal with a common divisor g of the sides, in every shape of four sizes" $
       forM_ [(2, [1, 1, 0, 0, 0, 0, 1]), (3, [2, 1, 1]), (3, [2, 0, 0, 2, 1]), (5, [2, 4, 1])] $
         \(q, h) -> do
           let n = fromIntegral (length h) - 1
@@ -49,7 +49,7 @@ spec = do
                   p {profileFolding = Diagonal, profileSurface = Torus}
               )
               `shouldBe` Left (CommonDivisorFault g)
-    it "the factors: one twice, out of order, to the power 0, to one that has no end" $ do
+    it "the factors: repeated, out of order, to the power 0, or to a huge power" $ do
       c <- certificateOver [1, 1, 0, 0, 0, 0, 1] (Shape 3 21) RowMajor (Shape 1 6)
       -- 63 = 3^2 7.
       [three, seven] <- pure (certificateFactors c)
@@ -68,7 +68,7 @@ spec = do
       forM_ lies $ \lie -> do
         said <- timeout 5000000 (evaluate (checkCertificate c {certificateFactors = lie}))
         said `shouldBe` Just (Left (FactorsFault 63))
-    it "the cells: not as many as the rank, one twice, out of order, one that is none" $ do
+    it "the cells: too few or many, repeated, out of order, or outside the mask" $ do
       c <- certificateOver [1, 1, 0, 0, 0, 0, 1] (Shape 7 9) Diagonal (Shape 3 3)
       [cells] <- pure [rankCells e | ByRank e <- [certificateEvidence c]]
       let twice = take 1 cells ++ take 5 cells
@@ -81,7 +81,7 @@ spec = do
                 other -> other
             }
           `shouldBe` Left (CellsFault others)
-    it "the field: of 256 elements there is one, of more there is none, nor of another degree" $ do
+    it "the field: more than 256 elements, or a modulus of the wrong degree" $ do
       let choice = profileChoice 256 [2, 1] (Shape 15 17)
       one' <- right (chooseProfile choice {chosenWindow = Just (Shape 1 1)})
       c <- right (rectangle (Shape 1 1)) >>= right . certify AnyMethod one'
@@ -95,7 +95,7 @@ spec = do
       forM_ [1, 6, 12] $ \q ->
         checkCertificate (ofProfile c (\p -> p {profileOrder = q}))
           `shouldBe` Left (OrderNotOfModulus q)
-    it "the windows: a single one is distinct, none is not" $ do
+    it "the windows: none; a single one is accepted" $ do
       one' <- certificateOver [1, 1, 0, 0, 1] (Shape 3 5) Diagonal (Shape 2 2)
       forM_ [(3, 5, Right ()), (3, 6, Left (WindowsFault 0 0)), (4, 5, Left (WindowsFault 0 0))] $
         \(high, wide, wanted) -> do
@@ -105,7 +105,7 @@ spec = do
           checkCertificate
             (ofProfile c (\p -> p {profileSurface = Sheet})) {certificateWindows = there}
             `shouldBe` wanted
-    it "the polynomial: modulo it x to the number of cells is not 1" $
+    it "the polynomial: x to the number of cells is not 1 modulo it" $
       forM_ [4, 6] $ \n -> do
         let cells = 2 ^ n - 1 :: Natural
             line h = certificateOver h (Shape 1 cells) RowMajor (Shape 1 (fromIntegral n))
@@ -115,7 +115,7 @@ spec = do
               closes = timesRoot h (fromIntegral cells) == 1 : replicate (n - 1) (0 :: Natural)
               said = checkCertificate (ofProfile genuine (\p -> p {profilePolynomial = h}))
           (h, said == Left OrderFault) `shouldBe` (h, not closes)
-  it "windows of which each occurs twice have no digest, by a table or by sorting" $ do
+  it "repeated windows have no digest, by a table or by sorting" $ do
     -- The cells at which the sequence is 0 span a hyperplane of GF(2)^6: 31 of them, or 5.
     grid <- lineOf 6
     h <- firstOver gf2 6
@@ -126,28 +126,28 @@ spec = do
     forM_ [31, 27, 8] $ \count -> do
       m <- right (maskFrom (take count zeros))
       digestOfWindows MostSignificantFirst TwistedTorus grid m `shouldBe` Nothing
-  it "to 2^26 contents by a table, beyond them 2^20 windows by sorting" $
+  it "up to 2^26 contents go by a table, and with more, up to 2^20 windows by sorting" $
     [ roadOf contents positions
       | contents <- [1, 2 ^ (26 :: Int), 2 ^ (26 :: Int) + 1, 2 ^ (100 :: Int)],
         positions <- [1, 2 ^ (20 :: Int), 2 ^ (20 :: Int) + 1, 2 ^ (40 :: Int)]
     ]
       `shouldBe` replicate 8 (Just ByTable)
         ++ concat (replicate 2 [Just BySorting, Just BySorting, Nothing, Nothing])
-  it "windows that there are not have none, by a table or by sorting" $ do
+  it "windows larger than the sheet have no digest, by a table or by sorting" $ do
     grid <- lineOf 4
     forM_ [(1, 16), (2, 1), (1, 40), (2, 14)] $ \(high, wide) -> do
       m <- right (rectangle (Shape high wide))
       digestOfWindows MostSignificantFirst Sheet grid m `shouldBe` Nothing
-  it "2^21 - 1 windows have a digest where there are at most 2^26 contents" $ do
+  it "2^21 - 1 windows have a digest if there are at most 2^26 contents" $ do
     grid <- lineOf 21
     fmap (fmap length) (digest grid 21) `shouldReturn` Just 64
     digest grid 27 `shouldReturn` Nothing
-  it "the order of windows, and so their digest, is the same with more cells than tell them apart" $
+  it "cells beyond those that separate all windows do not change the digest" $
     forM_ ((12, 17) : byEffort [] [(21, 26)]) $ \(n, more) -> do
       grid <- lineOf n
       few <- digest grid n
       digest grid more `shouldReturn` few
-  it "of windows that repeat there is no certificate, by whatever method" $ do
+  it "repeated windows have no certificate, by any method" $ do
     window <- right (rectangle (Shape 1 2))
     forM_ [minBound .. maxBound] $ \method ->
       [() | Left (NotDistinct _) <- [certify method canonicalProfile window]] `shouldBe` [()]
@@ -167,14 +167,14 @@ timesRoot h count = iterate shift (1 : replicate (n - 1) 0) !! count
 -- | Pocklington's theorem.
 primesSpec :: Spec
 primesSpec = describe "a number is shown to be prime" $ do
-  it "exactly if the theorem says so: numbers below 40, all proofs of one or two small factors" $
+  it "exactly if the theorem says so: numbers to 40, all proofs by one or two small factors" $
     [ (n, proof)
       | n <- [0 .. 40],
         proof <- proofs,
         isShownPrime [] (PrimeProof n proof) /= byTheorem n proof
     ]
       `shouldBe` []
-  it "by one that is shown before it, and not after" $ do
+  it "by a prime shown before it, not after it" $ do
     mersenne <- certificateOfMersenne
     [big] <- pure (certificatePrimes mersenne)
     let -- 136 (2^89 - 1) + 1.
@@ -187,7 +187,7 @@ primesSpec = describe "a number is shown to be prime" $ do
     forM_ [[above, big], [above]] $ \primes ->
       checkCertificate mersenne {certificatePrimes = primes}
         `shouldBe` Left (PrimeFault larger)
-  it "not by the strong test from where that decides nothing, at 3317044064679887385961981" $ do
+  it "not by the strong test from 3317044064679887385961981 on, where it proves nothing" $ do
     -- That number is composite, and the next prime is 142 more; both divide a prime less one.
     forM_
       [ (3317044064679887385961981, 159218115104634594526175089),
@@ -196,7 +196,7 @@ primesSpec = describe "a number is shown to be prime" $ do
       $ \(l, n) -> do
         let proof = PrimeProof n [PrimeWitness l 1 2]
         (isShownPrime [] proof, isShownPrime [l] proof) `shouldBe` (False, True)
-  it "by the least base that there is for each factor" $ do
+  it "by the least base for each factor" $ do
     mersenne <- certificateOfMersenne
     forM_ (certificatePrimes mersenne) $ \(PrimeProof n used) -> do
       length used `shouldSatisfy` (> 5)

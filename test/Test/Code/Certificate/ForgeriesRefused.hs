@@ -23,14 +23,14 @@ spec :: Spec
 spec = forM_ [(2, 6), (2, 8), (3, 4), (3, 6), (4, 3), (4, 4), (5, 3), (7, 2), (9, 2)] $ \(q, n) ->
   describe ("over GF(" ++ show q ++ "), n = " ++ show n) $
     forM_ (lookup q everyField) $ \(SomeField (k :: Proxy k)) -> beforeAll (forgeries k n) $ do
-      it "a root of order (q^n - 1) / l, for each prime l: both checkers say no" $
+      it "both checkers refuse a root of order (q^n - 1) / l, for each prime l" $
         \(genuine, forged) -> do
           checkCertificate genuine `shouldBe` Right ()
           forM_ forged $ \(factor, lie) ->
             checkCertificate lie `shouldBe` Left (RootOrderFault (orderPrime factor))
           inPython (map encodeCertificate (genuine : map snd forged))
             `shouldReturn` (True : map (const False) forged)
-      it "with another residue, without that prime, or with no prime in its place" $
+      it "both refuse it with another residue, without the prime l, or with 1 in its place" $
         \(_, forged) -> do
           let lies = concatMap (uncurry liesAbout) forged
           forM_ lies $ \lie -> checkCertificate lie `shouldSatisfy` isLeft

@@ -22,7 +22,7 @@ import Test.Hspec
 spec :: Spec
 spec = do
   describe "SHA-256" $ do
-    it "of the examples of FIPS 180-4, and of a million times a" $ do
+    it "has the digests of FIPS 180-4, among them that of a million a" $ do
       sha256OfText "" `shouldBe` "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"
       sha256OfText "abc"
         `shouldBe` "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
@@ -30,7 +30,7 @@ spec = do
         `shouldBe` "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1"
       sha256 (Bytes.replicate 1000000 97)
         `shouldBe` "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0"
-    it "the digest of windows is that of their positions by content, eight bytes each" $ do
+    it "digests the positions of windows in the order of contents, eight bytes each" $ do
       -- The windows of 0 1 1 on the sheet, two cells each: 01 at 0, 11 at 1.
       h <- firstOver gf2 2
       array <- right (folded RowMajor (Shape 1 3) h)
@@ -42,7 +42,7 @@ spec = do
       digestOfWindows LeastSignificantFirst Torus grid m
         -- 01, 11 and 10, read backwards: 2, 3 and 1.
         `shouldBe` Just (sha256 (Bytes.concat (map eightBytes [2, 0, 1])))
-    it "by sorting as by a table: cells that tell windows apart put them in the order of any more" $
+    it "gives the same digest by sorting and by a table" $
       forM_ [(q, n) | (q, n) <- [(2, 6), (3, 4), (4, 4), (5, 3)]] $ \(q, n) ->
         overField q $ \k -> do
           h <- firstOver k n
@@ -58,8 +58,8 @@ spec = do
           table <- digestOf (fromIntegral most)
           sorted' <- digestOf (fromIntegral most + 1)
           (q, table, sorted') `shouldBe` (q, few, few)
-  describe "a certificate that was made is found good" $ do
-    it "of the paper's array, on both roads, on the torus and on the sheet" $
+  describe "an issued certificate is accepted" $ do
+    it "of the paper's array, by both methods, on the torus and on the sheet" $
       forM_ [(road, on) | road <- [minBound .. maxBound], on <- [Torus, Sheet]] $ \(road, on) ->
         made road canonicalProfile {profileSurface = on} (rectangle (Shape 2 2)) >>= \c -> do
           checkCertificate c `shouldBe` Right ()
@@ -100,7 +100,7 @@ spec = do
         $ \profile -> forM_ [minBound .. maxBound] $ \road -> do
           c <- made road profile (rectangle (profileWindow profile))
           checkCertificate c `shouldBe` Right ()
-    it "of 2^64 - 1 cells by rank, of 2^89 - 1 with a prime beyond the strong test's domain" $
+    it "of 2^64 - 1 cells by rank, and of 2^89 - 1 with a prime beyond the strong test" $
       forM_
         [ (64, [0, 1, 3, 4], Shape 255 ((2 ^ (64 :: Int) - 1) `div` 255), Shape 8 8),
           (89, [0, 38], Shape 1 (2 ^ (89 :: Int) - 1), Shape 1 89)
@@ -126,15 +126,15 @@ spec = do
             isShownPrime [] proof {shownBy = [w {witnessBase = 1} | w <- shownBy proof]}
               `shouldBe` False
             isShownPrime [] proof {shownPrime = shownPrime proof + 2} `shouldBe` False
-  it "the factor 1 shows nothing, to whatever power, and takes no time" $
+  it "the factor 1, to any power, proves nothing, and is refused at once" $
     forM_ [1, 2, 10 ^ (30 :: Int)] $ \e -> do
       let with (PrimeProof prime witnesses) = PrimeProof prime (PrimeWitness 1 e 1 : witnesses)
           shown = PrimeProof 7 [PrimeWitness 2 1 3, PrimeWitness 3 1 3]
       isShownPrime [] shown `shouldBe` True
       said <- timeout 5000000 (evaluate (isShownPrime [] (with shown)))
       said `shouldBe` Just False
-  describe "a certificate that is changed is found bad, with the reason" $ do
-    it "every field of one by rank" $ do
+  describe "a changed certificate is refused, with the reason" $ do
+    it "by rank, in every field" $ do
       c <- made RankMethod canonicalProfile (rectangle (Shape 2 2))
       let p = certificateProfile c
           ofProfile change = c {certificateProfile = change}
@@ -200,7 +200,7 @@ spec = do
             CellsFault [0, 1, 2],
             InverseFault
           ]
-    it "one by enumeration" $ do
+    it "by enumeration" $ do
       c <- made EnumerationMethod canonicalProfile (rectangle (Shape 2 2))
       let digest = [d | ByEnumeration d <- [certificateEvidence c]]
           p = certificateProfile c

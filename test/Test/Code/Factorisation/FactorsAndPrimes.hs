@@ -20,7 +20,7 @@ spec = do
       forM_ strongPseudoprimes $ \n -> (n, isPrime n) `shouldBe` (n, Right False)
     it "proves the Mersenne primes of exponent 61, 89, 107 and 127" $
       forM_ [61, 89, 107, 127 :: Int] $ \e -> (e, isPrime (2 ^ e - 1)) `shouldBe` (e, Right True)
-    it "knows the Mersenne numbers of exponent 67, 83, 97 and 101 to be composite" $
+    it "finds the Mersenne numbers of exponent 67, 83, 97 and 101 composite" $
       forM_ [67, 83, 97, 101 :: Int] $ \e -> (e, isPrime (2 ^ e - 1)) `shouldBe` (e, Right False)
   describe "pocklington" $ do
     it "is true of no composite number, and of every prime, from 3 to 3000" $
@@ -33,7 +33,7 @@ spec = do
       ]
         `shouldBe` []
   describe "squareRoot" $
-    it "is the largest number whose square is no larger, about squares of any size" $
+    it "is the largest number whose square is no larger, near squares of any size" $
       forAll (choose (0, 600 :: Int)) $ \width ->
         forAll (fromInteger . (2 ^ width +) <$> choose (0, 2 ^ width - 1)) $ \r ->
           map squareRoot [r * r - 1, r * r, r * r + 2 * r, r * r + 2 * r + 1]
@@ -74,13 +74,13 @@ spec = do
     it "is the factorisation of b^n - 1" $
       [(b, n) | b <- [2 .. 9], n <- [1 .. 12], factorisePowerMinusOne b n /= factorise (b ^ n - 1)]
         `shouldBe` []
-    it "of a large base, and of the largest exponent" $ do
+    it "is so for a large base, and for the largest exponent" $ do
       forM_ [1025, 10 ^ (9 :: Int) + 7, 2 ^ (64 :: Int)] $ \b ->
         factorisePowerMinusOne b 2 `shouldBe` factorise (b * b - 1)
       factorisePowerMinusOne 2 1025 `shouldBe` Left (PowerTooLarge 2 1025)
       factorisePowerMinusOne (2 ^ (512 :: Int) + 1) 2
         `shouldBe` Left (PowerTooLarge (2 ^ (512 :: Int) + 1) 2)
-    it "refuses what is zero" $ do
+    it "refuses b^n - 1 = 0" $ do
       factorisePowerMinusOne 1 5 `shouldBe` Left FactorisationOfZero
       factorisePowerMinusOne 7 0 `shouldBe` Left FactorisationOfZero
     it "reaches 4^64 - 1, which is 2^128 - 1, and 3^20 - 1" $ do
@@ -92,7 +92,7 @@ spec = do
         Right factors -> do
           (n, product [p ^ e | (p, e) <- factors]) `shouldBe` (n, 2 ^ n - 1)
           [p | (p, _) <- factors, isPrime p /= Right True] `shouldBe` []
-    it "has the cyclotomic values as parts: their product over the divisors is b^d - 1" $
+    it "splits into cyclotomic values, whose product over the divisors of d is b^d - 1" $
       [ (b, n, d)
         | b <-
             [2 .. 7],

@@ -21,12 +21,12 @@ import qualified Test.QuickCheck as QuickCheck
 spec :: Spec
 spec = do
   describe "GF(q^n)" $ do
-    beforeAll paperPrimitive . it "alpha^i alpha^j = alpha^(i+j), by n coefficients" $ \h ->
+    beforeAll paperPrimitive . it "alpha^i alpha^j = alpha^(i+j), with n coefficients" $ \h ->
       property $ \(NonNegative i) (NonNegative j) ->
         let power' e = powerOfRoot h (fromInteger e)
          in multiplyModulo h (power' i) (power' j) == power' (i + j)
               && length (residueCoefficients h (power' i)) == 4
-    it "residues are the remainders by long division, and their products those of the polynomials" $
+    it "residues and their products equal those of polynomials by long division" $
       forM_ samples $ \(q, n, SomeField k) -> do
         h <- firstOver k n
         ( q,
@@ -38,12 +38,12 @@ spec = do
           ]
           )
           `shouldBe` (q, n, [])
-    it "a residue is shown as an expression: in parentheses where it is an argument" $ do
+    it "a residue is shown as a Haskell expression, in parentheses as an argument" $ do
       h <- paperPrimitive
       let a = residue h (polynomial [one, primitive])
       showsPrec 11 a "" `shouldBe` "(" ++ show a ++ ")"
       showsPrec 10 a "" `shouldBe` show a
-    it "sums are those of the polynomials" $
+    it "sums equal the sums of polynomials" $
       forM_ samples $ \(q, n, SomeField k) -> do
         h <- firstOver k n
         ( q,
@@ -51,7 +51,7 @@ spec = do
           [() | (a, b) <- pairs h, addModulo h (residue h a) (residue h b) /= residue h (a + b)]
           )
           `shouldBe` (q, n, [])
-    it "powers of alpha are powers of x, by squaring and long division" $
+    it "powers of alpha equal powers of x by squaring and long division" $
       forM_ samples $ \(q, n, SomeField k) -> do
         h <- firstOver k n
         ( q,
@@ -62,7 +62,7 @@ spec = do
           ]
           )
           `shouldBe` (q, n, [])
-    it "powers are products, the power 0 is 1, and the power q^n - 1 too, except of zero" $
+    it "powers are repeated products; the powers 0 and q^n - 1 are 1, but for zero" $
       forM_ samples $ \(q, n, SomeField k) -> do
         h <- firstOver k n
         let some = [residue h a | (a, _) <- take 6 (pairs h)]
@@ -84,11 +84,11 @@ spec = do
           )
           `shouldBe` (q, n, [])
     forM_ [(q, n) | (q, n, _) <- samples, q == 2 || n <= 7] $ \(q, n) ->
-      it ("by exponents of up to 300 bits: GF(" ++ show q ++ "^" ++ show n ++ ")") $
+      it ("powers have exponents of up to 300 bits: GF(" ++ show q ++ "^" ++ show n ++ ")") $
         withMaxSuccess (byEffort 1 2) $
           ofField q $ \k ->
             whenRight (firstPrimitive n) (wideExponents . (`over` k))
-    it "the inverse of every element but zero, which has none, for q^n up to 4096" $
+    it "every element but zero has its inverse, for q^n up to 4096" $
       forM_
         [s | s@(q, n, _) <- samples, fromIntegral q ^ n <= (4096 :: Natural)]
         $ \(q, n, SomeField k) -> do
@@ -145,7 +145,7 @@ spec = do
         h <- firstOver k n
         (q, n, normModulo h (powerOfRoot h 1))
           `shouldBe` (q, n, power (-1) n * valueAt (primitivePolynomial h) 0)
-    it "the traces of the powers of alpha go on by the recurrence of h" $
+    it "the traces of the powers of alpha obey the recurrence of h" $
       forM_ samples $ \(q, n, SomeField k) -> do
         h <- firstOver k n
         let traces = [traceModulo h (powerOfRoot h e) | e <- [0 .. 2 * n]]
@@ -158,7 +158,7 @@ spec = do
           ]
           )
           `shouldBe` (q, n, [])
-    it "a residue of another h counts as the polynomial that represents it" $ do
+    it "a residue of another h is taken as its representing polynomial" $ do
       small <- firstOver gf4 2
       large <- firstOver gf4 5
       let foreign' = powerOfRoot large 1000
@@ -186,10 +186,10 @@ logarithmSpec = do
               takeWhile' (period h) (iterate (multiplyModulo h (powerOfRoot h 1)) (residue h 1))
         (q, n, [t | (t, a) <- zip [0 ..] states, logarithmFrom logarithms a /= Right t])
           `shouldBe` (q, n, [])
-  it "in the paper's field, of all 255 states, one at a time" $ do
+  it "of all 255 states in the paper's field, one at a time" $ do
     h <- paperPrimitive
     [t | t <- [0 .. 254], discreteLogarithm h (powerOfRoot h t) /= Right t] `shouldBe` []
-  it "in fields from GF(9^13) to GF(2^64): positions of any size" $ do
+  it "of positions of any size, in fields from GF(9^13) to GF(2^64)" $ do
     -- 2^31 - 1 is prime itself.
     largeLogarithms gf2 31
     largeLogarithms gf2 64
@@ -199,7 +199,7 @@ logarithmSpec = do
       largeLogarithms gf3 20
       largeLogarithms (Proxy :: Proxy GF5) 17
       largeLogarithms (Proxy :: Proxy GF16) 15
-  it "whatever the number of baby steps that are kept, fewer than a prime's root or more" $
+  it "for any number of stored baby steps, below or above the prime's root" $
     forM_ [(2, 8), (3, 4), (4, 4), (7, 3)] $ \(q, n) -> forM_ (lookup q everyField) $
       \(SomeField k) -> do
         h <- firstOver k n
@@ -207,15 +207,15 @@ logarithmSpec = do
           logarithms <- right (prepareLogarithmsWith most h)
           let wrong = [t | t <- below (period h), failsAt logarithms h t]
           (q, n, most, wrong) `shouldBe` (q, n, most, [])
-  it "where the largest prime lies between 2^36 and 2^40, by a small table" $ do
+  it "by a small table if the largest prime is between 2^36 and 2^40" $ do
     -- (3^41 - 1) and (5^23 - 1) have such a prime r; modulo it these logarithms are small, so that
     -- their giant steps are few, but more than there are baby steps.
     farBeyond gf3 41 86950696619
     whenFull (farBeyond (Proxy :: Proxy GF5) 23 332207361361)
-  it "zero has none" $ do
+  it "of zero do not exist" $ do
     h <- paperPrimitive
     discreteLogarithm h (residue h 0) `shouldBe` Left LogarithmOfZero
-  it "where a prime beyond 2^40 divides q^n - 1 they are refused, with that prime" $ do
+  it "are refused if a prime beyond 2^40 divides q^n - 1, with that prime" $ do
     h <- firstOver gf2 61
     discreteLogarithm h (powerOfRoot h 5)
       `shouldBe` Left (LogarithmInfeasible (2 ^ (61 :: Int) - 1) (2 ^ (40 :: Int)))

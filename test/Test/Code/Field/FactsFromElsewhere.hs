@@ -83,7 +83,7 @@ spec = do
         expected <- o .: "polynomial"
         pure
           (fmap (codesOf . primitivePolynomial) (firstPrimitive n `at` k) `shouldBe` Right expected)
-    it "how many irreducible and primitive ones there are" $
+    it "the numbers of irreducible and of primitive polynomials" $
       records "polynomials" "counts" $ \o -> inField o $ \k -> do
         n <- o .: "degree"
         irreducible <- o .: "irreducible"
@@ -101,7 +101,7 @@ spec = do
             `shouldBe` Just (trimmed quotient, trimmed remainder)
           codesOf (greatestCommonDivisor a b) `shouldBe` divisor
   describe "factors" $
-    it "of p^n - 1, but for 2^121 - 1, of which one is not proved to be prime" $
+    it "of p^n - 1, except 2^121 - 1, which has a factor not proved prime" $
       records "factorisations" "factorisations" $ \o -> do
         p <- o .: "p"
         n <- o .: "n"

@@ -36,7 +36,7 @@ spec = do
         exceptions
           [() | find isPrimitiveElement (elementsOf k) /= Just (primitive `asTypeOf` oneOf k)]
   describe "the Frobenius automorphism, of every field up to 256" $ do
-    it "the i-th is the p-th power i times over, for i of any size" $
+    it "the i-th is the p-th power, applied i times, for i of any size" $
       everyFieldHas $ \k ->
         exceptions
           [ (i, a)
@@ -47,7 +47,7 @@ spec = do
                 /= iterate (\b -> power b (fromIntegral (fieldCharacteristic k))) a !! i
           ]
   describe "subfields, of every field up to 256" $ do
-    it "there is one of each degree d that divides m, with p^d elements, and it is closed" $
+    it "each divisor d of m has one subfield, closed and with p^d elements" $
       everyFieldHas $ \k ->
         let m = fromIntegral (fieldDegree k)
          in exceptions $
@@ -131,7 +131,7 @@ spec = do
           ]
         )
           `shouldBe` (q, [])
-    it "that of A over GF(p) is the modulus" $
+    it "the minimal polynomial of A over GF(p) is the modulus" $
       forM_ everyField $ \(q, SomeField k) ->
         ( q,
           map toCode (coefficients (minimalPolynomial primeSubfield (primitive `asTypeOf` oneOf k)))

@@ -22,17 +22,17 @@ import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
-  describe "the tables are the definition" $ do
+  describe "the tables equal the definition" $ do
     it "for sums and products of all 70 fields up to 256 elements" $
       forM_ everyField $ \(q, SomeField k) -> (q, differences k) `shouldBe` (q, [])
-    it "for those of the named types" $
+    it "for the fields of the named types" $
       forM_ namedFields $ \(q, SomeField k) -> (q, differences k) `shouldBe` (q, [])
     it "for fields chosen at run time with a modulus that is not the default one" $
       forM_
         [(2, [1, 0, 0, 1, 1]), (3, [1, 0, 1]), (5, [2, 0, 1]), (2, [1, 1, 0, 1, 1, 0, 0, 0, 1])]
         $ \(p, f) ->
           withField p f (\k -> (fieldModulus k, differences k)) `shouldBe` Right (f, [])
-  it "vectors are added, subtracted, multiplied and scaled element by element, to the shorter end" $
+  it "vectors are combined element by element, up to the end of the shorter one" $
     forM_ [2, 3, 4, 9, 16, 256] $ \q -> overField q $ \(_ :: Proxy k) -> do
       let some n = take n (cycle (drop (n `mod` q) elements)) :: [GF k]
           packed = Primitive.fromList
@@ -43,7 +43,7 @@ spec = do
         forM_ (take 4 elements) $ \c ->
           Primitive.toList (scaleVector c (Primitive.fromList a)) `shouldBe` map (c *) a
   describe "default moduli" $ do
-    it "there is one for each prime power up to 256 and no other order" $
+    it "exist for each prime power up to 256 and for no other order" $
       [q | q <- [0 .. 256], isRight (conwayModulus q)] `shouldBe` primePowers
     it "the named types carry them" $
       [ (q, Just (fromIntegral (fieldCharacteristic k), fieldModulus k))
@@ -123,7 +123,7 @@ elementSpec = do
   it "2 is 0 in GF(4) and -1 is 2 in GF(3)" $ do
     (2 :: GF GF4) `shouldBe` zero
     map toCode [-1 :: GF GF3] `shouldBe` [2]
-  it "signum is 0 of 0, and 1 of all others" $
+  it "signum is 0 for 0, and 1 for all other elements" $
     forM_ everyField $ \(q, SomeField k) ->
       (q, map signum (elementsOf k)) `shouldBe` (q, zero : map (const one) (drop 1 (elementsOf k)))
   it "abs x * signum x = x" $
@@ -169,17 +169,17 @@ refusalSpec = do
     forM_ [(2, 2), (2, 3), (2, 4), (2, 5), (3, 2), (3, 3), (5, 2), (7, 2)] $ \(p, m) ->
       [f | f <- monic p m, refusal p f == Just (ModulusReducible p f)]
         `shouldBe` filter (`elem` products p m) (monic p m)
-  it "and all others of those are fields" $
+  it "all other moduli of these degrees give fields" $
     forM_ [(2, 4), (3, 3), (5, 2)] $ \(p, m) ->
       [f | f <- monic p m, isRight (withField p f (const ()))]
         `shouldBe` filter (`notElem` products p m) (monic p m)
-  it "a / b is what b is multiplied by for a, and there is none by 0, in any field" $
+  it "a / b times b is a, and division by 0 is refused, in any field" $
     forM_ everyField $ \(q, SomeField k) -> do
       let wrong a b =
             either (== DivisionByZero) (const False) (divide a b) /= (b == zero)
               || either (const False) ((/= a) . (* b)) (divide a b)
       (q, [(a, b) | a <- take 20 (elementsOf k), b <- elementsOf k, wrong a b]) `shouldBe` (q, [])
-  it "orders that are no prime power, or too large, have no default modulus" $ do
+  it "orders that are not prime powers, or too large, have no default modulus" $ do
     conwayModulus 6 `shouldBe` Left (NotAPrimePower 6)
     conwayModulus 1 `shouldBe` Left (NotAPrimePower 1)
     conwayModulus 289 `shouldBe` Left (FieldTooLarge 289 1)

@@ -25,8 +25,8 @@ import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
-  describe "a code that some vectors span" $ do
-    codes "has their length, and one basis for all their combinations" $ \size rows ->
+  describe "a code spanned by vectors" $ do
+    codes "has the vectors' length, and a basis of all their combinations" $ \size rows ->
       let code = spannedBy size (map rowFromList rows)
           basis = map rowToList (codeBasis code)
        in conjoin
@@ -36,7 +36,7 @@ spec = do
               words' size basis === words' size rows,
               Set.size (words' size rows) === fieldOrder code ^ dimension code
             ]
-    codes "has as its dual what is orthogonal to all of it, and is the dual of that" $ \size rows ->
+    codes "has as its dual all orthogonal words, and is the dual of its dual" $ \size rows ->
       let code = spannedBy size (map rowFromList rows)
           basis = map rowToList (codeBasis (dual code))
           orthogonal y = and [sum (zipWith (*) x y) == zero | x <- rows]
@@ -46,7 +46,7 @@ spec = do
               words' size basis === Set.fromList (filter orthogonal (replicateM size elements)),
               words' size (map rowToList (codeBasis (dual (dual code)))) === words' size rows
             ]
-    codes "has the weights of its codewords, and its dual those of MacWilliams' identity" $
+    codes "has the weights of its codewords, and its dual those by MacWilliams' identity" $
       \size rows ->
         let code = spannedBy size (map rowFromList rows)
             counted basis =
@@ -58,7 +58,7 @@ spec = do
                 weightsOfDual (fieldOrder code) size (counted rows)
                   === counted (map rowToList (codeBasis (dual code)))
               ]
-    codes "has a lightest codeword, or bounds of its weight where the effort is too small" $
+    codes "has a lightest codeword, or bounds of its weight if the effort is too small" $
       \size rows ->
         let code = spannedBy size (map rowFromList rows)
             lighter = [weightOf x | x <- Set.toList (words' size rows)] \\ [0]
@@ -77,7 +77,7 @@ spec = do
               ]
               .&&. leastWeight 10000 code === least
               .&&. counterexample "too large" (leastWeight 1 code <= least)
-    codes "is searched until it cannot be lighter, or gives up before the effort is exceeded" $
+    codes "is searched until no word can be lighter, or until the effort would be exceeded" $
       \size rows ->
         let code = spannedBy size (map rowFromList rows)
             q = fieldOrder code
@@ -113,7 +113,7 @@ spec = do
                 | effort <- [0 .. 40]
               ]
   describe "the information sets of a code" $ do
-    codes "are places that determine a codeword, of which each takes the first that are free" $
+    codes "are places that determine a codeword; each set takes the first free ones" $
       \size rows ->
         let code = spannedBy size (map rowFromList rows)
             sets = informationSets size (codeBasis code)
@@ -142,7 +142,7 @@ spec = do
                 | (set, at, earlier) <- zip3 sets places used
               ]
                 ++ [first (others (last used)) === []]
-    codes "have the rows of a unit matrix at their places, and add them up" $ \size rows ->
+    codes "have a unit matrix at their places, and combine its rows" $ \size rows ->
       let code = spannedBy size (map rowFromList rows)
           isCodeword x = rowToList x `Set.member` words' size rows
        in forAll (genElements size) $ \y ->
@@ -176,7 +176,7 @@ spec = do
                 | set <- informationSets size (codeBasis code)
               ]
   describe "the search for codewords near a word" $ do
-    codes "has seen all that are as near as it says, the cheapest steps first" $ \size rows ->
+    codes "has seen all codewords within its distance, in the cheapest order" $ \size rows ->
       let code = spannedBy size (map rowFromList rows)
           k = dimension code
           count = changes (fieldOrder code) k
@@ -199,7 +199,7 @@ spec = do
                     | (i, step) <- zip [1 ..] steps
                   ]
                   .&&. (k == 0 || null [() | Just _ <- [stepSeen (last steps)]])
-    codes "finds those of one level, or one of the lightest, as the definition has them" $
+    codes "finds the codewords of a level, or one of the lightest, as defined" $
       \size rows ->
         let code = spannedBy size (map rowFromList rows)
          in forAll (genElements size) $ \y ->
@@ -230,13 +230,13 @@ spec = do
                     w <- [0 .. setSize set + 1],
                     limit <- [-1 .. size - setSize set]
                 ]
-    it "counts the words that differ in some of the places" $
+    it "counts the words that differ in w of k places" $
       forM_ [(q, k) | q <- [2, 3, 4], k <- [0 .. 5]] $ \(q, k) ->
         [changes q k w | w <- [0 .. k + 1]]
           `shouldBe` [ fromIntegral (length (filter ((== w) . length . filter (/= 0)) (tuples q k)))
                        | w <- [0 .. k + 1]
                      ]
-  it "words of independent letters are made in the order of what they cost, each once" $
+  it "best-first search makes every word once, in the order of cost" $
     forAll (choose (0, 5) >>= \n -> vectorOf n genLetter) $ \letters ->
       let numbered = zip [10, 8 ..] letters
           made = bestFirst numbered

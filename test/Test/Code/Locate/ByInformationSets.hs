@@ -33,7 +33,7 @@ import Test.QuickCheck hiding (elements)
 
 spec :: Spec
 spec = do
-  it "on the paper's array, every pattern of errors within the guaranteed radius leads back" $ do
+  it "on the paper's array, every error pattern within the guaranteed radius is corrected" $ do
     array <- paperArray
     algebra <- paperAlgebra Torus
     -- The code is linear, so that patterns at a few positions stand for those at all, and one of
@@ -67,7 +67,7 @@ spec = do
               fmap located found /= Right (Just place, wrong)
           ]
           `shouldBe` []
-  describe "on large arrays the position is the one that the patch was taken from" $ do
+  describe "on large arrays the answer is the position that the patch was taken from" $ do
     it "GF(4), 2^60 cells: 8x8 cells, 4 missing" $
       foundAgain (4, 30, Diagonal, sides 4 15, Shape 15 2) (Shape 8 8) 4 7 5
     it "GF(2), 2^64 cells: 12x12 cells, 10 missing" $
@@ -86,7 +86,7 @@ spec = do
 boundsSpec :: Spec
 boundsSpec = do
   beforeAll ((,) <$> vastArray <*> vastAlgebra)
-    . it "what is beyond the radius is refused, or is a position that is not farther"
+    . it "an answer lies within the radius, and any other word is refused"
     $ \(array, algebra) ->
       let offsets = cellsOf (Shape 8 8)
           effort' = Effort (2 ^ (17 :: Int)) (2 ^ (22 :: Int))
@@ -100,7 +100,7 @@ boundsSpec = do
                         wrong === differing offsets word (content array place offsets)
                           .&&. property (fromIntegral (length wrong) <= radius)
                       other -> counterexample (show other) False
-  it "cells that do not tell positions apart leave a coset, whose size is named" $ do
+  it "cells of low rank leave a coset of positions, and its size is given" $ do
     array <- vastArray
     algebra <- vastAlgebra
     p <- right (patch (look array (Shape 1 10) (Position 77 99)))
@@ -110,7 +110,7 @@ boundsSpec = do
             (AmbiguousMany (4 ^ (20 :: Int)) (Just 20))
             (Distances [] (Just (Exactly 0)) (Just (Exactly 0)) (Exactly 0) 0)
         )
-  it "dependent cells that do not tell positions apart: a coset, or too many if one is wrong" $ do
+  it "dependent cells of low rank leave a coset, or too many positions if one is wrong" $ do
     -- The 20 rows of a column are a subfield; each of the next 2 follows from them.
     (array, algebra) <- bits40 Torus
     let column' wrong =
@@ -129,7 +129,7 @@ boundsSpec = do
     decodePatch algebra (UpTo 1) wrong `shouldBe` Left (DecodingTooMany 1)
   forM_ [0, 5, 20, 100, 10000] $ \effort ->
     beforeAll ((,) <$> paperArray <*> paperAlgebra Torus)
-      . it ("a distance is what is proved of it, and its radius holds: effort " ++ show effort)
+      . it ("a proved distance holds, and so does its radius: effort " ++ show effort)
       $ \(array, algebra) ->
         let offsets = cellsOf (Shape 5 5)
          in withMaxSuccess 40
@@ -147,7 +147,7 @@ boundsSpec = do
                             whenRight (decoded ready Guaranteed word) $ \found ->
                               fst (located found) === Just (Position 3 4)
                         )
-  it "what is unlisted in several symmetries is at most the sum of what is in each" $
+  it "the bound of the unlisted mass in several symmetries is the sum over each" $
     withMaxSuccess 200 $
       forAll (listOf ((,) <$> genLogarithm <*> genLogarithm)) $ \several ->
         let together = sum [exp mass | (mass, _) <- several]
@@ -157,7 +157,7 @@ boundsSpec = do
               Just (Bounds mass word) ->
                 counterexample (show (mass, word)) $
                   abs (exp mass - together) <= 1e-12 * together && word == highest
-  it "a word's positions on the sheet are counted; beyond 1024 it is told whether there is one" $ do
+  it "positions of a word on the sheet are counted; beyond 1024 only whether there is one" $ do
     let shape = Shape 255 257
         sides' = [Shape 1 1, Shape 1 3, Shape 1 4, Shape 2 2, Shape 1 200]
     array <- arrayOver gf4 8 Diagonal shape
@@ -174,7 +174,7 @@ boundsSpec = do
         (side, positionsOnSheet code (rowFromList word))
           `shouldBe` (side, fromIntegral (length told))
   beforeAll (bits40 Sheet) $ do
-    it "many solutions on a vast sheet: two that lie there suffice, else it is not known" $
+    it "many solutions on a vast sheet: two on the sheet prove ambiguity, else a refusal" $
       \(array, algebra) -> do
         -- A patch that leaves the sheet but where it begins in one of the first two rows: of the
         -- first solutions none begins there.
@@ -191,7 +191,7 @@ boundsSpec = do
           `shouldBe` Right (AmbiguousMany (2 ^ (38 :: Int)) (Just 38))
         -- Of the positions that are looked at, each agrees with a probability of 2^-28.
         algebraPatch algebra (tall many) `shouldBe` Left (AlgebraSheet (2 ^ (12 :: Int)))
-    it "of many solutions the first 1024 are looked at: two on the sheet suffice, one does not" $
+    it "of many solutions the first 1024 are tried: two on the sheet suffice, one does not" $
       \(array, algebra) -> do
         logarithms <- right (prepareLogarithms (arrayPrimitive array))
         -- A tall patch may begin in so many rows, a few solutions in a thousand do. That one of the
@@ -225,14 +225,14 @@ boundsSpec = do
             pure there
         -- One has exactly one, the other more.
         told `shouldSatisfy` \counts -> elem 1 counts && any (> 1) counts
-  it "one patch is upright, corrected as far as is certain, and none foreign" $ do
+  it "onePatch asks for an upright patch, the guaranteed radius and no foreign share" $ do
     seen <- right (patch [[Just (Symbol (1 :: GF GF4)), Nothing]])
     let query = onePatch seen
     queryPatches query `shouldBe` [((0, 0), seen)]
     (querySymmetries query, queryRadius query, queryDoubt query)
       `shouldBe` ([identity], Guaranteed, 0.001)
     queryForeign query `shouldBe` Nothing
-  it "a search that would be too long is refused, and other cells than those prepared for" $ do
+  it "a search that would take too long is refused, and so are unprepared cells" $ do
     array <- vastArray
     algebra <- vastAlgebra
     m <- right (rectangle (Shape 8 8))
@@ -245,7 +245,7 @@ boundsSpec = do
       other -> expectationFailure (show other)
     (() <$ decodeWith ready Guaranteed (patchOf (Shape 1 1) [(Position 0 0, one)]))
       `shouldBe` Left DecodingOtherCells
-  it "the words allowed are one sum for all steps: with one less the last step is refused" $ do
+  it "all steps share one budget of words: with one word less the last step is refused" $ do
     algebra <- vastAlgebra
     array <- vastArray
     m <- right (rectangle (Shape 8 8))
@@ -267,7 +267,7 @@ boundsSpec = do
     length steps `shouldSatisfy` (> 3)
     short <- traverse (\k -> asked (sum (take k steps) - 1)) [1 .. length steps]
     short `shouldBe` map Just steps
-  it "the far corner of the sheet has one position, however many of the torus agree" $
+  it "a patch of the sheet's size has one position there, however many on the torus" $
     onArray (2, 12, Diagonal, Shape 63 65, Shape 6 2) $ \array m -> do
       algebra <- right (prepareAlgebra (ArrayOn Sheet array) m)
       let at = Position 62 64

@@ -23,7 +23,7 @@ import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
-  it "a sphere holds the words that differ in at most r symbols, all counted" $
+  it "the volume of a sphere is the number of words that differ in at most r symbols" $
     forM_
       [ (q, m, r)
         | (q, longest) <- [(2, 8), (3, 5), (4, 4), (7, 3)],
@@ -44,7 +44,7 @@ spec = do
                              ]
                          )
                      )
-  it "of very many cells the share is the same to nine digits, for arrays of any size" $
+  it "with very many cells the share has nine correct digits, for arrays of any size" $
     forM_
       [ (q, m, n, r)
         | (q, m) <- [(4, 4096), (4, 4097), (2, 4200), (256, 5000)],
@@ -60,7 +60,7 @@ spec = do
             true = fromRational (min 1 (toInteger (n * volume) % toInteger (q ^ m))) :: Double
         ((q, m, r), exact) `shouldBe` ((q, m, r), False)
         abs (share - true) `shouldSatisfy` (<= 1e-9 * true)
-  it "no cell, no share; a patch that is larger than the sheet is nowhere" $ do
+  it "without cells there is no share; a patch larger than the sheet has no position" $ do
     array <- paperArray
     let sheet = ArrayOn Sheet array
     spheres (ArrayOn Torus array) [identity] (Shape 2 2) [] `shouldSatisfy` isNothing
@@ -68,11 +68,11 @@ spec = do
       `shouldBe` Just 0
     fmap sphereCentres (spheres sheet symmetries (Shape 16 2) [Position 0 0, Position 15 1])
       `shouldBe` Just (4 * 14 * 2)
-  describe "of all contents of the observed cells, the share that is located" sharesSpec
+  describe "the share of all contents of the observed cells that is located" sharesSpec
 
 sharesSpec :: Spec
 sharesSpec = do
-  it "on the paper's array: of 2 x 2 cells 255 in 256, and 255 in 4096 of 2 x 3, exactly" $ do
+  it "is 255 in 256 for 2 x 2 cells of the paper's array, and 255 in 4096 for 2 x 3" $ do
     array <- paperArray
     m <- paperWindow
     let every = [Nothing, Just TableDecoder, Just AlgebraDecoder, Just SearchDecoder]
@@ -82,11 +82,11 @@ sharesSpec = do
       ]
       $ \(shape, share, decoders) -> forM_ decoders $ \decoder ->
         shareIs share (upright decoder Torus array m) (cellsOf shape)
-  it "where one cell of 3 x 3 is corrected, of 15: 15 spheres of 10 contents each" $
+  it "is 15 spheres of 10 contents if one cell of 3 x 3 is corrected on 3 x 5" $
     onArray (2, 4, Diagonal, Shape 3 5, Shape 2 2) $ \array m ->
       shareIs (150 % 512) (upright Nothing Torus array m) (cellsOf (Shape 3 3))
   forM_ settings $ \setting@(q, _, _, _, _) ->
-    it ("by every decoder, on every surface, in every orientation: " ++ show setting) $
+    it ("is right for every decoder, surface and orientation: " ++ show setting) $
       withMaxSuccess 60 $
         ofArray setting $ \array m ->
           forAllShrink (genCells q) (filter (not . null) . shrinkList (const [])) $ \offsets ->
@@ -94,7 +94,7 @@ sharesSpec = do
               enumerated decoder $
                 everyContent (ask decoder (surface, array, m) turning radius 0.001) offsets
   forM_ (take 2 settings) $ \setting ->
-    it ("of several patches together: " ++ show setting) $
+    it ("is right for several patches together: " ++ show setting) $
       withMaxSuccess 20 $
         ofArray setting $ \array m ->
           forAll (choose (-2, 4)) $ \down ->
@@ -107,7 +107,7 @@ sharesSpec = do
                         | content <- mapM (const elements) [1 .. 6 :: Int],
                           let (upper, lower) = splitAt 4 content
                       ]
-  it "from probabilities: of the cells that leave no doubt, at most" $ do
+  it "with probabilities is at most that of the certain cells" $ do
     array <- paperArray
     m <- paperWindow
     unsure <- right (belief [0.1, 0.9, 0, 0])

@@ -28,7 +28,7 @@ import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
-  it "every content of a window of small arrays has one outcome by all decoders" $
+  it "all decoders agree on every content of a window of small arrays" $
     forM_ (byEffort (filter quicklyCompared) id smallArrays) $ \(q, n, shape, window) ->
       forM_
         [ (folding, surface)
@@ -45,7 +45,7 @@ spec = do
             forAll (genScene array genSymbol) $ \patches ->
               forAll (genQuestion array decoder) $ \(surface, possible, radius) ->
                 asDefined decoder (surface, array, m) possible radius patches
-    it "symbols: decoders that correct alike answer alike" $
+    it "symbols: decoders that correct the same errors give the same answers" $
       withMaxSuccess (byEffort 40 150) $
         ofArray setting $ \array m ->
           forAll (genScene array genSymbol) $ \patches ->
@@ -53,13 +53,13 @@ spec = do
               \(surface, possible, radius) ->
                 alike (surface, array, m) possible radius patches
     forM_ [NearestDecoder, InformationSetDecoder] $ \decoder ->
-      it ("symbols: as many wrong cells as are promised are corrected: " ++ decoderText decoder) $
+      it ("symbols: errors up to the guaranteed radius are corrected: " ++ decoderText decoder) $
         withMaxSuccess (byEffort 40 150) $
           ofArray setting $ \array m ->
             forAll (genWithin array) $ \(surface, possible, truth, wrong, cells) ->
               asPromised decoder (surface, array, m) possible truth wrong cells
     forM_ [Nothing, Just PosteriorDecoder, Just ListDecoder] $ \decoder ->
-      forM_ [("probabilities", False), ("probabilities that show how it lies", True)] $
+      forM_ [("probabilities", False), ("probabilities that show the orientation", True)] $
         \(name, shows') ->
           it (name ++ ": " ++ decoderName decoder) $
             withMaxSuccess (byEffort 18 80) $
@@ -69,7 +69,7 @@ spec = do
                     forAll (QuickCheck.elements [0, 0.001, 0.1]) $ \tolerated ->
                       asBayes decoder (surface, array, m) possible tolerated patches
     forM_ [PosteriorDecoder, ListDecoder] $ \decoder ->
-      it ("probabilities that leave no doubt are symbols: " ++ decoderText decoder) $
+      it ("certain probabilities are answered as symbols: " ++ decoderText decoder) $
         withMaxSuccess (byEffort 30 100) $
           ofArray setting $ \array m ->
             forAll (genScene array genSymbol) $ \patches ->
@@ -79,7 +79,7 @@ spec = do
                       | decoder == ListDecoder = naturalSurface (arrayFolding array)
                       | otherwise = surface
                  in asSymbols decoder (known, array, m) possible patches
-  describe "on a sheet of 63 x 65 cells, a few cells in a patch as large as it" $
+  describe "on a sheet of 63 x 65 cells, a few cells of a patch of the sheet's size" $
     -- One cell leaves 2048 positions of the torus, more than are listed.
     forM_
       [ (NearestDecoder, [identity], byEffort 40 150),

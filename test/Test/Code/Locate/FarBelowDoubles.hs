@@ -22,23 +22,23 @@ import qualified Test.QuickCheck as QuickCheck
 spec :: Spec
 spec = do
   beforeAll ((,) <$> paperArray <*> paperCodebook Torus)
-    . it "the doubts of a position, and of all that are equally likely, are right to 10^-300"
+    . it "the doubts of a position and of all equally likely ones are correct down to 10^-300"
     $ \(array, codebook) ->
       doubtsHold array isNearly (const (Right . fmap (Candidate identity) . posterior codebook))
   beforeAll ((,) <$> paperArray <*> paperAlgebra Torus)
-    . it "those of a list are no smaller, whatever its length and the doubt that is tolerated"
+    . it "a list's doubts are no smaller, for any length and any tolerated doubt"
     $ \(array, algebra) ->
       doubtsHold
         array
         isNoLess
         (\(most, tolerated) -> listPatch most (10 ** fromIntegral tolerated) algebra [identity])
-  it "several looks at a cell come to their product, in any order, however small that is" $
+  it "several beliefs about a cell give their product, in any order, however small" $
     withMaxSuccess (byEffort 50 400) $
       forAll (choose (1, 7) >>= (`vectorOf` genLook)) $ \given ->
         whenRight (traverse (either belief oriented) given) $ \looks ->
           forAll (shuffle looks) $ \others ->
             conjoin (map (isProduct looks . combined) [looks, others])
-  it "the logarithm of m 2^k is that of m and k times that of 2, however large that is" $
+  it "log (m 2^k) = log m + k log 2, however large" $
     forAll (choose (1, 2 ^ (53 :: Int) - 1 :: Integer)) $ \m ->
       forAll (oneof [choose (0, 3000), choose (450, 520), choose (960, 1030)]) $ \k ->
         let wanted = log (fromInteger m) + fromIntegral k * log 2

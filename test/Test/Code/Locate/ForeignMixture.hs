@@ -42,17 +42,17 @@ spec = do
                                 (otherArraysExact told === null others)
                                   .&&. check told (mixture scene array others best)
                         _ -> label "nowhere" (answerDoubts answer === Nothing)
-    it ("what is random, beside what is ours, is added up over symmetries and places: " ++ name) $
+    it ("the doubt of random symbols is summed over all symmetries and positions: " ++ name) $
       asking genScene $ \told (random, alien) ->
         near (random * (1 - doubtOfOtherArrays told)) (doubtOfRandom told * (1 - alien))
-    it ("other arrays, added up over polynomials and all places, are no likelier: " ++ name) $
+    it ("other arrays, summed over polynomials and positions, are at most as likely: " ++ name) $
       asking genNatural $ \told (_, alien) ->
         counterexample (show (alien, told)) $
           alien <= doubtOfOtherArrays told * (1 + 1e-9) + 1e-12
-    it ("they are as likely if the cells are beyond doubt, and not all 0: " ++ name) $
+    it ("other arrays are exactly as likely if all cells are certain and not all 0: " ++ name) $
       asking genCertain $ \told (_, alien) ->
         near alien (doubtOfOtherArrays told)
-  it "of 2^16 cells others are drawn; where none has the cells, the limit of none is told" $ do
+  it "with 2^16 cells, other arrays are sampled; if none fits, the limit for 0 is used" $ do
     array <- arrayOver gf2 16 Diagonal (Shape 255 257)
     window <- right (rectangle (Shape 8 2))
     seen <- right (patch (look array (Shape 5 8) (Position 100 200)))
@@ -68,7 +68,7 @@ spec = do
     fmap otherArraysExact told `shouldBe` Just False
     maybe 1 doubtOfRandom told `shouldSatisfy` (< 1e-6)
     abs (maybe 1 doubtOfOtherArrays told / (alien / (alien + ours)) - 1) `shouldSatisfy` (< 1e-3)
-  it "a limit of 99 % is above the truth in 99 of 100 cases, by the binomial distribution" $
+  it "the 99 % limit exceeds the truth in 99 % of cases, by the binomial distribution" $
     for_ ((,) <$> [16, 100, 1024 :: Int] <*> [1e-4, 0.001, 0.01, 0.1, 0.3, 0.9]) $ \(count, p) ->
       let logFactorials = scanl (+) 0 (map (log . fromIntegral) [1 .. count])
           chanceOf k =

@@ -26,7 +26,7 @@ import Test.QuickCheck hiding (elements)
 
 spec :: Spec
 spec = do
-  prop "the chances are Bayes' theorem, added up over all places and over all foreign contents" $
+  prop "the doubts are those of Bayes' theorem, summed over all positions and foreign contents" $
     forAll ((,) <$> scenes <*> genWorth) $ \((share, q, symmetries'), others) ->
       -- In each symmetry, how probable the cells make it, and at each place its symbols, given it.
       let cells = length (concat (take 1 (map snd placed)))
@@ -69,21 +69,21 @@ spec = do
                 property (abs (evidence comparison - log (byArray / random)) < 1e-9),
                 otherArraysExact found === isNothing others
               ]
-  it "where it is not thought of nothing is told, and a share of none changes nothing" $
+  it "without a foreign share no doubts are given, and a share of 0 changes no answer" $
     for_ [symbols, beliefs] $ \kind -> do
       plain <- locating Nothing 0.01 kind
       none <- locating (Just 0) 0.01 kind
       answerDoubts plain `shouldBe` Nothing
       fmap foreign' (answerDoubts none) `shouldBe` Just 0
       none {answerDoubts = Nothing} `shouldBe` plain
-  it "the more foreign things there are the more doubtful; too doubtful, it is refused" $
+  it "a larger foreign share means a larger doubt, and too large a doubt a refusal" $
     for_ [symbols, beliefs] $ \kind -> do
       answers <- mapM (\share -> locating (Just share) 0.5 kind) [0.001, 0.01, 0.1, 0.9]
       let told = [foreign' doubts | Just doubts <- map answerDoubts answers]
       length told `shouldBe` 4
       and (zipWith (<) told (drop 1 told)) `shouldBe` True
       [share < 0.5 | share <- told] `shouldBe` [located answer | answer <- answers]
-  it "from probabilities the doubt is the sum of its parts" $ do
+  it "with probabilities the doubt is the sum of its parts" $ do
     answer <- locating (Just 0.1) 0.5 beliefs
     case (answerDoubts answer, answerPosterior answer) of
       (Just doubts@(PlaceDoubts (Just place) _), Just found) -> do
@@ -91,7 +91,7 @@ spec = do
         let listed = sum (map snd (posteriorRanking found))
         listed + foreign' doubts - 1 `shouldSatisfy` ((< 1e-9) . abs)
       other -> expectationFailure (show other)
-  it "of symbols that several places have, listed or counted, it is Bayes' theorem over these" $ do
+  it "the doubt of symbols at several positions is Bayes', whether listed or counted" $ do
     array <- paperArray
     window <- paperWindow
     vast <- vastArray
@@ -137,7 +137,7 @@ spec = do
           equal <- told made codes found
           answerOutcome refusal `shouldBe` Refused BelowThreshold
           answerOutcome equal `shouldBe` answerOutcome answer
-  it "places may be as many as there are of 2^1024 cells in eight symmetries, and alike" $
+  it "the doubts hold for 2^1027 positions, of which many are equally likely" $
     for_ [0, 100, 700, 1024] $ \alike ->
       -- As many as alike are told apart by so many cells; each cell speaks for the array.
       let cells = 1030
@@ -157,7 +157,7 @@ spec = do
           -- 2^alike 0.995^cells / 2^1027 against 2^-cells.
           odds = alike * log 2 + fromIntegral cells * log 0.995 + 3 * log 2
        in (alike, found, 1 / (1 + exp odds)) `shouldSatisfy` \(_, a, b) -> abs (a - b) < 1e-9 * b
-  it "where places are unlisted, the likeliest alone speaks for the array" $ do
+  it "if some positions are unlisted, only the likeliest counts for the array" $ do
     array <- paperArray
     window <- paperWindow
     let rows' = look array (Shape 3 3) (Position 6 5)
@@ -179,7 +179,7 @@ spec = do
     let others = worthOfOthers (otherArrays (naturally array)) [identity] seen
     abs (byList - alone others) `shouldSatisfy` (< 1e-12)
     compared `shouldSatisfy` (< byList)
-  it "no more are counted wrong than are told: a fifth of 1500 patches is foreign" $ do
+  it "no more answers are wrong than the doubts say, with 300 of 1500 patches foreign" $ do
     array <- paperArray
     window <- paperWindow
     let theLocator = locator Nothing MostSignificantFirst (naturally array) window

@@ -28,12 +28,12 @@ import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
-  it "patches without cells or with ragged rows are none" $ do
+  it "patches without cells or with ragged rows are refused" $ do
     let none cells = () <$ patch (cells :: Cells)
     none [] `shouldBe` Left PatchEmpty
     none [[], []] `shouldBe` Left PatchEmpty
     none [[Just 1, Nothing], [Just 1]] `shouldBe` Left (PatchRagged 1 1 2)
-  it "tables larger than 2^26 entries are none" $ do
+  it "tables of more than 2^26 entries are refused" $ do
     array <- paperArray
     m <- right (rectangle (Shape 2 7))
     (() <$ buildTable MostSignificantFirst (ArrayOn Torus array) m)
@@ -42,7 +42,7 @@ spec = do
     small <- paperWindow
     (() <$ buildTable MostSignificantFirst (ArrayOn Torus large) small)
       `shouldBe` Left (TableTooLarge (4 ^ (14 :: Int) - 1) largestTable)
-  it "a window is looked up by its number, under either packing" $
+  it "a packed window is found, under either packing" $
     forM_ [minBound ..] $ \packing -> do
       array <- paperArray
       m <- paperWindow
@@ -50,7 +50,7 @@ spec = do
       forM_ everywhere $ \p -> do
         Just content <- pure (windowAt (ArrayOn Torus array) m p)
         tableLookup table (pack packing 4 (map toCode content)) `shouldBe` [p]
-  it "an entry of the table has all positions of its window, and the table has all positions" $
+  it "the table has every position once, each in the entry of its window" $
     do
       array <- paperArray
       m <- right (mask [(0, 0), (2, 3)])
@@ -61,7 +61,7 @@ spec = do
           `shouldBe` Just packed
       tableLookup table 16 `shouldBe` []
       tableSize table `shouldBe` 16
-  it "every packed window of every small array, surface and packing is as in the table" $
+  it "the packed form agrees with the table, for every small array, surface and packing" $
     forM_ smallArrays $ \(q, n, shape, window) ->
       overField q $ \k -> do
         h <- firstOver k n
@@ -89,11 +89,11 @@ spec = do
                         place /= expected packed
                     ]
               failing `shouldBe` []
-  it "every window of 63 x 65 cells, over GF(4) and over GF(2), is found where it stands" $ do
+  it "every window of 63 x 65 cells is found at its position, over GF(4) and GF(2)" $ do
     foundWhereItStands gf4 6 (Shape 63 65) (Shape 3 2)
     foundWhereItStands gf2 12 (Shape 63 65) (Shape 6 2)
   beforeAll (firstOver gf4 7)
-    . it "every window of 3 x 5461 cells, for any mask and surface, is where its cells are"
+    . it "every window of 3 x 5461 cells is found at its position, for any mask and surface"
     $ \h ->
       withMaxSuccess (byEffort 2 7)
         . forAllShrink genMask (filter (not . null) . QuickCheck.shrinkList (const []))
@@ -115,7 +115,7 @@ spec = do
               | (folding, surface) <-
                   [(Diagonal, Torus), (RowMajor, TwistedTorus), (Diagonal, Sheet)]
             ]
-  it "numbers that are no packed window occur nowhere: from q^cells up to the largest" $ do
+  it "numbers from q^cells up are packed windows of no position" $ do
     memory <- paperMemory
     let beyond =
           [ 256,
@@ -134,7 +134,7 @@ spec = do
     Primitive.toList (locateWindows memory (Primitive.fromList beyond))
       `shouldBe` map (const notOccurring) beyond
   beforeAll (paperTable Sheet)
-    . it "whatever the numbers and how many: one answer each, in their order"
+    . it "any list of numbers gets one answer for each, in order"
     $ \table ->
       withMaxSuccess 300
         . forAll
@@ -146,7 +146,7 @@ spec = do
                     _ -> notOccurring
                   | w <- numbers
                 ]
-  it "the worked example: 3 2 / 3 1 is 237, and its position (6, 5) is 107" $ do
+  it "the worked example: 3 2 / 3 1 packs to 237, and its position (6, 5) to 107" $ do
     memory <- paperMemory
     a <- right (traverse fromCode [3, 2, 3, 1])
     packWindow memory a `shouldBe` Just 237
@@ -154,7 +154,7 @@ spec = do
     unpackPosition memory 107 `shouldBe` Just (Position 6 5)
     packPosition memory (Position 6 5) `shouldBe` Just 107
     locateOne memory 0 `shouldBe` notOccurring
-  it "what is no position and no window is not packed or unpacked" $ do
+  it "values outside the range are neither packed nor unpacked" $ do
     memory <- paperMemory
     map (unpackPosition memory) [notOccurring, notUnique, minBound, -3, 255, maxBound]
       `shouldBe` replicate 6 Nothing

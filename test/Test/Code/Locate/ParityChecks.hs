@@ -23,7 +23,7 @@ spec :: Spec
 spec = do
   describe "in the standard fold, n1 = q^k1 - 1 rows and n1 coprime to k2" $
     forM_ standard $ \(q, k1, k2) ->
-      it (show (q, k1, k2) ++ ": a column has rank k1, any two and k2 adjacent ones add up") $
+      it (show (q, k1, k2) ++ ": a column has rank k1; any two, or k2 adjacent, are independent") $
         overField q $ \k -> do
           let (n1, n2) = (fromIntegral q ^ k1 - 1, (fromIntegral q ^ (k1 * k2) - 1) `div` n1)
           polynomials <- right (primitivesOver k (k1 * k2))
@@ -44,18 +44,18 @@ spec = do
                 False
                 ((== Split ((n1 - k1) * (k2 + 1)) k1) . checksOfColumns)
   forM_ settings $ \setting ->
-    it ("of any cells, columns, rows and sources are what contents make them: " ++ show setting) $
+    it ("checks of columns, rows and sources follow from the contents: " ++ show setting) $
       withMaxSuccess 60 $
         ofArray setting $ \array _ ->
           forAll (genSources (arrayShape array)) $ \sources ->
             forAll (QuickCheck.elements [Sheet, naturalSurface (arrayFolding array)]) $ \surface ->
               checksAmong (ArrayOn surface array) sources === Just (counted array sources)
-  it "where contents are not linear, nothing is said" $
+  it "no checks are given where contents are not linear" $
     forM_ settings $ \setting -> onArray setting $ \array _ ->
       forM_ [surface | surface <- [Torus, TwistedTorus], surface /= natural array] $ \surface ->
         checksAmong (ArrayOn surface array) [[Position 0 0]] `shouldBe` Nothing
   forM_ settings $ \setting ->
-    it ("an answer tells those of its certain cells, patch by patch: " ++ show setting) $
+    it ("an answer gives the checks of its certain cells, patch by patch: " ++ show setting) $
       withMaxSuccess 60 $
         ofArray setting $ \array window ->
           forAll (QuickCheck.elements symmetries) $ \o ->

@@ -30,14 +30,14 @@ import qualified Test.QuickCheck as QuickCheck
 spec :: Spec
 spec = do
   codebookSpec
-  describe "by a list, what is said of doubt, margin and unlisted places holds" $
+  describe "the list decoder's doubt, margin and unlisted mass hold" $
     forM_ settings $ \setting@(q, n, folding, _, _) ->
       it ("over GF(" ++ show q ++ "), n = " ++ show n ++ ", " ++ show folding) $
         withMaxSuccess (byEffort 60 (if q == 4 then 600 else 150)) $
           ofArray setting $ \array m ->
             conjoin [listingIsRight surface array m | surface <- [naturalSurface folding, Sheet]]
   beforeAll ((,,) <$> paperArray <*> paperCodebook Torus <*> paperAlgebra Torus)
-    . it "a list that may be as long as need be is as good as the posterior"
+    . it "a list of unlimited length decides as the posterior does"
     $ \(array, codebook, algebra) -> withMaxSuccess (byEffort 300 800) $
       forAll ((,) <$> genChancesOver array <*> QuickCheck.elements [0.001, 0.01, 0.1, 0.3]) $
         \(chances, tolerated) -> softly chances $ \p ->
@@ -51,7 +51,7 @@ spec = do
                 counterexample (show found) $
                   not close ==> decide tolerated found === decide tolerated exact
   beforeAll ((,) <$> paperArray <*> paperAlgebra Torus)
-    . it "such a list's margin is at least that of what it has and of all that it has not"
+    . it "a list's margin is at least that over its other entries and all unlisted ones"
     $ \(array, algebra) -> withMaxSuccess (byEffort 150 400) $
       forAll
         ( (,,)
@@ -76,10 +76,10 @@ spec = do
                               (margin >= log a - log (maximum (unlisted : map snd others)) - 1e-6)
                         _ -> property True
                     ]
-  it "such a list decides as Bayes' theorem does, in one symmetry or several" $
+  it "a list decides by Bayes' theorem, in one symmetry or several" $
     withMaxSuccess (byEffort 100 300) $
       ofArray (3, 3, Diagonal, Shape 2 13, Shape 1 3) listingDecides
-  it "in several symmetries a list of any length gives no doubt too small, and misses no more" $
+  it "in several symmetries no list, however short, has too small a doubt or unlisted mass" $
     withMaxSuccess (byEffort 200 600) $
       ofArray (3, 3, Diagonal, Shape 2 13, Shape 1 3) listingIsSafe
   largeSpec
@@ -94,7 +94,7 @@ spec = do
 
 codebookSpec :: Spec
 codebookSpec = do
-  it "a position is the answer only if the doubt is tolerated" $ do
+  it "a position is the answer only if its doubt is tolerated" $ do
     codebook <- paperCodebook Torus
     [sure, unsure] <- mapM right [belief [0, 0, 0, 1], belief [0.1, 0, 0, 0.9]]
     [two, one'] <- mapM (\code -> certainly <$> right (fromCode code)) [2, 1]
@@ -108,7 +108,7 @@ codebookSpec = do
     decide 0.11 found `shouldBe` Unique (Position 6 5) []
     decide 0.09 found `shouldBe` Refused BelowThreshold
   beforeAll ((,) <$> paperArray <*> paperWindow)
-    . it "what is known beforehand makes places as much likelier as it says, and loses none"
+    . it "a prior multiplies each position's probability, and removes no position"
     $ \(array, window) -> withMaxSuccess (byEffort 70 200) $
       forAll ((,) <$> genChancesOver array <*> vectorOf 7 (choose (-5, 0))) $
         \(chances, priors) -> softly chances $ \p ->
@@ -129,18 +129,18 @@ codebookSpec = do
                       close x w = abs (x - w / sum wanted) <= 1e-9 * x
                    in Map.keys found === Map.keys alone'
                         .&&. property (and (Map.intersectionWith close found wanted))
-  it "certainty is the belief that gives one symbol all of the probability" $
+  it "certainty gives one symbol the probability 1" $
     forM_ everyField $ \(q, SomeField (_ :: Proxy k)) ->
       forM_ (elements :: [GF k]) $ \a ->
         (q, Right (certainly a))
           `shouldBe` (q, belief [if b == a then 1 else 0 | b <- elements :: [GF k]])
-  it "no distance is promised on a surface that is neither the array's own nor the sheet" $ do
+  it "no distance is guaranteed on surfaces other than the array's own and the sheet" $ do
     let offsets = cellsOf (Shape 3 3)
         on surface = (`observedDistance` offsets) <$> paperCodebook surface
     d <- on Torus
     d `shouldSatisfy` (> 0)
     mapM on [Sheet, TwistedTorus] `shouldReturn` [d, 0]
-  it "an array can be impossible, by comparison with all positions" $ do
+  it "a patch that fits no position is a contradiction" $ do
     codebook <- paperCodebook Torus
     p <- right (patch (replicate 2 (replicate 2 (Just (certainly (0 :: GF GF4))))))
     decide 0.5 (posterior codebook p) `shouldBe` Refused Contradiction
@@ -148,7 +148,7 @@ codebookSpec = do
     posteriorWords (posterior codebook p) `shouldBe` 0
     posteriorDoubt (posterior codebook p) `shouldBe` 1
     posteriorEqualDoubt (posterior codebook p) `shouldBe` 1
-  it "numbers that are no probabilities are refused" $ do
+  it "numbers that are not probabilities are refused" $ do
     let over4 = belief :: [Double] -> Either BeliefError (Belief GF4)
         refused = either Just (const Nothing) . over4
     map refused [[1, 0, 0], [1, 0, 0, 0, 0], [1.5, -0.5, 0, 0], [0.5, 0, 0, 0]]
@@ -161,7 +161,7 @@ codebookSpec = do
 
 largeSpec :: Spec
 largeSpec = describe "on 2^60 cells" $ do
-  it "symbols beyond doubt are located as by the algebra" $ do
+  it "certain symbols are located as by the algebra" $ do
     array <- vastArray
     algebra <- vastAlgebra
     let seen h w = look array (Shape h w) (Position 5 6)
@@ -181,7 +181,7 @@ largeSpec = describe "on 2^60 cells" $ do
           other -> other
         posteriorUnlisted found `shouldBe` Just 0
   beforeAll ((,) <$> vastArray <*> vastAlgebra)
-    . it "honest probabilities lead to the position, misleading ones to it or to none"
+    . it "honest probabilities give the position, misleading ones the position or a refusal"
     $ \(array, algebra) -> withMaxSuccess (byEffort 3 12) $
       forAll
         ((,) <$> choose (0, 4 ^ (15 :: Int) - 2) <*> vectorOf 64 (vectorOf 4 (choose (0, 100))))
@@ -200,7 +200,7 @@ largeSpec = describe "on 2^60 cells" $ do
                   (byEffort 5000 20000)
                   misled
                   (`elem'` [Unique place [], Refused BelowThreshold])
-  it "where nothing is known, none is the answer" $ do
+  it "without any information there is no answer" $ do
     algebra <- vastAlgebra
     vague <-
       right (belief [0.25, 0.25, 0.25, 0.25])

@@ -21,7 +21,7 @@ spec = do
   describe "joining" joiningSpec
   describe "patches displaced by one cell" displacedSpec
   describe "probabilities" beliefSpec
-  it "no patches are no patch, and patches too far apart are refused before memory is taken" $ do
+  it "refuses no patches at all, and patches too far apart before it takes memory" $ do
     patches <- scene (Position 6 5) [((0, 0), (0, 0), 0), ((far, far), (0, 0), 0)]
     answered <- paperAsk NearestDecoder
     answered [identity] Guaranteed 0 (symbolsOf patches)
@@ -33,12 +33,12 @@ spec = do
 
 joiningSpec :: Spec
 joiningSpec = do
-  it "takes 100 patches, and no more" $ do
+  it "takes at most 100 patches" $ do
     let many n = replicate n ((3, 4), patchOf (Shape 1 1) [(Position 0 0, 'a')])
     fmap (length . jointOffsets) (joint agreedSymbol (many 100)) `shouldSatisfy` (== Right 100)
     either Just (const Nothing) (joint agreedSymbol (many 101))
       `shouldBe` Just (PatchesTooMany 101 100)
-  it "takes patches within a rectangle of 2^20 cells, and no more" $ do
+  it "takes patches within a rectangle of at most 2^20 cells" $ do
     let single = patchOf (Shape 1 1) [(Position 0 0, 'a')]
         framed far =
           patchShape . jointPatch <$> joint agreedSymbol [((0, 0), single), (far, single)]
@@ -47,18 +47,18 @@ joiningSpec = do
 
 displacedSpec :: Spec
 displacedSpec = do
-  it "are named, whichever it is, and however it is displaced; the others are located" $
+  it "are named, whichever patch and direction it is, and the others are located" $
     forM_ someplaces $ \p -> forM_ [0 .. 4] $ \astray -> forM_ aside $ \by -> do
       found <- nearestOf (UpTo 4) p (displaced astray by fivePlaces)
       (place found, inconsistent found) `shouldBe` ([p], [astray])
-  it "are named also where nothing is corrected, so that all together are located nowhere" $
+  it "are named even if nothing is corrected, so that the whole is not located" $
     forM_ aside $ \by -> forM_ [0 .. 3] $ \astray -> do
       found <- nearestOf (UpTo 0) (Position 6 5) (displaced astray by (take 4 fivePlaces))
       (place found, inconsistent found) `shouldBe` ([], [astray])
-  it "of two patches alone both are named: neither is more credible than the other" $ do
+  it "are both named if there are only two, since neither is more credible" $ do
     found <- nearestOf Guaranteed (Position 6 5) (zip3 [(0, 0), (3, 0)] [(0, 0), (4, 0)] [0, 0])
     (place found, inconsistent found) `shouldBe` ([], [0, 1])
-  it "of five two are named where three agree, of four all where they agree two by two" $ do
+  it "are the minority: two of five if three agree, all of four if they agree in pairs" $ do
     found <-
       nearestOf (UpTo 0) (Position 6 5) $
         zip3 fivePlaces [(0, 0), (0, 5), (4, 0), (4, 4), (7, 2)] zeros
@@ -67,7 +67,7 @@ displacedSpec = do
       nearestOf Guaranteed (Position 6 5) $
         zip3 fivePlaces [(0, 0), (0, 4), (5, 0), (5, 4)] zeros
     (place torn, inconsistent torn) `shouldBe` ([], [0, 1, 2, 3])
-  it "while none is named where all belong, with as many errors as each can bear alone" $ do
+  it "are not named if all belong together, with the errors that each can correct alone" $ do
     array <- paperArray
     answered <- paperAsk NearestDecoder
     -- 4 x 4 patches, one cell of each wrong.
@@ -79,7 +79,7 @@ displacedSpec = do
         ]
     found <- right (answered [identity] Guaranteed 0 (symbolsOf patches))
     (place found, inconsistent found, wrongOf found) `shouldBe` ([Position 6 5], [], [1, 1, 1])
-  it "are named in whatever orientation all are seen" $ do
+  it "are named in any common orientation" $ do
     array <- paperArray
     answered <- paperAsk NearestDecoder
     exactly <- paperAsk AlgebraDecoder
@@ -110,7 +110,7 @@ displacedSpec = do
 
 beliefSpec :: Spec
 beliefSpec = do
-  it "that contradict each other make a disputed cell, which counts as not observed" $ do
+  it "that contradict each other make a disputed cell, which counts as unobserved" $ do
     found <- believed certainly [identity] 0.001 disputed
     ( candidatePosition <$> (answerPosterior found >>= posteriorBest),
       answerDisputed found,
@@ -123,7 +123,7 @@ beliefSpec = do
       found <- believed likely possible 0.02 (displaced astray by fivePlaces)
       (answerOutcome found, inconsistent found)
         `shouldBe` (Unique (Candidate identity (Position 6 5)) [], [astray])
-  it "of no patches are no patch" $ do
+  it "of no patches are refused" $ do
     answered <- paperAsk PosteriorDecoder
     answered [identity] Guaranteed 0.01 [] `shouldBe` Left (LocatorPatch PatchEmpty)
   where

@@ -29,25 +29,25 @@ spec :: Spec
 spec = do
   describe "the distance between candidates" distanceSpec
   describe "the nearest candidate" nearestSpec
-  describe "cells that show how they lie" shownSpec
+  describe "cells that show their orientation" shownSpec
   describe "arrays whose windows have two columns" mirrorSpec
 
 distanceSpec :: Spec
 distanceSpec = do
-  it "with unknown rotation is 0 at 2x2 and 3x3, 4 at 4x4, 8 at 5x5, on the paper's array" $ do
+  it "in any rotation is 0 for 2x2 and 3x3, 4 for 4x4, 8 for 5x5, on the paper's array" $ do
     codebook <- paperCodebook Torus
     let distances possible = [orientedDistance codebook possible side | side <- [2 .. 5]]
     map distances [rotations, [identity, turned 2], symmetries, [identity]]
       `shouldBe` [[0, 0, 4, 8], [0, 0, 5, 10], [0, 0, 0, 0], [1, 4, 9, 16]]
   forM_ small $ \setting@(q, _, _, shape, _) ->
-    it ("is the least by which two candidates differ: GF(" ++ show q ++ "), " ++ show shape) $
+    it ("is the least difference of two candidates: GF(" ++ show q ++ "), " ++ show shape) $
       -- All candidates are compared with all: fewer cases of larger arrays.
       withMaxSuccess (byEffort (min 60 (600 `div` fromIntegral (area shape))) 60) $
         ofArray setting $ \array _ ->
           forAll (genObserved 4) $ \(size, offsets) -> forAll genOrientations $ \possible ->
             candidateDistance (ArrayOn Torus array) possible size offsets
               === byDefinition array possible size offsets
-  it "is promised on no surface but the array's own and the sheet" $ do
+  it "is guaranteed only on the array's own surface and on the sheet" $ do
     array <- paperArray
     let size = Shape 4 4
         least on = candidateDistance (ArrayOn on array) rotations size (cellsOf size)
@@ -55,7 +55,7 @@ distanceSpec = do
 
 shownSpec :: Spec
 shownSpec = do
-  it "are wrong where they show another way than the patch is seen" $ do
+  it "are wrong where their orientation is not the patch's" $ do
     (array, located) <- shownOn
     let block at shape = look array shape at
     answer <-
@@ -66,7 +66,7 @@ shownSpec = do
         ]
     answerOutcome answer `shouldBe` Unique (Candidate identity (Position 6 5)) []
     map patchWrong (answerPatches answer) `shouldBe` [Just 0, Just 2, Just 0]
-  it "have as many probabilities of each symmetry as there are symbols, which add up to 1" $ do
+  it "have a probability for each symmetry and symbol, and these sum to 1" $ do
     let joint = oriented :: [(Symmetry, [Double])] -> Either BeliefError (Belief GF4)
         quarter = replicate 4 0.125
     [() <$ joint both | both <- [[(identity, quarter), (turned 2, quarter)], [(mirror, quarter)]]]
@@ -96,13 +96,13 @@ shownSpec = do
 
 nearestSpec :: Spec
 nearestSpec = do
-  it "windows that say so are named by where their upper left cells are seen" $ do
+  it "is supported by windows, named by where their upper left cells are seen" $ do
     (array, located) <- paper
     let seen = onRows (turned 1) (look array (Shape 2 5) (Position 6 5))
     found <- located [turned 1] Guaranteed seen
     fst found
       `shouldBe` Unique (Candidate (turned 1) (Position 6 5)) [Position j 1 | j <- [0 .. 3]]
-  it "neither an image nor its mirror image is preferred, however large the patch is" $ do
+  it "is ambiguous between an image and its mirror image, in a patch of any size" $ do
     (array, located) <- paper
     found <- located [identity, mirror] Guaranteed (look array (Shape 6 6) (Position 6 5))
     case fst found of
@@ -122,12 +122,12 @@ nearestSpec = do
 
 mirrorSpec :: Spec
 mirrorSpec = do
-  it "are their own mirror image but for a shift; the axis is the column of zeros" $
+  it "are their own mirror image up to a shift; the axis is the column of zeros" $
     forM_ [(2, k1) | k1 <- [1 .. 6]] (mirrorImages id)
-  it "over GF(4), GF(8), GF(16), GF(32) and GF(64) as well" $
+  it "are so over GF(4), GF(8), GF(16), GF(32) and GF(64) as well" $
     forM_ [(4, 1), (4, 2), (4, 3), (8, 1), (8, 2), (16, 1), (32, 1), (64, 1)] $
       mirrorImages (byEffort (take 20) id)
-  it "while one of windows with three columns is not" $ do
+  it "differ in this from one whose windows have three columns" $ do
     cells <- arrayOver gf2 9 Diagonal (Shape 7 73) >>= right . toRows
     [(r, c) | r <- [0 .. 6], c <- [0 .. 72], shiftedBy r c cells == map reverse cells]
       `shouldBe` []

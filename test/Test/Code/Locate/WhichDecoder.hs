@@ -24,7 +24,7 @@ import Test.Paper
 
 spec :: Spec
 spec = do
-  it "each decoder answers what it can, and refuses wrong cells or probabilities if it has to" $ do
+  it "each decoder answers the questions it supports, and refuses the others" $ do
     array <- paperArray
     window <- paperWindow
     let asking = asked Torus array window
@@ -47,7 +47,7 @@ spec = do
                        then answering PosteriorDecoder
                        else Left (ProbabilitiesRefused (chosen choice))
                    )
-  it "on 2^60 cells, those that compare with all positions refuse" $ do
+  it "on 2^60 cells, decoders that compare with all positions refuse" $ do
     array <- vastArray
     window <- right (rectangle (Shape 15 2))
     let tooMany = Left (LocatorPatch (TooManyPlaces (area (arrayShape array)) (2 ^ (20 :: Int))))
@@ -66,7 +66,7 @@ spec = do
       (\choice -> asked Torus array window choice Guaranteed unsure)
       [Nothing, Just PosteriorDecoder, Just ListDecoder]
       `shouldBe` [Right ListDecoder, tooMany, Right ListDecoder]
-  it "reasons have their names on the wire" $
+  it "each reason has its name in the protocol" $
     [(r, reasonName r) | r <- reasons]
       `shouldBe` [ (ZeroWindow, "zero-window"),
                    (TooFewCells, "too-few-cells"),
@@ -96,7 +96,7 @@ spec = do
           `shouldReturn` Refused Contradiction
         located (look array (Shape 1 10) place)
           `shouldReturn` AmbiguousMany (4 ^ (20 :: Int)) (Just 20)
-  it "on a surface that is not the array's own, those that go by the sequence refuse" $ do
+  it "on a surface that is not the array's own, decoders by the sequence refuse" $ do
     array <- paperArray
     window <- paperWindow
     let foreign' = Left (LocatorAlgebra (SurfaceForeign TwistedTorus Torus))
@@ -110,14 +110,14 @@ spec = do
                    foreign',
                    foreign'
                  ]
-  it "where there is neither a codebook nor a logarithm, the table answers" $ do
+  it "without codebook and logarithm the table answers" $ do
     array <- arrayOver gf2 21 Diagonal (Shape 127 16513)
     window <- right (rectangle (Shape 7 3))
     decoderFor
       (locator Nothing MostSignificantFirst (ArrayOn TwistedTorus array) window)
       Guaranteed
       `shouldBe` Right TableDecoder
-  it "and where there is no table either, none does, for both reasons" $ do
+  it "without a table as well, no decoder answers, and both reasons are given" $ do
     let prime = 2 ^ (61 :: Int) - 1 :: Natural
     array <- arrayOver gf2 61 Diagonal (Shape 1 prime)
     window <- right (rectangle (Shape 1 61))
@@ -130,7 +130,7 @@ spec = do
     forM_ [AlgebraDecoder, InformationSetDecoder, ListDecoder] $ \name ->
       asked Torus array window (Just name) Guaranteed Symbol
         `shouldBe` Left (LocatorAlgebra infeasible)
-  it "of more cells than a window may have, those that solve equations refuse" $ do
+  it "with more cells than a window may have, decoders by equations refuse" $ do
     array <- paperArray
     window <- paperWindow
     let tooMany = AlgebraCells (WindowTooLarge 4097)
@@ -152,7 +152,7 @@ spec = do
                  ]
     map (about 4096 . Just) [AlgebraDecoder, NearestDecoder]
       `shouldBe` [Right AlgebraDecoder, Right NearestDecoder]
-  it "of nothing that was observed each decoder by itself says so, in each symmetry alike" $ do
+  it "without observed cells every decoder says so, in every symmetry" $ do
     array <- paperArray
     window <- paperWindow
     algebra <- paperAlgebra Torus
@@ -169,7 +169,7 @@ spec = do
     many [identity] `shouldBe` Right (Just (255, Just 4))
     many rotations `shouldBe` Right (Just (4 * 255, Nothing))
     many symmetries `shouldBe` Right (Just (8 * 255, Nothing))
-  it "places that are listed in one symmetry and only counted in another are counted together" $ do
+  it "positions listed in one symmetry and only counted in another are added up" $ do
     let decision outcome = Decision outcome (Distances [] (Just (Exactly 1)) Nothing (Exactly 3) 1)
         over outcomes =
           decisionOutcome . overSymmetries (Exactly 3) 1 $
@@ -184,7 +184,7 @@ spec = do
     over [Refused ZeroWindow, Refused BeyondRadius] `shouldBe` Refused BeyondRadius
     over [Refused ZeroWindow, Refused NotInArray, Refused OffSheet] `shouldBe` Refused OffSheet
     over [Refused TooFewCells] `shouldBe` Refused TooFewCells
-  it "in no symmetry there is no question, and of no cells no answer" $ do
+  it "a question without symmetries is refused, and one without cells has no answer" $ do
     array <- paperArray
     window <- paperWindow
     seen <- right (patch [[Nothing, Nothing]])

@@ -19,16 +19,16 @@ import Test.Paper
 spec :: Spec
 spec = do
   describe "every field, every degree with q^n up to 4096" $ do
-    it "enumeration finds as many primitive polynomials as phi(q^n - 1)/n says" $
+    it "enumeration finds phi(q^n - 1)/n primitive polynomials" $
       forM_ small $ \(q, n, SomeField k) ->
         (q, n, fmap (fromIntegral . length) (primitives k n)) `shouldBe` (q, n, countPrimitive k n)
-    it "and as many irreducible ones as Gauss's formula says, all primitive ones among them" $
+    it "enumeration finds the irreducible polynomials of Gauss's formula, with all primitive ones" $
       forM_ small $ \(q, n, SomeField k) -> do
         let found = irreducibles k n
         (q, n, fromIntegral (length found)) `shouldBe` (q, n, countIrreducible k n)
         (q, n, fmap (filter (`notElem` found) . map primitivePolynomial) (primitives k n))
           `shouldBe` (q, n, Right [])
-    it "the primitive polynomial of fewest terms is the first of those that have the fewest" $
+    it "the primitive polynomial of fewest terms is the first with that many terms" $
       forM_ small $ \(q, n, SomeField k) ->
         (q, n, primitivePolynomial <$> fewestTermsPrimitive n)
           `shouldBe` ( q,
@@ -47,7 +47,7 @@ spec = do
                        )
     it "for degree 1, x comes first" $
       monicByTerms 1 `shouldBe` [polynomial [c, 1] | c <- elements :: [GF GF9]]
-    it "randomMonics passes over what would favour small codes: 2^32 - 1 over GF(3)" $
+    it "randomMonics rejects draws that would favour small codes: 2^32 - 1 over GF(3)" $
       -- The seed was found by taking SplitMix64 back from an output with that upper half; the next
       -- upper halves are 1703949545, 804010876, 385077386, 3775114207, 3119737611 and 2590479931.
       take 1 (randomMonics 6204490082765445028 6)
@@ -94,12 +94,12 @@ spec = do
       map (\h -> length (filter (== h) drawn)) found
         `shouldSatisfy` all (\times -> 70 <= times && times <= 130)
       length drawn `shouldBe` 400
-    it "a draw depends on the seed alone, and seeds differ" $ do
+    it "a draw depends on the seed alone, and different seeds give different draws" $ do
       let draw seed = randomPrimitive seed 40 :: Either PolynomialError (Primitive GF2)
       draw 7 `shouldBe` draw 7
       length (nub (map draw [1 .. 10])) `shouldBe` 10
-  describe "beginnings without an irreducible polynomial" $ do
-    it "none of those that the search leaves out is irreducible, each tested by itself" $
+  describe "leading coefficients without an irreducible polynomial" $ do
+    it "no polynomial that the search skips is irreducible, each tested by itself" $
       [ (q, n, h :: String)
         | (q, SomeField k) <- everyField,
           n <- [1 .. byEffort 18 33],
@@ -138,7 +138,7 @@ spec = do
           let p = fieldCharacteristic k
           (q, height, any isIrreducible (affine k p height))
             `shouldBe` (q, height, height <= 1 || p == 2 && height == 2)
-    it "what is left out: three coefficients over GF(2^m) in degree 8 m', else two" $
+    it "the search skips by three coefficients over GF(2^m) in degree 8 m', else by two" $
       [ (q, [(n, run) | n <- [1 .. 28], let run = reducibleRun k n, run > 0])
         | (q, SomeField k) <- everyField,
           q `elem` [2, 256, 3, 5, 243]
@@ -149,7 +149,7 @@ spec = do
                      (243, [(n, 2) | n <- [7, 9, 12, 19, 24, 27]]),
                      (256, (6, 2) : [(n, if n `mod` 4 == 0 then 3 else 2) | n <- [8, 10 .. 28]])
                    ]
-    it "so every search finds the same without them, over GF(4), GF(3) and GF(2)" $ do
+    it "every search finds the same without skipping, over GF(4), GF(3) and GF(2)" $ do
       let same :: forall k. KnownField k => Proxy k -> Natural -> Expectation
           same k n = do
             (n, take 100 (irreducibles k n))
@@ -172,7 +172,7 @@ spec = do
       exponents h `shouldBe` [0, 1, 2, 7, 128]
       fmap exponents (fewestTermsPrimitive 128 :: Either PolynomialError (Primitive GF2))
         `shouldBe` Right [0, 1, 2, 7, 128]
-    it "of fewest terms over GF(2) are the known trinomials, in degree 8 the pentanomial" $
+    it "those of fewest terms over GF(2) are the known trinomials, in degree 8 the pentanomial" $
       forM_
         [ (2, [1]),
           (3, [1]),
@@ -233,7 +233,7 @@ minimumOn f list = case sortOn f list of
 
 certificateSpec :: Spec
 certificateSpec = do
-  it "of every primitive polynomial with q^n up to 512 shows it" $
+  it "of every primitive polynomial with q^n up to 512 are accepted" $
     forM_
       [s | s@(q, n, _) <- small, fromIntegral q ^ n <= (512 :: Natural)]
       $ \(q, n, SomeField k) ->
@@ -242,7 +242,7 @@ certificateSpec = do
           fmap (filter (\h -> verifyPrimitive (certifyPrimitive h) /= Right h)) (primitives k n)
         )
           `shouldBe` (q, n, Right [])
-  it "shows every irreducible polynomial with q^n up to 512, and no other one" $
+  it "exist for every irreducible polynomial with q^n up to 512, and for no other one" $
     forM_
       [s | s@(q, n, _) <- small, fromIntegral q ^ n <= (512 :: Natural)]
       $ \(q, n, SomeField k) ->
@@ -255,12 +255,12 @@ certificateSpec = do
           ]
         )
           `shouldBe` (q, n, [])
-  it "of x^128 + x^7 + x^2 + x + 1 has the residues of the nine primes that divide 2^128 - 1" $ do
+  it "of x^128 + x^7 + x^2 + x + 1 have residues for the nine primes of 2^128 - 1" $ do
     h <- firstOver gf2 128
     map fst (certifiedResidues (certifyPrimitive h))
       `shouldBe` [3, 5, 17, 257, 641, 65537, 274177, 6700417, 67280421310721]
     verifyPrimitive (certifyPrimitive h) `shouldBe` Right h
-  it "of a primitive polynomial, tampered with, is refused for what is wrong" $ do
+  it "of a primitive polynomial are refused if changed, with the reason" $ do
     h <- paperPrimitive
     let good = certifyPrimitive h
         verdict = either Just (const Nothing) . verifyPrimitive
@@ -283,13 +283,13 @@ certificateSpec = do
       `shouldBe` Just (EntryMissing 3)
     verdict good {certifiedResidues = (3, 1) : drop 1 (certifiedResidues good)}
       `shouldBe` Just (EntryWrong 3)
-  it "of an irreducible polynomial that is not primitive there is none" $ do
+  it "do not exist for an irreducible polynomial that is not primitive" $ do
     -- x^4 + x^3 + x^2 + x + 1 divides x^5 - 1.
     let h = polynomial [1, 1, 1, 1, 1] :: Polynomial GF2
         residues = [(r, fromMaybe 0 (powerModulo h variable (15 `div` r))) | r <- [3, 5]]
     fmap (const ()) (verifyPrimitive (PrimitiveCertificate h [(3, 1), (5, 1)] residues))
       `shouldBe` Left (OrderLower 3)
-  it "of an irreducible polynomial, tampered with, is refused" $ do
+  it "of an irreducible polynomial are refused if changed" $ do
     let h = polynomial [1, 1, 0, 0, 0, 0, 1] :: Polynomial GF2
     good <- maybe (fail "x^6 + x + 1 is irreducible") pure (certifyIrreducible h)
     sort (map fst (certifiedWitnesses good)) `shouldBe` [2, 3]

@@ -44,11 +44,11 @@ spec = do
         )
           `shouldBe` (q, [])
   describe "irreducible polynomials" $ do
-    it "are those that are no product, over GF(2), GF(3), GF(4), GF(5), up to degree 4, 3, 3, 2" $
+    it "are those that are not products: GF(2), GF(3), GF(4), GF(5), to degree 4, 3, 3, 2" $
       forM_ [(2, 4), (3, 3), (4, 3), (5, 2)] $ \(q, top) ->
         overField q $ \k ->
           forM_ [1 .. top] $ \n -> (q, n, irreducible k n) `shouldBe` (q, n, notProducts k n)
-  describe "powers modulo h, unboxed and packed, are those by long division" $
+  describe "powers modulo h, unboxed and packed, equal those by long division" $
     forM_
       [ (2, [1, 2, 5, 63, 64, 65, 127, 128, 129]),
         (3, [1, 2, 7, 20]),
@@ -60,12 +60,12 @@ spec = do
         it ("over GF(" ++ show q ++ "), degree " ++ show n) $
           withMaxSuccess 4 (ofField q (`powersAgree` n))
   describe "primitive polynomials" $ do
-    it "are shown as they are written, in parentheses where they are an argument" $ do
+    it "are shown as Haskell expressions, in parentheses as an argument" $ do
       let h = polynomial [1, 1, 0, 1] :: Polynomial GF2
       [showsPrec d h "" | d <- [0, 10, 11]]
         `shouldBe` ["polynomial [1,1,0,1]", "polynomial [1,1,0,1]", "(polynomial [1,1,0,1])"]
       (signum h, signum (h - h), abs h) `shouldBe` (1, 0, h)
-    it "are none of degree 0, which has no root" $
+    it "do not exist in degree 0" $
       forM_ (fieldsUpTo 9) $ \(q, SomeField k) ->
         (q, countPrimitive k 0) `shouldBe` (q, Left PolynomialConstant)
     it "the paper's x^4 + x^2 + A x + A^2 is the first of 32 quartics over GF(4)" $ do
@@ -74,7 +74,7 @@ spec = do
       fmap length (primitivePolynomials 4 :: Either PolynomialError [Primitive GF4])
         `shouldBe` Right 32
       map toCode (coefficients (primitivePolynomial paper)) `shouldBe` [3, 2, 1, 0, 1]
-    it "the reciprocal of a primitive polynomial is one, and the reciprocal of that is the first" $
+    it "have primitive reciprocals, and the reciprocal of the reciprocal is the polynomial" $
       forM_ [(2, 6), (3, 3), (4, 4), (9, 2)] $ \(q, n) ->
         overField q $ \k ->
           forM_ (primitives k n) $ \h -> do
@@ -92,17 +92,17 @@ spec = do
       map check [[], [0], [1], [3]] `shouldBe` replicate 4 (Left PolynomialConstant)
     it "polynomials that are not monic" $
       check [3, 2, 1, 0, 2] `shouldBe` Left (PolynomialNotMonic 2)
-    it "those divisible by x, x itself among them" $
+    it "polynomials divisible by x, and x itself" $
       map check [[0, 1], [0, 2, 1]] `shouldBe` replicate 2 (Left ConstantTermZero)
-    it "reducible ones" $ check [1, 0, 1] `shouldBe` Left PolynomialReducible
-    it "irreducible ones whose root has a lower order, which is told" $
+    it "reducible polynomials" $ check [1, 0, 1] `shouldBe` Left PolynomialReducible
+    it "irreducible polynomials whose root has a lower order, which is given" $
       -- x + 1 has the root 1; x^4 + x^3 + x^2 + x + 1 divides x^5 - 1.
       [check [1, 1], check2 [1, 1, 1, 1, 1]]
         `shouldBe` [Left (PolynomialNotPrimitive 1), Left (PolynomialNotPrimitive 5)]
     it "degree 0 has no primitive polynomials" $
       (() <$ (primitivePolynomials 0 :: Either PolynomialError [Primitive GF4]))
         `shouldBe` Left PolynomialConstant
-    it "codes that are no elements" $
+    it "codes that are not elements" $
       (polynomialFromCodes [1, 4, 1] :: Either FieldError (Polynomial GF4))
         `shouldBe` Left (CodeOutOfRange 4 4)
   where
@@ -138,24 +138,24 @@ ringSpec _ = do
       let (g, u, v) =
             bezout a b
        in u * a + v * b === g .&&. g === greatestCommonDivisor a b
-  it "and u and v are of least degree: u = 0 or below that of b / g, v = 0 or below that of a / g" $
+  it "u and v have least degree: u is 0 or of lower degree than b / g, and v than a / g" $
     forAll2 $ \a b ->
       a /= 0 && b /= 0
         ==> let (g, u, v) = bezout a b
                 count p = length (coefficients p)
                 lower p q = p == 0 || count p <= max 1 (count q - count g)
              in counterexample (show (g, u, v)) (lower u b && lower v a)
-  it "the value at c is the remainder by x - c" $
+  it "the value at c is the remainder of division by x - c" $
     forAll2 $ \a _ ->
       forAll genElement $ \c ->
         Just (constant (valueAt a c)) === fmap snd (quotientRemainder a (polynomial [negate c, 1]))
   it "a (b + c) = a b + a c, a - b = a + negate b" $
     forAll2 $ \a b -> a * (b + a + 1) === a * b + a * a + a .&&. a - b === a + negate b
-  it "the coefficients have no zero at the top, and make the polynomial again" $
+  it "the leading coefficient is not zero, and the coefficients make the polynomial again" $
     forAll2 $ \a b ->
       polynomial (coefficients (a * b)) === a * b
         .&&. property (take 1 (reverse (coefficients (a * b))) /= [zero])
-  it "powerModulo h a e is the remainder of the product of e factors a" $
+  it "powerModulo h a e is a^e modulo h, by repeated multiplication" $
     forAll2 $ \a h -> forAll (choose (0, 12)) $ \e ->
       powerModulo h a (fromIntegral (e :: Int))
         === fmap snd (quotientRemainder (product (replicate e a)) h)

@@ -17,7 +17,7 @@ import Test.Hspec
 spec :: Spec
 spec = do
   describe "the canonical profile" $ do
-    it "is what the choice of its array gives" $
+    it "is what choosing its array gives" $
       chooseProfile
         (profileChoice 4 [3, 2, 1, 0, 1] (Shape 15 17))
           { chosenModulus = Just [1, 1, 1],
@@ -25,10 +25,10 @@ spec = do
             chosenState = Just [0, 0, 0, 1]
           }
         `shouldBe` Right canonicalProfile
-    it "and what it gives when all that can be left out is left out" $
+    it "is also given if everything optional is left out" $
       chooseProfile (profileChoice 4 [3, 2, 1, 0, 1] (Shape 15 17))
         `shouldBe` Right canonicalProfile
-    it "opens to the paper's array, the worked example at (6, 5)" $
+    it "gives the paper's array, with the worked example at (6, 5)" $
       withProfile
         canonicalProfile
         (\array m -> map showElement <$> windowAt (ArrayOn Torus array) m (Position 6 5))
@@ -54,14 +54,14 @@ spec = do
         ]
         $ \(q, n, shape) ->
           inferWindow q n shape `shouldBe` Nothing
-    it "is asked for then" $
+    it "must then be given" $
       chooseProfile (profileChoice 4 [3, 2, 1, 0, 1] (Shape 17 15))
         `shouldBe` Left (WindowNotInferred 17 4)
   describe "other choices" $ do
     it "15 x 273 has no diagonal fold" $
       (chooseProfile (profileChoice 4 [2, 1, 1, 0, 0, 0, 1] (Shape 15 273)) >>= opened)
         `shouldBe` Left (ProfileFold (NotCoprime 15 273 3))
-    it "63 x 65 has one, and its 3 x 2 windows are distinct" $
+    it "63 x 65 has a diagonal fold, and its 3 x 2 windows are distinct" $
       ( chooseProfile (profileChoice 4 [2, 1, 1, 0, 0, 0, 1] (Shape 63 65)) >>= \p ->
           withProfile p (\array m -> fmap (proved . fst) (prove (ArrayOn Torus array) m))
       )
@@ -87,7 +87,7 @@ spec = do
         `shouldBe` Right [1, 2, 4, 5]
   describe "impossible choices" $ do
     let refusedBy change reason = opened (change canonicalProfile) `shouldBe` Left reason
-    it "an order that is no prime power, or too large" $ do
+    it "an order that is not a prime power, or too large" $ do
       (\p -> p {profileOrder = 6}) `refusedBy` ProfileField (NotAPrimePower 6)
       (\p -> p {profileOrder = 512}) `refusedBy` ProfileField (FieldTooLarge 512 1)
       chooseProfile (profileChoice 6 [1, 1] (Shape 1 5))
@@ -105,14 +105,14 @@ spec = do
       (\p -> p {profilePolynomial = [1, 0, 0, 0, 1]})
         `refusedBy` ProfilePolynomial PolynomialReducible
       (\p -> p {profilePolynomial = []}) `refusedBy` ProfileFold (WrongArea (Shape 15 17) 0)
-    it "a polynomial of a degree far too large, at once" $
+    it "a polynomial of far too large a degree, refused at once" $
       (\p -> p {profilePolynomial = replicate 3000 1})
         `refusedBy` ProfileFold (WrongArea (Shape 15 17) (4 ^ (2999 :: Int) - 1))
     it "a state of another length, of zeros, or with foreign codes" $ do
       (\p -> p {profileState = [0, 1]}) `refusedBy` ProfileState (StateLength 2 4)
       (\p -> p {profileState = [0, 0, 0, 0]}) `refusedBy` ProfileState StateZero
       (\p -> p {profileState = [0, 0, 0, 7]}) `refusedBy` ProfileField (CodeOutOfRange 7 4)
-    it "a shape of another area" $
+    it "a shape whose area is not q^n - 1" $
       (\p -> p {profileShape = Shape 15 16}) `refusedBy` ProfileFold (WrongArea (Shape 15 16) 255)
     it "a window without cells, or with too many" $ do
       (\p -> p {profileWindow = Shape 0 2}) `refusedBy` ProfileWindow WindowEmpty

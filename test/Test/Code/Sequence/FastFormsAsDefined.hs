@@ -23,16 +23,16 @@ import Test.QuickCheck hiding (elements)
 spec :: Spec
 spec = do
   describe "a vector filled by a recurrence" $ do
-    it "in blocks is what it is term by term, over every field" $
+    it "in blocks equals the one filled term by term, over every field" $
       withMaxSuccess 4 (forEveryField (`filledAlike` 0))
-    it "in blocks is what it is term by term, whatever the offset of the vector in memory" $
+    it "in blocks equals the one filled term by term, at any offset in memory" $
       forAll (choose (1, 17)) $ \offset ->
         conjoin
           [ filledAlike gf2 offset,
             filledAlike (Proxy :: Proxy GF8) offset,
             filledAlike (Proxy :: Proxy GF9) offset
           ]
-    it "of an m-sequence, by whichever way, is the sequence: to 40000 terms, six fields" $
+    it "with an m-sequence is the sequence, up to 40000 terms, over six fields" $
       forM_ [(2, 17), (3, 10), (4, 9), (9, 5), (251, 2), (256, 2)] $ \(q, n) ->
         overField q $ \k -> do
           h <- firstOver k n
@@ -43,7 +43,7 @@ spec = do
                 == take count (mSequence g (canonicalState g))
             )
               `shouldBe` (q, count, True)
-    it "is left alone where the recurrence would look outside it, and else goes on" $
+    it "is unchanged if the recurrence would read outside it, and continued otherwise" $
       forM_ [(from, to) | from <- [-1 .. 11], to <- [-1 .. 11]] $ \(from, to) -> do
         -- v(i) = v(i-1) + v(i-3).
         let r = recurrenceOf [1, 0, 1 :: GF GF2]
@@ -57,7 +57,7 @@ spec = do
         (from, to, map come [Way stepwise, Way blockwise, Way continue])
           `shouldBe` (from, to, replicate 3 expected)
   describe "a jump" $ do
-    it "to s(t) is the combination of the initial state that x^t modulo h says, over every field" $
+    it "to s(t) combines the initial state by the coefficients of x^t, over every field" $
       forM_ everyField $ \(q, SomeField k) -> forM_ (if q > 16 then [1, 2] else [1 .. 5]) $ \n -> do
         h <- firstOver k n
         let state = take (primitiveDegree h) (cycle (drop (q `div` 3) elements))
@@ -69,7 +69,7 @@ spec = do
           ]
           )
           `shouldBe` (q, n, [])
-    it "in packed words is the general one: GF(2), every degree up to 20, and round 32 and 64" $
+    it "in packed words equals the general one: GF(2), degrees to 20, near 32 and 64" $
       forM_ ([1 .. 20] ++ [31 .. 33] ++ [61 .. 66]) $ \n -> do
         h <- right (firstPrimitive n :: Either PolynomialError (Primitive GF2))
         let state = stateElements (canonicalState h)

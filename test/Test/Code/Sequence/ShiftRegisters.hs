@@ -33,19 +33,19 @@ spec = do
     initialState h [0, 0, 0, 1, 1] `shouldBe` Left (StateLength 5 4)
     initialState h (repeat 1) `shouldBe` Left (StateLength 5 4)
   describe "stepping" $ do
-    it "forward and back again, and back and forward again, is no step, in both forms" $
+    it "forward and back again, and back and forward again, changes no state, in both forms" $
       forRegisters $ \h -> forM_ (states h) $ \s -> do
         previous h (next h s) `shouldBe` s
         next h (previous h s) `shouldBe` s
         let g = toGalois h s
         galoisPrevious h (galoisNext h g) `shouldBe` g
         galoisNext h (galoisPrevious h g) `shouldBe` g
-    it "q^n - 1 times is no step, and no fewer steps are" $
+    it "q^n - 1 times returns to the state, and fewer steps do not" $
       forRegisters $ \h -> do
         let s = canonicalState h
             walk = take (fromIntegral (period h) + 1) (iterate (next h) s)
         [i | (i, t) <- zip [0 :: Natural ..] walk, t == s] `shouldBe` [0, period h]
-    it "t times is stateAt t, for t negative, small and large" $
+    it "t times is stateAt t, for negative, small and large t" $
       forRegisters $ \h -> do
         let s = canonicalState h
             terms = toInteger (period h)
@@ -53,7 +53,7 @@ spec = do
           stateAt h s t `shouldBe` iterate (next h) s !! fromInteger t
           stateAt h s (-t) `shouldBe` iterate (previous h) s !! fromInteger t
           stateAt h s (t + 10 ^ (20 :: Int) * terms) `shouldBe` stateAt h s t
-    it "backward is the sequence of the reciprocal polynomial" $
+    it "backward gives the sequence of the reciprocal polynomial" $
       forRegisters $ \h -> forM_ (take 5 (states h)) $ \s -> do
         let backward =
               take 60 (concatMap (take 1 . reverse . stateElements) (iterate (previous h) s))
@@ -62,14 +62,14 @@ spec = do
         take 60 (mSequence g start) `shouldBe` backward
         reciprocal g `shouldBe` h
   describe "the Galois register" $ do
-    it "puts out what the Fibonacci register does, from every state that toGalois maps" $
+    it "has the output of the Fibonacci register whose state toGalois maps to its own" $
       forRegisters $ \h -> forM_ (states h) $ \s ->
         take 40 (galoisSequence h (toGalois h s)) `shouldBe` take 40 (mSequence h s)
     it "toFibonacci undoes toGalois, and steps map to steps" $
       forRegisters $ \h -> forM_ (states h) $ \s -> do
         toFibonacci h (toGalois h s) `shouldBe` Right s
         toGalois h (next h s) `shouldBe` galoisNext h (toGalois h s)
-    it "steps by the product with x modulo h" $
+    it "steps by multiplication by x modulo h" $
       forRegisters $ \h -> forM_ (states h) $ \s -> do
         let residue = polynomial (stateElements s)
         fmap galoisElements (galoisNext h <$> galoisState h (stateElements s))
@@ -108,17 +108,17 @@ spec = do
               else
                 expectationFailure
                   (show (q, h, synthesisLength result, synthesisPolynomial result))
-    it "finds a shortest register, and whether it is the only one: all short sequences" $ do
+    it "finds a shortest register, and whether it is unique, for all short sequences" $ do
       sequencesUpTo 7 $ \s -> judged (s :: [GF GF2])
       sequencesUpTo 5 $ \s -> judged (s :: [GF GF3])
-    it "one 1 after k zeros needs k + 1 stages" $
+    it "needs k + 1 stages for a 1 after k zeros" $
       forM_ [0 .. 20] $ \k ->
         synthesisLength (synthesise (replicate k 0 ++ [1 :: GF GF4])) `shouldBe` k + 1
-    it "zeros need none, and no terms neither" $ do
+    it "needs no stages for zeros, or for no terms" $ do
       synthesisLength (synthesise (replicate 9 (0 :: GF GF9))) `shouldBe` 0
       synthesisLength (synthesise ([] :: [GF GF9])) `shouldBe` 0
       synthesisPolynomial (synthesise ([] :: [GF GF9])) `shouldBe` 1
-    it "what it finds puts out the terms; with 2 L <= N - 1 one term less finds it" $
+    it "finds a register with these terms; if 2 L < N, one term less suffices" $
       conjoin
         [ counterexample (show q) (putsOut k)
           | (q, SomeField k) <- [f | f <- everyField, fst f `elem` [2, 3, 4, 5, 8, 9, 251, 256]]

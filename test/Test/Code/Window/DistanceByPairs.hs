@@ -29,7 +29,7 @@ spec = do
         $ \((k1, k2), d) -> do
           m <- right (rectangle (Shape k1 k2))
           fmap distance (minimumDistance array m) `shouldBe` Right d
-    it "of all cells of an array: q^n - q^(n-1), the m-sequence's own weight" $ do
+    it "of a whole array is the m-sequence's weight, q^n - q^(n-1)" $ do
       paper <- paperArray
       every <- right (rectangle (Shape 15 17))
       fmap distance (minimumDistance paper every) `shouldBe` Right (4 ^ (4 :: Int) - 4 ^ (3 :: Int))
@@ -38,18 +38,18 @@ spec = do
       every' <- right (rectangle (Shape 8 91))
       fmap distance (minimumDistance array every')
         `shouldBe` Right (9 ^ (3 :: Int) - 9 ^ (2 :: Int))
-    it "0, and nothing need be missing, where some windows are the same" $ do
+    it "is 0, with no failing erasure, where two windows are equal" $ do
       array <- paperArray
       m <- right (rectangle (Shape 1 2))
       minimumDistance array m `shouldBe` Right (Distance 0 [])
-    it "of degree 1 all cells of two windows differ: it is their number" $
+    it "is the number of cells in degree 1, where two windows differ in every cell" $
       forM_ (filter ((> 2) . fst) everyField) $ \(q, SomeField (k :: Proxy k)) -> do
         h <- firstOver k 1
         array <- right (folded RowMajor (Shape 1 (fromIntegral q - 1)) h)
         forM_ [1 .. min 9 (fromIntegral q - 1)] $ \cells -> do
           m <- right (rectangle (Shape 1 cells))
           (q, cells, distance <$> minimumDistance array m) `shouldBe` (q, cells, Right cells)
-    it "is refused, within bounds that hold, when the search would be too long" $ do
+    it "is refused with correct bounds if the search would take too long" $ do
       array <- paperArray
       forM_ [Shape 3 3, Shape 4 4, Shape 5 5] $ \size -> do
         m <- right (rectangle size)
@@ -64,7 +64,7 @@ spec = do
       -- that tell its position.
       minimumDistanceWithin 0 array m `shouldBe` Left (DistanceBetween 6 25)
   describe "the smallest failing erasure" $ do
-    beforeAll paperArray . it "leaves less than rank n, and no smaller one does" $ \array ->
+    beforeAll paperArray . it "leaves a rank below n, and no smaller erasure does" $ \array ->
       withMaxSuccess 100 . forAll genMask $ \m ->
         whenRight (minimumDistance array m) $ \(Distance d cells) ->
           let without missing =
@@ -84,7 +84,7 @@ spec = do
                         ]
                     )
                 ]
-    it "is what tells apart two windows that otherwise are the same" $ do
+    it "is exactly where some two windows differ" $ do
       array <- paperArray
       m <- right (rectangle (Shape 3 3))
       Distance _ cells <- right (minimumDistance array m)
@@ -97,18 +97,18 @@ spec = do
             ]
       seen `shouldSatisfy` (not . null)
   describe "weights" $ do
-    beforeAll paperArray . it "are those of the windows, as often as positions repeat them" $
+    beforeAll paperArray . it "are those of all windows, once repeated windows are counted" $
       \array -> withMaxSuccess 100 . forAll genMask $ \m ->
         let repeated = 4 ^ (4 - windowRank array m)
          in fmap (Map.map (* repeated)) (weightEnumerator array m)
               === Right (Map.insertWith (+) 0 1 (windowWeights array m))
-    it "of n cells of rank n: binomially many" $ do
+    it "of n cells of rank n over GF(2) are the binomial coefficients" $ do
       h <- firstOver gf2 16
       array <- right (folded Diagonal (Shape 255 257) h)
       m <- right (maskFrom [Position i j | i <- [0 .. 7], j <- [0, 1]])
       windowRank array m `shouldBe` 16
       weightEnumerator array m `shouldBe` Right (Map.fromList (zip [0 ..] (binomials 16)))
-    it "are refused when neither the windows nor the dual code's are few" $ do
+    it "are refused if both the code and its dual have too many words" $ do
       h <- firstOver gf2 32
       array <- right (folded RowMajor (Shape 1 (2 ^ (32 :: Int) - 1)) h)
       m <- right (rectangle (Shape 1 64))

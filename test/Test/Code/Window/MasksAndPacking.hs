@@ -15,16 +15,16 @@ import Test.QuickCheck
 spec :: Spec
 spec = do
   describe "masks" $ do
-    it "a rectangle is read row by row" $
+    it "of a rectangle list its cells row by row" $
       fmap offsets (rectangle (Shape 2 3))
         `shouldBe` Right [(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)]
-    it "cells keep the order in which they are given" $
+    it "keep the order of their cells" $
       fmap offsets (mask [(3, 1), (0, 0)]) `shouldBe` Right [(3, 1), (0, 0)]
-    it "the extent holds the cells and the position, observed or not" $ do
+    it "have an extent that contains all cells and the position" $ do
       fmap maskExtent (mask [(0, 0), (0, 9), (11, 8)]) `shouldBe` Right (Shape 12 10)
       fmap maskExtent (mask [(2, 1)]) `shouldBe` Right (Shape 3 2)
       fmap maskSize (mask [(0, 0), (0, 9), (11, 8)]) `shouldBe` Right 3
-    it "no cells, too many, and repeated ones are refused" $ do
+    it "are refused without cells, with too many, or with a repeated one" $ do
       mask [] `shouldBe` Left WindowEmpty
       rectangle (Shape 0 3) `shouldBe` Left WindowEmpty
       rectangle (Shape 3 0) `shouldBe` Left WindowEmpty
@@ -41,20 +41,20 @@ spec = do
       fmap maskRectangle (maskFromDrawing "##/##") `shouldBe` Right (Just (Shape 2 2))
       fmap maskRectangle (maskFromDrawing ".#/.#") `shouldBe` Right Nothing
       fmap maskRectangle (mask [(1, 0), (0, 0)]) `shouldBe` Right (Just (Shape 2 1))
-    it "line ends part their rows as slashes do, whichever they are, and several part rows once" $
+    it "accept any line ends in place of slashes, several in a row as one" $
       forM_
         ["##.\n.##", "##.\r\n.##\r\n", "##.\r.##", "\n\n##. /\n\n.## /\n", "##./.##/"]
         $ \drawing ->
           (drawing, offsets <$> maskFromDrawing drawing)
             `shouldBe` (drawing, Right [(0, 0), (0, 1), (1, 1), (1, 2)])
-    it "other drawings are refused" $ do
+    it "are refused in any other drawing" $ do
       maskFromDrawing "" `shouldBe` Left WindowEmpty
       maskFromDrawing "../.." `shouldBe` Left WindowEmpty
       maskFromDrawing "##/#" `shouldBe` Left (DrawingRagged 1 1 2)
       maskFromDrawing "#x/##" `shouldBe` Left (DrawingCharacter 'x')
       maskFromDrawing "##//##" `shouldBe` Left (DrawingRagged 1 0 2)
       maskFromDrawing "/##" `shouldBe` Left (DrawingRagged 1 2 0)
-    it "a drawing is read as it was drawn" $
+    it "are read back from their drawing" $
       forAll
         ( choose (1, 5)
             >>= (`vectorOf` ((,) <$> choose (0, 4) <*> choose (0, 4))) ::
@@ -71,7 +71,7 @@ spec = do
       forM_ [Torus, Sheet] $ \surface ->
         fmap (map showElement) (windowAt (ArrayOn surface array) m (Position 6 5))
           `shouldBe` Just ["A^2", "A", "A^2", "1"]
-    it "wrap on the torus, and are absent where they stick out of the sheet" $ do
+    it "wrap on the torus, and are absent where the window leaves the sheet" $ do
       array <- paperArray
       m <- right (rectangle (Shape 2 2))
       windowAt (ArrayOn Torus array) m (Position 14 16)
@@ -87,10 +87,10 @@ spec = do
         ]
         `shouldBe` 14 * 16
   describe "packing" $ do
-    it "the first cell is the most significant digit, or the least" $ do
+    it "makes the first cell the most significant digit, or the least" $ do
       pack MostSignificantFirst 4 [3, 2, 3, 1] `shouldBe` 3 * 64 + 2 * 16 + 3 * 4 + 1
       pack LeastSignificantFirst 4 [3, 2, 3, 1] `shouldBe` 3 + 2 * 4 + 3 * 16 + 1 * 64
-    it "other numbers are refused" $ do
+    it "refuses numbers beyond the range" $ do
       unpack MostSignificantFirst 4 4 256 `shouldBe` Left (PackedOutOfRange 256)
       unpack MostSignificantFirst 4 0 1 `shouldBe` Left (PackedOutOfRange 1)
   where

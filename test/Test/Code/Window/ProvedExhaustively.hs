@@ -26,14 +26,14 @@ spec = do
       it
         ( "over GF("
             ++ show q
-            ++ "), by both roads, where gcd(q^k1 - 1, k2) = 1; row by row elsewhere"
+            ++ "), by both methods, diagonal if gcd(q^k1 - 1, k2) = 1, else row by row"
         )
         $ overField q $ \k ->
           forM_ (sizes (fromIntegral q) (2 ^ bits)) $ \(k1, k2) ->
             firstOver k (k1 * k2) >>= bothRoads k1 k2
   -- Up to 2^12 these are among the next.
   when (bits > 16) $
-    describe ("the same of every primitive polynomial, q^(k1 k2) <= 2^" ++ show (bits - 4)) $
+    describe ("every primitive polynomial in the same shapes, q^(k1 k2) <= 2^" ++ show (bits - 4)) $
       forM_ [2, 3, 4, 5, 7, 8, 9, 16] $ \q ->
         it ("over GF(" ++ show q ++ ")") $
           overField q $ \k ->
@@ -42,7 +42,7 @@ spec = do
   let most = byEffort 256 4096
   describe ("every primitive polynomial and every shape, q^n <= " ++ show most) $
     forM_ [2, 3, 4, 5, 7, 8, 9, 16] $ \q ->
-      it ("over GF(" ++ show q ++ "): the windows that are sure to work do, by both roads") $
+      it ("over GF(" ++ show q ++ "): windows that theory guarantees are proved by both methods") $
         overField q $ \k ->
           forM_ (takeWhile (\n -> (fromIntegral q :: Natural) ^ n <= most) [1 ..]) $ \n ->
             everyShape k n

@@ -35,7 +35,7 @@ spec = do
     it "has 224 windows on the sheet, distinct as well" $ do
       (verdict, _) <- verdictOn Sheet (rectangle (Shape 2 2))
       (proved verdict, distinctWindows verdict, rank verdict) `shouldBe` (True, Just 224, Just 4)
-    it "is refuted with 1 x 2 windows, and the two positions told have the same content" $ do
+    it "is refuted with 1 x 2 windows, by two positions with the same content" $ do
       array <- paperArray
       m <- right (rectangle (Shape 1 2))
       (verdict, witness) <- right (prove (ArrayOn Torus array) m)
@@ -48,7 +48,7 @@ spec = do
         )
         (collision verdict)
         `shouldBe` Just (False, True)
-    it "a mask of rank 3 is refuted on the torus and proved on the sheet by visiting" $ do
+    it "with a mask of rank 3 is refuted on the torus and proved on the sheet, by visiting" $ do
       (onTorus, _) <- verdictOn Torus awkward
       (proved onTorus, rankDecision onTorus, rank onTorus, distinctWindows onTorus)
         `shouldBe` (False, Just False, Just 3, Just 64)
@@ -66,7 +66,7 @@ spec = do
       (plain, _) <- ofDegree6 RowMajor (Shape 15 273) (Shape 2 3) Torus
       (proved plain, rankDecision plain, rank plain, distinctWindows plain)
         `shouldBe` (False, Nothing, Nothing, Just 4065)
-    it "too large to visit are proved by the rank alone" $ do
+    it "that are too large to visit are proved by rank alone" $ do
       h <- firstOver gf4 16
       array <- right (folded Diagonal (Shape 255 (257 * 65537)) h)
       m <- right (rectangle (Shape 4 4))
@@ -80,7 +80,7 @@ spec = do
         `shouldBe` (True, Nothing, Just True, Just (4 ^ (16 :: Int) - 1), True)
       (onSheet, _) <- right (prove (ArrayOn Sheet array) m)
       distinctWindows onSheet `shouldBe` Just ((255 - 3) * (257 * 65537 - 3))
-    it "too large to visit, and not for the rank to decide, are refused" $ do
+    it "that are too large to visit are refused if the rank does not decide" $ do
       h <- firstOver gf4 16
       let shape = Shape 255 (257 * 65537)
       array <- right (folded Diagonal shape h)

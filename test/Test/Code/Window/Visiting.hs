@@ -147,13 +147,13 @@ visits codes offsets on = case (gridFromRows 3 codes, mask offsets) of
 
 visitingSpec :: Spec
 visitingSpec = do
-  it "any matrix, on every surface, sees what a set of all windows holds" $
+  it "any matrix, on every surface, agrees with a set of all its windows" $
     forAllShrink genMatrix shrinkMatrix $ \(codes, offsets) ->
       conjoin [visits codes offsets on | on <- [minBound .. maxBound]]
-  it "any rectangle on any small matrix, however it lies to the edges" $
+  it "any rectangle on any small matrix agrees, also across the edges" $
     forAllShrink genRectangle shrinkMatrix $ \(codes, offsets) ->
       conjoin [visits codes offsets on | on <- [minBound .. maxBound]]
-  it "long windows, whose contents fit no machine integer, of sparse matrices" $
+  it "long windows of sparse matrices agree, beyond the range of machine integers" $
     -- 3^39 < 2^62 < 3^40: the first 39 cells may tell all windows apart, or not; 38 and 39 fit.
     forAll ((,) <$> choose (40, 46) <*> choose (38, 42)) $ \(w, cells) ->
       forAllShrink
@@ -164,7 +164,7 @@ visitingSpec = do
             [ visits [codes] [(0, fromInteger j) | j <- [0 .. cells - 1]] on
               | on <- [minBound .. maxBound]
             ]
-  it "a matrix so wide that it is swept in strips, and so large that processors share it" $
+  it "wide matrices, swept in strips, and large ones, shared by processors, agree" $
     -- 3 x 9000 has two strips and a part of one; 31 x 8500 and 8500 x 31 have more than 2^18
     -- windows; 4 x 4 ones are sorted.
     forM_
@@ -179,7 +179,7 @@ visitingSpec = do
         forM_ [minBound .. maxBound] $ \on ->
           fmap differentWindows (enumerate on grid m)
             `shouldBe` Right (fromIntegral (differentContents on (h, w) (k1, k2) known))
-  it "windows with more contents than machine words have, too" $ do
+  it "windows with more contents than a machine word are proved distinct" $ do
     -- 25 cells over 4 symbols: 2^50 contents; 36 cells: 2^72.
     array <- paperArray
     forM_ [Shape 5 5, Shape 6 6] $ \size -> do
@@ -187,7 +187,7 @@ visitingSpec = do
       (verdict, _) <- right (prove (ArrayOn Torus array) m)
       (proved verdict, enumeration verdict, distinctWindows verdict)
         `shouldBe` (True, Just True, Just 255)
-  it "finds the repetition in a matrix that is no pseudorandom array" $ do
+  it "finds the repeated window in a matrix that is not pseudorandom" $ do
     grid <- right (gridFromRows 2 [[0, 1, 0], [1, 1, 1], [0, 1, 0]])
     m <- right (rectangle (Shape 1 2))
     verdict <- right (proveGrid Sheet grid m)
@@ -198,7 +198,7 @@ visitingSpec = do
     grid <- right (gridFromRows 2 [[0, 1, 0]])
     m <- right (rectangle (Shape 2 1))
     proveGrid Sheet grid m `shouldBe` Left NoWindowOnSheet
-  it "refuses many windows that the first cells do not tell apart, without comparing" $ do
+  it "refuses, without comparing, many windows whose first cells are equal" $ do
     grid <- right (gridFromRows 2 (replicate 1024 (replicate 1024 0)))
     m <- right (rectangle (Shape 64 64))
     proveGrid Torus grid m
