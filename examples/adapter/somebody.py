@@ -1,8 +1,6 @@
 """A decoder of the paper's array that somebody wrote. It knows nothing of the protocol."""
 
-PAPER = {"q": 4, "polynomial": [3, 2, 1, 0, 1], "shape": [15, 17], "window": [2, 2]}
-
-# GF(4): sums are XOR; of what is not 0, logarithms add up.
+# GF(4): sums are XOR; to multiply elements that are not 0, add their logarithms.
 LOG, EXP = {1: 0, 2: 1, 3: 2}, [1, 2, 3]
 
 

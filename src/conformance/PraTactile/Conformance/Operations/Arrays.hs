@@ -177,7 +177,7 @@ pack =
   Operation
     { operationName = "pack",
       operationStage = OnWindow,
-      operationSays = "the window's number; `cells` are in reading order",
+      operationSays = "the window's number; `cells` are row by row, from left to right",
       operationInput = alone "cells" (listOf natural),
       operationOutput = natural,
       operationReasons = [],
@@ -235,7 +235,7 @@ unpack =
   Operation
     { operationName = "unpack",
       operationStage = OnWindow,
-      operationSays = "the window's cells in reading order",
+      operationSays = "the window's cells, row by row, from left to right",
       operationInput = alone "packed" natural,
       operationOutput = listOf natural,
       operationReasons =

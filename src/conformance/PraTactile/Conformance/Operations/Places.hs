@@ -222,8 +222,7 @@ nearest =
       operationOutput = locationForm,
       operationReasons =
         [ tooFewCells,
-          noCompleteWindow,
-          ("zero-window", "at most `radius` observed cells are not 0"),
+          ("zero-window", "at most `radius` observed cells are not 0; for radius 0 as `locate`"),
           notInArray,
           offSheet,
           contradiction,
