@@ -2,7 +2,7 @@ import json, sys
 from somebody import number_of, symbol_at
 
 
-def natural(value):  # 7 and "7" are; 7.0, true, "+7" and -7 are not
+def natural(value):  # 7 may come as "7", as large numbers do; 7.0, true, "+7" and -7 are invalid
     if type(value) is str and value.isascii() and value.isdecimal():
         value = int(value)
     if type(value) is not int or value < 0:
