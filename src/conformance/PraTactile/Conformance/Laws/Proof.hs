@@ -27,8 +27,8 @@ import Test.QuickCheck (Gen, frequency, listOf1)
 proofLaws :: [Law Known]
 proofLaws =
   concat
-    [ ofMasks Prove proves,
-      ofMasks Distance differs,
+    [ ofMasks Prove proves ", and a mask without a window on the sheet is refused: off-sheet",
+      ofMasks Distance differs "",
       relationLaws,
       [orderLaw OnProof (operationsIn OnProof)],
       invalidLaws
@@ -42,9 +42,10 @@ proofLaws =
       "the distance of a mask is the least number of cells in which two of its windows on the \
       \folding's own surface differ"
 
--- | The laws that hold for both operations on masks.
-ofMasks :: Op MaskRows o -> String -> [Law Known]
-ofMasks operation sentence =
+-- | The laws that hold for both operations on masks, given the operation's sentence, and what it
+-- refuses of special masks.
+ofMasks :: Op MaskRows o -> String -> String -> [Law Known]
+ofMasks operation sentence refused =
   [ defined OnProof (name ++ "-small-masks") operation sentence source $ \known ->
       let p = knownProfile known
        in Every (map asked (ofVast 2 p (filter (affordable p) smallMasks))),
@@ -64,9 +65,7 @@ ofMasks operation sentence =
   where
     name = nameOf (SomeOp operation)
     asked = SomeQuestion . (operation :?)
-    special =
-      "; blank rows and columns at a mask's end are ignored, and a mask without a window on the \
-      \sheet is refused: off-sheet"
+    special = "; blank rows and columns at a mask's end are ignored" ++ refused
     -- For long sequences, only masks with few cells.
     affordable p mask = area (profileShape p) <= 1024 || length (concat mask) <= 4
 
