@@ -137,6 +137,10 @@ matrices = do
     -- The mean of the nearest neighbours stands for what is missing.
     let mean = (0.2 + 0.6 + 0.4 + 1) / 4
     Right (feltImage felt) `shouldBe` fromRows [[0.2, mean, 0.6], [0.4, mean, 1]]
+  -- Comments before the first number could be indented, but were then refused as data.
+  it "may have comments, indented or not, before and between rows" $
+    fmap (toRows . feltImage) (read' " # a\n#b\n0 1\n\t# c\n1 0\n" >>= numberedImage Nothing Nothing)
+      `shouldBe` Right [[0, 1], [1, 0]]
   it "are refused with the place of what is wrong" $ do
     problem "0.1 x\n" `shouldBe` Just (NotNumber 1 2 "x")
     problem "1\n\n0.1,5;0.2\n" `shouldBe` Just (NotNumber 3 1 "0.1,5;0.2")

@@ -45,7 +45,7 @@ beginsAsMatrix text = case C.uncons begin of
 decodeMatrix :: ByteString -> Either ImageError Images
 decodeMatrix file = do
   text <- first ImageInEncoding (plainText file)
-  let images = blocks [line | line <- numbered text, not (C.isPrefixOf (C.pack "#") (snd line))]
+  let images = blocks [line | line <- numbered text, not (isComment line)]
       separator = separatorOf (maybe B.empty snd (find (not . isBlank) (concat images)))
   case images of
     [] -> Left (ZeroSize 0 0)
@@ -62,6 +62,10 @@ numbered = zip [1 ..] . C.lines
 
 isBlank :: Line -> Bool
 isBlank = C.all (`elem` " \t\r") . snd
+
+-- | Whether the first character that is not a blank is @#@.
+isComment :: Line -> Bool
+isComment = C.isPrefixOf (C.pack "#") . C.dropWhile (`elem` " \t\r") . snd
 
 -- | The images with the given rows, all of one size. The first two arguments are the full scale
 -- and the spacing in millimetres.
