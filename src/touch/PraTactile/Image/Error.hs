@@ -65,7 +65,8 @@ data ImageError
     NotNumber !Int !Int !ByteString
   | -- | A number with a decimal comma: its line (from 1) and its text.
     DecimalComma !Int !ByteString
-  | -- | A Tekscan export lacks this key in its header, or the key's value is invalid.
+  | -- | A Tekscan export lacks this key in its header, or the key's value is invalid. It is @COLS@
+    -- if the first row has another number of values.
     TekscanHeader !String
   | -- | A Tekscan export lacks the frame with this number, or some of its rows.
     TekscanFrame !Integer

@@ -221,5 +221,8 @@ tekscan = do
         ("COL_SPACING 1.27 mm", "COL_SPACING 1.27 parsec", TekscanHeader "COL_SPACING"),
         ("ROWS 2", "ROWS two", TekscanHeader "ROWS"),
         ("SATURATION_PRESSURE 200", "SATURATION_PRESSURE 0", TekscanHeader "SATURATION_PRESSURE"),
-        ("COLS 3", "-", TekscanHeader "COLS")
+        ("COLS 3", "-", TekscanHeader "COLS"),
+        -- Another number of columns than the rows have was once ignored.
+        ("COLS 3", "COLS 4", TekscanHeader "COLS"),
+        ("COLS 3", "COLS 2", TekscanHeader "COLS")
       ]

@@ -188,6 +188,7 @@ decodeTekscan file = do
   let there = toInteger (length frames)
       announced = max 0 (end - start + 1)
   when (there /= announced) (Left (TekscanFrame (start + min there announced)))
+  when (any ((/= w) . V.length) (take 1 (concat frames))) (Left (TekscanHeader "COLS"))
   imagesOf full (Just across) frames
 
 -- | The value of a key in the header, with its line.
