@@ -139,8 +139,9 @@ matrices = do
     Right (feltImage felt) `shouldBe` fromRows [[0.2, mean, 0.6], [0.4, mean, 1]]
   -- Comments before the first number could be indented, but were then refused as data.
   it "may have comments, indented or not, before and between rows" $
-    fmap (toRows . feltImage) (read' " # a\n#b\n0 1\n\t# c\n1 0\n" >>= numberedImage Nothing Nothing)
-      `shouldBe` Right [[0, 1], [1, 0]]
+    let file = " # a\n#b\n0 1\n\t# c\n1 0\n"
+     in fmap (toRows . feltImage) (read' file >>= numberedImage Nothing Nothing)
+          `shouldBe` Right [[0, 1], [1, 0]]
   it "are refused with the place of what is wrong" $ do
     problem "0.1 x\n" `shouldBe` Just (NotNumber 1 2 "x")
     problem "1\n\n0.1,5;0.2\n" `shouldBe` Just (NotNumber 3 1 "0.1,5;0.2")
@@ -190,6 +191,12 @@ tekscan = do
     two <- right (numberedImage Nothing (Just 1) images)
     toRows (feltImage two) `shouldBe` [[0.005, 0.01, 0.015], [0.02, 0.025, 0.03]]
     rasterSize (feltImage two) `shouldBe` (3, 2)
+  -- An export whose lines end with CR alone was once not recognised as one.
+  it "have lines that end with CR LF, LF or CR" $
+    for_ ["\n", "\r"] $ \end ->
+      -- Compared as text, because NaN differs from itself.
+      show (read' (C.intercalate end (map C.pack exported)))
+        `shouldBe` show (read' (export exported))
   it "may be in centimetres, and raw readings have 8 bits" $ do
     images <-
       right . decodeImages maxPixels . export $

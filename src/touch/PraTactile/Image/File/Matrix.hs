@@ -22,7 +22,7 @@ import PraTactile.Decimal (NotDecimal (..), readDouble)
 import PraTactile.Image.Error (ImageError (..))
 import PraTactile.Image.Images
 import PraTactile.Image.Pgm.Type (checkSize)
-import PraTactile.PlainText (plainText)
+import PraTactile.PlainText (lineFeeds, plainText)
 
 -- | A line and its number, from 1.
 type Line = (Int, ByteString)
@@ -163,7 +163,7 @@ decimalIn field
 
 -- | Whether a file is a Tekscan export: one of its first lines ends such a header.
 isTekscan :: ByteString -> Bool
-isTekscan file = any isEnd (take 200 (C.lines (B.take 65536 file)))
+isTekscan file = any isEnd (take 200 (C.lines (lineFeeds (B.take 65536 file))))
 
 isEnd :: ByteString -> Bool
 isEnd = C.isPrefixOf (C.pack "ASCII_DATA")
