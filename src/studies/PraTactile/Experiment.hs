@@ -1,6 +1,9 @@
--- | The paper's experiment as a table. Its rows are trainings with each kind of middle stage,
--- unchanged and with one change at a time. All rows use the same seeds, so that they can be
--- compared seed by seed. "PraTactile.Classification.Experiment" defines trainings.
+-- | The paper's experiment (section IV) as a table. A network is trained in three stages: with
+-- clean images, then with these and noisy ones, then with clean images again
+-- ("PraTactile.Classification.Experiment"). As controls, the middle stage has clean copies in place
+-- of the noisy images, or is left out. The table has a row for each training with each kind of
+-- middle stage, unchanged and with one change at a time. All rows use the same seeds, so that they
+-- can be compared seed by seed.
 module PraTactile.Experiment
   ( -- * The plan
     Row (..),
@@ -42,32 +45,35 @@ import PraTactile.Shape (Alphabet, alphabetSize)
 import PraTactile.Steps (Steps, countingOn, inTurn, result)
 import PraTactile.SymbolImages
 
--- | Three rows of the table, one for each 'Middle': what is trained, and how.
+-- | A setting: what is trained, and how. It gives three rows of the table, one for each 'Middle'.
 data Row = Row
   { rowTraining :: Training,
-    -- | the name of the change, if there is one
+    -- | the change, in words; 'Nothing' if nothing is changed
     rowVaried :: Maybe String,
     rowSource :: ImageSource,
     rowSymbols :: Symbols,
     rowConditions :: Conditions
   }
 
--- | The changes that can be made.
+-- | The kinds of changes. Each changes one thing; some are several changes, of which each gives a
+-- 'Row'.
 data Variation
-  = -- | uniform initial weights, and output weights multiplied by 0.01, as in the toolbox's guide
+  = -- | two changes: uniform initial weights; output weights multiplied by 0.01, as in the
+    -- toolbox's guide
     OtherWeights
   | -- | initial weights for the ranges of the images, as in the toolbox's guide
     OtherRanges
-  | -- | the least gradient of the toolbox's help, and today's
+  | -- | the gradient at which training stops, two changes: 1e-5, as in later versions of the
+    -- toolbox; 1e-10, as its help says
     OtherLeastGradient
   | -- | the momentum formula of the toolbox's manual
     OtherFormula
-  | -- | two clean images for each class in the first stage and two others in the last, as in the
-    -- paper
+  | -- | as in the paper, two clean images for each class in the first stage, and two others in the
+    -- last; unchanged, all four are in each stage
     OtherStages
-  | -- | bitmaps, and presses of each preset
+  | -- | another source of images: the bitmaps, and presses by each preset sensor
     OtherImages
-  | -- | the other shipped alphabets
+  | -- | each shipped alphabet with another number of symbols
     OtherAlphabet
   deriving stock (Eq, Ord, Show, Bounded, Enum)
 
@@ -82,8 +88,9 @@ variationName variation = case variation of
   OtherImages -> "images"
   OtherAlphabet -> "alphabet"
 
--- | The rows of these trainings: unchanged, with images from this source of these symbols, and then
--- with each change of each variation. The third argument lists the other alphabets.
+-- | For each training: first a plain row with this source and these symbols, then one row per
+-- change. Arguments: the trainings; the kinds of changes; the alphabets for 'OtherAlphabet'; the
+-- source of images; the symbols.
 plan :: [Training] -> [Variation] -> [Alphabet] -> ImageSource -> Symbols -> [Row]
 plan trainings variations others source symbols =
   [ Row training name source' symbols' conditions
@@ -141,34 +148,36 @@ plan trainings variations others source symbols =
         standardConditions {conditionDescent = change (conditionDescent standardConditions)}
       )
 
--- | The seed of the test images. Those of trainings are from 0 up.
+-- | The seed of the test images. It is negative; the seeds of trainings are not.
 testSeed :: Int
 testSeed = -1
 
--- | The images of a source: for each seed, four for each class to train with; and a hundred for
--- each class to test with, from a seed of their own.
+-- | The clean images of a source. To train with: for each seed, four for each class. To test with:
+-- a hundred for each class, from 'testSeed'.
 data Images = Images
   { imagesToTrain :: [(Int, Material)],
     imagesToTry :: Labelled
   }
 
--- | The images for trainings with these seeds.
+-- | The images of these symbols from a source, for trainings with these seeds. Refuses sensors with
+-- which hardly any symbol is found.
 imagesFor :: Symbols -> ImageSource -> [Int] -> Either ImagesError Images
 imagesFor symbols source seeds = result (imagesSteps symbols source seeds)
 
--- | The steps of 'imagesFor', one for each press.
+-- | The steps of 'imagesFor', one for each press, with the number of images so far. Bitmaps take no
+-- steps.
 imagesSteps :: Symbols -> ImageSource -> [Int] -> Steps Int (Either ImagesError Images)
 imagesSteps symbols source seeds = do
   (n, trained) <- countingOn 0 (inTurn (map (materialSteps symbols source) seeds))
   (_, tried) <- countingOn n (labelledSteps symbols source triedEach testSeed)
   pure (Images . zip seeds <$> sequenceA trained <*> tried)
 
--- | The number of images for these numbers of classes and seeds.
+-- | The number of images that 'imagesFor' gives. Arguments: the numbers of classes and of seeds.
 imagesCount :: Int -> Int -> Int
 imagesCount classes seeds = classes * (trainedEach * seeds + triedEach)
 
 -- | The approximate memory, in bytes, of the rows of a plan. Arguments: the number of trials made
--- at once, the number of seeds for each, and the rows.
+-- at once; the number of seeds of each row; the rows.
 experimentBytes :: Int -> Int -> [Row] -> Integer
 experimentBytes atOnce seeds rows = imageBytes + toInteger atOnce * maximum (0 : map ofRow rows)
   where
@@ -187,11 +196,13 @@ trainedEach, triedEach :: Int
 trainedEach = 4
 triedEach = 100
 
--- | The training images from a seed: for each class the first two and the next two.
+-- | The clean training images from a seed: two of each class for 'materialFirst', two others for
+-- 'materialLast'. Refuses sensors with which hardly any symbol is found.
 material :: Symbols -> ImageSource -> Int -> Either ImagesError Material
 material symbols source seed = result (materialSteps symbols source seed)
 
--- | The steps of 'material', one for each press.
+-- | The steps of 'material', one for each press, with the number of images so far. Bitmaps take no
+-- steps.
 materialSteps :: Symbols -> ImageSource -> Int -> Steps Int (Either ImagesError Material)
 materialSteps symbols source seed =
   fmap (halves . labelledAs) <$> labelledSteps symbols source trainedEach seed
@@ -202,11 +213,12 @@ materialSteps symbols source seed =
         [some [it | it <- images, snd it == c] | c <- [0 .. classes - 1]]
     classes = alphabetSize (symbolShapes symbols)
 
--- | The trial of a row with one seed. For each kind of middle stage it has the trained network and,
--- for each noise level and class, the number of wrong images and the number of images.
+-- | The trial of a row with one seed: for each kind of middle stage, the trained network, and for
+-- each noise level and then each class the number of images read wrongly and the number of images.
 type Trial = [(Run, [[(Int, Int)]])]
 
--- | Runs a row with a seed on the images of its source. Refuses what training refuses.
+-- | Runs a row with a seed on the images of its source. Refuses what 'trainedBy' refuses, and
+-- ('EmptyBatch') a seed for which there are no training images.
 trial :: Row -> Images -> Int -> Either NetworkError Trial
 trial row images seed = case lookup seed (imagesToTrain images) of
   Nothing -> Left EmptyBatch
@@ -240,18 +252,23 @@ spreadOf values
 data Outcome = Outcome
   { outcomeMiddle :: Middle,
     outcomeSeeds :: Int,
-    -- | for each noise level, the error rate over all classes, in per cent
+    -- | for each noise level, that level and the error rate over all classes, in per cent
     outcomeLevels :: [(Double, Spread)],
-    -- | the error rate of the worst class, over all levels, in per cent
+    -- | the error rate of the worst class of each seed, in per cent: errors over images, all noise
+    -- levels together
     outcomeWorst :: Spread,
-    -- | for noisy images: the number of seeds with fewer errors than with clean copies
+    -- | for noisy images: the number of seeds whose worst class has a lower error rate than with
+    -- clean copies
     outcomeBetterThanClean :: Maybe Int,
-    -- | for noisy images: the number of seeds with fewer errors than without a middle stage
+    -- | for noisy images: the number of seeds whose worst class has a lower error rate than without
+    -- a middle stage
     outcomeBetterThanNone :: Maybe Int
   }
   deriving stock (Eq, Show)
 
--- | The results of a row, from the counts of each seed for each kind of middle stage.
+-- | The results of a row, one for each 'Middle'. The argument has, for each seed, each 'Middle',
+-- each noise level and each class in this order, the numbers of wrong images and of images, as in
+-- 'Trial'.
 outcomes :: [[[[(Int, Int)]]]] -> [Outcome]
 outcomes bySeed =
   [ Outcome
@@ -277,7 +294,8 @@ outcomes bySeed =
       100 * fromIntegral (sum (map fst counted)) / fromIntegral (max 1 (sum (map snd counted))) ::
         Double
 
--- | The paper's error rates in per cent, with noisy images and without.
+-- | The paper's error rate of the worst class, in per cent: with noisy images and without a middle
+-- stage. It did not try clean copies.
 paperPercent :: Middle -> Maybe Double
 paperPercent middle = case middle of
   Noisy -> Just 0.6

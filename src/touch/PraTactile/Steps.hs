@@ -72,8 +72,8 @@ relabelled f steps = case steps of
   Step s more -> Step (f s) (relabelled f more)
   Done a -> Done a
 
--- | Replaces steps that are numbers by their running total from a start value. The result comes
--- with the last total.
+-- | Adds a start value to steps that are running totals. The result comes with the last total,
+-- which is the start value if there are no steps.
 countingOn :: Num n => n -> Steps n a -> Steps n (n, a)
 countingOn start = go start
   where

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Information sets of a linear code: places whose letters determine a codeword, with the basis
--- that is the unit matrix at these places.
+-- | Information sets of a linear code: places whose letters determine a codeword, each set with the
+-- basis of the code that is the unit matrix at these places.
 module PraTactile.LinearCode.InformationSet
   ( -- * Sets
     InformationSet,
@@ -30,25 +30,27 @@ import PraTactile.Field.Vector (addScaled, scaleVector)
 import PraTactile.LinearCode.Elimination
 import PraTactile.LinearCode.Packed
 
--- | A basis of a code of dimension k that is the unit matrix at k places, one for each row.
+-- | A basis of a code of dimension k that is the unit matrix at k places: its row i has 1 at the
+-- set's place i and 0 at its other places. Below, "other places" are those outside the set.
 data InformationSet (k :: Field) = InformationSet
-  { -- | the number of those places that belong to earlier sets
+  { -- | the number of the set's places that belong to earlier sets
     setDeficit :: !Int,
     -- | the k places, in the order of the rows
     setPlaces :: !(Vector Int),
-    -- | all other places, ascending
+    -- | the other places, ascending
     setRest :: !(Vector Int),
     -- | the entries of the rows at the other places, row after row
     setParity :: !(Vector (GF k)),
-    -- | those entries times every nonzero element: all multiples of one row after the other
+    -- | for each row in turn, those entries times each nonzero element, in the order of 'elements'
     setMultiples :: Packed
   }
 
 type role InformationSet nominal
 
--- | Information sets of the code of this length that the rows span. Each set takes the first
--- independent places that belong to no earlier set, and completes them with places of earlier sets.
--- There are as many sets as there are free places for.
+-- | Information sets of the code of this length that the rows span. All rows must have this length,
+-- which is not checked. Each set takes the first independent places that belong to no earlier set,
+-- and completes them with places of earlier sets. The last set is made when all codewords are 0 at
+-- the places outside the sets.
 informationSets :: forall k. KnownField k => Int -> [Row k] -> [InformationSet k]
 informationSets size rows = go (IntSet.fromDistinctAscList [0 .. size - 1])
   where
@@ -79,8 +81,8 @@ informationSets size rows = go (IntSet.fromDistinctAscList [0 .. size - 1])
 setSize :: InformationSet k -> Int
 setSize = Primitive.length . setPlaces
 
--- | The difference, at the other places, between a word and the codeword that agrees with it at the
--- places of the set.
+-- | A word minus the codeword that agrees with it at the places of the set, at the other places: 0
+-- where word and codeword agree. The word must have the code's length, which is not checked.
 agreeingAt :: KnownField k => InformationSet k -> Row k -> Vector (GF k)
 agreeingAt set y =
   foldl'
@@ -90,13 +92,14 @@ agreeingAt set y =
   where
     without x (i, place) = addScaled (negate (unsafeIndex y place)) (parityRow set i) x
 
--- | The entries of one row at the other places.
+-- | The entries of the row with this index at the other places.
 parityRow :: InformationSet k -> Int -> Vector (GF k)
 parityRow set i = Primitive.slice (i * width) width (setParity set)
   where
     width = Primitive.length (setRest set)
 
--- | The codeword with this linear combination of rows.
+-- | The codeword that is this linear combination of rows, by their indices and factors. Each row is
+-- listed at most once, which is not checked.
 combination :: KnownField k => InformationSet k -> [(Int, GF k)] -> Row k
 combination set terms = Primitive.replicate size zero Primitive.// (atPlaces ++ atRest)
   where
@@ -108,7 +111,7 @@ combination set terms = Primitive.replicate size zero Primitive.// (atPlaces ++ 
       foldl' (\x (i, a) -> addScaled a (parityRow set i) x) (Primitive.replicate width zero) terms
 
 -- | The codeword that agrees with a word at the places of the set, plus this linear combination of
--- rows.
+-- rows, by their indices and factors. The word must have the code's length, which is not checked.
 combinationFrom :: KnownField k => InformationSet k -> Row k -> [(Int, GF k)] -> Row k
 combinationFrom set y terms =
   combination set (zipWith letter [0 ..] (Primitive.toList (setPlaces set)))

@@ -1,7 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | Queries: observed cells, in one patch or in several at known displacements; the symmetries in
--- which they may be seen; and the number of cells that may be wrong.
+-- which they may be seen; how many cells may be wrong; the tolerated doubt of the answer; and the
+-- priors of candidates and of foreign patches.
 module PraTactile.Locate.Query
   ( Query (..),
     onePatch,
@@ -25,8 +26,8 @@ import PraTactile.Symmetry
 data Cell (k :: Field)
   = -- | A symbol.
     Symbol !(GF k)
-  | -- | The probability of each symbol; jointly with each symmetry in which the cell may be seen,
-    -- if the cell shows that.
+  | -- | The probability of each symbol. If the cell's image shows which way up it is, the
+    -- probability of each pair of a symbol and a symmetry.
     Probabilities !(Belief k)
   deriving stock (Eq, Show)
 
@@ -46,15 +47,15 @@ data Radius
     UpTo Natural
   deriving stock (Eq, Show)
 
--- | The largest e with 2 e < d, where d is the minimum distance: e wrong cells among the observed
--- ones are always corrected. 0 if d is 0.
+-- | The largest e with 2 e < d, where d is the minimum distance: the least number of observed cells
+-- in which two positions differ. Up to e wrong cells are always corrected. 0 if d is 0.
 --
 -- >>> map guaranteedRadius [0, 1, 2, 4, 9]
 -- [0,0,0,1,4]
 guaranteedRadius :: Natural -> Natural
 guaranteedRadius d = if d == 0 then 0 else (d - 1) `div` 2
 
--- | The radius as a number, for this minimum distance.
+-- | The radius as a number, if the observed cells have this minimum distance.
 radiusFor :: Radius -> Natural -> Natural
 radiusFor stated d = case stated of
   Guaranteed -> guaranteedRadius d
@@ -63,11 +64,12 @@ radiusFor stated d = case stated of
 -- | A query for the place of patches.
 data Query (k :: Field) = Query
   { -- | The patches as seen, all in the same symmetry. Each has the displacement of its upper left
-    -- cell from a common point, in rows down and columns to the right.
+    -- cell from a common point, in rows down and columns to the right. Displacements are as seen,
+    -- too: before the symmetry is undone.
     queryPatches :: [((Integer, Integer), Patch (Cell k))],
     -- | The symmetries in which they may be seen; only the identity if they are upright.
     querySymmetries :: [Symmetry],
-    -- | The number of symbols that may be wrong. Only decoders of symbols use it.
+    -- | The number of symbols that may be wrong. It is ignored if any cell has probabilities.
     queryRadius :: Radius,
     -- | The tolerated probability of a wrong answer, below 1. It is used if any cell has
     -- probabilities, or if being foreign is weighed.
@@ -75,17 +77,19 @@ data Query (k :: Field) = Query
     -- | The prior probability, below 1, that the patches are not the array's; 'Nothing' if that is
     -- not weighed.
     queryForeign :: Maybe Double,
-    -- | The log-likelihood ratio of other symbols than the array's to the array's; minus infinity
-    -- if unknown. It is used with 'queryForeign'.
+    -- | The logarithm of a likelihood ratio: the probability of what was seen in all cells if the
+    -- symbols are of other shapes than the array's, over that if they are the array's. Minus
+    -- infinity excludes other shapes. It is used only with 'queryForeign'.
     queryUnlike :: Double,
-    -- | The prior of each candidate and its silent cells ("PraTactile.Locate.Beforehand"), used if
-    -- any cell has probabilities; 'Nothing' for a uniform prior.
+    -- | For each candidate its prior and its silent cells: those that do not show the array if the
+    -- candidate is right ("PraTactile.Locate.Beforehand"). It is used if any cell has
+    -- probabilities. 'Nothing' is a uniform prior without silent cells.
     queryBeforehand :: Maybe (Candidate -> Beforehand)
   }
 
 type role Query nominal
 
--- | The query for one upright patch: 'Guaranteed' radius, a tolerated doubt of a thousandth, and
--- nothing foreign.
+-- | The query for one upright patch: 'Guaranteed' radius, and a tolerated doubt of a thousandth.
+-- The prior is uniform, and the patch is taken to be the array's.
 onePatch :: Patch (Cell k) -> Query k
 onePatch seen = Query [((0, 0), seen)] [identity] Guaranteed 0.001 Nothing (-1 / 0) Nothing

@@ -1,6 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of @segment@.
+-- | The JSON that the command @segment@ prints. (The protocol's operation of that name has another
+-- form.)
 module PraTactile.Format.Segmentation
   ( encodeSegmentation,
   )
@@ -12,8 +13,9 @@ import PraTactile.Format.Json (encodeSchema)
 import PraTactile.Recognise.Features
 import PraTactile.Segmentation.Symbol
 
--- | The symbols, parts and rejected regions of the named composite, as one line without its line
--- end. All keys are always there.
+-- | The symbols, parts and rejected regions of a composite, as one line without its line end. The
+-- name of the composite's file is only written as @source@. All keys are always there; a neighbour
+-- that is not there is null.
 encodeSegmentation :: FilePath -> Features -> ByteString
 encodeSegmentation source shown =
   encodeSchema "segment/1" $

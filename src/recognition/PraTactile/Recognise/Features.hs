@@ -23,7 +23,8 @@ import PraTactile.Registration (Composite)
 import PraTactile.Segmentation (Reject (..), SymbolImage (..))
 import PraTactile.Segmentation.Lattice (Cell, neighbour)
 
--- | What segmentation finds in a composite. All places are pixels of the composite, right and down.
+-- | What segmentation finds in a composite. All places and displacements are in pixels along the
+-- composite's axes, x to the right and y down.
 data Features = Features
   { featuresSymbols :: ![Featured],
     featuresParts :: ![Incomplete],
@@ -35,16 +36,18 @@ data Features = Features
 data Featured = Featured
   { -- | the centre of its box
     featuredAt :: !(Double, Double),
-    -- | the direction of its x axis, in degrees clockwise from the composite's, within 45 degrees
-    -- of 0 or 90 before the correction by its neighbours. Which way up the symbol is, only
-    -- 'Recognition' says.
+    -- | the direction of its x axis, in degrees clockwise from the composite's. It is a multiple of
+    -- 90 as segmentation found it (0 or 90), plus the angle by which the composite was set upright
+    -- (from -45 to 45, or 0), plus a small correction common to all symbols. It is determined up to
+    -- a half turn: which way up the symbol is, only 'Recognition' says.
     featuredAxis :: !Double,
     featuredNeighbours :: !Neighbours
   }
   deriving stock (Eq, Show)
 
--- | The displacements to the centres of the neighbouring symbols; left, right, up and down are
--- along the symbol's own axes.
+-- | The displacements from a symbol's centre to the centres of the neighbouring complete symbols,
+-- along the composite's axes. Which neighbour is the right, left, upper or lower one is by the
+-- symbol's own axes. 'Nothing' if there is no complete symbol.
 data Neighbours = Neighbours
   { neighbourRight :: !(Maybe (Double, Double)),
     neighbourLeft :: !(Maybe (Double, Double)),
@@ -81,8 +84,8 @@ symbolsOf :: Reading -> [ReadSymbol]
 symbolsOf = either recognisedSymbols lookSymbols . readingLook
 
 -- | The features of a reading. Arguments: regions that are not symbols; the angle by which the
--- composite was set upright; a map from places of the upright composite to the given one; the
--- reading.
+-- composite was set upright, in degrees clockwise; a map from places of the upright composite to
+-- the given one; the reading of the upright composite.
 featuresOf :: [Reject] -> Double -> ((Double, Double) -> (Double, Double)) -> Reading -> Features
 featuresOf foreignThings angle back reading =
   Features
@@ -109,9 +112,9 @@ featuresOf foreignThings angle back reading =
        in Reject (minimum xs, minimum ys, maximum xs, maximum ys) why
 
 -- | The angle, in degrees clockwise, from the axes along which symbols were cut out to their true
--- axes. The neighbours' displacements give an estimate by least squares, which is shrunk towards 0
--- by the variances of both. The argument lists each symbol with each of its neighbours, and the
--- neighbour's cell relative to it.
+-- axes: one angle for all symbols. The neighbours' displacements give an estimate by least squares.
+-- It is shrunk towards 0 by the variances of the symbols' places and of the axes. Each element of
+-- the argument is a symbol, the cell of a neighbour relative to it, and that neighbour.
 offAxis :: [(SymbolImage, Cell, SymbolImage)] -> Double
 offAxis steps = toDegrees (weight * atan2 (total across) (total along))
   where

@@ -2,9 +2,10 @@
 -- that learns from images.
 --
 -- Let m_k be the mean of the images of class k, and r_k the correlation coefficient of an image
--- with m_k. The output of class k is 1 / (1 + exp (-(a r_k + b))). Here a and b maximise the
--- likelihood of all images' memberships in all classes (Platt 1999). An image of another shape
--- belongs to no class.
+-- with m_k. The output of class k is 1 / (1 + exp (-(a r_k + b))). One a and one b serve all
+-- classes. They are fitted by maximum likelihood over all pairs of an image and a class, by whether
+-- the image is of the class (Platt 1999). An image of a symbol outside the alphabet ('Nothing') is
+-- of no class.
 module PraTactile.Classification.Means
   ( Means,
     means,
@@ -22,22 +23,25 @@ import PraTactile.Image (Raster, rasterHeight, rasterSize, rasterValues, rasterW
 import PraTactile.Shape
 import System.Random (mkStdGen)
 
--- | The class means, with mean subtracted and length 1, and a and b.
+-- | The mean image of each class, shifted and scaled by 'standardised'; a; b.
 data Means = Means ![V.Vector Double] !Double !Double
 
--- | The means of an alphabet's classes over 'learningImages'.
+-- | The classifier for an alphabet, fitted to 'learningImages'.
 means :: Alphabet -> Means
 means alphabetOfAll = meansOf (alphabetSize alphabetOfAll) (learningImages alphabetOfAll)
 
--- | The training images of the classifiers other than the network: a fifth as many as a round of
--- 'shippedRegimen' has, half of them with noise of 0.15, from the seed of the shipped networks.
+-- | The images to which the classifiers other than the network are fitted, each with its class, or
+-- 'Nothing'. Of each kind and class there are a fifth as many as in a batch of 'shippedRegimen',
+-- but at least one. Every second one has noise of standard deviation 0.15. They are drawn from
+-- 'shippedSeed'.
 learningImages :: Alphabet -> [(Raster, Maybe Int)]
 learningImages alphabetOfAll = fst (roundImages makeup [0, 0.15] alphabetOfAll g)
   where
     makeup = [(kind, max 1 (count `div` 5)) | (kind, count) <- composition shippedRegimen]
     g = mkStdGen shippedSeed
 
--- | The means of this number of classes over labelled images, of which some belong to no class.
+-- | The classifier for this number of classes, fitted to images with their classes, 'Nothing' for
+-- no class. The images must be 8 x 12, which is not checked.
 meansOf :: Int -> [(Raster, Maybe Int)] -> Means
 meansOf classes labelled = Means centres a b
   where
@@ -64,6 +68,7 @@ meanOutputs (Means centres a b) image
     values = rasterValues image
     seen = standardised values
 
+-- | The correlation coefficient of two 'standardised' images.
 correlation :: V.Vector Double -> V.Vector Double -> Double
 correlation m seen = V.sum (V.zipWith (*) m seen)
 
@@ -75,8 +80,10 @@ standardised values = if size > 0 then V.map (/ size) centred else centred
     centred = V.map (subtract average) values
     size = sqrt (V.sum (V.map (^ (2 :: Int)) centred))
 
--- | The maximum likelihood a and b, by a logistic regression between two choices: not of the class,
--- with score 0, and of the class. There is no prior; its means only give the starting point.
+-- | The maximum likelihood a and b. Each element is the correlation r of an image with a class
+-- mean, and whether the image is of that class. The regression is between two alternatives: "not of
+-- the class" with score 0, and "of the class" with score a r + b. The prior has no weight; its
+-- means, 10 and -5, are only the starting point.
 platt :: [(Double, Bool)] -> (Double, Double)
 platt cases = case V.toList found of
   [a, b] -> (a, b)

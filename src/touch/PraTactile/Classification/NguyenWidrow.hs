@@ -7,9 +7,10 @@
 -- > m = 0.7 s^(1/r)
 --
 -- and let b_i = m l_i sign (w_i1), where l are s equally spaced numbers from -1 to 1 (0 if s = 1).
--- These suit inputs from -1 to 1 and units that respond to sums from -1 to 1. The toolbox takes the
--- sigmoid's responsive range to be -4 to 4, so it multiplies both by 4. It maps an input x from a
--- to b to 2 (x - a) / (b - a) - 1:
+-- These w and b suit inputs from -1 to 1 and units that respond to sums from -1 to 1. The toolbox
+-- takes the sigmoid's responsive range to be -4 to 4, so it multiplies w and b by 4. An input x_j
+-- whose range is a_j to b_j is mapped to 2 (x_j - a_j) / (b_j - a_j) - 1. The resulting weights W
+-- and biases B are
 --
 -- > W_ij = 4 w_ij 2 / (b_j - a_j),    B_i = 4 b_i - sum_j 4 w_ij (b_j + a_j) / (b_j - a_j)
 --
@@ -36,7 +37,7 @@ import System.Random (StdGen)
 -- | How the first weights of a network are chosen.
 data FirstWeights
   = -- | by 'initnw': the hidden layer for the given range of each input; the output layer for
-    -- hidden units from 0 to 1, times the given factor
+    -- hidden units from 0 to 1, with its weights and biases multiplied by the given factor
     NguyenWidrow [Range] Double
   | -- | uniform from -0.1 to 0.1
     UniformWeights
@@ -45,12 +46,13 @@ data FirstWeights
 -- | The least and the greatest value of an input.
 type Range = (Double, Double)
 
--- | The range of each input over a list of input vectors; an empty list for an empty list.
+-- | The range of each input over a list of input vectors; an empty list if there are none.
 rangesOf :: [[Double]] -> [Range]
 rangesOf = map (\values -> (minimum values, maximum values)) . transpose
 
--- | A network with the given numbers of hidden units and outputs, and the next generator. Refuses
--- ('LayersDoNotFit') numbers below 1, and for 'NguyenWidrow' other than 96 ranges.
+-- | A network for 8 x 12 images, and the next generator. Arguments: how its weights are chosen; the
+-- number of hidden units; the number of outputs; a generator. Refuses ('LayersDoNotFit') numbers
+-- below 1, and for 'NguyenWidrow' other than 96 ranges, one for each pixel.
 firstNetwork :: FirstWeights -> Int -> Int -> StdGen -> Either NetworkError (Network, StdGen)
 firstNetwork weights hidden outs g = case weights of
   UniformWeights -> initialNetwork hidden outs g
@@ -62,9 +64,9 @@ firstNetwork weights hidden outs g = case weights of
       n <- network w1 (scale factor w2)
       Right (n, g'')
 
--- | A layer with the given number of sigmoid units (at least one) for inputs of the given ranges.
--- Each row is a unit: its weights, then its bias. If all ranges are single points, only the biases
--- are not 0.
+-- | A layer with the given number of sigmoid units (at least one) for inputs of the given ranges,
+-- and the next generator. Each row is a unit: its weights, then its bias. If all ranges are single
+-- points, all weights are 0 and m is 0.7 s.
 initnw :: Int -> [Range] -> StdGen -> (Matrix Double, StdGen)
 initnw units ranges g = (fromLists (zipWith unit (spaced units) rows), g')
   where

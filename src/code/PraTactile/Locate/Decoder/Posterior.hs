@@ -4,11 +4,11 @@
 -- posterior of each position, by Bayes' theorem. The patch is compared with every position, so this
 -- is exact.
 --
--- A cell's probabilities are those that a classifier gives on seeing its image, with all symbols in
--- all symmetries equally frequent, independently of other cells. The prior of positions and
+-- A cell's probabilities are those that a classifier gives on seeing its image. All symbols in all
+-- symmetries are then equally frequent, independently of other cells. The prior of positions and
 -- symmetries is uniform. So the posterior of a position in a symmetry is proportional to a product
--- over the observed cells: the probability of the symbol that the cell would hold, jointly with the
--- symmetry.
+-- over the observed cells. The factor of a cell is the joint probability of that symmetry and of
+-- the symbol that the array has in the cell if the patch is there.
 module PraTactile.Locate.Decoder.Posterior
   ( posterior,
     posteriorAmong,
@@ -27,8 +27,9 @@ import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Locate.Patch
 import PraTactile.Symmetry
 
--- | The posterior of each position of the codebook in each of these symmetries, with a uniform
--- prior. On the sheet, only candidates with all observed cells on it count.
+-- | The posterior of each candidate, which is one of these symmetries and a position of the upright
+-- patch's upper left cell, with a uniform prior. The patch is as seen. On the sheet, only
+-- candidates for which all observed cells and the upright patch's upper left cell lie on it count.
 posteriorAmong :: Codebook k -> [Symmetry] -> Patch (Belief k) -> Posterior Candidate
 posteriorAmong codebook possible observed = case comparisons of
   [(o, only)] -> ranked (Candidate o . comparedPosition only) (comparedTotals only)
@@ -42,7 +43,7 @@ posteriorAmong codebook possible observed = case comparisons of
         | (offset, b) <- observedCells observed
       ]
 
--- | The candidate at an index into the concatenated totals of all comparisons.
+-- | The candidate at an index into the totals of all comparisons, one comparison after the other.
 candidateIn :: Int -> [(Symmetry, Comparison Double)] -> Candidate
 candidateIn i comparisons = case comparisons of
   (o, compared) : others
@@ -53,20 +54,21 @@ candidateIn i comparisons = case comparisons of
   -- Without symmetries there are no indices.
   [] -> Candidate identity (Position 0 0)
 
--- | The posterior of each position of the codebook. On the sheet, only positions with all observed
--- cells on it count.
+-- | The posterior of each position of an upright patch's upper left cell, with a uniform prior. On
+-- the sheet, only positions for which that cell and all observed cells lie on it count.
 posterior :: Codebook k -> Patch (Belief k) -> Posterior Position
 posterior codebook observed = ranked (comparedPosition comparison) (comparedTotals comparison)
   where
     comparison = likelihoods codebook identity (observedCells observed)
 
--- | The log-likelihood of each position in a symmetry, up to a constant. Beliefs about cells are
--- given by their offsets in the upright patch.
+-- | The log-likelihood of each position of a patch in a symmetry, up to a constant. Each belief
+-- comes with its cell's offset in the upright patch: after the symmetry is undone.
 likelihoods :: Codebook k -> Symmetry -> [(Position, Belief k)] -> Comparison Double
 likelihoods codebook o known =
   compareWith codebook [(offset, Primitive.map log (probabilitiesIn o b)) | (offset, b) <- known]
 
--- | The posterior of places, given by their indices, from their log-likelihoods up to a constant.
+-- | The posterior of places, given by their indices, from the log-likelihood of each up to a common
+-- constant. The prior is uniform.
 ranked :: (Int -> place) -> Primitive.Vector Double -> Posterior place
 ranked placeAt logs
   | count == 0 || isInfinite best = impossible
@@ -78,7 +80,8 @@ ranked placeAt logs
         posteriorMany = Nothing,
         posteriorEqualDoubt = less / (fromIntegral (length equal) + less),
         posteriorMargin = if count == 1 then Nothing else Just (best - next),
-        -- By their indices, and the likely ones first: there may be a million places.
+        -- Indices are sorted, not places, and the likely ones apart from the rest: there may be a
+        -- million places.
         posteriorRanking =
           [ (placeAt i, (relative Primitive.! i) / (1 + others))
             | few <- [(>= 1e-60), (< 1e-60)],
@@ -101,8 +104,10 @@ ranked placeAt logs
 
 -- | @decide tolerated found@ is the likeliest place, if the probability of all others is at most
 -- the tolerated one. If the probabilities are calibrated, at most that share of answers is wrong.
--- Several equally probable places that meet the condition together are ambiguous. Otherwise the
--- reason is 'BelowThreshold', or 'Contradiction' if no place is possible.
+--
+-- Several equally probable places are ambiguous if the probability of all others is at most the
+-- tolerated one: 'AmbiguousMany' if only their number is known, or else 'Ambiguous'. Otherwise the
+-- reason is 'Contradiction' if no place is possible, or else 'BelowThreshold'.
 decide :: Double -> Posterior place -> Outcome place
 decide tolerated found
   | Just place <- posteriorBest found, posteriorDoubt found <= tolerated = Unique place []

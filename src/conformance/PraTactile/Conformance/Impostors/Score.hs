@@ -1,4 +1,6 @@
--- | Which laws find an impostor, under which profile first, and in how many cases.
+-- | Which laws find an impostor, an implementation with a planted mistake: a law finds it if the
+-- impostor's answers violate a case of the law. Also the first profile under which that happens,
+-- and the number of cases tried until then.
 module PraTactile.Conformance.Impostors.Score
   ( Kill (..),
     kills,
@@ -26,15 +28,16 @@ import PraTactile.Profile (Profile (..))
 -- | A law that finds an impostor.
 data Kill = Kill
   { killLaw :: String,
-    -- | The first profile under which it does; empty for a law without a profile.
+    -- | The name of the first profile under which it does. Empty for a law without a profile, and
+    -- for a law that opens all profiles itself.
     killProfile :: String,
-    -- | The number of cases tried there; the last one failed.
+    -- | The number of cases judged, up to and including the violated one.
     killCases :: Int
   }
   deriving stock (Eq, Show)
 
--- | The laws that find an impostor, of the impostor's stages, with the given seed. Each comes with
--- the first profile that shows it.
+-- | The laws of the impostor's stages that find it. Arguments: the seed of drawn cases; the
+-- profiles in order, each with its name and what is known of it by definition; the impostor.
 kills :: Int -> [(String, Profile, Known)] -> Impostor -> IO [Kill]
 kills seed profiles impostor =
   catMaybes
@@ -45,7 +48,8 @@ kills seed profiles impostor =
     chosen :: [Law about] -> [String]
     chosen these = [lawId law | law <- these, lawStage law `elem` impostorTouches impostor]
 
--- | How the law with this id finds the impostor, under the first profile that shows it.
+-- | How the law with this id finds the impostor, under the first profile in which it does;
+-- 'Nothing' if it does not. The other arguments are those of 'kills'.
 killBy :: Int -> [(String, Profile, Known)] -> Impostor -> String -> IO (Maybe Kill)
 killBy seed profiles impostor law =
   firstJust [fmap (Kill law name) <$> findsBy name | name <- names]
@@ -55,8 +59,10 @@ killBy seed profiles impostor law =
       | law `elem` map lawId openingLaws ++ map lawId lawsWithoutProfile = [""]
       | otherwise = [name | (name, _, _) <- profiles]
 
--- | The number of cases in which a kill's law finds the impostor under the kill's profile;
--- 'Nothing' if it does not, or if the law or the profile is unknown.
+-- | The number of cases that the law of a 'Kill' judges under its profile, up to and including the
+-- first one that the impostor violates. The 'killCases' are not used. 'Nothing' if the impostor
+-- violates none or refuses the profile, and if the law or the profile is unknown. The other
+-- arguments are those of 'kills'.
 findsAt :: Int -> [(String, Profile, Known)] -> Impostor -> Kill -> IO (Maybe Int)
 findsAt seed profiles impostor kill
   | law : _ <- [law | law <- openingLaws, lawId law == killLaw kill] =
@@ -73,33 +79,37 @@ findsAt seed profiles impostor kill
     findsUnder seed p about law impostor
   | otherwise = pure Nothing
 
+-- | 'finds' for a law that opens these profiles itself.
 findsOpening :: Int -> [Profile] -> Law [Profile] -> Impostor -> IO (Maybe Int)
 findsOpening seed profiles law impostor =
   openingRespondent (impostorMade impostor) >>= finds usualCases seed law profiles
 
+-- | 'finds' for a law under a profile; 'Nothing' if the impostor refuses it.
 findsUnder :: Int -> Profile -> Known -> Law Known -> Impostor -> IO (Maybe Int)
 findsUnder seed p about law impostor =
   runExceptT (open (impostorMade impostor) p)
     >>= either (const (pure Nothing)) (finds usualCases seed law about . sessionRespondent)
 
--- | The number of cases in which a law finds the respondent wrong. The arguments are the greatest
--- number of cases, the seed, the law, its subject, and the respondent.
+-- | The number of cases judged, up to and including the first one that the respondent violates;
+-- 'Nothing' if it violates none. Arguments: the greatest number of drawn cases; the seed; the law;
+-- its subject; the respondent.
 finds :: Int -> Int -> Law about -> about -> Respondent -> IO (Maybe Int)
 finds most' seed law about answers = fmap fst <$> firstViolated answers most trials
   where
     (trials, most) = trialsOf plan (lawId law) (lawCases law about)
     plan = Plan {planSeed = seed, planCases = most', planBatch = 1, planShrinks = False}
 
--- | The number of drawn cases in a run of the suite.
+-- | The greatest number of drawn cases of a law, as in a run of the suite.
 usualCases :: Int
 usualCases = settingCases standardSettings
 
--- | The number of drawn scenes: fewer, because each is slow. They are the first ones of a run.
+-- | The greatest number of drawn scenes of a law of touch: fewer than in a run of the suite,
+-- because each is slow.
 sceneCases :: Int
 sceneCases = 12
 
--- | The default profiles with at most 1024 cells. Mistakes found under all profiles are found
--- under these.
+-- | The default profiles with at most 1024 cells, each with its name and what is known of it by
+-- definition. An impostor that is found under some default profile is found under one of these.
 comparedProfiles :: [(String, Profile, Known)]
 comparedProfiles =
   [ (name, p, about)

@@ -38,10 +38,15 @@ beginsAsMatrix text = case C.uncons begin of
     begin = C.dropWhile (`elem` " \t\r\n") text
     firstWord = C.takeWhile (`notElem` ",; \t\r\n") begin
 
--- | Rows of numbers: one image, or several separated by blank lines. Numbers are separated by
--- commas, semicolons or blanks. @nan@ and @B@ are taxels without a reading. Lines that begin with
--- @#@ are comments. Refuses other fields ('NotNumber', 'DecimalComma'), rows of different lengths
--- ('RaggedRow') and images of different sizes ('SizesDiffer').
+-- | Rows of numbers: one image, or several separated by blank lines. The first row decides how the
+-- numbers of all rows are separated: by semicolons if it has one, else by commas if it has one,
+-- else by blanks. An empty field at the end of a row is ignored. @nan@ and @B@ are taxels without a
+-- reading. A number beyond the range of Double is infinite. Lines whose first character that is not
+-- a blank is @#@ are comments. Full scale is 1, and no spacing is given.
+--
+-- Refuses other encodings than UTF-8 ('ImageInEncoding'), a text without rows ('ZeroSize'), other
+-- fields ('NotNumber', 'DecimalComma'), rows of different lengths ('RaggedRow'), images of
+-- different sizes ('SizesDiffer') and what 'checkSize' refuses.
 decodeMatrix :: ByteString -> Either ImageError Images
 decodeMatrix file = do
   text <- first ImageInEncoding (plainText file)
@@ -51,7 +56,7 @@ decodeMatrix file = do
     [] -> Left (ZeroSize 0 0)
     _ -> imagesOf 1 Nothing =<< traverse (traverse (rowOf separator)) images
 
--- | The runs of lines that are not blank.
+-- | The images: runs of lines that are not blank.
 blocks :: [Line] -> [[Line]]
 blocks text = case dropWhile isBlank text of
   [] -> []
@@ -67,8 +72,9 @@ isBlank = C.all (`elem` " \t\r") . snd
 isComment :: Line -> Bool
 isComment = C.isPrefixOf (C.pack "#") . C.dropWhile (`elem` " \t\r") . snd
 
--- | The images with the given rows, all of one size. The first two arguments are the full scale
--- and the spacing in millimetres.
+-- | Images of one size. Arguments: the full scale; the spacing in millimetres, if it is known; the
+-- rows of each image. Refuses rows of different lengths, images of different sizes, and what
+-- 'checkSize' refuses.
 imagesOf :: Double -> Maybe Double -> [[V.Vector Double]] -> Either ImageError Images
 imagesOf full apart images = do
   (w, h) <- checkSize (size width) (size height)
@@ -97,11 +103,13 @@ imagesOf full apart images = do
     width = maximum (0 : map V.length (take 1 firstImage))
     size = fromIntegral
 
--- | The separator of a line's numbers; 'Nothing' for blanks.
+-- | The separator of a line's numbers: a semicolon if the line has one, else a comma if it has one,
+-- else 'Nothing' for blanks.
 separatorOf :: ByteString -> Maybe Char
 separatorOf line = find (`C.elem` line) ";,"
 
--- | The numbers of a line. An empty last field is ignored.
+-- | The numbers of a line with the given separator, 'Nothing' for blanks. An empty last field is
+-- ignored.
 rowOf :: Maybe Char -> Line -> Either ImageError (V.Vector Double)
 rowOf separator (number, text) = V.fromList <$> traverse value (zip [1 ..] fields)
   where
@@ -117,6 +125,7 @@ rowOf separator (number, text) = V.fromList <$> traverse value (zip [1 ..] field
         | hasDecimalComma field -> Left (DecimalComma number field)
         | otherwise -> Left (NotNumber number column (B.take 20 field))
 
+-- | Whether a field is two groups of digits with a comma between them.
 hasDecimalComma :: ByteString -> Bool
 hasDecimalComma field = case C.split ',' field of
   [before, after] -> all plain [before, after]
@@ -130,13 +139,14 @@ numberIn field = case missing field of
   Nothing -> decimalIn field
   found -> found
 
+-- | NaN for @nan@ or @B@ in either case.
 missing :: ByteString -> Maybe Double
 missing field = lookup (map toLower (C.unpack (B.take 5 field))) [("nan", none), ("b", none)]
   where
     none = 0 / 0
 
--- | A decimal number. A short one is computed as the quotient of two integers that doubles hold
--- exactly, so it is rounded once.
+-- | A decimal number; an infinity if it is beyond the range of Double. A short one is computed as
+-- the quotient of two integers that doubles hold exactly, so it is rounded once.
 decimalIn :: ByteString -> Maybe Double
 decimalIn field
   | shortEnough = Just ((if negative then negate else id) (fromIntegral digits / 10 ^ places))
@@ -161,16 +171,23 @@ decimalIn field
     digit n c = 10 * n + fromIntegral c - 48
     infinite = if negative then Just (-1 / 0) else Just (1 / 0)
 
--- | Whether a file is a Tekscan export: one of its first lines ends such a header.
+-- | Whether a file is a Tekscan export: one of its first 200 lines, within the first 64 KiB, begins
+-- with @ASCII_DATA@, which ends the header.
 isTekscan :: ByteString -> Bool
 isTekscan file = any isEnd (take 200 (C.lines (lineFeeds (B.take 65536 file))))
 
 isEnd :: ByteString -> Bool
 isEnd = C.isPrefixOf (C.pack "ASCII_DATA")
 
--- | A Tekscan export: a header of keys and values, then numbered frames. Full scale is the
--- saturation pressure, or 255 for raw readings. Refuses missing keys ('TekscanHeader') and frames
--- ('TekscanFrame'), and different spacings of columns and rows ('UnequalSpacing').
+-- | A Tekscan export: a header of keys and values, then frames. A frame is a line @Frame N@ and its
+-- rows; N runs from @START_FRAME@ to @END_FRAME@. The fields of a row are those of 'decodeMatrix'.
+-- Full scale is @SATURATION_PRESSURE@, or 255 if @UNITS@ is @RAW@ or that key is missing.
+--
+-- Refuses ('TekscanHeader') a header without a valid @COLS@, @ROWS@, @COL_SPACING@, @ROW_SPACING@,
+-- @START_FRAME@ or @END_FRAME@, or with an invalid @SATURATION_PRESSURE@; and rows of another
+-- length than @COLS@. Refuses ('TekscanFrame') frames that are missing, too many, out of order or
+-- without some of their rows. Refuses different spacings of columns and rows ('UnequalSpacing'),
+-- and the encodings, fields, rows and sizes that 'decodeMatrix' refuses.
 decodeTekscan :: ByteString -> Either ImageError Images
 decodeTekscan file = do
   text <- first ImageInEncoding (plainText file)
@@ -191,13 +208,14 @@ decodeTekscan file = do
   when (any ((/= w) . V.length) (take 1 (concat frames))) (Left (TekscanHeader "COLS"))
   imagesOf full (Just across) frames
 
--- | The value of a key in the header, with its line.
+-- | The value of a key in the header, with the number of its line. Refuses a missing key.
 valueOf :: [Line] -> String -> Either ImageError Line
 valueOf header key = maybe (Left (TekscanHeader key)) Right (find ours header >>= Just . fmap after)
   where
     ours (_, text) = C.takeWhile (/= ' ') text == C.pack key
     after = C.strip . C.dropWhile (/= ' ')
 
+-- | The value of a key as a natural number. Refuses other values.
 whole :: [Line] -> String -> Either ImageError Integer
 whole header key = do
   (_, text) <- valueOf header key
@@ -205,7 +223,8 @@ whole header key = do
     Just (n, rest) | B.null rest && n >= 0 -> Right n
     _ -> Left (TekscanHeader key)
 
--- | The value of a key as a length in millimetres.
+-- | The value of a key as a length in millimetres: a positive number and its unit, millimetres or
+-- centimetres. Without a unit it is in millimetres. Refuses other values.
 spacing :: [Line] -> String -> Either ImageError Double
 spacing header key = do
   (line, text) <- valueOf header key
@@ -219,6 +238,7 @@ spacing header key = do
       [(name, 1) | name <- ["", "mm", "millimeters", "millimetres"]]
         ++ [(name, 10) | name <- ["cm", "centimeters", "centimetres"]]
 
+-- | The full scale of a header. Refuses a saturation pressure that is not a positive number.
 fullScale :: [Line] -> Either ImageError Double
 fullScale header = case (valueOf header "UNITS", valueOf header key) of
   (Right (_, unit), _) | map toLower (C.unpack unit) == "raw" -> Right 255
@@ -232,7 +252,8 @@ fullScale header = case (valueOf header "UNITS", valueOf header key) of
   where
     key = "SATURATION_PRESSURE"
 
--- | Consecutive frames, the first with the given number.
+-- | Consecutive frames. Arguments: the numbers of columns and rows; the number of the first frame;
+-- the lines after the header that are not blank. A line that begins with @\@\@@ ends the frames.
 framesFrom :: (Int, Int) -> Integer -> [Line] -> Either ImageError [[V.Vector Double]]
 framesFrom (w, h) = go
   where
@@ -248,5 +269,6 @@ framesFrom (w, h) = go
     row line@(number, text) = do
       when (C.elem ';' text && C.elem ',' text) (Left (DecimalComma number (B.take 20 text)))
       values <- rowOf (Just (fromMaybe ',' (separatorOf text))) line
+      -- Decimal commas beside separating ones make twice as many fields.
       when (V.length values == 2 * w) (Left (DecimalComma number (B.take 20 text)))
       pure values
