@@ -1,9 +1,12 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The window property by algebra, for arrays of any size. The cell at offset (i, j) from the
--- position of the term s(t) holds s(t + e(i, j)). The term s(t) is a linear function of alpha^t,
--- and only zero gives the zero sequence. So a window's content is a linear function of alpha^t.
--- That function is one-to-one exactly if the alpha^e(i, j) span GF(q^n) over GF(q).
+-- | The window property by algebra, for arrays of any size. Let the array be folded from the
+-- sequence s with a primitive polynomial of degree n over GF(q), let alpha be a root of it, and let
+-- e(i, j) be the index in s of the cell (i, j). The cell at offset (i, j) from the position of the
+-- term s(t) holds s(t + e(i, j)), which is a GF(q)-linear function of alpha^t, namely of alpha^e(i,
+-- j) alpha^t. Only 0 gives the zero sequence. So a window's content is a linear function of
+-- alpha^t. That function is one-to-one exactly if the alpha^e(i, j) of the window's cells span
+-- GF(q^n) over GF(q).
 module PraTactile.Window.Rank
   ( windowRank,
     windowVectors,
@@ -34,13 +37,13 @@ windowRank array mask =
   where
     n = primitiveDegree (arrayPrimitive array)
 
--- | The alpha^e(i, j) for the cells of the mask in reading order, each by its n coordinates in the
--- basis 1, alpha, ...
+-- | The alpha^e(i, j) for the cells of the mask, row by row, each by its n coordinates in the basis
+-- 1, alpha, ...
 --
 -- Since e(i, j) = e(i, 0) + e(0, j), each is the product of a power for its row and one for its
--- column. These powers follow from one row or column to the next, so a rectangle needs only two
--- long powers. O(m n^2 + g (n^3 + q n^2)) operations in GF(q) for m cells and g different gaps
--- between their rows and columns; a rectangle has two.
+-- column. The powers are computed from one row or column to the next, so a rectangle needs only two
+-- powers with long exponents. O(m n^2 + g (n^3 + q n^2)) operations in GF(q) for m cells and g
+-- different gaps between neighbouring rows or columns of the mask; a rectangle has two.
 windowVectors :: KnownField k => PseudorandomArray k -> Mask -> [[GF k]]
 windowVectors array = map rowToList . cellVectors array . maskOffsets
 
@@ -51,8 +54,10 @@ cellVectors array = gridVectors h (alphaTo . (`Position` 0)) (alphaTo . Position
     h = arrayPrimitive array
     alphaTo = powerOfRoot h . sequenceIndex array
 
--- | 'cellVectors' for other powers: moving i rows down multiplies by the first function of i, and
--- moving j columns right by the second of j.
+-- | The products a(i) b(j) for cells with these offsets (i, j), in their order, each by its
+-- coordinates in the basis 1, alpha, ... Arguments: the primitive polynomial with the root alpha;
+-- the function a of rows; the function b of columns; the offsets. Both functions must turn sums
+-- into products, which is not checked.
 gridVectors ::
   KnownField k =>
   Primitive k ->
@@ -83,10 +88,10 @@ gridVectors h byRows byColumns offsets =
 rankOf :: KnownField k => [[GF k]] -> Natural
 rankOf matrix = fromIntegral (length (independentRows maxBound (map rowFromList matrix)))
 
--- | The number of distinct windows on the 'naturalSurface' for this rank r. As alpha^t runs through
--- the q^n - 1 nonzero elements, the content runs through the image of a linear map of rank r,
--- except for the image of zero. For r = n that gives q^n - 1 contents. For r < n some nonzero
--- element has the image of zero too, and there are q^r contents.
+-- | The number of different contents of windows on the 'naturalSurface', if the window's rank is r.
+-- As alpha^t runs through the q^n - 1 nonzero elements, the content runs through the image of a
+-- linear map of rank r, except for the image of zero. For r = n that gives q^n - 1 contents. For r
+-- < n some nonzero element has the image of zero too, and there are q^r contents.
 windowsOfRank :: KnownField k => PseudorandomArray k -> Natural -> Natural
 windowsOfRank array r
   | r == fromIntegral (primitiveDegree h) = period h

@@ -1,9 +1,9 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Finds which of many boxes meet a given box or segment, without testing each. It uses a tree of
--- boxes whose leaves are sorted along a curve that keeps neighbours together (Morton 1966), so a
--- single sort builds it. Corners are rounded down, which keeps their order. So a box of the tree
--- certainly contains its contents, and perhaps more.
+-- | Finds which of many boxes meet a given box or segment, without testing each. Boxes have sides
+-- along the axes. They are the leaves of a tree, sorted along a curve that keeps neighbours
+-- together (Morton 1966), so a single sort builds the tree. Corners are rounded down, which keeps
+-- their order. So if two boxes meet before rounding, they meet after it, and perhaps others do.
 module PraTactile.Object.Boxes
   ( Box (..),
     Rounding,
@@ -32,20 +32,21 @@ import qualified Data.Vector.Unboxed.Mutable as M
 import Math.NumberTheory.Logarithms (integerLog2)
 import PraTactile.Object.Vector
 
--- | The least three coordinates, then the greatest three, rounded.
+-- | The least x, y and z, then the greatest x, y and z, rounded.
 data Box = Box !Int !Int !Int !Int !Int !Int
   deriving stock (Eq, Show)
 
--- | The number of binary digits that are dropped, so that every coordinate fits a machine integer.
+-- | The number of last binary digits that are dropped from every coordinate, so that it fits a
+-- machine integer. Only boxes with one rounding can be compared.
 newtype Rounding = Rounding Int
 
--- | A rounding that suffices for these points.
+-- | A rounding that suffices for points whose coordinates are no larger than those of these points.
 roundingOf :: V.Vector V3 -> Rounding
 roundingOf points = Rounding (max 0 (integerLog2 (max 1 most) - 60))
   where
     most = V.foldl' (\m (V3 a b c) -> max (abs a) (max (abs b) (max (abs c) m))) 1 points
 
--- | The box that contains only a point.
+-- | The box that contains only this point, rounded.
 boxOf :: Rounding -> V3 -> Box
 boxOf (Rounding digits) (V3 a b c) = Box x y z x y z
   where
@@ -64,13 +65,16 @@ meets :: Box -> Box -> Bool
 meets (Box a b c d e f) (Box a' b' c' d' e' f') =
   a <= d' && a' <= d && b <= e' && b' <= e && c <= f' && c' <= f
 
--- | A searchable tree of boxes. Node @k@ contains the boxes of nodes @2 k@ and @2 k + 1@.
+-- | A searchable tree of boxes. The nodes are numbered from 1, the root. The box of node @k@
+-- contains those of nodes @2 k@ and @2 k + 1@.
 data Boxes = Boxes
-  { -- | the number of leaves, a power of 2; the leaves are the nodes from this number on
+  { -- | the number of leaves, a power of 2; the leaves are the nodes from this number up to twice
+    -- it, less 1
     leaves :: !Int,
-    -- | the boxes in the order of the leaves
+    -- | for each leaf in order, the index of its box in the input of 'boxes'; other leaves are
+    -- empty
     items :: !(U.Vector Int),
-    -- | six numbers for each node
+    -- | the numbers of each node's 'Box'; those of node @k@ begin at @6 k@
     bounds :: !(U.Vector Int)
   }
 
@@ -105,10 +109,11 @@ boxes given = Boxes width sorted (U.create filled)
       where
         at i = M.read store (6 * k + i)
 
--- A box that meets no box and does not change a union.
+-- | A box that meets no box and does not change a union with it.
 nothing :: Box
 nothing = Box maxBound maxBound maxBound minBound minBound minBound
 
+-- | The place of a point on the curve: the last 21 binary digits of its three coordinates, in turn.
 interleaved :: (Int, Int, Int) -> Int
 interleaved (x, y, z) = spread x .|. (spread y `shiftL` 1) .|. (spread z `shiftL` 2)
   where
@@ -126,9 +131,10 @@ meeting :: Boxes -> Box -> [Int]
 meeting tree = descended tree . meetsNode tree
 
 -- | The boxes that the segment between two points may meet, by their indices in the input of
--- 'boxes'. The points are given as boxes. The result contains all boxes that the segment meets, and
--- perhaps more. Boxes are excluded if the segment misses their projection on a plane of two axes,
--- so slanted segments find few. O(log n) plus the number found, if boxes are compact.
+-- 'boxes'. Each point is given as the box of 'boxOf'. The result contains all boxes that the
+-- segment meets, and perhaps more. Subtrees are excluded whose box the segment misses in the
+-- projection along an axis, so slanted segments find few. O(log n) plus the number found, if boxes
+-- are compact.
 along :: Boxes -> Box -> Box -> [Int]
 along tree p@(Box a b c _ _ _) q@(Box a' b' c' _ _ _) =
   descended tree (\k -> whole k && (k >= leaves tree || mayMeet k))
@@ -149,7 +155,7 @@ along tree p@(Box a b c _ _ _) q@(Box a' b' c' _ _ _) =
     least k axis = U.unsafeIndex (bounds tree) (6 * k + axis) `shiftR` 1
     most k axis = U.unsafeIndex (bounds tree) (6 * k + axis + 3) `shiftR` 1
 
--- | Whether the box meets that of a node.
+-- | Whether the box meets that of the node with this number.
 meetsNode :: Boxes -> Box -> Int -> Bool
 meetsNode tree (Box a b c d e f) k =
   a <= at 3 && at 0 <= d && b <= at 4 && at 1 <= e && c <= at 5 && at 2 <= f
@@ -157,7 +163,8 @@ meetsNode tree (Box a b c d e f) k =
     at i = U.unsafeIndex (bounds tree) (6 * k + i)
 {-# INLINE meetsNode #-}
 
--- | The leaves that are reached through nodes that all satisfy the condition.
+-- | The input's boxes, by their indices, whose leaves are reached from the root through nodes that
+-- all satisfy the condition.
 descended :: Boxes -> (Int -> Bool) -> [Int]
 descended tree holds = visit 1 []
   where

@@ -1,9 +1,9 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Solids that are defined by a name and a few lengths. All have rational vertices. A regular
--- dodecahedron or icosahedron is impossible: it is symmetric under a rotation of order 5, whose
--- trace, 1 + 2 cos 72 degrees = (1 + sqrt 5) / 2, is irrational. The pyritohedron is a dodecahedron
--- with rational vertices.
+-- | Solids that are defined by a name and a few lengths. As seen from the front, x points right, y
+-- to the back and z up. All vertices are rational. So there is no regular dodecahedron or
+-- icosahedron: it is symmetric under a rotation of order 5, whose trace, 1 + 2 cos 72 degrees = (1
+-- + sqrt 5) / 2, is irrational. The pyritohedron is a dodecahedron with rational vertices.
 module PraTactile.Object.Named
   ( Named (..),
     namedDescription,
@@ -17,31 +17,34 @@ import PraTactile.Object.Solid
 
 -- | A solid by its name. Lengths are in millimetres.
 data Named
-  = -- | the paper's cube
+  = -- | the paper's cube, 'cubeDescription'
     Cube
-  | -- | the paper's parallelepiped
+  | -- | the paper's parallelepiped, 'parallelepipedDescription'
     Parallelepiped
-  | -- | width, depth and height; vertices are numbered as the cube's are
+  | -- | width, depth and height; its vertices V1 to V8 are numbered as the cube's C1 to C8 are
     Box Rational Rational Rational
-  | -- | the width and depth of the base, and the height of the apex over its centre
+  | -- | the width and depth of the rectangular base, and the height of the apex over its centre
     Pyramid Rational Rational Rational
-  | -- | the number of sides, the radius and the height
+  | -- | the number of sides, the radius of the circle on which the base's vertices lie, and the
+    -- height
     Prism Int Rational Rational
-  | -- | the side of the cube that contains it, with every other vertex in common
+  | -- | the side of a cube; the tetrahedron's vertices are every other vertex of that cube
     Tetrahedron Rational
   | -- | the distance of the vertices from the centre
     Octahedron Rational
-  | -- | the side of the cube whose vertices it contains
+  | -- | the side of a cube; the cube's vertices are eight of the pyritohedron's twenty
     Pyritohedron Rational
-  | -- | width, depth and height of a box without its upper right quarter, as seen from the front
+  | -- | width, depth and height of a box that lacks its upper right quarter, as seen from the front
     LShape Rational Rational Rational
-  | -- | width, depth and height of a box with a vertical hole through its middle third
+  | -- | width, depth and height of a box with a vertical hole, a third as wide and as deep, through
+    -- its middle
     Frame Rational Rational Rational
-  | -- | width and depth of a plate, 25.4 mm high; its upper face is S1 S2 S3 S4
+  | -- | width and depth of a plate that is 25.4 mm high; its vertices S1 to S8 are numbered as the
+    -- cube's C1 to C8 are, so its upper face is S1 S2 S3 S4
     Sheet Rational Rational
   deriving stock (Eq, Show)
 
--- | Whether the lengths are valid: all positive, and for a prism 3 to 1000 sides.
+-- | Whether the numbers are valid: lengths are positive, and a prism has 3 to 1000 sides.
 positive :: Named -> Bool
 positive it = case it of
   Cube -> True
@@ -56,7 +59,7 @@ positive it = case it of
   Frame w d h -> all (> 0) [w, d, h]
   Sheet w d -> w > 0 && d > 0
 
--- | The description of the solid.
+-- | The description of the solid. Its numbers must be valid by 'positive', which is not checked.
 namedDescription :: Named -> Description
 namedDescription it = case it of
   Cube -> cubeDescription
@@ -91,8 +94,9 @@ namedDescription it = case it of
     around = [(1, 2), (2, 3), (3, 4), (4, 1)]
     boxOf name w d h = box name 'V' (Point w d h) boxFaces
 
--- | A vertex of a nearly regular polygon. Its half-angle tangent is rounded to thousandths, so that
--- the point is rational and on the circle.
+-- | Vertex k of a nearly regular polygon with n vertices on the circle of radius r around the
+-- origin. Arguments: n, r and k. The tangent of half the vertex's angle is rounded to thousandths,
+-- so that the point is rational and on the circle.
 circle :: Int -> Rational -> Int -> (Rational, Rational)
 circle n r k
   | 2 * k == n = (negate r, 0)
@@ -100,12 +104,14 @@ circle n r k
   where
     t = round (1000 * tan (pi * fromIntegral k / fromIntegral n :: Double)) % 1000
 
--- | A polyhedron with vertices V1, V2, .. at these points, and faces by the vertices' numbers.
+-- | A polyhedron with this name. Its vertices V1, V2, .. are at these points, and each face is
+-- given by the numbers of its vertices.
 numbered :: ObjectName -> [(Rational, Rational, Rational)] -> [[Int]] -> Description
 numbered name points = Description name vertices . map face
   where
     vertices = [(vertex i, Point x y z) | (i, (x, y, z)) <- zip [1 ..] points]
 
+-- | The description with further faces, given by the numbers of their vertices.
 withFaces :: Description -> [[Int]] -> Description
 withFaces it more = it {describedFaces = describedFaces it ++ map face more}
 
@@ -115,8 +121,8 @@ vertex i = VertexName ('V' : show i)
 face :: [Int] -> FaceName
 face = FaceName . map vertex
 
--- | The upright prism over a polygon that is counter-clockwise as seen from above. Its upper
--- vertices come first.
+-- | The prism with this name over a polygon in the plane z = 0, up to the height h. The polygon is
+-- counter-clockwise as seen from above. The upper vertices come first.
 upright :: ObjectName -> [(Rational, Rational)] -> Rational -> Description
 upright name polygon h =
   numbered
@@ -129,7 +135,8 @@ upright name polygon h =
   where
     n = length polygon
 
--- | The prism behind a polygon that is counter-clockwise as seen from the front, with z up.
+-- | The prism with this name behind a polygon of points (x, z) in the plane y = 0, back to the
+-- depth d. The polygon is counter-clockwise as seen from the front. The front vertices come first.
 lying :: ObjectName -> [(Rational, Rational)] -> Rational -> Description
 lying name polygon d =
   numbered
@@ -142,7 +149,8 @@ lying name polygon d =
   where
     n = length polygon
 
--- | A box with a vertical hole. Its upper and lower faces are four trapezoids each.
+-- | A box with this width, depth and height and a vertical hole. Its upper and lower faces are four
+-- trapezoids each.
 frame :: Rational -> Rational -> Rational -> Description
 frame w d h =
   numbered
@@ -158,9 +166,9 @@ frame w d h =
     hole = [(w / 3, 2 * d / 3), (w / 3, d / 3), (2 * w / 3, d / 3), (2 * w / 3, 2 * d / 3)]
     ring = cyclicPairs [1 .. 4]
 
--- | A dodecahedron around a cube. Its vertices are (1, 1, 1) with all signs, and (0, 1 + h, 1 -
--- h^2) with all signs and rotated around the axes. The pentagons are flat for every h; here h is
--- 1/2.
+-- | A dodecahedron around a cube with this side. In units of half the side, its vertices are (1, 1,
+-- 1) with all signs, and (0, 1 + h, 1 - h^2) with all signs and with the coordinates rotated. The
+-- pentagons are flat for every h; here h is 1/2.
 pyritohedron :: Rational -> Description
 pyritohedron a =
   numbered

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The contents of a census row, and contradictions between its columns. By the definitions of
--- "PraTactile.Census" and "PraTactile.Window.Proof", a true row has none.
+-- | The contents of a census row, and contradictions between its columns. A row that is true by the
+-- definitions of "PraTactile.Census" and "PraTactile.Window.Proof" has no contradiction.
 module PraTactile.Format.Census.Contradiction
   ( Subject (..),
     Findings (..),
@@ -18,8 +18,12 @@ import PraTactile.Field.Named (conwayModulus)
 
 -- | The subject of a row: the array and the window.
 data Subject = Subject
-  { subjectOrder :: Natural,
+  { -- | q
+    subjectOrder :: Natural,
+    -- | the polynomial that defines GF(q), by its coefficients, the constant term first
     subjectModulus :: [Natural],
+    -- | the array's polynomial over GF(q), by the codes of its coefficients, the constant term
+    -- first
     subjectPolynomial :: [Natural],
     subjectFolding :: Folding,
     subjectShape :: Shape,
@@ -27,26 +31,31 @@ data Subject = Subject
   }
   deriving stock (Eq, Show)
 
--- | The findings of a row, named like its columns.
+-- | The findings of a row. Each field is named like its column.
 data Findings = Findings
-  { -- | whether the windows are distinct
+  { -- | whether all windows are distinct
     foundProved :: Bool,
-    -- | the same by enumeration, if all windows were visited
+    -- | whether visiting all windows found them distinct; 'Nothing' if they were not all visited
     foundByEnumeration :: Maybe Bool,
-    -- | the same by the rank of the window's cells
+    -- | whether the rank shows that they are distinct: it is the needed one
     foundByRank :: Bool,
+    -- | the rank of the window's cells
     foundRank :: Natural,
+    -- | the rank that is needed: the polynomial's degree
     foundNeeded :: Natural,
+    -- | the number of windows
     foundWindows :: Natural,
+    -- | the number of different contents of windows
     foundDifferent :: Natural,
-    -- | the minimum distance, or its lower bound with an upper bound
+    -- | the minimum distance and 'Nothing', or a lower and an upper bound on it
     foundDistance :: (Natural, Maybe Natural)
   }
   deriving stock (Eq, Show)
 
--- | The columns that cannot all be true, if there are any. The arguments are the entry's number,
--- the number of entries, the subject and the findings. A census asks for windows on the natural
--- surface, where the rank always decides.
+-- | The names of columns that cannot all be true, by the first condition that they violate;
+-- 'Nothing' if all conditions hold. Arguments: the number of the row's entry, from 0; the number of
+-- entries; the subject; the findings. A census asks for windows on the natural surface, where the
+-- rank always decides.
 contradiction :: Natural -> Natural -> Subject -> Findings -> Maybe [ByteString]
 contradiction entry entries subject found =
   listToMaybe [names | (False, names) <- rules]

@@ -1,6 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Compares the size and shape of regions with those of a symbol.
+-- | Compares the size and shape of regions of a composite's pixels with those of a symbol. A pixel
+-- is a taxel: symbols are 8 x 12 pixels.
 module PraTactile.Segmentation.Foreign.Extent
   ( tooLong,
     symbolSized,
@@ -13,8 +14,8 @@ import PraTactile.Geometry (cosineSine, symbolHeight, symbolWidth)
 import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region
 
--- | Whether a region cannot be a symbol: it is longer than any symbol, or it is complete, large
--- enough, and not of a symbol's size.
+-- | Whether a region cannot be a symbol. Either it is longer than any symbol; or it has enough
+-- pixels, touched pixels all around it, and not a symbol's size.
 unlikeSymbols :: Masked -> Region -> Bool
 unlikeSymbols pixels region =
   tooLong pixels region
@@ -27,7 +28,8 @@ unlikeSymbols pixels region =
             by <- [(-1, 0), (1, 0), (0, -1), (0, 1)]
         ]
 
--- | The least number of pixels of such a region; a smaller one may be a piece of a symbol.
+-- | The least number of pixels of a region that is judged by its size; a smaller one may be a piece
+-- of a symbol.
 leastWhole :: Int
 leastWhole = 36
 
@@ -40,7 +42,8 @@ tooLong pixels region =
 longest :: Double
 longest = 18
 
--- | Whether a region has a symbol's length and width at some angle.
+-- | Whether a region has a symbol's height and width along two perpendicular directions, within 1.8
+-- pixels, and 24 to 110 pixels.
 symbolSized :: Masked -> Region -> Bool
 symbolSized pixels region =
   length region >= 24 && length region <= 110
@@ -57,8 +60,9 @@ symbolSized pixels region =
         && abs (short - fromIntegral symbolWidth) <= 1.8
         && long - short >= 2
 
--- | The parts of a region that lie on straight lines inside it, longer than any line in a symbol.
--- If a symbol touches a bar, only the pixels on lines through both are taken from the symbol.
+-- | The connected parts of a region that lie on straight lines inside it, of 'longestLine' pixels
+-- in any of 16 directions. No such line lies inside a symbol. If a symbol touches a bar, the parts
+-- have those pixels of the symbol that lie on lines through both.
 straight :: Masked -> Region -> [Region]
 straight pixels region = components pixels 0 (eachOnce onLines)
   where
@@ -70,7 +74,7 @@ straight pixels region = components pixels 0 (eachOnce onLines)
           within steps p,
           Just p' <- map (beside pixels p) steps
       ]
-    -- All of a line's pixels lie inside, except at most one.
+    -- All of a line's pixels lie inside the region, except at most one.
     within steps p = go (1 :: Int) steps
       where
         go _ [] = True
