@@ -1,10 +1,11 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | The parity checks that the code provides among observed cells. The contents of m cells of rank
--- r are a linear code of dimension r, so m - r independent parity checks hold among them. Of these,
--- m_j - r_j hold among the cells of column j alone and do not check how the columns lie beside each
--- other. The others do; their number is the sum of r_j minus r. The same holds for rows, and for
--- the sources that cells were seen in. docs/explanation/locating.md lists the numbers.
+-- r are a linear code of dimension r, so m - r independent parity checks hold among them. Let
+-- column j have m_j of the cells, of rank r_j. Then m_j - r_j checks hold among the cells of column
+-- j alone; they do not check how the columns lie beside each other. The remaining checks do, and
+-- their number is the sum of all r_j, minus r. Rows are counted in the same way, and so are
+-- sources: the patches in which cells were seen. docs/explanation/locating.md lists the numbers.
 module PraTactile.Locate.Checks
   ( Checks (..),
     Split (..),
@@ -23,11 +24,11 @@ import PraTactile.LinearCode.Elimination
 import PraTactile.Polynomial
 import PraTactile.Window.Rank
 
--- | The independent parity checks among grouped cells.
+-- | The numbers of independent parity checks among cells in groups.
 data Split = Split
-  { -- | checks within single groups
+  { -- | the number of checks within single groups
     checksWithin :: !Natural,
-    -- | checks beyond those
+    -- | the number of further checks, across groups
     checksAcross :: !Natural
   }
   deriving stock (Eq, Show)
@@ -36,7 +37,7 @@ data Split = Split
 data Checks = Checks
   { checksOfColumns :: Split,
     checksOfRows :: Split,
-    -- | a cell that two sources show is a check across them; 'Nothing' for a single source
+    -- | for several sources only; a cell that two sources show is a check across them
     checksOfSources :: Maybe Split
   }
   deriving stock (Eq, Show)
@@ -45,9 +46,9 @@ data Checks = Checks
 noneAcross :: Split -> Bool
 noneAcross (Split within across) = within > 0 && across == 0
 
--- | The checks among cells, which are given by their offsets in the upright patch, source by
--- source. 'Nothing' on a surface other than the array's 'naturalSurface' and the sheet, where
--- contents are not linear. O(m n^2) for m cells, after 'cellVectors'.
+-- | The checks among cells. The argument has, for each source, the offsets of its cells in the
+-- upright patch. 'Nothing' on a surface other than the array's 'naturalSurface' and the sheet,
+-- where contents are not linear. O(m n^2) for m cells, after 'cellVectors'.
 checksAmong :: KnownField k => ArrayOn k -> [[Position]] -> Maybe Checks
 checksAmong (ArrayOn surface array) given
   | surface `notElem` [Sheet, naturalSurface (arrayFolding array)] = Nothing

@@ -24,7 +24,8 @@ data Decision place = Decision
   }
   deriving stock (Eq, Show)
 
--- | The decision of a decoder that corrects nothing, given the known part of the minimum distance.
+-- | The decision of a decoder that corrects nothing: its radius is 0. Arguments: what is known of
+-- the minimum distance; the outcome.
 exactDecision :: Known -> Outcome place -> Decision place
 exactDecision d outcome = Decision outcome (Distances [] agreeing Nothing d 0)
   where
@@ -36,11 +37,11 @@ exactDecision d outcome = Decision outcome (Distances [] agreeing Nothing d 0)
 nowhereDecision :: Natural -> Decision place
 nowhereDecision = Decision (Refused TooFewCells) . Distances [] Nothing Nothing (Exactly 0)
 
--- | Combines the decisions for the upright patches in all symmetries. Each comes with the upright
--- patch's shape; the minimum distance and the radius are those of all candidates. The outcome names
--- only the nearest of all symmetries, although others may be within the radius. If no symmetry has
--- a place, the reason is the first among these that any symmetry gives: off the sheet,
--- contradiction, not in array, no complete window, beyond the radius, zero window.
+-- | Combines the decisions in several symmetries. Arguments: the minimum distance between any two
+-- candidates; the radius; for each symmetry, the shape of the patch set upright and the decision
+-- for it. The outcome names only the nearest candidates, although others may be within the radius.
+-- If no symmetry has a place, the reason is the first in this list that any symmetry gives: off the
+-- sheet, contradiction, not in array, no complete window, beyond the radius, zero window.
 overSymmetries :: Known -> Natural -> [(Symmetry, Shape, Decision Position)] -> Decision Candidate
 overSymmetries d radius found = Decision outcome (Distances wrong least next d radius)
   where
@@ -72,7 +73,8 @@ overSymmetries d radius found = Decision outcome (Distances wrong least next d r
       Refused _ -> False
       _ -> True
 
--- | Combines the outcomes in several symmetries.
+-- | The outcome of several symmetries: all their places together, or a common reason. Each symmetry
+-- comes with the shape of the upright patch.
 combinedOutcome :: [(Symmetry, Shape, Decision Position)] -> Outcome Candidate
 combinedOutcome found = case (concatMap listed outcomes, mapMaybe unlisted outcomes) of
   ([], []) -> Refused (farthest [reason | (_, _, Refused reason) <- outcomes])

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON form of the manifest of a folder of frames. It can state what the CSV form cannot:
--- the frames' size, their taxels' pitch, and the axes of the coordinates.
+-- | The JSON form of the manifest of a folder of frames. It can state what the CSV form cannot: the
+-- frames' size, their taxels' pitch, the axes of the coordinates, and full scale.
 module PraTactile.Format.Manifest
   ( encodeManifest,
     decodeManifest,
@@ -32,16 +32,16 @@ import PraTactile.Source (frameImages)
 encodeManifest :: Manifest -> ByteString
 encodeManifest = writeLine manifestKeys
 
--- | Reads the JSON of 'encodeManifest'. Optional are @frame@, @axes@, and the optional fields of
--- an entry. Refuses another schema, a pitch outside 'taxelPitches', a manifest without frames, and
--- invalid file names.
+-- | Reads the JSON of 'encodeManifest'. Optional are @frame@, @axes@, @full_scale@, and in an entry
+-- its pose (as a whole) and its force. Refuses another schema, a pitch outside 'taxelPitches', a
+-- full scale outside 'fullScales', unknown axes, a manifest without frames, and invalid file names.
 decodeManifest :: ByteString -> Either FormatError Manifest
 decodeManifest = decodeWith manifestKeys
 
--- | The files of a folder of frames, by name: its manifest and its images. The arguments are the
--- image format, the sensor's grid, the bits of its readings (0 for real numbers) and the frames.
--- For the standard grid and at most 8 bits the manifest is CSV, otherwise JSON, and images have as
--- many grey values as the readings. Refuses what 'frameImages' refuses.
+-- | The files of a folder of frames, by name: its manifest and its images. Arguments: the image
+-- format; the sensor's grid; the bits of its readings, 0 for real numbers; the frames. Images have
+-- 256 grey values, or 2^bits if the readings have more than 8 bits. The manifest is CSV for the
+-- standard grid and at most 8 bits, otherwise JSON. Refuses what 'frameImages' refuses.
 folderFiles ::
   ImageFormat -> TaxelGrid -> Int -> [Frame] -> Either ImageError [(FilePath, ByteString)]
 folderFiles format grid bits frames = do
@@ -49,7 +49,8 @@ folderFiles format grid bits frames = do
   pure (manifest entries : Map.toList images)
   where
     top = if bits <= 8 then 255 else 2 ^ bits - 1
-    -- PGM files state it themselves.
+    -- A PGM file states full scale itself; in the others it is that of 8 or 16 bits, if none is
+    -- stated.
     full = if format == Pgm || top `elem` [255, 65535] then Nothing else Just (fromIntegral top)
     manifest entries
       | grid == standardTaxelGrid && bits <= 8 = (manifestName, renderManifest entries)

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of @prove@ and @check@.
+-- | The JSON that the commands @prove@ and @check@ print.
 module PraTactile.Format.Proof
   ( Subject (..),
     subjectShape,
@@ -25,7 +25,7 @@ import PraTactile.Window.Proof
 -- | The array whose windows are proved.
 data Subject
   = OfProfile Profile
-  | -- | the array in the named file
+  | -- | the name of a file, and the array in it
     OfFile String Grid
 
 -- | The shape of the array.
@@ -34,8 +34,8 @@ subjectShape subject = case subject of
   OfProfile profile -> profileShape profile
   OfFile _ grid -> gridShape grid
 
--- | Whether all windows are distinct, and their minimum distance if it is known, as one line
--- without its line end.
+-- | The verdict whether all windows are distinct, as one line without its line end. Arguments: the
+-- array; the window; the verdict; the windows' minimum distance, if it is known.
 encodeProof :: Subject -> Mask -> Verdict -> Maybe Distance -> ByteString
 encodeProof subject mask verdict apart =
   encodeSchema "prove/1" $
@@ -61,7 +61,8 @@ subjectSeries subject = case subject of
       <> "q" .= gridAlphabet grid
       <> "shape" .= shapeValue (gridShape grid)
 
--- | The fault of a certificate, or that it has none, as one line without its line end.
+-- | A certificate's verdict as one line without its line end. Arguments: the certificate; its fault
+-- in words, 'Nothing' if it is good.
 encodeCheck :: Certificate -> Maybe String -> ByteString
 encodeCheck certificate wrong =
   encodeSchema "check/1" $

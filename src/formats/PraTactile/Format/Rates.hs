@@ -1,6 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The table of rates as JSON and CSV.
+-- | The table of rates as JSON and CSV. Hard decoding locates the likeliest symbol of each cell,
+-- soft decoding the probabilities of all symbols.
 module PraTactile.Format.Rates
   ( -- * Lines of the table
     Line (..),
@@ -29,23 +30,26 @@ import PraTactile.Profile (Profile)
 import PraTactile.Rates (Calibration (..))
 import PraTactile.Rates.Formulas (Rates (..))
 
--- | A line of the table: the rates for one size and one damage.
+-- | A line of the table: the rates for patches of one size with one probability of damage.
 data Line = Line
-  { lineSize :: Shape,
-    -- | per cent
+  { -- | the patch's rows and columns
+    lineSize :: Shape,
+    -- | the probability that the likeliest symbol of an observed cell is wrong, in per cent
     lineErrors :: Double,
-    -- | per cent
+    -- | the probability that a cell is not observed, in per cent
     lineErasures :: Double,
+    -- | the number of simulated patches
     lineTrials :: Int,
     -- | hard decoding, simulated
     lineHard :: Rates,
     -- | hard decoding computed exactly, where that is possible
     lineExact :: Maybe Rates,
-    -- | soft decoding, answering where it is 99.9 % certain
+    -- | soft decoding, simulated; it answers if the answer is 99.9 % certain
     lineSoft :: Rates,
-    -- | soft decoding with the same rate of wrong answers as hard decoding; 'Nothing' if hard
-    -- decoding is never wrong
+    -- | soft decoding, simulated, with the rate of wrong answers that hard decoding has; 'Nothing'
+    -- if hard decoding is never wrong
     lineAsHard :: Maybe Rates,
+    -- | of the answers of 'lineSoft'
     lineCalibration :: Calibration
   }
   deriving stock (Eq, Show)
@@ -59,8 +63,9 @@ ways =
     ("soft_as_hard", lineAsHard)
   ]
 
--- | The gain in answered patches, in per cent, by soft decoding over hard decoding, at the same
--- rate of wrong answers on the same readings.
+-- | By how many per cent soft decoding answers more patches than hard decoding, if its rate of
+-- wrong answers is the same, on the same readings. 'Nothing' if 'lineAsHard' is, or if hard
+-- decoding answers none.
 moreAnswers :: Line -> Maybe Double
 moreAnswers l = case lineAsHard l of
   Just soft | answered (lineHard l) > 0 -> Just (100 * (answered soft / answered (lineHard l) - 1))
@@ -68,8 +73,8 @@ moreAnswers l = case lineAsHard l of
   where
     answered rates = rateRight rates + rateWrong rates
 
--- | The differences of the simulated rates (right, wrong, refused) from the exact ones, in
--- standard errors.
+-- | The differences of the simulated rates of hard decoding from the exact ones, in standard
+-- errors: right, wrong, refused. 0 if a rate has no spread. 'Nothing' without exact rates.
 deviations :: Line -> Maybe [Double]
 deviations l =
   ( \exact ->
@@ -86,7 +91,7 @@ deviations l =
 -- | A table and its settings.
 data RatesReport = RatesReport
   { ratesProfile :: Profile,
-    -- | per line
+    -- | the number of simulated patches for each line
     ratesTrials :: Int,
     ratesSeed :: Int,
     ratesRadius :: Radius,
@@ -119,6 +124,7 @@ csvHeading =
         ++ ["soft_999_answers", "soft_999_wrong_expected", "soft_999_wrong_counted"]
     )
 
+-- | The names of the fields of 'Rates', in their order.
 outcomes :: [String]
 outcomes = ["right", "wrong", "refused"]
 

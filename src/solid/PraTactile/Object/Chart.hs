@@ -49,7 +49,7 @@ import PraTactile.Object.Radicals
 import PraTactile.Object.Triangulation (Metric (..))
 import PraTactile.Object.Vector hiding (plus)
 
--- | A face with a lattice.
+-- | A face with a lattice. The letters are those of the module's formulas.
 data Chart = Chart
   { chartFrame :: Frame,
     -- | the step t, in millimetres
@@ -59,10 +59,10 @@ data Chart = Chart
     -- | v and n
     downwards :: !(Rational, Rational),
     latticeOrigin :: ExactPoint,
-    -- | one step to the right, and one down
+    -- | the vectors of one step to the right, and of one step down
     stepRight :: ExactPoint,
     stepDown :: ExactPoint,
-    -- | one millimetre outward from the face
+    -- | the vector of one millimetre outward from the face
     unitUp :: ExactPoint,
     corners :: V.Vector ExactPoint
   }
@@ -70,10 +70,10 @@ data Chart = Chart
 -- | A point or vector in space, in millimetres along x, y and z.
 data ExactPoint = ExactPoint !Radicals !Radicals !Radicals
 
--- | The chart of a face, whose walk must consist of existing vertices. Arguments: the polyhedron;
--- the walk; the lattice's step in millimetres; the width and height of a cell in steps; the anchor
--- and the rows and columns of a block, whose upper left corner is the lattice's origin. 'Nothing'
--- if the face has no frame.
+-- | The chart of a face. Arguments: the polyhedron; the face's walk, which must consist of existing
+-- vertices; the lattice's step in millimetres; the width and height of a cell in steps; the anchor
+-- of a block of cells, whose upper left corner is the lattice's origin; the block's numbers of rows
+-- and columns. 'Nothing' if the face has no frame.
 chartOf ::
   Mesh ->
   Walk ->
@@ -123,7 +123,8 @@ chartOf it walk t (wide, high) anchor (rows, columns) = charted <$> frameOf it w
     base = coprimeBase [ee, nn]
     rooted n = let root = rootIn base n in \k -> k `times` root
     (root1, root2, root12) = (rooted ee, rooted nn, rooted (ee * nn))
-    -- The number p + q sqrt a + r sqrt c + s sqrt (a c).
+    -- The number p + q sqrt a + r sqrt c + s sqrt (a c) for each coordinate i. Here a is E^2 and c
+    -- is N^2.
     vector p q r s = ExactPoint (number 0) (number 1) (number 2)
       where
         number i = fraction (p i) `plus` root1 (q i) `plus` root2 (r i) `plus` root12 (s i)
@@ -144,9 +145,10 @@ data Spot
     Lattice !Integer !Integer
   deriving stock (Eq, Ord, Show)
 
--- | The chart, stretched to integer coordinates.
+-- | The chart, stretched to integer coordinates, for triangulation.
 data Plane = Plane
-  { planeMetric :: Metric,
+  { -- | the lengths of the plane's unit steps, for angles as they are on the face
+    planeMetric :: Metric,
     -- | the place of a point; y points up
     planePoint :: Spot -> V2,
     -- | for three points that turn left here, whether they certainly turn left on the face
@@ -211,7 +213,8 @@ planeOf digits chart =
       Lattice _ _ -> True
       Corner _ -> False
 
--- | A point of a chart in space, at this height above the face in millimetres.
+-- | A point of a chart in space. Arguments: the chart; the height above the face in millimetres;
+-- the point.
 pointOn :: Chart -> Rational -> Spot -> ExactPoint
 pointOn chart height spot
   | height == 0 = onFace
@@ -224,9 +227,11 @@ pointOn chart height spot
           `further` scaledWay (fromInteger i) (stepRight chart)
           `further` scaledWay (fromInteger j) (stepDown chart)
 
+-- | The sum of a point and a vector.
 further :: ExactPoint -> ExactPoint -> ExactPoint
 further (ExactPoint x y z) (ExactPoint x' y' z') =
   ExactPoint (plus x x') (plus y y') (plus z z')
 
+-- | A vector times a number.
 scaledWay :: Rational -> ExactPoint -> ExactPoint
 scaledWay k (ExactPoint x y z) = ExactPoint (times k x) (times k y) (times k z)

@@ -34,16 +34,16 @@ import PraTactile.Shape
 import PraTactile.Shape.Distance (Feature, raises)
 import System.Random (StdGen)
 
--- | A surface around the box of a symbol, in cells of a taxel: 0 flat, 1 embossed. Beyond it the
--- surface continues the outermost cells.
+-- | A surface around the box of a symbol, in cells of one taxel: 0 flat, 1 embossed. Outside the
+-- stored cells the surface is as in the nearest stored cell.
 newtype Scene = Scene Raster
 
--- | The width of the surface on each side of the box, in cells.
+-- | The width of the stored surface on each side of the box, in cells.
 margin :: Int
 margin = 8
 
--- | The scene that is raised where the function says so. Its arguments are column and row, counted
--- from the box's upper left taxel.
+-- | The scene that is embossed where the function says so. The function's arguments are column and
+-- row, counted from the box's upper left taxel.
 sceneWhere :: (Int -> Int -> Bool) -> Scene
 sceneWhere f =
   Scene
@@ -81,13 +81,13 @@ flatScene = sceneWhere (\_ _ -> False)
 
 -- | How a scene is imaged. Lengths are in taxels.
 data View = View
-  { -- | The displacement of the scene to the right and down.
+  { -- | The displacement of the scene, to the right and down.
     viewShift :: !(Double, Double),
-    -- | The displacement of the right half against the left half. The halves are blended over the
-    -- image's width.
+    -- | The displacement of the right half against the left half, to the right and down. The halves
+    -- are blended over the image's width.
     viewTear :: !(Double, Double),
-    -- | The share of each taxel's value that comes from its two neighbours in a row, and in a
-    -- column: 0 to 0.5, as resampling leaves it.
+    -- | The share of each taxel's value that comes from its two neighbours in its row, and the
+    -- share from those in its column: 0 to 0.5 each, as resampling leaves it.
     viewBlur :: !(Double, Double),
     -- | The value of an embossed taxel.
     viewGain :: !Double,
@@ -102,8 +102,8 @@ exactView =
   View {viewShift = (0, 0), viewTear = (0, 0), viewBlur = (0, 0), viewGain = 1, viewBase = 0}
 
 -- | A random view as stitching and segmentation produce it, and the next generator. All parameters
--- are uniform: displacement up to the given number of taxels in each direction, tear up to 0.5,
--- blur up to 0.4, contrast 0.85 to 1.1, flat parts at -0.03 to 0.05.
+-- are uniform: displacements up to the given number of taxels either way, tears up to 0.5 taxels
+-- either way, blurs 0 to 0.4, the value of embossed taxels 0.85 to 1.1, of flat ones -0.03 to 0.05.
 stitchedView :: Double -> StdGen -> (View, StdGen)
 stitchedView misplacement g0 = (View (x, y) (u, v) (a, b) gain base, g8)
   where
@@ -117,8 +117,8 @@ stitchedView misplacement g0 = (View (x, y) (u, v) (a, b) gain base, g8)
     (base, g8) = between (-0.03) 0.05 g7
     between low high g = let (t, g') = uniform g in (low + (high - low) * t, g')
 
--- | The 8 x 12 image of a scene under a view. Each taxel is the mean over its area, so a
--- displacement by part of a taxel interpolates linearly between cells.
+-- | The 8 x 12 image of a scene under a view. A displacement by part of a taxel interpolates
+-- linearly between cells, as if each taxel were the mean over its area.
 see :: View -> Scene -> Raster
 see view (Scene cells) = generate symbolWidth symbolHeight $ \x y ->
   let right = (fromIntegral x + 0.5) / fromIntegral symbolWidth
@@ -148,13 +148,13 @@ see view (Scene cells) = generate symbolWidth symbolHeight $ \x y ->
 
 -- | A part of an image that the sensor never touched.
 data Unseen
-  = -- | This corner is unknown and counts as flat.
+  = -- | This corner is unknown and counts as flat: its pixels become 0.
     CornerUnseen !Corner
-  | -- | This number of columns at the left, or at the right if the flag is set. They repeat the
-    -- nearest observed column.
+  | -- | Columns at the right edge if the flag is set, else at the left edge; and their number. They
+    -- repeat the nearest observed column.
     ColumnsUnseen !Bool !Int
-  | -- | This number of rows at the top, or at the bottom if the flag is set. They repeat the
-    -- nearest observed row.
+  | -- | Rows at the bottom edge if the flag is set, else at the top edge; and their number. They
+    -- repeat the nearest observed row.
     RowsUnseen !Bool !Int
   deriving stock (Eq, Show)
 

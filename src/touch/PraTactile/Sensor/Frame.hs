@@ -52,10 +52,10 @@ data Pose = Pose
   }
   deriving stock (Eq, Ord, Show)
 
--- | One press of the probe. The fields are: the kinesthetic pose (by the robot's own position
--- sensors, in the robot's coordinates); the force in newtons, 0 if unknown; the tactile image, of
--- any size; the distance of neighbouring taxels in millimetres; and the dead elements (row, column
--- from 0), whose pixels hold replacement values.
+-- | One press of the probe. Its fields: the kinesthetic pose, which is that of the robot's own
+-- position sensors, in the robot's coordinates; the force in newtons, 0 if unknown; the tactile
+-- image, of any size; the distance of neighbouring taxels in millimetres; and the row and column
+-- (from 0) of each dead element, whose pixel holds a replacement value.
 data Frame = Frame
   { framePose :: !Pose,
     frameForce :: !Double,
@@ -65,7 +65,7 @@ data Frame = Frame
   }
   deriving stock (Eq, Show)
 
--- | The frame with all its lengths multiplied by a number.
+-- | The frame with all its lengths multiplied by a number: its position and its taxels' pitch.
 scaledFrame :: Double -> Frame -> Frame
 scaledFrame k frame =
   frame
@@ -127,14 +127,15 @@ turned r
 
 -- | Why a scan cannot be planned.
 data ProbeError
-  = -- | The spacing is less than one taxel.
+  = -- | The spacing, this number of taxels, is less than one.
     SpacingTooSmall !Int
-  | -- | The region (width, height, taxels) is smaller than the standard sensor.
+  | -- | The region, with this width and height in taxels, is smaller than the standard sensor.
     RegionTooSmall !Int !Int
-  | -- | The region (width, height) is smaller than another sensor, whose width and height follow;
-    -- all in taxels of 'taxelPitch'.
+  | -- | The region is smaller than another sensor: the region's width and height, then the
+    -- sensor's, all in taxels of 'taxelPitch'.
     RegionBelowSensor !Int !Int !Double !Double
-  | -- | The region (width, height, taxels) would take more than 100000 presses.
+  | -- | The region, with this width and height in taxels, would take more than 'maxPresses'
+    -- presses.
     RegionTooLarge !Int !Int
   deriving stock (Eq, Show)
 
@@ -154,10 +155,8 @@ data TaxelGrid = TaxelGrid
 standardTaxelGrid :: TaxelGrid
 standardTaxelGrid = TaxelGrid sensorSide sensorSide taxelPitch
 
--- | 'planScanOf' for the standard sensor.
---
--- >>> length <$> planScan 8 (0, 0) (40, 52)
--- Right 24
+-- | 'planScanOf' for the standard sensor. Arguments: the spacing of presses in taxels; the region's
+-- upper left corner in millimetres; its width and height in taxels.
 planScan :: Int -> (Double, Double) -> (Int, Int) -> Either ProbeError [Pose]
 planScan = planScanOf standardTaxelGrid
 
@@ -188,7 +187,7 @@ planScanOf grid spacing (left, top) (width, height)
       | grid == standardTaxelGrid = RegionTooSmall width height
       | otherwise = RegionBelowSensor width height (across / ratio) (down / ratio)
     step = fromIntegral spacing :: Double
-    -- The number of offsets.
+    -- The number of 'offsets'.
     presses size side = 1 + fromIntegral (max 0 (ceiling (inside size side / step) :: Integer))
     offsets size side =
       takeWhile (< inside size side) (map ((step *) . fromIntegral) [0 :: Int ..]) ++ [size - side]
