@@ -55,9 +55,10 @@ import PraTactile.Random (normals)
 import PraTactile.Steps
 import System.Random (StdGen, mkStdGen, split)
 
--- | A training in three stages, by the error at which each stage ends.
+-- | A training in three stages, by the error at which each stage ends: of the clean stages, which
+-- are the first and the last, and of the middle one.
 data Training
-  = -- | 0, as in the paper
+  = -- | 0 in all stages, as in the paper
     Stated
   | -- | 0.1 for the clean stages, 0 for the middle one
     Stopped
@@ -75,7 +76,7 @@ trainingName training = case training of
   Manual -> "manual"
   Many -> "many"
 
--- | The error goals of its clean stages and of its middle stage.
+-- | The errors at which a training's clean stages and its middle stage end.
 stageGoals :: Training -> (Double, Double)
 stageGoals training = case training of
   Stated -> (0, 0)
@@ -83,14 +84,15 @@ stageGoals training = case training of
   Manual -> (0.1, 0.6)
   Many -> (0.1, 0)
 
--- | The number of noisy images of a class for each standard deviation.
+-- | The number of noisy images of each class for each standard deviation of the noise.
 noisyCopies :: Training -> Int
 noisyCopies training = if training == Many then 30 else 1
 
--- | The images that the middle stage has in addition to the first stage's.
+-- | The images that the middle stage has in addition to the clean ones.
 data Middle
-  = Noisy
-  | -- | the same images without their noise
+  = -- | noisy images
+    Noisy
+  | -- | in place of the noisy images, the images to which noise would be added
     CleanCopies
   | -- | nothing: there is no middle stage
     NoMiddle
@@ -103,10 +105,10 @@ middleName middle = case middle of
   CleanCopies -> "clean"
   NoMiddle -> "none"
 
--- | The conditions that all stages share.
+-- | The conditions of a training that its stages share.
 data Conditions = Conditions
   { conditionBegin :: Begin,
-    -- | the descent of each stage, whose goal is replaced
+    -- | the descent of each stage; its 'goal' is replaced by that of 'stageGoals'
     conditionDescent :: Descent,
     conditionSharing :: Sharing
   }
@@ -116,24 +118,24 @@ data Conditions = Conditions
 data Sharing
   = -- | all four in each stage
     AllInEach
-  | -- | two in the first stage, the same twice in the middle stage, the others in the last stage
+  | -- | two in the first stage, these two twice in the middle stage, the other two in the last
+    -- stage
     TwoAndTwo
   deriving stock (Eq, Show)
 
 -- | How the initial weights are drawn.
 data Begin
-  = -- | by Nguyen and Widrow for inputs from 0 to 1; the output layer's weights are multiplied by
-    -- the number
+  = -- | by 'initnw' for inputs from 0 to 1; the output layer is multiplied by the number
     ForUnitRanges Double
-  | -- | by Nguyen and Widrow for the ranges of the first stage's images; the output layer's weights
-    -- are multiplied by the number
+  | -- | by 'initnw' for the ranges of the first stage's images; the output layer is multiplied by
+    -- the number
     ForRangesOfImages Double
   | -- | uniform from -0.1 to 0.1
     Uniformly
   deriving stock (Eq, Show)
 
--- | Nguyen and Widrow's weights for inputs from 0 to 1, 'toolboxDescent', and all four images in
--- each stage.
+-- | The conditions of a training without a change: initial weights for inputs from 0 to 1,
+-- 'toolboxDescent', and all four clean images in each stage.
 standardConditions :: Conditions
 standardConditions = Conditions (ForUnitRanges 1) toolboxDescent AllInEach
 
@@ -142,7 +144,7 @@ standardConditions = Conditions (ForUnitRanges 1) toolboxDescent AllInEach
 hiddenFor :: Int -> Int
 hiddenFor classes = max 8 (2 * classes)
 
--- | Clean images with their classes.
+-- | The clean images of a training, with their classes.
 data Material = Material
   { -- | two for each class
     materialFirst :: [(Raster, Int)],
@@ -150,18 +152,18 @@ data Material = Material
     materialLast :: [(Raster, Int)]
   }
 
--- | A trained network, and its completed stages by number.
+-- | A trained network, and its completed stages: the number of each (1 to 3) and its trace.
 data Run = Run
   { runNetwork :: Network,
     runStages :: [(Int, Trace)]
   }
 
--- | Trains a network. Arguments: the conditions; the training; the number of classes; the training
--- images; a seed; the middle stage.
+-- | Trains a network. Arguments: the conditions; the training; the number of classes; the clean
+-- images; a seed; the kind of middle stage.
 --
--- The three kinds of middle stage share their initial weights and their first stage; it is computed
--- once if the first five arguments are applied alone. Trainings with one seed share their noise.
--- Refuses what 'batch' and 'train' refuse.
+-- With one seed, the three kinds of middle stage share their initial weights and their first stage;
+-- it is computed once if the first five arguments are applied alone. Trainings with one seed share
+-- their noise. Refuses what 'batch' and 'train' refuse.
 trainedBy ::
   Conditions -> Training -> Int -> Material -> Int -> Middle -> Either NetworkError Run
 trainedBy conditions training classes material seed = result . steps
@@ -210,8 +212,8 @@ trainedBySteps conditions training classes material seed = \middle ->
       Steps s (Either e a) -> (a -> Steps s (Either e b)) -> Steps s (Either e b)
     onwards steps next = steps >>= either (Done . Left) next
 
--- | The time and memory of a training for this number of classes, if every stage runs to its last
--- epoch.
+-- | The time and memory of a training, if every stage runs to its last epoch. Arguments: the
+-- conditions; the training; the kind of middle stage; the number of classes.
 trainingDemand :: Conditions -> Training -> Middle -> Int -> Demand
 trainingDemand conditions training middle classes =
   demandOf
@@ -223,15 +225,15 @@ trainingDemand conditions training middle classes =
   where
     clean = if conditionSharing conditions == TwoAndTwo then 2 else 4
 
--- | The approximate size in bytes of the test images, for this number of classes with this number
--- of clean images each.
+-- | The approximate size of 'TestImages' in bytes. Arguments: the number of classes; the number of
+-- clean images of each.
 testBytes :: Int -> Int -> Integer
 testBytes classes each =
   8 * toInteger (length noiseLevels * inputCount) * toInteger classes * toInteger each
 
 -- | The images of the middle stage; none if there is no middle stage. Arguments: the training; the
--- kind of middle stage; the images of which noisy images or copies are made; the images that are
--- used beside these; a generator.
+-- kind of middle stage; the clean images of which noisy images or copies are made; the clean images
+-- that are used beside them; a generator for the noise.
 middleImages ::
   Training -> Middle -> [(Raster, Int)] -> [(Raster, Int)] -> StdGen -> [(Raster, Int)]
 middleImages training middle clean beside g = case middle of
@@ -251,7 +253,7 @@ middleImages training middle clean beside g = case middle of
       ]
     classesOf images = [c | c <- [0 .. maximum (-1 : map snd images)], c `elem` map snd images]
 
--- | The image plus white noise of this standard deviation, not clipped.
+-- | The image plus white noise of this standard deviation, not clipped, and the next generator.
 withWhiteNoise :: Double -> Raster -> StdGen -> (Raster, StdGen)
 withWhiteNoise deviation image g = (generate wide (rasterHeight image) noisy, g')
   where
@@ -286,8 +288,8 @@ testImages classes clean seed =
       let (spoilt, g') = withWhiteNoise deviation image g in (g', rasterValues spoilt)
     of' c = [image | (image, c') <- clean, c' == c]
 
--- | For each noise level and each class: the number of images for which another output is the
--- greatest, and the number of images.
+-- | For each noise level and then each class: the number of images for which the output of another
+-- class is the greatest, and the number of images.
 wrongOf :: Network -> TestImages -> [[(Int, Int)]]
 wrongOf n (TestImages byLevel) = map (zipWith ofClass [0 ..]) byLevel
   where

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | Segmentation of upright symbols: Otsu's threshold, connected components, and a check that a
--- component's box has a symbol's size and was touched.
+-- component's bounding box has a symbol's size and was touched.
 module PraTactile.Segmentation.Upright
   ( segment,
     leastTouched,
@@ -23,10 +23,10 @@ import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region
 import PraTactile.Segmentation.Symbol
 
--- | The symbols of a composite; none for a blank one. The levels come from the whole composite.
--- The pixels above their middle are divided into connected components, and each component whose box
--- has a symbol's size becomes a symbol. A noisy composite is smoothed for that, but the symbols'
--- images are not.
+-- | The symbols of a composite; none for a blank one. The levels of background and embossing come
+-- from the whole composite. The pixels above the middle of both levels are divided into connected
+-- components, and each component whose box has a symbol's size becomes a symbol. A noisy composite
+-- is smoothed for that, but the symbols' images are taken from the composite itself.
 segment :: Composite -> Segmentation
 segment composite = case levelled noise touched of
   Just found | contrast found >= leastClear * noise -> cut touched found
@@ -53,11 +53,11 @@ segment composite = case levelled noise touched of
             }
         embossed = pieces pixels largestGap (touchedWhere (>= threshold found) pixels)
 
--- | The least contrast, in standard deviations of the noise, for working without smoothing.
+-- | The least contrast, in standard deviations of the noise, at which a composite is not smoothed.
 leastClear :: Double
 leastClear = 6
 
--- | The input from which symbols are cut.
+-- | The input from which symbols are cut. Its fields are those of one composite.
 data Scene = Scene
   { -- | the image from which the symbols' images are sampled
     sceneImage :: !Reference,
@@ -78,7 +78,8 @@ atLeast count = not . null . drop (count - 1)
 
 -- | Judges a component: a symbol, or the reason why not. A component that is too large may be a
 -- symbol with something close to it, or a blurred symbol. Then it is tried without its smallest
--- pieces, then each piece alone, then above a higher threshold.
+-- pieces, then each piece alone, then its pixels above a higher threshold. The list is empty only
+-- if the component is.
 inComponent :: Scene -> Region -> [Either Reject SymbolImage]
 inComponent scene component = case judged middle component of
   Nothing -> []
@@ -101,12 +102,12 @@ inComponent scene component = case judged middle component of
     parts = pieces pixels 0 component
     high = filter (any (>= upper) . valueAt pixels . placeOf pixels) component
 
--- | The threshold for blurred symbols, as a share of the contrast above the background.
+-- | The threshold for blurred symbols: the background plus this share of the contrast.
 upperShare :: Double
 upperShare = 0.65
 
--- | Judges a region by its box at a threshold: a symbol, or the reason why not. 'Nothing' for an
--- empty region.
+-- | Judges a region by its bounding box where the intensity crosses a threshold: a symbol, or the
+-- reason why not. 'Nothing' for an empty region.
 judgedAt :: Scene -> Double -> Region -> Maybe (Either Reject SymbolImage)
 judgedAt scene level region = do
   across <- horizontalExtent pixels level region
@@ -146,10 +147,10 @@ judgedAt scene level region = do
       generate symbolWidth symbolHeight $ \i j ->
         value (x + fromIntegral i - (width - 1) / 2) (y + fromIntegral j - (height - 1) / 2)
 
--- | The least number of touched taxels, of a symbol's 96: all but about one row. Without this
--- limit a box may fit that lacks a column or two, and at an angle the edge of the touched pixels
--- leaves boxes of any size. Such boxes show parts of symbols: they made about half of the misread
--- symbols, and most images that resemble no shape.
+-- | The least number of touched taxels, of a symbol's 96: at most nine may be missing. With fewer,
+-- a box may fit that lacks a column or two, and at an angle the edge of the touched pixels leaves
+-- boxes of any size. Such boxes show parts of symbols: they made about half of the misread symbols,
+-- and most images that resemble no shape.
 leastTouched :: Double
 leastTouched = 0.9 * fromIntegral (symbolWidth * symbolHeight)
 

@@ -27,27 +27,28 @@ import PraTactile.Object.Net.Unfolder
 import PraTactile.Object.Surface
 import PraTactile.Object.Vector (squareRoot)
 
--- | A spanning tree of the faces, by the glued edges. Each edge is given by its side on the face
--- nearer to the first face, in an order in which that face is already there.
+-- | A spanning tree of the faces, by the edges along which they are glued. Each edge is given by
+-- the number of its side on the face nearer to the first face. The edges are in an order in which
+-- that face is already laid.
 newtype Unfolding = Unfolding {unfoldingSides :: [Int]}
   deriving stock (Eq, Show)
 
--- | Both sides of each edge that is glued.
+-- | The numbers of both sides of each edge that is glued.
 gluedSides :: Unfolder -> Unfolding -> IntSet.IntSet
 gluedSides it tree =
   IntSet.fromList (concat [[s, gluedTo (unfolderSides it) s] | s <- unfoldingSides tree])
 
--- | Some faces, laid into the plane of the first one.
+-- | Some faces, laid into the plane of the first one, face 0.
 data Growing = Growing
-  { -- | the sides along which they are glued, the last one first
+  { -- | the sides of earlier faces along which later ones are glued, the last one first
     grownSides :: [Int],
     grownFaces :: IntMap.IntMap Laid,
-    -- | the worst meeting of two of them
+    -- | the worst meeting of any two of the faces
     grownMeeting :: Meeting
   }
 
--- | A face in the plane: its corners, their bounding box, and the faces across each of its sides as
--- they lie if glued there.
+-- | A face in the plane: its corners; their bounding box, as the least and greatest x and the least
+-- and greatest y; and for each of its sides the face across it as it lies if glued there.
 data Laid = Laid
   { laidCorners :: V.Vector Corner,
     laidBox :: ((Double, Double), (Double, Double)),
@@ -58,7 +59,7 @@ data Laid = Laid
 grown :: Growing -> Unfolding
 grown = Unfolding . reverse . grownSides
 
--- | Whether a face is laid already.
+-- | Whether the face with this number is laid already.
 hasFace :: Growing -> Int -> Bool
 hasFace growing f = IntMap.member f (grownFaces growing)
 
@@ -66,7 +67,8 @@ hasFace growing f = IntMap.member f (grownFaces growing)
 firstFace :: Unfolder -> Growing
 firstFace it = Growing [] (IntMap.singleton 0 (laid it 0 lyingStill id)) Apart
 
--- | Glues the face across a side of a laid face.
+-- | Glues the face across this side of a laid face. That face must not be laid already, which is
+-- not checked.
 glue :: Unfolder -> Growing -> Int -> Growing
 glue it (Growing tree faces worst) s =
   Growing
@@ -88,7 +90,8 @@ glue it (Growing tree faces worst) s =
     near (across, down) (across', down') = meets across across' && meets down down'
     meets (from, to) (from', to') = from <= to' && from' <= to
 
--- | A face laid by this map. The function gives the numbers of the points where its sides begin.
+-- | The face with this number, laid by this map. The function gives, for the number of each side of
+-- the face, the number of the point where the side begins.
 laid :: Unfolder -> Int -> Lying -> (Int -> Int) -> Laid
 laid it f lying point =
   Laid
@@ -111,8 +114,8 @@ laid it f lying point =
           | side == nextSide sides t = point s
           | otherwise = side
 
--- | The corners of each face in millimetres, counter-clockwise with y up. The first face has its
--- first corner at the origin and its second to the right of that.
+-- | The corners of each face in millimetres, counter-clockwise, with x to the right and y up. The
+-- first face has its first corner at the origin and its second to the right of that.
 laidFlat :: Unfolder -> Unfolding -> V.Vector (V.Vector (Double, Double))
 laidFlat it (Unfolding tree) =
   V.generate (faceCount it) $ \f ->
