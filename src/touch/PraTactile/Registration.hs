@@ -1,6 +1,6 @@
--- | Stitching (the paper's section IV): overlapping frames with their nominal poses to one
--- composite image, the misalignment of successive frames corrected by two-dimensional
--- cross-correlation.
+-- | Stitching (the paper's section IV): combines overlapping frames with known nominal poses into
+-- one composite image. Two-dimensional cross-correlation corrects the misalignment of successive
+-- frames.
 module PraTactile.Registration
   ( -- * Composites
     Composite (..),
@@ -86,92 +86,94 @@ import PraTactile.Sensor.Frame (Frame (..), Pose (..), isTaxelPitch)
 import PraTactile.Sensor.Manifest (alongAxes)
 import PraTactile.Sensor.Resample (canonicalSize, isCanonical)
 
--- | Why frames cannot be stitched. Frames are named by their zero-based place in the list.
+-- | Why frames cannot be stitched. A frame is named by its index in the list, from 0.
 data StitchError
   = -- | There is no frame.
     NoFrames
-  | -- | There are more frames than 'maxFrames': how many.
+  | -- | There are this many frames, more than 'maxFrames'.
     TooManyFrames !Int
-  | -- | A frame is not of the first one's size, or not of 4 x 4 to 256 x 256 taxels: which, its
-    -- width and its height.
+  | -- | This frame has another size than the first one, or not 4 x 4 to 256 x 256 taxels: its
+    -- index, width and height.
     FrameSize !Int !Int !Int
-  | -- | A frame is too small to be turned by its rotation, which is not a multiple of 90 degrees:
-    -- which, and its rotation.
+  | -- | This frame is too small to undo its rotation, which is not a multiple of 90 degrees: its
+    -- index, and its rotation in degrees.
     FrameRotation !Int !Double
-  | -- | A frame's pose or one of its values is infinite or not a number.
+  | -- | The pose of this frame, or one of its values, is infinite or NaN.
     FrameNotFinite !Int
-  | -- | The pitch of a frame's taxels is none of 'taxelPitches': which, and its pitch, millimetres.
+  | -- | The pitch of this frame's taxels is outside 'taxelPitches': its index, and the pitch in
+    -- millimetres.
     FramePitch !Int !Double
-  | -- | The frames have more than 'maxFramePixels' pixels together: how many.
+  | -- | The frames have this many pixels together, more than 'maxFramePixels'.
     TooManyFramePixels !Int
-  | -- | The frames lie so far apart that the composite would have more than 'maxCompositePixels'
-    -- pixels; its width and height, taxels.
+  | -- | The composite would have more than 'maxCompositePixels' pixels, because the frames lie far
+    -- apart: its width and height in taxels.
     AreaTooLarge !Double !Double
-  | -- | To register the frames by the method asked for would take too much.
+  | -- | Registering the frames by the requested method would take too much time or memory.
     TooMuchToRegister !TooMuch
   | -- | The settings are unusable: a sigma that is not positive, negative noise, or a search radius
     -- that is negative or above 64 taxels.
     UnusableRegistration !Registration
   deriving stock (Eq, Show)
 
--- | The most pixels a composite may have.
+-- | The most pixels of a composite.
 maxCompositePixels :: Int
 maxCompositePixels = 4194304
 
--- | The most pixels a whole image may have: 1024 x 1024, which take a second to examine.
+-- | The most pixels of a whole image: 1024 x 1024, which take a second to examine.
 maxImagePixels :: Int
 maxImagePixels = 1048576
 
--- | The most frames a composite may be made of.
+-- | The most frames of a composite.
 maxFrames :: Int
 maxFrames = 10000
 
--- | The most pixels that frames may have together, each as it is given or at the canonical pitch,
--- where it has more.
+-- | The most pixels of all frames together. A frame counts with its own pixels, or with those at
+-- the canonical pitch if these are more.
 maxFramePixels :: Int
 maxFramePixels = 8388608
 
--- | Frames at their corrected places, blended: each pixel of the composite is the mean of what the
--- frames saw there, with bilinear weights; what stands for a dead element ('frameDead') counts next
--- to nothing where a living one felt the place. The composite does not depend on the order of the
--- frames, and moves with their poses. A single frame of rotation 0 is returned as it is. The tables
--- are those of the symbols that may have been felt.
+-- | Stitches frames: finds their displacements by 'Automatic' and blends them. Each pixel of the
+-- composite is the weighted mean of the frames' values there, with bilinear weights. Dead elements
+-- ('frameDead') have nearly no weight where another frame has living ones. The composite does not
+-- depend on the order of the frames, and if all poses are shifted it is shifted with them. A single
+-- frame of rotation 0 is returned as it is. The tables are those of the symbols that may have been
+-- touched.
 stitch :: LatticeTables -> Registration -> [Frame] -> Either StitchError Composite
 stitch tables settings = fmap assemblyComposite . assemble tables Automatic settings
 
--- | Settings with the noise that the frames show ('frameNoise'), for a sensor whose noise is not
--- known.
+-- | The settings with the noise that the frames show ('frameNoise'), for a sensor whose noise is
+-- unknown.
 withNoiseOf :: [Frame] -> Registration -> Registration
 withNoiseOf frames settings = settings {registrationNoise = frameNoise (map frameImage frames)}
 
--- | Frames at their nominal places, blended: stitching without any correction.
+-- | Blends frames at their nominal places: stitching without any correction.
 placeOnly :: [Frame] -> Either StitchError Composite
 placeOnly =
   fmap assemblyComposite
     . assembledAs (\_ _ -> Right . unarranged Nominal . map (fmap fst)) standardRegistration
 
--- | A composite, and how it came about.
+-- | A composite, and how its frames were registered.
 data Assembly = Assembly
   { assemblyComposite :: !Composite,
     -- | The method that was used; never 'Automatic'.
     assemblyMethod :: !StitchMethod,
-    -- | Each frame, in the order of the frames.
+    -- | What is known of each frame, in the order of the frames.
     assemblyFrames :: ![Registered],
-    -- | The root of the mean squared difference of the frames from what others saw there, as the
-    -- noise of one frame; 'Nothing' where no two overlap.
+    -- | The root mean squared difference of each frame from the others at the same places,
+    -- expressed as the noise of one frame; 'Nothing' if no two frames overlap.
     assemblyResidual :: Maybe Double
   }
 
--- | Frames registered by the given method, and blended. The tables are those of the symbols that
--- may have been felt.
+-- | Registers frames by the given method, and blends them. The tables are those of the symbols that
+-- may have been touched.
 assemble :: LatticeTables -> StitchMethod -> Registration -> [Frame] -> Either StitchError Assembly
 assemble tables method = assembledAs (arrange tables method)
 
--- | How frames are arranged by settings, where their places count from in the robot's coordinates,
--- and each frame with its nominal place; taxels.
+-- | A way of arranging frames. Arguments: the settings; the origin of places, in the robot's
+-- coordinates; each frame with its nominal place. All lengths are taxels.
 type Arranging = Registration -> Taxels -> [(Taxels, Touched)] -> Either TooMuch Arrangement
 
--- | Frames arranged so, and blended.
+-- | Checks frames and settings, arranges the frames in the given way, and blends them.
 assembledAs :: Arranging -> Registration -> [Frame] -> Either StitchError Assembly
 assembledAs arranging settings frames = do
   given <- maybe (Left NoFrames) Right (nonEmpty frames)
@@ -179,7 +181,7 @@ assembledAs arranging settings frames = do
   unless (usable settings) (Left (UnusableRegistration settings))
   compose arranging settings given
 
--- | Place frames in taxels, arrange them, and blend.
+-- | Places frames in taxels, arranges them, and blends them.
 compose :: Arranging -> Registration -> NonEmpty Frame -> Either StitchError Assembly
 compose arranging settings frames = do
   given <- traverse (uncurry uprighted) (NonEmpty.zip (0 :| [1 ..]) frames)
@@ -188,7 +190,7 @@ compose arranging settings frames = do
   (seen, arrangement) <- first TooMuchToRegister (arrangedScene arranging supposed scene)
   let put = putTogether scene seen arrangement
       made = blendedScene settings scene arrangement put
-  -- Blending relies on it.
+  -- Blending needs memory for the whole area, so the corrected places are checked too.
   checkArea (fmap (\one -> (laidPlace one, laidImage one)) put)
   pure
     Assembly
@@ -211,8 +213,10 @@ compose arranging settings frames = do
       _ -> Nothing
     along axes frame = frame {framePose = alongAxes axes (framePose frame)}
 
--- | The frames of a scene arranged by the settings for them: as even presses would read them, if
--- they are tilted and then show a lattice; otherwise as they are read.
+-- | The frames of a scene as they were arranged, and their arrangement. If the presses are tilted,
+-- the frames are first corrected to those of even presses; that counts only if they are then
+-- registered by a lattice. Otherwise the frames are arranged as they are. The function gives the
+-- settings for frames.
 arrangedScene ::
   Arranging ->
   (NonEmpty Placed -> Registration) ->
@@ -232,18 +236,19 @@ arrangedScene arranging supposed scene = do
           (robotOrigin scene)
           [(placeIn scene p, (placedImage p, placedTouch p)) | p <- toList seen]
 
--- | A frame as it is put.
+-- | A frame in its place.
 data Laid = Laid
   { laidFrom :: !Placed,
-    -- | Its displacement, and where its upper left pixel then lies, taxels.
+    -- | Its displacement from its nominal place, and the resulting place of its upper left pixel,
+    -- in taxels.
     laidShift :: !Taxels,
     laidPlace :: !Taxels,
-    -- | Its image, on the scale of all.
+    -- | Its image, on the common scale of all frames.
     laidImage :: !Raster,
     laidLevel :: !Level
   }
 
--- | The frames of a scene where an arrangement has them, on one scale.
+-- | The frames of a scene in the places of an arrangement, on a common scale.
 putTogether :: Scene -> NonEmpty Placed -> Arrangement -> NonEmpty Laid
 putTogether scene seen arrangement = NonEmpty.zipWith put (NonEmpty.zip seen levels) shifts
   where
@@ -255,7 +260,8 @@ putTogether scene seen arrangement = NonEmpty.zipWith put (NonEmpty.zip seen lev
     put (p, level) shift =
       Laid p shift (placeIn scene p `plus` shift) (levelled level (placedImage p)) level
 
--- | The composite of frames that are put, with what their arrangement tells.
+-- | The composite of frames in their places, with what their arrangement says about it. Arguments:
+-- the settings; the scene; the arrangement; the frames.
 blendedScene :: Registration -> Scene -> Arrangement -> NonEmpty Laid -> Composite
 blendedScene settings scene arrangement put =
   (blended (sceneCorner scene) (fmap counted put) (ofEachFrame scene shifts))
@@ -286,11 +292,13 @@ blendedScene settings scene arrangement put =
       [ other {otherwiseLattice = fromRobot <$> otherwiseLattice other}
         | other <- arrangementOthers arrangement
       ]
-    -- As it was put, from where the robot would have it.
+    -- Its nominal place, and its displacement from there.
     putFrame one =
       let p = laidFrom one
        in PutFrame (placedAt p) (laidShift one) (laidImage one) (placedTouch p <|> placedFelt p)
 
+-- | Refuses images, given with their places in taxels, that extend over more than
+-- 'maxCompositePixels' pixels. Places are counted from the composite's upper left corner.
 checkArea :: NonEmpty (Taxels, Raster) -> Either StitchError ()
 checkArea images
   | width * height <= fromIntegral maxCompositePixels = Right ()
@@ -299,7 +307,7 @@ checkArea images
     width = maximum (fmap (\((x, _), image) -> x + fromIntegral (rasterWidth image)) images)
     height = maximum (fmap (\((_, y), image) -> y + fromIntegral (rasterHeight image)) images)
 
--- | Refuses frames that cannot be placed, or would take too much memory, before one is resampled.
+-- | Refuses frames that cannot be placed or would take too much memory, before any is resampled.
 checkFrames :: NonEmpty Frame -> Either StitchError ()
 checkFrames frames@(one :| _) = do
   when (length frames > maxFrames) (Left (TooManyFrames (length frames)))
@@ -310,8 +318,8 @@ checkFrames frames@(one :| _) = do
     largest frame = max (area (rasterSize (frameImage frame))) (area (canonicalSize frame))
     area (w, h) = w * h
 
--- | Refuses a frame, which has this number, that is not of the first one's size or not of numbers
--- that a frame has.
+-- | Refuses a frame of another size than the first one, or with a size, a number or a pitch that no
+-- frame has. Arguments: the first frame; the index of the frame; the frame.
 checkFrame :: Frame -> Int -> Frame -> Either StitchError ()
 checkFrame one i given
   | (w, h) /= rasterSize (frameImage one) || not (possible w && possible h) =

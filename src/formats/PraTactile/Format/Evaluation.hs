@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The JSON of @evaluate@. The file of a shard has one line per press, so that it can be
--- continued and shards can be merged.
+-- | The JSON that the command @evaluate@ writes. The file of a shard has one line per press, so that
+-- it can be continued and shards can be merged.
 --
 -- > {"schema":"pra-tactile/evaluate/1",...,"shard":[1,3],"setting":"5c0e...","results":[
 -- > {"press":1,"stitching":{"right":2.1e-6},"no_stitching":{"refused":"ambiguous"},"check":...}
@@ -63,38 +63,40 @@ import PraTactile.Sensor (Bend)
 -- | The settings of an evaluation.
 data Evaluation = Evaluation
   { evaluationProfile :: Profile,
-    -- | the number in all shards together
+    -- | the number of presses in all shards together
     evaluationPresses :: Int,
     evaluationSeed :: Int,
-    -- | standard deviation, taxels
+    -- | the standard deviation of the robot's position error, in taxels
     evaluationPositionError :: Double,
-    -- | standard deviation, as a share of full scale
+    -- | the standard deviation of the sensor's noise, as a share of full scale
     evaluationNoise :: Double,
-    -- | options that differ from the default
+    -- | the options that differ from their defaults
     evaluationConditions :: Conditions
   }
   deriving stock (Eq, Show)
 
--- | Options of the presses that differ from the default.
+-- | Options of the presses. Each is 'Nothing' or false if it has its default; 'conditionTurns' is
+-- then @'AmongTurns' 'halfTurns'@.
 data Conditions = Conditions
-  { -- | the preset's name or the file
+  { -- | the preset's name or the file that describes the sensor
     conditionSensor :: Maybe String,
-    -- | standard deviation, degrees
+    -- | the standard deviation of the error of a frame's rotation, in degrees
     conditionRotationError :: Maybe Double,
-    -- | standard deviation of each of the sensor's two tilts, degrees
+    -- | the standard deviation of each of the sensor's two tilts, in degrees
     conditionTilt :: Maybe Double,
     conditionTurns :: Turns,
     conditionBend :: Maybe Bend,
-    -- | the share of foreign presses
+    -- | the share of presses on foreign surfaces
     conditionForeign :: Maybe Double,
-    -- | the share of presses on other arrays, of all presses
+    -- | the share, of all presses, on arrays by other polynomials
     conditionForeignArrays :: Maybe Double,
-    -- | whether the decoders had to estimate the position error
+    -- | whether the robot's position error was not given to the decoders, so that they had to
+    -- estimate it
     conditionUntold :: Bool
   }
   deriving stock (Eq, Show)
 
--- | The counts as one line, without its line end.
+-- | An evaluation's settings and counts as one line, without its line end.
 encodeEvaluation :: Evaluation -> Counts -> ByteString
 encodeEvaluation evaluation counts =
   Lazy.toStrict (encodeLine (series evaluationKeys evaluation <> countsSeries counts))
@@ -160,9 +162,12 @@ poseValue counts =
       "within_95" .= poseWithin95 counts
     ]
 
--- | A shard of an evaluation. Shard I of N has the presses I, I + N, I + 2 N, ...
+-- | A shard of an evaluation: number I of N shards, counted from 1. It has the presses I, I + N, I
+-- + 2 N, ...
 data Part = Part
-  { partNumber :: Int,
+  { -- | I
+    partNumber :: Int,
+    -- | N
     partOf :: Int,
     -- | a digest of everything else that determines the results; equal for all shards of one
     -- evaluation
@@ -233,7 +238,8 @@ beginning evaluation part = Bytes.take (Bytes.length keys - 1) keys <> opened <>
 opened :: ByteString
 opened = ",\"results\":["
 
--- | The line of a press.
+-- | The line of a press in a shard's file. Applied to the evaluation and the shard alone, it
+-- computes their digest once.
 pressLine :: Evaluation -> Part -> Press -> ByteString
 pressLine evaluation part =
   let keys = checkedKeys (digestOf (beginning evaluation part))
@@ -242,7 +248,7 @@ pressLine evaluation part =
           <> writeLine keys press
           <> "\n"
 
--- | The keys of a press and its check. The argument is the digest of the first line.
+-- | The keys of a press and its 'checkOf'. The argument is the digest of the first line.
 checkedKeys :: String -> Keys Press (Press, String)
 checkedKeys header = (,) <$> pressKeys <*> key "check" text (checkOf header)
 
@@ -259,7 +265,7 @@ ending counts = "]," <> Bytes.drop 1 (Lazy.toStrict (encodeLine (countsSeries co
 data Contents = Contents
   { contentsEvaluation :: Evaluation,
     contentsPart :: Part,
-    -- | fully evaluated, in order, beginning with the shard's first press
+    -- | the presses whose lines are complete, in order from the shard's first press
     contentsPresses :: [Press],
     -- | whether all presses and the last line are there
     contentsFinished :: Bool,
@@ -268,7 +274,7 @@ data Contents = Contents
   }
   deriving stock (Eq, Show)
 
--- | Why a file is not a shard's. Lines are counted from 1.
+-- | Why a file is not a shard's. A line is named by its number, from 1.
 data EvaluationFileError
   = -- | The first line is not that of a shard.
     NoShard FormatError
@@ -278,12 +284,12 @@ data EvaluationFileError
     CheckOfPress Int
   | -- | The press on this line is not the expected one.
     OtherPress Int
-  | -- | The last line, which is this one, does not match the presses.
+  | -- | This line, the last one, does not match the presses.
     OtherEnding Int
   deriving stock (Eq, Show)
 
--- | Reads the file of a shard, finished or cut off anywhere after its first line. If its last line
--- is there, it must match the presses.
+-- | Reads the file of a shard, finished or cut off anywhere after its first line. A press whose
+-- line is cut off is ignored. If the last line is there, it must match the presses.
 contentsOf :: ByteString -> Either EvaluationFileError Contents
 contentsOf bytes = do
   (evaluation, part) <- headingOf bytes
@@ -315,7 +321,8 @@ contentsOf bytes = do
           (decodeWith (checkedKeys header))
           (Bytes.stripPrefix "," one)
 
--- | The evaluation and the shard of a file, from its first line.
+-- | The evaluation and the shard of a file, from its first line. Refuses another first line
+-- ('NoShard').
 headingOf :: ByteString -> Either EvaluationFileError (Evaluation, Part)
 headingOf bytes = case Bytes.stripSuffix opened (Bytes.takeWhile (/= '\n') bytes) of
   Nothing -> Left (NoShard (Misfit [] NotListed))
@@ -334,7 +341,8 @@ data MergeError
   deriving stock (Eq, Show)
 
 -- | The evaluation of some shards and the counts of all its presses, equal to those of a single
--- run. Refuses shards of different evaluations, unfinished ones, and missing or repeated presses.
+-- run. Each shard comes with the name of its file. Refuses shards of different evaluations,
+-- unfinished ones, and missing or repeated presses.
 merged :: NonEmpty (FilePath, Contents) -> Either MergeError (Evaluation, Counts)
 merged shards@((file, one) :| _) = do
   for_ shards $ \(file', other) ->

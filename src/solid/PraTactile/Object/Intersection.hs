@@ -1,17 +1,18 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The intersection of two faces, other than vertices and sides that both name, exactly.
+-- | The intersection of two faces, apart from vertices and sides that they have in common by name.
+-- All computation is exact.
 --
--- Let the faces A and B be polygons in their planes n_A . x = d_A and n_B . x = d_B. They may share
--- the set S of vertices and sides that both name. Wanted are the common points of A and B outside
--- S, and the largest distance between two of them.
+-- Let the faces A and B be polygons in their planes n_A . x = d_A and n_B . x = d_B. Let S be the
+-- set of the points of vertices and sides that both faces name. Wanted are the common points of A
+-- and B outside S, and the largest distance between two of them.
 --
 -- If the planes meet in a line along u = n_A x n_B, its points are numbered by t = u . x. Each face
--- cuts the line where the sign of s = n . x - d, with n and d of the other's plane, changes along
--- the face's walk. Between two neighbouring such places, all points belong to the face or none
--- does. That is decided by the parity of the sides that cross the line after it is moved slightly
--- to one side. So A, B and S are finite lists of points and open intervals on the line, and so is
--- the result.
+-- cuts the line where the sign of s = n . x - d, with n and d of the other face's plane, changes
+-- along the face's walk. Between two neighbouring cuts, all points of the line belong to the face
+-- or none does. That is decided by the parity of the sides that cross the line after it is moved
+-- slightly to one side. So on the line A, B and S are finite lists of points and open intervals,
+-- and so is the result.
 --
 -- If the planes coincide, every extreme point of the result is a vertex of one face inside the
 -- other, or a crossing of two sides. A vertex that both name is an extreme point if, near it, the
@@ -37,17 +38,21 @@ import PraTactile.Object.Vector
 
 -- | A flat face.
 data Plate = Plate
-  { plateWalk :: !(U.Vector Int),
+  { -- | the numbers of the vertices, in order around the face
+    plateWalk :: !(U.Vector Int),
+    -- | the points of these vertices
     plateCorners :: !(V.Vector V3),
     -- | a normal vector, as long as twice the area
     plateNormal :: !V3,
+    -- | the d of the face's plane n . x = d
     plateOffset :: !Integer,
-    -- | the places of a vertex in the walk, for long walks: one place, and one more for each bridge
+    -- | the indices of a vertex in the walk: one, and one more for each bridge to a hole that ends
+    -- there. Used for walks of more than eight vertices.
     platePlaces :: IntMap.IntMap [Int]
   }
 
--- | The face with these vertices, at these points, with this normal. Vertices are named by numbers,
--- points are in any unit, and the normal is as long as twice the area.
+-- | A face. Arguments: the numbers of its vertices, in order; their points, in any unit; a normal
+-- as long as twice the area.
 plate :: U.Vector Int -> V.Vector V3 -> V3 -> Plate
 plate walk points normal =
   Plate walk points normal (V.foldr (\p _ -> dot normal p) 0 points) places
@@ -58,9 +63,11 @@ plate walk points normal =
 plateFlat :: Plate -> V.Vector V2
 plateFlat it = V.map (flat (plateNormal it)) (plateCorners it)
 
+-- | The number of corners.
 corners :: Plate -> Int
 corners = V.length . plateCorners
 
+-- | The indices of a vertex in a face's walk.
 placesOf :: Plate -> Int -> [Int]
 placesOf it vertex
   | corners it <= 8 = U.toList (U.elemIndices vertex (plateWalk it))
@@ -78,7 +85,7 @@ hasSide it v w = any beside (placesOf it v)
     at i = plateWalk it U.! (i `mod` corners it)
 
 -- | The square of the largest distance between two common points of the faces, other than the
--- points of vertices and sides that both name; 'Nothing' if there is no such point.
+-- points of vertices and sides that both faces name; 'Nothing' if there is no such point.
 overlap :: Plate -> Plate -> Maybe Rational
 overlap a b
   | corners a > corners b = overlap b a
@@ -91,8 +98,8 @@ overlap a b
     heightsB = heights a b
     u = cross (plateNormal a) (plateNormal b)
 
--- | The heights of the second face's corners over the first face's plane, up to a common factor.
--- They are 0 for vertices that both name.
+-- | The heights of the second face's corners over the first face's plane, in the order of its walk
+-- and up to a common factor. They are 0 for vertices that both faces name.
 heights :: Plate -> Plate -> V.Vector Integer
 heights under it = V.imap height (plateCorners it)
   where
@@ -100,8 +107,9 @@ heights under it = V.imap height (plateCorners it)
       | names under (plateWalk it U.! i) = 0
       | otherwise = dot (plateNormal under) p - plateOffset under
 
--- | Whether a face lies on one side of the other's plane and touches it at most in one vertex or
--- one side that both name.
+-- | Whether the first face lies on one side of the second face's plane, and touches the plane at
+-- most in one vertex or one side that both faces name. The last argument is the first face's
+-- 'heights'.
 touchesOnly :: Plate -> Plate -> V.Vector Integer -> Bool
 touchesOnly it other above = (V.all (>= 0) above || V.all (<= 0) above) && named
   where
@@ -112,7 +120,8 @@ touchesOnly it other above = (V.all (>= 0) above || V.all (<= 0) above) && named
       _ -> False
 
 -- | Whether two triangles certainly have only one vertex in common: both name it, and they leave it
--- in opposite directions along the line of their planes.
+-- in opposite directions along the line of their planes. Arguments: the direction of that line;
+-- each face with its 'heights' over the other.
 apartAtVertex :: V3 -> (Plate, V.Vector Integer) -> (Plate, V.Vector Integer) -> Bool
 apartAtVertex u (a, heightsA) (b, heightsB) =
   case [(i, j) | i <- [0 .. corners a - 1], j <- placesOf b (plateWalk a U.! i)] of
@@ -132,7 +141,8 @@ apartAtVertex u (a, heightsA) (b, heightsB) =
         q = above V.! next'
         along k = dot u ((plateCorners it V.! k) `minus` (plateCorners it V.! i))
 
--- | The result on the line in which the planes meet.
+-- | The result of 'overlap' if the planes meet in a line. Arguments: the direction of that line;
+-- each face with its 'heights' over the other.
 onLine :: V3 -> (Plate, V.Vector Integer) -> (Plate, V.Vector Integer) -> Maybe Rational
 onLine u (a, heightsA) (b, heightsB)
   | null left = Nothing
@@ -166,10 +176,12 @@ onLine u (a, heightsA) (b, heightsB)
       ]
     param v = fromInteger (dot u v)
 
--- | How a face cuts a line of its plane: the places where something changes, ascending, and whether
--- a place between them belongs to the face.
+-- | How a face cuts a line of its plane: the ascending places where the line may enter or leave the
+-- face, and whether a place between two neighbouring ones belongs to the face.
 data Cut = Cut {cutPlaces :: [Rational], cutWithin :: Rational -> Bool}
 
+-- | How a face cuts the line in which its plane meets another. Arguments: the line's direction; the
+-- face; its 'heights' over the other plane.
 cut :: V3 -> Plate -> V.Vector Integer -> Cut
 cut u it above = Cut (distinct (touching ++ mapMaybe strictly sides)) within
   where
@@ -193,10 +205,11 @@ cut u it above = Cut (distinct (touching ++ mapMaybe strictly sides)) within
     over = passing (> 0)
     within t = odd (length (filter (< t) below)) || odd (length (filter (< t) over))
 
+-- | The numbers in ascending order, each once.
 distinct :: [Rational] -> [Rational]
 distinct = Set.toAscList . Set.fromList
 
--- | The result in the plane of both.
+-- | The result of 'overlap' for two faces in one plane.
 inOnePlane :: Plate -> Plate -> Maybe Rational
 inOnePlane a b
   | lined a flatA b flatB || lined b flatB a flatA || null left = Nothing
@@ -232,11 +245,14 @@ inOnePlane a b
     squared (x, y, z) (x', y', z') =
       (x - x') ^ (2 :: Int) + (y - y') ^ (2 :: Int) + (z - z') ^ (2 :: Int)
 
+-- | The sides of a face, each by the indices of its two corners.
 sidesOf :: Plate -> [(Int, Int)]
 sidesOf it = [(i, following (plateCorners it) i) | i <- [0 .. corners it - 1]]
 
--- | Whether a side of the first face has that face on one side and the other face on the other.
--- Then they have at most a vertex or side in common that both name.
+-- | Whether the line of a side of the first face has that face on one side and the other face on
+-- the other side. Then they have at most a vertex or a side in common that both name. Each face
+-- comes with its corners in the plane. At most eight sides are tried, so it may be false although
+-- there is such a side.
 lined :: Plate -> V.Vector V2 -> Plate -> V.Vector V2 -> Bool
 lined a flatA b flatB = any separates (take 8 (sidesOf a))
   where
@@ -254,7 +270,8 @@ lined a flatA b flatB = any separates (take 8 (sidesOf a))
               _ -> False
 
 -- | The corners of the first face that are extreme points of the result, as far as this can be
--- decided corner by corner.
+-- decided corner by corner. Arguments: the normal along which the plane is seen; each face with its
+-- corners in the plane.
 cornersLeft ::
   V3 -> Plate -> V.Vector V2 -> Plate -> V.Vector V2 -> [(Rational, Rational, Rational)]
 cornersLeft seenAlong a flatA b flatB =

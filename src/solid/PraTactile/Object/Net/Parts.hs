@@ -26,37 +26,40 @@ import PraTactile.Object.Description
 import PraTactile.Object.Net.Layout
 import PraTactile.Object.WingedEdge (EdgeName (..))
 
--- | Connected faces; millimetres, x to the right and y down.
+-- | Connected faces of a net. Coordinates are millimetres, x to the right and y down.
 data Part = Part
   { partFaces :: [NetFace],
+    -- | the edges between two of its faces
     partFolds :: [Fold],
+    -- | the sides of its faces along which edges are cut
     partRims :: [Rim]
   }
   deriving stock (Eq, Show)
 
 -- | A side of a face along which an edge is cut.
 data Rim = Rim
-  { -- | the number of the edge, from 1, which its two sides share
+  { -- | the number of the edge, from 1; both sides of the edge have it
     rimNumber :: Int,
     rimEdge :: EdgeName,
-    -- | from its begin to its end on the walk around its face
+    -- | the side's beginning and its end, in the order of the walk around its face
     rimEnds :: ((Double, Double), (Double, Double)),
-    -- | the number of the part with the other side, from 1
+    -- | the number, from 1, of the part that has the other side of the edge
     rimPart :: Int,
-    -- | the tab's corners from the begin of the side to its end, if it has a tab
+    -- | the tab's corners, from the beginning of the side to its end, if it has a tab
     rimTab :: Maybe [(Double, Double)]
   }
   deriving stock (Eq, Show)
 
--- | The net in one piece, with tabs up to this height in millimetres.
+-- | The net in one piece, with tabs that are at most this high, in millimetres.
 wholePart :: Double -> Net -> Part
 wholePart high net = foldr const (Part [] [] []) (tabbed high net [everyFace])
   where
     everyFace = [0 .. length (netFaces net) - 1]
 
--- | The net in parts, each with its left and upper end at 0. A part consists of connected faces and
--- fits, with its tabs, this width and height. Tabs are at most 8 mm high, or 6 or 4 if a face has
--- no room otherwise. Refuses a face that has no room even with tabs of 4 mm.
+-- | The net in parts for pages with this width and height in millimetres. A part consists of
+-- connected faces, fits a page with its tabs, and begins at x = 0 and y = 0. Tabs are at most 8 mm
+-- high, or 6 or 4 if some face has no room otherwise. Refuses, by its name, the first face that has
+-- no room even with tabs of 4 mm.
 partsFor :: (Double, Double) -> Net -> Either FaceName [Part]
 partsFor room net = case find (null . tooLarge) tabHeights of
   Just high -> Right (map (upright room high) (tabbed high net (groups (fits high) net)))
@@ -67,8 +70,10 @@ partsFor room net = case find (null . tooLarge) tabHeights of
     tooLarge high = filter (\face -> not (fits high [face])) (netFaces net)
     fits high faces = isJust (turnFor room high (map netCorners faces))
 
--- | The angle by which polygons must be turned to fit a width and height with a border of the given
--- size. A side of one of them is then horizontal or vertical. 'Nothing' if no such angle fits.
+-- | The angle, in radians clockwise, by which polygons must be turned together to fit a page.
+-- Arguments: the page's width and height; the width of an empty border; the polygons. After
+-- turning, a side of one of the polygons is horizontal or vertical, or the angle is 0 or a right
+-- angle. 'Nothing' if no such angle fits.
 turnFor :: (Double, Double) -> Double -> [[(Double, Double)]] -> Maybe Double
 turnFor (wide, high) round' polygons = find fits (concat [[a, a + pi / 2] | a <- 0 : angles])
   where
@@ -82,12 +87,14 @@ turnFor (wide, high) round' polygons = find fits (concat [[a, a + pi / 2] | a <-
           needed part = maximum (map part points) - minimum (map part points) + 2 * round'
        in needed fst <= wide && needed snd <= high
 
+-- | A point turned by an angle in radians about the origin, clockwise as y points down.
 turned :: Double -> (Double, Double) -> (Double, Double)
 turned angle (x, y)
   | angle == 0 = (x, y)
   | otherwise = (cos angle * x - sin angle * y, sin angle * x + cos angle * y)
 
--- | A part, turned so that it fits and moved to the origin.
+-- | A part, turned so that it fits a page and moved so that it begins at x = 0 and y = 0.
+-- Arguments: the page's width and height; the greatest height of tabs; the part.
 upright :: (Double, Double) -> Double -> Part -> Part
 upright room high part = moved (\p -> let (x, y) = turn p in (x - left, y - top)) part
   where
@@ -98,6 +105,7 @@ upright room high part = moved (\p -> let (x, y) = turn p in (x - left, y - top)
           ++ concat (mapMaybe rimTab (partRims part))
     (left, top) = (minimum (map fst points), minimum (map snd points))
 
+-- | A part with all its points mapped.
 moved :: ((Double, Double) -> (Double, Double)) -> Part -> Part
 moved to (Part faces folds rims) =
   Part
@@ -107,10 +115,10 @@ moved to (Part faces folds rims) =
   where
     both (p, q) = (to p, to q)
 
--- | A side of a face: the face's number and the side's ends.
+-- | A side of a face: the face's number, from 0, and the side's beginning and end.
 data Side = Side Int ((Double, Double), (Double, Double))
 
--- | All sides by the names of their ends.
+-- | All sides, by the names of the vertices at their beginnings and ends.
 sidesOf :: Net -> Map.Map (VertexName, VertexName) Side
 sidesOf net =
   Map.fromList
@@ -119,7 +127,7 @@ sidesOf net =
         ((v, p), (w, q)) <- cyclicPairs (zip (faceVertices (netFaceName face)) (netCorners face))
     ]
 
--- | The folds, each with the two faces that it joins.
+-- | The folds, each with the numbers of the two faces that it joins.
 hinges :: Net -> [((Int, Int), Fold)]
 hinges net =
   [ ((f, g), one)
@@ -131,8 +139,8 @@ hinges net =
   where
     sides = sidesOf net
 
--- | The faces by number, in groups that are connected by folds. Each group starts with the first
--- remaining face and grows as long as it is accepted.
+-- | The numbers of the faces in groups that are connected by folds. Each group starts with the
+-- first remaining face, and grows by faces beside it as long as the condition accepts the group.
 groups :: ([NetFace] -> Bool) -> Net -> [[Int]]
 groups accepted net = go (IntSet.fromDistinctAscList [0 .. length (netFaces net) - 1])
   where
@@ -154,7 +162,8 @@ groups accepted net = go (IntSet.fromDistinctAscList [0 .. length (netFaces net)
         (flip (++))
         (concat [[(f, [g]), (g, [f])] | ((f, g), _) <- hinges net])
 
--- | Groups of faces as parts. A fold between two groups is cut.
+-- | The parts of groups of faces, given by their numbers, with tabs of at most this height. A fold
+-- between two groups is cut.
 tabbed :: Double -> Net -> [[Int]] -> [Part]
 tabbed high net grouped = zipWith part [1 ..] grouped
   where
@@ -195,8 +204,11 @@ tabbed high net grouped = zipWith part [1 ..] grouped
             ]
         }
 
--- | Chooses a tab for each edge, by its number, on the first of its sides that has room beside the
--- faces and tabs of its part. The tab is as high as the room allows; without room there is none.
+-- | Chooses a tab for each cut edge, on the first of its sides that has room beside the faces and
+-- tabs of its part. The tab is as high as the room allows: the full height, a half or a quarter;
+-- without room there is none. Arguments: the full height; the polygons of each part, by its number;
+-- each edge's number, with the part and the ends of its sides. The result has the tab's corners by
+-- the edge's number and the side's ends.
 chosenTabs ::
   Double ->
   Map.Map Int [[(Double, Double)]] ->
@@ -215,14 +227,15 @@ chosenTabs high = go
         (k, ends, tab) : _ ->
           Map.insert (number, ends) tab (go (Map.insertWith (++) k [shrunk tab] taken) others)
         [] -> go taken others
-    -- Slightly smaller than the tab: away from its edge, which belongs to its face, and from the
-    -- edge's ends.
+    -- Slightly smaller than the tab: away from its side, which belongs to its face, and from the
+    -- side's ends.
     shrunk tab = case tab of
       [p, q, r, s] -> [p `towards` q, q, r, s `towards` r]
       _ -> tab
     towards (x, y) (x', y') = (x + 0.001 * (x' - x), y + 0.001 * (y' - y))
 
--- | A tab with this height, shortened by this much at either end.
+-- | The corners of a tab on a side. Arguments: the greatest height; the length by which it is
+-- shortened at either end; the side's ends. On a short side both are less.
 tabOn :: Double -> Double -> ((Double, Double), (Double, Double)) -> [(Double, Double)]
 tabOn high less ends@((x, y), (x', y')) =
   [(x, y), from (x, y) 1, from (x', y') (-1), (x', y')]
@@ -232,7 +245,8 @@ tabOn high less ends@((x, y), (x', y')) =
     (h, i) = (min high (0.4 * long), min less (0.35 * long))
     from (u, v) way = (u + h * nx + way * i * ny, v + h * ny - way * i * nx)
 
--- | A vector of one millimetre out of the face with this side; y points down.
+-- | The vector of one millimetre out of the face that has this side, at a right angle to it; y
+-- points down.
 outward :: ((Double, Double), (Double, Double)) -> (Double, Double)
 outward ((x, y), (x', y')) = ((y - y') / long, (x' - x) / long)
   where
@@ -256,6 +270,7 @@ meets a b =
     overlaps x x' u u' = min x x' <= max u u' && min u u' <= max x x'
     turn (x, y) (x', y') (u, v) = (x' - x) * (v - y) - (y' - y) * (u - x)
 
+-- | Whether a point is inside a polygon.
 inside :: (Double, Double) -> [(Double, Double)] -> Bool
 inside (x, y) corners =
   odd . length $
