@@ -1,9 +1,9 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | From a query to its answer. "PraTactile.Locate.Joint" joins the patches. The upright form of
--- the joined patch, in each queried symmetry, goes to the decoder that "PraTactile.Locate.Decoder"
--- chooses. "PraTactile.Locate.Decision" combines the decisions. Only this module handles patches
--- and symmetries, in the same way for all decoders.
+-- | From a query to its answer. "PraTactile.Locate.Joint" joins the patches into one. That patch is
+-- set upright for each queried symmetry, and goes to the decoder that "PraTactile.Locate.Decoder"
+-- chooses. "PraTactile.Locate.Decision" combines the decisions of several symmetries. Only this
+-- module handles patches and symmetries, in the same way for all decoders.
 module PraTactile.Locate.Locator
   ( Locator,
     locator,
@@ -42,9 +42,10 @@ import PraTactile.Locate.Separation (candidateDistance)
 import PraTactile.Locate.Weighing
 import PraTactile.Symmetry
 
--- | Answers a query. If any cell has probabilities, all cells are treated as probabilities. Refuses
--- what the requested decoder cannot do, and arrays without a decoder. The costs are those of the
--- decoder, listed in "PraTactile.Locate".
+-- | Answers a query. If any cell has probabilities, or if the requested decoder treats symbols as
+-- probabilities, all cells are treated as probabilities. Refuses what the requested decoder cannot
+-- do, arrays without a decoder, and a query without symmetries ('NoSymmetry'). The costs are those
+-- of the decoder, listed in "PraTactile.Locate".
 locate :: KnownField k => Locator k -> Query k -> Either LocatorError Answer
 locate theLocator asked
   | null (querySymmetries asked) = Left NoSymmetry
@@ -81,8 +82,8 @@ cellsDistance theLocator offsets = case locatorCodebook theLocator of
     AtLeast
       (candidateDistance (locatorArray theLocator) [identity] (extentOf offsets) offsets)
 
--- | The observed symbols of a query in the rectangle around its patches, without disputed ones.
--- Cells with probabilities are left out.
+-- | The observed symbols of a query in the rectangle around its patches. Left out are cells with
+-- probabilities, and disputed cells: those that two patches show with different symbols.
 agreedSymbols :: Query k -> Either LocatorError (Patch (GF k))
 agreedSymbols query =
   first
@@ -172,8 +173,8 @@ likelySymmetry query outcome = case (nub (map candidateSymmetry left), querySymm
       Ambiguous several _ -> several
       _ -> []
 
--- | How to decide whether symbols belong to the other patches; the shape is that of the joined
--- patch.
+-- | How to decide whether the symbols of one patch belong to the other patches. The shape is that
+-- of the rectangle around all patches.
 symbolsBelong ::
   KnownField k => Locator k -> Query k -> SymbolDecoder k -> Shape -> Belonging (GF k)
 symbolsBelong theLocator query decoder shape =
@@ -267,8 +268,8 @@ locateBeliefs theLocator query given = do
         answerDisputed = jointDisputed joined
       }
 
--- | How to decide whether probabilities belong to the other patches; the shape is that of the
--- joined patch.
+-- | How to decide whether the probabilities of one patch belong to the other patches. The shape is
+-- that of the rectangle around all patches.
 beliefsBelong ::
   KnownField k => Locator k -> Query k -> BeliefDecoder k -> Shape -> Belonging (Belief k)
 beliefsBelong theLocator query decoder shape =

@@ -61,7 +61,8 @@ radiusFor stated d = case stated of
   Guaranteed -> guaranteedRadius d
   UpTo e -> e
 
--- | A query for the place of patches.
+-- | A query for the place of patches. It is decoded by probabilities if any cell has probabilities,
+-- or if the locator's requested decoder treats symbols as probabilities; otherwise by symbols.
 data Query (k :: Field) = Query
   { -- | The patches as seen, all in the same symmetry. Each has the displacement of its upper left
     -- cell from a common point, in rows down and columns to the right. Displacements are as seen,
@@ -69,10 +70,10 @@ data Query (k :: Field) = Query
     queryPatches :: [((Integer, Integer), Patch (Cell k))],
     -- | The symmetries in which they may be seen; only the identity if they are upright.
     querySymmetries :: [Symmetry],
-    -- | The number of symbols that may be wrong. It is ignored if any cell has probabilities.
+    -- | The number of symbols that may be wrong. Decoding by probabilities ignores it.
     queryRadius :: Radius,
-    -- | The tolerated probability of a wrong answer, below 1. It is used if any cell has
-    -- probabilities, or if being foreign is weighed.
+    -- | The tolerated probability of a wrong answer, below 1. It is used when decoding by
+    -- probabilities, and if 'queryForeign' is given.
     queryDoubt :: Double,
     -- | The prior probability, below 1, that the patches are not the array's; 'Nothing' if that is
     -- not weighed.
@@ -82,8 +83,8 @@ data Query (k :: Field) = Query
     -- infinity excludes other shapes. It is used only with 'queryForeign'.
     queryUnlike :: Double,
     -- | For each candidate its prior and its silent cells: those that do not show the array if the
-    -- candidate is right ("PraTactile.Locate.Beforehand"). It is used if any cell has
-    -- probabilities. 'Nothing' is a uniform prior without silent cells.
+    -- candidate is right ("PraTactile.Locate.Beforehand"). Decoding by symbols ignores it.
+    -- 'Nothing' is a uniform prior without silent cells.
     queryBeforehand :: Maybe (Candidate -> Beforehand)
   }
 

@@ -22,16 +22,16 @@ import qualified Data.Vector.Primitive as Primitive
 import qualified Data.Vector.Primitive.Mutable as Mutable
 import Data.Word (Word64)
 
--- | Sorts words below 2^bits, ascending, by their bytes from the highest. Each pass counts how
--- often each byte occurs, then exchanges words until every word is in the range of its byte (the
--- American flag sort of McIlroy, Bostic and McIlroy, Computing Systems 6, 1993). It needs no
--- further memory.
+-- | Sorts words in ascending order, by their bytes from the highest. The first argument is a number
+-- of bits; all words must be below 2^bits, which is not checked. Each pass counts how often each
+-- byte occurs, then exchanges words until every word is in the range of its byte (the American flag
+-- sort of McIlroy, Bostic and McIlroy, Computing Systems 6, 1993). It needs no further memory.
 sortWords :: Int -> MVector s Word64 -> ST s ()
 sortWords bits words' =
   byByte (max 0 (((bits + 7) `div` 8 - 1) * 8)) 0 (Mutable.length words') words'
 
--- | Sorts the words from one index up to another, which agree in all bits above the byte at this
--- shift.
+-- | Sorts the words from one index up to, but not including, another. Arguments: a shift; both
+-- indices; the words. These words must agree in all bits above the byte at the shift.
 byByte :: Int -> Int -> Int -> MVector s Word64 -> ST s ()
 byByte shift from to words'
   | to - from < 32 = insertion from to words'
@@ -60,6 +60,7 @@ byByte shift from to words'
         when (c /= b) (Mutable.swap words' i j)
         fill next b end
 
+-- | Sorts the words from one index up to, but not including, another, by insertion.
 insertion :: Int -> Int -> MVector s Word64 -> ST s ()
 insertion from to words' = forM_ [from + 1 .. to - 1] $ \i -> Mutable.read words' i >>= sink i
   where
@@ -71,11 +72,12 @@ insertion from to words' = forM_ [from + 1 .. to - 1] $ \i -> Mutable.read words
           then Mutable.write words' i before >> sink (i - 1) w
           else Mutable.write words' i w
 
--- | The repeated words among sorted ones, each once for every occurrence after the first.
+-- | The words that occur repeatedly in a sorted vector: each once for every occurrence after the
+-- first.
 repetitions :: Vector Word64 -> Vector Word64
 repetitions sorted = Primitive.ifilter (\i w -> i > 0 && w == sorted Primitive.! (i - 1)) sorted
 
--- | The index of a word among sorted ones, if it is there.
+-- | An index of a word in a sorted vector; 'Nothing' if it is not there.
 indexSorted :: Vector Word64 -> Word64 -> Maybe Int
 indexSorted sorted w = go 0 (Primitive.length sorted)
   where

@@ -1,7 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The certain symbols of a grid, which support a position or contradict it. Probabilities depend
--- on a model of the sensor; the minimum distance of these symbols' cells does not.
+-- | The witnesses of a grid: its certain symbols ('certain'), which support a position or
+-- contradict it. Probabilities depend on a model of the sensor; the minimum distance of the
+-- witnesses' cells does not.
 module PraTactile.Recognise.Witnesses
   ( -- * A grid on a face
     GridOnFace (..),
@@ -39,29 +40,31 @@ import PraTactile.Symmetry
 data GridOnFace = GridOnFace
   { -- | the orientation in which the face is seen
     onFaceOrientation :: Symmetry,
-    -- | by cells of the face; an ignored cell is present without symbols
+    -- | the symbols in each cell of the face, set upright; an ignored cell is present without
+    -- symbols
     onFaceCells :: Cells,
-    -- | the 'readNumber's of the symbols of each group
+    -- | for each group of connected symbols, their 'readNumber's
     onFaceGroups :: [Set Int],
-    -- | symbols along the other axis
+    -- | the symbols along the other axis than the grid's
     onFaceSideways :: [ReadSymbol],
-    -- | symbols off the grid
+    -- | the symbols off the grid
     onFaceStrays :: [ReadSymbol]
   }
 
 -- | The certain symbols of a grid.
 data Witnesses = Witnesses
-  { -- | those of the face's orientation, each with its cell
+  { -- | the witnesses of the face's orientation, each with its cell of the face
     witnessesKnown :: [(Cell, ReadSymbol)],
-    -- | those of another orientation
+    -- | the witnesses of another orientation
     witnessesOtherWayUp :: [ReadSymbol],
-    -- | those off the grid
+    -- | the witnesses off the grid
     witnessesStray :: [ReadSymbol],
-    -- | the cells of those of the face's orientation
+    -- | the cells of 'witnessesKnown', each once
     witnessesCells :: [Position],
     -- | the minimum distance of these cells
     witnessesDistance :: Known,
-    -- | how many witnesses may be wrong
+    -- | how many witnesses may be wrong: what the tolerance states, or what that distance
+    -- guarantees
     witnessesRadius :: Natural
   }
 
@@ -90,7 +93,7 @@ witnessesOf reader tolerance face =
       map offsetOf (Set.toAscList (Set.fromList [cell | (cell, _, o) <- inCells, o == orientation]))
     distance = cellsDistance (recogniserLocator reader) offsets
 
--- | The cells of the witnesses of the face's orientation, one list for each composite.
+-- | The cells of 'witnessesKnown', one list for each composite.
 bySource :: Witnesses -> [[Position]]
 bySource witnesses =
   Map.elems $
@@ -100,12 +103,14 @@ bySource witnesses =
 
 -- | The witnesses that support a position and those that contradict it.
 data Standing = Standing
-  { standingAgreeing :: [ReadSymbol],
+  { -- | those that agree with the array
+    standingAgreeing :: [ReadSymbol],
     -- | those that disagree with the array, have another orientation, or lie off the grid
     standingWrong :: [ReadSymbol]
   }
 
--- | Sorts the witnesses by whether they support a position of the grid's upper left cell.
+-- | Sorts the witnesses by whether they support a position. The position is that of the grid's
+-- upper left cell in the array.
 standingAt :: KnownField k => Recogniser k -> Witnesses -> Position -> Standing
 standingAt reader witnesses position =
   Standing
@@ -118,7 +123,7 @@ standingAt reader witnesses position =
     agrees (cell, s) = codeIn cell == fmap snd (certain s)
     codeIn cell = toCode . snd <$> cellFrom reader position cell
 
--- | The composites, counted from 0, with more wrong than agreeing witnesses.
+-- | The numbers, from 0, of the composites that have more wrong witnesses than agreeing ones.
 mostlyWrong :: Standing -> [Int]
 mostlyWrong (Standing agreeing wrong) =
   [ source

@@ -58,13 +58,15 @@ import PraTactile.Object.Surface
 import PraTactile.Object.Validity
 import PraTactile.Object.Vector
 
--- | A valid polyhedron with its edges.
+-- | A valid polyhedron with its edges. A side is an edge as the walk around one of its two faces
+-- passes it; vertices, faces and sides are numbered from 0.
 data Solid = Solid
-  { -- | the solid by index
+  { -- | the polyhedron, with vertices and faces by their numbers
     solidMesh :: Mesh,
     solidSurface :: Surface,
+    -- | the number of each vertex
     vertexIndices :: Map.Map VertexName Int,
-    -- | the sides that begin at a vertex
+    -- | for each vertex, the sides that begin there
     sidesFrom :: V.Vector [Int]
   }
 
@@ -112,8 +114,8 @@ examineDescription = examine . fromDescription
 solid :: Description -> Either Defect Solid
 solid = solidOf . fromDescription
 
--- | The solid of a polyhedron. Refuses with the first defect of 'examine', or with the one of
--- 'intersecting'.
+-- | The solid of a polyhedron. Refuses, with the first defect, a polyhedron in which 'examine'
+-- finds defects; then one whose faces intersect ('intersecting').
 solidOf :: Mesh -> Either Defect Solid
 solidOf it = case reportDefects report ++ maybeToList (intersecting report) of
   defect : _ -> Left defect
@@ -139,7 +141,7 @@ solidOf it = case reportDefects report ++ maybeToList (intersecting report) of
 description :: Solid -> Description
 description = toDescription . solidMesh
 
--- | The solid with all lengths multiplied by a positive number.
+-- | The solid with all lengths multiplied by a number, which must be positive; this is not checked.
 scaledSolid :: Rational -> Solid -> Solid
 scaledSolid k whole = whole {solidMesh = scaledBy k (solidMesh whole)}
 
@@ -165,7 +167,7 @@ solidEdges whole =
       s < t
   ]
 
--- | The edge with these two sides, in the direction of the first one.
+-- | The edge with these two sides, in the direction of the first one, whose face is on its left.
 edgeAlong :: Solid -> Int -> Int -> Edge
 edgeAlong whole left right =
   Edge
@@ -227,7 +229,8 @@ walkNamed whole name = case sidesOf whole name of
   [] -> Nothing
   sides -> Just (U.fromList (map (sideStart (solidSurface whole)) sides))
 
--- | The name of the face with these vertices, in any order.
+-- | The name, as in the description, of the face with these vertices in any order; 'Nothing' if the
+-- solid has no such face.
 sameCorners :: Solid -> FaceName -> Maybe FaceName
 sameCorners whole name =
   listToMaybe
@@ -265,8 +268,8 @@ cornerPoints whole =
   map (pointAt (solidMesh whole) . sideStart (solidSurface whole))
     . sidesOf whole
 
--- | A normal of a face with these corners, in the order of its walk. It points to the side from
--- which they are counter-clockwise; its length is twice the face's area in square millimetres.
+-- | A normal of a face with these corners, in the order of its walk. As seen from the side to which
+-- it points, they are counter-clockwise. Its length is twice the face's area in square millimetres.
 outwardNormal :: [Point] -> Point
 outwardNormal corners = Point (part a) (part b) (part c)
   where

@@ -54,8 +54,8 @@ misplacementBound :: Double
 misplacementBound = 0.7
 
 -- | The noiseless image of a random specimen of a kind, as stitching and segmentation would leave
--- it, and the next generator. The shape is the given one; a kind that needs two shapes takes
--- another one from the alphabet.
+-- it, and the next generator. Arguments: the alphabet; the kind; the shape; a generator. A kind
+-- that needs two shapes takes another one from the alphabet.
 specimen :: Alphabet -> Kind -> Bitmap -> StdGen -> (Raster, StdGen)
 specimen alphabetOfAll kind shape g = case kind of
   Upright -> (see view (symbolScene shape), g')
@@ -85,8 +85,9 @@ specimen alphabetOfAll kind shape g = case kind of
           (side, h'') = below 2 h'
        in (if side == 0 then size else -size, h'')
 
--- | The image without one corner, or without 1 or 2 columns or rows. The number is the greatest
--- width or height of the corner.
+-- | The image with a random part unseen: a corner, or 1 or 2 columns or rows at an edge. The number
+-- is the greatest width of a tall corner, and the greatest height of a wide one. Also the next
+-- generator.
 curtailed :: Int -> Raster -> StdGen -> (Raster, StdGen)
 curtailed thickest image g0 = (withUnseen unseen image, g5)
   where
@@ -110,12 +111,15 @@ curtailed thickest image g0 = (withUnseen unseen image, g5)
             cornerHeight = height
           }
 
+-- | A uniform number between two bounds, and the next generator.
 between :: Double -> Double -> StdGen -> (Double, StdGen)
 between low high g = let (u, g') = uniform g in (low + (high - low) * u, g')
 
+-- | A uniform integer from 0 to n - 1, for this n, and the next generator.
 below :: Int -> StdGen -> (Int, StdGen)
 below n g = let (u, g') = uniform g in (floor (u * fromIntegral n), g')
 
--- | A uniformly drawn element of the list; the first argument if the list is empty.
+-- | A uniformly drawn element of the list, or the first argument if the list is empty; and the next
+-- generator.
 oneOf :: a -> [a] -> StdGen -> (a, StdGen)
 oneOf none list g = let (i, g') = below (length list) g in (foldr const none (drop i list), g')

@@ -6,9 +6,9 @@
 -- exact.
 --
 -- Let d be the minimum distance of the observed cells. Then e wrong cells never mislead if 2 e < d.
--- So s missing cells from a window of distance d' never mislead if 2 e + s < d'; often more do not,
--- because d is seldom as small as d' - s (R. C. Singleton 1964; F. J. MacWilliams and N. J. A.
--- Sloane 1977, chapter 1).
+-- If the observed cells are a window of distance d' without s of its cells, then d is at least d' -
+-- s, and e wrong cells never mislead if 2 e + s < d'. Often more do not, because d is seldom as
+-- small as d' - s (R. C. Singleton 1964; F. J. MacWilliams and N. J. A. Sloane 1977, chapter 1).
 module PraTactile.Locate.Decoder.Nearest
   ( nearest,
   )
@@ -27,11 +27,12 @@ import PraTactile.Locate.Definition (agreeing, nowhere)
 import PraTactile.Locate.Patch
 import PraTactile.Locate.Query (Radius, radiusFor)
 
--- | Finds the nearest position within the radius, and the cells that are wrong there. If there is
--- none, the reason is that of the exact search for radius 0, 'ZeroWindow' if the patch is within
--- the radius of all zeros, and else 'BeyondRadius'. Several equally near positions are 'Ambiguous';
--- that needs a radius beyond the guaranteed one, or cells that several positions share. Without
--- observed cells the reason is 'TooFewCells'. O(m N) for m observed cells and N positions.
+-- | Finds the nearest position of an upright patch's upper left cell within the radius, and the
+-- cells that are wrong there. If there is none, the reason is that of the exact search for radius
+-- 0, 'ZeroWindow' if the patch is within the radius of all zeros, and else 'BeyondRadius'. Several
+-- equally near positions are 'Ambiguous'; that needs a radius beyond the guaranteed one, or cells
+-- that have the same content at several positions. Without observed cells the reason is
+-- 'TooFewCells'. O(m N) for m observed cells and N positions.
 nearest :: forall k. KnownField k => Codebook k -> Radius -> Patch (GF k) -> Decision Position
 nearest codebook stated observed
   | null cells = nowhereDecision (radiusFor stated 0)
@@ -68,7 +69,7 @@ nearest codebook stated observed
           ]
       | otherwise = (Refused (noneWithin codebook radius observed), [])
 
--- | The outcome for the nearest positions, and the wrong cells if there is only one.
+-- | The outcome for the nearest positions, and the wrong cells if there is only one position.
 nearestOutcome ::
   KnownField k =>
   Codebook k ->
@@ -100,8 +101,8 @@ noneWithin codebook radius observed
   where
     on = codebookOn codebook
 
--- | The smallest number and the second smallest, which are equal if it occurs twice; 'maxBound'
--- where there are too few numbers.
+-- | The smallest number and the second smallest, which are equal if the smallest occurs twice;
+-- 'maxBound' for each that does not exist.
 leastTwo :: Primitive.Vector Int -> (Int, Int)
 leastTwo numbers = go 0 maxBound maxBound
   where

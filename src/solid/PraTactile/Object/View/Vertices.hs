@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The vertices of a solid that nothing hides.
+-- | Finds the vertices of a solid that a camera sees: no face hides them.
 module PraTactile.Object.View.Vertices
   ( SeenVertex (..),
     seenVertices,
@@ -17,16 +17,17 @@ import PraTactile.Object.Rims
 import PraTactile.Object.Vector
 import PraTactile.Object.View.Camera
 
--- | A vertex that is seen.
+-- | A vertex that is seen, with places on the picture.
 data SeenVertex = SeenVertex
   { seenName :: VertexName,
+    -- | its place
     seenAt :: !(Double, Double),
-    -- | the far ends of the visible edges at it
+    -- | the places of the other ends of those of its edges that belong to a face turned to the eye
     seenEdges :: [(Double, Double)]
   }
   deriving stock (Eq, Show)
 
--- | The vertices of faces turned to the eye that no other face hides.
+-- | The vertices of faces that are turned to the eye, unless another such face hides them.
 seenVertices :: Camera -> [SeenVertex]
 seenVertices it =
   [ SeenVertex (vertexAt solid v) (flat' v) (map flat' (Map.findWithDefault [] v ends))
@@ -79,7 +80,8 @@ seenVertices it =
           | abs a >= abs b = (y, z)
           | otherwise = (z, x)
 
--- | Whether a point is in a polygon; 'Nothing' if it is within this distance of the rim.
+-- | Whether a point of the picture is in a polygon. Arguments: a distance; the point; the polygon.
+-- 'Nothing' if the point is within the distance of the rim.
 surelyIn :: Double -> (Double, Double) -> [(Double, Double)] -> Maybe Bool
 surelyIn room (x, y) corners
   | any near sides = Nothing
@@ -94,7 +96,7 @@ surelyIn room (x, y) corners
       (ay > y) /= (by > y) && x < ax + (y - ay) * (bx - ax) / (by - ay)
     two = 2 :: Int
 
--- | Whether a point is in a polygon or on its rim.
+-- | Whether a point is in a polygon or on its rim, exactly.
 inPolygon :: (Rational, Rational) -> [(Rational, Rational)] -> Bool
 inPolygon (x, y) corners = any onSide sides || odd (length (filter passes sides))
   where
