@@ -1,8 +1,9 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Beliefs about a cell: the probability of each symbol, and jointly of each symmetry if the
--- symbols show how the patch lies. They are a classifier's probabilities given the cell's image,
--- with all symbols in all symmetries equally frequent.
+-- | Beliefs about a cell: the probability of each symbol. If the cell's image shows which way up it
+-- is, the probability of each pair of a symbol and a symmetry. Beliefs are a classifier's
+-- probabilities given the cell's image, if all symbols in all symmetries are equally frequent.
+-- Vectors of probabilities are indexed by the symbols' codes.
 module PraTactile.Locate.Belief
   ( Belief,
     belief,
@@ -33,11 +34,12 @@ import qualified Data.Vector.Primitive as Primitive
 import PraTactile.Field
 import PraTactile.Symmetry
 
--- | The probability of each symbol in a cell, by its code.
+-- | The probability of each symbol in a cell.
 data Belief (k :: Field)
-  = -- | Without symmetries; the probabilities add up to 1.
+  = -- | The cell does not show its symmetry. The probabilities of all symbols add up to 1.
     Unoriented !(Vector Double)
-  | -- | Jointly with each possible symmetry; all probabilities together add up to 1.
+  | -- | The cell shows its symmetry: for each possible one, the joint probabilities of it and each
+    -- symbol. All probabilities together add up to 1.
     Oriented ![(Symmetry, Vector Double)]
   deriving stock (Eq, Show)
 
@@ -45,7 +47,7 @@ type role Belief nominal
 
 -- | Why numbers are not probabilities.
 data BeliefError
-  = -- | The number of numbers, and the number of symbols, which must be equal.
+  = -- | There are this many numbers, but the second number of symbols.
     BeliefLength Int Int
   | -- | The number at this index, from 0, is negative or NaN.
     BeliefNegative Int Double
@@ -63,9 +65,10 @@ belief numbers = case checked q numbers of
   where
     q = fieldOrder (Proxy :: Proxy k)
 
--- | The belief with these joint probabilities of symmetries and symbols, by their codes. Other
--- symmetries are impossible. Refuses, for each symmetry, a wrong number of probabilities, and for
--- all together what 'belief' refuses.
+-- | The belief with these joint probabilities of symmetries and symbols, for each symmetry by the
+-- symbols' codes. Other symmetries are impossible. Refuses, for each symmetry, a wrong number of
+-- probabilities. Refuses negative ones, and a sum of all that is not 1 within 0.001; a smaller
+-- deviation is normalised.
 oriented :: forall k. KnownField k => [(Symmetry, [Double])] -> Either BeliefError (Belief k)
 oriented given = case [e | Left e@(BeliefLength _ _) <- map (checked q . snd) given] of
   e : _ -> Left e
@@ -96,8 +99,9 @@ certainly a =
         (\code -> if code == toCode a then 1 else 0)
     )
 
--- | The product of several independent beliefs about one cell, normalised. 'Nothing' if it is zero
--- for every symbol, so that they contradict each other, and for an empty list.
+-- | The belief given several independent observations of a cell: the product of their beliefs,
+-- normalised. 'Nothing' if it is zero for every symbol, so that they contradict each other, and for
+-- an empty list.
 combined :: [Belief k] -> Maybe (Belief k)
 combined looks = case looks of
   [] -> Nothing
@@ -109,8 +113,9 @@ combined looks = case looks of
     possible ->
       Oriented . zip possible <$> multiplied [map (probabilitiesIn o) looks | o <- possible]
 
--- | The elementwise products of several groups of vectors, normalised together; 'Nothing' if all
--- are zero. Computed by logarithms, so that products of small numbers do not underflow.
+-- | The product of the vectors of each group, element by element. The products of all groups are
+-- normalised together; 'Nothing' if all are zero. Logarithms are added, so that products of small
+-- numbers do not underflow.
 multiplied :: [[Vector Double]] -> Maybe [Vector Double]
 multiplied groups
   | any Primitive.null logs || isInfinite best = Nothing
@@ -120,7 +125,8 @@ multiplied groups
     best = maximum (map Primitive.maximum logs)
     relative = map (Primitive.map (\x -> exp (x - best))) logs
 
--- | The most probable symbol, with the lowest code if there are several.
+-- | The most probable symbol, whatever the symmetry; the one with the lowest code if there are
+-- several.
 likeliest :: KnownField k => Belief k -> GF k
 likeliest = mostProbableSymbol . probabilities
 
@@ -137,8 +143,8 @@ probabilities known = case known of
 noneOf :: [(Symmetry, Vector Double)] -> Vector Double
 noneOf joint = Primitive.map (const 0) (foldr (const . snd) Primitive.empty joint)
 
--- | Whether only a single symbol, in a single symmetry if these are distinguished, has a
--- probability above 0.
+-- | Whether a single symbol has a probability above 0; if the cell shows its symmetry, whether a
+-- single pair of a symbol and a symmetry has.
 isCertain :: Belief k -> Bool
 isCertain known = case known of
   Unoriented numbers -> possible numbers == 1
@@ -153,15 +159,16 @@ symmetryChance o known = case known of
   Unoriented _ -> 1
   Oriented joint -> maybe 0 Primitive.sum (lookup o joint)
 
--- | The joint probabilities of the symbols, by their codes, and a symmetry.
+-- | The joint probabilities of a symmetry and each symbol. If the cell does not show its symmetry,
+-- the probabilities of the symbols.
 probabilitiesIn :: Symmetry -> Belief k -> Vector Double
 probabilitiesIn o known = case known of
   Unoriented numbers -> numbers
   Oriented joint -> fromMaybe (noneOf joint) (lookup o joint)
 
--- | The contribution of a cell that shows none of the symbols: 30 times its smallest probability in
--- any symmetry, but at most their mean. So a cell that leaves less than a thirtieth of doubt about
--- its symbol is rarely silent (assumption).
+-- | The factor with which a cell that shows none of the symbols enters a posterior: 30 times the
+-- least probability in the belief, but at most the mean of all. So a cell that leaves less than a
+-- thirtieth of doubt about its symbol is rarely silent (assumption).
 silentChance :: Belief k -> Double
 silentChance known = min (30 * minimum (1 : map Primitive.minimum all')) (1 / count)
   where
@@ -170,11 +177,12 @@ silentChance known = min (30 * minimum (1 : map Primitive.minimum all')) (1 / co
       Unoriented numbers -> [numbers]
       Oriented joint -> map snd joint
 
--- | Whether a symbol has a probability above 0 jointly with a symmetry.
+-- | Whether the joint probability of a symmetry and a symbol, as in 'probabilitiesIn', is above 0.
 possibleIn :: Symmetry -> GF k -> Belief k -> Bool
 possibleIn o a known = maybe False (> 0) (probabilitiesIn o known Primitive.!? toCode a)
 
--- | The most probable symbol, if it is most probable in this symmetry.
+-- | The most probable symbol in this symmetry; 'Nothing' if a pair with another symmetry is more
+-- probable.
 likeliestIn :: KnownField k => Symmetry -> Belief k -> Maybe (GF k)
 likeliestIn o known = case known of
   Unoriented numbers -> Just (mostProbableSymbol numbers)

@@ -1,6 +1,6 @@
--- | The file of a census: CSV with one entry per line. The first three fields are the census, the
--- entry's number and the number of entries. With them a file can be continued, and shards of one
--- census can be merged.
+-- | The file of a census: CSV with one entry per line. The first three fields of a row are the
+-- census, the entry's number and the number of entries. With them a file can be continued, and
+-- shards of one census can be merged.
 module PraTactile.Format.Census
   ( -- * Whole files
     encodeCensus,
@@ -29,7 +29,7 @@ import Numeric.Natural (Natural)
 import PraTactile.Format.Census.Row
 import PraTactile.Format.Error
 
--- | A census file with the given row bodies.
+-- | A census file with a header and these rows, to each of which its check is added.
 encodeCensus :: [ByteString] -> Lazy.ByteString
 encodeCensus bodies = Lazy.unlines (map Lazy.fromStrict (headerLine : map checked bodies))
 
@@ -42,9 +42,9 @@ decodeCensus bytes =
 data Contents = Contents
   { -- | whether the first line is the header
     contentsHeaderWhole :: Bool,
-    -- | the lines after the header, by their numbers from 1
+    -- | each line after the header with its number; the header is line 1
     contentsLines :: [(Int, Either RowError Row)],
-    -- | the text after the last line end
+    -- | the text after the last line end; it is empty if the last line is complete
     contentsRest :: ByteString
   }
 
@@ -69,7 +69,8 @@ contentsOf bytes = case Bytes.lines whole of
 beginsHeader :: ByteString -> Bool
 beginsHeader = (`Bytes.isPrefixOf` headerLine)
 
--- | All rows with their line numbers, by ascending entries. Refuses a file with an invalid line.
+-- | All complete rows with their line numbers. Refuses another header, an invalid line, and rows
+-- that are not in ascending order of their entries.
 wholeRows :: Contents -> Either CensusFileError [(Int, Row)]
 wholeRows contents
   | not (contentsHeaderWhole contents) = Left NoCensusHeader
@@ -80,14 +81,14 @@ wholeRows contents
   where
     whole (number, line) = either (Left . DamagedLine number) (Right . (,) number) line
 
--- | 'wholeRows' for a file whose last line must be complete.
+-- | 'wholeRows' of a finished file: refuses an incomplete last line ('CutOff').
 completeRows :: Contents -> Either CensusFileError [(Int, Row)]
 completeRows contents = do
   rows <- wholeRows contents
   if Bytes.null (contentsRest contents) then Right rows else Left CutOff
 
--- | The valid rows with their line numbers, by entry, and the number of other lines. If an entry
--- has two different rows, both are dropped.
+-- | The valid rows with their line numbers, by entry; and the number of all other lines after the
+-- header. An entry with two different rows is dropped.
 keptRows :: Contents -> (Map.Map Natural (Int, Row), Int)
 keptRows contents = (kept, length (contentsLines contents) - Map.size kept)
   where

@@ -18,7 +18,7 @@ import PraTactile.PlainText (OtherEncoding)
 data FormatError
   = -- | They are not accepted as JSON.
     JsonRefused JsonError
-  | -- | The value at this place, from the outermost, does not fit the format.
+  | -- | The value at this path of keys and indices, the outermost first, does not fit the format.
     Misfit JSONPath Misfit
   | -- | They are not an intact census file.
     CensusFileRefused CensusFileError
@@ -44,11 +44,14 @@ data JsonError
 
 -- | How a JSON value does not fit the format.
 data Misfit
-  = -- | An object without this key.
+  = -- | An object lacks this key.
     MissingKey Text
-  | NotObject
-  | NotList
-  | NotText
+  | -- | Not an object.
+    NotObject
+  | -- | Not a list.
+    NotList
+  | -- | Not a text.
+    NotText
   | -- | Not a text that can be a file name.
     NotFileName
   | -- | Neither true nor false.
@@ -77,7 +80,7 @@ data Misfit
     NotCell
   | -- | Not a factor of a prime minus 1: a list of three numbers, prime, exponent and witness.
     NotPrimeWitness
-  | -- | A text that is not one of these names.
+  | -- | A text, the second one, that is not one of these names.
     NotAmong [String] String
   | -- | An object of the first schema instead of the second.
     OtherSchema String String
@@ -100,13 +103,15 @@ data Misfit
     GivenTwice String
   | -- | A manifest without frames.
     NoFrame
-  | -- | The value with this name, such as a sensor's constant, is outside this range.
+  | -- | The value with this name, such as a sensor's constant, is outside the range from the first
+    -- number to the second.
     OutOfRange String (Double, Double)
-  | -- | The sensor's constant with this name has another unit than this, its own.
+  | -- | The sensor's constant with this name has another unit than the second text, which is its
+    -- own.
     OtherUnit String String
   | -- | Degrees outside [0, 360), or not equal to those of the quarter turn beside them.
     NotAngle
-  | -- | Not a matrix with this number of rows and columns.
+  | -- | Not a matrix with these numbers of rows and columns.
     NotMatrix Int Int
   | -- | The number is not this one.
     OtherCount Int

@@ -1,8 +1,9 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Placements as JSON, @pra-tactile/placement/1@. The file has only what cannot be computed: the
--- profile, the distances between symbols, the objects, and the laid faces. A laid face has the
--- vertex at which its frame begins, the place of its block of cells, and the cells that it takes.
+-- profile, the distances between symbols, the objects, and the laid faces. A laid face is given by
+-- the vertex at which its frame begins, the place of its block of cells in the array, and the cells
+-- of the block that it takes.
 module PraTactile.Format.Placement
   ( encodePlacement,
     decodePlacement,
@@ -39,11 +40,11 @@ data PlacementFileError
     ObjectTooFine ObjectName
   | -- | The named object is not a solid.
     ObjectBroken ObjectName Defect
-  | -- | Its faces cannot be laid in this way.
+  | -- | The faces cannot be laid as the text says.
     PlacementRefused PlacementError
   deriving stock (Eq, Show)
 
--- | The contents of the text.
+-- | The contents of a placement's text.
 data Stated = Stated
   { statedProfile :: Profile,
     statedPitch :: Pitch,
@@ -77,8 +78,9 @@ decodePlacement bytes = do
       (statedObjects stated)
       (statedLayings stated)
 
--- | The placement of the described objects with the given drawings, on an array of the given shape
--- with the given distances between symbols.
+-- | The placement of objects. Arguments: the array's shape; the distances between symbols; the
+-- objects' descriptions; the drawings of their laid faces. Refuses objects whose coordinates are
+-- too fine or that are no solids, and what 'placement' refuses.
 drawnPlacement ::
   Shape -> Pitch -> [Description] -> [Drawing] -> Either PlacementFileError Placement
 drawnPlacement shape between described drawn = do
@@ -99,21 +101,26 @@ statedKeys =
   where
     pitch = via (\(Pitch right down) -> (right, down)) (Right . uncurry Pitch) (pairOf exact)
 
--- | A laying, with the drawing of its whole block.
+-- | A laid face, with the drawing of its whole block, also of cells outside the array.
 data Drawing = Drawing
   { drawnFace :: Face,
+    -- | the row of the block's upper left cell in the array; negative if it is above it
     drawnRow :: Integer,
+    -- | the column of that cell; negative if it is left of the array
     drawnColumn :: Integer,
+    -- | the block's upper left corner, in millimetres right of and below the face's first vertex;
+    -- 'Nothing' if the block is centred on the face
     drawnMargin :: Maybe (Rational, Rational),
+    -- | the block row by row, with @#@ for a cell that the face takes and @.@ for any other
     drawnCells :: [String]
   }
   deriving stock (Eq, Show)
 
--- | The keys of a laid face. @object@ and @face@: the object, and the vertices beginning with the
--- first of the face's frame. @row@ and @column@: the cell at the block's upper left, which may be
--- outside the array if the face does not take it. @margin_mm@: the block's margin from the first
--- vertex, null if it is centred. @cells@: the drawing, one text per row, with @#@ for a cell that
--- the face takes.
+-- | The keys of a laid face. @object@ and @face@: the object's name, and the names of the face's
+-- vertices beginning with the first of its frame. @row@ and @column@: the cell at the block's upper
+-- left, which may be outside the array if the face does not take it. @margin_mm@: the block's
+-- margin right of and below the first vertex, null if the block is centred. @cells@: the drawing,
+-- one text per row, with @#@ for a cell that the face takes.
 drawingKeys :: Keys Drawing Drawing
 drawingKeys =
   Drawing

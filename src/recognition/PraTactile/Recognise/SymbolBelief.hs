@@ -22,11 +22,12 @@ import PraTactile.Symmetry
 
 -- | The orientation and class of a symbol that counts as a witness; 'Nothing' for any other.
 --
--- A complete symbol counts if the network knows it as its likeliest class, with doubt below 0.1,
--- and the probability of a foreign shape is below 0.1 too. A part counts if at least a third was
--- touched and its doubt is below 0.001. Smaller parts do not count: frames that are a taxel off may
--- turn one into another symbol. The network may know other things as symbols too, such as a remnant
--- at an edge or a symbol that two frames show in two places. Such symbols contradict no others.
+-- A complete symbol counts if the network knows it as its likeliest class, its doubt ('readDoubt')
+-- is below 0.1, and its probability of being a foreign shape ('readNone') is below 0.1. A part
+-- counts if at least a third of it was touched and its doubt is below 0.001. Smaller parts do not
+-- count: frames that are a taxel off may turn one symbol's part into another's. The network may
+-- also know things that are not symbols, such as a remnant at an edge or a symbol that two frames
+-- show in two places. These do not count, so they contradict no symbol.
 certain :: ReadSymbol -> Maybe (Symmetry, Int)
 certain s
   | readSeen s < 1 =
@@ -34,7 +35,8 @@ certain s
   | readDoubt s < 0.1 && readNone s < 0.1 && readClass s == Just (readLikeliest s) = readClass s
   | otherwise = Nothing
 
--- | The axis of the symbols: 'identity', or @turned 1@ if any lies on its side.
+-- | The axis of the symbols: 'identity', or @turned 1@ if the likeliest orientation of any lies on
+-- its side.
 axisOf :: Cells -> Symmetry
 axisOf cells
   | or [exchangesAxes (fst (readLikeliest s)) | here <- Map.elems cells, s <- here] = turned 1
@@ -44,8 +46,9 @@ axisOf cells
 waysUp :: [Symmetry]
 waysUp = [identity, turned 2]
 
--- | The belief about a cell, way up and class, from the symbols read in it along an axis. The
--- symbols count as independent observations. 'Nothing' if nothing is possible.
+-- | The belief about what a cell holds and which way up it is ('waysUp'), from the symbols read in
+-- it along an axis. The symbols count as independent observations. 'Nothing' if nothing is
+-- possible.
 beliefAlong :: forall k. KnownField k => Symmetry -> [ReadSymbol] -> Maybe (Belief k)
 beliefAlong axis here = traverse look here >>= combined
   where
@@ -55,8 +58,8 @@ beliefAlong axis here = traverse look here >>= combined
         | c <- [0 .. fieldOrder (Proxy :: Proxy k) - 1]
       ]
 
--- | The patch of symbols of this orientation that the network knows, in cells where all of them
--- agree. Refuses a grid without cells.
+-- | The patch of the symbols that the network knows in this orientation. A cell is observed if all
+-- its symbols known in this orientation have one class. Refuses a grid without cells.
 knownPatch :: KnownField k => Cells -> Symmetry -> Either LocateError (Patch (GF k))
 knownPatch cells orientation = patch (map (map (>>= agreed)) (gridRows cells))
   where

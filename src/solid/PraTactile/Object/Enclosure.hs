@@ -13,7 +13,7 @@ import Data.Ratio (denominator, numerator, (%))
 import PraTactile.Object.Number
 import PraTactile.Object.Vector (floorRoot)
 
--- | The numbers within a radius of a centre, both in units of 2^-places.
+-- | The numbers from centre - reach to centre + reach, both in units of 2^-places.
 data Enclosure = Enclosure
   { places :: !Int,
     centre :: !Integer,
@@ -21,8 +21,9 @@ data Enclosure = Enclosure
   }
   deriving stock (Show)
 
--- | The interval for q times the root of a non-negative integer, with this number of binary places.
--- Intervals that are combined must have the same number of places.
+-- | An interval for the product of a rational number and the root of a non-negative integer. The
+-- first argument is the number of binary places. Intervals that are combined must have the same
+-- number of places, which is not checked.
 enclosed :: Int -> Rational -> Integer -> Enclosure
 enclosed digits q under
   | under == 1 = Enclosure digits ((n `shiftL` digits) `div` d) 1
@@ -31,6 +32,7 @@ enclosed digits q under
     (n, d) = (numerator q, denominator q)
     root = floorRoot (fromInteger (((n * n * under) `shiftL` (2 * digits)) `quot` (d * d)))
 
+-- | The centre of an interval, and the distance from it to either end.
 middle, radius :: Enclosure -> Rational
 middle it = centre it % (1 `shiftL` places it)
 radius it = reach it % (1 `shiftL` places it)
@@ -46,7 +48,7 @@ instance Number Enclosure where
   plus (Enclosure p m r) (Enclosure _ n s) = Enclosure p (m + n) (r + s)
   minus (Enclosure p m r) (Enclosure _ n s) = Enclosure p (m - n) (r + s)
 
-  -- What is cut off is less than 1, and so is the rounding error of the radius.
+  -- The centre is rounded by less than 1, and so is the radius.
   product' (Enclosure p m r) (Enclosure _ n s) =
     Enclosure p ((m * n) `shiftR` p) (((abs m * s + abs n * r + r * s) `shiftR` p) + 2)
   times k (Enclosure p m r) =
