@@ -1,9 +1,9 @@
 -- | From composite tactile images to the object's face: symbols, their orientation, the position in
 -- the array, and what lies there (the paper's sections II and IV).
 --
--- An answer must satisfy two conditions. It is wrong with at most the probability that the caller
--- tolerates. And it is contradicted by no more symbols than the minimum distance of the recognised
--- ones can correct. Every other case is a typed refusal.
+-- An answer must satisfy two conditions. The probability that it is wrong is at most what the
+-- caller tolerates. And no more symbols contradict it than the minimum distance of the recognised
+-- symbols' cells can correct. Every other case is refused with a reason.
 module PraTactile.Recognise
   ( -- * The recogniser
     Recogniser,
@@ -75,17 +75,18 @@ import PraTactile.Recognise.Support
 import PraTactile.Recognise.Tolerance
 import PraTactile.Registration (Composite (..))
 
--- | Recognises what a composite shows, with 'standardTolerance'. Refuses, through 'Left', only what
--- the network refuses.
+-- | Recognises what a composite shows, with 'standardTolerance'. A composite without an answer is
+-- not an error: the reason is in 'recognisedAnswer'. Refuses only what the network refuses.
 recognise :: KnownField k => Recogniser k -> Composite -> Either NetworkError Recognition
 recognise reader composite = recogniseWith standardTolerance reader [composite]
 
 -- | Recognises what composites of one face show together. Their origins place them relative to each
--- other, to less than a quarter of the symbols' pitch. The face may be turned by any angle. All
--- places in the result are in the given composites' pixels. Refuses what the network refuses.
+-- other; the error must be less than a quarter of the symbols' pitch. The face may be turned by any
+-- angle. All places in the result are in the given composites' pixels. Refuses what the network
+-- refuses.
 --
 -- Composites whose frames contradict each other get no answer. Other layouts of the frames add to
--- the doubt if they show another place.
+-- the doubt if they show another place in the array.
 recogniseWith ::
   KnownField k =>
   Tolerance ->
@@ -95,7 +96,8 @@ recogniseWith ::
 recogniseWith tolerance reader composites =
   sight (recogniserReader reader) composites >>= recogniseSeen tolerance reader composites
 
--- | 'recogniseWith' for composites that were read by 'sight' already.
+-- | 'recogniseWith' for composites that were already read by 'sight', whose result is the last
+-- argument.
 recogniseSeen ::
   KnownField k =>
   Tolerance ->
@@ -131,7 +133,8 @@ recogniseSeen tolerance reader composites seen =
       Right _ -> True
       Left _ -> mostRecognised (recognisedSymbols found)
 
--- | Whether the composite is mirrored, according to its recognition; 'Nothing' if unknown.
+-- | Whether the composite is mirrored, according to its recognition; 'Nothing' if no symbol is
+-- known.
 shownMirrored :: Recognition -> Maybe Bool
 shownMirrored shown = case recognisedAnswer shown of
   Left (Mirrored _) -> Just True
@@ -139,16 +142,16 @@ shownMirrored shown = case recognisedAnswer shown of
     | any (isJust . readClass) (recognisedSymbols shown) -> Just False
     | otherwise -> Nothing
 
--- | The cells of the array that composites may show, on the assumption that their frames were
--- placed correctly. They come from all places that are likely by the symbols alone, in each reading
--- that 'recogniseSeen' uses.
+-- | The cells of the array that composites may show, if their frames were placed correctly. They
+-- are those of all places that are likely by the symbols alone, for the composites as given and, if
+-- they were read so, set upright.
 cellsShown :: KnownField k => Tolerance -> Recogniser k -> Sight -> [Position]
 cellsShown tolerance reader seen =
   foldMap cellsOf (sightAsGiven seen : [upright | (_, _, upright) <- toList (sightUpright seen)])
   where
     cellsOf = foldMap (likelyCells reader tolerance . gridCells . lookGrid) . readingLook
 
--- | 'recogniseWith' on the assumption that the frames were placed correctly.
+-- | 'recogniseWith' as if the frames were certainly placed correctly.
 recogniseAsPut ::
   KnownField k =>
   Tolerance ->
@@ -158,7 +161,8 @@ recogniseAsPut ::
 recogniseAsPut tolerance reader =
   fmap (recognitionOf tolerance reader) . sight (recogniserReader reader)
 
--- | Locates what was read. Of composites read both as given and set upright, 'preferred' chooses.
+-- | Locates what was read. If composites were read both as given and set upright, 'preferred'
+-- chooses.
 recognitionOf :: KnownField k => Tolerance -> Recogniser k -> Sight -> Recognition
 recognitionOf tolerance reader seen = case sightUpright seen of
   Nothing -> asGiven

@@ -1,10 +1,11 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | GF(q)[x] modulo h on unboxed coefficients: the fast form of what division with remainder
--- defines. It serves the tests of irreducibility and order, and the positions in GF(q^n). Internal.
--- Powers use Horner's rule on the base-q digits of the exponent. The q-th power is linear, so it is
--- a matrix, which is made once for each h.
+-- | GF(q)[x] modulo a polynomial h on unboxed coefficients: the fast form of what division with
+-- remainder defines. It serves the tests of irreducibility and order, and the positions in GF(q^n).
+-- Internal. A residue has n coefficients, where n is the degree of h; that is not checked. Powers
+-- use Horner's rule on the base-q digits of the exponent. The q-th power is a linear map of
+-- residues, whose matrix is made once for each h.
 module PraTactile.Polynomial.Modulus
   ( Modulus,
     modulusFrom,
@@ -37,12 +38,12 @@ import Numeric.Natural (Natural)
 import PraTactile.Field
 import PraTactile.Polynomial.Bits
 
--- | The n coefficients of a residue, constant term first.
+-- | The n coefficients of a residue, the constant term first.
 type Coefficients k = Vector (GF k)
 
 type Buffer s k = MVector s (GF k)
 
--- | A polynomial h of degree n >= 1 with what is computed from it once.
+-- | A polynomial h of degree n >= 1, with results that are computed from it once.
 data Modulus (k :: Field) = Modulus
   { -- | n
     modulusDegree :: !Int,
@@ -72,19 +73,20 @@ modulusFrom lower = modulus
         forM_ [1 .. q] (const (timesX modulus ofX))
       pure rows
 
+-- | The codes of elements.
 bytes :: Vector (GF k) -> Vector Word8
 bytes = Primitive.map (fromIntegral . toCode)
 
--- | Bits as the elements 0 and 1.
+-- | A residue over GF(2) from its bits.
 fromBits :: Modulus k -> Bits -> Coefficients k
 fromBits modulus =
   Primitive.map (\b -> if b == 0 then zero else one) . unpackBits (modulusDegree modulus)
 
--- | The class of 1.
+-- | The residue of 1.
 residueOne :: Modulus k -> Coefficients k
 residueOne modulus = Primitive.generate (modulusDegree modulus) (\i -> if i == 0 then one else zero)
 
--- | The class of a polynomial, given by any number of coefficients, constant term first.
+-- | The residue of a polynomial, given by any number of coefficients, the constant term first.
 residueFrom :: KnownField k => Modulus k -> [GF k] -> Coefficients k
 residueFrom modulus coefficients
   | null beyond = padded
@@ -96,15 +98,15 @@ residueFrom modulus coefficients
     step acc c =
       let shifted = timesRoot modulus acc in shifted Primitive.// [(0, shifted Primitive.! 0 + c)]
 
--- | The product with the class of x.
+-- | The product of a residue with x.
 timesRoot :: KnownField k => Modulus k -> Coefficients k -> Coefficients k
 timesRoot modulus a = Primitive.create $ do
   buffer <- Primitive.thaw a
   timesX modulus buffer
   pure buffer
 
--- | Multiplies by x in place: all coefficients move up, and the one that leaves contributes its
--- multiple of x^n modulo h.
+-- | Multiplies a residue by x in place: all coefficients move up, and the one that leaves
+-- contributes its multiple of x^n modulo h.
 timesX :: KnownField k => Modulus k -> Buffer s k -> ST s ()
 timesX modulus buffer = do
   top <- Mutable.unsafeRead buffer (n - 1)
@@ -119,7 +121,9 @@ timesX modulus buffer = do
     n = modulusDegree modulus
     h = reduced modulus
 
--- | Adds c times n entries of a vector, from one index on, to n entries of the buffer from another.
+-- | Adds a multiple of a part of a vector to a part of a buffer. Arguments: the number of entries;
+-- the factor; the vector and the index of its first entry; the buffer and the index of its first
+-- entry.
 addMultiple :: KnownField k => Int -> GF k -> Vector (GF k) -> Int -> Buffer s k -> Int -> ST s ()
 addMultiple n c vector from buffer at = when (c /= zero) (go 0)
   where
@@ -128,8 +132,8 @@ addMultiple n c vector from buffer at = when (c /= zero) (go 0)
       Mutable.unsafeWrite buffer (at + j) (old + c * unsafeIndex vector (from + j))
       go (j + 1)
 
--- | The product: the coefficients of the polynomials' product, with the upper ones reduced from the
--- top.
+-- | The product of two residues: the coefficients of the polynomials' product, of which the upper
+-- ones are reduced from the top.
 multiplyResidues :: KnownField k => Modulus k -> Coefficients k -> Coefficients k -> Coefficients k
 multiplyResidues modulus a b = case binary modulus of
   Just bits -> fromBits modulus (multiplyBits bits (packBits (bytes a)) (packBits (bytes b)))
@@ -143,7 +147,7 @@ multiplyResidues modulus a b = case binary modulus of
   where
     n = modulusDegree modulus
 
--- | The q-th power: coefficient c of x^i contributes c x^(q i), for c^q = c.
+-- | The q-th power of a residue: the coefficient c of x^i contributes c x^(q i), since c^q = c.
 frobenius :: KnownField k => Modulus k -> Coefficients k -> Coefficients k
 frobenius modulus a = case binary modulus of
   Just bits -> fromBits modulus (squareBits bits (packBits (bytes a)))
@@ -152,6 +156,7 @@ frobenius modulus a = case binary modulus of
     frobeniusInto modulus a buffer
     pure buffer
 
+-- | Writes the q-th power of a residue to a buffer.
 frobeniusInto :: KnownField k => Modulus k -> Coefficients k -> Buffer s k -> ST s ()
 frobeniusInto modulus a buffer = do
   Mutable.set buffer zero
@@ -160,8 +165,8 @@ frobeniusInto modulus a buffer = do
   where
     n = modulusDegree modulus
 
--- | x^e for an exponent of any size: a q-th power for each base-q digit, from the highest down, and
--- as many shifts as the digit's value.
+-- | The residue of x^e for an exponent e of any size: a q-th power for each base-q digit of e, from
+-- the highest down, each followed by as many multiplications by x as the digit says.
 powerOfX :: forall k. KnownField k => Modulus k -> Natural -> Coefficients k
 powerOfX modulus e = case binary modulus of
   Just bits -> fromBits modulus (powerOfXBits bits e)

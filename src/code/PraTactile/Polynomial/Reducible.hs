@@ -1,7 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Beginnings of the ascending order that contain no irreducible polynomial. A search can skip
--- them; they may have millions of polynomials. Internal; "PraTactile.Polynomial" exports it.
+-- | Runs of polynomials at the beginning of the ascending order that contain no irreducible one. A
+-- search can skip them; they may have millions of polynomials. Internal; "PraTactile.Polynomial"
+-- exports it.
 module PraTactile.Polynomial.Reducible
   ( reducibleRun,
   )
@@ -10,9 +11,9 @@ where
 import Data.Proxy (Proxy)
 import PraTactile.Field
 
--- | @reducibleRun k n@ is a number i, 0, 2 or 3, with this property if n > i: no polynomial x^n +
--- c(i-1) x^(i-1) + ... + c1 x + c0 is irreducible over the field, whatever the i coefficients are.
--- See Note [An even number of factors] and Note [Affine polynomials].
+-- | @reducibleRun k n@ is a number i: 0, 2 or 3. If n > i, no polynomial x^n + c(i-1) x^(i-1) + ...
+-- + c1 x + c0 is irreducible over the field, whatever the i coefficients are; for i = 0 that says
+-- that x^n is not. See Note [An even number of factors] and Note [Affine polynomials].
 reducibleRun :: KnownField k => Proxy k -> Int -> Int
 reducibleRun k n
   | n <= 4 = 0

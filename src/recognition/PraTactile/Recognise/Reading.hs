@@ -51,42 +51,44 @@ centroid places = (mean fst, mean snd)
   where
     mean part = sum (map part places) / fromIntegral (max 1 (length places))
 
--- | A symbol that was cut out of a composite, and how the network reads it.
+-- | A symbol that was cut out of a composite, and how the network reads it. An orientation is how
+-- the face is turned in the composite.
 data ReadSymbol = ReadSymbol
-  { -- | numbers the symbols that are read together, from 0
+  { -- | its number, from 0, among all symbols that are read together
     readNumber :: Int,
     -- | the number of the composite that it was cut out of, from 0
     readSource :: Int,
-    -- | its place in that composite, and its 8-by-12 image
+    -- | its place in that composite, in the composite's pixels, and its 8-by-12 image
     readImage :: SymbolImage,
     -- | its centre in pixels of the first composite's grid, right and down; the grid extends beyond
     -- that composite
     readAt :: (Double, Double),
-    -- | orientation and class if the network knows it in exactly one orientation. The orientation
-    -- is how the face is turned in the composite.
+    -- | its orientation and class, if the network knows it in exactly one orientation
     readClass :: Maybe (Symmetry, Int),
     -- | the share of it that was touched: 1 for a complete symbol
     readSeen :: Double,
     -- | the likeliest orientation and class, known or not
     readLikeliest :: (Symmetry, Int),
-    -- | the probabilities of all orientations and classes along its axis
+    -- | the probability of each pair of an orientation along its axis and a class
     readChances :: [((Symmetry, Int), Double)],
-    -- | the log-likelihood ratio of its image under another shape to its image under the alphabet
+    -- | the logarithm of a likelihood ratio: of its image if it has another shape, to its image if
+    -- it has one of the alphabet's shapes
     readUnlike :: Double
   }
   deriving stock (Eq, Show)
 
--- | The probability that a symbol is not of its likeliest orientation and class.
+-- | The probability that a symbol has not its likeliest orientation and class, if it is of the
+-- alphabet.
 readDoubt :: ReadSymbol -> Double
 readDoubt s = sum [chance | (what, chance) <- readChances s, what /= readLikeliest s]
 
--- | The probability that a symbol is none of the shapes. The prior is one in 200.
+-- | The probability that a symbol is of a shape outside the alphabet. The prior is one in 200.
 readNone :: ReadSymbol -> Double
 readNone s = odds / (1 + odds)
   where
     odds = 0.005 / 0.995 * exp (readUnlike s)
 
--- | A composite with the symbols of one axis.
+-- | A composite with its symbols along one axis.
 data View = View
   { -- | the composite's number, from 0
     viewSource :: Int,
@@ -94,19 +96,20 @@ data View = View
     viewAxis :: Symmetry,
     -- | the composite turned so that the symbols are upright or upside down; parts are read from it
     viewComposite :: Composite,
-    -- | of the turned composite
+    -- | the segmentation of the turned composite, in its pixels
     viewSegmentation :: Segmentation,
     -- | regions that are not complete symbols, in pixels of the composite before turning
     viewRejects :: [Reject],
-    -- | where pixel (0, 0) of the composite before turning is on the first composite's grid
+    -- | the place of pixel (0, 0) of the composite before turning on the first composite's grid, in
+    -- pixels right and down
     viewShift :: (Double, Double),
     viewSymbols :: [ReadSymbol]
   }
 
 -- | Reads the symbols along one axis in composites of one face: upright or upside down
 -- ('identity'), or on their side (@turned 1@). Symbols along the other axis are rejected by their
--- size. The composites' origins place them relative to each other. Symbols are numbered from the
--- given number. Refuses what the network refuses.
+-- size. The composites' origins place them relative to each other. Arguments: the reader; the axis;
+-- the number of the first symbol; the composites. Refuses what the network refuses.
 readSymbols :: Reader -> Symmetry -> Int -> [Cleaned] -> Either NetworkError [View]
 readSymbols reader axis from composites = numbered from <$> traverse view (zip [0 ..] composites)
   where
@@ -126,7 +129,7 @@ readSymbols reader axis from composites = numbered from <$> traverse view (zip [
         v {viewSymbols = zipWith (\k s -> s {readNumber = k}) [n ..] (viewSymbols v)} :
         numbered (n + length (viewSymbols v)) others
 
--- | A place on the first composite's grid, in pixels of the view's turned composite.
+-- | A place on the first composite's grid, converted to pixels of the view's turned composite.
 onView :: View -> (Double, Double) -> (Double, Double)
 onView view (x, y) = onPixel (invert (viewAxis view)) size (x - dx, y - dy)
   where
@@ -136,8 +139,9 @@ onView view (x, y) = onPixel (invert (viewAxis view)) size (x - dx, y - dy)
     size = if exchangesAxes (viewAxis view) then swap upright else upright
 
 -- | Reads a symbol's image by the network, in both orientations along its axis. The symbol counts
--- as known if the network recognises it in exactly one. Arguments: the axis, the composite's
--- number, the composite's shift on the first one's grid, and the image.
+-- as known if the network recognises it in exactly one. Its number is 0. Arguments: the reader; the
+-- axis; the composite's number; the composite's shift on the first one's grid; the image. Refuses
+-- what the network refuses.
 readSymbol ::
   Reader -> Symmetry -> Int -> (Double, Double) -> SymbolImage -> Either NetworkError ReadSymbol
 readSymbol reader axis source (dx, dy) image = do
@@ -170,22 +174,23 @@ readSymbol reader axis source (dx, dy) image = do
       Recognised c _ -> Just c
       _ -> Nothing
 
--- | Swaps an estimate's class and symmetry, and adds the axis to the symmetry.
+-- | The orientation and class of a pair from an estimate along an axis: the axis is added to the
+-- symmetry.
 alongAxis :: Symmetry -> (Int, Symmetry) -> (Symmetry, Int)
 alongAxis axis (c, symmetry) = (axis <> symmetry, c)
 
--- | Whether the network knows most of the symbols of these views, and at least three.
+-- | Whether the network knows more than half of the symbols of these views, and at least three.
 mostKnown :: [View] -> Bool
 mostKnown = mostRecognised . concatMap viewSymbols
 
--- | Whether most of these symbols are known, and at least three.
+-- | Whether the network knows more than half of these symbols, and at least three.
 mostRecognised :: [ReadSymbol] -> Bool
 mostRecognised symbols = known >= 3 && 2 * known > length symbols
   where
     known = length (filter (isJust . readClass) symbols)
 
--- | Whether the network knows most symbols, and at least three, in the composites' mirror images.
--- Then the images are mirrored.
+-- | Whether the composites are mirrored: the network knows most symbols along one axis, and at
+-- least three, in their mirror images. Refuses what the network refuses.
 readMirrored :: Reader -> [Cleaned] -> Either NetworkError Bool
 readMirrored reader composites =
   any mostKnown
@@ -198,15 +203,15 @@ readMirrored reader composites =
 
 -- | Symbols that are connected as neighbours.
 data Group = Group
-  { -- | each symbol in its cell, with rows and columns along the symbols' axes; 'Nothing' if their
-    -- distances contradict each other
+  { -- | the symbol in each cell; rows and columns are along the symbols' axes, counted from the
+    -- upper left. 'Nothing' if the symbols' distances contradict each other.
     groupCells :: Maybe (Map Cell ReadSymbol),
-    -- | the centre of the group's cell (0, 0) along the symbols' axes, in pixels across and down
+    -- | the centre of the group's cell (0, 0), in pixels along the symbols' axes
     groupAnchor :: (Double, Double),
     groupSymbols :: [ReadSymbol]
   }
 
--- | The groups of symbols along one axis. Only symbols of one composite are connected.
+-- | The groups of symbols that lie along one axis. Only symbols of one composite are connected.
 groups :: [ReadSymbol] -> [Group]
 groups symbols = concatMap (map grouped . arrange placed) (Map.elems bySource)
   where

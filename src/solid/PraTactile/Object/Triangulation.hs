@@ -2,8 +2,8 @@
 -- so on. Among all triangulations it finds one whose smallest angle is greatest.
 --
 -- The region of some loops that do not meet is everything inside an odd number of them. Let there
--- be n corners, o loops that bound a part of the region from outside, and h that bound one from
--- inside. The region is cut into n - 2 o + 2 h triangles. Their corners are those of the loops;
+-- be n corners; let o of the loops have the region on their inner side, and h of them on their
+-- outer side. The region is cut into n - 2 o + 2 h triangles. Their corners are those of the loops;
 -- each of their sides is a loop's or has a triangle on both sides.
 --
 -- A sweep finds an initial triangulation ("PraTactile.Object.Triangulation.Sweep"). Then, with the
@@ -34,13 +34,14 @@ import qualified Data.Vector as V
 import PraTactile.Object.Polygon (V2 (..), turn)
 import PraTactile.Object.Triangulation.Sweep
 
--- | The squared lengths of unit steps along x and along y, both positive.
+-- | The numbers p and q of the metric: the squared lengths of unit steps along x and along y, both
+-- positive.
 data Metric = Metric !Integer !Integer
 
 -- | The triangles of the region of some loops, counter-clockwise, by the indices of their corners
--- among the points. Arguments: the metric in which angles count; the points; the loops, by indices
--- of points. Each loop must have at least three corners, and sides may meet only in the corner
--- between them. O(n log n), and as much for each flip of a side.
+-- among the points. Arguments: the metric in which angles are measured; the points; the loops, by
+-- indices of points. Each loop must have at least three corners, and sides may meet only in the
+-- corner between them; that is not checked. O(n log n), and as much for each flip of a side.
 triangulation :: Metric -> V.Vector V2 -> [[Int]] -> [(Int, Int, Int)]
 triangulation metric points loops =
   [ (a, b, c)
@@ -75,8 +76,8 @@ triangulation metric points loops =
           (a, b) = side `quotRem` count
     at = (points V.!)
 
--- | Whether the fourth point lies within the circle, in this metric, through the others, which must
--- turn left.
+-- | Whether the fourth point lies within the circle, in this metric, through the first three, which
+-- must be in counter-clockwise order.
 inCircle :: Metric -> V2 -> V2 -> V2 -> V2 -> Bool
 inCircle (Metric p q) (V2 ax ay) (V2 bx by) (V2 cx cy) (V2 dx dy) =
   minor (bx - dx) (by - dy) (cx - dx) (cy - dy) * square (ax - dx) (ay - dy)

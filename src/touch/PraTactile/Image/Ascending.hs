@@ -10,11 +10,12 @@ where
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 
--- | The index of a number in an ascending vector; 'Nothing' if it is not there. Binary search.
+-- | The index of a number in an ascending vector without repetitions; 'Nothing' if it is not there.
+-- Binary search, O(log n).
 placeIn :: Vector Int -> Int -> Maybe Int
 placeIn numbers wanted = go 0 (V.length numbers)
   where
-    -- The number can only stand in the half-open interval [from, to).
+    -- The number can only be at an index from @from@ to @to - 1@.
     go !from !to
       | from >= to = Nothing
       | otherwise =

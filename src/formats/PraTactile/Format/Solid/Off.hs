@@ -25,7 +25,9 @@ import PraTactile.Format.Solid.Text
 import PraTactile.Object.Description (ObjectName)
 import PraTactile.Object.Mesh
 
--- | Reads the polyhedron of an OFF file. Colours, normals and texture coordinates are ignored.
+-- | Reads the polyhedron of an OFF file; the first argument becomes its name. Colours, normals and
+-- texture coordinates are ignored. Refuses, with the line, another first word, numbers that are
+-- missing or no numbers, and vertices that do not exist.
 readOff :: ObjectName -> ByteString -> Either SolidFileError Contents
 readOff name bytes = do
   (counts, after) <- header (linesOf bytes)
@@ -64,7 +66,7 @@ readOff name bytes = do
     natural word = do
       n <- whole word
       if n < 0 then Left NotNumber else Right n
-    -- The given number of lines, each read by the function.
+    -- The given number of lines, each read by the function. The text names what they are.
     taking what count one given = go (0 :: Int) [] given
       where
         go n found left
