@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of @advise@.
+-- | The JSON that the command @advise@ prints.
 module PraTactile.Format.Advice
   ( encodeAdvice,
   )
@@ -15,8 +15,8 @@ import PraTactile.Array (Shape (..))
 import PraTactile.Format.Json
 import PraTactile.Format.Name
 
--- | The request, the options and the obstacles, as one line without its line end. The function
--- puts an obstacle into words.
+-- | A request with its advice, the options and the obstacles, as one line without its line end. The
+-- function puts an obstacle into words.
 encodeAdvice :: (Obstacle -> String) -> Request -> Advice -> ByteString
 encodeAdvice inWords request (Advice options obstacles) =
   encodeSchema "advise/1" $

@@ -1,6 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of @register@ (pairs of frames) and of @stitch@ (assemblies).
+-- | The JSON that the commands @register@ (for pairs of frames) and @stitch@ (for assemblies)
+-- print.
 module PraTactile.Format.Registration
   ( encodeMatch,
     PairRequest (..),
@@ -26,7 +27,8 @@ import PraTactile.Image (rasterSize)
 import PraTactile.Registration
 import PraTactile.Registration.Pair
 
--- | The answer as one line without its line end. All keys are always there.
+-- | The registration of a pair of frames as one line without its line end. All keys are always
+-- there.
 encodeMatch :: Match -> ByteString
 encodeMatch match =
   encodeSchema "register/1" $
@@ -116,7 +118,7 @@ reasonsOf made = map reasonOf (assemblyFrames made)
       | Just p <- registeredProbability frame, p < 0.5 = Just "ambiguous"
       | otherwise = Nothing
 
--- | The frames of each group, by their indices from 0.
+-- | The frames of each group, by their indices from 0. The argument has the group of each frame.
 groupsOf :: [Int] -> [[Int]]
 groupsOf groups =
   map sort (Map.elems (Map.fromListWith (++) [(g, [i]) | (i, g) <- zip [0 ..] groups]))

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of a simulated sensor, with the unit and the source of every constant; and of the
--- cylinder on which the face is wrapped.
+-- | The JSON of a simulated sensor, with the unit and the source of each constant; and of the
+-- cylinder on which a face is wrapped.
 module PraTactile.Format.Sensor
   ( encodeSensor,
     decodeSensor,
@@ -81,7 +81,8 @@ decodeSensor bytes = do
         Right
         (replaced (constantName constant) value sensor)
 
--- | A cylinder. Refuses a radius that is not positive or above 'longestRadius'.
+-- | A cylinder, with the radius in millimetres and the name of its axis. Refuses a radius that is
+-- not positive or above 'longestRadius'.
 bendCodec :: Codec Bend
 bendCodec = object (Bend <$> key "radius_mm" radius bendRadius <*> key "axis" axis bendAxis)
   where

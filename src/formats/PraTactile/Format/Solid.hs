@@ -59,18 +59,15 @@ formatName format = case format of
 formatOfName :: String -> Maybe SolidFormat
 formatOfName name = find ((== name) . formatName) [minBound ..]
 
--- | The format for a file's extension, in capitals or not.
---
--- >>> formatOfFile "part.STL"
--- Just Stl
+-- | The format for a file's extension, in capitals or not; 'Nothing' for another extension.
 formatOfFile :: FilePath -> Maybe SolidFormat
 formatOfFile file =
   find
     (\format -> ('.' : formatName format) `isSuffixOf` map toLower file)
     [minBound ..]
 
--- | Reads a polyhedron. The name is used unless the file has its own. O(n) in the length; for STL
--- O(n log n).
+-- | Reads a polyhedron of this format. The name is that of the object, but for JSON, which has its
+-- own. Refuses what is not of the format. O(n) in the length; for STL O(n log n).
 readSolid :: SolidFormat -> ObjectName -> ByteString -> Either SolidFileError Contents
 readSolid format name = case format of
   Off -> plain >=> readOff name

@@ -31,9 +31,10 @@ import PraTactile.Recognise.Tolerance
 import PraTactile.Recognise.Witnesses
 import PraTactile.Symmetry
 
--- | The position of the grid's upper left cell, or why there is no answer.
+-- | The outcome for a grid: a position, or why there is none.
 data GridOutcome
-  = Placed Position
+  = -- | the position of the grid's upper left cell in the array
+    Placed Position
   | -- | several positions agree with all known symbols
     Undecided [Position]
   | -- | too many symbols lie another way up than the rest
@@ -42,12 +43,14 @@ data GridOutcome
     OffTheGrid
   | -- | groups of symbols lead to different places
     GroupsApart
-  | Unplaced Reason
+  | -- | any other reason
+    Unplaced Reason
   | -- | the decoder refuses the grid
     Undecoded LocatorError
   deriving stock (Eq, Show)
 
--- | The outcome of a grid, given the decoder's answer for it; 'Nothing' for a grid without cells.
+-- | The outcome of a grid. Arguments: the recogniser; the tolerance; the grid on the face; its
+-- witnesses; the decoder's answer for the grid, 'Nothing' for a grid without cells.
 gridOutcome ::
   KnownField k =>
   Recogniser k ->
@@ -66,7 +69,8 @@ gridOutcome reader tolerance face witnesses answered = case fmap answerOutcome <
   where
     findings = findingsOf reader tolerance face
 
--- | The outcome for a position that is likely enough, given the witnesses for and against it.
+-- | The outcome for a position that is likely enough. Arguments: the findings of the known symbols;
+-- the witnesses; the position; the witnesses for and against it.
 placedAt :: Findings -> Witnesses -> Position -> Standing -> GridOutcome
 placedAt findings witnesses position (Standing agreeing wrong)
   | genericLength wrong > witnessesRadius witnesses =
@@ -76,9 +80,10 @@ placedAt findings witnesses position (Standing agreeing wrong)
 
 -- | What the symbols that the network knows imply, without probabilities.
 data Findings = Findings
-  { -- | their position when decoded together; 'Nothing' if that cannot be decoded
+  { -- | the position of all known symbols when they are decoded together; 'Nothing' if the decoder
+    -- refuses them
     foundTogether :: Maybe (Outcome Position),
-    -- | whether some groups of them lead to different positions
+    -- | whether some groups of known symbols lead to different positions when each is decoded alone
     foundApart :: Bool
   }
 
@@ -98,8 +103,8 @@ findingsOf reader tolerance face =
       Just (Unique place _) -> Just place
       _ -> Nothing
 
--- | Decodes the cells by the symbols of this orientation that the network knows. 'Nothing' if they
--- cannot be decoded.
+-- | Decodes cells by the symbols in them that the network knows in this orientation. 'Nothing' if
+-- the decoder refuses them.
 locatedExactly ::
   KnownField k => Recogniser k -> Tolerance -> Symmetry -> Cells -> Maybe (Outcome Position)
 locatedExactly reader tolerance orientation cells = case knownPatch cells orientation of

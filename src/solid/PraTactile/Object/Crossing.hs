@@ -75,7 +75,7 @@ firstWithin walk points
     before i = if i == 0 then U.length walk - 1 else i - 1
 
 -- | Closed walks by places: the vertex and the point of each place, and the places after and before
--- it.
+-- it on its walk.
 data Loops = Loops
   { vertexOf :: !(U.Vector Int),
     pointOf :: !(V.Vector V2),
@@ -83,6 +83,7 @@ data Loops = Loops
     beforeIt :: !(U.Vector Int)
   }
 
+-- | Closed walks by the numbers of their vertices, with the point at each place.
 loopsOf :: [U.Vector Int] -> V.Vector V2 -> Loops
 loopsOf walks points = Loops (U.concat walks) points (beside 1) (beside (-1))
   where
@@ -93,7 +94,7 @@ loopsOf walks points = Loops (U.concat walks) points (beside 1) (beside (-1))
         ]
     sizes = map U.length walks
 
--- | The ends of a side.
+-- | The ends of the side that begins at a place.
 ends :: Loops -> Int -> (V2, V2)
 ends it i = (pointOf it V.! i, pointOf it V.! (afterIt it U.! i))
 

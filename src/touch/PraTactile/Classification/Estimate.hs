@@ -22,11 +22,12 @@ import PraTactile.Symmetry
 -- | What an image most likely shows: a class, upright ('identity') or turned by 180 degrees
 -- (@turned 2@).
 data Estimate = Estimate
-  { estimateLikeliest :: !(Int, Symmetry),
-    -- | the probabilities of all classes and orientations, each above 0; they add up to 1
+  { -- | the most likely class and orientation
+    estimateLikeliest :: !(Int, Symmetry),
+    -- | the probability of each pair of a class and an orientation, each above 0; they add up to 1
     estimateChances :: ![((Int, Symmetry), Double)],
-    -- | the log-likelihood ratio of another shape to the alphabet's ('unlikeness'); 0 where it was
-    -- not computed
+    -- | the logarithm of a likelihood ratio: of the image if it shows another shape, to the image
+    -- if it shows one of the alphabet ('unlikeness'); 0 if it was not computed
     estimateUnlike :: !Double
   }
   deriving stock (Eq, Show)
@@ -44,8 +45,8 @@ estimateChance e what = sum [chance | (this, chance) <- estimateChances e, this 
 leastDoubt :: Double
 leastDoubt = 1e-7
 
--- | The estimate for an 8 x 12 image. Refuses what 'outputs' refuses, and a network whose number
--- of outputs is not the number of shapes ('WrongOutputCount').
+-- | The estimate for an 8 x 12 image by a network. Refuses what 'outputs' refuses, and a network
+-- whose number of outputs is not the number of shapes ('WrongOutputCount').
 estimate :: Calibration -> Templates -> Network -> Raster -> Either NetworkError Estimate
 estimate calibration shapesSeen n image
   | outputCount n /= templateCount shapesSeen =
@@ -55,8 +56,8 @@ estimate calibration shapesSeen n image
       <$> outputs n image
       <*> outputs n (onRaster (turned 2) image)
 
--- | The estimate for an 8 x 12 image from the outputs of any classifier, one per shape, for the
--- image and for the image turned by 180 degrees.
+-- | The estimate for an 8 x 12 image by any classifier. The last two arguments are the classifier's
+-- outputs, one for each shape: for the image, and for the image turned by 180 degrees.
 estimateFrom :: Calibration -> Templates -> Raster -> [Double] -> [Double] -> Estimate
 estimateFrom calibration shapesSeen image upright upsideDown =
   case [(what, floored p) | (what, p) <- told] of

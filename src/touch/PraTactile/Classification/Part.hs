@@ -64,8 +64,9 @@ estimatePart shapesSeen sigma part = Estimate best [(what, chance l) | (what, l)
     least = minimum (flat : concatMap (map snd . snd) distances)
     total = sum (map snd likelihoods) + flatLikelihood
 
--- | The sums of squared differences over the observed taxels. First for each class, upright and
--- turned by 180 degrees, at each displacement of up to a taxel; then for a flat face.
+-- | The sums of squared differences between a part and shapes, over the observed taxels. For each
+-- class, upright and turned by 180 degrees: each displacement of up to a taxel, with its sum. Then
+-- the sum for a flat face.
 partDistances :: Templates -> Part -> ([((Int, Symmetry), [((Double, Double), Double)])], Double)
 partDistances shapesSeen part =
   ( concatMap from [identity, turned 2],
@@ -81,14 +82,14 @@ partDistances shapesSeen part =
         (onRaster symmetry (partPixels part))
         (onRaster symmetry (partSeen part))
 
--- The variance of a taxel that is assumed in any case, so that no likelihood is infinite.
+-- | The variance of a taxel that is assumed in any case, so that no likelihood is infinite.
 leastVariance :: Double
 leastVariance = 0.003
 
--- The probability that a part shows neither a symbol nor a flat face, from the robot's error
--- (taxels) and the number of observed taxels. It is higher for less than a third of a symbol, where
--- frames registered a taxel wrong can look like another symbol. It is higher still for frames that
--- were not registered.
+-- | r, the probability that a part shows neither a symbol nor a flat face. Arguments: the standard
+-- deviation of the robot's error in taxels; the number of observed taxels. It is higher for less
+-- than a third of a symbol, because frames that are registered a taxel wrong can make a part look
+-- like another symbol's. It is higher still for frames that were not registered.
 nothingOfTheKind :: Double -> Double -> Double
 nothingOfTheKind sigma taxels =
   min 1 (max (0.001 * 50 ** (sigma - 1)) (if taxels < 32 then 0.006 else 0.001))

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The noise and the step of the readings, estimated from frames.
+-- | The noise of frames and the step of their readings, estimated from the frames.
 module PraTactile.Composite.Noise
   ( frameNoise,
     readingStep,
@@ -38,8 +38,9 @@ squares image
     (w, h) = rasterSize image
     values = rasterValues image
 
--- | The step of the readings: the least difference of two different values among about a thousand,
--- but at most the step of 8 bits, since frames without noise may have only two values.
+-- | The step of the readings: the least difference of two different values among about a thousand
+-- pixels of at most 64 frames. It is at most the step of 8 bits, since frames without noise may
+-- have only two values.
 readingStep :: [Raster] -> Double
 readingStep frames = minimum (1 / 255 : [b - a | (a, b) <- zip values (drop 1 values)])
   where

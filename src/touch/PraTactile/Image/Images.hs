@@ -26,7 +26,7 @@ import PraTactile.Image (Raster, constant, raster)
 import PraTactile.Image.Pgm.Type (Pgm, pgmMaxval, pgmSamples)
 import PraTactile.Sensor.Dead (filled)
 
--- | One or more images.
+-- | One or more images of one size.
 data Images = Images
   { imagesColumns :: !Int,
     imagesRows :: !Int,
@@ -41,18 +41,21 @@ data Images = Images
 
 -- | The readings of all images. NaN means that a reading is missing.
 data Readings
-  = -- | Consecutive machine numbers. The flags: most significant byte first; last index varies
-    -- fastest.
+  = -- | Consecutive machine numbers: their type; whether the most significant byte of each comes
+    -- first; whether the last index, the column, varies fastest; their bytes.
     Packed !Number !Bool !Bool !ByteString
-  | Listed !(V.Vector Double)
-  | Several !(Boxed.Vector Pgm)
+  | -- | The numbers of all images, one image after the other and row by row.
+    Listed !(V.Vector Double)
+  | -- | Each image as a PGM.
+    Several !(Boxed.Vector Pgm)
   deriving stock (Eq, Show)
 
--- | A machine number type: unsigned (U), signed (I) or floating-point (F), with its bytes.
+-- | A type of machine numbers: unsigned (U), signed (I) or floating-point (F), and the number of
+-- its bytes.
 data Number = U1 | U2 | I2 | I4 | F4 | F8
   deriving stock (Eq, Show, Enum, Bounded)
 
--- | The number of bytes of a number.
+-- | The number of bytes of a type.
 numberBytes :: Number -> Int
 numberBytes number = case number of
   U1 -> 1
@@ -62,7 +65,7 @@ numberBytes number = case number of
   F4 -> 4
   F8 -> 8
 
--- | Full scale: the largest integer of the type; 1 for floating-point types.
+-- | The full scale of a type: its largest integer, or 1 for floating-point numbers.
 numberFull :: Number -> Double
 numberFull number = case number of
   U1 -> 255
@@ -83,8 +86,8 @@ data Felt = Felt
   }
   deriving stock (Eq, Show)
 
--- | The image with the given number, from 0. The first argument is the full scale, which overrides
--- the file's.
+-- | One image as shares of full scale. Arguments: the full scale, if it overrides the file's; the
+-- images; the number of the image, from 0, which must exist.
 imageAt :: Maybe Double -> Images -> Int -> Felt
 imageAt given images i =
   Felt
@@ -112,12 +115,13 @@ whole readings = case readings of
   Listed _ -> False
   Several _ -> True
 
+-- | The full scale that the file gives for the image with this number.
 fullOf :: Images -> Int -> Double
 fullOf images i = case imagesReadings images of
   Several pgms -> fromIntegral (pgmMaxval (pgms Boxed.! i))
   _ -> imagesFull images
 
--- | The readings of an image, row by row.
+-- | The readings of the image with this number, row by row.
 readingsAt :: Images -> Int -> V.Vector Double
 readingsAt images i = case imagesReadings images of
   Several pgms -> V.map fromIntegral (pgmSamples (pgms Boxed.! i))

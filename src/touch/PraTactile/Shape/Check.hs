@@ -28,7 +28,7 @@ import PraTactile.Symmetry
 
 -- | A kind of fault of a shape.
 data Kind
-  = -- | It embosses less than 4 taxels along a side of its box.
+  = -- | It embosses fewer than 4 taxels along some side of its box.
     Side
   | -- | It does not consist of whole blocks of 2 x 2 taxels, or two blocks (embossed or flat) meet
     -- only at a corner.
@@ -37,7 +37,7 @@ data Kind
     Pieces
   | -- | It encloses flat taxels.
     Hole
-  | -- | It embosses less than 12 or more than 14 blocks of 4 taxels.
+  | -- | It embosses fewer than 12 or more than 14 blocks of 2 x 2 taxels.
     Area
   | -- | Its distance from itself turned or mirrored is below 'leastTolerated'.
     OwnImage
@@ -52,8 +52,8 @@ data Fault = Fault
   }
   deriving stock (Eq, Show)
 
--- | The least distance of two shapes, in taxels, that is not a fault: a third of all 96. Alphabets
--- of up to nine shapes can have more ('greatestPossible').
+-- | The least distance of two shapes, in taxels, that is not a fault: a third of all 96. An
+-- alphabet of up to nine shapes can be designed with larger distances ('greatestPossible').
 leastTolerated :: Int
 leastTolerated = 32
 
@@ -121,8 +121,8 @@ piecesOf set = case Set.minView set of
     beside (x, y) =
       filter (`Set.member` set) [(x + 1, y), (x - 1, y), (x, y + 1), (x, y - 1)]
 
--- | Two classes (the first is not after the second) and where they are nearest. For a class and
--- itself, symmetries other than the identity are compared.
+-- | Two classes, of which the first is not after the second, and the symmetry in which they are
+-- nearest. A class is compared with itself in the symmetries other than the identity.
 data Pair = Pair
   { pairFirst :: Int,
     pairSecond :: Int,
@@ -144,8 +144,9 @@ pairs a =
 leastDistance :: Drawings -> Int
 leastDistance = minimum . map (nearestDistance . pairNearest) . pairs
 
--- | The greatest separation that the given number of shapes can have by the rules, where it is
--- known (1 to 9 shapes). 'PraTactile.Shape.Design.design' proves it.
+-- | The greatest separation, in taxels, that the given number of shapes can have by the rules;
+-- 'Nothing' if it is unknown: below 1 and above 9 shapes. 'PraTactile.Shape.Design.design' proves
+-- it.
 greatestPossible :: Int -> Maybe Int
 greatestPossible q
   | q < 1 || q > 9 = Nothing

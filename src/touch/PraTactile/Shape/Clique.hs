@@ -1,6 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The cliques of a graph: sets of items of which every two are related.
+-- | The cliques of a graph: sets of items of which every two are related. A relation is given as a
+-- function of two items.
 module PraTactile.Shape.Clique
   ( cliques,
     clique,
@@ -13,10 +14,8 @@ import Data.IntSet (IntSet)
 import qualified Data.IntSet as IntSet
 import Data.Maybe (mapMaybe)
 
--- | All cliques with the given number of items, each in the order of the list.
---
--- >>> cliques 3 (\a b -> gcd a b == 1) [2 .. 7 :: Int]
--- [[2,3,5],[2,3,7],[2,5,7],[3,4,5],[3,4,7],[3,5,7],[4,5,7],[5,6,7]]
+-- | All cliques with the given number of items, each in the order of the list. Of two items the
+-- earlier one is the relation's first argument.
 cliques :: Int -> (a -> a -> Bool) -> [a] -> [[a]]
 cliques size related items = map (itemsOf numbered) (go size (IntMap.keysSet numbered))
   where
@@ -74,13 +73,14 @@ uncoloured next = go
       Nothing -> taken
       Just (i, others) -> apart (IntSet.insert i taken) (others `IntSet.difference` next i)
 
--- | For each item the related items after it.
+-- | For each item, by its number, the numbers of the related items after it.
 laterRelated :: (a -> a -> Bool) -> IntMap.IntMap a -> IntMap.IntMap IntSet
 laterRelated related numbered =
   IntMap.mapWithKey
     (\i a -> IntMap.keysSet (IntMap.filter (related a) (snd (IntMap.split i numbered))))
     numbered
 
+-- | The items with these numbers.
 itemsOf :: IntMap.IntMap a -> [Int] -> [a]
 itemsOf numbered = mapMaybe (`IntMap.lookup` numbered)
 

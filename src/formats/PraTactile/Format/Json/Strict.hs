@@ -37,6 +37,7 @@ readJson = readJsonWith longestNumber
 readJsonWith :: Int -> ByteString -> Either JsonError Value
 readJsonWith digits = either (Left . JsonInEncoding) (readPlain digits) . plainText
 
+-- | Reads a JSON text without a byte order mark.
 readPlain :: Int -> ByteString -> Either JsonError Value
 readPlain digits text
   | Bytes.all (`Bytes.elem` " \t\r\n") text = Left NoText
@@ -54,8 +55,8 @@ deepest = 64
 longestNumber :: Int
 longestNumber = 1000
 
--- | Checks nesting and the number of consecutive digits (at most the given number) outside
--- strings.
+-- | Why a text is refused, if it is nested too deeply or has too many consecutive digits outside
+-- strings. The number is the greatest number of digits.
 excess :: Int -> ByteString -> Maybe JsonError
 excess most = go 0
   where
@@ -95,7 +96,8 @@ repeatedKey = go []
                   else go (Set.insert name keys : others) following
             _ -> go open following
 
--- | The end of a string: the index of the first unescaped quotation mark.
+-- | The index of the quotation mark that ends a string: the first that is not escaped. The text
+-- begins after the opening one. The text's length, or up to 1 more, if none ends it.
 closing :: ByteString -> Int
 closing = go 0
   where

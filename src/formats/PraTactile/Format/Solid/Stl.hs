@@ -34,7 +34,9 @@ import PraTactile.Object.Triangles
 import PraTactile.Object.Vector
 import PraTactile.PlainText (otherEncoding, withoutMark)
 
--- | Reads the polyhedron of a text or binary STL file. Normals and attributes are ignored.
+-- | Reads the polyhedron of a text or binary STL file; the first argument becomes its name. Normals
+-- and attributes are ignored. Refuses, with the place, a text without the word @solid@, what is not
+-- a triangle, a file that is cut off, a length that does not fit the count, and other encodings.
 readStl :: ObjectName -> ByteString -> Either SolidFileError Contents
 readStl name bytes
   | Just count <- counted,
@@ -67,6 +69,7 @@ readStl name bytes
     count' = skip 80 *> getWord32le
     binarySize count = 84 + 50 * toInteger count
 
+-- | Reads a binary file with this name and this count of triangles.
 binary :: Integral n => ObjectName -> n -> ByteString -> Either SolidFileError Contents
 binary name count bytes = do
   corners <- V.fromList . concat <$> traverse triangle [0 .. fromIntegral count - 1]
@@ -99,6 +102,7 @@ binary name count bytes = do
       a : b : c : others -> (a, b, c) : triples others
       _ -> []
 
+-- | Reads a text file with this name.
 text :: ObjectName -> ByteString -> Either SolidFileError Contents
 text name bytes =
   outside
@@ -164,7 +168,7 @@ text name bytes =
             ((,,) <$> decimal x <*> decimal y <*> decimal z)
         _ -> end (Ends "three coordinates")
 
--- | The triangles of all faces, by vertex numbers.
+-- | The triangles of all faces, each by the numbers of its vertices.
 allTriangles :: Mesh -> [[Int]]
 allTriangles it = [[i, j, k] | walk <- V.toList (meshWalks it), (i, j, k) <- triangles it walk]
 

@@ -49,22 +49,26 @@ data Found
     Unknown
   deriving stock (Eq, Show)
 
--- | The kinds, the number needed of each, and all places where their figures fit.
+-- | The needed number of pieces of each kind, and all places where the kinds' figures fit. Options
+-- are numbered from 0.
 data Problem = Problem
-  { needs :: !(U.Vector Int),
+  { -- | the needed number of pieces of each kind
+    needs :: !(U.Vector Int),
+    -- | each option: its kind, its figure and its place
     options :: !(V.Vector Lying),
     -- | the kind of each option
     kindOf :: !(U.Vector Int),
-    -- | the cells of each option, by number
+    -- | the cells of each option, numbered row by row from 0
     cellsOf :: !(V.Vector (U.Vector Int)),
     -- | the cells of each option as bits, in 'wordsAnOption' words
     bitsOf :: !(U.Vector Word64),
     wordsAnOption :: !Int,
+    -- | the number of the sheet's cells
     cellCount :: !Int
   }
 
--- | The problem of laying pieces of these kinds on a sheet. 'Nothing' if its options have more than
--- 'largest' cells and words.
+-- | The problem of laying pieces of these kinds on the free cells of a sheet. 'Nothing' if its
+-- options have more than 'largest' cells and words.
 problemOf :: Still -> Kinds -> Maybe Problem
 problemOf sheet kinds
   | sum (map weight figures) > largest = Nothing
@@ -123,7 +127,7 @@ data Below
   | Remaining !Int
 
 -- | Solves a problem within a budget: the number of cells, of the sheet and of options, that may be
--- visited.
+-- visited in all nodes together.
 exactly :: Int -> Problem -> Found
 exactly budget0 problem =
   case node budget0 (needs problem) (U.enumFromN 0 (V.length (options problem))) [] of
@@ -172,8 +176,8 @@ exactly budget0 problem =
       Remaining budget -> next budget
       answer -> answer
 
--- | For some options: the number of each kind, the least number of cells of an option of each kind,
--- and the number that cover each cell.
+-- | For some options, by their numbers: the number of options of each kind; the least number of
+-- cells of an option of each kind; the number of options that cover each cell.
 tally :: Problem -> U.Vector Int -> (U.Vector Int, U.Vector Int, U.Vector Int)
 tally problem alive = runST $ do
   perKind <- M.replicate kinds 0
@@ -189,7 +193,7 @@ tally problem alive = runST $ do
   where
     kinds = U.length (needs problem)
 
--- | Whether an option has a cell.
+-- | Whether an option has a cell. Arguments: the problem; the cell; the option.
 hasCell :: Problem -> Int -> Int -> Bool
 hasCell problem c o =
   testBit (U.unsafeIndex (bitsOf problem) (o * wordsAnOption problem + c `shiftR` 6)) (c .&. 63)

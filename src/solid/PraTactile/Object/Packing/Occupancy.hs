@@ -2,10 +2,11 @@
 
 -- | The taken cells of a sheet, with one bit each, and the first place where a figure fits.
 --
--- Consider a run (i, j, l) of a figure at (r, c). Let x be the last taken column among c + j to c +
--- j + l - 1 of row r + i, and y > x the next free column of that row. Then the figure fits at no
--- (r, c') with c <= c' < y - j, because x is still in the run, or the run begins on a taken cell.
--- So a search along a row jumps from c to y - j. It costs a step for each run that it tests.
+-- A figure's run (i, j, l) has the l cells from column j on in the figure's row i. Consider it for
+-- the figure at (r, c). Let x be the last taken column among c + j to c + j + l - 1 of row r + i,
+-- and y > x the next free column of that row. Then the figure fits at no (r, c') with c <= c' < y -
+-- j, because x is still in the run, or the run begins on a taken cell. So a search along a row
+-- jumps from c to y - j. It costs a step for each run that it tests.
 module PraTactile.Object.Packing.Occupancy
   ( Occupancy,
     Still,
@@ -65,7 +66,8 @@ thaw it = (\cells -> it {taken = cells}) <$> U.thaw (taken it)
 freeze :: Changing s -> ST s Still
 freeze it = (\cells -> it {taken = cells}) <$> U.freeze (taken it)
 
--- | Takes the cells of a figure, which must fit at this row and column.
+-- | Takes the cells of a figure whose upper left corner is at this row and column. The figure must
+-- fit there, which is not checked.
 lie :: Changing s -> Figure -> (Int, Int) -> ST s ()
 lie it figure (r, c) = U.forM_ (figureRuns figure) $ \(i, j, l) -> do
   let from = c + j
@@ -98,8 +100,8 @@ firstFit it figure (row, column) = go 0 row column
         (c', n) <- leap it figure r c
         if c' == c then pure (Just (r, c), steps + n) else go (steps + n) r c'
 
--- | The column itself if the figure fits there, else a later column before which it does not fit in
--- this row; and the number of runs tested.
+-- | The given column if the figure fits at the given row and column; else a later column before
+-- which it does not fit in this row. Also the number of runs tested.
 leap :: Changing s -> Figure -> Int -> Int -> ST s (Int, Int)
 leap it figure r c = go 0
   where
@@ -117,8 +119,8 @@ leap it figure r c = go 0
             pure (y - j, k + 1)
 {-# INLINE leap #-}
 
--- | The last taken column in a range, ends included; -1 if there is none. The row is given by its
--- first word.
+-- | The last taken column of a row between two columns, both included; -1 if there is none. The row
+-- is given by the index of its first word.
 lastTaken :: Changing s -> Int -> Int -> Int -> ST s Int
 lastTaken it row from to = go (to `shiftR` 6)
   where
@@ -129,7 +131,8 @@ lastTaken it row from to = go (to `shiftR` 6)
         let found = word .&. between (from - 64 * k) (to - 64 * k)
         if found == 0 then go (k - 1) else pure (64 * k + 63 - countLeadingZeros found)
 
--- | The first free column from a column on; a column beyond the sheet if there is none.
+-- | The first free column of a row from a column on; a column beyond the sheet if there is none.
+-- The row is given by the index of its first word.
 nextFree :: Changing s -> Int -> Int -> ST s Int
 nextFree it row from = go (from `shiftR` 6)
   where
@@ -146,11 +149,12 @@ freeInRow it r = U.foldl' count 0 (U.slice (r * stride it) (stride it) (taken it
   where
     count n word = n + popCount (complement word)
 
--- | The bits of a word in a range, ends included; the range may miss the word.
+-- | The word with the bits between two indices set, both included. The range may lie partly or
+-- wholly outside the word.
 between :: Int -> Int -> Word64
 between from to = below (to + 1) .&. complement (below from)
 
--- | The bits of a word below an index.
+-- | The word with the bits below an index set.
 below :: Int -> Word64
 below k
   | k <= 0 = 0
