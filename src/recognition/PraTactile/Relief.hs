@@ -65,10 +65,8 @@ symbolScale (Pitch right down)
     Just (right / pitchRight canonicalPitch)
   | otherwise = Nothing
 
--- | The side of a taxel of the symbols, millimetres.
---
--- >>> symbolTaxel (Pitch 12.7 15.875)
--- 0.79375
+-- | The side, in millimetres, of a taxel of symbols with these distances: an eighth of a symbol's
+-- width.
 symbolTaxel :: Pitch -> Double
 symbolTaxel between = fromRational (pitchRight between / columnPitch)
 
@@ -81,8 +79,8 @@ data Relief = Relief
     reliefSize :: (Int, Int),
     -- | the number of cells along each side of a taxel; the height is constant within a cell
     reliefFineness :: Int,
-    -- | the heights in millimetres, given the first column and row of cells and the numbers of
-    -- columns and rows; NaN beyond the face
+    -- | the heights in millimetres of a rectangle of cells; NaN beyond the face. Arguments: the
+    -- column and row of its first cell; its numbers of columns and rows
     reliefDrawn :: (Int, Int) -> (Int, Int) -> Raster,
     -- | the cylinder that the face is wrapped on, if any; the heights are those of the unrolled
     -- face
@@ -160,8 +158,9 @@ relief ::
 relief array layout alphabet face =
   reliefOf layout alphabet face (fieldOrder array) (classOn array face)
 
--- | 'relief' for any classes: their number, and a function from row and column of the face's block
--- to a class below that number.
+-- | 'relief' for any classes in the cells. Arguments: the placement; the alphabet; the face; the
+-- number of classes; a function from the row and column in the face's block to a class below that
+-- number.
 reliefOf ::
   Placement -> Alphabet -> LaidFace -> Int -> (Position -> Int) -> Either ReliefError Relief
 reliefOf layout alphabet face classes classAt = do
@@ -202,10 +201,10 @@ reliefOf layout alphabet face classes classAt = do
   where
     pitch = placementPitch layout
 
--- | The relief of a face by a function of heights, with symbols of the paper's size. The number is
--- that of cells along each side of a taxel. A cell has the height of its centre. The function takes
--- millimetres right of and below the face's first vertex, and gives 'Nothing' where there is
--- nothing.
+-- | The relief of a face by a function of heights, with symbols of the paper's size. Arguments: the
+-- number of cells along each side of a taxel; the face; the function. It takes millimetres right of
+-- and below the face's first vertex, and gives the height in millimetres, or 'Nothing' beyond the
+-- face. A cell has the height of its centre.
 reliefByHeights :: Int -> LaidFace -> (Double -> Double -> Maybe Double) -> Relief
 reliefByHeights fineness face heightAt =
   Relief

@@ -25,15 +25,16 @@ import PraTactile.Window.Visit (visitedShape)
 
 -- | The first step of a check that fails.
 data Fault
-  = -- | q is not a prime's power with the modulus's degree as exponent.
+  = -- | This q is not the power of a prime whose exponent is the modulus's degree.
     OrderNotOfModulus Natural
   | -- | There is no such field, or a code is not an element of it.
     FieldFault FieldError
-  | -- | The polynomial is not monic of degree at least 1 with a nonzero constant term.
+  | -- | The polynomial with these codes is not monic of degree at least 1 with a nonzero constant
+    -- term.
     PolynomialFault [Natural]
   | -- | The stated N, and the true one, q^n - 1.
     PeriodFault Natural Natural
-  | -- | The product of the prime powers is not N.
+  | -- | The product of the prime powers is not this N.
     FactorsFault Natural
   | -- | This factor is not proved to be prime.
     PrimeFault Natural
@@ -43,15 +44,15 @@ data Fault
     ResidueFault Natural
   | -- | For this prime l, x^(N/l) is 1, so h is not primitive.
     RootOrderFault Natural
-  | -- | The initial state does not have n elements, or all are 0.
+  | -- | The initial state, these codes, does not have n elements of the field, or all are 0.
     StateFault [Natural]
-  | -- | The shape does not have N cells.
+  | -- | This shape does not have N cells.
     AreaFault Shape
   | -- | The fold is diagonal, but the numbers of rows and columns have this common divisor.
     CommonDivisorFault Natural
   | -- | There is no such mask.
     MaskFault WindowError
-  | -- | The profile's window is not this extent of the mask.
+  | -- | The mask has this extent, which is not the profile's window.
     ExtentFault Shape
   | -- | The stated number of windows, and the surface's.
     WindowsFault Natural Natural
@@ -59,7 +60,7 @@ data Fault
     SurfaceFault Surface
   | -- | The vector of the mask's cell with this index is not as stated.
     VectorFault Natural
-  | -- | The chosen cells are not n ascending indices of cells.
+  | -- | The chosen cells, these indices, are not n ascending indices of the mask's cells.
     CellsFault [Natural]
   | -- | The stated matrix is not the inverse of the chosen vectors.
     InverseFault
@@ -140,7 +141,8 @@ checkOrder h certificate = do
     factors = certificateFactors certificate
     primes = certificatePrimes certificate
 
--- | Checks that the sequence fills the shape.
+-- | Checks the initial state, that the shape has as many cells as the sequence has terms, and that
+-- a diagonal fold reaches all of them.
 checkShape :: Int -> Certificate -> Either Fault ()
 checkShape n certificate = do
   when
@@ -228,13 +230,13 @@ checkDigest profile mask stated = do
       (digestOfWindows (profilePacking profile) (profileSurface profile) grid mask)
   when (computed /= stated) (Left (DigestFault stated computed))
 
--- | Whether a number is known to be prime: among those proved before, or below 'millerRabinDomain'
--- by the strong test, which decides there.
+-- | Whether a number is known to be prime: it is among those proved before, which come first, or it
+-- is below 'millerRabinDomain' and passes the strong test, which decides there.
 knownPrime :: [Natural] -> Natural -> Bool
 knownPrime shown n = n `elem` shown || n < millerRabinDomain && isPrime n == Right True
 
--- | Whether a proof shows its number to be prime by Pocklington's theorem, given the numbers proved
--- before. O(w log P) products modulo P for w witnesses.
+-- | Whether a proof shows its number to be prime by Pocklington's theorem. The list has the numbers
+-- proved before. O(w log P) products modulo P for w witnesses.
 isShownPrime :: [Natural] -> PrimeProof -> Bool
 isShownPrime before (PrimeProof prime witnesses) =
   prime > 3
@@ -254,8 +256,8 @@ isShownPrime before (PrimeProof prime witnesses) =
       | odd e = a * powerModulo a (e - 1) `mod` prime
       | otherwise = let b = powerModulo a (e `div` 2) in b * b `mod` prime
 
--- | The product of powers, for ascending bases above 1 and positive exponents. 'Nothing' if it
--- exceeds the bound, or a base repeats.
+-- | The product of powers, given by bases and exponents. 'Nothing' if it exceeds the bound, the
+-- bases are not ascending and above 1, or an exponent is not positive.
 boundedProduct :: Natural -> [(Natural, Natural)] -> Maybe Natural
 boundedProduct bound powers
   | and

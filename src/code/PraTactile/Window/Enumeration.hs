@@ -60,12 +60,14 @@ data EnumerationError
     TooManyWindows Natural Natural
   deriving stock (Eq, Show)
 
--- | Limits of the ways to keep what was seen. The result does not depend on the way.
+-- | Limits of the three ways to keep the contents that were seen: bits, sorting, a map. The result
+-- does not depend on the way.
 data Limits = Limits
-  { -- | the most possible contents for which there is one bit each, unless they are many times more
-    -- than the positions
+  { -- | the most possible contents for which there is one bit each; 'bitsSuffice' limits them by
+    -- the number of positions, too
     largestSpan :: !Natural,
-    -- | the most positions whose contents are sorted instead, if contents fit a machine integer
+    -- | the most positions whose contents are sorted, if bits do not suffice and contents fit a
+    -- machine integer
     largestSort :: !Natural,
     -- | the most positions that otherwise go into an ordered map, whatever the contents
     largestMap :: !Natural,
@@ -79,14 +81,14 @@ standardLimits :: Limits
 standardLimits = Limits (2 ^ (30 :: Int)) (2 ^ (26 :: Int)) (2 ^ (20 :: Int)) (2 ^ (26 :: Int))
 
 -- | Visits every window on the surface, in one pass. After a repetition a second pass finds its
--- partner. Refuses if there is no window, or not enough memory for what is seen. O(N) for N
--- positions of a rectangle whose windows are distinct, otherwise O(m N) for m cells, with one bit
--- for each of the q^m possible contents. If these are too many it takes O(m N) by sorting, with 8
--- bytes a position, or O(m N log N) by a map.
+-- partner. Refuses if there is no window ('NoWindow'), or not enough memory for what is seen
+-- ('TooManyWindows'). O(N) for N positions of a rectangle whose windows are distinct, otherwise O(m
+-- N) for m cells, with one bit for each of the q^m possible contents. If these are too many it
+-- takes O(m N) by sorting, with 8 bytes a position, or O(m N log N) by a map.
 enumerate :: Surface -> Grid -> Mask -> Either EnumerationError Enumeration
 enumerate = enumerateWithin standardLimits
 
--- | 'enumerate' within other limits.
+-- | 'enumerate' within the given limits.
 enumerateWithin :: Limits -> Surface -> Grid -> Mask -> Either EnumerationError Enumeration
 enumerateWithin limits surface grid mask
   | count == 0 = Left NoWindow
@@ -121,12 +123,12 @@ enumerateWithin limits surface grid mask
               }
         else Nothing
 
--- | Refuses, without a grid, what 'enumerate' refuses for every grid of this shape with this number
--- of symbols.
+-- | Refuses what 'enumerate' refuses for every grid of the given kind. Arguments: the surface; the
+-- number of symbols; the shape; the window.
 enumerable :: Surface -> Int -> Shape -> Mask -> Either EnumerationError ()
 enumerable = enumerableWithin standardLimits
 
--- | 'enumerable' within other limits.
+-- | 'enumerable' within the given limits.
 enumerableWithin :: Limits -> Surface -> Int -> Shape -> Mask -> Either EnumerationError ()
 enumerableWithin limits surface q shape mask
   | count == 0 = Left NoWindow
@@ -141,17 +143,19 @@ enumerableWithin limits surface q shape mask
     spanned = fromIntegral q ^ maskSize mask
     count = area (visitedShape surface shape mask)
 
--- | Whether a bit for each possible content takes little enough memory for the number of positions.
+-- | Whether there is memory for a bit for each possible content. Arguments: the limits; the number
+-- of possible contents; the number of positions.
 bitsSuffice :: Limits -> Natural -> Natural -> Bool
 bitsSuffice limits spanned count =
   spanned <= min (largestSpan limits) (max (2 ^ (20 :: Int)) (64 * count))
 
--- | Whether the contents of the mask at this many positions fit an ordered map.
+-- | Whether the contents fit an ordered map. Arguments: the limits; the number of positions; the
+-- mask.
 mapSuffices :: Limits -> Natural -> Mask -> Bool
 mapSuffices limits count mask =
   count <= largestMap limits && count * fromIntegral (maskSize mask) <= largestReading limits
 
--- | The first cells of a mask, as many as fit a machine integer with q symbols.
+-- | The first cells of a mask, as many as fit a machine integer with the given number of symbols.
 fittingCells :: Int -> Mask -> Maybe Mask
 fittingCells q mask = either (const Nothing) Just (maskFrom (take fitting (maskOffsets mask)))
   where
@@ -179,9 +183,9 @@ firstWith :: Visit -> Int -> Maybe Position
 firstWith windows key =
   uncurry visitPosition <$> firstWhere windows (\r c -> visitKey windows r c == key)
 
--- | The first repetition: where the content was first seen, then where it was seen again. The
--- function numbers the contents that may repeat, below the given size, and gives 'Nothing' for
--- others.
+-- | The first repetition, row by row: where the content was first seen, then where it was seen
+-- again. The function numbers the contents that may repeat, from 0 to the given size less 1, and
+-- gives 'Nothing' for others.
 firstRepeated :: Visit -> Int -> (Int -> Maybe Int) -> Maybe (Position, Position)
 firstRepeated windows size numbered = do
   (r, c) <- repeated

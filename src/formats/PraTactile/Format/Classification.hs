@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of @classify@.
+-- | The JSON that the command @classify@ prints: a line for each file.
 module PraTactile.Format.Classification
   ( encodeClassification,
     encodeNoImage,
@@ -13,7 +13,8 @@ import PraTactile.Classification.Classifier
 import PraTactile.Format.Json
 import PraTactile.Symmetry
 
--- | The classification of an image file, as one line without its line end.
+-- | The classification of an image, as one line without its line end. The file's name is only
+-- written as @file@.
 encodeClassification :: FilePath -> Classification -> ByteString
 encodeClassification file shown =
   line
@@ -24,10 +25,13 @@ encodeClassification file shown =
     (Just (classifiedChances shown, classifiedNone shown))
     Nothing
 
--- | The line for a file that is not an image of a symbol, with the reason.
+-- | The line, without its line end, for a file with this name that is not an image of a symbol, for
+-- this reason.
 encodeNoImage :: FilePath -> String -> ByteString
 encodeNoImage file why = line file "invalid" Nothing Nothing Nothing (Just why)
 
+-- | A line. Arguments: the file's name; the outcome; the code of the symbol; its orientation in
+-- degrees; the probabilities of the codes, and that of none; a message.
 line ::
   FilePath ->
   String ->

@@ -31,16 +31,17 @@ import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
 
--- | The keys of 'Whereabouts'.
+-- | 'Whereabouts' in the form of its keys.
 data WhereaboutsReport = WhereaboutsReport
-  { -- | 'Nothing' if nothing was located
+  { -- | where the window lies; 'Nothing' if nothing was located
     whereOn :: Maybe On,
-    -- | the face, if it is one
+    -- | the face, if the window lies on a single one
     whereFace :: Maybe Face,
     -- | all faces that the window touches; the list may be limited
     whereFaces :: [Face],
-    -- | the nearest vertex, if there is only one
+    -- | the nearest vertex, if only one is nearest
     whereCorner :: Maybe VertexName,
+    -- | all nearest vertices
     whereCorners :: [VertexName],
     -- | the window's centre, in millimetres right of and below the face's upper left vertex
     whereMillimetres :: Maybe (Double, Double)
@@ -57,7 +58,7 @@ onName on = case on of
   SeveralFaces -> "straddles-faces"
   NoObject -> "no-object"
 
--- | The report; all fields are empty if nothing was located.
+-- | The whereabouts as a report; all fields are empty if nothing was located.
 whereaboutsReport :: Maybe Whereabouts -> WhereaboutsReport
 whereaboutsReport found = case found of
   Nothing -> onNone Nothing []
@@ -92,7 +93,7 @@ whereaboutsKeys =
       two -> Codec (schemaOf two) (writeValue two) (readValue two)
     report on object' face = WhereaboutsReport on (Face <$> object' <*> face)
 
--- | @object@ and @face@.
+-- | The keys @object@ and @face@ of a face.
 faceKeys :: Keys Face Face
 faceKeys = Face <$> key "object" objectName faceObject <*> key "face" vertices faceName
 
@@ -105,7 +106,8 @@ vertices = via faceVertices (Right . FaceName) (listOf vertex)
 vertex :: Codec VertexName
 vertex = via vertexText (Right . VertexName) text
 
--- | The whereabouts of a position in a profile's array, as one line without its line end.
+-- | The whereabouts of a window at a position in a profile's array, as one line without its line
+-- end.
 encodeWhereabouts :: Profile -> Position -> Whereabouts -> ByteString
 encodeWhereabouts profile at place =
   encodeSchema schema $

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of @place@.
+-- | The JSON that the command @place@ prints.
 module PraTactile.Format.Place
   ( PlaceReport (..),
     ReportedLaying (..),
@@ -33,7 +33,8 @@ import PraTactile.Profile
 -- | The result of a search for a placement.
 data PlaceReport = PlaceReport
   { placeOutcome :: Outcome,
-    -- | the reason why there is none, if that is proved: 'reasonName' or 'nothingCarriedName'
+    -- | the name of the reason why there is no placement, if that is proved: by 'reasonName', or
+    -- 'nothingCarriedName'
     placeReason :: Maybe String,
     -- | the number of cells of the array
     placeCells :: Natural,
@@ -41,6 +42,7 @@ data PlaceReport = PlaceReport
     placeNeeded :: Natural,
     placeProfile :: Profile,
     placeLayings :: [ReportedLaying],
+    -- | how many windows of the array lie on faces; 'Nothing' if they were not counted
     placeWindows :: Maybe WindowCounts,
     -- | the width and height, in taxels, of the least press that always has a whole window
     placePress :: (Integer, Integer)
@@ -79,7 +81,7 @@ outcomeName outcome = case outcome of
   IsImpossible -> "impossible"
   IsNotFound -> "not-found"
 
--- | The stable name of a proof that there is no placement.
+-- | The stable name of a reason why there is no placement.
 reasonName :: Reason -> String
 reasonName reason = case reason of
   TakenOutside _ -> "laid-outside"
@@ -89,7 +91,7 @@ reasonName reason = case reason of
   NoRoom _ -> "no-room"
   Exhausted -> "exhausted"
 
--- | The stable name of the reason that no face has room for a symbol.
+-- | The stable name of one more reason: no face has room for a symbol.
 nothingCarriedName :: String
 nothingCarriedName = "no-symbols"
 

@@ -29,27 +29,29 @@ import PraTactile.Symmetry
 
 -- | The windows and symbols of composites that were located.
 data Finding = Finding
-  { foundOrientation :: Symmetry,
-    -- | the first complete window in reading order. Without one, the first window among those with
-    -- the most recognised symbols, preferably one that lies on their face.
+  { -- | the orientation in which the face is seen
+    foundOrientation :: Symmetry,
+    -- | the first complete window, row by row. Without a complete one, the first window among those
+    -- with the most recognised symbols, preferably one that lies on their face.
     foundWindow :: ReadWindow,
-    -- | all complete windows, in reading order
+    -- | all complete windows, row by row
     foundWindows :: [ReadWindow],
-    -- | by 'readNumber'
+    -- | the places of the symbols, by 'readNumber'
     foundPlaces :: Map Int SymbolPlace
   }
   deriving stock (Eq, Show)
 
 -- | A window of the array, as it was read.
 data ReadWindow = ReadWindow
-  { -- | in the array
+  { -- | the position in the array of its upper left cell
     windowPosition :: Position,
-    -- | row by row, as seen on the face; 'Nothing' where the recognised symbol is not the array's
+    -- | its classes row by row, as seen on the face; 'Nothing' if the recognised symbol is not the
+    -- array's, and without a symbol
     windowClasses :: [[Maybe Int]],
     -- | its centre, estimated from the symbols in it that were seen; coordinates as in 'readAt'
     windowSeenAt :: (Double, Double),
-    -- | what lies there. If all recognised symbols are on one face that is smaller than the window,
-    -- then that face.
+    -- | the faces that lie there. If all recognised symbols are on one face that is smaller than
+    -- the window, then that face.
     windowWhereabouts :: Whereabouts
   }
   deriving stock (Eq, Show)
@@ -63,8 +65,9 @@ data SymbolPlace = SymbolPlace
   }
   deriving stock (Eq, Show)
 
--- | The finding for a grid whose upper left cell is at this position of the array. The angle is
--- that of the symbols beyond quarter turns, in degrees clockwise. 'Nothing' if there is no window.
+-- | The finding for a located grid. Arguments: the recogniser; the angle of the symbols beyond
+-- quarter turns, in degrees clockwise; the location of the grid; the position in the array of the
+-- grid's upper left cell. 'Nothing' if there is no window.
 findingAt :: KnownField k => Recogniser k -> Double -> GridLocation -> Position -> Maybe Finding
 findingAt reader tilt location position = do
   window <- listToMaybe (if null complete then incomplete else complete)
@@ -159,7 +162,9 @@ facesAt place positions =
         Right laid <- [findFace place object named]
     ]
 
--- | The window whose upper left cell is this cell of the grid.
+-- | The window whose upper left cell is the given cell of the grid. Other arguments: the
+-- recogniser; the symbols' angle; the location of the grid; the class in each cell that agrees with
+-- the array; the position in the array of a cell.
 windowIn ::
   Recogniser k ->
   Double ->

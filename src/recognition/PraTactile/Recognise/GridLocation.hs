@@ -34,17 +34,18 @@ import PraTactile.Symmetry
 
 -- | The location of a grid, or why it has none.
 data GridLocation = GridLocation
-  { locationOrientation :: Symmetry,
-    -- | the grid as it lies on the face
+  { -- | the orientation in which the face is seen
+    locationOrientation :: Symmetry,
+    -- | the symbols of the grid by cells of the face, set upright
     locationCells :: Cells,
-    -- | for the likeliest position, accepted or not
+    -- | the support of the likeliest position, whether it was accepted or not
     locationSupport :: Maybe Support,
     locationLikeliest :: Maybe Likeliest,
     locationOutcome :: GridOutcome
   }
 
 -- | Locates a grid of symbols along one axis. The third argument lists symbols along the other axis
--- that the network knows nevertheless.
+-- that the network knows.
 locateGrid ::
   KnownField k => Recogniser k -> Tolerance -> [ReadSymbol] -> FaceGrid -> GridLocation
 locateGrid reader tolerance dissenters grid =
@@ -62,8 +63,9 @@ locateGrid reader tolerance dissenters grid =
     way = wayUpAlone (foldMap (map snd . observedCells . askedPatch) asked)
     witnesses = witnessesOf reader tolerance face
 
--- | Lays a grid on the face, the way up of the candidate, or the given way up without a candidate.
--- Cells beyond the edge of the candidate's face stay in the grid and lose their symbols.
+-- | Lays a grid on the face. Arguments: the recogniser; symbols along the other axis; the grid; the
+-- way up without a candidate; the candidate, which otherwise decides the way up. Cells beyond the
+-- edge of the candidate's face stay in the grid and lose their symbols.
 layOnFace ::
   Recogniser k -> [ReadSymbol] -> FaceGrid -> Symmetry -> Maybe Candidate -> GridOnFace
 layOnFace reader dissenters grid way likeliest' =

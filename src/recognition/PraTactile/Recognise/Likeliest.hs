@@ -37,13 +37,14 @@ data Asked k = Asked
     askedAnswer :: Either LocatorError Answer
   }
 
--- | Locates cells in the array. 'Nothing' if there are no cells.
+-- | Locates the symbols in the cells of a grid in the array. 'Nothing' if there are no cells.
 ask :: KnownField k => Recogniser k -> Tolerance -> Cells -> Maybe (Asked k)
 ask reader tolerance cells = do
   shown <- patchOf cells
   pure (Asked shown (locate (recogniserLocator reader) (query reader tolerance cells shown)))
 
--- | The decoder's answer for cells that are assumed to be the array's, not foreign.
+-- | The decoder's answer for cells, with the prior that they are certainly the array's. 'Nothing'
+-- if there are no cells or the decoder refuses them.
 askAsOurs :: KnownField k => Recogniser k -> Tolerance -> Cells -> Maybe Answer
 askAsOurs reader tolerance cells = do
   question <- query reader tolerance cells <$> patchOf cells
@@ -72,7 +73,7 @@ data Likeliest = Likeliest
     likeliestEvidence :: Double,
     -- | the logarithm of the place's prior, at most 0
     likeliestPrior :: Double,
-    -- | how the face is seen
+    -- | the orientation in which the face is seen
     likeliestOrientation :: Symmetry,
     -- | the position in the array of the upper left cell as the grid lies on the face
     likeliestFirst :: Position,
@@ -97,8 +98,8 @@ likeliestFrom reader cells answer = do
   where
     end part = maximum (0 : map part (Map.keys cells))
 
--- | The position in the array of a cell of the grid, whether or not it was seen. 'Nothing' beyond
--- the sheet.
+-- | The position in the array of a cell of the grid, whether or not it was seen, if the place is
+-- right. 'Nothing' beyond the sheet.
 likeliestAt :: KnownField k => Recogniser k -> Likeliest -> Cell -> Maybe Position
 likeliestAt reader found (i, j) = fst <$> cellFrom reader (likeliestFirst found) onFace
   where
@@ -130,5 +131,6 @@ likelyCells reader tolerance cells =
         Just (position, _) <- [cellFrom reader first cell]
     ]
 
+-- | The result, if there is no refusal.
 rightOnly :: Either e a -> Maybe a
 rightOnly = either (const Nothing) Just

@@ -23,8 +23,9 @@ import PraTactile.Segmentation
 import PraTactile.Segmentation.Lattice (Cell)
 import PraTactile.Symmetry
 
--- | Adds to the grid the parts of symbols that each composite shows in cells around its own
--- symbols. Also returns the parts, numbered from the given number on.
+-- | Adds to a grid the parts of symbols that each composite shows in cells around its own symbols.
+-- Returns the larger grid and the parts. Arguments: the reader; the views of the composites; the
+-- number of the first part; the grid.
 withParts :: Reader -> [View] -> Int -> FaceGrid -> (FaceGrid, [ReadSymbol])
 withParts reader views from grid =
   ( grid
@@ -44,7 +45,8 @@ withParts reader views from grid =
         (concatMap (partsOf reader (gridCells grid)) views)
     cells = Map.fromListWith (++) [(cell, [part]) | (cell, part) <- found]
 
--- | The parts in one composite for which one symbol is more likely than all others together.
+-- | The parts in one composite for which one symbol is more likely than all others together, each
+-- with its cell of the grid.
 partsOf :: Reader -> Cells -> View -> [(Cell, ReadSymbol)]
 partsOf reader cells view =
   [ (cell, part)
@@ -77,6 +79,8 @@ partsOf reader cells view =
                     (columnPitch * fromIntegral dj, rowPitch * fromIntegral di)
         ]
 
+-- | A part as a symbol that was read, with the number 0. Arguments: the view; the place of its
+-- centre on the first composite's grid; the part; its estimate.
 readPart :: View -> (Double, Double) -> Part -> Estimate -> ReadSymbol
 readPart view (x, y) seen estimated =
   ReadSymbol

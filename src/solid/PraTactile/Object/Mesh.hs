@@ -66,15 +66,16 @@ data Mesh = Mesh
   }
   deriving stock (Eq, Show)
 
--- | A polyhedron from distinct names of vertices, a nonzero denominator, integer coordinates over
--- it, and walks.
+-- | A polyhedron. Arguments: its name; the names of the vertices, which must be distinct; the
+-- denominator of the coordinates in millimetres, which must not be 0; the vertices' coordinates,
+-- times the denominator; the walks. The conditions are not checked.
 mesh ::
   ObjectName -> V.Vector VertexName -> Integer -> V.Vector V3 -> V.Vector Walk -> Mesh
 mesh name names over points walks = Mesh name lowest reduced walks names Map.empty
   where
     (lowest, reduced) = lowestTerms over points
 
--- | Reduces a denominator and coordinates to lowest terms.
+-- | Reduces a denominator and the coordinates over it to lowest terms, with a positive denominator.
 lowestTerms :: Integer -> V.Vector V3 -> (Integer, V.Vector V3)
 lowestTerms over points
   | common == 1 = (over, points)
@@ -110,11 +111,12 @@ doubleArea corners
   where
     arms = V.map (`minus` firstOf corners) (V.drop 1 corners)
 
--- | Whether all points lie in one plane with this normal.
+-- | Whether all points lie in one plane to which the vector is normal.
 flatAlong :: V3 -> V.Vector V3 -> Bool
 flatAlong n corners = V.all ((== dot n (firstOf corners)) . dot n) corners
 
--- | The object with other vertices and walks. The names must be distinct.
+-- | The object with other vertices and walks; the arguments before the object are those of 'mesh'
+-- after the name.
 withShape :: V.Vector VertexName -> Integer -> V.Vector V3 -> V.Vector Walk -> Mesh -> Mesh
 withShape names over points walks old = mesh (meshName old) names over points walks
 
@@ -186,7 +188,7 @@ toDescription it =
 vertexAt :: Mesh -> Int -> VertexName
 vertexAt it i = meshNames it V.! i
 
--- | The name of a face: the walk round it.
+-- | The name of a face: its vertices in the order of its walk.
 faceAt :: Mesh -> Int -> FaceName
 faceAt it f = FaceName (map (vertexAt it) (U.toList (meshWalks it V.! f)))
 
@@ -197,7 +199,7 @@ pointAt it i = Point (part x) (part y) (part z)
     V3 x y z = meshPoints it V.! i
     part n = n % meshDenominator it
 
--- | For each item the index of the first equal one. O(n log n).
+-- | For each item the index of the first equal one, which may be its own. O(n log n).
 firstAlike :: Ord a => V.Vector a -> U.Vector Int
 firstAlike items = U.fromListN (V.length items) (go Map.empty (zip [0 ..] (V.toList items)))
   where

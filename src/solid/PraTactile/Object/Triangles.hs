@@ -14,9 +14,10 @@ import PraTactile.Object.Polygon
 import PraTactile.Object.Rims
 import PraTactile.Object.Triangulation
 
--- | The face as triangles of vertices, each counter-clockwise as the face is, none without area,
--- using every vertex. A convex face is cut from its first vertex, and so is one that crosses itself
--- or has no area. O(n) for a convex face, else the cost of 'firstCrossing' and 'triangulation'.
+-- | A face as triangles, each by its vertices counter-clockwise as the face is. Together they use
+-- every vertex, and none has the area 0. A convex face is cut from its first vertex. So is a face
+-- that crosses itself or has no area, for which nothing is promised. O(n) for a convex face, else
+-- the cost of 'firstCrossing' and 'triangulation'.
 triangles :: Mesh -> Walk -> [(Int, Int, Int)]
 triangles it walk
   | count < 3 = []

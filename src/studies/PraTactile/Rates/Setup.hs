@@ -59,11 +59,11 @@ data TrialSetup (k :: Field) = TrialSetup
 
 type role TrialSetup nominal
 
--- | Why trials are impossible.
+-- | Why patches of a shape cannot be prepared.
 data SetupError
   = -- | The surface is the sheet, beyond which a patch can reach.
     SetupOnSheet
-  | -- | The array is too large to compare a patch with all of it.
+  | -- | The array is too large to compare a patch with all of its positions.
     SetupArray LocateError
   | -- | The patches have no cells.
     SetupEmpty
@@ -75,8 +75,9 @@ data SetupError
 largestSetup :: Natural
 largestSetup = 2 ^ (25 :: Int)
 
--- | Prepares patches of this shape on an array without edges. A patch larger than the array reads
--- some cells twice.
+-- | Prepares patches of this shape on an array without edges. A patch larger than the array
+-- contains some cells twice. Refuses the sheet, a shape without cells, an array of more than
+-- 'largestSearchedArray' cells, and more than 'largestSetup' cells in all.
 trialSetup :: forall k. KnownField k => ArrayOn k -> Shape -> Either SetupError (TrialSetup k)
 trialSetup on@(ArrayOn surface array) shape
   | surface == Sheet = Left SetupOnSheet
@@ -128,8 +129,9 @@ contentAt (ArrayOn surface array) grid shape position =
 limbsFor :: Int -> Int
 limbsFor n = (n + 63) `div` 64
 
--- | The limb with this index, over patches of n cells one after the other: the bits of cells whose
--- code satisfies the condition.
+-- | The limb with this index, over patches one after the other: the bits of the cells whose code
+-- satisfies the condition. Arguments: the condition; the number of a patch's cells; the codes of
+-- all patches; the index.
 limbOf :: (Int32 -> Bool) -> Int -> Vector Int32 -> Int -> Word64
 limbOf holds n contents i =
   foldl'

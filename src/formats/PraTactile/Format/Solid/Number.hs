@@ -28,16 +28,16 @@ import PraTactile.Decimal hiding (Decimal (Decimal))
 import PraTactile.Format.Solid.Error
 import PraTactile.Object.Vector
 
--- | An integer, and the exponent of the base by whose power it is multiplied.
+-- | The product of an integer and a power of the base: the integer, and the power's exponent.
 data Number = Number !Integer !Int
   deriving stock (Eq, Show)
 
--- | The base of exponents.
+-- | The base of a number's power: 10 or 2.
 data Base = Decimal | Binary
   deriving stock (Eq, Show)
 
--- | Reads a decimal number, such as @-1.25e3@. Refuses 'NotNumber', 'NotFinite', and numbers that
--- are not 'inReach' ('TooLargeOrFine').
+-- | Reads a decimal number, such as @-1.25e3@. Refuses other texts ('NotNumber'), numbers beyond
+-- any range ('NotFinite'), and numbers that are not 'inReach' ('TooLargeOrFine').
 decimal :: ByteString -> Either Fault Number
 decimal text = first fault $ do
   number <- readDecimal text >>= inReach
@@ -62,7 +62,8 @@ whole text = case readWhole text of
   Just n | Char8.length text <= 18 -> Right (fromInteger n)
   _ -> Left NotNumber
 
--- | The common denominator of points, and their numerators.
+-- | The common denominator of points whose numbers have this base, a power of it; and the points'
+-- coordinates times the denominator.
 overCommon :: Base -> V.Vector (Number, Number, Number) -> (Integer, V.Vector V3)
 overCommon base points = (power places, V.map point points)
   where

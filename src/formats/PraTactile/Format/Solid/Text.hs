@@ -40,13 +40,14 @@ linesOf = filter (not . null . lineWords) . zipWith Line [1 ..] . map wordsOf . 
 atLine :: Line -> Either Fault a -> Either SolidFileError a
 atLine line = either (Left . SolidFileError (AtLine (lineNumber line))) Right
 
--- | The first three words as numbers.
+-- | The first three words as numbers. Refuses fewer words, and words that are no numbers.
 numbers :: [ByteString] -> Either Fault (Number, Number, Number)
 numbers given = case given of
   a : b : c : _ -> (,,) <$> decimal a <*> decimal b <*> decimal c
   _ -> Left (Needed "three coordinates")
 
--- | Joins lines that end in a backslash with the next line. The number is that of the first line.
+-- | Joins lines whose last word ends in a backslash with the next line. The number is that of the
+-- first line.
 joined :: [Line] -> [Line]
 joined given = case given of
   line : next : others

@@ -30,8 +30,9 @@ data Filling = Filling
     fillingRows :: !Int,
     -- | the number of taken cells in the last two of these rows
     fillingLast :: !Int,
+    -- | the laid pieces, the last one first
     fillingLying :: [Lying],
-    -- | the indices in the order of the pieces that found no place
+    -- | the pieces that found no place, by their indices in the given order, ascending
     fillingWithout :: [Int],
     -- | the number of runs that were tested
     fillingSteps :: !Int
@@ -41,14 +42,15 @@ data Filling = Filling
 worth :: Filling -> (Int, Int, Int)
 worth it = (fillingOver it, fillingRows it, fillingLast it)
 
--- | The figure that is chosen for a piece among those with the same first place.
+-- | Which of a piece's figures is laid, if several have the same first place.
 data Choice
   = MostCells
   | FewestCells
   deriving stock (Eq, Show)
 
--- | Lays pieces of these kinds in this order. O(figures * cells of the sheet) at most, if figures
--- have few runs. Each time 'patience' more steps were taken, the rows in use by then are closed.
+-- | Lays pieces one after the other. Arguments: the sheet; the kinds of pieces; the choice among
+-- figures; the kind of each piece in order. Each time 'patience' more steps were taken, the rows in
+-- use by then are closed. O(figures * cells of the sheet) at most, if figures have few runs.
 filled :: Still -> Kinds -> Choice -> U.Vector Int -> Filling
 filled sheet kinds choice order = runST $ do
   it <- thaw sheet
@@ -94,7 +96,7 @@ filled sheet kinds choice order = runST $ do
         FewestCells -> f
   go 0 0 0 0 (0, patience) [] []
 
--- | The number of steps after which rows are closed, less than a second of them. Only hundreds of
--- figures take as many.
+-- | The number of steps after which rows are closed: less than a second's. Only hundreds of figures
+-- take so many.
 patience :: Int
 patience = 4000000

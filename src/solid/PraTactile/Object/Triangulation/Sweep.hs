@@ -33,11 +33,14 @@ import qualified Data.Vector.Unboxed as U
 import PraTactile.Object.Description (cyclicPairs)
 import PraTactile.Object.Polygon (V2 (..), turn)
 
--- | A part of the region that the line crosses; points are numbered in the order in which they are
+-- | A part of the region that the line crosses. Points are numbered in the order in which they are
 -- met.
 data Part = Part
-  { lower :: !(Int, Int),
+  { -- | the lower side, from its start to its end
+    lower :: !(Int, Int),
+    -- | the upper side, from its start to its end
     upper :: !(Int, Int),
+    -- | the chain, from the start of the lower side to that of the upper one
     chain :: !(Seq Int),
     -- | the index in the chain of the last point met
     latest :: !Int

@@ -67,14 +67,15 @@ viewAlong (x, y, z) = View (near x, near y, near z)
 data Camera = Camera
   { cameraMesh :: Mesh,
     cameraView :: View,
-    -- | the centre of the solid's bounding box, and the eye, in units of the polyhedron's
-    -- coordinates
+    -- | the centre of the solid's bounding box, in units of the mesh's coordinates
     cameraMiddle :: !Spot3,
+    -- | the eye, in the same units; 'Nothing' at an infinite distance
     cameraEye :: !(Maybe Spot3),
-    -- | the longest side of the bounding box
+    -- | the longest side of the bounding box, in the same units
     cameraSize :: !Rational
   }
 
+-- | A point or vector in space, in units of the mesh's coordinates.
 type Spot3 = (Rational, Rational, Rational)
 
 -- | A camera for a view of this solid.
@@ -118,12 +119,15 @@ onPicture it (px, py, pz) = (k * right, negate (k * up))
          in far / (far - deep)
     two = 2 :: Int
 
+-- | Three numbers as machine numbers.
 doubles :: Spot3 -> (Double, Double, Double)
 doubles (x, y, z) = (fromRational x, fromRational y, fromRational z)
 
+-- | The vector of length 1 in the same direction.
 unit :: (Double, Double, Double) -> (Double, Double, Double)
 unit (x, y, z) = let long = sqrt (x * x + y * y + z * z) in (x / long, y / long, z / long)
 
+-- | A point in millimetres.
 millimetres :: Camera -> Spot3 -> (Double, Double, Double)
 millimetres it (x, y, z) = doubles (x / over, y / over, z / over)
   where
@@ -136,6 +140,7 @@ data Corner = Corner
     cornerNear :: (Double, Double, Double)
   }
 
+-- | A point with its approximate place.
 cornerOf :: Camera -> Spot3 -> Corner
 cornerOf it p@(x, y, z) = Corner p (doubles ((x - mx) / size, (y - my) / size, (z - mz) / size))
   where
@@ -152,7 +157,8 @@ planeAt it f = (normal, fromInteger (dot normal (firstOf corners)))
     corners = cornersOf (cameraMesh it) (meshWalks (cameraMesh it) V.! f)
     normal = doubleArea corners
 
--- | How far a point is before a plane, times the normal's length.
+-- | How far a point is before a plane, on the side to which the normal points, times the normal's
+-- length.
 before :: Plane -> Spot3 -> Rational
 before (V3 a b c, offset) (x, y, z) =
   fromInteger a * x + fromInteger b * y + fromInteger c * z - offset
@@ -179,6 +185,7 @@ nearly it f (V3 a b c, _) = (normal, inner normal (cornerNear (cornerOf it (x, y
     (x, y, z) = (fromInteger x', fromInteger y', fromInteger z')
     V3 x' y' z' = firstOf (cornersOf (cameraMesh it) (meshWalks (cameraMesh it) V.! f))
 
+-- | The scalar product of two vectors.
 inner :: (Double, Double, Double) -> (Double, Double, Double) -> Double
 inner (a, b, c) (x, y, z) = a * x + b * y + c * z
 

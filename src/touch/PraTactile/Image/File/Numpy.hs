@@ -27,8 +27,11 @@ magic = B.cons 0x93 (C.pack "NUMPY")
 isNumpy :: ByteString -> Bool
 isNumpy = B.isPrefixOf magic
 
--- | An array of two dimensions (an image) or three (a movie), of a type of 'Number'. All other
--- types are refused; objects are never unpickled.
+-- | An array of two dimensions (rows and columns of an image) or three (images, rows, columns), of
+-- a type of 'Number'. Full scale is that of the type. Refuses a header that cannot be read
+-- ('NumpyHeader'), other types ('NumpyType') and other shapes ('NumpyShape'), sizes that
+-- 'checkSize' refuses, and bytes that are too few ('Truncated') or too many ('TrailingData').
+-- Objects are never unpickled.
 decodeNumpy :: ByteString -> Either ImageError Images
 decodeNumpy file = do
   (text, readings) <- maybe (Left NumpyHeader) Right (headerOf file)
@@ -69,7 +72,8 @@ headerOf file = do
     then Just (B.splitAt (fromInteger announced) after)
     else Nothing
 
--- | The three fields of the header, a Python dictionary in any order.
+-- | The fields of the header, a Python dictionary in any order: the type's description; whether the
+-- first index varies fastest; the shape.
 fieldsOf :: ByteString -> Maybe (ByteString, Bool, [Integer])
 fieldsOf text = do
   fields <- dictionary =<< opened '{' text
@@ -119,12 +123,14 @@ dictionary = go (Fields Nothing Nothing Nothing)
         (more, end) <- numbers (fromMaybe next (opened ',' next))
         if null (drop 31 more) then Just (n : more, end) else Nothing
 
--- | The text after the given character, with blanks skipped.
+-- | The text after the given character, which may follow blanks; 'Nothing' if another one comes
+-- first.
 opened :: Char -> ByteString -> Maybe ByteString
 opened mark rest = case C.uncons (blank rest) of
   Just (found, after) | found == mark -> Just after
   _ -> Nothing
 
+-- | A quoted text, which may follow blanks, and the text after it.
 quoted :: ByteString -> Maybe (ByteString, ByteString)
 quoted rest = do
   (mark, after) <- C.uncons (blank rest)
@@ -136,7 +142,7 @@ blank :: ByteString -> ByteString
 blank = C.dropWhile isSpace
 
 -- | The number type of a description, and whether the most significant byte comes first. @=@ (the
--- writer's byte order) is read as little-endian.
+-- writer's byte order) is read as little-endian. 'Nothing' for other types.
 typeOf :: ByteString -> Maybe (Number, Bool)
 typeOf descr = do
   (order, name) <- C.uncons descr
@@ -148,8 +154,8 @@ typeOf descr = do
 names :: [(String, Number)]
 names = [("u1", U1), ("u2", U2), ("i2", I2), ("i4", I4), ("f4", F4), ("f8", F8)]
 
--- | A numpy file of an image, by width and height. The flag chooses two bytes per sample
--- (little-endian) over one.
+-- | A numpy file of an image. Arguments: whether a sample has two bytes (little-endian) and not
+-- one; the numbers of columns and rows; the samples, row by row.
 encodeNumpy :: Bool -> Int -> Int -> V.Vector Word16 -> ByteString
 encodeNumpy wide columns rows samples =
   B.concat [magic, B.pack [1, 0], little (B.length header), header, readings]

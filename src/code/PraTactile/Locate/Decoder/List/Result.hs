@@ -22,7 +22,8 @@ import PraTactile.Locate.Decoder.List.Bounds
 import PraTactile.Locate.Decoder.List.Search
 import PraTactile.Locate.Decoder.ObservedCode
 
--- | Searches the words of these symmetries and returns the posterior of candidates.
+-- | Searches the likely words in each symmetry, one 'Branch' for each, and returns the posterior of
+-- candidates.
 summary :: KnownField k => Setting -> [Branch k] -> Posterior Candidate
 summary setting branches
   | stateEqual state == 0 =
@@ -34,7 +35,8 @@ summary setting branches
   where
     (state, beyond) = explore setting branches noWords
 
--- | The posterior of candidates from a list and the bounds on what is unlisted.
+-- | The posterior of candidates from the list of a search and the bounds on what is unlisted;
+-- 'Nothing' if everything possible is listed.
 fromList ::
   KnownField k => Setting -> [Branch k] -> State k -> Maybe Bounds -> Posterior Candidate
 fromList setting branches state beyond =
@@ -78,18 +80,20 @@ entriesOf branches state =
   where
     numbered = Boxed.fromList branches
 
+-- | The candidates at these positions in a branch's symmetry.
 candidatesOf :: Branch k -> [Position] -> [Candidate]
 candidatesOf branch = map (Candidate (branchSymmetry branch))
 
--- | A word with its solutions.
+-- | A word of a branch with its 'wordSolutions'.
 solved :: KnownField k => (Branch k, Row k) -> (Branch k, Row k, Solutions k)
 solved (branch, word) = (branch, word, wordSolutions (branchCode branch) word)
 
+-- | The positions of a word.
 placesOf :: KnownField k => (Branch k, Row k, Solutions k) -> [Position]
 placesOf (branch, word, solutions) = wordPlaces (branchCode branch) word solutions
 
--- | The candidates of the best words. If they are too many to list: their number, and the dimension
--- of their coset if they belong to one word.
+-- | The candidates of the equally best words. If they are too many to list, there are none; then
+-- their number, and the dimension of their coset if they belong to one word.
 bestPlaces ::
   KnownField k => Setting -> [(Branch k, Row k)] -> ([Candidate], Maybe (Natural, Maybe Natural))
 bestPlaces setting best = case words' of

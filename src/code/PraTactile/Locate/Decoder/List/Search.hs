@@ -36,7 +36,8 @@ data Setting = Setting
     settingSheet :: !Bool
   }
 
--- | The list so far.
+-- | The list so far. A log-likelihood is that of one position of a word; a word's total likelihood
+-- is that times its number of positions.
 data State k = State
   { -- | The words, with their log-likelihood and the index of their symmetry.
     stateWords :: !(Map (Down Double, Int, Row k) ()),
@@ -60,8 +61,9 @@ data State k = State
 noWords :: State k
 noWords = State Map.empty (-1 / 0) 0 0 0 0 (-1 / 0) 0
 
--- | Continues the search from the list so far. Returns the final list and the bounds on what is
--- unlisted; 'Nothing' if everything possible is listed.
+-- | Continues the search from the list so far. The branches are the remaining words of each
+-- symmetry. Returns the final list and the bounds on what is unlisted; 'Nothing' if everything
+-- possible is listed.
 explore :: KnownField k => Setting -> [Branch k] -> State k -> (State k, Maybe Bounds)
 explore setting branches state = case allBounds [b | (_, _, b) <- unfinished] of
   Nothing -> (state, Nothing)
@@ -77,7 +79,7 @@ explore setting branches state = case allBounds [b | (_, _, b) <- unfinished] of
     unfinished =
       [(i, branch, b) | (i, branch) <- zip [0 :: Int ..] branches, Just b <- [branchBounds branch]]
 
--- | Whether the doubt is within the tolerated one, or cannot become so.
+-- | Whether the search can end: the doubt is within the tolerated one, or cannot become so.
 enough :: Setting -> Bounds -> State k -> Bool
 enough setting bounds state = satisfied || hopeless
   where
@@ -95,7 +97,8 @@ enough setting bounds state = satisfied || hopeless
         && beaten
         && shareOf (stateLess state) (stateEqual state) > tolerated
 
--- | Adds a word, of the symmetry with this index, to the list.
+-- | Adds a word to the list. Arguments: the limits; the index of the word's symmetry; its branch;
+-- the word; the list.
 include :: KnownField k => Setting -> Int -> Branch k -> Row k -> State k -> State k
 include setting i branch word state
   | isInfinite x || each == 0 = counted
@@ -124,8 +127,8 @@ include setting i branch word state
     counted = state {stateCount = stateCount state + 1}
     added = counted {stateWords = Map.insert (Down x, i, word) () (stateWords state)}
 
--- | The number of positions of a word on the sheet, by looking them up. If there are very many, 1
--- if any is on the sheet, else 0.
+-- | The number of positions of a word on the sheet, by looking them up. If there are more than
+-- 'largestListing' to look up: 1 if any is on the sheet, else 0.
 positionsOnSheet :: KnownField k => ObservedCode k -> Row k -> Double
 positionsOnSheet code word
   | wordVisits code solutions > largestListing = count (take 1 places)
