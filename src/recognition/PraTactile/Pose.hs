@@ -99,11 +99,14 @@ import PraTactile.Object.WingedEdge
 import PraTactile.Pose.Matrix
 import PraTactile.Sensor.Frame (Motion (..), movePoint)
 
--- | A point of the face, where it was seen, and the covariance of that; in millimetres.
+-- | A point of the face, the place where it was seen, and the covariance of that place; in
+-- millimetres.
 data Seen = Seen
-  { seenOnFace :: !(Double, Double),
+  { -- | the point in the face's frame
+    seenOnFace :: !(Double, Double),
+    -- | the place in the robot's plane
     seenByRobot :: !(Double, Double),
-    -- | two rows and two columns
+    -- | the covariance of the place, with two rows and two columns, in square millimetres
     seenCovariance :: !Matrix
   }
   deriving stock (Eq, Show)
@@ -119,8 +122,8 @@ data PlaneFit = PlaneFit
   }
   deriving stock (Eq, Show)
 
--- | The most probable motion from the face's frame to the robot's plane. 'Nothing' if fewer than
--- two points differ, or a covariance has no inverse.
+-- | The most probable motion from the face's frame to the robot's plane. 'Nothing' if no two points
+-- differ, or a covariance has no inverse.
 rigidFit :: [Seen] -> Maybe PlaneFit
 rigidFit seen = do
   weights <- traverse (inverse . seenCovariance) seen
@@ -158,8 +161,8 @@ nudged (cx, cy) step (Motion r x y) = case step of
      in Motion (r + toDegrees b) (cx + u + dx) (cy + v + dy)
   _ -> Motion r x y
 
--- | The least-squares motion if each point has one weight, and the weighted centroid of where the
--- points were seen.
+-- | The least-squares motion if each point has a single weight, and the weighted centroid of the
+-- places where the points were seen. 'Nothing' if no two points differ.
 start :: [Seen] -> [Double] -> Maybe (Motion, (Double, Double))
 start seen weights
   | length seen < 2 || spread <= 0 = Nothing
@@ -193,8 +196,8 @@ moreError along degrees fit =
   where
     angle = toRadians degrees
 
--- | Converts a fit on a grid of taxels to the robot's plane. Arguments: millimetres per taxel, and
--- the place of the grid's (0, 0).
+-- | Converts a fit on a grid of taxels to the robot's plane. Arguments: millimetres per taxel; the
+-- place of the grid's (0, 0) in the robot's plane; the fit.
 onRobot :: Double -> (Double, Double) -> PlaneFit -> PlaneFit
 onRobot k (left, top) (PlaneFit (Motion degrees x y) (cx, cy) covariance) =
   PlaneFit
@@ -259,7 +262,7 @@ objectMotion face (Motion degrees x y) = face `thenMotion` RigidMotion turn [x, 
 longer :: Double -> RigidMotion -> RigidMotion
 longer k (RigidMotion rows by) = RigidMotion rows (map (k *) by)
 
--- | How an object lies, with the errors of that.
+-- | How an object lies, and the errors of that.
 data Pose = Pose
   { -- | from the object's frame to the robot's
     poseMotion :: !RigidMotion,
@@ -297,15 +300,16 @@ thenPose world (Pose motion covariance) =
     blocks rows = map (++ none) rows ++ map (none ++) rows
     none = [0, 0, 0]
 
--- | The difference from a pose to the true motion: translation in millimetres, then rotation vector
--- in radians, along the robot's axes, as in the pose's covariance.
+-- | The difference from a pose to the true motion, which is the first argument: translation in
+-- millimetres, then rotation vector in radians, along the robot's axes, as in the pose's
+-- covariance.
 poseDifference :: RigidMotion -> Pose -> [Double]
 poseDifference (RigidMotion true by) (Pose (RigidMotion rows told) _) =
   zipWith (-) by told ++ logarithm (true `times` transpose rows)
 
 -- | The errors of a pose: the distance in millimetres between the two places of a point of the
--- object, and the angle in degrees between the two rotations. The point is given where the pose has
--- it.
+-- object, and the angle in degrees between the two rotations. Arguments: the true motion; the pose;
+-- the point, at the place where the pose has it.
 poseApart :: RigidMotion -> Pose -> [Double] -> (Double, Double)
 poseApart true pose@(Pose (RigidMotion told from) _) point =
   (norm (zipWith (-) there point), toDegrees (norm (drop 3 (poseDifference true pose))))
@@ -325,9 +329,9 @@ logarithm m = map (factor *) twist
     cosine = at 0 0 + at 1 1 + at 2 2 - 1
     factor = if sine < 1e-12 then 1 / 2 else atan2 sine cosine / sine
 
--- | The squared Mahalanobis distance from a pose to the truth, with three degrees of freedom. It
--- uses an orthonormal basis of the covariance's range. 'Nothing' if the covariance does not have
--- rank 3.
+-- | The squared Mahalanobis distance from a pose to the true motion, which is the first argument,
+-- with three degrees of freedom. It uses an orthonormal basis of the covariance's range. 'Nothing'
+-- if the covariance does not have rank 3.
 poseDistance :: RigidMotion -> Pose -> Maybe Double
 poseDistance true pose = do
   -- The columns span the range; three independent ones are found by projection.

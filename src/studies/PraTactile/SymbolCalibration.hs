@@ -24,17 +24,19 @@ import PraTactile.Steps
 import PraTactile.SymbolImages
 import PraTactile.Symmetry
 
--- | A kind of presses; each uses a seed of its own.
+-- | A kind of presses. Each kind uses a seed of its own.
 data Condition = Condition
-  { conditionSensor :: Preset,
+  { -- | the sensor that presses
+    conditionSensor :: Preset,
+    -- | whether regions have any angle; otherwise they are upright or upside down
     conditionAnyAngle :: Bool,
     -- | whether other shapes than the alphabet's are pressed
     conditionOthers :: Bool
   }
   deriving stock (Eq, Show)
 
--- | The sensors @paper@, @real@ and @hard@: upright, at any angle, and with other shapes at any
--- angle.
+-- | For each of the sensors @paper@, @real@ and @hard@: presses upright or upside down, at any
+-- angle, and at any angle with other shapes.
 conditions :: [Condition]
 conditions =
   [ Condition sensor anyAngle others
@@ -83,13 +85,14 @@ knownSteps known count seed (Condition sensor anyAngle others)
 foreignKinds :: Int
 foreignKinds = 16
 
--- | The number of images of each class that gives about this count in total.
+-- | The number of images of each class that gives about the wanted number in total. Arguments: that
+-- number; the number of classes.
 share :: Int -> Int -> Int
 share count classes = max 1 ((count + classes - 1) `div` classes)
 
--- | These images as a classifier sees them. Arguments: the templates of the alphabet; the
--- classifier's outputs for an image; the images with the truth of each. Refuses images that the
--- classifier refuses.
+-- | Images as a classifier sees them. Arguments: the templates of the alphabet; the classifier's
+-- outputs for an image; the images, each with its truth as in 'knownImages'. Refuses images that
+-- the classifier refuses.
 seenBy ::
   Templates ->
   (Raster -> Either NetworkError [Double]) ->

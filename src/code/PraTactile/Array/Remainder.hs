@@ -26,7 +26,8 @@ diagonalWeights n1 n2 = (n2 * inverseModulo n1 n2, n1 * inverseModulo n2 n1)
 weightedIndex :: Natural -> Weights -> Natural -> Natural -> Natural
 weightedIndex terms (u, v) r c = (r * u + c * v) `mod` max 1 terms
 
--- | @inverseModulo m a@ is the inverse of a modulo m, when they are coprime; 0 modulo 1.
+-- | @inverseModulo m a@ is the inverse of a modulo m. Both must be coprime, which is not checked. 0
+-- modulo 1.
 inverseModulo :: Natural -> Natural -> Natural
 inverseModulo m a =
   fromInteger (go (toInteger m, 0) (toInteger a `mod` toInteger m, 1) `mod` toInteger m)

@@ -46,6 +46,7 @@ sha256Bytes = SHA256.hash
 sha256OfText :: String -> String
 sha256OfText = sha256 . Char8.pack
 
+-- | Bytes as hexadecimal digits in lower case.
 hexadecimal :: ByteString -> String
 hexadecimal = Lazy.unpack . Builder.toLazyByteString . Builder.byteStringHex
 
@@ -63,8 +64,8 @@ digestOfWindows packing surface grid mask = do
       where
         next i = (\position -> (fromIntegral position, i + 1)) <$> ordered Primitive.!? i
 
--- | The positions of all windows by increasing packed content, if they are distinct and not too
--- many.
+-- | The positions of all windows by increasing packed content. 'Nothing' if two contents are equal,
+-- or they are too many.
 positionsByContent :: Packing -> Surface -> Grid -> Mask -> Maybe (Vector Int)
 positionsByContent packing surface grid mask = case roadOf spanned (area visited) of
   Just ByTable -> visit packing surface grid mask >>= byTable
@@ -90,8 +91,9 @@ roadOf contents positions
   | positions <= 1048576 = Just BySorting
   | otherwise = Nothing
 
--- | Sorts by a table of all possible contents, in which -1 stands for one that does not occur.
--- Grids have at most 2^28 cells.
+-- | The positions by a table of all possible contents, in which -1 stands for one that does not
+-- occur. 'Nothing' if two contents are equal. Positions fit the table's numbers, because grids have
+-- at most 2^28 cells.
 byTable :: Visit -> Maybe (Vector Int)
 byTable windows
   | Primitive.length ordered == visitRows windows * visitColumns windows = Just ordered
@@ -104,7 +106,7 @@ byTable windows
       forWindows windows $ \r c key -> Mutable.write entries key (fromIntegral (r * width + c))
       pure entries
 
--- | Sorts the windows by a sorting algorithm.
+-- | The positions by a sorting algorithm. 'Nothing' if two contents are equal.
 bySorting :: Packing -> Surface -> Grid -> Mask -> Maybe (Vector Int)
 bySorting packing surface grid mask
   | and (zipWith (<) found (drop 1 found)) = Just (Primitive.fromList (map snd ordered))

@@ -24,8 +24,8 @@ import PraTactile.Field
 import PraTactile.Field.Structure
 import PraTactile.Polynomial
 
--- | A map from the field j to the field k that preserves sums and products, as the table of images
--- by increasing code.
+-- | A map from the field j to the field k that preserves sums and products. It is stored as the
+-- image of each element of j, by its code.
 newtype Embedding (j :: Field) (k :: Field) = Embedding (Primitive.Vector (GF k))
 
 type role Embedding nominal nominal
@@ -49,15 +49,14 @@ embeddings
 fromIntegers :: KnownField k => [Integer] -> Polynomial k
 fromIntegers = polynomial . map fromInteger
 
--- | The first of the 'embeddings'. Refuses, with 'NotContained', fields of which the first is not
--- contained in the second.
+-- | The first of the 'embeddings'. Refuses ('NotContained') a field j that is not contained in k.
 embedding :: forall j k. (KnownField j, KnownField k) => Either StructureError (Embedding j k)
 embedding = case embeddings of
   first : _ -> Right first
   [] -> Left (NotContained (primeAndDegree (Proxy :: Proxy j)) (primeAndDegree (Proxy :: Proxy k)))
 
--- | The first of the isomorphisms between two forms of one field. Refuses, with 'NotIsomorphic',
--- fields of different order.
+-- | The first of the isomorphisms between two forms of one field. Refuses ('NotIsomorphic') fields
+-- of different order.
 isomorphism :: forall j k. (KnownField j, KnownField k) => Either StructureError (Embedding j k)
 isomorphism
   | primeAndDegree j == primeAndDegree k = embedding
@@ -66,6 +65,7 @@ isomorphism
     j = Proxy :: Proxy j
     k = Proxy :: Proxy k
 
+-- | p and m of GF(p^m).
 primeAndDegree :: KnownField k => Proxy k -> (Natural, Natural)
 primeAndDegree k = (fromIntegral (fieldCharacteristic k), fromIntegral (fieldDegree k))
 
@@ -84,7 +84,7 @@ embed (Embedding table) a = table Primitive.! toCode a
 retract :: KnownField j => Embedding j k -> GF k -> Maybe (GF j)
 retract e b = find ((== b) . embed e) elements
 
--- | The inverse of an isomorphism. Refuses, with 'NotIsomorphic', an embedding into a larger field.
+-- | The inverse of an isomorphism. Refuses ('NotIsomorphic') an embedding into a larger field.
 inverseEmbedding ::
   forall j k. (KnownField j, KnownField k) => Embedding j k -> Either StructureError (Embedding k j)
 inverseEmbedding e = case traverse (retract e) elements of

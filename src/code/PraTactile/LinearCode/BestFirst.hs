@@ -62,15 +62,18 @@ bestFirst letters = (0, []) : go (0 :: Int) Map.empty (starts 0 [] ordered)
 
 -- | A word, by its changed letters.
 data Changed = Changed
-  { changedCost :: !Double,
+  { -- | the word's cost
+    changedCost :: !Double,
     -- | the cost without the last changed letter
     changedRest :: !Double,
-    -- | the changed letters before that one
+    -- | the changed letters before the last one, each with its option's index
     changedBefore :: [(Int, Int)],
+    -- | the number of the last changed letter
     changedLetter :: !Int,
+    -- | the index of its option
     changedOption :: !Int,
-    -- | the costs of its options from this one on
+    -- | the costs of that letter's options from this one on
     changedCosts :: [Double],
-    -- | the letters after it
+    -- | the letters after that one, as 'bestFirst' takes them
     changedLater :: [(Int, [Double])]
   }

@@ -21,7 +21,7 @@ import PraTactile.Field
 -- words.
 data Packed = Packed !Int !Int !(Vector Word64)
 
--- | Packs words of one length.
+-- | Packs words, which must all have one length; this is not checked.
 packed :: forall k. KnownField k => [Vector (GF k)] -> Packed
 packed rows =
   Packed bits width (Primitive.concat (map (\x -> Primitive.generate width (machineWord x)) rows))
@@ -34,8 +34,9 @@ packed rows =
     place acc j a = acc .|. fromIntegral (toCode a) `unsafeShiftL` (j * bits)
 {-# INLINE packed #-}
 
--- | The number of elements in which a word differs from a single word. Arguments: words; the index
--- of one of them; the single word; a limit. Counting stops when the number exceeds the limit.
+-- | The number of elements in which two words differ. Arguments: packed words; the index of one of
+-- them; a packed word of the same length; a limit. Counting stops when the number exceeds the
+-- limit, so the result may then be too small.
 differences :: Packed -> Int -> Packed -> Int -> Int
 differences (Packed bits width rows) !index (Packed _ _ single) !most = go 0 0
   where

@@ -2,8 +2,9 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | Punctured codes: each set of observed cells gives a code with its own minimum distance and
--- weights (F. J. MacWilliams and N. J. A. Sloane 1977, chapter 1). All 2^n sets are visited, once
--- for all shares of missing cells. The result contains what the rates of decoding depend on.
+-- weights (F. J. MacWilliams and N. J. A. Sloane 1977, chapter 1). All 2^n sets of n cells are
+-- visited, once for all shares of missing cells. The result contains what the rates of decoding
+-- depend on.
 module PraTactile.LinearCode.Punctured
   ( Punctured,
     punctured,
@@ -28,7 +29,7 @@ import qualified Data.Vector.Primitive.Mutable as Mutable
 import Data.Word (Word64)
 import Numeric.Natural (Natural)
 
--- | Counts over all punctured codes of a code.
+-- | Counts over all punctured codes of a code, one for each set of observed cells.
 data Punctured = Punctured
   { -- | The number n of all cells.
     puncturedCells :: !Int,
@@ -36,12 +37,12 @@ data Punctured = Punctured
     puncturedWords :: !Int,
     -- | The least weight of a nonzero word; 0 if there is none.
     puncturedDistance :: !Int,
-    -- | The classes that occur.
+    -- | The classes of sets that occur.
     puncturedClasses :: [PuncturedClass]
   }
   deriving stock (Eq, Show)
 
--- | The sets with one number of observed cells and one least weight.
+-- | The sets that have the same number of observed cells and the same least weight.
 data PuncturedClass = PuncturedClass
   { -- | The number of observed cells.
     classCells :: !Int,
@@ -94,7 +95,8 @@ packed = Primitive.fromList . go
       ([], _) -> []
       (eight, others) -> foldr (\x word -> word `shiftL` 8 .|. x) 0 eight : go others
 
--- | The classes, from the counts of @countSets@.
+-- | The classes, from the result of 'countSets'. Arguments: n; the number of words that one visited
+-- word counts for; the counts.
 classesOf :: Int -> Int -> Vector Int -> [PuncturedClass]
 classesOf n unit counts =
   [ PuncturedClass

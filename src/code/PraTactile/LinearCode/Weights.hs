@@ -20,18 +20,19 @@ import PraTactile.Field.Vector (addScaled)
 import PraTactile.LinearCode
 import PraTactile.LinearCode.Elimination
 
--- | The number of nonzero elements.
+-- | The number of nonzero elements of a word.
 weight :: Row k -> Int
 weight = Primitive.foldl' (\n a -> if a == zero then n else n + 1) 0
 
+-- | The binomial coefficient n over k; 0 if k is negative or above n.
 binomial :: Int -> Int -> Natural
 binomial n k
   | k < 0 || k > n = 0
   | otherwise =
     product (map fromIntegral [n - k + 1 .. n]) `div` product (map fromIntegral [1 .. k])
 
--- | The number of codewords with each weight that occurs, by visiting all q^k of them, up to a
--- factor.
+-- | The number of codewords with each weight that occurs. It visits one of each q - 1 multiples of
+-- the q^k codewords.
 weights :: forall k. KnownField k => LinearCode k -> Map Int Natural
 weights code = Map.insert 0 1 (Map.map (units *) (Map.filter (> 0) counted))
   where

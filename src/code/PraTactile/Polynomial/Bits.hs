@@ -46,6 +46,7 @@ packBits bytes = Primitive.generate ((n + 63) `div` 64) word
 unpackBits :: Int -> Bits -> Vector Word8
 unpackBits n bits = Primitive.generate n (\i -> if bitAt bits i then 1 else 0)
 
+-- | Whether a bit is set.
 bitAt :: Bits -> Int -> Bool
 bitAt bits i = testBit (bits Primitive.! (i `div` 64)) (i `mod` 64)
 
@@ -77,14 +78,15 @@ bitModulus lower = modulus
         timesX modulus ofX
       pure rows
 
+-- | A new buffer with the residue of 1.
 oneBuffer :: BitModulus -> ST s (Buffer s)
 oneBuffer modulus = do
   buffer <- Mutable.replicate (limbs modulus) 0
   Mutable.write buffer 0 1
   pure buffer
 
--- | Multiplies by x in place: all bits move up, and the bit that leaves is replaced by x^n modulo
--- h.
+-- | Multiplies a residue by x in place: all bits move up, and if the bit that leaves is set, x^n
+-- modulo h is added.
 timesX :: BitModulus -> Buffer s -> ST s ()
 timesX modulus buffer = do
   top <- Mutable.unsafeRead buffer lastWord
@@ -105,7 +107,8 @@ timesX modulus buffer = do
       Mutable.unsafeWrite buffer i ((high `unsafeShiftL` 1) .|. (low `unsafeShiftR` 63))
       shiftUp (i - 1)
 
--- | Adds this number of words of the vector, from an index on, to the buffer.
+-- | Adds words of a vector to a buffer. Arguments: the number of words; the vector and the index of
+-- its first word; the buffer, of which the first words are changed.
 addFrom :: Int -> Bits -> Int -> Buffer s -> ST s ()
 addFrom count vector from buffer = go 0
   where
@@ -115,8 +118,8 @@ addFrom count vector from buffer = go 0
       go (j + 1)
 {-# INLINE addFrom #-}
 
--- | Writes the square of the first buffer into the second. Squaring is linear, so the squares of
--- the powers of x are added.
+-- | Writes the square of the residue in the first buffer to the second. Squaring is linear, so the
+-- squares of the powers of x are added.
 squareInto :: BitModulus -> Buffer s -> Buffer s -> ST s ()
 squareInto modulus source target = Mutable.set target 0 >> eachWord 0
   where
@@ -132,7 +135,7 @@ squareInto modulus source target = Mutable.set target 0 >> eachWord 0
         target
       eachBit base (word .&. (word - 1))
 
--- | The square modulo h.
+-- | The square of a residue.
 squareBits :: BitModulus -> Bits -> Bits
 squareBits modulus a = Primitive.create $ do
   source <- Primitive.thaw a
@@ -140,7 +143,7 @@ squareBits modulus a = Primitive.create $ do
   squareInto modulus source target
   pure target
 
--- | The product modulo h, by Horner's rule on the bits of the second factor.
+-- | The product of two residues, by Horner's rule on the bits of the second one.
 multiplyBits :: BitModulus -> Bits -> Bits -> Bits
 multiplyBits modulus a b = Primitive.create $ do
   buffer <- Mutable.replicate (limbs modulus) 0

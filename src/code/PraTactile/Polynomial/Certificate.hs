@@ -40,7 +40,8 @@ data CertificateFault
     FactorNotPrime Natural
   | -- | Whether this factor is prime could not be decided.
     FactorUndecided FactorError
-  | -- | x^(q^n - 1) is not 1, or x^(q^n) is not x.
+  | -- | x^(q^n - 1) is not 1, for a primitive polynomial; or x^(q^n) is not x, for an irreducible
+    -- one.
     PowerDoesNotClose
   | -- | There is no residue or witness for this prime.
     EntryMissing Natural
@@ -83,7 +84,7 @@ certifyPrimitive h =
     modulus = primitiveModulus h
 
 -- | Checks a certificate and returns the primitive polynomial. It decides anew that the factors are
--- prime.
+-- prime. Refuses a certificate that does not prove its claim.
 verifyPrimitive ::
   forall k.
   KnownField k =>
@@ -129,7 +130,7 @@ certifyIrreducible h
           let (_, u, v) = bezout h (powerMinusX modulus (modulusDegree modulus `div` l))
       ]
 
--- | Check a certificate.
+-- | Checks a certificate. Refuses one that does not prove its claim.
 verifyIrreducible :: KnownField k => IrreducibleCertificate k -> Either CertificateFault ()
 verifyIrreducible (IrreducibleCertificate h witnesses) = do
   modulus <- maybe (Left PolynomialUnfit) Right (modulusOf h)

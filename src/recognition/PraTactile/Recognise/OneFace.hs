@@ -24,8 +24,8 @@ import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
 import PraTactile.Symmetry
 
--- | The prior of a candidate, and the cells that it makes silent. The offsets of cells are rows and
--- columns from 0.
+-- | The prior of a candidate, and the cells that are silent if it is right. The cells of the grid
+-- are given by rows and columns from 0, and so are the silent ones.
 beforehandOf :: Recogniser k -> Cells -> Candidate -> Beforehand
 beforehandOf reader cells = case known of
   anchor : others
@@ -58,7 +58,7 @@ beforehandOf reader cells = case known of
     ArrayOn surface array = locatorArray (recogniserLocator reader)
     both f (x, y) = (f x, f y)
 
--- | The prior odds that something else than a face of the placement carries the array: one of 200
+-- | The prior odds that something else than a face of the placement carries the array: one in 200
 -- things touched (assumption).
 otherwiseCarried :: Double
 otherwiseCarried = 0.005

@@ -109,6 +109,7 @@ instance Number Radicals where
           ]
   times k (Radicals a) = Radicals (if k == 0 then Map.empty else Map.map (k *) a)
 
+-- | The sum of two sums, by the numbers under the roots, without zero coefficients.
 summed :: Map.Map Integer Rational -> Map.Map Integer Rational -> Map.Map Integer Rational
 summed = Map.mergeWithKey (\_ p q -> if p + q == 0 then Nothing else Just (p + q)) id id
 
@@ -145,7 +146,7 @@ signOf a b r s t
     first = sign2 a r s
 {-# SPECIALIZE signOf :: Integer -> Integer -> Integer -> Integer -> Integer -> Integer #-}
 
--- | The sign of r + s sqrt a.
+-- | The sign of r + s sqrt a, given a, r and s. a must not be negative.
 sign2 :: (Ord n, Num n) => n -> n -> n -> n
 sign2 a r s
   | a == 0 || s == 0 = signum r

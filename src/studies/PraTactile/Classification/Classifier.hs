@@ -35,7 +35,7 @@ import PraTactile.Image (Raster, onRaster)
 import PraTactile.Shape (Alphabet)
 import PraTactile.Symmetry
 
--- | The classifiers.
+-- | The ways to classify.
 data Method
   = -- | the reader's network
     ByNetwork
@@ -56,8 +56,9 @@ methodName method = case method of
 data Classifier = Classifier
   { -- | the output of each class for an upright image, between 0 and 1
     classifierOutputs :: Raster -> Either NetworkError [Double],
-    -- | the calibration of its estimates
+    -- | the calibration of the classifier's estimates
     classifierCalibration :: Calibration,
+    -- | the templates of the alphabet, for its estimates
     classifierTemplates :: Templates
   }
 
@@ -97,9 +98,9 @@ data Classification = Classification
 data Verdict
   = -- | recognised in exactly one of the two orientations
     Recognised
-  | -- | in neither: no output is high enough, or another shape is likelier
+  | -- | in neither orientation: no output is high enough, or another shape is likelier
     NoSymbol
-  | -- | in both, or two classes are too close to choose between
+  | -- | in both orientations, or two classes are too close to choose between
     Undecided
   deriving stock (Eq, Ord, Show, Bounded, Enum)
 
@@ -142,7 +143,7 @@ classified classifier image = do
             none
         )
 
--- | Combines the verdicts on the image and on the image turned by 180 degrees.
+-- | Combines the verdicts on an image and on the image turned by 180 degrees, in this order.
 combined :: Network.Verdict -> Network.Verdict -> (Verdict, Maybe (Int, Symmetry))
 combined upright upsideDown = case (upright, upsideDown) of
   (Network.Recognised _ _, Network.Recognised _ _) -> (Undecided, Nothing)

@@ -36,7 +36,8 @@ data TrialResult = TrialResult
 data HardAnswer = Correct | Mistaken | NoAnswer
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | Decodes a trial's likeliest symbols, to this radius, and its probabilities.
+-- | Decodes a trial twice: its likeliest symbols, with errors up to this radius, and its
+-- probabilities.
 decodeTrial :: Radius -> TrialSetup k -> Trial -> TrialResult
 decodeTrial radius setup trial =
   TrialResult (hardAnswer radius setup trial) (best == trialPosition trial) doubt
@@ -56,17 +57,19 @@ hardAnswer radius setup trial
       Guaranteed -> fromIntegral (guaranteedRadius (fromIntegral (leastWeight found)))
       UpTo e -> fromIntegral (min e (fromIntegral (setupCells setup)))
 
--- | The nearest position.
+-- | The nearest position to the likeliest symbols.
 data Nearest = Nearest
   { -- | The number of observed cells in which it differs.
     nearestErrors :: !Int,
-    -- | The number of positions that differ in as few cells.
+    -- | The number of positions that differ in just as many cells.
     nearestTies :: !Int,
+    -- | The index of the first such position.
     nearestIndex :: !Int,
     -- | The least weight of any position's content in the observed cells.
     leastWeight :: !Int
   }
 
+-- | Finds the nearest position by comparing with all.
 nearestPosition :: TrialSetup k -> Trial -> Nearest
 nearestPosition setup trial = go 0 maxBound 0 0 maxBound
   where

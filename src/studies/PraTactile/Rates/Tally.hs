@@ -30,12 +30,12 @@ import PraTactile.Rates.Formulas
 data Tally = Tally
   { -- | The number of trials.
     tallyTrials :: !Int,
-    -- | The number that hard decoding located right.
+    -- | The number of trials that hard decoding located right.
     tallyRight :: !Int,
-    -- | The number that hard decoding located wrong; it refused the others.
+    -- | The number of trials that hard decoding located wrong; it refused the others.
     tallyWrong :: !Int,
-    -- | The results of soft decoding by the doubt of the likeliest position, in bins of a 50th of a
-    -- power of ten.
+    -- | The results of soft decoding, by the doubt of the likeliest position. Bin b has doubts from
+    -- 10^(-(b + 1) / 50) up to 10^(-b / 50); bin 1000 has all that are smaller.
     tallyDoubts :: !(Map Int Soft)
   }
   deriving stock (Eq, Show)
@@ -110,7 +110,7 @@ data Calibration = Calibration
     calibratedAnswers :: !Int,
     -- | The number of wrong answers that the doubts predict.
     calibratedExpected :: !Double,
-    -- | The number of wrong answers.
+    -- | The number of answers that were wrong.
     calibratedWrong :: !Int
   }
   deriving stock (Eq, Show)
@@ -121,12 +121,14 @@ calibration tolerated tally = Calibration answers expected (answers - right)
   where
     Soft answers right expected = tolerable tolerated tally
 
+-- | The trials with at most this doubt.
 tolerable :: Double -> Tally -> Soft
 tolerable tolerated tally =
   mconcat [soft | (bin, soft) <- Map.toAscList (tallyDoubts tally), bin >= least]
   where
     least = ceiling (-50 * logBase 10 tolerated - 1e-9) :: Int
 
+-- | The rates of right and wrong answers, given their numbers; the other trials are refused.
 ratesOf :: Tally -> Double -> Double -> Rates
 ratesOf tally right wrong =
   Rates (share right) (share wrong) (share (fromIntegral (tallyTrials tally) - right - wrong))

@@ -30,9 +30,9 @@ import System.Random (StdGen, mkStdGen)
 
 -- | A training in stages, each with its own images.
 data Regimen = Regimen
-  { -- | Units in the hidden layer.
+  { -- | The number of units in the hidden layer.
     hiddenLayerSize :: !Int,
-    -- | How many images of each kind a batch has per class.
+    -- | How many images of each kind a batch has for each class.
     composition :: [(Kind, Int)],
     -- | The stages in order.
     stages :: [Stage]
@@ -82,9 +82,9 @@ shippedRegimen =
   where
     for n = shippedDescent {epochs = n}
 
--- | 'shippedRegimen' for the given number of classes: two hidden units per class, but at least
--- eight. Eight units cannot separate seven classes: the squared error of a batch stays a hundred
--- times as great.
+-- | 'shippedRegimen' for the given number of classes, with two hidden units for each class, but at
+-- least eight. Eight units cannot separate seven classes: the squared error of a batch stays a
+-- hundred times as great.
 regimenFor :: Int -> Regimen
 regimenFor classes =
   shippedRegimen
@@ -102,19 +102,19 @@ shippedSeed :: Int
 shippedSeed = 2004
 
 -- | Trains a network for an alphabet by 'regimenFor', from a seed. With 'shippedSeed' and the
--- shipped shapes the result is the shipped network. Also returns each round's stage (from 1) and
--- trace.
+-- shipped shapes the result is the shipped network. Also returns, for each round, the number of its
+-- stage (from 1) and its trace. Refuses what 'batch' and 'train' refuse.
 trainShipped :: Alphabet -> Int -> Either NetworkError (Network, [(Int, Trace)])
 trainShipped a = trainWith (regimenFor (alphabetSize a)) a
 
--- | Trains a network for an alphabet by the given regimen and seed. Also returns each round's
--- stage (from 1) and trace.
+-- | Trains a network for an alphabet by the given regimen and seed. Also returns, for each round,
+-- the number of its stage (from 1) and its trace. Refuses what 'batch' and 'train' refuse.
 trainWith :: Regimen -> Alphabet -> Int -> Either NetworkError (Network, [(Int, Trace)])
 trainWith regimen a seed = (\n -> (n, roundsOf training)) <$> result training
   where
     training = trainingSteps regimen a seed
 
--- | The cost of a regimen for the given number of classes.
+-- | The time and memory of a regimen for the given number of classes.
 regimenDemand :: Regimen -> Int -> Demand
 regimenDemand regimen classes =
   demandOf
@@ -126,12 +126,13 @@ regimenDemand regimen classes =
 
 -- | The result of one step of a training.
 data TrainingStep
-  = EpochDone
-  | -- | The round of this stage (from 1) ended, with this trace
+  = -- | an epoch ended
+    EpochDone
+  | -- | a round ended: the number of its stage (from 1), and its trace
     RoundDone !Int !Trace
   deriving stock (Eq, Show)
 
--- | The rounds that ended, each with its stage (from 1) and trace.
+-- | The rounds that ended, each with the number of its stage (from 1) and its trace.
 roundsOf :: Steps TrainingStep a -> [(Int, Trace)]
 roundsOf steps = [(i, trace) | RoundDone i trace <- stepsDone steps]
 
@@ -156,9 +157,9 @@ trainingSteps regimen a seed =
                 Left refusal -> Done (Left refusal)
                 Right (n', trace) -> Step (RoundDone i trace) (go n' g' rest)
 
--- | The images of one round, each with its class ('Nothing' for impostors), and the next
--- generator. The arguments are the number of images of each kind per class, the noise levels, and
--- the alphabet.
+-- | The images of one round, each with its class ('Nothing' for impostors), and the next generator.
+-- Arguments: the number of images of each kind for each class; the standard deviations of the
+-- noise, which the images of each kind and class take in turn; the alphabet; a generator.
 roundImages :: [(Kind, Int)] -> [Double] -> Alphabet -> StdGen -> ([(Raster, Maybe Int)], StdGen)
 roundImages makeup noises a g = (concat labelled, g')
   where

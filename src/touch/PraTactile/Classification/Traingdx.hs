@@ -59,7 +59,9 @@ data Descent = Descent
     leastGradient :: !Double,
     -- | the greatest number of epochs
     epochs :: !Int,
+    -- | the form of the momentum term
     momentumForm :: !Momentum,
+    -- | dx before the first epoch
     firstChange :: !FirstChange
   }
   deriving stock (Eq, Show)
@@ -149,7 +151,8 @@ stopped rule epoch
   | epochGradient epoch < leastGradient rule = Just GradientVanished
   | otherwise = Nothing
 
--- | What the next epoch needs: the last epoch, the gradient at its point, and the change dx.
+-- | What the next epoch needs: the last epoch, the gradient of the error at its point, and the
+-- change dx.
 data State = State !(Epoch (Vector Double)) !(Vector Double) !(Vector Double)
 
 -- | The descent from a point, computed lazily: the state before the first epoch, then one per
@@ -176,8 +179,8 @@ descend rule objective start = begun :| unfoldr next (State begun slope change)
         state = stepped rule objective epoch slope0 change0
         epochAfter (State it _ _) = it
 
--- | The state after one more epoch. The arguments are the last epoch, the gradient at its point,
--- and the change dx.
+-- | The state after one more epoch. Arguments: the rule; the objective; the last epoch; the
+-- gradient of the error at its point; the change dx.
 stepped ::
   Descent -> Objective -> Epoch (Vector Double) -> Vector Double -> Vector Double -> State
 stepped rule objective (Epoch i _ x e size lr) slope change
@@ -195,10 +198,11 @@ stepped rule objective (Epoch i _ x e size lr) slope change
     (e', slope') = objective x'
     kept outcome = Epoch (i + 1) outcome x' e' (norm slope')
 
--- | lr g, the step along the negative gradient.
+-- | lr g, the step along the negative gradient, given lr and the gradient.
 along :: Double -> Vector Double -> Vector Double
 along lr = V.map (negate lr *)
 
+-- | The Euclidean length.
 norm :: Vector Double -> Double
 norm = sqrt . V.sum . V.map (^ (2 :: Int))
 

@@ -12,12 +12,12 @@ import PraTactile.Image
 
 -- | The greatest correlation coefficient of an 8 x 12 image and any drawing in blocks of 2 x 2
 -- taxels with a third to two thirds of the blocks embossed. For each number of embossed blocks the
--- best drawing embosses the highest blocks. 0 for a constant image and for an image of another
--- size.
+-- best drawing embosses the blocks with the highest means. 0 for a constant image and for an image
+-- of another size.
 --
--- The correlation with a single block is proportional to its mean, so the k highest blocks are
--- best. With n blocks of m taxels, block deviations d from the overall mean and taxel deviations z,
--- their correlation is
+-- The correlation with a single block is proportional to the block's mean, so the k blocks with the
+-- highest means are best. Let there be n blocks of m taxels; let d be the deviations of the blocks'
+-- means from the overall mean, and z those of the taxels. The correlation is
 --
 -- > sum of d over the k highest / root (sum of z^2 / m * k (n - k) / n)
 freeLikeness :: Raster -> Double

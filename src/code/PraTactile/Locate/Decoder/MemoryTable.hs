@@ -49,6 +49,7 @@ data Table (k :: Field) = Table
     tableMask :: !Mask,
     -- | How windows are packed.
     tablePacking :: !Packing,
+    -- | The array's cells.
     tableGrid :: !Grid,
     -- | The positions sorted by packed window. Those of window w are the entries of
     -- @tablePositions@ from the start of w up to the start of w + 1, exclusive.
@@ -89,8 +90,8 @@ buildTable packing (ArrayOn surface array) mask
     spanned = fromIntegral (fieldOrder (Proxy :: Proxy k)) ^ maskSize mask
     cells = area (arrayShape array)
 
--- | The starts and positions of a table whose array has this many columns, by a counting sort:
--- count each window, compute the starts, then put every position in its place.
+-- | The 'tableStarts' and 'tablePositions' of a table whose array has this many columns, by a
+-- counting sort: count each window, compute the starts, then put every position in its place.
 sortByWindow :: Int -> Visit -> (Vector Int32, Vector Int32)
 sortByWindow width windows = (starts, positions)
   where
@@ -195,7 +196,8 @@ origin table (Position i j) (Position r c) =
     r' = toInteger r - toInteger i
     c' = toInteger c - toInteger j
 
--- | How a patch compares with the array at a position.
+-- | How a patch compares with the array at a position: it agrees; it agrees as far as it lies on
+-- the sheet, but lies partly beyond it; a cell differs.
 data Fit = Fits Position | SticksOut | Differs
   deriving stock (Eq)
 
@@ -211,6 +213,7 @@ compareAt table cells (r, c)
     cellOf (Position i j) =
       canonicalPosition (tableSurface table) (gridShape grid) (r + toInteger i) (c + toInteger j)
 
+-- | The positions of a window with this content.
 windowPositions :: Table k -> [GF k] -> [Position]
 windowPositions table content =
   tableLookup

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Schemas of JSON values: as JSON Schema (draft 2020-12), in brief, and as a source of invalid
--- values.
+-- | Schemas of JSON values: written as JSON Schema (draft 2020-12), written in brief, and used to
+-- derive invalid values.
 module PraTactile.Format.Json.Schema
   ( Schema (..),
     list,
@@ -71,6 +71,7 @@ orNull one = AnyOf [one, Null]
 schemaValue :: Schema -> Value
 schemaValue = Json.object . keywords
 
+-- | The keywords of the JSON Schema.
 keywords :: Schema -> [Pair]
 keywords schema = case schema of
   Anything -> []
@@ -147,8 +148,8 @@ malformed schema value =
       Null -> True
       _ -> False
 
--- | Values of other types in the place of a value, or of its first element. An integer written
--- with a fraction counts as another type; the last number is 1.0e7.
+-- | Values of other types than the schema's, in the place of a value or of a list's first element.
+-- An integer written with a fraction counts as another type; the last such number is 1.0e7.
 otherTypes :: Schema -> Value -> [Value]
 otherTypes schema value = case value of
   Json.Number _ ->

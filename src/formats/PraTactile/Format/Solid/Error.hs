@@ -11,10 +11,11 @@ where
 import PraTactile.Format.Error (FormatError)
 import PraTactile.PlainText (OtherEncoding)
 
--- | A fault with its place.
+-- | Why a file of a polyhedron is refused.
 data SolidFileError
-  = SolidFileError Place Fault
-  | -- | in JSON
+  = -- | a fault with its place
+    SolidFileError Place Fault
+  | -- | a fault of the JSON format
     ObjectRefused FormatError
   deriving stock (Eq, Show)
 
@@ -38,9 +39,10 @@ data Fault
     NotFinite
   | -- | a coordinate is above 10^300, or has more than 400 decimal places
     TooLargeOrFine
-  | -- | a face has this vertex, as the format counts them; the file has only that many
+  | -- | a face has this vertex, numbered as the format counts them; the file has only the second
+    -- number of vertices
     NoSuchVertex Integer Int
-  | -- | a file with this number of triangles should have the first number of bytes, and it has the
+  | -- | the file should have the first number of bytes by its number of triangles, but has the
     -- second
     LengthDiffers Integer Int
   | -- | the file is text in this encoding, not in UTF-8

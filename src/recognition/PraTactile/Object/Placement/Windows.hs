@@ -32,18 +32,19 @@ holdsWindow (Shape tall broad) block = any whole (blockCells block)
 -- | The number of windows of the torus by what they lie on. The sum is the number of cells of the
 -- array.
 data WindowCounts = WindowCounts
-  { -- | on one face
+  { -- | windows whose cells are all on one face
     countOnFaces :: !Int,
-    -- | partly on several faces
+    -- | windows with cells on several faces
     countStraddling :: !Int,
-    -- | on no face, or partly on one
+    -- | windows with no cell on a face, or some on one face and some on none
     countOnNone :: !Int
   }
   deriving stock (Eq, Show)
 
--- | Counts the results of 'whereabouts' for all windows of this shape. 'Nothing' for arrays of more
--- than 'mostCounted' cells, and for windows larger than the array. O(cells of the array * cells of
--- the window).
+-- | Counts the results of 'whereabouts' for the windows of this shape at all positions of the
+-- torus. A window on one face that wraps around the array's edge counts as on no face. 'Nothing'
+-- for arrays of more than 'mostCounted' cells, and for windows larger than the array. O(cells of
+-- the array * cells of the window).
 windowCounts :: Placement -> Shape -> Maybe WindowCounts
 windowCounts place window@(Shape tall broad)
   | area shape > mostCounted || area window > area shape = Nothing

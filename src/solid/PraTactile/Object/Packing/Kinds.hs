@@ -23,7 +23,7 @@ import PraTactile.Object.Packing.Mask
 
 -- | Pieces by kind.
 data Kinds = Kinds
-  { -- | all figures
+  { -- | the figures of all kinds
     kindsFigures :: !(V.Vector Figure),
     -- | the indices of the figures of each kind, ascending
     kindsAlternatives :: !(V.Vector [Int]),
@@ -33,7 +33,8 @@ data Kinds = Kinds
     kindsOfPieces :: !(U.Vector Int)
   }
 
--- | A laid piece: its kind, its figure, and its first row and column.
+-- | A laid piece: the index of its kind; the index of its figure; the row and column of the
+-- figure's upper left corner.
 data Lying = Lying
   { lyingKind :: !Int,
     lyingFigure :: !Int,
@@ -65,9 +66,10 @@ figuresOf kinds k = map (kindsFigures kinds V.!) (kindsAlternatives kinds V.! k)
 fewestCells :: Kinds -> Int -> Int
 fewestCells kinds = minimum . map figureCells . figuresOf kinds
 
--- | For each piece, given by its alternatives, the alternative and the place of its block. The list
--- must have as many laid pieces of each kind as there are pieces. Within a kind, the first piece
--- gets the first place, row by row.
+-- | For each piece, the index of its alternative and the row and column of that block's upper left
+-- corner. Arguments: the kinds; the alternatives of each piece; the laid pieces, which must be as
+-- many of each kind as there are pieces. Within a kind, the first piece gets the first place, row
+-- by row.
 assigned :: Kinds -> [[Mask]] -> [Lying] -> [(Int, (Int, Int))]
 assigned kinds pieces lying = go places (zip (U.toList (kindsOfPieces kinds)) pieces)
   where

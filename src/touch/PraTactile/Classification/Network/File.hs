@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Networks as text, without loss: each weight has the fewest decimals that read back as the same
--- number.
+-- | Networks as text, without loss: each weight is written with the fewest decimals that read back
+-- as the same number.
 module PraTactile.Classification.Network.File
   ( renderNetwork,
     parseNetwork,
@@ -82,8 +82,9 @@ parseNetwork text = case zip [1 ..] (T.lines text) of
       n <- readWhole (encodeUtf8 t)
       if n < 1000000 then Just (fromInteger n) else Nothing
 
--- | Reads the given number of lines, each with the given number of weights and a bias; also
--- returns the remaining lines.
+-- | Reads lines of a unit each: its weights and its bias. Arguments: the number of lines; the
+-- number of weights; the numbered lines. Also returns the remaining lines. Refuses a line with
+-- another number of values, and fewer lines.
 units :: Int -> Int -> [(Int, Text)] -> Either NetworkError (Matrix Double, [(Int, Text)])
 units count weights = go count []
   where
@@ -102,5 +103,6 @@ units count weights = go count []
 heading :: Text
 heading = "pra-tactile network 1"
 
+-- | The beginning of a wrong line, for messages.
 excerpt :: Text -> Text
 excerpt = T.take 60
