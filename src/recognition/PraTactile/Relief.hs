@@ -67,6 +67,9 @@ symbolScale (Pitch right down)
 
 -- | The side, in millimetres, of a taxel of symbols with these distances: an eighth of a symbol's
 -- width.
+--
+-- >>> symbolTaxel (Pitch 12.7 15.875)
+-- 0.79375
 symbolTaxel :: Pitch -> Double
 symbolTaxel between = fromRational (pitchRight between / columnPitch)
 

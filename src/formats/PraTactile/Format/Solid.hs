@@ -60,6 +60,9 @@ formatOfName :: String -> Maybe SolidFormat
 formatOfName name = find ((== name) . formatName) [minBound ..]
 
 -- | The format for a file's extension, in capitals or not; 'Nothing' for another extension.
+--
+-- >>> formatOfFile "part.STL"
+-- Just Stl
 formatOfFile :: FilePath -> Maybe SolidFormat
 formatOfFile file =
   find

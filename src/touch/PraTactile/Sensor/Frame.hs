@@ -157,6 +157,9 @@ standardTaxelGrid = TaxelGrid sensorSide sensorSide taxelPitch
 
 -- | 'planScanOf' for the standard sensor. Arguments: the spacing of presses in taxels; the region's
 -- upper left corner in millimetres; its width and height in taxels.
+--
+-- >>> length <$> planScan 8 (0, 0) (40, 52)
+-- Right 24
 planScan :: Int -> (Double, Double) -> (Int, Int) -> Either ProbeError [Pose]
 planScan = planScanOf standardTaxelGrid
 

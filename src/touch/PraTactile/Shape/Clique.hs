@@ -16,6 +16,9 @@ import Data.Maybe (mapMaybe)
 
 -- | All cliques with the given number of items, each in the order of the list. Of two items the
 -- earlier one is the relation's first argument.
+--
+-- >>> cliques 3 (\a b -> gcd a b == 1) [2 .. 7 :: Int]
+-- [[2,3,5],[2,3,7],[2,5,7],[3,4,5],[3,4,7],[3,5,7],[4,5,7],[5,6,7]]
 cliques :: Int -> (a -> a -> Bool) -> [a] -> [[a]]
 cliques size related items = map (itemsOf numbered) (go size (IntMap.keysSet numbered))
   where
