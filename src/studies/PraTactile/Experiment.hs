@@ -213,8 +213,9 @@ materialSteps symbols source seed =
         [some [it | it <- images, snd it == c] | c <- [0 .. classes - 1]]
     classes = alphabetSize (symbolShapes symbols)
 
--- | The trial of a row with one seed: for each kind of middle stage, the trained network, and for
--- each noise level and then each class the number of images read wrongly and the number of images.
+-- | The trial of a row with one seed. For each kind of middle stage it has the trained network and
+-- the errors: for each noise level and then each class, the numbers of images read wrongly and of
+-- images.
 type Trial = [(Run, [[(Int, Int)]])]
 
 -- | Runs a row with a seed on the images of its source. Refuses what 'trainedBy' refuses, and
@@ -266,9 +267,9 @@ data Outcome = Outcome
   }
   deriving stock (Eq, Show)
 
--- | The results of a row, one for each 'Middle'. The argument has, for each seed, each 'Middle',
--- each noise level and each class in this order, the numbers of wrong images and of images, as in
--- 'Trial'.
+-- | The results of a row, one for each 'Middle'. The argument has the numbers of wrong images and
+-- of images, as in 'Trial', for each seed, then each 'Middle', then each noise level, then each
+-- class.
 outcomes :: [[[[(Int, Int)]]]] -> [Outcome]
 outcomes bySeed =
   [ Outcome

@@ -1,10 +1,10 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | The window property by algebra, for arrays of any size. Let the array be folded from the
--- sequence s with a primitive polynomial of degree n over GF(q), let alpha be a root of it, and let
--- e(i, j) be the index in s of the cell (i, j). The cell at offset (i, j) from the position of the
--- term s(t) holds s(t + e(i, j)), which is a GF(q)-linear function of alpha^t, namely of alpha^e(i,
--- j) alpha^t. Only 0 gives the zero sequence. So a window's content is a linear function of
+-- sequence s with a primitive polynomial of degree n over GF(q). Let alpha be a root of the
+-- polynomial, and let e(i, j) be the index in s of the cell (i, j). The cell at offset (i, j) from
+-- the position of the term s(t) holds s(t + e(i, j)). That is a GF(q)-linear function of alpha^(t +
+-- e(i, j)), and only 0 gives the zero sequence. So a window's content is a linear function of
 -- alpha^t. That function is one-to-one exactly if the alpha^e(i, j) of the window's cells span
 -- GF(q^n) over GF(q).
 module PraTactile.Window.Rank

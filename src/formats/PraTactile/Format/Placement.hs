@@ -1,9 +1,9 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Placements as JSON, @pra-tactile/placement/1@. The file has only what cannot be computed: the
--- profile, the distances between symbols, the objects, and the laid faces. A laid face is given by
--- the vertex at which its frame begins, the place of its block of cells in the array, and the cells
--- of the block that it takes.
+-- profile, the distances between symbols, the objects, and the laid faces. A laid face has the
+-- vertex at which its frame begins. It also has the place of its block of cells in the array, and
+-- the cells of the block that it takes.
 module PraTactile.Format.Placement
   ( encodePlacement,
     decodePlacement,

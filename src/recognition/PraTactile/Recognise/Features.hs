@@ -36,10 +36,10 @@ data Features = Features
 data Featured = Featured
   { -- | the centre of its box
     featuredAt :: !(Double, Double),
-    -- | the direction of its x axis, in degrees clockwise from the composite's. It is a multiple of
-    -- 90 as segmentation found it (0 or 90), plus the angle by which the composite was set upright
-    -- (from -45 to 45, or 0), plus a small correction common to all symbols. It is determined up to
-    -- a half turn: which way up the symbol is, only 'Recognition' says.
+    -- | the direction of its x axis, in degrees clockwise from the composite's. It has three parts:
+    -- 0 or 90 as segmentation found it; the angle by which the composite was set upright, from -45
+    -- to 45, or 0; and a small correction common to all symbols. It is determined up to a half
+    -- turn: which way up the symbol is, only 'Recognition' says.
     featuredAxis :: !Double,
     featuredNeighbours :: !Neighbours
   }

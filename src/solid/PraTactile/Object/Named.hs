@@ -166,9 +166,9 @@ frame w d h =
     hole = [(w / 3, 2 * d / 3), (w / 3, d / 3), (2 * w / 3, d / 3), (2 * w / 3, 2 * d / 3)]
     ring = cyclicPairs [1 .. 4]
 
--- | A dodecahedron around a cube with this side. In units of half the side, its vertices are (1, 1,
--- 1) with all signs, and (0, 1 + h, 1 - h^2) with all signs and with the coordinates rotated. The
--- pentagons are flat for every h; here h is 1/2.
+-- | A dodecahedron around a cube with this side. In units of half the side, it has the vertices (1,
+-- 1, 1) with all signs. The others are (0, 1 + h, 1 - h^2) with all signs and with the coordinates
+-- rotated. The pentagons are flat for every h; here h is 1/2.
 pyritohedron :: Rational -> Description
 pyritohedron a =
   numbered

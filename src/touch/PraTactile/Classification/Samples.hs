@@ -103,7 +103,8 @@ exactView =
 
 -- | A random view as stitching and segmentation produce it, and the next generator. All parameters
 -- are uniform: displacements up to the given number of taxels either way, tears up to 0.5 taxels
--- either way, blurs 0 to 0.4, the value of embossed taxels 0.85 to 1.1, of flat ones -0.03 to 0.05.
+-- either way, blurs 0 to 0.4. The value of embossed taxels is 0.85 to 1.1, of flat ones -0.03 to
+-- 0.05.
 stitchedView :: Double -> StdGen -> (View, StdGen)
 stitchedView misplacement g0 = (View (x, y) (u, v) (a, b) gain base, g8)
   where

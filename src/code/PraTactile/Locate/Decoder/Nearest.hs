@@ -6,8 +6,8 @@
 -- exact.
 --
 -- Let d be the minimum distance of the observed cells. Then e wrong cells never mislead if 2 e < d.
--- If the observed cells are a window of distance d' without s of its cells, then d is at least d' -
--- s, and e wrong cells never mislead if 2 e + s < d'. Often more do not, because d is seldom as
+-- Let the observed cells be a window of distance d' without s of its cells. Then d is at least d' -
+-- s. So e wrong cells never mislead if 2 e + s < d'. Often more do not, because d is seldom as
 -- small as d' - s (R. C. Singleton 1964; F. J. MacWilliams and N. J. A. Sloane 1977, chapter 1).
 module PraTactile.Locate.Decoder.Nearest
   ( nearest,

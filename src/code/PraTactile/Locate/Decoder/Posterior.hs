@@ -4,11 +4,11 @@
 -- posterior of each position, by Bayes' theorem. The patch is compared with every position, so this
 -- is exact.
 --
--- A cell's probabilities are those that a classifier gives on seeing its image. All symbols in all
--- symmetries are then equally frequent, independently of other cells. The prior of positions and
+-- A cell's probabilities are those that a classifier gives on seeing its image, if all symbols in
+-- all symmetries are equally frequent, independently of other cells. The prior of positions and
 -- symmetries is uniform. So the posterior of a position in a symmetry is proportional to a product
--- over the observed cells. The factor of a cell is the joint probability of that symmetry and of
--- the symbol that the array has in the cell if the patch is there.
+-- over the observed cells. The factor of a cell is a joint probability: of the symmetry, and of the
+-- symbol that the array then has in the cell.
 module PraTactile.Locate.Decoder.Posterior
   ( posterior,
     posteriorAmong,

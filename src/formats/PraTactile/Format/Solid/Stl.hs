@@ -35,8 +35,9 @@ import PraTactile.Object.Vector
 import PraTactile.PlainText (otherEncoding, withoutMark)
 
 -- | Reads the polyhedron of a text or binary STL file; the first argument becomes its name. Normals
--- and attributes are ignored. Refuses, with the place, a text without the word @solid@, what is not
--- a triangle, a file that is cut off, a length that does not fit the count, and other encodings.
+-- and attributes are ignored. Refuses, with the place, a text without the word @solid@ and what is
+-- not a triangle. Refuses a file that is cut off or whose length does not fit the count, and other
+-- encodings.
 readStl :: ObjectName -> ByteString -> Either SolidFileError Contents
 readStl name bytes
   | Just count <- counted,
