@@ -1,5 +1,5 @@
--- | Stitching (the paper's section IV): overlapping frames with their nominal poses to one
--- composite image, the misalignment of successive frames corrected by two-dimensional
+-- | Stitching (the paper's section IV): overlapping frames with nominal poses become one composite
+-- image. Registration corrects their misalignment first; the paper does so by two-dimensional
 -- cross-correlation.
 module PraTactile.Registration
   ( -- * Composites
@@ -86,28 +86,28 @@ import PraTactile.Sensor.Frame (Frame (..), Pose (..), isTaxelPitch)
 import PraTactile.Sensor.Manifest (alongAxes)
 import PraTactile.Sensor.Resample (canonicalSize, isCanonical)
 
--- | Why frames cannot be stitched. Frames are named by their zero-based place in the list.
+-- | Why frames cannot be stitched. Frames are numbered from 0 by their place in the list.
 data StitchError
   = -- | There is no frame.
     NoFrames
-  | -- | There are more frames than 'maxFrames': how many.
+  | -- | There are more frames than 'maxFrames': their number.
     TooManyFrames !Int
-  | -- | A frame is not of the first one's size, or not of 4 x 4 to 256 x 256 taxels: which, its
-    -- width and its height.
+  | -- | A frame differs in size from the first, or is not of 4 x 4 to 256 x 256 taxels: its number,
+    -- width and height.
     FrameSize !Int !Int !Int
   | -- | A frame is too small to be turned by its rotation, which is not a multiple of 90 degrees:
-    -- which, and its rotation.
+    -- its number and rotation.
     FrameRotation !Int !Double
-  | -- | A frame's pose or one of its values is infinite or not a number.
+  | -- | The pose or a value of this frame is infinite or not a number.
     FrameNotFinite !Int
-  | -- | The pitch of a frame's taxels is none of 'taxelPitches': which, and its pitch, millimetres.
+  | -- | A frame's taxel pitch is not one of 'taxelPitches': its number and its pitch, millimetres.
     FramePitch !Int !Double
-  | -- | The frames have more than 'maxFramePixels' pixels together: how many.
+  | -- | The frames have more than 'maxFramePixels' pixels together: their number.
     TooManyFramePixels !Int
-  | -- | The frames lie so far apart that the composite would have more than 'maxCompositePixels'
-    -- pixels; its width and height, taxels.
+  | -- | The composite would have more than 'maxCompositePixels' pixels: its width and height,
+    -- taxels.
     AreaTooLarge !Double !Double
-  | -- | To register the frames by the method asked for would take too much.
+  | -- | Registration by the chosen method would cost too much.
     TooMuchToRegister !TooMuch
   | -- | The settings are unusable: a sigma that is not positive, negative noise, or a search radius
     -- that is negative or above 64 taxels.
@@ -126,52 +126,51 @@ maxImagePixels = 1048576
 maxFrames :: Int
 maxFrames = 10000
 
--- | The most pixels that frames may have together, each as it is given or at the canonical pitch,
--- where it has more.
+-- | The most pixels that all frames may have together. Each frame counts at its own pitch or at the
+-- canonical one, whichever has more pixels.
 maxFramePixels :: Int
 maxFramePixels = 8388608
 
--- | Frames at their corrected places, blended: each pixel of the composite is the mean of what the
--- frames saw there, with bilinear weights; what stands for a dead element ('frameDead') counts next
--- to nothing where a living one felt the place. The composite does not depend on the order of the
--- frames, and moves with their poses. A single frame of rotation 0 is returned as it is. The tables
--- are those of the symbols that may have been felt.
+-- | Registers frames and blends them into a composite. Each pixel is the mean of the frames there,
+-- with bilinear weights. Pixels of dead elements ('frameDead') have next to no weight where a
+-- living element felt the place. The order of the frames does not matter, and the composite moves
+-- with their poses. A single frame of rotation 0 is returned unchanged. The tables are those of the
+-- symbols that may have been felt.
 stitch :: LatticeTables -> Registration -> [Frame] -> Either StitchError Composite
 stitch tables settings = fmap assemblyComposite . assemble tables Automatic settings
 
--- | Settings with the noise that the frames show ('frameNoise'), for a sensor whose noise is not
--- known.
+-- | Sets the noise to what the frames show ('frameNoise'), for a sensor of unknown noise.
 withNoiseOf :: [Frame] -> Registration -> Registration
 withNoiseOf frames settings = settings {registrationNoise = frameNoise (map frameImage frames)}
 
--- | Frames at their nominal places, blended: stitching without any correction.
+-- | Blends frames at their nominal places, without registration.
 placeOnly :: [Frame] -> Either StitchError Composite
 placeOnly =
   fmap assemblyComposite
     . assembledAs (\_ _ -> Right . unarranged Nominal . map (fmap fst)) standardRegistration
 
--- | A composite, and how it came about.
+-- | A composite, and how it was made.
 data Assembly = Assembly
   { assemblyComposite :: !Composite,
     -- | The method that was used; never 'Automatic'.
     assemblyMethod :: !StitchMethod,
     -- | Each frame, in the order of the frames.
     assemblyFrames :: ![Registered],
-    -- | The root of the mean squared difference of the frames from what others saw there, as the
-    -- noise of one frame; 'Nothing' where no two overlap.
+    -- | The root of the mean squared difference of the frames from the others, as the noise of one
+    -- frame; 'Nothing' if no two overlap.
     assemblyResidual :: Maybe Double
   }
 
--- | Frames registered by the given method, and blended. The tables are those of the symbols that
+-- | Registers frames by the given method, and blends them. The tables are those of the symbols that
 -- may have been felt.
 assemble :: LatticeTables -> StitchMethod -> Registration -> [Frame] -> Either StitchError Assembly
 assemble tables method = assembledAs (arrange tables method)
 
--- | How frames are arranged by settings, where their places count from in the robot's coordinates,
+-- | Registers frames, given the settings, the origin of their places in the robot's coordinates,
 -- and each frame with its nominal place; taxels.
 type Arranging = Registration -> Taxels -> [(Taxels, Touched)] -> Either TooMuch Arrangement
 
--- | Frames arranged so, and blended.
+-- | Checks frames, registers them by the given function, and blends them.
 assembledAs :: Arranging -> Registration -> [Frame] -> Either StitchError Assembly
 assembledAs arranging settings frames = do
   given <- maybe (Left NoFrames) Right (nonEmpty frames)
@@ -179,7 +178,7 @@ assembledAs arranging settings frames = do
   unless (usable settings) (Left (UnusableRegistration settings))
   compose arranging settings given
 
--- | Place frames in taxels, arrange them, and blend.
+-- | Places frames in taxels, registers them, and blends them.
 compose :: Arranging -> Registration -> NonEmpty Frame -> Either StitchError Assembly
 compose arranging settings frames = do
   given <- traverse (uncurry uprighted) (NonEmpty.zip (0 :| [1 ..]) frames)
@@ -188,7 +187,7 @@ compose arranging settings frames = do
   (seen, arrangement) <- first TooMuchToRegister (arrangedScene arranging supposed scene)
   let put = putTogether scene seen arrangement
       made = blendedScene settings scene arrangement put
-  -- Blending relies on it.
+  -- Blending relies on this limit.
   checkArea (fmap (\one -> (laidPlace one, laidImage one)) put)
   pure
     Assembly
@@ -211,8 +210,9 @@ compose arranging settings frames = do
       _ -> Nothing
     along axes frame = frame {framePose = alongAxes axes (framePose frame)}
 
--- | The frames of a scene arranged by the settings for them: as even presses would read them, if
--- they are tilted and then show a lattice; otherwise as they are read.
+-- | Registers the frames of a scene. If they are tilted, the frames as even presses would read them
+-- come first; the result counts if it shows a lattice. Otherwise the frames are registered as they
+-- are read.
 arrangedScene ::
   Arranging ->
   (NonEmpty Placed -> Registration) ->
@@ -232,18 +232,19 @@ arrangedScene arranging supposed scene = do
           (robotOrigin scene)
           [(placeIn scene p, (placedImage p, placedTouch p)) | p <- toList seen]
 
--- | A frame as it is put.
+-- | A registered frame, ready to be blended.
 data Laid = Laid
   { laidFrom :: !Placed,
-    -- | Its displacement, and where its upper left pixel then lies, taxels.
+    -- | Its displacement, taxels.
     laidShift :: !Taxels,
+    -- | The place of its upper left pixel after the displacement, taxels.
     laidPlace :: !Taxels,
-    -- | Its image, on the scale of all.
+    -- | Its image on the common scale.
     laidImage :: !Raster,
     laidLevel :: !Level
   }
 
--- | The frames of a scene where an arrangement has them, on one scale.
+-- | Moves the frames of a scene by their displacements, and brings them to one scale.
 putTogether :: Scene -> NonEmpty Placed -> Arrangement -> NonEmpty Laid
 putTogether scene seen arrangement = NonEmpty.zipWith put (NonEmpty.zip seen levels) shifts
   where
@@ -255,7 +256,7 @@ putTogether scene seen arrangement = NonEmpty.zipWith put (NonEmpty.zip seen lev
     put (p, level) shift =
       Laid p shift (placeIn scene p `plus` shift) (levelled level (placedImage p)) level
 
--- | The composite of frames that are put, with what their arrangement tells.
+-- | The composite of registered frames, with the findings of their registration.
 blendedScene :: Registration -> Scene -> Arrangement -> NonEmpty Laid -> Composite
 blendedScene settings scene arrangement put =
   (blended (sceneCorner scene) (fmap counted put) (ofEachFrame scene shifts))
@@ -286,7 +287,7 @@ blendedScene settings scene arrangement put =
       [ other {otherwiseLattice = fromRobot <$> otherwiseLattice other}
         | other <- arrangementOthers arrangement
       ]
-    -- As it was put, from where the robot would have it.
+    -- Its nominal place and its displacement.
     putFrame one =
       let p = laidFrom one
        in PutFrame (placedAt p) (laidShift one) (laidImage one) (placedTouch p <|> placedFelt p)
@@ -299,7 +300,7 @@ checkArea images
     width = maximum (fmap (\((x, _), image) -> x + fromIntegral (rasterWidth image)) images)
     height = maximum (fmap (\((_, y), image) -> y + fromIntegral (rasterHeight image)) images)
 
--- | Refuses frames that cannot be placed, or would take too much memory, before one is resampled.
+-- | Refuses frames that cannot be placed, or would take too much memory, before any is resampled.
 checkFrames :: NonEmpty Frame -> Either StitchError ()
 checkFrames frames@(one :| _) = do
   when (length frames > maxFrames) (Left (TooManyFrames (length frames)))
@@ -310,8 +311,8 @@ checkFrames frames@(one :| _) = do
     largest frame = max (area (rasterSize (frameImage frame))) (area (canonicalSize frame))
     area (w, h) = w * h
 
--- | Refuses a frame, which has this number, that is not of the first one's size or not of numbers
--- that a frame has.
+-- | Refuses the i-th frame if its size differs from the first one's, or if its size, pose, values
+-- or pitch are unusable.
 checkFrame :: Frame -> Int -> Frame -> Either StitchError ()
 checkFrame one i given
   | (w, h) /= rasterSize (frameImage one) || not (possible w && possible h) =

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The alternative layouts of frames, with their likelihood ratios to the layout that is used:
--- other axes, other scales, slips by a cell, frames that lie anywhere, or one frame elsewhere.
+-- | Alternative layouts of frames, with their likelihood ratios to the layout in use: other axes,
+-- other scales, slips by a cell, frames that lie anywhere, or one frame elsewhere.
 module PraTactile.Registration.Others
   ( othersOnLattice,
     othersByPairs,
@@ -29,8 +29,8 @@ import PraTactile.Registration.Overlap (Relief)
 import PraTactile.Registration.Scale (likelyScales)
 import PraTactile.Registration.Settings (Registration)
 
--- | The alternative layouts that frames on a lattice do not refute, given where the places of the
--- frames count from in the robot's coordinates, and how the frames were found.
+-- | Alternative layouts that frames on a lattice do not refute. Given are the fits, the origin of
+-- the frames' places in the robot's coordinates, the frames, and their registration.
 othersOnLattice ::
   Registration -> Fits -> Taxels -> [(Taxels, Touched)] -> Joint -> [Otherwise]
 othersOnLattice settings fits robot touched found =
@@ -61,12 +61,12 @@ othersOnLattice settings fits robot touched found =
     registered lying =
       registerJointly settings fits {fitsFrames = map snd lying} (map fst lying)
     lyingAt places = zip (zip places (map snd touched)) (fitsFrames fits)
-    -- By some of the frames, where there are very many.
+    -- Of very many frames, some stand for all.
     few = length touched <= framesOfLayout
     here = if few then found else registered (spacedOut framesOfLayout (lyingAt (map fst touched)))
 
--- | The alternative layouts that the overlaps of frames do not refute. Where there is no lattice it
--- is not known what the frames then show.
+-- | Alternative layouts that the overlaps of frames do not refute. Without a lattice, what the
+-- frames would show there is unknown.
 othersByPairs :: Registration -> Relief -> Taxels -> [(Taxels, Raster)] -> [Otherwise]
 othersByPairs settings relief robot frames =
   [ Otherwise (layoutFault layout) (layoutShare layout) (exp likelier) Nothing
@@ -76,7 +76,8 @@ othersByPairs settings relief robot frames =
       likelier > refuted
   ]
   where
-    -- A scale changes how many frames overlap, and smooth relief agrees with any other.
+    -- A scale changes which frames overlap, and smooth relief fits any other, so overlaps cannot
+    -- favour one.
     most fault = case fault of
       OtherScale _ _ -> 0
       _ -> mostLog

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The part of a frame that the lattice's angle is told from.
+-- | The crop of a frame from which the lattice's angle is found.
 module PraTactile.Registration.Lattice.Glimpse
   ( glimpse,
     glimpseSize,
@@ -12,8 +12,8 @@ import Data.List (sortOn)
 import Data.Ord (Down (..))
 import PraTactile.Image
 
--- | A frame; of a large one the part of 'glimpseSize' that shows most, of parts side by side. A few
--- cells tell the angle as well as hundreds, whose tables take 16 times the time and the room.
+-- | A small frame, or the crop of 'glimpseSize' that varies most, of crops side by side. A few
+-- cells determine the angle as well as hundreds, whose tables take 16 times the time and memory.
 glimpse :: Raster -> Raster
 glimpse image = case sortOn (Down . standardDeviation) (rights parts) of
   most : _ | size /= rasterSize image -> most
@@ -27,7 +27,8 @@ glimpse image = case sortOn (Down . standardDeviation) (rights parts) of
       ]
     places whole part = [0, part .. whole - part - 1] ++ [whole - part]
 
--- | The width and height of the part of a frame of that size: all of up to 1024 pixels.
+-- | The width and height of the crop of a frame of the given size; a frame of up to 1024 pixels
+-- stays whole.
 glimpseSize :: (Int, Int) -> (Int, Int)
 glimpseSize (w, h)
   | w * h <= side * side = (w, h)
