@@ -47,7 +47,7 @@ data StitchMethod
   | -- | by the lattice of cells
     ByLattice
   | -- | by all overlapping pairs together, from what they show alone
-    Jointly
+    ByPairs
   | -- | frame by frame, by the paper's cross-correlation
     Incremental
   | -- | not at all
@@ -156,7 +156,7 @@ arrange tables method settings robot touched
       arranged frames Incremental (map (const unlevelled) frames) $
         [Registered d Nothing Nothing [] | d <- register settings frames]
     byPairs =
-      ( arranged frames Jointly (map (const unlevelled) frames) $
+      ( arranged frames ByPairs (map (const unlevelled) frames) $
           map estimated (pairwiseFrames found)
       )
         { arrangementSigma = pairwiseSigma found,
@@ -186,7 +186,7 @@ unarranged :: StitchMethod -> [(Taxels, Raster)] -> Arrangement
 unarranged method frames =
   arranged frames used (map (const unlevelled) frames) (map (const stays) frames)
   where
-    used = if method == Automatic then Jointly else method
+    used = if method == Automatic then ByPairs else method
     stays = Registered (0, 0) Nothing Nothing []
 
 -- | An arrangement from the frames, the method used, their levels, and each frame's registration as

@@ -219,7 +219,7 @@ truth = do
       `shouldBe` Right (replicate 3 (0, 0))
     map (compared placeOnly) [three, take 1 three] `shouldBe` [Right False, Right True]
     -- By the lattice frames are levelled before they are compared.
-    forM_ (byEffort id ([Automatic, Jointly] ++) [Incremental, ByLattice]) $ \way ->
+    forM_ (byEffort id ([Automatic, ByPairs] ++) [Incremental, ByLattice]) $ \way ->
       map (compared (by way)) [three, take 1 three, apart]
         `shouldBe` [Right True, Right True, Right False]
   where
