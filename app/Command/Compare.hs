@@ -14,7 +14,7 @@ import PraTactile.Format (ObjectPose (..), encodeComparison)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Pose (longer, movedBy, poseApart, thenMotion)
-import PraTactile.Recognise (leastTilt)
+import PraTactile.Recognise (leastSkew)
 import PraTactile.Recognise.Summary (orientationText, upperLeftVertex)
 import PraTactile.Symmetry (Symmetry, degreesClockwise)
 import PraTactile.Truth
@@ -122,7 +122,7 @@ comparison larger truth claim =
 turnWords :: Symmetry -> Maybe Double -> String
 turnWords symmetry angle = case angle of
   Just degrees
-    | abs (beyond degrees) > leastTilt -> printf "turned by %.1f degrees" degrees
+    | abs (beyond degrees) > leastSkew -> printf "turned by %.1f degrees" degrees
   _ -> orientationText symmetry
   where
     -- From -180 to 180.

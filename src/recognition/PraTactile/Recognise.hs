@@ -20,7 +20,7 @@ module PraTactile.Recognise
     recognise,
     recogniseWith,
     recognisedAngle,
-    leastTilt,
+    leastSkew,
 
     -- * Recognition in two steps
     Sight,
@@ -57,7 +57,7 @@ import Data.Maybe (isJust)
 import PraTactile.Array (Position)
 import PraTactile.Classification.Network (NetworkError)
 import PraTactile.Composite (asTaken)
-import PraTactile.Composite.Tilt (leastTilt)
+import PraTactile.Composite.Skew (leastSkew)
 import PraTactile.Field (KnownField)
 import PraTactile.Locate (ForeignDoubts (..), Reason (..), doubtOfForeign)
 import PraTactile.Recognise.FaceGrid
@@ -163,7 +163,7 @@ recognitionOf :: KnownField k => Tolerance -> Recogniser k -> Sight -> Recogniti
 recognitionOf tolerance reader seen = case sightUpright seen of
   Nothing -> asGiven
   Just (angle, places, upright) ->
-    preferred angle (axesTilted asGiven) (relocated angle places (located upright))
+    preferred angle (axesSkewed asGiven) (relocated angle places (located upright))
   where
     asGiven = located (sightAsGiven seen)
     located = either id (locatedLook tolerance reader) . readingLook
@@ -178,20 +178,20 @@ locatedLook tolerance reader look =
     (gridAnchor (lookGrid look))
     (locationSupport location)
     (locationLikeliest location)
-    (lookTilt look)
-    (identificationAt reader (lookTilt look) location)
+    (lookSkew look)
+    (identificationAt reader (lookSkew look) location)
   where
     location = locateGrid reader tolerance (lookDissenters look) (lookGrid look)
 
 -- | The answer or refusal for a located grid, whose symbols are turned by this angle in degrees.
 identificationAt ::
   KnownField k => Recogniser k -> Double -> GridLocation -> Either Refusal Identification
-identificationAt reader tilt location = case locationOutcome location of
+identificationAt reader skew location = case locationOutcome location of
   Placed position ->
     maybe
       (Left (NotLocated NoCompleteWindow))
       (Right . Found)
-      (findingAt reader tilt location position)
+      (findingAt reader skew location position)
   Undecided positions -> Right (Several (locationOrientation location) positions)
   WrongWayUp -> Left OrientationContradicts
   OffTheGrid -> Left GridContradicts

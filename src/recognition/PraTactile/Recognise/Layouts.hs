@@ -145,7 +145,7 @@ laidOut tolerance composites shown = case traverse compositeLattice composites o
 
 -- | The angle of the rows of the recognised cells, in degrees clockwise.
 gridAngle :: Recognition -> Double
-gridAngle shown = degreesClockwise (axisOf (recognisedCells shown)) + recognisedTilt shown
+gridAngle shown = degreesClockwise (axisOf (recognisedCells shown)) + recognisedSkew shown
 
 -- | The grid of the lattices' cells along the axis of the recognised ones.
 latticesGrid :: [Composite] -> Recognition -> [Lattice] -> FaceGrid

@@ -18,7 +18,7 @@ import Data.Maybe (isJust, isNothing)
 import PraTactile.Classification.Network (NetworkError)
 import PraTactile.Classification.Reader (Reader)
 import PraTactile.Composite.Lattice (Lattice)
-import PraTactile.Composite.Tilt (leastTilt, setUpright, tilt)
+import PraTactile.Composite.Skew (leastSkew, setUpright, skew)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.LatticeReading
 import PraTactile.Recognise.Parts
@@ -35,7 +35,7 @@ data Sight = Sight
     sightForeign :: [Reject],
     -- | the reading of the composites as given
     sightAsGiven :: Reading,
-    -- | if the symbols are not nearly upright by their 'tilt': that angle, the maps from places of
+    -- | if the symbols are not nearly upright by their 'skew': that angle, the maps from places of
     -- the upright composites to the given ones, and the reading of the upright composites
     sightUpright :: Maybe (Double, [(Double, Double) -> (Double, Double)], Reading)
   }
@@ -56,7 +56,7 @@ data Look = Look
     lookParts :: [ReadSymbol],
     -- | the grid, including the parts
     lookGrid :: FaceGrid,
-    lookTilt :: Double
+    lookSkew :: Double
   }
 
 -- | Reads the symbols of composites of one face. If registration found lattices under all of them,
@@ -69,9 +69,9 @@ sight reader given = case traverse compositeLattice given of
 
 -- | Reads composites by segmentation.
 bySegmentation :: Reader -> [Composite] -> Either NetworkError Sight
-bySegmentation reader given = case tilt (map cleanedComposite composites) of
+bySegmentation reader given = case skew (map cleanedComposite composites) of
   Just angle
-    | abs angle > leastTilt -> do
+    | abs angle > leastSkew -> do
       asGiven <- lookUpright reader Nothing composites
       let (upright, places) = unzip (map (cleanedUpright angle) composites)
       turnedBack <- lookUpright reader (Just 0) upright
@@ -108,7 +108,7 @@ inLattices reader given = do
                   lookDissenters = known (concatMap wholeIn others),
                   lookParts = concatMap (filter ((< 1) . readSeen) . Map.elems . cellsSymbols) own,
                   lookGrid = grid,
-                  lookTilt = tilted
+                  lookSkew = skewed
                 }
           Nothing -> Left (unanswered symbols GridContradicts)
   isMirrored <- if null (known symbols) then cellsMirrored reader symbols else pure False
@@ -121,8 +121,8 @@ inLattices reader given = do
   where
     composites = map (cleaned . fst) given
     foreignThings = concatMap cleanedRejects composites
-    (axis, tilted) = axisOfAll (map snd given)
-    angle = degreesClockwise axis + tilted
+    (axis, skewed) = axisOfAll (map snd given)
+    angle = degreesClockwise axis + skewed
     known = filter (isJust . readClass)
     wholeIn = filter ((>= 1) . readSeen) . Map.elems . cellsSymbols
 
@@ -165,7 +165,7 @@ onOneGrid reader angle views dissenters
     look = do
       grid <- faceGrid (groups symbols)
       let (whole, parts) = withParts reader views next grid
-      pure (Look everything dissenters parts whole (gridTilt angle grid))
+      pure (Look everything dissenters parts whole (gridSkew angle grid))
 
 -- | The settings that undo the mirroring of composites.
 unmirroring :: [Cleaned] -> [Remedy]

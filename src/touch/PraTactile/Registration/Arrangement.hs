@@ -22,7 +22,7 @@ import PraTactile.Composite (Otherwise, compositeOf)
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Lattice (Lattice)
 import PraTactile.Composite.Noise (spacedOut)
-import PraTactile.Composite.Tilt (tilts)
+import PraTactile.Composite.Skew (skews)
 import PraTactile.Image (Raster, rasterSize, rasterValues, standardDeviation)
 import PraTactile.Registration.AllPairs
 import PraTactile.Registration.Groups (groupsOf)
@@ -150,7 +150,7 @@ arrange tables method settings robot touched
       latticeAngle
         fits
         (uncurry spectra (glimpseSize size))
-        (tilts (map compositeOf (spacedOut tiltFrames images)))
+        (skews (map compositeOf (spacedOut skewFrames images)))
         (map glimpse images)
     oneByOne =
       arranged frames Incremental (map (const unlevelled) frames) $
@@ -214,8 +214,8 @@ arranged frames used levels frameOf =
         [registeredShift (a 0) | a <- frameOf]
 
 -- | At most this many frames give hints of the lattice's angle. More would only take memory.
-tiltFrames :: Int
-tiltFrames = 256
+skewFrames :: Int
+skewFrames = 256
 
 -- | Adds the error of interpolation to the noise, for frames brought to the canonical pitch from
 -- another. Its variance is a share ('interpolated') of the variance of all the frames' relief.

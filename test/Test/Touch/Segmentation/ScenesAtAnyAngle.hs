@@ -12,7 +12,7 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Array
 import PraTactile.Classification.Shipped (shippedReader)
-import PraTactile.Composite.Tilt (tilt, tilts)
+import PraTactile.Composite.Skew (skew, skews)
 import PraTactile.Decode
 import PraTactile.Field (toCode)
 import PraTactile.Image
@@ -147,7 +147,7 @@ anyAngle = do
   it "the tilt is from -45 up to but not including 45, and right up to quarter turns" $
     for_ ((,) <$> byEffort [1] [1, 2] <*> ([-46, -45.4 .. -44] ++ [44, 44.6 .. 46])) $
       \(k, angle) ->
-        case tilt [drawnWith k 0.05 (const Nothing) (sceneOf k angle)] of
+        case skew [drawnWith k 0.05 (const Nothing) (sceneOf k angle)] of
           Just found -> do
             (k, angle, found) `shouldSatisfy` (\(_, _, t) -> t >= -45 && t < 45)
             (k, angle, upToQuarters found angle) `shouldSatisfy` (\(_, _, t) -> t < 1)
@@ -155,7 +155,7 @@ anyAngle = do
   it "the tilts of two scenes together are each one's, before any other" $
     for_ ((,) <$> byEffort [3] [1 .. 6] <*> [-40, -20 .. 40]) $ \(k, angle) -> do
       let own = [angle, angle + 30]
-          found = take 2 (tilts [drawnWith k 0.05 (const Nothing) (sceneOf k a) | a <- own])
+          found = take 2 (skews [drawnWith k 0.05 (const Nothing) (sceneOf k a) | a <- own])
       (k, angle, found)
         `shouldSatisfy` (\(_, _, ts) -> and [any ((< 1) . upToQuarters a) ts | a <- own])
   it "what is not whole beside them is told as a part, with the share that is seen" $
