@@ -29,8 +29,8 @@ import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Incremental (comparisons, register)
 import PraTactile.Registration.Joint
 import PraTactile.Registration.Lattice.Angle (latticeAngle)
+import PraTactile.Registration.Lattice.Crop
 import PraTactile.Registration.Lattice.Fit (Touched, fitsAt)
-import PraTactile.Registration.Lattice.Glimpse
 import PraTactile.Registration.Lattice.Template (LatticeTables)
 import PraTactile.Registration.Levelling
 import PraTactile.Registration.Numbers (interpolated)
@@ -149,9 +149,9 @@ arrange tables method settings robot touched
       size <- listToMaybe sizes
       latticeAngle
         fits
-        (uncurry spectra (glimpseSize size))
+        (uncurry spectra (cropSize size))
         (skews (map compositeOf (spacedOut skewFrames images)))
-        (map glimpse images)
+        (map variedCrop images)
     oneByOne =
       arranged frames Incremental (map (const unlevelled) frames) $
         [Registered d Nothing Nothing [] | d <- register settings frames]

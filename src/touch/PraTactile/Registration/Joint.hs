@@ -36,7 +36,7 @@ import PraTactile.Registration.Joint.Displacement
     cellsOfPhases,
     displacementsOf,
   )
-import PraTactile.Registration.Joint.Phase (CommonPhase (..), commonPhase, glimpsedLog)
+import PraTactile.Registration.Joint.Phase (CommonPhase (..), commonPhase, quickPhaseLog)
 import PraTactile.Registration.Joint.TwoFrames
 import PraTactile.Registration.Lattice.Fit
 import PraTactile.Registration.Lattice.Likelihood (likelihoodTheta)
@@ -57,7 +57,7 @@ data Joint = Joint
     jointSigma :: Maybe Double,
     -- | A quick log P of the lattice, by phases alone, up to a constant that does not depend on the
     -- places.
-    jointGlimpse :: Double,
+    jointQuickLog :: Double,
     -- | F: a lower bound of log P of what all frames show, up to a constant that does not depend on
     -- the places.
     jointBound :: Double,
@@ -82,7 +82,7 @@ registerJointly settings fits frames =
   Joint
     { jointFrames = centredEstimates,
       jointSigma = sigma,
-      jointGlimpse = glimpsedLog grid phases,
+      jointQuickLog = quickPhaseLog grid phases,
       jointBound = bound,
       jointEvidence =
         bound - log (commonShare common) - log (2 * phasesOfOne)

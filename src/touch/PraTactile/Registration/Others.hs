@@ -52,11 +52,11 @@ othersOnLattice settings fits robot touched found =
           Just (jointLattice (if few then there else registered lying))
         )
       where
-        byPhase = jointGlimpse there - jointGlimpse here
+        byPhase = jointQuickLog there - jointQuickLog here
         there = registered (spacedOut framesOfLayout lying)
     scales
       | maybe False (> largeError) (jointSigma found) =
-        likelyScales (jointGlimpse . registered . spacedOut scaleFrames . lyingAt) (map fst touched)
+        likelyScales (jointQuickLog . registered . spacedOut scaleFrames . lyingAt) (map fst touched)
       | otherwise = []
     registered lying =
       registerJointly settings fits {fitsFrames = map snd lying} (map fst lying)

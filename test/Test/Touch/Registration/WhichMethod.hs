@@ -10,7 +10,7 @@ import PraTactile.Registration.Arrangement hiding (arrange)
 import PraTactile.Registration.Estimate (Estimate (..))
 import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Incremental (register)
-import PraTactile.Registration.Lattice.Glimpse
+import PraTactile.Registration.Lattice.Crop
 import PraTactile.Registration.Residual (residual)
 import PraTactile.Registration.Settings (Registration (..), standardRegistration)
 import Test.Effort (whenFull)
@@ -109,9 +109,9 @@ waySpec = do
   it "the lattice's angle is told from a part of a large frame, the one that shows most" $ do
     let strong x y = fromIntegral ((7 * x + 3 * y) `mod` 5) - 2
         image = generate 200 100 $ \x y -> strong x y * (if x >= 168 && y >= 68 then 1 else 0.1)
-    (Right (glimpse image) == crop (168, 68) (32, 32) image) `shouldBe` True
+    (Right (variedCrop image) == crop (168, 68) (32, 32) image) `shouldBe` True
     for_ [(32, 32), (4, 256), (128, 8)] $ \(w, h) ->
-      let small = generate w h strong in (glimpse small == small) `shouldBe` True
+      let small = generate w h strong in (variedCrop small == small) `shouldBe` True
   it "the lattice is seen in large frames, too, each turned a little in itself" $ do
     let frames =
           [ ((x, y), frameTurned angle (48, 48) (x, y))

@@ -9,7 +9,7 @@
 module PraTactile.Registration.Joint.Phase
   ( CommonPhase (..),
     commonPhase,
-    glimpsedLog,
+    quickPhaseLog,
   )
 where
 
@@ -49,8 +49,8 @@ commonPhase grid frames known = CommonPhase (log here) (here / V.sum probable) o
 
 -- | A quick log P(lambda) of the likeliest lattice, up to a constant. Each frame has only its
 -- likeliest phase, and the lattice has one of these.
-glimpsedLog :: Grid -> [(Taxels, Likelihood)] -> Double
-glimpsedLog grid frames =
+quickPhaseLog :: Grid -> [(Taxels, Likelihood)] -> Double
+quickPhaseLog grid frames =
   maximum [logSum [sum (map (given lambda) told) | told <- bySigma] | lambda <- map fst seen]
   where
     (across, down) = phaseCount placesPerTaxel

@@ -40,7 +40,7 @@ import PraTactile.Image
     zipRaster,
   )
 import PraTactile.Registration.Lattice.Blur (areaSumsGiven)
-import PraTactile.Registration.Lattice.Glimpse
+import PraTactile.Registration.Lattice.Crop
 import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Template
@@ -179,12 +179,12 @@ data Fits = Fits
 fitsAt :: LatticeTables -> [Touched] -> Double -> Fits
 fitsAt tables images angle = Fits angle at (map fit images)
   where
-    at = bySize (sizes ++ map glimpseSize sizes) (tablesAt tables angle)
+    at = bySize (sizes ++ map cropSize sizes) (tablesAt tables angle)
     sizes = map (rasterSize . fst) images
     fit seen@(image, _)
-      | glimpseSize (rasterSize image) == rasterSize image = all'
+      | cropSize (rasterSize image) == rasterSize image = all'
       | otherwise =
-        (fitted (whole (glimpse image)))
+        (fitted (whole (variedCrop image)))
           { fitSome = fitSome all',
             fitLikelihood = fitLikelihood all'
           }

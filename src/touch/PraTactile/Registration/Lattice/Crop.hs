@@ -1,9 +1,9 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | The crop of a frame from which the lattice's angle is found.
-module PraTactile.Registration.Lattice.Glimpse
-  ( glimpse,
-    glimpseSize,
+module PraTactile.Registration.Lattice.Crop
+  ( variedCrop,
+    cropSize,
   )
 where
 
@@ -12,14 +12,14 @@ import Data.List (sortOn)
 import Data.Ord (Down (..))
 import PraTactile.Image
 
--- | A small frame, or the crop of 'glimpseSize' that varies most, of crops side by side. A few
+-- | A small frame, or the crop of 'cropSize' that varies most, of crops side by side. A few
 -- cells determine the angle as well as hundreds, whose tables take 16 times the time and memory.
-glimpse :: Raster -> Raster
-glimpse image = case sortOn (Down . standardDeviation) (rights parts) of
+variedCrop :: Raster -> Raster
+variedCrop image = case sortOn (Down . standardDeviation) (rights parts) of
   most : _ | size /= rasterSize image -> most
   _ -> image
   where
-    size@(w, h) = glimpseSize (rasterSize image)
+    size@(w, h) = cropSize (rasterSize image)
     parts =
       [ crop (x, y) size image
         | y <- places (rasterHeight image) h,
@@ -29,8 +29,8 @@ glimpse image = case sortOn (Down . standardDeviation) (rights parts) of
 
 -- | The width and height of the crop of a frame of the given size; a frame of up to 1024 pixels
 -- stays whole.
-glimpseSize :: (Int, Int) -> (Int, Int)
-glimpseSize (w, h)
+cropSize :: (Int, Int) -> (Int, Int)
+cropSize (w, h)
   | w * h <= side * side = (w, h)
   | otherwise = (min w side, min h side)
   where
