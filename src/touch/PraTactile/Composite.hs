@@ -16,8 +16,8 @@ module PraTactile.Composite
     compositePixel,
     compositeFrom,
     blended,
-    Worth (..),
-    inFull,
+    BlendWeight (..),
+    fullWeight,
     weighted,
   )
 where
@@ -58,7 +58,7 @@ data Composite = Composite
     -- | The standard deviation, in taxels along each axis, of the position errors of frames that
     -- were not registered. Such frames lie at their nominal places, or no two of them overlap. 0
     -- for registered frames and for a single frame.
-    compositeUncompared :: !Double,
+    compositeUnregisteredError :: !Double,
     -- | The step of the readings ('readingStep'). Smaller differences are not contrast.
     compositeStep :: Double,
     -- | Whether the robot's axes were given.
@@ -188,7 +188,7 @@ compositeOf image =
       compositeOrigin = (0, 0),
       compositeDisplacements = [],
       compositePositionError = Nothing,
-      compositeUncompared = 0,
+      compositeUnregisteredError = 0,
       compositeStep = readingStep [image],
       compositeAxesStated = False,
       compositeTaking = standardTaking,
@@ -236,7 +236,7 @@ weighted composite =
 -- and 'known' in the coverage.
 blended ::
   (Double, Double) ->
-  NonEmpty ((Taxels, Raster), Worth) ->
+  NonEmpty ((Taxels, Raster), BlendWeight) ->
   [Taxels] ->
   Composite
 blended (left, top) images displacements =
@@ -246,7 +246,7 @@ blended (left, top) images displacements =
       compositeOrigin = origin,
       compositeDisplacements = displacements,
       compositePositionError = Nothing,
-      compositeUncompared = 0,
+      compositeUnregisteredError = 0,
       compositeStep = readingStep (map (snd . fst) (NonEmpty.toList images)),
       compositeAxesStated = False,
       compositeTaking = standardTaking,
@@ -269,36 +269,36 @@ blended (left, top) images displacements =
     onGrid ((x, y), im) = ((x - fromIntegral x0, y - fromIntegral y0), im)
     Blend allSums allWeights = laid fst
     (sums, weights, coverage)
-      | all ((== inFull) . snd) images =
+      | all ((== fullWeight) . snd) images =
         (allSums, allWeights, allWeights)
       | otherwise = (total times, total inMean, total inCoverage)
     total value = blendSums (laid (\((place, im), counts) -> (place, value counts im)))
     -- The weight of each pixel of an image, if pixels of dead elements have the weight @least@.
-    worth least felt im =
+    livingShare least felt im =
       maybe (mapRaster (const 1) im) (mapRaster (\share -> share + least * (1 - share))) felt
     inMean counts im =
-      touching counts (mapRaster (worthCount counts *) (worth interpolated (worthFelt counts) im))
-    inCoverage counts = touching counts . worth known (worthFelt counts)
-    touching counts r = maybe r (orElse r . zipRaster (*) r) (worthTouch counts)
+      touching counts (mapRaster (weightInMean counts *) (livingShare interpolated (weightOfLiving counts) im))
+    inCoverage counts = touching counts . livingShare known (weightOfLiving counts)
+    touching counts r = maybe r (orElse r . zipRaster (*) r) (weightOfTouch counts)
     times counts im = orElse im (zipRaster (*) (inMean counts im) im)
     means = orElse sums (zipRaster (\s w -> if w < leastWeight then 0 else s / w) sums weights)
     -- The rasters have one size, so this default is never used.
     orElse other = either (const other) id
 
 -- | The weight of an image in a blend.
-data Worth = Worth
+data BlendWeight = BlendWeight
   { -- | Its weight in the mean.
-    worthCount :: !Double,
+    weightInMean :: !Double,
     -- | The weight of each pixel, 0 to 1, by how well it touched; 1 if 'Nothing'.
-    worthTouch :: !(Maybe Raster),
+    weightOfTouch :: !(Maybe Raster),
     -- | The share of each pixel that comes from living elements; 1 if 'Nothing'.
-    worthFelt :: !(Maybe Raster)
+    weightOfLiving :: !(Maybe Raster)
   }
   deriving stock (Eq, Show)
 
 -- | The weight of an image without dead elements: 1 everywhere.
-inFull :: Worth
-inFull = Worth 1 Nothing Nothing
+fullWeight :: BlendWeight
+fullWeight = BlendWeight 1 Nothing Nothing
 
 -- | The weight in the mean of a value that replaces a dead element, relative to a living one. It
 -- is enough to be the mean where no other frame felt the place.

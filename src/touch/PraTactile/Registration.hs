@@ -44,12 +44,12 @@ import qualified Data.List.NonEmpty as NonEmpty
 import Data.Maybe (fromMaybe, isJust)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite
-  ( Composite (..),
+  ( BlendWeight (..),
+    Composite (..),
     Contradiction (..),
     Fault (..),
     Otherwise (..),
     PutFrame (..),
-    Worth (..),
     blended,
     compositeOf,
     compositePosition,
@@ -260,7 +260,7 @@ putTogether scene seen arrangement = NonEmpty.zipWith put (NonEmpty.zip seen lev
 blendedScene :: Registration -> Scene -> Arrangement -> NonEmpty Laid -> Composite
 blendedScene settings scene arrangement put =
   (blended (sceneCorner scene) (fmap counted put) (ofEachFrame scene shifts))
-    { compositeUncompared = if length put == 1 || compared then 0 else supposedSigma settings,
+    { compositeUnregisteredError = if length put == 1 || compared then 0 else supposedSigma settings,
       compositePositionError = arrangementSigma arrangement,
       compositeLattice = fromRobot <$> arrangementLattice arrangement,
       compositeOthers = others,
@@ -275,7 +275,7 @@ blendedScene settings scene arrangement put =
     shifts = map registeredShift (arrangementFrames arrangement)
     counted one =
       ( (laidPlace one, laidImage one),
-        Worth
+        BlendWeight
           (levelWeight (laidLevel one))
           (placedTouch (laidFrom one))
           (placedFelt (laidFrom one))

@@ -212,7 +212,7 @@ partSpec known seen reader =
             | otherwise = (negate (top + h - 1), left)
        in (compositeOf (onRaster axis part))
             { compositeOrigin = (taxelPitch * fromIntegral x0, taxelPitch * fromIntegral y0),
-              compositeUncompared = sigma
+              compositeUnregisteredError = sigma
             }
     alike a b =
       counterexample (show (a, b)) $

@@ -55,7 +55,7 @@ partsOf reader cells view =
       readDoubt part < 0.5
   ]
   where
-    sigma = compositeUncompared (viewComposite view)
+    sigma = compositeUnregisteredError (viewComposite view)
     look = partAt (viewComposite view) (segmentedBackground found, segmentedContrast found) 0
     found = viewSegmentation view
     own = [(cell, s) | (cell, here) <- Map.toList cells, s <- here, readSource s == viewSource view]

@@ -211,7 +211,7 @@ truth = do
   it "frames count as compared where some overlap and are not left where they are" $ \_ -> do
     let frames places = pressed idealSensor (texture 1 60 60) [(pose, (0, 0)) | pose <- places]
         three = region 32 16
-        compared assemble = fmap ((== 0) . compositeUncompared) . assemble . frames
+        compared assemble = fmap ((== 0) . compositeUnregisteredError) . assemble . frames
         by way = fmap assemblyComposite . Stitch.assemble way standardRegistration
         apart = [pose | (i, pose) <- zip [0 :: Int ..] three, even i]
     -- Without an error all stay where they are, and have been compared all the same.
