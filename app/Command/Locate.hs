@@ -220,7 +220,7 @@ responder options profile on@(ArrayOn _ array) mask = do
           queryForeign = foreignThings options,
           -- Of symbols that are told nobody knows how they looked.
           queryUnlike = -1 / 0,
-          queryBeforehand = Nothing
+          queryPrior = Nothing
         }
 
 answering :: Profile -> Options -> (Text -> Either String Response) -> IO ExitStatus

@@ -19,7 +19,7 @@ module PraTactile.Locate.Foreign
     evidence,
     foreignByChance,
     misleading,
-    weighed,
+    withForeign,
   )
 where
 
@@ -118,8 +118,8 @@ misleading :: Double
 misleading = 0.01
 
 -- | A posterior after every place is wrong with this additional probability.
-weighed :: Double -> Posterior place -> Posterior place
-weighed alien found =
+withForeign :: Double -> Posterior place -> Posterior place
+withForeign alien found =
   found
     { posteriorDoubt = orForeign (posteriorDoubt found),
       posteriorEqualDoubt = orForeign (posteriorEqualDoubt found),

@@ -16,9 +16,9 @@ where
 import Numeric.Natural (Natural)
 import PraTactile.Field
 import PraTactile.Locate.Answer (Candidate)
-import PraTactile.Locate.Beforehand
 import PraTactile.Locate.Belief
 import PraTactile.Locate.Patch
+import PraTactile.Locate.Prior
 import PraTactile.Symmetry
 
 -- | What was observed in a cell.
@@ -78,9 +78,9 @@ data Query (k :: Field) = Query
     -- | The log-likelihood ratio of other symbols than the array's to the array's; minus infinity
     -- if unknown. It is used with 'queryForeign'.
     queryUnlike :: Double,
-    -- | The prior of each candidate and its silent cells ("PraTactile.Locate.Beforehand"), used if
+    -- | The prior of each candidate and its silent cells ("PraTactile.Locate.Prior"), used if
     -- any cell has probabilities; 'Nothing' for a uniform prior.
-    queryBeforehand :: Maybe (Candidate -> Beforehand)
+    queryPrior :: Maybe (Candidate -> CandidatePrior)
   }
 
 type role Query nominal

@@ -25,7 +25,7 @@ where
 import Data.Either (isRight)
 import qualified Data.Map.Strict as Map
 import PraTactile.Array (Position)
-import PraTactile.Locate (LocatorError (..), Reason (..), foreignBut, reasonName, reasons)
+import PraTactile.Locate (LocatorError (..), Reason (..), reasonName, reasons, scaledForeign)
 import PraTactile.Recognise.FaceGrid (Cells)
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.Instead (Instead)
@@ -242,6 +242,6 @@ doubting tolerance (Misplaced stitched axes slip layout) recognition =
                 doubtOfStitching = stitched,
                 doubtOfAxes = axes,
                 doubtOfSlip = slip,
-                doubtsOfOrigin = foreignBut (1 - put) (doubtsOfOrigin (supportDoubts support))
+                doubtsOfOrigin = scaledForeign (1 - put) (doubtsOfOrigin (supportDoubts support))
               }
         }

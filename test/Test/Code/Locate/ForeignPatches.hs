@@ -176,7 +176,7 @@ spec = do
     fmap posteriorUnlisted (answerPosterior listed) `shouldSatisfy` (/= Just Nothing)
     byList <- foreignBy ListDecoder
     compared <- foreignBy PosteriorDecoder
-    let others = worthOfOthers (otherArrays (naturally array)) [identity] seen
+    let others = evidenceOfOthers (otherArrays (naturally array)) [identity] seen
     abs (byList - alone others) `shouldSatisfy` (< 1e-12)
     compared `shouldSatisfy` (< byList)
   it "no more answers are wrong than the doubts say, with 300 of 1500 patches foreign" $ do

@@ -68,7 +68,7 @@ spec = do
                         queryDoubt = 0.99,
                         queryForeign = Nothing,
                         queryUnlike = -1 / 0,
-                        queryBeforehand = Nothing
+                        queryPrior = Nothing
                       }
                   theLocator = locator Nothing MostSignificantFirst (naturally array) window
                in classify (shape /= Shape 1 1) "more than a cell" $
