@@ -25,7 +25,7 @@ data Estimate = Estimate
   { estimateLikeliest :: !(Int, Symmetry),
     -- | the probabilities of all classes and orientations, each above 0; they add up to 1
     estimateChances :: ![((Int, Symmetry), Double)],
-    -- | the log-likelihood ratio of another shape to the alphabet's ('unlikeness'); 0 where it was
+    -- | the log-likelihood ratio of another shape to the alphabet's ('logOddsOther'); 0 where it was
     -- not computed
     estimateUnlike :: !Double
   }
@@ -63,10 +63,10 @@ estimateFrom calibration shapesSeen image upright upsideDown =
     [] -> Estimate (0, identity) [] 0
     all'@(one : others) ->
       let likeliest = fst (foldl' (\a b -> if snd b > snd a then b else a) one others)
-       in Estimate likeliest all' (unlikeness calibration likeliest seen)
+       in Estimate likeliest all' (logOddsOther calibration likeliest seen)
   where
-    seen = look shapesSeen image upright upsideDown
-    told = chances calibration seen
+    seen = symbolFeatures shapesSeen image upright upsideDown
+    told = classProbabilities calibration seen
     -- All the other classes together have at least 'leastDoubt', whatever the regression says.
     floored p = (1 - spread) * p + spread / n
     spread = leastDoubt * n / max 1 (n - 1)
