@@ -163,7 +163,7 @@ wrongClass (e, Labelled truth _) = (estimateDoubt e, Just (estimateLikeliest e) 
 wrongKind :: Told -> (Double, Bool)
 wrongKind (e, Labelled truth _) = (1 / (1 + exp (abs u)), (u > 0) /= isNothing truth)
   where
-    u = estimateUnlike e
+    u = estimateForeignShape e
 
 loss :: Told -> Double
 loss (e, Labelled truth _) = negate (log (maybe 1 (estimateChance e) truth))
@@ -200,7 +200,7 @@ passing :: Double -> [Told] -> [Told] -> String
 passing share ours others = printf "%d of %d" (length passed) (length others)
   where
     passed = filter (< limit) (unlike others)
-    unlike = map (estimateUnlike . fst)
+    unlike = map (estimateForeignShape . fst)
     before = floor (share * fromIntegral (length ours)) :: Int
     limit = case drop before (sort (unlike ours)) of
       u : _ -> u

@@ -219,7 +219,7 @@ responder options profile on@(ArrayOn _ array) mask = do
           queryDoubt = doubt options,
           queryForeign = foreignThings options,
           -- Of symbols that are told nobody knows how they looked.
-          queryUnlike = -1 / 0,
+          queryForeignShape = -1 / 0,
           queryPrior = Nothing
         }
 

@@ -31,7 +31,7 @@ module PraTactile.Recognise
     -- * Symbols
     ReadSymbol (..),
     readDoubt,
-    readNone,
+    readForeignProbability,
 
     -- * Windows
     ReadWindow (..),

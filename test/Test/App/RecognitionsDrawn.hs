@@ -396,7 +396,7 @@ symbolWithin (w, h) = do
         readSeen = 1,
         readLikeliest = what,
         readChances = [(what, 1)],
-        readUnlike = -10
+        readForeignShape = -10
       }
 
 named :: Text -> Drawing -> Drawing

@@ -51,7 +51,7 @@ data ForeignComparison = ForeignComparison
     foreignOthers :: Maybe Double,
     -- | the log-likelihood ratio of other symbols than the array's to the array's; minus infinity
     -- if that is not weighed
-    foreignUnlike :: Double
+    foreignShape :: Double
   }
   deriving stock (Eq, Show)
 
@@ -77,7 +77,7 @@ foreignChances comparison
   where
     share = foreignShare comparison
     byChance = log (share * random) + contents
-    byShapes = log share + contents + foreignUnlike comparison
+    byShapes = log share + contents + foreignShape comparison
     contents = contentsByChance comparison
     alone = isNothing (foreignOthers comparison)
     random = if alone then 1 else foreignByChance

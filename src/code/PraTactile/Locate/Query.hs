@@ -77,7 +77,7 @@ data Query (k :: Field) = Query
     queryForeign :: Maybe Double,
     -- | The log-likelihood ratio of other symbols than the array's to the array's; minus infinity
     -- if unknown. It is used with 'queryForeign'.
-    queryUnlike :: Double,
+    queryForeignShape :: Double,
     -- | The prior of each candidate and its silent cells ("PraTactile.Locate.Prior"), used if
     -- any cell has probabilities; 'Nothing' for a uniform prior.
     queryPrior :: Maybe (Candidate -> CandidatePrior)

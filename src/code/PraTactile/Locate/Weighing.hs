@@ -144,7 +144,7 @@ comparedWith theLocator query candidates seen expected =
       foreignOthers =
         subtract (expectedShown expected - expectedSymmetry expected)
           <$> evidenceOfOthers (locatorOthers theLocator) (querySymmetries query) seen,
-      foreignUnlike = queryUnlike query
+      foreignShape = queryForeignShape query
     }
 
 -- | The candidates of a patch as spheres of radius 0; 'Nothing' if no cell was observed.

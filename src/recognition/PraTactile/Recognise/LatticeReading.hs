@@ -127,7 +127,7 @@ cellsOf skew source (own, base) lattice =
                 readSeen = 1,
                 readLikeliest = (axis, 0),
                 readChances = [],
-                readUnlike = 0
+                readForeignShape = 0
               }
 
 -- | A symbol with the orientations and classes of an estimate along an axis.
@@ -172,7 +172,7 @@ readCells reader (composite, Cleaned clean forParts foreignThings) lattice found
             s
               { readImage = imageOf whole,
                 readClass = readClass seen,
-                readUnlike = readUnlike seen
+                readForeignShape = readForeignShape seen
               }
         asPart part =
           told

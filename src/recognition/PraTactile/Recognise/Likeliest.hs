@@ -62,7 +62,7 @@ query reader tolerance cells shown =
     { querySymmetries = waysUp,
       queryDoubt = toleratedDoubt tolerance,
       queryForeign = Just (foreignPrior tolerance),
-      queryUnlike = sum [max (-6) (min 4 (readUnlike s)) | here <- Map.elems cells, s <- here],
+      queryForeignShape = sum [max (-6) (min 4 (readForeignShape s)) | here <- Map.elems cells, s <- here],
       queryPrior = Just (priorOf reader cells)
     }
 

@@ -95,5 +95,5 @@ readPart view (x, y) seen estimated =
       readLikeliest = alongAxis (viewAxis view) (estimateLikeliest estimated),
       readChances = map (first (alongAxis (viewAxis view))) (estimateChances estimated),
       -- Parts are not compared with other shapes.
-      readUnlike = estimateUnlike estimated
+      readForeignShape = estimateForeignShape estimated
     }

@@ -7,7 +7,7 @@ module PraTactile.Recognise.Reading
     ReadSymbol (..),
     View (..),
     readDoubt,
-    readNone,
+    readForeignProbability,
     readSymbols,
     readSymbol,
     mostKnown,
@@ -72,7 +72,7 @@ data ReadSymbol = ReadSymbol
     -- | the probabilities of all orientations and classes along its axis
     readChances :: [((Symmetry, Int), Double)],
     -- | the log-likelihood ratio of its image under another shape to its image under the alphabet
-    readUnlike :: Double
+    readForeignShape :: Double
   }
   deriving stock (Eq, Show)
 
@@ -81,10 +81,10 @@ readDoubt :: ReadSymbol -> Double
 readDoubt s = sum [chance | (what, chance) <- readChances s, what /= readLikeliest s]
 
 -- | The probability that a symbol is none of the shapes. The prior is one in 200.
-readNone :: ReadSymbol -> Double
-readNone s = odds / (1 + odds)
+readForeignProbability :: ReadSymbol -> Double
+readForeignProbability s = odds / (1 + odds)
   where
-    odds = 0.005 / 0.995 * exp (readUnlike s)
+    odds = 0.005 / 0.995 * exp (readForeignShape s)
 
 -- | A composite with the symbols of one axis.
 data View = View
@@ -163,7 +163,7 @@ readSymbol reader axis source (dx, dy) image = do
         readSeen = 1,
         readLikeliest = alongAxis axis (estimateLikeliest likeliest),
         readChances = map (first (alongAxis axis)) (estimateChances likeliest),
-        readUnlike = estimateUnlike likeliest
+        readForeignShape = estimateForeignShape likeliest
       }
   where
     known values = case decide standardThresholds values of

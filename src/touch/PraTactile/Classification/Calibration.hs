@@ -6,7 +6,7 @@
 -- An image shows one of 2 q things (class k, upright or turned by 180 degrees) or another shape.
 -- Three numbers are computed from it. For each of the 2 q things: the logit z of its output, taken
 -- from the image or from the turned image, and the correlation s with its shape ('match'). For the
--- image alone: the correlation u with the free-form drawing that fits it best ('freeLikeness').
+-- image alone: the correlation u with the free-form drawing that fits it best ('freeFormCorrelation').
 -- Assume that the image x is a shape of any gain and offset under normal noise of unknown variance.
 -- Then the likelihood of the shape is a power of 1 - s^2, so correlation enters as
 --
@@ -74,10 +74,10 @@ import Numeric.LinearAlgebra
     (<>),
     (<\>),
   )
+import PraTactile.Classification.FreeForm (freeFormCorrelation)
 import PraTactile.Classification.Network (NetworkError (..))
 import PraTactile.Classification.Network.File (networkText)
 import PraTactile.Classification.Templates
-import PraTactile.Classification.Unlike (freeLikeness)
 import PraTactile.Decimal (readDouble)
 import PraTactile.Image (Raster, onRaster)
 import PraTactile.Symmetry
@@ -116,7 +116,7 @@ symbolFeatures shapesSeen image upright upsideDown =
       | (turn, values) <- [(identity, upright), (turned 2, upsideDown)],
         (c, o) <- zip [0 ..] values
     ]
-    (freeLikeness image)
+    (freeFormCorrelation image)
 
 -- | The inverse of the logistic function; outputs are first clipped to 10^-15 from 0 and 1.
 logit :: Double -> Double

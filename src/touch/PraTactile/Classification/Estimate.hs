@@ -27,7 +27,7 @@ data Estimate = Estimate
     estimateChances :: ![((Int, Symmetry), Double)],
     -- | the log-likelihood ratio of another shape to the alphabet's ('logOddsOther'); 0 where it was
     -- not computed
-    estimateUnlike :: !Double
+    estimateForeignShape :: !Double
   }
   deriving stock (Eq, Show)
 

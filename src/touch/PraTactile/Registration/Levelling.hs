@@ -37,7 +37,7 @@ where
 import PraTactile.Image (Raster, mapRaster)
 import PraTactile.Registration.Lattice.Fit (Touched, standardOf)
 import PraTactile.Registration.Model (Theta (..))
-import PraTactile.Registration.Numbers (independent, negligible, unlikeGain, unlikeOffset)
+import PraTactile.Registration.Numbers (independent, negligible, pressGainVariance, pressOffsetVariance)
 
 -- | The common scale of all frames, and the rescaling of each to it.
 data Levelling = Levelling
@@ -81,7 +81,7 @@ levelling frames
     unit = exp usualGain
     gains = map exp logGains
     (usual, shares) =
-      randomEffects [(offset r / unit, offsetError r / (unit * unit) + unlikeOffset) | r <- told]
+      randomEffects [(offset r / unit, offsetError r / (unit * unit) + pressOffsetVariance) | r <- told]
     offsets = map (* unit) shares
     alike xs = and (zipWith (==) xs (drop 1 xs))
     onto g o = Level (flat - o / share) (1 / share) (max 0.01 (share * share))
@@ -103,7 +103,7 @@ reading seen (Theta a b v) = Reading (s * a) (m + s * b) ofGain (s * s * v / (in
   where
     ofGain
       | n / 2 * log (1 / v) < negligible = 1 / 0
-      | otherwise = v / (independent * n * (1 - v)) + unlikeGain
+      | otherwise = v / (independent * n * (1 - v)) + pressGainVariance
     (n, m, s) = standardOf seen
 
 -- | Random-effects estimates from numbers with their error variances: the mean, and each number

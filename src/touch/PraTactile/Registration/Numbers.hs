@@ -9,8 +9,8 @@ module PraTactile.Registration.Numbers
     leastVariance,
     leastShare,
     blurDeviation,
-    unlikeGain,
-    unlikeOffset,
+    pressGainVariance,
+    pressOffsetVariance,
 
     -- * Tilted presses
     leastTouch,
@@ -96,12 +96,12 @@ blurDeviation :: Double
 blurDeviation = 0.75
 
 -- | Variance of log gains among one sensor's presses. Assumption: 30 %.
-unlikeGain :: Double
-unlikeGain = 0.09
+pressGainVariance :: Double
+pressGainVariance = 0.09
 
 -- | Variance of offset / gain among one sensor's presses. Assumption: 5 %.
-unlikeOffset :: Double
-unlikeOffset = 0.0025
+pressOffsetVariance :: Double
+pressOffsetVariance = 0.0025
 
 -- | A taxel touches if its t ("PraTactile.Registration.Contact") is at least this. Assumption.
 leastTouch :: Double

@@ -152,7 +152,7 @@ spec = do
                     foreignLikeliest = -(alike * log 2),
                     foreignSymmetry = 0,
                     foreignOthers = Nothing,
-                    foreignUnlike = -1 / 0
+                    foreignShape = -1 / 0
                   }
           -- 2^alike 0.995^cells / 2^1027 against 2^-cells.
           odds = alike * log 2 + fromIntegral cells * log 0.995 + 3 * log 2

@@ -67,7 +67,7 @@ spec = do
                         queryRadius = Guaranteed,
                         queryDoubt = 0.99,
                         queryForeign = Nothing,
-                        queryUnlike = -1 / 0,
+                        queryForeignShape = -1 / 0,
                         queryPrior = Nothing
                       }
                   theLocator = locator Nothing MostSignificantFirst (naturally array) window
