@@ -5,10 +5,10 @@
 module PraTactile.Composite
   ( Composite (..),
     PutFrame (..),
-    Otherwise (..),
-    Fault (..),
+    AlternativeLayout (..),
+    LayoutCause (..),
     Contradiction (..),
-    likeliestFault,
+    likeliestCause,
     asTaken,
     leastCoverage,
     compositeOf,
@@ -67,7 +67,7 @@ data Composite = Composite
     compositeTaking :: !Taking,
     -- | Alternative layouts of the frames: with one frame elsewhere (most probable first), or with
     -- all frames elsewhere because the robot's positions are wrong.
-    compositeOthers :: [Otherwise],
+    compositeAlternatives :: [AlternativeLayout],
     -- | The contradiction of the frames, if they differ where they should overlap.
     compositeContradiction :: Maybe Contradiction,
     -- | The composite of the same frames along the axes of 'AgreeingAlong', if that is the
@@ -94,19 +94,19 @@ data PutFrame = PutFrame
   deriving stock (Eq, Show)
 
 -- | An alternative layout of a composite's frames.
-data Otherwise = Otherwise
-  { otherwiseFault :: !Fault,
+data AlternativeLayout = AlternativeLayout
+  { alternativeCause :: !LayoutCause,
     -- | Its share of the prior probability of such faults; 1 for 'OneFrame'.
-    otherwiseShare :: !Double,
+    alternativeShare :: !Double,
     -- | The likelihood ratio of this layout to the composite's; for 'OneFrame' the posterior odds.
-    otherwiseLikelier :: !Double,
+    alternativeRatio :: !Double,
     -- | The lattice under the frames in this layout; 'Nothing' if they have none in common.
-    otherwiseLattice :: Maybe Lattice
+    alternativeLattice :: Maybe Lattice
   }
   deriving stock (Eq, Show)
 
 -- | A reason for another layout.
-data Fault
+data LayoutCause
   = -- | one frame is elsewhere
     OneFrame
   | -- | the positions are along these axes, not along the stated ones
@@ -140,16 +140,16 @@ data Contradiction
 -- layout in use exceed the limit. The arguments are the limit, the frames' places (millimetres),
 -- and the faults with their odds. If the fault is not 'farMore' probable than the layout in use and
 -- all other faults, the result is 'AgreeingAnywhere'.
-likeliestFault :: Double -> [(Double, Double)] -> [(Fault, Double)] -> Maybe Contradiction
-likeliestFault limit places weighed = case sortOn (negate . snd) (filter ofAll weighed) of
-  (fault, odds) : rest
+likeliestCause :: Double -> [(Double, Double)] -> [(LayoutCause, Double)] -> Maybe Contradiction
+likeliestCause limit places weighed = case sortOn (negate . snd) (filter ofAll weighed) of
+  (cause, odds) : rest
     | odds > limit ->
-      let others = 1 : [o | (other, o) <- rest, not (alike fault other)]
+      let others = 1 : [o | (other, o) <- rest, not (alike cause other)]
           certain = all ((odds >) . (farMore *)) others
-       in Just (contradictionBy places (if certain then fault else Anywhere))
+       in Just (contradictionBy places (if certain then cause else Anywhere))
   _ -> Nothing
   where
-    ofAll (fault, _) = fault `notElem` [OneFrame, Slip]
+    ofAll (cause, _) = cause `notElem` [OneFrame, Slip]
     alike (OtherScale _ _) (OtherScale _ _) = True
     alike _ _ = False
 
@@ -158,8 +158,8 @@ farMore :: Double
 farMore = 1e4
 
 -- | The contradiction that a fault means for frames at the given places (millimetres).
-contradictionBy :: [(Double, Double)] -> Fault -> Contradiction
-contradictionBy places fault = case fault of
+contradictionBy :: [(Double, Double)] -> LayoutCause -> Contradiction
+contradictionBy places cause = case cause of
   OtherAxes axes -> AgreeingAlong axes
   OtherScale across down -> AgreeingAtScale across down
   _ -> AgreeingAnywhere (length places) (extent fst) (extent snd)
@@ -192,7 +192,7 @@ compositeOf image =
       compositeStep = readingStep [image],
       compositeAxesStated = False,
       compositeTaking = standardTaking,
-      compositeOthers = [],
+      compositeAlternatives = [],
       compositeContradiction = Nothing,
       compositeAgreeing = Nothing,
       compositeFrames = [],
@@ -250,7 +250,7 @@ blended (left, top) images displacements =
       compositeStep = readingStep (map (snd . fst) (NonEmpty.toList images)),
       compositeAxesStated = False,
       compositeTaking = standardTaking,
-      compositeOthers = [],
+      compositeAlternatives = [],
       compositeContradiction = Nothing,
       compositeAgreeing = Nothing,
       compositeFrames = [],

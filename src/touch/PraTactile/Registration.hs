@@ -5,8 +5,8 @@ module PraTactile.Registration
   ( -- * Composites
     Composite (..),
     PutFrame (..),
-    Otherwise (..),
-    Fault (..),
+    AlternativeLayout (..),
+    LayoutCause (..),
     Contradiction (..),
     compositeOf,
     compositePosition,
@@ -44,16 +44,16 @@ import qualified Data.List.NonEmpty as NonEmpty
 import Data.Maybe (fromMaybe, isJust)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite
-  ( BlendWeight (..),
+  ( AlternativeLayout (..),
+    BlendWeight (..),
     Composite (..),
     Contradiction (..),
-    Fault (..),
-    Otherwise (..),
+    LayoutCause (..),
     PutFrame (..),
     blended,
     compositeOf,
     compositePosition,
-    likeliestFault,
+    likeliestCause,
   )
 import PraTactile.Composite.Blend (Taxels, plus)
 import PraTactile.Composite.Lattice (movedLattice)
@@ -263,12 +263,12 @@ blendedScene settings scene arrangement put =
     { compositeUnregisteredError = if length put == 1 || compared then 0 else supposedSigma settings,
       compositePositionError = arrangementSigma arrangement,
       compositeLattice = fromRobot <$> arrangementLattice arrangement,
-      compositeOthers = others,
+      compositeAlternatives = others,
       compositeContradiction =
-        likeliestFault
+        likeliestCause
           (exp decisive)
           (map (placedAt . laidFrom) (toList put))
-          [(otherwiseFault other, otherwiseLikelier other) | other <- others],
+          [(alternativeCause other, alternativeRatio other) | other <- others],
       compositeFrames = map putFrame (toList put)
     }
   where
@@ -284,8 +284,8 @@ blendedScene settings scene arrangement put =
       arrangementMethod arrangement /= Nominal && isJust (arrangementResidual arrangement)
     fromRobot = movedLattice (robotOrigin scene)
     others =
-      [ other {otherwiseLattice = fromRobot <$> otherwiseLattice other}
-        | other <- arrangementOthers arrangement
+      [ other {alternativeLattice = fromRobot <$> alternativeLattice other}
+        | other <- arrangementAlternatives arrangement
       ]
     -- Its nominal place and its displacement.
     putFrame one =

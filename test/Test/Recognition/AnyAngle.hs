@@ -19,10 +19,10 @@ import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Recognition (preferred)
 import PraTactile.Registration
-  ( Composite (..),
+  ( AlternativeLayout (..),
+    Composite (..),
     Contradiction (..),
-    Fault (..),
-    Otherwise (..),
+    LayoutCause (..),
     PutFrame (..),
     compositeOf,
     compositePosition,
@@ -261,15 +261,15 @@ foreignSpec setting = do
           there = ours 3 4 (Position 2 9)
           among others =
             either (const Nothing) Just $
-              recogniseWith standardTolerance reader [(latticed here) {compositeOthers = others}]
+              recogniseWith standardTolerance reader [(latticed here) {compositeAlternatives = others}]
           told others =
             fmap doubtOfStitching (among others >>= fmap supportDoubts . recognisedSupport)
-          oneFrame odds shown = Otherwise OneFrame 1 odds (latticeOf shown)
+          oneFrame odds shown = AlternativeLayout OneFrame 1 odds (latticeOf shown)
       told [] `shouldBe` Just 0
       told [oneFrame 0.004 there] `shouldSatisfy` near' 1e-6 (0.004 / 1.004)
       told [oneFrame 0.3 here] `shouldBe` Just 0
       -- What shows nothing in common shows something else.
-      told [Otherwise OneFrame 1 0.004 Nothing] `shouldSatisfy` near' 1e-6 (0.004 / 1.004)
+      told [AlternativeLayout OneFrame 1 0.004 Nothing] `shouldSatisfy` near' 1e-6 (0.004 / 1.004)
       map (fmap isFound . among) [[], [oneFrame 0.004 there], [oneFrame 0.2 there]]
         `shouldBe` [Just True, Just True, Just False]
   it "other axes weigh as their odds are beforehand, where the array has them as likely" $ do
@@ -282,8 +282,8 @@ foreignSpec setting = do
                 { compositeAxesStated = stated,
                   compositeFrames = replicate 2 (PutFrame (0, 0) (0, 0) (constant 4 4 0) Nothing),
                   compositeLattice = inFrames size id classes,
-                  compositeOthers =
-                    [Otherwise (OtherAxes acrossNegated) 0.4 1 (inFrames size flipped classes)]
+                  compositeAlternatives =
+                    [AlternativeLayout (OtherAxes acrossNegated) 0.4 1 (inFrames size flipped classes)]
                 }
             ]
         sixColumns = told (ours 4 6 (Position 6 5)) (2, 2) False

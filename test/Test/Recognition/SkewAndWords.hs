@@ -169,7 +169,7 @@ recognitionSpec = do
             asked tolerated =
               doubting
                 (standardTolerance {toleratedDoubt = tolerated})
-                (Misplaced stitching axes slip Nothing)
+                (LayoutDoubts stitching axes slip Nothing)
             close a b = abs (a - b) < 1e-12
             doubt = maybe 0 supportDoubt (recognisedSupport (asked 1 given))
          in if sum elsewhere == 0

@@ -12,7 +12,7 @@ module PraTactile.Recognise.Recognition
 
     -- * The answer
     Identification (..),
-    Misplaced (..),
+    LayoutDoubts (..),
     doubting,
 
     -- * Refusals
@@ -207,13 +207,13 @@ recognisedAngle recognition orientation
     angle = degreesClockwise orientation + recognisedSkew recognition
 
 -- | The probabilities that frames lie elsewhere and then show another place.
-data Misplaced = Misplaced
+data LayoutDoubts = LayoutDoubts
   { -- | one frame is misplaced
-    oneMisplaced :: !Double,
+    layoutDoubtOfFrame :: !Double,
     -- | all frames lie along other axes or at another scale
-    axesMisplaced :: !Double,
+    layoutDoubtOfAxes :: !Double,
     -- | some frames slipped
-    slipped :: !Double,
+    layoutDoubtOfSlip :: !Double,
     -- | the likeliest other layout of all frames, if it is more probable than the robot's
     likelierLayout :: Maybe Contradiction
   }
@@ -221,9 +221,9 @@ data Misplaced = Misplaced
 
 -- | Adds the doubts of misplaced frames to a recognition. The answer is refused if its doubt then
 -- exceeds the tolerance.
-doubting :: Tolerance -> Misplaced -> Recognition -> Recognition
-doubting _ (Misplaced 0 0 0 _) recognition = recognition
-doubting tolerance (Misplaced stitched axes slip layout) recognition =
+doubting :: Tolerance -> LayoutDoubts -> Recognition -> Recognition
+doubting _ (LayoutDoubts 0 0 0 _) recognition = recognition
+doubting tolerance (LayoutDoubts stitched axes slip layout) recognition =
   recognition
     { recognisedSupport = weighed <$> recognisedSupport recognition,
       recognisedAnswer =

@@ -18,13 +18,14 @@ where
 import Control.Applicative ((<|>))
 import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite (Otherwise, compositeOf)
+import PraTactile.Composite (AlternativeLayout, compositeOf)
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Lattice (Lattice)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Composite.Skew (skews)
 import PraTactile.Image (Raster, rasterSize, rasterValues, standardDeviation)
 import PraTactile.Registration.AllPairs
+import PraTactile.Registration.AlternativeLayouts
 import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Incremental (comparisons, register)
 import PraTactile.Registration.Joint
@@ -34,7 +35,6 @@ import PraTactile.Registration.Lattice.Fit (Touched, fitsAt)
 import PraTactile.Registration.Lattice.Template (LatticeTables)
 import PraTactile.Registration.Levelling
 import PraTactile.Registration.Numbers (interpolated)
-import PraTactile.Registration.Others
 import PraTactile.Registration.Posterior (Hypothesis)
 import PraTactile.Registration.Residual (residual)
 import PraTactile.Registration.Settings (Registration (..))
@@ -85,7 +85,7 @@ data Arrangement = Arrangement
     arrangementLattice :: Maybe Lattice,
     -- | Alternative layouts that the frames do not refute, with places as the frames have them. The
     -- list is empty without registration.
-    arrangementOthers :: [Otherwise]
+    arrangementAlternatives :: [AlternativeLayout]
   }
 
 -- | The most pixels in which the incremental method may compare frames at first. The pixels of each
@@ -160,8 +160,8 @@ arrange tables method settings robot touched
           map estimated (pairwiseFrames found)
       )
         { arrangementSigma = pairwiseSigma found,
-          arrangementOthers =
-            othersByPairs (knowing (pairwiseSigma found)) (pairwiseRelief found) robot frames
+          arrangementAlternatives =
+            alternativesByPairs (knowing (pairwiseSigma found)) (pairwiseRelief found) robot frames
         }
       where
         found = registerPairwise settings frames
@@ -169,7 +169,7 @@ arrange tables method settings robot touched
       (arranged frames ByLattice (jointLevels found) (map estimated (jointFrames found)))
         { arrangementSigma = jointSigma found,
           arrangementLattice = Just (jointLattice found),
-          arrangementOthers = othersOnLattice settings fits' robot touched found
+          arrangementAlternatives = alternativesOnLattice settings fits' robot touched found
         }
       where
         found = registerJointly settings fits' touched
@@ -205,7 +205,7 @@ arranged frames used levels frameOf =
       arrangementSigma = Nothing,
       arrangementResidual = residual places,
       arrangementLattice = Nothing,
-      arrangementOthers = []
+      arrangementAlternatives = []
     }
   where
     places =

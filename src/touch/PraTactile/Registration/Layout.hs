@@ -10,7 +10,7 @@ where
 
 import Data.List (nub, sort, sortOn)
 import Data.Ord (Down (..))
-import PraTactile.Composite (Fault (..))
+import PraTactile.Composite (LayoutCause (..))
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Lattice (cellSteps)
 import PraTactile.Composite.Noise (spacedOut)
@@ -20,7 +20,7 @@ import PraTactile.Sensor.Manifest (Axes, alongAxes, axesNamed, straight)
 
 -- | A hypothesis about the places of all frames.
 data Layout = Layout
-  { layoutFault :: !Fault,
+  { layoutCause :: !LayoutCause,
     -- | Its share of the prior probability of faults of its kind.
     layoutShare :: !Double,
     -- | The place of each frame, in their order; for a slip, the places as given.
@@ -47,7 +47,7 @@ layouts scales groups places =
     found = if null scales then 0 else 0.5
     ofScales share these =
       [ofAll (uncurry OtherScale scale) (share / fromIntegral (length these)) | scale <- these]
-    ofAll fault share = Layout fault share (map (faultAt fault) places) (map (const (0, 0)) places)
+    ofAll cause share = Layout cause share (map (placeUnder cause) places) (map (const (0, 0)) places)
     -- One of some sets of frames slips, by any cell.
     slips share sets =
       [ Layout
@@ -71,8 +71,8 @@ layouts scales groups places =
         ]
 
 -- | Moves a place, in the robot's coordinates, as a fault of all places would.
-faultAt :: Fault -> (Double, Double) -> (Double, Double)
-faultAt fault (x, y) = case fault of
+placeUnder :: LayoutCause -> (Double, Double) -> (Double, Double)
+placeUnder cause (x, y) = case cause of
   OtherAxes axes -> let Pose x' y' _ = alongAxes axes (Pose x y 0) in (x', y')
   OtherScale across down -> (across * x, down * y)
   _ -> (x, y)

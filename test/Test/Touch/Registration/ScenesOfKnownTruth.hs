@@ -284,8 +284,8 @@ seenOtherwise = withCases 1 10 $ do
             \shuffled -> both (sceneStitched scene) (together (map snd shuffled)) $ \c d ->
               let told e = (compositeImage e, compositeCoverage e, compositeContradiction e)
                   others e =
-                    [ (otherwiseFault o, otherwiseLikelier o, otherwiseLattice o)
-                      | o <- compositeOthers e
+                    [ (alternativeCause o, alternativeRatio o, alternativeLattice o)
+                      | o <- compositeAlternatives e
                     ]
                in (told c, others c) === (told d, others d)
                     .&&. compositeDisplacements d

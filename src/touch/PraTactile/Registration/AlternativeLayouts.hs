@@ -2,13 +2,13 @@
 
 -- | Alternative layouts of frames, with their likelihood ratios to the layout in use: other axes,
 -- other scales, slips by a cell, frames that lie anywhere, or one frame elsewhere.
-module PraTactile.Registration.Others
-  ( othersOnLattice,
-    othersByPairs,
+module PraTactile.Registration.AlternativeLayouts
+  ( alternativesOnLattice,
+    alternativesByPairs,
   )
 where
 
-import PraTactile.Composite (Fault (..), Otherwise (..))
+import PraTactile.Composite (AlternativeLayout (..), LayoutCause (..))
 import PraTactile.Composite.Blend (Taxels, minus, plus)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Image (Raster)
@@ -31,17 +31,17 @@ import PraTactile.Registration.Settings (Registration)
 
 -- | Alternative layouts that frames on a lattice do not refute. Given are the fits, the origin of
 -- the frames' places in the robot's coordinates, the frames, and their registration.
-othersOnLattice ::
-  Registration -> Fits -> Taxels -> [(Taxels, Touched)] -> Joint -> [Otherwise]
-othersOnLattice settings fits robot touched found =
-  [Otherwise OneFrame 1 odds (Just lattice) | (odds, lattice) <- oneElsewhere found]
-    ++ [ Otherwise (layoutFault layout) (layoutShare layout) (exp (min mostLog likelier)) lattice
+alternativesOnLattice ::
+  Registration -> Fits -> Taxels -> [(Taxels, Touched)] -> Joint -> [AlternativeLayout]
+alternativesOnLattice settings fits robot touched found =
+  [AlternativeLayout OneFrame 1 odds (Just lattice) | (odds, lattice) <- oneElsewhere found]
+    ++ [ AlternativeLayout (layoutCause layout) (layoutShare layout) (exp (min mostLog likelier)) lattice
          | layout <- layouts scales (tiedGroups found) (map (plus robot . fst) touched),
            let (likelier, lattice) = weighed layout,
            likelier > refuted
        ]
   where
-    weighed layout = case layoutFault layout of
+    weighed layout = case layoutCause layout of
       Anywhere -> (jointAnywhere here - jointEvidence here, Nothing)
       Slip -> Just <$> slipped found (layoutSteps layout)
       _ -> laid (lyingAt (map (`minus` robot) (layoutPlaces layout)))
@@ -67,22 +67,22 @@ othersOnLattice settings fits robot touched found =
 
 -- | Alternative layouts that the overlaps of frames do not refute. Without a lattice, what the
 -- frames would show there is unknown.
-othersByPairs :: Registration -> Relief -> Taxels -> [(Taxels, Raster)] -> [Otherwise]
-othersByPairs settings relief robot frames =
-  [ Otherwise (layoutFault layout) (layoutShare layout) (exp likelier) Nothing
+alternativesByPairs :: Registration -> Relief -> Taxels -> [(Taxels, Raster)] -> [AlternativeLayout]
+alternativesByPairs settings relief robot frames =
+  [ AlternativeLayout (layoutCause layout) (layoutShare layout) (exp likelier) Nothing
     | layout <- layouts [] (map (const 0) frames) (map (plus robot . fst) frames),
-      layoutFault layout /= Slip,
-      let likelier = min (most (layoutFault layout)) (evidence layout - asTold),
+      layoutCause layout /= Slip,
+      let likelier = min (most (layoutCause layout)) (evidence layout - asTold),
       likelier > refuted
   ]
   where
     -- A scale changes which frames overlap, and smooth relief fits any other, so overlaps cannot
     -- favour one.
-    most fault = case fault of
+    most cause = case cause of
       OtherScale _ _ -> 0
       _ -> mostLog
     asTold = told (map fst frames)
     evidence layout
-      | layoutFault layout == Anywhere = 0
+      | layoutCause layout == Anywhere = 0
       | otherwise = told (map (`minus` robot) (layoutPlaces layout))
     told = pairsEvidence settings relief . (`zip` map snd frames)
