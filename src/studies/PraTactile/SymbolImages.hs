@@ -180,7 +180,7 @@ cutFrom symbols sensor turns face classAt surface g = do
       (specimen, g'') = drawSpecimen sensor g'
   frames <- right (pressRegion sensor (defaultSpacing sensor) specimen surface region g'')
   composite <- right (stitchedBy (symbolTables symbols) standardStitching (withoutStuck frames))
-  let whole = cleanedComposite (cleaned composite)
+  let whole = maskedComposite (maskForeign composite)
       (upright, back, leftOver) = case skew [whole] of
         Just angle
           | abs angle > leastSkew ->

@@ -52,8 +52,8 @@ middle sideways (i, j)
   | sideways = (20 * fromIntegral j + 9.5, 16 * fromIntegral i + 7.5)
   | otherwise = (16 * fromIntegral j + 7.5, 20 * fromIntegral i + 9.5)
 
-cleanly :: Composite -> Cleaned
-cleanly composite = Cleaned composite Nothing []
+cleanly :: Composite -> ForeignMasked
+cleanly composite = ForeignMasked composite Nothing []
 
 genDrawn :: Bool -> (Int, Int) -> Gen [Placed]
 genDrawn sideways (high, wide) = do

@@ -145,8 +145,8 @@ estimatedAs axis estimated s =
 -- covers some of a symbol, the symbol is estimated from the rest. Symbols with a doubt of one half
 -- or more are dropped. Refuses what the network refuses.
 readCells ::
-  Reader -> (Composite, Cleaned) -> Lattice -> CellsRead -> Either NetworkError CellsRead
-readCells reader (composite, Cleaned clean forParts foreignThings) lattice found = do
+  Reader -> (Composite, ForeignMasked) -> Lattice -> CellsRead -> Either NetworkError CellsRead
+readCells reader (composite, ForeignMasked clean forParts foreignThings) lattice found = do
   symbols <- Map.traverseMaybeWithKey (const inImage) (cellsSymbols found)
   pure found {cellsSymbols = Map.filter ((< 0.5) . readDoubt) symbols}
   where

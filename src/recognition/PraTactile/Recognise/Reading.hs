@@ -107,15 +107,15 @@ data View = View
 -- ('identity'), or on their side (@turned 1@). Symbols along the other axis are rejected by their
 -- size. The composites' origins place them relative to each other. Symbols are numbered from the
 -- given number. Refuses what the network refuses.
-readSymbols :: Reader -> Symmetry -> Int -> [Cleaned] -> Either NetworkError [View]
+readSymbols :: Reader -> Symmetry -> Int -> [ForeignMasked] -> Either NetworkError [View]
 readSymbols reader axis from composites = numbered from <$> traverse view (zip [0 ..] composites)
   where
-    view (i, Cleaned c forParts _) = do
+    view (i, ForeignMasked c forParts _) = do
       let (upright, found, back) = segmentAlong axis c
       symbols <- traverse (readSymbol reader axis i (shift c)) (segmentedSymbols back)
       let partly = maybe upright (onComposite (invert axis)) forParts
       pure (View i axis partly found (segmentedRejects back) (shift c) symbols)
-    shift c = case map cleanedComposite composites of
+    shift c = case map maskedComposite composites of
       origin : _ -> (apart fst origin c, apart snd origin c)
       [] -> (0, 0)
     apart part origin c = (part (compositeOrigin c) - part (compositeOrigin origin)) / taxelPitch
@@ -186,15 +186,15 @@ mostRecognised symbols = known >= 3 && 2 * known > length symbols
 
 -- | Whether the network knows most symbols, and at least three, in the composites' mirror images.
 -- Then the images are mirrored.
-readMirrored :: Reader -> [Cleaned] -> Either NetworkError Bool
+readMirrored :: Reader -> [ForeignMasked] -> Either NetworkError Bool
 readMirrored reader composites =
   any mostKnown
     <$> traverse
       (\axis -> readSymbols reader axis 0 (map mirrored' composites))
       [identity, turned 1]
   where
-    mirrored' (Cleaned c forParts foreignThings) =
-      Cleaned (onComposite mirror c) (onComposite mirror <$> forParts) foreignThings
+    mirrored' (ForeignMasked c forParts foreignThings) =
+      ForeignMasked (onComposite mirror c) (onComposite mirror <$> forParts) foreignThings
 
 -- | Symbols that are connected as neighbours.
 data Group = Group

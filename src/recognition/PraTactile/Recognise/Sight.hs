@@ -25,7 +25,7 @@ import PraTactile.Recognise.Parts
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recognition
 import PraTactile.Registration (Composite (..))
-import PraTactile.Segmentation (Cleaned (..), Reject, Segmentation (..), cleaned)
+import PraTactile.Segmentation (ForeignMasked (..), Reject, Segmentation (..), maskForeign)
 import PraTactile.Sensor.Manifest (Remedy (..), remedies, straight)
 import PraTactile.Symmetry
 
@@ -69,22 +69,22 @@ sight reader given = case traverse compositeLattice given of
 
 -- | Reads composites by segmentation.
 bySegmentation :: Reader -> [Composite] -> Either NetworkError Sight
-bySegmentation reader given = case skew (map cleanedComposite composites) of
+bySegmentation reader given = case skew (map maskedComposite composites) of
   Just angle
     | abs angle > leastSkew -> do
       asGiven <- lookUpright reader Nothing composites
-      let (upright, places) = unzip (map (cleanedUpright angle) composites)
+      let (upright, places) = unzip (map (maskedUpright angle) composites)
       turnedBack <- lookUpright reader (Just 0) upright
       pure (Sight foreignThings asGiven (Just (angle, places, turnedBack)))
   shown -> (\asGiven -> Sight foreignThings asGiven Nothing) <$> lookUpright reader shown composites
   where
-    composites = map cleaned given
-    foreignThings = concatMap cleanedRejects composites
+    composites = map maskForeign given
+    foreignThings = concatMap maskedRejects composites
 
 -- | 'setUpright' for a composite whose foreign regions are masked.
-cleanedUpright :: Double -> Cleaned -> (Cleaned, (Double, Double) -> (Double, Double))
-cleanedUpright angle (Cleaned composite forParts foreignThings) =
-  (Cleaned upright (fst . setUpright angle <$> forParts) foreignThings, back)
+maskedUpright :: Double -> ForeignMasked -> (ForeignMasked, (Double, Double) -> (Double, Double))
+maskedUpright angle (ForeignMasked composite forParts foreignThings) =
+  (ForeignMasked upright (fst . setUpright angle <$> forParts) foreignThings, back)
   where
     (upright, back) = setUpright angle composite
 
@@ -119,8 +119,8 @@ inLattices reader given = do
         | null (known symbols) -> Left (unanswered symbols SymbolsUnclear)
         | otherwise -> look
   where
-    composites = map (cleaned . fst) given
-    foreignThings = concatMap cleanedRejects composites
+    composites = map (maskForeign . fst) given
+    foreignThings = concatMap maskedRejects composites
     (axis, skewed) = axisOfAll (map snd given)
     angle = degreesClockwise axis + skewed
     known = filter (isJust . readClass)
@@ -128,7 +128,7 @@ inLattices reader given = do
 
 -- | Reads composites whose symbols' axes are nearly the composites' own. The angle between them, in
 -- degrees clockwise, is given if the images show it.
-lookUpright :: Reader -> Maybe Double -> [Cleaned] -> Either NetworkError Reading
+lookUpright :: Reader -> Maybe Double -> [ForeignMasked] -> Either NetworkError Reading
 lookUpright reader angle composites = do
   upright <- readSymbols reader identity 0 composites
   -- If the upright symbols are known there are no others; a flat composite has none.
@@ -168,8 +168,8 @@ onOneGrid reader angle views dissenters
       pure (Look everything dissenters parts whole (gridSkew angle grid))
 
 -- | The settings that undo the mirroring of composites.
-unmirroring :: [Cleaned] -> [Remedy]
-unmirroring composites = case map cleanedComposite composites of
+unmirroring :: [ForeignMasked] -> [Remedy]
+unmirroring composites = case map maskedComposite composites of
   composite : _
     | null (compositeFrames composite) -> [remedy {remedyPositions = Nothing} | remedy <- found]
     | otherwise -> found

@@ -21,8 +21,8 @@ import PraTactile.Random (normals)
 import PraTactile.Recognise
 import PraTactile.Recognise.Features
 import PraTactile.Registration (Composite (..), compositeOf)
-import PraTactile.Segmentation (Cause (..), Reject (..), SymbolImage (..), cleaned)
-import PraTactile.Segmentation.Foreign (Cleaned (..))
+import PraTactile.Segmentation (Cause (..), Reject (..), SymbolImage (..), maskForeign)
+import PraTactile.Segmentation.Foreign (ForeignMasked (..))
 import System.Random (mkStdGen)
 import Test.CommandLine.Run
 import Test.Effort (byEffort)
@@ -253,12 +253,12 @@ besideForeign = do
       let composite = drawnWith k 0.03 foreign' scene
           image = mapRaster (\v -> 0.35 + 0.5 * v) (compositeImage composite)
           dimmed = composite {compositeImage = image}
-          taken c = (compositeCoverage (cleanedComposite c), cleanedRejects c)
-      (name, k, taken (cleaned dimmed) == taken (cleaned composite)) `shouldBe` (name, k, True)
+          taken c = (compositeCoverage (maskedComposite c), maskedRejects c)
+      (name, k, taken (maskForeign dimmed) == taken (maskForeign composite)) `shouldBe` (name, k, True)
   it "a composite without it stays as it is" $
     for_ scenes $ \(k, scene) -> do
       let composite = drawnWith k 0.05 (const Nothing) scene
-      cleaned composite `shouldBe` Cleaned composite Nothing []
+      maskForeign composite `shouldBe` ForeignMasked composite Nothing []
   where
     -- One that stands beside the symbols, and one that is sunk.
     aFew = byEffort (take 2 (drop 2 things)) things
