@@ -23,8 +23,8 @@ module PraTactile.Recognise
     leastSkew,
 
     -- * Recognition in two steps
-    Sight,
-    sight,
+    FaceReading,
+    readFace,
     cellsShown,
     recogniseSeen,
 
@@ -61,6 +61,7 @@ import PraTactile.Composite.Skew (leastSkew)
 import PraTactile.Field (KnownField)
 import PraTactile.Locate (ForeignDoubts (..), Reason (..), doubtOfForeign)
 import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.FaceReading
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.GridOutcome
@@ -70,7 +71,6 @@ import PraTactile.Recognise.Likeliest
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
 import PraTactile.Recognise.Recognition
-import PraTactile.Recognise.Sight
 import PraTactile.Recognise.Support
 import PraTactile.Recognise.Tolerance
 import PraTactile.Registration (Composite (..))
@@ -93,15 +93,15 @@ recogniseWith ::
   [Composite] ->
   Either NetworkError Recognition
 recogniseWith tolerance reader composites =
-  sight (recogniserReader reader) composites >>= recogniseSeen tolerance reader composites
+  readFace (recogniserReader reader) composites >>= recogniseSeen tolerance reader composites
 
--- | 'recogniseWith' for composites that were read by 'sight' already.
+-- | 'recogniseWith' for composites that were read by 'readFace' already.
 recogniseSeen ::
   KnownField k =>
   Tolerance ->
   Recogniser k ->
   [Composite] ->
-  Sight ->
+  FaceReading ->
   Either NetworkError Recognition
 recogniseSeen tolerance reader composites seen =
   case (contradictions, recognisedAnswer shown) of
@@ -142,11 +142,11 @@ shownMirrored shown = case recognisedAnswer shown of
 -- | The cells of the array that composites may show, on the assumption that their frames were
 -- placed correctly. They come from all places that are likely by the symbols alone, in each reading
 -- that 'recogniseSeen' uses.
-cellsShown :: KnownField k => Tolerance -> Recogniser k -> Sight -> [Position]
+cellsShown :: KnownField k => Tolerance -> Recogniser k -> FaceReading -> [Position]
 cellsShown tolerance reader seen =
-  foldMap cellsOf (sightAsGiven seen : [upright | (_, _, upright) <- toList (sightUpright seen)])
+  foldMap cellsOf (faceAsGiven seen : [upright | (_, _, upright) <- toList (faceUpright seen)])
   where
-    cellsOf = foldMap (likelyCells reader tolerance . gridCells . lookGrid) . readingLook
+    cellsOf = foldMap (likelyCells reader tolerance . gridCells . gridReadingCells) . readingOnGrid
 
 -- | 'recogniseWith' on the assumption that the frames were placed correctly.
 recogniseAsPut ::
@@ -156,32 +156,32 @@ recogniseAsPut ::
   [Composite] ->
   Either NetworkError Recognition
 recogniseAsPut tolerance reader =
-  fmap (recognitionOf tolerance reader) . sight (recogniserReader reader)
+  fmap (recognitionOf tolerance reader) . readFace (recogniserReader reader)
 
 -- | Locates what was read. Of composites read both as given and set upright, 'preferred' chooses.
-recognitionOf :: KnownField k => Tolerance -> Recogniser k -> Sight -> Recognition
-recognitionOf tolerance reader seen = case sightUpright seen of
+recognitionOf :: KnownField k => Tolerance -> Recogniser k -> FaceReading -> Recognition
+recognitionOf tolerance reader seen = case faceUpright seen of
   Nothing -> asGiven
   Just (angle, places, upright) ->
     preferred angle (axesSkewed asGiven) (relocated angle places (located upright))
   where
-    asGiven = located (sightAsGiven seen)
-    located = either id (locatedLook tolerance reader) . readingLook
+    asGiven = located (faceAsGiven seen)
+    located = either id (locatedReading tolerance reader) . readingOnGrid
 
 -- | Locates symbols and parts on one grid.
-locatedLook :: KnownField k => Tolerance -> Recogniser k -> Look -> Recognition
-locatedLook tolerance reader look =
+locatedReading :: KnownField k => Tolerance -> Recogniser k -> GridReading -> Recognition
+locatedReading tolerance reader look =
   Recognition
-    (lookSymbols look)
-    (lookParts look)
-    (gridCells (lookGrid look))
-    (gridAnchor (lookGrid look))
+    (gridReadingSymbols look)
+    (gridReadingParts look)
+    (gridCells (gridReadingCells look))
+    (gridAnchor (gridReadingCells look))
     (locationSupport location)
     (locationLikeliest location)
-    (lookSkew look)
-    (identificationAt reader (lookSkew look) location)
+    (gridReadingSkew look)
+    (identificationAt reader (gridReadingSkew look) location)
   where
-    location = locateGrid reader tolerance (lookDissenters look) (lookGrid look)
+    location = locateGrid reader tolerance (gridReadingDissenters look) (gridReadingCells look)
 
 -- | The answer or refusal for a located grid, whose symbols are turned by this angle in degrees.
 identificationAt ::
