@@ -46,7 +46,7 @@ module PraTactile.Recognise
     doubtOfForeign,
     supportDoubt,
     Refusal (..),
-    Instead (..),
+    Diagnosis (..),
     refusals,
     refusalName,
   )
@@ -60,12 +60,12 @@ import PraTactile.Composite (asTaken)
 import PraTactile.Composite.Skew (leastSkew)
 import PraTactile.Field (KnownField)
 import PraTactile.Locate (ForeignDoubts (..), Reason (..), doubtOfForeign)
+import PraTactile.Recognise.Diagnosis (Diagnosis (..), diagnose)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.FaceReading
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.GridOutcome
-import PraTactile.Recognise.Instead (Instead (..), seenInstead)
 import PraTactile.Recognise.Layouts
 import PraTactile.Recognise.Likeliest
 import PraTactile.Recognise.Reading
@@ -114,7 +114,7 @@ recogniseSeen tolerance reader composites seen =
       pure (doubting tolerance (layoutDoubts reader tolerance composites shown) shown)
     (_, Left refusal)
       | refusal `elem` [NoSymbols, SymbolsUnclear] -> do
-        there <- seenInstead (fmap mostly . recogniseAsPut tolerance reader) composites
+        there <- diagnose (fmap mostly . recogniseAsPut tolerance reader) composites
         pure shown {recognisedAnswer = Left (ShownInstead there refusal)}
       | notMirrored refusal,
         Just layout <- likelierByFrames tolerance composites ->

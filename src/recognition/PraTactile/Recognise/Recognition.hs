@@ -26,9 +26,9 @@ import Data.Either (isRight)
 import qualified Data.Map.Strict as Map
 import PraTactile.Array (Position)
 import PraTactile.Locate (LocatorError (..), Reason (..), reasonName, reasons, scaledForeign)
+import PraTactile.Recognise.Diagnosis (Diagnosis)
 import PraTactile.Recognise.FaceGrid (Cells)
 import PraTactile.Recognise.Finding
-import PraTactile.Recognise.Instead (Instead)
 import PraTactile.Recognise.Likeliest
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Support
@@ -75,7 +75,7 @@ data Refusal
   | -- | there are symbols, but the network recognised none
     SymbolsUnclear
   | -- | no symbols or unclear ones, with what the composites show instead and the original refusal
-    ShownInstead Instead Refusal
+    ShownInstead Diagnosis Refusal
   | -- | the network recognises most symbols in the composite's mirror image and none in the
     -- composite; with ways to undo that
     Mirrored [Remedy]
