@@ -13,7 +13,7 @@ import PraTactile.Explore
 import PraTactile.Format (ObjectPose (..), encodeComparison)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
-import PraTactile.Pose (longer, movedBy, poseApart, thenMotion)
+import PraTactile.Pose (movedBy, poseApart, scaledMotion, thenMotion)
 import PraTactile.Recognise (leastSkew)
 import PraTactile.Recognise.Summary (orientationText, upperLeftVertex)
 import PraTactile.Symmetry (Symmetry, degreesClockwise)
@@ -52,7 +52,7 @@ run choice answerFile truthFile form = do
       poses = do
         ObjectPose object pose world <- posed
         (x, y) <- claimSeenAt <$> told
-        true <- longer larger <$> truePose layout truth
+        true <- scaledMotion larger <$> truePose layout truth
         -- The truth is in the robot's frame, the answer perhaps in the world.
         let there = maybe id (flip thenMotion) world true
         guard (object == faceObject (truthFace truth))

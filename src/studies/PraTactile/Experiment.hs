@@ -39,7 +39,7 @@ import PraTactile.Classification.Traingdx (Descent (..), Momentum (..))
 import PraTactile.Explore (Turns (..), halfTurns)
 import PraTactile.Sensor (presetName, presetSensor)
 import PraTactile.Shape (Alphabet, alphabetSize)
-import PraTactile.Steps (Steps, countingOn, inTurn, result)
+import PraTactile.Steps (Steps, inTurn, result, runningTotal)
 import PraTactile.SymbolImages
 
 -- | Three rows of the table, one for each 'Middle': what is trained, and how.
@@ -159,8 +159,8 @@ imagesFor symbols source seeds = result (imagesSteps symbols source seeds)
 -- | The steps of 'imagesFor', one for each press.
 imagesSteps :: Symbols -> ImageSource -> [Int] -> Steps Int (Either ImagesError Images)
 imagesSteps symbols source seeds = do
-  (n, trained) <- countingOn 0 (inTurn (map (materialSteps symbols source) seeds))
-  (_, tried) <- countingOn n (labelledSteps symbols source triedEach testSeed)
+  (n, trained) <- runningTotal 0 (inTurn (map (materialSteps symbols source) seeds))
+  (_, tried) <- runningTotal n (labelledSteps symbols source triedEach testSeed)
   pure (Images . zip seeds <$> sequenceA trained <*> tried)
 
 -- | The number of images for these numbers of classes and seeds.

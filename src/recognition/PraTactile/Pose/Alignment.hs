@@ -371,6 +371,6 @@ updated dx reduced (Own own _) =
 
 -- | The variance of a frame's rotation, given the covariance of the motion.
 rotationVariance :: Matrix -> Reduced -> Double
-rotationVariance covariance reduced = (own `plus` carried back covariance) !! 2 !! 2
+rotationVariance covariance reduced = (own `plus` propagated back covariance) !! 2 !! 2
   where
     (own, back, _) = reducedOwn reduced

@@ -6,7 +6,7 @@
 -- that place only moves forwards, and each figure passes over the sheet once.
 module PraTactile.Object.Packing.Filling
   ( Filling (..),
-    worth,
+    fillingCost,
     Choice (..),
     filled,
   )
@@ -38,8 +38,8 @@ data Filling = Filling
   }
 
 -- | The measure by which fillings are compared; less is better.
-worth :: Filling -> (Int, Int, Int)
-worth it = (fillingOver it, fillingRows it, fillingLast it)
+fillingCost :: Filling -> (Int, Int, Int)
+fillingCost it = (fillingOver it, fillingRows it, fillingLast it)
 
 -- | The figure that is chosen for a piece among those with the same first place.
 data Choice
