@@ -170,18 +170,18 @@ recognitionOf tolerance reader seen = case faceUpright seen of
 
 -- | Locates symbols and parts on one grid.
 locatedReading :: KnownField k => Tolerance -> Recogniser k -> GridReading -> Recognition
-locatedReading tolerance reader look =
+locatedReading tolerance reader onGrid =
   Recognition
-    (gridReadingSymbols look)
-    (gridReadingParts look)
-    (gridCells (gridReadingCells look))
-    (gridAnchor (gridReadingCells look))
+    (gridReadingSymbols onGrid)
+    (gridReadingParts onGrid)
+    (gridCells (gridReadingCells onGrid))
+    (gridAnchor (gridReadingCells onGrid))
     (locationSupport location)
     (locationLikeliest location)
-    (gridReadingSkew look)
-    (identificationAt reader (gridReadingSkew look) location)
+    (gridReadingSkew onGrid)
+    (identificationAt reader (gridReadingSkew onGrid) location)
   where
-    location = locateGrid reader tolerance (gridReadingDissenters look) (gridReadingCells look)
+    location = locateGrid reader tolerance (gridReadingDissenters onGrid) (gridReadingCells onGrid)
 
 -- | The answer or refusal for a located grid, whose symbols are turned by this angle in degrees.
 identificationAt ::

@@ -98,7 +98,8 @@ seenBy ::
 seenBy shapesSeen told = traverse seen
   where
     seen (truth, image) =
-      Labelled truth <$> (symbolFeatures shapesSeen image <$> told image <*> told (onRaster (turned 2) image))
+      Labelled truth
+        <$> (symbolFeatures shapesSeen image <$> told image <*> told (onRaster (turned 2) image))
 
 -- | The calibration of a classifier on 300 symbols and 100 other shapes of each condition.
 -- Arguments: the alphabet; its templates; the classifier's outputs for an image; a seed. No other

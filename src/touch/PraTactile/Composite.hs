@@ -277,7 +277,8 @@ blended (left, top) images displacements =
     livingShare least felt im =
       maybe (mapRaster (const 1) im) (mapRaster (\share -> share + least * (1 - share))) felt
     inMean counts im =
-      touching counts (mapRaster (weightInMean counts *) (livingShare interpolated (weightOfLiving counts) im))
+      touching counts . mapRaster (weightInMean counts *) $
+        livingShare interpolated (weightOfLiving counts) im
     inCoverage counts = touching counts . livingShare known (weightOfLiving counts)
     touching counts r = maybe r (orElse r . zipRaster (*) r) (weightOfTouch counts)
     times counts im = orElse im (zipRaster (*) (inMean counts im) im)

@@ -260,7 +260,8 @@ putTogether scene seen arrangement = NonEmpty.zipWith put (NonEmpty.zip seen lev
 blendedScene :: Registration -> Scene -> Arrangement -> NonEmpty Laid -> Composite
 blendedScene settings scene arrangement put =
   (blended (sceneCorner scene) (fmap counted put) (ofEachFrame scene shifts))
-    { compositeUnregisteredError = if length put == 1 || compared then 0 else supposedSigma settings,
+    { compositeUnregisteredError =
+        if length put == 1 || compared then 0 else supposedSigma settings,
       compositePositionError = arrangementSigma arrangement,
       compositeLattice = fromRobot <$> arrangementLattice arrangement,
       compositeAlternatives = others,

@@ -43,9 +43,9 @@ import Test.Recognition.Symbols
 
 spec :: Spec
 spec = do
-  describe "the tilt of a composite" skewSpec
+  describe "the skew of a composite" skewSpec
   describe "a composite set upright" uprightSpec
-  describe "the tilt of symbols on a grid" gridSpec
+  describe "the skew of symbols on a grid" gridSpec
   describe "symbols read as they are, or set upright" preferredSpec
   onPaper $ \setting -> do
     describe "a face at any angle" (angleSpec setting)
@@ -261,7 +261,10 @@ foreignSpec setting = do
           there = ours 3 4 (Position 2 9)
           among others =
             either (const Nothing) Just $
-              recogniseWith standardTolerance reader [(latticed here) {compositeAlternatives = others}]
+              recogniseWith
+                standardTolerance
+                reader
+                [(latticed here) {compositeAlternatives = others}]
           told others =
             fmap doubtOfStitching (among others >>= fmap supportDoubts . recognisedSupport)
           oneFrame odds shown = AlternativeLayout OneFrame 1 odds (latticeOf shown)
@@ -283,7 +286,12 @@ foreignSpec setting = do
                   compositeFrames = replicate 2 (PutFrame (0, 0) (0, 0) (constant 4 4 0) Nothing),
                   compositeLattice = inFrames size id classes,
                   compositeAlternatives =
-                    [AlternativeLayout (OtherAxes acrossNegated) 0.4 1 (inFrames size flipped classes)]
+                    [ AlternativeLayout
+                        (OtherAxes acrossNegated)
+                        0.4
+                        1
+                        (inFrames size flipped classes)
+                    ]
                 }
             ]
         sixColumns = told (ours 4 6 (Position 6 5)) (2, 2) False

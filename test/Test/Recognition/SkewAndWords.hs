@@ -1,4 +1,4 @@
--- | What is done with symbols on a grid, each step against its definition: the tilt of the grid,
+-- | What is done with symbols on a grid, each step against its definition: the skew of the grid,
 -- what is done to recognitions, and the words for them.
 module Test.Recognition.SkewAndWords (spec) where
 
@@ -22,7 +22,7 @@ import Test.Recognition.Symbols
 
 spec :: Spec
 spec = do
-  describe "The tilt of a grid" skewSpec
+  describe "The skew of a grid" skewSpec
   describe "Recognitions" recognitionSpec
   describe "In words" wordSpec
 
@@ -128,7 +128,7 @@ recognitionSpec = do
                 )
               .&&. recognisedAnswer (relocated angle [back 0] given {recognisedAnswer = several})
               === several
-  it "have the tilt in their symbols' axes where that is wanted" $ do
+  it "have the skew in their symbols' axes where that is wanted" $ do
     let axis n s = s {readImage = (readImage s) {symbolAxis = n}}
         one = symbolOf 0 (0, 0) (identity, 0)
         given =
@@ -141,7 +141,7 @@ recognitionSpec = do
         { recognisedSymbols = [axis 92.5 one, axis 3.5 one],
           recognisedParts = [axis (-0.5) one]
         }
-  it "turn the face by the orientation and the tilt, from 0 up to 360 degrees" $
+  it "turn the face by the orientation and the skew, from 0 up to 360 degrees" $
     for_ [-90, -45, -10, -0.25, 0, 0.25, 44, 90, 100] $ \skew' -> for_ [0 .. 3] $ \quarters -> do
       let whole = 90 * fromIntegral quarters + skew'
           recognition = (unanswered [] NoSymbols) {recognisedSkew = skew'}
@@ -191,7 +191,7 @@ recognitionSpec = do
     abs (of' [0.1, 0.02] - negate (log 0.002)) `shouldSatisfy` (< 1e-9)
     abs (of' [0] - 300 * log 10) `shouldSatisfy` (< 1e-9)
     of' [] `shouldBe` 0
-  it "that lead to nothing have their symbols, the refusal, and no tilt" $ do
+  it "that lead to nothing have their symbols, the refusal, and no skew" $ do
     let symbols = [symbolOf n (1, 2) (identity, n) | n <- [0, 1]]
     unanswered symbols (Mirrored [])
       `shouldBe` Recognition symbols [] Map.empty (0, 0) Nothing Nothing 0 (Left (Mirrored []))
@@ -206,7 +206,7 @@ recognitionSpec = do
 
 wordSpec :: Spec
 wordSpec = do
-  it "a tilt is said where it is more than three degrees" $
+  it "a skew is said where it is more than three degrees" $
     for_ [0, 2.999, 3, 3.001, -3, -3.001, 30] $ \skew' -> do
       let recognition = (unanswered [] NoSymbols) {recognisedSkew = skew'}
           said = abs skew' > 3

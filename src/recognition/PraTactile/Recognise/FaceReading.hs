@@ -76,15 +76,17 @@ bySegmentation reader given = case skew (map maskedComposite composites) of
       let (upright, places) = unzip (map (maskedUpright angle) composites)
       turnedBack <- readUpright reader (Just 0) upright
       pure (FaceReading foreignThings asGiven (Just (angle, places, turnedBack)))
-  shown -> (\asGiven -> FaceReading foreignThings asGiven Nothing) <$> readUpright reader shown composites
+  shown ->
+    (\asGiven -> FaceReading foreignThings asGiven Nothing)
+      <$> readUpright reader shown composites
   where
     composites = map maskForeign given
     foreignThings = concatMap maskedRejects composites
 
 -- | 'setUpright' for a composite whose foreign regions are masked.
 maskedUpright :: Double -> ForeignMasked -> (ForeignMasked, (Double, Double) -> (Double, Double))
-maskedUpright angle (ForeignMasked composite forParts foreignThings) =
-  (ForeignMasked upright (fst . setUpright angle <$> forParts) foreignThings, back)
+maskedUpright angle (ForeignMasked composite byHeight foreignThings) =
+  (ForeignMasked upright (fst . setUpright angle <$> byHeight) foreignThings, back)
   where
     (upright, back) = setUpright angle composite
 
@@ -99,14 +101,15 @@ inLattices reader given = do
   let numberedCells = numberCells found
       (own, others) = partition ((== axis) . cellsAxis) numberedCells
       symbols = concatMap wholeIn numberedCells
-      look =
+      onGrid =
         case faceGrid (map (cellsGroup angle) own) of
           Just grid ->
             Right
               GridReading
                 { gridReadingSymbols = symbols,
                   gridReadingDissenters = known (concatMap wholeIn others),
-                  gridReadingParts = concatMap (filter ((< 1) . readSeen) . Map.elems . cellsSymbols) own,
+                  gridReadingParts =
+                    concatMap (filter ((< 1) . readSeen) . Map.elems . cellsSymbols) own,
                   gridReadingCells = grid,
                   gridReadingSkew = skewed
                 }
@@ -117,7 +120,7 @@ inLattices reader given = do
         | isMirrored -> Left (unanswered symbols (Mirrored (unmirroring composites)))
         | null symbols -> Left (unanswered symbols NoSymbols)
         | null (known symbols) -> Left (unanswered symbols SymbolsUnclear)
-        | otherwise -> look
+        | otherwise -> onGrid
   where
     composites = map (maskForeign . fst) given
     foreignThings = concatMap maskedRejects composites
@@ -157,12 +160,12 @@ onOneGrid :: Reader -> Maybe Double -> [View] -> [ReadSymbol] -> Either Recognit
 onOneGrid reader angle views dissenters
   | null symbols = Left (unanswered everything NoSymbols)
   | all (isNothing . readClass) symbols = Left (unanswered everything SymbolsUnclear)
-  | otherwise = maybe (Left (unanswered everything GridContradicts)) Right look
+  | otherwise = maybe (Left (unanswered everything GridContradicts)) Right onGrid
   where
     symbols = concatMap viewSymbols views
     everything = symbols ++ dissenters
     next = 1 + maximum (-1 : map readNumber everything)
-    look = do
+    onGrid = do
       grid <- faceGrid (groups symbols)
       let (whole, parts) = withParts reader views next grid
       pure (GridReading everything dissenters parts whole (gridSkew angle grid))

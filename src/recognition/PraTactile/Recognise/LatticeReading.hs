@@ -146,7 +146,7 @@ estimatedAs axis estimated s =
 -- or more are dropped. Refuses what the network refuses.
 readCells ::
   Reader -> (Composite, ForeignMasked) -> Lattice -> CellsRead -> Either NetworkError CellsRead
-readCells reader (composite, ForeignMasked clean forParts foreignThings) lattice found = do
+readCells reader (composite, ForeignMasked clean byHeight foreignThings) lattice found = do
   symbols <- Map.traverseMaybeWithKey (const inImage) (cellsSymbols found)
   pure found {cellsSymbols = Map.filter ((< 0.5) . readDoubt) symbols}
   where
@@ -157,7 +157,7 @@ readCells reader (composite, ForeignMasked clean forParts foreignThings) lattice
         (latticeFlat lattice, latticeContrast lattice)
         (degreesClockwise axis + cellsSkew found)
     cutWhole = cutFrom clean
-    cutPart = maybe cutWhole cutFrom forParts
+    cutPart = maybe cutWhole cutFrom byHeight
     cutAll = cutFrom composite
     taxelsOf = V.sum . rasterValues . partSeen
     isWhole part = taxelsOf part >= leastTouched

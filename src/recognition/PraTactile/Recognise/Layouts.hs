@@ -2,8 +2,8 @@
 
 -- | The alternative layouts of the frames of composites, and the doubt that they add to an answer.
 --
--- A layout w has a prior P(w), a likelihood by the frames ('compositeAlternatives'), and a lattice of
--- cells. The array adds an evidence A(w): the likelihood ratio of these cells being the array's to
+-- A layout w has a prior P(w), a likelihood by the frames ('compositeAlternatives'), and a lattice
+-- of cells. The array adds an evidence A(w): the likelihood ratio of these cells being the array's to
 -- their being random. The layout in use is w = 0; the answer comes from its lattice.
 --
 -- > odds(w) = P(w) / P(0) * likelihood(w) / likelihood(0) * A(w) / A(0)
@@ -47,12 +47,12 @@ import PraTactile.Sensor.Manifest (standardTaking)
 import PraTactile.Symmetry
 
 -- | An alternative layout of the composites of one face.
-data Alternative = Alternative
-  { alternativeFault :: !LayoutCause,
+data WeighedLayout = WeighedLayout
+  { weighedCause :: !LayoutCause,
     -- | its odds relative to the layout in use, before the array's evidence
-    alternativeOdds :: !Double,
+    weighedOdds :: !Double,
     -- | the cells that the frames then show; 'Nothing' if they have no lattice
-    alternativeShown :: Maybe Laid
+    weighedShown :: Maybe Laid
   }
 
 -- | The cells that a layout shows.
@@ -64,8 +64,8 @@ data Laid = Laid
 
 -- | The prior odds of all faults of one kind together. The second argument says whether the axes
 -- were stated. A single misplaced frame has odds 1, because its likelihood includes the prior.
-faultPrior :: Tolerance -> Bool -> LayoutCause -> Double
-faultPrior tolerance stated cause = case cause of
+causePrior :: Tolerance -> Bool -> LayoutCause -> Double
+causePrior tolerance stated cause = case cause of
   OneFrame -> 1
   OtherAxes _ -> fromMaybe (if stated then 0.0025 else 0.01) (axesPrior tolerance)
   OtherScale _ _ -> 0.004
@@ -92,7 +92,7 @@ alternatives tolerance composites =
         | (before, one : after) <- splits [(c, compositeLattice c) | c <- composites]
       ]
     oddsOf other =
-      faultPrior tolerance stated (alternativeCause other)
+      causePrior tolerance stated (alternativeCause other)
         * alternativeShare other
         * alternativeRatio other
     stated = any compositeAxesStated composites
@@ -110,11 +110,11 @@ alternatives tolerance composites =
 -- | The cells of the layout in use and the alternatives. Where all composites have lattices, an
 -- alternative has other lattices, and its fixed points are the frames. Otherwise the fixed points
 -- are the symbols, which move with the composite that they were cut out of.
-laidOut :: Tolerance -> [Composite] -> Recognition -> (Laid, [Alternative])
+laidOut :: Tolerance -> [Composite] -> Recognition -> (Laid, [WeighedLayout])
 laidOut tolerance composites shown = case traverse compositeLattice composites of
   Just lattices@(_ : _) ->
     ( (laidBy lattices) {laidPoints = framesFrom (recognisedAnchor shown) lattices},
-      [Alternative cause odds (laidBy <$> others) | (cause, odds, others) <- ofFrames]
+      [WeighedLayout cause odds (laidBy <$> others) | (cause, odds, others) <- ofFrames]
         ++ [ slip (before ++ movedLattice (latticeStep lattice step) lattice : after)
              | (before@(_ : _), lattice : after) <- splits lattices,
                step <- cellSteps
@@ -122,8 +122,8 @@ laidOut tolerance composites shown = case traverse compositeLattice composites o
     )
   _ ->
     ( onSymbols (recognisedCells shown),
-      [Alternative cause odds Nothing | (cause, odds, _) <- ofFrames]
-        ++ [ Alternative Slip slipOdds (Just (onSymbols (sourceMoved source step cells)))
+      [WeighedLayout cause odds Nothing | (cause, odds, _) <- ofFrames]
+        ++ [ WeighedLayout Slip slipOdds (Just (onSymbols (sourceMoved source step cells)))
              | (source, _) <- drop 1 (zip [0 ..] composites),
                step <- cellSteps
            ]
@@ -132,7 +132,7 @@ laidOut tolerance composites shown = case traverse compositeLattice composites o
     cells = recognisedCells shown
     ofFrames = alternatives tolerance composites
     slipOdds = slipPrior tolerance / 4
-    slip = Alternative Slip slipOdds . Just . laidBy
+    slip = WeighedLayout Slip slipOdds . Just . laidBy
     laidBy lattices =
       let grid = latticesGrid composites shown lattices
        in Laid (gridCells grid) (framesFrom (gridAnchor grid) lattices)
@@ -193,16 +193,16 @@ layoutDoubts reader tolerance composites shown =
     (used, others) = laidOut tolerance composites shown
     locatedIn = likeliestElsewhere reader tolerance . laidCells
     given = locatedIn used
-    weighed = [(alternativeFault a, odds, differ) | a <- others, let (odds, differ) = weigh a]
+    weighed = [(weighedCause a, odds, differ) | a <- others, let (odds, differ) = weigh a]
     share kind = sum [odds | (cause, odds, True) <- weighed, kind cause] / total
     -- The layout in use has odds of 1.
     total = 1 + sum [odds | (_, odds, _) <- weighed]
-    weigh alternative = case alternativeShown alternative of
-      Nothing -> (alternativeOdds alternative, True)
+    weigh alternative = case weighedShown alternative of
+      Nothing -> (weighedOdds alternative, True)
       Just laid
-        | likeliestIn laid == likeliestIn used -> (alternativeOdds alternative, False)
+        | likeliestIn laid == likeliestIn used -> (weighedOdds alternative, False)
         | otherwise ->
-          ( alternativeOdds alternative * exp (max (-30) (min 30 likelier)),
+          ( weighedOdds alternative * exp (max (-30) (min 30 likelier)),
             different laid there
           )
         where

@@ -62,7 +62,8 @@ query reader tolerance cells shown =
     { querySymmetries = waysUp,
       queryDoubt = toleratedDoubt tolerance,
       queryForeign = Just (foreignPrior tolerance),
-      queryForeignShape = sum [max (-6) (min 4 (readForeignShape s)) | here <- Map.elems cells, s <- here],
+      queryForeignShape =
+        sum [max (-6) (min 4 (readForeignShape s)) | here <- Map.elems cells, s <- here],
       queryPrior = Just (priorOf reader cells)
     }
 

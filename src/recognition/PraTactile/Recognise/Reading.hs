@@ -110,10 +110,10 @@ data View = View
 readSymbols :: Reader -> Symmetry -> Int -> [ForeignMasked] -> Either NetworkError [View]
 readSymbols reader axis from composites = numbered from <$> traverse view (zip [0 ..] composites)
   where
-    view (i, ForeignMasked c forParts _) = do
+    view (i, ForeignMasked c byHeight _) = do
       let (upright, found, back) = segmentAlong axis c
       symbols <- traverse (readSymbol reader axis i (shift c)) (segmentedSymbols back)
-      let partly = maybe upright (onComposite (invert axis)) forParts
+      let partly = maybe upright (onComposite (invert axis)) byHeight
       pure (View i axis partly found (segmentedRejects back) (shift c) symbols)
     shift c = case map maskedComposite composites of
       origin : _ -> (apart fst origin c, apart snd origin c)
@@ -193,8 +193,8 @@ readMirrored reader composites =
       (\axis -> readSymbols reader axis 0 (map mirrored' composites))
       [identity, turned 1]
   where
-    mirrored' (ForeignMasked c forParts foreignThings) =
-      ForeignMasked (onComposite mirror c) (onComposite mirror <$> forParts) foreignThings
+    mirrored' (ForeignMasked c byHeight foreignThings) =
+      ForeignMasked (onComposite mirror c) (onComposite mirror <$> byHeight) foreignThings
 
 -- | Symbols that are connected as neighbours.
 data Group = Group

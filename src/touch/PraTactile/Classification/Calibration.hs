@@ -6,7 +6,7 @@
 -- An image shows one of 2 q things (class k, upright or turned by 180 degrees) or another shape.
 -- Three numbers are computed from it. For each of the 2 q things: the logit z of its output, taken
 -- from the image or from the turned image, and the correlation s with its shape ('match'). For the
--- image alone: the correlation u with the free-form drawing that fits it best ('freeFormCorrelation').
+-- image alone: the correlation u with the free-form drawing that fits best ('freeFormCorrelation').
 -- Assume that the image x is a shape of any gain and offset under normal noise of unknown variance.
 -- Then the likelihood of the shape is a power of 1 - s^2, so correlation enters as
 --

@@ -25,8 +25,8 @@ data Estimate = Estimate
   { estimateLikeliest :: !(Int, Symmetry),
     -- | the probabilities of all classes and orientations, each above 0; they add up to 1
     estimateChances :: ![((Int, Symmetry), Double)],
-    -- | the log-likelihood ratio of another shape to the alphabet's ('logOddsOther'); 0 where it was
-    -- not computed
+    -- | the log-likelihood ratio of another shape to the alphabet's ('logOddsOther'); 0 where it
+    -- was not computed
     estimateForeignShape :: !Double
   }
   deriving stock (Eq, Show)

@@ -35,7 +35,11 @@ alternativesOnLattice ::
   Registration -> Fits -> Taxels -> [(Taxels, Touched)] -> Joint -> [AlternativeLayout]
 alternativesOnLattice settings fits robot touched found =
   [AlternativeLayout OneFrame 1 odds (Just lattice) | (odds, lattice) <- oneElsewhere found]
-    ++ [ AlternativeLayout (layoutCause layout) (layoutShare layout) (exp (min mostLog likelier)) lattice
+    ++ [ AlternativeLayout
+           (layoutCause layout)
+           (layoutShare layout)
+           (exp (min mostLog likelier))
+           lattice
          | layout <- layouts scales (tiedGroups found) (map (plus robot . fst) touched),
            let (likelier, lattice) = weighed layout,
            likelier > refuted
@@ -56,7 +60,9 @@ alternativesOnLattice settings fits robot touched found =
         there = registered (spacedOut framesOfLayout lying)
     scales
       | maybe False (> largeError) (jointSigma found) =
-        likelyScales (jointQuickLog . registered . spacedOut scaleFrames . lyingAt) (map fst touched)
+        likelyScales
+          (jointQuickLog . registered . spacedOut scaleFrames . lyingAt)
+          (map fst touched)
       | otherwise = []
     registered lying =
       registerJointly settings fits {fitsFrames = map snd lying} (map fst lying)

@@ -47,7 +47,8 @@ layouts scales groups places =
     found = if null scales then 0 else 0.5
     ofScales share these =
       [ofAll (uncurry OtherScale scale) (share / fromIntegral (length these)) | scale <- these]
-    ofAll cause share = Layout cause share (map (placeUnder cause) places) (map (const (0, 0)) places)
+    ofAll cause share =
+      Layout cause share (map (placeUnder cause) places) (map (const (0, 0)) places)
     -- One of some sets of frames slips, by any cell.
     slips share sets =
       [ Layout

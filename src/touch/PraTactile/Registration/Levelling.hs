@@ -37,7 +37,12 @@ where
 import PraTactile.Image (Raster, mapRaster)
 import PraTactile.Registration.Lattice.Fit (Touched, standardOf)
 import PraTactile.Registration.Model (Theta (..))
-import PraTactile.Registration.Numbers (independent, negligible, pressGainVariance, pressOffsetVariance)
+import PraTactile.Registration.Numbers
+  ( independent,
+    negligible,
+    pressGainVariance,
+    pressOffsetVariance,
+  )
 
 -- | The common scale of all frames, and the rescaling of each to it.
 data Levelling = Levelling
@@ -81,7 +86,8 @@ levelling frames
     unit = exp usualGain
     gains = map exp logGains
     (usual, shares) =
-      randomEffects [(offset r / unit, offsetError r / (unit * unit) + pressOffsetVariance) | r <- told]
+      randomEffects
+        [(offset r / unit, offsetError r / (unit * unit) + pressOffsetVariance) | r <- told]
     offsets = map (* unit) shares
     alike xs = and (zipWith (==) xs (drop 1 xs))
     onto g o = Level (flat - o / share) (1 / share) (max 0.01 (share * share))

@@ -330,7 +330,7 @@ removedSpec = do
     forAll (elements things) $ \(thing, value, cause, height) -> forAll (choose (0, 0.3)) $ \low ->
       let picture = drawn low [(symbol, 0.4), (thing, value)]
           composite = compositeOf picture
-          ForeignMasked found forParts rejects = maskForeign composite
+          ForeignMasked found byHeight rejects = maskForeign composite
           image = compositeImage found
           gone = [p | (p, 0) <- zip [0 ..] (V.toList (rasterValues (compositeCoverage found)))]
        in conjoin
@@ -344,7 +344,7 @@ removedSpec = do
                         | (p, v) <- zip [0 ..] (V.toList (rasterValues picture))
                       ],
               counterexample "parts are read where it is as high as symbols" $
-                forParts === Just (if height then found else composite),
+                byHeight === Just (if height then found else composite),
               case rejects of
                 [Reject (l, t, r, b) why] ->
                   why === cause

@@ -144,7 +144,7 @@ anyAngle = do
           let target = featuredAt s `plus` there
               found = [featuredAt o | o <- seen, apart target (featuredAt o) < 2]
           (k, fmap (plus (featuredAt s)) given) `shouldSatisfy` agrees found . snd
-  it "the tilt is from -45 up to but not including 45, and right up to quarter turns" $
+  it "the skew is from -45 up to but not including 45, and right up to quarter turns" $
     for_ ((,) <$> byEffort [1] [1, 2] <*> ([-46, -45.4 .. -44] ++ [44, 44.6 .. 46])) $
       \(k, angle) ->
         case skew [drawnWith k 0.05 (const Nothing) (sceneOf k angle)] of
@@ -152,7 +152,7 @@ anyAngle = do
             (k, angle, found) `shouldSatisfy` (\(_, _, t) -> t >= -45 && t < 45)
             (k, angle, upToQuarters found angle) `shouldSatisfy` (\(_, _, t) -> t < 1)
           Nothing -> expectationFailure (show (k, angle))
-  it "the tilts of two scenes together are each one's, before any other" $
+  it "the skews of two scenes together are each one's, before any other" $
     for_ ((,) <$> byEffort [3] [1 .. 6] <*> [-40, -20 .. 40]) $ \(k, angle) -> do
       let own = [angle, angle + 30]
           found = take 2 (skews [drawnWith k 0.05 (const Nothing) (sceneOf k a) | a <- own])
@@ -254,7 +254,8 @@ besideForeign = do
           image = mapRaster (\v -> 0.35 + 0.5 * v) (compositeImage composite)
           dimmed = composite {compositeImage = image}
           taken c = (compositeCoverage (maskedComposite c), maskedRejects c)
-      (name, k, taken (maskForeign dimmed) == taken (maskForeign composite)) `shouldBe` (name, k, True)
+      (name, k, taken (maskForeign dimmed) == taken (maskForeign composite))
+        `shouldBe` (name, k, True)
   it "a composite without it stays as it is" $
     for_ scenes $ \(k, scene) -> do
       let composite = drawnWith k 0.05 (const Nothing) scene

@@ -72,7 +72,8 @@ climbStart enough seed sheet kinds
 -- reversed or moved, or a piece that found no place comes earlier.
 climbMove :: Still -> Kinds -> Climb -> Climb
 climbMove sheet kinds climb
-  | fillingCost found <= fillingCost (climbBest climb) = next {climbBest = found, climbOrder = order}
+  | fillingCost found <= fillingCost (climbBest climb) =
+    next {climbBest = found, climbOrder = order}
   | otherwise = next
   where
     found = filled sheet kinds (climbChoice climb) order
