@@ -139,7 +139,7 @@ estimatedAs axis estimated s =
     }
 
 -- | Adds to the cells what the composite's images show. Arguments: the reader; the composite, and
--- its cleaned images; its lattice; its cells as the frames imply them.
+-- its masked images; its lattice; its cells as the frames imply them.
 --
 -- A complete symbol gets the network's class; any other symbol becomes a part. If a foreign thing
 -- covers some of a symbol, the symbol is estimated from the rest. Symbols with a doubt of one half

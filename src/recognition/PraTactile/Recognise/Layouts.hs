@@ -3,8 +3,8 @@
 -- | The alternative layouts of the frames of composites, and the doubt that they add to an answer.
 --
 -- A layout w has a prior P(w), a likelihood by the frames ('compositeAlternatives'), and a lattice
--- of cells. The array adds an evidence A(w): the likelihood ratio of these cells being the array's to
--- their being random. The layout in use is w = 0; the answer comes from its lattice.
+-- of cells. The array adds an evidence A(w): the likelihood ratio of these cells being the array's
+-- to their being random. The layout in use is w = 0; the answer comes from its lattice.
 --
 -- > odds(w) = P(w) / P(0) * likelihood(w) / likelihood(0) * A(w) / A(0)
 -- > doubt = sum of odds(w) over w that show another place / sum of odds(w) over all w
